@@ -1,0 +1,284 @@
+#include "firmware/config_file/table_reader.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <toml++/toml.h>
+#include <utility>
+
+namespace earshot::config_file {
+
+struct Problems {
+  std::filesystem::path path;
+  std::vector<std::string> lines;
+
+  void add(std::size_t line, const std::string& what) {
+    lines.push_back(path.string() + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what);
+  }
+};
+
+struct TableNode {
+  std::shared_ptr<Problems> problems;
+  std::shared_ptr<const toml::table> document;  ///< keeps every node alive
+  const toml::table* table = nullptr;           ///< null: the table is missing, which is noted already
+  std::string prefix;                           ///< dotted path of this table, "" at the root
+  std::set<std::string, std::less<>> asked;
+  std::vector<std::shared_ptr<TableNode>> children;
+
+  [[nodiscard]] std::string full(std::string_view key) const { return (prefix.empty() ? "" : prefix + ".") + std::string(key); }
+
+  [[nodiscard]] std::size_t line() const { return table != nullptr ? table->source().begin.line : 0; }
+
+  const toml::node* find(std::string_view key) {
+    asked.emplace(key);
+    return table != nullptr ? table->get(key) : nullptr;
+  }
+
+  std::shared_ptr<TableNode> add_child(const toml::table* child, std::string path) {
+    auto node = std::make_shared<TableNode>();
+    node->problems = problems;
+    node->document = document;
+    node->table = child;
+    node->prefix = std::move(path);
+    children.push_back(node);
+    return node;
+  }
+
+  void note_missing(std::string_view key, const std::string& allowed) {
+    if (table != nullptr) problems->add(line(), full(key) + " is missing: " + allowed);
+  }
+
+  void note_value(std::string_view key, const toml::node& value, const std::string& allowed) {
+    std::ostringstream text;
+    text << full(key);
+    value.visit([&text](const auto& v) {
+      using Value = std::remove_cvref_t<decltype(v)>;
+      if constexpr (!toml::is_table<Value> && !toml::is_array<Value>) text << " = " << v;
+    });
+    problems->add(value.source().begin.line, text.str() + ": " + allowed);
+  }
+
+  void note_unknown_keys() const {
+    if (table != nullptr) {
+      for (const auto& [key, value] : *table) {
+        if (!asked.contains(key.str())) problems->add(value.source().begin.line, full(key.str()) + ": unknown key");
+      }
+    }
+    for (const auto& child : children) child->note_unknown_keys();
+  }
+};
+
+namespace {
+
+std::string in_words(const Range& range) {
+  std::ostringstream text;
+  const bool low = std::isfinite(range.lowest);
+  const bool high = std::isfinite(range.highest);
+  text << "must be a finite number";
+  if (low) text << (range.lower == Range::Lower::kAbove ? " above " : " of at least ") << range.lowest;
+  if (low && high) text << " and";
+  if (high) text << " at most " << range.highest;
+  return text.str();
+}
+
+std::string in_words(std::int64_t lowest, std::int64_t highest) {
+  return "must be a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
+}
+
+std::string in_words(const std::vector<std::string>& allowed) {
+  std::string text = "must be one of";
+  for (std::size_t i = 0; i < allowed.size(); ++i) text += (i == 0 ? " \"" : ", \"") + allowed[i] + "\"";
+  return text;
+}
+
+bool allows(const Range& range, double x) {
+  const bool low = range.lower == Range::Lower::kAbove ? x > range.lowest : x >= range.lowest;
+  return std::isfinite(x) && low && x <= range.highest;
+}
+
+/// A value inside the range, so that code after a noted problem meets no nonsense.
+double harmless(const Range& range) {
+  if (std::isfinite(range.highest)) return range.highest;
+  return std::isfinite(range.lowest) ? range.lowest + 1.0 : 0.0;
+}
+
+std::optional<double> as_number(const toml::node& node) { return node.is_number() ? node.value<double>() : std::nullopt; }
+
+}  // namespace
+
+TableReader::TableReader(std::shared_ptr<TableNode> node) : node_(std::move(node)) {}
+
+bool TableReader::has(std::string_view key) const { return node_->table != nullptr && node_->table->contains(key); }
+
+double TableReader::number(std::string_view key, Range range) {
+  const toml::node* node = node_->find(key);
+  if (node == nullptr) {
+    node_->note_missing(key, in_words(range));
+    return harmless(range);
+  }
+  const std::optional<double> value = as_number(*node);
+  if (value && allows(range, *value)) return *value;
+  node_->note_value(key, *node, in_words(range));
+  return harmless(range);
+}
+
+double TableReader::number_or(std::string_view key, double fallback, Range range) {
+  return node_->find(key) == nullptr ? fallback : number(key, range);
+}
+
+std::int64_t TableReader::integer(std::string_view key, std::int64_t lowest, std::int64_t highest) {
+  const toml::node* node = node_->find(key);
+  if (node == nullptr) {
+    node_->note_missing(key, in_words(lowest, highest));
+    return lowest;
+  }
+  const std::optional<std::int64_t> value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+  if (value && *value >= lowest && *value <= highest) return *value;
+  node_->note_value(key, *node, in_words(lowest, highest));
+  return lowest;
+}
+
+std::int64_t TableReader::integer_or(std::string_view key, std::int64_t fallback, std::int64_t lowest, std::int64_t highest) {
+  return node_->find(key) == nullptr ? fallback : integer(key, lowest, highest);
+}
+
+bool TableReader::boolean_or(std::string_view key, bool fallback) {
+  const toml::node* node = node_->find(key);
+  if (node == nullptr) return fallback;
+  if (node->is_boolean()) return *node->value<bool>();
+  node_->note_value(key, *node, "must be true or false");
+  return fallback;
+}
+
+std::string TableReader::text(std::string_view key) {
+  const toml::node* node = node_->find(key);
+  if (node == nullptr) {
+    node_->note_missing(key, "must be a text");
+    return {};
+  }
+  if (node->is_string()) return *node->value<std::string>();
+  node_->note_value(key, *node, "must be a text");
+  return {};
+}
+
+std::string TableReader::text_or(std::string_view key, std::string_view fallback) {
+  return node_->find(key) == nullptr ? std::string(fallback) : text(key);
+}
+
+std::size_t TableReader::choice(std::string_view key, const std::vector<std::string>& allowed) {
+  const toml::node* node = node_->find(key);
+  if (node == nullptr) {
+    node_->note_missing(key, in_words(allowed));
+    return 0;
+  }
+  if (node->is_string()) {
+    for (std::size_t i = 0; i < allowed.size(); ++i) {
+      if (*node->value<std::string>() == allowed[i]) return i;
+    }
+  }
+  node_->note_value(key, *node, in_words(allowed));
+  return 0;
+}
+
+std::size_t TableReader::choice_or(std::string_view key, std::size_t fallback, const std::vector<std::string>& allowed) {
+  return node_->find(key) == nullptr ? fallback : choice(key, allowed);
+}
+
+std::vector<double> TableReader::numbers(std::string_view key, Range range) {
+  const toml::node* node = node_->find(key);
+  if (node == nullptr) {
+    node_->note_missing(key, "must be an array of numbers");
+    return {};
+  }
+  if (!node->is_array()) {
+    node_->note_value(key, *node, "must be an array of numbers");
+    return {};
+  }
+  std::vector<double> values;
+  std::size_t index = 0;
+  for (const toml::node& element : *node->as_array()) {
+    const std::optional<double> value = as_number(element);
+    if (!value || !allows(range, *value)) node_->note_value(std::string(key) + "[" + std::to_string(index) + "]", element, in_words(range));
+    values.push_back(value && allows(range, *value) ? *value : harmless(range));
+    ++index;
+  }
+  return values;
+}
+
+TableReader TableReader::table(std::string_view key) {
+  const toml::node* node = node_->find(key);
+  if (node == nullptr) {
+    node_->note_missing(key, "must be a table");
+  } else if (!node->is_table()) {
+    node_->note_value(key, *node, "must be a table");
+  }
+  return TableReader(node_->add_child(node != nullptr ? node->as_table() : nullptr, node_->full(key)));
+}
+
+std::optional<TableReader> TableReader::optional_table(std::string_view key) {
+  if (node_->find(key) == nullptr) return std::nullopt;
+  return table(key);
+}
+
+std::vector<TableReader> TableReader::tables(std::string_view key) {
+  const toml::node* node = node_->find(key);
+  std::vector<TableReader> readers;
+  if (node == nullptr) {
+    node_->note_missing(key, "must be an array of tables");
+    return readers;
+  }
+  if (!node->is_array()) {
+    node_->note_value(key, *node, "must be an array of tables");
+    return readers;
+  }
+  std::size_t index = 0;
+  for (const toml::node& element : *node->as_array()) {
+    const std::string name = std::string(key) + "[" + std::to_string(index++) + "]";
+    if (!element.is_table()) node_->note_value(name, element, "must be a table");
+    readers.push_back(TableReader(node_->add_child(element.as_table(), node_->full(name))));
+  }
+  return readers;
+}
+
+void TableReader::problem(std::string_view key, std::string_view what) {
+  const toml::node* node = node_->table != nullptr ? node_->table->get(key) : nullptr;
+  if (node != nullptr) {
+    node_->note_value(key, *node, std::string(what));
+  } else {
+    node_->problems->add(node_->line(), node_->full(key) + ": " + std::string(what));
+  }
+}
+
+File::File(std::filesystem::path path) : path_(std::move(path)), problems_(std::make_shared<Problems>()), root_(std::make_shared<TableNode>()) {
+  problems_->path = path_;
+  std::error_code error;
+  if (!std::filesystem::exists(path_, error)) throw BadInput(path_.string() + ": no such file");
+  std::ifstream stream(path_);
+  if (!stream || std::filesystem::is_directory(path_, error)) throw BadInput(path_.string() + ": cannot be read");
+  try {
+    root_->document = std::make_shared<const toml::table>(toml::parse(stream, path_.string()));
+  } catch (const toml::parse_error& e) {
+    throw BadInput(path_.string() + ":" + std::to_string(e.source().begin.line) + ": not TOML: " + std::string(e.description()));
+  }
+  root_->problems = problems_;
+  root_->table = root_->document.get();
+}
+
+TableReader File::root() const { return TableReader(root_); }
+
+std::filesystem::path File::resolve(const std::filesystem::path& relative) const {
+  return relative.is_absolute() ? relative : (path_.parent_path() / relative).lexically_normal();
+}
+
+void File::finish() const {
+  root_->note_unknown_keys();
+  if (problems_->lines.empty()) return;
+  std::string all;
+  for (const std::string& line : problems_->lines) all += (all.empty() ? "" : "\n") + line;
+  throw BadInput(all);
+}
+
+}  // namespace earshot::config_file

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace earshot::config_file {
+
+/// Everything that is wrong with a file, one line each: "FILE:LINE: KEY = VALUE: what is allowed". Programs print it and exit with status 2.
+class BadInput : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Problems;   ///< what the readers of one file have found so far
+struct TableNode;  ///< one TOML table and which of its keys were asked for
+
+/// Bounds of a number, both allowed unless `above` says that the lower one is not.
+struct Range {
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+  enum class Lower : std::uint8_t { kAtLeast, kAbove } lower = Lower::kAtLeast;
+
+  static Range at_least(double x) { return {x, std::numeric_limits<double>::infinity(), Lower::kAtLeast}; }
+  static Range above(double x) { return {x, std::numeric_limits<double>::infinity(), Lower::kAbove}; }
+  static Range between(double low, double high) { return {low, high, Lower::kAtLeast}; }
+  static Range above_up_to(double low, double high) { return {low, high, Lower::kAbove}; }
+};
+
+/// Reads the keys of one TOML table. A bad, missing or unknown key is noted, a harmless value is returned, and reading goes on, so that
+/// `File::finish` can report every problem at once. Numbers must be finite. Each key names its unit ("depth_m").
+class TableReader {
+ public:
+  [[nodiscard]] double number(std::string_view key, Range range = {});
+  [[nodiscard]] double number_or(std::string_view key, double fallback, Range range = {});
+  [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t lowest, std::int64_t highest);
+  [[nodiscard]] std::int64_t integer_or(std::string_view key, std::int64_t fallback, std::int64_t lowest, std::int64_t highest);
+  [[nodiscard]] bool boolean_or(std::string_view key, bool fallback);
+  [[nodiscard]] std::string text(std::string_view key);
+  [[nodiscard]] std::string text_or(std::string_view key, std::string_view fallback);
+  /// One of the allowed words; returns its index.
+  [[nodiscard]] std::size_t choice(std::string_view key, const std::vector<std::string>& allowed);
+  [[nodiscard]] std::size_t choice_or(std::string_view key, std::size_t fallback, const std::vector<std::string>& allowed);
+  /// An array of numbers, each within `range`.
+  [[nodiscard]] std::vector<double> numbers(std::string_view key, Range range = {});
+  [[nodiscard]] bool has(std::string_view key) const;
+
+  /// The table under `key`; a missing one is noted and reads as empty.
+  [[nodiscard]] TableReader table(std::string_view key);
+  [[nodiscard]] std::optional<TableReader> optional_table(std::string_view key);
+  /// Each table of an array of tables.
+  [[nodiscard]] std::vector<TableReader> tables(std::string_view key);
+
+  /// Notes a problem of the caller's own finding about `key` ("must be less than max_depth_m").
+  void problem(std::string_view key, std::string_view what);
+
+ private:
+  friend class File;
+  explicit TableReader(std::shared_ptr<TableNode> node);
+  std::shared_ptr<TableNode> node_;
+};
+
+/// One TOML file.
+///
+///     config_file::File file{"mission.toml"};
+///     TableReader root = file.root();
+///     mission.depth = Meters{root.number("depth_m", Range::above(0))};
+///     file.finish();   // throws BadInput with every problem, unknown keys included
+class File {
+ public:
+  /// Throws BadInput when the file cannot be read or is not TOML.
+  explicit File(std::filesystem::path path);
+  [[nodiscard]] TableReader root() const;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// `relative` as written in this file: relative paths are relative to the file's own folder.
+  [[nodiscard]] std::filesystem::path resolve(const std::filesystem::path& relative) const;
+  /// Throws BadInput if anything was noted or a key was never asked for.
+  void finish() const;
+
+ private:
+  std::filesystem::path path_;
+  std::shared_ptr<Problems> problems_;
+  std::shared_ptr<TableNode> root_;
+};
+
+}  // namespace earshot::config_file

@@ -1,0 +1,77 @@
+# How an Earshot target is made: earshot_firmware_library, earshot_library, earshot_program, earshot_test.
+# Flags hang on targets through the interface targets below; nothing is set globally except the language standard and the output folders.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 11)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+# Dev: as fast to debug as it can be while tests still fly whole missions; assertions stay on.
+set(CMAKE_CXX_FLAGS_DEV "-O2 -g1" CACHE STRING "C++ flags of the Dev build type")
+set(CMAKE_C_FLAGS_DEV "-O2 -g1" CACHE STRING "C flags of the Dev build type")
+mark_as_advanced(CMAKE_CXX_FLAGS_DEV CMAKE_C_FLAGS_DEV)
+
+set(EARSHOT_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
+
+# x86-64-v3 (AVX2, FMA) rather than -march=native: the same bits on every machine that has it, and safe to share in a compiler cache.
+include(CheckCXXSourceRuns)
+set(CMAKE_REQUIRED_FLAGS "-O1")
+check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1; }" EARSHOT_HOST_IS_X86_64_V3)
+unset(CMAKE_REQUIRED_FLAGS)
+
+add_library(earshot_flags INTERFACE)
+target_include_directories(earshot_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(earshot_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wimplicit-fallthrough -Werror
+  $<$<BOOL:${EARSHOT_HOST_IS_X86_64_V3}>:-march=x86-64-v3>)
+if(EARSHOT_SANITIZE)
+  target_compile_options(earshot_flags INTERFACE -fsanitize=${EARSHOT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(earshot_flags INTERFACE -fsanitize=${EARSHOT_SANITIZE})
+endif()
+
+# The decision path gives the same bits everywhere: no fused multiply-add, no exceptions, no run-time type information (design: fixed-memory core).
+add_library(earshot_firmware_flags INTERFACE)
+target_link_libraries(earshot_firmware_flags INTERFACE earshot_flags)
+target_compile_options(earshot_firmware_flags INTERFACE -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics)
+
+# earshot_library(NAME [FIRMWARE] HEADERS ... [SOURCES ...] [DEPENDS ...])
+#   FIRMWARE  part of the fixed-memory core: its flags, and its objects are checked for heap symbols
+#   DEPENDS   public link dependencies
+function(earshot_library NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "FIRMWARE" "" "HEADERS;SOURCES;DEPENDS")
+  if(ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "earshot_library(${NAME}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
+  if(ARG_FIRMWARE)
+    set(flags earshot_firmware_flags)
+  else()
+    set(flags earshot_flags)
+  endif()
+  if(ARG_SOURCES)
+    add_library(${NAME} STATIC ${ARG_SOURCES})
+    set(scope PUBLIC)
+    target_link_libraries(${NAME} PRIVATE ${flags} PUBLIC ${ARG_DEPENDS})
+    target_include_directories(${NAME} PUBLIC ${PROJECT_SOURCE_DIR})
+  else()
+    add_library(${NAME} INTERFACE)
+    set(scope INTERFACE)
+    target_link_libraries(${NAME} INTERFACE ${ARG_DEPENDS})
+    target_include_directories(${NAME} INTERFACE ${PROJECT_SOURCE_DIR})
+  endif()
+  # A header set lets CMake compile every header alone (CMAKE_VERIFY_INTERFACE_HEADER_SETS in the dev preset).
+  target_sources(${NAME} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS})
+  if(ARG_FIRMWARE)
+    set_property(GLOBAL APPEND PROPERTY EARSHOT_FIRMWARE_LIBRARIES ${NAME})
+  endif()
+endfunction()
+
+# earshot_program(NAME SOURCES ... [DEPENDS ...]): an executable in build/<preset>/bin.
+function(earshot_program NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;DEPENDS")
+  if(ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "earshot_program(${NAME}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
+  add_executable(${NAME} ${ARG_SOURCES})
+  target_link_libraries(${NAME} PRIVATE earshot_flags ${ARG_DEPENDS})
+endfunction()
