@@ -35,16 +35,16 @@ struct FrozenPolicy {
 /// What is wrong with the bytes of a policy, for the message a person reads; the Status says what to do.
 enum class PolicyFault : std::uint8_t {
   kNone,
-  kTooShort,          ///< shorter than its header or its own length field says
-  kBadMagic,          ///< not a .policy file
-  kUnknownVersion,    ///< of a later format
-  kBadChecksum,       ///< CRC-32 does not match
-  kBadShape,          ///< a size is zero, over its capacity, or sizes contradict each other
+  kTooShort,        ///< shorter than its header or its own length field says
+  kBadMagic,        ///< not a .policy file
+  kUnknownVersion,  ///< of a later format
+  kBadChecksum,     ///< CRC-32 does not match
+  kBadShape,        ///< a size is zero, over its capacity, or sizes contradict each other
   kUnknownActivation,
   kUnknownFeature,
   kUnknownDraw,
-  kNotFinite,         ///< a weight, scale or direction is NaN or infinite
-  kGoldenMismatch,    ///< the network does not give the golden logits on this machine
+  kNotFinite,       ///< a weight, scale or direction is NaN or infinite
+  kGoldenMismatch,  ///< the network does not give the golden logits on this machine
 };
 
 inline constexpr std::size_t kSignatureSize = 64;  ///< Ed25519, over every byte before it; the shell checks it, the core does not
