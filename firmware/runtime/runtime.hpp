@@ -20,9 +20,9 @@ namespace earshot::runtime {
 struct Navigation {
   Time time;  ///< when it was valid
   NorthEast position;
-  Meters depth;             ///< positive down
-  Radians heading;          ///< clockwise from north
-  MetersPerSecond speed;    ///< through the water
+  Meters depth;           ///< positive down
+  Radians heading;        ///< clockwise from north
+  MetersPerSecond speed;  ///< through the water
 };
 
 /// The SNR at the hydrophone: from the detector at sea, from the PE model over the simulation link.
@@ -41,8 +41,8 @@ enum class MissionState : std::uint8_t { kStandby = 0, kSearch = 1, kDone = 2, k
 
 enum class EndReason : std::uint8_t {
   kNone = 0,
-  kCompleted = 1,          ///< operator said the source is reached
-  kStepsUsedUp = 2,        ///< max_steps actions taken
+  kCompleted = 1,    ///< operator said the source is reached
+  kStepsUsedUp = 2,  ///< max_steps actions taken
   kOperatorAbort = 3,
   kNavigationStale = 4,
   kSnrStale = 5,
@@ -85,8 +85,8 @@ struct Decision {
 struct Counters {
   std::uint32_t navigation_refused = 0;  ///< not finite, or older than the last
   std::uint32_t snr_refused = 0;
-  std::uint32_t commands_refused = 0;    ///< not allowed in this state
-  std::uint32_t setpoints_limited = 0;   ///< changed by the safety layer
+  std::uint32_t commands_refused = 0;   ///< not allowed in this state
+  std::uint32_t setpoints_limited = 0;  ///< changed by the safety layer
 };
 
 struct Outputs {
@@ -98,7 +98,8 @@ struct Outputs {
   Counters counters;
 };
 
-/// The whole on-vehicle state. step() reads no clock, opens nothing, allocates nothing, throws nothing: same inputs, same outputs, bit for bit.
+/// The whole on-vehicle state. step() reads no clock, opens nothing, allocates nothing, throws nothing: same inputs, same outputs, bit for
+/// bit.
 class Runtime {
  public:
   /// kOutOfRange if the mission fails config::check or does not fit the policy (step length). Until configured, step() stays in STANDBY.
