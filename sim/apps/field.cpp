@@ -51,7 +51,8 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(0.001, 1000.0));
   app.add_option("--terms", arguments.terms, "terms of the Pade approximant")->check(CLI::Range(1, 12))->capture_default_str();
   app.add_option("--plot", arguments.plot, "also draw the SNR, as .png or .svg");
-  app.add_option("--detection-threshold-db", arguments.detection_threshold_db, "SNR whose contour the plot shows")->capture_default_str();
+  app.add_option("--detection-threshold-db", arguments.detection_threshold_db, "SNR at which the plot turns from cold to warm colours")
+      ->capture_default_str();
 }
 
 std::vector<double> receiver_depths(const Arguments& arguments, Meters sea_floor) {

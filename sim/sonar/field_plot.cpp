@@ -28,7 +28,6 @@ std::string surface(const SonarField& field) {
       data << field.range_m[i] / 1000.0 << ' ' << field.depth_m[j] << ' '
            << field.snr_db(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) << '\n';
     }
-    data << '\n';
   }
   return data.str();
 }
@@ -39,11 +38,12 @@ std::string script(const std::filesystem::path& temporary, const std::string& te
   text << "set terminal " << terminal << " size 1100,500\n"
        << "set output " << quoted(temporary.string()) << "\nset title " << quoted(title) << " noenhanced\n"
        << "set xlabel 'range (km)'\nset ylabel 'depth (m)'\nset cblabel 'SNR (dB)'\n"
-       << "set yrange [*:*] reverse\nset cbrange [" << detection_threshold.value - 20.0 << ':' << detection_threshold.value + 20.0 << "]\n"
-       << "set palette defined (0 '#081d58', 1 '#225ea8', 2 '#41b6c4', 3 '#c7e9b4', 4 '#ffffd9')\n"
-       << "set view map\nset pm3d map\nset contour base\nset cntrparam levels discrete " << detection_threshold.value
-       << "\nset cntrlabel onecolor\nunset key\n$field << EOD\n"
-       << surface(field) << "EOD\nsplot $field with pm3d, $field with lines lc rgb 'black' lw 0.5 nosurface\n";
+       << "set yrange [*:*] reverse\nset cbrange [" << detection_threshold.value - 20.0 << ':' << detection_threshold.value + 20.0
+       << "]\n"
+       // Cold below the threshold and warm above it, so that the colour change is the edge of detection.
+       << "set palette defined (0 '#081d58', 20 '#a6cee3', 20 '#fee391', 40 '#cc4c02')\n"
+       << "set autoscale fix\nset tics out\nunset key\n$field << EOD\n"
+       << surface(field) << "EOD\nplot $field with image\n";
   return text.str();
 }
 
