@@ -1,12 +1,12 @@
 #include "firmware/config_file/table_reader.hpp"
 
+#include <toml++/toml.h>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <functional>
 #include <set>
 #include <sstream>
-#include <toml++/toml.h>
 #include <utility>
 
 namespace earshot::config_file {
@@ -105,13 +105,17 @@ double harmless(const Range& range) {
   return std::isfinite(range.lowest) ? range.lowest + 1.0 : 0.0;
 }
 
-std::optional<double> as_number(const toml::node& node) { return node.is_number() ? node.value<double>() : std::nullopt; }
+std::optional<double> as_number(const toml::node& node) {
+  return node.is_number() ? node.value<double>() : std::nullopt;
+}
 
 }  // namespace
 
 TableReader::TableReader(std::shared_ptr<TableNode> node) : node_(std::move(node)) {}
 
-bool TableReader::has(std::string_view key) const { return node_->table != nullptr && node_->table->contains(key); }
+bool TableReader::has(std::string_view key) const {
+  return node_->table != nullptr && node_->table->contains(key);
+}
 
 double TableReader::number(std::string_view key, Range range) {
   const toml::node* node = node_->find(key);
@@ -252,7 +256,8 @@ void TableReader::problem(std::string_view key, std::string_view what) {
   }
 }
 
-File::File(std::filesystem::path path) : path_(std::move(path)), problems_(std::make_shared<Problems>()), root_(std::make_shared<TableNode>()) {
+File::File(std::filesystem::path path)
+    : path_(std::move(path)), problems_(std::make_shared<Problems>()), root_(std::make_shared<TableNode>()) {
   problems_->path = path_;
   std::error_code error;
   if (!std::filesystem::exists(path_, error)) throw BadInput(path_.string() + ": no such file");
@@ -267,7 +272,9 @@ File::File(std::filesystem::path path) : path_(std::move(path)), problems_(std::
   root_->table = root_->document.get();
 }
 
-TableReader File::root() const { return TableReader(root_); }
+TableReader File::root() const {
+  return TableReader(root_);
+}
 
 std::filesystem::path File::resolve(const std::filesystem::path& relative) const {
   return relative.is_absolute() ? relative : (path_.parent_path() / relative).lexically_normal();

@@ -12,7 +12,8 @@
 
 namespace earshot::config_file {
 
-/// Everything that is wrong with a file, one line each: "FILE:LINE: KEY = VALUE: what is allowed". Programs print it and exit with status 2.
+/// Everything that is wrong with a file, one line each: "FILE:LINE: KEY = VALUE: what is allowed". Programs print it and exit with
+/// status 2.
 class BadInput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -9,7 +9,8 @@
 
 namespace earshot {
 
-/// A vector of at most N elements that lives where it is declared. Elements are trivially destructible values; a full vector refuses (kFull).
+/// A vector of at most N elements that lives where it is declared. Elements are trivially destructible values; a full vector refuses
+/// (kFull).
 template <class T, std::size_t N>
 class FixedVector {
  public:

@@ -22,7 +22,9 @@ struct UnitNorthEast {
   friend constexpr bool operator==(UnitNorthEast, UnitNorthEast) = default;
 };
 
-constexpr NorthEast operator*(Meters length, const UnitNorthEast& direction) { return {length * direction.north, length * direction.east}; }
+constexpr NorthEast operator*(Meters length, const UnitNorthEast& direction) {
+  return {length * direction.north, length * direction.east};
+}
 
 /// Axis-aligned rectangle in the north-east plane; its edges belong to it.
 struct Rectangle {

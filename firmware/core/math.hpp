@@ -1,5 +1,8 @@
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 #include "firmware/core/units.hpp"
 
 namespace earshot {
@@ -7,13 +10,20 @@ namespace earshot {
 // Elementary functions whose bits do not depend on the machine or its libm: plain IEEE add, multiply, divide in a fixed order
 // (the firmware is built with -ffp-contract=off). A NaN stays a NaN.
 
-[[nodiscard]] bool is_finite(double x);
-[[nodiscard]] bool is_finite(float x);
+/// Neither NaN nor infinite; looks at the bits, so that no compiler flag can optimise it away.
+[[nodiscard]] constexpr bool is_finite(double x) {
+  return (std::bit_cast<std::uint64_t>(x) & 0x7FF0000000000000U) != 0x7FF0000000000000U;
+}
+[[nodiscard]] constexpr bool is_finite(float x) {
+  return (std::bit_cast<std::uint32_t>(x) & 0x7F800000U) != 0x7F800000U;
+}
 
-/// e^x; 0 and +infinity beyond float's range. Error: see math.cpp.
+/// e^x; 0 and +infinity beyond float's range.
+/// Error: at most 0.501 ulp (the double it is rounded from is good to 1e-15).   Oracle: Exp.IsWithinHalfAnUlpOfLongDouble
 [[nodiscard]] float exp(float x);
 
-/// Hyperbolic tangent. Error: see math.cpp.
+/// Hyperbolic tangent; odd, never beyond +-1.
+/// Error: at most 0.501 ulp.   Oracle: Tanh.IsWithinHalfAnUlpOfLongDouble
 [[nodiscard]] float tanh(float x);
 
 /// Square root by IEEE 754's correctly rounded operation (an instruction on every target, not libm).
@@ -23,13 +33,16 @@ struct SineCosine {
   double sine;
   double cosine;
 };
-/// Sine and cosine of an angle of any finite size.
+/// Sine and cosine of an angle of any finite size; NaN otherwise.
+/// Error: at most 4e-16, and beyond +-pi another 4e-17 of the angle (whole turns are taken off as multiples of the double next to 2 pi).
+/// Oracle: SineCosine.IsWithinFourTimesTenToTheMinusSixteenOfLongDouble
 [[nodiscard]] SineCosine sine_cosine(Radians angle);
 
 /// Angle of the vector (north, east), clockwise from north, in (-pi, pi]; zero for the zero vector.
+/// Error: at most 1e-15 rad.   Oracle: BearingOf.IsWithinTenToTheMinusFifteenOfLongDouble
 [[nodiscard]] Radians bearing_of(double north, double east);
 
-/// The same angle in (-pi, pi].
+/// The same angle in (-pi, pi]; an angle that lies there already comes back bit for bit. NaN unless finite.
 [[nodiscard]] Radians wrap_to_pi(Radians angle);
 
 }  // namespace earshot

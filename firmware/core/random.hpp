@@ -5,8 +5,8 @@
 namespace earshot {
 
 /// PCG32 (XSH-RR 64/32): a small generator with the same bits on every machine, for drawing actions and for simulation.
-/// Source: O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for Random Number Generation", HMC-CS-2014-0905.
-/// Oracle: Pcg32.GivesThePublishedSequenceOfSeed42Stream54
+/// Source: O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for Random Number Generation",
+/// HMC-CS-2014-0905. Oracle: Pcg32.GivesThePublishedSequenceOfSeed42Stream54
 class Pcg32 {
  public:
   constexpr explicit Pcg32(std::uint64_t seed, std::uint64_t stream = 0) : state_(0), increment_((stream << 1U) | 1U) {

@@ -21,7 +21,7 @@ enum class Status : std::uint8_t {
 template <class T>
 class [[nodiscard]] Result {
  public:
-  constexpr Result(T value) : value_(value), status_(Status::kOk) {}                  // NOLINT(google-explicit-constructor): reads as return
+  constexpr Result(T value) : value_(value), status_(Status::kOk) {}  // NOLINT(google-explicit-constructor): reads as return
   constexpr Result(Status status) : status_(status) { assert(status != Status::kOk); }  // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] constexpr bool ok() const { return status_ == Status::kOk; }

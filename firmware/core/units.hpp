@@ -4,7 +4,8 @@
 
 namespace earshot {
 
-/// A number with its unit in the type. Same-unit sums, scaling by a pure number and ratios; every other conversion is spelled out where it happens.
+/// A number with its unit in the type. Same-unit sums, scaling by a pure number and ratios; every other conversion is spelled out where it
+/// happens.
 template <class Unit>
 struct Quantity {
   double value = 0.0;

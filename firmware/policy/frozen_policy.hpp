@@ -35,22 +35,22 @@ struct FrozenPolicy {
 /// What is wrong with the bytes of a policy, for the message a person reads; the Status says what to do.
 enum class PolicyFault : std::uint8_t {
   kNone,
-  kTooShort,          ///< shorter than its header or its own length field says
-  kBadMagic,          ///< not a .policy file
-  kUnknownVersion,    ///< of a later format
-  kBadChecksum,       ///< CRC-32 does not match
-  kBadShape,          ///< a size is zero, over its capacity, or sizes contradict each other
+  kTooShort,        ///< shorter than its header or its own length field says
+  kBadMagic,        ///< not a .policy file
+  kUnknownVersion,  ///< of a later format
+  kBadChecksum,     ///< CRC-32 does not match
+  kBadShape,        ///< a size is zero, over its capacity, or sizes contradict each other
   kUnknownActivation,
   kUnknownFeature,
   kUnknownDraw,
-  kNotFinite,         ///< a weight, scale or direction is NaN or infinite
-  kGoldenMismatch,    ///< the network does not give the golden logits on this machine
+  kNotFinite,       ///< a weight, scale, direction or step length is NaN, infinite, or no such thing (a direction not of length one)
+  kGoldenMismatch,  ///< the network does not give the golden logits on this machine
 };
 
 inline constexpr std::size_t kSignatureSize = 64;  ///< Ed25519, over every byte before it; the shell checks it, the core does not
 inline constexpr std::size_t kPublicKeySize = 32;
 
-/// Upper bound on the size of a serialised policy, bytes.
+/// Size of the largest serialised policy, bytes.
 [[nodiscard]] std::size_t max_serialised_size();
 
 /// Reads the bytes of a `.policy` file into `policy` and re-checks its golden pairs. On failure `policy` is unspecified.

@@ -10,7 +10,8 @@ namespace earshot::policy {
 
 /// A multilayer perceptron with tanh hidden layers and a linear output (the actor of the policy), weights in place.
 struct Network {
-  /// One dense layer: output = weights * input + bias; weights row-major [outputs x inputs].
+  /// One dense layer: output = weights * input + bias; weights row-major [outputs x inputs] and packed: the layer's own number of inputs,
+  /// not MaxInputs, lies between two rows.
   template <std::size_t MaxOutputs, std::size_t MaxInputs>
   struct Layer {
     std::array<float, MaxOutputs * MaxInputs> weights{};
@@ -29,6 +30,7 @@ struct Network {
 /// Logits of every action for one observation. Same bits on every machine: one fixed order of IEEE float operations, no fused multiply-add.
 /// @param observation  [observation_size]
 /// @param logits       [action_count]
+/// Oracle: Forward.EqualsAHandComputedNetwork, Forward.GivesTheBitsWrittenDownOnX86
 void forward(const Network& network, std::span<const float> observation, std::span<float> logits);
 
 }  // namespace earshot::policy

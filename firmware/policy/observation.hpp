@@ -61,8 +61,8 @@ void observe(const SearchMemory& memory, const ObservationSpec& spec, std::span<
 /// The paper's simple state o = (x, y), scaled to [-1, 1] over an area of the given size (north and east).
 [[nodiscard]] ObservationSpec simple_state(NorthEast area_size);
 
-/// The paper's memory state: (dx, dy, SNR) of each of the last `steps` steps, newest first; displacements in step lengths, SNR in units of 30 dB
-/// about the detection threshold. kOutOfRange unless 1 <= steps <= kMaxRememberedSteps.
+/// The paper's memory state: (dx, dy, SNR) of each of the last `steps` steps, newest first; displacements in step lengths, SNR in units of
+/// 30 dB about the detection threshold. kOutOfRange unless 1 <= steps <= kMaxRememberedSteps.
 [[nodiscard]] Result<ObservationSpec> memory_state(std::size_t steps, Meters step_length, Decibels detection_threshold);
 
 }  // namespace earshot::policy
