@@ -8,10 +8,10 @@ namespace earshot::n2k {
 
 namespace {
 
-constexpr double kTrueNorth = 0.0;         ///< DIRECTION_REFERENCE
-constexpr double kHeadingControl = 5.0;    ///< STEERING_MODE
-constexpr double kManufacturer = 2044.0;   ///< see signals.cpp
-constexpr double kMarineIndustry = 4.0;    ///< INDUSTRY_CODE
+constexpr double kTrueNorth = 0.0;        ///< DIRECTION_REFERENCE
+constexpr double kHeadingControl = 4.0;   ///< STEERING_MODE
+constexpr double kManufacturer = 2044.0;  ///< see signals.cpp
+constexpr double kMarineIndustry = 4.0;   ///< INDUSTRY_CODE
 constexpr double kTwoPi = 6.283185307179586;
 
 }  // namespace
@@ -29,7 +29,9 @@ Status compose_setpoint(const Setpoint& setpoint, std::uint8_t source, std::uint
   if (status != Status::kOk) return status;
 
   MessageWriter control(kHeadingControlPgn);
-  control.set("SteeringMode", kHeadingControl).set("HeadingReference", kTrueNorth).set("HeadingToSteer", heading < 0.0 ? heading + kTwoPi : heading);
+  control.set("SteeringMode", kHeadingControl)
+      .set("HeadingReference", kTrueNorth)
+      .set("HeadingToSteer", heading < 0.0 ? heading + kTwoPi : heading);
   if (control.status() != Status::kOk) return control.status();
   FastPacketFrames packet;
   status = compose_fast_packet(control.identifier(source), sequence, control.bytes(), packet);
@@ -65,7 +67,7 @@ Status SetpointReceiver::accept(const Frame& frame, Setpoint& setpoint) {
   if (!heading.ok() || !reference.ok()) return Status::kOutOfRange;
   if (reference.value() != kTrueNorth) return Status::kUnsupported;
   if (!speed_depth_) return Status::kNotReady;
-  setpoint = {speed_depth_->speed, speed_depth_->depth, wrap_to_pi(Radians{heading.value()})};
+  setpoint = {.heading = wrap_to_pi(Radians{heading.value()}), .speed = speed_depth_->speed, .depth = speed_depth_->depth};
   return Status::kOk;
 }
 
