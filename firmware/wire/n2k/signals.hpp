@@ -67,7 +67,7 @@ inline constexpr std::uint32_t kSpeedDepthPgn = 65290;
 /// bytes.
 [[nodiscard]] Status encode(const Signal& signal, double value, std::span<std::uint8_t> bytes);
 
-/// A message all of whose fields are "not available" (and its reserved bits one).
-[[nodiscard]] std::array<std::uint8_t, kMaxMessageSize> blank();
+/// Bytes of a message all of whose fields are "not available" and whose reserved bits are one; the first message.size of them count.
+[[nodiscard]] std::array<std::uint8_t, kMaxMessageSize> blank(const Message& message);
 
 }  // namespace earshot::n2k
