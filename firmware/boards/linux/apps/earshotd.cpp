@@ -20,6 +20,7 @@
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "sim/link/runtime_end.hpp"
+#include "sim/link/session.hpp"
 
 namespace {
 
