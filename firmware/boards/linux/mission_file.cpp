@@ -25,8 +25,6 @@ void read_area(TableReader area, config::Mission& mission) {
   Rectangle& r = mission.operating_area;
   r.south_west = {Meters{area.number("south_m", anywhere)}, Meters{area.number("west_m", anywhere)}};
   r.north_east = {Meters{area.number("north_m", anywhere)}, Meters{area.number("east_m", anywhere)}};
-  if (!(r.north_east.north > r.south_west.north)) area.problem("north_m", "must be greater than south_m");
-  if (!(r.north_east.east > r.south_west.east)) area.problem("east_m", "must be greater than west_m");
   mission.edge_margin = Meters{area.number("edge_margin_m", Range::between(0.0, kFarthest_m))};
 }
 
@@ -40,7 +38,6 @@ void read_search(TableReader search, config::Mission& mission) {
 
 void read_limits(TableReader limits, config::Mission& mission) {
   mission.max_depth = Meters{limits.number("max_depth_m", Range::above_up_to(0.0, kDeepest_m))};
-  if (mission.search_depth > mission.max_depth) limits.problem("max_depth_m", "must be at least search.depth_m");
   mission.max_time = seconds(limits.number("max_time_s", Range::above_up_to(0.0, kLongest_s)));
   mission.navigation_timeout = seconds(limits.number("navigation_timeout_s", Range::above_up_to(0.0, 3600.0)));
   mission.snr_timeout = seconds(limits.number("snr_timeout_s", Range::above_up_to(0.0, 3600.0)));
@@ -68,6 +65,19 @@ void read_origin(TableReader origin, MissionFile& file) {
   }
 }
 
+/// How values that are right by themselves must fit each other.
+void check_together(TableReader area, TableReader limits, const config::Mission& mission) {
+  const Rectangle& r = mission.operating_area;
+  const bool is_area = r.north_east.north > r.south_west.north && r.north_east.east > r.south_west.east;
+  if (!(r.north_east.north > r.south_west.north)) area.problem("north_m", "must be greater than south_m");
+  if (!(r.north_east.east > r.south_west.east)) area.problem("east_m", "must be greater than west_m");
+  const bool is_deep_enough = mission.search_depth <= mission.max_depth;
+  if (!is_deep_enough) limits.problem("max_depth_m", "must be at least search.depth_m");
+  if (is_area && is_deep_enough && config::check(mission) != Status::kOk) {
+    area.problem("edge_margin_m", "must leave room for two steps of search.step_length_m each way");
+  }
+}
+
 }  // namespace
 
 MissionFile load_mission(const std::filesystem::path& path) {
@@ -75,9 +85,11 @@ MissionFile load_mission(const std::filesystem::path& path) {
   TableReader root = toml.root();
   MissionFile file;
   file.step_period = seconds(root.number_or("step_period_s", 1.0, Range::between(0.1, 1.0)));
-  read_area(root.table("area"), file.mission);
+  const TableReader area = root.table("area");
+  const TableReader limits = root.table("limits");
+  read_area(area, file.mission);
   read_search(root.table("search"), file.mission);
-  read_limits(root.table("limits"), file.mission);
+  read_limits(limits, file.mission);
   read_bus(root.table("bus"), file);
   read_origin(root.table("origin"), file);
   TableReader policy = root.table("policy");
@@ -85,9 +97,8 @@ MissionFile load_mission(const std::filesystem::path& path) {
   file.public_key = toml.resolve(policy.text("public_key_file"));
   file.mission.action_seed = static_cast<std::uint64_t>(policy.integer_or("action_seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
   toml.finish();
-  if (config::check(file.mission) != Status::kOk) {
-    throw config_file::BadInput(path.string() + ": area: must leave room for two steps of search.step_length_m each way between its margins");
-  }
+  check_together(area, limits, file.mission);
+  toml.finish();
   return file;
 }
 
