@@ -1,6 +1,7 @@
 // earshot-sim: the ocean, the vehicle and the truth, in lock-step with earshotd.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -8,8 +9,10 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "firmware/boards/linux/mission_file.hpp"
@@ -129,6 +132,16 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
           {"detection_threshold_db", mission.detection_threshold.value}};
 }
 
+/// False when a person stopped the wait. @throws std::runtime_error when nobody comes.
+bool runtime_comes(link::SimulatorEnd& link, std::uint32_t domain) {
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!link.wait_for_runtime(std::chrono::milliseconds(100))) {
+    if (stop_requested != 0) return false;
+    if (std::chrono::steady_clock::now() > patience) throw std::runtime_error("no earshotd in DDS domain " + std::to_string(domain) + " within 20 s");
+  }
+  return true;
+}
+
 int simulate(const Options& o) {
   const board::MissionFile file = load_mission(o);
   const ocean::Environment environment = ocean::load_environment(o.environment);
@@ -145,10 +158,7 @@ int simulate(const Options& o) {
   Score score(settings);
   const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
   link::SimulatorEnd link(o.domain);
-  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (stop_requested == 0 && !link.wait_for_runtime(std::chrono::milliseconds(100))) {
-    if (std::chrono::steady_clock::now() > patience) throw std::runtime_error("no earshotd in DDS domain " + std::to_string(o.domain) + " within 20 s");
-  }
+  if (!runtime_comes(link, o.domain)) return 0;
   const FlightResult result = fly({world, snr, *bus, link, track, score}, start, stop_requested);
   track.finish();
   write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n");
