@@ -25,6 +25,7 @@ namespace {
 
 /// Between two writes: a fast simulation's records are written by the hundred, and waking the writer costs the appender nothing meanwhile.
 constexpr std::chrono::milliseconds kPause{1};
+constexpr std::chrono::milliseconds kRetry{100};  ///< after a write that failed
 
 FileDescriptor create(const std::filesystem::path& path, JournalOptions::Existing existing) {
   const int mode = existing == JournalOptions::Existing::kRefuse ? O_EXCL : O_TRUNC;
@@ -66,8 +67,9 @@ struct Journal::Writer {
   std::uint64_t appended = 0;    ///< bytes ever put into the ring
   std::uint64_t written = 0;     ///< bytes ever taken out of it
   bool ending = false;
+  bool failing = false;  ///< the last write took nothing
   std::uint32_t next_number = 0;
-  JournalCounters counters;
+  JournalCounters counters;  ///< of the appender
   std::atomic<std::uint64_t> write_errors = 0;
   std::thread thread;
 
@@ -81,11 +83,11 @@ struct Journal::Writer {
     position += bytes.size();
   }
 
-  /// Waits, if it may, until `size` bytes fit.
+  /// Waits, if it may, until `size` bytes fit; not for a disk that takes nothing.
   bool make_room(std::size_t size) {
     std::unique_lock lock(mutex);
     const auto fits = [&] { return appended + size - written <= ring.size(); };
-    if (options.when_full == JournalOptions::WhenFull::kWait) less.wait(lock, fits);
+    if (options.when_full == JournalOptions::WhenFull::kWait) less.wait(lock, [&] { return fits() || failing; });
     return fits();
   }
 
@@ -98,39 +100,30 @@ struct Journal::Writer {
   }
 
   void run() {
+    std::unique_lock lock(mutex);
     for (;;) {
-      std::uint64_t from = 0;
-      std::uint64_t to = 0;
-      {
-        std::unique_lock lock(mutex);
-        more.wait(lock, [this] { return appended != written || ending; });
-        if (appended == written) return;
-        from = written;
-        to = appended;
-      }
-      const std::size_t at = from % ring.size();
-      const std::size_t size = std::min<std::size_t>(to - from, ring.size() - at);
-      write_out(std::span(ring).subspan(at, size));
-      {
-        const std::lock_guard lock(mutex);
-        written += size;
-      }
+      more.wait(lock, [this] { return appended != written || ending; });
+      if (appended == written || (ending && failing)) return;
+      const std::size_t at = written % ring.size();
+      const std::size_t size = std::min<std::size_t>(appended - written, ring.size() - at);
+      lock.unlock();
+      const std::size_t done = write_some(std::span(ring).subspan(at, size));
+      lock.lock();
+      written += done;
+      failing = done == 0;
+      if (failing) ++write_errors;
       less.notify_all();
-      std::this_thread::sleep_for(kPause);
+      // Bytes that were not taken are tried again, so that the file never has a hole.
+      more.wait_for(lock, failing ? kRetry : kPause, [this] { return ending; });
     }
   }
 
-  void write_out(std::span<const std::uint8_t> bytes) {
-    while (!bytes.empty()) {
-      const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) {
-        ++write_errors;
-        return;
-      }
-      bytes = bytes.subspan(static_cast<std::size_t>(count));
-    }
-    if (options.survives == JournalOptions::Survives::kPowerCut && ::fdatasync(file.number()) != 0) ++write_errors;
+  /// @return how many bytes are in the file now; 0 on failure
+  std::size_t write_some(std::span<const std::uint8_t> bytes) {
+    const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
+    if (count <= 0) return 0;
+    if (options.survives == JournalOptions::Survives::kPowerCut) static_cast<void>(::fdatasync(file.number()));
+    return static_cast<std::size_t>(count);
   }
 };
 
@@ -164,8 +157,8 @@ Status Journal::append(Time time, std::string_view channel, std::span<const std:
 
 Status Journal::flush() {
   std::unique_lock lock(writer_->mutex);
-  writer_->less.wait(lock, [this] { return writer_->appended == writer_->written; });
-  return writer_->write_errors == 0 ? Status::kOk : Status::kNotReady;
+  writer_->less.wait(lock, [this] { return writer_->appended == writer_->written || writer_->failing; });
+  return writer_->appended == writer_->written ? Status::kOk : Status::kNotReady;
 }
 
 Status Journal::close() {
@@ -178,7 +171,7 @@ Status Journal::close() {
     writer_->thread.join();
     writer_->file = FileDescriptor();
   }
-  return writer_->write_errors == 0 ? Status::kOk : Status::kNotReady;
+  return writer_->appended == writer_->written ? Status::kOk : Status::kNotReady;
 }
 
 JournalCounters Journal::counters() const {

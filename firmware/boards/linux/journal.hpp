@@ -16,7 +16,7 @@ struct JournalOptions {
   /// What append() does when the disk lags so far behind that the buffer is full.
   enum class WhenFull : std::uint8_t {
     kDrop,  ///< at sea: lose the record, count it, never wait
-    kWait,  ///< in simulation: wait for the writer; nothing is lost
+    kWait,  ///< in simulation: wait for the writer; nothing is lost while the disk takes anything at all
   } when_full = WhenFull::kDrop;
   /// What a record in the file survives.
   enum class Survives : std::uint8_t {
@@ -29,10 +29,11 @@ struct JournalOptions {
 
 /// Counters of a journal; they only grow.
 struct JournalCounters {
-  std::uint64_t appended = 0;      ///< records taken into the buffer
-  std::uint64_t dropped = 0;       ///< records lost because the buffer was full (kDrop)
-  std::uint64_t refused = 0;       ///< records larger than the format or the buffer allows
-  std::uint64_t write_errors = 0;  ///< failed write(2) or fdatasync(2); what could not be written is lost, the next batch is tried
+  std::uint64_t appended = 0;  ///< records taken into the buffer
+  std::uint64_t dropped = 0;   ///< records lost because the buffer was full
+  std::uint64_t refused = 0;   ///< records larger than the format or the buffer allows
+  std::uint64_t write_errors =
+      0;  ///< failed write(2); tried again every 100 ms with the buffer filling meanwhile, so that the file has no hole
 };
 
 /// A log of everything that goes in and out of the runtime: an LCM event log (lcm-logplayer, lcm-spy and Python's lcm.EventLog read it),
@@ -50,14 +51,15 @@ class Journal {
   /// close().
   ~Journal();
 
-  /// Takes a copy of one record. One thread at a time. kFull: dropped (kDrop). kOutOfRange: empty or overlong channel, or data over
+  /// Takes a copy of one record. One thread at a time. kFull: dropped. kOutOfRange: empty or overlong channel, or data over
   /// kLcmMessageBytes.
   [[nodiscard]] Status append(Time time, std::string_view channel, std::span<const std::uint8_t> data);
 
-  /// Waits until everything appended is written. kNotReady if a write failed since the journal was opened.
+  /// Waits until everything appended is written. kNotReady if the disk takes nothing.
   [[nodiscard]] Status flush();
 
-  /// flush(), then ends the thread and closes the file. Nothing can be appended afterwards.
+  /// Writes what is left, ends the thread and closes the file; nothing can be appended afterwards. kNotReady if not everything could be
+  /// written.
   [[nodiscard]] Status close();
 
   [[nodiscard]] JournalCounters counters() const;

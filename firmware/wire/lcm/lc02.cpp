@@ -42,12 +42,15 @@ std::string_view read_channel(std::span<const std::uint8_t> payload) {
   return {};
 }
 
-std::size_t payload_size(const Lc02Message& message) { return message.channel.size() + 1 + message.data.size(); }
+std::size_t payload_size(const Lc02Message& message) {
+  return message.channel.size() + 1 + message.data.size();
+}
 
 }  // namespace
 
 std::size_t datagram_count(const Lc02Message& message) {
-  const bool named = !message.channel.empty() && message.channel.size() <= kMaxChannelLength && message.channel.find('\0') == std::string_view::npos;
+  const bool named =
+      !message.channel.empty() && message.channel.size() <= kMaxChannelLength && message.channel.find('\0') == std::string_view::npos;
   if (!named || message.data.size() > config::kLcmMessageBytes) return 0;
   const std::size_t payload = payload_size(message);
   return payload <= kMaxShortPayload ? 1 : (payload + kMaxFragmentPayload - 1) / kMaxFragmentPayload;
@@ -135,11 +138,11 @@ Status Reassembly::accept_fragment(std::span<const std::uint8_t> datagram, Sende
 
   Slot& slot = slot_for(fragment, sender);
   if (fragment.size != slot.size || fragment.count != slot.fragment_count) return malformed();
-  if (slot.seen[fragment.number]) return Status::kNotReady;
+  Extent& extent = slot.fragments[fragment.number];
+  if (extent.seen) return Status::kNotReady;
+  extent = {.begin = fragment.offset, .end = fragment.offset + static_cast<std::uint32_t>(fragment.data.size()), .seen = true};
   slot.last_fed = turn_;
-  slot.seen[fragment.number] = true;
   ++slot.fragments_seen;
-  slot.bytes_seen += static_cast<std::uint32_t>(fragment.data.size());
   std::ranges::copy(fragment.data, slot.data.begin() + fragment.offset);
   if (fragment.number == 0) {
     std::ranges::copy(fragment.channel, slot.channel.begin());
@@ -148,11 +151,20 @@ Status Reassembly::accept_fragment(std::span<const std::uint8_t> datagram, Sende
   if (slot.fragments_seen < slot.fragment_count) return Status::kNotReady;
 
   slot.used = false;
-  // All fragments came, but they overlap or leave a hole: their offsets lied.
-  if (slot.bytes_seen != slot.size) return malformed();
+  if (!is_whole(slot)) return malformed();
   message = {{slot.channel.data(), slot.channel_length}, {slot.data.data(), slot.size}};
   ++counters_.completed;
   return Status::kOk;
+}
+
+/// Whether the fragments follow one another without hole or overlap; if not, their offsets lied.
+bool Reassembly::is_whole(const Slot& slot) {
+  std::uint32_t at = 0;
+  for (std::size_t i = 0; i < slot.fragment_count; ++i) {
+    if (slot.fragments[i].begin != at) return false;
+    at = slot.fragments[i].end;
+  }
+  return at == slot.size;
 }
 
 Reassembly::Slot& Reassembly::slot_for(const Fragment& fragment, Sender sender) {
@@ -174,10 +186,9 @@ Reassembly::Slot& Reassembly::slot_for(const Fragment& fragment, Sender sender) 
   chosen->size = fragment.size;
   chosen->fragment_count = fragment.count;
   chosen->fragments_seen = 0;
-  chosen->bytes_seen = 0;
   chosen->last_fed = turn_;
   chosen->channel_length = 0;
-  chosen->seen.fill(false);
+  chosen->fragments.fill(Extent{});
   return *chosen;
 }
 

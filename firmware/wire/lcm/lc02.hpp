@@ -74,6 +74,12 @@ class Reassembly {
 
  private:
   static constexpr std::size_t kMaxFragments = 256;  ///< of one message: more than kLcmMessageBytes in fragments of an Ethernet frame
+  /// Where a fragment's data goes; bytes from the message's beginning.
+  struct Extent {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    bool seen = false;
+  };
   struct Slot {
     bool used = false;
     Sender sender;
@@ -81,17 +87,17 @@ class Reassembly {
     std::uint32_t size = 0;  ///< of the data, bytes
     std::uint16_t fragment_count = 0;
     std::uint16_t fragments_seen = 0;
-    std::uint32_t bytes_seen = 0;
     std::uint64_t last_fed = 0;  ///< turn of the last fragment
     std::size_t channel_length = 0;
     std::array<char, kMaxChannelLength> channel{};
-    std::array<bool, kMaxFragments> seen{};
+    std::array<Extent, kMaxFragments> fragments{};
     std::array<std::uint8_t, config::kLcmMessageBytes> data{};
   };
   struct Fragment;
 
   [[nodiscard]] Status accept_short(std::span<const std::uint8_t> datagram, Lc02Message& message);
   [[nodiscard]] Status accept_fragment(std::span<const std::uint8_t> datagram, Sender sender, Lc02Message& message);
+  [[nodiscard]] static bool is_whole(const Slot& slot);
   [[nodiscard]] Slot& slot_for(const Fragment& fragment, Sender sender);
   [[nodiscard]] Status malformed();
 
