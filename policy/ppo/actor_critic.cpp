@@ -65,15 +65,18 @@ void ActorCritic<Scalar>::forward(const Scalar* observations, Eigen::Index batch
   Eigen::Map<Hidden<Scalar>> actor(activations.actor.data(), kWidth, batch);
   Eigen::Map<Hidden<Scalar>> critic(activations.critic.data(), kWidth, batch);
 
-  first.noalias() = weights_of<BothHidden<Scalar>>(p, layout_.first) * x;
-  first = (first.colwise() + bias_of<Scalar>(p, layout_.first)).array().tanh();
-  actor.noalias() = weights_of<Square<Scalar>>(p, layout_.actor_second) * first.template topRows<kWidth>();
-  actor = (actor.colwise() + bias_of<Scalar>(p, layout_.actor_second)).array().tanh();
-  critic.noalias() = weights_of<Square<Scalar>>(p, layout_.critic_second) * first.template bottomRows<kWidth>();
-  critic = (critic.colwise() + bias_of<Scalar>(p, layout_.critic_second)).array().tanh();
+  first.colwise() = bias_of<Scalar>(p, layout_.first);
+  first.noalias() += weights_of<BothHidden<Scalar>>(p, layout_.first) * x;
+  first = first.array().tanh();
+  actor.colwise() = bias_of<Scalar>(p, layout_.actor_second);
+  actor.noalias() += weights_of<Square<Scalar>>(p, layout_.actor_second) * first.template topRows<kWidth>();
+  actor = actor.array().tanh();
+  critic.colwise() = bias_of<Scalar>(p, layout_.critic_second);
+  critic.noalias() += weights_of<Square<Scalar>>(p, layout_.critic_second) * first.template bottomRows<kWidth>();
+  critic = critic.array().tanh();
   auto logits = activations.logits.leftCols(batch);
-  logits.noalias() = weights_of<Matrix<Scalar>>(p, layout_.logits) * actor;
-  logits.colwise() += bias_of<Scalar>(p, layout_.logits);
+  logits.colwise() = bias_of<Scalar>(p, layout_.logits);
+  logits.noalias() += weights_of<Matrix<Scalar>>(p, layout_.logits) * actor;
   auto values = activations.values.leftCols(batch);
   values.noalias() = weights_of<Matrix<Scalar>>(p, layout_.value) * critic;
   values.array() += p[layout_.value.bias()];

@@ -33,6 +33,11 @@ std::size_t cardinal(std::size_t i, std::size_t count) {
 
 }  // namespace
 
+Rectangle inside_border(const SearchSettings& s) {
+  const NorthEast inwards{s.border_width, s.border_width};
+  return {s.domain.south_west + inwards, s.domain.north_east - inwards};
+}
+
 Status check(const SearchSettings& s) {
   const bool sizes = s.direction_count >= 1 && s.direction_count <= config::kMaxActions && s.max_steps >= 1;
   const bool lengths = positive(s.step_length.value) && positive(s.border_width.value);

@@ -33,6 +33,10 @@ struct SearchSettings {
   double border_reward = -100.0;                         ///< p, the reward at the edge itself
 };
 
+/// The part of the domain where the border's reward does not reach: every edge moved in by border_width. Starts there begin without
+/// penalty.
+[[nodiscard]] Rectangle inside_border(const SearchSettings& settings);
+
 /// kOutOfRange when a number is not finite or outside its range, the start region leaves the domain, or (fixed source) every start is
 /// within l of the source.
 [[nodiscard]] Status check(const SearchSettings& settings);
