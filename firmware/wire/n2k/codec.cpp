@@ -26,7 +26,7 @@ MessageWriter& MessageWriter::set(std::string_view signal, double value) {
 }
 
 Status MessageWriter::frame(std::uint8_t source, Frame& frame) const {
-  assert(message_.size <= frame.data.size());
+  if (message_.size > frame.data.size()) return Status::kOutOfRange;
   const Result<std::uint32_t> id = compose(identifier(source));
   if (status_ != Status::kOk) return status_;
   if (!id.ok()) return id.status();
