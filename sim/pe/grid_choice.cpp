@@ -26,6 +26,14 @@ constexpr double kSlopeShare = 0.4;
 constexpr double kStepShare = 0.2;
 
 constexpr double kLongestStepPhase = 40.0;  // beyond it 16 poles no longer serve
+// What fewer poles can do. Over hundreds of steps their errors partly cancel: a fifth of the sum was measured on slopes.
+struct Poles {
+  std::size_t terms;
+  double error;          // of the amplitude in one step
+  double longest_phase;  // to which that holds
+};
+constexpr Poles kFewPoles[] = {{8, 2e-5, 4.0}, {12, 4e-6, 8.0}};
+constexpr double kCancellation = 0.2;
 constexpr std::size_t kTerms = 16;
 
 struct Scales {
@@ -73,6 +81,14 @@ double step_error_db(const Scales& s, double step_m) {
   return kDecibels * s.max_range_m / step_m * kStepError * std::pow(phase / kStepPhase, 4);
 }
 
+std::size_t choose_terms(const Scales& s, double step_m, double allowed_db) {
+  for (const Poles& poles : kFewPoles) {
+    const double error = kCancellation * kDecibels * s.max_range_m / step_m * poles.error;
+    if (s.wavenumber_per_m * step_m <= poles.longest_phase && error <= allowed_db) return poles.terms;
+  }
+  return kTerms;
+}
+
 }  // namespace
 
 double predicted_error_db(const Section& section, Hertz frequency, Meters max_range, Meters depth_step, Meters range_step) {
@@ -93,6 +109,7 @@ GridChoice choose_grid(const Section& section, Hertz frequency, Meters max_range
                     .range_step = Meters{std::clamp(std::min(by_phase, by_slope), s.wavelength_m / 20.0, longest)},
                     .terms = kTerms,
                     .predicted_error_db = 0.0};
+  choice.terms = choose_terms(s, choice.range_step.value, kStepShare * accuracy.value);
   choice.predicted_error_db =
       depth_error_db(s, choice.depth_step.value) + slope_error_db(s, choice.range_step.value) + step_error_db(s, choice.range_step.value);
   return choice;
