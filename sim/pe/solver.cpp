@@ -56,6 +56,12 @@ void check(const ocean::Environment& environment, const Options& options, std::s
   }
 }
 
+/// Two significant digits, rounded down, so that automatic ranges read well.
+double round_number(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+  return std::floor(x / unit + 1e-9) * unit;
+}
+
 /// Everything about one solution that does not change along the range.
 struct Plan {
   double k0_per_m;
@@ -72,7 +78,7 @@ Plan make_plan(const ocean::Environment& environment, const Options& options) {
   const double wavelength_m = slowest / frequency.value;
   Plan plan{.k0_per_m = 2.0 * std::numbers::pi * frequency.value / mean,
             .near_field_m = 0.0,
-            .range_step = options.range_step.value_or(Meters{wavelength_m / 4.0}),
+            .range_step = options.range_step.value_or(Meters{round_number(wavelength_m / 4.0)}),
             .grid = make_depth_grid(
                 environment.water, environment.seabed, frequency,
                 {.step = options.depth_step.value_or(Meters{wavelength_m / 16.0}), .absorber_wavelengths = options.absorber_wavelengths}),
