@@ -26,7 +26,7 @@
 #include "sim/link/simulator_end.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/search/episode.hpp"
-#include "sim/apps/stand_in_snr.hpp"
+#include "sim/sonar/sonar_field.hpp"
 
 namespace {
 
