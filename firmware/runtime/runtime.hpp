@@ -55,9 +55,9 @@ enum class EndReason : std::uint8_t {
 
 /// Everything that arrived since the last step; the newest of each kind.
 struct Inputs {
-  std::optional<Navigation> navigation;
-  std::optional<SnrEstimate> snr;
-  std::optional<OperatorCommand> command;
+  std::optional<Navigation> navigation = std::nullopt;
+  std::optional<SnrEstimate> snr = std::nullopt;
+  std::optional<OperatorCommand> command = std::nullopt;
 };
 
 using guidance::Setpoint;

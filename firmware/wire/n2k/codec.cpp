@@ -26,13 +26,13 @@ MessageWriter& MessageWriter::set(std::string_view signal, double value) {
 }
 
 Status MessageWriter::frame(std::uint8_t source, Frame& frame) const {
-  assert(message_.size <= frame.data.size());
+  if (message_.size > frame.data.size()) return Status::kOutOfRange;
   const Result<std::uint32_t> id = compose(identifier(source));
   if (status_ != Status::kOk) return status_;
   if (!id.ok()) return id.status();
   frame.identifier = id.value();
   frame.size = message_.size;
-  std::ranges::copy(bytes(), frame.data.begin());
+  for (std::size_t i = 0; i < frame.data.size(); ++i) frame.data[i] = bytes_[i];
   return Status::kOk;
 }
 
