@@ -151,14 +151,16 @@ int simulate(const Options& o) {
   const vehicle::State start = start_of(settings, snr, file.mission, o.seed);
   const World world{.source = settings.source, .found_within = settings.step_length, .may_be_found = !o.ignore_source, .vehicle = {}, .speed = o.speed};
 
+  const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
+  link::SimulatorEnd link(o.domain);
+  if (!runtime_comes(link, o.domain)) return 0;
+
+  // Only now that both sides have taken their input: a refused policy leaves no half of a flight behind.
   std::filesystem::create_directories(o.out);
   std::filesystem::remove(o.out / "summary.json");  // of an earlier flight: no half-flown search may look finished
   write_curve(o.out / "snr.csv", snr);
   TrackFile track(o.out / "track.csv");
   Score score(settings);
-  const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
-  link::SimulatorEnd link(o.domain);
-  if (!runtime_comes(link, o.domain)) return 0;
   const FlightResult result = fly({world, snr, *bus, link, track, score}, start, stop_requested);
   track.finish();
   write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n");
