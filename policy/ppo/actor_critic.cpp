@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "policy/ppo/orthogonal.hpp"
-#include "policy/ppo/small_product.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -61,21 +60,19 @@ void ActorCritic<Scalar>::initialise(Pcg32& random) {
 template <class Scalar>
 void ActorCritic<Scalar>::forward(const Scalar* observations, Eigen::Index batch, Activations<Scalar>& activations) const {
   const Scalar* p = parameters_.data();
+  const Eigen::Map<const Matrix<Scalar>> x(observations, shape_.observation_size, batch);
   Eigen::Map<BothHidden<Scalar>> first(activations.first.data(), 2 * kWidth, batch);
   Eigen::Map<Hidden<Scalar>> actor(activations.actor.data(), kWidth, batch);
   Eigen::Map<Hidden<Scalar>> critic(activations.critic.data(), kWidth, batch);
 
   first.colwise() = bias_of<Scalar>(p, layout_.first);
-  add_product<Scalar>(2 * kWidth, batch, shape_.observation_size, {p + layout_.first.offset, 2 * kWidth},
-                      {observations, 1, shape_.observation_size}, {first.data(), 2 * kWidth});
+  first.noalias() += weights_of<BothHidden<Scalar>>(p, layout_.first) * x;
   first = first.array().tanh();
   actor.colwise() = bias_of<Scalar>(p, layout_.actor_second);
-  add_product<Scalar>(kWidth, batch, kWidth, {p + layout_.actor_second.offset, kWidth}, {first.data(), 1, 2 * kWidth},
-                      {actor.data(), kWidth});
+  actor.noalias() += weights_of<Square<Scalar>>(p, layout_.actor_second) * first.template topRows<kWidth>();
   actor = actor.array().tanh();
   critic.colwise() = bias_of<Scalar>(p, layout_.critic_second);
-  add_product<Scalar>(kWidth, batch, kWidth, {p + layout_.critic_second.offset, kWidth}, {first.data() + kWidth, 1, 2 * kWidth},
-                      {critic.data(), kWidth});
+  critic.noalias() += weights_of<Square<Scalar>>(p, layout_.critic_second) * first.template bottomRows<kWidth>();
   critic = critic.array().tanh();
   auto logits = activations.logits.leftCols(batch);
   logits.colwise() = bias_of<Scalar>(p, layout_.logits);
@@ -91,34 +88,29 @@ void ActorCritic<Scalar>::backward(const Scalar* observations, Eigen::Index batc
   assert(gradient.size() == parameters_.size());
   const Scalar* p = parameters_.data();
   Scalar* g = gradient.data();
-  if (d_first_.cols() < batch) {
-    d_first_.resize(2 * kWidth, batch);
-    d_hidden_.resize(kWidth, batch);
-  }
+  if (d_first_.cols() < batch) d_first_.resize(2 * kWidth, batch);
+  const Eigen::Map<const Matrix<Scalar>> x(observations, shape_.observation_size, batch);
   Eigen::Map<BothHidden<Scalar>> first(activations.first.data(), 2 * kWidth, batch);
   Eigen::Map<BothHidden<Scalar>> d_first(d_first_.data(), 2 * kWidth, batch);
-  Eigen::Map<Hidden<Scalar>> d_hidden(d_hidden_.data(), kWidth, batch);
 
   // One branch from its output back to its half of the first layer; `hidden` becomes dL/d(its input before tanh).
-  auto branch = [&](const auto& d_output, const Layer& output, const Layer& second, Scalar* hidden_data, Eigen::Index row) {
+  auto branch = [&](const auto& d_output, const Layer& output, const Layer& second, Scalar* hidden_data, const auto& below, auto d_below) {
     Eigen::Map<Hidden<Scalar>> hidden(hidden_data, kWidth, batch);
     weights_of<Matrix<Scalar>>(g, output).noalias() = d_output * hidden.transpose();
     bias_of<Scalar>(g, output) = d_output.rowwise().sum();
-    d_hidden.noalias() = weights_of<Matrix<Scalar>>(p, output).transpose() * d_output;
-    hidden = d_hidden.array() * (Scalar{1} - hidden.array().square());
+    const auto slope = (Scalar{1} - hidden.array().square());
+    hidden = (weights_of<Matrix<Scalar>>(p, output).transpose() * d_output).array() * slope;
+    weights_of<Square<Scalar>>(g, second).noalias() = hidden * below.transpose();
     bias_of<Scalar>(g, second) = hidden.rowwise().sum();
-    add_product<Scalar>(kWidth, kWidth, batch, {hidden_data, kWidth}, {first.data() + row, 2 * kWidth, 1}, {g + second.offset, kWidth});
-    transposed_ = weights_of<Square<Scalar>>(p, second).transpose();
-    add_product<Scalar>(kWidth, batch, kWidth, {transposed_.data(), kWidth}, {hidden_data, 1, kWidth}, {d_first.data() + row, 2 * kWidth});
+    d_below.noalias() = weights_of<Square<Scalar>>(p, second).transpose() * hidden;
   };
-  d_first.setZero();
-  std::ranges::fill(gradient, Scalar{0});
-  branch(d_logits.leftCols(batch), layout_.logits, layout_.actor_second, activations.actor.data(), 0);
-  branch(d_values.leftCols(batch), layout_.value, layout_.critic_second, activations.critic.data(), kWidth);
+  branch(d_logits.leftCols(batch), layout_.logits, layout_.actor_second, activations.actor.data(), first.template topRows<kWidth>(),
+         d_first.template topRows<kWidth>());
+  branch(d_values.leftCols(batch), layout_.value, layout_.critic_second, activations.critic.data(), first.template bottomRows<kWidth>(),
+         d_first.template bottomRows<kWidth>());
   d_first.array() *= Scalar{1} - first.array().square();
+  weights_of<BothHidden<Scalar>>(g, layout_.first).noalias() = d_first * x.transpose();
   bias_of<Scalar>(g, layout_.first) = d_first.rowwise().sum();
-  add_product<Scalar>(2 * kWidth, shape_.observation_size, batch, {d_first.data(), 2 * kWidth}, {observations, shape_.observation_size, 1},
-                      {g + layout_.first.offset, 2 * kWidth});
 }
 
 template class ActorCritic<float>;

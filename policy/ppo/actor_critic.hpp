@@ -84,10 +84,7 @@ class ActorCritic {
   NetworkShape shape_;
   Layout layout_;
   std::vector<Scalar> parameters_;
-  // Scratch of backward(), sized by its first call.
-  Matrix<Scalar> d_first_;   // [2 kWidth x batch]
-  Matrix<Scalar> d_hidden_;  // [kWidth x batch]
-  Eigen::Matrix<Scalar, kWidth, kWidth> transposed_;
+  Matrix<Scalar> d_first_;  // [2 kWidth x batch], grown by the first backward()
 };
 
 extern template class ActorCritic<float>;
