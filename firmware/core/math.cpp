@@ -66,7 +66,7 @@ double arctangent_to_one(double a) {
       0x1.700a7c5784634p-1,
       0x1.921fb54442d18p-1,
   };
-  const int eighths = static_cast<int>(a * 8.0 + 0.5);
+  const int eighths = static_cast<int>(a * 8.0 + 0.5);  // NOLINT(bugprone-incorrect-roundings): any near eighth will do
   const double c = eighths * 0.125;
   const double t = (a - c) / (1.0 + a * c);
   const double t2 = t * t;
@@ -79,8 +79,9 @@ double arctangent_to_one(double a) {
 double remainder_of(double x, double y) {
   double multiple = y;
   while (multiple <= x * 0.5) multiple *= 2.0;
-  for (; multiple >= y; multiple *= 0.5) {
+  while (multiple >= y) {
     if (x >= multiple) x -= multiple;
+    multiple *= 0.5;
   }
   return x;
 }
@@ -100,7 +101,7 @@ float tanh(float x) {
   if (size >= 10.0) return x < 0.0F ? -1.0F : 1.0F;  // beyond 9.02 the nearest float is one
   if (size < 0x1.0p-6) {                             // here 1 - 2/(e+1) would cancel; the series' next term is below 1e-12 of the result
     const double x2 = size * size;
-    return static_cast<float>(double{x} - double{x} * (x2 * (1.0 / 3.0 - x2 * (2.0 / 15.0))));
+    return static_cast<float>(double{x} * (1.0 - x2 * (1.0 / 3.0 - x2 * (2.0 / 15.0))));
   }
   const double result = 1.0 - 2.0 / (exp_in_double(2.0 * size) + 1.0);
   return static_cast<float>(x < 0.0F ? -result : result);
