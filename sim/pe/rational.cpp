@@ -107,6 +107,17 @@ Quotient solve_pade_system(std::span<const Wide> taylor_coefficients, std::size_
   return quotient;
 }
 
+/// What the diagonal approximant of a range step is in exact arithmetic.
+bool is_unitary(const Rational& step) {
+  constexpr double kGrowth = 1e-4;
+  for (double x = -1.0; x > -1e4; x *= 1.05) {
+    for (const double at : {x, 1.2 + x}) {
+      if (!(std::abs(std::abs(step(at)) - 1.0) < kGrowth)) return false;
+    }
+  }
+  return std::all_of(step.pole.begin(), step.pole.end(), [](std::complex<double> pole) { return (-1.0 / pole).imag() < 0.0; });
+}
+
 }  // namespace
 
 std::complex<double> Rational::operator()(std::complex<double> x) const {
@@ -135,7 +146,12 @@ Rational pade(std::span<const Wide> taylor_coefficients, std::size_t terms) {
 }
 
 Rational propagator(double phase, std::size_t terms) {
-  return pade(taylor_of_step(static_cast<long double>(phase), 2 * terms + 1), terms);
+  Rational step = pade(taylor_of_step(static_cast<long double>(phase), 2 * terms + 1), terms);
+  if (!is_unitary(step)) {
+    throw std::runtime_error("a Pade approximant of " + std::to_string(terms) + " terms for a step of " + std::to_string(phase) +
+                             " rad is beyond the working accuracy; use fewer terms or a longer step");
+  }
+  return step;
 }
 
 }  // namespace earshot::pe

@@ -34,6 +34,7 @@ using Wide = std::complex<long double>;  ///< Pade systems are ill conditioned: 
 ///
 /// Unlike RAM's it has no stability constraint: the diagonal Pade approximant has modulus one on the whole real axis (its value there is
 /// the reciprocal of its conjugate) and its poles lie below, so that it damps whatever attenuation and absorber lift above the axis.
+/// Throws std::runtime_error when rounding has left nothing of that.
 /// Source: Collins 1993.   Oracle: Rational.StepHasModulusOneOnTheRealAxisAndLessAboveIt
 [[nodiscard]] Rational propagator(double phase, std::size_t terms);
 
