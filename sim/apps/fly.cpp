@@ -190,6 +190,13 @@ int run(const std::string& program, const std::vector<std::string>& arguments) {
   return process.status;
 }
 
+/// A process that we ended because the other refused its input has a status of its own; the refusal is what counts.
+int exit_status(const Process& simulator, const Process& runtime) {
+  if (stop_requested != 0) return 130;
+  if (simulator.status == 2 || runtime.status == 2) return 2;
+  return simulator.status == 0 && runtime.status == 0 ? 0 : 3;
+}
+
 int fly(const Options& o) {
   // Both processes would say the same about a bad file: say it once, before either starts.
   const board::MissionFile mission = board::load_mission(o.mission);
@@ -207,8 +214,7 @@ int fly(const Options& o) {
   if (!o.no_report && fs::exists(o.out / "summary.json") && run("earshot-report", {o.out.string()}) == 0) {
     std::printf("  report      %s\n", (o.out / "report.html").c_str());
   }
-  if (stop_requested != 0) return 130;
-  return std::max(simulator.status, runtime.status);
+  return exit_status(simulator, runtime);
 }
 
 }  // namespace
