@@ -137,7 +137,7 @@ set cbtics textcolor rgb '#888888'
 set cbrange [)" + threshold +
                                "-20:" + threshold + R"(+20]
 set palette defined (0 '#0b2545', 0.35 '#1d5c8a', 0.4999 '#4f9cc0', 0.5 '#f2d48f', 0.7 '#e8a33d', 1 '#b5371c')
-set key outside below center horizontal box lc rgb '#1d5c8a' opaque fillcolor rgb '#1d5c8a' textcolor rgb '#f2f6fa'
+set key outside above center horizontal box lc rgb '#1d5c8a' opaque fillcolor rgb '#1d5c8a' textcolor rgb '#f2f6fa'
 plot )" + ranges + R"('field.dat' using 1:2:3 with image notitle, \
  'track.dat' using 1:2 with lines lw 2.2 lc rgb '#ffffff' title 'track', \
  'decisions.dat' using 1:($3==0?$2:1/0) with points pt 6 ps 0.55 lw 1.4 lc rgb '#d0d0d0' title 'decision, nothing heard', \
@@ -160,7 +160,7 @@ set y2label 'range to the source (km)'
 set ytics nomirror
 set y2tics textcolor rgb '#888888'
 set y2range [0:*]
-set key outside below center horizontal
+set key outside above center horizontal
 plot 'track.dat' using 3:5 axes x1y2 with lines lw 1.6 dt 2 lc rgb '#c77d2b' title 'range', \
  'track.dat' using 3:4 with lines lw 1.8 lc rgb '#3f8fc5' title 'SNR', \
  'decisions.dat' using 4:5 with points pt 7 ps 0.5 lc rgb '#3f8fc5' title 'decision', \
