@@ -62,6 +62,30 @@ TEST_F(TrainerTest, StopsAtOnceWhenTold) {
   EXPECT_EQ(told, 2);
 }
 
+TEST_F(TrainerTest, AddsTheDiscountedValueOfTheLastObservationWhereTheTimeLimitCutAnEpisode) {
+  // Every episode is one step long, in mid-domain, out of earshot and out of reach: each reward is -1 and then cut.
+  settings.max_steps = 1;
+  settings.source = {Meters{1'000.0}, Meters{1'000.0}};
+  settings.start_region = {{Meters{10'000.0}, Meters{10'000.0}}, {Meters{20'000.0}, Meters{20'000.0}}};
+  hyper.environment_count = 1;
+  const search::SearchWorld world(settings, curve);
+  Trainer trainer(world, policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), hyper, 1);
+  std::size_t told = 0;
+  trainer.train(1'000,
+                [&](const search::EpisodeRecord&, std::uint64_t) { return ++told < hyper.steps_per_rollout; });  // a rollout, no update
+
+  const Rollout& rollout = trainer.rollout();
+  Activations<float> activations({2, 8}, 1);
+  for (std::size_t t = 0; t < rollout.size(); ++t) {
+    const UnitNorthEast direction = world.actions[rollout.actions[t]];
+    const float step = 1.0F / 12.5F;  // 1 km of a state that spans -1 to 1 over 25 km
+    const Eigen::Vector2f moved(static_cast<float>(direction.east) * step, static_cast<float>(direction.north) * step);
+    const Eigen::Vector2f last = rollout.observations.col(static_cast<Eigen::Index>(t)) + moved;
+    trainer.networks().forward(last.data(), 1, activations);
+    ASSERT_NEAR(rollout.rewards[t], -1.0F + 0.99F * activations.values(0, 0), 1e-5F);  // rounding of the last observation, times 64 weights
+  }
+}
+
 TEST_F(TrainerTest, LearnsToStayClearOfAnEdgeThatCosts) {
   settings.max_steps = 20;
   hyper.steps_per_rollout = 2'048;
