@@ -1,12 +1,12 @@
 #include "tests/support/process.hpp"
 
-#include <csignal>
 #include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <csignal>
 #include <fstream>
 #include <iterator>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 #include <utility>
 
 namespace earshot::support {
@@ -45,7 +45,9 @@ int Process::wait(std::chrono::milliseconds timeout) {
   }
 }
 
-std::string Process::output() const { return read_text(output_); }
+std::string Process::output() const {
+  return read_text(output_);
+}
 
 std::string read_text(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
