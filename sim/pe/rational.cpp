@@ -1,7 +1,7 @@
 #include "sim/pe/rational.hpp"
 
 #include <Eigen/LU>
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -15,21 +15,13 @@ using Series = std::vector<Wide>;
 using WideMatrix = Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic>;
 using WideVector = Eigen::Matrix<Wide, Eigen::Dynamic, 1>;
 
-Series multiply(const Series& a, const Series& b) {
-  Series product(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; i + j < a.size(); ++j) product[i + j] += a[i] * b[j];
-  }
-  return product;
-}
-
-/// (1 + x)^exponent
-Series binomial(long double exponent, std::size_t count) {
+/// sqrt(1 + x)
+Series square_root(std::size_t count) {
   Series series(count);
   series[0] = 1.0L;
   for (std::size_t k = 1; k < count; ++k) {
     const auto order = static_cast<long double>(k);
-    series[k] = series[k - 1] * ((exponent - order + 1.0L) / order);
+    series[k] = series[k - 1] * ((1.5L - order) / order);
   }
   return series;
 }
@@ -64,9 +56,11 @@ struct Polynomial {
 std::vector<Wide> roots(const Polynomial& p) {
   const auto degree = static_cast<std::size_t>(p.coefficient.size() - 1);
   const Polynomial slope = p.derivative();
-  const long double radius = std::pow(std::abs(p.coefficient[0] / p.coefficient[p.coefficient.size() - 1]), 1.0L / static_cast<long double>(degree));
+  const long double radius =
+      std::pow(std::abs(p.coefficient[0] / p.coefficient[p.coefficient.size() - 1]), 1.0L / static_cast<long double>(degree));
   std::vector<Wide> root(degree);
-  for (std::size_t i = 0; i < degree; ++i) root[i] = std::polar(radius, 0.4L + 6.2831853L * static_cast<long double>(i) / static_cast<long double>(degree));
+  for (std::size_t i = 0; i < degree; ++i)
+    root[i] = std::polar(radius, 0.4L + 6.2831853L * static_cast<long double>(i) / static_cast<long double>(degree));
   constexpr int kMaxIterations = 500;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     long double largest_correction = 0.0L;
@@ -86,35 +80,42 @@ std::vector<Wide> roots(const Polynomial& p) {
   throw std::runtime_error("the poles of a Pade approximant with " + std::to_string(degree) + " terms cannot be found; use fewer terms");
 }
 
-std::complex<double> narrow(Wide x) { return {static_cast<double>(x.real()), static_cast<double>(x.imag())}; }
+std::complex<double> narrow(Wide x) {
+  return {static_cast<double>(x.real()), static_cast<double>(x.imag())};
+}
 
 struct Quotient {
   Polynomial numerator;
   Polynomial denominator;
 };
 
-/// Solves for numerator and denominator: equal Taylor coefficients up to order 2n - m, and m zeros of the numerator.
-Quotient solve_pade_system(std::span<const Wide> taylor_coefficients, std::size_t terms, std::span<const double> zeros) {
+/// Solves for numerator and denominator with equal Taylor coefficients up to order 2n.
+Quotient solve_pade_system(std::span<const Wide> taylor_coefficients, std::size_t terms) {
   const auto n = static_cast<Eigen::Index>(terms);
-  const Eigen::Index matched = 2 * n - static_cast<Eigen::Index>(zeros.size());
   const auto f = [&](Eigen::Index k) { return taylor_coefficients[static_cast<std::size_t>(k)]; };
   WideMatrix matrix = WideMatrix::Zero(2 * n, 2 * n);  // unknowns: a_1..a_n, b_1..b_n
-  WideVector right = WideVector::Zero(2 * n);
-  for (Eigen::Index k = 1; k <= matched; ++k) {
+  WideVector right(2 * n);
+  for (Eigen::Index k = 1; k <= 2 * n; ++k) {
     if (k <= n) matrix(k - 1, k - 1) = 1.0L;
     for (Eigen::Index j = 1; j <= std::min(k, n); ++j) matrix(k - 1, n + j - 1) = -f(k - j);
     right[k - 1] = f(k);
-  }
-  for (Eigen::Index m = 0; m < 2 * n - matched; ++m) {
-    const long double zero = zeros[static_cast<std::size_t>(m)];
-    for (Eigen::Index j = 1; j <= n; ++j) matrix(matched + m, j - 1) = std::pow(zero, static_cast<long double>(j));
-    right[matched + m] = -f(0);
   }
   const WideVector solution = matrix.fullPivLu().solve(right);
   Quotient quotient{{WideVector(n + 1)}, {WideVector(n + 1)}};
   quotient.numerator.coefficient << f(0), solution.head(n);
   quotient.denominator.coefficient << Wide(1.0L), solution.tail(n);
   return quotient;
+}
+
+/// What the diagonal approximant of a range step is in exact arithmetic.
+bool is_unitary(const Rational& step) {
+  constexpr double kGrowth = 1e-4;
+  for (double x = -1.0; x > -1e4; x *= 1.05) {
+    for (const double at : {x, 1.2 + x}) {
+      if (!(std::abs(std::abs(step(at)) - 1.0) < kGrowth)) return false;
+    }
+  }
+  return std::all_of(step.pole.begin(), step.pole.end(), [](std::complex<double> pole) { return (-1.0 / pole).imag() < 0.0; });
 }
 
 }  // namespace
@@ -125,20 +126,15 @@ std::complex<double> Rational::operator()(std::complex<double> x) const {
   return sum;
 }
 
-std::vector<Wide> taylor(Function function, long double phase, std::size_t count) {
-  Series exponent = binomial(0.5L, count);
+std::vector<Wide> taylor_of_step(long double phase, std::size_t count) {
+  Series exponent = square_root(count);
   exponent[0] = 0.0L;
   for (Wide& coefficient : exponent) coefficient *= Wide(0.0L, phase);
-  Series series = exponential(exponent);
-  if (function == Function::kPropagator) return series;
-  Series square(count);
-  const std::array<long double, 3> one_minus_x_squared = {1.0L, -2.0L, 1.0L};
-  for (std::size_t k = 0; k < std::min<std::size_t>(count, 3); ++k) square[k] = one_minus_x_squared[k];
-  return multiply(multiply(series, binomial(-0.25L, count)), square);
+  return exponential(exponent);
 }
 
-Rational pade(std::span<const Wide> taylor_coefficients, std::size_t terms, std::span<const double> zeros) {
-  const Quotient quotient = solve_pade_system(taylor_coefficients, terms, zeros);
+Rational pade(std::span<const Wide> taylor_coefficients, std::size_t terms) {
+  const Quotient quotient = solve_pade_system(taylor_coefficients, terms);
   const Polynomial slope = quotient.denominator.derivative();
   const auto n = static_cast<Eigen::Index>(terms);
   Rational rational{narrow(quotient.numerator.coefficient[n] / quotient.denominator.coefficient[n]), {}, {}};
@@ -150,12 +146,12 @@ Rational pade(std::span<const Wide> taylor_coefficients, std::size_t terms, std:
 }
 
 Rational propagator(double phase, std::size_t terms) {
-  return pade(taylor(Function::kPropagator, static_cast<long double>(phase), 2 * terms + 1), terms);
-}
-
-Rational starter(double phase, std::size_t terms) {
-  constexpr std::array<double, 1> kZeros = {-3.0};
-  return pade(taylor(Function::kStarter, static_cast<long double>(phase), 2 * terms + 1), terms, kZeros);
+  Rational step = pade(taylor_of_step(static_cast<long double>(phase), 2 * terms + 1), terms);
+  if (!is_unitary(step)) {
+    throw std::runtime_error("a Pade approximant of " + std::to_string(terms) + " terms for a step of " + std::to_string(phase) +
+                             " rad is beyond the working accuracy; use fewer terms or a longer step");
+  }
+  return step;
 }
 
 }  // namespace earshot::pe

@@ -19,25 +19,23 @@ struct Rational {
 
 using Wide = std::complex<long double>;  ///< Pade systems are ill conditioned: double is used up at about 8 terms
 
-/// The first `count` Taylor coefficients at x = 0 of (1 - x)^2 (1 + x)^(-1/4) exp(i phase (sqrt(1 + x) - 1)), or without the algebraic factors.
-/// Oracle: Rational.TaylorSeriesSumsToItsFunction
-enum class Function { kPropagator, kStarter };
-[[nodiscard]] std::vector<Wide> taylor(Function function, long double phase, std::size_t count);
+/// The first `count` Taylor coefficients of exp(i phase (sqrt(1 + x) - 1)) at x = 0.
+/// Oracle: Rational.TaylorSeriesOfTheStepIsTheHandMadeOne
+[[nodiscard]] std::vector<Wide> taylor_of_step(long double phase, std::size_t count);
 
 /// The [n/n] Pade approximant of a function, by its Taylor coefficients (2n + 1 are used).
 ///
-/// @param zeros  each makes the approximant vanish there and gives up one order of accuracy at x = 0
 /// Throws std::runtime_error when the poles cannot be found to working accuracy.
-/// Source: Collins, "A split-step Pade solution for the parabolic equation method", J. Acoust. Soc. Am. 93 (1993) 1736, Eq. 12-14;
-///   the zeros follow the stability constraints of his RAM.   Oracle: Rational.PadeOfTheExponentialIsTheTextbookOne
-[[nodiscard]] Rational pade(std::span<const Wide> taylor_coefficients, std::size_t terms, std::span<const double> zeros = {});
+/// Source: Collins, "A split-step Pade solution for the parabolic equation method", J. Acoust. Soc. Am. 93 (1993) 1736.
+/// Oracle: Rational.PadeOfTheExponentialIsTheTextbookOne
+[[nodiscard]] Rational pade(std::span<const Wide> taylor_coefficients, std::size_t terms);
 
 /// exp(i phase (sqrt(1 + x) - 1)): one range step of phase = k0 dr.
-/// Source: Collins 1993, Eq. 6.   Oracle: Rational.PropagatorFollowsTheSquareRootOverThePropagatingSpectrum
+///
+/// Unlike RAM's it has no stability constraint: the diagonal Pade approximant has modulus one on the whole real axis (its value there is
+/// the reciprocal of its conjugate) and its poles lie below, so that it damps whatever attenuation and absorber lift above the axis.
+/// Throws std::runtime_error when rounding has left nothing of that.
+/// Source: Collins 1993.   Oracle: Rational.StepHasModulusOneOnTheRealAxisAndLessAboveIt
 [[nodiscard]] Rational propagator(double phase, std::size_t terms);
-
-/// (1 - x)^2 (1 + x)^(-1/4) exp(i phase (sqrt(1 + x) - 1)): Collins' self-starter after the delta function was smoothed by (1 - x)^-2.
-/// Source: Collins, "The stabilized self-starter", J. Acoust. Soc. Am. 106 (1999) 1724.   Oracle: Rational.StarterFollowsItsFunction
-[[nodiscard]] Rational starter(double phase, std::size_t terms);
 
 }  // namespace earshot::pe

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sim/ocean/environment.hpp"
+#include "sim/sonar/sonar_field.hpp"
+
+namespace earshot::sonar {
+
+/// Writes a field as NetCDF-4 after the CF-1.8 conventions, under a temporary name in the same folder that is renamed when the file is
+/// whole.
+///
+/// @param history  the command that made it
+/// Throws std::runtime_error with the file's name and the cause; nothing is left behind then.
+/// Oracle: FieldFile.*
+void write_field(const std::filesystem::path& path, const SonarField& field, const ocean::Environment& environment,
+                 const std::string& history);
+
+}  // namespace earshot::sonar

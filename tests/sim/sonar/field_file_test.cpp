@@ -1,0 +1,111 @@
+#include "sim/sonar/field_file.hpp"
+
+#include <gtest/gtest.h>
+#include <netcdf.h>
+
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace earshot::sonar {
+namespace {
+
+/// 3 ranges by 2 depths; the loss counts up along depth first.
+SonarField small_field() {
+  SonarField field{
+      .range_m = {10.0, 20.0, 30.0}, .depth_m = {5.0, 50.0}, .transmission_loss_db = DecibelArray(3, 2), .snr_db = DecibelArray(3, 2)};
+  field.transmission_loss_db << 1, 2, 3, 4, 5, 6;
+  field.snr_db << -1, -2, -3, -4, -5, -6;
+  return field;
+}
+
+class FieldFile : public testing::Test {
+ protected:
+  FieldFile() {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    environment_.name = "small";
+    environment_.file_crc32 = 0x1234ABCDU;
+  }
+  ~FieldFile() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::size_t files() const {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_)) ++count;
+    return count;
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / (std::string("field_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  ocean::Environment environment_;
+};
+
+TEST_F(FieldFile, ReadsBackWhatWasWrittenWithDepthRunningFastest) {
+  const auto path = folder_ / "field.nc";
+  write_field(path, small_field(), environment_, "by hand");
+  int id = 0;
+  ASSERT_EQ(nc_open(path.c_str(), NC_NOWRITE, &id), NC_NOERR);
+  int variable = 0;
+  ASSERT_EQ(nc_inq_varid(id, "transmission_loss", &variable), NC_NOERR);
+  std::array<float, 6> loss{};
+  ASSERT_EQ(nc_get_var_float(id, variable, loss.data()), NC_NOERR);
+  EXPECT_EQ(loss, (std::array<float, 6>{1, 2, 3, 4, 5, 6}));
+  std::array<int, 2> dimensions{};
+  ASSERT_EQ(nc_inq_vardimid(id, variable, dimensions.data()), NC_NOERR);
+  std::array<char, NC_MAX_NAME + 1> name{};
+  ASSERT_EQ(nc_inq_dimname(id, dimensions[1], name.data()), NC_NOERR);
+  EXPECT_STREQ(name.data(), "depth");
+  nc_close(id);
+}
+
+TEST_F(FieldFile, NamesItsConventionsUnitsAndProvenance) {
+  const auto path = folder_ / "field.nc";
+  write_field(path, small_field(), environment_, "by hand");
+  int id = 0;
+  ASSERT_EQ(nc_open(path.c_str(), NC_NOWRITE, &id), NC_NOERR);
+  const auto text = [id](const char* variable, const char* attribute) {
+    int number = NC_GLOBAL;
+    if (*variable != '\0') nc_inq_varid(id, variable, &number);
+    std::size_t length = 0;
+    nc_inq_attlen(id, number, attribute, &length);
+    std::string value(length, ' ');
+    nc_get_att_text(id, number, attribute, value.data());
+    return value;
+  };
+  EXPECT_EQ(text("", "Conventions"), "CF-1.8");
+  EXPECT_EQ(text("", "history"), "by hand");
+  EXPECT_EQ(text("", "environment_crc32"), "0x1234abcd");
+  EXPECT_EQ(text("depth", "positive"), "down");
+  EXPECT_EQ(text("range", "units"), "m");
+  EXPECT_EQ(text("snr", "units"), "dB");
+  nc_close(id);
+}
+
+TEST_F(FieldFile, ReplacesAnOldFileAndLeavesNothingBeside) {
+  const auto path = folder_ / "field.nc";
+  write_field(path, small_field(), environment_, "first");
+  write_field(path, small_field(), environment_, "second");
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(FieldFile, NamesAFileThatCannotBeWritten) {
+  const auto path = folder_ / "no" / "folder" / "field.nc";
+  try {
+    write_field(path, small_field(), environment_, "");
+    FAIL();
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find(path.string()), std::string::npos) << e.what();
+  }
+}
+
+TEST_F(FieldFile, LeavesNothingHalfWrittenWhenItCannotTakeItsName) {
+  const auto path = folder_ / "field.nc";
+  std::filesystem::create_directories(path / "in the way");
+  EXPECT_THROW(write_field(path, small_field(), environment_, ""), std::runtime_error);
+  EXPECT_EQ(files(), 1U);
+}
+
+}  // namespace
+}  // namespace earshot::sonar

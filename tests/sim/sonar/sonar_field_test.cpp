@@ -1,0 +1,49 @@
+#include "sim/sonar/sonar_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "sim/ocean/environment_file.hpp"
+#include "tests/reference/transmission_loss.hpp"
+
+namespace earshot::sonar {
+namespace {
+
+ocean::Environment papers_ocean() {
+  return ocean::load_environment(std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml");
+}
+
+TEST(TransmissionLoss, IsSixtyDecibelsForAThousandthOfThePressure) {
+  EXPECT_NEAR(transmission_loss({0.0, -1e-3}).value, 60.0, 1e-12);  // rounding
+}
+
+TEST(TransmissionLoss, IsCappedWhereThereIsNoPressure) {
+  EXPECT_EQ(transmission_loss(0.0), kMaxTransmissionLoss);
+}
+
+TEST(SonarField, CurveFollowsTheReferenceOfThePapersOcean) {
+  const SnrCurve curve = compute_snr_curve(papers_ocean(), Meters{300.0}, Meters{40'000.0});
+  EXPECT_NEAR(curve.max_range().value, 40'000.0, 1e-6);
+  reference::TransmissionLoss loss;
+  const auto truth = reference::load("munk_20hz");
+  for (const auto& [range_m, unused] : truth) {
+    if (range_m <= 40'000) loss[range_m] = 190.0 - 90.0 - curve.at(Meters{static_cast<double>(range_m)}).value;
+  }
+  const auto audible = [](int, double tl) { return tl >= 110.0; };
+  EXPECT_LT(reference::compare(loss, truth, 500, 25'000, audible).root_mean_square_db, 0.1);  // a fifth of the project's bar
+  EXPECT_LT(reference::compare(loss, truth, 50, 500, audible).root_mean_square_db,
+            0.5);  // asymptotic Hankel function: 1 / (8 k r) at 50 m is 3 percent
+}
+
+TEST(SonarField, SubtractsLossAndNoiseFromTheSourceLevel) {
+  const SonarField field = compute_sonar_field(papers_ocean(), {}, {100.0, 300.0}, Meters{2'000.0});
+  ASSERT_EQ(field.snr_db.rows(), static_cast<Eigen::Index>(field.range_m.size()));
+  ASSERT_EQ(field.snr_db.cols(), 2);
+  EXPECT_NEAR(field.snr_db(50, 1), 190.0 - 90.0 - field.transmission_loss_db(50, 1), 1e-5);  // float
+  EXPECT_NEAR(field.range_m[50], 51.0 * field.range_m[0], 1e-9);
+}
+
+}  // namespace
+}  // namespace earshot::sonar
