@@ -115,7 +115,7 @@ Keys read_keys(const config_file::File& file) {
   keys.seabed = read_seabed(root.table("seabed"), keys.bathymetry ? SeaFloorDepth::kGivenByBathymetry : SeaFloorDepth::kGivenHere);
   const bool chart = keys.bathymetry && keys.bathymetry->layout != BathymetryLayout::kSectionCsv;
   if (!keys.origin && (chart || keys.water.from == WaterSource::kAtlas)) {
-    root.problem("origin", "is missing: latitude_deg and longitude_deg of north_m = 0, east_m = 0 say where on the charts this is");
+    root.problem("origin", "must be there, with latitude_deg and longitude_deg: where north_m = 0, east_m = 0 lies on the charts");
   }
   if (!keys.bathymetry) {
     check_reach(water, keys);
