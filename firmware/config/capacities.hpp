@@ -15,5 +15,20 @@ inline constexpr std::size_t kMaxHiddenLayers = 2;      ///< hidden layers; full
 inline constexpr std::size_t kMaxRememberedSteps = 21;  ///< steps in the memory state; older steps are forgotten
 inline constexpr std::size_t kGoldenPairs = 8;          ///< observation -> logits pairs re-checked at boot; exactly this many
 inline constexpr std::size_t kMaxProvenance = 1024;     ///< bytes of provenance text in a policy; full: refused at freeze
+inline constexpr std::size_t kRuntimeBytes =
+    48 * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights; full: does not compile
+
+// Buses (firmware/wire, firmware/boards/linux).
+inline constexpr std::size_t kLcmMessageBytes =
+    131'072;                                          ///< bytes of one LCM message (1 s of float samples at 32 kHz); full: refused, counted
+inline constexpr std::size_t kLcmSubscriptions = 16;  ///< channels one endpoint listens to (8 types, both directions); full: open fails
+inline constexpr std::size_t kLcmQueueDepth = 4;      ///< messages waiting per channel between two steps; full: the oldest goes, counted
+inline constexpr std::size_t kLcmReassemblySlots = 4;  ///< fragmented messages in the making; full: the least recently fed goes, counted
+inline constexpr std::size_t kLcmDatagramsPerCollect =
+    256;  ///< datagrams read in one turn, so that a flood cannot hold the loop; more: next turn
+inline constexpr std::size_t kJournalBufferBytes =
+    4'194'304;  ///< bytes waiting for the disk (1 s of the largest bus load); full: drop newest, count
+inline constexpr std::size_t kFastPacketSlots =
+    8;  ///< NMEA 2000 fast packets in the making (senders x PGNs); full: the oldest goes, counted
 
 }  // namespace earshot::config

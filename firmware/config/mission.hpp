@@ -25,7 +25,12 @@ struct Mission {
   std::uint64_t action_seed = 1;  ///< seeds the generator of a policy that samples its actions
 };
 
-/// kOutOfRange when a limit of the mission is not finite, not positive where it must be, or contradicts another.
+/// The operating area less its margins is at least this many step lengths wide and high, so that the safety layer always finds a leg of
+/// half a step length or more (see safety::safe_waypoint).
+inline constexpr double kShortestSideInSteps = 2.0;
+
+/// kOutOfRange when a limit of the mission is not finite, not positive where it must be, or contradicts another: depth beyond max_depth, or
+/// an area with no room to search between its margins.
 [[nodiscard]] Status check(const Mission& mission);
 
 }  // namespace earshot::config

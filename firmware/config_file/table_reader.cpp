@@ -16,7 +16,9 @@ struct Problems {
   std::vector<std::string> lines;
 
   void add(std::size_t line, const std::string& what) {
-    lines.push_back(path.string() + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what);
+    std::string text = path.string();
+    if (line > 0) text.append(":").append(std::to_string(line));
+    lines.push_back(text.append(": ").append(what));
   }
 };
 

@@ -30,7 +30,7 @@ struct Network {
 /// Logits of every action for one observation. Same bits on every machine: one fixed order of IEEE float operations, no fused multiply-add.
 /// @param observation  [observation_size]
 /// @param logits       [action_count]
-/// Oracle: Forward.EqualsAHandComputedNetwork, Forward.GivesTheBitsWrittenDownOnX86
+/// Oracle: Forward.EqualsAHandComputedNetwork, Forward.GivesTheSameBitsOnEveryMachine
 void forward(const Network& network, std::span<const float> observation, std::span<float> logits);
 
 }  // namespace earshot::policy

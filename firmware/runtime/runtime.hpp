@@ -12,11 +12,14 @@
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/guidance/leg.hpp"
+#include "firmware/guidance/setpoint.hpp"
 #include "firmware/policy/frozen_policy.hpp"
+#include "firmware/policy/observation.hpp"
 
 namespace earshot::runtime {
 
-/// Where the vehicle is, as its navigation says. Frame: the mission's north-east plane.
+/// Where the vehicle is, as its navigation says. Frame: the mission's north-east plane. Times are not negative.
 struct Navigation {
   Time time;  ///< when it was valid
   NorthEast position;
@@ -52,18 +55,12 @@ enum class EndReason : std::uint8_t {
 
 /// Everything that arrived since the last step; the newest of each kind.
 struct Inputs {
-  std::optional<Navigation> navigation;
-  std::optional<SnrEstimate> snr;
-  std::optional<OperatorCommand> command;
+  std::optional<Navigation> navigation = std::nullopt;
+  std::optional<SnrEstimate> snr = std::nullopt;
+  std::optional<OperatorCommand> command = std::nullopt;
 };
 
-/// What the autopilot is to do.
-struct Setpoint {
-  Radians heading;
-  MetersPerSecond speed;
-  Meters depth;
-  NorthEast waypoint;
-};
+using guidance::Setpoint;
 
 /// Why the vehicle goes where it goes: one record per action.
 struct Decision {
@@ -83,10 +80,10 @@ struct Decision {
 
 /// Counters of what was refused; they only grow.
 struct Counters {
-  std::uint32_t navigation_refused = 0;  ///< not finite, or older than the last
-  std::uint32_t snr_refused = 0;
-  std::uint32_t commands_refused = 0;   ///< not allowed in this state
-  std::uint32_t setpoints_limited = 0;  ///< changed by the safety layer
+  std::uint32_t navigation_refused = 0;  ///< not finite, older than the last, or from further ahead than its timeout
+  std::uint32_t snr_refused = 0;         ///< likewise, or beyond +-1000 dB
+  std::uint32_t commands_refused = 0;    ///< not allowed in this state, or not a command
+  std::uint32_t setpoints_limited = 0;   ///< way-points and set-points changed by the safety layer
 };
 
 struct Outputs {
@@ -100,13 +97,54 @@ struct Outputs {
 
 /// The whole on-vehicle state. step() reads no clock, opens nothing, allocates nothing, throws nothing: same inputs, same outputs, bit for
 /// bit.
+///
+///   STANDBY -- kStart, fresh navigation and SNR --> SEARCH -- max_steps, kComplete --> DONE
+///   SEARCH -- navigation or SNR stale, outside the operating area, max_time --> ABORT;   any state -- kAbort --> ABORT
+///
+/// kStart is remembered until navigation and SNR are there. Outside SEARCH the set-point says: stop and come up.
 class Runtime {
  public:
-  /// kOutOfRange if the mission fails config::check or does not fit the policy (step length). Until configured, step() stays in STANDBY.
+  /// Takes a copy of both and forgets everything else. kOutOfRange if the mission fails config::check, the policy is empty, or it was
+  /// trained with another step length than the mission's. Until configured, step() stays in STANDBY and refuses kStart.
   [[nodiscard]] Status configure(const config::Mission& mission, const policy::FrozenPolicy& policy);
 
-  /// One turn of the loop. `now` never goes back.
+  /// One turn of the loop. `now` never goes back and is not negative.
   [[nodiscard]] Outputs step(Time now, const Inputs& inputs);
+
+ private:
+  /// All that changes after configure().
+  struct Progress {
+    MissionState state = MissionState::kStandby;
+    EndReason end_reason = EndReason::kNone;
+    bool start_wanted = false;
+    Time search_began;
+    std::uint32_t steps_taken = 0;
+    std::optional<Navigation> navigation;
+    std::optional<SnrEstimate> snr;
+    policy::SearchMemory memory;
+    guidance::Leg leg;
+    Pcg32 random{0};
+    Counters counters;
+  };
+
+  void take(Time now, const Inputs& inputs);
+  void obey(OperatorCommand command);
+  void end(MissionState state, EndReason reason);
+  [[nodiscard]] bool navigation_is_fresh(Time now) const;
+  [[nodiscard]] bool snr_is_fresh(Time now) const;
+  [[nodiscard]] EndReason reason_to_abort(Time now) const;
+  [[nodiscard]] NorthEast place_in_area() const;
+  void begin_search(Time now);
+  void search(Time now, Outputs& outputs);
+  void decide(Time now, Decision& decision);
+  [[nodiscard]] Setpoint setpoint();
+
+  bool configured_ = false;
+  config::Mission mission_;
+  policy::FrozenPolicy policy_;
+  Progress progress_;
 };
+
+static_assert(sizeof(Runtime) <= config::kRuntimeBytes);
 
 }  // namespace earshot::runtime

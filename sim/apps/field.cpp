@@ -50,7 +50,10 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--depth-step", arguments.depth_step_m, "m of the solver's depth grid; default: a sixteenth of a wavelength")
       ->check(CLI::Range(0.001, 1000.0));
   app.add_option("--terms", arguments.terms, "terms of the Pade approximant")->check(CLI::Range(1, 12))->capture_default_str();
-  app.add_option("--plot", arguments.plot, "also draw the SNR, as .png or .svg");
+  app.add_option("--plot", arguments.plot, "also draw the SNR, as .png or .svg")->check([](const std::string& path) {
+    const auto extension = std::filesystem::path(path).extension();
+    return extension == ".png" || extension == ".svg" ? std::string() : path + ": a picture's name must end in .png or .svg";
+  });
   app.add_option("--detection-threshold-db", arguments.detection_threshold_db, "SNR at which the plot turns from cold to warm colours")
       ->capture_default_str();
 }

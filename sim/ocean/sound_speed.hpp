@@ -12,7 +12,7 @@ namespace earshot::ocean {
 ///   c(z) = c1 [1 + eps (eta + exp(-eta) - 1)],   eta = 2 (z - z1) / B
 ///
 /// Source: Munk, "Sound channel in an exponentially stratified ocean", J. Acoust. Soc. Am. 55 (1974) 220, with the constants of Clark et
-/// al. 2022. Oracle: MunkProfile.AgreesWithThePublishedTable
+/// al. 2022. Oracle: MunkProfile.AgreesWithAnIndependentTable
 struct MunkProfile {
   MetersPerSecond axis_sound_speed;  ///< c1 > 0
   Meters axis_depth;                 ///< z1, positive down

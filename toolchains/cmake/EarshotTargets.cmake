@@ -8,9 +8,13 @@ set(CMAKE_C_STANDARD 11)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
 # Dev: as fast to debug as it can be while tests still fly whole missions; assertions stay on.
-set(CMAKE_CXX_FLAGS_DEV "-O2 -g1" CACHE STRING "C++ flags of the Dev build type")
-set(CMAKE_C_FLAGS_DEV "-O2 -g1" CACHE STRING "C flags of the Dev build type")
-mark_as_advanced(CMAKE_CXX_FLAGS_DEV CMAKE_C_FLAGS_DEV)
+# (project() has made both cache entries already, empty.)
+foreach(language C CXX)
+  if(NOT CMAKE_${language}_FLAGS_DEV)
+    set(CMAKE_${language}_FLAGS_DEV "-O2 -g1" CACHE STRING "${language} flags of the Dev build type" FORCE)
+    mark_as_advanced(CMAKE_${language}_FLAGS_DEV)
+  endif()
+endforeach()
 
 set(EARSHOT_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
 
@@ -24,6 +28,7 @@ add_library(earshot_flags INTERFACE)
 target_include_directories(earshot_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(earshot_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wimplicit-fallthrough -Werror
+  -Wno-restrict  # GCC 12 finds overlaps in std::string that are not there (GCC bug 105651)
   $<$<BOOL:${EARSHOT_HOST_IS_X86_64_V3}>:-march=x86-64-v3>)
 if(EARSHOT_SANITIZE)
   target_compile_options(earshot_flags INTERFACE -fsanitize=${EARSHOT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

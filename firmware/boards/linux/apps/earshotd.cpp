@@ -1,0 +1,149 @@
+// earshotd: the process that flies the vehicle.
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "firmware/boards/linux/journal.hpp"
+#include "firmware/boards/linux/mission_file.hpp"
+#include "firmware/boards/linux/mission_loop.hpp"
+#include "firmware/boards/linux/mission_turn.hpp"
+#include "firmware/boards/linux/policy_file.hpp"
+#include "firmware/boards/linux/vehicle_bus.hpp"
+#include "firmware/config_file/table_reader.hpp"
+#include "firmware/runtime/runtime.hpp"
+#include "sim/link/runtime_end.hpp"
+#include "sim/link/session.hpp"
+
+namespace {
+
+using namespace earshot;
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+struct Options {
+  std::filesystem::path mission;
+  std::filesystem::path out = ".";
+  std::optional<std::filesystem::path> policy;
+  std::optional<std::filesystem::path> public_key;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::string> bus;
+  std::optional<std::string> lcm_url;
+  std::optional<std::string> can_interface;
+  std::optional<std::uint32_t> simulation;
+  bool replace = false;
+};
+
+void declare(CLI::App& app, Options& o) {
+  app.add_option("MISSION", o.mission, "mission file (TOML)")->required();
+  app.add_option("--out", o.out, "folder for journal.lcmlog, made if it is missing")->capture_default_str();
+  app.add_flag("--replace", o.replace, "replace a journal that is there already instead of refusing to start");
+  app.add_option("--policy", o.policy, "policy file instead of the mission's");
+  app.add_option("--public-key", o.public_key, "file of the trusted public key instead of the mission's");
+  app.add_option("--seed", o.seed, "seed of a policy that draws its actions, instead of the mission's")
+      ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())));
+  app.add_option("--bus", o.bus, "bus instead of the mission's")->check(CLI::IsMember({"lcm", "can"}));
+  app.add_option("--lcm-url", o.lcm_url, "LCM address instead of the mission's");
+  app.add_option("--can-interface", o.can_interface, "CAN interface instead of the mission's");
+  app.add_option("--simulation", o.simulation, "fly in lock-step with a simulator in this DDS domain; without it: at sea, on this host's clock")
+      ->check(CLI::Range(link::kLowestDomain, link::kHighestDomain));
+}
+
+board::MissionFile load(const Options& o) {
+  board::MissionFile file = board::load_mission(o.mission);
+  if (o.policy) file.policy = *o.policy;
+  if (o.public_key) file.public_key = *o.public_key;
+  if (o.seed) file.mission.action_seed = *o.seed;
+  if (o.bus) file.bus = *o.bus == "can" ? board::BusKind::kCan : board::BusKind::kLcm;
+  if (o.lcm_url) file.lcm_url = *o.lcm_url;
+  if (o.can_interface) file.can_interface = *o.can_interface;
+  if (file.bus == board::BusKind::kCan && !o.simulation) {
+    throw config_file::BadInput(o.mission.string() + ": bus.kind = \"can\": carries no SNR estimate yet, so it must be \"lcm\" unless --simulation is given");
+  }
+  return file;
+}
+
+std::unique_ptr<runtime::Runtime> make_runtime(const board::MissionFile& file, const std::string& mission_name) {
+  const std::unique_ptr<policy::FrozenPolicy> policy = board::load_policy(file.policy, file.public_key);
+  auto runtime = std::make_unique<runtime::Runtime>();
+  if (runtime->configure(file.mission, *policy) != Status::kOk) {
+    throw config_file::BadInput(mission_name + ": search.step_length_m = " + std::to_string(file.mission.step_length.value) + ": must be " +
+                                std::to_string(policy->step_length.value) + ", which the policy " + file.policy.string() + " was trained with");
+  }
+  return runtime;
+}
+
+board::JournalOptions journal_options(const Options& o) {
+  using J = board::JournalOptions;
+  return {.when_full = o.simulation ? J::WhenFull::kWait : J::WhenFull::kDrop,
+          .survives = o.simulation ? J::Survives::kProcess : J::Survives::kPowerCut,
+          .existing = o.replace ? J::Existing::kReplace : J::Existing::kRefuse};
+}
+
+/// Exit status: 0 for a mission flown to its end or stopped by a person, 3 when the other side was lost.
+int report(const board::LoopResult& result, const board::VehicleBus& bus, const std::filesystem::path& journal) {
+  const std::string at = " at " + std::to_string(result.time.us / 1'000'000) + " s";
+  if (bus.counters().unsent_messages > 0) std::cerr << "earshotd: " << bus.counters().unsent_messages << " messages could not be put on the bus\n";
+  switch (result.end) {
+    case board::LoopEnd::kMissionOver: std::cerr << "earshotd: " << board::in_words(result.last) << "; journal " << journal.string() << "\n"; return 0;
+    case board::LoopEnd::kStopped: std::cerr << "earshotd: stopped" << at << "; journal " << journal.string() << "\n"; return 0;
+    case board::LoopEnd::kSimulatorLost: std::cerr << "earshotd: lost the simulator" << at << "; journal up to then: " << journal.string() << "\n"; return 3;
+    case board::LoopEnd::kBusLost: std::cerr << "earshotd: lost the bus" << at << ": navigation that the simulator sent did not arrive\n"; return 3;
+  }
+  return 3;
+}
+
+int fly(const Options& o) {
+  const board::MissionFile file = load(o);
+  const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, o.mission.string());
+  const std::unique_ptr<board::VehicleBus> bus = board::open_vehicle_bus(file);
+  std::filesystem::create_directories(o.out);
+  const std::filesystem::path journal_path = o.out / "journal.lcmlog";
+  board::Journal journal(journal_path, journal_options(o));
+  board::MissionTurn turn(*runtime, *bus, journal);
+
+  board::LoopResult result;
+  if (o.simulation) {
+    link::RuntimeEnd link(*o.simulation);
+    result = board::fly_in_simulation(turn, *bus, link, stop_requested);
+  } else {
+    result = board::fly_at_sea(turn, *bus, file.step_period, stop_requested);
+  }
+  const Status kept = journal.close();
+  const int status = report(result, *bus, journal_path);
+  if (kept == Status::kOk && journal.counters().dropped == 0) return status;
+  std::cerr << "earshotd: the journal is not whole: " << journal.counters().dropped << " records dropped, " << journal.counters().write_errors << " writes failed\n";
+  return 3;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
+               "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost."};
+  Options options;
+  declare(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  std::signal(SIGINT, [](int) { stop_requested = 1; });
+  std::signal(SIGTERM, [](int) { stop_requested = 1; });
+  try {
+    return fly(options);
+  } catch (const config_file::BadInput& e) {
+    std::cerr << e.what() << "\n";
+    return 2;
+  } catch (const std::exception& e) {
+    std::cerr << "earshotd: " << e.what() << "\n";
+    return 2;
+  }
+}

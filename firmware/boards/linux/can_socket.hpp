@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "firmware/boards/linux/file_descriptor.hpp"
+#include "firmware/core/status.hpp"
+#include "firmware/wire/n2k/frame.hpp"
+
+namespace earshot::board {
+
+/// Counters of a CAN socket; they only grow.
+struct CanCounters {
+  std::uint64_t sent = 0;
+  std::uint64_t send_failed = 0;  ///< the interface's queue was full or it is down
+  std::uint64_t received = 0;
+  std::uint64_t other_frames = 0;    ///< 11-bit, remote and error frames: not NMEA 2000
+  std::uint64_t lost_by_kernel = 0;  ///< arrived faster than they were taken: the kernel drops the newest and counts
+};
+
+/// A raw SocketCAN socket on one interface. Never waits; does not hear its own frames.
+class CanSocket {
+ public:
+  /// @throws std::system_error naming the interface and the call that failed.
+  explicit CanSocket(const std::string& interface);
+
+  /// kFull: the frame was not sent; try again or count it as lost.
+  [[nodiscard]] Status send(const n2k::Frame& frame);
+  /// The next extended data frame; kNotReady if none has arrived.
+  [[nodiscard]] Status receive(n2k::Frame& frame);
+
+  [[nodiscard]] int file_descriptor() const { return socket_.number(); }
+  [[nodiscard]] const CanCounters& counters() const { return counters_; }
+
+ private:
+  FileDescriptor socket_;
+  CanCounters counters_;
+};
+
+}  // namespace earshot::board

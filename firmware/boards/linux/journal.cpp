@@ -1,0 +1,183 @@
+#include "firmware/boards/linux/journal.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <system_error>
+#include <thread>
+
+#include "firmware/boards/linux/file_descriptor.hpp"
+#include "firmware/boards/linux/journal_format.hpp"
+#include "firmware/config/capacities.hpp"
+#include "firmware/core/crc32.hpp"
+#include "firmware/wire/lcm/lc02.hpp"
+
+namespace earshot::board {
+
+namespace {
+
+/// Between two writes: a fast simulation's records are written by the hundred, and waking the writer costs the appender nothing meanwhile.
+constexpr std::chrono::milliseconds kPause{1};
+constexpr std::chrono::milliseconds kRetry{100};  ///< after a write that failed
+
+FileDescriptor create(const std::filesystem::path& path, JournalOptions::Existing existing) {
+  const int mode = existing == JournalOptions::Existing::kRefuse ? O_EXCL : O_TRUNC;
+  FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, 0644));
+  if (file.number() < 0) throw std::system_error(errno, std::generic_category(), path.string());
+  return file;
+}
+
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+std::array<std::uint8_t, kRecordHeaderSize> header_of(std::uint32_t number, Time time, std::string_view channel,
+                                                      std::span<const std::uint8_t> data) {
+  std::array<std::uint8_t, kRecordHeaderSize> header{};
+  HeaderWriter rest{header, kCheckedFrom};
+  rest.field(4, number);
+  rest.field(8, static_cast<std::uint64_t>(time.us));
+  rest.field(4, channel.size());
+  rest.field(4, data.size());
+  const std::uint32_t checksum = crc32(data, crc32(bytes_of(channel), crc32(std::span(header).subspan(kCheckedFrom))));
+  HeaderWriter start{header};
+  start.field(4, kRecordSync);
+  start.field(4, checksum);
+  return header;
+}
+
+}  // namespace
+
+/// A byte ring between the thread that appends and the thread that writes. Bytes are copied outside the lock; the lock guards the two
+/// positions only, and is never held over a system call on the file.
+struct Journal::Writer {
+  FileDescriptor file;
+  JournalOptions options;
+  std::array<std::uint8_t, config::kJournalBufferBytes> ring;
+  std::mutex mutex;
+  std::condition_variable more;  ///< for the writer: there is something to write, or it is to end
+  std::condition_variable less;  ///< for the appender: something was written
+  std::uint64_t appended = 0;    ///< bytes ever put into the ring
+  std::uint64_t written = 0;     ///< bytes ever taken out of it
+  bool ending = false;
+  bool failing = false;  ///< the last write took nothing
+  std::uint32_t next_number = 0;
+  JournalCounters counters;  ///< of the appender
+  std::atomic<std::uint64_t> write_errors = 0;
+  std::thread thread;
+
+  Writer(FileDescriptor opened, JournalOptions chosen) : file(std::move(opened)), options(chosen), thread([this] { run(); }) {}
+
+  void copy_in(std::uint64_t& position, std::span<const std::uint8_t> bytes) {
+    const std::size_t at = position % ring.size();
+    const std::size_t before_end = std::min(bytes.size(), ring.size() - at);
+    std::ranges::copy(bytes.first(before_end), ring.begin() + static_cast<std::ptrdiff_t>(at));
+    std::ranges::copy(bytes.subspan(before_end), ring.begin());
+    position += bytes.size();
+  }
+
+  /// Waits, if it may, until `size` bytes fit; not for a disk that takes nothing.
+  bool make_room(std::size_t size) {
+    std::unique_lock lock(mutex);
+    const auto fits = [&] { return appended + size - written <= ring.size(); };
+    if (options.when_full == JournalOptions::WhenFull::kWait) less.wait(lock, [&] { return fits() || failing; });
+    return fits();
+  }
+
+  void publish(std::uint64_t position) {
+    {
+      const std::lock_guard lock(mutex);
+      appended = position;
+    }
+    more.notify_one();
+  }
+
+  void run() {
+    std::unique_lock lock(mutex);
+    for (;;) {
+      more.wait(lock, [this] { return appended != written || ending; });
+      if (appended == written || (ending && failing)) return;
+      const std::size_t at = written % ring.size();
+      const std::size_t size = std::min<std::size_t>(appended - written, ring.size() - at);
+      lock.unlock();
+      const std::size_t done = write_some(std::span(ring).subspan(at, size));
+      lock.lock();
+      written += done;
+      failing = done == 0;
+      if (failing) ++write_errors;
+      less.notify_all();
+      // Bytes that were not taken are tried again, so that the file never has a hole.
+      more.wait_for(lock, failing ? kRetry : kPause, [this] { return ending; });
+    }
+  }
+
+  /// @return how many bytes are in the file now; 0 on failure
+  std::size_t write_some(std::span<const std::uint8_t> bytes) {
+    const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
+    if (count <= 0) return 0;
+    if (options.survives == JournalOptions::Survives::kPowerCut) static_cast<void>(::fdatasync(file.number()));
+    return static_cast<std::size_t>(count);
+  }
+};
+
+Journal::Journal(const std::filesystem::path& path, JournalOptions options)
+    : writer_(new Writer(create(path, options.existing), options)) {}
+
+Journal::~Journal() {
+  static_cast<void>(close());
+}
+
+Status Journal::append(Time time, std::string_view channel, std::span<const std::uint8_t> data) {
+  if (channel.empty() || channel.size() > wire::kMaxChannelLength || data.size() > config::kLcmMessageBytes ||
+      !writer_->thread.joinable()) {
+    ++writer_->counters.refused;
+    return Status::kOutOfRange;
+  }
+  const std::uint32_t number = writer_->next_number++;
+  if (!writer_->make_room(kRecordHeaderSize + channel.size() + data.size())) {
+    ++writer_->counters.dropped;
+    return Status::kFull;
+  }
+  const auto header = header_of(number, time, channel, data);
+  std::uint64_t position = writer_->appended;
+  writer_->copy_in(position, header);
+  writer_->copy_in(position, bytes_of(channel));
+  writer_->copy_in(position, data);
+  writer_->publish(position);
+  ++writer_->counters.appended;
+  return Status::kOk;
+}
+
+Status Journal::flush() {
+  std::unique_lock lock(writer_->mutex);
+  writer_->less.wait(lock, [this] { return writer_->appended == writer_->written || writer_->failing; });
+  return writer_->appended == writer_->written ? Status::kOk : Status::kNotReady;
+}
+
+Status Journal::close() {
+  if (writer_->thread.joinable()) {
+    {
+      const std::lock_guard lock(writer_->mutex);
+      writer_->ending = true;
+    }
+    writer_->more.notify_one();
+    writer_->thread.join();
+    writer_->file = FileDescriptor();
+  }
+  return writer_->appended == writer_->written ? Status::kOk : Status::kNotReady;
+}
+
+JournalCounters Journal::counters() const {
+  JournalCounters counters = writer_->counters;
+  counters.write_errors = writer_->write_errors;
+  return counters;
+}
+
+}  // namespace earshot::board

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "firmware/policy/frozen_policy.hpp"
+
+namespace earshot::board {
+
+/// Reads a `.policy` file, checks that the holder of the trusted key signed it (Ed25519), its CRC-32, its shapes and its golden pairs.
+/// @param public_key  file of the trusted key: 32 bytes in hexadecimal
+/// @throws config_file::BadInput naming the file and what is wrong with it.
+[[nodiscard]] std::unique_ptr<policy::FrozenPolicy> load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key);
+
+}  // namespace earshot::board

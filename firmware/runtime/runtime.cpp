@@ -1,0 +1,177 @@
+#include "firmware/runtime/runtime.hpp"
+
+#include <cassert>
+#include <span>
+
+#include "firmware/core/math.hpp"
+#include "firmware/detector/threshold_detector.hpp"
+#include "firmware/policy/action_draw.hpp"
+#include "firmware/policy/network.hpp"
+#include "firmware/safety/limits.hpp"
+
+namespace earshot::runtime {
+namespace {
+
+bool is_finite_navigation(const Navigation& navigation) {
+  return is_finite(navigation.position.north.value) && is_finite(navigation.position.east.value) && is_finite(navigation.depth.value) &&
+         is_finite(navigation.heading.value) && is_finite(navigation.speed.value);
+}
+
+/// Far beyond anything an ocean does, far within what the observation's floats hold; NaN is not possible either.
+bool is_possible(Decibels snr) {
+  return snr >= Decibels{-1000.0} && snr <= Decibels{1000.0};
+}
+
+/// Whether a message dated `time` may follow one dated `last`. One from further ahead than the timeout is refused: its sender's clock is
+/// wrong, and it would pass for fresh long after the sender fell silent.
+bool is_in_order(Time time, Time last, Time now, Duration timeout) {
+  return time.us >= 0 && time >= last && time - now <= timeout;
+}
+
+bool fits(const config::Mission& mission, const policy::FrozenPolicy& policy) {
+  const policy::Network& network = policy.network;
+  return !policy.observation.empty() && !policy.actions.empty() && network.observation_size == policy.observation.size() &&
+         network.action_count == policy.actions.size() && policy.step_length == mission.step_length;
+}
+
+}  // namespace
+
+Status Runtime::configure(const config::Mission& mission, const policy::FrozenPolicy& policy) {
+  configured_ = false;
+  progress_ = Progress{};
+  if (const Status status = config::check(mission); status != Status::kOk) return status;
+  if (!fits(mission, policy)) return Status::kOutOfRange;
+  mission_ = mission;
+  policy_ = policy;
+  progress_.random = Pcg32(mission.action_seed);
+  configured_ = true;
+  return Status::kOk;
+}
+
+Outputs Runtime::step(Time now, const Inputs& inputs) {
+  assert(now.us >= 0);
+  take(now, inputs);
+  Outputs outputs;
+  if (progress_.state == MissionState::kStandby && progress_.start_wanted && navigation_is_fresh(now) && snr_is_fresh(now))
+    begin_search(now);
+  if (progress_.state == MissionState::kSearch) search(now, outputs);
+  outputs.setpoint = setpoint();
+  outputs.state = progress_.state;
+  outputs.end_reason = progress_.end_reason;
+  outputs.steps_taken = progress_.steps_taken;
+  outputs.counters = progress_.counters;
+  return outputs;
+}
+
+void Runtime::take(Time now, const Inputs& inputs) {
+  if (inputs.navigation) {
+    const Time last = progress_.navigation ? progress_.navigation->time : Time{};
+    if (is_finite_navigation(*inputs.navigation) && is_in_order(inputs.navigation->time, last, now, mission_.navigation_timeout)) {
+      progress_.navigation = inputs.navigation;
+    } else {
+      ++progress_.counters.navigation_refused;
+    }
+  }
+  if (inputs.snr) {
+    const Time last = progress_.snr ? progress_.snr->time : Time{};
+    if (is_possible(inputs.snr->snr) && is_in_order(inputs.snr->time, last, now, mission_.snr_timeout)) {
+      progress_.snr = inputs.snr;
+    } else {
+      ++progress_.counters.snr_refused;
+    }
+  }
+  if (inputs.command) obey(*inputs.command);
+}
+
+void Runtime::obey(OperatorCommand command) {
+  if (command == OperatorCommand::kAbort) {
+    if (progress_.state != MissionState::kAbort) end(MissionState::kAbort, EndReason::kOperatorAbort);
+  } else if (command == OperatorCommand::kStart && progress_.state == MissionState::kStandby && configured_) {
+    progress_.start_wanted = true;
+  } else if (command == OperatorCommand::kComplete && progress_.state == MissionState::kSearch) {
+    end(MissionState::kDone, EndReason::kCompleted);
+  } else {
+    ++progress_.counters.commands_refused;
+  }
+}
+
+void Runtime::end(MissionState state, EndReason reason) {
+  progress_.state = state;
+  progress_.end_reason = reason;
+}
+
+bool Runtime::navigation_is_fresh(Time now) const {
+  return progress_.navigation && now - progress_.navigation->time <= mission_.navigation_timeout;
+}
+
+bool Runtime::snr_is_fresh(Time now) const {
+  return progress_.snr && now - progress_.snr->time <= mission_.snr_timeout;
+}
+
+EndReason Runtime::reason_to_abort(Time now) const {
+  if (!navigation_is_fresh(now)) return EndReason::kNavigationStale;
+  if (!snr_is_fresh(now)) return EndReason::kSnrStale;
+  if (!mission_.operating_area.contains(progress_.navigation->position)) return EndReason::kLeftOperatingArea;
+  if (now - progress_.search_began > mission_.max_time) return EndReason::kTimeUsedUp;
+  return EndReason::kNone;
+}
+
+NorthEast Runtime::place_in_area() const {
+  return progress_.navigation->position - mission_.operating_area.south_west;
+}
+
+void Runtime::begin_search(Time now) {
+  progress_.state = MissionState::kSearch;
+  progress_.search_began = now;
+  progress_.memory.start(place_in_area(), progress_.snr->snr);
+}
+
+void Runtime::search(Time now, Outputs& outputs) {
+  if (const EndReason reason = reason_to_abort(now); reason != EndReason::kNone) return end(MissionState::kAbort, reason);
+  const bool has_leg = progress_.leg.length().value > 0.0;
+  if (has_leg && !progress_.leg.is_over(progress_.navigation->position)) return;
+  if (has_leg) {
+    progress_.memory.remember(place_in_area(), progress_.snr->snr);
+    ++progress_.steps_taken;
+    if (progress_.steps_taken >= mission_.max_steps) return end(MissionState::kDone, EndReason::kStepsUsedUp);
+  }
+  decide(now, outputs.decision.emplace());
+}
+
+void Runtime::decide(Time now, Decision& decision) {
+  const NorthEast position = progress_.navigation->position;
+  const std::span<float> observation = std::span(decision.observation).first(policy_.observation.size());
+  const std::span<float> logits = std::span(decision.logits).first(policy_.actions.size());
+  policy::observe(progress_.memory, policy_.observation, observation);
+  policy::forward(policy_.network, observation, logits);
+  const std::size_t action = policy::draw_action(policy_.draw, logits, progress_.random);
+  const safety::SafeWaypoint safe = safety::safe_waypoint(mission_, position, position + mission_.step_length * policy_.actions[action]);
+  if (safe.overridden) ++progress_.counters.setpoints_limited;
+  progress_.leg = guidance::Leg(position, safe.waypoint);
+
+  decision.step = progress_.steps_taken;
+  decision.time = now;
+  decision.position = position;
+  decision.snr = progress_.snr->snr;
+  decision.detected = detector::ThresholdDetector{mission_.detection_threshold}.detects(decision.snr);
+  decision.action = static_cast<std::uint8_t>(action);
+  decision.overridden = safe.overridden;
+  decision.waypoint = safe.waypoint;
+  decision.observation_size = static_cast<std::uint8_t>(observation.size());
+  decision.action_count = static_cast<std::uint8_t>(logits.size());
+}
+
+Setpoint Runtime::setpoint() {
+  if (!progress_.navigation) return safety::surface({});
+  const safety::Pose pose{.position = progress_.navigation->position, .heading = progress_.navigation->heading};
+  if (progress_.state != MissionState::kSearch) return safety::surface(pose);
+  const Setpoint wanted{.heading = progress_.leg.heading_to_steer(pose.position),
+                        .speed = mission_.search_speed,
+                        .depth = mission_.search_depth,
+                        .waypoint = progress_.leg.waypoint()};
+  const safety::SafeSetpoint safe = safety::safe_setpoint(mission_, pose, wanted);
+  if (safe.limited) ++progress_.counters.setpoints_limited;
+  return safe.setpoint;
+}
+
+}  // namespace earshot::runtime

@@ -1,0 +1,63 @@
+#include "firmware/safety/limits.hpp"
+
+#include <algorithm>
+
+#include "firmware/core/math.hpp"
+
+namespace earshot::safety {
+namespace {
+
+bool is_finite_place(NorthEast place) {
+  return is_finite(place.north.value) && is_finite(place.east.value);
+}
+
+Meters length_of(NorthEast displacement) {
+  return Meters{sqrt(displacement.north.value * displacement.north.value + displacement.east.value * displacement.east.value)};
+}
+
+NorthEast clamped_into(const Rectangle& area, NorthEast place) {
+  return {.north = std::clamp(place.north, area.south_west.north, area.north_east.north),
+          .east = std::clamp(place.east, area.south_west.east, area.north_east.east)};
+}
+
+Rectangle without_margins(const config::Mission& mission) {
+  const NorthEast margin{.north = mission.edge_margin, .east = mission.edge_margin};
+  return {.south_west = mission.operating_area.south_west + margin, .north_east = mission.operating_area.north_east - margin};
+}
+
+/// One step towards the middle of the area, or the middle itself when it is nearer.
+NorthEast inwards(const config::Mission& mission, NorthEast position) {
+  const NorthEast diagonal = mission.operating_area.north_east - mission.operating_area.south_west;
+  const NorthEast middle = mission.operating_area.south_west + NorthEast{.north = diagonal.north * 0.5, .east = diagonal.east * 0.5};
+  const NorthEast way = middle - position;
+  const Meters distance = length_of(way);
+  if (distance <= mission.step_length) return middle;
+  const double share = mission.step_length / distance;
+  return position + NorthEast{.north = way.north * share, .east = way.east * share};
+}
+
+}  // namespace
+
+SafeWaypoint safe_waypoint(const config::Mission& mission, NorthEast position, NorthEast wanted) {
+  if (!is_finite_place(wanted)) return {.waypoint = inwards(mission, position), .overridden = true};
+  const NorthEast allowed = clamped_into(without_margins(mission), wanted);
+  if (allowed == wanted) return {.waypoint = wanted, .overridden = false};
+  const bool goes_on = length_of(allowed - position) >= 0.5 * mission.step_length;
+  return {.waypoint = goes_on ? allowed : inwards(mission, position), .overridden = true};
+}
+
+SafeSetpoint safe_setpoint(const config::Mission& mission, const Pose& pose, const guidance::Setpoint& wanted) {
+  const bool finite =
+      is_finite(wanted.heading.value) && is_finite(wanted.speed.value) && is_finite(wanted.depth.value) && is_finite_place(wanted.waypoint);
+  if (!finite) return {.setpoint = surface(pose), .limited = true};
+  guidance::Setpoint allowed = wanted;
+  allowed.depth = std::clamp(wanted.depth, Meters{0.0}, mission.max_depth);
+  allowed.speed = std::clamp(wanted.speed, MetersPerSecond{0.0}, mission.search_speed);
+  return {.setpoint = allowed, .limited = !(allowed == wanted)};
+}
+
+guidance::Setpoint surface(const Pose& pose) {
+  return {.heading = wrap_to_pi(pose.heading), .speed = MetersPerSecond{0.0}, .depth = Meters{0.0}, .waypoint = pose.position};
+}
+
+}  // namespace earshot::safety

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "firmware/config/mission.hpp"
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/units.hpp"
+#include "firmware/guidance/setpoint.hpp"
+
+namespace earshot::safety {
+
+// The last word over policy and guidance: nothing they say reaches the autopilot but through here.
+
+/// Where the vehicle is and where it points.
+struct Pose {
+  NorthEast position;
+  Radians heading;
+};
+
+struct SafeWaypoint {
+  NorthEast waypoint;
+  bool overridden = false;  ///< it is not the one the policy wanted
+};
+
+/// The nearest way-point to the wanted one that keeps edge_margin from the edge of the operating area. Where that leaves less than half a
+/// step to go (the policy pushes against the edge), one step towards the middle of the area instead, so that every decision moves the
+/// vehicle; so too if the wanted way-point is not finite.
+/// @param mission  one that config::check accepts
+[[nodiscard]] SafeWaypoint safe_waypoint(const config::Mission& mission, NorthEast position, NorthEast wanted);
+
+struct SafeSetpoint {
+  guidance::Setpoint setpoint;
+  bool limited = false;  ///< it is not the one guidance wanted
+};
+
+/// Depth kept within [0, max_depth] and speed within [0, search_speed]; surface() if anything is not finite.
+[[nodiscard]] SafeSetpoint safe_setpoint(const config::Mission& mission, const Pose& pose, const guidance::Setpoint& wanted);
+
+/// Stop and come up: no speed, no depth, heading and place kept. What the vehicle is told before and after a search, and on ABORT.
+[[nodiscard]] guidance::Setpoint surface(const Pose& pose);
+
+}  // namespace earshot::safety

@@ -1,0 +1,74 @@
+#include "firmware/wire/n2k/setpoint.hpp"
+
+#include "firmware/core/math.hpp"
+#include "firmware/wire/n2k/codec.hpp"
+#include "firmware/wire/n2k/identifier.hpp"
+
+namespace earshot::n2k {
+
+namespace {
+
+constexpr double kTrueNorth = 0.0;        ///< DIRECTION_REFERENCE
+constexpr double kHeadingControl = 4.0;   ///< STEERING_MODE
+constexpr double kManufacturer = 2044.0;  ///< see signals.cpp
+constexpr double kMarineIndustry = 4.0;   ///< INDUSTRY_CODE
+constexpr double kTwoPi = 6.283185307179586;
+
+}  // namespace
+
+Status compose_setpoint(const Setpoint& setpoint, std::uint8_t source, std::uint8_t sequence, SetpointFrames& frames) {
+  if (!is_finite(setpoint.heading.value)) return Status::kOutOfRange;
+  const double heading = wrap_to_pi(setpoint.heading).value;
+  Frame speed_depth;
+  Status status = MessageWriter(kSpeedDepthPgn)
+                      .set("ManufacturerCode", kManufacturer)
+                      .set("IndustryGroup", kMarineIndustry)
+                      .set("CommandedSpeed", setpoint.speed.value)
+                      .set("CommandedDepth", setpoint.depth.value)
+                      .frame(source, speed_depth);
+  if (status != Status::kOk) return status;
+
+  MessageWriter control(kHeadingControlPgn);
+  control.set("SteeringMode", kHeadingControl)
+      .set("HeadingReference", kTrueNorth)
+      .set("HeadingToSteer", heading < 0.0 ? heading + kTwoPi : heading);
+  if (control.status() != Status::kOk) return control.status();
+  FastPacketFrames packet;
+  status = compose_fast_packet(control.identifier(source), sequence, control.bytes(), packet);
+  if (status != Status::kOk) return status;
+
+  frames.clear();
+  status = frames.push_back(speed_depth);
+  for (const Frame& frame : packet) {
+    if (status == Status::kOk) status = frames.push_back(frame);
+  }
+  return status;
+}
+
+Status SetpointReceiver::accept(const Frame& frame, Setpoint& setpoint) {
+  const Result<Identifier> identifier = parse_identifier(frame.identifier);
+  if (!identifier.ok()) return identifier.status();
+  if (identifier.value().pgn == kSpeedDepthPgn) {
+    const Result<double> maker = read(kSpeedDepthPgn, "ManufacturerCode", frame.bytes());
+    const Result<double> industry = read(kSpeedDepthPgn, "IndustryGroup", frame.bytes());
+    if (!maker.ok() || maker.value() != kManufacturer || !industry.ok() || industry.value() != kMarineIndustry) return Status::kNotReady;
+    const Result<double> speed = read(kSpeedDepthPgn, "CommandedSpeed", frame.bytes());
+    const Result<double> depth = read(kSpeedDepthPgn, "CommandedDepth", frame.bytes());
+    if (!speed.ok() || !depth.ok()) return Status::kOutOfRange;
+    speed_depth_ = SpeedDepth{MetersPerSecond{speed.value()}, Meters{depth.value()}};
+    return Status::kNotReady;
+  }
+  if (identifier.value().pgn != kHeadingControlPgn) return Status::kNotReady;
+  std::span<const std::uint8_t> bytes;
+  const Status status = assembly_.accept(identifier.value(), frame, bytes);
+  if (status != Status::kOk) return status;
+  const Result<double> heading = read(kHeadingControlPgn, "HeadingToSteer", bytes);
+  const Result<double> reference = read(kHeadingControlPgn, "HeadingReference", bytes);
+  if (!heading.ok() || !reference.ok()) return Status::kOutOfRange;
+  if (reference.value() != kTrueNorth) return Status::kUnsupported;
+  if (!speed_depth_) return Status::kNotReady;
+  setpoint = {.heading = wrap_to_pi(Radians{heading.value()}), .speed = speed_depth_->speed, .depth = speed_depth_->depth};
+  return Status::kOk;
+}
+
+}  // namespace earshot::n2k

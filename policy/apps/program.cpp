@@ -1,0 +1,80 @@
+#include "policy/apps/program.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "firmware/config_file/table_reader.hpp"
+
+namespace earshot::apps {
+namespace {
+
+using config_file::BadInput;
+
+constexpr int kBadInputStatus = 2;
+
+/// The temporary name under which a file is written before it gets its own.
+std::filesystem::path part_of(const std::filesystem::path& path) {
+  std::filesystem::path part = path;
+  part += ".part";
+  return part;
+}
+
+}  // namespace
+
+int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& body) {
+  try {
+    app.parse(argc, argv);
+    body();
+    return EXIT_SUCCESS;
+  } catch (const CLI::Success& e) {
+    return app.exit(e);  // --help
+  } catch (const CLI::ParseError& e) {
+    std::cerr << app.get_name() << ": " << e.what() << "\n";
+  } catch (const BadInput& e) {
+    std::cerr << e.what() << "\n";
+  }
+  return kBadInputStatus;
+}
+
+std::string read_whole(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw BadInput(path.string() + ": no such file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(path, error)) throw BadInput(path.string() + ": cannot be read");
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+void write_whole(const std::filesystem::path& path, std::string_view content, Access access) {
+  const std::filesystem::path part = part_of(path);
+  std::error_code error;
+  {
+    std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+    if (access == Access::kOwnerOnly)
+      std::filesystem::permissions(part, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write, error);
+    stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+    stream.close();
+    if (stream && !error) std::filesystem::rename(part, path, error);
+    if (stream && !error) return;
+  }
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  throw BadInput(path.string() + ": cannot be written");
+}
+
+void check_writable(const std::filesystem::path& path) {
+  const std::filesystem::path part = part_of(path);
+  std::error_code error;
+  const bool writable = !std::filesystem::is_directory(path, error) && std::ofstream(part).is_open();
+  std::filesystem::remove(part, error);
+  if (!writable) throw BadInput(path.string() + ": cannot be written");
+}
+
+std::string command_line(int argc, char** argv) {
+  std::string line = std::filesystem::path(argv[0]).filename().string();
+  for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
+  return line;
+}
+
+}  // namespace earshot::apps

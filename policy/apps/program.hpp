@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace earshot::apps {
+
+/// Parses the command line and runs `body`. Bad input of any kind ends as one message on standard error and exit status 2.
+int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& body);
+
+/// The whole content of a file. Throws config_file::BadInput when it cannot be read.
+[[nodiscard]] std::string read_whole(const std::filesystem::path& path);
+
+enum class Access : std::uint8_t { kEveryone, kOwnerOnly };
+
+/// Writes a file that is either whole or not there: under a temporary name in the same folder, then renamed.
+/// Throws config_file::BadInput when it cannot be written.
+void write_whole(const std::filesystem::path& path, std::string_view content, Access access = Access::kEveryone);
+
+/// Throws config_file::BadInput now rather than after minutes of work when `path` cannot be written later.
+void check_writable(const std::filesystem::path& path);
+
+/// The command line as a person would type it again.
+[[nodiscard]] std::string command_line(int argc, char** argv);
+
+/// Commit the programs were built from, "-dirty" appended when the tree differed; "unknown" outside a repository.
+[[nodiscard]] std::string build_commit();
+
+}  // namespace earshot::apps

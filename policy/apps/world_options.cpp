@@ -1,0 +1,52 @@
+#include "policy/apps/world_options.hpp"
+
+#include <cmath>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "sim/ocean/environment_file.hpp"
+#include "sim/sonar/compute_snr_curve.hpp"
+
+namespace earshot::apps {
+
+using config_file::BadInput;
+
+void WorldOptions::add_to(CLI::App& app) {
+  app.add_option("--environment", environment,
+                 "environment file (TOML): ocean, source and noise, such as sim/ocean/environments/munk_flat.toml");
+  app.add_option("--vehicle-depth-m", vehicle_depth_m, "depth of the vehicle, metres (300)")->check(CLI::PositiveNumber);
+  app.add_option("--source", source,
+                 "source: fixed where the environment puts it, or changing, uniform in the domain anew every episode (fixed)")
+      ->check(CLI::IsMember({"fixed", "changing"}));
+  app.add_option("--start", start, "vehicle starts uniformly in the domain, or inside_border, where the border costs nothing (domain)")
+      ->check(CLI::IsMember({"domain", "inside_border"}));
+  app.add_option("--border-width-m", border_width_m, "width b of the border in which the reward falls to -100, metres (1000)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--max-steps", max_steps, "N, steps after which an episode is cut (100)")->check(CLI::Range(1, 1'000'000));
+}
+
+void WorldOptions::apply_to(search::SearchSettings& settings) const {
+  if (source) settings.placement = *source == "fixed" ? search::SourcePlacement::kFixed : search::SourcePlacement::kChanging;
+  if (border_width_m) settings.border_width = Meters{*border_width_m};
+  if (max_steps) settings.max_steps = *max_steps;
+  if (start) settings.start_region = *start == "domain" ? settings.domain : search::inside_border(settings);
+  if (search::check(settings) != Status::kOk) {
+    throw BadInput("--border-width-m, --start: nothing of the domain is left to start in, or all of it lies within a step of the source");
+  }
+}
+
+ocean::Environment environment_at(const std::filesystem::path& path, Meters vehicle_depth) {
+  if (path.empty()) throw BadInput("--environment: no environment file given");
+  ocean::Environment environment = ocean::load_environment(path);
+  if (!(vehicle_depth < environment.seabed.depth)) {
+    throw BadInput("--vehicle-depth-m: must be less than the depth of the sea floor in " + path.string());
+  }
+  return environment;
+}
+
+sonar::SnrCurve curve_for(const ocean::Environment& environment, Meters vehicle_depth, const search::SearchSettings& settings) {
+  const NorthEast diagonal = settings.domain.north_east - settings.domain.south_west;
+  const Meters furthest{std::hypot(diagonal.north.value, diagonal.east.value)};
+  return sonar::compute_snr_curve(environment, vehicle_depth, furthest + settings.step_length);
+}
+
+}  // namespace earshot::apps

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "sim/ocean/environment.hpp"
+#include "sim/search/settings.hpp"
+#include "sim/sonar/snr_curve.hpp"
+
+namespace earshot::apps {
+
+/// The part of a command line that says where a policy searches; what is not given leaves the settings as they are.
+struct WorldOptions {
+  std::optional<std::string> environment;
+  std::optional<double> vehicle_depth_m;
+  std::optional<std::string> source;
+  std::optional<std::string> start;
+  std::optional<double> border_width_m;
+  std::optional<std::uint32_t> max_steps;
+
+  void add_to(CLI::App& app);
+  /// Throws config_file::BadInput when the settings contradict each other.
+  void apply_to(search::SearchSettings& settings) const;
+};
+
+/// Throws config_file::BadInput when there is no environment, or the vehicle's depth is not in its water.
+[[nodiscard]] ocean::Environment environment_at(const std::filesystem::path& path, Meters vehicle_depth);
+
+/// SNR against range out to the far corner of the domain and one step beyond.
+[[nodiscard]] sonar::SnrCurve curve_for(const ocean::Environment& environment, Meters vehicle_depth,
+                                        const search::SearchSettings& settings);
+
+}  // namespace earshot::apps

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "firmware/policy/frozen_policy.hpp"
+#include "sim/search/episode.hpp"
+
+namespace earshot::evaluate {
+
+/// Flies `episodes` searches with the arithmetic that flies at sea (firmware/policy); `world.actions` are the policy's.
+/// Episode i draws its start and source from stream 2i of the seed and its actions from stream 2i + 1: the same starts for every policy.
+[[nodiscard]] std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, policy::ActionDraw draw,
+                                                          const search::SearchWorld& world, std::size_t episodes, std::uint64_t seed);
+
+/// The world a policy is evaluated in: its directions and step length, the rest from `settings`.
+[[nodiscard]] search::SearchWorld world_of(const policy::FrozenPolicy& policy, search::SearchSettings settings,
+                                           const sonar::SnrCurve& curve);
+
+struct Summary {
+  std::size_t episodes = 0;
+  double mean_reward = 0.0;
+  double lower_quartile_reward = 0.0;
+  double median_reward = 0.0;
+  double upper_quartile_reward = 0.0;
+  double found_fraction = 0.0;  ///< 0 to 1
+  double left_domain_fraction = 0.0;
+  double mean_steps = 0.0;
+  double mean_detections = 0.0;
+};
+
+/// @param records  at least one
+[[nodiscard]] Summary summarise(std::span<const search::EpisodeRecord> records);
+
+/// The q-quantile (0 to 1) by linear interpolation between order statistics, as NumPy's default. @param values  at least one, any order
+[[nodiscard]] double quantile(std::vector<double> values, double q);
+
+}  // namespace earshot::evaluate

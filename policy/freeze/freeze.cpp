@@ -1,0 +1,81 @@
+#include "policy/freeze/freeze.hpp"
+
+#include <sodium.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "policy/ppo/actor_critic.hpp"
+#include "sim/search/settings.hpp"
+
+namespace earshot::freeze {
+namespace {
+
+using config_file::BadInput;
+using Networks = ppo::ActorCritic<float>;
+
+/// Copies `rows` rows, the first ones, of a column-major layer into firmware's row-major one.
+template <class Target>
+void copy_layer(const Networks& from, const Networks::Layer& layer, Eigen::Index rows, Target& to) {
+  const std::span<const float> flat = from.parameters();
+  for (Eigen::Index o = 0; o < rows; ++o) {
+    for (Eigen::Index i = 0; i < layer.inputs; ++i) {
+      to.weights[static_cast<std::size_t>(o * layer.inputs + i)] = flat[static_cast<std::size_t>(layer.offset + i * layer.outputs + o)];
+    }
+    to.bias[static_cast<std::size_t>(o)] = flat[static_cast<std::size_t>(layer.bias() + o)];
+  }
+}
+
+void copy_actor(const ppo::Checkpoint& checkpoint, policy::Network& network) {
+  Networks networks(checkpoint.shape());
+  std::ranges::copy(checkpoint.parameters, networks.parameters().begin());
+  const Networks::Layout& layout = networks.layout();
+  network.observation_size = checkpoint.observation.size();
+  network.hidden_sizes.fill(static_cast<std::size_t>(ppo::kWidth));
+  network.action_count = checkpoint.direction_count;
+  copy_layer(networks, layout.first, ppo::kWidth, network.first);  // the actor's half stands above the critic's
+  copy_layer(networks, layout.actor_second, ppo::kWidth, network.second);
+  copy_layer(networks, layout.logits, layout.logits.outputs, network.output);
+}
+
+}  // namespace
+
+std::unique_ptr<policy::FrozenPolicy> freeze(const ppo::Checkpoint& checkpoint, policy::ActionDraw draw) {
+  auto policy = std::make_unique<policy::FrozenPolicy>();
+  policy->observation = checkpoint.observation;
+  policy->actions = search::compass_directions(checkpoint.direction_count);
+  policy->step_length = checkpoint.step_length;
+  policy->draw = draw;
+  copy_actor(checkpoint, policy->network);
+  for (const auto& [name, value] : checkpoint.provenance) {
+    for (const char c : name + " = " + value + "\n") {
+      if (policy->provenance.push_back(c) != Status::kOk) {
+        throw BadInput("provenance: longer than the " + std::to_string(config::kMaxProvenance) + " bytes a policy can hold");
+      }
+    }
+  }
+  return policy;
+}
+
+std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const SecretKey& key) {
+  std::array<std::uint8_t, crypto_sign_SECRETKEYBYTES> expanded{};
+  PublicKey public_key{};
+  crypto_sign_seed_keypair(public_key.data(), expanded.data(), key.seed.data());
+  std::vector<std::uint8_t> bytes(policy::max_serialised_size());
+  const Result<std::size_t> size = policy::serialise(policy, public_key, bytes);
+  if (!size.ok()) throw BadInput("the policy does not fit the vehicle: a size, weight or scale is out of range");
+  bytes.resize(size.value());
+  const std::size_t signed_size = bytes.size() - policy::kSignatureSize;
+  crypto_sign_detached(bytes.data() + signed_size, nullptr, bytes.data(), signed_size, expanded.data());
+  return bytes;
+}
+
+bool is_signed_by(std::span<const std::uint8_t> bytes, const PublicKey& key) {
+  if (bytes.size() < policy::kSignatureSize) return false;
+  const std::size_t signed_size = bytes.size() - policy::kSignatureSize;
+  return crypto_sign_verify_detached(bytes.data() + signed_size, bytes.data(), signed_size, key.data()) == 0;
+}
+
+}  // namespace earshot::freeze

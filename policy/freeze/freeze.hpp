@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "firmware/policy/frozen_policy.hpp"
+#include "policy/freeze/keys.hpp"
+#include "policy/ppo/checkpoint.hpp"
+
+namespace earshot::freeze {
+
+/// The policy that flies, from what training left: the actor alone, its directions as a table, its provenance as "name = value" lines.
+/// Throws config_file::BadInput when it does not fit firmware's capacities.
+[[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze(const ppo::Checkpoint& checkpoint, policy::ActionDraw draw);
+
+/// The bytes of a `.policy` file, signed: Ed25519 over every byte before the signature.
+/// Throws config_file::BadInput for a policy that a vehicle would refuse.
+[[nodiscard]] std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const SecretKey& key);
+
+/// Whether the signature at the end of `bytes` was made with the secret half of `key`.
+[[nodiscard]] bool is_signed_by(std::span<const std::uint8_t> bytes, const PublicKey& key);
+
+}  // namespace earshot::freeze

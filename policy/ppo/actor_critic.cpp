@@ -1,0 +1,119 @@
+#include "policy/ppo/actor_critic.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "policy/ppo/orthogonal.hpp"
+
+namespace earshot::ppo {
+namespace {
+
+template <class Scalar>
+using Square = Eigen::Matrix<Scalar, kWidth, kWidth>;
+template <class Scalar>
+using Hidden = Eigen::Matrix<Scalar, kWidth, Eigen::Dynamic>;
+template <class Scalar>
+using BothHidden = Eigen::Matrix<Scalar, 2 * kWidth, Eigen::Dynamic>;
+
+template <class MatrixType, class Pointer>
+auto weights_of(Pointer* flat, const auto& layer) {
+  using Mapped = std::conditional_t<std::is_const_v<Pointer>, const MatrixType, MatrixType>;
+  return Eigen::Map<Mapped>(flat + layer.offset, layer.outputs, layer.inputs);
+}
+
+template <class Scalar, class Pointer>
+auto bias_of(Pointer* flat, const auto& layer) {
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+  using Mapped = std::conditional_t<std::is_const_v<Pointer>, const Vector, Vector>;
+  return Eigen::Map<Mapped>(flat + layer.bias(), layer.outputs);
+}
+
+}  // namespace
+
+template <class Scalar>
+ActorCritic<Scalar>::ActorCritic(NetworkShape shape) : shape_(shape) {
+  layout_.first = {0, 2 * kWidth, shape.observation_size};
+  layout_.actor_second = {layout_.first.end(), kWidth, kWidth};
+  layout_.critic_second = {layout_.actor_second.end(), kWidth, kWidth};
+  layout_.logits = {layout_.critic_second.end(), shape.action_count, kWidth};
+  layout_.value = {layout_.logits.end(), 1, kWidth};
+  parameters_.assign(static_cast<std::size_t>(layout_.value.end()), Scalar{0});
+}
+
+template <class Scalar>
+void ActorCritic<Scalar>::initialise(Pcg32& random) {
+  const double hidden_gain = std::sqrt(2.0);
+  std::ranges::fill(parameters_, Scalar{0});
+  auto fill = [this, &random](const Layer& layer, double gain) {
+    weights_of<Matrix<Scalar>>(parameters_.data(), layer) = orthogonal(layer.outputs, layer.inputs, gain, random).template cast<Scalar>();
+  };
+  auto first = weights_of<Matrix<Scalar>>(parameters_.data(), layout_.first);
+  first.topRows(kWidth) = orthogonal(kWidth, shape_.observation_size, hidden_gain, random).template cast<Scalar>();
+  first.bottomRows(kWidth) = orthogonal(kWidth, shape_.observation_size, hidden_gain, random).template cast<Scalar>();
+  fill(layout_.actor_second, hidden_gain);
+  fill(layout_.critic_second, hidden_gain);
+  fill(layout_.logits, 0.01);
+  fill(layout_.value, 1.0);
+}
+
+template <class Scalar>
+void ActorCritic<Scalar>::forward(const Scalar* observations, Eigen::Index batch, Activations<Scalar>& activations) const {
+  const Scalar* p = parameters_.data();
+  const Eigen::Map<const Matrix<Scalar>> x(observations, shape_.observation_size, batch);
+  Eigen::Map<BothHidden<Scalar>> first(activations.first.data(), 2 * kWidth, batch);
+  Eigen::Map<Hidden<Scalar>> actor(activations.actor.data(), kWidth, batch);
+  Eigen::Map<Hidden<Scalar>> critic(activations.critic.data(), kWidth, batch);
+
+  first.colwise() = bias_of<Scalar>(p, layout_.first);
+  first.noalias() += weights_of<BothHidden<Scalar>>(p, layout_.first) * x;
+  first = first.array().tanh();
+  actor.colwise() = bias_of<Scalar>(p, layout_.actor_second);
+  actor.noalias() += weights_of<Square<Scalar>>(p, layout_.actor_second) * first.template topRows<kWidth>();
+  actor = actor.array().tanh();
+  critic.colwise() = bias_of<Scalar>(p, layout_.critic_second);
+  critic.noalias() += weights_of<Square<Scalar>>(p, layout_.critic_second) * first.template bottomRows<kWidth>();
+  critic = critic.array().tanh();
+  auto logits = activations.logits.leftCols(batch);
+  logits.colwise() = bias_of<Scalar>(p, layout_.logits);
+  logits.noalias() += weights_of<Matrix<Scalar>>(p, layout_.logits) * actor;
+  auto values = activations.values.leftCols(batch);
+  values.noalias() = weights_of<Matrix<Scalar>>(p, layout_.value) * critic;
+  values.array() += p[layout_.value.bias()];
+}
+
+template <class Scalar>
+void ActorCritic<Scalar>::backward(const Scalar* observations, Eigen::Index batch, Activations<Scalar>& activations,
+                                   const Matrix<Scalar>& d_logits, const Matrix<Scalar>& d_values, std::span<Scalar> gradient) {
+  assert(gradient.size() == parameters_.size());
+  const Scalar* p = parameters_.data();
+  Scalar* g = gradient.data();
+  if (d_first_.cols() < batch) d_first_.resize(2 * kWidth, batch);
+  const Eigen::Map<const Matrix<Scalar>> x(observations, shape_.observation_size, batch);
+  Eigen::Map<BothHidden<Scalar>> first(activations.first.data(), 2 * kWidth, batch);
+  Eigen::Map<BothHidden<Scalar>> d_first(d_first_.data(), 2 * kWidth, batch);
+
+  // One branch from its output back to its half of the first layer; `hidden` becomes dL/d(its input before tanh).
+  auto branch = [&](const auto& d_output, const Layer& output, const Layer& second, Scalar* hidden_data, const auto& below, auto d_below) {
+    Eigen::Map<Hidden<Scalar>> hidden(hidden_data, kWidth, batch);
+    weights_of<Matrix<Scalar>>(g, output).noalias() = d_output * hidden.transpose();
+    bias_of<Scalar>(g, output) = d_output.rowwise().sum();
+    const auto slope = (Scalar{1} - hidden.array().square());
+    hidden = (weights_of<Matrix<Scalar>>(p, output).transpose() * d_output).array() * slope;
+    weights_of<Square<Scalar>>(g, second).noalias() = hidden * below.transpose();
+    bias_of<Scalar>(g, second) = hidden.rowwise().sum();
+    d_below.noalias() = weights_of<Square<Scalar>>(p, second).transpose() * hidden;
+  };
+  branch(d_logits.leftCols(batch), layout_.logits, layout_.actor_second, activations.actor.data(), first.template topRows<kWidth>(),
+         d_first.template topRows<kWidth>());
+  branch(d_values.leftCols(batch), layout_.value, layout_.critic_second, activations.critic.data(), first.template bottomRows<kWidth>(),
+         d_first.template bottomRows<kWidth>());
+  d_first.array() *= Scalar{1} - first.array().square();
+  weights_of<BothHidden<Scalar>>(g, layout_.first).noalias() = d_first * x.transpose();
+  bias_of<Scalar>(g, layout_.first) = d_first.rowwise().sum();
+}
+
+template class ActorCritic<float>;
+template class ActorCritic<double>;
+
+}  // namespace earshot::ppo

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "policy/ppo/actor_critic.hpp"
+#include "policy/ppo/hyper_parameters.hpp"
+
+namespace earshot::ppo {
+
+/// A minibatch as PPO's loss needs it; all of one size.
+template <class Scalar>
+struct Samples {
+  std::span<const std::uint8_t> actions;
+  std::span<const Scalar> old_log_probabilities;
+  std::span<Scalar> advantages;  ///< normalised in place
+  std::span<const Scalar> returns;
+};
+
+/// (A - mean) / (standard deviation + 1e-8), the standard deviation with n - 1; a single sample is left as it is.
+/// Oracle: NormaliseAdvantages.*
+template <class Scalar>
+void normalise(std::span<Scalar> advantages);
+
+/// PPO's loss and its gradient with respect to logits and values.
+///
+///   L = mean(-min(r A, clip(r, 1 - c, 1 + c) A)) + c_v mean((R - V)^2) - c_e mean(H),  r = pi(a|o) / pi_old(a|o)
+///
+/// @param logits    [actions x batch]; becomes log-probabilities
+/// @param d_logits  [actions x batch] dL/dlogits
+/// @param d_values  [1 x batch] dL/dvalues
+/// @return L
+/// Source: Schulman et al. 2017, Eq. 7 and 9.   Oracle: Loss.*, Update.*
+template <class Scalar>
+Scalar ppo_loss(const Samples<Scalar>& samples, const HyperParameters& hyper, Matrix<Scalar>& logits, const Matrix<Scalar>& values,
+                Matrix<Scalar>& d_logits, Matrix<Scalar>& d_values);
+
+}  // namespace earshot::ppo

@@ -1,0 +1,109 @@
+#include "policy/ppo/training_run.hpp"
+
+#include <limits>
+#include <sstream>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/config_file/table_reader.hpp"
+
+namespace earshot::ppo {
+namespace {
+
+using config_file::Range;
+using config_file::TableReader;
+
+constexpr std::int64_t kMany = std::numeric_limits<std::int64_t>::max();
+
+std::size_t read_size(TableReader& table, std::string_view key, std::size_t fallback, std::int64_t lowest, std::int64_t highest) {
+  return static_cast<std::size_t>(table.integer_or(key, static_cast<std::int64_t>(fallback), lowest, highest));
+}
+
+void read_search(TableReader table, search::SearchSettings& s) {
+  const double width = table.number_or("domain_east_m", 25'000.0, Range::above(0.0));
+  const double height = table.number_or("domain_north_m", 25'000.0, Range::above(0.0));
+  s.domain = {{Meters{0.0}, Meters{0.0}}, {Meters{height}, Meters{width}}};
+  s.placement =
+      table.choice_or("source", 0, {"fixed", "changing"}) == 0 ? search::SourcePlacement::kFixed : search::SourcePlacement::kChanging;
+  s.direction_count = read_size(table, "directions", s.direction_count, 1, config::kMaxActions);
+  s.step_length = Meters{table.number_or("step_length_m", s.step_length.value, Range::above(0.0))};
+  s.max_steps = static_cast<std::uint32_t>(read_size(table, "max_steps", s.max_steps, 1, 1'000'000));
+  s.detection_threshold = Decibels{table.number_or("detection_threshold_db", s.detection_threshold.value)};
+  s.border_width = Meters{table.number_or("border_width_m", s.border_width.value, Range::above(0.0))};
+  s.border_reward = table.number_or("border_reward", s.border_reward);
+  const bool everywhere = table.choice_or("start", 0, {"domain", "inside_border"}) == 0;
+  s.start_region = everywhere ? s.domain : search::inside_border(s);
+  if (search::check(s) != Status::kOk) table.problem("border_width_m", "must leave room inside the border for the start");
+}
+
+void read_hyper_parameters(TableReader table, HyperParameters& h) {
+  h.environment_count = read_size(table, "environments", h.environment_count, 1, 65'536);
+  h.steps_per_rollout = read_size(table, "steps_per_rollout", h.steps_per_rollout, 2, 1 << 24);
+  h.batch_size = read_size(table, "batch_size", h.batch_size, 2, 1 << 24);
+  h.epochs = read_size(table, "epochs", h.epochs, 1, 10'000);
+  h.learning_rate = table.number_or("learning_rate", h.learning_rate, Range::above(0.0));
+  h.discount = table.number_or("discount", h.discount, Range::between(0.0, 1.0));
+  h.gae_lambda = table.number_or("gae_lambda", h.gae_lambda, Range::between(0.0, 1.0));
+  h.clip_range = table.number_or("clip_range", h.clip_range, Range::above(0.0));
+  h.value_coefficient = table.number_or("value_coefficient", h.value_coefficient, Range::at_least(0.0));
+  h.entropy_coefficient = table.number_or("entropy_coefficient", h.entropy_coefficient, Range::at_least(0.0));
+  h.max_gradient_norm = table.number_or("max_gradient_norm", h.max_gradient_norm, Range::above(0.0));
+}
+
+}  // namespace
+
+TrainingRun load_run(const std::filesystem::path& path) {
+  const config_file::File file(path);
+  TableReader root = file.root();
+  TrainingRun run;
+  if (root.has("environment")) run.environment = file.resolve(root.text("environment"));
+  run.vehicle_depth = Meters{root.number_or("vehicle_depth_m", run.vehicle_depth.value, Range::above(0.0))};
+  run.state = root.choice_or("state", 0, {"simple", "memory"}) == 0 ? State::kSimple : State::kMemory;
+  run.remembered_steps = read_size(root, "remembered_steps", run.remembered_steps, 1, config::kMaxRememberedSteps);
+  run.seed = static_cast<std::uint64_t>(root.integer_or("seed", 1, 0, kMany));
+  run.episodes = static_cast<std::uint64_t>(root.integer_or("episodes", 0, 0, kMany));
+  run.steps = static_cast<std::uint64_t>(root.integer_or("steps", 0, 0, kMany));
+  if (auto table = root.optional_table("search")) read_search(*table, run.search);
+  if (auto table = root.optional_table("ppo")) read_hyper_parameters(*table, run.hyper);
+  file.finish();
+  return run;
+}
+
+policy::ObservationSpec observation_of(const TrainingRun& run) {
+  const search::SearchSettings& s = run.search;
+  if (run.state == State::kSimple) return policy::simple_state(s.domain.north_east - s.domain.south_west);
+  return policy::memory_state(run.remembered_steps, s.step_length, s.detection_threshold).value();
+}
+
+std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run) {
+  std::vector<std::pair<std::string, std::string>> lines;
+  auto add = [&lines](const std::string& name, const auto& value) {
+    std::ostringstream text;
+    text << value;
+    lines.emplace_back(name, text.str());
+  };
+  const search::SearchSettings& s = run.search;
+  const HyperParameters& h = run.hyper;
+  add("vehicle_depth_m", run.vehicle_depth.value);
+  add("state", run.state == State::kSimple ? "simple" : "memory");
+  if (run.state == State::kMemory) add("remembered_steps", run.remembered_steps);
+  add("source", s.placement == search::SourcePlacement::kFixed ? "fixed" : "changing");
+  add("border_width_m", s.border_width.value);
+  add("border_reward", s.border_reward);
+  add("max_steps", s.max_steps);
+  add("detection_threshold_db", s.detection_threshold.value);
+  add("seed", run.seed);
+  add("environments", h.environment_count);
+  add("steps_per_rollout", h.steps_per_rollout);
+  add("batch_size", h.batch_size);
+  add("epochs", h.epochs);
+  add("learning_rate", h.learning_rate);
+  add("discount", h.discount);
+  add("gae_lambda", h.gae_lambda);
+  add("clip_range", h.clip_range);
+  add("value_coefficient", h.value_coefficient);
+  add("entropy_coefficient", h.entropy_coefficient);
+  add("max_gradient_norm", h.max_gradient_norm);
+  return lines;
+}
+
+}  // namespace earshot::ppo

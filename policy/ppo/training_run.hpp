@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "firmware/core/units.hpp"
+#include "firmware/policy/observation.hpp"
+#include "policy/ppo/hyper_parameters.hpp"
+#include "sim/search/settings.hpp"
+
+namespace earshot::ppo {
+
+/// What the policy is shown.
+enum class State : std::uint8_t {
+  kSimple,  ///< o = (x, y)
+  kMemory,  ///< displacement and SNR of each of the last steps
+};
+
+/// Everything that decides what a training run makes.
+struct TrainingRun {
+  std::filesystem::path environment;  ///< environment file; its source position is the fixed source
+  Meters vehicle_depth{300.0};        ///< of the hydrophone, > 0
+  search::SearchSettings search;
+  State state = State::kSimple;
+  std::size_t remembered_steps = 2;  ///< m of the memory state, 1 to config::kMaxRememberedSteps
+  HyperParameters hyper;
+  std::uint64_t seed = 1;
+  std::uint64_t episodes = 0;  ///< training ends after so many, the rollout under way unused; 0: no limit
+  std::uint64_t steps = 0;     ///< training ends with the rollout that reaches it; 0: no limit
+};
+
+/// Reads a run file: the keys of `policy/ppo/runs/fixed_source.toml`, all of them optional. Throws config_file::BadInput with every
+/// problem.
+[[nodiscard]] TrainingRun load_run(const std::filesystem::path& path);
+
+/// What the policy of this run sees.
+[[nodiscard]] policy::ObservationSpec observation_of(const TrainingRun& run);
+
+/// Every setting that shaped the policy, as names and values, for its provenance.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run);
+
+}  // namespace earshot::ppo

@@ -1,0 +1,67 @@
+#include "sim/apps/flight_record.hpp"
+
+#include <array>
+#include <cerrno>
+#include <numbers>
+#include <system_error>
+
+#include "firmware/core/math.hpp"
+
+namespace earshot::simulation {
+namespace {
+
+std::filesystem::path partial_name(const std::filesystem::path& path) { return path.string() + ".partial"; }
+
+[[noreturn]] void fail(const std::filesystem::path& path) { throw std::system_error(errno, std::generic_category(), path.string()); }
+
+const char* name_of(runtime::MissionState state) {
+  constexpr std::array<const char*, 4> kNames{"standby", "search", "done", "abort"};
+  return kNames[static_cast<std::size_t>(state) % kNames.size()];
+}
+
+}  // namespace
+
+TrackFile::TrackFile(const std::filesystem::path& path) : path_(path), partial_(partial_name(path)), file_(std::fopen(partial_.c_str(), "w")) {
+  if (!file_) fail(partial_);
+  (void)std::fputs("time_s,north_m,east_m,depth_m,heading_deg,speed_mps,snr_db,range_m,state,steps_taken\n", file_.get());
+}
+
+void TrackFile::add(const TrackPoint& p) {
+  (void)std::fprintf(file_.get(), "%.3f,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%s,%u\n", (p.time - Time{}).to_seconds(), p.vehicle.position.north.value,
+                     p.vehicle.position.east.value, p.vehicle.depth.value, p.vehicle.heading.value * 180.0 / std::numbers::pi, p.vehicle.speed.value,
+                     p.snr.value, p.range.value, name_of(p.state), p.steps_taken);
+}
+
+void TrackFile::finish() {
+  const bool failed = std::ferror(file_.get()) != 0;
+  if (std::fclose(file_.release()) != 0 || failed) fail(partial_);
+  std::filesystem::rename(partial_, path_);
+}
+
+void Score::add(const TrackPoint& point) {
+  if (last_position_) {
+    const NorthEast way = point.vehicle.position - *last_position_;
+    distance_ += Meters{earshot::sqrt(way.north.value * way.north.value + way.east.value * way.east.value)};
+  }
+  last_position_ = point.vehicle.position;
+  if (point.steps_taken == steps_taken_) return;
+  steps_taken_ = point.steps_taken;
+  end_step(point);
+}
+
+void Score::end_step(const TrackPoint& point) {
+  ++steps_;
+  reward_ += search::step_reward(settings_, point.vehicle.position, point.snr);
+  if (point.snr >= settings_.detection_threshold) ++detections_;
+}
+
+void write_whole(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path partial = partial_name(path);
+  std::FILE* file = std::fopen(partial.c_str(), "w");
+  if (file == nullptr) fail(partial);
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  if (std::fclose(file) != 0 || !written) fail(partial);
+  std::filesystem::rename(partial, path);
+}
+
+}  // namespace earshot::simulation

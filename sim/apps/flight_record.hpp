@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "firmware/core/time.hpp"
+#include "firmware/core/units.hpp"
+#include "firmware/runtime/runtime.hpp"
+#include "sim/search/settings.hpp"
+#include "sim/vehicle/vehicle.hpp"
+
+namespace earshot::simulation {
+
+/// What one tick was like.
+struct TrackPoint {
+  Time time;
+  vehicle::State vehicle;
+  Decibels snr;
+  Meters range;  ///< horizontal, to the source
+  runtime::MissionState state = runtime::MissionState::kStandby;
+  std::uint32_t steps_taken = 0;  ///< actions completed
+};
+
+/// track.csv: one row per tick, the same bytes for the same flight. Written under another name and renamed by finish(), so that no half of it is ever
+/// taken for the whole.
+class TrackFile {
+ public:
+  /// @throws std::system_error naming the file.
+  explicit TrackFile(const std::filesystem::path& path);
+  void add(const TrackPoint& point);
+  /// @throws std::system_error naming the file when something could not be written.
+  void finish();
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { (void)std::fclose(file); }
+  };
+  std::filesystem::path path_;
+  std::filesystem::path partial_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+/// What a flight comes to, added up tick by tick.
+class Score {
+ public:
+  explicit Score(const search::SearchSettings& settings) : settings_(settings) {}
+
+  void add(const TrackPoint& point);
+  /// The source is reached in the middle of a step: that step ends here.
+  void end_step(const TrackPoint& point);
+
+  [[nodiscard]] double reward() const { return reward_; }
+  [[nodiscard]] std::uint32_t steps() const { return steps_; }
+  [[nodiscard]] std::uint32_t detections() const { return detections_; }  ///< steps that ended with SNR >= DT
+  [[nodiscard]] Meters distance() const { return distance_; }
+
+ private:
+  search::SearchSettings settings_;
+  std::optional<NorthEast> last_position_;
+  std::uint32_t steps_taken_ = 0;
+  double reward_ = 0.0;
+  std::uint32_t steps_ = 0;
+  std::uint32_t detections_ = 0;
+  Meters distance_;
+};
+
+/// Writes `text` to `path` by way of another name. @throws std::system_error naming the file.
+void write_whole(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace earshot::simulation

@@ -1,0 +1,231 @@
+// earshot-fly: one search from start to report: earshot-sim, earshotd, what happened.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#include "firmware/boards/linux/lcm_url.hpp"
+#include "firmware/boards/linux/mission_file.hpp"
+#include "firmware/config_file/table_reader.hpp"
+#include "sim/link/run_slot.hpp"
+#include "sim/ocean/environment_file.hpp"
+
+namespace {
+
+using namespace earshot;
+namespace fs = std::filesystem;
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+struct Options {
+  fs::path environment;
+  fs::path mission;
+  fs::path out = "out";
+  std::uint64_t seed = 1;
+  std::string speed = "0";
+  std::optional<fs::path> policy;
+  std::optional<fs::path> public_key;
+  std::optional<std::string> bus;
+  std::optional<std::string> lcm_url;
+  std::optional<std::string> can_interface;
+  bool ignore_source = false;
+  bool no_report = false;
+};
+
+void declare(CLI::App& app, Options& o) {
+  app.add_option("--environment", o.environment, "ocean, source and noise (TOML)")->required();
+  app.add_option("--mission", o.mission, "area, depth, speed, limits, bus, policy (TOML)")->required();
+  app.add_option("--out", o.out, "folder for journal.lcmlog, track.csv, snr.csv, summary.json and report.html")->capture_default_str();
+  app.add_option("--seed", o.seed, "where the vehicle starts, and how a policy that draws its actions draws them")
+      ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
+      ->capture_default_str();
+  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")->check(CLI::Range(0.0, 1e6))->capture_default_str();
+  app.add_option("--policy", o.policy, "policy file instead of the mission's");
+  app.add_option("--public-key", o.public_key, "file of the public key that signed it, instead of the mission's");
+  app.add_option("--bus", o.bus, "bus between autopilot and earshotd instead of the mission's")->check(CLI::IsMember({"lcm", "can"}));
+  app.add_option("--lcm-url", o.lcm_url, "LCM address; default: LCM's own port, or the next free one while another flight is under way");
+  app.add_option("--can-interface", o.can_interface, "CAN interface instead of the mission's");
+  app.add_flag("--ignore-source", o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
+  app.add_flag("--no-report", o.no_report, "do not write report.html");
+}
+
+template <class Value>
+void add(std::vector<std::string>& arguments, const char* name, const std::optional<Value>& value) {
+  if (value) arguments.insert(arguments.end(), {name, std::string(*value)});
+}
+
+std::vector<std::string> common_arguments(const Options& o, const std::string& lcm_url) {
+  std::vector<std::string> a{"--out", o.out.string(), "--seed", std::to_string(o.seed), "--lcm-url", lcm_url};
+  add(a, "--bus", o.bus);
+  add(a, "--can-interface", o.can_interface);
+  return a;
+}
+
+std::vector<std::string> simulator_arguments(const Options& o, const link::RunSlot& slot, const std::string& lcm_url) {
+  std::vector<std::string> a = common_arguments(o, lcm_url);
+  a.insert(a.end(), {"--environment", o.environment.string(), "--mission", o.mission.string(), "--domain", std::to_string(slot.domain()), "--speed", o.speed});
+  if (o.ignore_source) a.emplace_back("--ignore-source");
+  return a;
+}
+
+std::vector<std::string> runtime_arguments(const Options& o, const link::RunSlot& slot, const std::string& lcm_url) {
+  std::vector<std::string> a = common_arguments(o, lcm_url);
+  a.insert(a.end(), {o.mission.string(), "--replace", "--simulation", std::to_string(slot.domain())});
+  add(a, "--policy", o.policy);
+  add(a, "--public-key", o.public_key);
+  return a;
+}
+
+fs::path own_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+
+/// Starts a program that stands beside this one, in a process group of its own (a terminal's Ctrl-C then reaches only this program, which ends both in
+/// order) and to be ended with this process.
+pid_t start(const std::string& program, const std::vector<std::string>& arguments) {
+  const std::string path = own_folder() / program;
+  std::vector<char*> argv{const_cast<char*>(path.c_str())};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error(std::string("cannot start another process: ") + std::strerror(errno));
+  if (child > 0) return child;
+  (void)setpgid(0, 0);
+  (void)prctl(PR_SET_PDEATHSIG, SIGTERM);
+  (void)execv(path.c_str(), argv.data());
+  (void)std::fprintf(stderr, "%s: %s\n", path.c_str(), std::strerror(errno));
+  _exit(2);
+}
+
+/// One of the two processes of a flight.
+struct Process {
+  pid_t id = 0;
+  int status = -1;  ///< exit status, 128 + signal; -1 while it runs
+
+  [[nodiscard]] bool running() const { return status < 0; }
+  void poll() {
+    int raw = 0;
+    if (running() && waitpid(id, &raw, WNOHANG) == id) status = WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw);
+  }
+  void signal(int number) const {
+    if (running()) (void)kill(id, number);
+  }
+};
+
+/// Waits for both. Ctrl-C goes to the simulator, which tells earshotd to abort; whoever has not left some seconds after the other is ended.
+void wait_for_both(Process& simulator, Process& runtime) {
+  using std::chrono::steady_clock;
+  constexpr auto kGrace = std::chrono::seconds(6);  // longer than either takes to notice by itself that the other is gone
+  std::optional<steady_clock::time_point> deadline;
+  bool stopping = false;
+  while (simulator.running() || runtime.running()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    simulator.poll();
+    runtime.poll();
+    if (stop_requested != 0 && !stopping) {
+      stopping = true;
+      simulator.signal(SIGINT);
+    }
+    const bool refused = simulator.status == 2 || runtime.status == 2;  // bad input: the other waits in vain
+    if (refused) {
+      simulator.signal(SIGTERM);
+      runtime.signal(SIGTERM);
+    }
+    if (!deadline && (stopping || !simulator.running() || !runtime.running())) deadline = steady_clock::now() + kGrace;
+    if (deadline && steady_clock::now() > *deadline) {
+      simulator.signal(SIGKILL);
+      runtime.signal(SIGKILL);
+    }
+  }
+}
+
+std::string duration(double s) {
+  const auto minutes = static_cast<long>(s / 60.0);
+  std::array<char, 64> text{};
+  (void)std::snprintf(text.data(), text.size(), "%ld h %02ld min", minutes / 60, minutes % 60);
+  return text.data();
+}
+
+void print_summary(const fs::path& out) {
+  std::ifstream stream(out / "summary.json");
+  if (!stream) return;
+  const nlohmann::json s = nlohmann::json::parse(stream);
+  const double sim_time_s = s.at("sim_time_s");
+  const double wall_time_s = s.at("wall_time_s");
+  std::printf("%s\n", s.at("found").get<bool>() ? "source found" : ("source not found: " + s.at("end_reason").get<std::string>()).c_str());
+  std::printf("  reward      %.1f\n  steps       %d\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(), s.at("steps").get<int>(),
+              s.at("detections").get<int>(), s.at("distance_m").get<double>() / 1e3);
+  std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", duration(sim_time_s).c_str(), wall_time_s, sim_time_s / std::max(wall_time_s, 1e-9));
+}
+
+int run(const std::string& program, const std::vector<std::string>& arguments) {
+  Process process{.id = start(program, arguments)};
+  while (process.running()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    process.poll();
+  }
+  return process.status;
+}
+
+int fly(const Options& o) {
+  // Both processes would say the same about a bad file: say it once, before either starts.
+  const board::MissionFile mission = board::load_mission(o.mission);
+  (void)ocean::load_environment(o.environment);
+  fs::create_directories(o.out);
+  for (const char* old : {"summary.json", "track.csv", "report.html"}) fs::remove(o.out / old);
+
+  const link::RunSlot slot;
+  const std::string lcm_url = o.lcm_url.value_or(mission.lcm_url == board::kDefaultLcmUrl ? slot.lcm_url() : mission.lcm_url);
+  Process runtime{.id = start("earshotd", runtime_arguments(o, slot, lcm_url))};
+  Process simulator{.id = start("earshot-sim", simulator_arguments(o, slot, lcm_url))};
+  wait_for_both(simulator, runtime);
+
+  print_summary(o.out);
+  if (!o.no_report && fs::exists(o.out / "summary.json") && run("earshot-report", {o.out.string()}) == 0) {
+    std::printf("  report      %s\n", (o.out / "report.html").c_str());
+  }
+  if (stop_requested != 0) return 130;
+  return std::max(simulator.status, runtime.status);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"earshot fly plays one search: an ocean with a sound source (earshot-sim) and the vehicle's own software (earshotd) in lock-step.\n"
+               "Exit status: 0 flown (found or not), 2 bad input, 3 a process was lost, 130 Ctrl-C."};
+  Options options;
+  declare(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  std::signal(SIGINT, [](int) { stop_requested = 1; });
+  std::signal(SIGTERM, [](int) { stop_requested = 1; });
+  try {
+    return fly(options);
+  } catch (const config_file::BadInput& e) {
+    std::cerr << e.what() << "\n";
+    return 2;
+  } catch (const std::exception& e) {
+    std::cerr << "earshot-fly: " << e.what() << "\n";
+    return 2;
+  }
+}

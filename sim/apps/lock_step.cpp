@@ -1,0 +1,154 @@
+#include "sim/apps/lock_step.hpp"
+
+#include <poll.h>
+
+#include <chrono>
+#include <thread>
+
+#include "firmware/core/math.hpp"
+#include "firmware/runtime/runtime.hpp"
+
+namespace earshot::simulation {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr milliseconds kLookUp{100};            ///< how often a waiting simulator looks at `stop`
+constexpr milliseconds kRuntimePatience{4000};  ///< for an answer: a step takes microseconds, a dead runtime is known after link::kLeaseSeconds
+constexpr milliseconds kBusPatience{2000};      ///< for a set-point that was sent before its answer
+
+Meters range_between(NorthEast a, NorthEast b) {
+  const NorthEast d = a - b;
+  return Meters{earshot::sqrt(d.north.value * d.north.value + d.east.value * d.east.value)};
+}
+
+const char* word_for(runtime::EndReason reason) {
+  switch (reason) {
+    case runtime::EndReason::kNone: return "none";
+    case runtime::EndReason::kCompleted: return "found";
+    case runtime::EndReason::kStepsUsedUp: return "steps_used_up";
+    case runtime::EndReason::kOperatorAbort: return "interrupted";
+    case runtime::EndReason::kNavigationStale: return "navigation_stale";
+    case runtime::EndReason::kSnrStale: return "snr_stale";
+    case runtime::EndReason::kLeftOperatingArea: return "left_operating_area";
+    case runtime::EndReason::kTimeUsedUp: return "time_used_up";
+  }
+  return "unknown";
+}
+
+/// One flight in the making.
+class Stepper {
+ public:
+  Stepper(const Flight& flight, const vehicle::State& start, const volatile std::sig_atomic_t& stop)
+      : flight_(flight), vehicle_(start), command_{.heading = start.heading, .speed = start.speed, .depth = start.depth}, stop_(stop) {}
+
+  FlightResult run() {
+    const auto began = steady_clock::now();
+    while (!over_) {
+      tick();
+      if (over_) break;
+      vehicle_ = vehicle::advance_for(vehicle_, command_, flight_.world.vehicle, flight_.world.tick);
+      now_ = now_ + flight_.world.tick;
+      keep_pace(began);
+    }
+    result_.last_tick = now_;
+    result_.wall_time_s = std::chrono::duration<double>(steady_clock::now() - began).count();
+    result_.end = vehicle_;
+    return result_;
+  }
+
+ private:
+  void tick() {
+    const Meters range = range_between(vehicle_.position, flight_.world.source);
+    const Decibels snr = flight_.snr.at(range);
+    const bool reached = flight_.world.may_be_found && range <= flight_.world.found_within;
+    flight_.bus.publish(now_, vehicle_);
+    flight_.link.send({.number = ++number_,
+                       .time = now_,
+                       .navigation_messages = flight_.bus.navigation_messages(),
+                       .snr = snr,
+                       .command = order(reached)});
+    flight_.link.observe({.time = now_,
+                          .vehicle = vehicle_.position,
+                          .vehicle_depth = vehicle_.depth,
+                          .vehicle_heading = vehicle_.heading,
+                          .source = flight_.world.source,
+                          .range = range});
+    link::Answer answer;
+    if (!receive(answer) || !collect(answer)) return;
+    const TrackPoint point{.time = now_,
+                           .vehicle = vehicle_,
+                           .snr = snr,
+                           .range = range,
+                           .state = static_cast<runtime::MissionState>(answer.state),
+                           .steps_taken = answer.steps_taken};
+    record(point, static_cast<runtime::EndReason>(answer.end_reason));
+  }
+
+  [[nodiscard]] std::uint8_t order(bool reached) const {
+    if (stop_ != 0) return static_cast<std::uint8_t>(runtime::OperatorCommand::kAbort);
+    if (number_ == 1) return static_cast<std::uint8_t>(runtime::OperatorCommand::kStart);
+    return reached ? static_cast<std::uint8_t>(runtime::OperatorCommand::kComplete) : std::uint8_t{0};
+  }
+
+  [[nodiscard]] bool receive(link::Answer& answer) {
+    for (auto waited = milliseconds{0}; waited < kRuntimePatience; waited += kLookUp) {
+      const link::Delivery delivery = flight_.link.receive(answer, kLookUp);
+      if (delivery == link::Delivery::kLost) return lose("earshotd_lost", "earshotd (it left or died)");
+      if (delivery == link::Delivery::kArrived && answer.number == number_) return true;
+    }
+    return lose("earshotd_lost", "earshotd (it does not answer)");
+  }
+
+  [[nodiscard]] bool collect(const link::Answer& answer) {
+    flight_.bus.collect(command_);
+    const auto deadline = steady_clock::now() + kBusPatience;
+    while (flight_.bus.setpoint_messages() < answer.setpoint_messages) {
+      if (steady_clock::now() >= deadline) return lose("bus_lost", "the bus (a set-point that earshotd sent did not arrive)");
+      pollfd readable{.fd = flight_.bus.file_descriptor(), .events = POLLIN, .revents = 0};
+      (void)poll(&readable, 1, static_cast<int>(kLookUp.count()));
+      flight_.bus.collect(command_);
+    }
+    return true;
+  }
+
+  bool lose(const char* reason, const char* what) {
+    over_ = true;
+    result_.end_reason = reason;
+    result_.lost = what;
+    return false;
+  }
+
+  void record(const TrackPoint& point, runtime::EndReason reason) {
+    flight_.track.add(point);
+    const std::uint32_t steps_before = flight_.score.steps();
+    flight_.score.add(point);
+    over_ = point.state == runtime::MissionState::kDone || point.state == runtime::MissionState::kAbort;
+    if (!over_) return;
+    result_.found = reason == runtime::EndReason::kCompleted;
+    result_.end_reason = word_for(reason);
+    if (result_.found && flight_.score.steps() == steps_before) flight_.score.end_step(point);
+  }
+
+  void keep_pace(steady_clock::time_point began) const {
+    if (flight_.world.speed <= 0.0) return;
+    const auto due = began + std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>((now_ - Time{}).to_seconds() / flight_.world.speed));
+    while (stop_ == 0 && steady_clock::now() < due) std::this_thread::sleep_until(std::min(due, steady_clock::now() + kLookUp));
+  }
+
+  Flight flight_;
+  vehicle::State vehicle_;
+  vehicle::Command command_;
+  const volatile std::sig_atomic_t& stop_;
+  Time now_;
+  std::uint64_t number_ = 0;
+  bool over_ = false;
+  FlightResult result_;
+};
+
+}  // namespace
+
+FlightResult fly(Flight flight, const vehicle::State& start, const volatile std::sig_atomic_t& stop) { return Stepper(flight, start, stop).run(); }
+
+}  // namespace earshot::simulation

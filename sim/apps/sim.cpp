@@ -1,0 +1,193 @@
+// earshot-sim: the ocean, the vehicle and the truth, in lock-step with earshotd.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "firmware/boards/linux/mission_file.hpp"
+#include "firmware/config_file/table_reader.hpp"
+#include "firmware/core/math.hpp"
+#include "firmware/core/random.hpp"
+#include "sim/apps/autopilot_bus.hpp"
+#include "sim/apps/flight_record.hpp"
+#include "sim/apps/lock_step.hpp"
+#include "sim/link/session.hpp"
+#include "sim/link/simulator_end.hpp"
+#include "sim/ocean/environment_file.hpp"
+#include "sim/search/episode.hpp"
+#include "sim/apps/stand_in_snr.hpp"
+
+namespace {
+
+using namespace earshot;
+using namespace earshot::simulation;
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+struct Options {
+  std::filesystem::path environment;
+  std::filesystem::path mission;
+  std::filesystem::path out = "out";
+  std::uint64_t seed = 1;
+  double speed = 0.0;
+  std::uint32_t domain = link::kLowestDomain;
+  std::optional<std::string> bus;
+  std::optional<std::string> lcm_url;
+  std::optional<std::string> can_interface;
+  bool ignore_source = false;
+};
+
+void declare(CLI::App& app, Options& o) {
+  app.add_option("--environment", o.environment, "ocean, source and noise (TOML)")->required();
+  app.add_option("--mission", o.mission, "mission file that earshotd flies (TOML): area, depth, speed, bus")->required();
+  app.add_option("--out", o.out, "folder for track.csv, snr.csv and summary.json, made if it is missing")->capture_default_str();
+  app.add_option("--seed", o.seed, "seed of the place where the vehicle starts")
+      ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
+      ->capture_default_str();
+  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")->check(CLI::Range(0.0, 1e6))->capture_default_str();
+  app.add_option("--domain", o.domain, "DDS domain in which earshotd listens")
+      ->check(CLI::Range(link::kLowestDomain, link::kHighestDomain))
+      ->capture_default_str();
+  app.add_option("--bus", o.bus, "bus instead of the mission's")->check(CLI::IsMember({"lcm", "can"}));
+  app.add_option("--lcm-url", o.lcm_url, "LCM address instead of the mission's");
+  app.add_option("--can-interface", o.can_interface, "CAN interface instead of the mission's");
+  app.add_flag("--ignore-source", o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
+}
+
+board::MissionFile load_mission(const Options& o) {
+  board::MissionFile file = board::load_mission(o.mission);
+  if (o.bus) file.bus = *o.bus == "can" ? board::BusKind::kCan : board::BusKind::kLcm;
+  if (o.lcm_url) file.lcm_url = *o.lcm_url;
+  if (o.can_interface) file.can_interface = *o.can_interface;
+  return file;
+}
+
+/// The paper's search, with this mission's numbers in place of its own.
+search::SearchSettings settings_of(const config::Mission& mission, const ocean::Environment& environment) {
+  search::SearchSettings settings;
+  settings.domain = mission.operating_area;
+  settings.start_region = mission.operating_area;
+  settings.source = environment.source.position;
+  settings.step_length = mission.step_length;
+  settings.max_steps = mission.max_steps;
+  settings.detection_threshold = mission.detection_threshold;
+  return settings;
+}
+
+/// The furthest that the source can be heard from within the area, and a little more.
+Meters longest_range(const Rectangle& area, NorthEast source) {
+  const double north = std::max(area.north_east.north.value - source.north.value, source.north.value - area.south_west.north.value);
+  const double east = std::max(area.north_east.east.value - source.east.value, source.east.value - area.south_west.east.value);
+  return Meters{earshot::sqrt(north * north + east * east) + 100.0};
+}
+
+vehicle::State start_of(const search::SearchSettings& settings, const sonar::SnrCurve& snr, const config::Mission& mission, std::uint64_t seed) {
+  const search::SearchWorld world(settings, snr);
+  Pcg32 random(seed);
+  search::Episode episode;
+  episode.start(world, random);
+  return {.position = episode.position(), .depth = mission.search_depth, .heading = Radians{0.0}, .speed = mission.search_speed};
+}
+
+void write_curve(const std::filesystem::path& path, const sonar::SnrCurve& snr) {
+  std::string text = "range_m,snr_db\n";
+  for (std::size_t i = 0; i < snr.samples_db().size(); ++i) {
+    text += std::to_string(static_cast<double>(i) * snr.range_step().value) + "," + std::to_string(snr.samples_db()[i]) + "\n";
+  }
+  write_whole(path, text);
+}
+
+nlohmann::ordered_json summary_of(const Options& o, const config::Mission& mission, const FlightResult& result, const Score& score, const World& world,
+                                  const vehicle::State& start) {
+  const auto place = [](NorthEast p) { return nlohmann::ordered_json{{"north_m", p.north.value}, {"east_m", p.east.value}}; };
+  const Rectangle& area = mission.operating_area;
+  return {{"found", result.found},
+          {"reward", score.reward()},
+          {"steps", score.steps()},
+          {"distance_m", score.distance().value},
+          {"detections", score.detections()},
+          {"sim_time_s", (result.last_tick - Time{}).to_seconds()},
+          {"wall_time_s", result.wall_time_s},
+          {"seed", o.seed},
+          {"end_reason", result.end_reason},
+          {"environment", o.environment.string()},
+          {"mission", o.mission.string()},
+          {"source", place(world.source)},
+          {"start", place(start.position)},
+          {"end", place(result.end.position)},
+          {"area", {{"south_west", place(area.south_west)}, {"north_east", place(area.north_east)}}},
+          {"depth_m", mission.search_depth.value},
+          {"step_length_m", mission.step_length.value},
+          {"detection_threshold_db", mission.detection_threshold.value}};
+}
+
+/// False when a person stopped the wait. @throws std::runtime_error when nobody comes.
+bool runtime_comes(link::SimulatorEnd& link, std::uint32_t domain) {
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!link.wait_for_runtime(std::chrono::milliseconds(100))) {
+    if (stop_requested != 0) return false;
+    if (std::chrono::steady_clock::now() > patience) throw std::runtime_error("no earshotd in DDS domain " + std::to_string(domain) + " within 20 s");
+  }
+  return true;
+}
+
+int simulate(const Options& o) {
+  const board::MissionFile file = load_mission(o);
+  const ocean::Environment environment = ocean::load_environment(o.environment);
+  const search::SearchSettings settings = settings_of(file.mission, environment);
+  if (search::check(settings) != Status::kOk) throw config_file::BadInput(o.mission.string() + ": area: no start is further than search.step_length_m from the source");
+  const sonar::SnrCurve snr = sonar::compute_snr_curve(environment, file.mission.search_depth, longest_range(settings.domain, settings.source));
+  const vehicle::State start = start_of(settings, snr, file.mission, o.seed);
+  const World world{.source = settings.source, .found_within = settings.step_length, .may_be_found = !o.ignore_source, .vehicle = {}, .speed = o.speed};
+
+  std::filesystem::create_directories(o.out);
+  std::filesystem::remove(o.out / "summary.json");  // of an earlier flight: no half-flown search may look finished
+  write_curve(o.out / "snr.csv", snr);
+  TrackFile track(o.out / "track.csv");
+  Score score(settings);
+  const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
+  link::SimulatorEnd link(o.domain);
+  if (!runtime_comes(link, o.domain)) return 0;
+  const FlightResult result = fly({world, snr, *bus, link, track, score}, start, stop_requested);
+  track.finish();
+  write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n");
+  if (result.lost.empty()) return 0;
+  std::cerr << "earshot-sim: lost " << result.lost << " at " << result.last_tick.us / 1'000'000 << " s; track up to then: " << (o.out / "track.csv").string() << "\n";
+  return 3;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"earshot-sim plays the ocean and the vehicle for one search, in lock-step with an earshotd started with --simulation.\n"
+               "Exit status: 0 flown, 2 bad input, 3 earshotd or the bus was lost. (earshot fly starts both.)"};
+  Options options;
+  declare(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  std::signal(SIGINT, [](int) { stop_requested = 1; });
+  std::signal(SIGTERM, [](int) { stop_requested = 1; });
+  try {
+    return simulate(options);
+  } catch (const config_file::BadInput& e) {
+    std::cerr << e.what() << "\n";
+    return 2;
+  } catch (const std::exception& e) {
+    std::cerr << "earshot-sim: " << e.what() << "\n";
+    return 2;
+  }
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/core/units.hpp"
+
+namespace earshot::link {
+
+// What the link carries, without its transport; sim.idl says what each field means.
+
+struct Tick {
+  std::uint64_t number = 0;
+  Time time;
+  std::uint64_t navigation_messages = 0;
+  std::optional<Decibels> snr;
+  std::uint8_t command = 0;
+};
+
+struct Answer {
+  std::uint64_t number = 0;
+  std::uint64_t setpoint_messages = 0;
+  std::uint32_t steps_taken = 0;
+  std::uint8_t state = 0;
+  std::uint8_t end_reason = 0;
+};
+
+struct GroundTruth {
+  Time time;
+  NorthEast vehicle;
+  Meters vehicle_depth;
+  Radians vehicle_heading;
+  NorthEast source;
+  Meters range;
+};
+
+}  // namespace earshot::link

@@ -1,0 +1,62 @@
+#include "sim/link/simulator_end.hpp"
+
+#include "sim.h"
+#include "sim/link/dds_entities.hpp"
+
+namespace earshot::link {
+namespace {
+
+Answer from_wire(const earshot_sim_Answer& sample) {
+  return {.number = sample.number,
+          .setpoint_messages = sample.setpoint_messages,
+          .steps_taken = sample.steps_taken,
+          .state = sample.state,
+          .end_reason = sample.end_reason};
+}
+
+}  // namespace
+
+struct SimulatorEnd::Entities {
+  explicit Entities(std::uint32_t domain) : session(domain) {}
+
+  Mailbox<Answer> answers;  // outlives the session, whose threads fill it
+  Session session;
+  dds_entity_t ticks = make_writer(session, earshot_sim_Tick_desc);
+  dds_entity_t ground_truth = make_writer(session, earshot_sim_GroundTruth_desc);
+  Delivering<earshot_sim_Answer, Answer, from_wire> delivering{session, earshot_sim_Answer_desc, answers};
+};
+
+SimulatorEnd::SimulatorEnd(std::uint32_t domain) : entities_(std::make_unique<Entities>(domain)) {}
+SimulatorEnd::~SimulatorEnd() = default;
+
+bool SimulatorEnd::wait_for_runtime(std::chrono::milliseconds timeout) {
+  return wait_for_reader(entities_->ticks, timeout);
+}
+
+void SimulatorEnd::send(const Tick& tick) {
+  const earshot_sim_Tick sample{.number = tick.number,
+                                .time_us = tick.time.us,
+                                .navigation_messages = tick.navigation_messages,
+                                .snr_valid = tick.snr.has_value(),
+                                .command = tick.command,
+                                .snr_db = tick.snr.value_or(Decibels{}).value};
+  write(entities_->ticks, &sample, "a tick");
+}
+
+Delivery SimulatorEnd::receive(Answer& answer, std::chrono::milliseconds timeout) {
+  return entities_->answers.take(answer, timeout);
+}
+
+void SimulatorEnd::observe(const GroundTruth& truth) {
+  const earshot_sim_GroundTruth sample{.time_us = truth.time.us,
+                                       .vehicle_north_m = truth.vehicle.north.value,
+                                       .vehicle_east_m = truth.vehicle.east.value,
+                                       .vehicle_depth_m = truth.vehicle_depth.value,
+                                       .vehicle_heading_rad = truth.vehicle_heading.value,
+                                       .source_north_m = truth.source.north.value,
+                                       .source_east_m = truth.source.east.value,
+                                       .range_m = truth.range.value};
+  write(entities_->ground_truth, &sample, "ground truth");
+}
+
+}  // namespace earshot::link

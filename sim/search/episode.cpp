@@ -1,0 +1,65 @@
+#include "sim/search/episode.hpp"
+
+#include <cassert>
+
+#include "firmware/core/math.hpp"
+
+namespace earshot::search {
+namespace {
+
+Meters range_between(NorthEast a, NorthEast b) {
+  const NorthEast d = a - b;
+  return Meters{earshot::sqrt(d.north.value * d.north.value + d.east.value * d.east.value)};
+}
+
+NorthEast uniform_in(const Rectangle& area, Pcg32& random) {
+  const double north = random.uniform_double();
+  const double east = random.uniform_double();
+  return {area.south_west.north + north * (area.north_east.north - area.south_west.north),
+          area.south_west.east + east * (area.north_east.east - area.south_west.east)};
+}
+
+}  // namespace
+
+void Episode::start(const SearchWorld& world, Pcg32& random) {
+  const SearchSettings& s = world.settings;
+  NorthEast source = s.source;
+  NorthEast position;
+  do {
+    if (s.placement == SourcePlacement::kChanging) source = uniform_in(s.domain, random);
+    position = uniform_in(s.start_region, random);
+  } while (range_between(position, source) <= s.step_length);
+  start_at(world, position, source);
+}
+
+void Episode::start_at(const SearchWorld& world, NorthEast position, NorthEast source) {
+  position_ = position;
+  source_ = source;
+  snr_ = world.snr.at(range_between(position_, source_));
+  memory_.start(position_ - world.settings.domain.south_west, snr_);
+  record_ = {};
+}
+
+double Episode::step(const SearchWorld& world, std::size_t action) {
+  assert(record_.end == EpisodeEnd::kRunning);
+  const SearchSettings& s = world.settings;
+  position_ = position_ + s.step_length * world.actions[action];
+  const Meters range = range_between(position_, source_);
+  snr_ = world.snr.at(range);
+  memory_.remember(position_ - s.domain.south_west, snr_);
+
+  const double reward = step_reward(s, position_, snr_);
+  record_.reward += reward;
+  record_.steps += 1;
+  record_.detections += snr_ >= s.detection_threshold ? 1U : 0U;
+  if (range <= s.step_length) {
+    record_.end = EpisodeEnd::kFound;
+  } else if (!s.domain.contains(position_)) {
+    record_.end = EpisodeEnd::kLeftDomain;
+  } else if (record_.steps >= s.max_steps) {
+    record_.end = EpisodeEnd::kTimeLimit;
+  }
+  return reward;
+}
+
+}  // namespace earshot::search

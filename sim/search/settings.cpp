@@ -1,0 +1,73 @@
+#include "sim/search/settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <numbers>
+
+#include "firmware/core/math.hpp"
+
+namespace earshot::search {
+namespace {
+
+bool is_rectangle(const Rectangle& r) {
+  return is_finite(r.south_west.north.value) && is_finite(r.south_west.east.value) && is_finite(r.north_east.north.value) &&
+         is_finite(r.north_east.east.value) && r.south_west.north < r.north_east.north && r.south_west.east < r.north_east.east;
+}
+
+/// The region's corner furthest from the source is as far as any start can be.
+bool can_start_out_of_reach(const SearchSettings& s) {
+  const Meters north = std::max(s.start_region.north_east.north - s.source.north, s.source.north - s.start_region.south_west.north);
+  const Meters east = std::max(s.start_region.north_east.east - s.source.east, s.source.east - s.start_region.south_west.east);
+  return earshot::sqrt(north.value * north.value + east.value * east.value) > s.step_length.value;
+}
+
+bool positive(double x) {
+  return is_finite(x) && x > 0.0;
+}
+
+/// Which quarter of the compass a direction falls on exactly, 0 north, 1 east; 4 when on none.
+std::size_t cardinal(std::size_t i, std::size_t count) {
+  return (4 * i) % count == 0 ? 4 * i / count : 4;
+}
+
+}  // namespace
+
+Rectangle inside_border(const SearchSettings& s) {
+  const NorthEast inwards{s.border_width, s.border_width};
+  return {s.domain.south_west + inwards, s.domain.north_east - inwards};
+}
+
+Status check(const SearchSettings& s) {
+  const bool sizes = s.direction_count >= 1 && s.direction_count <= config::kMaxActions && s.max_steps >= 1;
+  const bool lengths = positive(s.step_length.value) && positive(s.border_width.value);
+  const bool levels = is_finite(s.detection_threshold.value) && is_finite(s.border_reward);
+  if (!sizes || !lengths || !levels || !is_rectangle(s.domain) || !is_rectangle(s.start_region)) return Status::kOutOfRange;
+  if (!s.domain.contains(s.start_region.south_west) || !s.domain.contains(s.start_region.north_east)) return Status::kOutOfRange;
+  if (s.placement == SourcePlacement::kChanging) return Status::kOk;
+  if (!is_finite(s.source.north.value) || !is_finite(s.source.east.value) || !can_start_out_of_reach(s)) return Status::kOutOfRange;
+  return Status::kOk;
+}
+
+double step_reward(const SearchSettings& s, NorthEast position, Decibels snr) {
+  const double heard = snr >= s.detection_threshold ? 0.0 : -1.0;
+  const Meters to_edge = s.domain.distance_to_edge(position);
+  if (to_edge >= s.border_width) return heard;
+  return heard + s.border_reward * ((s.border_width - to_edge) / s.border_width);
+}
+
+ActionTable compass_directions(std::size_t count) {
+  static constexpr std::array<UnitNorthEast, 4> kCardinals{{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}};
+  assert(count >= 1 && count <= config::kMaxActions);
+  ActionTable table;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turn = static_cast<double>(i) / static_cast<double>(count);
+    const SineCosine bearing = sine_cosine(Radians{2.0 * std::numbers::pi * turn});
+    const std::size_t quarter = cardinal(i, count);
+    const UnitNorthEast direction = quarter < 4 ? kCardinals[quarter] : UnitNorthEast{bearing.cosine, bearing.sine};
+    if (table.push_back(direction) != Status::kOk) break;
+  }
+  return table;
+}
+
+}  // namespace earshot::search

@@ -1,0 +1,37 @@
+// ppo.steps_per_s: training steps a second of the changing-source memory task at Stable-Baselines3's default settings, one thread.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+#include "policy/ppo/trainer.hpp"
+
+namespace {
+
+using namespace earshot;
+
+/// Spherical spreading: the time a step takes does not depend on the values in the table. tests/bench/peers/sb3_ppo.py uses the same.
+sonar::SnrCurve spherical_spreading() {
+  std::vector<float> snr_db;
+  for (int i = 0; i <= 4'000; ++i) snr_db.push_back(static_cast<float>(85.0 - 20.0 * std::log10(std::max(1.0, 10.0 * i))));
+  return sonar::SnrCurve(Meters{10.0}, snr_db);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::uint64_t steps = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 300'000;
+  const sonar::SnrCurve curve = spherical_spreading();
+  search::SearchSettings settings;
+  settings.placement = search::SourcePlacement::kChanging;
+  const search::SearchWorld world(settings, curve);
+  const auto spec = policy::memory_state(2, settings.step_length, settings.detection_threshold).value();
+  const auto begin = std::chrono::steady_clock::now();
+  ppo::Trainer trainer(world, spec, {}, 1);
+  trainer.train(steps, [](const search::EpisodeRecord&, std::uint64_t) { return true; });
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  std::cout << R"({"name": "ppo.steps_per_s", "value": )" << static_cast<double>(trainer.steps()) / elapsed.count()
+            << R"(, "unit": "steps/s"})" << '\n';
+}

@@ -1,0 +1,115 @@
+#include "firmware/boards/linux/can_socket.hpp"
+
+#include <gtest/gtest.h>
+#include <linux/can.h>
+#include <linux/can/raw.h>
+#include <net/if.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#include "firmware/boards/linux/file_descriptor.hpp"
+
+namespace earshot::board {
+namespace {
+
+constexpr const char* kInterface = "vcan0";
+
+n2k::Frame some_frame(std::uint8_t number) {
+  return {.identifier = 0x09F112CC, .size = 8, .data = {number, 0x70, 0x5A, 0xFF, 0x7F, 0xFF, 0x7F, 0xFD}};
+}
+
+/// Run by hil/bus/with-can, which makes vcan0 and sets CAN_REQUIRED=1.
+class CanSocketTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (::if_nametoindex(kInterface) != 0) return;
+    const char* required = std::getenv("CAN_REQUIRED");
+    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "CAN_REQUIRED=1, but there is no " << kInterface;
+    GTEST_SKIP() << "no interface " << kInterface << ": run me with hil/bus/with-can";
+  }
+
+  static bool wait_for(const CanSocket& socket) {
+    pollfd ready{socket.file_descriptor(), POLLIN, 0};
+    return ::poll(&ready, 1, 5000) == 1;
+  }
+
+  /// A socket that sends anything.
+  static void send_raw(canid_t identifier, std::uint8_t size) {
+    const FileDescriptor socket(::socket(PF_CAN, SOCK_RAW, CAN_RAW));
+    sockaddr_can address{};
+    address.can_family = AF_CAN;
+    address.can_ifindex = static_cast<int>(::if_nametoindex(kInterface));
+    ASSERT_EQ(::bind(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    can_frame frame{};
+    frame.can_id = identifier;
+    frame.can_dlc = size;
+    ASSERT_EQ(::send(socket.number(), &frame, sizeof frame, 0), static_cast<ssize_t>(sizeof frame));
+  }
+};
+
+TEST_F(CanSocketTest, CarriesAFrameFromOneSocketToAnotherAndNotBack) {
+  CanSocket alice(kInterface);
+  CanSocket bob(kInterface);
+  ASSERT_EQ(alice.send(some_frame(7)), Status::kOk);
+  n2k::Frame frame;
+  ASSERT_TRUE(wait_for(bob));
+  ASSERT_EQ(bob.receive(frame), Status::kOk);
+  EXPECT_EQ(frame, some_frame(7));
+  EXPECT_EQ(bob.receive(frame), Status::kNotReady);
+  EXPECT_EQ(alice.receive(frame), Status::kNotReady);
+}
+
+TEST_F(CanSocketTest, KeepsTheSizeOfAShortFrame) {
+  CanSocket alice(kInterface);
+  CanSocket bob(kInterface);
+  ASSERT_EQ(alice.send({.identifier = 0x18EA00AC, .size = 3, .data = {0x00, 0xEE, 0x00}}), Status::kOk);
+  n2k::Frame frame;
+  ASSERT_TRUE(wait_for(bob));
+  ASSERT_EQ(bob.receive(frame), Status::kOk);
+  EXPECT_EQ(frame.size, 3);
+  EXPECT_EQ(frame.identifier, 0x18EA00ACU);
+}
+
+TEST_F(CanSocketTest, PassesOverElevenBitAndRemoteFramesAndCountsThem) {
+  CanSocket alice(kInterface);
+  CanSocket bob(kInterface);
+  send_raw(0x123, 8);
+  send_raw(0x09F112CC | CAN_EFF_FLAG | CAN_RTR_FLAG, 0);
+  ASSERT_EQ(alice.send(some_frame(1)), Status::kOk);
+  n2k::Frame frame;
+  ASSERT_TRUE(wait_for(bob));
+  ASSERT_EQ(bob.receive(frame), Status::kOk);
+  EXPECT_EQ(frame, some_frame(1));
+  EXPECT_EQ(bob.counters().other_frames, 2U);
+}
+
+TEST_F(CanSocketTest, CountsWhatTheKernelDroppedBecauseNobodyReadInTime) {
+  CanSocket alice(kInterface);
+  CanSocket bob(kInterface);
+  std::uint64_t sent = 0;
+  for (; sent < 20'000; ++sent) ASSERT_EQ(alice.send(some_frame(static_cast<std::uint8_t>(sent))), Status::kOk);
+  n2k::Frame frame;
+  std::uint64_t received = 0;
+  while (bob.receive(frame) == Status::kOk) ++received;
+  // The kernel tells of drops beside the next frame that does get through.
+  ASSERT_EQ(alice.send(some_frame(0)), Status::kOk);
+  ASSERT_EQ(bob.receive(frame), Status::kOk);
+  EXPECT_LT(received, sent);
+  EXPECT_EQ(received + bob.counters().lost_by_kernel, sent);
+}
+
+TEST_F(CanSocketTest, NamesAnInterfaceThatIsNotThere) {
+  try {
+    CanSocket socket("vcan77");
+    FAIL() << "opened an interface that does not exist";
+  } catch (const std::system_error& error) {
+    EXPECT_NE(std::string(error.what()).find("vcan77"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace earshot::board

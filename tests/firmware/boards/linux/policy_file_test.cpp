@@ -1,0 +1,85 @@
+#include "firmware/boards/linux/policy_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "firmware/core/crc32.hpp"
+#include "tests/support/signed_policy.hpp"
+
+namespace earshot::board {
+namespace {
+
+class PolicyFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::create_directories(folder_);
+    support::write_public_key(key_ = folder_ / "key.pub");
+    policy_ = folder_ / "walk.policy";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// What load_policy says about these bytes; empty when it takes them.
+  std::string complaint(const std::vector<std::uint8_t>& bytes) {
+    support::write_bytes(policy_, bytes);
+    return complaint();
+  }
+  std::string complaint() {
+    try {
+      (void)load_policy(policy_, key_);
+      return "";
+    } catch (const config_file::BadInput& e) {
+      return e.what();
+    }
+  }
+
+  std::filesystem::path folder_;
+  std::filesystem::path key_;
+  std::filesystem::path policy_;
+};
+
+TEST_F(PolicyFile, IsTakenWhenItIsWholeAndSignedByTheTrustedKey) {
+  support::write_bytes(policy_, support::signed_bytes(support::random_walk_policy()));
+  EXPECT_EQ(load_policy(policy_, key_)->actions.size(), 8);
+}
+
+TEST_F(PolicyFile, IsRefusedAsMissingByName) { EXPECT_EQ(complaint(), policy_.string() + ": no such file"); }
+
+TEST_F(PolicyFile, IsRefusedForItsChecksumWhenABitInTheMiddleIsFlipped) {
+  std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
+  bytes[bytes.size() / 2] ^= 1U;
+  EXPECT_NE(complaint(bytes).find("CRC-32 is wrong"), std::string::npos) << complaint(bytes);
+}
+
+TEST_F(PolicyFile, IsRefusedWhenItsSignatureIsNotOfItsBytes) {
+  std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
+  bytes.back() ^= 1U;
+  EXPECT_EQ(complaint(bytes), policy_.string() + ": is not signed by the trusted key " + key_.string());
+}
+
+TEST_F(PolicyFile, IsRefusedWhenAnotherKeyIsTrusted) {
+  std::ofstream(key_) << std::string(64, 'a') << "\n";
+  EXPECT_EQ(complaint(support::signed_bytes(support::random_walk_policy())), policy_.string() + ": is not signed by the trusted key " + key_.string());
+}
+
+TEST_F(PolicyFile, IsRefusedWhenItIsCutAnywhere) {
+  const std::vector<std::uint8_t> whole = support::signed_bytes(support::random_walk_policy());
+  for (std::size_t size = 0; size < whole.size(); size += 97) {
+    EXPECT_NE(complaint({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}), "") << "cut at " << size;
+  }
+}
+
+TEST_F(PolicyFile, NamesTheKeyFileWhenThatIsNotAKey) {
+  std::ofstream(key_) << "12 34\n";
+  EXPECT_EQ(complaint(support::signed_bytes(support::random_walk_policy())),
+            key_.string() + ": must hold a public key of 64 hexadecimal digits and nothing else");
+}
+
+}  // namespace
+}  // namespace earshot::board

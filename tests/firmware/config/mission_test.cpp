@@ -1,0 +1,81 @@
+#include "firmware/config/mission.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace earshot::config {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Mission good_mission() {
+  return {.operating_area = {.south_west = {}, .north_east = {.north = Meters{25000}, .east = Meters{20000}}},
+          .edge_margin = Meters{500},
+          .search_depth = Meters{300},
+          .max_depth = Meters{300},
+          .search_speed = MetersPerSecond{2},
+          .step_length = Meters{1000},
+          .max_steps = 100,
+          .max_time = Duration::seconds(60000),
+          .navigation_timeout = Duration::seconds(5),
+          .snr_timeout = Duration::seconds(60),
+          .detection_threshold = Decibels{10},
+          .action_seed = 1};
+}
+
+template <class Change>
+Status checked_with(Change change) {
+  Mission mission = good_mission();
+  change(mission);
+  return check(mission);
+}
+
+TEST(MissionCheck, AcceptsThePapersMission) {
+  EXPECT_EQ(check(good_mission()), Status::kOk);
+}
+
+TEST(MissionCheck, RefusesEveryNumberThatIsNotFinite) {
+  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+    EXPECT_EQ(checked_with([bad](Mission& m) { m.operating_area.south_west.north = Meters{bad}; }), Status::kOutOfRange);
+    EXPECT_EQ(checked_with([bad](Mission& m) { m.operating_area.south_west.east = Meters{bad}; }), Status::kOutOfRange);
+    EXPECT_EQ(checked_with([bad](Mission& m) { m.operating_area.north_east.north = Meters{bad}; }), Status::kOutOfRange);
+    EXPECT_EQ(checked_with([bad](Mission& m) { m.operating_area.north_east.east = Meters{bad}; }), Status::kOutOfRange);
+    EXPECT_EQ(checked_with([bad](Mission& m) { m.edge_margin = Meters{bad}; }), Status::kOutOfRange);
+    EXPECT_EQ(checked_with([bad](Mission& m) { m.search_depth = Meters{bad}; }), Status::kOutOfRange);
+    EXPECT_EQ(checked_with([bad](Mission& m) { m.max_depth = Meters{bad}; }), Status::kOutOfRange);
+    EXPECT_EQ(checked_with([bad](Mission& m) { m.search_speed = MetersPerSecond{bad}; }), Status::kOutOfRange);
+    EXPECT_EQ(checked_with([bad](Mission& m) { m.step_length = Meters{bad}; }), Status::kOutOfRange);
+    EXPECT_EQ(checked_with([bad](Mission& m) { m.detection_threshold = Decibels{bad}; }), Status::kOutOfRange);
+  }
+}
+
+TEST(MissionCheck, RefusesWhatMustBePositiveAndIsNot) {
+  EXPECT_EQ(checked_with([](Mission& m) { m.edge_margin = Meters{-1}; }), Status::kOutOfRange);
+  EXPECT_EQ(checked_with([](Mission& m) { m.search_depth = Meters{0}; }), Status::kOutOfRange);
+  EXPECT_EQ(checked_with([](Mission& m) { m.search_speed = MetersPerSecond{0}; }), Status::kOutOfRange);
+  EXPECT_EQ(checked_with([](Mission& m) { m.step_length = Meters{0}; }), Status::kOutOfRange);
+  EXPECT_EQ(checked_with([](Mission& m) { m.max_steps = 0; }), Status::kOutOfRange);
+  EXPECT_EQ(checked_with([](Mission& m) { m.max_time = Duration{0}; }), Status::kOutOfRange);
+  EXPECT_EQ(checked_with([](Mission& m) { m.navigation_timeout = Duration{-1}; }), Status::kOutOfRange);
+  EXPECT_EQ(checked_with([](Mission& m) { m.snr_timeout = Duration{0}; }), Status::kOutOfRange);
+}
+
+TEST(MissionCheck, AllowsTheVehicleRightUpToTheEdge) {
+  EXPECT_EQ(checked_with([](Mission& m) { m.edge_margin = Meters{0}; }), Status::kOk);
+}
+
+TEST(MissionCheck, RefusesASearchDeeperThanTheDepthLimit) {
+  EXPECT_EQ(checked_with([](Mission& m) { m.search_depth = Meters{300.5}; }), Status::kOutOfRange);
+}
+
+TEST(MissionCheck, RefusesAnAreaWithoutTwoStepsOfRoomBetweenItsMargins) {
+  EXPECT_EQ(checked_with([](Mission& m) { m.operating_area.north_east.east = Meters{3000}; }), Status::kOk);
+  EXPECT_EQ(checked_with([](Mission& m) { m.operating_area.north_east.east = Meters{2999}; }), Status::kOutOfRange);
+  EXPECT_EQ(checked_with([](Mission& m) { m.operating_area.north_east.north = Meters{2999}; }), Status::kOutOfRange);
+  EXPECT_EQ(checked_with([](Mission& m) { m.operating_area.north_east.north = Meters{-25000}; }), Status::kOutOfRange);
+}
+
+}  // namespace
+}  // namespace earshot::config

@@ -1,0 +1,204 @@
+#include "firmware/config_file/table_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace earshot::config_file {
+namespace {
+
+using testing::TempDir;
+
+std::filesystem::path written(const std::string& toml) {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const std::filesystem::path path = std::filesystem::path(TempDir()) / (std::string(test->name()) + ".toml");
+  std::ofstream(path) << toml;
+  return path;
+}
+
+/// What finish() complains about after `read`, every line without the file's name; empty if nothing.
+template <class Read>
+std::string complaint(const std::string& toml, Read read) {
+  const File file(written(toml));
+  TableReader root = file.root();
+  read(root);
+  try {
+    file.finish();
+  } catch (const BadInput& bad) {
+    std::string text = bad.what();
+    for (std::size_t at = text.find(file.path().string()); at != std::string::npos; at = text.find(file.path().string())) {
+      text.erase(at, file.path().string().size());
+    }
+    return text;
+  }
+  return {};
+}
+
+TEST(TableReader, GivesTheValuesAsWritten) {
+  const File file(written("depth_m = 300.5\nsteps = 100\ndry = true\nname = 'fin'\nkind = 'two'\nat_m = [1, 2.5]\nwhole_m = 3\n"));
+  TableReader root = file.root();
+  EXPECT_EQ(root.number("depth_m"), 300.5);
+  EXPECT_EQ(root.number("whole_m"), 3.0);
+  EXPECT_EQ(root.integer("steps", 1, 1000), 100);
+  EXPECT_TRUE(root.boolean_or("dry", false));
+  EXPECT_EQ(root.text("name"), "fin");
+  EXPECT_EQ(root.choice("kind", {"one", "two"}), 1U);
+  EXPECT_EQ(root.numbers("at_m"), (std::vector{1.0, 2.5}));
+  EXPECT_NO_THROW(file.finish());
+}
+
+TEST(TableReader, FallsBackOnlyWhereTheKeyIsMissing) {
+  const File file(written("present_m = 1.0\n"));
+  TableReader root = file.root();
+  EXPECT_EQ(root.number_or("present_m", 7.0), 1.0);
+  EXPECT_EQ(root.number_or("absent_m", 7.0), 7.0);
+  EXPECT_EQ(root.integer_or("absent", 7, 0, 9), 7);
+  EXPECT_EQ(root.text_or("absent_text", "seven"), "seven");
+  EXPECT_EQ(root.choice_or("absent_choice", 1, {"a", "b"}), 1U);
+  EXPECT_NO_THROW(file.finish());
+}
+
+TEST(TableReader, NamesLineKeyValueAndAllowedRange) {
+  const auto read = [](TableReader& root) { static_cast<void>(root.number("frequency_hz", Range::above(0))); };
+  EXPECT_EQ(complaint("\nfrequency_hz = -20\n", read), ":2: frequency_hz = -20: must be a finite number above 0");
+}
+
+TEST(TableReader, RefusesNanAndInfinityWithoutAskingForARange) {
+  const auto read = [](TableReader& root) { static_cast<void>(root.number("x_m")); };
+  EXPECT_EQ(complaint("x_m = nan\n", read), ":1: x_m = nan: must be a finite number");
+  EXPECT_EQ(complaint("x_m = -inf\n", read), ":1: x_m = -inf: must be a finite number");
+}
+
+TEST(TableReader, KeepsTheBoundsOfARange) {
+  const auto within = [](TableReader& root) { static_cast<void>(root.number("x", Range::between(1, 2))); };
+  EXPECT_EQ(complaint("x = 1", within), "");
+  EXPECT_EQ(complaint("x = 2", within), "");
+  EXPECT_NE(complaint("x = 0.999", within), "");
+  EXPECT_NE(complaint("x = 2.001", within), "");
+  const auto above = [](TableReader& root) { static_cast<void>(root.number("x", Range::above_up_to(1, 2))); };
+  EXPECT_NE(complaint("x = 1", above), "");
+  EXPECT_EQ(complaint("x = 2", above), "");
+}
+
+TEST(TableReader, RefusesAFractionOrATextWhereAWholeNumberBelongs) {
+  const auto read = [](TableReader& root) { static_cast<void>(root.integer("n", 1, 9)); };
+  EXPECT_EQ(complaint("n = 2.5", read), ":1: n = 2.5: must be a whole number from 1 to 9");
+  EXPECT_EQ(complaint("n = 'two'", read), ":1: n = 'two': must be a whole number from 1 to 9");
+  EXPECT_EQ(complaint("n = 10", read), ":1: n = 10: must be a whole number from 1 to 9");
+}
+
+TEST(TableReader, ListsTheWordsThatAreAllowed) {
+  const auto read = [](TableReader& root) { static_cast<void>(root.choice("bus", {"lcm", "can"})); };
+  EXPECT_EQ(complaint("bus = 'usb'", read), ":1: bus = 'usb': must be one of \"lcm\", \"can\"");
+}
+
+TEST(TableReader, RefusesAKeyNobodyAskedFor) {
+  const auto read = [](TableReader& root) { static_cast<void>(root.number("depth_m")); };
+  EXPECT_EQ(complaint("depth_m = 1\ndepht_m = 2\n", read), ":2: depht_m: unknown key");
+}
+
+TEST(TableReader, DoesNotCountLookingForAKeyAsAskingForIt) {
+  const auto read = [](TableReader& root) { EXPECT_TRUE(root.has("depth_m")); };
+  EXPECT_EQ(complaint("depth_m = 1\n", read), ":1: depth_m: unknown key");
+}
+
+TEST(TableReader, NamesTheElementOfAnArray) {
+  const auto read = [](TableReader& root) { static_cast<void>(root.numbers("speed_mps", Range::above(0))); };
+  EXPECT_EQ(complaint("speed_mps = [1500,\n nan]", read), ":2: speed_mps[1] = nan: must be a finite number above 0");
+}
+
+TEST(TableReader, ReadsTablesInTablesAndNamesTheirPath) {
+  const auto read = [](TableReader& root) {
+    TableReader ocean = root.table("ocean");
+    TableReader bed = ocean.table("seabed");
+    static_cast<void>(bed.number("density_kg_per_m3"));
+  };
+  EXPECT_EQ(complaint("[ocean.seabed]\ndensity_kg_per_m3 = 1500", read), "");
+  EXPECT_EQ(complaint("[ocean.seabed]\ndensity_kg_per_m3 = 'mud'", read),
+            ":2: ocean.seabed.density_kg_per_m3 = 'mud': must be a finite number");
+  EXPECT_EQ(complaint("[ocean]\nseabed = 3", read), ":2: ocean.seabed = 3: must be a table");
+}
+
+TEST(TableReader, NotesAMissingTableOnceAndReadsItAsEmpty) {
+  const auto read = [](TableReader& root) {
+    TableReader ocean = root.table("ocean");
+    static_cast<void>(ocean.number("depth_m"));
+    static_cast<void>(ocean.number("noise_db"));
+  };
+  const std::string text = complaint("", read);
+  EXPECT_NE(text.find("ocean is missing: must be a table"), std::string::npos) << text;
+  EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+}
+
+TEST(TableReader, GivesNoOptionalTableWhereThereIsNone) {
+  const auto read = [](TableReader& root) { EXPECT_FALSE(root.optional_table("can").has_value()); };
+  EXPECT_EQ(complaint("", read), "");
+}
+
+TEST(TableReader, ReadsEachTableOfAnArray) {
+  const auto read = [](TableReader& root) {
+    for (TableReader& layer : root.tables("layer")) static_cast<void>(layer.number("thickness_m", Range::above(0)));
+  };
+  EXPECT_EQ(complaint("[[layer]]\nthickness_m = 1\n[[layer]]\nthickness_m = 0\n", read),
+            ":4: layer[1].thickness_m = 0: must be a finite number above 0");
+}
+
+TEST(TableReader, ReportsTheCallersOwnFindings) {
+  const auto read = [](TableReader& root) {
+    static_cast<void>(root.number("search_depth_m"));
+    root.problem("search_depth_m", "must be less than max_depth_m");
+  };
+  EXPECT_EQ(complaint("search_depth_m = 400", read), ":1: search_depth_m = 400: must be less than max_depth_m");
+}
+
+TEST(TableReader, ReportsEveryProblemAtOnce) {
+  const auto read = [](TableReader& root) {
+    static_cast<void>(root.number("a", Range::above(0)));
+    static_cast<void>(root.number("b"));
+  };
+  const std::string text = complaint("a = -1\nc = 3\n", read);
+  EXPECT_NE(text.find("a = -1"), std::string::npos);
+  EXPECT_NE(text.find("b is missing"), std::string::npos);
+  EXPECT_NE(text.find("c: unknown key"), std::string::npos);
+}
+
+TEST(TableReader, GivesAHarmlessNumberForABadOne) {
+  const File file(written("a = -1\nb = nan\nc = 5\n"));
+  TableReader root = file.root();
+  EXPECT_GT(root.number("a", Range::above(0)), 0.0);
+  EXPECT_EQ(root.number("b"), 0.0);
+  EXPECT_LE(root.number("c", Range::between(1, 2)), 2.0);
+}
+
+std::string refusal(const std::filesystem::path& path) {
+  try {
+    const File file(path);
+  } catch (const BadInput& bad) {
+    return bad.what();
+  }
+  return {};
+}
+
+TEST(File, SaysThatThereIsNone) {
+  EXPECT_EQ(refusal("/nowhere/mission.toml"), "/nowhere/mission.toml: no such file");
+}
+
+TEST(File, RefusesAFolder) {
+  EXPECT_NE(refusal(TempDir()).find("cannot be read"), std::string::npos);
+}
+
+TEST(File, NamesTheLineThatIsNotToml) {
+  const std::filesystem::path path = written("a = 1\nb = = 2\n");
+  EXPECT_EQ(refusal(path).rfind(path.string() + ":2: not TOML: ", 0), 0U) << refusal(path);
+}
+
+TEST(File, ResolvesPathsAgainstItsOwnFolder) {
+  const File file(written(""));
+  EXPECT_EQ(file.resolve("../ocean.toml"), (file.path().parent_path() / "../ocean.toml").lexically_normal());
+  EXPECT_EQ(file.resolve("/etc/ocean.toml"), "/etc/ocean.toml");
+}
+
+}  // namespace
+}  // namespace earshot::config_file

@@ -1,0 +1,41 @@
+#include "firmware/core/geometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace earshot {
+namespace {
+
+NorthEast at(double north, double east) {
+  return {.north = Meters{north}, .east = Meters{east}};
+}
+
+const Rectangle kArea{.south_west = at(-10, 100), .north_east = at(30, 200)};
+
+TEST(Rectangle, ContainsItsEdgesAndCornersAndNothingBeyond) {
+  EXPECT_TRUE(kArea.contains(at(-10, 100)));
+  EXPECT_TRUE(kArea.contains(at(30, 200)));
+  EXPECT_FALSE(kArea.contains(at(-10.001, 150)));
+  EXPECT_FALSE(kArea.contains(at(30.001, 150)));
+  EXPECT_FALSE(kArea.contains(at(0, 99.999)));
+  EXPECT_FALSE(kArea.contains(at(0, 200.001)));
+}
+
+TEST(Rectangle, DistanceToEdgeIsToTheNearestOfTheFour) {
+  EXPECT_EQ(kArea.distance_to_edge(at(-8, 150)), Meters{2});
+  EXPECT_EQ(kArea.distance_to_edge(at(27, 150)), Meters{3});
+  EXPECT_EQ(kArea.distance_to_edge(at(10, 104)), Meters{4});
+  EXPECT_EQ(kArea.distance_to_edge(at(10, 195)), Meters{5});
+}
+
+TEST(Rectangle, DistanceToEdgeIsNegativeOutside) {
+  EXPECT_EQ(kArea.distance_to_edge(at(37, 150)), Meters{-7});
+}
+
+TEST(Rectangle, DoesNotContainAPlaceThatIsNotANumber) {
+  EXPECT_FALSE(kArea.contains(at(std::numeric_limits<double>::quiet_NaN(), 150)));
+}
+
+}  // namespace
+}  // namespace earshot

@@ -1,0 +1,278 @@
+#include "firmware/policy/frozen_policy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "firmware/core/crc32.hpp"
+#include "firmware/core/random.hpp"
+
+namespace earshot::policy {
+namespace {
+
+constexpr std::array<std::uint8_t, kPublicKeySize> kPublicKey = {1, 2, 3};
+
+// Where things lie, written down from README.md.
+constexpr std::size_t kVersionAt = 8;
+constexpr std::size_t kLengthAt = 12;
+constexpr std::size_t kActivationAt = 16;
+constexpr std::size_t kDrawAt = 17;
+constexpr std::size_t kActionCountAt = 19;
+constexpr std::size_t kStepLengthAt = 24;
+constexpr std::size_t kElementsAt = 36;
+constexpr std::size_t kDirectionsAt = kElementsAt + 2 * 12;
+constexpr std::size_t kWeightsAt = kDirectionsAt + 4 * 16;
+constexpr std::size_t kParameters = 3 * 5 + 6 * 3 + 4 * 4;
+constexpr std::size_t kGoldenAt = kWeightsAt + 4 * kParameters;
+constexpr std::size_t kProvenanceAt = kGoldenAt + 4 * 8 * (2 + 4);
+constexpr std::string_view kProvenance = "command = earshot train\n";
+constexpr std::size_t kPublicKeyAt = kProvenanceAt + kProvenance.size();
+constexpr std::size_t kChecksumAt = kPublicKeyAt + 32;
+constexpr std::size_t kLength = kChecksumAt + 4 + 64;
+
+/// A 2-5-3-4 policy with weights from a generator.
+std::unique_ptr<FrozenPolicy> small_policy() {
+  auto policy = std::make_unique<FrozenPolicy>();
+  policy->observation = simple_state({.north = Meters{25000}, .east = Meters{25000}});
+  for (const UnitNorthEast& direction : {UnitNorthEast{1, 0}, UnitNorthEast{0, 1}, UnitNorthEast{-1, 0}, UnitNorthEast{0.6, -0.8}}) {
+    EXPECT_EQ(policy->actions.push_back(direction), Status::kOk);
+  }
+  policy->step_length = Meters{1000};
+  policy->draw = ActionDraw::kSampled;
+  policy->network.observation_size = 2;
+  policy->network.hidden_sizes = {5, 3};
+  policy->network.action_count = 4;
+  Pcg32 random(21);
+  const auto fill = [&random](auto& layer, std::size_t outputs, std::size_t inputs) {
+    for (std::size_t i = 0; i < outputs * inputs; ++i) layer.weights[i] = random.uniform_float() - 0.5F;
+    for (std::size_t i = 0; i < outputs; ++i) layer.bias[i] = random.uniform_float() - 0.5F;
+  };
+  fill(policy->network.first, 5, 2);
+  fill(policy->network.second, 3, 5);
+  fill(policy->network.output, 4, 3);
+  for (const char character : kProvenance) EXPECT_EQ(policy->provenance.push_back(character), Status::kOk);
+  return policy;
+}
+
+std::vector<std::uint8_t> bytes_of(const FrozenPolicy& policy) {
+  std::vector<std::uint8_t> bytes(max_serialised_size());
+  const Result<std::size_t> size = serialise(policy, kPublicKey, bytes);
+  EXPECT_TRUE(size.ok());
+  bytes.resize(size.ok() ? size.value() : 0);
+  return bytes;
+}
+
+void mend_checksum(std::vector<std::uint8_t>& bytes) {
+  const std::size_t at = bytes.size() - kSignatureSize - 4;
+  const std::uint32_t crc = crc32(std::span(bytes).first(at));
+  for (unsigned i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::uint8_t>(crc >> (8U * i));
+}
+
+void put_float(std::vector<std::uint8_t>& bytes, std::size_t at, float value) {
+  const auto raw = std::bit_cast<std::array<std::uint8_t, 4>>(value);  // the test runs on a little-endian machine
+  std::copy(raw.begin(), raw.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+void put_double(std::vector<std::uint8_t>& bytes, std::size_t at, double value) {
+  const auto raw = std::bit_cast<std::array<std::uint8_t, 8>>(value);
+  std::copy(raw.begin(), raw.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+struct Parsed {
+  Status status;
+  PolicyFault fault;
+};
+
+Parsed parsed(std::span<const std::uint8_t> bytes) {
+  const auto policy = std::make_unique<FrozenPolicy>();
+  Parsed result{};
+  result.status = parse(bytes, *policy, result.fault);
+  return result;
+}
+
+/// What parse() says of a good policy after `damage`, its checksum mended so that only the damage itself can be found.
+Parsed parsed_after(const std::function<void(std::vector<std::uint8_t>&)>& damage) {
+  std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
+  damage(bytes);
+  mend_checksum(bytes);
+  return parsed(bytes);
+}
+
+TEST(FrozenPolicy, LiesInItsBytesAsTheReadmeSays) {
+  const std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
+  ASSERT_EQ(bytes.size(), kLength);
+  EXPECT_EQ(std::string_view(reinterpret_cast<const char*>(bytes.data()), 8), "EARSHOTP");
+  EXPECT_EQ(bytes[kVersionAt], 1);
+  EXPECT_EQ(bytes[kLengthAt] + 256U * bytes[kLengthAt + 1], kLength);
+  EXPECT_EQ(bytes[kActionCountAt], 4);
+  EXPECT_EQ(std::string_view(reinterpret_cast<const char*>(bytes.data()) + kProvenanceAt, kProvenance.size()), kProvenance);
+  EXPECT_EQ(bytes[kPublicKeyAt], 1);
+}
+
+TEST(FrozenPolicy, ComesBackFromItsBytesAsItWas) {
+  const auto before = small_policy();
+  const std::vector<std::uint8_t> bytes = bytes_of(*before);
+  const auto after = std::make_unique<FrozenPolicy>();
+  PolicyFault fault{};
+  ASSERT_EQ(parse(bytes, *after, fault), Status::kOk);
+  EXPECT_EQ(fault, PolicyFault::kNone);
+  EXPECT_TRUE(std::ranges::equal(after->observation, before->observation));
+  EXPECT_TRUE(std::ranges::equal(after->actions, before->actions));
+  EXPECT_TRUE(std::ranges::equal(after->provenance, before->provenance));
+  EXPECT_EQ(after->step_length, before->step_length);
+  EXPECT_EQ(after->draw, before->draw);
+  EXPECT_EQ(after->network.hidden_sizes, before->network.hidden_sizes);
+  EXPECT_EQ(after->network.first.weights, before->network.first.weights);
+  EXPECT_EQ(after->network.second.bias, before->network.second.bias);
+  EXPECT_EQ(after->network.output.weights, before->network.output.weights);
+  EXPECT_EQ(bytes_of(*after), bytes);
+}
+
+TEST(FrozenPolicy, MayReplaceALargerOneInPlace) {
+  const auto policy = std::make_unique<FrozenPolicy>();
+  policy->observation = memory_state(21, Meters{1000}, Decibels{10}).value();
+  policy->network.observation_size = 63;
+  PolicyFault fault{};
+  const std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
+  ASSERT_EQ(parse(bytes, *policy, fault), Status::kOk);
+  EXPECT_EQ(policy->observation.size(), 2U);
+  EXPECT_EQ(bytes_of(*policy), bytes);
+}
+
+TEST(FrozenPolicy, OfTheLargestSizesFillsTheLargestSerialisedSize) {
+  const auto policy = std::make_unique<FrozenPolicy>();
+  while (policy->observation.push_back({}) == Status::kOk) {
+  }
+  while (policy->actions.push_back({}) == Status::kOk) {
+  }
+  while (policy->provenance.push_back('x') == Status::kOk) {
+  }
+  policy->step_length = Meters{1};
+  policy->network.observation_size = config::kMaxObservation;
+  policy->network.hidden_sizes = {Network::kWidth, Network::kWidth};
+  policy->network.action_count = config::kMaxActions;
+  const std::vector<std::uint8_t> bytes = bytes_of(*policy);
+  EXPECT_EQ(bytes.size(), max_serialised_size());
+  EXPECT_EQ(parsed(bytes).status, Status::kOk);
+}
+
+TEST(FrozenPolicy, CutShortAnywhereIsTooShort) {
+  const std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const std::vector<std::uint8_t> cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    const Parsed result = parsed(cut);
+    EXPECT_EQ(result.status, Status::kMalformed) << size;
+    EXPECT_EQ(result.fault, PolicyFault::kTooShort) << size;
+  }
+}
+
+TEST(FrozenPolicy, WithBytesBehindItIsRefused) {
+  std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
+  bytes.push_back(0);
+  EXPECT_EQ(parsed(bytes).fault, PolicyFault::kBadShape);
+}
+
+TEST(FrozenPolicy, WithAnyBitFlippedBeforeItsSignatureIsRefused) {
+  std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
+  for (std::size_t bit = 0; bit < 8 * (bytes.size() - kSignatureSize); ++bit) {
+    const auto mask = static_cast<std::uint8_t>(1U << (bit % 8));
+    bytes[bit / 8] ^= mask;
+    EXPECT_NE(parsed(bytes).status, Status::kOk) << bit;
+    bytes[bit / 8] ^= mask;
+  }
+}
+
+TEST(FrozenPolicy, LeavesTheSignatureToTheShell) {
+  std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
+  bytes.back() = 0xAA;
+  EXPECT_EQ(parsed(bytes).status, Status::kOk);
+}
+
+TEST(FrozenPolicy, WithAWrongChecksumIsCorrupt) {
+  std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
+  bytes[kChecksumAt] ^= 1U;
+  EXPECT_EQ(parsed(bytes).status, Status::kCorrupt);
+  EXPECT_EQ(parsed(bytes).fault, PolicyFault::kBadChecksum);
+}
+
+TEST(FrozenPolicy, NamesWhatIsWrongWithItsHeader) {
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[0] = 'e'; }).fault, PolicyFault::kBadMagic);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 2; }).fault, PolicyFault::kUnknownVersion);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActivationAt] = 0; }).fault, PolicyFault::kUnknownActivation);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kDrawAt] = 3; }).fault, PolicyFault::kUnknownDraw);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActionCountAt] = 0; }).fault, PolicyFault::kBadShape);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActionCountAt] = 33; }).fault, PolicyFault::kBadShape);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActionCountAt] = 5; }).fault, PolicyFault::kBadShape);
+  EXPECT_EQ(parsed_after([](auto& bytes) { put_double(bytes, kStepLengthAt, 0.0); }).fault, PolicyFault::kNotFinite);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kElementsAt] = 6; }).fault, PolicyFault::kUnknownFeature);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kElementsAt + 1] = config::kMaxRememberedSteps; }).fault, PolicyFault::kBadShape);
+}
+
+TEST(FrozenPolicy, WithANumberThatIsNoneIsRefused) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(parsed_after([](auto& bytes) { put_float(bytes, kElementsAt + 8, kNan); }).fault, PolicyFault::kNotFinite);
+  EXPECT_EQ(parsed_after([](auto& bytes) { put_double(bytes, kDirectionsAt, 0.5); }).fault, PolicyFault::kNotFinite);
+  for (std::size_t i = 0; i < kParameters; ++i) {
+    const Parsed result = parsed_after([i](auto& bytes) { put_float(bytes, kWeightsAt + 4 * i, kNan); });
+    EXPECT_EQ(result.status, Status::kOutOfRange) << i;
+    EXPECT_EQ(result.fault, PolicyFault::kNotFinite) << i;
+  }
+}
+
+TEST(FrozenPolicy, ThatDoesNotGiveItsGoldenLogitsIsCorrupt) {
+  const Parsed result = parsed_after([](auto& bytes) { bytes[kGoldenAt + 2 * 4] ^= 1U; });
+  EXPECT_EQ(result.status, Status::kCorrupt);
+  EXPECT_EQ(result.fault, PolicyFault::kGoldenMismatch);
+}
+
+TEST(FrozenPolicy, SurvivesAnyBytesWhatever) {
+  const std::vector<std::uint8_t> good = bytes_of(*small_policy());
+  const auto policy = std::make_unique<FrozenPolicy>();
+  Pcg32 random(31);
+  for (int round = 0; round < 20000; ++round) {
+    std::vector<std::uint8_t> bytes = good;
+    const std::uint32_t changes = 1 + random.next() % 8;
+    for (std::uint32_t i = 0; i < changes; ++i) {
+      const bool in_header = (random.next() & 1U) != 0U;
+      bytes[random.next() % (in_header ? kWeightsAt : bytes.size())] = static_cast<std::uint8_t>(random.next());
+    }
+    mend_checksum(bytes);
+    PolicyFault fault{};
+    const Status status = parse(bytes, *policy, fault);
+    ASSERT_EQ(status == Status::kOk, fault == PolicyFault::kNone);
+    if (status == Status::kOk) {
+      ASSERT_EQ(bytes_of(*policy).size(), bytes.size());
+    }
+  }
+}
+
+TEST(Serialise, RefusesAPolicyThatParseWouldRefuse) {
+  std::vector<std::uint8_t> bytes(max_serialised_size());
+  const auto refused = [&bytes](const std::function<void(FrozenPolicy&)>& damage) {
+    const auto policy = small_policy();
+    damage(*policy);
+    return serialise(*policy, kPublicKey, bytes).status();
+  };
+  EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.network.observation_size = 3; }), Status::kOutOfRange);
+  EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.network.hidden_sizes[1] = 65; }), Status::kOutOfRange);
+  EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.actions.clear(); }), Status::kOutOfRange);
+  EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.network.second.bias[2] = std::numeric_limits<float>::infinity(); }),
+            Status::kOutOfRange);
+  EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.step_length = Meters{-1}; }), Status::kOutOfRange);
+  EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.network.output.weights.fill(3e38F); }), Status::kOutOfRange);  // logits overflow
+}
+
+TEST(Serialise, SaysFullWhenOneByteIsMissing) {
+  std::vector<std::uint8_t> bytes(kLength - 1);
+  EXPECT_EQ(serialise(*small_policy(), kPublicKey, bytes).status(), Status::kFull);
+}
+
+}  // namespace
+}  // namespace earshot::policy

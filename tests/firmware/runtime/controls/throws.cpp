@@ -1,0 +1,4 @@
+// Positive control of the symbol check: it must be found out.
+void refuse() {
+  throw 1;
+}

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "firmware/core/random.hpp"
+#include "firmware/runtime/runtime.hpp"
+
+namespace earshot::runtime {
+
+inline NorthEast at(double north, double east) {
+  return {.north = Meters{north}, .east = Meters{east}};
+}
+
+inline constexpr std::size_t kNorthward = 0;
+inline constexpr std::size_t kEastward = 1;
+inline constexpr std::size_t kSouthward = 2;
+inline constexpr std::size_t kWestward = 3;
+
+/// The paper's mission, in an area whose corner is not the origin.
+inline config::Mission paper_mission() {
+  return {.operating_area = {.south_west = at(-5000, 1000), .north_east = at(20000, 26000)},
+          .edge_margin = Meters{500},
+          .search_depth = Meters{300},
+          .max_depth = Meters{320},
+          .search_speed = MetersPerSecond{2},
+          .step_length = Meters{1000},
+          .max_steps = 100,
+          .max_time = Duration::seconds(60000),
+          .navigation_timeout = Duration::seconds(5),
+          .snr_timeout = Duration::seconds(30),
+          .detection_threshold = Decibels{10},
+          .action_seed = 1};
+}
+
+/// Simple state, four compass points; weights all zero, so that the output biases alone decide.
+inline std::unique_ptr<policy::FrozenPolicy> policy_that_goes(std::size_t action) {
+  auto policy = std::make_unique<policy::FrozenPolicy>();
+  policy->observation = policy::simple_state(at(25000, 25000));
+  for (const UnitNorthEast& direction : {UnitNorthEast{1, 0}, UnitNorthEast{0, 1}, UnitNorthEast{-1, 0}, UnitNorthEast{0, -1}}) {
+    static_cast<void>(policy->actions.push_back(direction));
+  }
+  policy->step_length = Meters{1000};
+  policy->draw = policy::ActionDraw::kArgmax;
+  policy->network.observation_size = 2;
+  policy->network.hidden_sizes = {64, 64};
+  policy->network.action_count = 4;
+  policy->network.output.bias[action] = 1.0F;
+  return policy;
+}
+
+/// Memory state of two steps, random weights, actions drawn from the softmax: a policy that wanders.
+inline std::unique_ptr<policy::FrozenPolicy> policy_that_wanders() {
+  auto policy = policy_that_goes(kNorthward);
+  policy->observation = policy::memory_state(2, Meters{1000}, Decibels{10}).value();
+  policy->draw = policy::ActionDraw::kSampled;
+  policy->network.observation_size = 6;
+  Pcg32 random(77);
+  for (float& weight : policy->network.first.weights) weight = random.uniform_float() - 0.5F;
+  for (float& weight : policy->network.second.weights) weight = random.uniform_float() - 0.5F;
+  for (float& weight : policy->network.output.weights) weight = random.uniform_float() - 0.5F;
+  return policy;
+}
+
+/// A runtime and a vehicle that does at once what it is told: 1 Hz navigation and SNR, no current, no turning circle.
+struct Rig {
+  explicit Rig(const policy::FrozenPolicy& policy, const config::Mission& mission = paper_mission()) {
+    configured = runtime->configure(mission, policy);
+  }
+
+  /// One second passes; `inputs` is what arrives at its end.
+  const Outputs& step(const Inputs& inputs) {
+    now = now + Duration::seconds(1);
+    outputs = runtime->step(now, inputs);
+    return outputs;
+  }
+
+  /// One second passes with navigation and SNR as they should be.
+  const Outputs& sail(std::optional<OperatorCommand> command = std::nullopt) {
+    heading = outputs.setpoint.heading;
+    const double distance = outputs.setpoint.speed.value;
+    position = position + at(distance * std::cos(heading.value), distance * std::sin(heading.value));
+    depth = outputs.setpoint.depth;
+    const Time measured = now + Duration::seconds(1);
+    return step({.navigation = navigation_at(measured), .snr = SnrEstimate{.time = measured, .snr = snr}, .command = command});
+  }
+
+  /// Sails until the next decision; fails by its caller's expectations when the search ends before.
+  const Outputs& sail_to_decision() {
+    do {
+      sail();
+    } while (outputs.state == MissionState::kSearch && !outputs.decision);
+    return outputs;
+  }
+
+  [[nodiscard]] Navigation navigation_at(Time time) const {
+    return {.time = time, .position = position, .depth = depth, .heading = heading, .speed = outputs.setpoint.speed};
+  }
+
+  std::unique_ptr<Runtime> runtime = std::make_unique<Runtime>();
+  Status configured = Status::kNotReady;
+  Time now{1'000'000'000};
+  NorthEast position = at(7000, 12000);
+  Meters depth{0};
+  Radians heading{0.25};
+  Decibels snr{12};
+  Outputs outputs;
+};
+
+}  // namespace earshot::runtime

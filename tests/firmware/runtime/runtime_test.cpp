@@ -1,0 +1,224 @@
+#include "firmware/runtime/runtime.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <limits>
+
+#include "tests/firmware/runtime/mission_rig.hpp"
+
+namespace earshot::runtime {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kHalfPi = 1.57079632679489661923;
+
+/// A rig whose search has begun and taken its first decision.
+Rig searching(std::size_t action = kNorthward) {
+  Rig rig(*policy_that_goes(action));
+  rig.sail(OperatorCommand::kStart);
+  return rig;
+}
+
+TEST(Configure, RefusesAMissionThatContradictsItself) {
+  config::Mission mission = paper_mission();
+  mission.max_depth = Meters{100};
+  EXPECT_EQ(Rig(*policy_that_goes(kNorthward), mission).configured, Status::kOutOfRange);
+}
+
+TEST(Configure, RefusesAPolicyTrainedWithAnotherStepLength) {
+  const auto policy = policy_that_goes(kNorthward);
+  policy->step_length = Meters{500};
+  EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
+}
+
+TEST(Configure, RefusesAnEmptyPolicyAndOneWhoseSizesContradictEachOther) {
+  const auto policy = std::make_unique<policy::FrozenPolicy>();
+  policy->step_length = Meters{1000};
+  EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
+  const auto crooked = policy_that_goes(kNorthward);
+  crooked->network.action_count = 5;
+  EXPECT_EQ(Rig(*crooked).configured, Status::kOutOfRange);
+}
+
+TEST(Configure, ForgetsAnEarlierMission) {
+  Rig rig = searching();
+  ASSERT_EQ(rig.runtime->configure(paper_mission(), *policy_that_goes(kEastward)), Status::kOk);
+  EXPECT_EQ(rig.sail().state, MissionState::kStandby);
+  EXPECT_EQ(rig.sail(OperatorCommand::kStart).decision->action, kEastward);
+}
+
+TEST(Runtime, RefusesToStartBeforeItIsConfigured) {
+  Rig rig(*policy_that_goes(kNorthward));
+  rig.runtime = std::make_unique<Runtime>();
+  rig.sail(OperatorCommand::kStart);
+  EXPECT_EQ(rig.sail().state, MissionState::kStandby);
+  EXPECT_EQ(rig.outputs.counters.commands_refused, 1U);
+}
+
+TEST(Runtime, WaitsAtTheSurfaceUntilItIsStarted) {
+  Rig rig(*policy_that_goes(kNorthward));
+  for (int i = 0; i < 100; ++i) {
+    rig.sail();
+    ASSERT_EQ(rig.outputs.state, MissionState::kStandby);
+    ASSERT_EQ(rig.outputs.setpoint.speed, MetersPerSecond{0});
+    ASSERT_EQ(rig.outputs.setpoint.depth, Meters{0});
+    ASSERT_FALSE(rig.outputs.decision);
+  }
+}
+
+TEST(Runtime, RemembersTheStartUntilNavigationAndSnrAreThere) {
+  Rig rig(*policy_that_goes(kNorthward));
+  EXPECT_EQ(rig.step({.command = OperatorCommand::kStart}).state, MissionState::kStandby);
+  EXPECT_EQ(rig.step({.navigation = rig.navigation_at(rig.now)}).state, MissionState::kStandby);
+  EXPECT_EQ(rig.step({.snr = SnrEstimate{.time = rig.now, .snr = Decibels{0}}}).state, MissionState::kSearch);
+}
+
+TEST(Runtime, DoesNotStartOnNavigationThatIsStale) {
+  Rig rig(*policy_that_goes(kNorthward));
+  rig.step({.navigation = rig.navigation_at(rig.now)});
+  for (int i = 0; i < 6; ++i) rig.step({.snr = SnrEstimate{.time = rig.now, .snr = Decibels{0}}});
+  EXPECT_EQ(rig.step({.command = OperatorCommand::kStart}).state, MissionState::kStandby);
+  EXPECT_EQ(rig.sail().state, MissionState::kSearch);
+}
+
+TEST(Runtime, DecidesAtOnceWhenTheSearchBegins) {
+  Rig rig(*policy_that_goes(kEastward));
+  rig.sail(OperatorCommand::kStart);
+  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+  ASSERT_TRUE(rig.outputs.decision);
+  const Decision& decision = *rig.outputs.decision;
+  EXPECT_EQ(decision.step, 0U);
+  EXPECT_EQ(decision.time, rig.now);
+  EXPECT_EQ(decision.position, at(7000, 12000));
+  EXPECT_EQ(decision.waypoint, at(7000, 13000));
+  EXPECT_EQ(decision.action, kEastward);
+  EXPECT_EQ(decision.snr, Decibels{12});
+  EXPECT_TRUE(decision.detected);
+  EXPECT_FALSE(decision.overridden);
+  EXPECT_EQ(decision.observation_size, 2);
+  EXPECT_EQ(decision.action_count, 4);
+  EXPECT_EQ(decision.logits[kEastward], 1.0F);
+}
+
+TEST(Runtime, ObservesThePlaceRelativeToTheSouthWestCornerOfTheArea) {
+  const Rig rig = searching();
+  // (7000, 12000) lies 12 km north and 11 km east of (-5000, 1000); 12.5 km is the middle.
+  EXPECT_NEAR(rig.outputs.decision->observation[0], -1.5 / 12.5, 1e-7);  // rounding of the scale to a float
+  EXPECT_NEAR(rig.outputs.decision->observation[1], -0.5 / 12.5, 1e-7);
+}
+
+TEST(Runtime, CommandsHeadingSpeedDepthAndWaypointOfTheLeg) {
+  const Rig rig = searching(kEastward);
+  EXPECT_NEAR(rig.outputs.setpoint.heading.value, kHalfPi, 1e-15);
+  EXPECT_EQ(rig.outputs.setpoint.speed, MetersPerSecond{2});
+  EXPECT_EQ(rig.outputs.setpoint.depth, Meters{300});
+  EXPECT_EQ(rig.outputs.setpoint.waypoint, at(7000, 13000));
+}
+
+TEST(Runtime, DecidesAgainAfterOneStepLength) {
+  Rig rig = searching();
+  const Time began = rig.now;
+  rig.snr = Decibels{9};
+  rig.sail_to_decision();
+  EXPECT_EQ(rig.outputs.steps_taken, 1U);
+  EXPECT_EQ(rig.outputs.decision->step, 1U);
+  EXPECT_EQ(rig.now - began, Duration::seconds(500));  // 1000 m at 2 m/s
+  EXPECT_EQ(rig.outputs.decision->position, at(8000, 12000));
+  EXPECT_FALSE(rig.outputs.decision->detected);
+}
+
+TEST(Runtime, RemembersStepsAndSnrForAMemoryPolicy) {
+  const auto policy = policy_that_goes(kWestward);
+  policy->observation = policy::memory_state(2, Meters{1000}, Decibels{10}).value();
+  policy->network.observation_size = 6;
+  Rig rig(*policy);
+  rig.snr = Decibels{40};
+  rig.sail(OperatorCommand::kStart);
+  EXPECT_EQ(rig.outputs.decision->observation[2], 1.0F);  // (40 - 10) / 30
+  rig.snr = Decibels{-20};
+  rig.sail_to_decision();
+  EXPECT_NEAR(rig.outputs.decision->observation[0], -1.0F, 1e-6F);  // one step west; 500 steps of 2 m add up to 1000 m within rounding
+  EXPECT_NEAR(rig.outputs.decision->observation[1], 0.0F, 1e-6F);
+  EXPECT_EQ(rig.outputs.decision->observation[2], -1.0F);
+  EXPECT_EQ(rig.outputs.decision->observation[5], 1.0F);
+}
+
+TEST(Runtime, RefusesNavigationThatIsNotFiniteAndKeepsTheLast) {
+  Rig rig = searching();
+  const Setpoint before = rig.outputs.setpoint;
+  for (int field = 0; field < 5; ++field) {
+    Navigation bad = rig.navigation_at(rig.now);
+    if (field == 0) bad.position.north = Meters{kNan};
+    if (field == 1) bad.position.east = Meters{kNan};
+    if (field == 2) bad.depth = Meters{kNan};
+    if (field == 3) bad.heading = Radians{kNan};
+    if (field == 4) bad.speed = MetersPerSecond{kNan};
+    rig.outputs = rig.runtime->step(rig.now, {.navigation = bad});
+  }
+  EXPECT_EQ(rig.outputs.counters.navigation_refused, 5U);
+  EXPECT_EQ(rig.outputs.setpoint, before);
+  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+}
+
+TEST(Runtime, RefusesAnSnrThatNoOceanHas) {
+  Rig rig = searching();
+  for (const double bad : {kNan, std::numeric_limits<double>::infinity(), 1001.0, -1001.0}) {
+    rig.step({.navigation = rig.navigation_at(rig.now), .snr = SnrEstimate{.time = rig.now, .snr = Decibels{bad}}});
+  }
+  EXPECT_EQ(rig.outputs.counters.snr_refused, 4U);
+}
+
+TEST(Runtime, RefusesWhatIsOlderThanTheLastButTakesItAgain) {
+  Rig rig = searching();
+  const Time last = rig.now;
+  rig.step({.navigation = rig.navigation_at(last), .snr = SnrEstimate{.time = last, .snr = Decibels{3}}});
+  EXPECT_EQ(rig.outputs.counters.navigation_refused, 0U);
+  EXPECT_EQ(rig.outputs.counters.snr_refused, 0U);
+  const Time earlier{last.us - 1};
+  rig.step({.navigation = rig.navigation_at(earlier), .snr = SnrEstimate{.time = earlier, .snr = Decibels{3}}});
+  EXPECT_EQ(rig.outputs.counters.navigation_refused, 1U);
+  EXPECT_EQ(rig.outputs.counters.snr_refused, 1U);
+}
+
+TEST(Runtime, RefusesTimesNegativeOrFromFurtherAheadThanTheTimeout) {
+  Rig rig(*policy_that_goes(kNorthward));
+  for (const Time wrong : {Time{-1}, Time{std::numeric_limits<std::int64_t>::min()}, Time{std::numeric_limits<std::int64_t>::max()},
+                           rig.now + Duration::seconds(37)}) {
+    rig.step({.navigation = rig.navigation_at(wrong), .snr = SnrEstimate{.time = wrong, .snr = Decibels{3}}});
+  }
+  EXPECT_EQ(rig.outputs.counters.navigation_refused, 4U);
+  EXPECT_EQ(rig.outputs.counters.snr_refused, 4U);
+}
+
+TEST(Runtime, CountsCommandsThatItsStateDoesNotAllow) {
+  Rig rig(*policy_that_goes(kNorthward));
+  rig.sail(OperatorCommand::kComplete);
+  EXPECT_EQ(rig.outputs.counters.commands_refused, 1U);
+  rig.sail(OperatorCommand::kStart);
+  rig.sail(OperatorCommand::kStart);
+  EXPECT_EQ(rig.outputs.counters.commands_refused, 2U);
+  rig.sail(static_cast<OperatorCommand>(99));
+  EXPECT_EQ(rig.outputs.counters.commands_refused, 3U);
+  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+}
+
+TEST(Runtime, DrawsItsActionsFromTheMissionsSeed) {
+  const auto actions_of = [](std::uint64_t seed) {
+    config::Mission mission = paper_mission();
+    mission.action_seed = seed;
+    Rig rig(*policy_that_wanders(), mission);
+    rig.sail(OperatorCommand::kStart);
+    std::vector<int> actions;
+    for (int i = 0; i < 12; ++i) {
+      actions.push_back(rig.outputs.decision->action);
+      rig.sail_to_decision();
+    }
+    return actions;
+  };
+  EXPECT_EQ(actions_of(1), actions_of(1));
+  EXPECT_NE(actions_of(1), actions_of(2));
+}
+
+}  // namespace
+}  // namespace earshot::runtime

@@ -1,0 +1,128 @@
+#include "firmware/safety/limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "firmware/core/random.hpp"
+
+namespace earshot::safety {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+NorthEast at(double north, double east) {
+  return {.north = Meters{north}, .east = Meters{east}};
+}
+
+config::Mission mission() {
+  return {.operating_area = {.south_west = at(0, 0), .north_east = at(10000, 20000)},
+          .edge_margin = Meters{500},
+          .search_depth = Meters{300},
+          .max_depth = Meters{350},
+          .search_speed = MetersPerSecond{2},
+          .step_length = Meters{1000},
+          .max_steps = 100,
+          .max_time = Duration::seconds(60000),
+          .navigation_timeout = Duration::seconds(5),
+          .snr_timeout = Duration::seconds(60),
+          .detection_threshold = Decibels{10},
+          .action_seed = 1};
+}
+
+const Pose kPose{.position = at(5000, 5000), .heading = Radians{1.0}};
+const guidance::Setpoint kWanted{.heading = Radians{0.5}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = at(6000, 5000)};
+
+TEST(SafeWaypoint, LeavesAWaypointInsideTheMarginsAlone) {
+  const SafeWaypoint safe = safe_waypoint(mission(), at(8600, 5000), at(9500, 5000));
+  EXPECT_EQ(safe.waypoint, at(9500, 5000));
+  EXPECT_FALSE(safe.overridden);
+}
+
+TEST(SafeWaypoint, PullsAWaypointBackToTheMargin) {
+  const SafeWaypoint safe = safe_waypoint(mission(), at(8800, 19000), at(9507, 19707));
+  EXPECT_EQ(safe.waypoint, at(9500, 19500));
+  EXPECT_TRUE(safe.overridden);
+}
+
+TEST(SafeWaypoint, TurnsTowardsTheMiddleWhereTheEdgeLeavesLessThanHalfAStep) {
+  // 300 m short of the northern margin, 5 km east of the middle: the middle lies (-4200, -5000) away, 6530 m.
+  const SafeWaypoint safe = safe_waypoint(mission(), at(9200, 15000), at(10200, 15000));
+  EXPECT_TRUE(safe.overridden);
+  EXPECT_NEAR(safe.waypoint.north.value, 9200 - 1000 * 4200 / std::sqrt(4200.0 * 4200 + 5000.0 * 5000), 1e-9);  // metres, a few roundings
+  EXPECT_NEAR(safe.waypoint.east.value, 15000 - 1000 * 5000 / std::sqrt(4200.0 * 4200 + 5000.0 * 5000), 1e-9);
+}
+
+TEST(SafeWaypoint, TurnsTowardsTheMiddleWhenThePolicySpeaksNonsense) {
+  const SafeWaypoint safe = safe_waypoint(mission(), at(5000, 9000), at(kNan, kInfinity));
+  EXPECT_EQ(safe.waypoint, at(5000, 10000));
+  EXPECT_TRUE(safe.overridden);
+}
+
+TEST(SafeWaypoint, NeverLeavesTheMarginsNorGivesLessThanHalfAStepInTheSmallestAreaAllowed) {
+  config::Mission smallest = mission();
+  smallest.operating_area.north_east = at(3000, 3000);
+  ASSERT_EQ(config::check(smallest), Status::kOk);
+  const Rectangle allowed{.south_west = at(500, 500), .north_east = at(2500, 2500)};
+  Pcg32 random(1);
+  for (int i = 0; i < 100000; ++i) {
+    const NorthEast position = at(500 + 2000 * random.uniform_double(), 500 + 2000 * random.uniform_double());
+    const double bearing = 6.283 * random.uniform_double();
+    const NorthEast wanted = position + at(1000 * std::cos(bearing), 1000 * std::sin(bearing));
+    const NorthEast given = safe_waypoint(smallest, position, wanted).waypoint;
+    ASSERT_TRUE(allowed.contains(given));
+    const NorthEast leg = given - position;
+    ASSERT_GE(std::hypot(leg.north.value, leg.east.value), 500.0 - 1e-9);  // rounding of metres near 3000
+  }
+}
+
+TEST(SafeSetpoint, LeavesASetpointWithinItsLimitsAlone) {
+  const SafeSetpoint safe = safe_setpoint(mission(), kPose, kWanted);
+  EXPECT_EQ(safe.setpoint, kWanted);
+  EXPECT_FALSE(safe.limited);
+}
+
+TEST(SafeSetpoint, KeepsDepthAndSpeedWithinTheirLimits) {
+  guidance::Setpoint wanted = kWanted;
+  wanted.depth = Meters{351};
+  wanted.speed = MetersPerSecond{2.1};
+  SafeSetpoint safe = safe_setpoint(mission(), kPose, wanted);
+  EXPECT_TRUE(safe.limited);
+  EXPECT_EQ(safe.setpoint.depth, Meters{350});
+  EXPECT_EQ(safe.setpoint.speed, MetersPerSecond{2});
+  wanted.depth = Meters{-1};
+  wanted.speed = MetersPerSecond{-0.1};
+  safe = safe_setpoint(mission(), kPose, wanted);
+  EXPECT_TRUE(safe.limited);
+  EXPECT_EQ(safe.setpoint.depth, Meters{0});
+  EXPECT_EQ(safe.setpoint.speed, MetersPerSecond{0});
+}
+
+TEST(SafeSetpoint, BringsTheVehicleUpWhenAnythingIsNotFinite) {
+  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+    for (int field = 0; field < 5; ++field) {
+      guidance::Setpoint wanted = kWanted;
+      if (field == 0) wanted.heading = Radians{bad};
+      if (field == 1) wanted.speed = MetersPerSecond{bad};
+      if (field == 2) wanted.depth = Meters{bad};
+      if (field == 3) wanted.waypoint.north = Meters{bad};
+      if (field == 4) wanted.waypoint.east = Meters{bad};
+      const SafeSetpoint safe = safe_setpoint(mission(), kPose, wanted);
+      EXPECT_TRUE(safe.limited) << field;
+      EXPECT_EQ(safe.setpoint, surface(kPose)) << field;
+    }
+  }
+}
+
+TEST(Surface, StopsAndComesUpWhereTheVehicleIs) {
+  const guidance::Setpoint setpoint = surface({.position = at(1, 2), .heading = Radians{1.5}});
+  EXPECT_EQ(setpoint.speed, MetersPerSecond{0});
+  EXPECT_EQ(setpoint.depth, Meters{0});
+  EXPECT_EQ(setpoint.heading, Radians{1.5});
+  EXPECT_EQ(setpoint.waypoint, at(1, 2));
+}
+
+}  // namespace
+}  // namespace earshot::safety

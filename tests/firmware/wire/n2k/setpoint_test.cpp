@@ -1,0 +1,68 @@
+#include "firmware/wire/n2k/setpoint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+namespace earshot::n2k {
+namespace {
+
+constexpr std::uint8_t kSource = 44;
+const Setpoint kSetpoint{.heading = Radians{2.3152}, .speed = MetersPerSecond{2.0}, .depth = Meters{300.0}};
+
+SetpointFrames frames_of(const Setpoint& setpoint) {
+  SetpointFrames frames;
+  EXPECT_EQ(compose_setpoint(setpoint, kSource, 3, frames), Status::kOk);
+  return frames;
+}
+
+TEST(Setpoint, IsLaidOutByteForByteAsTheStandardSays) {
+  const SetpointFrames frames = frames_of(kSetpoint);
+  ASSERT_EQ(frames.size(), 5U);
+  // 65290 = 0xFF0A at priority 3. Manufacturer 2044, two reserved ones, industry 4: 0x9FFC; 200 * 0.01 m/s; 30000 * 0.01 m = 0x7530.
+  EXPECT_EQ(frames[0], (Frame{0x0CFF0A2C, 8, {0xFC, 0x9F, 0xC8, 0x00, 0x30, 0x75, 0x00, 0x00}}));
+  // 127237 = 0x1F105 at priority 2, sequence 3. Heading control (4), true: bits 8..15 are 100 111 00 from below: 0x3C. Heading 23152 =
+  // 0x5A70.
+  EXPECT_EQ(frames[1], (Frame{0x09F1052C, 8, {0x60, 21, 0xFF, 0x3C, 0xFF, 0xFF, 0x7F, 0x70}}));
+  EXPECT_EQ(frames[2], (Frame{0x09F1052C, 8, {0x61, 0x5A, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}}));
+  EXPECT_EQ(frames[3], (Frame{0x09F1052C, 8, {0x62, 0xFF, 0x7F, 0xFF, 0x7F, 0xFF, 0x7F, 0xFF}}));
+  EXPECT_EQ(frames[4], (Frame{0x09F1052C, 8, {0x63, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}}));
+}
+
+TEST(Setpoint, ComesBackToTheResolutionOfTheFrames) {
+  for (const double heading : {-3.1, -0.00001, 0.0, 1.2345678, 3.14}) {
+    SetpointReceiver receiver;
+    Setpoint received;
+    Status status = Status::kNotReady;
+    for (const Frame& frame : frames_of({.heading = Radians{heading}, .speed = MetersPerSecond{1.234}, .depth = Meters{300.007}})) {
+      EXPECT_EQ(status, Status::kNotReady);
+      status = receiver.accept(frame, received);
+    }
+    ASSERT_EQ(status, Status::kOk);
+    EXPECT_NEAR(received.heading.value, heading,
+                0.6e-4);  // half of 1e-4 rad; and near north, what a whole turn is not a whole number of 1e-4 rad
+    EXPECT_NEAR(received.speed.value, 1.234, 0.005);    // half of 0.01 m/s
+    EXPECT_NEAR(received.depth.value, 300.007, 0.005);  // half of 0.01 m
+  }
+}
+
+TEST(Setpoint, OfAnotherMakersGroupIsNotTaken) {
+  SetpointFrames frames = frames_of(kSetpoint);
+  frames[0].data[0] = 0x9D;  // manufacturer 1949 + ...: not ours
+  SetpointReceiver receiver;
+  Setpoint received;
+  for (const Frame& frame : frames) EXPECT_EQ(receiver.accept(frame, received), Status::kNotReady);
+}
+
+TEST(Setpoint, IsRefusedWhenNoFrameCanCarryIt) {
+  SetpointFrames frames;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(compose_setpoint({Radians{nan}, MetersPerSecond{2}, Meters{300}}, kSource, 0, frames), Status::kOutOfRange);
+  EXPECT_EQ(compose_setpoint({Radians{0}, MetersPerSecond{-1}, Meters{300}}, kSource, 0, frames), Status::kOutOfRange);
+  EXPECT_EQ(compose_setpoint({Radians{0}, MetersPerSecond{2}, Meters{nan}}, kSource, 0, frames), Status::kOutOfRange);
+  EXPECT_TRUE(frames.empty());
+}
+
+}  // namespace
+}  // namespace earshot::n2k

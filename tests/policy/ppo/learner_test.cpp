@@ -1,0 +1,154 @@
+#include "policy/ppo/learner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "policy/ppo/advantage.hpp"
+
+namespace earshot::ppo {
+namespace {
+
+// The inputs of tests/oracles/ppo/make_update_fixture.py, which had Stable-Baselines3 2.3.2 do the same.
+constexpr NetworkShape kShape{6, 8};
+constexpr std::size_t kEnvironments = 2;
+constexpr std::size_t kSteps = 40;
+constexpr std::size_t kSamples = kEnvironments * kSteps;
+constexpr std::array<std::size_t, 3> kStrides{3, 7, 9};
+using Networks = ActorCritic<float>;
+
+float uniform(std::uint32_t stream, std::uint32_t i) {
+  std::uint32_t x = i * 2654435761U + stream * 40503U + 12345U;
+  x ^= x >> 15U;
+  x *= 2246822519U;
+  x ^= x >> 13U;
+  return static_cast<float>(x >> 16U) / 65536.0F;
+}
+
+std::vector<float> inputs(std::uint32_t stream, std::size_t count, float scale, float offset) {
+  std::vector<float> all(count);
+  for (std::uint32_t i = 0; i < count; ++i) all[i] = scale * uniform(stream, i) + offset;
+  return all;
+}
+
+Rollout made_up_rollout() {
+  Rollout rollout(kShape, kEnvironments, kSteps);
+  const std::vector<float> observations = inputs(1, kSamples * 6, 2.0F, -1.0F);
+  std::ranges::copy(observations, rollout.observations.data());
+  const std::vector<float> actions = inputs(2, kSamples, 8.0F, 0.0F);
+  std::ranges::transform(actions, rollout.actions.begin(), [](float x) { return static_cast<std::uint8_t>(x); });
+  rollout.log_probabilities = inputs(3, kSamples, 1.0F, -2.5F);
+  rollout.values = inputs(4, kSamples, 4.0F, -2.0F);
+  rollout.rewards = inputs(5, kSamples, 2.0F, -1.5F);
+  const std::vector<float> starts = inputs(6, kSamples, 1.0F, 0.0F);
+  std::ranges::transform(starts, rollout.episode_starts.begin(), [](float x) { return x < 0.1F ? 1 : 0; });
+  return rollout;
+}
+
+void estimate(Rollout& rollout) {
+  constexpr std::array<float, 2> kNextValues{0.5F, -1.25F};
+  constexpr std::array<bool, 2> kDones{false, true};
+  for (std::size_t e = 0; e < kEnvironments; ++e) {
+    auto part = [e](auto& all) { return std::span(all).subspan(e * kSteps, kSteps); };
+    estimate_advantages({part(rollout.rewards), part(rollout.values), part(rollout.episode_starts), kNextValues[e], kDones[e]}, 0.99, 0.95,
+                        part(rollout.advantages));
+  }
+  for (std::size_t i = 0; i < kSamples; ++i) rollout.returns[i] = rollout.advantages[i] + rollout.values[i];
+}
+
+/// Calls visit(flat index in our array, name, index in PyTorch's row-major tensor) for every parameter.
+template <class Visit>
+void for_each_parameter(const Networks::Layout& layout, Visit visit) {
+  auto dense = [&visit](const Networks::Layer& layer, Eigen::Index row, Eigen::Index rows, const std::string& name) {
+    for (Eigen::Index o = 0; o < rows; ++o) {
+      for (Eigen::Index i = 0; i < layer.inputs; ++i) {
+        visit(static_cast<std::size_t>(layer.offset + i * layer.outputs + row + o), name + ".weight",
+              static_cast<std::size_t>(o * layer.inputs + i));
+      }
+      visit(static_cast<std::size_t>(layer.bias() + row + o), name + ".bias", static_cast<std::size_t>(o));
+    }
+  };
+  dense(layout.first, 0, kWidth, "mlp_extractor.policy_net.0");
+  dense(layout.first, kWidth, kWidth, "mlp_extractor.value_net.0");
+  dense(layout.actor_second, 0, kWidth, "mlp_extractor.policy_net.2");
+  dense(layout.critic_second, 0, kWidth, "mlp_extractor.value_net.2");
+  dense(layout.logits, 0, kShape.action_count, "action_net");
+  dense(layout.value, 0, 1, "value_net");
+}
+
+class UpdateTest : public testing::Test {
+ protected:
+  UpdateTest() : rollout(made_up_rollout()) {
+    std::ifstream stream(EARSHOT_SOURCE_DIR "/tests/policy/ppo/update.json");
+    expected = nlohmann::json::parse(stream);
+    estimate(rollout);
+  }
+  nlohmann::json expected;
+  Rollout rollout;
+};
+
+TEST_F(UpdateTest, EstimatesTheAdvantagesOfStableBaselines3) {
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    ASSERT_NEAR(rollout.advantages[i], expected["advantages"][i].get<float>(), 5e-6F) << i;  // sums of some ten floats of order 5
+    ASSERT_NEAR(rollout.returns[i], expected["returns"][i].get<float>(), 5e-6F) << i;
+  }
+}
+
+TEST_F(UpdateTest, LeavesTheParametersOfStableBaselines3AfterThreeEpochsWithAShortLastBatch) {
+  HyperParameters hyper;
+  hyper.environment_count = kEnvironments;
+  hyper.steps_per_rollout = kSteps;
+  hyper.batch_size = 32;
+  hyper.entropy_coefficient = 0.01;
+  Pcg32 random(1);
+  Learner learner(kShape, hyper, random);
+  const std::span<float> parameters = learner.networks().parameters();
+  std::map<std::string, std::uint32_t> stream_of;
+  for (const auto& [name, values] : expected["parameters"].items()) stream_of.emplace(name, 100 + stream_of.size());
+  std::size_t visited = 0;
+  for_each_parameter(learner.networks().layout(), [&](std::size_t flat, const std::string& name, std::size_t i) {
+    parameters[flat] = 0.5F * uniform(stream_of.at(name), static_cast<std::uint32_t>(i)) - 0.25F;
+    ++visited;
+  });
+  ASSERT_EQ(visited, parameters.size());
+
+  for (std::size_t epoch = 0; epoch < kStrides.size(); ++epoch) {
+    std::vector<std::uint32_t> order(kSamples);
+    for (std::size_t i = 0; i < kSamples; ++i) order[i] = static_cast<std::uint32_t>((i * kStrides[epoch] + epoch) % kSamples);
+    learner.run_epoch(rollout, order);
+  }
+
+  // Nine Adam steps of 3e-4 move each parameter by up to 2.7e-3. Rounding: gradients agree to some 1e-7, and Adam divides by
+  // sqrt(v) + 1e-5, so that rounding moves a parameter by up to some thousandth of a step.
+  for_each_parameter(learner.networks().layout(), [&](std::size_t flat, const std::string& name, std::size_t i) {
+    const double difference = std::abs(static_cast<double>(parameters[flat]) - expected["parameters"][name][i].get<double>());
+    ASSERT_LT(difference, 3e-7) << name << " " << i;
+  });
+}
+
+TEST(Learner, GivesTheSameParametersForTheSameSeed) {
+  Rollout rollout = made_up_rollout();
+  estimate(rollout);
+  HyperParameters hyper;
+  hyper.environment_count = kEnvironments;
+  hyper.steps_per_rollout = kSteps;
+  auto learned = [&](std::uint64_t seed) {
+    Pcg32 random(seed);
+    Learner learner(kShape, hyper, random);
+    learner.update(rollout, random);
+    const auto p = learner.networks().parameters();
+    return std::vector<float>(p.begin(), p.end());
+  };
+  EXPECT_EQ(learned(1), learned(1));
+  EXPECT_NE(learned(1), learned(2));
+}
+
+}  // namespace
+}  // namespace earshot::ppo

@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "sim/link/run_slot.hpp"
+#include "sim/link/runtime_end.hpp"
+#include "sim/link/simulator_end.hpp"
+
+namespace earshot::link {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A domain that no other test or flight on this machine is in.
+std::uint32_t own_domain() {
+  static const RunSlot slot;
+  return slot.domain();
+}
+
+constexpr std::uint64_t kNever = ~0ULL;
+
+Tick tick_number(std::uint64_t number) {
+  Tick tick;
+  tick.number = number;
+  return tick;
+}
+
+Answer answer_to(std::uint64_t number) {
+  Answer answer;
+  answer.number = number;
+  return answer;
+}
+
+/// The runtime's side in a process of its own (Cyclone DDS does not survive a fork, so fork before any DDS).
+template <class Body>
+pid_t in_another_process(Body body) {
+  (void)own_domain();  // of this process: a child would be given another
+  const pid_t child = fork();
+  if (child != 0) return child;
+  try {
+    body();
+  } catch (...) {
+    std::_Exit(99);  // never back into the test program
+  }
+  std::_Exit(0);
+}
+
+/// Answers every tick with its own number and, as steps, a hash of all that the tick said.
+void answer_every_tick(std::uint64_t until) {
+  RuntimeEnd link(own_domain());
+  Tick tick;
+  while (tick.number != until && link.receive(tick, 5000ms) == Delivery::kArrived) {
+    link.send({.number = tick.number,
+               .setpoint_messages = tick.navigation_messages + 1,
+               .steps_taken = static_cast<std::uint32_t>(tick.time.us / 1'000'000),
+               .state = tick.command,
+               .end_reason = static_cast<std::uint8_t>(tick.snr ? tick.snr->value : 99.0)});
+  }
+}
+
+TEST(LockStep, EveryTickIsAnsweredInOrderWithWhatItSaid) {
+  constexpr std::uint64_t kTicks = 2000;
+  const pid_t child = in_another_process([] { answer_every_tick(kTicks); });
+  SimulatorEnd link(own_domain());
+  ASSERT_TRUE(link.wait_for_runtime(10s));
+  for (std::uint64_t n = 1; n <= kTicks; ++n) {
+    link.send({.number = n,
+               .time = {static_cast<std::int64_t>(n) * 1'000'000},
+               .navigation_messages = 3 * n,
+               .snr = n % 2 == 0 ? std::optional(Decibels{12.0}) : std::nullopt,
+               .command = static_cast<std::uint8_t>(n % 4)});
+    Answer answer;
+    ASSERT_EQ(link.receive(answer, 5000ms), Delivery::kArrived) << "tick " << n;
+    EXPECT_EQ(answer.number, n);
+    EXPECT_EQ(answer.setpoint_messages, 3 * n + 1);
+    EXPECT_EQ(answer.steps_taken, n);
+    EXPECT_EQ(answer.state, n % 4);
+    EXPECT_EQ(answer.end_reason, n % 2 == 0 ? 12 : 99);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
+TEST(LockStep, TheFirstTickIsAnsweredHoweverEarlyItIsSent) {
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    const pid_t child = in_another_process([] { answer_every_tick(1); });
+    SimulatorEnd link(own_domain());
+    ASSERT_TRUE(link.wait_for_runtime(10s));
+    link.send(tick_number(1));
+    Answer answer;
+    ASSERT_EQ(link.receive(answer, 5000ms), Delivery::kArrived) << "attempt " << attempt;
+    EXPECT_EQ(answer.number, 1);
+    waitpid(child, nullptr, 0);
+  }
+}
+
+TEST(LockStep, ASimulatorLearnsThatItsRuntimeWasKilled) {
+  const pid_t child = in_another_process([] { answer_every_tick(kNever); });
+  SimulatorEnd link(own_domain());
+  ASSERT_TRUE(link.wait_for_runtime(10s));
+  link.send(tick_number(1));
+  Answer answer;
+  ASSERT_EQ(link.receive(answer, 5000ms), Delivery::kArrived);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  // The bar allows 5 s; the lease runs out after 2 s.
+  EXPECT_EQ(link.receive(answer, 5000ms), Delivery::kLost);
+}
+
+TEST(LockStep, ARuntimeStillGetsTheLastTickOfASimulatorThatHasLeft) {
+  const pid_t child = in_another_process([] {
+    RuntimeEnd link(own_domain());
+    Tick tick;
+    if (link.receive(tick, 10s) != Delivery::kArrived || tick.number != 1) std::_Exit(1);
+    link.send(answer_to(1));
+    std::this_thread::sleep_for(300ms);  // the simulator sends tick 2 and leaves meanwhile
+    if (link.receive(tick, 5s) != Delivery::kArrived || tick.number != 2) std::_Exit(2);
+    if (link.receive(tick, 5s) != Delivery::kLost) std::_Exit(3);
+  });
+  {
+    SimulatorEnd link(own_domain());
+    ASSERT_TRUE(link.wait_for_runtime(10s));
+    link.send(tick_number(1));
+    Answer answer;
+    ASSERT_EQ(link.receive(answer, 5000ms), Delivery::kArrived);
+    link.send(tick_number(2));
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST(LockStep, RunsInTwoDomainsDoNotMeet) {
+  const pid_t child = in_another_process([] { answer_every_tick(kNever); });
+  SimulatorEnd elsewhere(kLowestDomain - 1);
+  EXPECT_FALSE(elsewhere.wait_for_runtime(500ms));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+}
+
+}  // namespace
+}  // namespace earshot::link

@@ -1,0 +1,168 @@
+#include "sim/search/episode.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace earshot::search {
+namespace {
+
+constexpr NorthEast at(double north_m, double east_m) {
+  return {Meters{north_m}, Meters{east_m}};
+}
+constexpr std::size_t kNorth = 0;
+constexpr std::size_t kEast = 2;
+constexpr std::size_t kSouth = 4;
+constexpr std::size_t kWest = 6;
+
+/// 30 dB at the source, one less per kilometre: DT = 10 dB is reached 20 km away.
+sonar::SnrCurve one_decibel_per_kilometer() {
+  std::vector<float> snr_db;
+  for (int km = 0; km <= 40; ++km) snr_db.push_back(30.0F - static_cast<float>(km));
+  return sonar::SnrCurve(Meters{1'000.0}, snr_db);
+}
+
+class EpisodeTest : public testing::Test {
+ protected:
+  sonar::SnrCurve curve = one_decibel_per_kilometer();
+  SearchSettings settings;
+  Episode episode;
+};
+
+TEST_F(EpisodeTest, MovesOneStepLengthAlongTheActionsDirection) {
+  const SearchWorld world(settings, curve);
+  episode.start_at(world, at(5'000, 7'000), settings.source);
+  episode.step(world, kEast);
+  EXPECT_EQ(episode.position(), at(5'000, 8'000));
+  episode.step(world, 5);                                                             // south-west
+  EXPECT_NEAR(episode.position().north.value, 5'000 - 1'000 * std::sqrt(0.5), 1e-6);  // core's sine is good to 1e-12
+  EXPECT_NEAR(episode.position().east.value, 8'000 - 1'000 * std::sqrt(0.5), 1e-6);
+}
+
+TEST_F(EpisodeTest, EndsWhenItComesWithinAStepLengthOfTheSource) {
+  const SearchWorld world(settings, curve);
+  episode.start_at(world, at(10'000, 12'500), settings.source);
+  EXPECT_EQ(episode.step(world, kWest), 0.0);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning);  // 1500 m away
+  EXPECT_EQ(episode.step(world, kWest), 0.0);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);  // 500 m away
+  EXPECT_EQ(episode.record().detections, 2U);
+}
+
+TEST_F(EpisodeTest, FindsTheSourceFromExactlyOneStepLength) {
+  const SearchWorld world(settings, curve);
+  episode.start_at(world, at(10'000, 12'000), settings.source);
+  episode.step(world, kWest);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
+}
+
+TEST_F(EpisodeTest, EndsOutsideTheDomainWithThePenaltyOfWhereItCameOut) {
+  const SearchWorld world(settings, curve);
+  episode.start_at(world, at(24'500, 10'000), settings.source);
+  // Half a kilometre beyond the edge: -100 (1 + 0.5); 15.5 km from the source it is heard.
+  EXPECT_EQ(episode.step(world, kNorth), -150.0);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kLeftDomain);
+}
+
+TEST_F(EpisodeTest, CountsASourceReachedJustOutsideTheDomainAsFound) {
+  settings.source = at(24'900, 10'000);
+  const SearchWorld world(settings, curve);
+  episode.start_at(world, at(24'600, 11'100), settings.source);
+  episode.step(world, 7);  // north-west, to 25 307 m north, 10 393 m east: 566 m away
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
+}
+
+TEST_F(EpisodeTest, IsCutByTheTimeLimitAfterNSteps) {
+  const SearchWorld world(settings, curve);
+  episode.start_at(world, at(15'000, 15'000), settings.source);
+  for (int i = 0; i < 99; ++i) episode.step(world, i % 2 == 0 ? kNorth : kSouth);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning);
+  episode.step(world, kSouth);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kTimeLimit);
+  EXPECT_EQ(episode.record().steps, 100U);
+}
+
+TEST_F(EpisodeTest, PrefersFoundOverTheTimeLimitOnTheLastStep) {
+  settings.max_steps = 1;
+  const SearchWorld world(settings, curve);
+  episode.start_at(world, at(10'000, 12'000), settings.source);
+  episode.step(world, kWest);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
+}
+
+TEST_F(EpisodeTest, AddsUpItsRewards) {
+  const SearchWorld world(settings, curve);
+  episode.start_at(world, at(2'000, 20'500), at(24'000, 2'000));  // 28.7 km away: not heard
+  double sum = 0.0;
+  for (int i = 0; i < 4; ++i) sum += episode.step(world, kEast);
+  // 21.5, 22.5, 23.5 km east are inside the border's inner edge, 24.5 km is half-way through it.
+  EXPECT_EQ(sum, -4.0 - 50.0);
+  EXPECT_EQ(episode.record().reward, sum);
+}
+
+TEST_F(EpisodeTest, SeesTheMemoryStateOfItsLastStepsNewestFirst) {
+  const SearchWorld world(settings, curve);
+  const policy::ObservationSpec spec = policy::memory_state(2, settings.step_length, settings.detection_threshold).value();
+  std::array<float, 6> seen{};
+  episode.start_at(world, at(10'000, 15'000), settings.source);
+  episode.observe(spec, seen);
+  // At the start no displacement; 25 dB is heard: (25 - 10) / 30.
+  EXPECT_EQ(seen[0], 0.0F);
+  EXPECT_EQ(seen[1], 0.0F);
+  EXPECT_FLOAT_EQ(seen[2], 0.5F);
+  episode.step(world, kWest);
+  episode.step(world, kNorth);
+  episode.observe(spec, seen);
+  EXPECT_FLOAT_EQ(seen[0], 0.0F);
+  EXPECT_FLOAT_EQ(seen[1], 1.0F);
+  EXPECT_FLOAT_EQ(seen[3], -1.0F);
+  EXPECT_FLOAT_EQ(seen[5], (26.0F - 10.0F) / 30.0F);  // 4 km away after the step west
+}
+
+TEST_F(EpisodeTest, SeesTheSimpleStateRelativeToTheDomainsSouthWestCorner) {
+  const NorthEast corner = at(100'000, -50'000);
+  settings.domain = {corner, corner + at(25'000, 25'000)};
+  settings.start_region = settings.domain;
+  const SearchWorld world(settings, curve);
+  const policy::ObservationSpec spec = policy::simple_state(at(25'000, 25'000));
+  std::array<float, 2> seen{};
+  episode.start_at(world, corner + at(25'000, 12'500), corner + at(1'000, 1'000));
+  episode.observe(spec, seen);
+  EXPECT_FLOAT_EQ(seen[0], 0.0F);  // x, east: in the middle
+  EXPECT_FLOAT_EQ(seen[1], 1.0F);  // y, north: at the far edge
+}
+
+TEST_F(EpisodeTest, NeverStartsWithinReachOfTheSource) {
+  settings.start_region = {at(8'500, 8'500), at(11'500, 11'500)};  // a third of it lies within 1 km of the source
+  const SearchWorld world(settings, curve);
+  Pcg32 random(7);
+  for (int i = 0; i < 1'000; ++i) {
+    episode.start(world, random);
+    const NorthEast d = episode.position() - settings.source;
+    EXPECT_GT(std::hypot(d.north.value, d.east.value), 1'000.0);
+  }
+}
+
+TEST_F(EpisodeTest, StartsUniformlyInItsRegionAndPlacesAChangingSourceUniformlyInTheDomain) {
+  settings.placement = SourcePlacement::kChanging;
+  settings.start_region = {at(1'000, 1'000), at(24'000, 24'000)};
+  const SearchWorld world(settings, curve);
+  Pcg32 random(7);
+  constexpr int kEpisodes = 20'000;
+  double start_north = 0.0;
+  double source_east = 0.0;
+  for (int i = 0; i < kEpisodes; ++i) {
+    episode.start(world, random);
+    EXPECT_TRUE(settings.start_region.contains(episode.position()));
+    EXPECT_TRUE(settings.domain.contains(episode.source()));
+    start_north += episode.position().north.value / kEpisodes;
+    source_east += episode.source().east.value / kEpisodes;
+  }
+  // Means of uniforms: standard error 25 km / sqrt(12 * 20000) = 51 m; five of them.
+  EXPECT_NEAR(start_north, 12'500.0, 255.0);
+  EXPECT_NEAR(source_east, 12'500.0, 255.0);
+}
+
+}  // namespace
+}  // namespace earshot::search

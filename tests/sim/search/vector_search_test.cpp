@@ -1,0 +1,106 @@
+#include "sim/search/vector_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;  // NOLINT: the counting allocator itself
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}  // NOLINT
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}  // NOLINT
+
+namespace earshot::search {
+namespace {
+
+class VectorSearchTest : public testing::Test {
+ protected:
+  VectorSearchTest() { settings.placement = SourcePlacement::kChanging; }
+
+  sonar::SnrCurve curve{Meters{1'000.0}, std::vector<float>{30.0F, 25.0F, 20.0F, 15.0F, 10.0F, 5.0F, 0.0F}};
+  SearchSettings settings;
+  policy::ObservationSpec spec = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value();
+};
+
+TEST_F(VectorSearchTest, AllocatesNothingWhileStepping) {
+  const SearchWorld world(settings, curve);
+  VectorSearch search(world, spec, 16, 1);
+  std::array<std::size_t, 16> actions{};
+  Pcg32 random(3);
+  const std::size_t before = allocations;
+  for (int i = 0; i < 2'000; ++i) {
+    for (std::size_t& action : actions) action = random.next() % 8;
+    search.step(actions);
+  }
+  EXPECT_EQ(allocations - before, 0U);
+  { const std::vector<float> control(1); }
+  EXPECT_EQ(allocations - before, 1U) << "the counting allocator does not count";
+}
+
+TEST_F(VectorSearchTest, GivesTheSameEpisodesForTheSameSeedAndOthersForAnother) {
+  const SearchWorld world(settings, curve);
+  auto fly = [&](std::uint64_t seed) {
+    VectorSearch search(world, spec, 3, seed);
+    std::vector<float> seen;
+    for (std::size_t i = 0; i < 300; ++i) {
+      search.step(std::array<std::size_t, 3>{i % 8, (3 * i) % 8, (5 * i) % 8});
+      for (std::size_t e = 0; e < 3; ++e) {
+        seen.insert(seen.end(), search.observation(e).begin(), search.observation(e).end());
+        seen.push_back(search.reward(e));
+      }
+    }
+    return seen;
+  };
+  EXPECT_EQ(fly(1), fly(1));
+  EXPECT_NE(fly(1), fly(2));
+}
+
+TEST_F(VectorSearchTest, FliesAnEnvironmentsEpisodesAlikeHoweverManyOthersRunBesideIt) {
+  const SearchWorld world(settings, curve);
+  VectorSearch alone(world, spec, 1, 9);
+  VectorSearch among(world, spec, 4, 9);
+  for (std::size_t i = 0; i < 500; ++i) {
+    alone.step(std::array<std::size_t, 1>{i % 8});
+    among.step(std::array<std::size_t, 4>{i % 8, 0, 1, 2});
+    ASSERT_EQ(alone.reward(0), among.reward(0));
+  }
+}
+
+TEST_F(VectorSearchTest, StartsAnewInTheStepThatEndsAnEpisodeAndKeepsItsLastObservation) {
+  settings.max_steps = 3;
+  settings.border_width = Meters{1.0};
+  settings.start_region = {{Meters{5'000.0}, Meters{5'000.0}}, {Meters{20'000.0}, Meters{20'000.0}}};
+  settings.placement = SourcePlacement::kFixed;
+  settings.source = {Meters{1'000.0}, Meters{1'000.0}};
+  const SearchWorld world(settings, curve);
+  VectorSearch search(world, spec, 1, 1);
+  const std::array<std::size_t, 1> north{0};
+  search.step(north);
+  search.step(north);
+  EXPECT_EQ(search.ended(0).end, EpisodeEnd::kRunning);
+  EXPECT_EQ(search.observation(0)[1], 1.0F);  // went north by one step length
+  search.step(north);
+  EXPECT_EQ(search.ended(0).end, EpisodeEnd::kTimeLimit);
+  EXPECT_EQ(search.ended(0).steps, 3U);
+  EXPECT_EQ(search.final_observation(0)[1], 1.0F);
+  EXPECT_EQ(search.observation(0)[1], 0.0F) << "the new episode remembers no step";
+  search.step(north);
+  EXPECT_EQ(search.ended(0).end, EpisodeEnd::kRunning);
+}
+
+}  // namespace
+}  // namespace earshot::search

@@ -1,0 +1,72 @@
+#include "tests/support/signed_policy.hpp"
+
+#include <sodium.h>
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+
+#include "firmware/core/geometry.hpp"
+
+namespace earshot::support {
+namespace {
+
+struct KeyPair {
+  std::array<std::uint8_t, crypto_sign_PUBLICKEYBYTES> open{};
+  std::array<std::uint8_t, crypto_sign_SECRETKEYBYTES> secret{};
+};
+
+/// From a seed that anyone can read here: it is trusted by tests only.
+KeyPair test_keys() {
+  if (sodium_init() < 0) std::abort();
+  std::array<std::uint8_t, crypto_sign_SEEDBYTES> seed{};
+  seed.fill(7);
+  KeyPair keys;
+  crypto_sign_seed_keypair(keys.open.data(), keys.secret.data(), seed.data());
+  return keys;
+}
+
+}  // namespace
+
+policy::FrozenPolicy random_walk_policy() {
+  constexpr double kDiagonal = 0.70710678118654752;
+  constexpr std::array<UnitNorthEast, 8> kCompass{
+      {{1, 0}, {kDiagonal, kDiagonal}, {0, 1}, {-kDiagonal, kDiagonal}, {-1, 0}, {-kDiagonal, -kDiagonal}, {0, -1}, {kDiagonal, -kDiagonal}}};
+  policy::FrozenPolicy policy;
+  policy.observation = policy::simple_state({Meters{25'000}, Meters{25'000}});
+  for (const UnitNorthEast& direction : kCompass) (void)policy.actions.push_back(direction);
+  policy.step_length = Meters{1000};
+  policy.draw = policy::ActionDraw::kSampled;
+  policy.network.observation_size = policy.observation.size();
+  policy.network.hidden_sizes = {8, 8};
+  policy.network.action_count = kCompass.size();
+  return policy;
+}
+
+void sign(std::vector<std::uint8_t>& bytes) {
+  const KeyPair keys = test_keys();
+  const std::size_t message_size = bytes.size() - policy::kSignatureSize;
+  crypto_sign_detached(bytes.data() + message_size, nullptr, bytes.data(), message_size, keys.secret.data());
+}
+
+std::vector<std::uint8_t> signed_bytes(const policy::FrozenPolicy& policy) {
+  std::vector<std::uint8_t> bytes(policy::max_serialised_size());
+  const Result<std::size_t> size = policy::serialise(policy, test_keys().open, bytes);
+  if (!size.ok()) std::abort();
+  bytes.resize(size.value());
+  sign(bytes);
+  return bytes;
+}
+
+void write_public_key(const std::filesystem::path& path) {
+  std::array<char, 2 * crypto_sign_PUBLICKEYBYTES + 1> text{};
+  const KeyPair keys = test_keys();
+  sodium_bin2hex(text.data(), text.size(), keys.open.data(), keys.open.size());
+  std::ofstream(path) << text.data() << "\n";
+}
+
+void write_bytes(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes) {
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+}  // namespace earshot::support
