@@ -1,6 +1,7 @@
 #include "sim/netcdf/writer.hpp"
 
 #include <netcdf.h>
+#include <unistd.h>
 
 #include <array>
 #include <system_error>
@@ -25,7 +26,7 @@ nc_type nc_type_of(Type type) {
 }  // namespace
 
 Writer::Writer(std::filesystem::path path) : path_(std::move(path)), partial_(path_) {
-  partial_ += ".partial";
+  partial_ += ".part" + std::to_string(getpid());
   check(nc_create(partial_.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_), "");
 }
 
@@ -58,6 +59,10 @@ void Writer::variable(const std::string& name, Type type, const std::vector<std:
   int id = -1;
   check(nc_def_var(file_, name.c_str(), nc_type_of(type), static_cast<int>(ids.size()), ids.data(), &id), name);
   for (const auto& [key, value] : attributes) check(nc_put_att_text(file_, id, key.c_str(), value.size(), value.data()), name);
+}
+
+void Writer::compress(const std::string& variable) {
+  check(nc_def_var_deflate(file_, variable_id(variable), NC_SHUFFLE, 1, 1), variable);
 }
 
 void Writer::attribute(const std::string& name, const std::string& value) {

@@ -17,8 +17,9 @@ enum class Type : std::uint8_t { kFloat, kDouble, kInt16, kInt32 };
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
-/// A NetCDF-4 file in the making. It stands under a temporary name in the same folder ("FILE.partial") and gets its own only at `commit`;
-/// destroyed before that, it leaves nothing. Whatever cannot be written (no such folder, no right, disk full) throws FileError.
+/// A NetCDF-4 file in the making. It stands under a temporary name in the same folder ("FILE.part" and the process's number) and gets its
+/// own only at `commit`; destroyed before that, it leaves nothing. Whatever cannot be written (no such folder, no right, disk full) throws
+/// FileError.
 ///
 ///     netcdf::Writer file("field.nc");
 ///     file.dimension("range", 100);
@@ -36,6 +37,7 @@ class Writer {
 
   void dimension(const std::string& name, std::size_t length);
   void variable(const std::string& name, Type type, const std::vector<std::string>& dimensions, const Attributes& attributes);
+  void compress(const std::string& variable);                         ///< without loss; before its values are written
   void attribute(const std::string& name, const std::string& value);  ///< of the file
   void attribute(const std::string& variable, const std::string& name, double value);
   void write(const std::string& variable, std::span<const double> values);  ///< all of it, row-major; converted to the variable's type

@@ -1,7 +1,6 @@
 #include "sim/ocean/environment_seabed.hpp"
 
 #include <cstddef>
-#include <string>
 #include <utility>
 
 namespace earshot::ocean {
@@ -39,9 +38,6 @@ std::vector<SedimentStation> read_stations(TableReader& table) {
     const Meters range{station.number("range_m", Range::at_least(0.0))};
     if (!stations.empty() && !(range > stations.back().range)) station.problem("range_m", "must be more than the station's before");
     stations.push_back({.range = range, .layers = read_layers(station)});
-    if (stations.back().layers.size() != stations.front().layers.size()) {
-      station.problem("layers", "must be " + std::to_string(stations.front().layers.size()) + ", as many as the first station's");
-    }
   }
   if (stations.empty()) table.problem("stations", "must hold at least one station");
   return stations;

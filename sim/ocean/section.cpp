@@ -32,13 +32,6 @@ Quantity<Unit> mix(Quantity<Unit> a, Quantity<Unit> b, double fraction) {
   return Quantity<Unit>{std::lerp(a.value, b.value, fraction)};
 }
 
-SedimentLayer mix(const SedimentLayer& a, const SedimentLayer& b, double fraction) {
-  return {.thickness = mix(a.thickness, b.thickness, fraction),
-          .sound_speed = mix(a.sound_speed, b.sound_speed, fraction),
-          .density_g_per_cm3 = std::lerp(a.density_g_per_cm3, b.density_g_per_cm3, fraction),
-          .attenuation_db_per_wavelength = std::lerp(a.attenuation_db_per_wavelength, b.attenuation_db_per_wavelength, fraction)};
-}
-
 /// Ranges from 0 to `max_range`, evenly, at most `step` apart.
 std::vector<double> even_ranges(Meters max_range, Meters step) {
   const auto intervals = static_cast<std::size_t>(std::max(1.0, std::ceil(max_range / step)));
@@ -110,16 +103,18 @@ Meters sea_floor_depth(const Section& section, Meters range) {
   return mix(section.sea_floor[at.below].depth, section.sea_floor[at.above].depth, at.fraction);
 }
 
-void sediment_layers(const Section& section, Meters range, std::span<SedimentLayer> layers) {
-  const Between at = stations_about(section.sediment, range);
-  const auto& below = section.sediment[at.below].layers;
-  const auto& above = section.sediment[at.above].layers;
-  assert(layers.size() == below.size() && layers.size() == above.size());
-  for (std::size_t i = 0; i < layers.size(); ++i) layers[i] = mix(below[i], above[i], at.fraction);
+const std::vector<SedimentLayer>& sediment_layers(const Section& section, Meters range) {
+  return section.sediment[stations_about(section.sediment, range).below].layers;
 }
 
 bool is_range_independent(const Section& section) {
   return section.water.size() == 1 && section.sea_floor.size() == 1 && section.sediment.size() == 1;
+}
+
+bool is_range_independent(const Environment& environment) {
+  const bool charted = environment.charts != nullptr && (environment.charts->bathymetry || environment.charts->climatology);
+  return !charted && environment.water_stations.size() < 2 && environment.sea_floor_stations.size() < 2 &&
+         environment.sediment_stations.size() < 2;
 }
 
 Section section_along(const Environment& environment, NorthEast from, Radians bearing, Meters max_range) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "firmware/core/units.hpp"
@@ -28,11 +27,13 @@ struct Section {
 /// @return positive down; 0 on the shore
 [[nodiscard]] Meters sea_floor_depth(const Section& section, Meters range);
 
-/// Writes the layers at `range`, from the sea floor down.
-/// @param layers  as many as each station has
-void sediment_layers(const Section& section, Meters range, std::span<SedimentLayer> layers);
+/// From the sea floor down.
+[[nodiscard]] const std::vector<SedimentLayer>& sediment_layers(const Section& section, Meters range);
 
 [[nodiscard]] bool is_range_independent(const Section& section);
+
+/// Whether every section of the environment is alike and range-independent: `water` and `seabed` tell all of it.
+[[nodiscard]] bool is_range_independent(const Environment& environment);
 
 /// The radial of `bearing` from `from`, as far as `max_range` or the shore.
 ///

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -45,11 +44,15 @@ TEST(Section, IsLinearInRangeBetweenItsStations) {
   EXPECT_EQ(sea_floor_depth(section, Meters{0.0}), Meters{200.0});
   EXPECT_EQ(sea_floor_depth(section, Meters{1500.0}), Meters{150.0});
   EXPECT_EQ(sea_floor_depth(section, Meters{9000.0}), Meters{100.0});
-  std::array<SedimentLayer, 2> layers;
-  sediment_layers(section, Meters{1000.0}, layers);
-  EXPECT_EQ(layers[0].thickness, Meters{15.0});
-  EXPECT_EQ(layers[0].sound_speed, MetersPerSecond{1610.0});
-  EXPECT_EQ(layers[1].sound_speed, MetersPerSecond{1820.0});
+}
+
+TEST(Section, HoldsASedimentFromItsStationToTheNext) {
+  Section section{.water = {}, .sea_floor = {}, .sediment = {}, .shore = {}};
+  section.sediment = {{.range = Meters{100.0}, .layers = {mud(10.0, 1600.0), mud(0.0, 1800.0)}},
+                      {.range = Meters{4000.0}, .layers = {mud(0.0, 1880.0)}}};
+  EXPECT_EQ(sediment_layers(section, Meters{0.0}).size(), 2U);
+  EXPECT_EQ(sediment_layers(section, Meters{3999.0}).front().sound_speed, MetersPerSecond{1600.0});
+  EXPECT_EQ(sediment_layers(section, Meters{4000.0}).front().sound_speed, MetersPerSecond{1880.0});
 }
 
 TEST(SectionAlong, IsTheSameEverywhereInAnOceanThatDoesNotChange) {
