@@ -28,7 +28,7 @@ struct Arguments {
   double depth_spacing_m = 10.0;
   std::optional<double> range_step_m;
   std::optional<double> depth_step_m;
-  std::size_t terms = 8;
+  std::size_t terms = 0;
   double detection_threshold_db = 10.0;
 };
 
@@ -45,11 +45,13 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--depth-spacing", arguments.depth_spacing_m, "m between receiver depths")
       ->check(CLI::Range(0.1, 10000.0))
       ->capture_default_str();
-  app.add_option("--range-step", arguments.range_step_m, "m of one step of the solver; default: a quarter of a wavelength")
+  app.add_option("--range-step", arguments.range_step_m, "m of one step of the solver, and between ranges written; default: automatic")
       ->check(CLI::Range(0.01, 10000.0));
-  app.add_option("--depth-step", arguments.depth_step_m, "m of the solver's depth grid; default: a sixteenth of a wavelength")
+  app.add_option("--depth-step", arguments.depth_step_m, "m of the solver's depth grid; default: automatic")
       ->check(CLI::Range(0.001, 1000.0));
-  app.add_option("--terms", arguments.terms, "terms of the Pade approximant")->check(CLI::Range(1, 12))->capture_default_str();
+  app.add_option("--terms", arguments.terms, "poles of the propagator, 2 to 16; 0: automatic")
+      ->check(CLI::Range(0, 16))
+      ->capture_default_str();
   app.add_option("--plot", arguments.plot, "also draw the SNR, as .png or .svg")->check([](const std::string& path) {
     const auto extension = std::filesystem::path(path).extension();
     return extension == ".png" || extension == ".svg" ? std::string() : path + ": a picture's name must end in .png or .svg";

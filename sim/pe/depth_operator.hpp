@@ -5,28 +5,72 @@
 #include <vector>
 
 #include "sim/pe/depth_grid.hpp"
+#include "sim/pe/section.hpp"
 
 namespace earshot::pe {
 
-/// Rows of a tridiagonal matrix over the nodes below the surface; row i couples node i with i - 1 (lower) and i + 1 (upper).
+/// A symmetric tridiagonal matrix over the nodes of a depth grid: off[i] couples nodes i and i + 1.
 struct Tridiagonal {
-  std::vector<std::complex<double>> lower, diagonal, upper;
+  std::vector<std::complex<double>> diagonal, off;
 };
 
-/// The depth operator of the parabolic equation, discretised as a pencil: X = M^-1 G.
+/// Rows first to last, both inclusive; none when last < first.
+struct RowRange {
+  std::size_t first = 1;
+  std::size_t last = 0;
+  [[nodiscard]] bool empty() const { return last < first; }
+};
+
+/// The depth operator of the parabolic equation at one range, as a pencil of symmetric tridiagonal matrices: X = M^-1 G.
 ///
 ///   X = k0^-2 (rho d/dz rho^-1 d/dz + k^2) - 1
 ///
-/// Linear elements for the derivative, continuous pressure and normal velocity at interfaces by construction. The mass weights are
-/// Numerov's (1/12, 10/12, 1/12) inside a medium, which makes the scheme fourth order in the step, and (1/6, 4/6, 1/6) on an interface,
-/// where Numerov's error terms of the two sides do not cancel. Pressure vanishes at the surface and at the end of the absorber. Oracle:
-/// DepthOperator.*
-struct DepthOperator {
-  Tridiagonal mass;  ///< M
-  Tridiagonal g;     ///< G
-  [[nodiscard]] std::size_t size() const { return mass.diagonal.size(); }
-};
+/// Every element carries its own medium. The mass weights are Numerov's (5/12, 1/12 of an element's length), and its density is
+/// scaled by 1 - (k^2 - k0^2) h^2 / 12: with both, elements of one length agree with the exact two-point solution to fourth order up to a
+/// factor that is the same in all media. In an element that an interface divides, the pressure is linear on each side and the flux
+/// continuous, so that an interface may lie, and move, anywhere between nodes. The absorber is a perfectly matched layer: complex lengths.
+/// Source: Jensen, Kuperman, Porter & Schmidt, Computational Ocean Acoustics, 2nd ed., ch. 6; the element by hand from its exact dynamic
+///   stiffness (k cot kh, -k / sin kh).   Oracle: DepthOperator.*
+class DepthOperator {
+ public:
+  DepthOperator(const Section& section, Hertz frequency, const DepthGrid& grid);
 
-[[nodiscard]] DepthOperator make_depth_operator(const DepthGrid& grid, double reference_wavenumber_per_m);
+  /// Rows that differ between here and another range.
+  [[nodiscard]] RowRange rows_changed_by(double range_m) const;
+  void move_to(double range_m);
+
+  [[nodiscard]] const Tridiagonal& mass() const { return mass_; }
+  [[nodiscard]] const Tridiagonal& g() const { return g_; }
+  [[nodiscard]] double floor_depth_m() const { return floor_depth_m_; }
+  [[nodiscard]] const DepthGrid& grid() const { return grid_; }
+
+ private:
+  using Complex = std::complex<double>;
+  struct Element {
+    Complex stiffness;  // K = stiffness (1 -1; -1 1)
+    Complex mass00, mass01, mass11;
+    Complex potential00, potential01, potential11;  // of (k^2 - k0^2) / k0^2
+  };
+  static Element uniform(Complex potential_top, Complex potential_bottom, Complex length, double density, double reference_wavenumber);
+  static Element joined(const Element& upper, const Element& lower);
+  [[nodiscard]] Element element(std::size_t index) const;
+  [[nodiscard]] Element water_piece(std::size_t index, double top_m, double bottom_m) const;
+  [[nodiscard]] Element sediment_piece(double top_m, double bottom_m) const;
+  [[nodiscard]] Complex water_potential(double depth_m) const;
+  void sample_water(double range_m);
+  void assemble(std::size_t first_element, std::size_t last_element);
+  [[nodiscard]] double floor_at(double range_m) const;
+  [[nodiscard]] std::size_t element_of(double depth_m) const;
+
+  const Section section_;
+  double angular_frequency_;
+  DepthGrid grid_;
+  double range_m_ = 0.0;
+  double floor_depth_m_ = 0.0;
+  const SedimentColumn* sediment_ = nullptr;
+  std::vector<std::vector<double>> sound_speed_;  // [water column][node]
+  std::vector<Complex> water_potential_;          // [node]
+  Tridiagonal mass_, g_;
+};
 
 }  // namespace earshot::pe

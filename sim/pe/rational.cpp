@@ -1,157 +1,150 @@
 #include "sim/pe/rational.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <stdexcept>
-#include <string>
 
 namespace earshot::pe {
+
 namespace {
 
-using Series = std::vector<Wide>;
-using WideMatrix = Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic>;
-using WideVector = Eigen::Matrix<Wide, Eigen::Dynamic, 1>;
+using Complex = std::complex<double>;
 
-/// sqrt(1 + x)
-Series square_root(std::size_t count) {
-  Series series(count);
-  series[0] = 1.0L;
-  for (std::size_t k = 1; k < count; ++k) {
-    const auto order = static_cast<long double>(k);
-    series[k] = series[k - 1] * ((1.5L - order) / order);
+/// The barycentric form n(x) / d(x) = sum_k w_k f_k / (x - z_k)  /  sum_k w_k / (x - z_k) under construction.
+class Barycentric {
+ public:
+  explicit Barycentric(const Samples& samples) : samples_(samples), is_support_(samples.x.size(), false), approximation_(samples.value) {
+    Complex mean = 0.0;
+    for (const Complex value : samples.value) mean += value / static_cast<double>(samples.value.size());
+    std::fill(approximation_.begin(), approximation_.end(), mean);
   }
-  return series;
-}
 
-/// exp(a(x)) for a(0) = 0, from k e_k = sum_j j a_j e_(k-j).
-Series exponential(const Series& a) {
-  Series series(a.size());
-  series[0] = 1.0L;
-  for (std::size_t k = 1; k < a.size(); ++k) {
-    for (std::size_t j = 1; j <= k; ++j) series[k] += static_cast<long double>(j) * a[j] * series[k - j];
-    series[k] /= static_cast<long double>(k);
+  /// Takes the sample with the largest weighted error as the next support point.
+  void add_support() {
+    std::size_t worst = 0;
+    double largest = -1.0;
+    for (std::size_t i = 0; i < is_support_.size(); ++i) {
+      const double error = samples_.weight[i] * std::abs(samples_.value[i] - approximation_[i]);
+      if (!is_support_[i] && error > largest) largest = error, worst = i;
+    }
+    is_support_[worst] = true;
+    support_.push_back(worst);
   }
-  return series;
-}
 
-struct Polynomial {
-  WideVector coefficient;  ///< of x^k
-
-  [[nodiscard]] Wide operator()(Wide x) const {
-    Wide value = 0.0L;
-    for (Eigen::Index k = coefficient.size(); k-- > 0;) value = value * x + coefficient[k];
-    return value;
+  /// Weights that minimise the linearised error |n - f d| by the normal equations: enough to find the next support point.
+  void solve_roughly() {
+    const Eigen::MatrixXcd loewner = loewner_matrix();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> eigen(loewner.adjoint() * loewner);
+    weights_ = eigen.eigenvectors().col(0);
+    evaluate();
   }
-  [[nodiscard]] Polynomial derivative() const {
-    Polynomial result{WideVector(coefficient.size() - 1)};
-    for (Eigen::Index k = 1; k < coefficient.size(); ++k) result.coefficient[k - 1] = static_cast<long double>(k) * coefficient[k];
+
+  /// The same to full precision, over the weights with sum_k w_k f_k = 0, that is with R(infinity) = 0.
+  void solve_vanishing_at_infinity() {
+    const auto n = static_cast<Eigen::Index>(support_.size());
+    Eigen::VectorXcd f(n);
+    for (Eigen::Index k = 0; k < n; ++k) f(k) = std::conj(samples_.value[support_[static_cast<std::size_t>(k)]]);
+    const Eigen::MatrixXcd q = Eigen::HouseholderQR<Eigen::MatrixXcd>(f).householderQ();
+    const Eigen::MatrixXcd allowed = q.rightCols(n - 1);
+    const Eigen::MatrixXcd triangle =
+        Eigen::HouseholderQR<Eigen::MatrixXcd>(loewner_matrix() * allowed).matrixQR().topRows(n - 1).triangularView<Eigen::Upper>();
+    const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(triangle, Eigen::ComputeFullV);
+    weights_ = allowed * svd.matrixV().col(n - 2);
+  }
+
+  /// Zeros of d(x): eigenvalues of diag(z) - 1 v^T with v_k = w_k (z_k - c) / sum w, which are those of (x - c) d(x).
+  [[nodiscard]] std::vector<Complex> poles() const {
+    const auto n = static_cast<Eigen::Index>(support_.size());
+    constexpr double kAway = 3.3;  // c: any point away from the samples and the poles
+    Eigen::MatrixXcd companion(n, n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const double z = samples_.x[support_[static_cast<std::size_t>(k)]];
+      companion.col(k).setConstant(-weights_(k) * (z - kAway) / weights_.sum());
+      companion(k, k) += z;
+    }
+    const Eigen::VectorXcd eigenvalues = Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues();
+    Eigen::Index away = 0;
+    (eigenvalues.array() - kAway).abs().minCoeff(&away);
+    std::vector<Complex> result;
+    for (Eigen::Index k = 0; k < n; ++k)
+      if (k != away) result.push_back(eigenvalues(k));
     return result;
   }
-};
 
-/// All roots at once by Ehrlich and Aberth's iteration.
-std::vector<Wide> roots(const Polynomial& p) {
-  const auto degree = static_cast<std::size_t>(p.coefficient.size() - 1);
-  const Polynomial slope = p.derivative();
-  const long double radius =
-      std::pow(std::abs(p.coefficient[0] / p.coefficient[p.coefficient.size() - 1]), 1.0L / static_cast<long double>(degree));
-  std::vector<Wide> root(degree);
-  for (std::size_t i = 0; i < degree; ++i)
-    root[i] = std::polar(radius, 0.4L + 6.2831853L * static_cast<long double>(i) / static_cast<long double>(degree));
-  constexpr int kMaxIterations = 500;
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    long double largest_correction = 0.0L;
-    for (std::size_t i = 0; i < degree; ++i) {
-      const Wide newton = p(root[i]) / slope(root[i]);
-      Wide repulsion = 0.0L;
-      for (std::size_t j = 0; j < degree; ++j) {
-        if (j != i) repulsion += 1.0L / (root[i] - root[j]);
+ private:
+  [[nodiscard]] Eigen::MatrixXcd loewner_matrix() const {
+    Eigen::MatrixXcd loewner(static_cast<Eigen::Index>(is_support_.size() - support_.size()), static_cast<Eigen::Index>(support_.size()));
+    Eigen::Index row = 0;
+    for (std::size_t i = 0; i < is_support_.size(); ++i) {
+      if (is_support_[i]) continue;
+      for (std::size_t k = 0; k < support_.size(); ++k) {
+        const std::size_t s = support_[k];
+        loewner(row, static_cast<Eigen::Index>(k)) =
+            samples_.weight[i] * (samples_.value[i] - samples_.value[s]) / (samples_.x[i] - samples_.x[s]);
       }
-      const Wide correction = newton / (1.0L - newton * repulsion);
-      root[i] -= correction;
-      largest_correction = std::max(largest_correction, std::abs(correction) / std::abs(root[i]));
+      ++row;
     }
-    // A NaN never compares below, so a breakdown ends as a failure.
-    if (largest_correction < 1e-14L) return root;
+    return loewner;
   }
-  throw std::runtime_error("the poles of a Pade approximant with " + std::to_string(degree) + " terms cannot be found; use fewer terms");
-}
 
-std::complex<double> narrow(Wide x) {
-  return {static_cast<double>(x.real()), static_cast<double>(x.imag())};
-}
+  void evaluate() {
+    for (std::size_t i = 0; i < is_support_.size(); ++i) {
+      if (is_support_[i]) continue;
+      Complex numerator = 0.0;
+      Complex denominator = 0.0;
+      for (std::size_t k = 0; k < support_.size(); ++k) {
+        const Complex term = weights_(static_cast<Eigen::Index>(k)) / (samples_.x[i] - samples_.x[support_[k]]);
+        numerator += term * samples_.value[support_[k]];
+        denominator += term;
+      }
+      approximation_[i] = numerator / denominator;
+    }
+  }
 
-struct Quotient {
-  Polynomial numerator;
-  Polynomial denominator;
+  const Samples& samples_;
+  std::vector<bool> is_support_;
+  std::vector<std::size_t> support_;
+  std::vector<Complex> approximation_;
+  Eigen::VectorXcd weights_;
 };
-
-/// Solves for numerator and denominator with equal Taylor coefficients up to order 2n.
-Quotient solve_pade_system(std::span<const Wide> taylor_coefficients, std::size_t terms) {
-  const auto n = static_cast<Eigen::Index>(terms);
-  const auto f = [&](Eigen::Index k) { return taylor_coefficients[static_cast<std::size_t>(k)]; };
-  WideMatrix matrix = WideMatrix::Zero(2 * n, 2 * n);  // unknowns: a_1..a_n, b_1..b_n
-  WideVector right(2 * n);
-  for (Eigen::Index k = 1; k <= 2 * n; ++k) {
-    if (k <= n) matrix(k - 1, k - 1) = 1.0L;
-    for (Eigen::Index j = 1; j <= std::min(k, n); ++j) matrix(k - 1, n + j - 1) = -f(k - j);
-    right[k - 1] = f(k);
-  }
-  const WideVector solution = matrix.fullPivLu().solve(right);
-  Quotient quotient{{WideVector(n + 1)}, {WideVector(n + 1)}};
-  quotient.numerator.coefficient << f(0), solution.head(n);
-  quotient.denominator.coefficient << Wide(1.0L), solution.tail(n);
-  return quotient;
-}
-
-/// What the diagonal approximant of a range step is in exact arithmetic.
-bool is_unitary(const Rational& step) {
-  constexpr double kGrowth = 1e-4;
-  for (double x = -1.0; x > -1e4; x *= 1.05) {
-    for (const double at : {x, 1.2 + x}) {
-      if (!(std::abs(std::abs(step(at)) - 1.0) < kGrowth)) return false;
-    }
-  }
-  return std::all_of(step.pole.begin(), step.pole.end(), [](std::complex<double> pole) { return (-1.0 / pole).imag() < 0.0; });
-}
 
 }  // namespace
 
 std::complex<double> Rational::operator()(std::complex<double> x) const {
-  std::complex<double> sum = constant;
-  for (std::size_t j = 0; j < pole.size(); ++j) sum += residue[j] / (1.0 + pole[j] * x);
+  Complex sum = 0.0;
+  for (std::size_t j = 0; j < pole.size(); ++j) sum += residue[j] / (1.0 - x / pole[j]);
   return sum;
 }
 
-std::vector<Wide> taylor_of_step(long double phase, std::size_t count) {
-  Series exponent = square_root(count);
-  exponent[0] = 0.0L;
-  for (Wide& coefficient : exponent) coefficient *= Wide(0.0L, phase);
-  return exponential(exponent);
+std::vector<std::complex<double>> fit_poles(const Samples& samples, std::size_t terms) {
+  Barycentric fit(samples);
+  for (std::size_t k = 0; k < terms; ++k) {
+    fit.add_support();
+    fit.solve_roughly();
+  }
+  fit.add_support();
+  fit.solve_vanishing_at_infinity();
+  std::vector<Complex> poles = fit.poles();
+  for (const Complex pole : poles) {
+    if (!std::isfinite(pole.real()) || !std::isfinite(pole.imag())) throw std::runtime_error("a rational fit has a pole that is no number");
+  }
+  return poles;
 }
 
-Rational pade(std::span<const Wide> taylor_coefficients, std::size_t terms) {
-  const Quotient quotient = solve_pade_system(taylor_coefficients, terms);
-  const Polynomial slope = quotient.denominator.derivative();
-  const auto n = static_cast<Eigen::Index>(terms);
-  Rational rational{narrow(quotient.numerator.coefficient[n] / quotient.denominator.coefficient[n]), {}, {}};
-  for (const Wide& root : roots(quotient.denominator)) {
-    rational.pole.push_back(narrow(-1.0L / root));
-    rational.residue.push_back(narrow(-quotient.numerator(root) / (slope(root) * root)));
+ResidueFit::ResidueFit(std::span<const double> x, std::span<const double> weight, std::span<const std::complex<double>> pole)
+    : weight_(Eigen::VectorXd::Map(weight.data(), static_cast<Eigen::Index>(weight.size()))) {
+  Eigen::MatrixXcd matrix(weight_.size(), static_cast<Eigen::Index>(pole.size()));
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+      matrix(i, j) = weight_(i) / (1.0 - x[static_cast<std::size_t>(i)] / pole[static_cast<std::size_t>(j)]);
   }
-  return rational;
+  factors_.compute(matrix);
 }
 
-Rational propagator(double phase, std::size_t terms) {
-  Rational step = pade(taylor_of_step(static_cast<long double>(phase), 2 * terms + 1), terms);
-  if (!is_unitary(step)) {
-    throw std::runtime_error("a Pade approximant of " + std::to_string(terms) + " terms for a step of " + std::to_string(phase) +
-                             " rad is beyond the working accuracy; use fewer terms or a longer step");
-  }
-  return step;
+std::vector<std::complex<double>> ResidueFit::residues(std::span<const std::complex<double>> value) const {
+  const Eigen::VectorXcd right = weight_.cwiseProduct(Eigen::VectorXcd::Map(value.data(), weight_.size()));
+  const Eigen::VectorXcd solution = factors_.solve(right);
+  return {solution.begin(), solution.end()};
 }
 
 }  // namespace earshot::pe

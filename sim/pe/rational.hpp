@@ -1,41 +1,51 @@
 #pragma once
 
+#include <Eigen/Dense>
 #include <complex>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace earshot::pe {
 
-/// A rational function as a sum of simple poles, so that every pole is one tridiagonal solve and all of them share one right-hand side.
+/// A rational function that vanishes at infinity, as a sum of simple poles: every pole is one tridiagonal solve and all of them share one
+/// right-hand side.
 ///
-///   R(x) = constant + sum_j residue_j / (1 + pole_j x)
+///   R(x) = sum_j residue_j / (1 - x / pole_j)
 struct Rational {
-  std::complex<double> constant;
   std::vector<std::complex<double>> pole;
   std::vector<std::complex<double>> residue;
 
   [[nodiscard]] std::complex<double> operator()(std::complex<double> x) const;
 };
 
-using Wide = std::complex<long double>;  ///< Pade systems are ill conditioned: double is used up at about 8 terms
+/// A function known at real points, with the weight its error has at each.
+struct Samples {
+  std::vector<double> x;
+  std::vector<std::complex<double>> value;
+  std::vector<double> weight;
+};
 
-/// The first `count` Taylor coefficients of exp(i phase (sqrt(1 + x) - 1)) at x = 0.
-/// Oracle: Rational.TaylorSeriesOfTheStepIsTheHandMadeOne
-[[nodiscard]] std::vector<Wide> taylor_of_step(long double phase, std::size_t count);
-
-/// The [n/n] Pade approximant of a function, by its Taylor coefficients (2n + 1 are used).
+/// Poles that serve a function: support points chosen greedily where the weighted error is largest, barycentric weights from the least
+/// singular vector of the weighted Loewner matrix.
 ///
-/// Throws std::runtime_error when the poles cannot be found to working accuracy.
-/// Source: Collins, "A split-step Pade solution for the parabolic equation method", J. Acoust. Soc. Am. 93 (1993) 1736.
-/// Oracle: Rational.PadeOfTheExponentialIsTheTextbookOne
-[[nodiscard]] Rational pade(std::span<const Wide> taylor_coefficients, std::size_t terms);
+/// @param terms  number of poles, at most a third of the number of samples
+/// Throws std::runtime_error when a pole is not finite.
+/// Source: Nakatsukasa, Sete & Trefethen, "The AAA algorithm for rational approximation", SIAM J. Sci. Comput. 40 (2018) A1494.
+///   Deviations: the weights; the value at infinity is held at zero.   Oracle: Rational.RecoversAFunctionWithThreePolesFromItsSamples
+[[nodiscard]] std::vector<std::complex<double>> fit_poles(const Samples& samples, std::size_t terms);
 
-/// exp(i phase (sqrt(1 + x) - 1)): one range step of phase = k0 dr.
-///
-/// Unlike RAM's it has no stability constraint: the diagonal Pade approximant has modulus one on the whole real axis (its value there is
-/// the reciprocal of its conjugate) and its poles lie below, so that it damps whatever attenuation and absorber lift above the axis.
-/// Throws std::runtime_error when rounding has left nothing of that.
-/// Source: Collins 1993.   Oracle: Rational.StepHasModulusOneOnTheRealAxisAndLessAboveIt
-[[nodiscard]] Rational propagator(double phase, std::size_t terms);
+/// Least squares for residues over given poles; factorised once, it serves any number of functions on the same points.
+/// Oracle: Rational.RecoversAFunctionWithThreePolesFromItsSamples
+class ResidueFit {
+ public:
+  ResidueFit(std::span<const double> x, std::span<const double> weight, std::span<const std::complex<double>> pole);
+
+  [[nodiscard]] std::vector<std::complex<double>> residues(std::span<const std::complex<double>> value) const;
+
+ private:
+  Eigen::VectorXd weight_;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors_;
+};
 
 }  // namespace earshot::pe

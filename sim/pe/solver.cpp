@@ -3,146 +3,227 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "sim/pe/depth_grid.hpp"
 #include "sim/pe/depth_operator.hpp"
-#include "sim/pe/rational.hpp"
-#include "sim/pe/rational_operator.hpp"
-#include "sim/pe/starter.hpp"
+#include "sim/pe/grid_choice.hpp"
+#include "sim/pe/propagator.hpp"
+#include "sim/pe/sweep.hpp"
 
 namespace earshot::pe {
+
 namespace {
 
 using Complex = std::complex<double>;
+constexpr double kPi = std::numbers::pi;
 
-constexpr std::size_t kMostTerms = 12;  // beyond it the Pade system is ill conditioned in 80-bit arithmetic too
+void require(bool allowed, const std::string& what, double value, const std::string& range) {
+  if (allowed) return;
+  std::ostringstream text;
+  text << what << " is " << value << ", allowed: " << range;
+  throw std::invalid_argument(text.str());
+}
 
-/// Below this many wavelengths every range gets a starting field of its own: the propagator, unitary on the real axis, would carry the
-/// evanescent part of a nearer one for ever.
-constexpr double kNearFieldWavelengths = 0.5;
+bool inside(double value, double low, double high) {
+  return value >= low && value <= high;
+}  // false for NaN
 
-struct Speeds {
-  double slowest_mps;  ///< of water and sediment
-  double mean_water_mps;
+void require_valid(const Options& options) {
+  if (options.depth_step)
+    require(inside(options.depth_step->value, 1e-3, 1e3), "depth step in m", options.depth_step->value, "0.001 to 1000");
+  if (options.range_step)
+    require(inside(options.range_step->value, 1e-2, 1e4), "range step in m", options.range_step->value, "0.01 to 10000");
+  if (options.output_step)
+    require(inside(options.output_step->value, 1e-2, 1e5), "output step in m", options.output_step->value, "0.01 to 100000");
+  require(options.terms == 0 || inside(static_cast<double>(options.terms), 2, Sweep::kMaxTerms), "terms",
+          static_cast<double>(options.terms), "2 to 16, or 0 for automatic");
+  require(inside(options.absorber_wavelengths, 0.5, 100.0), "absorber in wavelengths", options.absorber_wavelengths, "0.5 to 100");
+  require(inside(options.accuracy.value, 1e-4, 10.0), "accuracy in dB", options.accuracy.value, "0.0001 to 10");
+}
+
+/// Range steps and the rows of the field within them: either several rows to a step or several steps to a row.
+struct Stepping {
+  double step_m;
+  std::size_t rows_per_step;
+  std::size_t steps_per_row;
+
+  [[nodiscard]] double row_m() const { return step_m * static_cast<double>(steps_per_row) / static_cast<double>(rows_per_step); }
 };
 
-Speeds speeds(const ocean::Environment& environment) {
-  constexpr int kSamples = 1000;
-  Speeds result{.slowest_mps = environment.seabed.layers.front().sound_speed.value, .mean_water_mps = 0.0};
-  for (const auto& layer : environment.seabed.layers) result.slowest_mps = std::min(result.slowest_mps, layer.sound_speed.value);
-  for (int i = 0; i < kSamples; ++i) {
-    const double c = ocean::sound_speed(environment.water, (i + 0.5) / kSamples * environment.seabed.depth).value;
-    result.slowest_mps = std::min(result.slowest_mps, c);
-    result.mean_water_mps += c / kSamples;
+std::size_t whole_ratio(double larger_m, double smaller_m) {
+  const double ratio = std::round(larger_m / smaller_m);
+  require(std::abs(larger_m / smaller_m - ratio) < 1e-6 * ratio, "range step over output step, or its inverse,", larger_m / smaller_m,
+          "a whole number");
+  return static_cast<std::size_t>(ratio);
+}
+
+Stepping choose_stepping(const Options& options, const GridChoice& choice, double wavelength_m) {
+  if (options.range_step) {
+    const double step = options.range_step->value;
+    const double row = options.output_step.value_or(*options.range_step).value;
+    return row >= step ? Stepping{step, 1, whole_ratio(row, step)} : Stepping{step, whole_ratio(step, row), 1};
   }
-  return result;
+  const double row = options.output_step ? options.output_step->value : wavelength_m / 6.0;
+  const double longest = choice.range_step.value;
+  const auto rows_per_step = static_cast<std::size_t>(longest / row);
+  if (rows_per_step >= 1) return {row * static_cast<double>(rows_per_step), rows_per_step, 1};
+  const auto steps_per_row = static_cast<std::size_t>(std::ceil(row / longest));
+  return {row / static_cast<double>(steps_per_row), 1, steps_per_row};
 }
 
-void check(const ocean::Environment& environment, const Options& options, std::span<const double> receiver_depth_m, Meters max_range) {
-  const auto require = [](bool fine, const std::string& what) {
-    if (!fine) throw std::invalid_argument(what);
-  };
-  const double sea_floor = environment.seabed.depth.value;
-  require(options.terms >= 1 && options.terms <= kMostTerms, "terms must be from 1 to " + std::to_string(kMostTerms));
-  require(!options.depth_step || options.depth_step->value > 0.0, "the depth step must be above 0 m");
-  require(!options.range_step || options.range_step->value > 0.0, "the range step must be above 0 m");
-  require(options.absorber_wavelengths > 0.0, "the absorber must be thicker than 0 wavelengths");
-  require(max_range.value > 0.0 && std::isfinite(max_range.value), "the largest range must be above 0 m");
-  for (const double depth : receiver_depth_m) {
-    require(depth >= 0.0 && depth <= sea_floor,
-            "receiver depth " + std::to_string(depth) + " m must be from 0 m to the sea floor at " + std::to_string(sea_floor) + " m");
+/// Highest eigenvalue of Numerov's second difference is 6 / h^2: the most evanescent wave the grid holds.
+Spectrum spectrum_of(const Section& section, const DepthGrid& grid, Hertz frequency) {
+  const double phase = grid.reference_wavenumber_per_m * grid.step_m;
+  const double slowest = 2.0 * kPi * frequency.value / grid.reference_wavenumber_per_m;
+  const double ratio = slowest / sound_speed_bounds(section).highest_mps;
+  constexpr double kLeastAngle = 15.0 / 180.0 * kPi;  // to the horizontal, of what is to be most accurate
+  return {.lowest = -1.0 - 6.0 / (phase * phase),
+          .trapped = std::min(ratio * ratio - 1.0, -std::sin(kLeastAngle) * std::sin(kLeastAngle)),
+          .highest = 0.0};
+}
+
+/// One march: the field at every receiver within a step from the solutions of that step.
+class March {
+ public:
+  March(const Section& section, const PointSource& source, const DepthGrid& grid, const Stepping& stepping, std::size_t terms,
+        std::span<const double> receiver_depth_m)
+      : stepping_(stepping),
+        varies_(section.floor.size() > 1 || section.water_varies() || section.sediment.size() > 1),
+        operator_(section, source.frequency, grid),
+        sweep_(grid.intervals, terms),
+        depth_m_(receiver_depth_m),
+        taps_(receiver_depth_m.size()),
+        y_(static_cast<Eigen::Index>(terms), static_cast<Eigen::Index>(receiver_depth_m.size())) {
+    std::vector<double> offset;
+    for (std::size_t i = 1; i <= stepping.rows_per_step; ++i)
+      offset.push_back(stepping.step_m * static_cast<double>(i) / static_cast<double>(stepping.rows_per_step));
+    const Propagator propagator =
+        make_propagator(grid.reference_wavenumber_per_m, stepping.step_m, offset, spectrum_of(section, grid, source.frequency), terms);
+    sweep_.set_rational(propagator.step);
+    read_off_.resize(static_cast<Eigen::Index>(offset.size()), static_cast<Eigen::Index>(terms));
+    for (Eigen::Index row = 0; row < read_off_.rows(); ++row) {
+      for (Eigen::Index j = 0; j < read_off_.cols(); ++j)
+        read_off_(row, j) = propagator.pressure_residue[static_cast<std::size_t>(row)][static_cast<std::size_t>(j)] /
+                            propagator.step.residue[static_cast<std::size_t>(j)];
+    }
+    rows_.resize(read_off_.rows(), y_.cols());
+
+    operator_.move_to(0.5 * stepping.step_m);
+    sweep_.take(operator_, {1, grid.intervals - 1}, meeting_row());
+    const DepthTap tap = tap_at(grid, source.depth.value, operator_.floor_depth_m());
+    for (std::size_t k = 0; k < DepthTap::kNodes; ++k)
+      sweep_.set_field(tap.node[k], sweep_.field(tap.node[k]) + tap.weight[k] / grid.step_m);
+    sweep_.set_field(0, 0.0);
+    place_taps(true);
   }
-}
 
-/// Two significant digits, rounded down, so that automatic ranges read well.
-double round_number(double x) {
-  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
-  return std::floor(x / unit + 1e-9) * unit;
-}
+  void step() {
+    if (steps_ > 0 && varies_) enter_next_medium();
+    sweep_.apply();
+    ++steps_;
+  }
 
-/// Everything about one solution that does not change along the range.
-struct Plan {
-  double k0_per_m;
-  double near_field_m;  ///< up to here every range gets a starting field of its own
-  Meters range_step;
-  DepthGrid grid;
-  DepthOperator x;
-  Spectrum spectrum;
+  /// Rows of the field that lie in the step just made, from `first_row` on.
+  void read(Field& field, Eigen::Index first_row) {
+    const auto terms = static_cast<std::size_t>(y_.rows());
+    for (std::size_t i = 0; i < taps_.size(); ++i) sweep_.solutions_at(taps_[i], {y_.col(static_cast<Eigen::Index>(i)).data(), terms});
+    rows_.noalias() = read_off_ * y_;
+    const double k0 = operator_.grid().reference_wavenumber_per_m;
+    for (Eigen::Index row = 0; row < rows_.rows() && first_row + row < field.pressure.rows(); ++row) {
+      const double range = static_cast<double>(first_row + row + 1) * field.range_step.value;
+      const Complex spreading = std::polar(std::sqrt(2.0 * kPi / (k0 * range)), 0.25 * kPi);
+      field.pressure.row(first_row + row) = spreading * rows_.row(row).array();
+    }
+  }
+
+ private:
+  void enter_next_medium() {
+    const double middle = (static_cast<double>(steps_) + 0.5) * stepping_.step_m;
+    const RowRange changed = operator_.rows_changed_by(middle);
+    if (changed.empty()) return;
+    const double floor_before = operator_.floor_depth_m();
+    operator_.move_to(middle);
+    sweep_.take(operator_, changed, meeting_row());
+    if (operator_.floor_depth_m() != floor_before) place_taps(false);
+  }
+
+  /// Where the elimination from the surface and the one from below meet: at the sea floor if that is what moves.
+  [[nodiscard]] std::size_t meeting_row() const {
+    const DepthGrid& grid = operator_.grid();
+    return varies_ ? static_cast<std::size_t>(operator_.floor_depth_m() / grid.step_m) : grid.intervals / 2;
+  }
+
+  /// Receivers within reach of the sea floor must not be interpolated across it.
+  void place_taps(bool all) {
+    const double floor = operator_.floor_depth_m();
+    const double reach = static_cast<double>(DepthTap::kNodes) * operator_.grid().step_m;
+    for (std::size_t i = 0; i < taps_.size(); ++i) {
+      const bool near = std::abs(depth_m_[i] - floor) < reach || std::abs(depth_m_[i] - tap_floor_m_) < reach ||
+                        (depth_m_[i] < floor) != (depth_m_[i] < tap_floor_m_);
+      if (all || near) taps_[i] = tap_at(operator_.grid(), depth_m_[i], floor);
+    }
+    tap_floor_m_ = floor;
+  }
+
+  Stepping stepping_;
+  bool varies_;
+  DepthOperator operator_;
+  Sweep sweep_;
+  std::span<const double> depth_m_;
+  std::vector<DepthTap> taps_;
+  double tap_floor_m_ = 0.0;
+  std::size_t steps_ = 0;
+  Eigen::MatrixXcd read_off_;                                                     // [n_offset x n_term]
+  Eigen::MatrixXcd y_;                                                            // [n_term x n_depth]
+  Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows_;  // [n_offset x n_depth]
 };
-
-Plan make_plan(const ocean::Environment& environment, const Options& options) {
-  const Hertz frequency = environment.source.frequency;
-  const auto [slowest, mean] = speeds(environment);
-  const double wavelength_m = slowest / frequency.value;
-  Plan plan{.k0_per_m = 2.0 * std::numbers::pi * frequency.value / mean,
-            .near_field_m = 0.0,
-            .range_step = options.range_step.value_or(Meters{round_number(wavelength_m / 4.0)}),
-            .grid = make_depth_grid(
-                environment.water, environment.seabed, frequency,
-                {.step = options.depth_step.value_or(Meters{wavelength_m / 16.0}), .absorber_wavelengths = options.absorber_wavelengths}),
-            .x = {},
-            .spectrum = {}};
-  plan.near_field_m = std::max(plan.range_step.value, kNearFieldWavelengths * wavelength_m);
-  plan.x = make_depth_operator(plan.grid, plan.k0_per_m);
-  // The steepest wave that the water's grid holds under Numerov's mass weights has kz = sqrt(6) / step.
-  plan.spectrum = {.lowest = -6.0 / std::pow(plan.k0_per_m * plan.grid.water_step_m, 2) - 1.0,
-                   .highest = std::pow(mean / slowest, 2) - 0.99};
-  return plan;
-}
-
-/// The delta function of a unit source, scaled so that the starter makes pressure times the square root of range of it.
-std::vector<Complex> point_source(const Plan& plan, Meters depth) {
-  std::vector<Complex> delta(plan.x.size());
-  const DepthTap tap = tap_at(plan.grid, depth);
-  const double scale = std::sqrt(2.0 * std::numbers::pi / plan.k0_per_m) / plan.grid.water_step_m;
-  for (std::size_t i = 0; i < tap.weight.size(); ++i) {
-    const std::size_t node = tap.first_node + i;  // node 0 is the surface and holds no pressure
-    if (node > 0) delta[node - 1] += scale * tap.weight[i];
-  }
-  return delta;
-}
-
-Complex pressure_at(std::span<const Complex> p, const DepthTap& tap) {
-  Complex sum = 0.0;
-  for (std::size_t i = 0; i < tap.weight.size(); ++i) {
-    const std::size_t node = tap.first_node + i;
-    if (node > 0) sum += tap.weight[i] * p[node - 1];
-  }
-  return sum;
-}
 
 }  // namespace
 
-Field solve(const ocean::Environment& environment, const Options& options, std::span<const double> receiver_depth_m, Meters max_range,
-            const Progress& progress) {
-  check(environment, options, receiver_depth_m, max_range);
-  const Plan plan = make_plan(environment, options);
-  const double dr = plan.range_step.value;
-  Field field{.range_step = plan.range_step, .depth_m = {receiver_depth_m.begin(), receiver_depth_m.end()}, .pressure = {}};
-  const auto rows = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::floor(max_range.value / dr + 1e-9)));
-  field.pressure.resize(rows, static_cast<Eigen::Index>(receiver_depth_m.size()));
-  std::vector<DepthTap> taps;
-  for (const double depth : receiver_depth_m) taps.push_back(tap_at(plan.grid, Meters{depth}));
+Field solve(const Section& section, const PointSource& source, const Options& options, std::span<const double> receiver_depth_m,
+            Meters max_range, const Progress& progress) {
+  require_valid(options);
+  require(inside(source.frequency.value, 0.1, 1e5), "frequency in Hz", source.frequency.value, "0.1 to 100000");
+  require(inside(max_range.value, 1e-2, 2e7), "range in m", max_range.value, "0.01 to 20000000");
+  require_valid(section, source.depth);
 
-  const std::vector<Complex> source = point_source(plan, environment.source.depth);
-  std::vector<Complex> p;
-  RationalOperator step(plan.x, propagator(plan.k0_per_m * dr, options.terms));
-  for (Eigen::Index row = 0; row < rows; ++row) {
-    const double range_m = static_cast<double>(row + 1) * dr;
-    if (range_m - dr < plan.near_field_m) {
-      p = source;
-      RationalOperator(plan.x, starter(plan.k0_per_m * range_m, plan.spectrum)).apply(p);
-    } else {
-      step.apply(p);
-    }
-    for (std::size_t i = 0; i < taps.size(); ++i)
-      field.pressure(row, static_cast<Eigen::Index>(i)) = pressure_at(p, taps[i]) / std::sqrt(range_m);
-    if (progress && row % 64 == 0) progress(static_cast<double>(row) / static_cast<double>(rows));
+  const GridChoice choice = choose_grid(section, source.frequency, max_range, options.accuracy);
+  const DepthGrid grid =
+      make_depth_grid(section, source.frequency, options.depth_step.value_or(choice.depth_step), options.absorber_wavelengths);
+  require(grid.intervals >= 8 && grid.intervals <= 10'000'000, "number of depth steps", static_cast<double>(grid.intervals),
+          "8 to 10000000: choose another depth step");
+  for (const double depth : receiver_depth_m) {
+    std::ostringstream allowed;
+    allowed << "0 to " << grid.absorber_top_m << " (below it lies the absorber)";
+    require(inside(depth, 0.0, grid.absorber_top_m), "receiver depth in m", depth, allowed.str());
+  }
+
+  const Stepping stepping = choose_stepping(options, choice, 2.0 * kPi / grid.reference_wavenumber_per_m);
+  March march(section, source, grid, stepping, options.terms == 0 ? choice.terms : options.terms, receiver_depth_m);
+  Field field{.range_step = Meters{stepping.row_m()}, .depth_m = {receiver_depth_m.begin(), receiver_depth_m.end()}, .pressure = {}};
+  const double rows = std::max(1.0, std::floor(max_range.value / stepping.row_m() + 1e-9));
+  field.pressure.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(receiver_depth_m.size()));
+
+  constexpr std::size_t kStepsPerReport = 64;
+  Eigen::Index row = 0;
+  for (std::size_t step = 1; row < field.pressure.rows(); ++step) {
+    march.step();
+    if (step % stepping.steps_per_row != 0) continue;
+    march.read(field, row);
+    row += static_cast<Eigen::Index>(stepping.rows_per_step);
+    if (progress && step % kStepsPerReport == 0) progress(std::min(1.0, static_cast<double>(row) / rows));
   }
   if (progress) progress(1.0);
   return field;
+}
+
+Field solve(const ocean::Environment& environment, const Options& options, std::span<const double> receiver_depth_m, Meters max_range,
+            const Progress& progress) {
+  return solve(make_section(environment), {environment.source.frequency, environment.source.depth}, options, receiver_depth_m, max_range,
+               progress);
 }
 
 }  // namespace earshot::pe

@@ -10,39 +10,51 @@
 
 #include "firmware/core/units.hpp"
 #include "sim/ocean/environment.hpp"
+#include "sim/pe/section.hpp"
 
 namespace earshot::pe {
 
-/// What is left empty is chosen from the wavelength: a sixteenth of the shortest in depth, a quarter in range.
+/// What is left empty (or 0) is chosen from frequency, environment and accuracy: grid_choice.hpp.
 struct Options {
-  std::optional<Meters> depth_step;
-  std::optional<Meters> range_step;
-  std::size_t terms = 8;              ///< poles of the propagator, 1 to 12; a multiple of 8 fills the vector lanes
+  std::optional<Meters> depth_step = {};
+  std::optional<Meters> range_step = {};   ///< of the march; output_step is a multiple of it, or it of output_step
+  std::size_t terms = 0;              ///< poles of the propagator, 2 to 16; a multiple of 4 fills the vector lanes
   double absorber_wavelengths = 6.0;  ///< thickness of the perfectly matched layer
+  std::optional<Meters> output_step = {};  ///< between rows of the field; empty: range_step if given, else a sixth of a wavelength
+  Decibels accuracy{0.02};            ///< of transmission loss, mean over ranges
 };
 
 /// Complex pressure of a source of unit amplitude at 1 m, without its common phase factor exp(i k0 r).
 struct Field {
-  Meters range_step;
+  Meters range_step;  ///< between rows
   std::vector<double> depth_m;
   Eigen::Array<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
       pressure;  ///< [n_range x n_depth], row i at (i + 1) range_step
 };
 
+struct PointSource {
+  Hertz frequency;
+  Meters depth;
+};
+
 /// Called now and then with the share of the work that is done, 0 to 1.
 using Progress = std::function<void(double fraction)>;
 
-/// Sound of `environment.source` against range and depth by the split-step Pade parabolic equation, as far as `max_range` and one row at
-/// least.
+/// Sound of a point source against range and depth by the parabolic equation, as far as `max_range` and one row at least.
 ///
-///   p(r + dr, z) = exp(i k0 dr (sqrt(1 + X) - 1)) p(r, z)
+///   u(r + dr) = exp(i k0 dr (sqrt(1 + X) - 1)) u(r),   u = (k0 (1 + X))^(1/4) p,   u(0) = delta(z - z_s)
 ///
-/// One way, cylindrical spreading, density and attenuation of the sediment included. Nothing is allocated in the march.
+/// One way, cylindrical spreading; density, attenuation and layers of the sediment, bathymetry and water against range. The march allocates
+/// nothing. X is that of the middle of a step; where it changes, pressure and velocity are matched in the mean (sweep.hpp).
 ///
-/// @param receiver_depth_m  each in the water: 0 to the sea floor
-/// Throws std::invalid_argument when an argument lies outside its range, std::runtime_error when no rational function serves.
-/// Source: Collins, J. Acoust. Soc. Am. 93 (1993) 1736.
-/// Oracle: Solver.FollowsTheFullWaveReferenceOfThePapersOcean, Solver.FollowsTheFullWaveReferenceOfThePekerisWaveguide
+/// @param receiver_depth_m  each from 0 to 12000 m, below the sea floor too; no deeper than the half-space's absorber
+/// Throws std::invalid_argument that names what lies outside its range.
+/// Source: Collins, J. Acoust. Soc. Am. 93 (1993) 1736; energy-conserving form: Collins & Westwood, J. Acoust. Soc. Am. 89 (1991) 1068.
+/// Oracle: Solver.*
+[[nodiscard]] Field solve(const Section& section, const PointSource& source, const Options& options,
+                          std::span<const double> receiver_depth_m, Meters max_range, const Progress& progress = {});
+
+/// The same of `environment.source`, over a flat sea floor.
 [[nodiscard]] Field solve(const ocean::Environment& environment, const Options& options, std::span<const double> receiver_depth_m,
                           Meters max_range, const Progress& progress = {});
 

@@ -29,12 +29,10 @@ SonarField compute_sonar_field(const ocean::Environment& environment, const pe::
 
 SnrCurve compute_snr_curve(const ocean::Environment& environment, Meters receiver_depth, Meters max_range) {
   constexpr Meters kStep{10.0};  // at 20 Hz the shortest interference along the range is 75 m long
-  const double quarter_wavelength_m = 1500.0 / environment.source.frequency.value / 4.0;
-  const auto substeps = static_cast<Eigen::Index>(std::ceil(kStep.value / quarter_wavelength_m));
-  const SonarField field = compute_sonar_field(environment, {.depth_step = {}, .range_step = kStep / static_cast<double>(substeps)},
-                                               {receiver_depth.value}, max_range);
-  std::vector<float> snr_db{field.snr_db(std::min(substeps, field.snr_db.rows()) - 1, 0)};
-  for (Eigen::Index row = substeps - 1; row < field.snr_db.rows(); row += substeps) snr_db.push_back(field.snr_db(row, 0));
+  const SonarField field =
+      compute_sonar_field(environment, {.depth_step = {}, .range_step = {}, .output_step = kStep}, {receiver_depth.value}, max_range);
+  std::vector<float> snr_db{field.snr_db(0, 0)};
+  for (Eigen::Index row = 0; row < field.snr_db.rows(); ++row) snr_db.push_back(field.snr_db(row, 0));
   return SnrCurve{kStep, std::move(snr_db)};
 }
 

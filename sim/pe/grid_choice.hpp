@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+
+#include "firmware/core/units.hpp"
+#include "sim/pe/section.hpp"
+
+namespace earshot::pe {
+
+/// The grid of a march, and the error it is expected to make.
+struct GridChoice {
+  Meters depth_step;
+  Meters range_step;
+  std::size_t terms;
+  double predicted_error_db;  ///< mean |dTL| against the limit of a fine grid
+};
+
+/// The coarsest grid that keeps a mean error of transmission loss, from the errors measured on the reference cases (README.md):
+///
+///   depth step   0.014 dB (15 h / lambda)^4            lambda the shortest wavelength
+///   slope        0.056 dB (1.5 dr / lambda)^2 (tan / 0.1)^2  tan the root-mean-square slope of the sea floor
+///   propagator   8.7 dB N e(k0 dr),  e = 4e-7 (k0 dr / 16)^4 for 16 terms
+///
+/// @param accuracy   of the mean over ranges, dB, > 0
+/// @param max_range  > 0
+/// Oracle: GridChoice.*, Solver.PredictsItsErrorOnEveryReferenceCase
+[[nodiscard]] GridChoice choose_grid(const Section& section, Hertz frequency, Meters max_range, Decibels accuracy);
+
+/// What `choose_grid` expects of a given grid.
+[[nodiscard]] double predicted_error_db(const Section& section, Hertz frequency, Meters max_range, Meters depth_step, Meters range_step);
+
+}  // namespace earshot::pe
