@@ -95,6 +95,25 @@ TEST(NetcdfReader, RefusesEveryTruncation) {
   }
 }
 
+TEST(NetcdfReader, RefusesALongClassicFileCutWhereTheLibraryReadsZeros) {
+  const tests::TemporaryFolder folder;
+  const std::vector<float> ones(20'000, 1.0F);
+  int file = -1;
+  int x = -1;
+  int id = -1;
+  ASSERT_EQ(nc_create((folder / "long.nc").c_str(), NC_CLOBBER, &file), NC_NOERR);
+  ASSERT_EQ(nc_def_dim(file, "x", ones.size(), &x), NC_NOERR);
+  ASSERT_EQ(nc_def_var(file, "v", NC_FLOAT, 1, &x, &id), NC_NOERR);
+  ASSERT_EQ(nc_enddef(file), NC_NOERR);
+  ASSERT_EQ(nc_put_var_float(file, id, ones.data()), NC_NOERR);
+  ASSERT_EQ(nc_close(file), NC_NOERR);
+  EXPECT_EQ(Reader(folder / "long.nc").read("v").back(), 1.0);
+  for (const std::uintmax_t length : {79'000U, 40'000U, 10'000U, 1000U}) {
+    std::filesystem::resize_file(folder / "long.nc", length);
+    EXPECT_THROW(Reader(folder / "long.nc"), FileError) << length;
+  }
+}
+
 TEST(NetcdfReader, SurvivesADamagedHeader) {
   const tests::TemporaryFolder folder;
   for (const int format : {0, NC_NETCDF4}) {

@@ -77,19 +77,46 @@ class FileSizeLimit {
   void (*handler_)(int);
 };
 
-TEST(NetcdfWriter, SaysThatTheDiskIsFullAndLeavesNothingBehind) {
-  const tests::TemporaryFolder folder;
-  {
-    const FileSizeLimit limit(20'000);
-    EXPECT_THROW(
-        {
-          Writer file(folder / "f.nc");
-          fill(file, 100'000);
-          file.commit();
-        },
-        FileError);
+/// True when the file was written, false when that was refused.
+bool write_within(const std::filesystem::path& path, std::size_t values, rlim_t bytes) {
+  const FileSizeLimit limit(bytes);
+  try {
+    Writer file(path);
+    fill(file, values);
+    file.commit();
+  } catch (const FileError&) {
+    return false;
   }
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  return true;
+}
+
+TEST(NetcdfWriter, SaysThatTheDiskIsFullAndLeavesNothingBehindWhereverItFills) {
+  const tests::TemporaryFolder folder;
+  for (const std::size_t values : {10U, 20'000U}) {
+    int written = 0;
+    int refused = 0;
+    for (rlim_t bytes = 50; bytes < 20 * values + 20'000; bytes += 50 + 2 * values) {
+      if (write_within(folder / "f.nc", values, bytes)) {
+        ++written;
+        EXPECT_EQ(Reader(folder / "f.nc").read("tl"), std::vector<double>(values, 80.25)) << bytes;
+        std::filesystem::remove(folder / "f.nc");
+      } else {
+        ++refused;
+      }
+      EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << bytes;
+    }
+    EXPECT_GT(written, 0);
+    EXPECT_GT(refused, 3);
+  }
+}
+
+TEST(NetcdfWriter, SaysThatItCannotTakeItsNameAndLeavesNothingBehind) {
+  const tests::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "f.nc/in the way");
+  Writer file(folder / "f.nc");
+  fill(file, 5);
+  EXPECT_THROW(file.commit(), FileError);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
 }  // namespace
