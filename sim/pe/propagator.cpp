@@ -16,6 +16,10 @@ constexpr double kEvanescentWeight = 0.02;
 constexpr double kBeyond = 1e-3;  // the fit reaches this far above the most grazing wave
 constexpr int kAngles = 60;
 constexpr int kEvanescent = 20;
+// No wave is slower than the slowest medium; a few points there, for what they cost little, keep poles away from the real axis.
+constexpr int kSlower = 12;
+constexpr double kSlowerPhase = 16.0;  // k0 dr x, as far as the step turns a few times
+constexpr double kSlowerWeight = 1e-3;
 
 struct Point {
   double x;
@@ -26,7 +30,7 @@ double weight_at(double angle, double trapped_angle) {
   return std::pow(kVerticalWeight, std::max(0.0, (angle - trapped_angle) / (0.5 * kPi - trapped_angle)));
 }
 
-std::vector<Point> points_of(const Spectrum& spectrum) {
+std::vector<Point> points_of(const Spectrum& spectrum, double phase) {
   const double scale = 1.0 + spectrum.highest;  // 1 + x = scale cos^2(angle)
   const double trapped_angle = std::acos(std::sqrt((1.0 + spectrum.trapped) / scale));
   std::vector<Point> points{{spectrum.highest + kBeyond, 1.0}, {spectrum.highest + 0.5 * kBeyond, 1.0}};
@@ -38,6 +42,10 @@ std::vector<Point> points_of(const Spectrum& spectrum) {
   for (int i = 0; i < kEvanescent; ++i) {
     const double beyond = nearest * std::pow(-(spectrum.lowest + 1.0) / nearest, static_cast<double>(i) / (kEvanescent - 1));
     points.push_back({-1.0 - beyond, kEvanescentWeight});
+  }
+  for (int i = 1; i <= kSlower; ++i) {
+    const double share = static_cast<double>(i) / kSlower;
+    points.push_back({spectrum.highest + 2.0 * kBeyond + std::min(30.0, kSlowerPhase / phase) * share * share, kSlowerWeight});
   }
   return points;
 }
@@ -73,10 +81,10 @@ void measure(Propagator& propagator, double phase, const Spectrum& spectrum) {
 
 Propagator make_propagator(double reference_wavenumber_per_m, double step_m, std::span<const double> offset_m, const Spectrum& spectrum,
                            std::size_t terms) {
-  const std::vector<Point> points = points_of(spectrum);
+  const double phase = reference_wavenumber_per_m * step_m;
+  const std::vector<Point> points = points_of(spectrum, phase);
   Samples samples;
   for (const Point& point : points) samples.x.push_back(point.x), samples.weight.push_back(point.weight);
-  const double phase = reference_wavenumber_per_m * step_m;
   samples.value = values(points, phase, false);
 
   Propagator propagator;

@@ -18,10 +18,10 @@ namespace earshot::pe {
 struct Options {
   std::optional<Meters> depth_step = {};
   std::optional<Meters> range_step = {};   ///< of the march; output_step is a multiple of it, or it of output_step
-  std::size_t terms = 0;              ///< poles of the propagator, 2 to 16; a multiple of 4 fills the vector lanes
-  double absorber_wavelengths = 6.0;  ///< thickness of the perfectly matched layer
+  std::size_t terms = 0;                   ///< poles of the propagator, 2 to 16; a multiple of 4 fills the vector lanes
+  double absorber_wavelengths = 6.0;       ///< thickness of the perfectly matched layer
   std::optional<Meters> output_step = {};  ///< between rows of the field; empty: range_step if given, else a sixth of a wavelength
-  Decibels accuracy{0.02};            ///< of transmission loss, mean over ranges
+  Decibels accuracy{0.02};                 ///< of transmission loss, mean over ranges
 };
 
 /// Complex pressure of a source of unit amplitude at 1 m, without its common phase factor exp(i k0 r).

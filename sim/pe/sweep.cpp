@@ -31,7 +31,7 @@ struct Sweep::Kernel {
     static Lanes all(double re, double im) {
       Lanes a;
 #pragma GCC unroll 4
-      for (std::size_t v = 0; v < V; ++v) a.re[v] = Vector{} + re, a.im[v] = Vector{} + im;
+      for (std::size_t v = 0; v < V; ++v) a.re[v] = Vector{re, re, re, re}, a.im[v] = Vector{im, im, im, im};
       return a;
     }
     /// this + b c, and this - b c

@@ -69,6 +69,134 @@ TEST(Solver, FollowsTheFullWaveReferenceOfThePekerisWaveguide) {
   EXPECT_LT(reference::compare(loss, truth, 2'000, 20'000, skip).mean_db, 0.1);  // likewise
 }
 
+ocean::SoundSpeedProfile munk() {
+  return papers_ocean().water;
+}
+
+Section asa_wedge() {
+  return {.floor = {{0.0, 200.0}, {4'000.0, 0.0}},
+          .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+          .sediment = {{0.0, {{0.0, 1700.0, 1.5, 0.5}}}}};
+}
+
+Section upslope() {
+  return {.floor = {{0.0, 3000.0}, {5'000.0, 3000.0}, {25'000.0, 1000.0}, {35'000.0, 1000.0}},
+          .water = {{0.0, munk()}},
+          .sediment = {{0.0, {{0.0, 1600.0, 1.8, 0.5}}}}};
+}
+
+Options every(double output_step_m) {
+  return {.output_step = Meters{output_step_m}};
+}
+
+TEST(Solver, FollowsTheFullWaveReferenceOnTheAutomaticGrid) {
+  const auto deep = reference::load("munk_20hz");
+  const auto loss = loss_of(solve_at(papers_ocean(), 300.0, 100'000.0, every(10.0)));
+  const reference::DeepMinimum skip(deep, 1500);
+  EXPECT_LT(reference::compare(loss, deep, 1'000, 25'000, skip).mean_db, 0.02);  // the accuracy asked for; the case asks for 0.03
+  EXPECT_LT(reference::compare(loss, deep, 25'000, 100'000, skip).mean_db, 0.012);
+  const auto shallow = reference::load("pekeris");
+  const auto shallow_loss = loss_of(solve_at(pekeris(), 46.0, 20'000.0, every(10.0)));
+  EXPECT_LT(reference::compare(shallow_loss, shallow, 500, 20'000, reference::DeepMinimum(shallow, 300)).mean_db, 0.012);
+}
+
+TEST(Solver, FollowsTheFullWaveReferenceOfTheAsaWedge) {
+  const Field field = solve(asa_wedge(), {Hertz{25.0}, Meters{100.0}}, every(5.0), std::vector<double>{30.0, 150.0}, Meters{3'900.0});
+  const std::vector<double> tolerance_db{0.15, 0.25};  // tolerance_db of the case
+  for (const int column : {0, 1}) {
+    const auto truth = reference::load("asa_wedge", column);
+    const auto difference = reference::compare(loss_of(field, column), truth, 500, 3'900, reference::DeepMinimum(truth, 300));
+    EXPECT_GT(difference.count, 600);
+    EXPECT_LT(difference.mean_db, tolerance_db[static_cast<std::size_t>(column)]);
+  }
+}
+
+TEST(Solver, ComesFourTimesCloserToTheFullWaveOnASlopeThanAPressureMatchedPe) {
+  const Field field =
+      solve(upslope(), {Hertz{20.0}, Meters{30.0}}, every(25.0), std::vector<double>{100.0, 300.0, 800.0}, Meters{35'000.0});
+  for (const int column : {0, 1, 2}) {
+    const auto truth = reference::load("upslope_deep", column);
+    const auto difference = reference::compare(loss_of(field, column), truth, 1'000, 35'000, reference::DeepMinimum(truth, 1500));
+    EXPECT_LT(difference.mean_db, 0.17) << column;  // RAM converges to 0.65-0.87 dB; what is left is backscatter and one-way coupling
+  }
+}
+
+TEST(Solver, PredictsItsErrorOnASlope) {
+  const auto at = [](double accuracy_db) {
+    Options options = every(10.0);
+    options.accuracy = Decibels{accuracy_db};
+    return loss_of(solve(asa_wedge(), {Hertz{25.0}, Meters{100.0}}, options, std::vector<double>{30.0}, Meters{3'900.0}));
+  };
+  const auto fine = at(0.001);
+  for (const double accuracy : {0.02, 0.05, 0.1}) {
+    const auto difference = reference::compare(at(accuracy), fine, 500, 3'900, reference::DeepMinimum(fine, 300));
+    EXPECT_LT(difference.mean_db, 1.5 * accuracy) << accuracy;  // a mean over one ocean scatters about the prediction
+  }
+}
+
+TEST(Solver, FindsTheSamePressureInsideALongStepAsAtTheEndOfShortOnes) {
+  const std::vector<double> depth{300.0};
+  const Options in_long_steps{.depth_step = Meters{5.0}, .range_step = Meters{200.0}, .terms = 16, .output_step = Meters{25.0}};
+  const Options in_short_steps{.depth_step = Meters{5.0}, .range_step = Meters{25.0}, .terms = 16, .output_step = Meters{25.0}};
+  const Field a = solve(papers_ocean(), in_long_steps, depth, Meters{10'000.0});
+  const Field b = solve(papers_ocean(), in_short_steps, depth, Meters{10'000.0});
+  ASSERT_EQ(a.pressure.rows(), b.pressure.rows());
+  const double scale = b.pressure.abs().bottomRows(360).mean();
+  EXPECT_LT((a.pressure - b.pressure).abs().bottomRows(360).mean(), 1e-3 * scale);  // 400 steps of 1e-6, steep waves more
+}
+
+TEST(Solver, KeepsTheEnergyOfALosslessChannel) {
+  // Energy flux of trapped waves, int |p|^2 / rho r dz x k_r, over a hard, lossless floor; modes beat in depth, not in the integral.
+  const Section section{
+      .floor = {{0.0, 200.0}}, .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}}, .sediment = {{0.0, {{0.0, 1600.0, 1.5, 0.0}}}}};
+  std::vector<double> depth;
+  for (double z = 2.0; z < 200.0; z += 2.0) depth.push_back(z);
+  const Field field = solve(section, {Hertz{50.0}, Meters{100.0}}, every(500.0), depth, Meters{100'000.0});
+  const auto flux = [&](Eigen::Index first) {  // mean over 10 km, many beats
+    double sum = 0.0;
+    for (Eigen::Index row = first; row < first + 20; ++row) sum += field.pressure.row(row).abs2().sum() * static_cast<double>(row + 1);
+    return sum;
+  };
+  EXPECT_NEAR(flux(180) / flux(80), 1.0, 0.01);  // 0.04 dB in 50 km: what is left of the beats
+}
+
+TEST(Solver, IsReciprocalOverASlopeWithinItsOneWayLimit) {
+  // Source and receiver change places, and the slope its direction: 200 m deep here, 120 m there.
+  const auto section = [](double near_m, double far_m) {
+    return Section{.floor = {{0.0, near_m}, {5'000.0, far_m}},
+                   .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+                   .sediment = {{0.0, {{0.0, 1700.0, 1.5, 0.5}}}}};
+  };
+  Options options = every(5'000.0);
+  options.accuracy = Decibels{0.01};
+  for (const double z : {30.0, 60.0, 90.0}) {
+    const auto up = solve(section(200.0, 120.0), {Hertz{50.0}, Meters{100.0}}, options, std::vector<double>{z}, Meters{5'000.0});
+    const auto down = solve(section(120.0, 200.0), {Hertz{50.0}, Meters{z}}, options, std::vector<double>{100.0}, Meters{5'000.0});
+    EXPECT_NEAR(20.0 * std::log10(std::abs(up.pressure(0, 0)) / std::abs(down.pressure(0, 0))), 0.0, 0.15)
+        << z;  // one-way error of a slope
+  }
+}
+
+TEST(Solver, ConvergesWithTheSecondPowerOfTheRangeStepOnASlope) {
+  const auto at = [](double step_m) {
+    const Options options{.depth_step = Meters{2.5}, .range_step = Meters{step_m}, .terms = 16, .output_step = Meters{80.0}};
+    return solve(asa_wedge(), {Hertz{25.0}, Meters{100.0}}, options, std::vector<double>{60.0}, Meters{3'200.0});
+  };
+  const Field fine = at(5.0);
+  const auto error = [&](double step_m) { return (at(step_m).pressure - fine.pressure).abs().bottomRows(30).mean(); };
+  EXPECT_GT(error(40.0) / error(20.0), 2.5);  // 4 in the limit
+}
+
+TEST(Solver, FollowsASectionThatEndsBeforeTheRangeDoes) {
+  Section flat = asa_wedge();
+  flat.floor = {{0.0, 200.0}, {100.0, 200.0}};
+  Section same = asa_wedge();
+  same.floor = {{0.0, 200.0}};
+  const auto a = solve(flat, {Hertz{25.0}, Meters{100.0}}, every(50.0), std::vector<double>{50.0}, Meters{3'000.0});
+  const auto b = solve(same, {Hertz{25.0}, Meters{100.0}}, every(50.0), std::vector<double>{50.0}, Meters{3'000.0});
+  EXPECT_LT((a.pressure - b.pressure).abs().maxCoeff(), 1e-9 * b.pressure.abs().maxCoeff());  // only the order of elimination differs
+}
+
 TEST(Solver, MakesTheLloydMirrorOfADeepUniformOcean) {
   // p = exp(i k R1) / R1 - exp(i k R2) / R2, source and its image above the surface; the floor is transparent.
   ocean::Environment environment = pekeris();
@@ -115,6 +243,12 @@ TEST(Solver, RefusesWhatLiesOutsideTheWater) {
   EXPECT_THROW((void)solve_at(pekeris(), std::numeric_limits<double>::quiet_NaN(), 1'000.0, {}), std::invalid_argument);
   EXPECT_THROW((void)solve_at(pekeris(), 50.0, 0.0, {}), std::invalid_argument);
   EXPECT_THROW((void)solve_at(pekeris(), 50.0, 1'000.0, {.depth_step = {}, .range_step = {}, .terms = 17}), std::invalid_argument);
+}
+
+TEST(Solver, RefusesStepsThatDoNotDivideEachOther) {
+  EXPECT_THROW((void)solve_at(pekeris(), 50.0, 1'000.0, {.range_step = Meters{7.0}, .output_step = Meters{10.0}}), std::invalid_argument);
+  EXPECT_NO_THROW((void)solve_at(pekeris(), 50.0, 100.0, {.range_step = Meters{5.0}, .output_step = Meters{10.0}}));
+  EXPECT_THROW((void)solve_at(pekeris(), 50.0, 100.0, {.accuracy = Decibels{0.0}}), std::invalid_argument);
 }
 
 TEST(Solver, HoldsNoPressureAtTheSurface) {
