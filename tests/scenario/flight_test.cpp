@@ -191,17 +191,17 @@ std::vector<std::uint8_t> bytes_of(const board::Encoded& message) {
   return {message.bytes().begin(), message.bytes().end()};
 }
 
-/// Collects the inputs of a turn; true when `record` is an input.
-bool take_input(const board::JournalRecord& record, runtime::Inputs& inputs) {
+/// Gives the runtime the input that `record` holds; false when it holds none.
+bool take_input(const board::JournalRecord& record, runtime::Runtime& runtime) {
   nav_state_t navigation{};
   snr_estimate_t snr{};
   operator_command_t command{};
   if (record.channel == wire::kNavStateChannel && board::decode(record.data, navigation) == Status::kOk) {
-    inputs.navigation = board::from_message(navigation);
+    runtime.take(record.time, board::from_message(navigation));
   } else if (record.channel == wire::kSnrEstimateChannel && board::decode(record.data, snr) == Status::kOk) {
-    inputs.snr = board::from_message(snr);
+    runtime.take(record.time, board::from_message(snr));
   } else if (record.channel == wire::kOperatorCommandChannel && board::decode(record.data, command) == Status::kOk) {
-    inputs.command = board::from_message(command);
+    runtime.take(record.time, board::from_message(command));
   } else {
     return false;
   }
@@ -217,15 +217,13 @@ TEST_F(Flight, GivenItsJournalTheRuntimeDecidesTheSameAgainBitForBit) {
   ASSERT_EQ(runtime->configure(mission, *board::load_policy(folder_ / "walk.policy", folder_ / "walk.pub")), Status::kOk);
 
   board::JournalReader journal(folder_ / "out/journal.lcmlog");
-  runtime::Inputs inputs;
   runtime::Outputs outputs;
   std::size_t turns = 0;
   std::size_t decisions = 0;
   for (board::JournalRecord record; journal.next(record);) {
-    if (take_input(record, inputs)) continue;
+    if (take_input(record, *runtime)) continue;
     if (record.channel == wire::kSetpointChannel) {
-      outputs = runtime->step(record.time, inputs);
-      inputs = {};
+      outputs = runtime->step(record.time);
       ++turns;
       ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(outputs.setpoint, record.time)))) << "turn " << turns;
     } else if (record.channel == wire::kDecisionChannel) {

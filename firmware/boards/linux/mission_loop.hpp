@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdint>
 
+#include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/vehicle_bus.hpp"
 #include "firmware/core/time.hpp"
@@ -32,6 +33,7 @@ struct LoopResult {
 
 /// On the host's clock: one turn every `period` with whatever has arrived. After DONE or ABORT it goes on telling the autopilot to come up.
 /// Ends when told to stop.
-[[nodiscard]] LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, Duration period, const volatile std::sig_atomic_t& stop);
+[[nodiscard]] LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& clock, Duration period,
+                                    const volatile std::sig_atomic_t& stop);
 
 }  // namespace earshot::board

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/journal.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/boards/linux/mission_loop.hpp"
@@ -126,7 +127,7 @@ int fly(const Options& o) {
     link::RuntimeEnd link(*o.simulation);
     result = board::fly_in_simulation(turn, *bus, link, stop_requested);
   } else {
-    result = board::fly_at_sea(turn, *bus, file.step_period, stop_requested);
+    result = board::fly_at_sea(turn, *bus, board::HostClock(), file.step_period, stop_requested);
   }
   const Status kept = journal.close();
   const int status = report(result, *bus, journal_path);
