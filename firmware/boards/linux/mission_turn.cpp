@@ -67,8 +67,8 @@ void MissionTurn::take(Time now, runtime::OperatorCommand command) {
 
 runtime::Outputs MissionTurn::operator()(Time now) {
   const runtime::Outputs outputs = runtime_.step(now);
-  bus_.publish(now, outputs);
   record(now, outputs);
+  bus_.publish(now, outputs);
   return outputs;
 }
 

@@ -237,5 +237,15 @@ TEST_F(AtSea, ItsJournalGivesTheSameOutputsAgainBitForBit) {
   EXPECT_EQ(turns, bus_.published.size());
 }
 
+TEST_F(AtSea, WhatComesOutIsInTheJournalBeforeItIsOnTheBus) {
+  std::vector<std::uint64_t> journalled;
+  bus_.on_publish = [&] { journalled.push_back(journal_->counters().appended); };
+  stop_at(3);
+  (void)fly();
+  ASSERT_GE(journalled.size(), 2U);
+  EXPECT_EQ(journalled[0], 2U);  // set-point and health: nothing has come in
+  EXPECT_EQ(journalled[1], 4U);
+}
+
 }  // namespace
 }  // namespace earshot::board
