@@ -104,9 +104,13 @@ LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& clock
       bus.wait(std::min(kPause, next_turn - now));
       bus.collect(host_time(clock, result.time), turn);
     }
+    if (stop != 0) break;
     result.time = host_time(clock, result.time);
     result.last = turn(result.time);
   }
+  result.time = host_time(clock, result.time);
+  if (!is_over(result.last)) turn.take(result.time, runtime::OperatorCommand::kAbort);
+  result.last = turn(result.time);
   return result;
 }
 

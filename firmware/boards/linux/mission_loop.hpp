@@ -32,7 +32,8 @@ struct LoopResult {
                                            const volatile std::sig_atomic_t& stop);
 
 /// On the host's clock: one turn every `period` with whatever has arrived. After DONE or ABORT it goes on telling the autopilot to come up.
-/// Ends when told to stop.
+/// Ends when told to stop, with a last turn: an
+/// ABORT if the mission is not over yet, so that the autopilot does not go on with the last set-point of the search.
 [[nodiscard]] LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& clock, Duration period,
                                     const volatile std::sig_atomic_t& stop);
 

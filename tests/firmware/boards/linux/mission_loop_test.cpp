@@ -237,6 +237,29 @@ TEST_F(AtSea, ItsJournalGivesTheSameOutputsAgainBitForBit) {
   EXPECT_EQ(turns, bus_.published.size());
 }
 
+TEST_F(AtSea, BeingStoppedInMidSearchEndsWithASetPointThatSaysStopAndComeUp) {
+  hear(0, 20);
+  order(seconds(1.5), OperatorCommand::kStart);
+  stop_at(15);
+  const LoopResult result = fly();
+  EXPECT_EQ(result.end, LoopEnd::kStopped);
+  ASSERT_GT(bus_.published.size(), 14U);
+  EXPECT_EQ(bus_.published[13].setpoint.speed, MetersPerSecond{2});
+  EXPECT_EQ(bus_.last().state, MissionState::kAbort);
+  EXPECT_EQ(bus_.last().setpoint.speed, MetersPerSecond{0});
+  EXPECT_EQ(bus_.last().setpoint.depth, Meters{0});
+  EXPECT_EQ(journalled_orders().back(), OperatorCommand::kAbort);
+}
+
+TEST_F(AtSea, BeingStoppedAfterItsEndLeavesTheEndAsItWas) {
+  hear(0, 20);
+  order(seconds(1.5), OperatorCommand::kStart);
+  order(seconds(5.5), OperatorCommand::kComplete);
+  stop_at(15);
+  EXPECT_EQ(fly().last.end_reason, runtime::EndReason::kCompleted);
+  EXPECT_EQ(bus_.last().state, MissionState::kDone);
+}
+
 TEST_F(AtSea, WhatComesOutIsInTheJournalBeforeItIsOnTheBus) {
   std::vector<std::uint64_t> journalled;
   bus_.on_publish = [&] { journalled.push_back(journal_->counters().appended); };
