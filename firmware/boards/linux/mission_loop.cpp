@@ -105,6 +105,8 @@ LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& clock
       bus.collect(host_time(clock, result.time), turn);
     }
     if (stop != 0) break;
+    if (clock.monotonic() > next_turn + period) next_turn = clock.monotonic();  // missed turns are not made up for
+    bus.collect(host_time(clock, result.time), turn);                           // after a stall nothing has been collected yet
     result.time = host_time(clock, result.time);
     result.last = turn(result.time);
   }

@@ -237,6 +237,19 @@ TEST_F(AtSea, ItsJournalGivesTheSameOutputsAgainBitForBit) {
   EXPECT_EQ(turns, bus_.published.size());
 }
 
+TEST_F(AtSea, AStalledTurnIsFollowedByOneWithWhatArrivedMeanwhileAndNoneIsMadeUpFor) {
+  hear(0, 40);
+  order(seconds(1.5), OperatorCommand::kStart);
+  bus_.on_publish = [this] {
+    if (bus_.published.size() == 10) clock_.advance(seconds(20.5));
+  };
+  stop_at(40);
+  (void)fly();
+  for (std::size_t i = 1; i < bus_.published.size() - 1; ++i) EXPECT_EQ(bus_.published[i].state, MissionState::kSearch) << i;
+  EXPECT_EQ(bus_.times[10] - bus_.times[9], seconds(20.5));
+  for (std::size_t i = 11; i < bus_.times.size() - 1; ++i) EXPECT_EQ(bus_.times[i] - bus_.times[i - 1], kPeriod) << i;
+}
+
 TEST_F(AtSea, BeingStoppedInMidSearchEndsWithASetPointThatSaysStopAndComeUp) {
   hear(0, 20);
   order(seconds(1.5), OperatorCommand::kStart);
