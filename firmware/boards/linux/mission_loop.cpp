@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
+
+#include "firmware/boards/linux/sender_clock.hpp"
 
 namespace earshot::board {
 namespace {
@@ -68,10 +71,42 @@ link::Answer answer_to(const link::Tick& tick, const runtime::Outputs& outputs, 
           .end_reason = static_cast<std::uint8_t>(outputs.end_reason)};
 }
 
-/// The host's clock, kept from going back.
-Time host_time(const HostClock& clock, Time last) {
-  return std::max(last, clock.utc());
-}
+/// UTC when it is made; after that it only runs on.
+class MissionClock {
+ public:
+  explicit MissionClock(const HostClock& host) : host_(host), began_(host.utc()), began_on_host_(host.monotonic()) {}
+  [[nodiscard]] Time now() const { return began_ + (host_.monotonic() - began_on_host_); }
+
+ private:
+  const HostClock& host_;
+  Time began_;
+  Duration began_on_host_;
+};
+
+/// What arrives at sea, moved to mission time.
+class SeaInputs final : public InputSink {
+ public:
+  SeaInputs(MissionTurn& turn, VehicleBus& bus, const SeaTiming& timing)
+      : turn_(turn), bus_(bus), navigation_clock_(timing.navigation_timeout), snr_clock_(timing.snr_timeout) {}
+
+  void take(Time now, const runtime::Navigation& navigation) override { take_moved(now, navigation, navigation_clock_); }
+  void take(Time now, const runtime::SnrEstimate& estimate) override { take_moved(now, estimate, snr_clock_); }
+  void take(Time now, runtime::OperatorCommand command) override { turn_.take(now, command); }
+
+ private:
+  template <class Input>
+  void take_moved(Time now, Input input, SenderClock& clock) {
+    const std::optional<Time> time = clock.to_mission_time(input.time, now);
+    if (!time) return bus_.count_refused();
+    input.time = *time;
+    turn_.take(now, input);
+  }
+
+  MissionTurn& turn_;
+  VehicleBus& bus_;
+  SenderClock navigation_clock_;
+  SenderClock snr_clock_;
+};
 
 }  // namespace
 
@@ -95,22 +130,25 @@ LoopResult fly_in_simulation(MissionTurn& turn, VehicleBus& bus, link::RuntimeEn
   return result;
 }
 
-LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& clock, Duration period, const volatile std::sig_atomic_t& stop) {
+LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& host, const SeaTiming& timing,
+                      const volatile std::sig_atomic_t& stop) {
+  const MissionClock clock(host);
+  SeaInputs inputs(turn, bus, timing);
   LoopResult result;
-  Duration next_turn = clock.monotonic();
+  Time next_turn = clock.now();
   while (stop == 0) {
-    next_turn = next_turn + period;
-    for (Duration now = clock.monotonic(); now < next_turn && stop == 0; now = clock.monotonic()) {
+    next_turn = next_turn + timing.period;
+    for (Time now = clock.now(); now < next_turn && stop == 0; now = clock.now()) {
       bus.wait(std::min(kPause, next_turn - now));
-      bus.collect(host_time(clock, result.time), turn);
+      bus.collect(clock.now(), inputs);
     }
     if (stop != 0) break;
-    if (clock.monotonic() > next_turn + period) next_turn = clock.monotonic();  // missed turns are not made up for
-    bus.collect(host_time(clock, result.time), turn);                           // after a stall nothing has been collected yet
-    result.time = host_time(clock, result.time);
+    if (clock.now() > next_turn + timing.period) next_turn = clock.now();  // missed turns are not made up for
+    bus.collect(clock.now(), inputs);                                      // after a stall nothing has been collected yet
+    result.time = clock.now();
     result.last = turn(result.time);
   }
-  result.time = host_time(clock, result.time);
+  result.time = clock.now();
   if (!is_over(result.last)) turn.take(result.time, runtime::OperatorCommand::kAbort);
   result.last = turn(result.time);
   return result;

@@ -31,10 +31,19 @@ struct LoopResult {
 [[nodiscard]] LoopResult fly_in_simulation(MissionTurn& turn, VehicleBus& bus, link::RuntimeEnd& link,
                                            const volatile std::sig_atomic_t& stop);
 
-/// On the host's clock: one turn every `period` with whatever has arrived. After DONE or ABORT it goes on telling the autopilot to come up.
+/// What the loop at sea needs to know of the mission.
+struct SeaTiming {
+  Duration period;              ///< between two turns
+  Duration navigation_timeout;  ///< see SenderClock
+  Duration snr_timeout;
+};
+
+/// On the host's clock: one turn every period with whatever has arrived. After DONE or ABORT it goes on telling the autopilot to come up.
 /// Ends when told to stop, with a last turn: an
 /// ABORT if the mission is not over yet, so that the autopilot does not go on with the last set-point of the search.
-[[nodiscard]] LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& clock, Duration period,
+/// Mission time is UTC as it is when the loop begins, and runs on whatever becomes of the wall clock; messages dated by a wall clock are
+/// moved to it (SenderClock).
+[[nodiscard]] LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& host, const SeaTiming& timing,
                                     const volatile std::sig_atomic_t& stop);
 
 }  // namespace earshot::board

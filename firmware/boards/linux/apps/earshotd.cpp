@@ -127,7 +127,9 @@ int fly(const Options& o) {
     link::RuntimeEnd link(*o.simulation);
     result = board::fly_in_simulation(turn, *bus, link, stop_requested);
   } else {
-    result = board::fly_at_sea(turn, *bus, board::HostClock(), file.step_period, stop_requested);
+    const board::SeaTiming timing{
+        .period = file.step_period, .navigation_timeout = file.mission.navigation_timeout, .snr_timeout = file.mission.snr_timeout};
+    result = board::fly_at_sea(turn, *bus, board::HostClock(), timing, stop_requested);
   }
   const Status kept = journal.close();
   const int status = report(result, *bus, journal_path);

@@ -27,7 +27,9 @@ using runtime::MissionState;
 using runtime::OperatorCommand;
 
 constexpr Duration kPeriod = Duration::seconds(1);
-constexpr Time kUtc{1'795'000'000'000'000};  ///< when a test begins
+constexpr SeaTiming kTiming{
+    .period = kPeriod, .navigation_timeout = Duration::seconds(5), .snr_timeout = Duration::seconds(30)};  // of paper_mission()
+constexpr Time kUtc{1'795'000'000'000'000};                                                                ///< when a test begins
 
 Duration seconds(double s) {
   return {std::llround(s * 1e6)};
@@ -141,7 +143,7 @@ class AtSea : public testing::Test {
 
   LoopResult fly() {
     MissionTurn turn(*runtime_, bus_, *journal_);
-    return fly_at_sea(turn, bus_, clock_, kPeriod, stop_);
+    return fly_at_sea(turn, bus_, clock_, kTiming, stop_);
   }
 
   std::vector<OperatorCommand> journalled_orders() {
@@ -235,6 +237,38 @@ TEST_F(AtSea, ItsJournalGivesTheSameOutputsAgainBitForBit) {
     ++turns;
   }
   EXPECT_EQ(turns, bus_.published.size());
+}
+
+TEST_F(AtSea, AWallClockSetBackOrForthDisturbsNeitherTheSearchNorItsTime) {
+  hear(0, 60);
+  order(seconds(1.5), OperatorCommand::kStart);
+  bus_.then(seconds(10.2), [this](Time, InputSink&) { clock_.set_wall_clock(Duration::seconds(-3600)); });
+  bus_.then(seconds(35.2), [this](Time, InputSink&) { clock_.set_wall_clock(Duration::seconds(7200)); });
+  stop_at(60);
+  (void)fly();
+  ASSERT_GE(bus_.published.size(), 59U);
+  for (std::size_t i = 1; i < 59; ++i) {
+    EXPECT_EQ(bus_.published[i].state, MissionState::kSearch) << i;
+    EXPECT_EQ(bus_.times[i] - bus_.times[i - 1], kPeriod) << i;
+  }
+}
+
+TEST_F(AtSea, ASenderThatRepeatsItsLastFixForEverIsStale) {
+  hear(0, 10);
+  order(seconds(1.5), OperatorCommand::kStart);
+  const runtime::Navigation last = fix();  // dated with the beginning
+  for (int second = 10; second < 30; ++second) {
+    bus_.then(seconds(second + 0.9), [this, last](Time now, InputSink& sink) {
+      runtime::Navigation repeated = last;
+      repeated.time = last.time + seconds(9.9);
+      sink.take(now, repeated);
+      sink.take(now, snr());
+    });
+  }
+  stop_at(30);
+  (void)fly();
+  EXPECT_EQ(bus_.published[13].state, MissionState::kSearch);
+  EXPECT_EQ(bus_.published[20].end_reason, runtime::EndReason::kNavigationStale);
 }
 
 TEST_F(AtSea, AStalledTurnIsFollowedByOneWithWhatArrivedMeanwhileAndNoneIsMadeUpFor) {
