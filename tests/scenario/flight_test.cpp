@@ -176,6 +176,30 @@ TEST_F(Flight, GivenCtrlCBothEndInOrderAndTheJournalIsWhole) {
   EXPECT_EQ(journal().end, board::JournalReader::End::kWhole);
 }
 
+TEST_F(Flight, GivenItDiedAtSeaItStartsAgainBesideTheJournalThatIsThere) {
+  const auto start_at_sea = [this](const char* text) {
+    std::vector<std::string> a = policy_arguments();
+    a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", slot_.lcm_url()});
+    runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / text);
+  };
+  const auto wait_for_records = [this](const char* name) {
+    std::error_code error;
+    for (int i = 0; i < 1000 && !(fs::exists(folder_ / name) && fs::file_size(folder_ / name, error) > 0); ++i)
+      std::this_thread::sleep_for(10ms);
+    EXPECT_TRUE(fs::exists(folder_ / name)) << runtime_->output();
+  };
+  start_at_sea("first.txt");
+  wait_for_records("journal.lcmlog");
+  runtime_->signal(SIGKILL);
+  (void)runtime_->wait(5s);
+  start_at_sea("second.txt");
+  wait_for_records("journal-2.lcmlog");
+  runtime_->signal(SIGTERM);
+  EXPECT_EQ(runtime_->wait(5s), 0);
+  EXPECT_NE(runtime_->output().find("journal-2.lcmlog"), std::string::npos) << runtime_->output();
+  EXPECT_GT(journal().records, 0);
+}
+
 TEST_F(Flight, GivenTwoFlightsAtOnceNeitherHearsTheOther) {
   const auto alone = fly("alone", {"--seed", "5"});
   ASSERT_EQ(alone->wait(120s), 0) << alone->output();

@@ -45,7 +45,9 @@ struct Options {
 void declare(CLI::App& app, Options& o) {
   app.add_option("MISSION", o.mission, "mission file (TOML)")->required();
   app.add_option("--out", o.out, "folder for journal.lcmlog, made if it is missing")->capture_default_str();
-  app.add_flag("--replace", o.replace, "replace a journal that is there already instead of refusing to start");
+  app.add_flag(
+      "--replace", o.replace,
+      "replace a journal that is there already; without it: refuse to start in simulation, write journal-2.lcmlog and so on at sea");
   app.add_option("--policy", o.policy, "policy file instead of the mission's");
   app.add_option("--public-key", o.public_key, "file of the trusted public key instead of the mission's");
   app.add_option("--seed", o.seed, "seed of a policy that draws its actions, instead of the mission's")
@@ -88,7 +90,7 @@ board::JournalOptions journal_options(const Options& o) {
   using J = board::JournalOptions;
   return {.when_full = o.simulation ? J::WhenFull::kWait : J::WhenFull::kDrop,
           .survives = o.simulation ? J::Survives::kProcess : J::Survives::kPowerCut,
-          .existing = o.replace ? J::Existing::kReplace : J::Existing::kRefuse};
+          .existing = o.replace ? J::Existing::kReplace : (o.simulation ? J::Existing::kRefuse : J::Existing::kKeep)};
 }
 
 /// Exit status: 0 for a mission flown to its end or stopped by a person, 3 when the other side was lost.
@@ -118,8 +120,7 @@ int fly(const Options& o) {
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, o.mission.string());
   const std::unique_ptr<board::VehicleBus> bus = board::open_vehicle_bus(file);
   std::filesystem::create_directories(o.out);
-  const std::filesystem::path journal_path = o.out / "journal.lcmlog";
-  board::Journal journal(journal_path, journal_options(o));
+  board::Journal journal(o.out / "journal.lcmlog", journal_options(o));
   board::MissionTurn turn(*runtime, *bus, journal);
 
   board::LoopResult result;
@@ -132,7 +133,7 @@ int fly(const Options& o) {
     result = board::fly_at_sea(turn, *bus, board::HostClock(), timing, stop_requested);
   }
   const Status kept = journal.close();
-  const int status = report(result, *bus, journal_path);
+  const int status = report(result, *bus, journal.path());
   if (kept == Status::kOk && journal.counters().dropped == 0) return status;
   std::cerr << "earshotd: the journal is not whole: " << journal.counters().dropped << " records dropped, "
             << journal.counters().write_errors << " writes failed\n";
