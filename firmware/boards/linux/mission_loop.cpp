@@ -120,6 +120,7 @@ LoopResult fly_in_simulation(MissionTurn& turn, VehicleBus& bus, link::RuntimeEn
     if (delivery == link::Delivery::kLost) return result.end = LoopEnd::kSimulatorLost, result;
     TickInputs inputs(turn, bus);
     if (!collect_announced(bus, tick.time, tick.navigation_messages - fixes_before, inputs)) return result.end = LoopEnd::kBusLost, result;
+    if (fixes_before == 0) result.began = tick.time;
     fixes_before = tick.navigation_messages;
     take_tick(tick, turn);
     result.time = tick.time;
@@ -135,7 +136,8 @@ LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& host,
   const MissionClock clock(host);
   SeaInputs inputs(turn, bus, timing);
   LoopResult result;
-  Time next_turn = clock.now();
+  result.began = clock.now();
+  Time next_turn = result.began;
   while (stop == 0) {
     next_turn = next_turn + timing.period;
     for (Time now = clock.now(); now < next_turn && stop == 0; now = clock.now()) {

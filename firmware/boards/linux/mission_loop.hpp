@@ -22,7 +22,8 @@ enum class LoopEnd : std::uint8_t {
 struct LoopResult {
   LoopEnd end = LoopEnd::kStopped;
   runtime::Outputs last;
-  Time time;
+  Time began;  ///< at sea: when the loop began; in simulation: the first tick
+  Time time;   ///< of the last turn
 };
 
 /// In lock-step with a simulator: one turn for every tick, once the navigation that the tick announces has arrived over the bus.

@@ -95,7 +95,7 @@ board::JournalOptions journal_options(const Options& o) {
 
 /// Exit status: 0 for a mission flown to its end or stopped by a person, 3 when the other side was lost.
 int report(const board::LoopResult& result, const board::VehicleBus& bus, const std::filesystem::path& journal) {
-  const std::string at = " at " + std::to_string(result.time.us / 1'000'000) + " s";
+  const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
   if (bus.counters().unsent_messages > 0)
     std::cerr << "earshotd: " << bus.counters().unsent_messages << " messages could not be put on the bus\n";
   switch (result.end) {
@@ -103,13 +103,13 @@ int report(const board::LoopResult& result, const board::VehicleBus& bus, const 
       std::cerr << "earshotd: " << board::in_words(result.last) << "; journal " << journal.string() << "\n";
       return 0;
     case board::LoopEnd::kStopped:
-      std::cerr << "earshotd: stopped" << at << "; journal " << journal.string() << "\n";
+      std::cerr << "earshotd: stopped" << after << "; journal " << journal.string() << "\n";
       return 0;
     case board::LoopEnd::kSimulatorLost:
-      std::cerr << "earshotd: lost the simulator" << at << "; journal up to then: " << journal.string() << "\n";
+      std::cerr << "earshotd: lost the simulator" << after << "; journal up to then: " << journal.string() << "\n";
       return 3;
     case board::LoopEnd::kBusLost:
-      std::cerr << "earshotd: lost the bus" << at << ": navigation that the simulator sent did not arrive\n";
+      std::cerr << "earshotd: lost the bus" << after << ": navigation that the simulator sent did not arrive\n";
       return 3;
   }
   return 3;

@@ -290,6 +290,7 @@ TEST_F(AtSea, BeingStoppedInMidSearchEndsWithASetPointThatSaysStopAndComeUp) {
   stop_at(15);
   const LoopResult result = fly();
   EXPECT_EQ(result.end, LoopEnd::kStopped);
+  EXPECT_EQ(result.time - result.began, Duration::seconds(15));
   ASSERT_GT(bus_.published.size(), 14U);
   EXPECT_EQ(bus_.published[13].setpoint.speed, MetersPerSecond{2});
   EXPECT_EQ(bus_.last().state, MissionState::kAbort);
