@@ -8,6 +8,7 @@
 #include "firmware/boards/linux/lcm_codec.hpp"
 #include "firmware/boards/linux/lcm_endpoint.hpp"
 #include "firmware/boards/linux/messages.hpp"
+#include "firmware/config/capacities.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
@@ -72,7 +73,8 @@ class CanBus final : public VehicleBus {
   explicit CanBus(const MissionFile& mission) : socket_(mission.can_interface), receiver_(mission.plane) {}
 
   void collect(Time now, InputSink& sink) override {
-    for (n2k::Frame frame; socket_.receive(frame) == Status::kOk;) {
+    std::size_t budget = config::kCanFramesPerCollect;
+    for (n2k::Frame frame; socket_.receive(frame, budget) == Status::kOk;) {
       n2k::Navigation fix;
       const Status status = receiver_.accept(frame, now, fix);
       if (status == Status::kOk) {
