@@ -255,7 +255,9 @@ TEST_F(Flight, GivenItsJournalTheRuntimeDecidesTheSameAgainBitForBit) {
       ASSERT_TRUE(outputs.decision.has_value());
       ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(*outputs.decision)))) << "decision " << decisions;
     } else {
-      ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(outputs, record.time)))) << "health of turn " << turns;
+      constexpr std::uint64_t kRefusedByTheBus = 0;
+      ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(outputs, kRefusedByTheBus, record.time))))
+          << "health of turn " << turns;
     }
   }
   EXPECT_EQ(journal.end(), board::JournalReader::End::kWhole);

@@ -75,7 +75,7 @@ runtime::Outputs MissionTurn::operator()(Time now) {
 void MissionTurn::record(Time now, const runtime::Outputs& outputs) {
   append(journal_, now, wire::kSetpointChannel, to_message(outputs.setpoint, now));
   if (outputs.decision) append(journal_, now, wire::kDecisionChannel, to_message(*outputs.decision));
-  append(journal_, now, wire::kHealthChannel, to_message(outputs, now));
+  append(journal_, now, wire::kHealthChannel, to_message(outputs, bus_.counters().refused_messages, now));
 }
 
 std::string in_words(const runtime::Outputs& outputs) {

@@ -39,7 +39,7 @@ class LcmBus final : public VehicleBus {
     count_sent(board::publish(endpoint_, wire::kSetpointChannel, to_message(outputs.setpoint, now)), counters_.setpoint_messages);
     std::uint64_t others_sent = 0;
     if (outputs.decision) count_sent(board::publish(endpoint_, wire::kDecisionChannel, to_message(*outputs.decision)), others_sent);
-    count_sent(board::publish(endpoint_, wire::kHealthChannel, to_message(outputs, now)), others_sent);
+    count_sent(board::publish(endpoint_, wire::kHealthChannel, to_message(outputs, counters().refused_messages, now)), others_sent);
   }
 
   void wait(Duration most) override { wait_for_input(endpoint_.file_descriptor(), most); }
@@ -65,6 +65,11 @@ class LcmBus final : public VehicleBus {
     }
   }
 
+  [[nodiscard]] std::uint64_t refused_below() const override {
+    const LcmCounters lcm = endpoint_.counters();
+    return lcm.overwritten + lcm.datagrams.malformed + lcm.datagrams.too_large + lcm.datagrams.incomplete;
+  }
+
   LcmEndpoint endpoint_;
 };
 
@@ -76,13 +81,9 @@ class CanBus final : public VehicleBus {
     std::size_t budget = config::kCanFramesPerCollect;
     for (n2k::Frame frame; socket_.receive(frame, budget) == Status::kOk;) {
       n2k::Navigation fix;
-      const Status status = receiver_.accept(frame, now, fix);
-      if (status == Status::kOk) {
-        sink.take(now, runtime::Navigation{
-                           .time = now, .position = fix.position, .depth = fix.depth, .heading = fix.heading, .speed = fix.speed});
-      } else if (status != Status::kNotReady) {
-        ++counters_.refused_messages;
-      }
+      if (receiver_.accept(frame, now, fix) != Status::kOk) continue;
+      sink.take(now,
+                runtime::Navigation{.time = now, .position = fix.position, .depth = fix.depth, .heading = fix.heading, .speed = fix.speed});
     }
   }
 
@@ -103,6 +104,10 @@ class CanBus final : public VehicleBus {
       if (sent != Status::kOk) return sent;
     }
     return Status::kOk;
+  }
+
+  [[nodiscard]] std::uint64_t refused_below() const override {
+    return socket_.counters().lost_by_kernel + receiver_.counters().refused + receiver_.counters().waiting;
   }
 
   CanSocket socket_;

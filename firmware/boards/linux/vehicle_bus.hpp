@@ -12,7 +12,7 @@ namespace earshot::board {
 
 /// Counters of the bus as the runtime sees it; they only grow.
 struct BusCounters {
-  std::uint64_t refused_messages = 0;   ///< malformed
+  std::uint64_t refused_messages = 0;   ///< malformed, dated wrongly, or lost because they came faster than they were taken
   std::uint64_t setpoint_messages = 0;  ///< set-points sent
   std::uint64_t unsent_messages = 0;    ///< refused by the kernel or not representable on the bus
 };
@@ -31,11 +31,17 @@ class VehicleBus {
   virtual void publish(Time now, const runtime::Outputs& outputs) = 0;
   /// Until collect() has something to read, but no longer than `most`.
   virtual void wait(Duration most) = 0;
-  [[nodiscard]] const BusCounters& counters() const { return counters_; }
+  [[nodiscard]] BusCounters counters() const {
+    BusCounters counters = counters_;
+    counters.refused_messages += refused_below();
+    return counters;
+  }
   /// For who takes from collect() and refuses a message.
   void count_refused() { ++counters_.refused_messages; }
 
  protected:
+  /// What socket and transport refused or lost.
+  [[nodiscard]] virtual std::uint64_t refused_below() const { return 0; }
   void count_sent(Status status, std::uint64_t& sent) { ++(status == Status::kOk ? sent : counters_.unsent_messages); }
   BusCounters counters_;
 };

@@ -157,6 +157,17 @@ class AtSea : public testing::Test {
     return orders;
   }
 
+  health_t last_journalled_health() {
+    (void)journal_->close();
+    JournalReader reader(path_);
+    health_t health{};
+    for (JournalRecord record; reader.next(record);) {
+      if (record.channel != wire::kHealthChannel) continue;
+      EXPECT_EQ(decode(record.data, health), Status::kOk);
+    }
+    return health;
+  }
+
   fs::path path_;
   FakeClock clock_;
   FakeBus bus_{clock_};
@@ -267,6 +278,8 @@ TEST_F(AtSea, ASenderThatRepeatsItsLastFixForEverIsStale) {
   }
   stop_at(30);
   (void)fly();
+  // Its date is believed until it is 2.5 s old: at 10.9, 11.9 and no more; all others are refused, and health says so.
+  EXPECT_EQ(last_journalled_health().bus_refused, 30 - 12);
   EXPECT_EQ(bus_.published[13].state, MissionState::kSearch);
   EXPECT_EQ(bus_.published[20].end_reason, runtime::EndReason::kNavigationStale);
 }
