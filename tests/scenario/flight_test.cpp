@@ -14,12 +14,14 @@
 #include <vector>
 
 #include "earshot/decision_t.hpp"
+#include "earshot/health_t.hpp"
 #include "earshot/nav_state_t.hpp"
 #include "earshot/operator_command_t.hpp"
 #include "earshot/setpoint_t.hpp"
 #include "earshot/snr_estimate_t.hpp"
 #include "firmware/boards/linux/journal_reader.hpp"
 #include "firmware/boards/linux/lcm_codec.hpp"
+#include "firmware/boards/linux/lcm_endpoint.hpp"
 #include "firmware/boards/linux/messages.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/boards/linux/policy_file.hpp"
@@ -174,6 +176,28 @@ TEST_F(Flight, GivenCtrlCBothEndInOrderAndTheJournalIsWhole) {
   EXPECT_EQ(summary(".").at("end_reason"), "interrupted");
   EXPECT_NE(flight->output().find("ABORT, an operator aborted it"), std::string::npos) << flight->output();
   EXPECT_EQ(journal().end, board::JournalReader::End::kWhole);
+}
+
+TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth) {
+  start_both();
+  ASSERT_TRUE(is_under_way()) << runtime_->output() << simulator_->output();
+  board::LcmEndpoint other(board::parse_lcm_url(slot_.lcm_url()), {});
+  for (int i = 0; i < 20; ++i) {
+    nav_state_t outside{};  // of the operating area: believed, it would end the mission
+    outside.utime = 1 + i;
+    outside.north_m = -1e6;
+    ASSERT_EQ(board::publish(other, wire::kNavStateChannel, outside), Status::kOk);
+    std::this_thread::sleep_for(5ms);
+  }
+  simulator_->signal(SIGINT);
+  EXPECT_EQ(runtime_->wait(5s), 0);
+  EXPECT_NE(runtime_->output().find("ABORT, an operator aborted it"), std::string::npos) << runtime_->output();
+  health_t health{};
+  board::JournalReader reader(folder_ / "journal.lcmlog");
+  for (board::JournalRecord record; reader.next(record);) {
+    if (record.channel == wire::kHealthChannel) (void)board::decode(record.data, health);
+  }
+  EXPECT_EQ(health.bus_refused, 20);
 }
 
 TEST_F(Flight, GivenItDiedAtSeaItStartsAgainBesideTheJournalThatIsThere) {
