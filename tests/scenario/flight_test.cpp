@@ -176,6 +176,30 @@ TEST_F(Flight, GivenCtrlCBothEndInOrderAndTheJournalIsWhole) {
   EXPECT_EQ(journal().end, board::JournalReader::End::kWhole);
 }
 
+TEST_F(Flight, GivenItDiedAtSeaItStartsAgainBesideTheJournalThatIsThere) {
+  const auto start_at_sea = [this](const char* text) {
+    std::vector<std::string> a = policy_arguments();
+    a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", slot_.lcm_url()});
+    runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / text);
+  };
+  const auto wait_for_records = [this](const char* name) {
+    std::error_code error;
+    for (int i = 0; i < 1000 && !(fs::exists(folder_ / name) && fs::file_size(folder_ / name, error) > 0); ++i)
+      std::this_thread::sleep_for(10ms);
+    EXPECT_TRUE(fs::exists(folder_ / name)) << runtime_->output();
+  };
+  start_at_sea("first.txt");
+  wait_for_records("journal.lcmlog");
+  runtime_->signal(SIGKILL);
+  (void)runtime_->wait(5s);
+  start_at_sea("second.txt");
+  wait_for_records("journal-2.lcmlog");
+  runtime_->signal(SIGTERM);
+  EXPECT_EQ(runtime_->wait(5s), 0);
+  EXPECT_NE(runtime_->output().find("journal-2.lcmlog"), std::string::npos) << runtime_->output();
+  EXPECT_GT(journal().records, 0);
+}
+
 TEST_F(Flight, GivenTwoFlightsAtOnceNeitherHearsTheOther) {
   const auto alone = fly("alone", {"--seed", "5"});
   ASSERT_EQ(alone->wait(120s), 0) << alone->output();
@@ -191,17 +215,17 @@ std::vector<std::uint8_t> bytes_of(const board::Encoded& message) {
   return {message.bytes().begin(), message.bytes().end()};
 }
 
-/// Collects the inputs of a turn; true when `record` is an input.
-bool take_input(const board::JournalRecord& record, runtime::Inputs& inputs) {
+/// Gives the runtime the input that `record` holds; false when it holds none.
+bool take_input(const board::JournalRecord& record, runtime::Runtime& runtime) {
   nav_state_t navigation{};
   snr_estimate_t snr{};
   operator_command_t command{};
   if (record.channel == wire::kNavStateChannel && board::decode(record.data, navigation) == Status::kOk) {
-    inputs.navigation = board::from_message(navigation);
+    runtime.take(record.time, board::from_message(navigation));
   } else if (record.channel == wire::kSnrEstimateChannel && board::decode(record.data, snr) == Status::kOk) {
-    inputs.snr = board::from_message(snr);
+    runtime.take(record.time, board::from_message(snr));
   } else if (record.channel == wire::kOperatorCommandChannel && board::decode(record.data, command) == Status::kOk) {
-    inputs.command = board::from_message(command);
+    runtime.take(record.time, board::from_message(command));
   } else {
     return false;
   }
@@ -217,15 +241,13 @@ TEST_F(Flight, GivenItsJournalTheRuntimeDecidesTheSameAgainBitForBit) {
   ASSERT_EQ(runtime->configure(mission, *board::load_policy(folder_ / "walk.policy", folder_ / "walk.pub")), Status::kOk);
 
   board::JournalReader journal(folder_ / "out/journal.lcmlog");
-  runtime::Inputs inputs;
   runtime::Outputs outputs;
   std::size_t turns = 0;
   std::size_t decisions = 0;
   for (board::JournalRecord record; journal.next(record);) {
-    if (take_input(record, inputs)) continue;
+    if (take_input(record, *runtime)) continue;
     if (record.channel == wire::kSetpointChannel) {
-      outputs = runtime->step(record.time, inputs);
-      inputs = {};
+      outputs = runtime->step(record.time);
       ++turns;
       ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(outputs.setpoint, record.time)))) << "turn " << turns;
     } else if (record.channel == wire::kDecisionChannel) {
