@@ -18,6 +18,7 @@
 #include "earshot/operator_command_t.hpp"
 #include "earshot/setpoint_t.hpp"
 #include "earshot/snr_estimate_t.hpp"
+#include "firmware/boards/linux/bus_lock.hpp"
 #include "firmware/boards/linux/journal_reader.hpp"
 #include "firmware/boards/linux/lcm_codec.hpp"
 #include "firmware/boards/linux/messages.hpp"
@@ -83,6 +84,17 @@ class Flight : public testing::Test {
     for (const auto deadline = std::chrono::steady_clock::now() + 30s; std::chrono::steady_clock::now() < deadline;) {
       std::error_code error;
       if (fs::exists(folder_ / "journal.lcmlog") && fs::file_size(folder_ / "journal.lcmlog", error) > 50'000) return true;
+      std::this_thread::sleep_for(20ms);
+    }
+    return false;
+  }
+
+  /// Until there is a journal, whatever its name: its mission is on the bus.
+  [[nodiscard]] bool has_journal() const {
+    for (const auto deadline = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < deadline;) {
+      for (const auto& file : fs::directory_iterator(folder_)) {
+        if (file.path().extension() == ".lcmlog") return true;
+      }
       std::this_thread::sleep_for(20ms);
     }
     return false;
@@ -206,6 +218,42 @@ bool take_input(const board::JournalRecord& record, runtime::Inputs& inputs) {
     return false;
   }
   return true;
+}
+
+/// A bus that no other test, flight or mission is on.
+std::string own_url(const link::RunSlot& slot) {
+  return "udpm://239.255.76.67:" + std::to_string(27'000 + slot.domain()) + "?ttl=0";
+}
+
+TEST_F(Flight, GivenAFlightOnABusASecondOneThereIsRefusedAndTheFirstGoesOnAsIfAlone) {
+  const std::string url = own_url(slot_);
+  const auto alone = fly("alone", {"--seed", "5", "--lcm-url", url});
+  ASSERT_EQ(alone->wait(120s), 0) << alone->output();
+  const auto first = fly(".", {"--seed", "5", "--lcm-url", url, "--speed", "10000"});
+  ASSERT_TRUE(is_under_way()) << first->output();
+  const auto second = fly("second", {"--seed", "6", "--lcm-url", url});
+  EXPECT_EQ(second->wait(10s), 2);
+  EXPECT_EQ(second->output(), "earshot-fly: " + url + ": another mission or flight on this machine is using it\n");
+  EXPECT_FALSE(fs::exists(folder_ / "second"));
+  EXPECT_EQ(first->wait(120s), 0) << first->output();
+  EXPECT_TRUE(support::read_text(folder_ / "alone/track.csv") == support::read_text(folder_ / "track.csv"));
+}
+
+TEST_F(Flight, GivenACanInterfaceInUseAFlightThereIsRefused) {
+  const board::FileDescriptor held = board::lock_can("vcan-held");
+  const auto flight = fly("out", {"--bus", "can", "--can-interface", "vcan-held"});
+  EXPECT_EQ(flight->wait(10s), 2);
+  EXPECT_EQ(flight->output(), "earshot-fly: CAN interface vcan-held: another mission or flight on this machine is using it\n");
+}
+
+TEST_F(Flight, GivenAMissionAtSeaAFlightOnItsBusIsRefusedAndOneWithNoBusNamedTakesAnother) {
+  const std::string url = own_url(slot_);
+  std::vector<std::string> a = policy_arguments();
+  a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", url});
+  runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
+  ASSERT_TRUE(has_journal()) << runtime_->output();
+  EXPECT_EQ(fly("there", {"--lcm-url", url})->wait(10s), 2);
+  EXPECT_EQ(fly("elsewhere", {})->wait(120s), 0);
 }
 
 TEST_F(Flight, GivenItsJournalTheRuntimeDecidesTheSameAgainBitForBit) {
