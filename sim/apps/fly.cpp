@@ -27,8 +27,8 @@
 #include "firmware/boards/linux/lcm_url.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/config_file/table_reader.hpp"
+#include "sim/apps/flight_plan.hpp"
 #include "sim/link/run_slot.hpp"
-#include "sim/ocean/environment_file.hpp"
 
 namespace {
 
@@ -214,8 +214,7 @@ board::FileDescriptor lock_bus(const Options& o, const board::MissionFile& missi
 
 int fly(const Options& o) {
   // Both processes would say the same about a bad file: say it once, before either starts.
-  const board::MissionFile mission = board::load_mission(o.mission);
-  (void)ocean::load_environment(o.environment);
+  const board::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
   const board::FileDescriptor lock = lock_bus(o, mission);
   fs::create_directories(o.out);
   for (const char* old : {"summary.json", "track.csv", "report.html"}) fs::remove(o.out / old);

@@ -20,11 +20,11 @@
 #include "firmware/core/math.hpp"
 #include "firmware/core/random.hpp"
 #include "sim/apps/autopilot_bus.hpp"
+#include "sim/apps/flight_plan.hpp"
 #include "sim/apps/flight_record.hpp"
 #include "sim/apps/lock_step.hpp"
 #include "sim/link/session.hpp"
 #include "sim/link/simulator_end.hpp"
-#include "sim/ocean/environment_file.hpp"
 #include "sim/search/episode.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
@@ -67,24 +67,10 @@ void declare(CLI::App& app, Options& o) {
   app.add_flag("--ignore-source", o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
 }
 
-board::MissionFile load_mission(const Options& o) {
-  board::MissionFile file = board::load_mission(o.mission);
+void apply_options(const Options& o, board::MissionFile& file) {
   if (o.bus) file.bus = *o.bus == "can" ? board::BusKind::kCan : board::BusKind::kLcm;
   if (o.lcm_url) file.lcm_url = *o.lcm_url;
   if (o.can_interface) file.can_interface = *o.can_interface;
-  return file;
-}
-
-/// The paper's search, with this mission's numbers in place of its own.
-search::SearchSettings settings_of(const config::Mission& mission, const ocean::Environment& environment) {
-  search::SearchSettings settings;
-  settings.domain = mission.operating_area;
-  settings.start_region = mission.operating_area;
-  settings.source = environment.source.position;
-  settings.step_length = mission.step_length;
-  settings.max_steps = mission.max_steps;
-  settings.detection_threshold = mission.detection_threshold;
-  return settings;
 }
 
 /// The furthest that the source can be heard from within the area, and a little more.
@@ -147,11 +133,9 @@ bool runtime_comes(link::SimulatorEnd& link, std::uint32_t domain) {
 }
 
 int simulate(const Options& o) {
-  const board::MissionFile file = load_mission(o);
-  const ocean::Environment environment = ocean::load_environment(o.environment);
-  const search::SearchSettings settings = settings_of(file.mission, environment);
-  if (search::check(settings) != Status::kOk)
-    throw config_file::BadInput(o.mission.string() + ": area: no start is further than search.step_length_m from the source");
+  FlightPlan plan = load_flight_plan(o.mission, o.environment);
+  apply_options(o, plan.mission);
+  const auto& [file, environment, settings] = plan;
   const sonar::SnrCurve snr =
       sonar::compute_snr_curve(environment, file.mission.search_depth, longest_range(settings.domain, settings.source));
   const vehicle::State start = start_of(settings, snr, file.mission, o.seed);

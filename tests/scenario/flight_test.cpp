@@ -299,6 +299,22 @@ TEST_F(Flight, GivenADamagedPolicyNothingFliesAndTheMessageNamesIt) {
   EXPECT_TRUE(fs::is_empty(folder_ / "out"));
 }
 
+TEST_F(Flight, GivenAMissionBelowTheSeaFloorOneLineNamesFileAndKeyAndNothingIsWritten) {
+  std::string text = support::read_text(kMission);
+  text.replace(text.find("depth_m = 300.0"), 15, "depth_m = 3500.0");
+  text.replace(text.find("max_depth_m = 400.0"), 19, "max_depth_m = 4000.0");
+  std::ofstream(folder_ / "deep.toml") << text;
+  const std::string complaint = (folder_ / "deep.toml").string() +
+                                ": search.depth_m = 3500: must be less than 3000, the seabed.depth_m of " + kEnvironment.string() + "\n";
+  for (const char* program : {"earshot-fly", "earshot-sim"}) {
+    support::Process flight(kBin / program, {"--environment", kEnvironment, "--mission", folder_ / "deep.toml", "--out", folder_ / "out"},
+                            folder_ / "text");
+    EXPECT_EQ(flight.wait(10s), 2) << program;
+    EXPECT_EQ(flight.output(), complaint) << program;
+    EXPECT_FALSE(fs::exists(folder_ / "out")) << program;
+  }
+}
+
 TEST_F(Flight, GivenAMissingMissionOneLineSaysSo) {
   support::Process flight(kBin / "earshot-fly", {"--environment", kEnvironment, "--mission", folder_ / "none.toml"}, folder_ / "text");
   EXPECT_EQ(flight.wait(10s), 2);
