@@ -28,6 +28,7 @@
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/config_file/table_reader.hpp"
 #include "sim/apps/flight_plan.hpp"
+#include "sim/apps/flight_record.hpp"
 #include "sim/link/run_slot.hpp"
 
 namespace {
@@ -135,6 +136,11 @@ struct Process {
   }
 };
 
+/// One of them refused its input, or the simulator was stopped before the first tick.
+bool never_begins(const Process& simulator, const Process& runtime) {
+  return simulator.status == 2 || runtime.status == 2 || simulator.status == 130;
+}
+
 /// Waits for both. Ctrl-C goes to the simulator, which tells earshotd to abort; whoever has not left some seconds after the other is ended.
 void wait_for_both(Process& simulator, Process& runtime) {
   using std::chrono::steady_clock;
@@ -149,8 +155,7 @@ void wait_for_both(Process& simulator, Process& runtime) {
       stopping = true;
       simulator.signal(SIGINT);
     }
-    const bool refused = simulator.status == 2 || runtime.status == 2;  // bad input: the other waits in vain
-    if (refused) {
+    if (never_begins(simulator, runtime)) {  // the other waits in vain
       simulator.signal(SIGTERM);
       runtime.signal(SIGTERM);
     }
@@ -191,10 +196,15 @@ int run(const std::string& program, const std::vector<std::string>& arguments) {
   return process.status;
 }
 
+/// The simulator keeps what it has once the flight has begun.
+bool has_flown(const Process& simulator) {
+  return simulator.status == 0 || simulator.status == 3;
+}
+
 /// A process that we ended because the other refused its input has a status of its own; the refusal is what counts.
 int exit_status(const Process& simulator, const Process& runtime) {
   if (stop_requested != 0) return 130;
-  if (simulator.status == 2 || runtime.status == 2) return 2;
+  if (!has_flown(simulator) && (simulator.status == 2 || runtime.status == 2)) return 2;
   return simulator.status == 0 && runtime.status == 0 ? 0 : 3;
 }
 
@@ -216,15 +226,17 @@ int fly(const Options& o) {
   // Both processes would say the same about a bad file: say it once, before either starts.
   const board::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
   const board::FileDescriptor lock = lock_bus(o, mission);
-  fs::create_directories(o.out);
-  for (const char* old : {"summary.json", "track.csv", "report.html"}) fs::remove(o.out / old);
-
   const link::RunSlot slot;
   const std::string lcm_url = chosen_url(o, mission).value_or(slot.lcm_url());
   Process runtime{.id = start("earshotd", runtime_arguments(o, slot, lcm_url))};
   Process simulator{.id = start("earshot-sim", simulator_arguments(o, slot, lcm_url))};
   wait_for_both(simulator, runtime);
 
+  if (!has_flown(simulator)) {
+    // An earshotd that took its input has begun a journal; what stands beside it is of an earlier flight. Otherwise all of that is whole.
+    if (runtime.status != 2) simulation::remove_results(o.out);
+    return exit_status(simulator, runtime);
+  }
   print_summary(o.out);
   if (!o.no_report && fs::exists(o.out / "summary.json") && run("earshot-report", {o.out.string()}) == 0) {
     std::printf("  report      %s\n", (o.out / "report.html").c_str());

@@ -33,6 +33,8 @@ namespace {
 using namespace earshot;
 using namespace earshot::simulation;
 
+constexpr int kNotBegun = 130;  ///< exit status when stopped before the first tick
+
 volatile std::sig_atomic_t stop_requested = 0;
 
 struct Options {
@@ -121,7 +123,7 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
           {"detection_threshold_db", mission.detection_threshold.value}};
 }
 
-/// False when a person stopped the wait. @throws std::runtime_error when nobody comes.
+/// False when the wait was stopped. @throws std::runtime_error when nobody comes.
 bool runtime_comes(link::SimulatorEnd& link, std::uint32_t domain) {
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   while (!link.wait_for_runtime(std::chrono::milliseconds(100))) {
@@ -144,11 +146,11 @@ int simulate(const Options& o) {
 
   const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
   link::SimulatorEnd link(o.domain);
-  if (!runtime_comes(link, o.domain)) return 0;
+  if (!runtime_comes(link, o.domain)) return kNotBegun;
 
   // Only now that both sides have taken their input: a refused policy leaves no half of a flight behind.
   std::filesystem::create_directories(o.out);
-  std::filesystem::remove(o.out / "summary.json");  // of an earlier flight: no half-flown search may look finished
+  remove_results(o.out);
   write_curve(o.out / "snr.csv", snr);
   TrackFile track(o.out / "track.csv");
   Score score(settings);
@@ -166,7 +168,7 @@ int simulate(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "earshot-sim plays the ocean and the vehicle for one search, in lock-step with an earshotd started with --simulation.\n"
-      "Exit status: 0 flown, 2 bad input, 3 earshotd or the bus was lost. (earshot fly starts both.)"};
+      "Exit status: 0 flown, 2 bad input, 3 earshotd or the bus was lost, 130 stopped before the start. (earshot fly starts both.)"};
   Options options;
   declare(app, options);
   try {

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -98,6 +99,13 @@ class Flight : public testing::Test {
       std::this_thread::sleep_for(20ms);
     }
     return false;
+  }
+
+  /// Every file of a folder.
+  [[nodiscard]] static std::map<fs::path, std::string> contents(const fs::path& folder) {
+    std::map<fs::path, std::string> files;
+    for (const auto& file : fs::directory_iterator(folder)) files[file.path()] = support::read_text(file.path());
+    return files;
   }
 
   struct Contents {
@@ -296,7 +304,34 @@ TEST_F(Flight, GivenADamagedPolicyNothingFliesAndTheMessageNamesIt) {
   const auto flight = fly("out", {});
   EXPECT_EQ(flight->wait(10s), 2);
   EXPECT_EQ(flight->output(), (folder_ / "walk.policy").string() + ": its CRC-32 is wrong: the file is damaged\n");
-  EXPECT_TRUE(fs::is_empty(folder_ / "out"));
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(Flight, GivenADamagedPolicyAnEarlierFlightInTheFolderStaysAsItWas) {
+  const auto earlier = fly("out", {"--seed", "7"});
+  ASSERT_EQ(earlier->wait(120s), 0) << earlier->output();
+  std::ofstream(folder_ / "out/report.html") << "the page of the earlier flight";
+  const std::map<fs::path, std::string> before = contents(folder_ / "out");
+  ASSERT_EQ(before.size(), 5);  // journal, track, SNR, summary, page
+  support::write_bytes(folder_ / "walk.policy", {1, 2, 3});
+  const auto refused = fly("out", {"--seed", "8"});
+  EXPECT_EQ(refused->wait(10s), 2);
+  EXPECT_EQ(refused->output(), (folder_ / "walk.policy").string() + ": is cut short\n");
+  EXPECT_TRUE(contents(folder_ / "out") == before);
+}
+
+TEST_F(Flight, GivenCtrlCBeforeTheFirstTickNothingOfAnEarlierFlightStandsBesideTheNewJournal) {
+  fs::create_directories(folder_ / "out");
+  for (const char* name : {"summary.json", "track.csv", "report.html"}) std::ofstream(folder_ / "out" / name) << "earlier";
+  const auto flight = fly("out", {});
+  while (!fs::exists(folder_ / "out/journal.lcmlog") && flight->wait(5ms) < 0) {
+  }
+  flight->signal(SIGINT);  // the simulator solves for the sound field for some tenths of a second yet
+  EXPECT_EQ(flight->wait(10s), 130) << flight->output();
+  for (const char* name : {"summary.json", "track.csv", "report.html"}) {
+    const fs::path path = folder_ / "out" / name;
+    EXPECT_FALSE(fs::exists(path) && support::read_text(path) == "earlier") << path;
+  }
 }
 
 TEST_F(Flight, GivenAMissionBelowTheSeaFloorOneLineNamesFileAndKeyAndNothingIsWritten) {
