@@ -61,6 +61,10 @@ void Score::end_step(const TrackPoint& point) {
   if (point.snr >= settings_.detection_threshold) ++detections_;
 }
 
+void remove_results(const std::filesystem::path& folder) {
+  for (const char* name : {"summary.json", "track.csv", "report.html"}) std::filesystem::remove(folder / name);
+}
+
 void write_whole(const std::filesystem::path& path, const std::string& text) {
   const std::filesystem::path partial = partial_name(path);
   std::FILE* file = std::fopen(partial.c_str(), "w");

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "firmware/boards/linux/bus_lock.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/journal.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
@@ -118,6 +119,8 @@ int report(const board::LoopResult& result, const board::VehicleBus& bus, const 
 int fly(const Options& o) {
   const board::MissionFile file = load(o);
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, o.mission.string());
+  // In simulation whoever started both processes holds it.
+  const board::FileDescriptor lock = o.simulation ? board::FileDescriptor{} : board::lock_lcm(file.lcm_url);
   const std::unique_ptr<board::VehicleBus> bus = board::open_vehicle_bus(file);
   std::filesystem::create_directories(o.out);
   board::Journal journal(o.out / "journal.lcmlog", journal_options(o));
