@@ -17,7 +17,6 @@
 
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/config_file/table_reader.hpp"
-#include "firmware/core/math.hpp"
 #include "firmware/core/random.hpp"
 #include "sim/apps/autopilot_bus.hpp"
 #include "sim/apps/flight_plan.hpp"
@@ -79,7 +78,7 @@ void apply_options(const Options& o, board::MissionFile& file) {
 Meters longest_range(const Rectangle& area, NorthEast source) {
   const double north = std::max(area.north_east.north.value - source.north.value, source.north.value - area.south_west.north.value);
   const double east = std::max(area.north_east.east.value - source.east.value, source.east.value - area.south_west.east.value);
-  return Meters{earshot::sqrt(north * north + east * east) + 100.0};
+  return length_of({Meters{north}, Meters{east}}) + Meters{100.0};
 }
 
 vehicle::State start_of(const search::SearchSettings& settings, const sonar::SnrCurve& snr, const config::Mission& mission,

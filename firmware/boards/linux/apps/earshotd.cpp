@@ -78,12 +78,10 @@ board::MissionFile load(const Options& o) {
 
 std::unique_ptr<runtime::Runtime> make_runtime(const board::MissionFile& file, const std::string& mission_name) {
   const std::unique_ptr<policy::FrozenPolicy> policy = board::load_policy(file.policy, file.public_key);
+  board::check_fits(*policy, file.policy, file.mission, mission_name);
   auto runtime = std::make_unique<runtime::Runtime>();
-  if (runtime->configure(file.mission, *policy) != Status::kOk) {
-    throw config_file::BadInput(mission_name + ": search.step_length_m = " + std::to_string(file.mission.step_length.value) + ": must be " +
-                                std::to_string(policy->step_length.value) + ", which the policy " + file.policy.string() +
-                                " was trained with");
-  }
+  if (runtime->configure(file.mission, *policy) != Status::kOk)
+    throw config_file::BadInput(mission_name + ": cannot be flown with the policy " + file.policy.string());
   return runtime;
 }
 
