@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,24 @@ struct Seabed {
   std::vector<SedimentLayer> layers;  ///< from the sea floor down, at least one
 };
 
+/// Sound speed against depth at a range from the source.
+struct WaterStation {
+  Meters range;
+  SoundSpeedProfile profile;
+};
+
+struct SeaFloorStation {
+  Meters range;
+  Meters depth;  ///< positive down
+};
+
+struct SedimentStation {
+  Meters range;
+  std::vector<SedimentLayer> layers;  ///< from the sea floor down, at least one
+};
+
+struct Charts;  ///< sea floor and water by geographic position; see charts.hpp
+
 struct Source {
   Hertz frequency;     ///< > 0
   Decibels level;      ///< dB re 1 uPa @ 1 m
@@ -30,14 +49,22 @@ struct Source {
   NorthEast position;  ///< in the plane of the search domain
 };
 
-/// One ocean and the source in it; the same in every direction and at every range.
+/// One ocean and the source in it.
+///
+/// `water` and `seabed` are what is found at the source. An ocean that changes with place has stations, the same on every bearing, or
+/// charts besides; `section_along` in section.hpp makes one radial out of whichever there are.
 struct Environment {
   std::string name;
   SoundSpeedProfile water;
   Seabed seabed;
   Source source;
-  Decibels noise_level;          ///< in the detector's band, dB re 1 uPa
-  std::uint32_t file_crc32 = 0;  ///< CRC-32 of the bytes of the file this was read from, for provenance; 0 when it came from none
+  Decibels noise_level;                                  ///< in the detector's band, dB re 1 uPa
+  double absorption_db_per_km = 0.0;                     ///< of sea water at the source's frequency, >= 0
+  std::vector<WaterStation> water_stations = {};         ///< empty: `water` at every range
+  std::vector<SeaFloorStation> sea_floor_stations = {};  ///< empty: `seabed.depth` at every range
+  std::vector<SedimentStation> sediment_stations = {};   ///< empty: `seabed.layers` at every range
+  std::shared_ptr<const Charts> charts = {};             ///< null: none
+  std::uint32_t file_crc32 = 0;  ///< CRC-32 of the file this was read from and of the data it names, for provenance; 0: none
 };
 
 }  // namespace earshot::ocean

@@ -1,28 +1,65 @@
 #include "sim/ocean/environment_file.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <memory>
+#include <numbers>
 #include <optional>
+#include <span>
+#include <sstream>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/core/crc32.hpp"
+#include "sim/ocean/charts.hpp"
+#include "sim/ocean/environment_noise.hpp"
+#include "sim/ocean/environment_seabed.hpp"
+#include "sim/ocean/environment_water.hpp"
+#include "sim/ocean/section.hpp"
 
 namespace earshot::ocean {
 namespace {
 
+using config_file::BadInput;
 using config_file::Range;
 using config_file::TableReader;
 
 constexpr double kMaxDepth_m = 12'000.0;  // deeper than any ocean: whoever exceeds it has mistaken the unit
-constexpr Range kSoundSpeed = {100.0, 10'000.0, Range::Lower::kAtLeast};
 
-std::uint32_t crc32_of(const std::filesystem::path& path) {
+enum class BathymetryLayout : std::uint8_t { kSectionCsv, kGridCsv, kGebco };
+
+struct BathymetryKeys {
+  BathymetryLayout layout;
+  std::filesystem::path file;
+  Meters reach;
+};
+
+/// What the file itself says, before the data files it names are read.
+struct Keys {
+  std::string name;
+  Source source;
+  Decibels noise_level;
+  double absorption_db_per_km = 0.0;
+  std::optional<GeoPosition> origin;
+  WaterKeys water;
+  SeabedKeys seabed;
+  std::optional<BathymetryKeys> bathymetry;
+};
+
+std::uint32_t crc32_of(const std::filesystem::path& path, std::uint32_t previous) {
   std::ifstream stream(path, std::ios::binary);
   const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), {}};
-  return crc32(bytes);
+  return crc32(bytes, previous);
+}
+
+std::uint32_t crc32_of(const std::vector<double>& values, std::uint32_t previous) {
+  return crc32({reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(double)}, previous);
 }
 
 Source read_source(TableReader& table) {
@@ -32,81 +69,150 @@ Source read_source(TableReader& table) {
           .position = {.north = Meters{table.number("north_m")}, .east = Meters{table.number("east_m")}}};
 }
 
-MunkProfile read_munk(TableReader& table) {
-  return {.axis_sound_speed = MetersPerSecond{table.number("axis_sound_speed_mps", kSoundSpeed)},
-          .axis_depth = Meters{table.number("axis_depth_m", Range::between(0.0, kMaxDepth_m))},
-          .scale = Meters{table.number("scale_m", Range::above_up_to(0.0, kMaxDepth_m))},
-          .perturbation = table.number("perturbation", Range::between(0.0, 0.1))};
+GeoPosition read_origin(TableReader table) {
+  return {.latitude_deg = table.number("latitude_deg", Range::between(-90.0, 90.0)),
+          .longitude_deg = table.number("longitude_deg", Range::between(-180.0, 180.0))};
 }
 
-std::optional<std::size_t> first_not_increasing(const std::vector<double>& values) {
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    if (!(values[i] > values[i - 1])) return i;
+BathymetryKeys read_bathymetry(const config_file::File& file, TableReader table) {
+  BathymetryKeys keys{.layout = static_cast<BathymetryLayout>(table.choice("layout", {"section_csv", "grid_csv", "gebco"})),
+                      .file = file.resolve(table.text("file")),
+                      .reach = {}};
+  if (keys.layout == BathymetryLayout::kGebco) {
+    keys.reach = Meters{1000.0 * table.number_or("reach_km", 150.0, Range::above_up_to(0.0, 5000.0))};
   }
-  return std::nullopt;
+  return keys;
 }
 
-TabulatedProfile read_table(TableReader& table, Meters sea_floor) {
-  TabulatedProfile profile{.depth_m = table.numbers("depth_m", Range::between(0.0, kMaxDepth_m)),
-                           .sound_speed_mps = table.numbers("sound_speed_mps", kSoundSpeed)};
-  const auto& depth = profile.depth_m;
-  if (depth.size() != profile.sound_speed_mps.size()) {
-    table.problem("sound_speed_mps", "has " + std::to_string(profile.sound_speed_mps.size()) + " values, must have one for each of the " +
-                                         std::to_string(depth.size()) + " of depth_m");
+/// Tables of depths reach as deep as a flat sea floor.
+void check_reach(TableReader& water, const Keys& keys) {
+  const auto is_short = [&](const SoundSpeedProfile& profile) {
+    const auto* table = std::get_if<TabulatedProfile>(&profile);
+    return table != nullptr && !table->depth_m.empty() && table->depth_m.back() < keys.seabed.seabed.depth.value;
+  };
+  const auto& stations = keys.water.stations;
+  if (is_short(keys.water.profile) || std::any_of(stations.begin(), stations.end(), [&](const auto& s) { return is_short(s.profile); })) {
+    water.problem("depth_m", "must reach from 0 to seabed.depth_m");
   }
-  if (depth.empty()) {
-    table.problem("depth_m", "must hold at least one depth");
-  } else if (const auto i = first_not_increasing(depth)) {
-    table.problem("depth_m", "must increase: value number " + std::to_string(*i + 1) + " does not");
-  } else if (depth.front() > 0.0 || depth.back() < sea_floor.value) {
-    table.problem("depth_m", "must reach from 0 to seabed.depth_m");
+}
+
+Keys read_keys(const config_file::File& file) {
+  TableReader root = file.root();
+  TableReader source = root.table("source");
+  TableReader water = root.table("water");
+  Keys keys{.name = root.text("name"),
+            .source = read_source(source),
+            .noise_level = read_noise(root.table("noise")),
+            .origin = {},
+            .water = read_water(file, water),
+            .seabed = {},
+            .bathymetry = {}};
+  if (const auto origin = root.optional_table("origin")) keys.origin = read_origin(*origin);
+  if (const auto absorption = root.optional_table("absorption")) {
+    keys.absorption_db_per_km = read_absorption(*absorption, keys.source.frequency);
   }
-  return profile;
-}
-
-SoundSpeedProfile read_water(TableReader table, Meters sea_floor) {
-  if (table.choice("profile", {"munk", "table"}) == 0) return read_munk(table);
-  return read_table(table, sea_floor);
-}
-
-SedimentLayer read_layer(TableReader table, bool is_last) {
-  SedimentLayer layer{.thickness = Meters{},
-                      .sound_speed = MetersPerSecond{table.number("sound_speed_mps", kSoundSpeed)},
-                      .density_g_per_cm3 = table.number_or("density_g_per_cm3", 1.5, Range::between(0.5, 20.0)),
-                      .attenuation_db_per_wavelength = table.number_or("attenuation_db_per_wavelength", 0.5, Range::between(0.0, 20.0))};
-  if (!is_last) layer.thickness = Meters{table.number("thickness_m", Range::above_up_to(0.0, kMaxDepth_m))};
-  if (is_last && table.has("thickness_m")) {
-    (void)table.number("thickness_m");
-    table.problem("thickness_m", "must be left out of the last layer, which is a half-space");
+  if (const auto bathymetry = root.optional_table("bathymetry")) keys.bathymetry = read_bathymetry(file, *bathymetry);
+  keys.seabed = read_seabed(root.table("seabed"), keys.bathymetry ? SeaFloorDepth::kGivenByBathymetry : SeaFloorDepth::kGivenHere);
+  const bool chart = keys.bathymetry && keys.bathymetry->layout != BathymetryLayout::kSectionCsv;
+  if (!keys.origin && (chart || keys.water.from == WaterSource::kAtlas)) {
+    root.problem("origin", "must be there, with latitude_deg and longitude_deg: where north_m = 0, east_m = 0 lies on the charts");
   }
-  return layer;
+  if (!keys.bathymetry) {
+    check_reach(water, keys);
+    if (!(keys.source.depth < keys.seabed.seabed.depth)) source.problem("depth_m", "must be less than seabed.depth_m");
+  }
+  file.finish();
+  return keys;
 }
 
-Seabed read_seabed(TableReader table) {
-  Seabed seabed{.depth = Meters{table.number("depth_m", Range::above_up_to(0.0, kMaxDepth_m))}, .layers = {}};
-  const std::vector<TableReader> layers = table.tables("layers");
-  for (std::size_t i = 0; i < layers.size(); ++i) seabed.layers.push_back(read_layer(layers[i], i + 1 == layers.size()));
-  if (table.has("layers") && layers.empty()) table.problem("layers", "must hold at least one layer");
-  return seabed;
+/// The water, from wherever it comes; CRC of the data goes on from `crc`.
+void take_water(Environment& environment, Charts& charts, const Keys& keys, std::uint32_t& crc) {
+  environment.water = keys.water.profile;
+  environment.water_stations = keys.water.stations;
+  if (keys.water.from == WaterSource::kCsv) {
+    const double latitude_deg = keys.origin ? keys.origin->latitude_deg : 45.0;
+    auto stations = read_profile_csv(keys.water.csv, Radians{latitude_deg * std::numbers::pi / 180.0}, keys.water.formula);
+    environment.water = stations.front().profile;
+    if (stations.size() > 1) environment.water_stations = std::move(stations);
+    crc = crc32_of(keys.water.csv, crc);
+  } else if (keys.water.from == WaterSource::kAtlas) {
+    charts.climatology = read_world_ocean_atlas(keys.water.atlas, *keys.origin, keys.water.reach);
+    charts.formula = keys.water.formula;
+    crc = crc32_of(charts.climatology->salinity_psu, crc32_of(charts.climatology->temperature_c, crc));
+  }
+}
+
+void take_sea_floor(Environment& environment, Charts& charts, const Keys& keys, std::uint32_t& crc) {
+  if (!keys.bathymetry) return;
+  const BathymetryKeys& from = *keys.bathymetry;
+  switch (from.layout) {
+    case BathymetryLayout::kSectionCsv:
+      environment.sea_floor_stations = read_section_csv(from.file);
+      crc = crc32_of(from.file, crc);
+      return;
+    case BathymetryLayout::kGridCsv:
+      charts.bathymetry = read_bathymetry_csv(from.file, *keys.origin);
+      break;
+    case BathymetryLayout::kGebco:
+      charts.bathymetry = read_gebco(from.file, *keys.origin, from.reach);
+      break;
+  }
+  crc = crc32_of(charts.bathymetry->elevation_m, crc);
+}
+
+Meters deepest(const Environment& environment, const Charts& charts) {
+  Meters depth = environment.seabed.depth;
+  for (const SeaFloorStation& station : environment.sea_floor_stations) depth = std::max(depth, station.depth);
+  if (charts.bathymetry) {
+    for (const double elevation_m : charts.bathymetry->elevation_m) depth = std::max(depth, Meters{-elevation_m});
+  }
+  return depth;
+}
+
+/// What could not be checked before the sea floor was known.
+void check_against_data(const std::filesystem::path& path, const Environment& environment, const Charts& charts) {
+  const auto fail = [&](const std::string& key, double value, const std::string& must, double limit_m) {
+    std::ostringstream text;
+    text << path.string() << ": " << key << " = " << value << ": " << must << ", " << limit_m << " m";
+    throw BadInput(text.str());
+  };
+  const Meters floor = environment.seabed.depth;
+  if (!(environment.source.depth < floor)) {
+    fail("source.depth_m", environment.source.depth.value, "must be less than the depth of the sea floor at the source", floor.value);
+  }
+  const double needed_m = deepest(environment, charts).value;
+  const auto check = [&](const SoundSpeedProfile& profile) {
+    const auto* table = std::get_if<TabulatedProfile>(&profile);
+    if (table != nullptr && table->depth_m.back() < needed_m) {
+      fail("the last depth_m of the sound-speed profile", table->depth_m.back(), "must reach the deepest sea floor", needed_m);
+    }
+  };
+  check(environment.water);
+  for (const WaterStation& station : environment.water_stations) check(station.profile);
 }
 
 }  // namespace
 
 Environment load_environment(const std::filesystem::path& path) {
-  const config_file::File file(path);
-  TableReader root = file.root();
-  TableReader source = root.table("source");
-  Environment environment{.name = root.text("name"),
+  const Keys keys = read_keys(config_file::File(path));
+  std::uint32_t crc = crc32_of(path, 0);
+  Environment environment{.name = keys.name,
                           .water = {},
-                          .seabed = read_seabed(root.table("seabed")),
-                          .source = read_source(source),
-                          .noise_level = Decibels{root.table("noise").number("level_db_re_1upa", Range::between(-100.0, 300.0))},
-                          .file_crc32 = crc32_of(path)};
-  environment.water = read_water(root.table("water"), environment.seabed.depth);
-  if (!(environment.source.depth < environment.seabed.depth)) {
-    source.problem("depth_m", "must be less than seabed.depth_m");
-  }
-  file.finish();
+                          .seabed = keys.seabed.seabed,
+                          .source = keys.source,
+                          .noise_level = keys.noise_level,
+                          .absorption_db_per_km = keys.absorption_db_per_km,
+                          .sediment_stations = keys.seabed.stations};
+  auto charts = std::make_shared<Charts>(Charts{.grid = {keys.origin.value_or(GeoPosition{})}, .bathymetry = {}, .climatology = {}});
+  take_water(environment, *charts, keys, crc);
+  take_sea_floor(environment, *charts, keys, crc);
+  environment.file_crc32 = crc;
+  if (keys.origin) environment.charts = charts;
+
+  const Section at_source = section_along(environment, environment.source.position, Radians{}, Meters{1.0});
+  environment.water = at_source.water.front().profile;
+  environment.seabed.depth = at_source.sea_floor.front().depth;
+  check_against_data(path, environment, *charts);
   return environment;
 }
 

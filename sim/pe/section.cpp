@@ -7,6 +7,8 @@
 #include <string>
 #include <variant>
 
+#include "sim/ocean/section.hpp"
+
 namespace earshot::pe {
 
 namespace {
@@ -109,9 +111,13 @@ std::vector<SedimentPoint> sediment_points(const std::vector<ocean::SedimentLaye
 }
 
 Section make_section(const ocean::Environment& environment) {
+  if (!ocean::is_range_independent(environment)) {
+    throw std::invalid_argument(environment.name + ": its ocean changes with range or bearing; a radial of it must be named");
+  }
   return {.floor = {{0.0, environment.seabed.depth.value}},
           .water = {{0.0, environment.water}},
-          .sediment = {{0.0, sediment_points(environment.seabed.layers)}}};
+          .sediment = {{0.0, sediment_points(environment.seabed.layers)}},
+          .water_attenuation_db_per_km = environment.absorption_db_per_km};
 }
 
 void require_valid(const Section& section, Meters source_depth) {

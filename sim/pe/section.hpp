@@ -46,7 +46,8 @@ struct Section {
   [[nodiscard]] bool water_varies() const { return water.size() > 1; }
 };
 
-/// The same ocean in every direction and at every range.
+/// The same ocean in every direction and at every range; ocean_section.hpp makes a section of one that changes.
+/// Throws std::invalid_argument when the environment changes with range or bearing.
 [[nodiscard]] Section make_section(const ocean::Environment& environment);
 
 /// Layers from the sea floor down, the last a half-space.

@@ -12,7 +12,7 @@ namespace earshot::sonar {
 /// whole.
 ///
 /// @param history  the command that made it
-/// Throws std::runtime_error with the file's name and the cause; nothing is left behind then.
+/// Throws netcdf::FileError, which is a std::runtime_error, with the file's name and the cause; nothing is left behind then.
 /// Oracle: FieldFile.*
 void write_field(const std::filesystem::path& path, const SonarField& field, const ocean::Environment& environment,
                  const std::string& history);

@@ -1,0 +1,137 @@
+#include "sim/netcdf/reader.hpp"
+
+#include <netcdf.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <utility>
+
+#include "sim/netcdf/classic_size.hpp"
+
+namespace earshot::netcdf {
+namespace {
+
+constexpr std::size_t kMostValues = std::size_t{1} << 28;  // 2 GiB of doubles: beyond it stands a corrupt header or a forgotten window
+
+bool is_classic(const std::filesystem::path& path) {
+  std::array<char, 3> magic{};
+  std::ifstream(path, std::ios::binary).read(magic.data(), magic.size());
+  return magic == std::array<char, 3>{'C', 'D', 'F'};
+}
+
+}  // namespace
+
+FileError Reader::error(const std::string& variable, const std::string& what) const {
+  return FileError(path_.string() + ": " + (variable.empty() ? "" : variable + ": ") + what);
+}
+
+Reader::Reader(std::filesystem::path path) : path_(std::move(path)) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path_, ignored)) throw error("", "no such file");
+  if (!std::filesystem::is_regular_file(path_, ignored) || !std::ifstream(path_)) throw error("", "cannot be read");
+  if (is_classic(path_)) {
+    const std::optional<std::uint64_t> needed = classic_size(path_);
+    const std::uintmax_t bytes = std::filesystem::file_size(path_);
+    if (!needed) throw error("", "its NetCDF header is damaged or truncated");
+    if (bytes < *needed) {
+      throw error("", "truncated: has " + std::to_string(bytes) + " bytes, its header promises " + std::to_string(*needed));
+    }
+  }
+  const int status = nc_open(path_.c_str(), NC_NOWRITE, &file_);
+  if (status != NC_NOERR) throw error("", std::string("not a whole NetCDF file (") + nc_strerror(status) + ")");
+}
+
+Reader::~Reader() {
+  (void)nc_close(file_);
+}
+
+int Reader::variable_id(const std::string& variable) const {
+  int id = -1;
+  if (nc_inq_varid(file_, variable.c_str(), &id) != NC_NOERR) throw error(variable, "no such variable");
+  return id;
+}
+
+bool Reader::has_variable(const std::string& variable) const {
+  int id = -1;
+  return nc_inq_varid(file_, variable.c_str(), &id) == NC_NOERR;
+}
+
+std::vector<std::string> Reader::dimensions_of(const std::string& variable) const {
+  const int id = variable_id(variable);
+  int rank = 0;
+  std::vector<int> dimensions(NC_MAX_VAR_DIMS);
+  if (nc_inq_var(file_, id, nullptr, nullptr, &rank, dimensions.data(), nullptr) != NC_NOERR) throw error(variable, "cannot be read");
+  std::vector<std::string> names;
+  for (int i = 0; i < rank; ++i) {
+    std::array<char, NC_MAX_NAME + 1> name{};
+    if (nc_inq_dimname(file_, dimensions[static_cast<std::size_t>(i)], name.data()) != NC_NOERR) throw error(variable, "cannot be read");
+    names.emplace_back(name.data());
+  }
+  return names;
+}
+
+std::vector<std::size_t> Reader::shape_of(const std::string& variable) const {
+  std::vector<std::size_t> shape;
+  for (const std::string& name : dimensions_of(variable)) {
+    int id = -1;
+    std::size_t length = 0;
+    if (nc_inq_dimid(file_, name.c_str(), &id) != NC_NOERR || nc_inq_dimlen(file_, id, &length) != NC_NOERR) {
+      throw error(variable, "its dimension " + name + " cannot be read");
+    }
+    shape.push_back(length);
+  }
+  return shape;
+}
+
+std::optional<std::string> Reader::text_attribute(const std::string& variable, const std::string& attribute) const {
+  const int id = variable_id(variable);
+  nc_type type = NC_NAT;
+  std::size_t length = 0;
+  if (nc_inq_att(file_, id, attribute.c_str(), &type, &length) != NC_NOERR || type != NC_CHAR) return std::nullopt;
+  std::string text(length, '\0');
+  if (nc_get_att_text(file_, id, attribute.c_str(), text.data()) != NC_NOERR) throw error(variable, attribute + " cannot be read");
+  while (!text.empty() && text.back() == '\0') text.pop_back();
+  return text;
+}
+
+std::optional<double> Reader::number_attribute(int variable_id, const char* attribute) const {
+  nc_type type = NC_NAT;
+  std::size_t length = 0;
+  double value = 0.0;
+  if (nc_inq_att(file_, variable_id, attribute, &type, &length) != NC_NOERR || length != 1 || type == NC_CHAR) return std::nullopt;
+  return nc_get_att_double(file_, variable_id, attribute, &value) == NC_NOERR ? std::optional(value) : std::nullopt;
+}
+
+std::vector<double> Reader::read(const std::string& variable) const {
+  const std::vector<std::size_t> shape = shape_of(variable);
+  return read(variable, {.start = std::vector<std::size_t>(shape.size(), 0), .count = shape});
+}
+
+std::vector<double> Reader::read(const std::string& variable, const Block& block) const {
+  const int id = variable_id(variable);
+  const std::vector<std::size_t> shape = shape_of(variable);
+  std::size_t values = 1;
+  if (block.start.size() != shape.size() || block.count.size() != shape.size()) throw error(variable, "has another number of dimensions");
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    if (block.start[i] > shape[i] || block.count[i] > shape[i] - block.start[i]) throw error(variable, "is smaller than asked for");
+    if (block.count[i] > 0 && values > kMostValues / block.count[i]) throw error(variable, "is larger than 2^28 values");
+    values *= block.count[i];
+  }
+  std::vector<double> data(values);
+  const int status = nc_get_vara_double(file_, id, block.start.data(), block.count.data(), data.data());
+  if (status != NC_NOERR) throw error(variable, std::string("cannot be read (") + nc_strerror(status) + ")");
+
+  const std::array<std::optional<double>, 2> absent = {number_attribute(id, "_FillValue"), number_attribute(id, "missing_value")};
+  const double scale = number_attribute(id, "scale_factor").value_or(1.0);
+  const double offset = number_attribute(id, "add_offset").value_or(0.0);
+  for (double& x : data) {
+    const bool none = x == absent[0] || x == absent[1];
+    x = none ? std::numeric_limits<double>::quiet_NaN() : x * scale + offset;
+  }
+  return data;
+}
+
+}  // namespace earshot::netcdf

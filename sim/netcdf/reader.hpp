@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/netcdf/file_error.hpp"
+
+namespace earshot::netcdf {
+
+/// Part of a variable: along each of its dimensions the first index and how many.
+struct Block {
+  std::vector<std::size_t> start;
+  std::vector<std::size_t> count;
+};
+
+/// An open NetCDF file (classic or NetCDF-4). Whatever is missing, truncated or of another shape throws FileError.
+///
+/// Not for two threads at once: the NetCDF library is not thread-safe, not even for different files.
+class Reader {
+ public:
+  explicit Reader(std::filesystem::path path);
+  ~Reader();
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  [[nodiscard]] bool has_variable(const std::string& variable) const;
+  [[nodiscard]] std::vector<std::string> dimensions_of(const std::string& variable) const;
+  [[nodiscard]] std::vector<std::size_t> shape_of(const std::string& variable) const;
+  [[nodiscard]] std::optional<std::string> text_attribute(const std::string& variable, const std::string& attribute) const;
+
+  /// The values in row-major order, unpacked by the CF attributes scale_factor and add_offset; NaN where the file has none (_FillValue,
+  /// missing_value). At most 2^28 values.
+  [[nodiscard]] std::vector<double> read(const std::string& variable) const;
+  [[nodiscard]] std::vector<double> read(const std::string& variable, const Block& block) const;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  /// An error about this file.
+  [[nodiscard]] FileError error(const std::string& variable, const std::string& what) const;
+
+ private:
+  [[nodiscard]] int variable_id(const std::string& variable) const;
+  [[nodiscard]] std::optional<double> number_attribute(int variable_id, const char* attribute) const;
+
+  std::filesystem::path path_;
+  int file_ = -1;
+};
+
+}  // namespace earshot::netcdf

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/netcdf/file_error.hpp"
+#include "sim/netcdf/reader.hpp"
+
+namespace earshot::netcdf {
+
+enum class Type : std::uint8_t { kFloat, kDouble, kInt16, kInt32 };
+
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+/// A NetCDF-4 file in the making. It stands under a temporary name in the same folder ("FILE.part" and the process's number) and gets its
+/// own only at `commit`; destroyed before that, it leaves nothing. Whatever cannot be written (no such folder, no right, disk full) throws
+/// FileError.
+///
+///     netcdf::Writer file("field.nc");
+///     file.dimension("range", 100);
+///     file.variable("range", netcdf::Type::kDouble, {"range"}, {{"units", "m"}, {"long_name", "range from the source"}});
+///     file.write("range", range_m);
+///     file.commit();
+///
+/// Not for two threads at once, as Reader.
+class Writer {
+ public:
+  explicit Writer(std::filesystem::path path);
+  ~Writer();
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  void dimension(const std::string& name, std::size_t length);
+  void variable(const std::string& name, Type type, const std::vector<std::string>& dimensions, const Attributes& attributes);
+  void compress(const std::string& variable);                         ///< without loss; before its values are written
+  void attribute(const std::string& name, const std::string& value);  ///< of the file
+  void attribute(const std::string& variable, const std::string& name, double value);
+  void write(const std::string& variable, std::span<const double> values);  ///< all of it, row-major; converted to the variable's type
+  void write(const std::string& variable, std::span<const float> values);
+  void write(const std::string& variable, const Block& block, std::span<const double> values);
+  void write(const std::string& variable, const Block& block, std::span<const float> values);
+  void commit();
+
+ private:
+  [[nodiscard]] int variable_id(const std::string& variable) const;
+  [[nodiscard]] Block all_of(const std::string& variable) const;
+  void check(int status, const std::string& variable) const;
+  void check_size(const std::string& variable, const Block& block, std::size_t values) const;
+
+  std::filesystem::path path_;
+  std::filesystem::path partial_;
+  int file_ = -1;  ///< -1: closed
+};
+
+}  // namespace earshot::netcdf

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/ocean/bathymetry.hpp"
+#include "sim/ocean/climatology.hpp"
+#include "sim/ocean/geography.hpp"
+#include "sim/ocean/water_profile.hpp"
+
+namespace earshot::ocean {
+
+/// What is known by geographic position, and where the local plane lies among it.
+struct Charts {
+  LocalGrid grid;
+  std::optional<Bathymetry> bathymetry;
+  std::optional<Climatology> climatology;
+  SoundSpeedFormula formula = SoundSpeedFormula::kUnesco;  ///< for the climatology
+};
+
+}  // namespace earshot::ocean

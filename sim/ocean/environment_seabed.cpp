@@ -1,0 +1,69 @@
+#include "sim/ocean/environment_seabed.hpp"
+
+#include <cstddef>
+#include <utility>
+
+namespace earshot::ocean {
+namespace {
+
+using config_file::Range;
+using config_file::TableReader;
+
+constexpr double kMaxDepth_m = 12'000.0;  // deeper than any ocean: whoever exceeds it has mistaken the unit
+
+SedimentLayer read_layer(TableReader table, bool is_last) {
+  SedimentLayer layer{.thickness = Meters{},
+                      .sound_speed = MetersPerSecond{table.number("sound_speed_mps", Range::between(100.0, 10'000.0))},
+                      .density_g_per_cm3 = table.number_or("density_g_per_cm3", 1.5, Range::between(0.5, 20.0)),
+                      .attenuation_db_per_wavelength = table.number_or("attenuation_db_per_wavelength", 0.5, Range::between(0.0, 20.0))};
+  if (!is_last) layer.thickness = Meters{table.number("thickness_m", Range::above_up_to(0.0, kMaxDepth_m))};
+  if (is_last && table.has("thickness_m")) {
+    (void)table.number("thickness_m");
+    table.problem("thickness_m", "must be left out of the last layer, which is a half-space");
+  }
+  return layer;
+}
+
+std::vector<SedimentLayer> read_layers(TableReader& table) {
+  std::vector<SedimentLayer> layers;
+  const std::vector<TableReader> tables = table.tables("layers");
+  for (std::size_t i = 0; i < tables.size(); ++i) layers.push_back(read_layer(tables[i], i + 1 == tables.size()));
+  if (table.has("layers") && layers.empty()) table.problem("layers", "must hold at least one layer");
+  return layers;
+}
+
+std::vector<SedimentStation> read_stations(TableReader& table) {
+  std::vector<SedimentStation> stations;
+  for (TableReader& station : table.tables("stations")) {
+    const Meters range{station.number("range_m", Range::at_least(0.0))};
+    if (!stations.empty() && !(range > stations.back().range)) station.problem("range_m", "must be more than the station's before");
+    stations.push_back({.range = range, .layers = read_layers(station)});
+  }
+  if (stations.empty()) table.problem("stations", "must hold at least one station");
+  return stations;
+}
+
+}  // namespace
+
+SeabedKeys read_seabed(TableReader table, SeaFloorDepth depth) {
+  SeabedKeys keys{.seabed = {.depth = Meters{1.0}, .layers = {}}, .stations = {}};
+  if (depth == SeaFloorDepth::kGivenHere) {
+    keys.seabed.depth = Meters{table.number("depth_m", Range::above_up_to(0.0, kMaxDepth_m))};
+  } else if (table.has("depth_m")) {
+    (void)table.number("depth_m");
+    table.problem("depth_m", "must be left out, [bathymetry] gives it");
+  }
+  if (table.has("stations")) {
+    keys.stations = read_stations(table);
+    if (!keys.stations.empty()) keys.seabed.layers = keys.stations.front().layers;
+    if (table.has("layers")) {
+      (void)table.tables("layers");
+      table.problem("layers", "must be left out, the stations have their own");
+    }
+  } else {
+    keys.seabed.layers = read_layers(table);
+  }
+  return keys;
+}
+
+}  // namespace earshot::ocean

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "sim/ocean/climatology.hpp"
+#include "sim/ocean/environment.hpp"
+#include "sim/ocean/water_profile.hpp"
+
+namespace earshot::ocean {
+
+enum class WaterSource : std::uint8_t { kKeys, kCsv, kAtlas };
+
+struct WaterKeys {
+  WaterSource from = WaterSource::kKeys;
+  SoundSpeedProfile profile;           ///< kKeys
+  std::vector<WaterStation> stations;  ///< kKeys, when it changes with range
+  std::filesystem::path csv;           ///< kCsv
+  WorldOceanAtlas atlas;               ///< kAtlas
+  SoundSpeedFormula formula = SoundSpeedFormula::kUnesco;
+  Meters reach;  ///< kAtlas
+};
+
+/// The table [water] of an environment file.
+[[nodiscard]] WaterKeys read_water(const config_file::File& file, config_file::TableReader table);
+
+/// Sound absorption after the table [absorption], dB/km.
+[[nodiscard]] double read_absorption(config_file::TableReader table, Hertz frequency);
+
+}  // namespace earshot::ocean

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "firmware/core/units.hpp"
+#include "sim/ocean/environment.hpp"
+#include "sim/ocean/sound_speed.hpp"
+
+namespace earshot::ocean {
+
+/// The ocean in the vertical plane along one radial: what a propagation model marches through.
+///
+/// Sound speed and sea floor are linear in range between stations and constant beyond the first and the last. So are thickness, sound
+/// speed, density and attenuation of each sediment layer; every station has the same number of layers, and they follow the sea floor.
+struct Section {
+  std::vector<WaterStation> water;         ///< at least one, range strictly increasing
+  std::vector<SeaFloorStation> sea_floor;  ///< at least one, range strictly increasing
+  std::vector<SedimentStation> sediment;   ///< at least one, range strictly increasing
+  std::optional<Meters> shore;             ///< where the radial meets land and the section ends, if it does
+};
+
+/// @param depth  positive down
+/// Oracle: Section.IsLinearInRangeBetweenItsStations
+[[nodiscard]] MetersPerSecond sound_speed(const Section& section, Meters range, Meters depth);
+
+/// @return positive down; 0 on the shore
+[[nodiscard]] Meters sea_floor_depth(const Section& section, Meters range);
+
+/// From the sea floor down.
+[[nodiscard]] const std::vector<SedimentLayer>& sediment_layers(const Section& section, Meters range);
+
+[[nodiscard]] bool is_range_independent(const Section& section);
+
+/// Whether every section of the environment is alike and range-independent: `water` and `seabed` tell all of it.
+[[nodiscard]] bool is_range_independent(const Environment& environment);
+
+/// The radial of `bearing` from `from`, as far as `max_range` or the shore.
+///
+/// Range is true distance along a geodesic where the environment has a geographic origin; the bearing is that of the local plane, in which
+/// the geodesic ends at `from` + `max_range` in this direction. Stations stand half a grid cell of the charts apart, which bilinear charts
+/// lose nothing but the curvature inside a cell by. What the environment gives against range (not charts) starts anew at `from`.
+///
+/// @param bearing    clockwise from north
+/// @param max_range  > 0
+/// Throws config_file::BadInput where a chart has no data, or where `from` is on land.
+/// Oracle: SectionAlong.*
+[[nodiscard]] Section section_along(const Environment& environment, NorthEast from, Radians bearing, Meters max_range);
+
+}  // namespace earshot::ocean

@@ -1,0 +1,137 @@
+#include "sim/netcdf/reader.hpp"
+
+#include <gtest/gtest.h>
+#include <netcdf.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/sim/netcdf/temporary_folder.hpp"
+
+namespace earshot::netcdf {
+namespace {
+
+/// v(y, x) = 10 y + x as packed shorts (0.5 v + 100), one of them missing.
+void write_packed(const std::filesystem::path& path, int format) {
+  int file = -1;
+  std::array<int, 2> dims{};
+  int id = -1;
+  ASSERT_EQ(nc_create(path.c_str(), NC_CLOBBER | format, &file), NC_NOERR);
+  ASSERT_EQ(nc_def_dim(file, "y", 4, dims.data()), NC_NOERR);
+  ASSERT_EQ(nc_def_dim(file, "x", 10, &dims[1]), NC_NOERR);
+  ASSERT_EQ(nc_def_var(file, "v", NC_SHORT, 2, dims.data(), &id), NC_NOERR);
+  const short fill = -999;
+  const double scale = 0.5;
+  const double offset = 100.0;
+  ASSERT_EQ(nc_put_att_short(file, id, "_FillValue", NC_SHORT, 1, &fill), NC_NOERR);
+  ASSERT_EQ(nc_put_att_double(file, id, "scale_factor", NC_DOUBLE, 1, &scale), NC_NOERR);
+  ASSERT_EQ(nc_put_att_double(file, id, "add_offset", NC_DOUBLE, 1, &offset), NC_NOERR);
+  ASSERT_EQ(nc_put_att_text(file, id, "units", 1, "m"), NC_NOERR);
+  ASSERT_EQ(nc_enddef(file), NC_NOERR);
+  std::vector<short> values;
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 10; ++x) values.push_back(static_cast<short>(10 * y + x));
+  }
+  values[13] = fill;
+  ASSERT_EQ(nc_put_var_short(file, id, values.data()), NC_NOERR);
+  ASSERT_EQ(nc_close(file), NC_NOERR);
+}
+
+std::string message_of(const auto& action) {
+  try {
+    action();
+  } catch (const config_file::BadInput& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(NetcdfReader, UnpacksValuesAndTurnsMissingOnesIntoNan) {
+  const tests::TemporaryFolder folder;
+  for (const int format : {0, NC_NETCDF4}) {
+    write_packed(folder / "v.nc", format);
+    const Reader file(folder / "v.nc");
+    EXPECT_EQ(file.dimensions_of("v"), (std::vector<std::string>{"y", "x"}));
+    EXPECT_EQ(file.text_attribute("v", "units"), "m");
+    const std::vector<double> all = file.read("v");
+    ASSERT_EQ(all.size(), 40U);
+    EXPECT_EQ(all[27], 100.0 + 27 * 0.5);
+    EXPECT_TRUE(std::isnan(all[13]));
+    EXPECT_EQ(file.read("v", {.start = {2, 3}, .count = {2, 2}}), (std::vector<double>{111.5, 112.0, 116.5, 117.0}));
+  }
+}
+
+TEST(NetcdfReader, NamesFileAndVariableInItsErrors) {
+  const tests::TemporaryFolder folder;
+  const std::string path = (folder / "v.nc").string();
+  write_packed(path, NC_NETCDF4);
+  const Reader file(path);
+  EXPECT_EQ(message_of([&] { (void)file.read("salinity"); }), path + ": salinity: no such variable");
+  EXPECT_EQ(message_of([&] { (void)file.read("v", {.start = {0, 8}, .count = {1, 3}}); }), path + ": v: is smaller than asked for");
+  EXPECT_EQ(message_of([&] { (void)file.read("v", {.start = {0}, .count = {1}}); }), path + ": v: has another number of dimensions");
+}
+
+TEST(NetcdfReader, RefusesWhatIsMissingOrNoNetcdf) {
+  const tests::TemporaryFolder folder;
+  EXPECT_NE(message_of([&] { const Reader file(folder / "none.nc"); }).find("none.nc: no such file"), std::string::npos);
+  EXPECT_NE(message_of([&] { const Reader file(folder.path()); }).find("cannot be read"), std::string::npos);
+  std::ofstream(folder / "text.nc") << "lat,lon,elevation\n1,2,3\n";
+  EXPECT_NE(message_of([&] { const Reader file(folder / "text.nc"); }).find("text.nc: not a whole NetCDF file"), std::string::npos);
+}
+
+TEST(NetcdfReader, RefusesEveryTruncation) {
+  const tests::TemporaryFolder folder;
+  for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4}) {
+    write_packed(folder / "whole.nc", format);
+    const auto size = std::filesystem::file_size(folder / "whole.nc");
+    for (std::uintmax_t length = 0; length < size; length += length + 16 < size ? 211 : 1) {
+      std::filesystem::copy_file(folder / "whole.nc", folder / "cut.nc", std::filesystem::copy_options::overwrite_existing);
+      std::filesystem::resize_file(folder / "cut.nc", length);
+      EXPECT_THROW((void)Reader(folder / "cut.nc").read("v"), FileError) << "format " << format << ", " << length << " of " << size;
+    }
+  }
+}
+
+TEST(NetcdfReader, RefusesALongClassicFileCutWhereTheLibraryReadsZeros) {
+  const tests::TemporaryFolder folder;
+  const std::vector<float> ones(20'000, 1.0F);
+  int file = -1;
+  int x = -1;
+  int id = -1;
+  ASSERT_EQ(nc_create((folder / "long.nc").c_str(), NC_CLOBBER, &file), NC_NOERR);
+  ASSERT_EQ(nc_def_dim(file, "x", ones.size(), &x), NC_NOERR);
+  ASSERT_EQ(nc_def_var(file, "v", NC_FLOAT, 1, &x, &id), NC_NOERR);
+  ASSERT_EQ(nc_enddef(file), NC_NOERR);
+  ASSERT_EQ(nc_put_var_float(file, id, ones.data()), NC_NOERR);
+  ASSERT_EQ(nc_close(file), NC_NOERR);
+  EXPECT_EQ(Reader(folder / "long.nc").read("v").back(), 1.0);
+  for (const std::uintmax_t length : {79'000U, 40'000U, 10'000U, 1000U}) {
+    std::filesystem::resize_file(folder / "long.nc", length);
+    EXPECT_THROW(Reader(folder / "long.nc"), FileError) << length;
+  }
+}
+
+TEST(NetcdfReader, SurvivesADamagedHeader) {
+  const tests::TemporaryFolder folder;
+  for (const int format : {0, NC_NETCDF4}) {
+    write_packed(folder / "whole.nc", format);
+    std::ifstream whole(folder / "whole.nc", std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(whole), {}};
+    for (std::size_t at = 0; at < std::min<std::size_t>(bytes.size(), 200); at += 3) {
+      std::string damaged = bytes;
+      damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
+      std::ofstream(folder / "damaged.nc", std::ios::binary) << damaged;
+      try {
+        (void)Reader(folder / "damaged.nc").read("v");  // may still read: not every byte of a header carries meaning
+      } catch (const FileError& e) {
+        EXPECT_NE(std::string(e.what()).find("damaged.nc"), std::string::npos);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace earshot::netcdf

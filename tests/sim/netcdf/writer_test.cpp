@@ -1,0 +1,123 @@
+#include "sim/netcdf/writer.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "sim/netcdf/reader.hpp"
+#include "tests/sim/netcdf/temporary_folder.hpp"
+
+namespace earshot::netcdf {
+namespace {
+
+void fill(Writer& file, std::size_t values) {
+  file.dimension("range", values);
+  file.variable("range", Type::kDouble, {"range"}, {{"units", "m"}});
+  file.variable("tl", Type::kFloat, {"range"}, {{"units", "dB"}});
+  file.attribute("tl", "_FillValue", -999.0);
+  file.write("range", std::vector<double>(values, 2.5));
+  file.write("tl", std::vector<float>(values, 80.25F));
+}
+
+TEST(NetcdfWriter, WritesWhatTheReaderReads) {
+  const tests::TemporaryFolder folder;
+  Writer file(folder / "f.nc");
+  fill(file, 5);
+  file.write("range", Block{.start = {1}, .count = {2}}, std::vector<double>{7.0, -1.0});
+  file.commit();
+  const Reader back(folder / "f.nc");
+  EXPECT_EQ(back.read("range"), (std::vector<double>{2.5, 7.0, -1.0, 2.5, 2.5}));
+  EXPECT_EQ(back.read("tl"), std::vector<double>(5, 80.25));
+  EXPECT_EQ(back.text_attribute("tl", "units"), "dB");
+}
+
+TEST(NetcdfWriter, LeavesTheOldFileAndNothingElseWhenNotCommitted) {
+  const tests::TemporaryFolder folder;
+  std::ofstream(folder / "f.nc") << "old";
+  {
+    Writer file(folder / "f.nc");
+    fill(file, 5);
+  }
+  std::string content;
+  std::ifstream(folder / "f.nc") >> content;
+  EXPECT_EQ(content, "old");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(NetcdfWriter, RefusesAFolderThatIsNotThereAndANumberOfValuesThatDoesNotFit) {
+  const tests::TemporaryFolder folder;
+  EXPECT_THROW(Writer(folder / "none/f.nc"), FileError);
+  Writer file(folder / "f.nc");
+  file.dimension("range", 5);
+  file.variable("range", Type::kDouble, {"range"}, {});
+  EXPECT_THROW(file.write("range", std::vector<double>(4)), FileError);
+}
+
+/// Stands for a full disk: a file may not grow beyond `bytes` while this lives.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{.rlim_cur = bytes, .rlim_max = before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+/// True when the file was written, false when that was refused.
+bool write_within(const std::filesystem::path& path, std::size_t values, rlim_t bytes) {
+  const FileSizeLimit limit(bytes);
+  try {
+    Writer file(path);
+    fill(file, values);
+    file.commit();
+  } catch (const FileError&) {
+    return false;
+  }
+  return true;
+}
+
+TEST(NetcdfWriter, SaysThatTheDiskIsFullAndLeavesNothingBehindWhereverItFills) {
+  const tests::TemporaryFolder folder;
+  for (const std::size_t values : {10U, 20'000U}) {
+    int written = 0;
+    int refused = 0;
+    for (rlim_t bytes = 50; bytes < 20 * values + 20'000; bytes += 50 + 2 * values) {
+      if (write_within(folder / "f.nc", values, bytes)) {
+        ++written;
+        EXPECT_EQ(Reader(folder / "f.nc").read("tl"), std::vector<double>(values, 80.25)) << bytes;
+        std::filesystem::remove(folder / "f.nc");
+      } else {
+        ++refused;
+      }
+      EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << bytes;
+    }
+    EXPECT_GT(written, 0);
+    EXPECT_GT(refused, 3);
+  }
+}
+
+TEST(NetcdfWriter, SaysThatItCannotTakeItsNameAndLeavesNothingBehind) {
+  const tests::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "f.nc/in the way");
+  Writer file(folder / "f.nc");
+  fill(file, 5);
+  EXPECT_THROW(file.commit(), FileError);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+}  // namespace
+}  // namespace earshot::netcdf
