@@ -59,9 +59,7 @@ void describe_solver(CLI::App& app, FieldArguments& a) {
   app.add_option("--depth-step", a.depth_step_m, "m of the solver's depth grid; default: automatic")->check(CLI::Range(0.001, 1000.0));
   app.add_option("--terms", a.terms, "poles of the propagator, 2 to 16; 0: automatic")->check(CLI::Range(0, 16))->capture_default_str();
   app.add_flag("--check", a.check, "also run with both steps of the grid halved, and print by how many dB that changes the loss");
-  app.add_option("--threads", a.threads, "processors used; the result does not depend on it")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str();
+  app.add_option("--threads", a.threads, "processors used, default all; the result does not depend on it")->check(CLI::Range(1, 4096));
 }
 
 sonar::Band band_of(const FieldArguments& arguments, const ocean::Environment& environment) {

@@ -9,7 +9,6 @@
 #include "firmware/core/units.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/sonar/detection.hpp"
-#include "sim/sonar/ordered_tasks.hpp"
 #include "sim/sonar/radial.hpp"
 
 namespace earshot::apps {
@@ -39,7 +38,7 @@ struct FieldArguments {
   bool check = false;
   double detection_threshold_db = 10.0;
   double fluctuation_db = 0.0;
-  std::size_t threads = sonar::available_processors();
+  std::optional<std::size_t> threads;  ///< default: all processors
 };
 
 void describe(CLI::App& app, FieldArguments& arguments);

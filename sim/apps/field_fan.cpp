@@ -15,6 +15,7 @@
 #include "sim/sonar/field_plot.hpp"
 #include "sim/sonar/grid_check.hpp"
 #include "sim/sonar/horizontal_map.hpp"
+#include "sim/sonar/ordered_tasks.hpp"
 
 namespace earshot::apps {
 namespace {
@@ -66,8 +67,8 @@ void write_fan(const FieldArguments& arguments) {
   const sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0, deepest)};
 
   ProgressBar bar("radials");
-  const sonar::Fan fan =
-      sonar::compute_fan(environment, source, plan, arguments.threads, [&bar](double fraction) { bar.update(fraction); });
+  const sonar::Fan fan = sonar::compute_fan(environment, source, plan, arguments.threads.value_or(sonar::available_processors()),
+                                            [&bar](double fraction) { bar.update(fraction); });
   const sonar::Detector detector = detector_of(arguments, environment);
   const auto map = map_of(arguments, fan, detector);
   sonar::write_fan(arguments.output, fan, map, environment, plan.radial.band, detector, arguments.history);
