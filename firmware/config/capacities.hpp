@@ -16,7 +16,7 @@ inline constexpr std::size_t kMaxRememberedSteps = 21;  ///< steps in the memory
 inline constexpr std::size_t kGoldenPairs = 8;          ///< observation -> logits pairs re-checked at boot; exactly this many
 inline constexpr std::size_t kMaxProvenance = 1024;     ///< bytes of provenance text in a policy; full: refused at freeze
 inline constexpr std::size_t kRuntimeBytes =
-    48 * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights; full: does not compile
+    std::size_t{48} * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights; full: does not compile
 
 // Buses (firmware/wire, firmware/boards/linux).
 inline constexpr std::size_t kLcmMessageBytes =

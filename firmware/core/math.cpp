@@ -66,7 +66,7 @@ double arctangent_to_one(double a) {
       0x1.700a7c5784634p-1,
       0x1.921fb54442d18p-1,
   };
-  const int eighths = static_cast<int>(a * 8.0 + 0.5);
+  const int eighths = static_cast<int>(a * 8.0 + 0.5);  // NOLINT(bugprone-incorrect-roundings): any near eighth will do
   const double c = eighths * 0.125;
   const double t = (a - c) / (1.0 + a * c);
   const double t2 = t * t;
@@ -79,8 +79,9 @@ double arctangent_to_one(double a) {
 double remainder_of(double x, double y) {
   double multiple = y;
   while (multiple <= x * 0.5) multiple *= 2.0;
-  for (; multiple >= y; multiple *= 0.5) {
+  while (multiple >= y) {
     if (x >= multiple) x -= multiple;
+    multiple *= 0.5;
   }
   return x;
 }

@@ -34,7 +34,7 @@ std::size_t draw_action(ActionDraw draw, std::span<const float> logits, Pcg32& r
   assert(!logits.empty() && logits.size() <= config::kMaxActions);
   const std::size_t best = likeliest(logits);
   if (draw == ActionDraw::kArgmax) return best;
-  std::array<float, config::kMaxActions> probabilities;
+  std::array<float, config::kMaxActions> probabilities{};
   softmax(logits, std::span(probabilities).first(logits.size()));
   const float chosen = random.uniform_float();
   float cumulative = 0.0F;

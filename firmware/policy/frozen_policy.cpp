@@ -198,7 +198,7 @@ Status read_body(ByteReader& reader, const Shape& shape, FrozenPolicy& policy) {
 }
 
 bool gives_golden_logits(const FrozenPolicy& policy) {
-  std::array<float, config::kMaxActions> logits;
+  std::array<float, config::kMaxActions> logits{};
   for (const GoldenPair& pair : policy.golden) {
     const std::size_t count = policy.network.action_count;
     forward(policy.network, std::span(pair.observation).first(policy.network.observation_size), std::span(logits).first(count));
@@ -240,8 +240,8 @@ void write_header(ByteWriter& writer, const FrozenPolicy& policy, const Shape& s
 /// @return whether every logit is finite.
 bool write_golden_pairs(ByteWriter& writer, const Network& network) {
   Pcg32 random(1);
-  std::array<float, config::kMaxObservation> observation_storage;
-  std::array<float, config::kMaxActions> logits_storage;
+  std::array<float, config::kMaxObservation> observation_storage{};
+  std::array<float, config::kMaxActions> logits_storage{};
   const std::span<float> observation = std::span(observation_storage).first(network.observation_size);
   const std::span<float> logits = std::span(logits_storage).first(network.action_count);
   bool finite = true;

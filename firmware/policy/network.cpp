@@ -36,8 +36,8 @@ void apply_tanh(std::span<float> values) {
 
 void forward(const Network& network, std::span<const float> observation, std::span<float> logits) {
   assert(observation.size() == network.observation_size && logits.size() == network.action_count);
-  std::array<float, Network::kWidth> first_storage;
-  std::array<float, Network::kWidth> second_storage;
+  std::array<float, Network::kWidth> first_storage{};
+  std::array<float, Network::kWidth> second_storage{};
   const std::span<float> first = std::span(first_storage).first(network.hidden_sizes[0]);
   const std::span<float> second = std::span(second_storage).first(network.hidden_sizes[1]);
   apply(network.first, observation, first);

@@ -26,16 +26,16 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--draw", options.draw, "how the vehicle draws its actions: sampled from the softmax, or argmax")
       ->check(CLI::IsMember({"argmax", "sampled"}))
       ->capture_default_str();
-  app.add_option("--key", options.key, "secret key file to sign with; its public half stands in KEY.pub")->required();
-  app.add_flag("--new-key", options.new_key, "make KEY and KEY.pub first; refused when KEY exists");
+  app.add_option("--key", options.key, "secret key file to sign with; its public half stands beside it as .pub")->required();
+  app.add_flag("--new-key", options.new_key, "make the key and its .pub first; refused when the key exists");
 }
 
 freeze::SecretKey new_key(const std::filesystem::path& file) {
+  if (file.extension() == ".pub") throw BadInput(file.string() + ": a secret key must not end in .pub, the public key's name");
   if (std::filesystem::exists(file)) throw BadInput(file.string() + ": exists already; --new-key does not replace keys");
   const freeze::SecretKey key = freeze::make_key();
   apps::write_whole(file, to_text(key), apps::Access::kOwnerOnly);
-  std::filesystem::path public_file = file;
-  public_file += ".pub";
+  const std::filesystem::path public_file = std::filesystem::path(file).replace_extension(".pub");
   apps::write_whole(public_file, freeze::to_text(freeze::public_key_of(key)));
   std::cout << file.string() << " (secret: keep it), " << public_file.string() << "\n";
   return key;

@@ -4,7 +4,7 @@
 
 #include "firmware/config_file/table_reader.hpp"
 #include "sim/ocean/environment_file.hpp"
-#include "sim/sonar/compute_snr_curve.hpp"
+#include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::apps {
 

@@ -20,6 +20,11 @@ inline constexpr Eigen::Index kWidth = 64;
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
+/// Numbers that start on a packet boundary. Elsewhere Eigen would sum the first few apart, in an order that depends on where the heap put
+/// them.
+template <class Scalar>
+using Aligned = std::vector<Scalar, Eigen::aligned_allocator<Scalar>>;
+
 /// What a batch leaves in the networks; one column per sample. Sized once, for batches of up to `capacity` samples.
 template <class Scalar>
 struct Activations {
@@ -83,7 +88,7 @@ class ActorCritic {
  private:
   NetworkShape shape_;
   Layout layout_;
-  std::vector<Scalar> parameters_;
+  Aligned<Scalar> parameters_;
   Matrix<Scalar> d_first_;  // [2 kWidth x batch], grown by the first backward()
 };
 

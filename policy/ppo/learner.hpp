@@ -35,14 +35,14 @@ class Learner {
   HyperParameters hyper_;
   ActorCritic<float> networks_;
   Adam adam_;
-  std::vector<float> gradient_;
+  Aligned<float> gradient_;
   std::vector<std::uint32_t> order_;
   // The minibatch, gathered.
   Matrix<float> observations_;
   std::vector<std::uint8_t> actions_;
-  std::vector<float> log_probabilities_;
-  std::vector<float> advantages_;
-  std::vector<float> returns_;
+  Aligned<float> log_probabilities_;
+  Aligned<float> advantages_;
+  Aligned<float> returns_;
   Activations<float> activations_;
   Matrix<float> d_logits_;
   Matrix<float> d_values_;

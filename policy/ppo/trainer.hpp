@@ -24,6 +24,8 @@ class Trainer {
   void train(std::uint64_t steps, const OnEpisode& on_episode);
 
   [[nodiscard]] const ActorCritic<float>& networks() const { return learner_.networks(); }
+  /// The last steps taken, all of a rollout once train() has returned of itself.
+  [[nodiscard]] const Rollout& rollout() const { return rollout_; }
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
  private:

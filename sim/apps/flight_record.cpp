@@ -10,9 +10,13 @@
 namespace earshot::simulation {
 namespace {
 
-std::filesystem::path partial_name(const std::filesystem::path& path) { return path.string() + ".partial"; }
+std::filesystem::path partial_name(const std::filesystem::path& path) {
+  return path.string() + ".partial";
+}
 
-[[noreturn]] void fail(const std::filesystem::path& path) { throw std::system_error(errno, std::generic_category(), path.string()); }
+[[noreturn]] void fail(const std::filesystem::path& path) {
+  throw std::system_error(errno, std::generic_category(), path.string());
+}
 
 const char* name_of(runtime::MissionState state) {
   constexpr std::array<const char*, 4> kNames{"standby", "search", "done", "abort"};
@@ -21,15 +25,17 @@ const char* name_of(runtime::MissionState state) {
 
 }  // namespace
 
-TrackFile::TrackFile(const std::filesystem::path& path) : path_(path), partial_(partial_name(path)), file_(std::fopen(partial_.c_str(), "w")) {
+TrackFile::TrackFile(const std::filesystem::path& path)
+    : path_(path), partial_(partial_name(path)), file_(std::fopen(partial_.c_str(), "w")) {
   if (!file_) fail(partial_);
   (void)std::fputs("time_s,north_m,east_m,depth_m,heading_deg,speed_mps,snr_db,range_m,state,steps_taken\n", file_.get());
 }
 
 void TrackFile::add(const TrackPoint& p) {
-  (void)std::fprintf(file_.get(), "%.3f,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%s,%u\n", (p.time - Time{}).to_seconds(), p.vehicle.position.north.value,
-                     p.vehicle.position.east.value, p.vehicle.depth.value, p.vehicle.heading.value * 180.0 / std::numbers::pi, p.vehicle.speed.value,
-                     p.snr.value, p.range.value, name_of(p.state), p.steps_taken);
+  (void)std::fprintf(file_.get(), "%.3f,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%s,%u\n", (p.time - Time{}).to_seconds(),
+                     p.vehicle.position.north.value, p.vehicle.position.east.value, p.vehicle.depth.value,
+                     p.vehicle.heading.value * 180.0 / std::numbers::pi, p.vehicle.speed.value, p.snr.value, p.range.value,
+                     name_of(p.state), p.steps_taken);
 }
 
 void TrackFile::finish() {

@@ -25,8 +25,8 @@ struct TrackPoint {
   std::uint32_t steps_taken = 0;  ///< actions completed
 };
 
-/// track.csv: one row per tick, the same bytes for the same flight. Written under another name and renamed by finish(), so that no half of it is ever
-/// taken for the whole.
+/// track.csv: one row per tick, the same bytes for the same flight. Written under another name and renamed by finish(), so that no half of
+/// it is ever taken for the whole.
 class TrackFile {
  public:
   /// @throws std::system_error naming the file.

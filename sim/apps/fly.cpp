@@ -1,5 +1,8 @@
 // earshot-fly: one search from start to report: earshot-sim, earshotd, what happened.
 
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -17,10 +20,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 #include "firmware/boards/linux/lcm_url.hpp"
@@ -58,7 +58,9 @@ void declare(CLI::App& app, Options& o) {
   app.add_option("--seed", o.seed, "where the vehicle starts, and how a policy that draws its actions draws them")
       ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
       ->capture_default_str();
-  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")->check(CLI::Range(0.0, 1e6))->capture_default_str();
+  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
   app.add_option("--policy", o.policy, "policy file instead of the mission's");
   app.add_option("--public-key", o.public_key, "file of the public key that signed it, instead of the mission's");
   app.add_option("--bus", o.bus, "bus between autopilot and earshotd instead of the mission's")->check(CLI::IsMember({"lcm", "can"}));
@@ -82,7 +84,8 @@ std::vector<std::string> common_arguments(const Options& o, const std::string& l
 
 std::vector<std::string> simulator_arguments(const Options& o, const link::RunSlot& slot, const std::string& lcm_url) {
   std::vector<std::string> a = common_arguments(o, lcm_url);
-  a.insert(a.end(), {"--environment", o.environment.string(), "--mission", o.mission.string(), "--domain", std::to_string(slot.domain()), "--speed", o.speed});
+  a.insert(a.end(), {"--environment", o.environment.string(), "--mission", o.mission.string(), "--domain", std::to_string(slot.domain()),
+                     "--speed", o.speed});
   if (o.ignore_source) a.emplace_back("--ignore-source");
   return a;
 }
@@ -95,10 +98,12 @@ std::vector<std::string> runtime_arguments(const Options& o, const link::RunSlot
   return a;
 }
 
-fs::path own_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+fs::path own_folder() {
+  return fs::read_symlink("/proc/self/exe").parent_path();
+}
 
-/// Starts a program that stands beside this one, in a process group of its own (a terminal's Ctrl-C then reaches only this program, which ends both in
-/// order) and to be ended with this process.
+/// Starts a program that stands beside this one, in a process group of its own (a terminal's Ctrl-C then reaches only this program, which
+/// ends both in order) and to be ended with this process.
 pid_t start(const std::string& program, const std::vector<std::string>& arguments) {
   const std::string path = own_folder() / program;
   std::vector<char*> argv{const_cast<char*>(path.c_str())};
@@ -170,9 +175,10 @@ void print_summary(const fs::path& out) {
   const double sim_time_s = s.at("sim_time_s");
   const double wall_time_s = s.at("wall_time_s");
   std::printf("%s\n", s.at("found").get<bool>() ? "source found" : ("source not found: " + s.at("end_reason").get<std::string>()).c_str());
-  std::printf("  reward      %.1f\n  steps       %d\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(), s.at("steps").get<int>(),
-              s.at("detections").get<int>(), s.at("distance_m").get<double>() / 1e3);
-  std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", duration(sim_time_s).c_str(), wall_time_s, sim_time_s / std::max(wall_time_s, 1e-9));
+  std::printf("  reward      %.1f\n  steps       %d\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(),
+              s.at("steps").get<int>(), s.at("detections").get<int>(), s.at("distance_m").get<double>() / 1e3);
+  std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", duration(sim_time_s).c_str(), wall_time_s,
+              sim_time_s / std::max(wall_time_s, 1e-9));
 }
 
 int run(const std::string& program, const std::vector<std::string>& arguments) {
@@ -182,6 +188,13 @@ int run(const std::string& program, const std::vector<std::string>& arguments) {
     process.poll();
   }
   return process.status;
+}
+
+/// A process that we ended because the other refused its input has a status of its own; the refusal is what counts.
+int exit_status(const Process& simulator, const Process& runtime) {
+  if (stop_requested != 0) return 130;
+  if (simulator.status == 2 || runtime.status == 2) return 2;
+  return simulator.status == 0 && runtime.status == 0 ? 0 : 3;
 }
 
 int fly(const Options& o) {
@@ -201,15 +214,15 @@ int fly(const Options& o) {
   if (!o.no_report && fs::exists(o.out / "summary.json") && run("earshot-report", {o.out.string()}) == 0) {
     std::printf("  report      %s\n", (o.out / "report.html").c_str());
   }
-  if (stop_requested != 0) return 130;
-  return std::max(simulator.status, runtime.status);
+  return exit_status(simulator, runtime);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"earshot fly plays one search: an ocean with a sound source (earshot-sim) and the vehicle's own software (earshotd) in lock-step.\n"
-               "Exit status: 0 flown (found or not), 2 bad input, 3 a process was lost, 130 Ctrl-C."};
+  CLI::App app{
+      "earshot fly plays one search: an ocean with a sound source (earshot-sim) and the vehicle's own software (earshotd) in lock-step.\n"
+      "Exit status: 0 flown (found or not), 2 bad input, 3 a process was lost, 130 Ctrl-C."};
   Options options;
   declare(app, options);
   try {

@@ -14,9 +14,10 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr milliseconds kLookUp{100};            ///< how often a waiting simulator looks at `stop`
-constexpr milliseconds kRuntimePatience{4000};  ///< for an answer: a step takes microseconds, a dead runtime is known after link::kLeaseSeconds
-constexpr milliseconds kBusPatience{2000};      ///< for a set-point that was sent before its answer
+constexpr milliseconds kLookUp{100};  ///< how often a waiting simulator looks at `stop`
+constexpr milliseconds kRuntimePatience{
+    4000};                                  ///< for an answer: a step takes microseconds, a dead runtime is known after link::kLeaseSeconds
+constexpr milliseconds kBusPatience{2000};  ///< for a set-point that was sent before its answer
 
 Meters range_between(NorthEast a, NorthEast b) {
   const NorthEast d = a - b;
@@ -25,14 +26,22 @@ Meters range_between(NorthEast a, NorthEast b) {
 
 const char* word_for(runtime::EndReason reason) {
   switch (reason) {
-    case runtime::EndReason::kNone: return "none";
-    case runtime::EndReason::kCompleted: return "found";
-    case runtime::EndReason::kStepsUsedUp: return "steps_used_up";
-    case runtime::EndReason::kOperatorAbort: return "interrupted";
-    case runtime::EndReason::kNavigationStale: return "navigation_stale";
-    case runtime::EndReason::kSnrStale: return "snr_stale";
-    case runtime::EndReason::kLeftOperatingArea: return "left_operating_area";
-    case runtime::EndReason::kTimeUsedUp: return "time_used_up";
+    case runtime::EndReason::kNone:
+      return "none";
+    case runtime::EndReason::kCompleted:
+      return "found";
+    case runtime::EndReason::kStepsUsedUp:
+      return "steps_used_up";
+    case runtime::EndReason::kOperatorAbort:
+      return "interrupted";
+    case runtime::EndReason::kNavigationStale:
+      return "navigation_stale";
+    case runtime::EndReason::kSnrStale:
+      return "snr_stale";
+    case runtime::EndReason::kLeftOperatingArea:
+      return "left_operating_area";
+    case runtime::EndReason::kTimeUsedUp:
+      return "time_used_up";
   }
   return "unknown";
 }
@@ -133,7 +142,8 @@ class Stepper {
 
   void keep_pace(steady_clock::time_point began) const {
     if (flight_.world.speed <= 0.0) return;
-    const auto due = began + std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>((now_ - Time{}).to_seconds() / flight_.world.speed));
+    const auto due = began + std::chrono::duration_cast<steady_clock::duration>(
+                                 std::chrono::duration<double>((now_ - Time{}).to_seconds() / flight_.world.speed));
     while (stop_ == 0 && steady_clock::now() < due) std::this_thread::sleep_until(std::min(due, steady_clock::now() + kLookUp));
   }
 
@@ -149,6 +159,8 @@ class Stepper {
 
 }  // namespace
 
-FlightResult fly(Flight flight, const vehicle::State& start, const volatile std::sig_atomic_t& stop) { return Stepper(flight, start, stop).run(); }
+FlightResult fly(Flight flight, const vehicle::State& start, const volatile std::sig_atomic_t& stop) {
+  return Stepper(flight, start, stop).run();
+}
 
 }  // namespace earshot::simulation

@@ -19,19 +19,19 @@ namespace earshot::simulation {
 /// The world that a flight goes through.
 struct World {
   NorthEast source;
-  Meters found_within;         ///< l: the source is reached at this range
-  bool may_be_found = true;    ///< false: fly on to the last step even so (benchmarks)
+  Meters found_within;       ///< l: the source is reached at this range
+  bool may_be_found = true;  ///< false: fly on to the last step even so (benchmarks)
   vehicle::Limits vehicle;
   Duration tick = Duration::seconds(1);
-  double speed = 0.0;          ///< simulated seconds per second; 0: as fast as it goes
+  double speed = 0.0;  ///< simulated seconds per second; 0: as fast as it goes
 };
 
 struct FlightResult {
   bool found = false;
-  std::string end_reason;      ///< one word of summary.json
-  std::string lost;            ///< what was lost, in words; empty when nothing was
+  std::string end_reason;  ///< one word of summary.json
+  std::string lost;        ///< what was lost, in words; empty when nothing was
   Time last_tick;
-  double wall_time_s = 0.0;    ///< from the first tick to the last answer
+  double wall_time_s = 0.0;  ///< from the first tick to the last answer
   vehicle::State end;
 };
 
@@ -45,8 +45,9 @@ struct Flight {
   Score& score;
 };
 
-/// Flies from `start` to the end of the mission. The clock advances only when the runtime has answered a tick and the set-points it announced have arrived.
-/// The source is looked for at every tick, not only at the end of a step: a vehicle that passes within l of it on its way has found it.
+/// Flies from `start` to the end of the mission. The clock advances only when the runtime has answered a tick and the set-points it
+/// announced have arrived. The source is looked for at every tick, not only at the end of a step: a vehicle that passes within l of it on
+/// its way has found it.
 /// @param stop  set by a signal handler: the runtime is told to abort
 [[nodiscard]] FlightResult fly(Flight flight, const vehicle::State& start, const volatile std::sig_atomic_t& stop);
 

@@ -12,8 +12,9 @@
 #include "sim/apps/report/plots.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app{"earshot report DIR reads the journal, track.csv, snr.csv and summary.json that a flight left in DIR and writes DIR/report.html,\n"
-               "a page that needs no other file."};
+  CLI::App app{
+      "earshot report DIR reads the journal, track.csv, snr.csv and summary.json that a flight left in DIR and writes DIR/report.html,\n"
+      "a page that needs no other file."};
   std::filesystem::path folder;
   app.add_option("DIR", folder, "folder of the flight")->required();
   try {

@@ -26,7 +26,7 @@
 #include "sim/link/simulator_end.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/search/episode.hpp"
-#include "sim/apps/stand_in_snr.hpp"
+#include "sim/sonar/sonar_field.hpp"
 
 namespace {
 
@@ -55,7 +55,9 @@ void declare(CLI::App& app, Options& o) {
   app.add_option("--seed", o.seed, "seed of the place where the vehicle starts")
       ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
       ->capture_default_str();
-  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")->check(CLI::Range(0.0, 1e6))->capture_default_str();
+  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
   app.add_option("--domain", o.domain, "DDS domain in which earshotd listens")
       ->check(CLI::Range(link::kLowestDomain, link::kHighestDomain))
       ->capture_default_str();
@@ -92,7 +94,8 @@ Meters longest_range(const Rectangle& area, NorthEast source) {
   return Meters{earshot::sqrt(north * north + east * east) + 100.0};
 }
 
-vehicle::State start_of(const search::SearchSettings& settings, const sonar::SnrCurve& snr, const config::Mission& mission, std::uint64_t seed) {
+vehicle::State start_of(const search::SearchSettings& settings, const sonar::SnrCurve& snr, const config::Mission& mission,
+                        std::uint64_t seed) {
   const search::SearchWorld world(settings, snr);
   Pcg32 random(seed);
   search::Episode episode;
@@ -108,8 +111,8 @@ void write_curve(const std::filesystem::path& path, const sonar::SnrCurve& snr) 
   write_whole(path, text);
 }
 
-nlohmann::ordered_json summary_of(const Options& o, const config::Mission& mission, const FlightResult& result, const Score& score, const World& world,
-                                  const vehicle::State& start) {
+nlohmann::ordered_json summary_of(const Options& o, const config::Mission& mission, const FlightResult& result, const Score& score,
+                                  const World& world, const vehicle::State& start) {
   const auto place = [](NorthEast p) { return nlohmann::ordered_json{{"north_m", p.north.value}, {"east_m", p.east.value}}; };
   const Rectangle& area = mission.operating_area;
   return {{"found", result.found},
@@ -137,7 +140,8 @@ bool runtime_comes(link::SimulatorEnd& link, std::uint32_t domain) {
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   while (!link.wait_for_runtime(std::chrono::milliseconds(100))) {
     if (stop_requested != 0) return false;
-    if (std::chrono::steady_clock::now() > patience) throw std::runtime_error("no earshotd in DDS domain " + std::to_string(domain) + " within 20 s");
+    if (std::chrono::steady_clock::now() > patience)
+      throw std::runtime_error("no earshotd in DDS domain " + std::to_string(domain) + " within 20 s");
   }
   return true;
 }
@@ -146,32 +150,39 @@ int simulate(const Options& o) {
   const board::MissionFile file = load_mission(o);
   const ocean::Environment environment = ocean::load_environment(o.environment);
   const search::SearchSettings settings = settings_of(file.mission, environment);
-  if (search::check(settings) != Status::kOk) throw config_file::BadInput(o.mission.string() + ": area: no start is further than search.step_length_m from the source");
-  const sonar::SnrCurve snr = sonar::compute_snr_curve(environment, file.mission.search_depth, longest_range(settings.domain, settings.source));
+  if (search::check(settings) != Status::kOk)
+    throw config_file::BadInput(o.mission.string() + ": area: no start is further than search.step_length_m from the source");
+  const sonar::SnrCurve snr =
+      sonar::compute_snr_curve(environment, file.mission.search_depth, longest_range(settings.domain, settings.source));
   const vehicle::State start = start_of(settings, snr, file.mission, o.seed);
-  const World world{.source = settings.source, .found_within = settings.step_length, .may_be_found = !o.ignore_source, .vehicle = {}, .speed = o.speed};
+  const World world{
+      .source = settings.source, .found_within = settings.step_length, .may_be_found = !o.ignore_source, .vehicle = {}, .speed = o.speed};
 
+  const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
+  link::SimulatorEnd link(o.domain);
+  if (!runtime_comes(link, o.domain)) return 0;
+
+  // Only now that both sides have taken their input: a refused policy leaves no half of a flight behind.
   std::filesystem::create_directories(o.out);
   std::filesystem::remove(o.out / "summary.json");  // of an earlier flight: no half-flown search may look finished
   write_curve(o.out / "snr.csv", snr);
   TrackFile track(o.out / "track.csv");
   Score score(settings);
-  const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
-  link::SimulatorEnd link(o.domain);
-  if (!runtime_comes(link, o.domain)) return 0;
   const FlightResult result = fly({world, snr, *bus, link, track, score}, start, stop_requested);
   track.finish();
   write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n");
   if (result.lost.empty()) return 0;
-  std::cerr << "earshot-sim: lost " << result.lost << " at " << result.last_tick.us / 1'000'000 << " s; track up to then: " << (o.out / "track.csv").string() << "\n";
+  std::cerr << "earshot-sim: lost " << result.lost << " at " << result.last_tick.us / 1'000'000
+            << " s; track up to then: " << (o.out / "track.csv").string() << "\n";
   return 3;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"earshot-sim plays the ocean and the vehicle for one search, in lock-step with an earshotd started with --simulation.\n"
-               "Exit status: 0 flown, 2 bad input, 3 earshotd or the bus was lost. (earshot fly starts both.)"};
+  CLI::App app{
+      "earshot-sim plays the ocean and the vehicle for one search, in lock-step with an earshotd started with --simulation.\n"
+      "Exit status: 0 flown, 2 bad input, 3 earshotd or the bus was lost. (earshot fly starts both.)"};
   Options options;
   declare(app, options);
   try {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "sim/netcdf/classic_size.hpp"
+#include "sim/netcdf/library_exit.hpp"
 
 namespace earshot::netcdf {
 namespace {
@@ -40,6 +41,7 @@ Reader::Reader(std::filesystem::path path) : path_(std::move(path)) {
       throw error("", "truncated: has " + std::to_string(bytes) + " bytes, its header promises " + std::to_string(*needed));
     }
   }
+  leave_hdf5_alone_at_exit();
   const int status = nc_open(path_.c_str(), NC_NOWRITE, &file_);
   if (status != NC_NOERR) throw error("", std::string("not a whole NetCDF file (") + nc_strerror(status) + ")");
 }

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "sim/netcdf/library_exit.hpp"
+
 namespace earshot::netcdf {
 namespace {
 
@@ -113,6 +115,7 @@ std::string difference(int file, const Layout& layout) {
 
 ResumableFile::ResumableFile(std::filesystem::path path, const Layout& layout) : path_(std::move(path)), partial_(path_) {
   partial_ += ".partial";
+  leave_hdf5_alone_at_exit();
   if (!std::filesystem::exists(partial_)) begin(partial_, layout);
   (void)Reader(partial_);  // refuses what is truncated or no NetCDF file
   try {
@@ -142,6 +145,7 @@ void ResumableFile::lock() {
 }
 
 bool ResumableFile::is_finished(const std::filesystem::path& path, const Layout& layout) {
+  leave_hdf5_alone_at_exit();
   int file = -1;
   if (!std::filesystem::is_regular_file(path) || nc_open(path.c_str(), NC_NOWRITE, &file) != NC_NOERR) return false;
   const bool same = difference(file, layout).empty();

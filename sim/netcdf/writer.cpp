@@ -6,6 +6,8 @@
 #include <array>
 #include <system_error>
 
+#include "sim/netcdf/library_exit.hpp"
+
 namespace earshot::netcdf {
 namespace {
 
@@ -27,6 +29,7 @@ nc_type nc_type_of(Type type) {
 
 Writer::Writer(std::filesystem::path path) : path_(std::move(path)), partial_(path_) {
   partial_ += ".part" + std::to_string(getpid());
+  leave_hdf5_alone_at_exit();
   check(nc_create(partial_.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_), "");
 }
 

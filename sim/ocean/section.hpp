@@ -21,7 +21,7 @@ struct Section {
 };
 
 /// @param depth  positive down
-/// Oracle: Section.IsLinearInRangeBetweenItsStations
+/// Oracle: RadialSection.IsLinearInRangeBetweenItsStations
 [[nodiscard]] MetersPerSecond sound_speed(const Section& section, Meters range, Meters depth);
 
 /// @return positive down; 0 on the shore

@@ -197,7 +197,7 @@ Field solve(const Section& section, const PointSource& source, const Options& op
           "8 to 10000000: choose another depth step");
   for (const double depth : receiver_depth_m) {
     std::ostringstream allowed;
-    allowed << "0 to " << grid.absorber_top_m << " (below it lies the absorber)";
+    allowed << "from 0 to " << grid.absorber_top_m << ", the sea floor or the end of the layers below it";
     require(inside(depth, 0.0, grid.absorber_top_m), "receiver depth in m", depth, allowed.str());
   }
 

@@ -30,8 +30,14 @@ KeyPair test_keys() {
 
 policy::FrozenPolicy random_walk_policy() {
   constexpr double kDiagonal = 0.70710678118654752;
-  constexpr std::array<UnitNorthEast, 8> kCompass{
-      {{1, 0}, {kDiagonal, kDiagonal}, {0, 1}, {-kDiagonal, kDiagonal}, {-1, 0}, {-kDiagonal, -kDiagonal}, {0, -1}, {kDiagonal, -kDiagonal}}};
+  constexpr std::array<UnitNorthEast, 8> kCompass{{{1, 0},
+                                                   {kDiagonal, kDiagonal},
+                                                   {0, 1},
+                                                   {-kDiagonal, kDiagonal},
+                                                   {-1, 0},
+                                                   {-kDiagonal, -kDiagonal},
+                                                   {0, -1},
+                                                   {kDiagonal, -kDiagonal}}};
   policy::FrozenPolicy policy;
   policy.observation = policy::simple_state({Meters{25'000}, Meters{25'000}});
   for (const UnitNorthEast& direction : kCompass) (void)policy.actions.push_back(direction);

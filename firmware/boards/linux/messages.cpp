@@ -80,8 +80,12 @@ runtime::Navigation from_message(const nav_state_t& m) {
           .speed = MetersPerSecond{m.speed_mps}};
 }
 
-runtime::SnrEstimate from_message(const snr_estimate_t& m) { return {.time = {m.utime}, .snr = Decibels{m.snr_db}}; }
+runtime::SnrEstimate from_message(const snr_estimate_t& m) {
+  return {.time = {m.utime}, .snr = Decibels{m.snr_db}};
+}
 
-runtime::OperatorCommand from_message(const operator_command_t& m) { return static_cast<runtime::OperatorCommand>(m.command); }
+runtime::OperatorCommand from_message(const operator_command_t& m) {
+  return static_cast<runtime::OperatorCommand>(m.command);
+}
 
 }  // namespace earshot::board

@@ -18,7 +18,9 @@ constexpr double kFarthest_m = 1e6;    // of a local plane
 constexpr double kDeepest_m = 11'000;  // of any ocean
 constexpr double kLongest_s = 1e7;     // four months
 
-Duration seconds(double s) { return {std::llround(s * 1e6)}; }
+Duration seconds(double s) {
+  return {std::llround(s * 1e6)};
+}
 
 void read_area(TableReader area, config::Mission& mission) {
   const Range anywhere = Range::between(-kFarthest_m, kFarthest_m);

@@ -27,7 +27,8 @@ struct LoopResult {
 /// In lock-step with a simulator: one turn for every tick, once the navigation that the tick announces has arrived over the bus.
 /// The simulator is waited for without limit before its first tick.
 /// @param stop  set by a signal handler
-[[nodiscard]] LoopResult fly_in_simulation(MissionTurn& turn, VehicleBus& bus, link::RuntimeEnd& link, const volatile std::sig_atomic_t& stop);
+[[nodiscard]] LoopResult fly_in_simulation(MissionTurn& turn, VehicleBus& bus, link::RuntimeEnd& link,
+                                           const volatile std::sig_atomic_t& stop);
 
 /// On the host's clock: one turn every `period` with whatever has arrived. After DONE or ABORT it goes on telling the autopilot to come up.
 /// Ends when told to stop.

@@ -14,24 +14,36 @@ void append(Journal& journal, Time now, std::string_view channel, const Message&
 
 const char* in_words(runtime::MissionState state) {
   switch (state) {
-    case runtime::MissionState::kStandby: return "STANDBY";
-    case runtime::MissionState::kSearch: return "SEARCH";
-    case runtime::MissionState::kDone: return "DONE";
-    case runtime::MissionState::kAbort: return "ABORT";
+    case runtime::MissionState::kStandby:
+      return "STANDBY";
+    case runtime::MissionState::kSearch:
+      return "SEARCH";
+    case runtime::MissionState::kDone:
+      return "DONE";
+    case runtime::MissionState::kAbort:
+      return "ABORT";
   }
   return "?";
 }
 
 const char* in_words(runtime::EndReason reason) {
   switch (reason) {
-    case runtime::EndReason::kNone: return "not over";
-    case runtime::EndReason::kCompleted: return "the source is reached";
-    case runtime::EndReason::kStepsUsedUp: return "all steps are taken";
-    case runtime::EndReason::kOperatorAbort: return "an operator aborted it";
-    case runtime::EndReason::kNavigationStale: return "navigation went silent";
-    case runtime::EndReason::kSnrStale: return "the SNR estimate went silent";
-    case runtime::EndReason::kLeftOperatingArea: return "the vehicle left its operating area";
-    case runtime::EndReason::kTimeUsedUp: return "its time is used up";
+    case runtime::EndReason::kNone:
+      return "not over";
+    case runtime::EndReason::kCompleted:
+      return "the source is reached";
+    case runtime::EndReason::kStepsUsedUp:
+      return "all steps are taken";
+    case runtime::EndReason::kOperatorAbort:
+      return "an operator aborted it";
+    case runtime::EndReason::kNavigationStale:
+      return "navigation went silent";
+    case runtime::EndReason::kSnrStale:
+      return "the SNR estimate went silent";
+    case runtime::EndReason::kLeftOperatingArea:
+      return "the vehicle left its operating area";
+    case runtime::EndReason::kTimeUsedUp:
+      return "its time is used up";
   }
   return "?";
 }
@@ -59,7 +71,8 @@ void MissionTurn::record(Time now, const runtime::Outputs& outputs) {
 }
 
 std::string in_words(const runtime::Outputs& outputs) {
-  return std::string(in_words(outputs.state)) + ", " + in_words(outputs.end_reason) + ", after " + std::to_string(outputs.steps_taken) + " steps";
+  return std::string(in_words(outputs.state)) + ", " + in_words(outputs.end_reason) + ", after " + std::to_string(outputs.steps_taken) +
+         " steps";
 }
 
 }  // namespace earshot::board

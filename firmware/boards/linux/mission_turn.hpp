@@ -11,8 +11,8 @@ namespace earshot::board {
 
 /// One turn of the decision loop, the same at sea and in simulation: journal what goes in, step, journal what comes out, put it on the bus.
 ///
-/// In the journal a turn is: its inputs, then set-point, decision if there is one, health; all with the turn's time. The set-point thus ends
-/// the inputs of a turn, and a reader can give the runtime the same inputs at the same times again.
+/// In the journal a turn is: its inputs, then set-point, decision if there is one, health; all with the turn's time. The set-point thus
+/// ends the inputs of a turn, and a reader can give the runtime the same inputs at the same times again.
 class MissionTurn {
  public:
   /// All three must outlive it.

@@ -40,23 +40,35 @@ PublicKey load_public_key(const std::filesystem::path& path) {
   const auto* const begin = reinterpret_cast<const char*>(text.data());
   const int result = sodium_hex2bin(key.data(), key.size(), begin, text.size(), "", &size, &rest);
   const bool only_space_follows = result == 0 && std::all_of(rest, begin + text.size(), [](char c) { return c == '\n' || c == ' '; });
-  if (!only_space_follows || size != key.size()) throw BadInput(path.string() + ": must hold a public key of 64 hexadecimal digits and nothing else");
+  if (!only_space_follows || size != key.size())
+    throw BadInput(path.string() + ": must hold a public key of 64 hexadecimal digits and nothing else");
   return key;
 }
 
 const char* in_words(policy::PolicyFault fault) {
   switch (fault) {
-    case policy::PolicyFault::kNone: return "nothing is wrong";
-    case policy::PolicyFault::kTooShort: return "is cut short";
-    case policy::PolicyFault::kBadMagic: return "is not a .policy file";
-    case policy::PolicyFault::kUnknownVersion: return "is of a later format than this program knows";
-    case policy::PolicyFault::kBadChecksum: return "its CRC-32 is wrong: the file is damaged";
-    case policy::PolicyFault::kBadShape: return "its shapes do not fit each other or exceed what the runtime holds (firmware/config/capacities.hpp)";
-    case policy::PolicyFault::kUnknownActivation: return "has an activation this program does not know";
-    case policy::PolicyFault::kUnknownFeature: return "observes a feature this program does not know";
-    case policy::PolicyFault::kUnknownDraw: return "draws its actions in a way this program does not know";
-    case policy::PolicyFault::kNotFinite: return "holds a weight, scale or direction that is not finite";
-    case policy::PolicyFault::kGoldenMismatch: return "its network does not give its own golden logits on this machine";
+    case policy::PolicyFault::kNone:
+      return "nothing is wrong";
+    case policy::PolicyFault::kTooShort:
+      return "is cut short";
+    case policy::PolicyFault::kBadMagic:
+      return "is not a .policy file";
+    case policy::PolicyFault::kUnknownVersion:
+      return "is of a later format than this program knows";
+    case policy::PolicyFault::kBadChecksum:
+      return "its CRC-32 is wrong: the file is damaged";
+    case policy::PolicyFault::kBadShape:
+      return "its shapes do not fit each other or exceed what the runtime holds (firmware/config/capacities.hpp)";
+    case policy::PolicyFault::kUnknownActivation:
+      return "has an activation this program does not know";
+    case policy::PolicyFault::kUnknownFeature:
+      return "observes a feature this program does not know";
+    case policy::PolicyFault::kUnknownDraw:
+      return "draws its actions in a way this program does not know";
+    case policy::PolicyFault::kNotFinite:
+      return "holds a weight, scale or direction that is not finite";
+    case policy::PolicyFault::kGoldenMismatch:
+      return "its network does not give its own golden logits on this machine";
   }
   return "is unreadable";
 }

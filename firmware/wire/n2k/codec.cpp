@@ -32,7 +32,7 @@ Status MessageWriter::frame(std::uint8_t source, Frame& frame) const {
   if (!id.ok()) return id.status();
   frame.identifier = id.value();
   frame.size = message_.size;
-  std::ranges::copy(bytes(), frame.data.begin());
+  for (std::size_t i = 0; i < frame.data.size(); ++i) frame.data[i] = bytes_[i];
   return Status::kOk;
 }
 

@@ -46,7 +46,8 @@ std::vector<TrackRow> read_track(const std::filesystem::path& path) {
   std::getline(stream, line);
   while (std::getline(stream, line)) {
     TrackRow row;
-    const int fields = std::sscanf(line.c_str(), "%lf,%lf,%lf,%*f,%*f,%*f,%lf,%lf", &row.time_s, &row.north_m, &row.east_m, &row.snr_db, &row.range_m);
+    const int fields =
+        std::sscanf(line.c_str(), "%lf,%lf,%lf,%*f,%*f,%*f,%lf,%lf", &row.time_s, &row.north_m, &row.east_m, &row.snr_db, &row.range_m);
     if (fields != 5) refuse_line(path, rows.size() + 2);
     rows.push_back(row);
   }

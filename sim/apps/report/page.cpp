@@ -33,10 +33,14 @@ std::string number(double x, int digits) {
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '&') out += "&amp;";
-    else out += c;
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else
+      out += c;
   }
   return out;
 }
@@ -46,21 +50,25 @@ std::string duration(double s) {
   return minutes < 60 ? std::to_string(minutes) + " min" : std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
 }
 
-std::string fact(const char* name, const std::string& value) { return "<div><dt>" + std::string(name) + "</dt><dd>" + value + "</dd></div>\n"; }
+std::string fact(const char* name, const std::string& value) {
+  return "<div><dt>" + std::string(name) + "</dt><dd>" + value + "</dd></div>\n";
+}
 
 std::string headline(const nlohmann::json& s) {
   const bool found = s.at("found");
   const std::string steps = std::to_string(s.at("steps").get<int>()) + " steps";
-  std::string text = found ? "<h1 class=\"found\">Source found after " + steps + "</h1>\n" : "<h1 class=\"missed\">Source not found in " + steps + "</h1>\n";
+  std::string text = found ? "<h1 class=\"found\">Source found after " + steps + "</h1>\n"
+                           : "<h1 class=\"missed\">Source not found in " + steps + "</h1>\n";
   if (!found) text += "<p>The mission ended because: " + escaped(s.at("end_reason").get<std::string>()) + "</p>\n";
-  return text + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " + escaped(s.at("mission").get<std::string>()) + " &middot; ocean " +
-         escaped(s.at("environment").get<std::string>()) + "</p>\n";
+  return text + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
+         escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";
 }
 
 std::string facts(const nlohmann::json& s) {
   const double sim = s.at("sim_time_s");
   const double wall = s.at("wall_time_s");
-  return "<dl>\n" + fact("reward", number(s.at("reward"), 1)) + fact("steps with a detection", std::to_string(s.at("detections").get<int>())) +
+  return "<dl>\n" + fact("reward", number(s.at("reward"), 1)) +
+         fact("steps with a detection", std::to_string(s.at("detections").get<int>())) +
          fact("distance", number(s.at("distance_m").get<double>() / 1e3, 1) + " km") + fact("time at sea", duration(sim)) +
          fact("time to simulate", number(wall, 2) + " s") + fact("times real time", wall > 0 ? number(sim / wall, 0) : "-") + "</dl>\n";
 }
@@ -74,13 +82,13 @@ std::string action_name(std::size_t action, std::size_t count) {
 }
 
 std::string row(const DecisionRow& d) {
-  std::string text = "<tr><td>" + std::to_string(d.step) + "</td><td>" + duration(d.time_s) + "</td><td>" + number(d.north_m / 1e3, 2) + "</td><td>" +
-                     number(d.east_m / 1e3, 2) + "</td><td" + (d.detected ? " class=\"heard\"" : "") + ">" + number(d.snr_db, 1) + (d.detected ? " &#9679;" : "") +
-                     "</td>";
+  std::string text = "<tr><td>" + std::to_string(d.step) + "</td><td>" + duration(d.time_s) + "</td><td>" + number(d.north_m / 1e3, 2) +
+                     "</td><td>" + number(d.east_m / 1e3, 2) + "</td><td" + (d.detected ? " class=\"heard\"" : "") + ">" +
+                     number(d.snr_db, 1) + (d.detected ? " &#9679;" : "") + "</td>";
   for (std::size_t a = 0; a < d.probabilities.size(); ++a) {
     const std::string percent = number(100.0 * d.probabilities[a], 0);
-    text += std::string("<td class=\"p") + (static_cast<int>(a) == d.action ? " taken" : "") + "\"><i style=\"width:" + number(2.2 * d.probabilities[a], 2) +
-            "rem\"></i>" + percent + "</td>";
+    text += std::string("<td class=\"p") + (static_cast<int>(a) == d.action ? " taken" : "") +
+            "\"><i style=\"width:" + number(2.2 * d.probabilities[a], 2) + "rem\"></i>" + percent + "</td>";
   }
   return text + "<td>" + (d.overridden ? "way-point moved" : "") + "</td></tr>\n";
 }
@@ -88,8 +96,10 @@ std::string row(const DecisionRow& d) {
 std::string decisions(const Flight& flight) {
   if (flight.decisions.empty()) return "<p>The policy took no decision.</p>\n";
   const std::size_t count = flight.decisions.front().probabilities.size();
-  std::string text = "<p>Percent: how likely the policy made each direction; bold: the one taken; &#9679;: source heard.</p>\n<div class=\"table\"><table>\n<tr><th>step</th>"
-                     "<th>at</th><th>north (km)</th><th>east (km)</th><th>SNR (dB)</th>";
+  std::string text =
+      "<p>Percent: how likely the policy made each direction; bold: the one taken; &#9679;: source heard.</p>\n<div "
+      "class=\"table\"><table>\n<tr><th>step</th>"
+      "<th>at</th><th>north (km)</th><th>east (km)</th><th>SNR (dB)</th>";
   for (std::size_t a = 0; a < count; ++a) text += "<th>" + action_name(a, count) + "</th>";
   text += "<th>safety</th></tr>\n";
   for (const DecisionRow& d : flight.decisions) text += row(d);
@@ -101,7 +111,8 @@ std::string decisions(const Flight& flight) {
 std::string page(const Flight& flight, const std::string& map, const std::string& history) {
   std::string text{kHead};
   text += headline(flight.summary) + facts(flight.summary);
-  if (!flight.journal_is_whole) text += "<p class=\"missed\">The journal does not end with a whole record: the runtime was stopped while it wrote.</p>\n";
+  if (!flight.journal_is_whole)
+    text += "<p class=\"missed\">The journal does not end with a whole record: the runtime was stopped while it wrote.</p>\n";
   text += "<h2>Where it went</h2>\n<p>SNR at the vehicle's depth; warm colours: loud enough to be heard.</p>\n" + map;
   text += "<h2>What it heard</h2>\n" + history;
   text += "<h2>What it decided</h2>\n" + decisions(flight);

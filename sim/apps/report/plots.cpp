@@ -1,5 +1,6 @@
 #include "sim/apps/report/plots.hpp"
 
+#include <unistd.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +10,6 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <unistd.h>
 
 namespace earshot::report {
 namespace {
@@ -21,7 +21,8 @@ class Scratch {
  public:
   Scratch() {
     std::string name = (fs::temp_directory_path() / "earshot-report-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder can be made in " + fs::temp_directory_path().string());
+    if (mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error("no temporary folder can be made in " + fs::temp_directory_path().string());
     folder_ = name;
   }
   ~Scratch() {
@@ -59,7 +60,8 @@ struct Box {
 
 Box area_of(const Flight& flight) {
   const auto& area = flight.summary.at("area");
-  return {area.at("south_west").at("north_m"), area.at("south_west").at("east_m"), area.at("north_east").at("north_m"), area.at("north_east").at("east_m")};
+  return {area.at("south_west").at("north_m"), area.at("south_west").at("east_m"), area.at("north_east").at("north_m"),
+          area.at("north_east").at("east_m")};
 }
 
 void write_field(const fs::path& path, const Flight& flight, const Box& box) {
@@ -78,7 +80,9 @@ void write_field(const fs::path& path, const Flight& flight, const Box& box) {
 }
 
 /// At most some 4000 rows: a picture has no more points across.
-std::size_t stride_of(const Flight& flight) { return flight.track.size() / 4000 + 1; }
+std::size_t stride_of(const Flight& flight) {
+  return flight.track.size() / 4000 + 1;
+}
 
 void write_track(const fs::path& path, const Flight& flight) {
   std::ofstream out(path);
@@ -86,7 +90,8 @@ void write_track(const fs::path& path, const Flight& flight) {
   for (std::size_t i = 0; i < flight.track.size(); ++i) {
     if (i % stride != 0 && i + 1 != flight.track.size()) continue;
     const TrackRow& row = flight.track[i];
-    out << row.east_m / 1e3 << ' ' << row.north_m / 1e3 << ' ' << row.time_s / 3600 << ' ' << row.snr_db << ' ' << row.range_m / 1e3 << '\n';
+    out << row.east_m / 1e3 << ' ' << row.north_m / 1e3 << ' ' << row.time_s / 3600 << ' ' << row.snr_db << ' ' << row.range_m / 1e3
+        << '\n';
   }
 }
 
@@ -121,24 +126,26 @@ std::string map_svg(const Flight& flight) {
   write_track(scratch / "track.dat", flight);
   write_decisions(scratch / "decisions.dat", flight);
   const std::string threshold = std::to_string(flight.summary.at("detection_threshold_db").get<double>());
-  const std::string ranges = "[" + std::to_string(box.west / 1e3) + ":" + std::to_string(box.east / 1e3) + "] [" + std::to_string(box.south / 1e3) + ":" +
-                             std::to_string(box.north / 1e3) + "] ";
+  const std::string ranges = "[" + std::to_string(box.west / 1e3) + ":" + std::to_string(box.east / 1e3) + "] [" +
+                             std::to_string(box.south / 1e3) + ":" + std::to_string(box.north / 1e3) + "] ";
   return svg_from(scratch, std::string("set terminal svg size 900,800 dynamic enhanced font 'sans-serif,14'\n") + kStyle + R"(
 set size ratio -1
 set xlabel 'east (km)'
 set ylabel 'north (km)'
 set cblabel 'SNR (dB)' textcolor rgb '#888888'
 set cbtics textcolor rgb '#888888'
-set cbrange [)" + threshold + "-20:" + threshold + R"(+20]
+set cbrange [)" + threshold +
+                               "-20:" + threshold + R"(+20]
 set palette defined (0 '#0b2545', 0.35 '#1d5c8a', 0.4999 '#4f9cc0', 0.5 '#f2d48f', 0.7 '#e8a33d', 1 '#b5371c')
-set key outside below center horizontal
+set key outside above center horizontal box lc rgb '#1d5c8a' opaque fillcolor rgb '#1d5c8a' textcolor rgb '#f2f6fa'
 plot )" + ranges + R"('field.dat' using 1:2:3 with image notitle, \
  'track.dat' using 1:2 with lines lw 2.2 lc rgb '#ffffff' title 'track', \
  'decisions.dat' using 1:($3==0?$2:1/0) with points pt 6 ps 0.55 lw 1.4 lc rgb '#d0d0d0' title 'decision, nothing heard', \
  'decisions.dat' using 1:($3==1?$2:1/0) with points pt 7 ps 0.55 lc rgb '#2ee6a6' title 'decision, source heard', \
  '-' using 1:2 with points pt 5 ps 0.9 lc rgb '#ff4fd8' title 'start', \
  '-' using 1:2 with points pt 3 ps 1.5 lw 2.5 lc rgb '#ffffff' title 'source'
-)" + point(flight.summary.at("start")) + "\ne\n" + point(flight.summary.at("source")) + "\ne\n");
+)" + point(flight.summary.at("start")) +
+                               "\ne\n" + point(flight.summary.at("source")) + "\ne\n");
 }
 
 std::string history_svg(const Flight& flight) {
@@ -153,7 +160,7 @@ set y2label 'range to the source (km)'
 set ytics nomirror
 set y2tics textcolor rgb '#888888'
 set y2range [0:*]
-set key outside below center horizontal
+set key outside above center horizontal
 plot 'track.dat' using 3:5 axes x1y2 with lines lw 1.6 dt 2 lc rgb '#c77d2b' title 'range', \
  'track.dat' using 3:4 with lines lw 1.8 lc rgb '#3f8fc5' title 'SNR', \
  'decisions.dat' using 4:5 with points pt 7 ps 0.5 lc rgb '#3f8fc5' title 'decision', \

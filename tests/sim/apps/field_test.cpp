@@ -84,7 +84,7 @@ TEST_F(FieldProgram, RefusesASourceBelowTheBottom) {
 }
 
 TEST_F(FieldProgram, RefusesAReceiverBelowTheBottom) {
-  expect_refused(kMunk + " -o " + output() + " --depth 3001", "must be from 0 m to the sea floor");
+  expect_refused(kMunk + " -o " + output() + " --depth 3001", "receiver depth in m is 3001, allowed: from 0 to 3000");
 }
 
 TEST_F(FieldProgram, RefusesAnOutputThatCannotBeWritten) {

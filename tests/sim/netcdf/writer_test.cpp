@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -108,6 +109,17 @@ TEST(NetcdfWriter, SaysThatTheDiskIsFullAndLeavesNothingBehindWhereverItFills) {
     EXPECT_GT(written, 0);
     EXPECT_GT(refused, 3);
   }
+}
+
+TEST(NetcdfWriter, LetsAProgramEndInPeaceAfterAFullDisk) {
+  const tests::TemporaryFolder folder;
+  testing::FLAGS_gtest_death_test_style = "threadsafe";  // a process of its own, in which the library has not been used yet
+  EXPECT_EXIT(
+      {
+        for (rlim_t bytes = 50; bytes < 20'000; bytes += 150) (void)write_within(folder / "f.nc", 10, bytes);
+        std::exit(2);
+      },
+      testing::ExitedWithCode(2), "");
 }
 
 TEST(NetcdfWriter, SaysThatItCannotTakeItsNameAndLeavesNothingBehind) {

@@ -31,7 +31,7 @@ Environment flat_sea() {
           .noise_level = {}};
 }
 
-TEST(Section, IsLinearInRangeBetweenItsStations) {
+TEST(RadialSection, IsLinearInRangeBetweenItsStations) {
   const Section section{
       .water = {{.range = Meters{0.0}, .profile = isovelocity(1500.0)}, {.range = Meters{1000.0}, .profile = isovelocity(1520.0)}},
       .sea_floor = {{.range = Meters{500.0}, .depth = Meters{200.0}}, {.range = Meters{2500.0}, .depth = Meters{100.0}}},
@@ -46,7 +46,7 @@ TEST(Section, IsLinearInRangeBetweenItsStations) {
   EXPECT_EQ(sea_floor_depth(section, Meters{9000.0}), Meters{100.0});
 }
 
-TEST(Section, HoldsASedimentFromItsStationToTheNext) {
+TEST(RadialSection, HoldsASedimentFromItsStationToTheNext) {
   Section section{.water = {}, .sea_floor = {}, .sediment = {}, .shore = {}};
   section.sediment = {{.range = Meters{100.0}, .layers = {mud(10.0, 1600.0), mud(0.0, 1800.0)}},
                       {.range = Meters{4000.0}, .layers = {mud(0.0, 1880.0)}}};

@@ -16,7 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::string_view kPrefix = "earshot-";
 
-fs::path own_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+fs::path own_folder() {
+  return fs::read_symlink("/proc/self/exe").parent_path();
+}
 
 std::vector<std::string> verbs(const fs::path& folder) {
   std::vector<std::string> found;

@@ -52,7 +52,8 @@ void declare(CLI::App& app, Options& o) {
   app.add_option("--bus", o.bus, "bus instead of the mission's")->check(CLI::IsMember({"lcm", "can"}));
   app.add_option("--lcm-url", o.lcm_url, "LCM address instead of the mission's");
   app.add_option("--can-interface", o.can_interface, "CAN interface instead of the mission's");
-  app.add_option("--simulation", o.simulation, "fly in lock-step with a simulator in this DDS domain; without it: at sea, on this host's clock")
+  app.add_option("--simulation", o.simulation,
+                 "fly in lock-step with a simulator in this DDS domain; without it: at sea, on this host's clock")
       ->check(CLI::Range(link::kLowestDomain, link::kHighestDomain));
 }
 
@@ -65,7 +66,8 @@ board::MissionFile load(const Options& o) {
   if (o.lcm_url) file.lcm_url = *o.lcm_url;
   if (o.can_interface) file.can_interface = *o.can_interface;
   if (file.bus == board::BusKind::kCan && !o.simulation) {
-    throw config_file::BadInput(o.mission.string() + ": bus.kind = \"can\": carries no SNR estimate yet, so it must be \"lcm\" unless --simulation is given");
+    throw config_file::BadInput(o.mission.string() +
+                                ": bus.kind = \"can\": carries no SNR estimate yet, so it must be \"lcm\" unless --simulation is given");
   }
   return file;
 }
@@ -75,7 +77,8 @@ std::unique_ptr<runtime::Runtime> make_runtime(const board::MissionFile& file, c
   auto runtime = std::make_unique<runtime::Runtime>();
   if (runtime->configure(file.mission, *policy) != Status::kOk) {
     throw config_file::BadInput(mission_name + ": search.step_length_m = " + std::to_string(file.mission.step_length.value) + ": must be " +
-                                std::to_string(policy->step_length.value) + ", which the policy " + file.policy.string() + " was trained with");
+                                std::to_string(policy->step_length.value) + ", which the policy " + file.policy.string() +
+                                " was trained with");
   }
   return runtime;
 }
@@ -90,12 +93,21 @@ board::JournalOptions journal_options(const Options& o) {
 /// Exit status: 0 for a mission flown to its end or stopped by a person, 3 when the other side was lost.
 int report(const board::LoopResult& result, const board::VehicleBus& bus, const std::filesystem::path& journal) {
   const std::string at = " at " + std::to_string(result.time.us / 1'000'000) + " s";
-  if (bus.counters().unsent_messages > 0) std::cerr << "earshotd: " << bus.counters().unsent_messages << " messages could not be put on the bus\n";
+  if (bus.counters().unsent_messages > 0)
+    std::cerr << "earshotd: " << bus.counters().unsent_messages << " messages could not be put on the bus\n";
   switch (result.end) {
-    case board::LoopEnd::kMissionOver: std::cerr << "earshotd: " << board::in_words(result.last) << "; journal " << journal.string() << "\n"; return 0;
-    case board::LoopEnd::kStopped: std::cerr << "earshotd: stopped" << at << "; journal " << journal.string() << "\n"; return 0;
-    case board::LoopEnd::kSimulatorLost: std::cerr << "earshotd: lost the simulator" << at << "; journal up to then: " << journal.string() << "\n"; return 3;
-    case board::LoopEnd::kBusLost: std::cerr << "earshotd: lost the bus" << at << ": navigation that the simulator sent did not arrive\n"; return 3;
+    case board::LoopEnd::kMissionOver:
+      std::cerr << "earshotd: " << board::in_words(result.last) << "; journal " << journal.string() << "\n";
+      return 0;
+    case board::LoopEnd::kStopped:
+      std::cerr << "earshotd: stopped" << at << "; journal " << journal.string() << "\n";
+      return 0;
+    case board::LoopEnd::kSimulatorLost:
+      std::cerr << "earshotd: lost the simulator" << at << "; journal up to then: " << journal.string() << "\n";
+      return 3;
+    case board::LoopEnd::kBusLost:
+      std::cerr << "earshotd: lost the bus" << at << ": navigation that the simulator sent did not arrive\n";
+      return 3;
   }
   return 3;
 }
@@ -119,15 +131,17 @@ int fly(const Options& o) {
   const Status kept = journal.close();
   const int status = report(result, *bus, journal_path);
   if (kept == Status::kOk && journal.counters().dropped == 0) return status;
-  std::cerr << "earshotd: the journal is not whole: " << journal.counters().dropped << " records dropped, " << journal.counters().write_errors << " writes failed\n";
+  std::cerr << "earshotd: the journal is not whole: " << journal.counters().dropped << " records dropped, "
+            << journal.counters().write_errors << " writes failed\n";
   return 3;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
-               "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost."};
+  CLI::App app{
+      "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
+      "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost."};
   Options options;
   declare(app, options);
   try {

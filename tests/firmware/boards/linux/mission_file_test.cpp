@@ -35,7 +35,8 @@ std::string complaint(const std::string& from, const std::string& to) {
     what = e.what();
   }
   std::filesystem::remove(path);
-  for (std::size_t p = what.find(path.string()); p != std::string::npos; p = what.find(path.string())) what.replace(p, path.string().size(), "FILE");
+  for (std::size_t p = what.find(path.string()); p != std::string::npos; p = what.find(path.string()))
+    what.replace(p, path.string().size(), "FILE");
   return what;
 }
 
@@ -61,10 +62,13 @@ TEST(MissionFile, RefusesANegativeDepthWithItsLineAndWhatIsAllowed) {
             "FILE:14: search.depth_m = -300.0: must be a finite number above 0 and at most 11000");
 }
 
-TEST(MissionFile, RefusesAnUnknownKey) { EXPECT_EQ(complaint("speed_mps = 2.0", "speed_mps = 2.0\nspeed_knots = 4.0"), "FILE:16: search.speed_knots: unknown key"); }
+TEST(MissionFile, RefusesAnUnknownKey) {
+  EXPECT_EQ(complaint("speed_mps = 2.0", "speed_mps = 2.0\nspeed_knots = 4.0"), "FILE:16: search.speed_knots: unknown key");
+}
 
 TEST(MissionFile, RefusesNan) {
-  EXPECT_NE(complaint("max_time_s = 60000.0", "max_time_s = nan").find("limits.max_time_s = nan: must be a finite number"), std::string::npos);
+  EXPECT_NE(complaint("max_time_s = 60000.0", "max_time_s = nan").find("limits.max_time_s = nan: must be a finite number"),
+            std::string::npos);
 }
 
 TEST(MissionFile, RefusesAnAreaWhoseNorthLiesSouthOfItsSouth) {
@@ -72,11 +76,14 @@ TEST(MissionFile, RefusesAnAreaWhoseNorthLiesSouthOfItsSouth) {
 }
 
 TEST(MissionFile, RefusesToSearchDeeperThanTheSafetyLayerAllows) {
-  EXPECT_NE(complaint("max_depth_m = 400.0", "max_depth_m = 200.0").find("limits.max_depth_m = 200.0: must be at least search.depth_m"), std::string::npos);
+  EXPECT_NE(complaint("max_depth_m = 400.0", "max_depth_m = 200.0").find("limits.max_depth_m = 200.0: must be at least search.depth_m"),
+            std::string::npos);
 }
 
 TEST(MissionFile, RefusesAnAreaWithNoRoomToSearch) {
-  EXPECT_NE(complaint("edge_margin_m = 250.0", "edge_margin_m = 12400.0").find("area.edge_margin_m = 12400.0: must leave room for two steps"), std::string::npos);
+  EXPECT_NE(
+      complaint("edge_margin_m = 250.0", "edge_margin_m = 12400.0").find("area.edge_margin_m = 12400.0: must leave room for two steps"),
+      std::string::npos);
 }
 
 TEST(MissionFile, RefusesAnLcmAddressThatIsNotMulticast) {
@@ -84,8 +91,9 @@ TEST(MissionFile, RefusesAnLcmAddressThatIsNotMulticast) {
 }
 
 TEST(MissionFile, SaysEverythingThatIsWrongAtOnce) {
-  const std::string all = complaint("max_steps = 100                  # the mission is over after so many actions\ndetection_threshold_db = 10.0",
-                                    "max_steps = 0\ndetection_threshold_db = \"loud\"");
+  const std::string all =
+      complaint("max_steps = 100                  # the mission is over after so many actions\ndetection_threshold_db = 10.0",
+                "max_steps = 0\ndetection_threshold_db = \"loud\"");
   EXPECT_NE(all.find("search.max_steps = 0"), std::string::npos) << all;
   EXPECT_NE(all.find("search.detection_threshold_db"), std::string::npos) << all;
 }

@@ -49,7 +49,9 @@ TEST_F(PolicyFile, IsTakenWhenItIsWholeAndSignedByTheTrustedKey) {
   EXPECT_EQ(load_policy(policy_, key_)->actions.size(), 8);
 }
 
-TEST_F(PolicyFile, IsRefusedAsMissingByName) { EXPECT_EQ(complaint(), policy_.string() + ": no such file"); }
+TEST_F(PolicyFile, IsRefusedAsMissingByName) {
+  EXPECT_EQ(complaint(), policy_.string() + ": no such file");
+}
 
 TEST_F(PolicyFile, IsRefusedForItsChecksumWhenABitInTheMiddleIsFlipped) {
   std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
@@ -65,7 +67,8 @@ TEST_F(PolicyFile, IsRefusedWhenItsSignatureIsNotOfItsBytes) {
 
 TEST_F(PolicyFile, IsRefusedWhenAnotherKeyIsTrusted) {
   std::ofstream(key_) << std::string(64, 'a') << "\n";
-  EXPECT_EQ(complaint(support::signed_bytes(support::random_walk_policy())), policy_.string() + ": is not signed by the trusted key " + key_.string());
+  EXPECT_EQ(complaint(support::signed_bytes(support::random_walk_policy())),
+            policy_.string() + ": is not signed by the trusted key " + key_.string());
 }
 
 TEST_F(PolicyFile, IsRefusedWhenItIsCutAnywhere) {

@@ -1,0 +1,84 @@
+// Peer of sil.times_real_time: the same messages between two processes in the same lock-step, and nothing else: no vehicle, policy, journal or track.
+
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <poll.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+#include "earshot/health_t.hpp"
+#include "earshot/nav_state_t.hpp"
+#include "earshot/setpoint_t.hpp"
+#include "firmware/boards/linux/lcm_codec.hpp"
+#include "firmware/boards/linux/lcm_endpoint.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "sim/link/run_slot.hpp"
+#include "sim/link/runtime_end.hpp"
+#include "sim/link/simulator_end.hpp"
+
+namespace {
+
+using namespace earshot;
+using namespace std::chrono_literals;
+
+constexpr std::uint64_t kTicks = 50'000;
+
+/// Until one message on `channel` has come.
+void take_one(board::LcmEndpoint& bus, std::string_view channel) {
+  for (;;) {
+    bus.collect();
+    for (wire::Lc02Message message; bus.take(message) == Status::kOk;) {
+      if (message.channel == channel) return;
+    }
+    pollfd readable{.fd = bus.file_descriptor(), .events = POLLIN, .revents = 0};
+    (void)poll(&readable, 1, 1000);
+  }
+}
+
+int answer(const link::RunSlot& slot) {
+  board::LcmEndpoint bus(board::parse_lcm_url(slot.lcm_url()), {wire::kNavStateChannel});
+  link::RuntimeEnd link(slot.domain());
+  link::Tick tick;
+  while (tick.number < kTicks) {
+    if (link.receive(tick, 10s) != link::Delivery::kArrived) return 1;
+    take_one(bus, wire::kNavStateChannel);
+    (void)board::publish(bus, wire::kSetpointChannel, setpoint_t{});
+    (void)board::publish(bus, wire::kHealthChannel, health_t{});
+    link::Answer reply;
+    reply.number = tick.number;
+    link.send(reply);
+  }
+  return 0;
+}
+
+double measure(const link::RunSlot& slot) {
+  board::LcmEndpoint bus(board::parse_lcm_url(slot.lcm_url()), {wire::kSetpointChannel});
+  link::SimulatorEnd link(slot.domain());
+  if (!link.wait_for_runtime(10s)) std::exit(1);
+  const auto began = std::chrono::steady_clock::now();
+  for (std::uint64_t n = 1; n <= kTicks; ++n) {
+    (void)board::publish(bus, wire::kNavStateChannel, nav_state_t{});
+    link::Tick tick;
+    tick.number = n;
+    link.send(tick);
+    link.observe({});
+    link::Answer reply;
+    if (link.receive(reply, 10s) != link::Delivery::kArrived) std::exit(1);
+    take_one(bus, wire::kSetpointChannel);
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
+}  // namespace
+
+int main() {
+  const link::RunSlot slot;
+  const pid_t child = fork();
+  if (child == 0) std::_Exit(answer(slot));
+  const double wall_time_s = measure(slot);
+  waitpid(child, nullptr, 0);
+  std::cout << "{\"name\":\"bare lock-step of 1 s ticks\",\"unit\":\"x\",\"value\":" << static_cast<double>(kTicks) / wall_time_s << "}\n";
+}

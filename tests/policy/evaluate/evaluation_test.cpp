@@ -1,0 +1,89 @@
+#include "policy/evaluate/evaluation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+
+namespace earshot::evaluate {
+namespace {
+
+using search::EpisodeEnd;
+using search::EpisodeRecord;
+
+TEST(Quantile, InterpolatesBetweenOrderStatisticsAsNumPyDoes) {
+  // numpy.quantile([4, 1, 3, 2], [0, 0.25, 0.5, 0.75, 1]) = [1, 1.75, 2.5, 3.25, 4]
+  const std::vector<double> values{4.0, 1.0, 3.0, 2.0};
+  EXPECT_EQ(quantile(values, 0.0), 1.0);
+  EXPECT_EQ(quantile(values, 0.25), 1.75);
+  EXPECT_EQ(quantile(values, 0.5), 2.5);
+  EXPECT_EQ(quantile(values, 0.75), 3.25);
+  EXPECT_EQ(quantile(values, 1.0), 4.0);
+}
+
+TEST(Summary, CountsEndsAndAveragesRewardStepsAndDetections) {
+  const std::array<EpisodeRecord, 4> records{{{-1.0, 10, 4, EpisodeEnd::kFound},
+                                              {-2.0, 20, 0, EpisodeEnd::kLeftDomain},
+                                              {-3.0, 30, 8, EpisodeEnd::kFound},
+                                              {-10.0, 100, 4, EpisodeEnd::kTimeLimit}}};
+  const Summary s = summarise(records);
+  EXPECT_EQ(s.episodes, 4U);
+  EXPECT_DOUBLE_EQ(s.mean_reward, -4.0);
+  EXPECT_DOUBLE_EQ(s.median_reward, -2.5);
+  EXPECT_DOUBLE_EQ(s.found_fraction, 0.5);
+  EXPECT_DOUBLE_EQ(s.left_domain_fraction, 0.25);
+  EXPECT_DOUBLE_EQ(s.mean_steps, 40.0);
+  EXPECT_DOUBLE_EQ(s.mean_detections, 4.0);
+}
+
+/// A policy that goes north (action 0) by a margin of logits: others have logit 0.
+std::unique_ptr<policy::FrozenPolicy> goes_north(float margin) {
+  auto policy = std::make_unique<policy::FrozenPolicy>();
+  policy->observation = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}});
+  policy->actions = search::compass_directions(4);
+  policy->step_length = Meters{1'000.0};
+  policy->draw = policy::ActionDraw::kArgmax;
+  policy->network.observation_size = 2;
+  policy->network.hidden_sizes = {1, 1};
+  policy->network.action_count = 4;
+  policy->network.output.bias[0] = margin;
+  return policy;
+}
+
+class EvaluateTest : public testing::Test {
+ protected:
+  EvaluateTest() {
+    // Starts on a line 5 to 6 km south of the source and at most 900 m to its side: due north finds it.
+    settings.start_region = {{Meters{4'000.0}, Meters{9'100.0}}, {Meters{5'000.0}, Meters{10'900.0}}};
+  }
+  sonar::SnrCurve curve{Meters{1'000.0}, std::vector<float>(40, 20.0F)};
+  search::SearchSettings settings;
+};
+
+TEST_F(EvaluateTest, FliesThePolicysActionsWithItsOwnStepLength) {
+  const auto policy = goes_north(1.0F);
+  policy->step_length = Meters{1'500.0};
+  const auto records = evaluate(*policy, policy->draw, world_of(*policy, settings, curve), 20, 1);
+  for (const EpisodeRecord& record : records) {
+    EXPECT_EQ(record.end, EpisodeEnd::kFound);
+    EXPECT_LE(record.steps, 4U);  // 5 to 6 km in steps of 1.5 km, to within 1.5 km
+    EXPECT_GE(record.steps, 3U);
+  }
+}
+
+TEST_F(EvaluateTest, GivesTheSameEpisodesForTheSameSeedAndTheSameStartsForEveryPolicy) {
+  const auto north = goes_north(0.5F);
+  const auto world = world_of(*north, settings, curve);
+  auto rewards = [&](const policy::FrozenPolicy& policy, policy::ActionDraw draw, std::uint64_t seed) {
+    std::vector<std::uint32_t> steps;
+    for (const EpisodeRecord& record : evaluate(policy, draw, world, 30, seed)) steps.push_back(record.steps);
+    return steps;
+  };
+  EXPECT_EQ(rewards(*north, policy::ActionDraw::kSampled, 1), rewards(*north, policy::ActionDraw::kSampled, 1));
+  EXPECT_NE(rewards(*north, policy::ActionDraw::kSampled, 1), rewards(*north, policy::ActionDraw::kSampled, 2));
+  EXPECT_NE(rewards(*north, policy::ActionDraw::kSampled, 1), rewards(*north, policy::ActionDraw::kArgmax, 1));
+  EXPECT_EQ(rewards(*north, policy::ActionDraw::kArgmax, 1), rewards(*goes_north(9.0F), policy::ActionDraw::kArgmax, 1));
+}
+
+}  // namespace
+}  // namespace earshot::evaluate

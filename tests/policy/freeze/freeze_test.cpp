@@ -1,0 +1,108 @@
+#include "policy/freeze/freeze.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "firmware/policy/network.hpp"
+
+namespace earshot::freeze {
+namespace {
+
+/// A trained-looking checkpoint of the memory state.
+ppo::Checkpoint made_up_checkpoint() {
+  ppo::Checkpoint checkpoint;
+  checkpoint.observation = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value();
+  checkpoint.direction_count = 8;
+  checkpoint.step_length = Meters{1'000.0};
+  checkpoint.provenance = {{"command", "earshot-train"}, {"seed", "3"}};
+  ppo::ActorCritic<float> networks(checkpoint.shape());
+  Pcg32 random(3);
+  networks.initialise(random);
+  for (float& p : networks.parameters()) p += 0.2F * (random.uniform_float() - 0.5F);
+  checkpoint.parameters.assign(networks.parameters().begin(), networks.parameters().end());
+  return checkpoint;
+}
+
+TEST(Freeze, GivesTheLogitsOfTheTrainedActor) {
+  const ppo::Checkpoint checkpoint = made_up_checkpoint();
+  const auto frozen = freeze(checkpoint, policy::ActionDraw::kSampled);
+  ppo::ActorCritic<float> trained(checkpoint.shape());
+  std::ranges::copy(checkpoint.parameters, trained.parameters().begin());
+  ppo::Activations<float> activations(checkpoint.shape(), 1);
+  Pcg32 random(8);
+  for (int i = 0; i < 100; ++i) {
+    std::array<float, 6> observation{};
+    for (float& x : observation) x = 4.0F * random.uniform_float() - 2.0F;
+    std::array<float, 8> logits{};
+    policy::forward(frozen->network, observation, logits);
+    trained.forward(observation.data(), 1, activations);
+    for (std::size_t a = 0; a < logits.size(); ++a) {
+      // Two tanh of some ulp, sums of 64 floats of order 1 in another order.
+      ASSERT_NEAR(logits[a], activations.logits(static_cast<Eigen::Index>(a), 0), 2e-5F);
+    }
+  }
+}
+
+TEST(Freeze, KeepsWhatThePolicySeesDoesAndComesFrom) {
+  const ppo::Checkpoint checkpoint = made_up_checkpoint();
+  const auto frozen = freeze(checkpoint, policy::ActionDraw::kArgmax);
+  EXPECT_TRUE(std::ranges::equal(frozen->observation, checkpoint.observation));
+  EXPECT_EQ(frozen->actions.size(), 8U);
+  EXPECT_EQ(frozen->actions[2], (UnitNorthEast{0.0, 1.0}));
+  EXPECT_EQ(frozen->step_length, Meters{1'000.0});
+  EXPECT_EQ(frozen->draw, policy::ActionDraw::kArgmax);
+  EXPECT_EQ(std::string(frozen->provenance.begin(), frozen->provenance.end()), "command = earshot-train\nseed = 3\n");
+}
+
+TEST(Freeze, RefusesProvenanceThatAPolicyCannotHold) {
+  ppo::Checkpoint checkpoint = made_up_checkpoint();
+  checkpoint.provenance.emplace_back("story", std::string(config::kMaxProvenance, 'x'));
+  EXPECT_THROW((void)freeze(checkpoint, policy::ActionDraw::kSampled), config_file::BadInput);
+}
+
+TEST(Sign, MakesBytesThatTheVehicleParses) {
+  const auto frozen = freeze(made_up_checkpoint(), policy::ActionDraw::kSampled);
+  const std::vector<std::uint8_t> bytes = sign(*frozen, make_key());
+  auto parsed = std::make_unique<policy::FrozenPolicy>();
+  policy::PolicyFault fault{};
+  ASSERT_EQ(policy::parse(bytes, *parsed, fault), Status::kOk);
+  EXPECT_EQ(parsed->network.output.bias, frozen->network.output.bias);
+}
+
+TEST(Sign, CoversEveryByteAndOnlyItsOwnKey) {
+  const SecretKey key = make_key();
+  std::vector<std::uint8_t> bytes = sign(*freeze(made_up_checkpoint(), policy::ActionDraw::kSampled), key);
+  EXPECT_TRUE(is_signed_by(bytes, public_key_of(key)));
+  EXPECT_FALSE(is_signed_by(bytes, public_key_of(make_key())));
+  EXPECT_FALSE(is_signed_by(std::span(bytes).first(10), public_key_of(key)));
+  for (std::size_t i = 0; i < bytes.size(); i += 97) {
+    bytes[i] ^= 1U;
+    EXPECT_FALSE(is_signed_by(bytes, public_key_of(key))) << "byte " << i;
+    bytes[i] ^= 1U;
+  }
+}
+
+TEST(Keys, FollowTheFirstTestVectorOfRfc8032) {
+  const SecretKey key = secret_key_from("9d61b19deffd5a60ba844af492ec2cc44449c5697b326919703bac031cae7f60\n", "rfc");
+  EXPECT_EQ(to_text(public_key_of(key)), "d75a980182b10ab7d54bfed3c964073a0ee172f3daa62325af021a68f707511a\n");
+}
+
+TEST(Keys, SurviveTheirText) {
+  const SecretKey key = make_key();
+  EXPECT_EQ(secret_key_from(to_text(key), "k").seed, key.seed);
+  EXPECT_EQ(public_key_from(to_text(public_key_of(key)), "k"), public_key_of(key));
+}
+
+TEST(Keys, AreRefusedUnlessOneLineOfSixtyFourDigits) {
+  const std::string whole = to_text(make_key());
+  for (const std::string& bad : {std::string(), whole.substr(2), whole + "00", "g" + whole.substr(1), std::string(64, ' ')}) {
+    EXPECT_THROW((void)secret_key_from(bad, "k"), config_file::BadInput) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace earshot::freeze

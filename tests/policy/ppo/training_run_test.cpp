@@ -1,0 +1,57 @@
+#include "policy/ppo/training_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "firmware/config_file/table_reader.hpp"
+
+namespace earshot::ppo {
+namespace {
+
+std::string written(const std::string& text) {
+  const std::string path = testing::TempDir() + "run.toml";
+  std::ofstream(path) << text;
+  return path;
+}
+
+TEST(TrainingRun, IsThePapersWithStableBaselines3sDefaultsWhenTheFileIsEmpty) {
+  const TrainingRun run = load_run(written(""));
+  EXPECT_EQ(run.search.border_reward, -100.0);
+  EXPECT_EQ(run.search.max_steps, 100U);
+  EXPECT_EQ(run.hyper.steps_per_rollout, 2048U);
+  EXPECT_EQ(run.hyper.learning_rate, 3e-4);
+}
+
+TEST(TrainingRun, ReadsTheShippedFile) {
+  const TrainingRun run = load_run(EARSHOT_SOURCE_DIR "/policy/ppo/runs/fixed_source.toml");
+  EXPECT_TRUE(std::filesystem::exists(run.environment));
+  EXPECT_EQ(run.episodes, 1'500U);
+}
+
+TEST(TrainingRun, StartsInsideTheBorderWhenTold) {
+  const TrainingRun run = load_run(written("[search]\nstart = \"inside_border\"\nborder_width_m = 2000.0\n"));
+  EXPECT_EQ(run.search.start_region.south_west.north, Meters{2'000.0});
+  EXPECT_EQ(run.search.start_region.north_east.east, Meters{23'000.0});
+}
+
+TEST(TrainingRun, ReportsEveryProblemAtOnceWithItsLine) {
+  const std::string path = written("seeed = 1\n[ppo]\nbatch_size = 1\ndiscount = 1.5\n[search]\ndirections = 33\n");
+  try {
+    (void)load_run(path);
+    FAIL();
+  } catch (const config_file::BadInput& e) {
+    const std::string text = e.what();
+    EXPECT_NE(text.find(path + ":1: seeed"), std::string::npos) << text;
+    EXPECT_NE(text.find(path + ":3: ppo.batch_size = 1: must be a whole number from 2"), std::string::npos) << text;
+    EXPECT_NE(text.find(path + ":4: ppo.discount = 1.5"), std::string::npos) << text;
+    EXPECT_NE(text.find(path + ":6: search.directions = 33"), std::string::npos) << text;
+  }
+}
+
+TEST(TrainingRun, RefusesABorderThatLeavesNoRoomToStartIn) {
+  EXPECT_THROW((void)load_run(written("[search]\nstart = \"inside_border\"\nborder_width_m = 12500.0\n")), config_file::BadInput);
+}
+
+}  // namespace
+}  // namespace earshot::ppo

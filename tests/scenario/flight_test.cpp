@@ -1,0 +1,269 @@
+// Whole flights: the programs themselves, over real LCM and real DDS.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "earshot/decision_t.hpp"
+#include "earshot/nav_state_t.hpp"
+#include "earshot/operator_command_t.hpp"
+#include "earshot/setpoint_t.hpp"
+#include "earshot/snr_estimate_t.hpp"
+#include "firmware/boards/linux/journal_reader.hpp"
+#include "firmware/boards/linux/lcm_codec.hpp"
+#include "firmware/boards/linux/messages.hpp"
+#include "firmware/boards/linux/mission_file.hpp"
+#include "firmware/boards/linux/policy_file.hpp"
+#include "firmware/runtime/runtime.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "sim/link/run_slot.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/signed_policy.hpp"
+
+namespace earshot {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+const fs::path kSource = EARSHOT_SOURCE_DIR;
+const fs::path kBin = EARSHOT_BIN_DIR;
+const fs::path kMission = kSource / "firmware/boards/linux/missions/fixed_source.toml";
+const fs::path kEnvironment = kSource / "sim/ocean/environments/munk_flat.toml";
+
+class Flight : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / (std::string("earshot-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    support::write_bytes(folder_ / "walk.policy", support::signed_bytes(support::random_walk_policy()));
+    support::write_public_key(folder_ / "walk.pub");
+  }
+  void TearDown() override {
+    if (!HasFailure()) fs::remove_all(folder_);
+  }
+
+  [[nodiscard]] std::vector<std::string> policy_arguments() const {
+    return {"--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub"};
+  }
+
+  /// A flight by earshot-fly with a policy that walks at random.
+  [[nodiscard]] std::unique_ptr<support::Process> fly(const std::string& out, std::vector<std::string> more) const {
+    std::vector<std::string> a = policy_arguments();
+    a.insert(a.end(), {"--environment", kEnvironment, "--mission", kMission, "--out", folder_ / out, "--no-report"});
+    a.insert(a.end(), more.begin(), more.end());
+    return std::make_unique<support::Process>(kBin / "earshot-fly", a, folder_ / (out + ".txt"));
+  }
+
+  /// Both processes of one flight without earshot-fly between them and the test.
+  void start_both() {
+    const std::string domain = std::to_string(slot_.domain());
+    std::vector<std::string> a = policy_arguments();
+    a.insert(a.end(), {kMission, "--out", folder_, "--simulation", domain, "--lcm-url", slot_.lcm_url()});
+    runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
+    simulator_ = std::make_unique<support::Process>(
+        kBin / "earshot-sim",
+        std::vector<std::string>{"--environment", kEnvironment, "--mission", kMission, "--out", folder_, "--domain", domain, "--lcm-url",
+                                 slot_.lcm_url(), "--ignore-source", "--speed", "500"},
+        folder_ / "earshot-sim.txt");
+  }
+
+  /// Until the journal holds some minutes at sea.
+  [[nodiscard]] bool is_under_way() const {
+    for (const auto deadline = std::chrono::steady_clock::now() + 30s; std::chrono::steady_clock::now() < deadline;) {
+      std::error_code error;
+      if (fs::exists(folder_ / "journal.lcmlog") && fs::file_size(folder_ / "journal.lcmlog", error) > 50'000) return true;
+      std::this_thread::sleep_for(20ms);
+    }
+    return false;
+  }
+
+  struct Contents {
+    std::size_t records = 0;
+    board::JournalReader::End end = board::JournalReader::End::kCorrupt;
+  };
+  [[nodiscard]] Contents journal() const {
+    board::JournalReader reader(folder_ / "journal.lcmlog");
+    Contents contents;
+    for (board::JournalRecord record; reader.next(record);) ++contents.records;
+    contents.end = reader.end();
+    return contents;
+  }
+
+  [[nodiscard]] nlohmann::json summary(const std::string& out) const {
+    return nlohmann::json::parse(support::read_text(folder_ / out / "summary.json"));
+  }
+
+  fs::path folder_;
+  const link::RunSlot slot_;
+  std::unique_ptr<support::Process> runtime_;
+  std::unique_ptr<support::Process> simulator_;
+};
+
+TEST_F(Flight, GivenOneSeedTwoFlightsGoTheSameWayByteForByte) {
+  for (const char* out : {"first", "second"}) {
+    const auto flight = fly(out, {"--seed", "7"});
+    ASSERT_EQ(flight->wait(120s), 0) << flight->output();
+  }
+  const std::string track = support::read_text(folder_ / "first/track.csv");
+  EXPECT_GT(track.size(), 1000);
+  EXPECT_TRUE(track == support::read_text(folder_ / "second/track.csv"));
+  EXPECT_TRUE(support::read_text(folder_ / "first/journal.lcmlog") == support::read_text(folder_ / "second/journal.lcmlog"));
+}
+
+TEST_F(Flight, GivenTwoSeedsTheyStartElsewhere) {
+  for (const char* seed : {"7", "8"}) {
+    const auto flight = fly(seed, {"--seed", seed});
+    ASSERT_EQ(flight->wait(120s), 0) << flight->output();
+  }
+  EXPECT_NE(summary("7").at("start"), summary("8").at("start"));
+}
+
+TEST_F(Flight, GivenAWholeMissionItsSummaryAgreesWithItsTrack) {
+  const auto flight = fly("out", {"--seed", "3", "--ignore-source"});
+  ASSERT_EQ(flight->wait(120s), 0) << flight->output();
+  const nlohmann::json s = summary("out");
+  EXPECT_EQ(s.at("steps"), 100);
+  EXPECT_EQ(s.at("found"), false);
+  EXPECT_EQ(s.at("end_reason"), "steps_used_up");
+  // 100 legs of 1 km; each turn adds at most half a turning circle of 19 m radius, and the safety layer may shorten a leg at the edge.
+  EXPECT_NEAR(s.at("distance_m").get<double>(), 100e3, 6e3);
+  EXPECT_NEAR(s.at("sim_time_s").get<double>(), s.at("distance_m").get<double>() / 2.0, 100.0);
+  EXPECT_EQ(board::JournalReader(folder_ / "out/journal.lcmlog").end(), board::JournalReader::End::kWhole);
+}
+
+TEST_F(Flight, GivenItsRuntimeIsKilledTheSimulatorSaysSoWithinFiveSecondsAndKeepsTheTrack) {
+  start_both();
+  ASSERT_TRUE(is_under_way()) << runtime_->output() << simulator_->output();
+  runtime_->signal(SIGKILL);
+  EXPECT_EQ(simulator_->wait(5s), 3);
+  EXPECT_NE(simulator_->output().find("lost earshotd"), std::string::npos) << simulator_->output();
+  EXPECT_EQ(nlohmann::json::parse(support::read_text(folder_ / "summary.json")).at("end_reason"), "earshotd_lost");
+  EXPECT_GT(support::read_text(folder_ / "track.csv").size(), 1000);
+  // What the killed process had handed to the kernel is there; at most its last record is cut.
+  EXPECT_GT(journal().records, 100);
+  EXPECT_NE(journal().end, board::JournalReader::End::kCorrupt);
+}
+
+TEST_F(Flight, GivenItsSimulatorIsKilledTheRuntimeSaysSoWithinFiveSecondsAndItsJournalIsWhole) {
+  start_both();
+  ASSERT_TRUE(is_under_way()) << runtime_->output() << simulator_->output();
+  simulator_->signal(SIGKILL);
+  EXPECT_EQ(runtime_->wait(5s), 3);
+  EXPECT_NE(runtime_->output().find("lost the simulator"), std::string::npos) << runtime_->output();
+  EXPECT_GT(journal().records, 100);
+  EXPECT_EQ(journal().end, board::JournalReader::End::kWhole);
+  EXPECT_FALSE(fs::exists(folder_ / "summary.json"));
+}
+
+TEST_F(Flight, GivenCtrlCBothEndInOrderAndTheJournalIsWhole) {
+  const auto flight = fly(".", {"--speed", "500", "--ignore-source"});
+  ASSERT_TRUE(is_under_way()) << flight->output();
+  flight->signal(SIGINT);
+  EXPECT_EQ(flight->wait(5s), 130) << flight->output();
+  EXPECT_EQ(summary(".").at("end_reason"), "interrupted");
+  EXPECT_NE(flight->output().find("ABORT, an operator aborted it"), std::string::npos) << flight->output();
+  EXPECT_EQ(journal().end, board::JournalReader::End::kWhole);
+}
+
+TEST_F(Flight, GivenTwoFlightsAtOnceNeitherHearsTheOther) {
+  const auto alone = fly("alone", {"--seed", "5"});
+  ASSERT_EQ(alone->wait(120s), 0) << alone->output();
+  const auto one = fly("one", {"--seed", "5"});
+  const auto other = fly("other", {"--seed", "6"});
+  EXPECT_EQ(one->wait(120s), 0) << one->output();
+  EXPECT_EQ(other->wait(120s), 0) << other->output();
+  EXPECT_TRUE(support::read_text(folder_ / "alone/track.csv") == support::read_text(folder_ / "one/track.csv"));
+}
+
+/// The bytes of what came out, to be compared bit for bit.
+std::vector<std::uint8_t> bytes_of(const board::Encoded& message) {
+  return {message.bytes().begin(), message.bytes().end()};
+}
+
+/// Collects the inputs of a turn; true when `record` is an input.
+bool take_input(const board::JournalRecord& record, runtime::Inputs& inputs) {
+  nav_state_t navigation{};
+  snr_estimate_t snr{};
+  operator_command_t command{};
+  if (record.channel == wire::kNavStateChannel && board::decode(record.data, navigation) == Status::kOk) {
+    inputs.navigation = board::from_message(navigation);
+  } else if (record.channel == wire::kSnrEstimateChannel && board::decode(record.data, snr) == Status::kOk) {
+    inputs.snr = board::from_message(snr);
+  } else if (record.channel == wire::kOperatorCommandChannel && board::decode(record.data, command) == Status::kOk) {
+    inputs.command = board::from_message(command);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+TEST_F(Flight, GivenItsJournalTheRuntimeDecidesTheSameAgainBitForBit) {
+  const auto flight = fly("out", {"--seed", "7"});
+  ASSERT_EQ(flight->wait(120s), 0) << flight->output();
+  config::Mission mission = board::load_mission(kMission).mission;
+  mission.action_seed = 7;
+  auto runtime = std::make_unique<runtime::Runtime>();
+  ASSERT_EQ(runtime->configure(mission, *board::load_policy(folder_ / "walk.policy", folder_ / "walk.pub")), Status::kOk);
+
+  board::JournalReader journal(folder_ / "out/journal.lcmlog");
+  runtime::Inputs inputs;
+  runtime::Outputs outputs;
+  std::size_t turns = 0;
+  std::size_t decisions = 0;
+  for (board::JournalRecord record; journal.next(record);) {
+    if (take_input(record, inputs)) continue;
+    if (record.channel == wire::kSetpointChannel) {
+      outputs = runtime->step(record.time, inputs);
+      inputs = {};
+      ++turns;
+      ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(outputs.setpoint, record.time)))) << "turn " << turns;
+    } else if (record.channel == wire::kDecisionChannel) {
+      ++decisions;
+      ASSERT_TRUE(outputs.decision.has_value());
+      ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(*outputs.decision)))) << "decision " << decisions;
+    } else {
+      ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(outputs, record.time)))) << "health of turn " << turns;
+    }
+  }
+  EXPECT_EQ(journal.end(), board::JournalReader::End::kWhole);
+  EXPECT_GT(turns, 400);
+  EXPECT_GT(decisions, 0);
+}
+
+TEST_F(Flight, GivenADamagedPolicyNothingFliesAndTheMessageNamesIt) {
+  std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
+  bytes[bytes.size() / 2] ^= 1U;
+  support::write_bytes(folder_ / "walk.policy", bytes);
+  const auto flight = fly("out", {});
+  EXPECT_EQ(flight->wait(10s), 2);
+  EXPECT_EQ(flight->output(), (folder_ / "walk.policy").string() + ": its CRC-32 is wrong: the file is damaged\n");
+  EXPECT_TRUE(fs::is_empty(folder_ / "out"));
+}
+
+TEST_F(Flight, GivenAMissingMissionOneLineSaysSo) {
+  support::Process flight(kBin / "earshot-fly", {"--environment", kEnvironment, "--mission", folder_ / "none.toml"}, folder_ / "text");
+  EXPECT_EQ(flight.wait(10s), 2);
+  EXPECT_EQ(flight.output(), (folder_ / "none.toml").string() + ": no such file\n");
+}
+
+TEST_F(Flight, GivenAnUnknownOptionOrVerbTheStatusIsTwo) {
+  support::Process flight(kBin / "earshot-fly", {"--sede", "7"}, folder_ / "text");
+  EXPECT_EQ(flight.wait(10s), 2);
+  support::Process verb(kBin / "earshot", {"swim"}, folder_ / "text2");
+  EXPECT_EQ(verb.wait(10s), 2);
+  EXPECT_EQ(verb.output(), "earshot: there is no verb \"swim\"; see earshot help\n");
+}
+
+}  // namespace
+}  // namespace earshot

@@ -1,0 +1,57 @@
+#include "tests/support/process.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <thread>
+#include <utility>
+
+namespace earshot::support {
+
+Process::Process(const std::filesystem::path& program, const std::vector<std::string>& arguments, std::filesystem::path output)
+    : output_(std::move(output)) {
+  std::vector<char*> argv{const_cast<char*>(program.c_str())};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  id_ = fork();
+  if (id_ != 0) return;
+  const int file = open(output_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  (void)dup2(file, 1);
+  (void)dup2(file, 2);
+  (void)execv(program.c_str(), argv.data());
+  _exit(127);
+}
+
+Process::~Process() {
+  if (wait(std::chrono::milliseconds(0)) >= 0) return;
+  signal(SIGKILL);
+  (void)wait(std::chrono::seconds(5));
+}
+
+void Process::signal(int number) const {
+  if (status_ < 0) (void)kill(id_, number);
+}
+
+int Process::wait(std::chrono::milliseconds timeout) {
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
+  for (;;) {
+    int raw = 0;
+    if (status_ < 0 && waitpid(id_, &raw, WNOHANG) == id_) status_ = WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw);
+    if (status_ >= 0 || std::chrono::steady_clock::now() >= deadline) return status_;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+std::string Process::output() const {
+  return read_text(output_);
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace earshot::support
