@@ -43,8 +43,9 @@ struct Fan {
 inline double Fan::transmission_loss_at(NorthEast position, std::size_t depth) const {
   const double north = (position.north - centre.north).value;
   const double east = (position.east - centre.east).value;
-  const double range = std::max(0.0, std::hypot(north, east) / range_step.value - 1.0);
-  if (!(range <= static_cast<double>(ranges - 1) + 1e-9)) return std::numeric_limits<double>::quiet_NaN();
+  const double distance = std::hypot(north, east) / range_step.value;
+  if (!(distance <= static_cast<double>(ranges) + 1e-9)) return std::numeric_limits<double>::quiet_NaN();
+  const double range = std::max(0.0, distance - 1.0);
   double turn = std::atan2(east, north) / (2.0 * std::numbers::pi);
   if (turn < 0.0) turn += 1.0;
 

@@ -105,6 +105,14 @@ LibraryStore::LibraryStore(const std::filesystem::path& path, const LibraryPlan&
   write_axes(file_, plan);
 }
 
+LibraryStore::~LibraryStore() {
+  if (unmarked_.empty()) return;
+  try {
+    write_marks();
+  } catch (const netcdf::FileError&) {  // then they will be computed again
+  }
+}
+
 bool LibraryStore::is_finished(const std::filesystem::path& path, const LibraryPlan& plan) {
   return netcdf::ResumableFile::is_finished(path, layout_of(plan));
 }

@@ -20,6 +20,9 @@ class LibraryStore {
  public:
   /// Takes up the library that was begun under this name, or begins it.
   LibraryStore(const std::filesystem::path& path, const LibraryPlan& plan);
+  ~LibraryStore();  ///< marks what was written: an error loses nothing
+  LibraryStore(const LibraryStore&) = delete;
+  LibraryStore& operator=(const LibraryStore&) = delete;
 
   /// Whether the same library stands there whole.
   [[nodiscard]] static bool is_finished(const std::filesystem::path& path, const LibraryPlan& plan);
@@ -36,7 +39,7 @@ class LibraryStore {
   std::vector<double> states_;
   std::vector<std::size_t> unmarked_;  ///< written, not yet marked
   std::vector<std::size_t> fan_shape_;
-  std::chrono::steady_clock::time_point last_flush_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_flush_{};
 };
 
 }  // namespace earshot::sonar
