@@ -43,10 +43,7 @@ class LcmEndpointTest : public ::testing::Test {
     ASSERT_TRUE(isolated_ || may_skip) << "no network namespace could be made (package iproute2), but this is root or LCM_REQUIRED=1";
   }
   void SetUp() override {
-    if (isolated_) return;
-    const char* required = std::getenv("LCM_REQUIRED");
-    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but this kernel lets only root make a namespace";
-    GTEST_SKIP() << "this kernel lets only root make a network namespace";
+    if (!isolated_) GTEST_SKIP() << "this kernel lets only root make a network namespace";
   }
 
   /// The next message, waiting for it.
