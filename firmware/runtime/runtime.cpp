@@ -31,7 +31,7 @@ bool is_in_order(Time time, Time last, Time now, Duration timeout) {
 bool fits(const config::Mission& mission, const policy::FrozenPolicy& policy) {
   const policy::Network& network = policy.network;
   return !policy.observation.empty() && !policy.actions.empty() && network.observation_size == policy.observation.size() &&
-         network.action_count == policy.actions.size() && policy.step_length == mission.step_length;
+         network.action_count == policy.actions.size() && policy::misfit(policy, mission) == policy::Misfit::kNone;
 }
 
 }  // namespace

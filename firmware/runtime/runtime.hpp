@@ -105,7 +105,7 @@ struct Outputs {
 class Runtime {
  public:
   /// Takes a copy of both and forgets everything else. kOutOfRange if the mission fails config::check, the policy is empty, or it was
-  /// trained with another step length than the mission's. Until configured, step() stays in STANDBY and refuses kStart.
+  /// trained for another mission (policy::misfit). Until configured, step() stays in STANDBY and refuses kStart.
   [[nodiscard]] Status configure(const config::Mission& mission, const policy::FrozenPolicy& policy);
 
   /// Takes one input, which arrived at `now`; any number of each kind between two steps, in the order in which they came. What is refused

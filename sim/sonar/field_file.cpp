@@ -1,44 +1,19 @@
 #include "sim/sonar/field_file.hpp"
 
-#include <array>
-#include <cstdio>
+#include <limits>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "sim/netcdf/writer.hpp"
+#include "sim/sonar/field_attributes.hpp"
 
 namespace earshot::sonar {
 namespace {
 
 using netcdf::Type;
 using netcdf::Writer;
-
-void write_provenance(Writer& file, const ocean::Environment& environment, const std::string& history) {
-  std::array<char, 11> crc{};
-  std::snprintf(crc.data(), crc.size(), "0x%08x", static_cast<unsigned>(environment.file_crc32));
-  file.attribute("Conventions", "CF-1.8");
-  file.attribute("title", "Sound field of one source: " + environment.name);
-  file.attribute("source", "Earshot, split-step Pade parabolic equation");
-  file.attribute("history", history);
-  file.attribute("environment_crc32", crc.data());
-}
-
-void write_scalar(Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value) {
-  file.variable(name, Type::kDouble, {}, {{"long_name", long_name}, {"units", units}});
-  file.write(name, std::span(&value, 1));
-}
-
-void write_scalars(Writer& file, const ocean::Environment& environment) {
-  const auto& source = environment.source;
-  write_scalar(file, "source_frequency", "frequency of the source", "Hz", source.frequency.value);
-  write_scalar(file, "source_depth", "depth of the source", "m", source.depth.value);
-  write_scalar(file, "source_north", "northing of the source in the local plane", "m", source.position.north.value);
-  write_scalar(file, "source_east", "easting of the source in the local plane", "m", source.position.east.value);
-  write_scalar(file, "source_level", "source level, dB re 1 uPa at 1 m", "dB", source.level.value);
-  write_scalar(file, "noise_level", "noise level in the detector's band, dB re 1 uPa", "dB", environment.noise_level.value);
-  write_scalar(file, "sea_floor_depth", "depth of the sea floor at the source", "m", environment.seabed.depth.value);
-}
 
 void write_axes(Writer& file, const SonarField& field) {
   file.dimension("range", field.range_m.size());
@@ -50,21 +25,32 @@ void write_axes(Writer& file, const SonarField& field) {
   file.write("depth", field.depth_m);
 }
 
+void write_sea_floor(Writer& file, const SonarField& field) {
+  file.variable(
+      "sea_floor_depth", Type::kFloat, {"range"},
+      {{"long_name", "depth of the sea floor, 0 on land"}, {"standard_name", "sea_floor_depth_below_sea_surface"}, {"units", "m"}});
+  file.write("sea_floor_depth", field.sea_floor_depth_m);
+}
+
 void write_array(Writer& file, const std::string& name, const std::string& long_name, const DecibelArray& values) {
   file.variable(name, Type::kFloat, {"range", "depth"},
-                {{"long_name", long_name}, {"units", "dB"}, {"coordinates", "source_frequency source_depth"}});
+                {{"long_name", long_name}, {"units", "dB"}, {"coordinates", "source_depth bearing"}});
+  file.attribute(name, "_FillValue", std::numeric_limits<double>::quiet_NaN());
   file.compress(name);
   file.write(name, std::span(values.data(), static_cast<std::size_t>(values.size())));
 }
 
 }  // namespace
 
-void write_field(const std::filesystem::path& path, const SonarField& field, const ocean::Environment& environment,
-                 const std::string& history) {
+void write_field(const std::filesystem::path& path, const SonarField& field, const ocean::Environment& environment, Radians bearing,
+                 const Band& band, const std::string& history) {
   Writer file(path);
-  write_provenance(file, environment, history);
+  write_provenance(file, "Sound field of one source", environment, history);
   write_axes(file, field);
-  write_scalars(file, environment);
+  write_scene(file, environment, band);
+  write_scalar(file, "bearing", "bearing of the radial from the source, clockwise from grid north", "degree",
+               bearing.value * 180.0 / std::numbers::pi);
+  write_sea_floor(file, field);
   write_array(file, "transmission_loss", "transmission loss, dB re 1 m", field.transmission_loss_db);
   write_array(file, "snr", "signal-to-noise ratio at the hydrophone", field.snr_db);
   file.commit();

@@ -11,10 +11,11 @@ namespace earshot::sonar {
 /// Writes a field as NetCDF-4 after the CF-1.8 conventions, under a temporary name in the same folder that is renamed when the file is
 /// whole.
 ///
+/// @param bearing  of the radial, clockwise from north
 /// @param history  the command that made it
 /// Throws netcdf::FileError, which is a std::runtime_error, with the file's name and the cause; nothing is left behind then.
 /// Oracle: FieldFile.*
-void write_field(const std::filesystem::path& path, const SonarField& field, const ocean::Environment& environment,
-                 const std::string& history);
+void write_field(const std::filesystem::path& path, const SonarField& field, const ocean::Environment& environment, Radians bearing,
+                 const Band& band, const std::string& history);
 
 }  // namespace earshot::sonar

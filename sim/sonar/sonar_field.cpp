@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <stdexcept>
 
 #include "sim/sonar/sonar_equation.hpp"
 
@@ -12,15 +14,22 @@ Decibels transmission_loss(std::complex<double> pressure) {
   return Decibels{std::min(-20.0 * std::log10(std::abs(pressure)), kMaxTransmissionLoss.value)};
 }
 
-SonarField compute_sonar_field(const ocean::Environment& environment, const pe::Options& options,
-                               const std::vector<double>& receiver_depth_m, Meters max_range, const pe::Progress& progress) {
-  const pe::Field field = pe::solve(environment, options, receiver_depth_m, max_range, progress);
-  SonarField result{.range_m = {}, .depth_m = field.depth_m, .transmission_loss_db = {}, .snr_db = {}};
-  for (Eigen::Index row = 0; row < field.pressure.rows(); ++row)
-    result.range_m.push_back(static_cast<double>(row + 1) * field.range_step.value);
-  result.transmission_loss_db =
-      field.pressure.unaryExpr([](std::complex<double> p) { return static_cast<float>(transmission_loss(p).value); });
-  result.snr_db = result.transmission_loss_db.unaryExpr([&environment](float loss_db) {
+SonarField compute_sonar_field(const ocean::Environment& environment, Radians bearing, const RadialPlan& plan,
+                               const pe::Progress& progress) {
+  const auto rows = static_cast<Eigen::Index>(plan.ranges);
+  SonarField result{.range_m = {},
+                    .depth_m = plan.depth_m,
+                    .transmission_loss_db = DecibelArray(rows, static_cast<Eigen::Index>(plan.depth_m.size())),
+                    .snr_db = {},
+                    .sea_floor_depth_m = std::vector<float>(plan.ranges)};
+  for (std::size_t i = 0; i < plan.ranges; ++i) result.range_m.push_back(static_cast<double>(i + 1) * plan.range_step.value);
+  DecibelArray& loss = result.transmission_loss_db;
+  compute_radial(environment, environment.source.position, bearing, plan,
+                 {.transmission_loss_db = std::span(loss.data(), static_cast<std::size_t>(loss.size())),
+                  .sea_floor_depth_m = result.sea_floor_depth_m},
+                 progress);
+  result.snr_db = loss.unaryExpr([&environment](float loss_db) {
+    if (std::isnan(loss_db)) return loss_db;  // no water
     const auto snr = signal_to_noise(environment.source.level, Decibels{static_cast<double>(loss_db)}, environment.noise_level);
     return static_cast<float>(snr.value().value);
   });
@@ -28,11 +37,24 @@ SonarField compute_sonar_field(const ocean::Environment& environment, const pe::
 }
 
 SnrCurve compute_snr_curve(const ocean::Environment& environment, Meters receiver_depth, Meters max_range) {
+  if (differs_with_place(environment)) {
+    throw std::invalid_argument(environment.name +
+                                ": its ocean differs from bearing to bearing; one curve of SNR against range does not tell it");
+  }
   constexpr Meters kStep{10.0};  // at 20 Hz the shortest interference along the range is 75 m long
-  const SonarField field =
-      compute_sonar_field(environment, {.depth_step = {}, .range_step = {}, .output_step = kStep}, {receiver_depth.value}, max_range);
-  std::vector<float> snr_db{field.snr_db(0, 0)};
-  for (Eigen::Index row = 0; row < field.snr_db.rows(); ++row) snr_db.push_back(field.snr_db(row, 0));
+  const RadialPlan plan{.source_depth = environment.source.depth,
+                        .depth_m = {receiver_depth.value},
+                        .range_step = kStep,
+                        .ranges = std::max<std::size_t>(1, static_cast<std::size_t>(max_range / kStep + 1e-9)),
+                        .band = {environment.source.frequency, environment.source.frequency}};
+  const SonarField field = compute_sonar_field(environment, Radians{}, plan);
+  const auto silence = static_cast<float>((environment.source.level - kMaxTransmissionLoss - environment.noise_level).value);
+  std::vector<float> snr_db{0.0F};
+  for (Eigen::Index row = 0; row < field.snr_db.rows(); ++row) {
+    const float snr = field.snr_db(row, 0);
+    snr_db.push_back(std::isnan(snr) ? silence : snr);
+  }
+  snr_db.front() = snr_db[1];
   return SnrCurve{kStep, std::move(snr_db)};
 }
 

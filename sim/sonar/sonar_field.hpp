@@ -2,12 +2,12 @@
 
 #include <Eigen/Core>
 #include <complex>
-#include <cstddef>
 #include <vector>
 
 #include "firmware/core/units.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/pe/solver.hpp"
+#include "sim/sonar/radial.hpp"
 #include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::sonar {
@@ -19,23 +19,23 @@ inline constexpr Decibels kMaxTransmissionLoss{300.0};
 
 using DecibelArray = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// What a hydrophone hears of the environment's source, against range and depth.
+/// What a hydrophone hears of the environment's source on one radial, against range and depth; NaN where there is no water.
 struct SonarField {
-  std::vector<double> range_m;        ///< increasing, > 0
-  std::vector<double> depth_m;        ///< positive down
-  DecibelArray transmission_loss_db;  ///< [n_range x n_depth], dB re 1 m
-  DecibelArray snr_db;                ///< [n_range x n_depth]
+  std::vector<double> range_m;                ///< increasing, > 0
+  std::vector<double> depth_m;                ///< positive down
+  DecibelArray transmission_loss_db;          ///< [n_range x n_depth], dB re 1 m
+  DecibelArray snr_db;                        ///< [n_range x n_depth]
+  std::vector<float> sea_floor_depth_m = {};  ///< [n_range]; 0 on land
 };
 
-/// @param receiver_depth_m  each in the water
-/// Throws as pe::solve does.
-[[nodiscard]] SonarField compute_sonar_field(const ocean::Environment& environment, const pe::Options& options,
-                                             const std::vector<double>& receiver_depth_m, Meters max_range,
+/// The radial of `bearing` (clockwise from north) from the environment's source. Throws as compute_radial does.
+[[nodiscard]] SonarField compute_sonar_field(const ocean::Environment& environment, Radians bearing, const RadialPlan& plan,
                                              const pe::Progress& progress = {});
 
-/// SNR at one receiver depth every 10 m of range up to `max_range`. Range 0 gets the value at 10 m.
+/// SNR at one receiver depth every 10 m of range up to `max_range`. Range 0 gets the value at 10 m; where there is no water the loss is
+/// `kMaxTransmissionLoss`.
 ///
-/// Throws as pe::solve does.
+/// Throws as compute_radial does, and std::invalid_argument where the ocean differs from bearing to bearing: that needs a Fan.
 /// Oracle: SonarField.CurveFollowsTheReferenceOfThePapersOcean
 [[nodiscard]] SnrCurve compute_snr_curve(const ocean::Environment& environment, Meters receiver_depth, Meters max_range);
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -19,6 +20,7 @@
 #include "earshot/operator_command_t.hpp"
 #include "earshot/setpoint_t.hpp"
 #include "earshot/snr_estimate_t.hpp"
+#include "firmware/boards/linux/bus_lock.hpp"
 #include "firmware/boards/linux/journal_reader.hpp"
 #include "firmware/boards/linux/lcm_codec.hpp"
 #include "firmware/boards/linux/lcm_endpoint.hpp"
@@ -88,6 +90,24 @@ class Flight : public testing::Test {
       std::this_thread::sleep_for(20ms);
     }
     return false;
+  }
+
+  /// Until there is a journal, whatever its name: its mission is on the bus.
+  [[nodiscard]] bool has_journal() const {
+    for (const auto deadline = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < deadline;) {
+      for (const auto& file : fs::directory_iterator(folder_)) {
+        if (file.path().extension() == ".lcmlog") return true;
+      }
+      std::this_thread::sleep_for(20ms);
+    }
+    return false;
+  }
+
+  /// Every file of a folder.
+  [[nodiscard]] static std::map<fs::path, std::string> contents(const fs::path& folder) {
+    std::map<fs::path, std::string> files;
+    for (const auto& file : fs::directory_iterator(folder)) files[file.path()] = support::read_text(file.path());
+    return files;
   }
 
   struct Contents {
@@ -256,6 +276,42 @@ bool take_input(const board::JournalRecord& record, runtime::Runtime& runtime) {
   return true;
 }
 
+/// A bus that no other test, flight or mission is on.
+std::string own_url(const link::RunSlot& slot) {
+  return "udpm://239.255.76.67:" + std::to_string(27'000 + slot.domain()) + "?ttl=0";
+}
+
+TEST_F(Flight, GivenAFlightOnABusASecondOneThereIsRefusedAndTheFirstGoesOnAsIfAlone) {
+  const std::string url = own_url(slot_);
+  const auto alone = fly("alone", {"--seed", "5", "--lcm-url", url});
+  ASSERT_EQ(alone->wait(120s), 0) << alone->output();
+  const auto first = fly(".", {"--seed", "5", "--lcm-url", url, "--speed", "10000"});
+  ASSERT_TRUE(is_under_way()) << first->output();
+  const auto second = fly("second", {"--seed", "6", "--lcm-url", url});
+  EXPECT_EQ(second->wait(10s), 2);
+  EXPECT_EQ(second->output(), "earshot-fly: " + url + ": another mission or flight on this machine is using it\n");
+  EXPECT_FALSE(fs::exists(folder_ / "second"));
+  EXPECT_EQ(first->wait(120s), 0) << first->output();
+  EXPECT_TRUE(support::read_text(folder_ / "alone/track.csv") == support::read_text(folder_ / "track.csv"));
+}
+
+TEST_F(Flight, GivenACanInterfaceInUseAFlightThereIsRefused) {
+  const board::FileDescriptor held = board::lock_can("vcan-held");
+  const auto flight = fly("out", {"--bus", "can", "--can-interface", "vcan-held"});
+  EXPECT_EQ(flight->wait(10s), 2);
+  EXPECT_EQ(flight->output(), "earshot-fly: CAN interface vcan-held: another mission or flight on this machine is using it\n");
+}
+
+TEST_F(Flight, GivenAMissionAtSeaAFlightOnItsBusIsRefusedAndOneWithNoBusNamedTakesAnother) {
+  const std::string url = own_url(slot_);
+  std::vector<std::string> a = policy_arguments();
+  a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", url});
+  runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
+  ASSERT_TRUE(has_journal()) << runtime_->output();
+  EXPECT_EQ(fly("there", {"--lcm-url", url})->wait(10s), 2);
+  EXPECT_EQ(fly("elsewhere", {})->wait(120s), 0);
+}
+
 TEST_F(Flight, GivenItsJournalTheRuntimeDecidesTheSameAgainBitForBit) {
   const auto flight = fly("out", {"--seed", "7"});
   ASSERT_EQ(flight->wait(120s), 0) << flight->output();
@@ -296,7 +352,50 @@ TEST_F(Flight, GivenADamagedPolicyNothingFliesAndTheMessageNamesIt) {
   const auto flight = fly("out", {});
   EXPECT_EQ(flight->wait(10s), 2);
   EXPECT_EQ(flight->output(), (folder_ / "walk.policy").string() + ": its CRC-32 is wrong: the file is damaged\n");
-  EXPECT_TRUE(fs::is_empty(folder_ / "out"));
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(Flight, GivenADamagedPolicyAnEarlierFlightInTheFolderStaysAsItWas) {
+  const auto earlier = fly("out", {"--seed", "7"});
+  ASSERT_EQ(earlier->wait(120s), 0) << earlier->output();
+  std::ofstream(folder_ / "out/report.html") << "the page of the earlier flight";
+  const std::map<fs::path, std::string> before = contents(folder_ / "out");
+  ASSERT_EQ(before.size(), 5);  // journal, track, SNR, summary, page
+  support::write_bytes(folder_ / "walk.policy", {1, 2, 3});
+  const auto refused = fly("out", {"--seed", "8"});
+  EXPECT_EQ(refused->wait(10s), 2);
+  EXPECT_EQ(refused->output(), (folder_ / "walk.policy").string() + ": is cut short\n");
+  EXPECT_TRUE(contents(folder_ / "out") == before);
+}
+
+TEST_F(Flight, GivenCtrlCBeforeTheFirstTickNothingOfAnEarlierFlightStandsBesideTheNewJournal) {
+  fs::create_directories(folder_ / "out");
+  for (const char* name : {"summary.json", "track.csv", "report.html"}) std::ofstream(folder_ / "out" / name) << "earlier";
+  const auto flight = fly("out", {});
+  while (!fs::exists(folder_ / "out/journal.lcmlog") && flight->wait(5ms) < 0) {
+  }
+  flight->signal(SIGINT);  // the simulator solves for the sound field for some tenths of a second yet
+  EXPECT_EQ(flight->wait(10s), 130) << flight->output();
+  for (const char* name : {"summary.json", "track.csv", "report.html"}) {
+    const fs::path path = folder_ / "out" / name;
+    EXPECT_FALSE(fs::exists(path) && support::read_text(path) == "earlier") << path;
+  }
+}
+
+TEST_F(Flight, GivenAMissionBelowTheSeaFloorOneLineNamesFileAndKeyAndNothingIsWritten) {
+  std::string text = support::read_text(kMission);
+  text.replace(text.find("depth_m = 300.0"), 15, "depth_m = 3500.0");
+  text.replace(text.find("max_depth_m = 400.0"), 19, "max_depth_m = 4000.0");
+  std::ofstream(folder_ / "deep.toml") << text;
+  const std::string complaint = (folder_ / "deep.toml").string() +
+                                ": search.depth_m = 3500: must be less than 3000, the seabed.depth_m of " + kEnvironment.string() + "\n";
+  for (const char* program : {"earshot-fly", "earshot-sim"}) {
+    support::Process flight(kBin / program, {"--environment", kEnvironment, "--mission", folder_ / "deep.toml", "--out", folder_ / "out"},
+                            folder_ / "text");
+    EXPECT_EQ(flight.wait(10s), 2) << program;
+    EXPECT_EQ(flight.output(), complaint) << program;
+    EXPECT_FALSE(fs::exists(folder_ / "out")) << program;
+  }
 }
 
 TEST_F(Flight, GivenAMissingMissionOneLineSaysSo) {

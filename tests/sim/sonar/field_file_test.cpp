@@ -14,8 +14,11 @@ namespace {
 
 /// 3 ranges by 2 depths; the loss counts up along depth first.
 SonarField small_field() {
-  SonarField field{
-      .range_m = {10.0, 20.0, 30.0}, .depth_m = {5.0, 50.0}, .transmission_loss_db = DecibelArray(3, 2), .snr_db = DecibelArray(3, 2)};
+  SonarField field{.range_m = {10.0, 20.0, 30.0},
+                   .depth_m = {5.0, 50.0},
+                   .transmission_loss_db = DecibelArray(3, 2),
+                   .snr_db = DecibelArray(3, 2),
+                   .sea_floor_depth_m = {60.0F, 60.0F, 60.0F}};
   field.transmission_loss_db << 1, 2, 3, 4, 5, 6;
   field.snr_db << -1, -2, -3, -4, -5, -6;
   return field;
@@ -44,7 +47,7 @@ class FieldFile : public testing::Test {
 
 TEST_F(FieldFile, ReadsBackWhatWasWrittenWithDepthRunningFastest) {
   const auto path = folder_ / "field.nc";
-  write_field(path, small_field(), environment_, "by hand");
+  write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
   int id = 0;
   ASSERT_EQ(nc_open(path.c_str(), NC_NOWRITE, &id), NC_NOERR);
   int variable = 0;
@@ -62,7 +65,7 @@ TEST_F(FieldFile, ReadsBackWhatWasWrittenWithDepthRunningFastest) {
 
 TEST_F(FieldFile, NamesItsConventionsUnitsAndProvenance) {
   const auto path = folder_ / "field.nc";
-  write_field(path, small_field(), environment_, "by hand");
+  write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
   int id = 0;
   ASSERT_EQ(nc_open(path.c_str(), NC_NOWRITE, &id), NC_NOERR);
   const auto text = [id](const char* variable, const char* attribute) {
@@ -85,15 +88,15 @@ TEST_F(FieldFile, NamesItsConventionsUnitsAndProvenance) {
 
 TEST_F(FieldFile, ReplacesAnOldFileAndLeavesNothingBeside) {
   const auto path = folder_ / "field.nc";
-  write_field(path, small_field(), environment_, "first");
-  write_field(path, small_field(), environment_, "second");
+  write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "first");
+  write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "second");
   EXPECT_EQ(files(), 1U);
 }
 
 TEST_F(FieldFile, NamesAFileThatCannotBeWritten) {
   const auto path = folder_ / "no" / "folder" / "field.nc";
   try {
-    write_field(path, small_field(), environment_, "");
+    write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "");
     FAIL();
   } catch (const std::runtime_error& e) {
     EXPECT_NE(std::string(e.what()).find(path.string()), std::string::npos) << e.what();
@@ -103,7 +106,7 @@ TEST_F(FieldFile, NamesAFileThatCannotBeWritten) {
 TEST_F(FieldFile, LeavesNothingHalfWrittenWhenItCannotTakeItsName) {
   const auto path = folder_ / "field.nc";
   std::filesystem::create_directories(path / "in the way");
-  EXPECT_THROW(write_field(path, small_field(), environment_, ""), std::runtime_error);
+  EXPECT_THROW(write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, ""), std::runtime_error);
   EXPECT_EQ(files(), 1U);
 }
 

@@ -38,7 +38,12 @@ TEST(SonarField, CurveFollowsTheReferenceOfThePapersOcean) {
 }
 
 TEST(SonarField, SubtractsLossAndNoiseFromTheSourceLevel) {
-  const SonarField field = compute_sonar_field(papers_ocean(), {}, {100.0, 300.0}, Meters{2'000.0});
+  const RadialPlan plan{.source_depth = Meters{30.0},
+                        .depth_m = {100.0, 300.0},
+                        .range_step = Meters{12.5},
+                        .ranges = 160,
+                        .band = {Hertz{20.0}, Hertz{20.0}}};
+  const SonarField field = compute_sonar_field(papers_ocean(), Radians{}, plan);
   ASSERT_EQ(field.snr_db.rows(), static_cast<Eigen::Index>(field.range_m.size()));
   ASSERT_EQ(field.snr_db.cols(), 2);
   EXPECT_NEAR(field.snr_db(50, 1), 100.0F - field.transmission_loss_db(50, 1), 1e-5);  // float

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "firmware/boards/linux/bus_lock.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/journal.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
@@ -77,12 +78,10 @@ board::MissionFile load(const Options& o) {
 
 std::unique_ptr<runtime::Runtime> make_runtime(const board::MissionFile& file, const std::string& mission_name) {
   const std::unique_ptr<policy::FrozenPolicy> policy = board::load_policy(file.policy, file.public_key);
+  board::check_fits(*policy, file.policy, file.mission, mission_name);
   auto runtime = std::make_unique<runtime::Runtime>();
-  if (runtime->configure(file.mission, *policy) != Status::kOk) {
-    throw config_file::BadInput(mission_name + ": search.step_length_m = " + std::to_string(file.mission.step_length.value) + ": must be " +
-                                std::to_string(policy->step_length.value) + ", which the policy " + file.policy.string() +
-                                " was trained with");
-  }
+  if (runtime->configure(file.mission, *policy) != Status::kOk)
+    throw config_file::BadInput(mission_name + ": cannot be flown with the policy " + file.policy.string());
   return runtime;
 }
 
@@ -118,6 +117,8 @@ int report(const board::LoopResult& result, const board::VehicleBus& bus, const 
 int fly(const Options& o) {
   const board::MissionFile file = load(o);
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, o.mission.string());
+  // In simulation whoever started both processes holds it.
+  const board::FileDescriptor lock = o.simulation ? board::FileDescriptor{} : board::lock_lcm(file.lcm_url);
   const std::unique_ptr<board::VehicleBus> bus = board::open_vehicle_bus(file);
   std::filesystem::create_directories(o.out);
   board::Journal journal(o.out / "journal.lcmlog", journal_options(o));

@@ -83,7 +83,7 @@ class LiblcmPeer : public LcmEndpointTest {
  protected:
   void SetUp() override {
     LcmEndpointTest::SetUp();
-    if (IsSkipped()) return;
+    if (IsSkipped() || HasFatalFailure()) return;
     peer_ = std::make_unique<lcm::LCM>(kUrl);
     ASSERT_TRUE(peer_->good());
     peer_->subscribe("EARSHOT.*", &Inbox::on_message, &inbox_);

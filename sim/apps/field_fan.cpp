@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "sim/apps/field_modes.hpp"
+#include "sim/apps/progress_bar.hpp"
+#include "sim/ocean/environment_file.hpp"
+#include "sim/sonar/detection.hpp"
+#include "sim/sonar/fan.hpp"
+#include "sim/sonar/fan_file.hpp"
+#include "sim/sonar/field_plot.hpp"
+#include "sim/sonar/grid_check.hpp"
+#include "sim/sonar/horizontal_map.hpp"
+#include "sim/sonar/ordered_tasks.hpp"
+
+namespace earshot::apps {
+namespace {
+
+std::optional<sonar::HorizontalMap> map_of(const FieldArguments& arguments, const sonar::Fan& fan, const sonar::Detector& detector) {
+  if (!arguments.map) return std::nullopt;
+  const Meters side = arguments.map_side_km ? Meters{1000.0 * *arguments.map_side_km} : std::numbers::sqrt2 * fan.max_range();
+  return sonar::make_map(fan, 0, {.side = side, .intervals = arguments.map_intervals}, detector);
+}
+
+void print_detection(const sonar::Fan& fan, const sonar::Detector& detector) {
+  for (std::size_t depth = 0; depth < fan.depth_m.size(); ++depth) {
+    std::vector<double> furthest_km;
+    for (const auto& range : sonar::detection_ranges(fan, depth, detector)) {
+      if (!std::isnan(range.furthest_m)) furthest_km.push_back(range.furthest_m / 1000.0);
+    }
+    std::cout << "heard:   at " << fan.depth_m[depth] << " m ";
+    if (furthest_km.empty()) {
+      std::cout << "nowhere: there is no water at that depth beside the source\n";
+      continue;
+    }
+    const auto [nearest, furthest] = std::minmax_element(furthest_km.begin(), furthest_km.end());
+    std::cout << "last at " << *nearest << " to " << *furthest << " km, by bearing; mean "
+              << std::accumulate(furthest_km.begin(), furthest_km.end(), 0.0) / static_cast<double>(furthest_km.size()) << " km\n";
+  }
+}
+
+/// The worst of four bearings speaks for all.
+void print_check(const ocean::Environment& environment, const sonar::RadialPlan& plan) {
+  ProgressBar bar("check");
+  for (int i = 0; i < 4; ++i) {
+    const auto check = sonar::check_grid(environment, environment.source.position, Radians{0.5 * std::numbers::pi * i}, plan,
+                                         [&bar, i](double f) { bar.update(0.25 * (i + f)); });
+    std::cout << "check:   bearing " << 90 * i << ": grid of " << check.depth_step.value << " m x " << check.range_step.value
+              << " m halved at " << plan.band.high.value << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db
+              << " dB at most (range " << check.range_of_max.value / 1000.0 << " km)\n";
+    if (!sonar::differs_with_place(environment)) return;
+  }
+}
+
+}  // namespace
+
+void write_fan(const FieldArguments& arguments) {
+  const auto environment = ocean::load_environment(arguments.environment);
+  require_writable_folder(arguments.output);
+  if (!arguments.plot.empty()) require_writable_folder(arguments.plot);
+  const NorthEast source = environment.source.position;
+  const Meters deepest = sonar::deepest_sea_floor(environment, source, arguments.radials, Meters{1000.0 * arguments.max_range_km});
+  const sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0, deepest)};
+
+  ProgressBar bar("radials");
+  const sonar::Fan fan = sonar::compute_fan(environment, source, plan, arguments.threads.value_or(sonar::available_processors()),
+                                            [&bar](double fraction) { bar.update(fraction); });
+  const sonar::Detector detector = detector_of(arguments, environment);
+  const auto map = map_of(arguments, fan, detector);
+  sonar::write_fan(arguments.output, fan, map, environment, plan.radial.band, detector, arguments.history);
+  if (!arguments.plot.empty()) sonar::plot_map(arguments.plot, *map, fan, environment.name, detector);
+
+  std::cout << "ocean:   " << environment.name << ", source at " << environment.source.depth.value << " m\n"
+            << "fan:     " << fan.bearings << " bearings x " << fan.ranges << " ranges to " << fan.max_range().value / 1000.0 << " km"
+            << (sonar::differs_with_place(environment) ? "" : ", one march for all: this ocean is the same on every bearing") << '\n';
+  print_detection(fan, detector);
+  std::cout << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
+  if (arguments.check) print_check(environment, plan.radial);
+}
+
+}  // namespace earshot::apps

@@ -1,0 +1,46 @@
+#include <iostream>
+#include <optional>
+
+#include "sim/apps/field_modes.hpp"
+#include "sim/apps/progress_bar.hpp"
+#include "sim/sonar/library.hpp"
+#include "sim/sonar/library_plan.hpp"
+
+namespace earshot::apps {
+namespace {
+
+void print_summary(const FieldArguments& arguments, const sonar::LibraryPlan& plan, const sonar::LibrarySummary& summary, std::size_t ranks,
+                   std::size_t threads) {
+  const sonar::RadialPlan& radial = plan.fan.radial;
+  std::cout << "library: " << plan.name << ": " << plan.positions.size() << " positions x " << plan.fan.bearings << " bearings x "
+            << radial.ranges << " ranges x " << radial.depth_m.size() << " depths\n"
+            << "fields:  " << summary.computed << " computed";
+  if (summary.found > 0) std::cout << ", " << summary.found << " found from before";
+  if (summary.without_water > 0) std::cout << ", " << summary.without_water << " on land or too shallow";
+  if (!sonar::differs_with_place(plan.environment)) std::cout << "; one march for all: this ocean is the same everywhere";
+  std::cout << "; " << ranks << (ranks == 1 ? " process" : " processes") << " of " << threads << " threads\n"
+            << "written: " << arguments.output << '\n';
+}
+
+}  // namespace
+
+void write_library(const FieldArguments& arguments, RankSession& session) {
+  std::optional<sonar::LibraryPlan> plan;
+  std::string error;
+  try {
+    plan = sonar::load_library_plan(arguments.library);
+    if (session.ranks().rank() == 0) require_writable_folder(arguments.output);
+  } catch (const std::exception& e) {
+    error = e.what();
+  }
+  error = session.first_error(error);
+  if (!error.empty()) throw BadStart(error);
+
+  const std::size_t threads = arguments.threads.value_or(session.processors());
+  ProgressBar bar("library");
+  const auto summary =
+      sonar::write_library(arguments.output, *plan, threads, session.ranks(), [&bar](double fraction) { bar.update(fraction); });
+  if (session.ranks().rank() == 0) print_summary(arguments, *plan, summary, session.ranks().size(), threads);
+}
+
+}  // namespace earshot::apps

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <stdexcept>
+
+#include "sim/apps/field_arguments.hpp"
+#include "sim/apps/rank_session.hpp"
+
+namespace earshot::apps {
+
+/// What every rank knows to be wrong; rank 0 says it.
+class BadStart : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Each computes, writes and says in a few lines on standard output what it did; throws what is wrong in one line. Libraries are shared
+/// among ranks; the others are one process's work.
+void write_radial(const FieldArguments& arguments);
+void write_fan(const FieldArguments& arguments);
+void write_library(const FieldArguments& arguments, RankSession& session);
+
+}  // namespace earshot::apps

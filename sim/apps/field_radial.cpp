@@ -1,0 +1,55 @@
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+#include "sim/apps/field_modes.hpp"
+#include "sim/apps/progress_bar.hpp"
+#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/section.hpp"
+#include "sim/sonar/field_file.hpp"
+#include "sim/sonar/field_plot.hpp"
+#include "sim/sonar/grid_check.hpp"
+#include "sim/sonar/sonar_field.hpp"
+
+namespace earshot::apps {
+namespace {
+
+Meters deepest_on_radial(const ocean::Environment& environment, Radians bearing, Meters max_range) {
+  Meters deepest;
+  for (const auto& station : ocean::section_along(environment, environment.source.position, bearing, max_range).sea_floor)
+    deepest = std::max(deepest, station.depth);
+  return deepest;
+}
+
+void print_check(const ocean::Environment& environment, Radians bearing, const sonar::RadialPlan& plan) {
+  ProgressBar bar("check");
+  const auto check = sonar::check_grid(environment, environment.source.position, bearing, plan, [&bar](double f) { bar.update(f); });
+  std::cout << "check:   grid of " << check.depth_step.value << " m x " << check.range_step.value << " m halved at " << plan.band.high.value
+            << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db << " dB at most (range "
+            << check.range_of_max.value / 1000.0 << " km, depth " << check.depth_of_max.value << " m)\n";
+}
+
+}  // namespace
+
+void write_radial(const FieldArguments& arguments) {
+  const auto environment = ocean::load_environment(arguments.environment);
+  require_writable_folder(arguments.output);
+  if (!arguments.plot.empty()) require_writable_folder(arguments.plot);
+  const Radians bearing{arguments.bearing_deg * std::numbers::pi / 180.0};
+  const Meters deepest = deepest_on_radial(environment, bearing, Meters{1000.0 * arguments.max_range_km});
+  const sonar::RadialPlan plan = plan_radial(arguments, environment, 1.0 / 6.0, deepest);
+
+  ProgressBar bar("field");
+  const auto field = sonar::compute_sonar_field(environment, bearing, plan, [&bar](double fraction) { bar.update(fraction); });
+  sonar::write_field(arguments.output, field, environment, bearing, plan.band, arguments.history);
+  if (!arguments.plot.empty()) sonar::plot_field(arguments.plot, field, environment.name, Decibels{arguments.detection_threshold_db});
+
+  std::cout << "ocean:   " << environment.name << ", source of " << environment.source.frequency.value << " Hz at "
+            << environment.source.depth.value << " m\n"
+            << "field:   " << field.range_m.size() << " ranges to " << field.range_m.back() / 1000.0 << " km, " << field.depth_m.size()
+            << " depths from " << field.depth_m.front() << " to " << field.depth_m.back() << " m\n"
+            << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
+  if (arguments.check) print_check(environment, bearing, plan);
+}
+
+}  // namespace earshot::apps

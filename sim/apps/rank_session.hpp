@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "sim/sonar/ranks.hpp"
+
+namespace earshot::apps {
+
+/// The part this process has among those that `mpirun` has started; one process alone where it was started without. Programs built without
+/// MPI refuse to be started by mpirun, where each would write the same file.
+class RankSession {
+ public:
+  RankSession();   ///< throws std::runtime_error when MPI cannot be had but is needed
+  ~RankSession();  ///< waits for all ranks
+  RankSession(const RankSession&) = delete;
+  RankSession& operator=(const RankSession&) = delete;
+
+  [[nodiscard]] sonar::Ranks& ranks() { return *ranks_; }
+
+  /// Processors for the threads of this rank: those it is bound to, or its share of the machine's.
+  [[nodiscard]] std::size_t processors() const;
+
+  /// The first rank's error that is not empty, on every rank.
+  [[nodiscard]] std::string first_error(const std::string& mine);
+
+  /// Ends every rank with exit status 2.
+  [[noreturn]] void abort();
+
+ private:
+  std::unique_ptr<sonar::Ranks> ranks_;
+  std::size_t ranks_here_ = 1;  ///< on this machine
+};
+
+}  // namespace earshot::apps

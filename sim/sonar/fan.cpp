@@ -1,0 +1,50 @@
+#include "sim/sonar/fan.hpp"
+
+#include <span>
+
+#include "sim/sonar/ordered_tasks.hpp"
+
+namespace earshot::sonar {
+
+Fan make_fan(NorthEast centre, const FanPlan& plan) {
+  const RadialPlan& radial = plan.radial;
+  return {.centre = centre,
+          .bearings = plan.bearings,
+          .ranges = radial.ranges,
+          .range_step = radial.range_step,
+          .depth_m = radial.depth_m,
+          .transmission_loss_db = std::vector<float>(plan.bearings * radial.ranges * radial.depth_m.size()),
+          .sea_floor_depth_m = std::vector<float>(plan.bearings * radial.ranges)};
+}
+
+void fill_bearing(const ocean::Environment& environment, const FanPlan& plan, std::size_t bearing, Fan& fan) {
+  const std::size_t radial_size = fan.ranges * fan.depth_m.size();
+  compute_radial(environment, fan.centre, bearing_of(bearing, plan.bearings), plan.radial,
+                 {.transmission_loss_db = std::span(fan.transmission_loss_db).subspan(bearing * radial_size, radial_size),
+                  .sea_floor_depth_m = std::span(fan.sea_floor_depth_m).subspan(bearing * fan.ranges, fan.ranges)});
+}
+
+void repeat_first_bearing(Fan& fan) {
+  const auto radial_size = static_cast<std::ptrdiff_t>(fan.ranges * fan.depth_m.size());
+  const auto ranges = static_cast<std::ptrdiff_t>(fan.ranges);
+  for (std::ptrdiff_t j = 1; j < static_cast<std::ptrdiff_t>(fan.bearings); ++j) {
+    std::copy_n(fan.transmission_loss_db.begin(), radial_size, fan.transmission_loss_db.begin() + j * radial_size);
+    std::copy_n(fan.sea_floor_depth_m.begin(), ranges, fan.sea_floor_depth_m.begin() + j * ranges);
+  }
+}
+
+Fan compute_fan(const ocean::Environment& environment, NorthEast centre, const FanPlan& plan, std::size_t threads,
+                const pe::Progress& progress) {
+  Fan fan = make_fan(centre, plan);
+  const std::size_t marches = differs_with_place(environment) ? plan.bearings : 1;
+  run_in_order(
+      {.groups = marches, .tasks_per_group = 1, .threads = threads, .window = marches},
+      [&](std::size_t bearing) { fill_bearing(environment, plan, bearing, fan); },
+      [&](std::size_t bearing) {
+        if (progress) progress(static_cast<double>(bearing + 1) / static_cast<double>(marches));
+      });
+  if (marches == 1) repeat_first_bearing(fan);
+  return fan;
+}
+
+}  // namespace earshot::sonar

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/units.hpp"
+#include "sim/ocean/environment.hpp"
+#include "sim/pe/solver.hpp"
+#include "sim/sonar/radial.hpp"
+
+namespace earshot::sonar {
+
+/// Transmission loss around one position, radial by radial (N x 2D): each is a vertical plane of its own, no sound crosses from one to
+/// another.
+struct Fan {
+  NorthEast centre;
+  std::size_t bearings;  ///< bearing j is 360 degrees j / bearings, clockwise from north
+  std::size_t ranges;    ///< range i is (i + 1) range_step
+  Meters range_step;
+  std::vector<double> depth_m;
+  std::vector<float> transmission_loss_db;  ///< [n_bearing x n_range x n_depth], dB re 1 m; NaN where there is no water
+  std::vector<float> sea_floor_depth_m;     ///< [n_bearing x n_range]; 0 on land
+
+  [[nodiscard]] Meters max_range() const { return static_cast<double>(ranges) * range_step; }
+  [[nodiscard]] float at(std::size_t bearing, std::size_t range, std::size_t depth) const {
+    return transmission_loss_db[(bearing * ranges + range) * depth_m.size() + depth];
+  }
+
+  /// Transmission loss in the plane, in constant time and without allocating: linear in dB along range and then between the two radials
+  /// beside. Nearer than range_step it is that at range_step; NaN beyond the last range, where a neighbour is NaN, or for NaN.
+  ///
+  /// In dB and not in intensity or pressure, because interference minima would otherwise vanish between samples; between radials only the
+  /// trend is right once they stand further apart than the interference pattern is long.
+  /// Oracle: Fan.IsLinearInDecibelsBetweenItsRadialsAndRanges
+  [[nodiscard]] double transmission_loss_at(NorthEast position, std::size_t depth) const;
+};
+
+inline double Fan::transmission_loss_at(NorthEast position, std::size_t depth) const {
+  const double north = (position.north - centre.north).value;
+  const double east = (position.east - centre.east).value;
+  const double distance = std::hypot(north, east) / range_step.value;
+  if (!(distance <= static_cast<double>(ranges) + 1e-9)) return std::numeric_limits<double>::quiet_NaN();
+  const double range = std::max(0.0, distance - 1.0);
+  double turn = std::atan2(east, north) / (2.0 * std::numbers::pi);
+  if (turn < 0.0) turn += 1.0;
+
+  const double bearing = turn * static_cast<double>(bearings);
+  const auto i = std::min(static_cast<std::size_t>(range), ranges - 1);
+  const auto j = static_cast<std::size_t>(bearing);
+  const auto along = [&](std::size_t radial) {
+    const double near = static_cast<double>(at(radial % bearings, i, depth));
+    const double fraction = range - static_cast<double>(i);
+    return fraction < 1e-9 || i + 1 == ranges ? near : std::lerp(near, static_cast<double>(at(radial % bearings, i + 1, depth)), fraction);
+  };
+  const double fraction = bearing - static_cast<double>(j);
+  return fraction < 1e-9 ? along(j) : std::lerp(along(j), along(j + 1), fraction);
+}
+
+struct FanPlan {
+  std::size_t bearings;  ///< >= 1
+  RadialPlan radial;
+};
+
+/// @param threads  on which radials are computed; the result is the same bit for bit whatever their number
+/// One march serves all bearings when the ocean does not differ with place. Throws as compute_radial does.
+/// Oracle: Fan.*
+[[nodiscard]] Fan compute_fan(const ocean::Environment& environment, NorthEast centre, const FanPlan& plan, std::size_t threads,
+                              const pe::Progress& progress = {});
+
+/// An empty fan of the plan's shape.
+[[nodiscard]] Fan make_fan(NorthEast centre, const FanPlan& plan);
+
+/// Computes one radial of a fan in its place. Different bearings may be filled from different threads.
+void fill_bearing(const ocean::Environment& environment, const FanPlan& plan, std::size_t bearing, Fan& fan);
+
+/// Copies the first radial to all others: what an ocean does that is the same everywhere.
+void repeat_first_bearing(Fan& fan);
+
+}  // namespace earshot::sonar

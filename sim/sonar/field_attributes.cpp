@@ -1,0 +1,65 @@
+#include "sim/sonar/field_attributes.hpp"
+
+#include <array>
+#include <cstdio>
+#include <span>
+#include <vector>
+
+#include "sim/ocean/charts.hpp"
+
+namespace earshot::sonar {
+
+using netcdf::Type;
+using netcdf::Writer;
+
+std::string crc32_text(const ocean::Environment& environment) {
+  std::array<char, 11> text{};
+  std::snprintf(text.data(), text.size(), "0x%08x", static_cast<unsigned>(environment.file_crc32));
+  return text.data();
+}
+
+void write_provenance(Writer& file, const std::string& title, const ocean::Environment& environment, const std::string& history) {
+  file.attribute("Conventions", "CF-1.8");
+  file.attribute("title", title + ": " + environment.name);
+  file.attribute("source", "Earshot, one-way parabolic equation");
+  file.attribute("history", history);
+  file.attribute("environment_crc32", crc32_text(environment));
+}
+
+void write_scalar(Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value) {
+  file.variable(name, Type::kDouble, {}, {{"long_name", long_name}, {"units", units}});
+  file.write(name, std::span(&value, 1));
+}
+
+void write_scene(Writer& file, const ocean::Environment& environment, const Band& band) {
+  const auto& source = environment.source;
+  if (band.high > band.low) {
+    const std::vector<double> frequency = frequencies_hz(band);
+    file.dimension("frequency", frequency.size());
+    file.variable("source_frequency", Type::kDouble, {"frequency"},
+                  {{"long_name", "frequencies whose intensities are averaged"}, {"units", "Hz"}});
+    file.write("source_frequency", frequency);
+  } else {
+    write_scalar(file, "source_frequency", "frequency of the source", "Hz", band.low.value);
+  }
+  write_scalar(file, "source_depth", "depth of the source", "m", source.depth.value);
+  write_scalar(file, "source_north", "northing of the source in the local plane", "m", source.position.north.value);
+  write_scalar(file, "source_east", "easting of the source in the local plane", "m", source.position.east.value);
+  write_scalar(file, "source_level", "source level, dB re 1 uPa at 1 m", "dB", source.level.value);
+  write_scalar(file, "noise_level", "noise level in the detector's band, dB re 1 uPa", "dB", environment.noise_level.value);
+}
+
+bool write_grid_mapping(Writer& file, const ocean::Environment& environment) {
+  if (environment.charts == nullptr) return false;
+  const ocean::GeoPosition origin = environment.charts->grid.origin;
+  file.variable("local_plane", Type::kInt32, {}, {{"grid_mapping_name", "azimuthal_equidistant"}});
+  file.attribute("local_plane", "latitude_of_projection_origin", origin.latitude_deg);
+  file.attribute("local_plane", "longitude_of_projection_origin", origin.longitude_deg);
+  file.attribute("local_plane", "false_easting", 0.0);
+  file.attribute("local_plane", "false_northing", 0.0);
+  file.attribute("local_plane", "semi_major_axis", 6378137.0);  // WGS 84
+  file.attribute("local_plane", "inverse_flattening", 298.257223563);
+  return true;
+}
+
+}  // namespace earshot::sonar

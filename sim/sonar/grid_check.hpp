@@ -1,0 +1,26 @@
+#pragma once
+
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/units.hpp"
+#include "sim/ocean/environment.hpp"
+#include "sim/pe/solver.hpp"
+#include "sim/sonar/radial.hpp"
+
+namespace earshot::sonar {
+
+/// How much transmission loss changes when the solver's depth step and range step are halved.
+struct GridCheck {
+  Meters depth_step;  ///< of the coarse grid
+  Meters range_step;
+  double mean_db;  ///< of |change|, over all ranges and depths in the water beyond one wavelength
+  double max_db;
+  Meters range_of_max;  ///< usually an interference minimum
+  Meters depth_of_max;
+};
+
+/// Runs the radial twice, at the highest frequency of the plan's band, which is the one that asks most of a grid.
+/// Throws as compute_radial does. Oracle: GridCheck.*
+[[nodiscard]] GridCheck check_grid(const ocean::Environment& environment, NorthEast from, Radians bearing, const RadialPlan& plan,
+                                   const pe::Progress& progress = {});
+
+}  // namespace earshot::sonar

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+
+#include "sim/pe/solver.hpp"
+#include "sim/sonar/fan.hpp"
+#include "sim/sonar/library_plan.hpp"
+#include "sim/sonar/ranks.hpp"
+
+namespace earshot::sonar {
+
+/// What became of the positions of a library.
+struct LibrarySummary {
+  std::size_t computed;       ///< in this sitting
+  std::size_t found;          ///< computed in an earlier one
+  std::size_t without_water;  ///< on land or too shallow: they stay empty
+};
+
+/// Computes a library and writes it as NetCDF (CDF-5, CF-1.8), position by position in the order of the plan: every position that is marked
+/// done is on the disk, and an interrupted run goes on behind the last one. The bytes are the same whatever the number of interruptions,
+/// threads and ranks. In an ocean that does not differ with place one march serves all radials of all positions.
+///
+/// Several ranks share the positions out in turn; rank 0 writes. Where it is not rank 0 the result is empty.
+///
+/// Memory: three fans and a grid for each thread.
+/// Throws as compute_radial does, and netcdf::FileError.
+/// Oracle: Library.*, FieldLibrary.*
+LibrarySummary write_library(const std::filesystem::path& path, const LibraryPlan& plan, std::size_t threads, Ranks& ranks,
+                             const pe::Progress& progress = {});
+
+/// The fan of one position of a finished library; its sea floor is empty.
+/// Throws netcdf::FileError when the file is not a whole library or has no such position, or none in the water.
+[[nodiscard]] Fan read_library_fan(const std::filesystem::path& path, std::size_t position);
+
+}  // namespace earshot::sonar

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "firmware/core/geometry.hpp"
+#include "sim/ocean/environment.hpp"
+#include "sim/sonar/fan.hpp"
+
+namespace earshot::sonar {
+
+/// What stands in the middle of each fan.
+enum class Centre : std::uint8_t {
+  kSource,
+  kHydrophone,  ///< by reciprocity: one march per radial for every source depth around the hydrophone
+};
+
+/// Fans around many positions of one region.
+struct LibraryPlan {
+  std::string name;
+  ocean::Environment environment;
+  std::vector<NorthEast> positions;
+  Centre centre;
+  FanPlan fan;
+  std::uint32_t file_crc32;  ///< of the file it was read from
+};
+
+/// Reads a library's TOML file; README.md lists its keys. The environment that it names is read too.
+///
+/// Throws config_file::BadInput with what is wrong, one line each.
+/// Oracle: LibraryPlan.*
+[[nodiscard]] LibraryPlan load_library_plan(const std::filesystem::path& path);
+
+/// Whether the march can begin there: not on land, and the sea floor lies below its depth.
+/// Throws config_file::BadInput for a position off the chart.
+[[nodiscard]] bool is_in_water(const LibraryPlan& plan, NorthEast position);
+
+}  // namespace earshot::sonar

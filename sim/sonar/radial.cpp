@@ -1,0 +1,106 @@
+#include "sim/sonar/radial.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "sim/ocean/charts.hpp"
+#include "sim/ocean/section.hpp"
+#include "sim/pe/ocean_section.hpp"
+#include "sim/sonar/sonar_field.hpp"
+
+namespace earshot::sonar {
+namespace {
+
+constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
+
+/// A hydrophone may lie on the sea floor.
+bool in_water(double depth_m, float floor_m) {
+  return floor_m > 0.0F && static_cast<float>(depth_m) <= floor_m;
+}
+
+/// Receiver depths that lie in the water somewhere on the radial: the solver's grid reaches no deeper than it needs to.
+std::vector<double> wet_depths(const std::vector<double>& depth_m, std::span<const float> sea_floor_depth_m) {
+  const float deepest = *std::max_element(sea_floor_depth_m.begin(), sea_floor_depth_m.end());
+  std::vector<double> wet;
+  for (const double depth : depth_m) {
+    if (in_water(depth, deepest)) wet.push_back(depth);
+  }
+  return wet;
+}
+
+/// Mean of |p|^2 over the band, [n_range x n_wet_depth].
+Eigen::ArrayXXd mean_intensity(const pe::Section& section, const RadialPlan& plan, const std::vector<double>& depth_m, Meters max_range,
+                               const pe::Progress& progress) {
+  pe::Options options = plan.options;
+  options.output_step = plan.range_step;
+  const std::vector<double> frequency_hz = frequencies_hz(plan.band);
+  Eigen::ArrayXXd sum;
+  const auto count = static_cast<double>(frequency_hz.size());
+  for (std::size_t i = 0; i < frequency_hz.size(); ++i) {
+    const auto report = [&](double fraction) {
+      if (progress) progress((static_cast<double>(i) + fraction) / count);
+    };
+    const pe::Field field = pe::solve(section, {Hertz{frequency_hz[i]}, plan.source_depth}, options, depth_m, max_range, report);
+    if (sum.size() == 0) sum = Eigen::ArrayXXd::Zero(field.pressure.rows(), field.pressure.cols());
+    sum += field.pressure.abs2();
+  }
+  return sum / count;
+}
+
+}  // namespace
+
+std::vector<double> frequencies_hz(const Band& band) {
+  if (!(band.high > band.low)) return {band.low.value};
+  std::vector<double> frequency;
+  for (std::size_t i = 0; i < band.count; ++i)
+    frequency.push_back(std::lerp(band.low.value, band.high.value, (static_cast<double>(i) + 0.5) / static_cast<double>(band.count)));
+  return frequency;
+}
+
+bool differs_with_place(const ocean::Environment& environment) {
+  return environment.charts != nullptr && (environment.charts->bathymetry || environment.charts->climatology);
+}
+
+Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, std::size_t bearings, Meters max_range) {
+  Meters deepest;
+  for (std::size_t j = 0; j < (differs_with_place(environment) ? bearings : 1); ++j) {
+    for (const auto& station : ocean::section_along(environment, from, bearing_of(j, bearings), max_range).sea_floor) {
+      if (station.range <= max_range || station.range == Meters{}) deepest = std::max(deepest, station.depth);
+    }
+  }
+  return deepest;
+}
+
+void compute_radial(const ocean::Environment& environment, NorthEast from, Radians bearing, const RadialPlan& plan, const RadialLoss& loss,
+                    const pe::Progress& progress) {
+  const std::size_t depths = plan.depth_m.size();
+  assert(loss.transmission_loss_db.size() == plan.ranges * depths && loss.sea_floor_depth_m.size() == plan.ranges);
+  const Meters max_range = static_cast<double>(plan.ranges) * plan.range_step;
+  const ocean::Section radial = ocean::section_along(environment, from, bearing, max_range);
+  const pe::Section section = pe::make_section(radial, environment.absorption_db_per_km);
+  const Meters end = radial.shore ? std::min(*radial.shore, max_range) : max_range;
+
+  for (std::size_t i = 0; i < plan.ranges; ++i) {
+    const double range_m = static_cast<double>(i + 1) * plan.range_step.value;
+    loss.sea_floor_depth_m[i] = radial.shore && range_m >= radial.shore->value ? 0.0F : static_cast<float>(section.floor_depth_m(range_m));
+  }
+  std::fill(loss.transmission_loss_db.begin(), loss.transmission_loss_db.end(), kNowhere);
+  const std::vector<double> wet_m = wet_depths(plan.depth_m, loss.sea_floor_depth_m);
+  if (wet_m.empty() || end < plan.range_step) return;
+
+  const Eigen::ArrayXXd intensity = mean_intensity(section, plan, wet_m, end, progress);
+  for (Eigen::Index i = 0; i < std::min(intensity.rows(), static_cast<Eigen::Index>(plan.ranges)); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    Eigen::Index column = 0;
+    for (std::size_t j = 0; j < depths && column < intensity.cols(); ++j) {
+      if (plan.depth_m[j] != wet_m[static_cast<std::size_t>(column)]) continue;
+      const double value = intensity(i, column++);
+      if (in_water(plan.depth_m[j], loss.sea_floor_depth_m[row]))
+        loss.transmission_loss_db[row * depths + j] = static_cast<float>(transmission_loss(std::sqrt(value)).value);
+    }
+  }
+}
+
+}  // namespace earshot::sonar

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/units.hpp"
+#include "sim/ocean/environment.hpp"
+#include "sim/pe/section.hpp"
+#include "sim/pe/solver.hpp"
+
+namespace earshot::sonar {
+
+/// Frequencies over which intensity is averaged: the middles of `count` equal parts of the band; the low one alone when it has no width.
+struct Band {
+  Hertz low;   ///< > 0
+  Hertz high;  ///< >= low
+  std::size_t count = 1;
+};
+
+/// Every frequency of a band, increasing.
+[[nodiscard]] std::vector<double> frequencies_hz(const Band& band);
+
+/// Where on a radial transmission loss is wanted, and of which sound.
+///
+/// The march starts at `source_depth`. By reciprocity the loss from there to a depth at some range is that from that depth and range to a
+/// hydrophone at `source_depth`: one march for many source depths around one hydrophone.
+struct RadialPlan {
+  Meters source_depth;
+  std::vector<double> depth_m;  ///< each >= 0
+  Meters range_step;            ///< of the result, > 0
+  std::size_t ranges;           ///< >= 1; the first at range_step
+  Band band;
+  pe::Options options = {};  ///< its output_step is not used
+};
+
+/// Transmission loss along one radial, [n_range x n_depth] with depth running fastest.
+///
+///   TL = -10 log10 (1/n sum_i |p(f_i)|^2)        (band: incoherent average of equally loud frequencies)
+///
+/// NaN below the sea floor, and from the shore outward: a hydrophone cannot be there.
+struct RadialLoss {
+  std::span<float> transmission_loss_db;  ///< [n_range x n_depth]
+  std::span<float> sea_floor_depth_m;     ///< [n_range]; 0 from the shore outward
+};
+
+/// Whether sections of an environment differ from bearing to bearing or from one source position to another.
+[[nodiscard]] bool differs_with_place(const ocean::Environment& environment);
+
+/// The j-th of `bearings` equally spaced ones; the first is north.
+[[nodiscard]] constexpr Radians bearing_of(std::size_t j, std::size_t bearings) {
+  return Radians{2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(bearings)};
+}
+
+/// The deepest station of the sea floor on any radial. Throws as compute_radial does for the charts: it looks at all that the radials need.
+[[nodiscard]] Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, std::size_t bearings, Meters max_range);
+
+/// Fills `loss` for the radial of `bearing` (clockwise from north) from `from`. May be called from many threads.
+///
+/// Throws config_file::BadInput where a chart has no data, std::invalid_argument where the solver cannot serve.
+/// Oracle: Radial.*
+void compute_radial(const ocean::Environment& environment, NorthEast from, Radians bearing, const RadialPlan& plan, const RadialLoss& loss,
+                    const pe::Progress& progress = {});
+
+}  // namespace earshot::sonar

@@ -1,0 +1,125 @@
+#include "sim/sonar/fan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <vector>
+
+#include "sim/ocean/environment_file.hpp"
+#include "sim/sonar/horizontal_map.hpp"
+#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/sim/sonar/hilly_ocean.hpp"
+
+namespace earshot::sonar {
+namespace {
+
+/// Four bearings (north, east, south, west), ranges 100, 200, 300 m about (1000 m north, 2000 m east).
+Fan by_hand() {
+  return {.centre = {Meters{1000.0}, Meters{2000.0}},
+          .bearings = 4,
+          .ranges = 3,
+          .range_step = Meters{100.0},
+          .depth_m = {300.0},
+          .transmission_loss_db = {60, 66, 70, 50, 52, 54, 80, 80, 80, 40, std::numeric_limits<float>::quiet_NaN(), 44},
+          .sea_floor_depth_m = std::vector<float>(12, 3000.0F)};
+}
+
+double loss_at(double north_m, double east_m) {
+  return by_hand().transmission_loss_at({Meters{1000.0 + north_m}, Meters{2000.0 + east_m}}, 0);
+}
+
+TEST(Fan, IsLinearInDecibelsBetweenItsRadialsAndRanges) {
+  EXPECT_NEAR(loss_at(150.0, 0.0), 63.0, 1e-9);
+  EXPECT_NEAR(loss_at(0.0, 300.0), 54.0, 1e-9);
+  EXPECT_NEAR(loss_at(100.0, 100.0), (60 + 6 * 0.41421356 + 50 + 2 * 0.41421356) / 2, 1e-6);  // north-east, at 141.4 m
+  EXPECT_NEAR(loss_at(-100.0 * std::sin(0.3), 100.0 * std::cos(0.3)), 50 + (80 - 50) * 0.3 / 1.57079633, 1e-6);
+}
+
+TEST(Fan, GoesRoundFromItsLastRadialToItsFirst) {
+  EXPECT_NEAR(loss_at(100.0 * std::sin(0.5), -100.0 * std::cos(0.5)), 40 + (60 - 40) * 0.5 / 1.57079633, 1e-6);
+  EXPECT_NEAR(loss_at(200.0, -1e-9), 66.0, 1e-6);
+}
+
+TEST(Fan, HoldsItsNearestLossInsideTheFirstRange) {
+  EXPECT_EQ(loss_at(0.0, 30.0), 50.0);
+}
+
+TEST(Fan, KnowsNothingBeyondItsLastRangeNorBesideWhatHasNoWater) {
+  EXPECT_TRUE(std::isnan(loss_at(301.0, 0.0)));
+  EXPECT_TRUE(std::isnan(loss_at(0.0, -150.0)));
+  EXPECT_TRUE(std::isnan(loss_at(0.0, -200.0)));
+  EXPECT_NEAR(loss_at(0.0, -100.0), 40.0, 1e-6);  // on the last range before
+  EXPECT_TRUE(std::isnan(loss_at(std::nan(""), 0.0)));
+}
+
+TEST(HorizontalMap, HasNorthInItsRowsAndEastInItsColumns) {
+  const Detector detector{
+      .source_level = Decibels{190.0}, .noise_level = Decibels{90.0}, .detection_threshold = Decibels{40.0}, .fluctuation = Decibels{0.0}};
+  const HorizontalMap map = make_map(by_hand(), 0, {.side = Meters{400.0}, .intervals = 4}, detector);
+  ASSERT_EQ(map.snr_db.size(), 25U);
+  EXPECT_EQ(map.north_m, (std::vector<double>{800, 900, 1000, 1100, 1200}));
+  EXPECT_EQ(map.east_m, (std::vector<double>{1800, 1900, 2000, 2100, 2200}));
+  EXPECT_NEAR(map.snr_db[4 * 5 + 2], 100 - 66, 1e-5);  // 200 m north; float
+  EXPECT_NEAR(map.snr_db[2 * 5 + 3], 100 - 50, 1e-5);  // 100 m east
+  EXPECT_EQ(map.detection_probability[4 * 5 + 2], 0.0F);
+  EXPECT_EQ(map.detection_probability[2 * 5 + 3], 1.0F);
+  EXPECT_TRUE(std::isnan(map.snr_db[2 * 5 + 0]));  // no water 200 m west
+}
+
+FanPlan plan(std::size_t bearings) {
+  return {.bearings = bearings,
+          .radial = {.source_depth = Meters{30.0},
+                     .depth_m = {300.0},
+                     .range_step = Meters{50.0},
+                     .ranges = 160,
+                     .band = {Hertz{20.0}, Hertz{20.0}},
+                     .options = {.accuracy = Decibels{0.1}}}};
+}
+
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+TEST(Fan, IsTheSameBitForBitForEveryNumberOfThreads) {
+  const tests::TemporaryFolder folder;
+  const auto environment = ocean::load_environment(tests::write_hilly_ocean(folder.path()));
+  const Fan one = compute_fan(environment, {}, plan(8), 1);
+  EXPECT_TRUE(same_bits(one.transmission_loss_db, compute_fan(environment, {}, plan(8), 2).transmission_loss_db));
+  EXPECT_TRUE(same_bits(one.transmission_loss_db, compute_fan(environment, {}, plan(8), 5).transmission_loss_db));
+}
+
+TEST(Fan, HasOneLossOnEveryBearingOfAnOceanThatDoesNotDifferWithPlace) {
+  const auto environment = ocean::load_environment(std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml");
+  ASSERT_FALSE(differs_with_place(environment));
+  const Fan fan = compute_fan(environment, {}, plan(6), 2);
+  for (std::size_t i = 0; i < fan.ranges; ++i) ASSERT_EQ(fan.at(5, i, 0), fan.at(0, i, 0));
+  EXPECT_EQ(fan.sea_floor_depth_m.back(), 3000.0F);
+}
+
+TEST(Fan, LooksEastAlongItsBearingOfNinetyDegrees) {
+  const tests::TemporaryFolder folder;
+  const auto environment = ocean::load_environment(tests::write_hilly_ocean(folder.path()));
+  const Fan fan = compute_fan(environment, {}, plan(4), 2);
+  const auto floor = [&](std::size_t bearing, std::size_t range) { return fan.sea_floor_depth_m[bearing * fan.ranges + range]; };
+  EXPECT_EQ(floor(1, 159), 0.0F);  // the island stands in the east
+  EXPECT_TRUE(std::isnan(fan.at(1, 159, 0)));
+  EXPECT_GT(floor(3, 159), 2000.0F);
+  EXPECT_FALSE(std::isnan(fan.at(3, 159, 0)));
+  EXPECT_FALSE(std::isnan(fan.at(1, 40, 0)));
+}
+
+TEST(Fan, MirrorsAnOceanThatIsMirrored) {
+  const tests::TemporaryFolder folder;
+  const auto environment = ocean::load_environment(tests::write_hilly_ocean(folder.path()));  // symmetric about the equator
+  const Fan fan = compute_fan(environment, {}, plan(8), 2);
+  for (std::size_t i = 0; i < fan.ranges; ++i) {
+    if (std::isnan(fan.at(1, i, 0))) continue;
+    ASSERT_NEAR(fan.at(1, i, 0), fan.at(3, i, 0), 0.01) << i;  // north-east and south-east: geodesics round differently, minima magnify it
+  }
+}
+
+}  // namespace
+}  // namespace earshot::sonar
