@@ -45,6 +45,21 @@ class FieldLibrary : public FieldProgram {
     return child;
   }
 
+  /// Returns when a first position is marked done. @return 0 if it ended before that
+  [[nodiscard]] pid_t start_until_first_mark(const std::string& output) const {
+    const pid_t child = start(output);
+    while (done(output + ".partial") == 0) {
+      if (waitpid(child, nullptr, WNOHANG) != 0) return 0;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return child;
+  }
+  static void kill_and_wait(pid_t child) {
+    ASSERT_GT(child, 0) << "it ended too early to be killed";
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+  }
+
   /// Positions marked done, by what is on the disk.
   [[nodiscard]] static int done(const std::string& partial) {
     if (!std::filesystem::exists(partial)) return 0;
@@ -54,14 +69,11 @@ class FieldLibrary : public FieldProgram {
 };
 
 TEST_F(FieldLibrary, EndsWithTheSameBytesWhenKilledInTheMiddleAndStartedAgain) {
-  const std::string plan = library(16);
+  const std::string plan = library(10);
   ASSERT_EQ(run(plan + " -o " + file("whole.nc")), 0) << errors();
 
-  const pid_t child = start(file("killed.nc"));
-  while (done(file("killed.nc.partial")) == 0 && waitpid(child, nullptr, WNOHANG) == 0)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
+  const pid_t child = start_until_first_mark(file("killed.nc"));
+  kill_and_wait(child);
   ASSERT_FALSE(std::filesystem::exists(file("killed.nc"))) << "half a library stands under the name of a whole one";
   const int kept = done(file("killed.nc.partial"));
   ASSERT_GT(kept, 0);
@@ -104,13 +116,10 @@ TEST_F(FieldLibrary, MarksPositionsOnLandAndComputesTheOthers) {
 
 TEST_F(FieldLibrary, DoesNotTakeUpWhatWasBegunForAnotherLibrary) {
   (void)library(16);
-  const pid_t child = start(output());
-  while (done(output() + ".partial") == 0 && waitpid(child, nullptr, WNOHANG) == 0)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const pid_t child = start_until_first_mark(output());
   EXPECT_EQ(run(library(16) + " -o " + output()), 2);
   EXPECT_NE(errors().find("another process is writing it"), std::string::npos) << errors();
-  kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
+  kill_and_wait(child);
   EXPECT_EQ(run(library(16, "count = 4", "count = 5") + " -o " + output()), 2);
   EXPECT_NE(errors().find("begun with another"), std::string::npos) << errors();
 }
@@ -124,11 +133,8 @@ TEST_F(FieldLibrary, SaysThatTheDiskIsTooSmallBeforeTheWork) {
 
 TEST_F(FieldLibrary, RefusesAPartialFileThatIsTruncated) {
   (void)library(16);
-  const pid_t child = start(output());
-  while (done(output() + ".partial") == 0 && waitpid(child, nullptr, WNOHANG) == 0)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
+  const pid_t child = start_until_first_mark(output());
+  kill_and_wait(child);
   std::filesystem::resize_file(output() + ".partial", 100'000);
   EXPECT_EQ(run(library(16) + " -o " + output()), 2);
   EXPECT_NE(errors().find("truncated"), std::string::npos) << errors();
