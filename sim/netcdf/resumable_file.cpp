@@ -141,7 +141,12 @@ void ResumableFile::close() {
 void ResumableFile::lock() {
   descriptor_ = open(partial_.c_str(), O_RDWR | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
   if (descriptor_ == -1) fail(partial_, "", std::string("cannot be written (") + std::strerror(errno) + ")");
-  if (lockf(descriptor_, F_TLOCK, 0) != 0) fail(partial_, "", "another process is writing it");
+  // Not lockf: such a lock falls when the process closes any descriptor of the file, as nc_open does after its first look.
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  if (fcntl(descriptor_, F_OFD_SETLK, &whole) != 0)  // NOLINT(cppcoreguidelines-pro-type-vararg)
+    fail(partial_, "", "another process is writing it");
 }
 
 bool ResumableFile::is_finished(const std::filesystem::path& path, const Layout& layout) {

@@ -39,11 +39,11 @@ void compute_into(std::span<float> loss_db, const LibraryPlan& plan, NorthEast p
                  {.transmission_loss_db = loss_db, .sea_floor_depth_m = sea_floor});
 }
 
-/// Positions still to do, in order; those without water are marked at once. Only rank 0 knows.
-Numbers positions_to_do(const LibraryPlan& plan, LibraryStore& store, LibrarySummary& summary) {
+/// Positions still to do, in order; those without water are marked at once.
+Numbers positions_to_do(const std::vector<bool>& in_water, LibraryStore& store, LibrarySummary& summary) {
   Numbers to_do;
-  for (std::size_t i = 0; i < plan.positions.size(); ++i) {
-    if (!is_in_water(plan, plan.positions[i])) {
+  for (std::size_t i = 0; i < in_water.size(); ++i) {
+    if (!in_water[i]) {
       ++summary.without_water;
       store.mark(i, PositionState::kNoWater);
     } else if (store.state(i) == PositionState::kDone) {
@@ -52,7 +52,6 @@ Numbers positions_to_do(const LibraryPlan& plan, LibraryStore& store, LibrarySum
       to_do.push_back(static_cast<std::int32_t>(i));
     }
   }
-  if (summary.without_water == plan.positions.size()) throw config_file::BadInput(plan.name + ": all positions are on land or too shallow");
   return to_do;
 }
 
@@ -114,8 +113,9 @@ LibrarySummary write_library(const std::filesystem::path& path, const LibraryPla
     if (LibraryStore::is_finished(path, plan)) {
       summary.found = plan.positions.size();
     } else {
+      const std::vector<bool> in_water = positions_in_water(plan);  // whatever is wrong is said before there is a file
       store.emplace(path, plan);
-      to_do = positions_to_do(plan, *store, summary);
+      to_do = positions_to_do(in_water, *store, summary);
     }
   }
   const bool repeated = !differs_with_place(plan.environment);

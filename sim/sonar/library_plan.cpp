@@ -10,6 +10,7 @@
 #include "firmware/core/crc32.hpp"
 #include "sim/ocean/charts.hpp"
 #include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/section.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -85,6 +86,22 @@ std::uint32_t crc32_of(const std::filesystem::path& path) {
   return crc32(bytes, 0);
 }
 
+bool is_in_water(const LibraryPlan& plan, NorthEast position) {
+  Meters floor = plan.environment.seabed.depth;
+  if (plan.environment.charts != nullptr && plan.environment.charts->bathymetry) {
+    const ocean::Charts& charts = *plan.environment.charts;
+    floor = ocean::sea_floor_depth(*charts.bathymetry, charts.grid.to_geographic(position));
+  }
+  return plan.fan.radial.source_depth < floor;
+}
+
+void require_on_chart(const LibraryPlan& plan, NorthEast position) {
+  const Meters max_range = static_cast<double>(plan.fan.radial.ranges) * plan.fan.radial.range_step;
+  const std::size_t stride = std::max<std::size_t>(1, plan.fan.bearings / 8);
+  for (std::size_t j = 0; j < plan.fan.bearings; j += stride)
+    (void)ocean::section_along(plan.environment, position, bearing_of(j, plan.fan.bearings), max_range);
+}
+
 }  // namespace
 
 LibraryPlan load_library_plan(const std::filesystem::path& path) {
@@ -109,13 +126,15 @@ LibraryPlan load_library_plan(const std::filesystem::path& path) {
   return plan;
 }
 
-bool is_in_water(const LibraryPlan& plan, NorthEast position) {
-  Meters floor = plan.environment.seabed.depth;
-  if (plan.environment.charts != nullptr && plan.environment.charts->bathymetry) {
-    const ocean::Charts& charts = *plan.environment.charts;
-    floor = ocean::sea_floor_depth(*charts.bathymetry, charts.grid.to_geographic(position));
+std::vector<bool> positions_in_water(const LibraryPlan& plan) {
+  std::vector<bool> in_water;
+  for (const NorthEast& position : plan.positions) {
+    in_water.push_back(is_in_water(plan, position));
+    if (in_water.back() && differs_with_place(plan.environment)) require_on_chart(plan, position);
   }
-  return plan.fan.radial.source_depth < floor;
+  if (std::ranges::find(in_water, true) == in_water.end())
+    throw config_file::BadInput(plan.name + ": every position is on land or too shallow for the depth in its centre");
+  return in_water;
 }
 
 }  // namespace earshot::sonar

@@ -33,8 +33,10 @@ struct LibraryPlan {
 /// Oracle: LibraryPlan.*
 [[nodiscard]] LibraryPlan load_library_plan(const std::filesystem::path& path);
 
-/// Whether the march can begin there: not on land, and the sea floor lies below its depth.
-/// Throws config_file::BadInput for a position off the chart.
-[[nodiscard]] bool is_in_water(const LibraryPlan& plan, NorthEast position);
+/// Whether the march can begin, for each position: not on land, and the sea floor lies below its depth.
+///
+/// Throws config_file::BadInput for a position off the chart, for one whose radials leave it (looked for on eight bearings), and when no
+/// position is in the water.
+[[nodiscard]] std::vector<bool> positions_in_water(const LibraryPlan& plan);
 
 }  // namespace earshot::sonar

@@ -1,56 +1,8 @@
-#include <gtest/gtest.h>
-#include <sys/wait.h>
+#include "tests/sim/apps/field_program.hpp"
+#include "tests/sim/sonar/hilly_ocean.hpp"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-
+namespace earshot::tests {
 namespace {
-
-const std::string kMunk = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
-
-std::string read(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-class FieldProgram : public testing::Test {
- protected:
-  FieldProgram() {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_ / "out");
-  }
-  ~FieldProgram() override { std::filesystem::remove_all(folder_); }
-
-  int run(const std::string& arguments) {
-    const std::string command = std::string(EARSHOT_BIN_DIR) + "/earshot-field " + arguments + " >" + (folder_ / "stdout").string() +
-                                " 2>" + (folder_ / "stderr").string();
-    const int status = std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe): one thread
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-  [[nodiscard]] std::string errors() const { return read(folder_ / "stderr"); }
-  [[nodiscard]] bool nothing_written() const { return std::filesystem::is_empty(folder_ / "out"); }
-  [[nodiscard]] std::string output() const { return (folder_ / "out" / "field.nc").string(); }
-
-  /// The shipped ocean with one part changed.
-  std::string ocean_with(const std::string& what, const std::string& by) {
-    std::string text = read(kMunk);
-    text.replace(text.find(what), what.size(), by);
-    const auto path = folder_ / "ocean.toml";
-    std::ofstream(path) << text;
-    return path.string();
-  }
-  void expect_refused(const std::string& arguments, const std::string& mentioned) {
-    EXPECT_EQ(run(arguments), 2);
-    EXPECT_NE(errors().find(mentioned), std::string::npos) << errors();
-    EXPECT_TRUE(nothing_written());
-  }
-
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) /
-                                        (std::string("field_program_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-};
 
 TEST_F(FieldProgram, WritesAFieldAndNothingElse) {
   ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 1 --depth 100 300"), 0) << errors();
@@ -84,7 +36,7 @@ TEST_F(FieldProgram, RefusesASourceBelowTheBottom) {
 }
 
 TEST_F(FieldProgram, RefusesAReceiverBelowTheBottom) {
-  expect_refused(kMunk + " -o " + output() + " --depth 3001", "receiver depth in m is 3001, allowed: from 0 to 3000");
+  expect_refused(kMunk + " -o " + output() + " --depth 3001", "--depth = 3001: must be from 0 m to the sea floor, at its deepest 3000 m");
 }
 
 TEST_F(FieldProgram, RefusesAnOutputThatCannotBeWritten) {
@@ -100,4 +52,53 @@ TEST_F(FieldProgram, RefusesAnOptionOutOfItsRange) {
   expect_refused(kMunk + " -o " + output() + " --max-range-km=-1", "--max-range-km");
 }
 
+TEST_F(FieldProgram, FollowsOneRadialOfAnOceanWithCharts) {
+  const std::string ocean = write_hilly_ocean(folder_).string();
+  ASSERT_EQ(run(ocean + " -o " + output() + " --bearing-deg 270 --max-range-km 10 --depth-spacing 100"), 0) << errors();
+  EXPECT_NE(said().find("to 10 km"), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, ComputesAndDrawsADetectionMap) {
+  const std::string ocean = write_hilly_ocean(folder_).string();
+  const auto picture = folder_ / "out" / "map.png";
+  ASSERT_EQ(
+      run(ocean + " -o " + output() + " --radials 8 --receiver-depth-m 300 --max-range-km 5 --output-step-m 100 --map --map-intervals 20 " +
+          "--fluctuation-db 6 --plot " + picture.string()),
+      0)
+      << errors();
+  EXPECT_EQ(read(picture).substr(1, 3), "PNG");
+}
+
+TEST_F(FieldProgram, MakesOneMarchForAllBearingsOfAFlatOcean) {
+  ASSERT_EQ(run(kMunk + " -o " + output() + " --radials 360 --receiver-depth-m 300 --max-range-km 5"), 0) << errors();
+  EXPECT_NE(said().find("one march for all"), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, SaysHowMuchAFinerGridChanges) {
+  ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 5 --depth 300 --check --band-hz 15 30 --frequencies 3"), 0) << errors();
+  EXPECT_NE(said().find("halved at 30 Hz: loss changes by 0.0"), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, RefusesARadialThatLeavesTheChart) {
+  const std::string ocean = write_hilly_ocean(folder_).string();
+  expect_refused(ocean + " -o " + output() + " --radials 4 --receiver-depth-m 300 --max-range-km 60", "chart.csv");
+}
+
+TEST_F(FieldProgram, RefusesOptionsThatContradictEachOther) {
+  expect_refused("-o " + output(), "ENVIRONMENT");
+  expect_refused(kMunk + " -o " + output() + " --radials 8", "--radials needs --receiver-depth-m");
+  expect_refused(kMunk + " -o " + output() + " --map --depth 300", "--map needs --radials");
+  expect_refused(kMunk + " -o " + output() + " --band-hz 30 15", "--band-hz");
+  expect_refused(kMunk + " -o " + output() + " --library l.toml", "only one");
+  expect_refused(kMunk + " -o " + output() + " --depth 300 100", "must increase");
+}
+
+TEST_F(FieldProgram, SaysThatTheDiskIsFullAndLeavesNothing) {
+  const std::string limit = "ulimit -f 40; trap '' XFSZ;";  // 20 or 40 KiB, by the shell's unit; the field needs more
+  EXPECT_EQ(run(kMunk + " -o " + output() + " --max-range-km 20", limit), 2);
+  EXPECT_NE(errors().find("field.nc"), std::string::npos) << errors();
+  EXPECT_TRUE(nothing_written());
+}
+
 }  // namespace
+}  // namespace earshot::tests

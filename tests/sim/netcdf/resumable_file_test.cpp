@@ -1,0 +1,105 @@
+#include "sim/netcdf/resumable_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/sim/netcdf/temporary_folder.hpp"
+
+namespace earshot::netcdf {
+namespace {
+
+Layout layout(const std::string& purpose = "first", std::size_t length = 4) {
+  return {.attributes = {{"purpose", purpose}},
+          .dimensions = {{"x", length}},
+          .variables = {{"done", Type::kInt32, {"x"}, {}, 0.0},
+                        {"value", Type::kFloat, {"x"}, {{"units", "dB"}}, std::numeric_limits<double>::quiet_NaN()}}};
+}
+
+void put(ResumableFile& file, std::size_t x, double value) {
+  file.write("value", {.start = {x}, .count = {1}}, std::vector<double>{value});
+  file.write("done", {.start = {x}, .count = {1}}, std::vector<double>{1.0});
+}
+
+std::string bytes(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(ResumableFile, HoldsFillValuesWhereNothingWasWritten) {
+  const tests::TemporaryFolder folder;
+  ResumableFile file(folder / "f.nc", layout());
+  put(file, 2, 80.5);
+  EXPECT_EQ(file.read("done"), (std::vector<double>{0, 0, 1, 0}));
+  EXPECT_TRUE(std::isnan(file.read("value")[0]));
+  EXPECT_EQ(file.read("value")[2], 80.5);
+}
+
+TEST(ResumableFile, EndsWithTheSameBytesHoweverItWasWritten) {
+  const tests::TemporaryFolder folder;
+  {
+    ResumableFile file(folder / "one.nc", layout());
+    for (std::size_t x = 0; x < 4; ++x) put(file, x, static_cast<double>(x));
+    file.commit();
+  }
+  for (const std::size_t x : {3U, 0U, 2U, 1U})
+    ResumableFile(folder / "two.nc", layout()).write("done", {.start = {x}, .count = {1}}, std::vector<double>{1.0});
+  for (const std::size_t x : {1U, 2U, 0U, 3U}) {
+    ResumableFile file(folder / "two.nc", layout());
+    put(file, x, static_cast<double>(x));
+    if (x == 3) file.commit();
+  }
+  EXPECT_EQ(bytes(folder / "one.nc"), bytes(folder / "two.nc"));
+  EXPECT_TRUE(ResumableFile::is_finished(folder / "two.nc", layout()));
+  EXPECT_FALSE(ResumableFile::is_finished(folder / "two.nc", layout("second")));
+}
+
+TEST(ResumableFile, HasItsWholeSizeFromTheBeginning) {
+  const tests::TemporaryFolder folder;
+  ResumableFile file(folder / "f.nc", layout("first", 10'000));
+  const auto size = std::filesystem::file_size(folder / "f.nc.partial");
+  EXPECT_GT(size, 80'000U);
+  for (std::size_t x = 0; x < 10'000; ++x) put(file, x, 1.0);
+  file.flush();
+  EXPECT_EQ(std::filesystem::file_size(folder / "f.nc.partial"), size);
+}
+
+std::string complaint(const std::filesystem::path& path, const Layout& wanted) {
+  try {
+    const ResumableFile file(path, wanted);
+  } catch (const FileError& e) {
+    return e.what();
+  }
+  return "none";
+}
+
+TEST(ResumableFile, RefusesToGoOnWithWhatWasBegunForAnotherPurposeOrShape) {
+  const tests::TemporaryFolder folder;
+  { const ResumableFile file(folder / "f.nc", layout()); }
+  EXPECT_NE(complaint(folder / "f.nc", layout("second")).find("f.nc.partial: purpose: it was begun with another"), std::string::npos);
+  EXPECT_NE(complaint(folder / "f.nc", layout("first", 5)).find("f.nc.partial: x: it was begun with another"), std::string::npos);
+  EXPECT_EQ(complaint(folder / "f.nc", layout()), "none");
+}
+
+TEST(ResumableFile, RefusesASecondWriter) {
+  const tests::TemporaryFolder folder;
+  const ResumableFile file(folder / "f.nc", layout());
+  EXPECT_NE(complaint(folder / "f.nc", layout()).find("is writing it"), std::string::npos);
+}
+
+TEST(ResumableFile, RefusesATruncatedFileAndANameInNoFolder) {
+  const tests::TemporaryFolder folder;
+  { const ResumableFile file(folder / "f.nc", layout("first", 1000)); }
+  std::filesystem::resize_file(folder / "f.nc.partial", 2000);
+  EXPECT_NE(complaint(folder / "f.nc", layout("first", 1000)).find("truncated"), std::string::npos);
+  EXPECT_NE(complaint(folder / "no/f.nc", layout()).find("cannot be written"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace earshot::netcdf
