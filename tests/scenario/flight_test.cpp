@@ -221,9 +221,11 @@ TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth
 }
 
 TEST_F(Flight, GivenItDiedAtSeaItStartsAgainBesideTheJournalThatIsThere) {
-  const auto start_at_sea = [this](const char* text) {
+  // earshotd holds the lock on its address itself, and the slot's is taken: a port that goes with the slot and is none.
+  const std::string url = "udpm://239.255.76.67:" + std::to_string(20'000 + slot_.domain()) + "?ttl=0";
+  const auto start_at_sea = [this, &url](const char* text) {
     std::vector<std::string> a = policy_arguments();
-    a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", slot_.lcm_url()});
+    a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", url});
     runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / text);
   };
   const auto wait_for_records = [this](const char* name) {
