@@ -134,6 +134,18 @@ bool runtime_comes(link::SimulatorEnd& link, std::uint32_t domain) {
   return true;
 }
 
+/// Each of a flight's files is kept whatever becomes of the others.
+template <class Work>
+bool succeeds(Work work) {
+  try {
+    work();
+    return true;
+  } catch (const std::exception& e) {
+    std::cerr << "earshot-sim: " << e.what() << "\n";
+    return false;
+  }
+}
+
 int simulate(const Options& o) {
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
   apply_options(o, plan.mission);
@@ -155,10 +167,11 @@ int simulate(const Options& o) {
   TrackFile track(o.out / "track.csv");
   Score score(settings);
   const FlightResult result = fly({world, snr, *bus, link, track, score}, start, stop_requested);
-  track.finish();
-  write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n");
-  if (result.lost.empty()) return 0;
-  std::cerr << "earshot-sim: lost " << result.lost << " at " << result.last_tick.us / 1'000'000
+  const bool has_track = succeeds([&] { track.finish(); });
+  const bool has_summary =
+      succeeds([&] { write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n"); });
+  if (result.failure.empty()) return has_track && has_summary ? 0 : 3;
+  std::cerr << "earshot-sim: " << result.failure << " at " << result.last_tick.us / 1'000'000
             << " s; track up to then: " << (o.out / "track.csv").string() << "\n";
   return 3;
 }
@@ -168,7 +181,8 @@ int simulate(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "earshot-sim plays the ocean and the vehicle for one search, in lock-step with an earshotd started with --simulation.\n"
-      "Exit status: 0 flown, 2 bad input, 3 earshotd or the bus was lost, 130 stopped before the start. (earshot fly starts both.)"};
+      "Exit status: 0 flown, 2 bad input, 3 earshotd, the bus or a file was lost, 130 stopped before the start. (earshot fly starts "
+      "both.)"};
   Options options;
   declare(app, options);
   try {

@@ -186,6 +186,29 @@ TEST_F(Flight, GivenItsSimulatorIsKilledTheRuntimeSaysSoWithinFiveSecondsAndItsJ
   EXPECT_FALSE(fs::exists(folder_ / "summary.json"));
 }
 
+TEST_F(Flight, GivenAFullDiskTheFlightIsLostWithStatusThreeAndEveryRowThatWasWrittenIsKept) {
+  const std::string domain = std::to_string(slot_.domain());
+  std::vector<std::string> a = policy_arguments();
+  a.insert(a.end(), {kMission, "--out", folder_, "--simulation", domain, "--lcm-url", slot_.lcm_url()});
+  runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
+  // A limit on the size of one file stands for the disk: room for snr.csv (some 60 kB) and for some 2000 of 50 000 rows of the track.
+  simulator_ = std::make_unique<support::Process>(
+      "/bin/bash",
+      std::vector<std::string>{"-c", "trap '' XFSZ; ulimit -f 200; exec \"$@\"", "bash", kBin / "earshot-sim", "--environment",
+                               kEnvironment, "--mission", kMission, "--out", folder_, "--domain", domain, "--lcm-url", slot_.lcm_url(),
+                               "--ignore-source"},
+      folder_ / "earshot-sim.txt");
+  EXPECT_EQ(simulator_->wait(60s), 3) << simulator_->output();
+  EXPECT_NE(simulator_->output().find("track.csv"), std::string::npos) << simulator_->output();
+  EXPECT_EQ(runtime_->wait(10s), 3) << runtime_->output();
+  const nlohmann::json s = nlohmann::json::parse(support::read_text(folder_ / "summary.json"));
+  EXPECT_EQ(s.at("end_reason"), "simulator_failed");
+  EXPECT_FALSE(fs::exists(folder_ / "track.csv.partial"));
+  const std::string track = support::read_text(folder_ / "track.csv");
+  EXPECT_GT(track.size(), 200'000);
+  EXPECT_EQ(track.back(), '\n');
+}
+
 TEST_F(Flight, GivenCtrlCBothEndInOrderAndTheJournalIsWhole) {
   const auto flight = fly(".", {"--speed", "500", "--ignore-source"});
   ASSERT_TRUE(is_under_way()) << flight->output();

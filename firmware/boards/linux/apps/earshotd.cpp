@@ -125,11 +125,16 @@ int fly(const Options& o) {
   board::MissionTurn turn(*runtime, *bus, journal);
 
   board::LoopResult result;
-  if (o.simulation) {
-    link::RuntimeEnd link(*o.simulation);
-    result = board::fly_in_simulation(turn, *bus, link, stop_requested);
-  } else {
-    result = board::fly_at_sea(turn, *bus, file.step_period, stop_requested);
+  try {
+    if (o.simulation) {
+      link::RuntimeEnd link(*o.simulation);
+      result = board::fly_in_simulation(turn, *bus, link, stop_requested);
+    } else {
+      result = board::fly_at_sea(turn, *bus, file.step_period, stop_requested);
+    }
+  } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
+    std::cerr << "earshotd: " << e.what() << "; journal up to then: " << journal_path.string() << "\n";
+    return 3;
   }
   const Status kept = journal.close();
   const int status = report(result, *bus, journal_path);
