@@ -12,10 +12,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -26,7 +24,7 @@
 #include "firmware/boards/linux/bus_lock.hpp"
 #include "firmware/boards/linux/lcm_url.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/boards/linux/program.hpp"
 #include "sim/apps/flight_plan.hpp"
 #include "sim/apps/flight_record.hpp"
 #include "sim/link/run_slot.hpp"
@@ -36,7 +34,7 @@ namespace {
 using namespace earshot;
 namespace fs = std::filesystem;
 
-volatile std::sig_atomic_t stop_requested = 0;
+using board::stop_requested;
 
 struct Options {
   fs::path environment;
@@ -223,6 +221,7 @@ board::FileDescriptor lock_bus(const Options& o, const board::MissionFile& missi
 }
 
 int fly(const Options& o) {
+  board::stop_on_signals();
   // Both processes would say the same about a bad file: say it once, before either starts.
   const board::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
   const board::FileDescriptor lock = lock_bus(o, mission);
@@ -249,23 +248,9 @@ int fly(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "earshot fly plays one search: an ocean with a sound source (earshot-sim) and the vehicle's own software (earshotd) in lock-step.\n"
-      "Exit status: 0 flown (found or not), 2 bad input, 3 a process was lost, 130 Ctrl-C."};
+      "Exit status: 0 flown (found or not), 2 bad input, 3 a process was lost, 130 Ctrl-C.",
+      "earshot-fly"};
   Options options;
   declare(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-  std::signal(SIGINT, [](int) { stop_requested = 1; });
-  std::signal(SIGTERM, [](int) { stop_requested = 1; });
-  try {
-    return fly(options);
-  } catch (const config_file::BadInput& e) {
-    std::cerr << e.what() << "\n";
-    return 2;
-  } catch (const std::exception& e) {
-    std::cerr << "earshot-fly: " << e.what() << "\n";
-    return 2;
-  }
+  return board::run_program(app, argc, argv, [&] { return fly(options); });
 }

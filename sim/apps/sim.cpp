@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -16,7 +15,7 @@
 #include <string>
 
 #include "firmware/boards/linux/mission_file.hpp"
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/boards/linux/program.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/core/random.hpp"
 #include "sim/apps/autopilot_bus.hpp"
@@ -35,7 +34,7 @@ using namespace earshot::simulation;
 
 constexpr int kNotBegun = 130;  ///< exit status when stopped before the first tick
 
-volatile std::sig_atomic_t stop_requested = 0;
+using board::stop_requested;
 
 struct Options {
   std::filesystem::path environment;
@@ -147,6 +146,7 @@ bool succeeds(Work work) {
 }
 
 int simulate(const Options& o) {
+  board::stop_on_signals();
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
   apply_options(o, plan.mission);
   const auto& [file, environment, settings] = plan;
@@ -181,24 +181,10 @@ int simulate(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "earshot-sim plays the ocean and the vehicle for one search, in lock-step with an earshotd started with --simulation.\n"
-      "Exit status: 0 flown, 2 bad input, 3 earshotd, the bus or a file was lost, 130 stopped before the start. (earshot fly starts "
-      "both.)"};
+      "Exit status: 0 flown, 2 bad input, 3 earshotd, the bus or a file was lost, 130 stopped before the start.\n"
+      "(earshot fly starts both.)",
+      "earshot-sim"};
   Options options;
   declare(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-  std::signal(SIGINT, [](int) { stop_requested = 1; });
-  std::signal(SIGTERM, [](int) { stop_requested = 1; });
-  try {
-    return simulate(options);
-  } catch (const config_file::BadInput& e) {
-    std::cerr << e.what() << "\n";
-    return 2;
-  } catch (const std::exception& e) {
-    std::cerr << "earshot-sim: " << e.what() << "\n";
-    return 2;
-  }
+  return board::run_program(app, argc, argv, [&] { return simulate(options); });
 }

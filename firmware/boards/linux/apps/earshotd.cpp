@@ -1,7 +1,6 @@
 // earshotd: the process that flies the vehicle.
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -17,6 +16,7 @@
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/policy_file.hpp"
+#include "firmware/boards/linux/program.hpp"
 #include "firmware/boards/linux/vehicle_bus.hpp"
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/runtime/runtime.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 using namespace earshot;
 
-volatile std::sig_atomic_t stop_requested = 0;
+using board::stop_requested;
 
 struct Options {
   std::filesystem::path mission;
@@ -114,6 +114,7 @@ int report(const board::LoopResult& result, const board::VehicleBus& bus, const 
 }
 
 int fly(const Options& o) {
+  board::stop_on_signals();
   const board::MissionFile file = load(o);
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, o.mission.string());
   // In simulation whoever started both processes holds it.
@@ -149,23 +150,9 @@ int fly(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
-      "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost."};
+      "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost.",
+      "earshotd"};
   Options options;
   declare(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-  std::signal(SIGINT, [](int) { stop_requested = 1; });
-  std::signal(SIGTERM, [](int) { stop_requested = 1; });
-  try {
-    return fly(options);
-  } catch (const config_file::BadInput& e) {
-    std::cerr << e.what() << "\n";
-    return 2;
-  } catch (const std::exception& e) {
-    std::cerr << "earshotd: " << e.what() << "\n";
-    return 2;
-  }
+  return board::run_program(app, argc, argv, [&] { return fly(options); });
 }
