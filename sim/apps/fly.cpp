@@ -27,6 +27,7 @@
 #include "firmware/boards/linux/program.hpp"
 #include "sim/apps/flight_plan.hpp"
 #include "sim/apps/flight_record.hpp"
+#include "sim/apps/speed_option.hpp"
 #include "sim/link/run_slot.hpp"
 
 namespace {
@@ -59,7 +60,7 @@ void declare(CLI::App& app, Options& o) {
       ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
       ->capture_default_str();
   app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(simulation::speed_range())
       ->capture_default_str();
   app.add_option("--policy", o.policy, "policy file instead of the mission's");
   app.add_option("--public-key", o.public_key, "file of the public key that signed it, instead of the mission's");

@@ -22,6 +22,7 @@
 #include "sim/apps/flight_plan.hpp"
 #include "sim/apps/flight_record.hpp"
 #include "sim/apps/lock_step.hpp"
+#include "sim/apps/speed_option.hpp"
 #include "sim/link/session.hpp"
 #include "sim/link/simulator_end.hpp"
 #include "sim/search/episode.hpp"
@@ -56,9 +57,7 @@ void declare(CLI::App& app, Options& o) {
   app.add_option("--seed", o.seed, "seed of the place where the vehicle starts")
       ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
       ->capture_default_str();
-  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
+  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")->check(speed_range())->capture_default_str();
   app.add_option("--domain", o.domain, "DDS domain in which earshotd listens")
       ->check(CLI::Range(link::kLowestDomain, link::kHighestDomain))
       ->capture_default_str();

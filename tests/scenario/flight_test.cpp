@@ -379,6 +379,17 @@ TEST_F(Flight, GivenAMissingMissionOneLineSaysSo) {
   EXPECT_EQ(flight.output(), (folder_ / "none.toml").string() + ": no such file\n");
 }
 
+TEST_F(Flight, GivenASpeedThatIsNoSpeedTheLineNamesItAndTheStatusIsTwo) {
+  for (const char* speed : {"nan", "-1", "inf", "1e7", "1e-300", "fast"}) {
+    for (const char* program : {"earshot-fly", "earshot-sim"}) {
+      support::Process flight(kBin / program, {"--environment", kEnvironment, "--mission", folder_ / "none.toml", "--speed", speed},
+                              folder_ / "text");
+      EXPECT_EQ(flight.wait(10s), 2) << program << " " << speed;
+      EXPECT_NE(flight.output().find("--speed"), std::string::npos) << program << " " << flight.output();
+    }
+  }
+}
+
 TEST_F(Flight, GivenAnUnknownOptionOrVerbTheStatusIsTwo) {
   support::Process flight(kBin / "earshot-fly", {"--sede", "7"}, folder_ / "text");
   EXPECT_EQ(flight.wait(10s), 2);
