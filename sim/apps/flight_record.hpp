@@ -57,6 +57,8 @@ class Score {
 
   [[nodiscard]] double reward() const { return reward_; }
   [[nodiscard]] std::uint32_t steps() const { return steps_; }
+  /// Steps flown to their end, as the runtime counts them: one fewer where the source was reached in the middle of the last.
+  [[nodiscard]] std::uint32_t whole_steps() const { return steps_taken_; }
   [[nodiscard]] std::uint32_t detections() const { return detections_; }  ///< steps that ended with SNR >= DT
   [[nodiscard]] Meters distance() const { return distance_; }
 

@@ -180,8 +180,10 @@ void print_summary(const fs::path& out) {
   const double sim_time_s = s.at("sim_time_s");
   const double wall_time_s = s.at("wall_time_s");
   std::printf("%s\n", s.at("found").get<bool>() ? "source found" : ("source not found: " + s.at("end_reason").get<std::string>()).c_str());
-  std::printf("  reward      %.1f\n  steps       %d\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(),
-              s.at("steps").get<int>(), s.at("detections").get<int>(), s.at("distance_m").get<double>() / 1e3);
+  const bool is_last_cut = s.at("whole_steps") < s.at("steps");
+  std::printf("  reward      %.1f\n  steps       %d%s\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(),
+              s.at("steps").get<int>(), is_last_cut ? ", the last one cut short by the source" : "", s.at("detections").get<int>(),
+              s.at("distance_m").get<double>() / 1e3);
   std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", duration(sim_time_s).c_str(), wall_time_s,
               sim_time_s / std::max(wall_time_s, 1e-9));
 }

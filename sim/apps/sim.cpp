@@ -103,6 +103,7 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
   return {{"found", result.found},
           {"reward", score.reward()},
           {"steps", score.steps()},
+          {"whole_steps", score.whole_steps()},
           {"distance_m", score.distance().value},
           {"detections", score.detections()},
           {"sim_time_s", (result.last_tick - Time{}).to_seconds()},

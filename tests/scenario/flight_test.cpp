@@ -156,12 +156,29 @@ TEST_F(Flight, GivenAWholeMissionItsSummaryAgreesWithItsTrack) {
   ASSERT_EQ(flight->wait(120s), 0) << flight->output();
   const nlohmann::json s = summary("out");
   EXPECT_EQ(s.at("steps"), 100);
+  EXPECT_EQ(s.at("whole_steps"), 100);
   EXPECT_EQ(s.at("found"), false);
   EXPECT_EQ(s.at("end_reason"), "steps_used_up");
   // 100 legs of 1 km; each turn adds at most half a turning circle of 19 m radius, and the safety layer may shorten a leg at the edge.
   EXPECT_NEAR(s.at("distance_m").get<double>(), 100e3, 6e3);
   EXPECT_NEAR(s.at("sim_time_s").get<double>(), s.at("distance_m").get<double>() / 2.0, 100.0);
   EXPECT_EQ(board::JournalReader(folder_ / "out/journal.lcmlog").end(), board::JournalReader::End::kWhole);
+}
+
+TEST_F(Flight, GivenASourceReachedInTheMiddleOfAStepBothCountsAreTold) {
+  // With the shipped policy, which finds the source; it comes within reach at a tick, of which a step of 1 km at 2 m/s has 500.
+  const auto flight = std::make_unique<support::Process>(kBin / "earshot-fly",
+                                                         std::vector<std::string>{"--environment", kEnvironment, "--mission", kMission,
+                                                                                  "--out", folder_ / "out", "--no-report", "--seed", "7"},
+                                                         folder_ / "text");
+  ASSERT_EQ(flight->wait(120s), 0) << flight->output();
+  const nlohmann::json s = summary("out");
+  ASSERT_EQ(s.at("found"), true);
+  const int whole = s.at("whole_steps");
+  EXPECT_EQ(s.at("steps"), whole + 1);
+  EXPECT_NE(flight->output().find("after " + std::to_string(whole) + " steps"), std::string::npos) << flight->output();
+  EXPECT_NE(flight->output().find("steps       " + std::to_string(whole + 1) + ", the last one cut short by the source"),
+            std::string::npos);
 }
 
 TEST_F(Flight, GivenItsRuntimeIsKilledTheSimulatorSaysSoWithinFiveSecondsAndKeepsTheTrack) {
