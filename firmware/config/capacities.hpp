@@ -26,6 +26,8 @@ inline constexpr std::size_t kLcmQueueDepth = 4;      ///< messages waiting per 
 inline constexpr std::size_t kLcmReassemblySlots = 4;  ///< fragmented messages in the making; full: the least recently fed goes, counted
 inline constexpr std::size_t kLcmDatagramsPerCollect =
     256;  ///< datagrams read in one turn, so that a flood cannot hold the loop; more: next turn
+inline constexpr std::size_t kCanFramesPerCollect =
+    1024;  ///< frames read in one turn (250 kbit/s carry at most about 2000 in a second, a turn looks ten times in one); more: next turn
 inline constexpr std::size_t kJournalBufferBytes =
     4'194'304;  ///< bytes waiting for the disk (1 s of the largest bus load); full: drop newest, count
 inline constexpr std::size_t kFastPacketSlots =

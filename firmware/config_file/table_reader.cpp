@@ -28,6 +28,7 @@ struct TableNode {
   const toml::table* table = nullptr;           ///< null: the table is missing, which is noted already
   std::string prefix;                           ///< dotted path of this table, "" at the root
   std::set<std::string, std::less<>> asked;
+  std::set<std::string, std::less<>> noted;  ///< keys with a problem
   std::vector<std::shared_ptr<TableNode>> children;
 
   [[nodiscard]] std::string full(std::string_view key) const { return (prefix.empty() ? "" : prefix + ".") + std::string(key); }
@@ -50,10 +51,12 @@ struct TableNode {
   }
 
   void note_missing(std::string_view key, const std::string& allowed) {
+    noted.emplace(key);
     if (table != nullptr) problems->add(line(), full(key) + " is missing: " + allowed);
   }
 
   void note_value(std::string_view key, const toml::node& value, const std::string& allowed) {
+    noted.emplace(key.substr(0, key.find('[')));  // an element's problem is its array's
     std::ostringstream text;
     text << full(key);
     value.visit([&text](const auto& v) {
@@ -117,6 +120,10 @@ TableReader::TableReader(std::shared_ptr<TableNode> node) : node_(std::move(node
 
 bool TableReader::has(std::string_view key) const {
   return node_->table != nullptr && node_->table->contains(key);
+}
+
+bool TableReader::is_noted(std::string_view key) const {
+  return node_->noted.contains(key);
 }
 
 double TableReader::number(std::string_view key, Range range) {
@@ -254,6 +261,7 @@ void TableReader::problem(std::string_view key, std::string_view what) {
   if (node != nullptr) {
     node_->note_value(key, *node, std::string(what));
   } else {
+    node_->noted.emplace(key);
     node_->problems->add(node_->line(), node_->full(key) + ": " + std::string(what));
   }
 }

@@ -60,6 +60,9 @@ class TableReader {
 
   /// Notes a problem of the caller's own finding about `key` ("must be less than max_depth_m").
   void problem(std::string_view key, std::string_view what);
+  /// Whether a problem of this key is noted already: what was read for it is then harmless, but not what the file says, and a complaint
+  /// about how it fits the rest would be false.
+  [[nodiscard]] bool is_noted(std::string_view key) const;
 
  private:
   friend class File;

@@ -26,6 +26,12 @@ constexpr NorthEast operator*(Meters length, const UnitNorthEast& direction) {
   return {length * direction.north, length * direction.east};
 }
 
+/// Horizontal length of a displacement; NaN stays NaN.   Oracle: LengthOf.IsTheHypotenuse
+[[nodiscard]] Meters length_of(NorthEast displacement);
+
+/// Horizontal distance between two places.
+[[nodiscard]] Meters range_between(NorthEast a, NorthEast b);
+
 /// Axis-aligned rectangle in the north-east plane; its edges belong to it.
 struct Rectangle {
   NorthEast south_west;

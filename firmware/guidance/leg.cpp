@@ -7,7 +7,7 @@ namespace earshot::guidance {
 Leg::Leg(NorthEast start, NorthEast waypoint) : start_(start), waypoint_(waypoint) {
   const double north = (waypoint - start).north.value;
   const double east = (waypoint - start).east.value;
-  length_ = Meters{sqrt(north * north + east * east)};
+  length_ = range_between(start, waypoint);
   if (length_.value > 0.0) direction_ = {.north = north / length_.value, .east = east / length_.value};
   bearing_ = bearing_of(direction_.north, direction_.east);
 }

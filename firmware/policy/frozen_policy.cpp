@@ -13,9 +13,8 @@ namespace {
 
 // The format; README.md of this folder has it as a table.
 constexpr std::array<std::uint8_t, 8> kMagic = {'E', 'A', 'R', 'S', 'H', 'O', 'T', 'P'};
-constexpr std::uint32_t kVersion = 1;
 constexpr std::uint8_t kTanh = 1;
-constexpr std::size_t kHeaderSize = 36;
+constexpr std::size_t kHeaderSize = 60;
 constexpr std::size_t kElementSize = 12;
 constexpr std::size_t kDirectionSize = 16;
 constexpr std::size_t kChecksumSize = 4;
@@ -54,6 +53,15 @@ bool is_unit(const UnitNorthEast& direction) {
   return excess <= kUnitLengthTolerance && -excess <= kUnitLengthTolerance;
 }
 
+bool is_length(Meters length) {
+  return length.value > 0.0 && is_finite(length.value);
+}
+
+/// False for a NaN too.
+bool is_within_tolerance(Meters a, Meters b) {
+  return a - b <= kAreaSizeTolerance && b - a <= kAreaSizeTolerance;
+}
+
 bool is_known(Feature feature) {
   return feature >= Feature::kEast && feature <= Feature::kStepSnr;
 }
@@ -88,7 +96,9 @@ PolicyFault fault_in(const FrozenPolicy& policy) {
     if (!is_finite(element.offset) || !is_finite(element.scale)) return PolicyFault::kNotFinite;
   }
   if (!std::all_of(policy.actions.begin(), policy.actions.end(), is_unit)) return PolicyFault::kNotFinite;
-  if (!(policy.step_length.value > 0.0) || !is_finite(policy.step_length.value)) return PolicyFault::kNotFinite;
+  if (!is_length(policy.step_length) || !is_length(policy.area_size.north) || !is_length(policy.area_size.east))
+    return PolicyFault::kNotFinite;
+  if (!is_finite(policy.detection_threshold.value)) return PolicyFault::kNotFinite;
   if (!is_finite_network(policy.network)) return PolicyFault::kNotFinite;
   return PolicyFault::kNone;
 }
@@ -140,7 +150,7 @@ PolicyFault fault_in_envelope(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kHeaderSize) return PolicyFault::kTooShort;
   if (!std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) return PolicyFault::kBadMagic;
   ByteReader reader(bytes.subspan(kMagic.size()));
-  if (reader.u32() != kVersion) return PolicyFault::kUnknownVersion;
+  if (reader.u32() != kFormatVersion) return PolicyFault::kUnknownVersion;
   const std::size_t length = reader.u32();
   if (bytes.size() < length || length < kHeaderSize + kTrailerSize) return PolicyFault::kTooShort;
   if (bytes.size() > length) return PolicyFault::kBadShape;
@@ -157,6 +167,9 @@ PolicyFault read_header(ByteReader& reader, std::size_t length, FrozenPolicy& po
   shape.actions = reader.u8();
   for (std::size_t& hidden : shape.hidden) hidden = reader.u16();
   policy.step_length = Meters{reader.f64()};
+  policy.area_size.north = Meters{reader.f64()};
+  policy.area_size.east = Meters{reader.f64()};
+  policy.detection_threshold = Decibels{reader.f64()};
   shape.provenance = reader.u32();
   if (activation != kTanh) return PolicyFault::kUnknownActivation;
   return shape.fits() && shape.serialised_size() == length ? PolicyFault::kNone : PolicyFault::kBadShape;
@@ -225,7 +238,7 @@ PolicyFault parse_to_fault(std::span<const std::uint8_t> bytes, FrozenPolicy& po
 
 void write_header(ByteWriter& writer, const FrozenPolicy& policy, const Shape& shape) {
   for (const std::uint8_t byte : kMagic) writer.u8(byte);
-  writer.u32(kVersion);
+  writer.u32(kFormatVersion);
   writer.u32(static_cast<std::uint32_t>(shape.serialised_size()));
   writer.u8(kTanh);
   writer.u8(static_cast<std::uint8_t>(policy.draw));
@@ -233,6 +246,9 @@ void write_header(ByteWriter& writer, const FrozenPolicy& policy, const Shape& s
   writer.u8(static_cast<std::uint8_t>(shape.actions));
   for (const std::size_t hidden : shape.hidden) writer.u16(static_cast<std::uint16_t>(hidden));
   writer.f64(policy.step_length.value);
+  writer.f64(policy.area_size.north.value);
+  writer.f64(policy.area_size.east.value);
+  writer.f64(policy.detection_threshold.value);
   writer.u32(static_cast<std::uint32_t>(shape.provenance));
 }
 
@@ -277,6 +293,15 @@ bool write_body(ByteWriter& writer, const FrozenPolicy& policy, const Shape& sha
 }
 
 }  // namespace
+
+Misfit misfit(const FrozenPolicy& policy, const config::Mission& mission) {
+  const NorthEast size = mission.operating_area.north_east - mission.operating_area.south_west;
+  const bool same_size = is_within_tolerance(policy.area_size.north, size.north) && is_within_tolerance(policy.area_size.east, size.east);
+  if (policy.step_length != mission.step_length) return Misfit::kStepLength;
+  if (!same_size) return Misfit::kAreaSize;
+  if (policy.detection_threshold != mission.detection_threshold) return Misfit::kDetectionThreshold;
+  return Misfit::kNone;
+}
 
 std::size_t max_serialised_size() {
   return kLargest.serialised_size();

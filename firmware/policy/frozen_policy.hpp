@@ -6,6 +6,7 @@
 #include <span>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/config/mission.hpp"
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/status.hpp"
@@ -26,6 +27,8 @@ struct FrozenPolicy {
   ObservationSpec observation;
   FixedVector<UnitNorthEast, config::kMaxActions> actions;  ///< direction of each action; the table saves the vehicle sine and cosine
   Meters step_length;                                       ///< l the policy was trained with
+  NorthEast area_size;                                      ///< of the area it was trained in, both > 0
+  Decibels detection_threshold;                             ///< DT it was trained with
   ActionDraw draw = ActionDraw::kArgmax;
   Network network;
   std::array<GoldenPair, config::kGoldenPairs> golden{};
@@ -37,16 +40,26 @@ enum class PolicyFault : std::uint8_t {
   kNone,
   kTooShort,        ///< shorter than its header or its own length field says
   kBadMagic,        ///< not a .policy file
-  kUnknownVersion,  ///< of a later format
+  kUnknownVersion,  ///< of another format than kFormatVersion, older or later
   kBadChecksum,     ///< CRC-32 does not match
   kBadShape,        ///< a size is zero, over its capacity, or sizes contradict each other
   kUnknownActivation,
   kUnknownFeature,
   kUnknownDraw,
-  kNotFinite,       ///< a weight, scale, direction or step length is NaN, infinite, or no such thing (a direction not of length one)
+  kNotFinite,       ///< a weight, scale, direction, length or threshold is NaN, infinite, or no such thing (a direction not of length one)
   kGoldenMismatch,  ///< the network does not give the golden logits on this machine
 };
 
+/// What a mission asks of a policy that was trained for something else.
+enum class Misfit : std::uint8_t { kNone, kStepLength, kAreaSize, kDetectionThreshold };
+
+/// Corners far from the origin are rounded, and their difference with them; a vehicle does not notice.
+inline constexpr Meters kAreaSizeTolerance{0.001};
+
+/// The first of the mission's numbers that `policy` was not trained with. Where the area lies does not matter, only its size.
+[[nodiscard]] Misfit misfit(const FrozenPolicy& policy, const config::Mission& mission);
+
+inline constexpr std::uint32_t kFormatVersion = 2;
 inline constexpr std::size_t kSignatureSize = 64;  ///< Ed25519, over every byte before it; the shell checks it, the core does not
 inline constexpr std::size_t kPublicKeySize = 32;
 

@@ -31,7 +31,7 @@ bool is_in_order(Time time, Time last, Time now, Duration timeout) {
 bool fits(const config::Mission& mission, const policy::FrozenPolicy& policy) {
   const policy::Network& network = policy.network;
   return !policy.observation.empty() && !policy.actions.empty() && network.observation_size == policy.observation.size() &&
-         network.action_count == policy.actions.size() && policy.step_length == mission.step_length;
+         network.action_count == policy.actions.size() && policy::misfit(policy, mission) == policy::Misfit::kNone;
 }
 
 }  // namespace
@@ -49,8 +49,14 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
 }
 
 Outputs Runtime::step(Time now, const Inputs& inputs) {
+  if (inputs.navigation) take(now, *inputs.navigation);
+  if (inputs.snr) take(now, *inputs.snr);
+  if (inputs.command) take(now, *inputs.command);
+  return step(now);
+}
+
+Outputs Runtime::step(Time now) {
   assert(now.us >= 0);
-  take(now, inputs);
   Outputs outputs;
   if (progress_.state == MissionState::kStandby && progress_.start_wanted && navigation_is_fresh(now) && snr_is_fresh(now))
     begin_search(now);
@@ -63,27 +69,25 @@ Outputs Runtime::step(Time now, const Inputs& inputs) {
   return outputs;
 }
 
-void Runtime::take(Time now, const Inputs& inputs) {
-  if (inputs.navigation) {
-    const Time last = progress_.navigation ? progress_.navigation->time : Time{};
-    if (is_finite_navigation(*inputs.navigation) && is_in_order(inputs.navigation->time, last, now, mission_.navigation_timeout)) {
-      progress_.navigation = inputs.navigation;
-    } else {
-      ++progress_.counters.navigation_refused;
-    }
+void Runtime::take(Time now, const Navigation& navigation) {
+  const Time last = progress_.navigation ? progress_.navigation->time : Time{};
+  if (is_finite_navigation(navigation) && is_in_order(navigation.time, last, now, mission_.navigation_timeout)) {
+    progress_.navigation = navigation;
+  } else {
+    ++progress_.counters.navigation_refused;
   }
-  if (inputs.snr) {
-    const Time last = progress_.snr ? progress_.snr->time : Time{};
-    if (is_possible(inputs.snr->snr) && is_in_order(inputs.snr->time, last, now, mission_.snr_timeout)) {
-      progress_.snr = inputs.snr;
-    } else {
-      ++progress_.counters.snr_refused;
-    }
-  }
-  if (inputs.command) obey(*inputs.command);
 }
 
-void Runtime::obey(OperatorCommand command) {
+void Runtime::take(Time now, const SnrEstimate& estimate) {
+  const Time last = progress_.snr ? progress_.snr->time : Time{};
+  if (is_possible(estimate.snr) && is_in_order(estimate.time, last, now, mission_.snr_timeout)) {
+    progress_.snr = estimate;
+  } else {
+    ++progress_.counters.snr_refused;
+  }
+}
+
+void Runtime::take(Time /*now*/, OperatorCommand command) {
   if (command == OperatorCommand::kAbort) {
     if (progress_.state != MissionState::kAbort) end(MissionState::kAbort, EndReason::kOperatorAbort);
   } else if (command == OperatorCommand::kStart && progress_.state == MissionState::kStandby && configured_) {

@@ -53,7 +53,7 @@ enum class EndReason : std::uint8_t {
   kTimeUsedUp = 7,
 };
 
-/// Everything that arrived since the last step; the newest of each kind.
+/// Inputs of one step where at most one of each kind arrives between two; a bus that may bring more gives each to Runtime::take() instead.
 struct Inputs {
   std::optional<Navigation> navigation = std::nullopt;
   std::optional<SnrEstimate> snr = std::nullopt;
@@ -105,10 +105,19 @@ struct Outputs {
 class Runtime {
  public:
   /// Takes a copy of both and forgets everything else. kOutOfRange if the mission fails config::check, the policy is empty, or it was
-  /// trained with another step length than the mission's. Until configured, step() stays in STANDBY and refuses kStart.
+  /// trained for another mission (policy::misfit). Until configured, step() stays in STANDBY and refuses kStart.
   [[nodiscard]] Status configure(const config::Mission& mission, const policy::FrozenPolicy& policy);
 
-  /// One turn of the loop. `now` never goes back and is not negative.
+  /// Takes one input, which arrived at `now`; any number of each kind between two steps, in the order in which they came. What is refused
+  /// changes nothing but its counter, so that a bad sender does not hide a good one. kAbort ends the mission here and now: no order before
+  /// or after it in the same turn can undo it.
+  void take(Time now, const Navigation& navigation);
+  void take(Time now, const SnrEstimate& estimate);
+  void take(Time now, OperatorCommand command);
+
+  /// One turn of the loop, with all that has been taken. `now` never goes back (over take() and step()) and is not negative.
+  [[nodiscard]] Outputs step(Time now);
+  /// Takes navigation, SNR and command, in this order, then step(now).
   [[nodiscard]] Outputs step(Time now, const Inputs& inputs);
 
  private:
@@ -127,8 +136,6 @@ class Runtime {
     Counters counters;
   };
 
-  void take(Time now, const Inputs& inputs);
-  void obey(OperatorCommand command);
   void end(MissionState state, EndReason reason);
   [[nodiscard]] bool navigation_is_fresh(Time now) const;
   [[nodiscard]] bool snr_is_fresh(Time now) const;

@@ -11,10 +11,6 @@ bool is_finite_place(NorthEast place) {
   return is_finite(place.north.value) && is_finite(place.east.value);
 }
 
-Meters length_of(NorthEast displacement) {
-  return Meters{sqrt(displacement.north.value * displacement.north.value + displacement.east.value * displacement.east.value)};
-}
-
 NorthEast clamped_into(const Rectangle& area, NorthEast place) {
   return {.north = std::clamp(place.north, area.south_west.north, area.north_east.north),
           .east = std::clamp(place.east, area.south_west.east, area.north_east.east)};
@@ -42,7 +38,7 @@ SafeWaypoint safe_waypoint(const config::Mission& mission, NorthEast position, N
   if (!is_finite_place(wanted)) return {.waypoint = inwards(mission, position), .overridden = true};
   const NorthEast allowed = clamped_into(without_margins(mission), wanted);
   if (allowed == wanted) return {.waypoint = wanted, .overridden = false};
-  const bool goes_on = length_of(allowed - position) >= 0.5 * mission.step_length;
+  const bool goes_on = range_between(position, allowed) >= 0.5 * mission.step_length;
   return {.waypoint = goes_on ? allowed : inwards(mission, position), .overridden = true};
 }
 

@@ -67,9 +67,8 @@ void evaluate_policy(const Options& options) {
   const Meters depth{options.world.vehicle_depth_m.value_or(300.0)};
   const ocean::Environment environment = apps::environment_at(options.world.environment.value_or(""), depth);
   if (options.json) apps::check_writable(*options.json);
-  search::SearchSettings settings;
+  search::SearchSettings settings = evaluate::search_of(*policy);
   settings.source = environment.source.position;
-  settings.step_length = policy->step_length;
   options.world.apply_to(settings);
   const sonar::SnrCurve curve = apps::curve_for(environment, depth, settings);
   const search::SearchWorld world = evaluate::world_of(*policy, settings, curve);

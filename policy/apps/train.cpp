@@ -130,6 +130,8 @@ ppo::Checkpoint checkpoint_of(const ppo::Trainer& trainer, const ppo::TrainingRu
   checkpoint.observation = ppo::observation_of(run);
   checkpoint.direction_count = run.search.direction_count;
   checkpoint.step_length = run.search.step_length;
+  checkpoint.area_size = run.search.domain.north_east - run.search.domain.south_west;
+  checkpoint.detection_threshold = run.search.detection_threshold;
   std::ostringstream crc;
   crc << std::hex << std::setw(8) << std::setfill('0') << environment.file_crc32;
   checkpoint.provenance = {{"command", command},

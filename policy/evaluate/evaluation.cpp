@@ -35,9 +35,18 @@ std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, 
   return records;
 }
 
-search::SearchWorld world_of(const policy::FrozenPolicy& policy, search::SearchSettings settings, const sonar::SnrCurve& curve) {
+search::SearchSettings search_of(const policy::FrozenPolicy& policy) {
+  search::SearchSettings settings;
+  settings.domain = {.south_west = {}, .north_east = policy.area_size};
+  settings.start_region = settings.domain;
   settings.direction_count = policy.actions.size();
   settings.step_length = policy.step_length;
+  settings.detection_threshold = policy.detection_threshold;
+  return settings;
+}
+
+search::SearchWorld world_of(const policy::FrozenPolicy& policy, const search::SearchSettings& settings, const sonar::SnrCurve& curve) {
+  assert(settings.direction_count == policy.actions.size());
   search::SearchWorld world(settings, curve);
   world.actions = policy.actions;
   return world;

@@ -15,8 +15,13 @@ namespace earshot::evaluate {
 [[nodiscard]] std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, policy::ActionDraw draw,
                                                           const search::SearchWorld& world, std::size_t episodes, std::uint64_t seed);
 
-/// The world a policy is evaluated in: its directions and step length, the rest from `settings`.
-[[nodiscard]] search::SearchWorld world_of(const policy::FrozenPolicy& policy, search::SearchSettings settings,
+/// The search a policy was trained for: a domain of its area's size with the south-west corner at the origin, its step length, number of
+/// directions and detection threshold; starts anywhere in the domain, the rest as the paper has it.
+[[nodiscard]] search::SearchSettings search_of(const policy::FrozenPolicy& policy);
+
+/// The world a policy is evaluated in: `settings` with the policy's own directions.
+/// @param settings  settings.direction_count is the number of the policy's actions
+[[nodiscard]] search::SearchWorld world_of(const policy::FrozenPolicy& policy, const search::SearchSettings& settings,
                                            const sonar::SnrCurve& curve);
 
 struct Summary {

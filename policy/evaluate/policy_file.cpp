@@ -19,7 +19,7 @@ std::string in_words(policy::PolicyFault fault) {
     case policy::PolicyFault::kBadMagic:
       return "not a .policy file";
     case policy::PolicyFault::kUnknownVersion:
-      return "of a format version this build does not know";
+      return "of another version of the format than this build's: freeze it again with earshot freeze";
     case policy::PolicyFault::kBadChecksum:
       return "damaged: its CRC-32 does not match";
     case policy::PolicyFault::kBadShape:

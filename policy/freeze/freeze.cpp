@@ -47,6 +47,8 @@ std::unique_ptr<policy::FrozenPolicy> freeze(const ppo::Checkpoint& checkpoint, 
   policy->observation = checkpoint.observation;
   policy->actions = search::compass_directions(checkpoint.direction_count);
   policy->step_length = checkpoint.step_length;
+  policy->area_size = checkpoint.area_size;
+  policy->detection_threshold = checkpoint.detection_threshold;
   policy->draw = draw;
   copy_actor(checkpoint, policy->network);
   for (const auto& [name, value] : checkpoint.provenance) {

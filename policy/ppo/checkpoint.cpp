@@ -13,7 +13,7 @@ namespace {
 using config_file::BadInput;
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kFormat = "earshot checkpoint 1";
+constexpr std::string_view kFormat = "earshot checkpoint 2";
 
 policy::ObservationElement element_from(const Json& json) {
   policy::ObservationElement element;
@@ -36,12 +36,16 @@ Checkpoint checkpoint_from(const Json& json) {
   }
   checkpoint.direction_count = json.at("direction_count").get<std::size_t>();
   checkpoint.step_length = Meters{json.at("step_length_m").get<double>()};
+  checkpoint.area_size = {Meters{json.at("area_north_m").get<double>()}, Meters{json.at("area_east_m").get<double>()}};
+  checkpoint.detection_threshold = Decibels{json.at("detection_threshold_db").get<double>()};
   for (const auto& [name, value] : json.at("provenance").items()) checkpoint.provenance.emplace_back(name, value.get<std::string>());
   checkpoint.parameters = json.at("parameters").get<std::vector<float>>();
 
   const bool sizes =
       !checkpoint.observation.empty() && checkpoint.direction_count >= 1 && checkpoint.direction_count <= config::kMaxActions;
-  if (!sizes || !(checkpoint.step_length.value > 0.0)) throw BadInput("observation, direction_count or step_length_m is out of range");
+  const bool lengths =
+      checkpoint.step_length.value > 0.0 && checkpoint.area_size.north.value > 0.0 && checkpoint.area_size.east.value > 0.0;
+  if (!sizes || !lengths) throw BadInput("observation, direction_count, step_length_m, area_north_m or area_east_m is out of range");
   const std::size_t expected = ActorCritic<float>(checkpoint.shape()).parameters().size();
   if (checkpoint.parameters.size() != expected) {
     throw BadInput("parameters: " + std::to_string(checkpoint.parameters.size()) + " numbers, its shape needs " + std::to_string(expected));
@@ -63,6 +67,9 @@ std::string to_text(const Checkpoint& checkpoint) {
   }
   json["direction_count"] = checkpoint.direction_count;
   json["step_length_m"] = checkpoint.step_length.value;
+  json["area_north_m"] = checkpoint.area_size.north.value;
+  json["area_east_m"] = checkpoint.area_size.east.value;
+  json["detection_threshold_db"] = checkpoint.detection_threshold.value;
   json["provenance"] = Json::object();
   for (const auto& [name, value] : checkpoint.provenance) json["provenance"][name] = value;
   json["parameters"] = checkpoint.parameters;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/policy/observation.hpp"
 #include "policy/ppo/actor_critic.hpp"
@@ -17,6 +18,8 @@ struct Checkpoint {
   policy::ObservationSpec observation;
   std::size_t direction_count = 0;  ///< actions: compass directions, clockwise from north
   Meters step_length;
+  NorthEast area_size;                                          ///< of the domain trained in
+  Decibels detection_threshold;                                 ///< DT of the reward
   std::vector<std::pair<std::string, std::string>> provenance;  ///< names and values in the order written
   std::vector<float> parameters;                                ///< as ActorCritic::parameters() of shape()
 

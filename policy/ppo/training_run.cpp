@@ -1,6 +1,7 @@
 #include "policy/ppo/training_run.hpp"
 
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "firmware/config/capacities.hpp"
@@ -32,7 +33,6 @@ void read_search(TableReader table, search::SearchSettings& s) {
   s.border_reward = table.number_or("border_reward", s.border_reward);
   const bool everywhere = table.choice_or("start", 0, {"domain", "inside_border"}) == 0;
   s.start_region = everywhere ? s.domain : search::inside_border(s);
-  if (search::check(s) != Status::kOk) table.problem("border_width_m", "must leave room inside the border for the start");
 }
 
 void read_hyper_parameters(TableReader table, HyperParameters& h) {
@@ -62,8 +62,12 @@ TrainingRun load_run(const std::filesystem::path& path) {
   run.seed = static_cast<std::uint64_t>(root.integer_or("seed", 1, 0, kMany));
   run.episodes = static_cast<std::uint64_t>(root.integer_or("episodes", 0, 0, kMany));
   run.steps = static_cast<std::uint64_t>(root.integer_or("steps", 0, 0, kMany));
-  if (auto table = root.optional_table("search")) read_search(*table, run.search);
+  std::optional<TableReader> search = root.optional_table("search");
+  if (search) read_search(*search, run.search);
   if (auto table = root.optional_table("ppo")) read_hyper_parameters(*table, run.hyper);
+  file.finish();
+  if (search && search::check(run.search) != Status::kOk)
+    search->problem("border_width_m", "must leave room inside the border for the start");
   file.finish();
   return run;
 }

@@ -5,7 +5,8 @@
 #include <numbers>
 #include <system_error>
 
-#include "firmware/core/math.hpp"
+#include "firmware/core/geometry.hpp"
+#include "firmware/detector/threshold_detector.hpp"
 
 namespace earshot::simulation {
 namespace {
@@ -45,10 +46,7 @@ void TrackFile::finish() {
 }
 
 void Score::add(const TrackPoint& point) {
-  if (last_position_) {
-    const NorthEast way = point.vehicle.position - *last_position_;
-    distance_ += Meters{earshot::sqrt(way.north.value * way.north.value + way.east.value * way.east.value)};
-  }
+  if (last_position_) distance_ += range_between(*last_position_, point.vehicle.position);
   last_position_ = point.vehicle.position;
   if (point.steps_taken == steps_taken_) return;
   steps_taken_ = point.steps_taken;
@@ -58,7 +56,11 @@ void Score::add(const TrackPoint& point) {
 void Score::end_step(const TrackPoint& point) {
   ++steps_;
   reward_ += search::step_reward(settings_, point.vehicle.position, point.snr);
-  if (point.snr >= settings_.detection_threshold) ++detections_;
+  if (detector::ThresholdDetector{settings_.detection_threshold}.detects(point.snr)) ++detections_;
+}
+
+void remove_results(const std::filesystem::path& folder) {
+  for (const char* name : {"summary.json", "track.csv", "report.html"}) std::filesystem::remove(folder / name);
 }
 
 void write_whole(const std::filesystem::path& path, const std::string& text) {

@@ -68,6 +68,9 @@ class Score {
   Meters distance_;
 };
 
+/// Removes what an earlier flight left in its folder and a new one does not replace at once: no half-flown search may look finished.
+void remove_results(const std::filesystem::path& folder);
+
 /// Writes `text` to `path` by way of another name. @throws std::system_error naming the file.
 void write_whole(const std::filesystem::path& path, const std::string& text);
 

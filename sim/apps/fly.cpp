@@ -23,11 +23,13 @@
 #include <thread>
 #include <vector>
 
+#include "firmware/boards/linux/bus_lock.hpp"
 #include "firmware/boards/linux/lcm_url.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/config_file/table_reader.hpp"
+#include "sim/apps/flight_plan.hpp"
+#include "sim/apps/flight_record.hpp"
 #include "sim/link/run_slot.hpp"
-#include "sim/ocean/environment_file.hpp"
 
 namespace {
 
@@ -64,7 +66,7 @@ void declare(CLI::App& app, Options& o) {
   app.add_option("--policy", o.policy, "policy file instead of the mission's");
   app.add_option("--public-key", o.public_key, "file of the public key that signed it, instead of the mission's");
   app.add_option("--bus", o.bus, "bus between autopilot and earshotd instead of the mission's")->check(CLI::IsMember({"lcm", "can"}));
-  app.add_option("--lcm-url", o.lcm_url, "LCM address; default: LCM's own port, or the next free one while another flight is under way");
+  app.add_option("--lcm-url", o.lcm_url, "LCM address; default: one that no other flight on this machine uses");
   app.add_option("--can-interface", o.can_interface, "CAN interface instead of the mission's");
   app.add_flag("--ignore-source", o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
   app.add_flag("--no-report", o.no_report, "do not write report.html");
@@ -134,6 +136,11 @@ struct Process {
   }
 };
 
+/// One of them refused its input, or the simulator was stopped before the first tick.
+bool never_begins(const Process& simulator, const Process& runtime) {
+  return simulator.status == 2 || runtime.status == 2 || simulator.status == 130;
+}
+
 /// Waits for both. Ctrl-C goes to the simulator, which tells earshotd to abort; whoever has not left some seconds after the other is ended.
 void wait_for_both(Process& simulator, Process& runtime) {
   using std::chrono::steady_clock;
@@ -148,8 +155,7 @@ void wait_for_both(Process& simulator, Process& runtime) {
       stopping = true;
       simulator.signal(SIGINT);
     }
-    const bool refused = simulator.status == 2 || runtime.status == 2;  // bad input: the other waits in vain
-    if (refused) {
+    if (never_begins(simulator, runtime)) {  // the other waits in vain
       simulator.signal(SIGTERM);
       runtime.signal(SIGTERM);
     }
@@ -190,26 +196,47 @@ int run(const std::string& program, const std::vector<std::string>& arguments) {
   return process.status;
 }
 
+/// The simulator keeps what it has once the flight has begun.
+bool has_flown(const Process& simulator) {
+  return simulator.status == 0 || simulator.status == 3;
+}
+
 /// A process that we ended because the other refused its input has a status of its own; the refusal is what counts.
 int exit_status(const Process& simulator, const Process& runtime) {
   if (stop_requested != 0) return 130;
-  if (simulator.status == 2 || runtime.status == 2) return 2;
+  if (!has_flown(simulator) && (simulator.status == 2 || runtime.status == 2)) return 2;
   return simulator.status == 0 && runtime.status == 0 ? 0 : 3;
+}
+
+/// The LCM address that somebody chose; what a mission at sea uses when nobody did is never a simulation's.
+std::optional<std::string> chosen_url(const Options& o, const board::MissionFile& mission) {
+  if (o.lcm_url) return o.lcm_url;
+  return mission.lcm_url == board::kDefaultLcmUrl ? std::nullopt : std::optional(mission.lcm_url);
+}
+
+/// Holds a bus that somebody chose; a run slot holds its own.
+board::FileDescriptor lock_bus(const Options& o, const board::MissionFile& mission) {
+  const bool over_can = o.bus ? *o.bus == "can" : mission.bus == board::BusKind::kCan;
+  if (over_can) return board::lock_can(o.can_interface.value_or(mission.can_interface));
+  const std::optional<std::string> url = chosen_url(o, mission);
+  return url ? board::lock_lcm(*url) : board::FileDescriptor{};
 }
 
 int fly(const Options& o) {
   // Both processes would say the same about a bad file: say it once, before either starts.
-  const board::MissionFile mission = board::load_mission(o.mission);
-  (void)ocean::load_environment(o.environment);
-  fs::create_directories(o.out);
-  for (const char* old : {"summary.json", "track.csv", "report.html"}) fs::remove(o.out / old);
-
+  const board::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
+  const board::FileDescriptor lock = lock_bus(o, mission);
   const link::RunSlot slot;
-  const std::string lcm_url = o.lcm_url.value_or(mission.lcm_url == board::kDefaultLcmUrl ? slot.lcm_url() : mission.lcm_url);
+  const std::string lcm_url = chosen_url(o, mission).value_or(slot.lcm_url());
   Process runtime{.id = start("earshotd", runtime_arguments(o, slot, lcm_url))};
   Process simulator{.id = start("earshot-sim", simulator_arguments(o, slot, lcm_url))};
   wait_for_both(simulator, runtime);
 
+  if (!has_flown(simulator)) {
+    // An earshotd that took its input has begun a journal; what stands beside it is of an earlier flight. Otherwise all of that is whole.
+    if (runtime.status != 2) simulation::remove_results(o.out);
+    return exit_status(simulator, runtime);
+  }
   print_summary(o.out);
   if (!o.no_report && fs::exists(o.out / "summary.json") && run("earshot-report", {o.out.string()}) == 0) {
     std::printf("  report      %s\n", (o.out / "report.html").c_str());

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <thread>
 
-#include "firmware/core/math.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::simulation {
@@ -18,11 +17,6 @@ constexpr milliseconds kLookUp{100};  ///< how often a waiting simulator looks a
 constexpr milliseconds kRuntimePatience{
     4000};                                  ///< for an answer: a step takes microseconds, a dead runtime is known after link::kLeaseSeconds
 constexpr milliseconds kBusPatience{2000};  ///< for a set-point that was sent before its answer
-
-Meters range_between(NorthEast a, NorthEast b) {
-  const NorthEast d = a - b;
-  return Meters{earshot::sqrt(d.north.value * d.north.value + d.east.value * d.east.value)};
-}
 
 const char* word_for(runtime::EndReason reason) {
   switch (reason) {

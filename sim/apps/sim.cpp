@@ -17,14 +17,13 @@
 
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/config_file/table_reader.hpp"
-#include "firmware/core/math.hpp"
 #include "firmware/core/random.hpp"
 #include "sim/apps/autopilot_bus.hpp"
+#include "sim/apps/flight_plan.hpp"
 #include "sim/apps/flight_record.hpp"
 #include "sim/apps/lock_step.hpp"
 #include "sim/link/session.hpp"
 #include "sim/link/simulator_end.hpp"
-#include "sim/ocean/environment_file.hpp"
 #include "sim/search/episode.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
@@ -32,6 +31,8 @@ namespace {
 
 using namespace earshot;
 using namespace earshot::simulation;
+
+constexpr int kNotBegun = 130;  ///< exit status when stopped before the first tick
 
 volatile std::sig_atomic_t stop_requested = 0;
 
@@ -67,31 +68,17 @@ void declare(CLI::App& app, Options& o) {
   app.add_flag("--ignore-source", o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
 }
 
-board::MissionFile load_mission(const Options& o) {
-  board::MissionFile file = board::load_mission(o.mission);
+void apply_options(const Options& o, board::MissionFile& file) {
   if (o.bus) file.bus = *o.bus == "can" ? board::BusKind::kCan : board::BusKind::kLcm;
   if (o.lcm_url) file.lcm_url = *o.lcm_url;
   if (o.can_interface) file.can_interface = *o.can_interface;
-  return file;
-}
-
-/// The paper's search, with this mission's numbers in place of its own.
-search::SearchSettings settings_of(const config::Mission& mission, const ocean::Environment& environment) {
-  search::SearchSettings settings;
-  settings.domain = mission.operating_area;
-  settings.start_region = mission.operating_area;
-  settings.source = environment.source.position;
-  settings.step_length = mission.step_length;
-  settings.max_steps = mission.max_steps;
-  settings.detection_threshold = mission.detection_threshold;
-  return settings;
 }
 
 /// The furthest that the source can be heard from within the area, and a little more.
 Meters longest_range(const Rectangle& area, NorthEast source) {
   const double north = std::max(area.north_east.north.value - source.north.value, source.north.value - area.south_west.north.value);
   const double east = std::max(area.north_east.east.value - source.east.value, source.east.value - area.south_west.east.value);
-  return Meters{earshot::sqrt(north * north + east * east) + 100.0};
+  return length_of({Meters{north}, Meters{east}}) + Meters{100.0};
 }
 
 vehicle::State start_of(const search::SearchSettings& settings, const sonar::SnrCurve& snr, const config::Mission& mission,
@@ -135,7 +122,7 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
           {"detection_threshold_db", mission.detection_threshold.value}};
 }
 
-/// False when a person stopped the wait. @throws std::runtime_error when nobody comes.
+/// False when the wait was stopped. @throws std::runtime_error when nobody comes.
 bool runtime_comes(link::SimulatorEnd& link, std::uint32_t domain) {
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   while (!link.wait_for_runtime(std::chrono::milliseconds(100))) {
@@ -147,11 +134,9 @@ bool runtime_comes(link::SimulatorEnd& link, std::uint32_t domain) {
 }
 
 int simulate(const Options& o) {
-  const board::MissionFile file = load_mission(o);
-  const ocean::Environment environment = ocean::load_environment(o.environment);
-  const search::SearchSettings settings = settings_of(file.mission, environment);
-  if (search::check(settings) != Status::kOk)
-    throw config_file::BadInput(o.mission.string() + ": area: no start is further than search.step_length_m from the source");
+  FlightPlan plan = load_flight_plan(o.mission, o.environment);
+  apply_options(o, plan.mission);
+  const auto& [file, environment, settings] = plan;
   const sonar::SnrCurve snr =
       sonar::compute_snr_curve(environment, file.mission.search_depth, longest_range(settings.domain, settings.source));
   const vehicle::State start = start_of(settings, snr, file.mission, o.seed);
@@ -160,11 +145,11 @@ int simulate(const Options& o) {
 
   const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
   link::SimulatorEnd link(o.domain);
-  if (!runtime_comes(link, o.domain)) return 0;
+  if (!runtime_comes(link, o.domain)) return kNotBegun;
 
   // Only now that both sides have taken their input: a refused policy leaves no half of a flight behind.
   std::filesystem::create_directories(o.out);
-  std::filesystem::remove(o.out / "summary.json");  // of an earlier flight: no half-flown search may look finished
+  remove_results(o.out);
   write_curve(o.out / "snr.csv", snr);
   TrackFile track(o.out / "track.csv");
   Score score(settings);
@@ -182,7 +167,7 @@ int simulate(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "earshot-sim plays the ocean and the vehicle for one search, in lock-step with an earshotd started with --simulation.\n"
-      "Exit status: 0 flown, 2 bad input, 3 earshotd or the bus was lost. (earshot fly starts both.)"};
+      "Exit status: 0 flown, 2 bad input, 3 earshotd or the bus was lost, 130 stopped before the start. (earshot fly starts both.)"};
   Options options;
   declare(app, options);
   try {

@@ -117,7 +117,8 @@ Keys read_keys(const config_file::File& file) {
   if (!keys.origin && (chart || keys.water.from == WaterSource::kAtlas)) {
     root.problem("origin", "must be there, with latitude_deg and longitude_deg: where north_m = 0, east_m = 0 lies on the charts");
   }
-  if (!keys.bathymetry) {
+  file.finish();
+  if (!keys.bathymetry) {  // how values that are right by themselves fit each other
     check_reach(water, keys);
     if (!(keys.source.depth < keys.seabed.seabed.depth)) source.problem("depth_m", "must be less than seabed.depth_m");
   }

@@ -17,7 +17,7 @@ constexpr Range kFrequency_hz = {1.0, 100'000.0, Range::Lower::kAtLeast};
 Band read_band(TableReader& table) {
   const std::vector<double> band = table.numbers("band_hz", kFrequency_hz);
   if (band.size() == 2 && band[1] > band[0]) return {.low = Hertz{band[0]}, .high = Hertz{band[1]}};
-  if (table.has("band_hz")) table.problem("band_hz", "must be the lowest and the highest frequency of the detector's band");
+  if (!table.is_noted("band_hz")) table.problem("band_hz", "must be the lowest and the highest frequency of the detector's band");
   return {.low = Hertz{1.0}, .high = Hertz{2.0}};
 }
 
@@ -30,6 +30,8 @@ NoiseSources read_wenz(TableReader& table) {
 NoiseTable read_table(TableReader& table) {
   NoiseTable noise{.frequency_hz = table.numbers("frequency_hz", kFrequency_hz),
                    .level_db_re_1upa2_per_hz = table.numbers("level_db_re_1upa2_per_hz", Range::between(-100.0, 300.0))};
+  const NoiseTable harmless{.frequency_hz = {1.0}, .level_db_re_1upa2_per_hz = {0.0}};
+  if (table.is_noted("frequency_hz") || table.is_noted("level_db_re_1upa2_per_hz")) return harmless;
   bool good = !noise.frequency_hz.empty() && noise.frequency_hz.size() == noise.level_db_re_1upa2_per_hz.size();
   if (!good) table.problem("frequency_hz", "must hold one frequency or more, one for each of level_db_re_1upa2_per_hz");
   for (std::size_t i = 1; good && i < noise.frequency_hz.size(); ++i) {
@@ -37,7 +39,7 @@ NoiseTable read_table(TableReader& table) {
     table.problem("frequency_hz", "must increase: value number " + std::to_string(i + 1) + " does not");
     good = false;
   }
-  return good ? noise : NoiseTable{.frequency_hz = {1.0}, .level_db_re_1upa2_per_hz = {0.0}};
+  return good ? noise : harmless;
 }
 
 }  // namespace

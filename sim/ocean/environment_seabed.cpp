@@ -36,7 +36,8 @@ std::vector<SedimentStation> read_stations(TableReader& table) {
   std::vector<SedimentStation> stations;
   for (TableReader& station : table.tables("stations")) {
     const Meters range{station.number("range_m", Range::at_least(0.0))};
-    if (!stations.empty() && !(range > stations.back().range)) station.problem("range_m", "must be more than the station's before");
+    const bool follows = stations.empty() || range > stations.back().range;
+    if (!follows && !station.is_noted("range_m")) station.problem("range_m", "must be more than the station's before");
     stations.push_back({.range = range, .layers = read_layers(station)});
   }
   if (stations.empty()) table.problem("stations", "must hold at least one station");

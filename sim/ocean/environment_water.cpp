@@ -25,6 +25,7 @@ MunkProfile read_munk(TableReader& table) {
 TabulatedProfile read_table(TableReader& table) {
   TabulatedProfile profile{.depth_m = table.numbers("depth_m", Range::between(0.0, kMaxDepth_m)),
                            .sound_speed_mps = table.numbers("sound_speed_mps", kSoundSpeed)};
+  if (table.is_noted("depth_m") || table.is_noted("sound_speed_mps")) return profile;
   const auto& depth = profile.depth_m;
   if (depth.size() != profile.sound_speed_mps.size()) {
     table.problem("sound_speed_mps", "has " + std::to_string(profile.sound_speed_mps.size()) + " values, must have one for each of the " +
@@ -45,7 +46,8 @@ std::vector<WaterStation> read_stations(TableReader& table) {
   std::vector<WaterStation> stations;
   for (TableReader& station : table.tables("stations")) {
     const Meters range{station.number("range_m", Range::at_least(0.0))};
-    if (!stations.empty() && !(range > stations.back().range)) station.problem("range_m", "must be more than the station's before");
+    const bool follows = stations.empty() || range > stations.back().range;
+    if (!follows && !station.is_noted("range_m")) station.problem("range_m", "must be more than the station's before");
     stations.push_back({.range = range, .profile = read_table(station)});
   }
   if (stations.empty()) table.problem("stations", "must hold at least one station");

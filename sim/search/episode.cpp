@@ -2,15 +2,10 @@
 
 #include <cassert>
 
-#include "firmware/core/math.hpp"
+#include "firmware/detector/threshold_detector.hpp"
 
 namespace earshot::search {
 namespace {
-
-Meters range_between(NorthEast a, NorthEast b) {
-  const NorthEast d = a - b;
-  return Meters{earshot::sqrt(d.north.value * d.north.value + d.east.value * d.east.value)};
-}
 
 NorthEast uniform_in(const Rectangle& area, Pcg32& random) {
   const double north = random.uniform_double();
@@ -51,7 +46,7 @@ double Episode::step(const SearchWorld& world, std::size_t action) {
   const double reward = step_reward(s, position_, snr_);
   record_.reward += reward;
   record_.steps += 1;
-  record_.detections += snr_ >= s.detection_threshold ? 1U : 0U;
+  record_.detections += detector::ThresholdDetector{s.detection_threshold}.detects(snr_) ? 1U : 0U;
   if (range <= s.step_length) {
     record_.end = EpisodeEnd::kFound;
   } else if (!s.domain.contains(position_)) {

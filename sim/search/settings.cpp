@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "firmware/core/math.hpp"
+#include "firmware/detector/threshold_detector.hpp"
 
 namespace earshot::search {
 namespace {
@@ -19,7 +20,7 @@ bool is_rectangle(const Rectangle& r) {
 bool can_start_out_of_reach(const SearchSettings& s) {
   const Meters north = std::max(s.start_region.north_east.north - s.source.north, s.source.north - s.start_region.south_west.north);
   const Meters east = std::max(s.start_region.north_east.east - s.source.east, s.source.east - s.start_region.south_west.east);
-  return earshot::sqrt(north.value * north.value + east.value * east.value) > s.step_length.value;
+  return length_of({north, east}) > s.step_length;
 }
 
 bool positive(double x) {
@@ -50,7 +51,7 @@ Status check(const SearchSettings& s) {
 }
 
 double step_reward(const SearchSettings& s, NorthEast position, Decibels snr) {
-  const double heard = snr >= s.detection_threshold ? 0.0 : -1.0;
+  const double heard = detector::ThresholdDetector{s.detection_threshold}.detects(snr) ? 0.0 : -1.0;
   const Meters to_edge = s.domain.distance_to_edge(position);
   if (to_edge >= s.border_width) return heard;
   return heard + s.border_reward * ((s.border_width - to_edge) / s.border_width);

@@ -16,9 +16,4 @@ namespace earshot::sonar {
 /// Source: Clark et al. 2022, Eq. 1.   Oracle: SonarEquation.GivesTenDecibelsAtNinetyOfLoss
 [[nodiscard]] Result<Decibels> signal_to_noise(Decibels source_level, Decibels transmission_loss, Decibels noise_level);
 
-/// The paper's basic threshold detector: always at or above the threshold, never below it.
-[[nodiscard]] constexpr bool is_detected(Decibels snr, Decibels detection_threshold) {
-  return snr >= detection_threshold;
-}
-
 }  // namespace earshot::sonar

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -14,12 +15,15 @@
 #include <vector>
 
 #include "earshot/decision_t.hpp"
+#include "earshot/health_t.hpp"
 #include "earshot/nav_state_t.hpp"
 #include "earshot/operator_command_t.hpp"
 #include "earshot/setpoint_t.hpp"
 #include "earshot/snr_estimate_t.hpp"
+#include "firmware/boards/linux/bus_lock.hpp"
 #include "firmware/boards/linux/journal_reader.hpp"
 #include "firmware/boards/linux/lcm_codec.hpp"
+#include "firmware/boards/linux/lcm_endpoint.hpp"
 #include "firmware/boards/linux/messages.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/boards/linux/policy_file.hpp"
@@ -86,6 +90,24 @@ class Flight : public testing::Test {
       std::this_thread::sleep_for(20ms);
     }
     return false;
+  }
+
+  /// Until there is a journal, whatever its name: its mission is on the bus.
+  [[nodiscard]] bool has_journal() const {
+    for (const auto deadline = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < deadline;) {
+      for (const auto& file : fs::directory_iterator(folder_)) {
+        if (file.path().extension() == ".lcmlog") return true;
+      }
+      std::this_thread::sleep_for(20ms);
+    }
+    return false;
+  }
+
+  /// Every file of a folder.
+  [[nodiscard]] static std::map<fs::path, std::string> contents(const fs::path& folder) {
+    std::map<fs::path, std::string> files;
+    for (const auto& file : fs::directory_iterator(folder)) files[file.path()] = support::read_text(file.path());
+    return files;
   }
 
   struct Contents {
@@ -176,6 +198,52 @@ TEST_F(Flight, GivenCtrlCBothEndInOrderAndTheJournalIsWhole) {
   EXPECT_EQ(journal().end, board::JournalReader::End::kWhole);
 }
 
+TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth) {
+  start_both();
+  ASSERT_TRUE(is_under_way()) << runtime_->output() << simulator_->output();
+  board::LcmEndpoint other(board::parse_lcm_url(slot_.lcm_url()), {});
+  for (int i = 0; i < 20; ++i) {
+    nav_state_t outside{};  // of the operating area: believed, it would end the mission
+    outside.utime = 1 + i;
+    outside.north_m = -1e6;
+    ASSERT_EQ(board::publish(other, wire::kNavStateChannel, outside), Status::kOk);
+    std::this_thread::sleep_for(5ms);
+  }
+  simulator_->signal(SIGINT);
+  EXPECT_EQ(runtime_->wait(5s), 0);
+  EXPECT_NE(runtime_->output().find("ABORT, an operator aborted it"), std::string::npos) << runtime_->output();
+  health_t health{};
+  board::JournalReader reader(folder_ / "journal.lcmlog");
+  for (board::JournalRecord record; reader.next(record);) {
+    if (record.channel == wire::kHealthChannel) (void)board::decode(record.data, health);
+  }
+  EXPECT_EQ(health.bus_refused, 20);
+}
+
+TEST_F(Flight, GivenItDiedAtSeaItStartsAgainBesideTheJournalThatIsThere) {
+  const auto start_at_sea = [this](const char* text) {
+    std::vector<std::string> a = policy_arguments();
+    a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", slot_.lcm_url()});
+    runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / text);
+  };
+  const auto wait_for_records = [this](const char* name) {
+    std::error_code error;
+    for (int i = 0; i < 1000 && !(fs::exists(folder_ / name) && fs::file_size(folder_ / name, error) > 0); ++i)
+      std::this_thread::sleep_for(10ms);
+    EXPECT_TRUE(fs::exists(folder_ / name)) << runtime_->output();
+  };
+  start_at_sea("first.txt");
+  wait_for_records("journal.lcmlog");
+  runtime_->signal(SIGKILL);
+  (void)runtime_->wait(5s);
+  start_at_sea("second.txt");
+  wait_for_records("journal-2.lcmlog");
+  runtime_->signal(SIGTERM);
+  EXPECT_EQ(runtime_->wait(5s), 0);
+  EXPECT_NE(runtime_->output().find("journal-2.lcmlog"), std::string::npos) << runtime_->output();
+  EXPECT_GT(journal().records, 0);
+}
+
 TEST_F(Flight, GivenTwoFlightsAtOnceNeitherHearsTheOther) {
   const auto alone = fly("alone", {"--seed", "5"});
   ASSERT_EQ(alone->wait(120s), 0) << alone->output();
@@ -191,21 +259,57 @@ std::vector<std::uint8_t> bytes_of(const board::Encoded& message) {
   return {message.bytes().begin(), message.bytes().end()};
 }
 
-/// Collects the inputs of a turn; true when `record` is an input.
-bool take_input(const board::JournalRecord& record, runtime::Inputs& inputs) {
+/// Gives the runtime the input that `record` holds; false when it holds none.
+bool take_input(const board::JournalRecord& record, runtime::Runtime& runtime) {
   nav_state_t navigation{};
   snr_estimate_t snr{};
   operator_command_t command{};
   if (record.channel == wire::kNavStateChannel && board::decode(record.data, navigation) == Status::kOk) {
-    inputs.navigation = board::from_message(navigation);
+    runtime.take(record.time, board::from_message(navigation));
   } else if (record.channel == wire::kSnrEstimateChannel && board::decode(record.data, snr) == Status::kOk) {
-    inputs.snr = board::from_message(snr);
+    runtime.take(record.time, board::from_message(snr));
   } else if (record.channel == wire::kOperatorCommandChannel && board::decode(record.data, command) == Status::kOk) {
-    inputs.command = board::from_message(command);
+    runtime.take(record.time, board::from_message(command));
   } else {
     return false;
   }
   return true;
+}
+
+/// A bus that no other test, flight or mission is on.
+std::string own_url(const link::RunSlot& slot) {
+  return "udpm://239.255.76.67:" + std::to_string(27'000 + slot.domain()) + "?ttl=0";
+}
+
+TEST_F(Flight, GivenAFlightOnABusASecondOneThereIsRefusedAndTheFirstGoesOnAsIfAlone) {
+  const std::string url = own_url(slot_);
+  const auto alone = fly("alone", {"--seed", "5", "--lcm-url", url});
+  ASSERT_EQ(alone->wait(120s), 0) << alone->output();
+  const auto first = fly(".", {"--seed", "5", "--lcm-url", url, "--speed", "10000"});
+  ASSERT_TRUE(is_under_way()) << first->output();
+  const auto second = fly("second", {"--seed", "6", "--lcm-url", url});
+  EXPECT_EQ(second->wait(10s), 2);
+  EXPECT_EQ(second->output(), "earshot-fly: " + url + ": another mission or flight on this machine is using it\n");
+  EXPECT_FALSE(fs::exists(folder_ / "second"));
+  EXPECT_EQ(first->wait(120s), 0) << first->output();
+  EXPECT_TRUE(support::read_text(folder_ / "alone/track.csv") == support::read_text(folder_ / "track.csv"));
+}
+
+TEST_F(Flight, GivenACanInterfaceInUseAFlightThereIsRefused) {
+  const board::FileDescriptor held = board::lock_can("vcan-held");
+  const auto flight = fly("out", {"--bus", "can", "--can-interface", "vcan-held"});
+  EXPECT_EQ(flight->wait(10s), 2);
+  EXPECT_EQ(flight->output(), "earshot-fly: CAN interface vcan-held: another mission or flight on this machine is using it\n");
+}
+
+TEST_F(Flight, GivenAMissionAtSeaAFlightOnItsBusIsRefusedAndOneWithNoBusNamedTakesAnother) {
+  const std::string url = own_url(slot_);
+  std::vector<std::string> a = policy_arguments();
+  a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", url});
+  runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
+  ASSERT_TRUE(has_journal()) << runtime_->output();
+  EXPECT_EQ(fly("there", {"--lcm-url", url})->wait(10s), 2);
+  EXPECT_EQ(fly("elsewhere", {})->wait(120s), 0);
 }
 
 TEST_F(Flight, GivenItsJournalTheRuntimeDecidesTheSameAgainBitForBit) {
@@ -217,15 +321,13 @@ TEST_F(Flight, GivenItsJournalTheRuntimeDecidesTheSameAgainBitForBit) {
   ASSERT_EQ(runtime->configure(mission, *board::load_policy(folder_ / "walk.policy", folder_ / "walk.pub")), Status::kOk);
 
   board::JournalReader journal(folder_ / "out/journal.lcmlog");
-  runtime::Inputs inputs;
   runtime::Outputs outputs;
   std::size_t turns = 0;
   std::size_t decisions = 0;
   for (board::JournalRecord record; journal.next(record);) {
-    if (take_input(record, inputs)) continue;
+    if (take_input(record, *runtime)) continue;
     if (record.channel == wire::kSetpointChannel) {
-      outputs = runtime->step(record.time, inputs);
-      inputs = {};
+      outputs = runtime->step(record.time);
       ++turns;
       ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(outputs.setpoint, record.time)))) << "turn " << turns;
     } else if (record.channel == wire::kDecisionChannel) {
@@ -233,7 +335,9 @@ TEST_F(Flight, GivenItsJournalTheRuntimeDecidesTheSameAgainBitForBit) {
       ASSERT_TRUE(outputs.decision.has_value());
       ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(*outputs.decision)))) << "decision " << decisions;
     } else {
-      ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(outputs, record.time)))) << "health of turn " << turns;
+      constexpr std::uint64_t kRefusedByTheBus = 0;
+      ASSERT_EQ(record.data, bytes_of(board::Encoded(board::to_message(outputs, kRefusedByTheBus, record.time))))
+          << "health of turn " << turns;
     }
   }
   EXPECT_EQ(journal.end(), board::JournalReader::End::kWhole);
@@ -248,7 +352,50 @@ TEST_F(Flight, GivenADamagedPolicyNothingFliesAndTheMessageNamesIt) {
   const auto flight = fly("out", {});
   EXPECT_EQ(flight->wait(10s), 2);
   EXPECT_EQ(flight->output(), (folder_ / "walk.policy").string() + ": its CRC-32 is wrong: the file is damaged\n");
-  EXPECT_TRUE(fs::is_empty(folder_ / "out"));
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(Flight, GivenADamagedPolicyAnEarlierFlightInTheFolderStaysAsItWas) {
+  const auto earlier = fly("out", {"--seed", "7"});
+  ASSERT_EQ(earlier->wait(120s), 0) << earlier->output();
+  std::ofstream(folder_ / "out/report.html") << "the page of the earlier flight";
+  const std::map<fs::path, std::string> before = contents(folder_ / "out");
+  ASSERT_EQ(before.size(), 5);  // journal, track, SNR, summary, page
+  support::write_bytes(folder_ / "walk.policy", {1, 2, 3});
+  const auto refused = fly("out", {"--seed", "8"});
+  EXPECT_EQ(refused->wait(10s), 2);
+  EXPECT_EQ(refused->output(), (folder_ / "walk.policy").string() + ": is cut short\n");
+  EXPECT_TRUE(contents(folder_ / "out") == before);
+}
+
+TEST_F(Flight, GivenCtrlCBeforeTheFirstTickNothingOfAnEarlierFlightStandsBesideTheNewJournal) {
+  fs::create_directories(folder_ / "out");
+  for (const char* name : {"summary.json", "track.csv", "report.html"}) std::ofstream(folder_ / "out" / name) << "earlier";
+  const auto flight = fly("out", {});
+  while (!fs::exists(folder_ / "out/journal.lcmlog") && flight->wait(5ms) < 0) {
+  }
+  flight->signal(SIGINT);  // the simulator solves for the sound field for some tenths of a second yet
+  EXPECT_EQ(flight->wait(10s), 130) << flight->output();
+  for (const char* name : {"summary.json", "track.csv", "report.html"}) {
+    const fs::path path = folder_ / "out" / name;
+    EXPECT_FALSE(fs::exists(path) && support::read_text(path) == "earlier") << path;
+  }
+}
+
+TEST_F(Flight, GivenAMissionBelowTheSeaFloorOneLineNamesFileAndKeyAndNothingIsWritten) {
+  std::string text = support::read_text(kMission);
+  text.replace(text.find("depth_m = 300.0"), 15, "depth_m = 3500.0");
+  text.replace(text.find("max_depth_m = 400.0"), 19, "max_depth_m = 4000.0");
+  std::ofstream(folder_ / "deep.toml") << text;
+  const std::string complaint = (folder_ / "deep.toml").string() +
+                                ": search.depth_m = 3500: must be less than 3000, the seabed.depth_m of " + kEnvironment.string() + "\n";
+  for (const char* program : {"earshot-fly", "earshot-sim"}) {
+    support::Process flight(kBin / program, {"--environment", kEnvironment, "--mission", folder_ / "deep.toml", "--out", folder_ / "out"},
+                            folder_ / "text");
+    EXPECT_EQ(flight.wait(10s), 2) << program;
+    EXPECT_EQ(flight.output(), complaint) << program;
+    EXPECT_FALSE(fs::exists(folder_ / "out")) << program;
+  }
 }
 
 TEST_F(Flight, GivenAMissingMissionOneLineSaysSo) {

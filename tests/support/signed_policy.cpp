@@ -42,6 +42,8 @@ policy::FrozenPolicy random_walk_policy() {
   policy.observation = policy::simple_state({Meters{25'000}, Meters{25'000}});
   for (const UnitNorthEast& direction : kCompass) (void)policy.actions.push_back(direction);
   policy.step_length = Meters{1000};
+  policy.area_size = {Meters{25'000}, Meters{25'000}};
+  policy.detection_threshold = Decibels{10};
   policy.draw = policy::ActionDraw::kSampled;
   policy.network.observation_size = policy.observation.size();
   policy.network.hidden_sizes = {8, 8};

@@ -13,6 +13,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "firmware/config/capacities.hpp"
+
 namespace earshot::board {
 
 namespace {
@@ -61,7 +63,12 @@ Status CanSocket::send(const n2k::Frame& frame) {
 }
 
 Status CanSocket::receive(n2k::Frame& frame) {
-  for (;;) {
+  std::size_t budget = config::kCanFramesPerCollect;
+  return receive(frame, budget);
+}
+
+Status CanSocket::receive(n2k::Frame& frame, std::size_t& budget) {
+  for (; budget > 0; --budget) {
     can_frame in{};
     iovec piece{&in, sizeof in};
     alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(std::uint32_t))> control{};
@@ -81,8 +88,10 @@ Status CanSocket::receive(n2k::Frame& frame) {
     frame.data.fill(0);
     std::copy_n(in.data, in.can_dlc, frame.data.begin());
     ++counters_.received;
+    --budget;
     return Status::kOk;
   }
+  return Status::kNotReady;
 }
 
 }  // namespace earshot::board

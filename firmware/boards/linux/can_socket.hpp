@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -26,8 +27,11 @@ class CanSocket {
 
   /// kFull: the frame was not sent; try again or count it as lost.
   [[nodiscard]] Status send(const n2k::Frame& frame);
-  /// The next extended data frame; kNotReady if none has arrived.
+  /// The next extended data frame; kNotReady if none has arrived, or none among the next kCanFramesPerCollect frames.
   [[nodiscard]] Status receive(n2k::Frame& frame);
+  /// Likewise, and takes every frame read, also of another kind, from `budget`: kNotReady once it is used up, so that a flood cannot hold
+  /// the caller.
+  [[nodiscard]] Status receive(n2k::Frame& frame, std::size_t& budget);
 
   [[nodiscard]] int file_descriptor() const { return socket_.number(); }
   [[nodiscard]] const CanCounters& counters() const { return counters_; }

@@ -10,8 +10,10 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "firmware/boards/linux/file_descriptor.hpp"
 #include "firmware/boards/linux/journal_format.hpp"
@@ -26,12 +28,48 @@ namespace {
 /// Between two writes: a fast simulation's records are written by the hundred, and waking the writer costs the appender nothing meanwhile.
 constexpr std::chrono::milliseconds kPause{1};
 constexpr std::chrono::milliseconds kRetry{100};  ///< after a write that failed
+constexpr int kMostJournals = 9999;               ///< in one folder
 
-FileDescriptor create(const std::filesystem::path& path, JournalOptions::Existing existing) {
-  const int mode = existing == JournalOptions::Existing::kRefuse ? O_EXCL : O_TRUNC;
-  FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, 0644));
-  if (file.number() < 0) throw std::system_error(errno, std::generic_category(), path.string());
-  return file;
+[[noreturn]] void fail(const std::filesystem::path& path) {
+  throw std::system_error(errno, std::generic_category(), path.string());
+}
+
+/// "journal-2.lcmlog" for "journal.lcmlog"
+std::filesystem::path numbered(const std::filesystem::path& path, int number) {
+  std::filesystem::path name = path.stem();
+  name += "-" + std::to_string(number);
+  name += path.extension();
+  return path.parent_path() / name;
+}
+
+struct Created {
+  std::filesystem::path path;
+  FileDescriptor file;
+};
+
+Created create(const std::filesystem::path& wanted, JournalOptions::Existing existing) {
+  using Existing = JournalOptions::Existing;
+  const int mode = existing == Existing::kReplace ? O_TRUNC : O_EXCL;
+  std::filesystem::path path = wanted;
+  for (int number = 2;; ++number) {
+    FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, 0644));
+    if (file.number() >= 0) return {std::move(path), std::move(file)};
+    if (errno != EEXIST || existing != Existing::kKeep || number > kMostJournals) fail(path);
+    path = numbered(wanted, number);
+  }
+}
+
+/// Brings the folder's entry of a new file to the disk.
+void keep_entry(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const FileDescriptor entries(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (entries.number() < 0 || ::fsync(entries.number()) != 0) fail(folder);
+}
+
+Created create(const std::filesystem::path& wanted, const JournalOptions& options) {
+  Created created = create(wanted, options.existing);
+  if (options.survives == JournalOptions::Survives::kPowerCut) keep_entry(created.path);
+  return created;
 }
 
 std::span<const std::uint8_t> bytes_of(std::string_view text) {
@@ -58,6 +96,7 @@ std::array<std::uint8_t, kRecordHeaderSize> header_of(std::uint32_t number, Time
 /// A byte ring between the thread that appends and the thread that writes. Bytes are copied outside the lock; the lock guards the two
 /// positions only, and is never held over a system call on the file.
 struct Journal::Writer {
+  std::filesystem::path path;
   FileDescriptor file;
   JournalOptions options;
   std::array<std::uint8_t, config::kJournalBufferBytes> ring;
@@ -73,7 +112,8 @@ struct Journal::Writer {
   std::atomic<std::uint64_t> write_errors = 0;
   std::thread thread;
 
-  Writer(FileDescriptor opened, JournalOptions chosen) : file(std::move(opened)), options(chosen), thread([this] { run(); }) {}
+  Writer(Created created, JournalOptions chosen)
+      : path(std::move(created.path)), file(std::move(created.file)), options(chosen), thread([this] { run(); }) {}
 
   void copy_in(std::uint64_t& position, std::span<const std::uint8_t> bytes) {
     const std::size_t at = position % ring.size();
@@ -127,8 +167,7 @@ struct Journal::Writer {
   }
 };
 
-Journal::Journal(const std::filesystem::path& path, JournalOptions options)
-    : writer_(new Writer(create(path, options.existing), options)) {}
+Journal::Journal(const std::filesystem::path& path, JournalOptions options) : writer_(new Writer(create(path, options), options)) {}
 
 Journal::~Journal() {
   static_cast<void>(close());
@@ -178,6 +217,10 @@ JournalCounters Journal::counters() const {
   JournalCounters counters = writer_->counters;
   counters.write_errors = writer_->write_errors;
   return counters;
+}
+
+const std::filesystem::path& Journal::path() const {
+  return writer_->path;
 }
 
 }  // namespace earshot::board

@@ -21,10 +21,14 @@ struct JournalOptions {
   /// What a record in the file survives.
   enum class Survives : std::uint8_t {
     kProcess,   ///< the end of this process; the kernel writes to the disk when it likes
-    kPowerCut,  ///< a power cut: the writer calls fdatasync after every batch
+    kPowerCut,  ///< a power cut: the writer calls fdatasync after every batch, and the folder's entry is on the disk before the first
   } survives = Survives::kProcess;
   /// What becomes of a file of that name.
-  enum class Existing : std::uint8_t { kRefuse, kReplace } existing = Existing::kRefuse;
+  enum class Existing : std::uint8_t {
+    kRefuse,
+    kReplace,
+    kKeep,  ///< at sea: it stays, and this journal is NAME-2, NAME-3, ... so that a process that died can be started again
+  } existing = Existing::kRefuse;
 };
 
 /// Counters of a journal; they only grow.
@@ -63,6 +67,8 @@ class Journal {
   [[nodiscard]] Status close();
 
   [[nodiscard]] JournalCounters counters() const;
+  /// Of the file that is written.
+  [[nodiscard]] const std::filesystem::path& path() const;
 
  private:
   struct Writer;

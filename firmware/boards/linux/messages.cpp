@@ -59,7 +59,7 @@ decision_t to_message(const runtime::Decision& decision) {
   return m;
 }
 
-health_t to_message(const runtime::Outputs& outputs, Time now) {
+health_t to_message(const runtime::Outputs& outputs, std::uint64_t bus_refused, Time now) {
   health_t m{};
   m.utime = now.us;
   m.state = static_cast<std::int8_t>(outputs.state);
@@ -69,6 +69,7 @@ health_t to_message(const runtime::Outputs& outputs, Time now) {
   m.snr_refused = static_cast<std::int32_t>(outputs.counters.snr_refused);
   m.commands_refused = static_cast<std::int32_t>(outputs.counters.commands_refused);
   m.setpoints_limited = static_cast<std::int32_t>(outputs.counters.setpoints_limited);
+  m.bus_refused = static_cast<std::int64_t>(bus_refused);
   return m;
 }
 

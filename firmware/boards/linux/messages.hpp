@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "earshot/decision_t.hpp"
 #include "earshot/health_t.hpp"
 #include "earshot/nav_state_t.hpp"
@@ -19,7 +21,7 @@ namespace earshot::board {
 [[nodiscard]] operator_command_t to_message(runtime::OperatorCommand command, Time now);
 [[nodiscard]] setpoint_t to_message(const runtime::Setpoint& setpoint, Time now);
 [[nodiscard]] decision_t to_message(const runtime::Decision& decision);
-[[nodiscard]] health_t to_message(const runtime::Outputs& outputs, Time now);
+[[nodiscard]] health_t to_message(const runtime::Outputs& outputs, std::uint64_t bus_refused, Time now);
 
 // Values are as they came: the runtime judges them.
 [[nodiscard]] runtime::Navigation from_message(const nav_state_t& message);

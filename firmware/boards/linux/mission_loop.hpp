@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdint>
 
+#include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/vehicle_bus.hpp"
 #include "firmware/core/time.hpp"
@@ -21,7 +22,8 @@ enum class LoopEnd : std::uint8_t {
 struct LoopResult {
   LoopEnd end = LoopEnd::kStopped;
   runtime::Outputs last;
-  Time time;
+  Time began;  ///< at sea: when the loop began; in simulation: the first tick
+  Time time;   ///< of the last turn
 };
 
 /// In lock-step with a simulator: one turn for every tick, once the navigation that the tick announces has arrived over the bus.
@@ -30,8 +32,19 @@ struct LoopResult {
 [[nodiscard]] LoopResult fly_in_simulation(MissionTurn& turn, VehicleBus& bus, link::RuntimeEnd& link,
                                            const volatile std::sig_atomic_t& stop);
 
-/// On the host's clock: one turn every `period` with whatever has arrived. After DONE or ABORT it goes on telling the autopilot to come up.
-/// Ends when told to stop.
-[[nodiscard]] LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, Duration period, const volatile std::sig_atomic_t& stop);
+/// What the loop at sea needs to know of the mission.
+struct SeaTiming {
+  Duration period;              ///< between two turns
+  Duration navigation_timeout;  ///< see SenderClock
+  Duration snr_timeout;
+};
+
+/// On the host's clock: one turn every period with whatever has arrived. After DONE or ABORT it goes on telling the autopilot to come up.
+/// Ends when told to stop, with a last turn: an
+/// ABORT if the mission is not over yet, so that the autopilot does not go on with the last set-point of the search.
+/// Mission time is UTC as it is when the loop begins, and runs on whatever becomes of the wall clock; messages dated by a wall clock are
+/// moved to it (SenderClock).
+[[nodiscard]] LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& host, const SeaTiming& timing,
+                                    const volatile std::sig_atomic_t& stop);
 
 }  // namespace earshot::board

@@ -50,24 +50,32 @@ const char* in_words(runtime::EndReason reason) {
 
 }  // namespace
 
-runtime::Outputs MissionTurn::operator()(Time now, const runtime::Inputs& inputs) {
-  record(now, inputs);
-  const runtime::Outputs outputs = runtime_.step(now, inputs);
-  bus_.publish(now, outputs);
-  record(now, outputs);
-  return outputs;
+void MissionTurn::take(Time now, const runtime::Navigation& navigation) {
+  append(journal_, now, wire::kNavStateChannel, to_message(navigation));
+  runtime_.take(now, navigation);
 }
 
-void MissionTurn::record(Time now, const runtime::Inputs& inputs) {
-  if (inputs.navigation) append(journal_, now, wire::kNavStateChannel, to_message(*inputs.navigation));
-  if (inputs.snr) append(journal_, now, wire::kSnrEstimateChannel, to_message(*inputs.snr));
-  if (inputs.command) append(journal_, now, wire::kOperatorCommandChannel, to_message(*inputs.command, now));
+void MissionTurn::take(Time now, const runtime::SnrEstimate& estimate) {
+  append(journal_, now, wire::kSnrEstimateChannel, to_message(estimate));
+  runtime_.take(now, estimate);
+}
+
+void MissionTurn::take(Time now, runtime::OperatorCommand command) {
+  append(journal_, now, wire::kOperatorCommandChannel, to_message(command, now));
+  runtime_.take(now, command);
+}
+
+runtime::Outputs MissionTurn::operator()(Time now) {
+  const runtime::Outputs outputs = runtime_.step(now);
+  record(now, outputs);
+  bus_.publish(now, outputs);
+  return outputs;
 }
 
 void MissionTurn::record(Time now, const runtime::Outputs& outputs) {
   append(journal_, now, wire::kSetpointChannel, to_message(outputs.setpoint, now));
   if (outputs.decision) append(journal_, now, wire::kDecisionChannel, to_message(*outputs.decision));
-  append(journal_, now, wire::kHealthChannel, to_message(outputs, now));
+  append(journal_, now, wire::kHealthChannel, to_message(outputs, bus_.counters().refused_messages, now));
 }
 
 std::string in_words(const runtime::Outputs& outputs) {

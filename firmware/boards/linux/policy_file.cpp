@@ -6,8 +6,10 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
 #include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -54,7 +56,7 @@ const char* in_words(policy::PolicyFault fault) {
     case policy::PolicyFault::kBadMagic:
       return "is not a .policy file";
     case policy::PolicyFault::kUnknownVersion:
-      return "is of a later format than this program knows";
+      return "is of another version of the .policy format than this program's: freeze it again with earshot freeze";
     case policy::PolicyFault::kBadChecksum:
       return "its CRC-32 is wrong: the file is damaged";
     case policy::PolicyFault::kBadShape:
@@ -71,6 +73,33 @@ const char* in_words(policy::PolicyFault fault) {
       return "its network does not give its own golden logits on this machine";
   }
   return "is unreadable";
+}
+
+std::string in_words(double value) {
+  std::ostringstream text;
+  text << std::setprecision(10) << value;
+  return text.str();
+}
+
+std::string in_words(NorthEast size) {
+  return in_words(size.north.value) + " m north x " + in_words(size.east.value) + " m east";
+}
+
+/// "KEY = VALUE: must be VALUE" of the mission's number that does not fit; empty when all do.
+std::string complaint_about(const policy::FrozenPolicy& policy, const config::Mission& mission) {
+  const Rectangle& area = mission.operating_area;
+  switch (policy::misfit(policy, mission)) {
+    case policy::Misfit::kNone:
+      break;
+    case policy::Misfit::kStepLength:
+      return "search.step_length_m = " + in_words(mission.step_length.value) + ": must be " + in_words(policy.step_length.value);
+    case policy::Misfit::kAreaSize:
+      return "area is " + in_words(area.north_east - area.south_west) + ": must be " + in_words(policy.area_size);
+    case policy::Misfit::kDetectionThreshold:
+      return "search.detection_threshold_db = " + in_words(mission.detection_threshold.value) + ": must be " +
+             in_words(policy.detection_threshold.value);
+  }
+  return {};
 }
 
 bool is_signed_by(const PublicKey& key, std::span<const std::uint8_t> bytes) {
@@ -91,6 +120,13 @@ std::unique_ptr<policy::FrozenPolicy> load_policy(const std::filesystem::path& p
   if (policy::parse(bytes, *parsed, fault) != Status::kOk) throw BadInput(path.string() + ": " + in_words(fault));
   if (!is_signed_by(key, bytes)) throw BadInput(path.string() + ": is not signed by the trusted key " + public_key.string());
   return parsed;
+}
+
+void check_fits(const policy::FrozenPolicy& policy, const std::filesystem::path& policy_path, const config::Mission& mission,
+                const std::filesystem::path& mission_path) {
+  const std::string complaint = complaint_about(policy, mission);
+  if (complaint.empty()) return;
+  throw BadInput(mission_path.string() + ": " + complaint + ", which the policy " + policy_path.string() + " was trained with");
 }
 
 }  // namespace earshot::board

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "firmware/config/mission.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 
 namespace earshot::board {
@@ -11,5 +12,9 @@ namespace earshot::board {
 /// @param public_key  file of the trusted key: 32 bytes in hexadecimal
 /// @throws config_file::BadInput naming the file and what is wrong with it.
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key);
+
+/// @throws config_file::BadInput naming the mission's key and value, the policy and the value it was trained with, when they differ.
+void check_fits(const policy::FrozenPolicy& policy, const std::filesystem::path& policy_path, const config::Mission& mission,
+                const std::filesystem::path& mission_path);
 
 }  // namespace earshot::board

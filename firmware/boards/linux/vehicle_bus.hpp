@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "firmware/boards/linux/input_sink.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/runtime/runtime.hpp"
@@ -11,10 +12,9 @@ namespace earshot::board {
 
 /// Counters of the bus as the runtime sees it; they only grow.
 struct BusCounters {
-  std::uint64_t navigation_messages = 0;  ///< fixes received
-  std::uint64_t refused_messages = 0;     ///< malformed
-  std::uint64_t setpoint_messages = 0;    ///< set-points sent
-  std::uint64_t unsent_messages = 0;      ///< refused by the kernel or not representable on the bus
+  std::uint64_t refused_messages = 0;   ///< malformed, dated wrongly, or lost because they came faster than they were taken
+  std::uint64_t setpoint_messages = 0;  ///< set-points sent
+  std::uint64_t unsent_messages = 0;    ///< refused by the kernel or not representable on the bus
 };
 
 /// The vehicle's bus: navigation in, set-points out, and where the bus can carry them also orders and SNR in, decisions and health out.
@@ -26,14 +26,22 @@ class VehicleBus {
   VehicleBus(const VehicleBus&) = delete;
   VehicleBus& operator=(const VehicleBus&) = delete;
 
-  /// Puts the newest of each kind that has arrived into `inputs`; what has not arrived stays as it is.
-  virtual void collect(Time now, runtime::Inputs& inputs) = 0;
+  /// Gives `sink` all that has arrived, in order of arrival.
+  virtual void collect(Time now, InputSink& sink) = 0;
   virtual void publish(Time now, const runtime::Outputs& outputs) = 0;
-  /// For poll().
-  [[nodiscard]] virtual int file_descriptor() const = 0;
-  [[nodiscard]] const BusCounters& counters() const { return counters_; }
+  /// Until collect() has something to read, but no longer than `most`.
+  virtual void wait(Duration most) = 0;
+  [[nodiscard]] BusCounters counters() const {
+    BusCounters counters = counters_;
+    counters.refused_messages += refused_below();
+    return counters;
+  }
+  /// For who takes from collect() and refuses a message.
+  void count_refused() { ++counters_.refused_messages; }
 
  protected:
+  /// What socket and transport refused or lost.
+  [[nodiscard]] virtual std::uint64_t refused_below() const { return 0; }
   void count_sent(Status status, std::uint64_t& sent) { ++(status == Status::kOk ? sent : counters_.unsent_messages); }
   BusCounters counters_;
 };

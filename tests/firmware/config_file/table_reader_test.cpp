@@ -153,6 +153,20 @@ TEST(TableReader, ReportsTheCallersOwnFindings) {
   EXPECT_EQ(complaint("search_depth_m = 400", read), ":1: search_depth_m = 400: must be less than max_depth_m");
 }
 
+TEST(TableReader, KnowsOfWhichKeysItHasNotedAProblem) {
+  const auto read = [](TableReader& root) {
+    static_cast<void>(root.number("good_m"));
+    static_cast<void>(root.number("bad_m"));
+    static_cast<void>(root.number("missing_m"));
+    static_cast<void>(root.numbers("bad_in_the_middle_m"));
+    EXPECT_FALSE(root.is_noted("good_m"));
+    EXPECT_TRUE(root.is_noted("bad_m"));
+    EXPECT_TRUE(root.is_noted("missing_m"));
+    EXPECT_TRUE(root.is_noted("bad_in_the_middle_m"));
+  };
+  EXPECT_NE(complaint("good_m = 1\nbad_m = nan\nbad_in_the_middle_m = [1, inf, 2]\n", read), "");
+}
+
 TEST(TableReader, ReportsEveryProblemAtOnce) {
   const auto read = [](TableReader& root) {
     static_cast<void>(root.number("a", Range::above(0)));

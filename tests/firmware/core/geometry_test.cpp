@@ -11,6 +11,17 @@ NorthEast at(double north, double east) {
   return {.north = Meters{north}, .east = Meters{east}};
 }
 
+TEST(LengthOf, IsTheHypotenuse) {
+  EXPECT_EQ(length_of(at(3000, -4000)), Meters{5000});
+  EXPECT_EQ(length_of(at(0, 0)), Meters{0});
+  EXPECT_FALSE(length_of(at(std::numeric_limits<double>::quiet_NaN(), 0)) >= Meters{0});
+}
+
+TEST(RangeBetween, IsTheSameFromEitherEnd) {
+  EXPECT_EQ(range_between(at(100, 200), at(-20, 250)), Meters{130});
+  EXPECT_EQ(range_between(at(-20, 250), at(100, 200)), Meters{130});
+}
+
 const Rectangle kArea{.south_west = at(-10, 100), .north_east = at(30, 200)};
 
 TEST(Rectangle, ContainsItsEdgesAndCornersAndNothingBeyond) {

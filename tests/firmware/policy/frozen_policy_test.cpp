@@ -26,7 +26,10 @@ constexpr std::size_t kActivationAt = 16;
 constexpr std::size_t kDrawAt = 17;
 constexpr std::size_t kActionCountAt = 19;
 constexpr std::size_t kStepLengthAt = 24;
-constexpr std::size_t kElementsAt = 36;
+constexpr std::size_t kAreaNorthAt = 32;
+constexpr std::size_t kAreaEastAt = 40;
+constexpr std::size_t kThresholdAt = 48;
+constexpr std::size_t kElementsAt = 60;
 constexpr std::size_t kDirectionsAt = kElementsAt + 2 * 12;
 constexpr std::size_t kWeightsAt = kDirectionsAt + 4 * 16;
 constexpr std::size_t kParameters = 3 * 5 + 6 * 3 + 4 * 4;
@@ -45,6 +48,8 @@ std::unique_ptr<FrozenPolicy> small_policy() {
     EXPECT_EQ(policy->actions.push_back(direction), Status::kOk);
   }
   policy->step_length = Meters{1000};
+  policy->area_size = {.north = Meters{25000}, .east = Meters{26000}};
+  policy->detection_threshold = Decibels{-3.5};
   policy->draw = ActionDraw::kSampled;
   policy->network.observation_size = 2;
   policy->network.hidden_sizes = {5, 3};
@@ -85,6 +90,12 @@ void put_double(std::vector<std::uint8_t>& bytes, std::size_t at, double value) 
   std::copy(raw.begin(), raw.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
+double double_at(const std::vector<std::uint8_t>& bytes, std::size_t at) {
+  std::array<std::uint8_t, 8> raw{};
+  std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), raw.size(), raw.begin());
+  return std::bit_cast<double>(raw);
+}
+
 struct Parsed {
   Status status;
   PolicyFault fault;
@@ -109,9 +120,13 @@ TEST(FrozenPolicy, LiesInItsBytesAsTheReadmeSays) {
   const std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
   ASSERT_EQ(bytes.size(), kLength);
   EXPECT_EQ(std::string_view(reinterpret_cast<const char*>(bytes.data()), 8), "EARSHOTP");
-  EXPECT_EQ(bytes[kVersionAt], 1);
+  EXPECT_EQ(bytes[kVersionAt], 2);
   EXPECT_EQ(bytes[kLengthAt] + 256U * bytes[kLengthAt + 1], kLength);
   EXPECT_EQ(bytes[kActionCountAt], 4);
+  EXPECT_EQ(double_at(bytes, kStepLengthAt), 1000.0);
+  EXPECT_EQ(double_at(bytes, kAreaNorthAt), 25000.0);
+  EXPECT_EQ(double_at(bytes, kAreaEastAt), 26000.0);
+  EXPECT_EQ(double_at(bytes, kThresholdAt), -3.5);
   EXPECT_EQ(std::string_view(reinterpret_cast<const char*>(bytes.data()) + kProvenanceAt, kProvenance.size()), kProvenance);
   EXPECT_EQ(bytes[kPublicKeyAt], 1);
 }
@@ -127,6 +142,8 @@ TEST(FrozenPolicy, ComesBackFromItsBytesAsItWas) {
   EXPECT_TRUE(std::ranges::equal(after->actions, before->actions));
   EXPECT_TRUE(std::ranges::equal(after->provenance, before->provenance));
   EXPECT_EQ(after->step_length, before->step_length);
+  EXPECT_EQ(after->area_size, before->area_size);
+  EXPECT_EQ(after->detection_threshold, before->detection_threshold);
   EXPECT_EQ(after->draw, before->draw);
   EXPECT_EQ(after->network.hidden_sizes, before->network.hidden_sizes);
   EXPECT_EQ(after->network.first.weights, before->network.first.weights);
@@ -155,6 +172,7 @@ TEST(FrozenPolicy, OfTheLargestSizesFillsTheLargestSerialisedSize) {
   while (policy->provenance.push_back('x') == Status::kOk) {
   }
   policy->step_length = Meters{1};
+  policy->area_size = {.north = Meters{1}, .east = Meters{1}};
   policy->network.observation_size = config::kMaxObservation;
   policy->network.hidden_sizes = {Network::kWidth, Network::kWidth};
   policy->network.action_count = config::kMaxActions;
@@ -204,7 +222,8 @@ TEST(FrozenPolicy, WithAWrongChecksumIsCorrupt) {
 
 TEST(FrozenPolicy, NamesWhatIsWrongWithItsHeader) {
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[0] = 'e'; }).fault, PolicyFault::kBadMagic);
-  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 2; }).fault, PolicyFault::kUnknownVersion);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 1; }).fault, PolicyFault::kUnknownVersion);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 3; }).fault, PolicyFault::kUnknownVersion);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActivationAt] = 0; }).fault, PolicyFault::kUnknownActivation);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kDrawAt] = 3; }).fault, PolicyFault::kUnknownDraw);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActionCountAt] = 0; }).fault, PolicyFault::kBadShape);
@@ -219,6 +238,9 @@ TEST(FrozenPolicy, WithANumberThatIsNoneIsRefused) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(parsed_after([](auto& bytes) { put_float(bytes, kElementsAt + 8, kNan); }).fault, PolicyFault::kNotFinite);
   EXPECT_EQ(parsed_after([](auto& bytes) { put_double(bytes, kDirectionsAt, 0.5); }).fault, PolicyFault::kNotFinite);
+  EXPECT_EQ(parsed_after([](auto& bytes) { put_double(bytes, kAreaNorthAt, 0.0); }).fault, PolicyFault::kNotFinite);
+  EXPECT_EQ(parsed_after([](auto& bytes) { put_double(bytes, kAreaEastAt, double{kNan}); }).fault, PolicyFault::kNotFinite);
+  EXPECT_EQ(parsed_after([](auto& bytes) { put_double(bytes, kThresholdAt, double{kNan}); }).fault, PolicyFault::kNotFinite);
   for (std::size_t i = 0; i < kParameters; ++i) {
     const Parsed result = parsed_after([i](auto& bytes) { put_float(bytes, kWeightsAt + 4 * i, kNan); });
     EXPECT_EQ(result.status, Status::kOutOfRange) << i;
@@ -253,6 +275,35 @@ TEST(FrozenPolicy, SurvivesAnyBytesWhatever) {
   }
 }
 
+/// A mission that small_policy() was trained for, its corners where a sum of doubles rounds.
+config::Mission fitting_mission() {
+  config::Mission mission;
+  mission.operating_area.south_west = {.north = Meters{-5000.1}, .east = Meters{1000.3}};
+  mission.operating_area.north_east = {.north = Meters{19999.9}, .east = Meters{27000.3}};
+  mission.step_length = Meters{1000};
+  mission.detection_threshold = Decibels{-3.5};
+  return mission;
+}
+
+Misfit misfit_after(const std::function<void(config::Mission&)>& change) {
+  config::Mission mission = fitting_mission();
+  change(mission);
+  return misfit(*small_policy(), mission);
+}
+
+TEST(FrozenPolicy, FitsAMissionWhereverItsAreaLies) {
+  EXPECT_EQ(misfit(*small_policy(), fitting_mission()), Misfit::kNone);
+}
+
+TEST(FrozenPolicy, DoesNotFitAMissionOfAnotherStepAreaOrThreshold) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.step_length = Meters{999}; }), Misfit::kStepLength);
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.operating_area.north_east.north += Meters{0.1}; }), Misfit::kAreaSize);
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.operating_area.north_east.east -= Meters{0.1}; }), Misfit::kAreaSize);
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.operating_area.south_west.east = Meters{kNan}; }), Misfit::kAreaSize);
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.detection_threshold = Decibels{-3.4}; }), Misfit::kDetectionThreshold);
+}
+
 TEST(Serialise, RefusesAPolicyThatParseWouldRefuse) {
   std::vector<std::uint8_t> bytes(max_serialised_size());
   const auto refused = [&bytes](const std::function<void(FrozenPolicy&)>& damage) {
@@ -266,6 +317,7 @@ TEST(Serialise, RefusesAPolicyThatParseWouldRefuse) {
   EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.network.second.bias[2] = std::numeric_limits<float>::infinity(); }),
             Status::kOutOfRange);
   EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.step_length = Meters{-1}; }), Status::kOutOfRange);
+  EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.area_size.east = Meters{0}; }), Status::kOutOfRange);
   EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.network.output.weights.fill(3e38F); }), Status::kOutOfRange);  // logits overflow
 }
 

@@ -46,6 +46,8 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_goes(std::size_t action
     static_cast<void>(policy->actions.push_back(direction));
   }
   policy->step_length = Meters{1000};
+  policy->area_size = at(25000, 25000);
+  policy->detection_threshold = Decibels{10};
   policy->draw = policy::ActionDraw::kArgmax;
   policy->network.observation_size = 2;
   policy->network.hidden_sizes = {64, 64};

@@ -62,6 +62,32 @@ TEST(Mission, AbortsWhenTheOperatorSaysSoWhateverItIsDoing) {
   }
 }
 
+TEST(Mission, AbortsHoweverManyOtherOrdersAreTakenBesideTheAbort) {
+  using enum OperatorCommand;
+  for (const OperatorCommand other : {kStart, kComplete}) {
+    Rig rig(*policy_that_goes(kNorthward));
+    rig.sail();
+    for (const OperatorCommand command : {kStart, kAbort, other}) rig.runtime->take(rig.now, command);
+    rig.sail();
+    EXPECT_EQ(rig.outputs.state, MissionState::kAbort);
+    EXPECT_EQ(rig.outputs.end_reason, EndReason::kOperatorAbort);
+    EXPECT_EQ(rig.outputs.counters.commands_refused, 1U);
+  }
+}
+
+TEST(Mission, GoesOnWithAGoodFixThoughABadOneIsTakenAfterItInEveryTurn) {
+  Rig rig = given_a_search_under_way();
+  for (int second = 1; second <= 20; ++second) {
+    const Time now = rig.now + Duration::seconds(1);
+    rig.runtime->take(now, rig.navigation_at(now));
+    Navigation bad = rig.navigation_at(now);
+    bad.position.north = Meters{std::nan("")};
+    rig.step({.navigation = bad, .snr = SnrEstimate{.time = now, .snr = rig.snr}});
+    ASSERT_EQ(rig.outputs.state, MissionState::kSearch) << second;
+  }
+  EXPECT_EQ(rig.outputs.counters.navigation_refused, 20U);
+}
+
 TEST(Mission, AbortsOnceNavigationIsOlderThanItsTimeoutAndNotBefore) {
   Rig rig = given_a_search_under_way();
   const auto step_without_navigation = [&rig] { rig.step({.snr = SnrEstimate{.time = rig.now, .snr = rig.snr}}); };

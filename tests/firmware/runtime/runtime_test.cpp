@@ -32,9 +32,22 @@ TEST(Configure, RefusesAPolicyTrainedWithAnotherStepLength) {
   EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
 }
 
+TEST(Configure, RefusesAPolicyTrainedInAnAreaOfAnotherSize) {
+  config::Mission mission = paper_mission();
+  mission.operating_area.north_east = mission.operating_area.south_west + at(50000, 50000);
+  EXPECT_EQ(Rig(*policy_that_goes(kNorthward), mission).configured, Status::kOutOfRange);
+}
+
+TEST(Configure, RefusesAPolicyTrainedWithAnotherDetectionThreshold) {
+  config::Mission mission = paper_mission();
+  mission.detection_threshold = Decibels{12};
+  EXPECT_EQ(Rig(*policy_that_goes(kNorthward), mission).configured, Status::kOutOfRange);
+}
+
 TEST(Configure, RefusesAnEmptyPolicyAndOneWhoseSizesContradictEachOther) {
-  const auto policy = std::make_unique<policy::FrozenPolicy>();
-  policy->step_length = Meters{1000};
+  const auto policy = policy_that_goes(kNorthward);
+  policy->observation.clear();
+  policy->actions.clear();
   EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
   const auto crooked = policy_that_goes(kNorthward);
   crooked->network.action_count = 5;

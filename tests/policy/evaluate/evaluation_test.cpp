@@ -42,6 +42,8 @@ std::unique_ptr<policy::FrozenPolicy> goes_north(float margin) {
   policy->observation = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}});
   policy->actions = search::compass_directions(4);
   policy->step_length = Meters{1'000.0};
+  policy->area_size = {Meters{25'000.0}, Meters{25'000.0}};
+  policy->detection_threshold = Decibels{10.0};
   policy->draw = policy::ActionDraw::kArgmax;
   policy->network.observation_size = 2;
   policy->network.hidden_sizes = {1, 1};
@@ -50,20 +52,35 @@ std::unique_ptr<policy::FrozenPolicy> goes_north(float margin) {
   return policy;
 }
 
+/// Starts on a line 5 to 6 km south of the source and at most 900 m to its side: due north finds it.
+search::SearchSettings south_of_the_source(const policy::FrozenPolicy& policy) {
+  search::SearchSettings settings = search_of(policy);
+  settings.start_region = {{Meters{4'000.0}, Meters{9'100.0}}, {Meters{5'000.0}, Meters{10'900.0}}};
+  return settings;
+}
+
 class EvaluateTest : public testing::Test {
  protected:
-  EvaluateTest() {
-    // Starts on a line 5 to 6 km south of the source and at most 900 m to its side: due north finds it.
-    settings.start_region = {{Meters{4'000.0}, Meters{9'100.0}}, {Meters{5'000.0}, Meters{10'900.0}}};
-  }
   sonar::SnrCurve curve{Meters{1'000.0}, std::vector<float>(40, 20.0F)};
-  search::SearchSettings settings;
 };
+
+TEST(SearchOf, IsInTheAreaAndWithTheThresholdThePolicyWasTrainedWith) {
+  const auto policy = goes_north(1.0F);
+  policy->area_size = {Meters{40'000.0}, Meters{50'000.0}};
+  policy->detection_threshold = Decibels{12.0};
+  const search::SearchSettings settings = search_of(*policy);
+  EXPECT_EQ(settings.domain.south_west, (NorthEast{}));
+  EXPECT_EQ(settings.domain.north_east, (NorthEast{Meters{40'000.0}, Meters{50'000.0}}));
+  EXPECT_EQ(settings.start_region.north_east, settings.domain.north_east);
+  EXPECT_EQ(settings.detection_threshold, Decibels{12.0});
+  EXPECT_EQ(settings.direction_count, 4U);
+  EXPECT_EQ(search::check(settings), Status::kOk);
+}
 
 TEST_F(EvaluateTest, FliesThePolicysActionsWithItsOwnStepLength) {
   const auto policy = goes_north(1.0F);
   policy->step_length = Meters{1'500.0};
-  const auto records = evaluate(*policy, policy->draw, world_of(*policy, settings, curve), 20, 1);
+  const auto records = evaluate(*policy, policy->draw, world_of(*policy, south_of_the_source(*policy), curve), 20, 1);
   for (const EpisodeRecord& record : records) {
     EXPECT_EQ(record.end, EpisodeEnd::kFound);
     EXPECT_LE(record.steps, 4U);  // 5 to 6 km in steps of 1.5 km, to within 1.5 km
@@ -73,7 +90,7 @@ TEST_F(EvaluateTest, FliesThePolicysActionsWithItsOwnStepLength) {
 
 TEST_F(EvaluateTest, GivesTheSameEpisodesForTheSameSeedAndTheSameStartsForEveryPolicy) {
   const auto north = goes_north(0.5F);
-  const auto world = world_of(*north, settings, curve);
+  const auto world = world_of(*north, south_of_the_source(*north), curve);
   auto rewards = [&](const policy::FrozenPolicy& policy, policy::ActionDraw draw, std::uint64_t seed) {
     std::vector<std::uint32_t> steps;
     for (const EpisodeRecord& record : evaluate(policy, draw, world, 30, seed)) steps.push_back(record.steps);

@@ -58,7 +58,7 @@ TEST(ShippedPolicy, FindsTheFixedSourceOfThePapersOceanInNinetyNinePercentOfSear
   const auto policy = load_policy(kShipped);
   const ocean::Environment environment = ocean::load_environment(EARSHOT_SOURCE_DIR "/sim/ocean/environments/munk_flat.toml");
   const sonar::SnrCurve curve = sonar::compute_snr_curve(environment, Meters{300.0}, Meters{37'000.0});
-  search::SearchSettings settings;
+  search::SearchSettings settings = search_of(*policy);
   settings.source = environment.source.position;
   const Summary summary = summarise(evaluate(*policy, policy->draw, world_of(*policy, settings, curve), 300, 2026));
   EXPECT_GE(summary.found_fraction, 0.99);

@@ -18,6 +18,8 @@ ppo::Checkpoint made_up_checkpoint() {
   checkpoint.observation = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value();
   checkpoint.direction_count = 8;
   checkpoint.step_length = Meters{1'000.0};
+  checkpoint.area_size = {Meters{25'000.0}, Meters{30'000.0}};
+  checkpoint.detection_threshold = Decibels{11.0};
   checkpoint.provenance = {{"command", "earshot-train"}, {"seed", "3"}};
   ppo::ActorCritic<float> networks(checkpoint.shape());
   Pcg32 random(3);
@@ -54,6 +56,8 @@ TEST(Freeze, KeepsWhatThePolicySeesDoesAndComesFrom) {
   EXPECT_EQ(frozen->actions.size(), 8U);
   EXPECT_EQ(frozen->actions[2], (UnitNorthEast{0.0, 1.0}));
   EXPECT_EQ(frozen->step_length, Meters{1'000.0});
+  EXPECT_EQ(frozen->area_size, checkpoint.area_size);
+  EXPECT_EQ(frozen->detection_threshold, Decibels{11.0});
   EXPECT_EQ(frozen->draw, policy::ActionDraw::kArgmax);
   EXPECT_EQ(std::string(frozen->provenance.begin(), frozen->provenance.end()), "command = earshot-train\nseed = 3\n");
 }

@@ -15,6 +15,8 @@ Checkpoint made_up() {
   checkpoint.observation = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}});
   checkpoint.direction_count = 8;
   checkpoint.step_length = Meters{1'000.0};
+  checkpoint.area_size = {Meters{25'000.0}, Meters{30'000.0}};
+  checkpoint.detection_threshold = Decibels{11.0};
   checkpoint.provenance = {{"seed", "1"}, {"command", "say \"when\""}};
   Pcg32 random(1);
   ActorCritic<float> networks(checkpoint.shape());
@@ -46,6 +48,8 @@ TEST(Checkpoint, SurvivesItsTextExactly) {
   EXPECT_TRUE(std::ranges::equal(read.observation, written.observation));
   EXPECT_EQ(read.direction_count, written.direction_count);
   EXPECT_EQ(read.step_length, written.step_length);
+  EXPECT_EQ(read.area_size, written.area_size);
+  EXPECT_EQ(read.detection_threshold, written.detection_threshold);
 }
 
 TEST(Checkpoint, IsRefusedWhenCutShortAnywhere) {
@@ -60,6 +64,8 @@ TEST(Checkpoint, IsRefusedWithTheFileAndThePartThatIsWrong) {
   EXPECT_NE(refusal_with("direction_count", 0).find("direction_count"), std::string::npos);
   EXPECT_NE(refusal_with("direction_count", -1).find("direction_count"), std::string::npos);
   EXPECT_NE(refusal_with("step_length_m", -5).find("step_length_m"), std::string::npos);
+  EXPECT_NE(refusal_with("area_north_m", 0).find("area_north_m"), std::string::npos);
+  EXPECT_NE(refusal_with("area_east_m", -1).find("area_east_m"), std::string::npos);
   EXPECT_NE(refusal_with("parameters", {1.0, 2.0}).find("parameters: 2 numbers, its shape needs 9"), std::string::npos);
   EXPECT_NE(refusal_with("observation", nlohmann::json::array()).find("observation"), std::string::npos);
   EXPECT_NE(refusal_with("observation", {{{"feature", 99}, {"age", 0}, {"offset", 0}, {"scale", 1}}}).find("unknown feature"),

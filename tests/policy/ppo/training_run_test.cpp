@@ -49,6 +49,16 @@ TEST(TrainingRun, ReportsEveryProblemAtOnceWithItsLine) {
   }
 }
 
+TEST(TrainingRun, SaysOneThingOfADomainThatIsNoNumber) {
+  const std::string path = written("[search]\nstart = \"inside_border\"\ndomain_north_m = nan\n");
+  try {
+    (void)load_run(path);
+    FAIL();
+  } catch (const config_file::BadInput& e) {
+    EXPECT_EQ(std::string(e.what()), path + ":3: search.domain_north_m = nan: must be a finite number above 0");
+  }
+}
+
 TEST(TrainingRun, RefusesABorderThatLeavesNoRoomToStartIn) {
   EXPECT_THROW((void)load_run(written("[search]\nstart = \"inside_border\"\nborder_width_m = 12500.0\n")), config_file::BadInput);
 }

@@ -112,8 +112,21 @@ TEST_F(EnvironmentFile, RefusesAnUnknownKey) {
   expect_mentions(complaint("north_m", "noth_m"), "source.noth_m: unknown key");
 }
 
-TEST_F(EnvironmentFile, RefusesNanInAProfile) {
-  expect_mentions(complaint("1490.0", "nan"), "water.sound_speed_mps[1]");
+TEST_F(EnvironmentFile, SaysOneThingOfANumberThatIsNone) {
+  const std::string changes[][3] = {
+      {"50.0, 100.0]", "nan, 100.0]", ":12: water.depth_m[1] = nan: must be a finite number of at least 0 and at most 12000"},
+      {"1490.0", "nan", ":13: water.sound_speed_mps[1] = nan: must be a finite number of at least 100 and at most 10000"},
+      {"[1500.0, 1490.0, 1495.0]", "1500.0", ":13: water.sound_speed_mps = 1500.0: must be an array of numbers"},
+      {"[0.0, 50.0, 100.0]", "100.0", ":12: water.depth_m = 100.0: must be an array of numbers"},
+      {"depth_m = 20.0", "depth_m = nan", ":5: source.depth_m = nan: must be a finite number above 0 and at most 12000"},
+      {"depth_m = 100.0", "depth_m = nan", ":15: seabed.depth_m = nan: must be a finite number above 0 and at most 12000"},
+      {"level_db_re_1upa = 80.0",
+       "model = \"table\"\nfrequency_hz = [10.0, nan]\nlevel_db_re_1upa2_per_hz = [80.0, 80.0]\nband_hz = [15.0, 25.0]",
+       ":10: noise.frequency_hz[1] = nan: must be a finite number of at least 1 and at most 100000"},
+      {"level_db_re_1upa = 80.0", "model = \"table\"\nfrequency_hz = [10.0]\nlevel_db_re_1upa2_per_hz = [80.0]\nband_hz = [nan, 25.0]",
+       ":12: noise.band_hz[0] = nan: must be a finite number of at least 1 and at most 100000"},
+  };
+  for (const auto& [what, by, said] : changes) EXPECT_EQ(complaint(what, by), path_.string() + said);
 }
 
 TEST_F(EnvironmentFile, RefusesDepthsThatDoNotIncrease) {

@@ -20,10 +20,5 @@ TEST(SonarEquation, RefusesWhatIsNotFinite) {
   EXPECT_EQ(signal_to_noise(infinite, infinite, Decibels{90.0}).status(), Status::kOutOfRange);
 }
 
-TEST(Detector, DetectsAtItsThresholdAndNotBelow) {
-  EXPECT_TRUE(is_detected(Decibels{10.0}, Decibels{10.0}));
-  EXPECT_FALSE(is_detected(Decibels{9.999}, Decibels{10.0}));
-}
-
 }  // namespace
 }  // namespace earshot::sonar

@@ -11,6 +11,8 @@
 #include <optional>
 #include <string>
 
+#include "firmware/boards/linux/bus_lock.hpp"
+#include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/journal.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/boards/linux/mission_loop.hpp"
@@ -44,7 +46,9 @@ struct Options {
 void declare(CLI::App& app, Options& o) {
   app.add_option("MISSION", o.mission, "mission file (TOML)")->required();
   app.add_option("--out", o.out, "folder for journal.lcmlog, made if it is missing")->capture_default_str();
-  app.add_flag("--replace", o.replace, "replace a journal that is there already instead of refusing to start");
+  app.add_flag(
+      "--replace", o.replace,
+      "replace a journal that is there already; without it: refuse to start in simulation, write journal-2.lcmlog and so on at sea");
   app.add_option("--policy", o.policy, "policy file instead of the mission's");
   app.add_option("--public-key", o.public_key, "file of the trusted public key instead of the mission's");
   app.add_option("--seed", o.seed, "seed of a policy that draws its actions, instead of the mission's")
@@ -74,12 +78,10 @@ board::MissionFile load(const Options& o) {
 
 std::unique_ptr<runtime::Runtime> make_runtime(const board::MissionFile& file, const std::string& mission_name) {
   const std::unique_ptr<policy::FrozenPolicy> policy = board::load_policy(file.policy, file.public_key);
+  board::check_fits(*policy, file.policy, file.mission, mission_name);
   auto runtime = std::make_unique<runtime::Runtime>();
-  if (runtime->configure(file.mission, *policy) != Status::kOk) {
-    throw config_file::BadInput(mission_name + ": search.step_length_m = " + std::to_string(file.mission.step_length.value) + ": must be " +
-                                std::to_string(policy->step_length.value) + ", which the policy " + file.policy.string() +
-                                " was trained with");
-  }
+  if (runtime->configure(file.mission, *policy) != Status::kOk)
+    throw config_file::BadInput(mission_name + ": cannot be flown with the policy " + file.policy.string());
   return runtime;
 }
 
@@ -87,12 +89,12 @@ board::JournalOptions journal_options(const Options& o) {
   using J = board::JournalOptions;
   return {.when_full = o.simulation ? J::WhenFull::kWait : J::WhenFull::kDrop,
           .survives = o.simulation ? J::Survives::kProcess : J::Survives::kPowerCut,
-          .existing = o.replace ? J::Existing::kReplace : J::Existing::kRefuse};
+          .existing = o.replace ? J::Existing::kReplace : (o.simulation ? J::Existing::kRefuse : J::Existing::kKeep)};
 }
 
 /// Exit status: 0 for a mission flown to its end or stopped by a person, 3 when the other side was lost.
 int report(const board::LoopResult& result, const board::VehicleBus& bus, const std::filesystem::path& journal) {
-  const std::string at = " at " + std::to_string(result.time.us / 1'000'000) + " s";
+  const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
   if (bus.counters().unsent_messages > 0)
     std::cerr << "earshotd: " << bus.counters().unsent_messages << " messages could not be put on the bus\n";
   switch (result.end) {
@@ -100,13 +102,13 @@ int report(const board::LoopResult& result, const board::VehicleBus& bus, const 
       std::cerr << "earshotd: " << board::in_words(result.last) << "; journal " << journal.string() << "\n";
       return 0;
     case board::LoopEnd::kStopped:
-      std::cerr << "earshotd: stopped" << at << "; journal " << journal.string() << "\n";
+      std::cerr << "earshotd: stopped" << after << "; journal " << journal.string() << "\n";
       return 0;
     case board::LoopEnd::kSimulatorLost:
-      std::cerr << "earshotd: lost the simulator" << at << "; journal up to then: " << journal.string() << "\n";
+      std::cerr << "earshotd: lost the simulator" << after << "; journal up to then: " << journal.string() << "\n";
       return 3;
     case board::LoopEnd::kBusLost:
-      std::cerr << "earshotd: lost the bus" << at << ": navigation that the simulator sent did not arrive\n";
+      std::cerr << "earshotd: lost the bus" << after << ": navigation that the simulator sent did not arrive\n";
       return 3;
   }
   return 3;
@@ -115,10 +117,11 @@ int report(const board::LoopResult& result, const board::VehicleBus& bus, const 
 int fly(const Options& o) {
   const board::MissionFile file = load(o);
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, o.mission.string());
+  // In simulation whoever started both processes holds it.
+  const board::FileDescriptor lock = o.simulation ? board::FileDescriptor{} : board::lock_lcm(file.lcm_url);
   const std::unique_ptr<board::VehicleBus> bus = board::open_vehicle_bus(file);
   std::filesystem::create_directories(o.out);
-  const std::filesystem::path journal_path = o.out / "journal.lcmlog";
-  board::Journal journal(journal_path, journal_options(o));
+  board::Journal journal(o.out / "journal.lcmlog", journal_options(o));
   board::MissionTurn turn(*runtime, *bus, journal);
 
   board::LoopResult result;
@@ -126,10 +129,12 @@ int fly(const Options& o) {
     link::RuntimeEnd link(*o.simulation);
     result = board::fly_in_simulation(turn, *bus, link, stop_requested);
   } else {
-    result = board::fly_at_sea(turn, *bus, file.step_period, stop_requested);
+    const board::SeaTiming timing{
+        .period = file.step_period, .navigation_timeout = file.mission.navigation_timeout, .snr_timeout = file.mission.snr_timeout};
+    result = board::fly_at_sea(turn, *bus, board::HostClock(), timing, stop_requested);
   }
   const Status kept = journal.close();
-  const int status = report(result, *bus, journal_path);
+  const int status = report(result, *bus, journal.path());
   if (kept == Status::kOk && journal.counters().dropped == 0) return status;
   std::cerr << "earshotd: the journal is not whole: " << journal.counters().dropped << " records dropped, "
             << journal.counters().write_errors << " writes failed\n";

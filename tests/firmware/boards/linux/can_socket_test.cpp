@@ -87,6 +87,26 @@ TEST_F(CanSocketTest, PassesOverElevenBitAndRemoteFramesAndCountsThem) {
   EXPECT_EQ(bob.counters().other_frames, 2U);
 }
 
+TEST_F(CanSocketTest, ReadsNoMoreThanItsBudgetWhateverKindTheFramesAre) {
+  CanSocket alice(kInterface);
+  CanSocket bob(kInterface);
+  for (int i = 0; i < 3; ++i) send_raw(0x123, 8);
+  ASSERT_EQ(alice.send(some_frame(1)), Status::kOk);
+  ASSERT_EQ(alice.send(some_frame(2)), Status::kOk);
+  n2k::Frame frame;
+  ASSERT_TRUE(wait_for(bob));
+  std::size_t budget = 2;
+  EXPECT_EQ(bob.receive(frame, budget), Status::kNotReady);
+  EXPECT_EQ(bob.counters().other_frames, 2U);
+  budget = 2;
+  EXPECT_EQ(bob.receive(frame, budget), Status::kOk);
+  EXPECT_EQ(frame, some_frame(1));
+  EXPECT_EQ(bob.receive(frame, budget), Status::kNotReady);
+  budget = 1;
+  EXPECT_EQ(bob.receive(frame, budget), Status::kOk);
+  EXPECT_EQ(frame, some_frame(2));
+}
+
 TEST_F(CanSocketTest, CountsWhatTheKernelDroppedBecauseNobodyReadInTime) {
   CanSocket alice(kInterface);
   CanSocket bob(kInterface);

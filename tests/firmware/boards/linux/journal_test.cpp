@@ -214,6 +214,15 @@ TEST_F(JournalTest, DoesNotOverwriteUnlessTold) {
   EXPECT_EQ(records_until(JournalReader::End::kWhole), 3U);
 }
 
+TEST_F(JournalTest, StartedAgainKeepsTheJournalsThatAreThere) {
+  const JournalOptions at_sea{.survives = JournalOptions::Survives::kPowerCut, .existing = JournalOptions::Existing::kKeep};
+  write_three_records();
+  const Bytes first = contents();
+  EXPECT_EQ(Journal(path_, at_sea).path(), folder_ / "journal-2.lcmlog");
+  EXPECT_EQ(Journal(path_, at_sea).path(), folder_ / "journal-3.lcmlog");
+  EXPECT_EQ(contents(), first);
+}
+
 TEST_F(JournalTest, RefusesRecordsThatReadersWouldNotTake) {
   Journal journal(path_);
   EXPECT_EQ(journal.append(Time{0}, "", Bytes{}), Status::kOutOfRange);

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <lcm/lcm-cpp.hpp>
 #include <memory>
 #include <string>
@@ -37,7 +38,9 @@ class LcmEndpointTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     isolated_ = test::enter_private_network();
-    ASSERT_TRUE(isolated_ || ::geteuid() != 0) << "root must be able to make a network namespace (package iproute2)";
+    const char* const required = std::getenv("LCM_REQUIRED");
+    const bool may_skip = ::geteuid() != 0 && (required == nullptr || std::string(required) != "1");
+    ASSERT_TRUE(isolated_ || may_skip) << "no network namespace could be made (package iproute2), but this is root or LCM_REQUIRED=1";
   }
   void SetUp() override {
     if (!isolated_) GTEST_SKIP() << "this kernel lets only root make a network namespace";
@@ -80,7 +83,7 @@ class LiblcmPeer : public LcmEndpointTest {
  protected:
   void SetUp() override {
     LcmEndpointTest::SetUp();
-    if (IsSkipped()) return;
+    if (IsSkipped() || HasFatalFailure()) return;
     peer_ = std::make_unique<lcm::LCM>(kUrl);
     ASSERT_TRUE(peer_->good());
     peer_->subscribe("EARSHOT.*", &Inbox::on_message, &inbox_);

@@ -78,6 +78,33 @@ TEST_F(PolicyFile, IsRefusedWhenItIsCutAnywhere) {
   }
 }
 
+/// What check_fits says of the random walk's policy and a mission for which it was trained but for `change`; empty when it fits.
+template <class Change>
+std::string misfit_after(Change change) {
+  config::Mission mission;
+  mission.operating_area = {{Meters{-5'000}, Meters{0}}, {Meters{20'000}, Meters{25'000}}};
+  mission.step_length = Meters{1'000};
+  mission.detection_threshold = Decibels{10};
+  change(mission);
+  try {
+    check_fits(support::random_walk_policy(), "walk.policy", mission, "m.toml");
+    return "";
+  } catch (const config_file::BadInput& e) {
+    return e.what();
+  }
+}
+
+TEST(CheckFits, NamesTheMissionsValueAndThePolicysWhereTheyDiffer) {
+  EXPECT_EQ(misfit_after([](auto&) {}), "");
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.step_length = Meters{1'500.5}; }),
+            "m.toml: search.step_length_m = 1500.5: must be 1000, which the policy walk.policy was trained with");
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.operating_area.north_east.north = Meters{45'000}; }),
+            "m.toml: area is 50000 m north x 25000 m east: must be 25000 m north x 25000 m east, which the policy walk.policy was trained "
+            "with");
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.detection_threshold = Decibels{12}; }),
+            "m.toml: search.detection_threshold_db = 12: must be 10, which the policy walk.policy was trained with");
+}
+
 TEST_F(PolicyFile, NamesTheKeyFileWhenThatIsNotAKey) {
   std::ofstream(key_) << "12 34\n";
   EXPECT_EQ(complaint(support::signed_bytes(support::random_walk_policy())),

@@ -1,0 +1,47 @@
+#include "sim/apps/flight_plan.hpp"
+
+#include <sstream>
+#include <string>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/section.hpp"
+
+namespace earshot::simulation {
+namespace {
+
+using config_file::BadInput;
+
+search::SearchSettings settings_of(const config::Mission& mission, const ocean::Environment& environment) {
+  search::SearchSettings settings;
+  settings.domain = mission.operating_area;
+  settings.start_region = mission.operating_area;
+  settings.source = environment.source.position;
+  settings.step_length = mission.step_length;
+  settings.max_steps = mission.max_steps;
+  settings.detection_threshold = mission.detection_threshold;
+  return settings;
+}
+
+void require_depth_in_water(const std::filesystem::path& mission, Meters depth, const std::filesystem::path& environment, Meters floor) {
+  if (depth < floor) return;
+  std::ostringstream text;
+  text << mission.string() << ": search.depth_m = " << depth.value << ": must be less than " << floor.value << ", the seabed.depth_m of "
+       << environment.string();
+  throw BadInput(text.str());
+}
+
+}  // namespace
+
+FlightPlan load_flight_plan(const std::filesystem::path& mission, const std::filesystem::path& environment) {
+  FlightPlan plan{.mission = board::load_mission(mission), .environment = ocean::load_environment(environment), .search = {}};
+  if (!ocean::is_range_independent(plan.environment))
+    throw BadInput(environment.string() + ": its ocean changes with range or bearing, and a flight needs one that does not");
+  require_depth_in_water(mission, plan.mission.mission.search_depth, environment, plan.environment.seabed.depth);
+  plan.search = settings_of(plan.mission.mission, plan.environment);
+  if (search::check(plan.search) != Status::kOk)
+    throw BadInput(mission.string() + ": area: no start is further than search.step_length_m from the source");
+  return plan;
+}
+
+}  // namespace earshot::simulation
