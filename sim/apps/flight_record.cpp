@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cerrno>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <system_error>
 
@@ -19,6 +21,12 @@ std::filesystem::path partial_name(const std::filesystem::path& path) {
   throw std::system_error(errno, std::generic_category(), path.string());
 }
 
+void cut_to_whole_rows(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  std::filesystem::resize_file(path, text.rfind('\n') + 1);
+}
+
 const char* name_of(runtime::MissionState state) {
   constexpr std::array<const char*, 4> kNames{"standby", "search", "done", "abort"};
   return kNames[static_cast<std::size_t>(state) % kNames.size()];
@@ -33,16 +41,21 @@ TrackFile::TrackFile(const std::filesystem::path& path)
 }
 
 void TrackFile::add(const TrackPoint& p) {
-  (void)std::fprintf(file_.get(), "%.3f,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%s,%u\n", (p.time - Time{}).to_seconds(),
-                     p.vehicle.position.north.value, p.vehicle.position.east.value, p.vehicle.depth.value,
-                     p.vehicle.heading.value * 180.0 / std::numbers::pi, p.vehicle.speed.value, p.snr.value, p.range.value,
-                     name_of(p.state), p.steps_taken);
+  const int written = std::fprintf(file_.get(), "%.3f,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%s,%u\n", (p.time - Time{}).to_seconds(),
+                                   p.vehicle.position.north.value, p.vehicle.position.east.value, p.vehicle.depth.value,
+                                   p.vehicle.heading.value * 180.0 / std::numbers::pi, p.vehicle.speed.value, p.snr.value, p.range.value,
+                                   name_of(p.state), p.steps_taken);
+  if (written >= 0) return;
+  is_cut_ = true;
+  fail(path_);
 }
 
 void TrackFile::finish() {
-  const bool failed = std::ferror(file_.get()) != 0;
-  if (std::fclose(file_.release()) != 0 || failed) fail(partial_);
+  const bool is_closed = std::fclose(file_.release()) == 0;
+  const int error = errno;
+  if (is_cut_ || !is_closed) cut_to_whole_rows(partial_);
   std::filesystem::rename(partial_, path_);
+  if (!is_closed && !is_cut_) throw std::system_error(error, std::generic_category(), path_.string());
 }
 
 void Score::add(const TrackPoint& point) {
@@ -68,7 +81,11 @@ void write_whole(const std::filesystem::path& path, const std::string& text) {
   std::FILE* file = std::fopen(partial.c_str(), "w");
   if (file == nullptr) fail(partial);
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  if (std::fclose(file) != 0 || !written) fail(partial);
+  if (std::fclose(file) != 0 || !written) {
+    const int error = errno;
+    std::filesystem::remove(partial);
+    throw std::system_error(error, std::generic_category(), path.string());
+  }
   std::filesystem::rename(partial, path);
 }
 

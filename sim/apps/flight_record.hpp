@@ -31,8 +31,9 @@ class TrackFile {
  public:
   /// @throws std::system_error naming the file.
   explicit TrackFile(const std::filesystem::path& path);
+  /// @throws std::system_error naming the file when it cannot be written.
   void add(const TrackPoint& point);
-  /// @throws std::system_error naming the file when something could not be written.
+  /// Keeps every row that could be written whole. @throws std::system_error naming the file when the last ones could not.
   void finish();
 
  private:
@@ -41,6 +42,7 @@ class TrackFile {
   };
   std::filesystem::path path_;
   std::filesystem::path partial_;
+  bool is_cut_ = false;  ///< a row could not be written
   std::unique_ptr<std::FILE, Close> file_;
 };
 
@@ -71,7 +73,7 @@ class Score {
 /// Removes what an earlier flight left in its folder and a new one does not replace at once: no half-flown search may look finished.
 void remove_results(const std::filesystem::path& folder);
 
-/// Writes `text` to `path` by way of another name. @throws std::system_error naming the file.
+/// Writes `text` to `path` by way of another name, which is gone if that fails. @throws std::system_error naming the file.
 void write_whole(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace earshot::simulation

@@ -12,10 +12,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -26,9 +24,10 @@
 #include "firmware/boards/linux/bus_lock.hpp"
 #include "firmware/boards/linux/lcm_url.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/boards/linux/program.hpp"
 #include "sim/apps/flight_plan.hpp"
 #include "sim/apps/flight_record.hpp"
+#include "sim/apps/speed_option.hpp"
 #include "sim/link/run_slot.hpp"
 
 namespace {
@@ -36,7 +35,7 @@ namespace {
 using namespace earshot;
 namespace fs = std::filesystem;
 
-volatile std::sig_atomic_t stop_requested = 0;
+using board::stop_requested;
 
 struct Options {
   fs::path environment;
@@ -61,7 +60,7 @@ void declare(CLI::App& app, Options& o) {
       ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
       ->capture_default_str();
   app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(simulation::speed_range())
       ->capture_default_str();
   app.add_option("--policy", o.policy, "policy file instead of the mission's");
   app.add_option("--public-key", o.public_key, "file of the public key that signed it, instead of the mission's");
@@ -223,6 +222,7 @@ board::FileDescriptor lock_bus(const Options& o, const board::MissionFile& missi
 }
 
 int fly(const Options& o) {
+  board::stop_on_signals();
   // Both processes would say the same about a bad file: say it once, before either starts.
   const board::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
   const board::FileDescriptor lock = lock_bus(o, mission);
@@ -249,23 +249,9 @@ int fly(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "earshot fly plays one search: an ocean with a sound source (earshot-sim) and the vehicle's own software (earshotd) in lock-step.\n"
-      "Exit status: 0 flown (found or not), 2 bad input, 3 a process was lost, 130 Ctrl-C."};
+      "Exit status: 0 flown (found or not), 2 bad input, 3 a process was lost, 130 Ctrl-C.",
+      "earshot-fly"};
   Options options;
   declare(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-  std::signal(SIGINT, [](int) { stop_requested = 1; });
-  std::signal(SIGTERM, [](int) { stop_requested = 1; });
-  try {
-    return fly(options);
-  } catch (const config_file::BadInput& e) {
-    std::cerr << e.what() << "\n";
-    return 2;
-  } catch (const std::exception& e) {
-    std::cerr << "earshot-fly: " << e.what() << "\n";
-    return 2;
-  }
+  return board::run_program(app, argc, argv, [&] { return fly(options); });
 }

@@ -3,6 +3,7 @@
 #include <poll.h>
 
 #include <chrono>
+#include <exception>
 #include <thread>
 
 #include "firmware/runtime/runtime.hpp"
@@ -48,12 +49,10 @@ class Stepper {
 
   FlightResult run() {
     const auto began = steady_clock::now();
-    while (!over_) {
-      tick();
-      if (over_) break;
-      vehicle_ = vehicle::advance_for(vehicle_, command_, flight_.world.vehicle, flight_.world.tick);
-      now_ = now_ + flight_.world.tick;
-      keep_pace(began);
+    try {
+      fly(began);
+    } catch (const std::exception& e) {
+      fail("simulator_failed", e.what());
     }
     result_.last_tick = now_;
     result_.wall_time_s = std::chrono::duration<double>(steady_clock::now() - began).count();
@@ -62,6 +61,16 @@ class Stepper {
   }
 
  private:
+  void fly(steady_clock::time_point began) {
+    for (;;) {
+      tick();
+      if (over_) return;
+      vehicle_ = vehicle::advance_for(vehicle_, command_, flight_.world.vehicle, flight_.world.tick);
+      now_ = now_ + flight_.world.tick;
+      keep_pace(began);
+    }
+  }
+
   void tick() {
     const Meters range = range_between(vehicle_.position, flight_.world.source);
     const Decibels snr = flight_.snr.at(range);
@@ -98,17 +107,17 @@ class Stepper {
   [[nodiscard]] bool receive(link::Answer& answer) {
     for (auto waited = milliseconds{0}; waited < kRuntimePatience; waited += kLookUp) {
       const link::Delivery delivery = flight_.link.receive(answer, kLookUp);
-      if (delivery == link::Delivery::kLost) return lose("earshotd_lost", "earshotd (it left or died)");
+      if (delivery == link::Delivery::kLost) return fail("earshotd_lost", "lost earshotd (it left or died)");
       if (delivery == link::Delivery::kArrived && answer.number == number_) return true;
     }
-    return lose("earshotd_lost", "earshotd (it does not answer)");
+    return fail("earshotd_lost", "lost earshotd (it does not answer)");
   }
 
   [[nodiscard]] bool collect(const link::Answer& answer) {
     flight_.bus.collect(command_);
     const auto deadline = steady_clock::now() + kBusPatience;
     while (flight_.bus.setpoint_messages() < answer.setpoint_messages) {
-      if (steady_clock::now() >= deadline) return lose("bus_lost", "the bus (a set-point that earshotd sent did not arrive)");
+      if (steady_clock::now() >= deadline) return fail("bus_lost", "lost the bus (a set-point that earshotd sent did not arrive)");
       pollfd readable{.fd = flight_.bus.file_descriptor(), .events = POLLIN, .revents = 0};
       (void)poll(&readable, 1, static_cast<int>(kLookUp.count()));
       flight_.bus.collect(command_);
@@ -116,10 +125,10 @@ class Stepper {
     return true;
   }
 
-  bool lose(const char* reason, const char* what) {
+  bool fail(const char* reason, const char* what) {
     over_ = true;
     result_.end_reason = reason;
-    result_.lost = what;
+    result_.failure = what;
     return false;
   }
 

@@ -29,7 +29,7 @@ struct World {
 struct FlightResult {
   bool found = false;
   std::string end_reason;  ///< one word of summary.json
-  std::string lost;        ///< what was lost, in words; empty when nothing was
+  std::string failure;     ///< what went wrong, in words; empty when nothing did
   Time last_tick;
   double wall_time_s = 0.0;  ///< from the first tick to the last answer
   vehicle::State end;
@@ -48,6 +48,7 @@ struct Flight {
 /// Flies from `start` to the end of the mission. The clock advances only when the runtime has answered a tick and the set-points it
 /// announced have arrived. The source is looked for at every tick, not only at the end of a step: a vehicle that passes within l of it on
 /// its way has found it.
+/// Never throws: whatever goes wrong on the way ends the flight, and the result says what.
 /// @param stop  set by a signal handler: the runtime is told to abort
 [[nodiscard]] FlightResult fly(Flight flight, const vehicle::State& start, const volatile std::sig_atomic_t& stop);
 

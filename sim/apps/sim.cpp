@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -16,12 +15,13 @@
 #include <string>
 
 #include "firmware/boards/linux/mission_file.hpp"
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/boards/linux/program.hpp"
 #include "firmware/core/random.hpp"
 #include "sim/apps/autopilot_bus.hpp"
 #include "sim/apps/flight_plan.hpp"
 #include "sim/apps/flight_record.hpp"
 #include "sim/apps/lock_step.hpp"
+#include "sim/apps/speed_option.hpp"
 #include "sim/link/session.hpp"
 #include "sim/link/simulator_end.hpp"
 #include "sim/search/episode.hpp"
@@ -34,7 +34,7 @@ using namespace earshot::simulation;
 
 constexpr int kNotBegun = 130;  ///< exit status when stopped before the first tick
 
-volatile std::sig_atomic_t stop_requested = 0;
+using board::stop_requested;
 
 struct Options {
   std::filesystem::path environment;
@@ -56,9 +56,7 @@ void declare(CLI::App& app, Options& o) {
   app.add_option("--seed", o.seed, "seed of the place where the vehicle starts")
       ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
       ->capture_default_str();
-  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
+  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")->check(speed_range())->capture_default_str();
   app.add_option("--domain", o.domain, "DDS domain in which earshotd listens")
       ->check(CLI::Range(link::kLowestDomain, link::kHighestDomain))
       ->capture_default_str();
@@ -133,7 +131,20 @@ bool runtime_comes(link::SimulatorEnd& link, std::uint32_t domain) {
   return true;
 }
 
+/// Each of a flight's files is kept whatever becomes of the others.
+template <class Work>
+bool succeeds(Work work) {
+  try {
+    work();
+    return true;
+  } catch (const std::exception& e) {
+    std::cerr << "earshot-sim: " << e.what() << "\n";
+    return false;
+  }
+}
+
 int simulate(const Options& o) {
+  board::stop_on_signals();
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
   apply_options(o, plan.mission);
   const auto& [file, environment, settings] = plan;
@@ -154,10 +165,11 @@ int simulate(const Options& o) {
   TrackFile track(o.out / "track.csv");
   Score score(settings);
   const FlightResult result = fly({world, snr, *bus, link, track, score}, start, stop_requested);
-  track.finish();
-  write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n");
-  if (result.lost.empty()) return 0;
-  std::cerr << "earshot-sim: lost " << result.lost << " at " << result.last_tick.us / 1'000'000
+  const bool has_track = succeeds([&] { track.finish(); });
+  const bool has_summary =
+      succeeds([&] { write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n"); });
+  if (result.failure.empty()) return has_track && has_summary ? 0 : 3;
+  std::cerr << "earshot-sim: " << result.failure << " at " << result.last_tick.us / 1'000'000
             << " s; track up to then: " << (o.out / "track.csv").string() << "\n";
   return 3;
 }
@@ -167,23 +179,10 @@ int simulate(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "earshot-sim plays the ocean and the vehicle for one search, in lock-step with an earshotd started with --simulation.\n"
-      "Exit status: 0 flown, 2 bad input, 3 earshotd or the bus was lost, 130 stopped before the start. (earshot fly starts both.)"};
+      "Exit status: 0 flown, 2 bad input, 3 earshotd, the bus or a file was lost, 130 stopped before the start.\n"
+      "(earshot fly starts both.)",
+      "earshot-sim"};
   Options options;
   declare(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-  std::signal(SIGINT, [](int) { stop_requested = 1; });
-  std::signal(SIGTERM, [](int) { stop_requested = 1; });
-  try {
-    return simulate(options);
-  } catch (const config_file::BadInput& e) {
-    std::cerr << e.what() << "\n";
-    return 2;
-  } catch (const std::exception& e) {
-    std::cerr << "earshot-sim: " << e.what() << "\n";
-    return 2;
-  }
+  return board::run_program(app, argc, argv, [&] { return simulate(options); });
 }

@@ -188,6 +188,29 @@ TEST_F(Flight, GivenItsSimulatorIsKilledTheRuntimeSaysSoWithinFiveSecondsAndItsJ
   EXPECT_FALSE(fs::exists(folder_ / "summary.json"));
 }
 
+TEST_F(Flight, GivenAFullDiskTheFlightIsLostWithStatusThreeAndEveryRowThatWasWrittenIsKept) {
+  const std::string domain = std::to_string(slot_.domain());
+  std::vector<std::string> a = policy_arguments();
+  a.insert(a.end(), {kMission, "--out", folder_, "--simulation", domain, "--lcm-url", slot_.lcm_url()});
+  runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
+  // A limit on the size of one file stands for the disk: room for snr.csv (some 60 kB) and for some 2000 of 50 000 rows of the track.
+  simulator_ = std::make_unique<support::Process>(
+      "/bin/bash",
+      std::vector<std::string>{"-c", "trap '' XFSZ; ulimit -f 200; exec \"$@\"", "bash", kBin / "earshot-sim", "--environment",
+                               kEnvironment, "--mission", kMission, "--out", folder_, "--domain", domain, "--lcm-url", slot_.lcm_url(),
+                               "--ignore-source"},
+      folder_ / "earshot-sim.txt");
+  EXPECT_EQ(simulator_->wait(60s), 3) << simulator_->output();
+  EXPECT_NE(simulator_->output().find("track.csv"), std::string::npos) << simulator_->output();
+  EXPECT_EQ(runtime_->wait(10s), 3) << runtime_->output();
+  const nlohmann::json s = nlohmann::json::parse(support::read_text(folder_ / "summary.json"));
+  EXPECT_EQ(s.at("end_reason"), "simulator_failed");
+  EXPECT_FALSE(fs::exists(folder_ / "track.csv.partial"));
+  const std::string track = support::read_text(folder_ / "track.csv");
+  EXPECT_GT(track.size(), 200'000);
+  EXPECT_EQ(track.back(), '\n');
+}
+
 TEST_F(Flight, GivenCtrlCBothEndInOrderAndTheJournalIsWhole) {
   const auto flight = fly(".", {"--speed", "500", "--ignore-source"});
   ASSERT_TRUE(is_under_way()) << flight->output();
@@ -221,9 +244,11 @@ TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth
 }
 
 TEST_F(Flight, GivenItDiedAtSeaItStartsAgainBesideTheJournalThatIsThere) {
-  const auto start_at_sea = [this](const char* text) {
+  // earshotd holds the lock on its address itself, and the slot's is taken: a port that goes with the slot and is none.
+  const std::string url = "udpm://239.255.76.67:" + std::to_string(20'000 + slot_.domain()) + "?ttl=0";
+  const auto start_at_sea = [this, &url](const char* text) {
     std::vector<std::string> a = policy_arguments();
-    a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", slot_.lcm_url()});
+    a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", url});
     runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / text);
   };
   const auto wait_for_records = [this](const char* name) {
@@ -402,6 +427,17 @@ TEST_F(Flight, GivenAMissingMissionOneLineSaysSo) {
   support::Process flight(kBin / "earshot-fly", {"--environment", kEnvironment, "--mission", folder_ / "none.toml"}, folder_ / "text");
   EXPECT_EQ(flight.wait(10s), 2);
   EXPECT_EQ(flight.output(), (folder_ / "none.toml").string() + ": no such file\n");
+}
+
+TEST_F(Flight, GivenASpeedThatIsNoSpeedTheLineNamesItAndTheStatusIsTwo) {
+  for (const char* speed : {"nan", "-1", "inf", "1e7", "1e-300", "fast"}) {
+    for (const char* program : {"earshot-fly", "earshot-sim"}) {
+      support::Process flight(kBin / program, {"--environment", kEnvironment, "--mission", folder_ / "none.toml", "--speed", speed},
+                              folder_ / "text");
+      EXPECT_EQ(flight.wait(10s), 2) << program << " " << speed;
+      EXPECT_NE(flight.output().find("--speed"), std::string::npos) << program << " " << flight.output();
+    }
+  }
 }
 
 TEST_F(Flight, GivenAnUnknownOptionOrVerbTheStatusIsTwo) {

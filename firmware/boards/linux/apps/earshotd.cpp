@@ -1,7 +1,6 @@
 // earshotd: the process that flies the vehicle.
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -18,6 +17,7 @@
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/policy_file.hpp"
+#include "firmware/boards/linux/program.hpp"
 #include "firmware/boards/linux/vehicle_bus.hpp"
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/runtime/runtime.hpp"
@@ -28,7 +28,7 @@ namespace {
 
 using namespace earshot;
 
-volatile std::sig_atomic_t stop_requested = 0;
+using board::stop_requested;
 
 struct Options {
   std::filesystem::path mission;
@@ -115,6 +115,7 @@ int report(const board::LoopResult& result, const board::VehicleBus& bus, const 
 }
 
 int fly(const Options& o) {
+  board::stop_on_signals();
   const board::MissionFile file = load(o);
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, o.mission.string());
   // In simulation whoever started both processes holds it.
@@ -125,13 +126,18 @@ int fly(const Options& o) {
   board::MissionTurn turn(*runtime, *bus, journal);
 
   board::LoopResult result;
-  if (o.simulation) {
-    link::RuntimeEnd link(*o.simulation);
-    result = board::fly_in_simulation(turn, *bus, link, stop_requested);
-  } else {
-    const board::SeaTiming timing{
-        .period = file.step_period, .navigation_timeout = file.mission.navigation_timeout, .snr_timeout = file.mission.snr_timeout};
-    result = board::fly_at_sea(turn, *bus, board::HostClock(), timing, stop_requested);
+  try {
+    if (o.simulation) {
+      link::RuntimeEnd link(*o.simulation);
+      result = board::fly_in_simulation(turn, *bus, link, stop_requested);
+    } else {
+      const board::SeaTiming timing{
+          .period = file.step_period, .navigation_timeout = file.mission.navigation_timeout, .snr_timeout = file.mission.snr_timeout};
+      result = board::fly_at_sea(turn, *bus, board::HostClock(), timing, stop_requested);
+    }
+  } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
+    std::cerr << "earshotd: " << e.what() << "; journal up to then: " << journal.path().string() << "\n";
+    return 3;
   }
   const Status kept = journal.close();
   const int status = report(result, *bus, journal.path());
@@ -146,23 +152,9 @@ int fly(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
-      "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost."};
+      "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost.",
+      "earshotd"};
   Options options;
   declare(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-  std::signal(SIGINT, [](int) { stop_requested = 1; });
-  std::signal(SIGTERM, [](int) { stop_requested = 1; });
-  try {
-    return fly(options);
-  } catch (const config_file::BadInput& e) {
-    std::cerr << e.what() << "\n";
-    return 2;
-  } catch (const std::exception& e) {
-    std::cerr << "earshotd: " << e.what() << "\n";
-    return 2;
-  }
+  return board::run_program(app, argc, argv, [&] { return fly(options); });
 }

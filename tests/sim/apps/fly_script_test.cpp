@@ -1,0 +1,88 @@
+// sim/fly: the script before the programs.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/support/process.hpp"
+
+namespace earshot {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+/// The script in a tree of its own, whose setup and cmake do nothing and whose earshot-fly prints its arguments, one to a line.
+class FlyScript : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(root_);
+    for (const char* folder : {"sim", "toolchains", "build/release/bin", "bin"}) fs::create_directories(root_ / folder);
+    fs::copy_file(fs::path(EARSHOT_SOURCE_DIR) / "sim/fly", root_ / "sim/fly");
+    write_program("toolchains/setup", "");
+    write_program("bin/cmake", "");
+    write_program("build/release/bin/earshot-fly", "printf '%s\\n' \"$@\"");
+  }
+  void TearDown() override { fs::remove_all(root_); }
+
+  [[nodiscard]] std::string arguments_of(const std::string& command_line) const {
+    const std::string command = "PATH=" + (root_ / "bin").string() + ":$PATH " + (root_ / "sim/fly").string() + " " + command_line;
+    support::Process script("/bin/bash", {"-c", command}, root_ / "text");
+    EXPECT_EQ(script.wait(30s), 0) << script.output();
+    return script.output();
+  }
+
+ private:
+  void write_program(const char* name, const char* body) const {
+    std::ofstream(root_ / name) << "#!/usr/bin/env bash\n" << body << "\n";
+    fs::permissions(root_ / name, fs::perms::owner_all);
+  }
+
+ protected:
+  const fs::path root_ =
+      fs::path(testing::TempDir()) / (std::string("fly-script-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+TEST_F(FlyScript, GivesTheShippedOceanAndMissionWhereNoneIsNamed) {
+  const std::string arguments = arguments_of("--seed 7");
+  EXPECT_NE(arguments.find("munk_flat.toml\n"), std::string::npos) << arguments;
+  EXPECT_NE(arguments.find("fixed_source.toml\n"), std::string::npos) << arguments;
+}
+
+TEST_F(FlyScript, GivesNoSecondMissionOrOceanWhereOneIsNamedInEitherSpelling) {
+  EXPECT_EQ(count(arguments_of("--mission a.toml --environment=b.toml"), "--mission"), 1);
+  EXPECT_EQ(count(arguments_of("--mission=a.toml --environment b.toml"), "--environment"), 1);
+}
+
+TEST_F(FlyScript, TakesTheValueOfAnotherOptionForNoOption) {
+  const std::string arguments = arguments_of("--out 'the --mission of --environment b'");
+  EXPECT_NE(arguments.find("munk_flat.toml\n"), std::string::npos) << arguments;
+  EXPECT_NE(arguments.find("fixed_source.toml\n"), std::string::npos) << arguments;
+}
+
+TEST(FlyScriptHelp, NamesEveryOptionOfEarshotFly) {
+  const fs::path text = fs::path(testing::TempDir()) / "fly-script-help";
+  support::Process program(fs::path(EARSHOT_BIN_DIR) / "earshot-fly", {"--help"}, text.string() + "-program");
+  ASSERT_EQ(program.wait(10s), 0);
+  support::Process script(fs::path(EARSHOT_SOURCE_DIR) / "sim/fly", {"--help"}, text.string() + "-script");
+  ASSERT_EQ(script.wait(10s), 0);
+  const std::string options = program.output();
+  const std::string help = script.output();
+  const std::regex name("\n  (?:-h,)?(--[a-z-]+)");
+  for (std::sregex_iterator option(options.begin(), options.end(), name); option != std::sregex_iterator(); ++option)
+    EXPECT_NE(help.find((*option)[1].str()), std::string::npos) << (*option)[1];
+}
+
+}  // namespace
+}  // namespace earshot
