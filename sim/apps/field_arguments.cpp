@@ -62,6 +62,14 @@ void describe_solver(CLI::App& app, FieldArguments& a) {
   app.add_option("--threads", a.threads, "processors used, default all; the result does not depend on it")->check(CLI::Range(1, 4096));
 }
 
+/// Options that would be silently ignored are refused.
+void exclude_from(CLI::Option& mode, CLI::App& app, const std::vector<std::string>& but) {
+  for (CLI::Option* option : app.get_options()) {
+    const bool allowed = std::any_of(but.begin(), but.end(), [option](const std::string& name) { return option->check_name(name); });
+    if (!allowed && option != &mode) mode.excludes(option);
+  }
+}
+
 sonar::Band band_of(const FieldArguments& arguments, const ocean::Environment& environment) {
   if (arguments.band_hz.empty()) return {environment.source.frequency, environment.source.frequency};
   return {Hertz{arguments.band_hz[0]}, Hertz{arguments.band_hz[1]}, arguments.frequencies};
@@ -93,22 +101,22 @@ void describe(CLI::App& app, FieldArguments& a) {
       "  earshot field OCEAN.toml -o fan.nc --radials 72 --receiver-depth-m 300 --map --fluctuation-db 6 --plot map.png\n"
       "  mpirun -n 4 earshot-field --library LIBRARY.toml -o library.nc     (started again after an interruption, it goes on)");
   app.add_option("ENVIRONMENT", a.environment, "TOML file that describes the ocean and the source");
-  app.add_option("--library", a.library, "TOML file that names an environment and many positions; instead of ENVIRONMENT");
+  CLI::Option* library =
+      app.add_option("--library", a.library, "TOML file that names an environment and many positions; instead of ENVIRONMENT");
   app.add_option("-o,--output", a.output, "NetCDF file to write")->required();
   app.add_option("--plot", a.plot, "also draw the SNR, as .png or .svg")->check(picture_name);
   describe_place(app, a);
   describe_fan(app, a);
   describe_sound(app, a);
   describe_solver(app, a);
+  exclude_from(*library, app, {"--help", "--output", "--threads"});  // all else stands in its file
 }
 
 void require_consistent(const FieldArguments& a) {
   const auto refuse_unless = [](bool holds, const std::string& what) {
     if (!holds) throw std::invalid_argument(what);
   };
-  refuse_unless(a.environment.empty() != a.library.empty(), "one of ENVIRONMENT and --library is needed, and only one");
-  refuse_unless(a.library.empty() || (a.radials == 0 && a.depth_m.empty() && a.band_hz.empty() && a.plot.empty() && !a.check),
-                "--library: radials, depths, band and accuracy stand in its file; it draws nothing and checks nothing");
+  refuse_unless(a.environment.empty() != a.library.empty(), "ENVIRONMENT or --library is needed");
   refuse_unless(a.radials == 0 || !a.depth_m.empty(), "--radials needs --receiver-depth-m");
   refuse_unless(!a.map || (a.radials > 0 && a.depth_m.size() == 1), "--map needs --radials and one --receiver-depth-m");
   refuse_unless(a.map || !a.map_side_km, "--map-side-km needs --map");

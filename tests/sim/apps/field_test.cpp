@@ -89,7 +89,8 @@ TEST_F(FieldProgram, RefusesOptionsThatContradictEachOther) {
   expect_refused(kMunk + " -o " + output() + " --radials 8", "--radials needs --receiver-depth-m");
   expect_refused(kMunk + " -o " + output() + " --map --depth 300", "--map needs --radials");
   expect_refused(kMunk + " -o " + output() + " --band-hz 30 15", "--band-hz");
-  expect_refused(kMunk + " -o " + output() + " --library l.toml", "only one");
+  expect_refused(kMunk + " -o " + output() + " --library l.toml", "ENVIRONMENT excludes --library");
+  expect_refused("--library l.toml -o " + output() + " --accuracy-db 0.5", "--accuracy-db");
   expect_refused(kMunk + " -o " + output() + " --depth 300 100", "must increase");
 }
 
