@@ -1,13 +1,14 @@
-// Peer of sil.times_real_time: the same messages between two processes in the same lock-step, and nothing else: no vehicle, policy, journal or track.
+// Peer of sil.times_real_time: the same messages between two processes in the same lock-step, and nothing else: no vehicle, policy, journal
+// or track.
 
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
-#include <poll.h>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 
 #include "earshot/health_t.hpp"
 #include "earshot/nav_state_t.hpp"

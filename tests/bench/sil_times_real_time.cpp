@@ -1,13 +1,14 @@
-// sil.times_real_time: seconds at sea per second of wall clock, for a mission of 100 steps (50 000 s) with 1 Hz navigation, flown by both processes over
-// real LCM and DDS, journal, track and all. The policy walks at random and a reached source does not end the mission, so that every run is as long.
+// sil.times_real_time: seconds at sea per second of wall clock, for a mission of 100 steps (50 000 s) with 1 Hz navigation, flown by both
+// processes over real LCM and DDS, journal, track and all. The policy walks at random and a reached source does not end the mission, so
+// that every run is as long.
 
+#include <unistd.h>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <unistd.h>
 
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
@@ -21,8 +22,9 @@ int main() {
   support::write_bytes(folder / "walk.policy", support::signed_bytes(support::random_walk_policy()));
   support::write_public_key(folder / "walk.pub");
   support::Process flight(fs::path(EARSHOT_BIN_DIR) / "earshot-fly",
-                          {"--environment", source / "sim/ocean/environments/munk_flat.toml", "--mission", source / "firmware/boards/linux/missions/fixed_source.toml",
-                           "--policy", folder / "walk.policy", "--public-key", folder / "walk.pub", "--seed", "1", "--out", folder, "--ignore-source", "--no-report"},
+                          {"--environment", source / "sim/ocean/environments/munk_flat.toml", "--mission",
+                           source / "firmware/boards/linux/missions/fixed_source.toml", "--policy", folder / "walk.policy", "--public-key",
+                           folder / "walk.pub", "--seed", "1", "--out", folder, "--ignore-source", "--no-report"},
                           folder / "output.txt");
   const int status = flight.wait(std::chrono::minutes(5));
   if (status != 0) {
@@ -32,5 +34,6 @@ int main() {
   const nlohmann::json summary = nlohmann::json::parse(support::read_text(folder / "summary.json"));
   fs::remove_all(folder);
   const double value = summary.at("sim_time_s").get<double>() / summary.at("wall_time_s").get<double>();
-  std::cout << nlohmann::ordered_json{{"name", "sil.times_real_time"}, {"unit", "x"}, {"steps", summary.at("steps")}, {"value", value}} << "\n";
+  std::cout << nlohmann::ordered_json{{"name", "sil.times_real_time"}, {"unit", "x"}, {"steps", summary.at("steps")}, {"value", value}}
+            << "\n";
 }

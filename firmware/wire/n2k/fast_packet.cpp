@@ -14,13 +14,15 @@ constexpr std::size_t kSmallestFastPacket = 9;  ///< bytes; anything shorter goe
 std::span<const std::uint8_t> fill(Frame& frame, std::size_t at, std::span<const std::uint8_t> bytes) {
   frame.size = 8;
   const std::size_t count = std::min(bytes.size(), frame.data.size() - at);
-  std::ranges::fill(std::ranges::copy(bytes.first(count), frame.data.begin() + static_cast<std::ptrdiff_t>(at)).out, frame.data.end(), std::uint8_t{0xFF});
+  std::ranges::fill(std::ranges::copy(bytes.first(count), frame.data.begin() + static_cast<std::ptrdiff_t>(at)).out, frame.data.end(),
+                    std::uint8_t{0xFF});
   return bytes.subspan(count);
 }
 
 }  // namespace
 
-Status compose_fast_packet(const Identifier& identifier, std::uint8_t sequence, std::span<const std::uint8_t> bytes, FastPacketFrames& frames) {
+Status compose_fast_packet(const Identifier& identifier, std::uint8_t sequence, std::span<const std::uint8_t> bytes,
+                           FastPacketFrames& frames) {
   const Result<std::uint32_t> can_identifier = compose(identifier);
   if (!can_identifier.ok() || bytes.size() < kSmallestFastPacket || bytes.size() > kMaxMessageSize) return Status::kOutOfRange;
   frames.clear();
@@ -91,7 +93,8 @@ Status FastPacketAssembly::begin(const Identifier& identifier, const Frame& fram
 FastPacketAssembly::Slot* FastPacketAssembly::find(const Identifier& identifier) {
   for (Slot& slot : slots_) {
     const Identifier& other = slot.identifier;
-    if (slot.used && other.pgn == identifier.pgn && other.source == identifier.source && other.destination == identifier.destination) return &slot;
+    if (slot.used && other.pgn == identifier.pgn && other.source == identifier.source && other.destination == identifier.destination)
+      return &slot;
   }
   return nullptr;
 }

@@ -6,7 +6,9 @@ namespace {
 
 constexpr std::uint32_t kFirstBroadcastFormat = 240;  ///< PDU format from which the low byte belongs to the PGN
 
-constexpr bool is_addressed(std::uint32_t pgn) { return ((pgn >> 8U) & 0xFFU) < kFirstBroadcastFormat; }
+constexpr bool is_addressed(std::uint32_t pgn) {
+  return ((pgn >> 8U) & 0xFFU) < kFirstBroadcastFormat;
+}
 
 }  // namespace
 

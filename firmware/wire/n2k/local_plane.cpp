@@ -15,7 +15,9 @@ constexpr double kRadiansPerDegree = 3.141592653589793 / 180.0;
 constexpr double kMaxLatitude_deg = 80.0;  ///< of an origin: nearer to a pole the meridians converge too fast for a plane
 constexpr double kMaxOffset_deg = 2.0;     ///< from the origin
 
-bool within(double x, double limit) { return x >= -limit && x <= limit; }
+bool within(double x, double limit) {
+  return x >= -limit && x <= limit;
+}
 
 /// Metres per degree at a latitude.
 struct Scale {

@@ -23,7 +23,8 @@ double positive(Radians angle) {
 }
 
 /// `value`, provided that field `signal` of the same message says `expected`.
-Result<double> provided(Result<double> value, std::uint32_t pgn, std::string_view signal, double expected, std::span<const std::uint8_t> bytes) {
+Result<double> provided(Result<double> value, std::uint32_t pgn, std::string_view signal, double expected,
+                        std::span<const std::uint8_t> bytes) {
   const Result<double> found = read(pgn, signal, bytes);
   if (!found.ok()) return found.status();
   if (found.value() != expected) return Status::kUnsupported;

@@ -62,8 +62,8 @@ constexpr std::array kHeadingControl{
     Signal{"VesselHeading", 152, 16, kUnsigned, 1e-4, 0.0, "rad", 0, kTwoPi},
 };
 
-// Ours. A proprietary group begins with the maker's code; 2044, the highest that the field can hold, is assigned to nobody known to canboat and
-// must become the vehicle maker's own before it sails with strangers' devices.
+// Ours. A proprietary group begins with the maker's code; 2044, the highest that the field can hold, is assigned to nobody known to canboat
+// and must become the vehicle maker's own before it sails with strangers' devices.
 constexpr std::array kSpeedDepth{
     Signal{"ManufacturerCode", 0, 11, kUnsigned, 1.0, 0.0, "", 0, 2044},
     Signal{"IndustryGroup", 13, 3, kUnsigned, 1.0, 0.0, "", 0, 6},
@@ -86,15 +86,17 @@ constexpr std::array kMessages{
     message_of("EarshotSpeedDepth", kSpeedDepthPgn, 3, 8, Direction::kFromRuntime, Duration::seconds(1), kSpeedDepth),
 };
 
-static_assert([] {
-  for (const Message& message : kMessages) {
-    if (message.size > kMaxMessageSize) return false;
-    for (const Signal& signal : message.signals) {
-      if (signal.bit_count < 1 || signal.bit_count > 32 || signal.first_bit + signal.bit_count > 8 * message.size) return false;
-    }
-  }
-  return true;
-}(), "every signal lies in its message, and every message in kMaxMessageSize");
+static_assert(
+    [] {
+      for (const Message& message : kMessages) {
+        if (message.size > kMaxMessageSize) return false;
+        for (const Signal& signal : message.signals) {
+          if (signal.bit_count < 1 || signal.bit_count > 32 || signal.first_bit + signal.bit_count > 8 * message.size) return false;
+        }
+      }
+      return true;
+    }(),
+    "every signal lies in its message, and every message in kMaxMessageSize");
 
 std::uint32_t read_bits(std::span<const std::uint8_t> bytes, const Signal& signal) {
   std::uint32_t raw = 0;
@@ -114,7 +116,9 @@ void write_bits(std::span<std::uint8_t> bytes, const Signal& signal, std::uint32
   }
 }
 
-bool fits(const Signal& signal, std::size_t size) { return std::size_t{signal.first_bit} + signal.bit_count <= 8 * size; }
+bool fits(const Signal& signal, std::size_t size) {
+  return std::size_t{signal.first_bit} + signal.bit_count <= 8 * size;
+}
 
 /// The field's raw value that means "not available": all ones, the sign bit apart.
 std::int64_t not_available(const Signal& signal) {
@@ -130,7 +134,9 @@ std::int64_t special_values(const Signal& signal) {
 
 }  // namespace
 
-std::span<const Message> messages() { return kMessages; }
+std::span<const Message> messages() {
+  return kMessages;
+}
 
 const Message* find_message(std::uint32_t pgn) {
   for (const Message& message : kMessages) {
