@@ -129,11 +129,13 @@ TEST(SectionAlong, ChangesItsWaterWithTheClimatology) {
   auto charts = std::make_shared<Charts>();
   charts->grid.origin = {.latitude_deg = 45.0, .longitude_deg = -7.0};
   charts->formula = SoundSpeedFormula::kMackenzie;
-  Climatology water{.file = "woa.nc",
-                    .axes = {.centre_longitude_deg = -7.0, .latitude_deg = axis(44.0, 0.5, 5), .longitude_deg = axis(-8.0, 0.5, 5)},
-                    .depth_m = {0.0, 1000.0},
-                    .temperature_c = {},
-                    .salinity_psu = std::vector<double>(50, 35.0)};
+  Climatology water;
+  water.file = "woa.nc";
+  water.axes.centre_longitude_deg = -7.0;
+  water.axes.latitude_deg = axis(44.0, 0.5, 5);
+  water.axes.longitude_deg = axis(-8.0, 0.5, 5);
+  water.depth_m = {0.0, 1000.0};
+  water.salinity_psu.assign(50, 35.0);
   for (int level = 0; level < 2; ++level) {
     for (const double lat : water.axes.latitude_deg) water.temperature_c.insert(water.temperature_c.end(), 5, 25.0 + 10.0 * (lat - 45.0));
   }
