@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -18,7 +19,8 @@ namespace {
 class PolicyFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (testing::UnitTest::GetInstance()->current_test_info()->name() + std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
     support::write_public_key(key_ = folder_ / "key.pub");
     policy_ = folder_ / "walk.policy";
