@@ -9,23 +9,10 @@
 #include <system_error>
 
 #include "sim/netcdf/library_exit.hpp"
+#include "sim/netcdf/library_type.hpp"
 
 namespace earshot::netcdf {
 namespace {
-
-nc_type nc_type_of(Type type) {
-  switch (type) {
-    case Type::kFloat:
-      return NC_FLOAT;
-    case Type::kDouble:
-      return NC_DOUBLE;
-    case Type::kInt16:
-      return NC_SHORT;
-    case Type::kInt32:
-      return NC_INT;
-  }
-  return NC_NAT;
-}
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& variable, const std::string& what) {
   throw FileError(path.string() + ": " + (variable.empty() ? "" : variable + ": ") + what);

@@ -7,26 +7,9 @@
 #include <system_error>
 
 #include "sim/netcdf/library_exit.hpp"
+#include "sim/netcdf/library_type.hpp"
 
 namespace earshot::netcdf {
-namespace {
-
-nc_type nc_type_of(Type type) {
-  switch (type) {
-    case Type::kFloat:
-      return NC_FLOAT;
-    case Type::kDouble:
-      return NC_DOUBLE;
-    case Type::kInt16:
-      return NC_SHORT;
-    case Type::kInt32:
-      return NC_INT;
-  }
-  return NC_NAT;
-}
-
-}  // namespace
-
 Writer::Writer(std::filesystem::path path) : path_(std::move(path)), partial_(path_) {
   partial_ += ".part" + std::to_string(getpid());
   leave_hdf5_alone_at_exit();

@@ -1,14 +1,9 @@
 // pe.*: processor seconds of the parabolic-equation solver, set-up and fit of the propagator included; tests/bench/peers/pyram_cases.py is
-// the peer. usage: bench_pe_solver same_grid.single|same_grid.batch|equal_accuracy.munk_20hz|equal_accuracy.range_dependent|library
-#include <sys/resource.h>
-
-#include <atomic>
-#include <chrono>
+// the peer. usage: bench_pe_solver same_grid.single|same_grid.batch|equal_accuracy.munk_20hz|equal_accuracy.range_dependent
 #include <cmath>
 #include <ctime>
 #include <iostream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "sim/pe/solver.hpp"
@@ -66,36 +61,6 @@ void require_mean_error(const pe::Field& field, const std::string& name, int col
   if (!(mean <= limit_db)) throw std::runtime_error(name + ": less accurate than the peer");
 }
 
-/// Hills of 300 m over a basin, a different cut for every radial.
-pe::Section hills(int source, int radial) {
-  pe::Section section = papers_ocean();
-  section.floor.clear();
-  const double phase = 0.7 * source + 0.0873 * radial;
-  for (double r = 0.0; r <= kRange; r += 500.0)
-    section.floor.push_back({r, 2500.0 + 300.0 * std::sin(r / 3000.0 + phase) + 150.0 * std::sin(r / 1100.0 + 3.0 * phase)});
-  section.sediment = {{0.0, {{0.0, 1600.0, 1.8, 0.5}}}};
-  return section;
-}
-
-/// Wall seconds of 64 sources x 72 radials on two cores.
-double library() {
-  constexpr int kSources = 64;
-  constexpr int kRadials = 72;
-  std::atomic<int> next{0};
-  const auto work = [&next] {
-    for (int i = next++; i < kSources * kRadials; i = next++)
-      (void)run(hills(i / kRadials, i % kRadials), {.output_step = Meters{50.0}, .accuracy = Decibels{0.1}}, 30.0, kRange);
-  };
-  const auto start = std::chrono::steady_clock::now();
-  std::thread other(work);
-  work();
-  other.join();
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  std::cerr << "library: peak memory " << usage.ru_maxrss / 1024 << " MiB\n";
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 double measure(const std::string& figure) {
   const pe::Options same_grid{
       .depth_step = Meters{1.0}, .range_step = Meters{50.0}, .terms = 8, .absorber_wavelengths = 20.0, .output_step = Meters{50.0}};
@@ -116,7 +81,6 @@ double measure(const std::string& figure) {
     require_mean_error(run(upslope(), automatic, 30.0, 35'000.0), "upslope_deep", 1, 35'000, 0.78);
     return best_of_three([&] { (void)run(upslope(), automatic, 30.0, 35'000.0); });
   }
-  if (figure == "library") return library();
   throw std::runtime_error("no such figure: " + figure);
 }
 
