@@ -14,17 +14,31 @@ std::string picture_name(const std::string& path) {
   return extension == ".png" || extension == ".svg" ? std::string() : path + ": a picture's name must end in .png or .svg";
 }
 
+/// CLI::Range lets NaN pass.
+CLI::Validator number_between(double low, double high) {
+  std::ostringstream range;
+  range << low << " to " << high;
+  const auto check = [low, high, allowed = range.str()](const std::string& text) {
+    double value = 0.0;
+    const bool is_number = CLI::detail::lexical_cast(text, value);
+    return is_number && value >= low && value <= high ? std::string() : text + ": must be a number from " + allowed;
+  };
+  return {check, range.str()};
+}
+
 void describe_place(CLI::App& app, FieldArguments& a) {
-  app.add_option("--max-range-km", a.max_range_km, "how far from the source")->check(CLI::Range(0.001, 2000.0))->capture_default_str();
+  app.add_option("--max-range-km", a.max_range_km, "how far from the source")->check(number_between(0.001, 2000.0))->capture_default_str();
   app.add_option("--depth,--receiver-depth-m", a.depth_m, "receiver depths in m; default: every --depth-spacing down to the sea floor")
-      ->check(CLI::Range(0.0, 12'000.0));
-  app.add_option("--depth-spacing", a.depth_spacing_m, "m between receiver depths")->check(CLI::Range(0.1, 10000.0))->capture_default_str();
+      ->check(number_between(0.0, 12'000.0));
+  app.add_option("--depth-spacing", a.depth_spacing_m, "m between receiver depths")
+      ->check(number_between(0.1, 10000.0))
+      ->capture_default_str();
   app.add_option("--bearing-deg", a.bearing_deg, "of the radial, clockwise from north; matters where charts are used")
-      ->check(CLI::Range(-360.0, 360.0))
+      ->check(number_between(-360.0, 360.0))
       ->capture_default_str();
   app.add_option("--output-step-m", a.output_step_m,
                  "m between ranges written; default: a sixth of a wavelength, a third with --radials, --range-step if given")
-      ->check(CLI::Range(0.01, 100000.0));
+      ->check(number_between(0.01, 100000.0));
 }
 
 void describe_fan(CLI::App& app, FieldArguments& a) {
@@ -32,20 +46,20 @@ void describe_fan(CLI::App& app, FieldArguments& a) {
       ->check(CLI::Range(1, 100'000));
   app.add_flag("--map", a.map, "also lay SNR and probability of detection on a north-east grid; one receiver depth");
   app.add_option("--map-side-km", a.map_side_km, "side of that square; default: the largest within --max-range-km")
-      ->check(CLI::Range(0.001, 4000.0));
+      ->check(number_between(0.001, 4000.0));
   app.add_option("--map-intervals", a.map_intervals, "grid steps along a side")->check(CLI::Range(1, 10'000))->capture_default_str();
   app.add_option("--detection-threshold-db", a.detection_threshold_db, "SNR needed for detection; pictures change colour there")
-      ->check(CLI::Range(-200.0, 200.0))
+      ->check(number_between(-200.0, 200.0))
       ->capture_default_str();
   app.add_option("--fluctuation-db", a.fluctuation_db, "standard deviation of the SNR in dB; 0: detection is certain or impossible")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(number_between(0.0, 100.0))
       ->capture_default_str();
 }
 
 void describe_sound(CLI::App& app, FieldArguments& a) {
   app.add_option("--band-hz", a.band_hz, "average intensity over the band LOW HIGH instead of the source's one frequency")
       ->expected(2)
-      ->check(CLI::Range(1.0, 10'000.0));
+      ->check(number_between(1.0, 10'000.0));
   app.add_option("--frequencies", a.frequencies, "how many equal parts of the band are computed, at their middles")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
@@ -53,11 +67,19 @@ void describe_sound(CLI::App& app, FieldArguments& a) {
 
 void describe_solver(CLI::App& app, FieldArguments& a) {
   app.add_option("--accuracy-db", a.accuracy_db, "of transmission loss, mean over ranges; chooses the solver's grid")
-      ->check(CLI::Range(0.0001, 10.0))
+      ->check(number_between(0.0001, 10.0))
       ->capture_default_str();
-  app.add_option("--range-step", a.range_step_m, "m of one step of the solver; default: automatic")->check(CLI::Range(0.01, 10000.0));
-  app.add_option("--depth-step", a.depth_step_m, "m of the solver's depth grid; default: automatic")->check(CLI::Range(0.001, 1000.0));
+  app.add_option("--range-step,--range-step-m", a.range_step_m, "m of one step of the solver; default: automatic")
+      ->check(number_between(0.01, 10000.0));
+  app.add_option("--depth-step,--depth-step-m", a.depth_step_m, "m of the solver's depth grid; default: automatic")
+      ->check(number_between(0.001, 1000.0));
   app.add_option("--terms", a.terms, "poles of the propagator, 2 to 16; 0: automatic")->check(CLI::Range(0, 16))->capture_default_str();
+  app.add_option("--absorber-wavelengths", a.absorber_wavelengths, "thickness of the absorbing layer below the deepest layer of the seabed")
+      ->check(number_between(0.5, 100.0))
+      ->capture_default_str();
+  app.add_option("--starter", a.starter, "self: a point source, exact at all angles; gaussian: a beam, weaker where it is steep")
+      ->check(CLI::IsMember({"self", "gaussian"}))
+      ->capture_default_str();
   app.add_flag("--check", a.check, "also run with both steps of the grid halved, and print by how many dB that changes the loss");
   app.add_option("--threads", a.threads, "processors used, default all; the result does not depend on it")->check(CLI::Range(1, 4096));
 }
@@ -143,6 +165,8 @@ sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Envi
   plan.range_step = Meters{arguments.output_step_m.value_or(arguments.range_step_m.value_or(automatic_m))};
   plan.ranges = std::max<std::size_t>(1, static_cast<std::size_t>(1000.0 * arguments.max_range_km / plan.range_step.value + 1e-9));
   plan.options.terms = arguments.terms;
+  plan.options.absorber_wavelengths = arguments.absorber_wavelengths;
+  plan.options.starter = arguments.starter == "gaussian" ? pe::Starter::kGaussian : pe::Starter::kSelf;
   plan.options.accuracy = Decibels{arguments.accuracy_db};
   if (arguments.range_step_m) plan.options.range_step = Meters{*arguments.range_step_m};
   if (arguments.depth_step_m) plan.options.depth_step = Meters{*arguments.depth_step_m};
