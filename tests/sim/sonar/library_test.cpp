@@ -8,6 +8,7 @@
 #include <string>
 
 #include "sim/netcdf/reader.hpp"
+#include "sim/sonar/field_library.hpp"
 #include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
 
