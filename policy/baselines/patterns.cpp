@@ -12,8 +12,13 @@ constexpr double kReached = 0.75;  ///< step lengths from a corner: the compass'
 
 }  // namespace
 
-std::size_t RandomWalk::choose(const Look& /*look*/) {
-  return random_.next() % briefing_.actions.size();
+std::size_t RandomWalk::choose(const Look& look) {
+  FixedVector<std::size_t, config::kMaxActions> free;
+  for (std::size_t action = 0; action < briefing_.actions.size(); ++action) {
+    if (border_cost(briefing_.settings, end_of(briefing_, look.position, action)) > 0.0) continue;
+    [[maybe_unused]] const Status status = free.push_back(action);
+  }
+  return free.empty() ? random_.next() % briefing_.actions.size() : free[random_.next() % free.size()];
 }
 
 Meters assured_detection_range(const Briefing& briefing) {

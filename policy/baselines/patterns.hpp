@@ -9,7 +9,7 @@ namespace earshot::baselines {
 
 // Searchers that go their way whatever they hear.
 
-/// Every action as likely as any other.
+/// Every action as likely as any other of those that do not end in the border.
 class RandomWalk : public Searcher {
  public:
   explicit RandomWalk(const Briefing& briefing) : briefing_(briefing) {}

@@ -37,13 +37,6 @@ void reflect(Meters& x, double& course, Meters low, Meters high) {
 
 }  // namespace
 
-NorthEast uniform_in(const Rectangle& area, Pcg32& random) {
-  const double north = random.uniform_double();
-  const double east = random.uniform_double();
-  return {area.south_west.north + north * (area.north_east.north - area.south_west.north),
-          area.south_west.east + east * (area.north_east.east - area.south_west.east)};
-}
-
 void Surroundings::start(const SearchWorld& world, NorthEast vehicle, NorthEast source, Pcg32 random) {
   const ocean::Conditions& c = world.conditions;
   *this = {};
