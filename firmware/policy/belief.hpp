@@ -76,12 +76,23 @@ class Belief {
   /// @param action  below the number of the model's actions
   [[nodiscard]] const ActionOutlook& outlook(std::size_t action) const { return outlooks_[action]; }
   /// Probability that the source lies in a cell, counted from the south and from the west.
-  [[nodiscard]] float probability(const BeliefModel& model, std::size_t north, std::size_t east) const;
+  [[nodiscard]] float probability(const BeliefModel& model, std::size_t north, std::size_t east) const {
+    return marginal_[north * model.cells_east + east];
+  }
   /// Probability of a hypothesis.
   [[nodiscard]] float probability_of_hypothesis(std::size_t hypothesis) const { return hypothesis_shares_[hypothesis]; }
 
  private:
-  std::array<float, config::kMaxBeliefCells * config::kMaxBeliefHypotheses> planes_;  ///< [hypothesis x north x east]
+  void find_cells(const BeliefModel& model, NorthEast position);
+  void weigh(const BeliefModel& model, Heard heard);
+  void normalise(const BeliefModel& model);
+  void summarise(const BeliefModel& model);
+  void look_out(const BeliefModel& model, NorthEast position);
+
+  std::array<float, config::kMaxBeliefCells * config::kMaxBeliefHypotheses> planes_;  ///< [hypothesis x north x east], joint probability
+  std::array<float, config::kMaxBeliefCells> marginal_;                               ///< [north x east], sum of the planes
+  std::array<std::uint16_t, config::kMaxBeliefCells> bins_;                           ///< range of each cell from the vehicle, in range steps
+  std::array<float, config::kMaxBeliefRanges> cost_;  ///< of a search that goes straight to a source so many range steps away
   std::array<float, config::kMaxBeliefHypotheses> hypothesis_shares_;
   BeliefSummary summary_;
   std::array<ActionOutlook, config::kMaxActions> outlooks_;
