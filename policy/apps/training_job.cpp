@@ -159,6 +159,7 @@ struct Training::Parts {
   ocean::Environment environment;
   sonar::SnrCurve snr;
   search::SearchWorld world;
+  policy::ObservationModel model;
   ppo::Trainer trainer;
   LearningCurve curve;
   std::uint32_t settings_crc32;
@@ -170,7 +171,8 @@ struct Training::Parts {
         environment(environment_at(run.environment, run.vehicle_depth)),
         snr(settle_search()),
         world(run.search, snr),
-        trainer(world, ppo::observation_of(run), run.hyper, run.seed, ranks),
+        model(ppo::observation_of(run, snr)),
+        trainer(world, model, run.hyper, run.seed, ranks),
         curve(earlier_curve(job)),
         settings_crc32(apps::settings_crc32(job.options, run, environment)) {}
 
@@ -206,7 +208,7 @@ void Training::Parts::resume() {
 
 ppo::Checkpoint Training::Parts::checkpoint(ppo::TrainingState state) const {
   ppo::Checkpoint checkpoint;
-  checkpoint.observation = ppo::observation_of(run);
+  checkpoint.observation = model;
   checkpoint.direction_count = run.search.direction_count;
   checkpoint.step_length = run.search.step_length;
   checkpoint.area_size = run.search.domain.north_east - run.search.domain.south_west;

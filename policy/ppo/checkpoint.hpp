@@ -33,7 +33,7 @@ struct Continuation {
 
 /// What training leaves behind: both networks and what they mean.
 struct Checkpoint {
-  policy::ObservationSpec observation;
+  policy::ObservationModel observation;
   std::size_t direction_count = 0;  ///< actions: compass directions, clockwise from north
   Meters step_length;
   NorthEast area_size;                                          ///< of the domain trained in
@@ -44,7 +44,7 @@ struct Checkpoint {
   std::optional<Continuation> continuation = {};  ///< none: made elsewhere, cannot be gone on with
 
   [[nodiscard]] NetworkShape shape() const {
-    return {static_cast<Eigen::Index>(observation.size()), static_cast<Eigen::Index>(direction_count)};
+    return {static_cast<Eigen::Index>(observation.spec.size()), static_cast<Eigen::Index>(direction_count)};
   }
 };
 

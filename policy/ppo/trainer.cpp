@@ -34,19 +34,19 @@ double explained_variance(const Rollout& rollout) {
 
 }  // namespace
 
-Trainer::Trainer(const search::SearchWorld& world, const policy::ObservationSpec& spec, const HyperParameters& hyper, std::uint64_t seed)
-    : Trainer(world, spec, hyper, seed, one_process()) {}
+Trainer::Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed)
+    : Trainer(world, model, hyper, seed, one_process()) {}
 
-Trainer::Trainer(const search::SearchWorld& world, const policy::ObservationSpec& spec, const HyperParameters& hyper, std::uint64_t seed,
+Trainer::Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed,
                  parallel::Ranks& ranks)
     : hyper_(hyper),
       seed_(seed),
       ranks_(ranks),
       random_(seed, kLearningStream),
-      environments_(world, spec, hyper.environment_count, seed, ranks.rank() * hyper.environment_count),
+      environments_(world, model, hyper.environment_count, seed, ranks.rank() * hyper.environment_count),
       learner_(shape_of(environments_), hyper, random_, ranks),
       rollout_(shape_of(environments_), hyper.environment_count, hyper.steps_per_rollout),
-      observations_(index(spec.size()), index(hyper.environment_count)),
+      observations_(index(model.spec.size()), index(hyper.environment_count)),
       activations_(shape_of(environments_), index(hyper.environment_count)),
       single_(shape_of(environments_), 1),
       actions_(hyper.environment_count),

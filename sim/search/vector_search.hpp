@@ -24,8 +24,11 @@ class VectorSearch {
  public:
   /// @param world  outlives this; check(world.settings) is kOk
   /// @param first_stream  of the seed, that of environment 0: other processes have those before and after
-  VectorSearch(const SearchWorld& world, const policy::ObservationSpec& spec, std::size_t environment_count, std::uint64_t seed,
+  VectorSearch(const SearchWorld& world, const policy::ObservationModel& model, std::size_t environment_count, std::uint64_t seed,
                std::uint64_t first_stream = 0);
+
+  VectorSearch(const VectorSearch&) = delete;  // its episodes point to its model
+  VectorSearch& operator=(const VectorSearch&) = delete;
 
   /// One action for each environment.
   void step(std::span<const std::size_t> actions);
@@ -37,7 +40,7 @@ class VectorSearch {
   [[nodiscard]] bool resume(std::span<const EpisodeScript> scripts);
 
   [[nodiscard]] std::size_t environment_count() const { return episodes_.size(); }
-  [[nodiscard]] std::size_t observation_size() const { return spec_.size(); }
+  [[nodiscard]] std::size_t observation_size() const { return model_.spec.size(); }
   [[nodiscard]] std::size_t action_count() const { return world_.actions.size(); }
 
   /// [observation_size] of one environment, to act upon next.
@@ -54,7 +57,7 @@ class VectorSearch {
   [[nodiscard]] std::span<float> slot(std::vector<float>& all, std::size_t environment) const;
 
   const SearchWorld& world_;
-  policy::ObservationSpec spec_;
+  policy::ObservationModel model_;
   std::vector<Episode> episodes_;
   std::vector<Pcg32> random_;
   std::vector<EpisodeScript> scripts_;
