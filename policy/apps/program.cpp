@@ -33,7 +33,7 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<void()
   } catch (const CLI::ParseError& e) {
     std::cerr << app.get_name() << ": " << e.what() << "\n";
   } catch (const BadInput& e) {
-    std::cerr << e.what() << "\n";
+    if (*e.what() != '\0') std::cerr << e.what() << "\n";
   }
   return kBadInputStatus;
 }

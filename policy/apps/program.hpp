@@ -9,7 +9,8 @@
 
 namespace earshot::apps {
 
-/// Parses the command line and runs `body`. Bad input of any kind ends as one message on standard error and exit status 2.
+/// Parses the command line and runs `body`. Bad input of any kind ends as one message on standard error and exit status 2;
+/// an empty message is for the other ranks of an MPI program to say.
 int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& body);
 
 /// The whole content of a file. Throws config_file::BadInput when it cannot be read.
