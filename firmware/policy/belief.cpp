@@ -19,11 +19,11 @@ std::size_t cell_count(const BeliefModel& model) {
 }
 
 double cell_north(const BeliefModel& model) {
-  return model.area_size.north.value / double{model.cells_north};
+  return model.area_size.north.value / static_cast<double>(model.cells_north);
 }
 
 double cell_east(const BeliefModel& model) {
-  return model.area_size.east.value / double{model.cells_east};
+  return model.area_size.east.value / static_cast<double>(model.cells_east);
 }
 
 using RangeTable = std::array<float, config::kMaxBeliefRanges>;

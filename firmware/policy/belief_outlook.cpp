@@ -79,8 +79,8 @@ struct Grid {
       : shares(marginal),
         rows(model.cells_north),
         columns(model.cells_east),
-        size_north(static_cast<float>(model.area_size.north.value / double{model.cells_north})),
-        size_east(static_cast<float>(model.area_size.east.value / double{model.cells_east})) {}
+        size_north(static_cast<float>(model.area_size.north.value / static_cast<double>(model.cells_north))),
+        size_east(static_cast<float>(model.area_size.east.value / static_cast<double>(model.cells_east))) {}
 
   /// Sums up the cells [row, row + kBlock) x [column, column + kBlock), those that there are.
   [[nodiscard]] float block(std::size_t row, std::size_t column, Point& centre) const {
