@@ -1,11 +1,14 @@
 #include "policy/ppo/training_run.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <sstream>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/config_file/table_reader.hpp"
+#include "sim/search/belief_model.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -13,6 +16,7 @@ namespace {
 using config_file::Range;
 using config_file::TableReader;
 
+constexpr std::array<std::string_view, 3> kStates{"simple", "memory", "belief"};  // in the order of State
 constexpr std::int64_t kMany = std::numeric_limits<std::int64_t>::max();
 
 std::size_t read_size(TableReader& table, std::string_view key, std::size_t fallback, std::int64_t lowest, std::int64_t highest) {
@@ -47,6 +51,14 @@ void read_hyper_parameters(TableReader table, HyperParameters& h) {
   h.value_coefficient = table.number_or("value_coefficient", h.value_coefficient, Range::at_least(0.0));
   h.entropy_coefficient = table.number_or("entropy_coefficient", h.entropy_coefficient, Range::at_least(0.0));
   h.max_gradient_norm = table.number_or("max_gradient_norm", h.max_gradient_norm, Range::above(0.0));
+  h.target_kl = table.number_or("target_kl", h.target_kl, Range::at_least(0.0));
+  h.reward_scale = table.number_or("reward_scale", h.reward_scale, Range::above(0.0));
+}
+
+void read_training_reward(TableReader table, HyperParameters& h) {
+  h.found_reward = table.number_or("found", h.found_reward);
+  h.step_reward = table.number_or("step", h.step_reward);
+  h.least_reward = table.number_or("least", h.least_reward, Range::between(-1.0e9, 0.0));
 }
 
 }  // namespace
@@ -57,14 +69,18 @@ TrainingRun load_run(const std::filesystem::path& path) {
   TrainingRun run;
   if (root.has("environment")) run.environment = file.resolve(root.text("environment"));
   run.vehicle_depth = Meters{root.number_or("vehicle_depth_m", run.vehicle_depth.value, Range::above(0.0))};
-  run.state = root.choice_or("state", 0, {"simple", "memory"}) == 0 ? State::kSimple : State::kMemory;
+  run.state = static_cast<State>(root.choice_or("state", 0, {kStates.begin(), kStates.end()}));
   run.remembered_steps = read_size(root, "remembered_steps", run.remembered_steps, 1, config::kMaxRememberedSteps);
   run.seed = static_cast<std::uint64_t>(root.integer_or("seed", 1, 0, kMany));
   run.episodes = static_cast<std::uint64_t>(root.integer_or("episodes", 0, 0, kMany));
   run.steps = static_cast<std::uint64_t>(root.integer_or("steps", 0, 0, kMany));
   std::optional<TableReader> search = root.optional_table("search");
   if (search) read_search(*search, run.search);
-  if (auto table = root.optional_table("ppo")) read_hyper_parameters(*table, run.hyper);
+  if (auto table = root.optional_table("ppo")) {
+    read_hyper_parameters(*table, run.hyper);
+    run.learning_rate_schedule = static_cast<LearningRateSchedule>(table->choice_or("learning_rate_schedule", 0, {"constant", "linear"}));
+  }
+  if (auto table = root.optional_table("training_reward")) read_training_reward(*table, run.hyper);
   file.finish();
   if (search && search::check(run.search) != Status::kOk)
     search->problem("border_width_m", "must leave room inside the border for the start");
@@ -72,10 +88,30 @@ TrainingRun load_run(const std::filesystem::path& path) {
   return run;
 }
 
-policy::ObservationSpec observation_of(const TrainingRun& run) {
+std::string_view name_of(State state) {
+  return kStates[static_cast<std::size_t>(state)];
+}
+
+State state_named(std::string_view name) {
+  return static_cast<State>(std::ranges::find(kStates, name) - kStates.begin());
+}
+
+policy::ObservationModel observation_of(const TrainingRun& run, const sonar::SnrCurve& curve) {
   const search::SearchSettings& s = run.search;
-  if (run.state == State::kSimple) return policy::simple_state(s.domain.north_east - s.domain.south_west);
-  return policy::memory_state(run.remembered_steps, s.step_length, s.detection_threshold).value();
+  policy::ObservationModel model;
+  model.belief = search::belief_model(s, curve);
+  switch (run.state) {
+    case State::kSimple:
+      model.spec = policy::simple_state(s.domain.north_east - s.domain.south_west);
+      break;
+    case State::kMemory:
+      model.spec = policy::memory_state(run.remembered_steps, s.step_length, s.detection_threshold).value();
+      break;
+    case State::kBelief:
+      model.spec = policy::belief_state(model.belief);
+      break;
+  }
+  return model;
 }
 
 std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run) {
@@ -88,9 +124,10 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   const search::SearchSettings& s = run.search;
   const HyperParameters& h = run.hyper;
   add("vehicle_depth_m", run.vehicle_depth.value);
-  add("state", run.state == State::kSimple ? "simple" : "memory");
+  add("state", name_of(run.state));
   if (run.state == State::kMemory) add("remembered_steps", run.remembered_steps);
   add("source", s.placement == search::SourcePlacement::kFixed ? "fixed" : "changing");
+  add("start", s.start_region.south_west == s.domain.south_west ? "domain" : "inside_border");
   add("border_width_m", s.border_width.value);
   add("border_reward", s.border_reward);
   add("max_steps", s.max_steps);
@@ -101,12 +138,18 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   add("batch_size", h.batch_size);
   add("epochs", h.epochs);
   add("learning_rate", h.learning_rate);
+  add("learning_rate_schedule", run.learning_rate_schedule == LearningRateSchedule::kConstant ? "constant" : "linear");
   add("discount", h.discount);
   add("gae_lambda", h.gae_lambda);
   add("clip_range", h.clip_range);
   add("value_coefficient", h.value_coefficient);
   add("entropy_coefficient", h.entropy_coefficient);
   add("max_gradient_norm", h.max_gradient_norm);
+  add("target_kl", h.target_kl);
+  add("found_reward", h.found_reward);
+  add("step_reward", h.step_reward);
+  if (h.least_reward > HyperParameters{}.least_reward) add("least_reward", h.least_reward);
+  add("reward_scale", h.reward_scale);
   return lines;
 }
 

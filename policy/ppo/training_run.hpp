@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "firmware/policy/observation.hpp"
 #include "policy/ppo/hyper_parameters.hpp"
 #include "sim/search/settings.hpp"
+#include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::ppo {
 
@@ -18,6 +20,12 @@ namespace earshot::ppo {
 enum class State : std::uint8_t {
   kSimple,  ///< o = (x, y)
   kMemory,  ///< displacement and SNR of each of the last steps
+  kBelief,  ///< what is believed about the source, from all that was heard
+};
+
+enum class LearningRateSchedule : std::uint8_t {
+  kConstant,
+  kLinear,  ///< falls to zero with the last of `steps`
 };
 
 /// Everything that decides what a training run makes.
@@ -28,8 +36,9 @@ struct TrainingRun {
   State state = State::kSimple;
   std::size_t remembered_steps = 2;  ///< m of the memory state, 1 to config::kMaxRememberedSteps
   HyperParameters hyper;
+  LearningRateSchedule learning_rate_schedule = LearningRateSchedule::kConstant;
   std::uint64_t seed = 1;
-  std::uint64_t episodes = 0;  ///< training ends after so many, the rollout under way unused; 0: no limit
+  std::uint64_t episodes = 0;  ///< training ends with the rollout that brings the last of so many; 0: no limit
   std::uint64_t steps = 0;     ///< training ends with the rollout that reaches it; 0: no limit
 };
 
@@ -37,8 +46,14 @@ struct TrainingRun {
 /// problem.
 [[nodiscard]] TrainingRun load_run(const std::filesystem::path& path);
 
-/// What the policy of this run sees.
-[[nodiscard]] policy::ObservationSpec observation_of(const TrainingRun& run);
+/// "simple", "memory" or "belief".
+[[nodiscard]] std::string_view name_of(State state);
+/// @param name  one of the names above
+[[nodiscard]] State state_named(std::string_view name);
+
+/// What the policy of this run sees, and what it takes for granted when it looks.
+/// @param curve  SNR that a belief takes for the truth
+[[nodiscard]] policy::ObservationModel observation_of(const TrainingRun& run, const sonar::SnrCurve& curve);
 
 /// Every setting that shaped the policy, as names and values, for its provenance.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run);

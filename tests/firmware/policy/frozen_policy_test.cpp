@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "firmware/core/crc32.hpp"
@@ -29,7 +30,7 @@ constexpr std::size_t kStepLengthAt = 24;
 constexpr std::size_t kAreaNorthAt = 32;
 constexpr std::size_t kAreaEastAt = 40;
 constexpr std::size_t kThresholdAt = 48;
-constexpr std::size_t kElementsAt = 60;
+constexpr std::size_t kElementsAt = 64;
 constexpr std::size_t kDirectionsAt = kElementsAt + 2 * 12;
 constexpr std::size_t kWeightsAt = kDirectionsAt + 4 * 16;
 constexpr std::size_t kParameters = 3 * 5 + 6 * 3 + 4 * 4;
@@ -43,7 +44,7 @@ constexpr std::size_t kLength = kChecksumAt + 4 + 64;
 /// A 2-5-3-4 policy with weights from a generator.
 std::unique_ptr<FrozenPolicy> small_policy() {
   auto policy = std::make_unique<FrozenPolicy>();
-  policy->observation = simple_state({.north = Meters{25000}, .east = Meters{25000}});
+  policy->observation.spec = simple_state({.north = Meters{25000}, .east = Meters{25000}});
   for (const UnitNorthEast& direction : {UnitNorthEast{1, 0}, UnitNorthEast{0, 1}, UnitNorthEast{-1, 0}, UnitNorthEast{0.6, -0.8}}) {
     EXPECT_EQ(policy->actions.push_back(direction), Status::kOk);
   }
@@ -120,7 +121,7 @@ TEST(FrozenPolicy, LiesInItsBytesAsTheReadmeSays) {
   const std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
   ASSERT_EQ(bytes.size(), kLength);
   EXPECT_EQ(std::string_view(reinterpret_cast<const char*>(bytes.data()), 8), "EARSHOTP");
-  EXPECT_EQ(bytes[kVersionAt], 2);
+  EXPECT_EQ(bytes[kVersionAt], 3);
   EXPECT_EQ(bytes[kLengthAt] + 256U * bytes[kLengthAt + 1], kLength);
   EXPECT_EQ(bytes[kActionCountAt], 4);
   EXPECT_EQ(double_at(bytes, kStepLengthAt), 1000.0);
@@ -138,7 +139,7 @@ TEST(FrozenPolicy, ComesBackFromItsBytesAsItWas) {
   PolicyFault fault{};
   ASSERT_EQ(parse(bytes, *after, fault), Status::kOk);
   EXPECT_EQ(fault, PolicyFault::kNone);
-  EXPECT_TRUE(std::ranges::equal(after->observation, before->observation));
+  EXPECT_TRUE(std::ranges::equal(after->observation.spec, before->observation.spec));
   EXPECT_TRUE(std::ranges::equal(after->actions, before->actions));
   EXPECT_TRUE(std::ranges::equal(after->provenance, before->provenance));
   EXPECT_EQ(after->step_length, before->step_length);
@@ -154,18 +155,18 @@ TEST(FrozenPolicy, ComesBackFromItsBytesAsItWas) {
 
 TEST(FrozenPolicy, MayReplaceALargerOneInPlace) {
   const auto policy = std::make_unique<FrozenPolicy>();
-  policy->observation = memory_state(21, Meters{1000}, Decibels{10}).value();
+  policy->observation.spec = memory_state(21, Meters{1000}, Decibels{10}).value();
   policy->network.observation_size = 63;
   PolicyFault fault{};
   const std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
   ASSERT_EQ(parse(bytes, *policy, fault), Status::kOk);
-  EXPECT_EQ(policy->observation.size(), 2U);
+  EXPECT_EQ(policy->observation.spec.size(), 2U);
   EXPECT_EQ(bytes_of(*policy), bytes);
 }
 
 TEST(FrozenPolicy, OfTheLargestSizesFillsTheLargestSerialisedSize) {
   const auto policy = std::make_unique<FrozenPolicy>();
-  while (policy->observation.push_back({}) == Status::kOk) {
+  while (policy->observation.spec.push_back({.feature = Feature::kFound}) == Status::kOk) {
   }
   while (policy->actions.push_back({}) == Status::kOk) {
   }
@@ -173,12 +174,86 @@ TEST(FrozenPolicy, OfTheLargestSizesFillsTheLargestSerialisedSize) {
   }
   policy->step_length = Meters{1};
   policy->area_size = {.north = Meters{1}, .east = Meters{1}};
+  BeliefModel& belief = policy->observation.belief;
+  while (belief.hypotheses.push_back({}) == Status::kOk) {
+  }
+  while (belief.snr_db.push_back(0.0F) == Status::kOk) {
+  }
+  belief.actions = policy->actions;
+  belief.step_length = policy->step_length;
+  belief.area_size = policy->area_size;
+  belief.detection_threshold = policy->detection_threshold;
   policy->network.observation_size = config::kMaxObservation;
   policy->network.hidden_sizes = {Network::kWidth, Network::kWidth};
   policy->network.action_count = config::kMaxActions;
   const std::vector<std::uint8_t> bytes = bytes_of(*policy);
   EXPECT_EQ(bytes.size(), max_serialised_size());
   EXPECT_EQ(parsed(bytes).status, Status::kOk);
+}
+
+/// small_policy() that sees a belief of two hypotheses and five ranges.
+std::unique_ptr<FrozenPolicy> believing_policy() {
+  auto policy = small_policy();
+  BeliefModel& belief = policy->observation.belief;
+  belief.actions = policy->actions;
+  belief.step_length = policy->step_length;
+  belief.area_size = policy->area_size;
+  belief.detection_threshold = policy->detection_threshold;
+  belief.border_width = Meters{700};
+  belief.cells_north = 49;
+  belief.cells_east = 51;
+  belief.outlier_share = 0.125F;
+  belief.silence_share = 0.25F;
+  belief.forgotten_share = 0.0625F;
+  belief.range_step = Meters{150};
+  EXPECT_EQ(belief.hypotheses.push_back({.level_offset_db = -1.0F, .spread_db = 2.0F, .prior = 3.0F}), Status::kOk);
+  EXPECT_EQ(belief.hypotheses.push_back({.level_offset_db = 4.0F, .spread_db = 5.0F, .prior = 6.0F}), Status::kOk);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(belief.snr_db.push_back(static_cast<float>(i) - 1.5F), Status::kOk);
+  policy->observation.spec.clear();
+  EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kPreference, .age = 3}), Status::kOk);
+  EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kHypothesis, .age = 1}), Status::kOk);
+  return policy;
+}
+
+TEST(FrozenPolicy, CarriesItsBelief) {
+  const auto before = believing_policy();
+  const std::vector<std::uint8_t> bytes = bytes_of(*before);
+  EXPECT_EQ(bytes.size(), kLength + 36 + 2 * 12 + 5 * 4);
+  const auto after = std::make_unique<FrozenPolicy>();
+  PolicyFault fault{};
+  ASSERT_EQ(parse(bytes, *after, fault), Status::kOk);
+  const BeliefModel& a = after->observation.belief;
+  const BeliefModel& b = before->observation.belief;
+  EXPECT_TRUE(std::ranges::equal(after->observation.spec, before->observation.spec));
+  EXPECT_TRUE(std::ranges::equal(a.hypotheses, b.hypotheses));
+  EXPECT_TRUE(std::ranges::equal(a.snr_db, b.snr_db));
+  EXPECT_TRUE(std::ranges::equal(a.actions, b.actions));
+  EXPECT_EQ(std::tuple(a.cells_north, a.cells_east, a.border_width, a.range_step), std::tuple(49, 51, Meters{700}, Meters{150}));
+  EXPECT_EQ(std::tuple(a.outlier_share, a.silence_share, a.forgotten_share), std::tuple(0.125F, 0.25F, 0.0625F));
+  EXPECT_EQ(std::tuple(a.area_size, a.step_length, a.detection_threshold), std::tuple(b.area_size, b.step_length, b.detection_threshold));
+  EXPECT_EQ(bytes_of(*after), bytes);
+}
+
+TEST(FrozenPolicy, WithABeliefThatCannotBeIsRefused) {
+  std::vector<std::uint8_t> bytes(max_serialised_size());
+  const auto refused = [&bytes](const std::function<void(BeliefModel&)>& damage) {
+    const auto policy = believing_policy();
+    damage(policy->observation.belief);
+    return serialise(*policy, kPublicKey, bytes).status() == Status::kOutOfRange;
+  };
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.cells_north = 0; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.cells_north = 50; }));  // 50 x 51 are more than 2500
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.hypotheses.clear(); }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.snr_db.clear(); }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.snr_db[2] = std::numeric_limits<float>::quiet_NaN(); }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.hypotheses[0].spread_db = 0.0F; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.hypotheses[1].prior = -1.0F; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.outlier_share = 1.5F; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.silence_share = std::numeric_limits<float>::quiet_NaN(); }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.forgotten_share = 0.6F; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.range_step = Meters{0}; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.step_length = Meters{999}; }));  // of another search than the policy
+  EXPECT_FALSE(refused([](BeliefModel&) {}));
 }
 
 TEST(FrozenPolicy, CutShortAnywhereIsTooShort) {
@@ -222,15 +297,15 @@ TEST(FrozenPolicy, WithAWrongChecksumIsCorrupt) {
 
 TEST(FrozenPolicy, NamesWhatIsWrongWithItsHeader) {
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[0] = 'e'; }).fault, PolicyFault::kBadMagic);
-  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 1; }).fault, PolicyFault::kUnknownVersion);
-  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 3; }).fault, PolicyFault::kUnknownVersion);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 2; }).fault, PolicyFault::kUnknownVersion);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 4; }).fault, PolicyFault::kUnknownVersion);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActivationAt] = 0; }).fault, PolicyFault::kUnknownActivation);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kDrawAt] = 3; }).fault, PolicyFault::kUnknownDraw);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActionCountAt] = 0; }).fault, PolicyFault::kBadShape);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActionCountAt] = 33; }).fault, PolicyFault::kBadShape);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActionCountAt] = 5; }).fault, PolicyFault::kBadShape);
   EXPECT_EQ(parsed_after([](auto& bytes) { put_double(bytes, kStepLengthAt, 0.0); }).fault, PolicyFault::kNotFinite);
-  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kElementsAt] = 6; }).fault, PolicyFault::kUnknownFeature);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kElementsAt] = 10; }).fault, PolicyFault::kUnknownFeature);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kElementsAt + 1] = config::kMaxRememberedSteps; }).fault, PolicyFault::kBadShape);
 }
 
@@ -254,8 +329,7 @@ TEST(FrozenPolicy, ThatDoesNotGiveItsGoldenLogitsIsCorrupt) {
   EXPECT_EQ(result.fault, PolicyFault::kGoldenMismatch);
 }
 
-TEST(FrozenPolicy, SurvivesAnyBytesWhatever) {
-  const std::vector<std::uint8_t> good = bytes_of(*small_policy());
+void survive_any_change_of(const std::vector<std::uint8_t>& good) {
   const auto policy = std::make_unique<FrozenPolicy>();
   Pcg32 random(31);
   for (int round = 0; round < 20000; ++round) {
@@ -273,6 +347,14 @@ TEST(FrozenPolicy, SurvivesAnyBytesWhatever) {
       ASSERT_EQ(bytes_of(*policy).size(), bytes.size());
     }
   }
+}
+
+TEST(FrozenPolicy, SurvivesAnyBytesWhatever) {
+  survive_any_change_of(bytes_of(*small_policy()));
+}
+
+TEST(FrozenPolicy, SurvivesAnyBytesWhateverInItsBelief) {
+  survive_any_change_of(bytes_of(*believing_policy()));
 }
 
 /// A mission that small_policy() was trained for, its corners where a sum of doubles rounds.

@@ -2,12 +2,12 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "sim/apps/rank_session.hpp"
-#include "sim/sonar/ordered_tasks.hpp"
+#include "sim/parallel/ordered_tasks.hpp"
+#include "sim/parallel/rank_session.hpp"
 
-namespace earshot::apps {
+namespace earshot::parallel {
 
-RankSession::RankSession() : ranks_(std::make_unique<sonar::Alone>()) {
+RankSession::RankSession() : ranks_(std::make_unique<Alone>()) {
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {  // OpenMPI's; MPICH's and batch systems'
     const char* size = std::getenv(variable);                          // NOLINT(concurrency-mt-unsafe): before any thread
     if (size != nullptr && std::atoi(size) > 1) {
@@ -19,7 +19,7 @@ RankSession::RankSession() : ranks_(std::make_unique<sonar::Alone>()) {
 RankSession::~RankSession() = default;
 
 std::size_t RankSession::processors() const {
-  return sonar::available_processors();
+  return available_processors();
 }
 
 std::string RankSession::first_error(const std::string& mine) {
@@ -30,4 +30,4 @@ void RankSession::abort() {
   std::exit(2);
 }
 
-}  // namespace earshot::apps
+}  // namespace earshot::parallel

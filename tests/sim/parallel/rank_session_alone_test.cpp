@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "sim/apps/rank_session.hpp"
+#include "sim/parallel/rank_session.hpp"
 
-namespace earshot::apps {
+namespace earshot::parallel {
 namespace {
 
 TEST(RankSessionAlone, IsOneProcessWithItsOwnErrors) {
@@ -32,4 +32,4 @@ TEST(RankSessionAlone, RefusesToBeOneOfManyThatWouldWriteTheSameFile) {
 }
 
 }  // namespace
-}  // namespace earshot::apps
+}  // namespace earshot::parallel
