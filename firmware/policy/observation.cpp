@@ -33,7 +33,7 @@ bool is_known(Feature feature) {
 
 bool needs_belief(Feature feature) {
   const auto within = [feature](Feature first, Feature last) { return feature >= first && feature <= last; };
-  return within(Feature::kLikeliestEast, Feature::kHypothesis) || within(Feature::kFound, Feature::kLoss);
+  return within(Feature::kLikeliestEast, Feature::kHypothesis) || within(Feature::kFound, Feature::kRegret);
 }
 
 bool needs_belief(const ObservationSpec& spec) {
@@ -109,12 +109,12 @@ double SearchMemory::of_belief(const ObservationElement& element) const {
       return double{outlook.found};
     case Feature::kDetected:
       return double{outlook.detected};
-    case Feature::kApproach:
-      return double{outlook.approach_m};
+    case Feature::kReach:
+      return double{outlook.reach};
     case Feature::kBorder:
       return double{outlook.border};
-    case Feature::kLoss:
-      return double{outlook.loss};
+    case Feature::kRegret:
+      return double{outlook.regret};
     default:
       break;
   }
@@ -165,7 +165,7 @@ ObservationSpec belief_state(const BeliefModel& model) {
         spec.push_back({.feature = feature, .age = static_cast<std::uint8_t>(index), .offset = 0.0F, .scale = scale});
     assert(status == Status::kOk);
   };
-  for (std::size_t i = 0; i < model.actions.size(); ++i) add(Feature::kLoss, i, 1.0F);
+  for (std::size_t i = 0; i < model.actions.size(); ++i) add(Feature::kRegret, i, 1.0F);
   return spec;
 }
 

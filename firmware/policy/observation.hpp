@@ -41,10 +41,10 @@ enum class Feature : std::uint8_t {
 
   // Of the belief, one for each action; `age` is the action's index.
   kFound = 32,     ///< probability that the action's end lies within a step length of the source
-  kDetected = 33,  ///< probability of a detection at the action's end
-  kApproach = 34,  ///< expected decrease of the distance to the source, metres
+  kReach = 33,     ///< the same for the best place within a few steps of which the action is one (ActionOutlook::reach)
+  kDetected = 34,  ///< probability of a detection at the action's end
   kBorder = 35,    ///< how deep the action's end lies in the border: 0 inside, 1 at the edge, more beyond
-  kLoss = 36,      ///< expected cost of the search after the action, above that after the best
+  kRegret = 36,    ///< expected cost of the search after the action, less that after the best
 };
 
 /// One element of an observation: element = (raw - offset) * scale.

@@ -100,6 +100,12 @@ BelievedPlace believed_place(const policy::Belief& belief, const policy::BeliefM
   return place;
 }
 
+Meters expected_approach(const BelievedPlace& place, NorthEast from, NorthEast to) {
+  Meters sum;
+  for_each_cell(place, [&](NorthEast centre, double p) { sum += p * (range_between(centre, from) - range_between(centre, to)); });
+  return sum;
+}
+
 ExpectedHearing expected_hearing(const BelievedPlace& place, const policy::Belief& belief, const policy::BeliefModel& model, NorthEast at) {
   double mean = 0.0;
   double square = 0.0;

@@ -42,6 +42,9 @@ struct ExpectedHearing {
   Decibels level_bias;  ///< the part of `snr` that the hypotheses about the source's level make
 };
 
+/// By how much a step is expected to shorten the distance to the source, metres; negative when it leads away.
+[[nodiscard]] Meters expected_approach(const BelievedPlace& place, NorthEast from, NorthEast to);
+
 /// Oracle: ExpectedHearing.IsTheMeanOfTheTableOverTheCells
 [[nodiscard]] ExpectedHearing expected_hearing(const BelievedPlace& place, const policy::Belief& belief, const policy::BeliefModel& model,
                                                NorthEast at);

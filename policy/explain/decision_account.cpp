@@ -24,7 +24,7 @@ std::vector<ActionAccount> actions_of(const Circumstances& c, const RecordedDeci
                        .hear = expected_hearing(place, belief, c.belief, end - c.south_west),
                        .detected = static_cast<double>(outlook.detected),
                        .found = static_cast<double>(outlook.found),
-                       .approach = Meters{static_cast<double>(outlook.approach_m)},
+                       .approach = expected_approach(place, decision.position - c.south_west, end - c.south_west),
                        .border = static_cast<double>(outlook.border)});
   }
   return actions;

@@ -23,7 +23,7 @@ Unit unit_of(Feature feature) {
       return Unit::kShare;
     case Feature::kEffectiveCells:
     case Feature::kBorder:
-    case Feature::kLoss:
+    case Feature::kRegret:
       return Unit::kCount;
     default:
       return Unit::kMeters;
@@ -59,9 +59,9 @@ Subject subject_of(Feature feature) {
       return Subject::kHeard;
     case Feature::kFound:
     case Feature::kDetected:
-    case Feature::kApproach:
+    case Feature::kReach:
     case Feature::kBorder:
-    case Feature::kLoss:
+    case Feature::kRegret:
       return Subject::kPromised;
     default:
       return policy::needs_belief(feature) ? Subject::kBelieved : Subject::kPlace;
@@ -130,12 +130,12 @@ std::string name_of(const policy::ObservationElement& element, const policy::Bel
       return going("chance of finding the source by going");
     case Feature::kDetected:
       return going("chance of hearing it by going");
-    case Feature::kApproach:
-      return going("expected approach by going");
+    case Feature::kReach:
+      return going("chance of finding it within a few steps, first going");
     case Feature::kBorder:
       return going("depth in the border by going");
-    case Feature::kLoss:
-      return going("expected cost of the search by going");
+    case Feature::kRegret:
+      return going("expected extra cost of the search by going");
   }
   return "feature " + std::to_string(static_cast<int>(element.feature));
 }
