@@ -116,6 +116,7 @@ Flight read_flight(const std::filesystem::path& folder) {
   flight.summary = read_summary(folder / "summary.json");
   flight.track = read_track(folder / "track.csv");
   flight.snr = read_snr(folder / "snr.csv");
+  if (flight.snr.size() < 2) throw BadInput((folder / "snr.csv").string() + ": at least two rows are needed");
   flight.journal = read_journal(folder / kJournalName);
   return flight;
 }

@@ -65,6 +65,13 @@ void check_against_policy(const RecordedFlight& flight) {
   }
 }
 
+void read_places(const fs::path& path, const nlohmann::json& summary, RecordedFlight& flight) try {
+  flight.south_west = place_in(summary.at("area").at("south_west"));
+  flight.source = place_in(summary.at("source"));
+} catch (const nlohmann::json::exception& e) {
+  throw BadInput(path.string() + ": " + e.what());
+}
+
 /// For a policy without a belief: one made of the SNR that the simulator flew with.
 policy::BeliefModel observer_of(const policy::FrozenPolicy& policy, const Flight& flight) {
   std::vector<float> snr_db;
@@ -94,10 +101,7 @@ RecordedFlight open_recording(const fs::path& folder_or_journal, const Recording
   require_decisions(flight.journal_path, flight.journal);
   flight.policy_path = policy_for(flight.journal_path, options);
   flight.policy = evaluate::load_policy(flight.policy_path);
-  if (files) {
-    flight.south_west = place_in(files->summary.at("area").at("south_west"));
-    flight.source = place_in(files->summary.at("source"));
-  }
+  if (files) read_places(folder_or_journal / "summary.json", files->summary, flight);
   if (options.south_west) flight.south_west = *options.south_west;
   check_against_policy(flight);
   if (policy::needs_belief(flight.policy->observation.spec)) return flight;
