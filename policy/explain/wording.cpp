@@ -136,6 +136,8 @@ std::string name_of(const policy::ObservationElement& element, const policy::Bel
       return going("depth in the border by going");
     case Feature::kRegret:
       return going("expected extra cost of the search by going");
+    default:
+      break;
   }
   return "feature " + std::to_string(static_cast<int>(element.feature));
 }

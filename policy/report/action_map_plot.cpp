@@ -106,7 +106,7 @@ void draw_action_map(const std::filesystem::path& path, const ActionMapPicture& 
   text += picture.belief ? block("belief", belief_rows(*picture.belief)) + block("track", track_rows(picture))
                          : block("probability", probability_rows(picture));
   sonar::draw(
-      path, "1500,700",
+      path, "1560,700",
       text + "set multiplot layout 1,2\n" + panel_style(picture) + snr_panel(picture) + action_panel(picture) + "unset multiplot\n");
 }
 

@@ -50,7 +50,8 @@ TEST(BelievedPlace, AgreesWithTheSummaryThatThePolicySees) {
   const BelievedPlace place = believed_place(*belief, model);
   const policy::BeliefSummary& summary = belief->summary();
   EXPECT_LE(range_between(place.mean, summary.mean).value, 5.0);  // a float sum over 2500 cells
-  EXPECT_NEAR(std::hypot(place.ellipse.semi_major.value, place.ellipse.semi_minor.value), summary.spread.value, 0.01 * summary.spread.value);
+  EXPECT_NEAR(std::hypot(place.ellipse.semi_major.value, place.ellipse.semi_minor.value), summary.spread.value,
+              0.01 * summary.spread.value);
   EXPECT_NEAR(place.likeliest_share, static_cast<double>(summary.likeliest_share), 1e-5);
 }
 

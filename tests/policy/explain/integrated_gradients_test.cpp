@@ -37,8 +37,7 @@ TEST(IntegratedGradients, AddUpToTheDifferenceForEveryNetworkAndEveryPairOfObser
     const std::size_t action = random.next() % sizes.actions;
     const Attribution a = integrated_gradients(*network, {.observation = x, .baseline = baseline}, action);
     EXPECT_TRUE(a.is_complete()) << "round " << round << ": " << a.sum() << " of " << a.difference() << " after " << a.steps;
-    EXPECT_EQ(a.difference(),
-              log_probability(*network, x, action).value - log_probability(*network, baseline, action).value);
+    EXPECT_EQ(a.difference(), log_probability(*network, x, action).value - log_probability(*network, baseline, action).value);
   }
 }
 

@@ -62,7 +62,8 @@ TEST(LogProbability, IsThatOfTheFloatNetworkThatFlies) {
   policy::softmax(logits, probabilities);
   const std::vector<double> seen(observation.begin(), observation.end());
   for (std::size_t a = 0; a < logits.size(); ++a) {
-    EXPECT_NEAR(std::exp(log_probability(*network, seen, a).value), static_cast<double>(probabilities[a]), 2e-6);  // some 64 float roundings
+    EXPECT_NEAR(std::exp(log_probability(*network, seen, a).value), static_cast<double>(probabilities[a]),
+                2e-6);  // some 64 float roundings
     EXPECT_NEAR(logits_of(*network, seen)[a], static_cast<double>(logits[a]), 2e-5);
   }
 }

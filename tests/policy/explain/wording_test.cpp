@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sim/search/settings.hpp"
 
 namespace earshot::explain {

@@ -38,9 +38,18 @@ nlohmann::json place(NorthEast p) {
 }
 
 nlohmann::json summary_of(const policy::FrozenPolicy& policy, std::size_t steps, NorthEast corner) {
-  return {{"found", false},        {"reward", -3.0},      {"steps", steps},        {"distance_m", 1e3 * static_cast<double>(steps)},
-          {"detections", 1},       {"sim_time_s", 2e3},   {"wall_time_s", 0.5},    {"seed", 1},
-          {"end_reason", "a test"}, {"environment", "a"}, {"mission", "b"},        {"detection_threshold_db", policy.detection_threshold.value},
+  return {{"found", false},
+          {"reward", -3.0},
+          {"steps", steps},
+          {"distance_m", 1e3 * static_cast<double>(steps)},
+          {"detections", 1},
+          {"sim_time_s", 2e3},
+          {"wall_time_s", 0.5},
+          {"seed", 1},
+          {"end_reason", "a test"},
+          {"environment", "a"},
+          {"mission", "b"},
+          {"detection_threshold_db", policy.detection_threshold.value},
           {"source", place(corner + NorthEast{Meters{12'000.0}, Meters{15'000.0}})},
           {"start", place(corner + NorthEast{Meters{8'000.0}, Meters{6'000.0}})},
           {"area", {{"south_west", place(corner)}, {"north_east", place(corner + policy.area_size)}}}};
@@ -52,7 +61,8 @@ void write_journal(const std::filesystem::path& path, const std::vector<explain:
   board::Journal journal(path, {.existing = board::JournalOptions::Existing::kReplace});
   for (const explain::RecordedDecision& d : decisions) {
     const board::Encoded encoded(message_of(d));
-    if (journal.append(Time{static_cast<std::int64_t>(d.time_s * 1e6)}, wire::kDecisionChannel, encoded.bytes()) != Status::kOk) std::abort();
+    if (journal.append(Time{static_cast<std::int64_t>(d.time_s * 1e6)}, wire::kDecisionChannel, encoded.bytes()) != Status::kOk)
+      std::abort();
   }
   if (journal.close() != Status::kOk) std::abort();
 }
@@ -69,8 +79,8 @@ void write_flight(const std::filesystem::path& folder, const policy::FrozenPolic
   std::ofstream track(folder / "track.csv");
   track << "time_s,north_m,east_m,depth_m,heading_deg,speed_mps,snr_db,range_m,state,steps_taken\n";
   for (const explain::RecordedDecision& d : decisions)
-    track << d.time_s << ',' << d.position.north.value << ',' << d.position.east.value << ",300,0,2," << d.heard.snr.value << ",9000,search,"
-          << d.step << '\n';
+    track << d.time_s << ',' << d.position.north.value << ',' << d.position.east.value << ",300,0,2," << d.heard.snr.value
+          << ",9000,search," << d.step << '\n';
 }
 
 }  // namespace earshot::report
