@@ -88,7 +88,7 @@ std::string snr_panel(const ActionMapPicture& picture) {
 
 std::string action_panel(const ActionMapPicture& picture) {
   std::string text = "set title " + sonar::quoted(picture.what) + " noenhanced\n";
-  text += picture.belief ? "set cblabel 'believed: 1 - probability of the smallest area with this place'\nset cbrange [0:1]\n"
+  text += picture.belief ? "set cblabel 'believed: 1 where the source is likeliest'\nset cbrange [0:1]\n"
                            "set palette defined (0 '#ffffff', 0.05 '#fdf2e3', 0.5 '#e9a15b', 1 '#b3541e')\nplot $belief with image"
                          : "set cblabel 'probability of the likeliest direction'\nset cbrange [0:1]\n"
                            "set palette defined (0 '#ffffff', 1 '#7fb8dd')\nplot $probability with image";

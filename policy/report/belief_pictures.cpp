@@ -98,15 +98,18 @@ std::string plot_of(const PlotFolder& folder, const std::string& name, const Bel
 std::vector<std::string> belief_svgs(const std::vector<BeliefPicture>& pictures) {
   if (pictures.empty()) return {};
   const PlotFolder folder;
-  std::string script = std::string("set terminal svg size 660,560 dynamic enhanced font 'sans-serif,13'\n") + kPlotStyle + R"(
+  std::string script = std::string("set terminal svg size 700,520 dynamic enhanced font 'sans-serif,13'\n") + kPlotStyle + R"(
 set size ratio -1
+set lmargin at screen 0.02
+set rmargin at screen 0.74
+set tmargin at screen 0.97
+set bmargin at screen 0.12
 set xlabel 'east (km)'
 set ylabel 'north (km)'
 set cbrange [1:3]
 set palette defined (1 '#f6dcb8', 2 '#e9a15b', 3 '#b3541e')
 unset colorbox
-set key outside right top
-set datafile missing 'NaN'
+set key at screen 0.99,0.95 right top
 )";
   std::vector<std::string> outputs;
   for (std::size_t i = 0; i < pictures.size(); ++i) {

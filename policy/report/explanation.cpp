@@ -141,7 +141,7 @@ std::string looks_table(std::span<const explain::RecordedDecision> looks) {
   std::string text = "<div class=\"table\"><table>\n<tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>heard</th></tr>\n";
   for (std::size_t i = looks.size(); i > 0 && looks.size() - i < kLooksShown; --i) {
     const explain::RecordedDecision& look = looks[i - 1];
-    text += "<tr><td>" + std::to_string(look.step) + "</td><td>" + duration(look.time_s) + "</td><td>" +
+    text += "<tr><td>" + std::to_string(look.step) + "</td><td>" + duration(look.time_s - looks.front().time_s) + "</td><td>" +
             fixed(look.position.north.value / 1e3, 2) + "</td><td>" + fixed(look.position.east.value / 1e3, 2) + "</td><td" +
             (look.detected ? " class=\"heard\"" : "") + ">" + heard_in_words(look.heard) + (look.detected ? " &#9679;" : "") +
             "</td></tr>\n";
@@ -158,7 +158,7 @@ std::string actions_table(const DecisionAccount& a) {
     const explain::ActionAccount& action = a.actions[i];
     const bool is_taken = i == a.decision.action;
     text += std::string("<tr><td class=\"left\">") + (is_taken ? "<b>" + action.name + "</b> taken" : action.name) + "</td>" +
-            percent_cell(action.probability, is_taken) + "<td>" + fixed(action.hear.snr.value, 1) + " &plusmn; " +
+            percent_cell(action.probability, 6.0, is_taken) + "<td>" + fixed(action.hear.snr.value, 1) + " &plusmn; " +
             fixed(action.hear.spread.value, 1) + "</td><td>" + fixed(100.0 * action.detected, 0) + "</td><td>" +
             fixed(100.0 * action.found, 1) + "</td><td>" + fixed(action.approach.value / 1e3, 2) + "</td><td>" +
             (action.border > 0.0 ? fixed(action.border, 2) : "-") + "</td></tr>\n";

@@ -14,8 +14,8 @@ inline constexpr std::string_view kHtmlEnd = "</body></html>\n";
 /// "<dt>..<dd>" in a box; belongs into a <dl>.
 [[nodiscard]] std::string fact(std::string_view name, const std::string& value);
 
-/// A cell whose background is filled to a share of its width.
-[[nodiscard]] std::string percent_cell(double share, bool is_taken);
+/// A cell in percent whose background is a bar, `full_rem` long where the share is one.
+[[nodiscard]] std::string percent_cell(double share, double full_rem, bool is_taken);
 
 /// "47 min" or "1 h 12 min"
 [[nodiscard]] std::string duration(double s);

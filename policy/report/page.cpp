@@ -56,7 +56,7 @@ std::string row(const explain::RecordedDecision& d) {
                      (d.detected ? " class=\"heard\"" : "") + ">" + (d.heard.measured ? "" : "&lt; ") + fixed(d.heard.snr.value, 1) +
                      (d.detected ? " &#9679;" : "") + "</td>";
   const std::vector<double> probabilities = probabilities_of(d);
-  for (std::size_t a = 0; a < probabilities.size(); ++a) text += percent_cell(probabilities[a], a == d.action);
+  for (std::size_t a = 0; a < probabilities.size(); ++a) text += percent_cell(probabilities[a], 2.2, a == d.action);
   return text + "<td>" + (d.overridden ? "way-point moved" : "") + "</td></tr>\n";
 }
 
@@ -64,7 +64,8 @@ std::string reasons(const explain::DecisionAccount& account, const std::string& 
   std::string text = "<tr class=\"why\"><td colspan=\"" + std::to_string(columns) + "\"><details><summary>why " +
                      account.actions[account.decision.action].name + "</summary>\n<ul class=\"words\">\n";
   for (const std::string& sentence : sentences(account)) text += "<li>" + escaped(sentence) + "</li>\n";
-  return text + "</ul>\n" + chart + actions_table(account) + attribution_tables(account, kRowsOfAttribution) + "</details></td></tr>\n";
+  return text + "</ul>\n<div class=\"chart\">" + chart + "</div>\n" + actions_table(account) +
+         attribution_tables(account, kRowsOfAttribution) + "</details></td></tr>\n";
 }
 
 std::string decisions(const Flight& flight, const FlightExplanation& explanation) {

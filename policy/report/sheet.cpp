@@ -13,8 +13,8 @@ constexpr std::size_t kRows = 8;  ///< of the observation, shown on a sheet
 
 std::string subtitle(const Sheet& sheet) {
   const explain::RecordedDecision& d = sheet.account.decision;
-  return duration(d.time_s) + " after the clock's start, " + fixed(d.position.north.value / 1e3, 2) + " km north, " +
-         fixed(d.position.east.value / 1e3, 2) + " km east. Journal " + sheet.flight.journal_path.string() + ", policy " +
+  return duration(d.time_s - sheet.looks().front().time_s) + " after the first decision, " + fixed(d.position.north.value / 1e3, 2) +
+         " km north, " + fixed(d.position.east.value / 1e3, 2) + " km east. Journal " + sheet.flight.journal_path.string() + ", policy " +
          sheet.flight.policy_path.string() + ": replayed, and every decision up to the last comes out bit for bit.";
 }
 
@@ -41,8 +41,8 @@ std::string as_html(const Sheet& sheet) {
   if (!notes(sheet).empty()) text += "<p class=\"missed\">" + notes(sheet) + "</p>\n";
   text += "<ul class=\"words\">\n";
   for (const std::string& sentence : sentences(a)) text += "<li>" + escaped(sentence) + "</li>\n";
-  text += "</ul>\n<h2>Where the source is believed to be</h2>\n" +
-          belief_svgs({{.account = a, .looks = sheet.looks(), .source = sheet.flight.source}}).front();
+  text += "</ul>\n<h2>Where the source is believed to be</h2>\n<div class=\"chart\">" +
+          belief_svgs({{.account = a, .looks = sheet.looks(), .source = sheet.flight.source}}).front() + "</div>\n";
   text += "<h2>What it could do</h2>\n" + actions_table(a);
   text +=
       "<h2>What moved the choice</h2>\n<p>Integrated gradients of the log-probability of what was taken: a part of 0.69 nats doubles its "
