@@ -8,9 +8,9 @@
 namespace earshot::policy {
 namespace {
 
-constexpr std::size_t kBlock = 2;             // cells on the side of a block: a cost of kilometres needs no finer look
-constexpr float kLeastBlockShare = 2e-4F;     // a block less likely changes no decision
-constexpr float kLeastNearShare = 0.01F;      // a source less likely to be near needs no look at where it could be reached
+constexpr std::size_t kBlock = 2;          // cells on the side of a block: a cost of kilometres needs no finer look
+constexpr float kLeastBlockShare = 2e-4F;  // a block less likely changes no decision
+constexpr float kLeastNearShare = 0.01F;   // a source less likely to be near needs no look at where it could be reached
 constexpr std::size_t kMaxBlocks = config::kMaxBeliefCells;
 
 /// A place in kilometres is exact enough, and short: floats, metres from the south-west corner.
@@ -96,7 +96,8 @@ struct Grid {
       }
     }
     if (share < kLeastBlockShare) return 0.0F;
-    centre = {(static_cast<float>(row) + 0.5F + north / share) * size_north, (static_cast<float>(column) + 0.5F + east / share) * size_east};
+    centre = {(static_cast<float>(row) + 0.5F + north / share) * size_north,
+              (static_cast<float>(column) + 0.5F + east / share) * size_east};
     return share;
   }
 

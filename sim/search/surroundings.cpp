@@ -43,6 +43,8 @@ void Surroundings::start(const SearchWorld& world, NorthEast vehicle, NorthEast 
   random_ = random;
   ocean_ = random_.next() % world.soundscape->ocean_count();
   level_offset_ = (2.0 * random_.uniform_double() - 1.0) * c.source_level_spread;
+  fluctuation_ = c.fluctuation;
+  if (c.least_fluctuation) fluctuation_ = *c.least_fluctuation + random_.uniform_double() * (c.fluctuation - *c.least_fluctuation);
   const Radians drawn_current = any_bearing(random_);
   if (c.current)
     current_per_step_ = Meters{c.current->speed.value * step_time_s(world)} * toward(c.current->toward.value_or(drawn_current));
@@ -90,7 +92,7 @@ policy::Heard Surroundings::listen(const SearchWorld& world, NorthEast vehicle) 
   Decibels loudest{-std::numeric_limits<double>::infinity()};
   for (const Source& source : sources_) {
     Decibels snr = world.soundscape->snr(source.field, source.position, vehicle) + level_offset_;
-    if (c.fluctuation.value > 0.0) snr += normal() * c.fluctuation;
+    if (fluctuation_.value > 0.0) snr += normal() * fluctuation_;
     if (!c.calls || has_called(*c.calls, source)) loudest = std::max(loudest, snr);
   }
   if (c.floor && !(loudest >= *c.floor)) return {.snr = *c.floor, .measured = false};

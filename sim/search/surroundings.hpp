@@ -51,6 +51,7 @@ class Surroundings {
   FixedVector<Source, ocean::kMaxSources> sources_;
   std::size_t ocean_ = 0;
   Decibels level_offset_;
+  Decibels fluctuation_;
   NorthEast current_per_step_;
   NorthEast unseen_current_;
   NorthEast drift_;
