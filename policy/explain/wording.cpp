@@ -24,6 +24,7 @@ Unit unit_of(Feature feature) {
     case Feature::kEffectiveCells:
     case Feature::kBorder:
     case Feature::kRegret:
+    case Feature::kPreference:
       return Unit::kCount;
     default:
       return Unit::kMeters;
@@ -62,6 +63,7 @@ Subject subject_of(Feature feature) {
     case Feature::kReach:
     case Feature::kBorder:
     case Feature::kRegret:
+    case Feature::kPreference:
       return Subject::kPromised;
     default:
       return policy::needs_belief(feature) ? Subject::kBelieved : Subject::kPlace;
@@ -136,6 +138,8 @@ std::string name_of(const policy::ObservationElement& element, const policy::Bel
       return going("depth in the border by going");
     case Feature::kRegret:
       return going("expected extra cost of the search by going");
+    case Feature::kPreference:
+      return going("worth (1 the best, 0 the worst) of going");
     default:
       break;
   }

@@ -100,7 +100,7 @@ std::vector<std::string> belief_svgs(const std::vector<BeliefPicture>& pictures)
   const PlotFolder folder;
   std::string script = std::string("set terminal svg size 700,520 dynamic enhanced font 'sans-serif,13'\n") + kPlotStyle + R"(
 set size ratio -1
-set lmargin at screen 0.02
+set lmargin at screen 0.10
 set rmargin at screen 0.74
 set tmargin at screen 0.97
 set bmargin at screen 0.12

@@ -26,6 +26,10 @@ std::string km(Meters length) {
   return fixed(length.value / 1e3, 1) + " km";
 }
 
+std::string square_km(double area) {
+  return fixed(area, area < 10.0 ? 1 : 0) + " km\u00B2";
+}
+
 std::string place_in_words(NorthEast place) {
   return fixed(place.north.value / 1e3, 2) + " km north, " + fixed(place.east.value / 1e3, 2) + " km east";
 }
@@ -50,8 +54,8 @@ std::string belief_sentence(const DecisionAccount& a) {
   const NorthEast likeliest = a.area.south_west + a.place.likeliest;
   return std::string(a.belief_is_the_policys ? "It believes" : "An observer would believe (this policy holds no belief)") +
          " that the source is most likely " + km(range_between(a.decision.position, likeliest)) + " away, bearing " +
-         bearing_in_words(a.decision.position, likeliest) + "; with 50 % it lies within " + fixed(a.place.smallest_area_km2(0.5), 1) +
-         " km\u00B2, with 95 % within " + fixed(a.place.smallest_area_km2(0.95), 0) + " km\u00B2.";
+         bearing_in_words(a.decision.position, likeliest) + "; with 50 % it lies within " + square_km(a.place.smallest_area_km2(0.5)) +
+         ", with 95 % within " + square_km(a.place.smallest_area_km2(0.95)) + ".";
 }
 
 std::string choice_sentence(const DecisionAccount& a) {

@@ -21,7 +21,7 @@ th, td { padding: .2rem .5rem; border-bottom: 1px solid var(--line); text-align:
 td.p { position: relative; min-width: 2.6rem; } td.p i { position: absolute; inset: .2rem auto .2rem .2rem; background: var(--bar); opacity: .35; border-radius: 2px; } td.p.taken { font-weight: 700; }
 th.left, td.left { text-align: left; white-space: normal; } td.for i { background: var(--good); } td.against i { background: var(--bad); }
 .two { display: grid; grid-template-columns: repeat(auto-fit, minmax(22rem, 1fr)); gap: 1.25rem; align-items: start; } .words { color: var(--ink); } .words li { margin: .2rem 0; }
-.chart { max-width: 42rem; margin: 0 auto; } summary { cursor: pointer; color: var(--soft); } tr.why > td { text-align: left; white-space: normal; border-bottom: 1px solid var(--line); padding-bottom: .6rem; } h3 { font-size: 1rem; margin: 1rem 0 .4rem; }
+.chart { max-width: 42rem; margin: 0 auto; } .chart image { image-rendering: pixelated; } summary { cursor: pointer; color: var(--soft); } tr.why > td { text-align: left; white-space: normal; border-bottom: 1px solid var(--line); padding-bottom: .6rem; } h3 { font-size: 1rem; margin: 1rem 0 .4rem; }
 )";
 
 }  // namespace

@@ -16,6 +16,10 @@ sonar::SnrCurve falling() {
   return {Meters{1'000.0}, std::move(snr_db)};
 }
 
+policy::Heard hear(Decibels snr) {
+  return snr < kFloor ? policy::Heard{.snr = kFloor, .measured = false} : policy::Heard{.snr = snr};
+}
+
 std::unique_ptr<policy::FrozenPolicy> with_random_network(const policy::ObservationModel& observation, std::uint64_t seed) {
   const search::SearchSettings settings;
   auto policy = std::make_unique<policy::FrozenPolicy>();
@@ -55,8 +59,8 @@ std::vector<RecordedDecision> flown(const policy::FrozenPolicy& policy, std::siz
     d.step = static_cast<std::uint32_t>(i);
     d.time_s = 500.0 * static_cast<double>(i);
     d.position = south_west + place;
-    d.heard = {.snr = curve.at(range_between(place, source))};
-    d.detected = d.heard.snr >= policy.detection_threshold;
+    d.heard = hear(curve.at(range_between(place, source)));
+    d.detected = d.heard.measured && d.heard.snr >= policy.detection_threshold;
     i == 0 ? memory->start(policy.observation, d.position - south_west, d.heard)
            : memory->remember(policy.observation, d.position - south_west, d.heard);
     d.observation.resize(policy.observation.spec.size());

@@ -45,6 +45,14 @@ TEST_F(PageTest, UnfoldsTheReasonsOfEveryDecision) {
   EXPECT_EQ(count(text, "The safety layer moved the way-point"), 1U);
 }
 
+TEST_F(PageTest, TellsALookTooFaintToMeasureFromAMeasuredOne) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  const std::string first = as_html(make_sheet(flight, 0, explain::Baseline::kCentre));
+  EXPECT_EQ(count(first, "It heard nothing that could be measured: the signal lies under 31.0 dB."), 1U);
+  EXPECT_EQ(count(first, "under 31.0 dB</td>"), 1U);
+  EXPECT_EQ(count(as_html(make_sheet(flight, 2, explain::Baseline::kCentre)), "a detection (threshold 10 dB)."), 1U);
+}
+
 TEST_F(PageTest, OfAFlightWithoutItsPolicyStillListsEveryDecisionAndSaysWhatIsMissing) {
   fs::remove(folder_ / "journal.policy");
   const FlightExplanation explanation = explain_flight(folder_);
