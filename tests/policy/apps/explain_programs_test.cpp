@@ -79,7 +79,7 @@ TEST_F(ExplainPrograms, ExplainDrawsMapsForASourceAndAlongAFlight) {
 TEST_F(ExplainPrograms, RefuseWhatTheyCannotExplainWithOneLine) {
   refuses("explain decision flight --step 4 -o a.html", {"--step 4", "journal.lcmlog", "step 3"});
   refuses("explain decision flight --step 1 -o a.pdf", {"a.pdf", ".html"});
-  refuses("explain decision flight --step 1 --south-west 0;0 -o a.html", {"--south-west", "metres north"});
+  refuses("explain decision flight --step 1 --south-west 0x0 -o a.html", {"--south-west", "metres north"});
   refuses("explain decision nowhere --step 1 -o a.html", {"nowhere"});
   refuses("explain decision flight/track.csv --step 1 -o a.html", {"track.csv", "not a journal"});
   refuses("explain decision flight --policy flight/snr.csv --step 1 -o a.html", {"snr.csv", "not a .policy file"});
