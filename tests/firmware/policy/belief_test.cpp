@@ -79,7 +79,8 @@ std::vector<long double> by_hand(const std::vector<std::pair<NorthEast, Heard>>&
     for (std::size_t i = 0; i < 1600; ++i) {
       long double p = static_cast<long double>(model.hypotheses[h].prior);
       for (const auto& [place, heard] : looks) {
-        const long double expected = static_cast<long double>(snr_at(place, centre(i / 40, i % 40)) + double{model.hypotheses[h].level_offset_db});
+        const long double expected =
+            static_cast<long double>(snr_at(place, centre(i / 40, i % 40)) + double{model.hypotheses[h].level_offset_db});
         const long double z = (static_cast<long double>(heard.snr.value) - expected) / sigma;
         const long double density = std::exp(-0.5L * z * z) / (sigma * std::sqrt(2.0L * std::numbers::pi_v<long double>));
         const long double below = 0.5L * std::erfc(-z / std::sqrt(2.0L));
@@ -136,7 +137,7 @@ TEST_F(BeliefTest, TakesASignalTooFaintToMeasureForOneBelowTheFloorHoweverFar) {
   hear_nothing(model, place, 25.0);  // the model's SNR 5 km away
   // The normal distribution's table: half at the mean, 0.8413 and 0.1587 a standard deviation, which is 2 km, beyond and before it.
   const double far = probability_at(model, centre(20, 39));
-  EXPECT_NEAR(probability_at(model, centre(20, 10)) / far, 0.5, 0.01);     // of what the furthest cell, 7 sigma beyond, has
+  EXPECT_NEAR(probability_at(model, centre(20, 10)) / far, 0.5, 0.01);  // of what the furthest cell, 7 sigma beyond, has
   EXPECT_NEAR(probability_at(model, centre(20, 14)) / far, 0.8413, 0.01);
   EXPECT_NEAR(probability_at(model, centre(20, 6)) / far, 0.1587, 0.01);
 }
@@ -147,7 +148,8 @@ TEST_F(BeliefTest, LearnsLittleFromSilenceWhereCallsMayPause) {
   const NorthEast place = centre(20, 0);
   belief->start(model);
   hear_nothing(model, place, 10.0);
-  // A source 2 km away is heard for certain when it calls: half of what one has that could never be heard, and one 20 km away is at the floor.
+  // A source 2 km away is heard for certain when it calls: half of what one has that could never be heard, and one 20 km away is at the
+  // floor.
   EXPECT_NEAR(probability_at(model, centre(20, 4)) / probability_at(model, centre(20, 39)), 0.5 / (0.5 + 0.5 * 0.4), 0.02);
 }
 
@@ -190,7 +192,8 @@ TEST_F(BeliefTest, FindsOutThatTheSourceIsLouderThanTheModelSays) {
   const BeliefModel model = flat_model({{0.0F, 2.0F, 2.0F}, {-6.0F, 2.0F, 1.0F}, {6.0F, 2.0F, 1.0F}});
   const NorthEast source = centre(10, 10);
   belief->start(model);
-  for (const NorthEast place : {at(2'000, 18'000), at(18'000, 2'000), at(18'000, 18'000), at(9'000, 9'000), at(1'000, 1'000), at(12'000, 4'000)}) {
+  for (const NorthEast place :
+       {at(2'000, 18'000), at(18'000, 2'000), at(18'000, 18'000), at(9'000, 9'000), at(1'000, 1'000), at(12'000, 4'000)}) {
     hear(model, place, snr_at(place, source) + 6.0);
   }
   EXPECT_GT(belief->probability_of_hypothesis(2), 0.8F);
@@ -251,8 +254,8 @@ TEST_F(OutlookTest, ReachesInTwoStepsWhatOneDoesNot) {
 }
 
 TEST_F(OutlookTest, GoesAlongTheBorderForASourceBehindIt) {
-  const NorthEast source = centre(30, 39);                        // 250 m from the east edge, within the border
-  know(source, at(15'250, 18'500));                               // 1250 m west of it: one step east would find it 500 m deep in the border
+  const NorthEast source = centre(30, 39);  // 250 m from the east edge, within the border
+  know(source, at(15'250, 18'500));         // 1250 m west of it: one step east would find it 500 m deep in the border
   EXPECT_NEAR(belief->outlook(kEast).border, 0.5F, 1e-3F);
   EXPECT_GT(belief->outlook(kEast).regret, 5.0F);
 }
