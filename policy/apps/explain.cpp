@@ -32,7 +32,11 @@ CLI::App& add_map(CLI::App& app, apps::ExplainMapOptions& o) {
   map.add_option("--flight", o.flight,
                  "folder of a flight with this policy, instead of --source: its choice anywhere with what it believed at --step");
   map.add_option("--step", o.step, "step of the flight")->capture_default_str();
-  map.add_option("--world", o.world, "environment file (TOML): the ocean, instead of the one that a policy with a belief carries");
+  CLI::Option* environment = map.add_option("--environment", o.environment,
+                                            "environment file (TOML): the ocean, instead of the one that a policy with a belief carries");
+  map.add_option("--world", o.world,
+                 "world of policy/worlds instead of an environment; its conditions are left out: what is heard is the mean")
+      ->excludes(environment);
   map.add_option("--vehicle-depth-m", o.vehicle_depth_m, "depth of the vehicle in that ocean, metres")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -83,7 +87,7 @@ int main(int argc, char** argv) {
   CLI::App app("Draws what a policy does, and says of one recorded decision why it was taken.", "earshot explain");
   app.footer(
       "Examples:\n"
-      "  earshot explain map policy/frozen/fixed_source.policy --source 10000,10000 --world sim/ocean/environments/munk_flat.toml -o "
+      "  earshot explain map policy/frozen/fixed_source.policy --source 10000,10000 --environment sim/ocean/environments/munk_flat.toml -o "
       "map.png\n"
       "  earshot explain decision out --step 4 -o sheet.html");
   app.require_subcommand(1);

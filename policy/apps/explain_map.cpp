@@ -5,6 +5,7 @@
 
 #include "firmware/config_file/table_reader.hpp"
 #include "policy/evaluate/policy_file.hpp"
+#include "policy/evaluate/world_file.hpp"
 #include "policy/explain/replay.hpp"
 #include "policy/report/action_map_plot.hpp"
 #include "policy/report/recorded_flight.hpp"
@@ -18,20 +19,21 @@ using config_file::BadInput;
 
 /// What the policy itself takes for granted, where nobody says otherwise.
 sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const ExplainMapOptions& options) {
-  if (!options.world) {
+  if (!options.world && !options.environment) {
     const policy::BeliefModel& model = policy.observation.belief;
     if (!policy::needs_belief(policy.observation.spec))
-      throw BadInput("--world: " + options.policy.string() + " holds no ocean of its own: name an environment file (TOML)");
+      throw BadInput("--environment: " + options.policy.string() + " holds no ocean of its own: name an environment file (TOML)");
     return {model.range_step, std::vector<float>(model.snr_db.begin(), model.snr_db.end())};
   }
-  const ocean::Environment environment = ocean::load_environment(*options.world);
+  const std::filesystem::path& file = options.world ? *options.world : *options.environment;
+  const ocean::Environment environment = options.world ? evaluate::load_world(file).environment : ocean::load_environment(file);
   const Meters depth{options.vehicle_depth_m};
   if (!(depth < environment.seabed.depth))
-    throw BadInput("--vehicle-depth-m: must be less than the depth of the sea floor in " + options.world->string());
+    throw BadInput("--vehicle-depth-m: must be less than the depth of the sea floor in " + file.string());
   try {
     return sonar::compute_snr_curve(environment, depth, length_of(policy.area_size));
   } catch (const std::invalid_argument& e) {
-    throw BadInput(options.world->string() + ": " + e.what());
+    throw BadInput(file.string() + ": " + e.what());
   }
 }
 

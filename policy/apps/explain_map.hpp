@@ -12,7 +12,8 @@ namespace earshot::apps {
 struct ExplainMapOptions {
   std::filesystem::path policy;
   std::optional<std::string> source;  ///< "NORTH_M,EAST_M" from the south-west corner of the policy's area
-  std::optional<std::filesystem::path> world;
+  std::optional<std::filesystem::path> environment;
+  std::optional<std::filesystem::path> world;  ///< a world of policy/worlds, instead of an environment
   double vehicle_depth_m = 300.0;
   std::optional<std::filesystem::path> flight;
   std::uint32_t step = 0;

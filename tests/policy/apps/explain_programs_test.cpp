@@ -68,7 +68,7 @@ TEST_F(ExplainPrograms, ExplainWritesASheetInEachFormatAndTheReportOfTheFlight) 
 
 TEST_F(ExplainPrograms, ExplainDrawsMapsForASourceAndAlongAFlight) {
   ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6 -o own.png"), 0) << content("err");
-  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6 --world " + kOcean + " -o paper.svg"), 0)
+  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6 --environment " + kOcean + " -o paper.svg"), 0)
       << content("err");
   ASSERT_EQ(run("explain map flight/journal.policy --flight flight --step 3 --arrows 6 -o belief.png"), 0) << content("err");
   EXPECT_EQ(content("own.png").substr(1, 3), "PNG");
@@ -86,6 +86,7 @@ TEST_F(ExplainPrograms, RefuseWhatTheyCannotExplainWithOneLine) {
   refuses("explain map flight/journal.policy -o a.png", {"--source", "--flight"});
   refuses("explain map flight/journal.policy --source 1 -o a.png", {"--source 1", "metres north"});
   refuses("explain map flight/journal.policy --source 0,0 --world flight/snr.csv -o a.png", {"snr.csv"});
+  refuses("explain map flight/journal.policy --source 0,0 --environment flight/snr.csv -o a.png", {"snr.csv"});
   refuses("explain map flight/journal.policy --source 0,0 -o a.pdf", {"a.pdf", ".png"});
   refuses("explain map nothing.policy --source 0,0 -o a.png", {"nothing.policy", "no such file"});
 }
@@ -93,7 +94,7 @@ TEST_F(ExplainPrograms, RefuseWhatTheyCannotExplainWithOneLine) {
 TEST_F(ExplainPrograms, RefuseAMapOfAPolicyThatKnowsNoOceanUntilOneIsNamed) {
   const auto policy = explain::place_policy(1);
   report::write_flight(folder_ / "flight", *policy, explain::flown(*policy, 2, {}), {});
-  refuses("explain map flight/journal.policy --source 0,0 -o a.png", {"--world", "journal.policy"});
+  refuses("explain map flight/journal.policy --source 0,0 -o a.png", {"--environment", "journal.policy"});
   refuses("explain map flight/journal.policy --flight flight -o a.png", {"--flight", "no belief"});
 }
 
