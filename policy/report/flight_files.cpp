@@ -1,11 +1,8 @@
-#include "sim/apps/report/flight_files.hpp"
+#include "policy/report/flight_files.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <numeric>
 #include <string>
 #include <system_error>
 
@@ -67,50 +64,60 @@ std::vector<SnrRow> read_snr(const std::filesystem::path& path) {
   return rows;
 }
 
-std::vector<double> softmax(const float* logits, std::size_t count) {
-  std::vector<double> p(count);
-  if (count == 0) return p;
-  const double top = static_cast<double>(*std::max_element(logits, logits + count));
-  std::transform(logits, logits + count, p.begin(), [top](float logit) { return std::exp(static_cast<double>(logit) - top); });
-  const double sum = std::accumulate(p.begin(), p.end(), 0.0);
-  for (double& x : p) x /= sum;
-  return p;
+/// Sizes are whatever the bytes say, the arrays are not.
+template <std::size_t N>
+std::vector<float> first_of(const float (&values)[N], std::int8_t count) {
+  return {values, values + std::clamp<std::size_t>(static_cast<std::uint8_t>(count), 0, N)};
 }
 
-DecisionRow row_of(const decision_t& m) {
-  const std::size_t count = std::clamp<std::size_t>(static_cast<std::uint8_t>(m.action_count), 0, std::size(m.logits));
-  return {.time_s = static_cast<double>(m.utime) * 1e-6,
-          .step = m.step,
-          .north_m = m.north_m,
-          .east_m = m.east_m,
-          .snr_db = m.snr_db,
+explain::RecordedDecision decision_of(const decision_t& m) {
+  return {.step = static_cast<std::uint32_t>(m.step),
+          .time_s = static_cast<double>(m.utime) * 1e-6,
+          .position = {Meters{m.north_m}, Meters{m.east_m}},
+          .heard = {.snr = Decibels{m.snr_db}, .measured = m.too_faint == 0},
           .detected = m.detected != 0,
-          .action = m.action,
+          .action = static_cast<std::uint8_t>(m.action),
           .overridden = m.overridden != 0,
-          .probabilities = softmax(std::data(m.logits), count)};
+          .waypoint = {Meters{m.waypoint_north_m}, Meters{m.waypoint_east_m}},
+          .observation = first_of(m.observation, m.observation_size),
+          .logits = first_of(m.logits, m.action_count)};
 }
 
-void read_journal(const std::filesystem::path& path, Flight& flight) try {
+}  // namespace
+
+JournalledSearch read_journal(const std::filesystem::path& path) try {
+  JournalledSearch search;
   board::JournalReader journal(path);
   board::JournalRecord record;
   while (journal.next(record)) {
     decision_t decision{};
     if (record.channel != wire::kDecisionChannel || board::decode(record.data, decision) != Status::kOk) continue;
-    flight.decisions.push_back(row_of(decision));
+    search.decisions.push_back(decision_of(decision));
   }
-  flight.journal_is_whole = journal.end() == board::JournalReader::End::kWhole;
+  search.is_whole = journal.end() == board::JournalReader::End::kWhole;
+  search.is_journal = search.is_whole || journal.offset() > 0;
+  return search;
 } catch (const std::system_error& e) {
   throw BadInput(e.what());
 }
 
-}  // namespace
+std::optional<std::filesystem::path> policy_beside(const std::filesystem::path& journal) {
+  std::filesystem::path policy = journal;
+  policy.replace_extension(".policy");
+  return std::filesystem::exists(policy) ? std::optional(policy) : std::nullopt;
+}
+
+NorthEast place_in(const nlohmann::json& place) {
+  return {Meters{place.at("north_m").get<double>()}, Meters{place.at("east_m").get<double>()}};
+}
 
 Flight read_flight(const std::filesystem::path& folder) {
   Flight flight;
   flight.summary = read_summary(folder / "summary.json");
   flight.track = read_track(folder / "track.csv");
   flight.snr = read_snr(folder / "snr.csv");
-  read_journal(folder / "journal.lcmlog", flight);
+  if (flight.snr.size() < 2) throw BadInput((folder / "snr.csv").string() + ": at least two rows are needed");
+  flight.journal = read_journal(folder / kJournalName);
   return flight;
 }
 

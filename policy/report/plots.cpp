@@ -1,52 +1,19 @@
-#include "sim/apps/report/plots.hpp"
+#include "policy/report/plots.hpp"
 
-#include <unistd.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <stdexcept>
+
+#include "policy/report/gnuplot_svg.hpp"
 
 namespace earshot::report {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for gnuplot's input and output, gone with this object.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "earshot-report-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw std::runtime_error("no temporary folder can be made in " + fs::temp_directory_path().string());
-    folder_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  [[nodiscard]] fs::path operator/(const char* name) const { return folder_ / name; }
-
- private:
-  fs::path folder_;
-};
-
-std::string svg_from(const Scratch& scratch, const std::string& script) {
-  std::ofstream(scratch / "plot.gp") << script;
-  const std::string command = "cd '" + (scratch / ".").string() + "' && gnuplot plot.gp 2>error.txt";
-  const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): fixed text and a folder of our own making
-  std::ifstream svg(scratch / "plot.svg");
-  std::string text{std::istreambuf_iterator<char>(svg), {}};
-  const std::size_t root = text.find("<svg");
-  if (status == 0 && root != std::string::npos) return text.substr(root);
-  std::ifstream error(scratch / "error.txt");
-  throw std::runtime_error("gnuplot failed: " + std::string{std::istreambuf_iterator<char>(error), {}});
+std::string svg_from(const PlotFolder& folder, const std::string& script) {
+  return svgs_from(folder, script, {"plot.svg"}).front();
 }
 
 double snr_at(const std::vector<SnrRow>& curve, double range_m) {
@@ -97,8 +64,9 @@ void write_track(const fs::path& path, const Flight& flight) {
 
 void write_decisions(const fs::path& path, const Flight& flight) {
   std::ofstream out(path);
-  for (const DecisionRow& d : flight.decisions) {
-    out << d.east_m / 1e3 << ' ' << d.north_m / 1e3 << ' ' << (d.detected ? 1 : 0) << ' ' << d.time_s / 3600 << ' ' << d.snr_db << '\n';
+  for (const explain::RecordedDecision& d : flight.journal.decisions) {
+    out << d.position.east.value / 1e3 << ' ' << d.position.north.value / 1e3 << ' ' << (d.detected ? 1 : 0) << ' ' << d.time_s / 3600
+        << ' ' << d.heard.snr.value << '\n';
   }
 }
 
@@ -106,21 +74,10 @@ std::string point(const nlohmann::json& place) {
   return std::to_string(place.at("east_m").get<double>() / 1e3) + ", " + std::to_string(place.at("north_m").get<double>() / 1e3);
 }
 
-// Grey text and no background: readable on a light page and on a dark one.
-constexpr const char* kStyle = R"(
-set output 'plot.svg'
-set border lc rgb '#888888'
-set tics textcolor rgb '#888888'
-set xlabel textcolor rgb '#888888'
-set ylabel textcolor rgb '#888888'
-set y2label textcolor rgb '#888888'
-set key textcolor rgb '#888888'
-)";
-
 }  // namespace
 
 std::string map_svg(const Flight& flight) {
-  const Scratch scratch;
+  const PlotFolder scratch;
   const Box box = area_of(flight);
   write_field(scratch / "field.dat", flight, box);
   write_track(scratch / "track.dat", flight);
@@ -128,7 +85,8 @@ std::string map_svg(const Flight& flight) {
   const std::string threshold = std::to_string(flight.summary.at("detection_threshold_db").get<double>());
   const std::string ranges = "[" + std::to_string(box.west / 1e3) + ":" + std::to_string(box.east / 1e3) + "] [" +
                              std::to_string(box.south / 1e3) + ":" + std::to_string(box.north / 1e3) + "] ";
-  return svg_from(scratch, std::string("set terminal svg size 900,800 dynamic enhanced font 'sans-serif,14'\n") + kStyle + R"(
+  return svg_from(scratch, std::string("set terminal svg size 900,800 dynamic enhanced font 'sans-serif,14'\n") + kPlotStyle +
+                               "set output 'plot.svg'\n" + R"(
 set size ratio -1
 set xlabel 'east (km)'
 set ylabel 'north (km)'
@@ -149,11 +107,12 @@ plot )" + ranges + R"('field.dat' using 1:2:3 with image notitle, \
 }
 
 std::string history_svg(const Flight& flight) {
-  const Scratch scratch;
+  const PlotFolder scratch;
   write_track(scratch / "track.dat", flight);
   write_decisions(scratch / "decisions.dat", flight);
   const std::string threshold = std::to_string(flight.summary.at("detection_threshold_db").get<double>());
-  return svg_from(scratch, std::string("set terminal svg size 900,360 dynamic enhanced font 'sans-serif,14'\n") + kStyle + R"(
+  return svg_from(scratch, std::string("set terminal svg size 900,360 dynamic enhanced font 'sans-serif,14'\n") + kPlotStyle +
+                               "set output 'plot.svg'\n" + R"(
 set xlabel 'time (h)'
 set ylabel 'SNR (dB)'
 set y2label 'range to the source (km)'

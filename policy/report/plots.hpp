@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/apps/report/flight_files.hpp"
+#include "policy/report/flight_files.hpp"
 
 namespace earshot::report {
 
