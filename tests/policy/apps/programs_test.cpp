@@ -137,7 +137,7 @@ TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
   refuses("freeze a.checkpoint -o a.policy --key word.key", {"word.key", "64 hexadecimal digits"});
   refuses("freeze a.checkpoint -o a.policy --key a.key --new-key", {"a.key", "exists"});
   refuses("freeze a.checkpoint -o nowhere/a.policy --key a.key", {"nowhere/a.policy", "cannot be written"});
-  refuses("freeze a.checkpoint --key a.key", {"CHECKPOINT", "--output"});
+  refuses("freeze a.checkpoint --key a.key", {"MODEL", "--output"});
   refuses("freeze a.checkpoint -o a.policy --key a.key --draw dice", {"--draw", "dice"});
   EXPECT_EQ(content(folder / "a.key"), key);
 }
