@@ -79,7 +79,7 @@ std::string search_of(const freeze::TrainedActor& actor, const Options& options)
 std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, const std::filesystem::path& file, const Options& options) {
   try {
     const freeze::TrainedActor actor = is_zip(bytes) ? freeze::read_sb3_model(bytes) : freeze::read_onnx_model(bytes);
-    freeze::SearchDescription search = freeze::description_from(search_of(actor, options));
+    description::SearchDescription search = description::from_text(search_of(actor, options));
     std::ostringstream crc;
     crc << std::hex << std::setw(8) << std::setfill('0')
         << crc32(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));  // NOLINT: characters are bytes

@@ -60,7 +60,7 @@ std::unique_ptr<policy::FrozenPolicy> without_network(const Source& source, poli
   return policy;
 }
 
-void check_fit(const TrainedActor& actor, const SearchDescription& search) {
+void check_fit(const TrainedActor& actor, const description::SearchDescription& search) {
   check_chain(actor);
   const std::size_t hidden = actor.layers.size() - 1;
   if (hidden != config::kMaxHiddenLayers) {
@@ -92,7 +92,8 @@ std::unique_ptr<policy::FrozenPolicy> freeze(const ppo::Checkpoint& checkpoint, 
   return policy;
 }
 
-std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const SearchDescription& search, policy::ActionDraw draw) {
+std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const description::SearchDescription& search,
+                                             policy::ActionDraw draw) {
   check_fit(actor, search);
   auto policy = without_network(search, draw);
   policy::Network& network = policy->network;

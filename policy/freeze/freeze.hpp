@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "firmware/policy/frozen_policy.hpp"
+#include "policy/description/search_description.hpp"
 #include "policy/freeze/keys.hpp"
-#include "policy/freeze/search_description.hpp"
 #include "policy/freeze/trained_actor.hpp"
 #include "policy/ppo/checkpoint.hpp"
 
@@ -18,7 +18,7 @@ namespace earshot::freeze {
 
 /// The policy that flies, from an actor trained elsewhere, its weights bit for bit.
 /// Throws config_file::BadInput when the actor does not fit its description or firmware's capacities.
-[[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const SearchDescription& search,
+[[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const description::SearchDescription& search,
                                                            policy::ActionDraw draw);
 
 /// The bytes of a `.policy` file, signed: Ed25519 over every byte before the signature.

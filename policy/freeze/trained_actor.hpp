@@ -18,7 +18,7 @@ struct DenseLayer {
 /// The actor of a policy that was trained elsewhere: dense layers with a tanh after each but the last, which gives the logits.
 struct TrainedActor {
   std::vector<DenseLayer> layers;
-  std::optional<std::string> search;  ///< text of the search description that the file carries (search_description.hpp)
+  std::optional<std::string> search;  ///< text of the search description that the file carries (policy/description)
 };
 
 /// Throws config_file::BadInput unless each layer's inputs are the outputs of the one before.

@@ -1,4 +1,4 @@
-#include "policy/freeze/search_description.hpp"
+#include "policy/description/search_description.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/config_file/table_reader.hpp"
 
-namespace earshot::freeze {
+namespace earshot::description {
 namespace {
 
 using config_file::BadInput;
@@ -79,7 +79,7 @@ std::string to_text(const SearchDescription& description) {
   return json.dump();
 }
 
-SearchDescription description_from(std::string_view text) {
+SearchDescription from_text(std::string_view text) {
   try {
     return description_of(Json::parse(text));
   } catch (const BadInput& e) {
@@ -91,4 +91,4 @@ SearchDescription description_from(std::string_view text) {
   }
 }
 
-}  // namespace earshot::freeze
+}  // namespace earshot::description

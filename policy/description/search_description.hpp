@@ -10,7 +10,7 @@
 #include "firmware/core/units.hpp"
 #include "firmware/policy/observation.hpp"
 
-namespace earshot::freeze {
+namespace earshot::description {
 
 /// What a network's weights do not say: what it sees and what its actions do. A policy trained elsewhere carries it along as text.
 struct SearchDescription {
@@ -27,6 +27,6 @@ struct SearchDescription {
 
 /// Throws config_file::BadInput when the text is cut short, something is missing or out of range, or the observation was normalised on its
 /// way to the network (or nothing says that it was not).
-[[nodiscard]] SearchDescription description_from(std::string_view text);
+[[nodiscard]] SearchDescription from_text(std::string_view text);
 
-}  // namespace earshot::freeze
+}  // namespace earshot::description
