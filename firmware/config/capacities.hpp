@@ -13,10 +13,16 @@ inline constexpr std::size_t kMaxLayerWidth =
     64;  ///< units of a hidden layer (Stable-Baselines3's 64-64 default); full: policy refused at load
 inline constexpr std::size_t kMaxHiddenLayers = 2;      ///< hidden layers; full: policy refused at load
 inline constexpr std::size_t kMaxRememberedSteps = 21;  ///< steps in the memory state; older steps are forgotten
-inline constexpr std::size_t kGoldenPairs = 8;          ///< observation -> logits pairs re-checked at boot; exactly this many
-inline constexpr std::size_t kMaxProvenance = 1024;     ///< bytes of provenance text in a policy; full: refused at freeze
+inline constexpr std::size_t kMaxBeliefCells =
+    2500;  ///< cells of the belief (25 km x 25 km in cells of 500 m); full: policy refused at load
+inline constexpr std::size_t kMaxBeliefHypotheses = 5;  ///< source levels and spreads believed possible; full: policy refused at load
+inline constexpr std::size_t kMaxBeliefRanges =
+    512;  ///< samples of the SNR against range (51 km in steps of 100 m); full: policy refused at load
+inline constexpr std::size_t kBeliefBytes = std::size_t{64} * 1024;  ///< bytes of the belief about the source; full: does not compile
+inline constexpr std::size_t kGoldenPairs = 8;                       ///< observation -> logits pairs re-checked at boot; exactly this many
+inline constexpr std::size_t kMaxProvenance = 1024;                  ///< bytes of provenance text in a policy; full: refused at freeze
 inline constexpr std::size_t kRuntimeBytes =
-    std::size_t{48} * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights; full: does not compile
+    std::size_t{112} * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights and belief; full: does not compile
 
 // Buses (firmware/wire, firmware/boards/linux).
 inline constexpr std::size_t kLcmMessageBytes =

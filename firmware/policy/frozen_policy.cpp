@@ -14,9 +14,11 @@ namespace {
 // The format; README.md of this folder has it as a table.
 constexpr std::array<std::uint8_t, 8> kMagic = {'E', 'A', 'R', 'S', 'H', 'O', 'T', 'P'};
 constexpr std::uint8_t kTanh = 1;
-constexpr std::size_t kHeaderSize = 60;
+constexpr std::size_t kHeaderSize = 64;
 constexpr std::size_t kElementSize = 12;
 constexpr std::size_t kDirectionSize = 16;
+constexpr std::size_t kBeliefSize = 36;  // without hypotheses and SNR against range
+constexpr std::size_t kHypothesisSize = 12;
 constexpr std::size_t kChecksumSize = 4;
 constexpr std::size_t kTrailerSize = kPublicKeySize + kChecksumSize + kSignatureSize;
 constexpr double kUnitLengthTolerance = 1e-9;  // a direction written with 10 digits is a direction; a forgotten normalisation is not
@@ -27,25 +29,36 @@ struct Shape {
   std::size_t actions = 0;
   std::array<std::size_t, config::kMaxHiddenLayers> hidden{};
   std::size_t provenance = 0;
+  std::size_t hypotheses = 0;  ///< 0: no belief
+  std::size_t ranges = 0;      ///< 0: no belief
 
   [[nodiscard]] constexpr bool fits() const {
     const auto within = [](std::size_t size, std::size_t capacity) { return size >= 1 && size <= capacity; };
     return within(observation, config::kMaxObservation) && within(actions, config::kMaxActions) && within(hidden[0], Network::kWidth) &&
-           within(hidden[1], Network::kWidth) && provenance <= config::kMaxProvenance;
+           within(hidden[1], Network::kWidth) && provenance <= config::kMaxProvenance && hypotheses <= config::kMaxBeliefHypotheses &&
+           ranges <= config::kMaxBeliefRanges && (hypotheses == 0) == (ranges == 0);
   }
 
   [[nodiscard]] constexpr std::size_t serialised_size() const {
     const std::size_t parameters = (observation + 1) * hidden[0] + (hidden[0] + 1) * hidden[1] + (hidden[1] + 1) * actions;
     const std::size_t golden = config::kGoldenPairs * (observation + actions);
-    return kHeaderSize + kElementSize * observation + kDirectionSize * actions + sizeof(float) * (parameters + golden) + provenance +
-           kTrailerSize;
+    const std::size_t belief = hypotheses == 0 ? 0 : kBeliefSize + kHypothesisSize * hypotheses + sizeof(float) * ranges;
+    return kHeaderSize + kElementSize * observation + kDirectionSize * actions + belief + sizeof(float) * (parameters + golden) +
+           provenance + kTrailerSize;
   }
 };
 
-constexpr Shape kLargest = {config::kMaxObservation, config::kMaxActions, {Network::kWidth, Network::kWidth}, config::kMaxProvenance};
+constexpr Shape kLargest = {config::kMaxObservation, config::kMaxActions,          {Network::kWidth, Network::kWidth},
+                            config::kMaxProvenance,  config::kMaxBeliefHypotheses, config::kMaxBeliefRanges};
 
 Shape shape_of(const FrozenPolicy& policy) {
-  return {policy.observation.size(), policy.actions.size(), policy.network.hidden_sizes, policy.provenance.size()};
+  const bool believes = needs_belief(policy.observation.spec);
+  return {.observation = policy.observation.spec.size(),
+          .actions = policy.actions.size(),
+          .hidden = policy.network.hidden_sizes,
+          .provenance = policy.provenance.size(),
+          .hypotheses = believes ? policy.observation.belief.hypotheses.size() : 0,
+          .ranges = believes ? policy.observation.belief.snr_db.size() : 0};
 }
 
 bool is_unit(const UnitNorthEast& direction) {
@@ -62,9 +75,6 @@ bool is_within_tolerance(Meters a, Meters b) {
   return a - b <= kAreaSizeTolerance && b - a <= kAreaSizeTolerance;
 }
 
-bool is_known(Feature feature) {
-  return feature >= Feature::kEast && feature <= Feature::kStepSnr;
-}
 bool is_known(ActionDraw draw) {
   return draw == ActionDraw::kArgmax || draw == ActionDraw::kSampled;
 }
@@ -83,6 +93,38 @@ bool is_finite_network(const Network& network) {
          is_finite_layer(network.output, network.action_count, network.hidden_sizes[1]);
 }
 
+/// How many `age`s a feature of this policy may have.
+std::size_t count_of(Feature feature, const FrozenPolicy& policy) {
+  if (feature >= Feature::kStepEast && feature <= Feature::kStepSnr) return config::kMaxRememberedSteps;
+  if (feature == Feature::kHypothesis) return policy.observation.belief.hypotheses.size();
+  if (feature >= Feature::kFound) return policy.actions.size();
+  return 1;
+}
+
+PolicyFault fault_in_elements(const FrozenPolicy& policy) {
+  for (const ObservationElement& element : policy.observation.spec) {
+    if (!is_known(element.feature)) return PolicyFault::kUnknownFeature;
+    if (element.age >= count_of(element.feature, policy)) return PolicyFault::kBadShape;
+    if (!is_finite(element.offset) || !is_finite(element.scale)) return PolicyFault::kNotFinite;
+  }
+  return PolicyFault::kNone;
+}
+
+/// Whether the belief is about the search that the policy is for.
+bool agrees(const BeliefModel& model, const FrozenPolicy& policy) {
+  return model.area_size == policy.area_size && model.step_length == policy.step_length &&
+         model.detection_threshold == policy.detection_threshold &&
+         std::equal(model.actions.begin(), model.actions.end(), policy.actions.begin(), policy.actions.end());
+}
+
+PolicyFault fault_in_belief(const FrozenPolicy& policy) {
+  const BeliefModel& model = policy.observation.belief;
+  if (needs_area(policy.observation.spec) && model.area_size != policy.area_size) return PolicyFault::kBadShape;
+  if (!needs_belief(policy.observation.spec)) return PolicyFault::kNone;
+  if (!has_valid_shape(model) || !agrees(model, policy)) return PolicyFault::kBadShape;
+  return has_valid_numbers(model) ? PolicyFault::kNone : PolicyFault::kNotFinite;
+}
+
 /// What would be wrong with the policy itself, however its bytes came about; golden pairs not looked at.
 PolicyFault fault_in(const FrozenPolicy& policy) {
   const Shape shape = shape_of(policy);
@@ -90,17 +132,13 @@ PolicyFault fault_in(const FrozenPolicy& policy) {
     return PolicyFault::kBadShape;
   }
   if (!is_known(policy.draw)) return PolicyFault::kUnknownDraw;
-  for (const ObservationElement& element : policy.observation) {
-    if (!is_known(element.feature)) return PolicyFault::kUnknownFeature;
-    if (element.age >= config::kMaxRememberedSteps) return PolicyFault::kBadShape;
-    if (!is_finite(element.offset) || !is_finite(element.scale)) return PolicyFault::kNotFinite;
-  }
+  if (const PolicyFault fault = fault_in_elements(policy); fault != PolicyFault::kNone) return fault;
   if (!std::all_of(policy.actions.begin(), policy.actions.end(), is_unit)) return PolicyFault::kNotFinite;
   if (!is_length(policy.step_length) || !is_length(policy.area_size.north) || !is_length(policy.area_size.east))
     return PolicyFault::kNotFinite;
   if (!is_finite(policy.detection_threshold.value)) return PolicyFault::kNotFinite;
   if (!is_finite_network(policy.network)) return PolicyFault::kNotFinite;
-  return PolicyFault::kNone;
+  return fault_in_belief(policy);
 }
 
 Status status_of(PolicyFault fault) {
@@ -171,15 +209,56 @@ PolicyFault read_header(ByteReader& reader, std::size_t length, FrozenPolicy& po
   policy.area_size.east = Meters{reader.f64()};
   policy.detection_threshold = Decibels{reader.f64()};
   shape.provenance = reader.u32();
+  shape.hypotheses = reader.u16();
+  shape.ranges = reader.u16();
   if (activation != kTanh) return PolicyFault::kUnknownActivation;
   return shape.fits() && shape.serialised_size() == length ? PolicyFault::kNone : PolicyFault::kBadShape;
+}
+
+/// What the file says about the belief; the rest is the policy's own.
+Status read_belief(ByteReader& reader, const Shape& shape, BeliefModel& model) {
+  model.cells_north = reader.u16();
+  model.cells_east = reader.u16();
+  model.border_width = Meters{reader.f64()};
+  model.range_step = Meters{reader.f64()};
+  model.outlier_share = reader.f32();
+  model.silence_share = reader.f32();
+  model.drift_share = reader.f32();
+  static_cast<void>(reader.f32());  // reserved
+  Status status = Status::kOk;
+  for (std::size_t i = 0; i < shape.hypotheses && status == Status::kOk; ++i) {
+    BeliefHypothesis hypothesis;
+    hypothesis.level_offset_db = reader.f32();
+    hypothesis.spread_db = reader.f32();
+    hypothesis.prior = reader.f32();
+    status = model.hypotheses.push_back(hypothesis);
+  }
+  for (std::size_t i = 0; i < shape.ranges && status == Status::kOk; ++i) status = model.snr_db.push_back(reader.f32());
+  return status;
+}
+
+void write_belief(ByteWriter& writer, const BeliefModel& model) {
+  writer.u16(model.cells_north);
+  writer.u16(model.cells_east);
+  writer.f64(model.border_width.value);
+  writer.f64(model.range_step.value);
+  writer.f32(model.outlier_share);
+  writer.f32(model.silence_share);
+  writer.f32(model.drift_share);
+  writer.f32(0.0F);  // reserved
+  for (const BeliefHypothesis& hypothesis : model.hypotheses) {
+    writer.f32(hypothesis.level_offset_db);
+    writer.f32(hypothesis.spread_db);
+    writer.f32(hypothesis.prior);
+  }
+  for (const float snr : model.snr_db) writer.f32(snr);
 }
 
 /// Everything between header and trailer. The shape fits, so that nothing is full and nothing reads past the end.
 Status read_body(ByteReader& reader, const Shape& shape, FrozenPolicy& policy) {
   Status status = Status::kOk;
   const auto keep_first = [&status](Status next) { status = status == Status::kOk ? next : status; };
-  policy.observation.clear();
+  policy.observation.spec.clear();
   policy.actions.clear();
   policy.provenance.clear();
   for (std::size_t i = 0; i < shape.observation; ++i) {
@@ -189,12 +268,20 @@ Status read_body(ByteReader& reader, const Shape& shape, FrozenPolicy& policy) {
     static_cast<void>(reader.u16());  // reserved
     element.offset = reader.f32();
     element.scale = reader.f32();
-    keep_first(policy.observation.push_back(element));
+    keep_first(policy.observation.spec.push_back(element));
   }
   for (std::size_t i = 0; i < shape.actions; ++i) {
     const double north = reader.f64();
     keep_first(policy.actions.push_back({.north = north, .east = reader.f64()}));
   }
+  BeliefModel& belief = policy.observation.belief;
+  belief.hypotheses.clear();
+  belief.snr_db.clear();
+  belief.area_size = policy.area_size;
+  belief.step_length = policy.step_length;
+  belief.detection_threshold = policy.detection_threshold;
+  belief.actions = policy.actions;
+  if (shape.hypotheses > 0) keep_first(read_belief(reader, shape, belief));
   policy.network.observation_size = shape.observation;
   policy.network.hidden_sizes = shape.hidden;
   policy.network.action_count = shape.actions;
@@ -233,6 +320,7 @@ PolicyFault parse_to_fault(std::span<const std::uint8_t> bytes, FrozenPolicy& po
   if (const PolicyFault fault = read_header(reader, length, policy, shape); fault != PolicyFault::kNone) return fault;
   if (read_body(reader, shape, policy) != Status::kOk) return PolicyFault::kBadShape;
   if (const PolicyFault fault = fault_in(policy); fault != PolicyFault::kNone) return fault;
+  if (shape_of(policy).serialised_size() != length) return PolicyFault::kBadShape;  // a belief that nothing sees
   return gives_golden_logits(policy) ? PolicyFault::kNone : PolicyFault::kGoldenMismatch;
 }
 
@@ -250,6 +338,8 @@ void write_header(ByteWriter& writer, const FrozenPolicy& policy, const Shape& s
   writer.f64(policy.area_size.east.value);
   writer.f64(policy.detection_threshold.value);
   writer.u32(static_cast<std::uint32_t>(shape.provenance));
+  writer.u16(static_cast<std::uint16_t>(shape.hypotheses));
+  writer.u16(static_cast<std::uint16_t>(shape.ranges));
 }
 
 /// Observations spread over [-1, 1), the same for every policy of one shape, with the logits that this build gives for them.
@@ -273,7 +363,7 @@ bool write_golden_pairs(ByteWriter& writer, const Network& network) {
 
 /// @return whether the golden logits are finite.
 bool write_body(ByteWriter& writer, const FrozenPolicy& policy, const Shape& shape) {
-  for (const ObservationElement& element : policy.observation) {
+  for (const ObservationElement& element : policy.observation.spec) {
     writer.u8(static_cast<std::uint8_t>(element.feature));
     writer.u8(element.age);
     writer.u16(0);  // reserved
@@ -284,6 +374,7 @@ bool write_body(ByteWriter& writer, const FrozenPolicy& policy, const Shape& sha
     writer.f64(direction.north);
     writer.f64(direction.east);
   }
+  if (shape.hypotheses > 0) write_belief(writer, policy.observation.belief);
   write_layer(writer, policy.network.first, shape.hidden[0], shape.observation);
   write_layer(writer, policy.network.second, shape.hidden[1], shape.hidden[0]);
   write_layer(writer, policy.network.output, shape.actions, shape.hidden[1]);

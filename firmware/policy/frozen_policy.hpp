@@ -24,7 +24,7 @@ struct GoldenPair {
 
 /// Everything a `.policy` file holds but its checksum and signature.
 struct FrozenPolicy {
-  ObservationSpec observation;
+  ObservationModel observation;  ///< the belief's actions, step_length, area_size, detection_threshold are those below
   FixedVector<UnitNorthEast, config::kMaxActions> actions;  ///< direction of each action; the table saves the vehicle sine and cosine
   Meters step_length;                                       ///< l the policy was trained with
   NorthEast area_size;                                      ///< of the area it was trained in, both > 0
@@ -59,7 +59,7 @@ inline constexpr Meters kAreaSizeTolerance{0.001};
 /// The first of the mission's numbers that `policy` was not trained with. Where the area lies does not matter, only its size.
 [[nodiscard]] Misfit misfit(const FrozenPolicy& policy, const config::Mission& mission);
 
-inline constexpr std::uint32_t kFormatVersion = 2;
+inline constexpr std::uint32_t kFormatVersion = 3;
 inline constexpr std::size_t kSignatureSize = 64;  ///< Ed25519, over every byte before it; the shell checks it, the core does not
 inline constexpr std::size_t kPublicKeySize = 32;
 

@@ -26,42 +26,107 @@ ObservationSpec spec_of(const std::array<ObservationElement, N>& elements) {
 
 }  // namespace
 
-void SearchMemory::start(NorthEast position, Decibels snr) {
+bool is_known(Feature feature) {
+  const auto within = [feature](Feature first, Feature last) { return feature >= first && feature <= last; };
+  return within(Feature::kEast, Feature::kToEastEdge) || needs_belief(feature);
+}
+
+bool needs_belief(Feature feature) {
+  const auto within = [feature](Feature first, Feature last) { return feature >= first && feature <= last; };
+  return within(Feature::kLikeliestEast, Feature::kHypothesis) || within(Feature::kFound, Feature::kLoss);
+}
+
+bool needs_belief(const ObservationSpec& spec) {
+  return std::any_of(spec.begin(), spec.end(), [](const ObservationElement& element) { return needs_belief(element.feature); });
+}
+
+bool needs_area(const ObservationSpec& spec) {
+  return std::any_of(spec.begin(), spec.end(), [](const ObservationElement& element) {
+    return element.feature == Feature::kToNorthEdge || element.feature == Feature::kToEastEdge;
+  });
+}
+
+void SearchMemory::start(const ObservationModel& model, NorthEast position, Heard heard) {
   position_ = position;
   steps_ = {};
-  steps_[0].snr = snr;
+  steps_[0].snr = heard.snr;
+  if (!needs_belief(model.spec)) return;
+  belief_.start(model.belief);
+  belief_.update(model.belief, position, heard);
 }
 
-void SearchMemory::remember(NorthEast position, Decibels snr) {
+void SearchMemory::remember(const ObservationModel& model, NorthEast position, Heard heard) {
   std::copy_backward(steps_.begin(), steps_.end() - 1, steps_.end());
-  steps_[0] = {.displacement = position - position_, .snr = snr};
+  steps_[0] = {.displacement = position - position_, .snr = heard.snr};
   position_ = position;
+  if (needs_belief(model.spec)) belief_.update(model.belief, position, heard);
 }
 
-double SearchMemory::raw(const ObservationElement& element) const {
-  assert(element.age < steps_.size());
-  const Step& step = steps_[element.age];
+double SearchMemory::raw(const ObservationModel& model, const ObservationElement& element) const {
   switch (element.feature) {
     case Feature::kEast:
+    case Feature::kToWestEdge:
       return position_.east.value;
     case Feature::kNorth:
+    case Feature::kToSouthEdge:
       return position_.north.value;
+    case Feature::kToNorthEdge:
+      return (model.belief.area_size.north - position_.north).value;
+    case Feature::kToEastEdge:
+      return (model.belief.area_size.east - position_.east).value;
     case Feature::kStepEast:
-      return step.displacement.east.value;
+      return steps_[element.age].displacement.east.value;
     case Feature::kStepNorth:
-      return step.displacement.north.value;
+      return steps_[element.age].displacement.north.value;
     case Feature::kStepSnr:
-      return step.snr.value;
+      return steps_[element.age].snr.value;
+    default:
+      return of_belief(element);
+  }
+}
+
+double SearchMemory::of_belief(const ObservationElement& element) const {
+  const BeliefSummary& summary = belief_.summary();
+  const ActionOutlook& outlook = belief_.outlook(element.age);
+  switch (element.feature) {
+    case Feature::kLikeliestEast:
+      return (summary.likeliest - position_).east.value;
+    case Feature::kLikeliestNorth:
+      return (summary.likeliest - position_).north.value;
+    case Feature::kMeanEast:
+      return (summary.mean - position_).east.value;
+    case Feature::kMeanNorth:
+      return (summary.mean - position_).north.value;
+    case Feature::kSpread:
+      return summary.spread.value;
+    case Feature::kLikeliestShare:
+      return double{summary.likeliest_share};
+    case Feature::kEffectiveCells:
+      return double{summary.effective_cells};
+    case Feature::kHypothesis:
+      return double{belief_.probability_of_hypothesis(element.age)};
+    case Feature::kFound:
+      return double{outlook.found};
+    case Feature::kDetected:
+      return double{outlook.detected};
+    case Feature::kApproach:
+      return double{outlook.approach_m};
+    case Feature::kBorder:
+      return double{outlook.border};
+    case Feature::kLoss:
+      return double{outlook.loss};
+    default:
+      break;
   }
   assert(false && "parse() lets no other feature in");
   return 0.0;
 }
 
-void observe(const SearchMemory& memory, const ObservationSpec& spec, std::span<float> observation) {
-  assert(observation.size() == spec.size());
-  for (std::size_t i = 0; i < spec.size(); ++i) {
-    const ObservationElement& element = spec[i];
-    observation[i] = static_cast<float>((memory.raw(element) - double{element.offset}) * double{element.scale});
+void observe(const SearchMemory& memory, const ObservationModel& model, std::span<float> observation) {
+  assert(observation.size() == model.spec.size());
+  for (std::size_t i = 0; i < model.spec.size(); ++i) {
+    const ObservationElement& element = model.spec[i];
+    observation[i] = static_cast<float>((memory.raw(model, element) - double{element.offset}) * double{element.scale});
   }
 }
 
@@ -90,6 +155,17 @@ Result<ObservationSpec> memory_state(std::size_t steps, Meters step_length, Deci
       if (const Status status = spec.push_back(element); status != Status::kOk) return status;
     }
   }
+  return spec;
+}
+
+ObservationSpec belief_state(const BeliefModel& model) {
+  ObservationSpec spec;
+  const auto add = [&spec](Feature feature, std::size_t index, float scale) {
+    [[maybe_unused]] const Status status =
+        spec.push_back({.feature = feature, .age = static_cast<std::uint8_t>(index), .offset = 0.0F, .scale = scale});
+    assert(status == Status::kOk);
+  };
+  for (std::size_t i = 0; i < model.actions.size(); ++i) add(Feature::kLoss, i, 1.0F);
   return spec;
 }
 

@@ -9,6 +9,8 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/policy/belief.hpp"
+#include "firmware/policy/heard.hpp"
 
 namespace earshot::policy {
 
@@ -20,13 +22,35 @@ enum class Feature : std::uint8_t {
   kNorth = 2,      ///< y of the vehicle in the operating area, metres north of its south-west corner
   kStepEast = 3,   ///< displacement over one remembered step, metres east
   kStepNorth = 4,  ///< displacement over one remembered step, metres north
-  kStepSnr = 5,    ///< SNR heard at the end of that step, dB
+  kStepSnr = 5,    ///< SNR heard at the end of that step, dB; where it was too faint to measure, the least that could have been measured
+
+  kToSouthEdge = 6,  ///< distance to the operating area's edge, metres; negative beyond it
+  kToNorthEdge = 7,
+  kToWestEdge = 8,
+  kToEastEdge = 9,
+
+  // Of the belief, relative to the vehicle.
+  kLikeliestEast = 16,   ///< likeliest place of the source, metres east of the vehicle
+  kLikeliestNorth = 17,  ///< likewise, metres north
+  kMeanEast = 18,        ///< mean place of the source, metres east of the vehicle
+  kMeanNorth = 19,       ///< likewise, metres north
+  kSpread = 20,          ///< root mean square distance of the source from the mean place, metres
+  kLikeliestShare = 21,  ///< probability of the likeliest cell
+  kEffectiveCells = 22,  ///< number of cells the belief is spread over
+  kHypothesis = 23,      ///< probability of the hypothesis that `age` counts
+
+  // Of the belief, one for each action; `age` is the action's index.
+  kFound = 32,     ///< probability that the action's end lies within a step length of the source
+  kDetected = 33,  ///< probability of a detection at the action's end
+  kApproach = 34,  ///< expected decrease of the distance to the source, metres
+  kBorder = 35,    ///< how deep the action's end lies in the border: 0 inside, 1 at the edge, more beyond
+  kLoss = 36,      ///< expected cost of the search after the action, above that after the best
 };
 
 /// One element of an observation: element = (raw - offset) * scale.
 struct ObservationElement {
   Feature feature = Feature::kEast;
-  std::uint8_t age = 0;  ///< remembered step it is taken from, 0 the latest; 0 for a position
+  std::uint8_t age = 0;  ///< remembered step it is taken from, 0 the latest; index of the action or hypothesis; 0 for all else
   float offset = 0.0F;   ///< in the raw value's unit
   float scale = 1.0F;    ///< one over the raw value's unit
   friend constexpr bool operator==(const ObservationElement&, const ObservationElement&) = default;
@@ -34,29 +58,51 @@ struct ObservationElement {
 
 using ObservationSpec = FixedVector<ObservationElement, config::kMaxObservation>;
 
+/// Whether a feature is taken from the belief.
+[[nodiscard]] bool needs_belief(Feature feature);
+/// Whether any element of the observation is.
+[[nodiscard]] bool needs_belief(const ObservationSpec& spec);
+/// Whether any element of the observation needs to know how large the area is.
+[[nodiscard]] bool needs_area(const ObservationSpec& spec);
+/// Whether this build knows the feature.
+[[nodiscard]] bool is_known(Feature feature);
+
+/// What a policy sees, and what it takes for granted when it looks.
+struct ObservationModel {
+  ObservationSpec spec;
+  BeliefModel belief;  ///< unused, and no time spent on it, when no element of `spec` needs it
+};
+
 /// What the vehicle remembers of its search: where it is and what it heard at the end of each of the last steps.
 /// A step not yet taken counts as no displacement and an SNR of zero; the start fills the newest slot with the SNR heard there.
+/// Every call is given the model of the one before.
 class SearchMemory {
  public:
-  /// Forgets everything; the vehicle stands at `position` (relative to the area's south-west corner) and hears `snr`.
-  void start(NorthEast position, Decibels snr);
-  /// One step is over: the vehicle now stands at `position` and hears `snr`.
-  void remember(NorthEast position, Decibels snr);
+  /// Forgets everything; the vehicle stands at `position` (relative to the area's south-west corner) and hears `heard`.
+  void start(const ObservationModel& model, NorthEast position, Heard heard);
+  /// One step is over: the vehicle now stands at `position` and hears `heard`.
+  void remember(const ObservationModel& model, NorthEast position, Heard heard);
 
-  /// Raw value of one element, metres or dB.
-  [[nodiscard]] double raw(const ObservationElement& element) const;
+  /// Raw value of one element.
+  [[nodiscard]] double raw(const ObservationModel& model, const ObservationElement& element) const;
+  /// What is believed about the source; meaningful only when the model's spec needs it.
+  [[nodiscard]] const Belief& belief() const { return belief_; }
 
  private:
   struct Step {
     NorthEast displacement;
     Decibels snr;
   };
+
+  [[nodiscard]] double of_belief(const ObservationElement& element) const;
+
   NorthEast position_;
   std::array<Step, config::kMaxRememberedSteps> steps_{};  ///< newest first
+  Belief belief_;
 };
 
-/// Writes spec.size() elements to `observation` (its size is spec.size()).
-void observe(const SearchMemory& memory, const ObservationSpec& spec, std::span<float> observation);
+/// Writes the model's elements to `observation` (its size is model.spec.size()).
+void observe(const SearchMemory& memory, const ObservationModel& model, std::span<float> observation);
 
 /// The paper's simple state o = (x, y), scaled to [-1, 1] over an area of the given size (north and east).
 [[nodiscard]] ObservationSpec simple_state(NorthEast area_size);
@@ -64,5 +110,9 @@ void observe(const SearchMemory& memory, const ObservationSpec& spec, std::span<
 /// The paper's memory state: (dx, dy, SNR) of each of the last `steps` steps, newest first; displacements in step lengths, SNR in units of
 /// 30 dB about the detection threshold. kOutOfRange unless 1 <= steps <= kMaxRememberedSteps.
 [[nodiscard]] Result<ObservationSpec> memory_state(std::size_t steps, Meters step_length, Decibels detection_threshold);
+
+/// Distances to the edges, the belief, and the outlook of each of the model's actions.
+/// @param model  its belief filled in
+[[nodiscard]] ObservationSpec belief_state(const BeliefModel& model);
 
 }  // namespace earshot::policy

@@ -30,7 +30,7 @@ bool is_in_order(Time time, Time last, Time now, Duration timeout) {
 
 bool fits(const config::Mission& mission, const policy::FrozenPolicy& policy) {
   const policy::Network& network = policy.network;
-  return !policy.observation.empty() && !policy.actions.empty() && network.observation_size == policy.observation.size() &&
+  return !policy.observation.spec.empty() && !policy.actions.empty() && network.observation_size == policy.observation.spec.size() &&
          network.action_count == policy.actions.size() && policy::misfit(policy, mission) == policy::Misfit::kNone;
 }
 
@@ -124,10 +124,14 @@ NorthEast Runtime::place_in_area() const {
   return progress_.navigation->position - mission_.operating_area.south_west;
 }
 
+policy::Heard Runtime::heard() const {
+  return {.snr = progress_.snr->snr, .measured = progress_.snr->measured};
+}
+
 void Runtime::begin_search(Time now) {
   progress_.state = MissionState::kSearch;
   progress_.search_began = now;
-  progress_.memory.start(place_in_area(), progress_.snr->snr);
+  memory_.start(policy_.observation, place_in_area(), heard());
 }
 
 void Runtime::search(Time now, Outputs& outputs) {
@@ -135,7 +139,7 @@ void Runtime::search(Time now, Outputs& outputs) {
   const bool has_leg = progress_.leg.length().value > 0.0;
   if (has_leg && !progress_.leg.is_over(progress_.navigation->position)) return;
   if (has_leg) {
-    progress_.memory.remember(place_in_area(), progress_.snr->snr);
+    memory_.remember(policy_.observation, place_in_area(), heard());
     ++progress_.steps_taken;
     if (progress_.steps_taken >= mission_.max_steps) return end(MissionState::kDone, EndReason::kStepsUsedUp);
   }
@@ -144,9 +148,9 @@ void Runtime::search(Time now, Outputs& outputs) {
 
 void Runtime::decide(Time now, Decision& decision) {
   const NorthEast position = progress_.navigation->position;
-  const std::span<float> observation = std::span(decision.observation).first(policy_.observation.size());
+  const std::span<float> observation = std::span(decision.observation).first(policy_.observation.spec.size());
   const std::span<float> logits = std::span(decision.logits).first(policy_.actions.size());
-  policy::observe(progress_.memory, policy_.observation, observation);
+  policy::observe(memory_, policy_.observation, observation);
   policy::forward(policy_.network, observation, logits);
   const std::size_t action = policy::draw_action(policy_.draw, logits, progress_.random);
   const safety::SafeWaypoint safe = safety::safe_waypoint(mission_, position, position + mission_.step_length * policy_.actions[action]);
@@ -157,7 +161,8 @@ void Runtime::decide(Time now, Decision& decision) {
   decision.time = now;
   decision.position = position;
   decision.snr = progress_.snr->snr;
-  decision.detected = detector::ThresholdDetector{mission_.detection_threshold}.detects(decision.snr);
+  decision.measured = progress_.snr->measured;
+  decision.detected = decision.measured && detector::ThresholdDetector{mission_.detection_threshold}.detects(decision.snr);
   decision.action = static_cast<std::uint8_t>(action);
   decision.overridden = safe.overridden;
   decision.waypoint = safe.waypoint;

@@ -32,6 +32,7 @@ struct Navigation {
 struct SnrEstimate {
   Time time;
   Decibels snr;
+  bool measured = true;  ///< false: too faint to measure; the signal lies somewhere below `snr`, the least that could have been measured
 };
 
 enum class OperatorCommand : std::uint8_t {
@@ -68,6 +69,7 @@ struct Decision {
   Time time;
   NorthEast position;
   Decibels snr;
+  bool measured = true;  ///< false: the signal lies somewhere below `snr`
   bool detected = false;
   std::uint8_t action = 0;
   bool overridden = false;  ///< the safety layer changed the way-point
@@ -130,7 +132,6 @@ class Runtime {
     std::uint32_t steps_taken = 0;
     std::optional<Navigation> navigation;
     std::optional<SnrEstimate> snr;
-    policy::SearchMemory memory;
     guidance::Leg leg;
     Pcg32 random{0};
     Counters counters;
@@ -141,6 +142,7 @@ class Runtime {
   [[nodiscard]] bool snr_is_fresh(Time now) const;
   [[nodiscard]] EndReason reason_to_abort(Time now) const;
   [[nodiscard]] NorthEast place_in_area() const;
+  [[nodiscard]] policy::Heard heard() const;
   void begin_search(Time now);
   void search(Time now, Outputs& outputs);
   void decide(Time now, Decision& decision);
@@ -149,6 +151,7 @@ class Runtime {
   bool configured_ = false;
   config::Mission mission_;
   policy::FrozenPolicy policy_;
+  policy::SearchMemory memory_;  ///< begins anew with every search; too large to be assigned by way of the stack
   Progress progress_;
 };
 

@@ -110,7 +110,7 @@ void run(const Options& options) {
   if (!options.model) return;
   const std::vector<std::uint8_t> bytes = freeze::sign(*policy, key);
   apps::write_whole(*options.output, std::string(bytes.begin(), bytes.end()));
-  std::cout << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.size() << " observations, "
+  std::cout << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " observations, "
             << policy->actions.size() << " actions, " << options.draw << "\n";
 }
 

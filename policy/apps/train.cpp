@@ -38,8 +38,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("-o,--output", options.output, "checkpoint to write")->required();
   app.add_option("--curve", options.curve, "learning curve to write, CSV (the checkpoint's name with .csv)");
   options.world.add_to(app);
-  app.add_option("--state", options.state, "what the policy sees: simple (x, y) or memory (last steps and their SNR) (simple)")
-      ->check(CLI::IsMember({"simple", "memory"}));
+  app.add_option("--state", options.state,
+                 "what the policy sees: simple (x, y), memory (last steps and their SNR) or belief (where the source may be) (simple)")
+      ->check(CLI::IsMember({"simple", "memory", "belief"}));
   app.add_option("--remembered-steps", options.remembered_steps, "m of the memory state (2)")
       ->check(CLI::Range(1, static_cast<int>(config::kMaxRememberedSteps)));
   app.add_option("--episodes", options.episodes, "train for so many episodes (1500 when neither this nor --steps is given)");
@@ -52,7 +53,7 @@ ppo::TrainingRun settled(const Options& options) {
   ppo::TrainingRun run = options.run_file ? ppo::load_run(*options.run_file) : ppo::TrainingRun{};
   if (options.world.environment) run.environment = *options.world.environment;
   if (options.world.vehicle_depth_m) run.vehicle_depth = Meters{*options.world.vehicle_depth_m};
-  if (options.state) run.state = *options.state == "simple" ? ppo::State::kSimple : ppo::State::kMemory;
+  if (options.state) run.state = ppo::state_named(*options.state);
   if (options.remembered_steps) run.remembered_steps = *options.remembered_steps;
   if (options.seed) run.seed = *options.seed;
   if (options.environments) run.hyper.environment_count = *options.environments;
@@ -124,10 +125,10 @@ class Log {
   Clock::time_point shown_ = begin_;
 };
 
-ppo::Checkpoint checkpoint_of(const ppo::Trainer& trainer, const ppo::TrainingRun& run, const ocean::Environment& environment,
-                              const std::string& command) {
+ppo::Checkpoint checkpoint_of(const ppo::Trainer& trainer, const policy::ObservationModel& model, const ppo::TrainingRun& run,
+                              const ocean::Environment& environment, const std::string& command) {
   ppo::Checkpoint checkpoint;
-  checkpoint.observation = ppo::observation_of(run);
+  checkpoint.observation = model;
   checkpoint.direction_count = run.search.direction_count;
   checkpoint.step_length = run.search.step_length;
   checkpoint.area_size = run.search.domain.north_east - run.search.domain.south_west;
@@ -160,14 +161,15 @@ void train(const Options& options, const std::string& command) {
 
   const sonar::SnrCurve curve = apps::curve_for(environment, run.vehicle_depth, run.search);
   const search::SearchWorld world(run.search, curve);
-  ppo::Trainer trainer(world, ppo::observation_of(run), run.hyper, run.seed);
+  const policy::ObservationModel model = ppo::observation_of(run, curve);
+  ppo::Trainer trainer(world, model, run.hyper, run.seed);
   Log log(run);
   trainer.train(run.steps > 0 ? run.steps : std::numeric_limits<std::uint64_t>::max(),
                 [&log](const search::EpisodeRecord& episode, std::uint64_t steps) { return log.add(episode, steps); });
   log.finish();
 
   apps::write_whole(curve_file, log.curve());
-  apps::write_whole(output, to_text(checkpoint_of(trainer, run, environment, command)));
+  apps::write_whole(output, to_text(checkpoint_of(trainer, model, run, environment, command)));
   const evaluate::Summary last = log.recent();
   std::cout << log.episodes() << " episodes, " << trainer.steps() << " steps in " << log.seconds() << " s; last " << last.episodes
             << " episodes: median reward " << last.median_reward << ", found " << 100.0 * last.found_fraction << " %\n"

@@ -13,12 +13,12 @@ search::EpisodeRecord fly(const policy::FrozenPolicy& policy, policy::ActionDraw
                           Pcg32 actions) {
   std::array<float, config::kMaxObservation> observation{};
   std::array<float, config::kMaxActions> logits{};
-  const std::span<float> seen = std::span(observation).first(policy.observation.size());
+  const std::span<float> seen = std::span(observation).first(policy.observation.spec.size());
   const std::span<float> scores = std::span(logits).first(policy.actions.size());
   search::Episode episode;
-  episode.start(world, starts);
+  episode.start(world, policy.observation, starts);
   while (episode.record().end == search::EpisodeEnd::kRunning) {
-    episode.observe(policy.observation, seen);
+    episode.observe(seen);
     policy::forward(policy.network, seen, scores);
     episode.step(world, policy::draw_action(draw, scores, actions));
   }

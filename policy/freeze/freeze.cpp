@@ -32,7 +32,7 @@ void copy_actor(const ppo::Checkpoint& checkpoint, policy::Network& network) {
   Networks networks(checkpoint.shape());
   std::ranges::copy(checkpoint.parameters, networks.parameters().begin());
   const Networks::Layout& layout = networks.layout();
-  network.observation_size = checkpoint.observation.size();
+  network.observation_size = checkpoint.observation.spec.size();
   network.hidden_sizes.fill(static_cast<std::size_t>(ppo::kWidth));
   network.action_count = checkpoint.direction_count;
   copy_layer(networks, layout.first, ppo::kWidth, network.first);  // the actor's half stands above the critic's

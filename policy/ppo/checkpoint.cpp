@@ -6,6 +6,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/config_file/table_reader.hpp"
+#include "sim/search/settings.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -13,14 +14,14 @@ namespace {
 using config_file::BadInput;
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kFormat = "earshot checkpoint 2";
+constexpr std::string_view kFormat = "earshot checkpoint 3";
 
 policy::ObservationElement element_from(const Json& json) {
   policy::ObservationElement element;
   const int feature = json.at("feature").get<int>();
   const int age = json.at("age").get<int>();
-  const bool known = feature >= static_cast<int>(policy::Feature::kEast) && feature <= static_cast<int>(policy::Feature::kStepSnr);
-  if (!known || age < 0 || age >= static_cast<int>(config::kMaxRememberedSteps)) throw BadInput("observation: unknown feature or age");
+  const bool known = feature >= 0 && feature <= 255 && policy::is_known(static_cast<policy::Feature>(feature));
+  if (!known || age < 0 || age > 255) throw BadInput("observation: unknown feature or age");
   element.feature = static_cast<policy::Feature>(feature);
   element.age = static_cast<std::uint8_t>(age);
   element.offset = json.at("offset").get<float>();
@@ -28,12 +29,65 @@ policy::ObservationElement element_from(const Json& json) {
   return element;
 }
 
+template <class Vector, class Value>
+void append(Vector& vector, const Value& value) {
+  if (vector.push_back(value) != Status::kOk) throw BadInput("belief: too many hypotheses or ranges");
+}
+
+/// What is not in the checkpoint's own numbers.
+policy::BeliefModel belief_from(const Json& json) {
+  policy::BeliefModel model;
+  model.cells_north = json.at("cells_north").get<std::uint16_t>();
+  model.cells_east = json.at("cells_east").get<std::uint16_t>();
+  model.border_width = Meters{json.at("border_width_m").get<double>()};
+  model.outlier_share = json.at("outlier_share").get<float>();
+  model.silence_share = json.at("silence_share").get<float>();
+  model.drift_share = json.at("drift_share").get<float>();
+  for (const Json& h : json.at("hypotheses")) {
+    append(model.hypotheses, policy::BeliefHypothesis{.level_offset_db = h.at("level_offset_db").get<float>(),
+                                                      .spread_db = h.at("spread_db").get<float>(),
+                                                      .prior = h.at("prior").get<float>()});
+  }
+  model.range_step = Meters{json.at("range_step_m").get<double>()};
+  for (const Json& snr : json.at("snr_db")) append(model.snr_db, snr.get<float>());
+  return model;
+}
+
+Json belief_to(const policy::BeliefModel& model) {
+  Json json;
+  json["cells_north"] = model.cells_north;
+  json["cells_east"] = model.cells_east;
+  json["border_width_m"] = model.border_width.value;
+  json["outlier_share"] = model.outlier_share;
+  json["silence_share"] = model.silence_share;
+  json["drift_share"] = model.drift_share;
+  json["hypotheses"] = Json::array();
+  for (const policy::BeliefHypothesis& h : model.hypotheses) {
+    json["hypotheses"].push_back({{"level_offset_db", h.level_offset_db}, {"spread_db", h.spread_db}, {"prior", h.prior}});
+  }
+  json["range_step_m"] = model.range_step.value;
+  json["snr_db"] = model.snr_db.span();
+  return json;
+}
+
+/// Gives the belief the checkpoint's own numbers, and refuses one that cannot be.
+void complete_belief(Checkpoint& checkpoint) {
+  policy::BeliefModel& belief = checkpoint.observation.belief;
+  belief.area_size = checkpoint.area_size;
+  belief.step_length = checkpoint.step_length;
+  belief.detection_threshold = checkpoint.detection_threshold;
+  belief.actions = search::compass_directions(checkpoint.direction_count);
+  if (!policy::needs_belief(checkpoint.observation.spec)) return;
+  if (!policy::has_valid_shape(belief) || !policy::has_valid_numbers(belief)) throw BadInput("belief: a number is out of its range");
+}
+
 Checkpoint checkpoint_from(const Json& json) {
   if (json.value("format", "") != kFormat) throw BadInput("not an " + std::string(kFormat));
   Checkpoint checkpoint;
   for (const Json& element : json.at("observation")) {
-    if (checkpoint.observation.push_back(element_from(element)) != Status::kOk) throw BadInput("observation: too many elements");
+    if (checkpoint.observation.spec.push_back(element_from(element)) != Status::kOk) throw BadInput("observation: too many elements");
   }
+  if (json.contains("belief")) checkpoint.observation.belief = belief_from(json.at("belief"));
   checkpoint.direction_count = json.at("direction_count").get<std::size_t>();
   checkpoint.step_length = Meters{json.at("step_length_m").get<double>()};
   checkpoint.area_size = {Meters{json.at("area_north_m").get<double>()}, Meters{json.at("area_east_m").get<double>()}};
@@ -42,10 +96,11 @@ Checkpoint checkpoint_from(const Json& json) {
   checkpoint.parameters = json.at("parameters").get<std::vector<float>>();
 
   const bool sizes =
-      !checkpoint.observation.empty() && checkpoint.direction_count >= 1 && checkpoint.direction_count <= config::kMaxActions;
+      !checkpoint.observation.spec.empty() && checkpoint.direction_count >= 1 && checkpoint.direction_count <= config::kMaxActions;
   const bool lengths =
       checkpoint.step_length.value > 0.0 && checkpoint.area_size.north.value > 0.0 && checkpoint.area_size.east.value > 0.0;
   if (!sizes || !lengths) throw BadInput("observation, direction_count, step_length_m, area_north_m or area_east_m is out of range");
+  complete_belief(checkpoint);
   const std::size_t expected = ActorCritic<float>(checkpoint.shape()).parameters().size();
   if (checkpoint.parameters.size() != expected) {
     throw BadInput("parameters: " + std::to_string(checkpoint.parameters.size()) + " numbers, its shape needs " + std::to_string(expected));
@@ -62,9 +117,10 @@ std::string to_text(const Checkpoint& checkpoint) {
   Json json;
   json["format"] = kFormat;
   json["observation"] = Json::array();
-  for (const policy::ObservationElement& e : checkpoint.observation) {
+  for (const policy::ObservationElement& e : checkpoint.observation.spec) {
     json["observation"].push_back({{"feature", static_cast<int>(e.feature)}, {"age", e.age}, {"offset", e.offset}, {"scale", e.scale}});
   }
+  if (policy::needs_belief(checkpoint.observation.spec)) json["belief"] = belief_to(checkpoint.observation.belief);
   json["direction_count"] = checkpoint.direction_count;
   json["step_length_m"] = checkpoint.step_length.value;
   json["area_north_m"] = checkpoint.area_size.north.value;

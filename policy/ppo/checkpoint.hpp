@@ -15,7 +15,7 @@ namespace earshot::ppo {
 
 /// What training leaves behind: both networks and what they mean.
 struct Checkpoint {
-  policy::ObservationSpec observation;
+  policy::ObservationModel observation;
   std::size_t direction_count = 0;  ///< actions: compass directions, clockwise from north
   Meters step_length;
   NorthEast area_size;                                          ///< of the domain trained in
@@ -24,7 +24,7 @@ struct Checkpoint {
   std::vector<float> parameters;                                ///< as ActorCritic::parameters() of shape()
 
   [[nodiscard]] NetworkShape shape() const {
-    return {static_cast<Eigen::Index>(observation.size()), static_cast<Eigen::Index>(direction_count)};
+    return {static_cast<Eigen::Index>(observation.spec.size()), static_cast<Eigen::Index>(direction_count)};
   }
 };
 

@@ -20,13 +20,13 @@ NetworkShape shape_of(const search::VectorSearch& environments) {
 
 }  // namespace
 
-Trainer::Trainer(const search::SearchWorld& world, const policy::ObservationSpec& spec, const HyperParameters& hyper, std::uint64_t seed)
+Trainer::Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed)
     : hyper_(hyper),
       random_(seed, kLearningStream),
-      environments_(world, spec, hyper.environment_count, seed),
+      environments_(world, model, hyper.environment_count, seed),
       learner_(shape_of(environments_), hyper, random_),
       rollout_(shape_of(environments_), hyper.environment_count, hyper.steps_per_rollout),
-      observations_(index(spec.size()), index(hyper.environment_count)),
+      observations_(index(model.spec.size()), index(hyper.environment_count)),
       activations_(shape_of(environments_), index(hyper.environment_count)),
       single_(shape_of(environments_), 1),
       actions_(hyper.environment_count),

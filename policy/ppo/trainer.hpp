@@ -14,7 +14,7 @@ namespace earshot::ppo {
 class Trainer {
  public:
   /// @param world  outlives this
-  Trainer(const search::SearchWorld& world, const policy::ObservationSpec& spec, const HyperParameters& hyper, std::uint64_t seed);
+  Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed);
 
   /// Told of every finished episode and the steps taken so far in all environments; false ends training at once (the rollout under way is
   /// dropped).

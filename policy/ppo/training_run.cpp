@@ -1,11 +1,14 @@
 #include "policy/ppo/training_run.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <sstream>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/config_file/table_reader.hpp"
+#include "sim/search/belief_model.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -13,6 +16,7 @@ namespace {
 using config_file::Range;
 using config_file::TableReader;
 
+constexpr std::array<std::string_view, 3> kStates{"simple", "memory", "belief"};  // in the order of State
 constexpr std::int64_t kMany = std::numeric_limits<std::int64_t>::max();
 
 std::size_t read_size(TableReader& table, std::string_view key, std::size_t fallback, std::int64_t lowest, std::int64_t highest) {
@@ -57,7 +61,7 @@ TrainingRun load_run(const std::filesystem::path& path) {
   TrainingRun run;
   if (root.has("environment")) run.environment = file.resolve(root.text("environment"));
   run.vehicle_depth = Meters{root.number_or("vehicle_depth_m", run.vehicle_depth.value, Range::above(0.0))};
-  run.state = root.choice_or("state", 0, {"simple", "memory"}) == 0 ? State::kSimple : State::kMemory;
+  run.state = static_cast<State>(root.choice_or("state", 0, {kStates.begin(), kStates.end()}));
   run.remembered_steps = read_size(root, "remembered_steps", run.remembered_steps, 1, config::kMaxRememberedSteps);
   run.seed = static_cast<std::uint64_t>(root.integer_or("seed", 1, 0, kMany));
   run.episodes = static_cast<std::uint64_t>(root.integer_or("episodes", 0, 0, kMany));
@@ -72,10 +76,30 @@ TrainingRun load_run(const std::filesystem::path& path) {
   return run;
 }
 
-policy::ObservationSpec observation_of(const TrainingRun& run) {
+std::string_view name_of(State state) {
+  return kStates[static_cast<std::size_t>(state)];
+}
+
+State state_named(std::string_view name) {
+  return static_cast<State>(std::ranges::find(kStates, name) - kStates.begin());
+}
+
+policy::ObservationModel observation_of(const TrainingRun& run, const sonar::SnrCurve& curve) {
   const search::SearchSettings& s = run.search;
-  if (run.state == State::kSimple) return policy::simple_state(s.domain.north_east - s.domain.south_west);
-  return policy::memory_state(run.remembered_steps, s.step_length, s.detection_threshold).value();
+  policy::ObservationModel model;
+  model.belief = search::belief_model(s, curve);
+  switch (run.state) {
+    case State::kSimple:
+      model.spec = policy::simple_state(s.domain.north_east - s.domain.south_west);
+      break;
+    case State::kMemory:
+      model.spec = policy::memory_state(run.remembered_steps, s.step_length, s.detection_threshold).value();
+      break;
+    case State::kBelief:
+      model.spec = policy::belief_state(model.belief);
+      break;
+  }
+  return model;
 }
 
 std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run) {
@@ -88,7 +112,7 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   const search::SearchSettings& s = run.search;
   const HyperParameters& h = run.hyper;
   add("vehicle_depth_m", run.vehicle_depth.value);
-  add("state", run.state == State::kSimple ? "simple" : "memory");
+  add("state", name_of(run.state));
   if (run.state == State::kMemory) add("remembered_steps", run.remembered_steps);
   add("source", s.placement == search::SourcePlacement::kFixed ? "fixed" : "changing");
   add("border_width_m", s.border_width.value);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "firmware/policy/observation.hpp"
 #include "policy/ppo/hyper_parameters.hpp"
 #include "sim/search/settings.hpp"
+#include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::ppo {
 
@@ -18,6 +20,7 @@ namespace earshot::ppo {
 enum class State : std::uint8_t {
   kSimple,  ///< o = (x, y)
   kMemory,  ///< displacement and SNR of each of the last steps
+  kBelief,  ///< what is believed about the source, from all that was heard
 };
 
 /// Everything that decides what a training run makes.
@@ -37,8 +40,14 @@ struct TrainingRun {
 /// problem.
 [[nodiscard]] TrainingRun load_run(const std::filesystem::path& path);
 
-/// What the policy of this run sees.
-[[nodiscard]] policy::ObservationSpec observation_of(const TrainingRun& run);
+/// "simple", "memory" or "belief".
+[[nodiscard]] std::string_view name_of(State state);
+/// @param name  one of the names above
+[[nodiscard]] State state_named(std::string_view name);
+
+/// What the policy of this run sees, and what it takes for granted when it looks.
+/// @param curve  SNR that a belief takes for the truth
+[[nodiscard]] policy::ObservationModel observation_of(const TrainingRun& run, const sonar::SnrCurve& curve);
 
 /// Every setting that shaped the policy, as names and values, for its provenance.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run);

@@ -84,7 +84,8 @@ vehicle::State start_of(const search::SearchSettings& settings, const sonar::Snr
   const search::SearchWorld world(settings, snr);
   Pcg32 random(seed);
   search::Episode episode;
-  episode.start(world, random);
+  const policy::ObservationModel sees_nothing;
+  episode.start(world, sees_nothing, random);
   return {.position = episode.position(), .depth = mission.search_depth, .heading = Radians{0.0}, .speed = mission.search_speed};
 }
 

@@ -16,7 +16,7 @@ NorthEast uniform_in(const Rectangle& area, Pcg32& random) {
 
 }  // namespace
 
-void Episode::start(const SearchWorld& world, Pcg32& random) {
+void Episode::start(const SearchWorld& world, const policy::ObservationModel& model, Pcg32& random) {
   const SearchSettings& s = world.settings;
   NorthEast source = s.source;
   NorthEast position;
@@ -24,14 +24,15 @@ void Episode::start(const SearchWorld& world, Pcg32& random) {
     if (s.placement == SourcePlacement::kChanging) source = uniform_in(s.domain, random);
     position = uniform_in(s.start_region, random);
   } while (range_between(position, source) <= s.step_length);
-  start_at(world, position, source);
+  start_at(world, model, position, source);
 }
 
-void Episode::start_at(const SearchWorld& world, NorthEast position, NorthEast source) {
+void Episode::start_at(const SearchWorld& world, const policy::ObservationModel& model, NorthEast position, NorthEast source) {
   position_ = position;
   source_ = source;
   snr_ = world.snr.at(range_between(position_, source_));
-  memory_.start(position_ - world.settings.domain.south_west, snr_);
+  model_ = &model;
+  memory_.start(model, position_ - world.settings.domain.south_west, {.snr = snr_});
   record_ = {};
 }
 
@@ -41,7 +42,7 @@ double Episode::step(const SearchWorld& world, std::size_t action) {
   position_ = position_ + s.step_length * world.actions[action];
   const Meters range = range_between(position_, source_);
   snr_ = world.snr.at(range);
-  memory_.remember(position_ - s.domain.south_west, snr_);
+  memory_.remember(*model_, position_ - s.domain.south_west, {.snr = snr_});
 
   const double reward = step_reward(s, position_, snr_);
   record_.reward += reward;

@@ -45,24 +45,29 @@ class Episode {
  public:
   /// Draws the source (kChanging) and the start. A start within l of the source would end before its first step: the start is drawn
   /// again; a changing source is drawn again with it, so that no source position is without a start.
-  void start(const SearchWorld& world, Pcg32& random);
+  /// @param model  what is remembered and seen; must outlive the episode
+  void start(const SearchWorld& world, const policy::ObservationModel& model, Pcg32& random);
   /// Starts at a given place.
-  void start_at(const SearchWorld& world, NorthEast position, NorthEast source);
+  void start_at(const SearchWorld& world, const policy::ObservationModel& model, NorthEast position, NorthEast source);
 
   /// Takes one step; returns its reward. @param action below the size of world.actions; the episode is running.
   double step(const SearchWorld& world, std::size_t action);
 
-  void observe(const policy::ObservationSpec& spec, std::span<float> observation) const { policy::observe(memory_, spec, observation); }
+  /// @param observation  [model.spec.size()]
+  void observe(std::span<float> observation) const { policy::observe(memory_, *model_, observation); }
 
   [[nodiscard]] const EpisodeRecord& record() const { return record_; }
   [[nodiscard]] NorthEast position() const { return position_; }
   [[nodiscard]] NorthEast source() const { return source_; }
   [[nodiscard]] Decibels snr() const { return snr_; }
+  /// What is believed about the source; meaningful only when the model's spec needs it.
+  [[nodiscard]] const policy::Belief& belief() const { return memory_.belief(); }
 
  private:
   NorthEast position_;
   NorthEast source_;
   Decibels snr_;
+  const policy::ObservationModel* model_ = nullptr;
   policy::SearchMemory memory_;
   EpisodeRecord record_;
 };

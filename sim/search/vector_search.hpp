@@ -16,13 +16,15 @@ namespace earshot::search {
 class VectorSearch {
  public:
   /// @param world  outlives this; check(world.settings) is kOk
-  VectorSearch(const SearchWorld& world, const policy::ObservationSpec& spec, std::size_t environment_count, std::uint64_t seed);
+  VectorSearch(const SearchWorld& world, const policy::ObservationModel& model, std::size_t environment_count, std::uint64_t seed);
+  VectorSearch(const VectorSearch&) = delete;  // its episodes point to its model
+  VectorSearch& operator=(const VectorSearch&) = delete;
 
   /// One action for each environment.
   void step(std::span<const std::size_t> actions);
 
   [[nodiscard]] std::size_t environment_count() const { return episodes_.size(); }
-  [[nodiscard]] std::size_t observation_size() const { return spec_.size(); }
+  [[nodiscard]] std::size_t observation_size() const { return model_.spec.size(); }
   [[nodiscard]] std::size_t action_count() const { return world_.actions.size(); }
 
   /// [observation_size] of one environment, to act upon next.
@@ -37,7 +39,7 @@ class VectorSearch {
   [[nodiscard]] std::span<float> slot(std::vector<float>& all, std::size_t environment) const;
 
   const SearchWorld& world_;
-  policy::ObservationSpec spec_;
+  policy::ObservationModel model_;
   std::vector<Episode> episodes_;
   std::vector<Pcg32> random_;
   std::vector<float> observations_;        // [environment_count x observation_size]

@@ -27,9 +27,10 @@ int main(int argc, char** argv) {
   search::SearchSettings settings;
   settings.placement = search::SourcePlacement::kChanging;
   const search::SearchWorld world(settings, curve);
-  const auto spec = policy::memory_state(2, settings.step_length, settings.detection_threshold).value();
+  const policy::ObservationModel model{.spec = policy::memory_state(2, settings.step_length, settings.detection_threshold).value(),
+                                       .belief = {}};
   const auto begin = std::chrono::steady_clock::now();
-  ppo::Trainer trainer(world, spec, {}, 1);
+  ppo::Trainer trainer(world, model, {}, 1);
   trainer.train(steps, [](const search::EpisodeRecord&, std::uint64_t) { return true; });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   std::cout << R"({"name": "ppo.steps_per_s", "value": )" << static_cast<double>(trainer.steps()) / elapsed.count()

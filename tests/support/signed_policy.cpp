@@ -39,13 +39,13 @@ policy::FrozenPolicy random_walk_policy() {
                                                    {0, -1},
                                                    {kDiagonal, -kDiagonal}}};
   policy::FrozenPolicy policy;
-  policy.observation = policy::simple_state({Meters{25'000}, Meters{25'000}});
+  policy.observation.spec = policy::simple_state({Meters{25'000}, Meters{25'000}});
   for (const UnitNorthEast& direction : kCompass) (void)policy.actions.push_back(direction);
   policy.step_length = Meters{1000};
   policy.area_size = {Meters{25'000}, Meters{25'000}};
   policy.detection_threshold = Decibels{10};
   policy.draw = policy::ActionDraw::kSampled;
-  policy.network.observation_size = policy.observation.size();
+  policy.network.observation_size = policy.observation.spec.size();
   policy.network.hidden_sizes = {8, 8};
   policy.network.action_count = kCompass.size();
   return policy;

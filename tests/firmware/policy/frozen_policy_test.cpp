@@ -29,7 +29,7 @@ constexpr std::size_t kStepLengthAt = 24;
 constexpr std::size_t kAreaNorthAt = 32;
 constexpr std::size_t kAreaEastAt = 40;
 constexpr std::size_t kThresholdAt = 48;
-constexpr std::size_t kElementsAt = 60;
+constexpr std::size_t kElementsAt = 64;
 constexpr std::size_t kDirectionsAt = kElementsAt + 2 * 12;
 constexpr std::size_t kWeightsAt = kDirectionsAt + 4 * 16;
 constexpr std::size_t kParameters = 3 * 5 + 6 * 3 + 4 * 4;
@@ -43,7 +43,7 @@ constexpr std::size_t kLength = kChecksumAt + 4 + 64;
 /// A 2-5-3-4 policy with weights from a generator.
 std::unique_ptr<FrozenPolicy> small_policy() {
   auto policy = std::make_unique<FrozenPolicy>();
-  policy->observation = simple_state({.north = Meters{25000}, .east = Meters{25000}});
+  policy->observation.spec = simple_state({.north = Meters{25000}, .east = Meters{25000}});
   for (const UnitNorthEast& direction : {UnitNorthEast{1, 0}, UnitNorthEast{0, 1}, UnitNorthEast{-1, 0}, UnitNorthEast{0.6, -0.8}}) {
     EXPECT_EQ(policy->actions.push_back(direction), Status::kOk);
   }
@@ -120,7 +120,7 @@ TEST(FrozenPolicy, LiesInItsBytesAsTheReadmeSays) {
   const std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
   ASSERT_EQ(bytes.size(), kLength);
   EXPECT_EQ(std::string_view(reinterpret_cast<const char*>(bytes.data()), 8), "EARSHOTP");
-  EXPECT_EQ(bytes[kVersionAt], 2);
+  EXPECT_EQ(bytes[kVersionAt], 3);
   EXPECT_EQ(bytes[kLengthAt] + 256U * bytes[kLengthAt + 1], kLength);
   EXPECT_EQ(bytes[kActionCountAt], 4);
   EXPECT_EQ(double_at(bytes, kStepLengthAt), 1000.0);
@@ -138,7 +138,7 @@ TEST(FrozenPolicy, ComesBackFromItsBytesAsItWas) {
   PolicyFault fault{};
   ASSERT_EQ(parse(bytes, *after, fault), Status::kOk);
   EXPECT_EQ(fault, PolicyFault::kNone);
-  EXPECT_TRUE(std::ranges::equal(after->observation, before->observation));
+  EXPECT_TRUE(std::ranges::equal(after->observation.spec, before->observation.spec));
   EXPECT_TRUE(std::ranges::equal(after->actions, before->actions));
   EXPECT_TRUE(std::ranges::equal(after->provenance, before->provenance));
   EXPECT_EQ(after->step_length, before->step_length);
@@ -154,18 +154,18 @@ TEST(FrozenPolicy, ComesBackFromItsBytesAsItWas) {
 
 TEST(FrozenPolicy, MayReplaceALargerOneInPlace) {
   const auto policy = std::make_unique<FrozenPolicy>();
-  policy->observation = memory_state(21, Meters{1000}, Decibels{10}).value();
+  policy->observation.spec = memory_state(21, Meters{1000}, Decibels{10}).value();
   policy->network.observation_size = 63;
   PolicyFault fault{};
   const std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
   ASSERT_EQ(parse(bytes, *policy, fault), Status::kOk);
-  EXPECT_EQ(policy->observation.size(), 2U);
+  EXPECT_EQ(policy->observation.spec.size(), 2U);
   EXPECT_EQ(bytes_of(*policy), bytes);
 }
 
 TEST(FrozenPolicy, OfTheLargestSizesFillsTheLargestSerialisedSize) {
   const auto policy = std::make_unique<FrozenPolicy>();
-  while (policy->observation.push_back({}) == Status::kOk) {
+  while (policy->observation.spec.push_back({.feature = Feature::kFound}) == Status::kOk) {
   }
   while (policy->actions.push_back({}) == Status::kOk) {
   }
@@ -173,6 +173,15 @@ TEST(FrozenPolicy, OfTheLargestSizesFillsTheLargestSerialisedSize) {
   }
   policy->step_length = Meters{1};
   policy->area_size = {.north = Meters{1}, .east = Meters{1}};
+  BeliefModel& belief = policy->observation.belief;
+  while (belief.hypotheses.push_back({}) == Status::kOk) {
+  }
+  while (belief.snr_db.push_back(0.0F) == Status::kOk) {
+  }
+  belief.actions = policy->actions;
+  belief.step_length = policy->step_length;
+  belief.area_size = policy->area_size;
+  belief.detection_threshold = policy->detection_threshold;
   policy->network.observation_size = config::kMaxObservation;
   policy->network.hidden_sizes = {Network::kWidth, Network::kWidth};
   policy->network.action_count = config::kMaxActions;
@@ -222,15 +231,15 @@ TEST(FrozenPolicy, WithAWrongChecksumIsCorrupt) {
 
 TEST(FrozenPolicy, NamesWhatIsWrongWithItsHeader) {
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[0] = 'e'; }).fault, PolicyFault::kBadMagic);
-  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 1; }).fault, PolicyFault::kUnknownVersion);
-  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 3; }).fault, PolicyFault::kUnknownVersion);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 2; }).fault, PolicyFault::kUnknownVersion);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kVersionAt] = 4; }).fault, PolicyFault::kUnknownVersion);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActivationAt] = 0; }).fault, PolicyFault::kUnknownActivation);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kDrawAt] = 3; }).fault, PolicyFault::kUnknownDraw);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActionCountAt] = 0; }).fault, PolicyFault::kBadShape);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActionCountAt] = 33; }).fault, PolicyFault::kBadShape);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kActionCountAt] = 5; }).fault, PolicyFault::kBadShape);
   EXPECT_EQ(parsed_after([](auto& bytes) { put_double(bytes, kStepLengthAt, 0.0); }).fault, PolicyFault::kNotFinite);
-  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kElementsAt] = 6; }).fault, PolicyFault::kUnknownFeature);
+  EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kElementsAt] = 10; }).fault, PolicyFault::kUnknownFeature);
   EXPECT_EQ(parsed_after([](auto& bytes) { bytes[kElementsAt + 1] = config::kMaxRememberedSteps; }).fault, PolicyFault::kBadShape);
 }
 

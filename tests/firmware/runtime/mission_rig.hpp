@@ -41,7 +41,7 @@ inline config::Mission paper_mission() {
 /// Simple state, four compass points; weights all zero, so that the output biases alone decide.
 inline std::unique_ptr<policy::FrozenPolicy> policy_that_goes(std::size_t action) {
   auto policy = std::make_unique<policy::FrozenPolicy>();
-  policy->observation = policy::simple_state(at(25000, 25000));
+  policy->observation.spec = policy::simple_state(at(25000, 25000));
   for (const UnitNorthEast& direction : {UnitNorthEast{1, 0}, UnitNorthEast{0, 1}, UnitNorthEast{-1, 0}, UnitNorthEast{0, -1}}) {
     static_cast<void>(policy->actions.push_back(direction));
   }
@@ -59,7 +59,7 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_goes(std::size_t action
 /// Memory state of two steps, random weights, actions drawn from the softmax: a policy that wanders.
 inline std::unique_ptr<policy::FrozenPolicy> policy_that_wanders() {
   auto policy = policy_that_goes(kNorthward);
-  policy->observation = policy::memory_state(2, Meters{1000}, Decibels{10}).value();
+  policy->observation.spec = policy::memory_state(2, Meters{1000}, Decibels{10}).value();
   policy->draw = policy::ActionDraw::kSampled;
   policy->network.observation_size = 6;
   Pcg32 random(77);

@@ -46,7 +46,7 @@ TEST(Configure, RefusesAPolicyTrainedWithAnotherDetectionThreshold) {
 
 TEST(Configure, RefusesAnEmptyPolicyAndOneWhoseSizesContradictEachOther) {
   const auto policy = policy_that_goes(kNorthward);
-  policy->observation.clear();
+  policy->observation.spec.clear();
   policy->actions.clear();
   EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
   const auto crooked = policy_that_goes(kNorthward);
@@ -143,7 +143,7 @@ TEST(Runtime, DecidesAgainAfterOneStepLength) {
 
 TEST(Runtime, RemembersStepsAndSnrForAMemoryPolicy) {
   const auto policy = policy_that_goes(kWestward);
-  policy->observation = policy::memory_state(2, Meters{1000}, Decibels{10}).value();
+  policy->observation.spec = policy::memory_state(2, Meters{1000}, Decibels{10}).value();
   policy->network.observation_size = 6;
   Rig rig(*policy);
   rig.snr = Decibels{40};

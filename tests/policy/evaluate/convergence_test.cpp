@@ -20,9 +20,9 @@ TEST_P(FixedSource, IsFoundInNinetyNinePercentOfSearchesAfterFifteenHundredEpiso
   const sonar::SnrCurve curve = sonar::compute_snr_curve(environment, Meters{300.0}, Meters{37'000.0});
   const ppo::TrainingRun paper;
   const search::SearchWorld world(paper.search, curve);
-  const policy::ObservationSpec spec = ppo::observation_of(paper);
+  const policy::ObservationModel model = ppo::observation_of(paper, curve);
 
-  ppo::Trainer trainer(world, spec, paper.hyper, GetParam());
+  ppo::Trainer trainer(world, model, paper.hyper, GetParam());
   std::vector<search::EpisodeRecord> training;
   trainer.train(std::numeric_limits<std::uint64_t>::max(), [&](const search::EpisodeRecord& episode, std::uint64_t) {
     training.push_back(episode);
@@ -31,7 +31,7 @@ TEST_P(FixedSource, IsFoundInNinetyNinePercentOfSearchesAfterFifteenHundredEpiso
   EXPECT_GE(summarise(std::span(training).last(50)).median_reward, -3.0);
 
   const std::span<const float> parameters = trainer.networks().parameters();
-  const ppo::Checkpoint checkpoint{.observation = spec,
+  const ppo::Checkpoint checkpoint{.observation = model,
                                    .direction_count = paper.search.direction_count,
                                    .step_length = paper.search.step_length,
                                    .area_size = paper.search.domain.north_east - paper.search.domain.south_west,

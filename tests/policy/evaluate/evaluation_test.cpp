@@ -39,7 +39,7 @@ TEST(Summary, CountsEndsAndAveragesRewardStepsAndDetections) {
 /// A policy that goes north (action 0) by a margin of logits: others have logit 0.
 std::unique_ptr<policy::FrozenPolicy> goes_north(float margin) {
   auto policy = std::make_unique<policy::FrozenPolicy>();
-  policy->observation = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}});
+  policy->observation.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}});
   policy->actions = search::compass_directions(4);
   policy->step_length = Meters{1'000.0};
   policy->area_size = {Meters{25'000.0}, Meters{25'000.0}};

@@ -15,7 +15,7 @@ namespace {
 /// A trained-looking checkpoint of the memory state.
 ppo::Checkpoint made_up_checkpoint() {
   ppo::Checkpoint checkpoint;
-  checkpoint.observation = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value();
+  checkpoint.observation.spec = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value();
   checkpoint.direction_count = 8;
   checkpoint.step_length = Meters{1'000.0};
   checkpoint.area_size = {Meters{25'000.0}, Meters{30'000.0}};
@@ -52,7 +52,7 @@ TEST(Freeze, GivesTheLogitsOfTheTrainedActor) {
 TEST(Freeze, KeepsWhatThePolicySeesDoesAndComesFrom) {
   const ppo::Checkpoint checkpoint = made_up_checkpoint();
   const auto frozen = freeze(checkpoint, policy::ActionDraw::kArgmax);
-  EXPECT_TRUE(std::ranges::equal(frozen->observation, checkpoint.observation));
+  EXPECT_TRUE(std::ranges::equal(frozen->observation.spec, checkpoint.observation.spec));
   EXPECT_EQ(frozen->actions.size(), 8U);
   EXPECT_EQ(frozen->actions[2], (UnitNorthEast{0.0, 1.0}));
   EXPECT_EQ(frozen->step_length, Meters{1'000.0});

@@ -12,7 +12,7 @@ namespace {
 
 Checkpoint made_up() {
   Checkpoint checkpoint;
-  checkpoint.observation = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}});
+  checkpoint.observation.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}});
   checkpoint.direction_count = 8;
   checkpoint.step_length = Meters{1'000.0};
   checkpoint.area_size = {Meters{25'000.0}, Meters{30'000.0}};
@@ -45,7 +45,7 @@ TEST(Checkpoint, SurvivesItsTextExactly) {
   const Checkpoint read = from_text(to_text(written), "a");
   EXPECT_EQ(read.parameters, written.parameters);
   EXPECT_EQ(read.provenance, written.provenance);
-  EXPECT_TRUE(std::ranges::equal(read.observation, written.observation));
+  EXPECT_TRUE(std::ranges::equal(read.observation.spec, written.observation.spec));
   EXPECT_EQ(read.direction_count, written.direction_count);
   EXPECT_EQ(read.step_length, written.step_length);
   EXPECT_EQ(read.area_size, written.area_size);

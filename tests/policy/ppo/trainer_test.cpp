@@ -17,7 +17,7 @@ class TrainerTest : public testing::Test {
 
   std::vector<float> trained(std::uint64_t seed) {
     const search::SearchWorld world(settings, curve);
-    Trainer trainer(world, policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), hyper, seed);
+    Trainer trainer(world, {.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), .belief = {}}, hyper, seed);
     trainer.train(1'000, [this](const search::EpisodeRecord& episode, std::uint64_t) {
       episodes.push_back(episode);
       return true;
@@ -56,7 +56,7 @@ TEST_F(TrainerTest, TellsOfEveryFinishedEpisodeOnce) {
 
 TEST_F(TrainerTest, StopsAtOnceWhenTold) {
   const search::SearchWorld world(settings, curve);
-  Trainer trainer(world, policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), hyper, 1);
+  Trainer trainer(world, {.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), .belief = {}}, hyper, 1);
   int told = 0;
   trainer.train(1'000'000, [&told](const search::EpisodeRecord&, std::uint64_t) { return ++told < 2; });
   EXPECT_EQ(told, 2);
@@ -69,7 +69,7 @@ TEST_F(TrainerTest, AddsTheDiscountedValueOfTheLastObservationWhereTheTimeLimitC
   settings.start_region = {{Meters{10'000.0}, Meters{10'000.0}}, {Meters{20'000.0}, Meters{20'000.0}}};
   hyper.environment_count = 1;
   const search::SearchWorld world(settings, curve);
-  Trainer trainer(world, policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), hyper, 1);
+  Trainer trainer(world, {.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), .belief = {}}, hyper, 1);
   std::size_t told = 0;
   trainer.train(1'000,
                 [&](const search::EpisodeRecord&, std::uint64_t) { return ++told < hyper.steps_per_rollout; });  // a rollout, no update
@@ -91,7 +91,7 @@ TEST_F(TrainerTest, LearnsToStayClearOfAnEdgeThatCosts) {
   hyper.steps_per_rollout = 2'048;
   hyper.environment_count = 1;
   const search::SearchWorld world(settings, curve);
-  Trainer trainer(world, policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), hyper, 1);
+  Trainer trainer(world, {.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), .belief = {}}, hyper, 1);
   std::vector<bool> left;
   trainer.train(40'000, [&left](const search::EpisodeRecord& episode, std::uint64_t) {
     left.push_back(episode.end == search::EpisodeEnd::kLeftDomain);

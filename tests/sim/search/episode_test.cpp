@@ -27,12 +27,13 @@ class EpisodeTest : public testing::Test {
  protected:
   sonar::SnrCurve curve = one_decibel_per_kilometer();
   SearchSettings settings;
+  policy::ObservationModel model;
   Episode episode;
 };
 
 TEST_F(EpisodeTest, MovesOneStepLengthAlongTheActionsDirection) {
   const SearchWorld world(settings, curve);
-  episode.start_at(world, at(5'000, 7'000), settings.source);
+  episode.start_at(world, model, at(5'000, 7'000), settings.source);
   episode.step(world, kEast);
   EXPECT_EQ(episode.position(), at(5'000, 8'000));
   episode.step(world, 5);                                                             // south-west
@@ -42,7 +43,7 @@ TEST_F(EpisodeTest, MovesOneStepLengthAlongTheActionsDirection) {
 
 TEST_F(EpisodeTest, EndsWhenItComesWithinAStepLengthOfTheSource) {
   const SearchWorld world(settings, curve);
-  episode.start_at(world, at(10'000, 12'500), settings.source);
+  episode.start_at(world, model, at(10'000, 12'500), settings.source);
   EXPECT_EQ(episode.step(world, kWest), 0.0);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning);  // 1500 m away
   EXPECT_EQ(episode.step(world, kWest), 0.0);
@@ -52,14 +53,14 @@ TEST_F(EpisodeTest, EndsWhenItComesWithinAStepLengthOfTheSource) {
 
 TEST_F(EpisodeTest, FindsTheSourceFromExactlyOneStepLength) {
   const SearchWorld world(settings, curve);
-  episode.start_at(world, at(10'000, 12'000), settings.source);
+  episode.start_at(world, model, at(10'000, 12'000), settings.source);
   episode.step(world, kWest);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
 }
 
 TEST_F(EpisodeTest, EndsOutsideTheDomainWithThePenaltyOfWhereItCameOut) {
   const SearchWorld world(settings, curve);
-  episode.start_at(world, at(24'500, 10'000), settings.source);
+  episode.start_at(world, model, at(24'500, 10'000), settings.source);
   // Half a kilometre beyond the edge: -100 (1 + 0.5); 15.5 km from the source it is heard.
   EXPECT_EQ(episode.step(world, kNorth), -150.0);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kLeftDomain);
@@ -68,14 +69,14 @@ TEST_F(EpisodeTest, EndsOutsideTheDomainWithThePenaltyOfWhereItCameOut) {
 TEST_F(EpisodeTest, CountsASourceReachedJustOutsideTheDomainAsFound) {
   settings.source = at(24'900, 10'000);
   const SearchWorld world(settings, curve);
-  episode.start_at(world, at(24'600, 11'100), settings.source);
+  episode.start_at(world, model, at(24'600, 11'100), settings.source);
   episode.step(world, 7);  // north-west, to 25 307 m north, 10 393 m east: 566 m away
   EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
 }
 
 TEST_F(EpisodeTest, IsCutByTheTimeLimitAfterNSteps) {
   const SearchWorld world(settings, curve);
-  episode.start_at(world, at(15'000, 15'000), settings.source);
+  episode.start_at(world, model, at(15'000, 15'000), settings.source);
   for (int i = 0; i < 99; ++i) episode.step(world, i % 2 == 0 ? kNorth : kSouth);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning);
   episode.step(world, kSouth);
@@ -86,14 +87,14 @@ TEST_F(EpisodeTest, IsCutByTheTimeLimitAfterNSteps) {
 TEST_F(EpisodeTest, PrefersFoundOverTheTimeLimitOnTheLastStep) {
   settings.max_steps = 1;
   const SearchWorld world(settings, curve);
-  episode.start_at(world, at(10'000, 12'000), settings.source);
+  episode.start_at(world, model, at(10'000, 12'000), settings.source);
   episode.step(world, kWest);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
 }
 
 TEST_F(EpisodeTest, AddsUpItsRewards) {
   const SearchWorld world(settings, curve);
-  episode.start_at(world, at(2'000, 20'500), at(24'000, 2'000));  // 28.7 km away: not heard
+  episode.start_at(world, model, at(2'000, 20'500), at(24'000, 2'000));  // 28.7 km away: not heard
   double sum = 0.0;
   for (int i = 0; i < 4; ++i) sum += episode.step(world, kEast);
   // 21.5, 22.5, 23.5 km east are inside the border's inner edge, 24.5 km is half-way through it.
@@ -103,17 +104,17 @@ TEST_F(EpisodeTest, AddsUpItsRewards) {
 
 TEST_F(EpisodeTest, SeesTheMemoryStateOfItsLastStepsNewestFirst) {
   const SearchWorld world(settings, curve);
-  const policy::ObservationSpec spec = policy::memory_state(2, settings.step_length, settings.detection_threshold).value();
+  model.spec = policy::memory_state(2, settings.step_length, settings.detection_threshold).value();
   std::array<float, 6> seen{};
-  episode.start_at(world, at(10'000, 15'000), settings.source);
-  episode.observe(spec, seen);
+  episode.start_at(world, model, at(10'000, 15'000), settings.source);
+  episode.observe(seen);
   // At the start no displacement; 25 dB is heard: (25 - 10) / 30.
   EXPECT_EQ(seen[0], 0.0F);
   EXPECT_EQ(seen[1], 0.0F);
   EXPECT_FLOAT_EQ(seen[2], 0.5F);
   episode.step(world, kWest);
   episode.step(world, kNorth);
-  episode.observe(spec, seen);
+  episode.observe(seen);
   EXPECT_FLOAT_EQ(seen[0], 0.0F);
   EXPECT_FLOAT_EQ(seen[1], 1.0F);
   EXPECT_FLOAT_EQ(seen[3], -1.0F);
@@ -125,10 +126,10 @@ TEST_F(EpisodeTest, SeesTheSimpleStateRelativeToTheDomainsSouthWestCorner) {
   settings.domain = {corner, corner + at(25'000, 25'000)};
   settings.start_region = settings.domain;
   const SearchWorld world(settings, curve);
-  const policy::ObservationSpec spec = policy::simple_state(at(25'000, 25'000));
+  model.spec = policy::simple_state(at(25'000, 25'000));
   std::array<float, 2> seen{};
-  episode.start_at(world, corner + at(25'000, 12'500), corner + at(1'000, 1'000));
-  episode.observe(spec, seen);
+  episode.start_at(world, model, corner + at(25'000, 12'500), corner + at(1'000, 1'000));
+  episode.observe(seen);
   EXPECT_FLOAT_EQ(seen[0], 0.0F);  // x, east: in the middle
   EXPECT_FLOAT_EQ(seen[1], 1.0F);  // y, north: at the far edge
 }
@@ -138,7 +139,7 @@ TEST_F(EpisodeTest, NeverStartsWithinReachOfTheSource) {
   const SearchWorld world(settings, curve);
   Pcg32 random(7);
   for (int i = 0; i < 1'000; ++i) {
-    episode.start(world, random);
+    episode.start(world, model, random);
     const NorthEast d = episode.position() - settings.source;
     EXPECT_GT(std::hypot(d.north.value, d.east.value), 1'000.0);
   }
@@ -153,7 +154,7 @@ TEST_F(EpisodeTest, StartsUniformlyInItsRegionAndPlacesAChangingSourceUniformlyI
   double start_north = 0.0;
   double source_east = 0.0;
   for (int i = 0; i < kEpisodes; ++i) {
-    episode.start(world, random);
+    episode.start(world, model, random);
     EXPECT_TRUE(settings.start_region.contains(episode.position()));
     EXPECT_TRUE(settings.domain.contains(episode.source()));
     start_north += episode.position().north.value / kEpisodes;

@@ -33,12 +33,12 @@ class VectorSearchTest : public testing::Test {
 
   sonar::SnrCurve curve{Meters{1'000.0}, std::vector<float>{30.0F, 25.0F, 20.0F, 15.0F, 10.0F, 5.0F, 0.0F}};
   SearchSettings settings;
-  policy::ObservationSpec spec = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value();
+  policy::ObservationModel model{.spec = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value(), .belief = {}};
 };
 
 TEST_F(VectorSearchTest, AllocatesNothingWhileStepping) {
   const SearchWorld world(settings, curve);
-  VectorSearch search(world, spec, 16, 1);
+  VectorSearch search(world, model, 16, 1);
   std::array<std::size_t, 16> actions{};
   Pcg32 random(3);
   const std::size_t before = allocations;
@@ -54,7 +54,7 @@ TEST_F(VectorSearchTest, AllocatesNothingWhileStepping) {
 TEST_F(VectorSearchTest, GivesTheSameEpisodesForTheSameSeedAndOthersForAnother) {
   const SearchWorld world(settings, curve);
   auto fly = [&](std::uint64_t seed) {
-    VectorSearch search(world, spec, 3, seed);
+    VectorSearch search(world, model, 3, seed);
     std::vector<float> seen;
     for (std::size_t i = 0; i < 300; ++i) {
       search.step(std::array<std::size_t, 3>{i % 8, (3 * i) % 8, (5 * i) % 8});
@@ -71,8 +71,8 @@ TEST_F(VectorSearchTest, GivesTheSameEpisodesForTheSameSeedAndOthersForAnother) 
 
 TEST_F(VectorSearchTest, FliesAnEnvironmentsEpisodesAlikeHoweverManyOthersRunBesideIt) {
   const SearchWorld world(settings, curve);
-  VectorSearch alone(world, spec, 1, 9);
-  VectorSearch among(world, spec, 4, 9);
+  VectorSearch alone(world, model, 1, 9);
+  VectorSearch among(world, model, 4, 9);
   for (std::size_t i = 0; i < 500; ++i) {
     alone.step(std::array<std::size_t, 1>{i % 8});
     among.step(std::array<std::size_t, 4>{i % 8, 0, 1, 2});
@@ -87,7 +87,7 @@ TEST_F(VectorSearchTest, StartsAnewInTheStepThatEndsAnEpisodeAndKeepsItsLastObse
   settings.placement = SourcePlacement::kFixed;
   settings.source = {Meters{1'000.0}, Meters{1'000.0}};
   const SearchWorld world(settings, curve);
-  VectorSearch search(world, spec, 1, 1);
+  VectorSearch search(world, model, 1, 1);
   const std::array<std::size_t, 1> north{0};
   search.step(north);
   search.step(north);

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/core/fixed_vector.hpp"
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/units.hpp"
+#include "firmware/policy/heard.hpp"
+
+namespace earshot::policy {
+
+/// One way in which the SNR heard may differ from the one modelled.
+struct BeliefHypothesis {
+  float level_offset_db = 0.0F;  ///< the source is that much louder than the model says
+  float spread_db = 4.0F;        ///< standard deviation of what is measured about that, > 0
+  float prior = 1.0F;            ///< > 0; priors need not add up to one
+  friend constexpr bool operator==(const BeliefHypothesis&, const BeliefHypothesis&) = default;
+};
+
+/// What a belief takes for granted; travels in the `.policy` file. Used only by observations that see a belief.
+struct BeliefModel {
+  // The search; in a FrozenPolicy the same as its own.
+  NorthEast area_size;          ///< the source lies in the area, both > 0
+  Meters step_length{1'000.0};  ///< within it of the source the search ends
+  Decibels detection_threshold{10.0};
+  FixedVector<UnitNorthEast, config::kMaxActions> actions;
+  Meters border_width{1'000.0};  ///< of the edge that a policy had better not enter, > 0
+
+  std::uint16_t cells_north = 50;  ///< cells_north * cells_east <= kMaxBeliefCells
+  std::uint16_t cells_east = 50;
+  FixedVector<BeliefHypothesis, config::kMaxBeliefHypotheses> hypotheses;
+  float outlier_share = 0.02F;  ///< of SNRs that follow no model, 0 to 1
+  float silence_share = 0.0F;   ///< of the looks that meet a pause in the call, when nothing is heard at any range, 0 to 1
+  float drift_share = 0.0F;     ///< of a cell's probability that moves to its neighbours between two looks, 0 to 0.5
+
+  Meters range_step{100.0};  ///< > 0
+  FixedVector<float, config::kMaxBeliefRanges>
+      snr_db;  ///< SNR at the vehicle's depth at range i * range_step; beyond its end as at its end
+};
+
+/// Whether every size fits its capacity and is not zero.
+[[nodiscard]] bool has_valid_shape(const BeliefModel& model);
+/// Whether every number is finite and in its range. @param model  of a valid shape
+[[nodiscard]] bool has_valid_numbers(const BeliefModel& model);
+
+/// The belief in a few numbers. Places are relative to the area's south-west corner.
+struct BeliefSummary {
+  NorthEast likeliest;  ///< centre of the likeliest cell
+  NorthEast mean;
+  Meters spread;                 ///< root mean square distance from the mean
+  float likeliest_share = 0.0F;  ///< probability of the likeliest cell
+  float effective_cells = 0.0F;  ///< one over the sum of squared probabilities: how many cells the belief is spread over
+};
+
+/// What one action promises, under the belief.
+struct ActionOutlook {
+  float found = 0.0F;       ///< probability that its end lies within step_length of the source
+  float detected = 0.0F;    ///< probability of a detection at its end
+  float approach_m = 0.0F;  ///< expected decrease of the distance to the source
+  float border = 0.0F;      ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
+  float loss = 0.0F;        ///< expected cost of the search from its end on
+};
+
+/// Probability of the source's place over a grid, in fixed memory.
+class Belief {
+ public:
+  /// Forgets everything: every place is as likely as any other.
+  void start(const BeliefModel& model);
+  /// Takes in what was heard at `position` (relative to the area's south-west corner), where the source was not within step_length.
+  void update(const BeliefModel& model, NorthEast position, Heard heard);
+
+  [[nodiscard]] const BeliefSummary& summary() const { return summary_; }
+  /// @param action  below the number of the model's actions
+  [[nodiscard]] const ActionOutlook& outlook(std::size_t action) const { return outlooks_[action]; }
+  /// Probability that the source lies in a cell, counted from the south and from the west.
+  [[nodiscard]] float probability(const BeliefModel& model, std::size_t north, std::size_t east) const;
+  /// Probability of a hypothesis.
+  [[nodiscard]] float probability_of_hypothesis(std::size_t hypothesis) const { return hypothesis_shares_[hypothesis]; }
+
+ private:
+  std::array<float, config::kMaxBeliefCells * config::kMaxBeliefHypotheses> planes_;  ///< [hypothesis x north x east]
+  std::array<float, config::kMaxBeliefHypotheses> hypothesis_shares_;
+  BeliefSummary summary_;
+  std::array<ActionOutlook, config::kMaxActions> outlooks_;
+};
+
+static_assert(sizeof(Belief) <= config::kBeliefBytes);
+
+}  // namespace earshot::policy
