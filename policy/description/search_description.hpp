@@ -14,7 +14,7 @@ namespace earshot::description {
 
 /// What a network's weights do not say: what it sees and what its actions do. A policy trained elsewhere carries it along as text.
 struct SearchDescription {
-  policy::ObservationSpec observation;
+  policy::ObservationModel observation;
   std::size_t direction_count = 0;  ///< actions: compass directions, clockwise from north
   Meters step_length;
   NorthEast area_size;                                          ///< of the domain trained in

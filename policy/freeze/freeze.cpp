@@ -73,9 +73,10 @@ void check_fit(const TrainedActor& actor, const description::SearchDescription& 
   }
   const std::size_t inputs = actor.layers.front().inputs;
   const std::size_t outputs = actor.layers.back().outputs;
-  if (inputs == search.observation.size() && outputs == search.direction_count) return;
+  if (inputs == search.observation.spec.size() && outputs == search.direction_count) return;
   throw BadInput("has " + std::to_string(inputs) + " inputs and " + std::to_string(outputs) + " outputs; its search description has " +
-                 std::to_string(search.observation.size()) + " observations and " + std::to_string(search.direction_count) + " directions");
+                 std::to_string(search.observation.spec.size()) + " observations and " + std::to_string(search.direction_count) +
+                 " directions");
 }
 
 template <class Target>
@@ -97,7 +98,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const de
   check_fit(actor, search);
   auto policy = without_network(search, draw);
   policy::Network& network = policy->network;
-  network.observation_size = search.observation.size();
+  network.observation_size = search.observation.spec.size();
   network.hidden_sizes = {actor.layers[0].outputs, actor.layers[1].outputs};
   network.action_count = search.direction_count;
   copy_dense(actor.layers[0], network.first);

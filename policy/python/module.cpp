@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -52,7 +53,7 @@ class Episodes {
   void start(std::size_t i, std::optional<std::uint64_t> seed) {
     Running& running = at(i);
     if (seed) running.random = Pcg32(*seed);
-    running.episode.start(world_->search(), running.random);
+    running.episode.start(world_->search(), world_->observation(), running.random);
     running.started = true;
   }
 
@@ -64,7 +65,7 @@ class Episodes {
       throw py::value_error("position_m, source_m: within a step of each other the search would be over before it begins");
     }
     Running& running = at(i);
-    running.episode.start_at(world_->search(), from, to);
+    running.episode.start_at(world_->search(), world_->observation(), from, to);
     running.started = true;
   }
 
@@ -80,8 +81,8 @@ class Episodes {
     const std::size_t checked = checked_action(action, world_->search().actions.size());
     const double reward = running_[0].episode.step(world_->search(), checked);
     const EpisodeEnd end = running_[0].episode.record().end;
-    Floats observation(static_cast<py::ssize_t>(world_->observation().size()));
-    running_[0].episode.observe(world_->observation(), span_of(observation));
+    Floats observation(static_cast<py::ssize_t>(world_->observation().spec.size()));
+    running_[0].episode.observe(span_of(observation));
     return py::make_tuple(std::move(observation), reward, is_terminated(end), end == EpisodeEnd::kTimeLimit);
   }
 
@@ -119,7 +120,7 @@ class Episodes {
   }
 
   [[nodiscard]] std::vector<py::ssize_t> shape() const {
-    return {static_cast<py::ssize_t>(running_.size()), static_cast<py::ssize_t>(world_->observation().size())};
+    return {static_cast<py::ssize_t>(running_.size()), static_cast<py::ssize_t>(world_->observation().spec.size())};
   }
   const Running& at(std::size_t i) const {
     if (i >= running_.size()) throw py::index_error("no environment " + std::to_string(i));
@@ -130,8 +131,8 @@ class Episodes {
     return running_[i];
   }
   void observe(std::size_t i, Floats& all) const {
-    const std::size_t size = world_->observation().size();
-    running_[i].episode.observe(world_->observation(), span_of(all).subspan(i * size, size));
+    const std::size_t size = world_->observation().spec.size();
+    running_[i].episode.observe(span_of(all).subspan(i * size, size));
   }
   void check_all_run() const {
     for (const Running& running : running_) {
@@ -155,10 +156,10 @@ class Episodes {
       terminated.mutable_at(index) = is_terminated(record.end);
       truncated.mutable_at(index) = record.end == EpisodeEnd::kTimeLimit;
       if (record.end != EpisodeEnd::kRunning) {
-        Floats last(static_cast<py::ssize_t>(world_->observation().size()));
-        running.episode.observe(world_->observation(), span_of(last));
+        Floats last(static_cast<py::ssize_t>(world_->observation().spec.size()));
+        running.episode.observe(span_of(last));
         ended.append(py::make_tuple(i, std::move(last), dictionary_of(record)));
-        running.episode.start(world_->search(), running.random);
+        running.episode.start(world_->search(), world_->observation(), running.random);
       }
       observe(i, observations);
     }
@@ -182,7 +183,7 @@ class FrozenPolicy {
   }
 
   [[nodiscard]] Floats logits(const py::array_t<float, py::array::c_style | py::array::forcecast>& observations) const {
-    const std::size_t size = policy_->observation.size();
+    const std::size_t size = policy_->observation.spec.size();
     if (observations.ndim() != 2 || static_cast<std::size_t>(observations.shape(1)) != size) {
       throw py::value_error("observations: must be of shape [count x " + std::to_string(size) + "]");
     }
@@ -202,12 +203,24 @@ class FrozenPolicy {
   std::unique_ptr<policy::FrozenPolicy> policy_ = std::make_unique<policy::FrozenPolicy>();
 };
 
-std::shared_ptr<python::World> make_world(std::filesystem::path environment, std::string state, std::size_t remembered_steps,
-                                          std::string source, std::string start, std::size_t directions, double vehicle_depth_m,
-                                          double border_width_m, std::uint32_t max_steps) {
-  const python::WorldArguments arguments{std::move(environment),  std::move(state),       remembered_steps,
-                                         std::move(source),       std::move(start),       directions,
-                                         Meters{vehicle_depth_m}, Meters{border_width_m}, max_steps};
+template <class Unsigned>
+Unsigned checked_count(const char* name, std::int64_t value) {
+  if (value >= 0 && value <= std::numeric_limits<std::uint32_t>::max()) return static_cast<Unsigned>(value);
+  throw config_file::BadInput(std::string(name) + " = " + std::to_string(value) + ": is no such number");
+}
+
+std::shared_ptr<python::World> make_world(std::filesystem::path environment, std::string state, std::int64_t remembered_steps,
+                                          std::string source, std::string start, std::int64_t directions, double vehicle_depth_m,
+                                          double border_width_m, std::int64_t max_steps) {
+  const python::WorldArguments arguments{.environment = std::move(environment),
+                                         .state = std::move(state),
+                                         .remembered_steps = checked_count<std::size_t>("remembered_steps", remembered_steps),
+                                         .source = std::move(source),
+                                         .start = std::move(start),
+                                         .direction_count = checked_count<std::size_t>("directions", directions),
+                                         .vehicle_depth = Meters{vehicle_depth_m},
+                                         .border_width = Meters{border_width_m},
+                                         .max_steps = checked_count<std::uint32_t>("max_steps", max_steps)};
   const py::gil_scoped_release others_may_run;
   return std::make_shared<python::World>(arguments);
 }
@@ -229,7 +242,7 @@ void add_world(py::module_& module) {
   py::class_<python::World, std::shared_ptr<python::World>>(module, "World")
       .def(py::init(&make_world), py::kw_only(), py::arg("environment"), py::arg("state"), py::arg("remembered_steps"), py::arg("source"),
            py::arg("start"), py::arg("directions"), py::arg("vehicle_depth_m"), py::arg("border_width_m"), py::arg("max_steps"))
-      .def_property_readonly("observation_size", [](const python::World& world) { return world.observation().size(); })
+      .def_property_readonly("observation_size", [](const python::World& world) { return world.observation().spec.size(); })
       .def_property_readonly("action_count", [](const python::World& world) { return world.search().actions.size(); })
       .def_property_readonly("max_steps", [](const python::World& world) { return world.search().settings.max_steps; })
       .def_property_readonly("detection_threshold_db",

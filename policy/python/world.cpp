@@ -7,6 +7,7 @@
 #include "firmware/config_file/table_reader.hpp"
 #include "policy/description/search_description.hpp"
 #include "sim/ocean/environment_file.hpp"
+#include "sim/search/belief_model.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::python {
@@ -40,9 +41,11 @@ search::SearchSettings settings_of(const WorldArguments& arguments, NorthEast so
   return settings;
 }
 
-policy::ObservationSpec observation_of(const WorldArguments& arguments, const search::SearchSettings& settings) {
-  if (is_first("state", arguments.state, "simple", "memory"))
-    return policy::simple_state(settings.domain.north_east - settings.domain.south_west);
+policy::ObservationSpec spec_of(const WorldArguments& arguments, const search::SearchSettings& settings,
+                                const policy::BeliefModel& belief) {
+  if (arguments.state == "simple") return policy::simple_state(settings.domain.north_east - settings.domain.south_west);
+  if (arguments.state == "belief") return policy::belief_state(belief);
+  if (arguments.state != "memory") throw BadInput("state = \"" + arguments.state + "\": must be \"simple\", \"memory\" or \"belief\"");
   const auto memory = policy::memory_state(arguments.remembered_steps, settings.step_length, settings.detection_threshold);
   if (memory.ok()) return memory.value();
   throw BadInput("remembered_steps = " + std::to_string(arguments.remembered_steps) + ": must be 1 to " +
@@ -50,7 +53,7 @@ policy::ObservationSpec observation_of(const WorldArguments& arguments, const se
 }
 
 description::SearchDescription description_of(const WorldArguments& arguments, const search::SearchSettings& settings,
-                                              const policy::ObservationSpec& observation, std::uint32_t environment_crc32) {
+                                              const policy::ObservationModel& observation, std::uint32_t environment_crc32) {
   std::ostringstream crc;
   crc << std::hex << std::setw(8) << std::setfill('0') << environment_crc32;
   description::SearchDescription description;
@@ -75,10 +78,11 @@ World::World(const WorldArguments& arguments) {
     throw BadInput("vehicle_depth_m: must be above 0 and less than the depth of the sea floor");
   }
   const search::SearchSettings settings = settings_of(arguments, environment.source.position);
-  observation_ = observation_of(arguments, settings);
   const NorthEast diagonal = settings.domain.north_east - settings.domain.south_west;
   const Meters furthest{std::hypot(diagonal.north.value, diagonal.east.value)};
   snr_ = std::make_unique<sonar::SnrCurve>(sonar::compute_snr_curve(environment, arguments.vehicle_depth, furthest + settings.step_length));
+  observation_.belief = search::belief_model(settings, *snr_);
+  observation_.spec = spec_of(arguments, settings, observation_.belief);
   search_ = std::make_unique<search::SearchWorld>(settings, *snr_);
   description_ = description::to_text(description_of(arguments, settings, observation_, environment.file_crc32));
 }

@@ -35,14 +35,14 @@ class World {
   World& operator=(const World&) = delete;
 
   [[nodiscard]] const search::SearchWorld& search() const { return *search_; }
-  [[nodiscard]] const policy::ObservationSpec& observation() const { return observation_; }
+  [[nodiscard]] const policy::ObservationModel& observation() const { return observation_; }
   /// Text of the search description (policy/description) that travels with a policy's weights.
   [[nodiscard]] const std::string& description() const { return description_; }
 
  private:
   std::unique_ptr<sonar::SnrCurve> snr_;
   std::unique_ptr<search::SearchWorld> search_;
-  policy::ObservationSpec observation_;
+  policy::ObservationModel observation_;
   std::string description_;
 };
 

@@ -55,8 +55,7 @@ class AcousticSearchVectorEnv(VectorEnv):
         self.num_envs = num_envs
         self._episodes = Episodes(self.world, num_envs)
         self._seeded = False
-        self.closed = False
-        self.is_vector_env = True
+        self.closed, self.viewer, self.is_vector_env = False, None, True  # what Gymnasium before 1.0 looks for
         self.single_observation_space, self.single_action_space = spaces_of(self.world)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)

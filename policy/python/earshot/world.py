@@ -43,7 +43,8 @@ def make_world(
     """A search with its ocean solved; the same choices give the same object, so that many environments solve it once.
 
     environment       TOML file: ocean, source, noise
-    state             "simple": (x, y); "memory": (dx, dy, SNR) of each of the last `remembered_steps` steps
+    state             "simple": (x, y); "memory": (dx, dy, SNR) of each of the last `remembered_steps` steps;
+                      "belief": distances to the edges, where the source may be, and what each action promises
     source            "fixed" where the environment puts it, or "changing": uniform in the domain anew every episode
     start             vehicle starts uniformly in the "domain", or "inside_border", where the border costs nothing
     directions        actions: compass directions, clockwise, 0 is north; 1 to 32
