@@ -9,8 +9,7 @@
 #include "firmware/core/crc32.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/freeze/keys.hpp"
-#include "policy/freeze/onnx_model.hpp"
-#include "policy/freeze/sb3_model.hpp"
+#include "policy/freeze/model_file.hpp"
 
 namespace {
 
@@ -61,14 +60,6 @@ policy::ActionDraw draw_of(const Options& options) {
   return options.draw == "argmax" ? policy::ActionDraw::kArgmax : policy::ActionDraw::kSampled;
 }
 
-bool is_zip(std::string_view bytes) {
-  return bytes.starts_with("PK");
-}
-
-bool is_checkpoint(std::string_view bytes, const std::filesystem::path& file) {
-  return bytes.starts_with("{") || (!is_zip(bytes) && file.extension() != ".onnx");
-}
-
 std::string search_of(const freeze::TrainedActor& actor, const Options& options) {
   if (actor.search && options.search) throw BadInput("carries its own search description; --search is for models that carry none");
   if (actor.search) return *actor.search;
@@ -76,24 +67,29 @@ std::string search_of(const freeze::TrainedActor& actor, const Options& options)
   throw BadInput("does not say what it was trained to search: save it with earshot.sb3.save or export_onnx, or give --search");
 }
 
+/// What a policy's provenance says of the file it came from.
+std::pair<std::string, std::string> crc32_of(const std::string& bytes) {
+  std::ostringstream crc;
+  crc << std::hex << std::setw(8) << std::setfill('0')
+      << crc32(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));  // NOLINT: characters are bytes
+  return {"model_crc32", crc.str()};
+}
+
 std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, const std::filesystem::path& file, const Options& options) {
+  const freeze::TrainedActor actor = freeze::read_model(bytes, file.string());
   try {
-    const freeze::TrainedActor actor = is_zip(bytes) ? freeze::read_sb3_model(bytes) : freeze::read_onnx_model(bytes);
     description::SearchDescription search = description::from_text(search_of(actor, options));
-    std::ostringstream crc;
-    crc << std::hex << std::setw(8) << std::setfill('0')
-        << crc32(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));  // NOLINT: characters are bytes
     search.provenance.emplace_back("model", file.filename().string());
-    search.provenance.emplace_back("model_crc32", crc.str());
+    search.provenance.push_back(crc32_of(bytes));
     return freeze::freeze(actor, search, draw_of(options));
   } catch (const BadInput& e) {
-    throw BadInput(file.string() + ": " + e.what());
+    throw BadInput(file.string() + ": " + freeze::printable(e.what()));
   }
 }
 
 std::unique_ptr<policy::FrozenPolicy> freeze_model(const std::filesystem::path& file, const Options& options) {
   const std::string bytes = apps::read_whole(file);
-  if (!is_checkpoint(bytes, file)) return freeze_foreign(bytes, file, options);
+  if (freeze::is_foreign_model(bytes, file.string())) return freeze_foreign(bytes, file, options);
   if (options.search) throw BadInput("--search: a checkpoint says itself what it was trained to search");
   return freeze::freeze(ppo::from_text(bytes, file.string()), draw_of(options));
 }

@@ -27,11 +27,6 @@ std::string text_of(const Field& field) {
   return std::string(field.bytes);
 }
 
-std::string printable(std::string text) {
-  for (char& c : text) c = c >= ' ' && c <= '~' ? c : '?';
-  return text.substr(0, 80);
-}
-
 struct Tensor {
   std::string name;
   std::vector<std::size_t> shape;
@@ -92,7 +87,7 @@ Tensor read_tensor(std::string_view bytes) {
     if (type != kFloat) throw BadInput("not float32");
     check_size(tensor);
   } catch (const BadInput& e) {
-    throw BadInput("initializer " + printable(tensor.name) + ": " + e.what());
+    throw BadInput("initializer " + tensor.name + ": " + e.what());
   }
   return tensor;
 }
@@ -130,12 +125,12 @@ Node read_node(std::string_view bytes) {
     if (field->number == 4) node.operation = text_of(*field);
     if (field->number == 5) node.attributes.push_back(read_attribute(field->bytes));
     if (field->number == 7 && !field->bytes.empty() && field->bytes != "ai.onnx") {
-      throw BadInput("operator domain " + printable(text_of(*field)) + " is unknown");
+      throw BadInput("operator domain " + text_of(*field) + " is unknown");
     }
   }
   static const std::set<std::string> kKnown = {"Gemm", "MatMul", "Add", "Tanh", "Flatten", "Identity"};
   if (!kKnown.contains(node.operation)) {
-    throw BadInput("operator " + printable(node.operation) + " is unknown; Gemm, MatMul, Add and Tanh fly");
+    throw BadInput("operator " + node.operation + " is unknown; Gemm, MatMul, Add and Tanh fly");
   }
   if (node.outputs.size() != 1) throw BadInput("operator " + node.operation + " without its one output");
   return node;
@@ -169,7 +164,7 @@ Graph read_graph(std::string_view bytes) {
       case 5: {
         Tensor tensor = read_tensor(field->bytes);
         const std::string name = tensor.name;
-        if (!graph.initializers.emplace(name, std::move(tensor)).second) throw BadInput("initializer " + printable(name) + ": given twice");
+        if (!graph.initializers.emplace(name, std::move(tensor)).second) throw BadInput("initializer " + name + ": given twice");
         break;
       }
       case 11:
@@ -200,10 +195,10 @@ std::vector<const Node*> chain_of(const Graph& graph) {
     const Node* next = nullptr;
     for (const Node& node : graph.nodes) {
       if (std::ranges::find(node.inputs, current) == node.inputs.end()) continue;
-      if (next != nullptr) throw BadInput("graph: " + printable(current) + " goes more than one way");
+      if (next != nullptr) throw BadInput("graph: " + current + " goes more than one way");
       next = &node;
     }
-    if (next == nullptr) throw BadInput("graph: " + printable(current) + " goes nowhere");
+    if (next == nullptr) throw BadInput("graph: " + current + " goes nowhere");
     chain.push_back(next);
     current = next->outputs[0];
   }
@@ -238,8 +233,7 @@ DenseLayer gemm(const Graph& graph, const Node& node) {
     const bool one = (attribute.name == "alpha" || attribute.name == "beta") && attribute.real == 1.0F;
     const bool plain = attribute.name == "transA" && attribute.integer == 0;
     const bool turned = attribute.name == "transB" && (attribute.integer == 0 || attribute.integer == 1);
-    if (!one && !plain && !turned)
-      throw BadInput("operator Gemm: attribute " + printable(attribute.name) + " is not as a dense layer has it");
+    if (!one && !plain && !turned) throw BadInput("operator Gemm: attribute " + attribute.name + " is not as a dense layer has it");
     if (turned) transposed = attribute.integer == 1;
   }
   if (node.inputs.size() != 3) throw BadInput("operator Gemm: without a bias");

@@ -260,20 +260,16 @@ class Machine {
     }
   }
   void push_global(std::string global) {
-    if (!rules_.may_name(global)) throw BadInput("pickle: names " + printable(global) + ", which plain weights do not need");
+    if (!rules_.may_name(global)) throw BadInput("pickle: names " + global + ", which plain weights do not need");
     push({.kind = Kind::kGlobal, .text = std::move(global)});
   }
   void call() {
     const PickleValue arguments = pickle_.values[pop()];
     const PickleValue callee = pickle_.values[pop()];
     if (callee.kind != Kind::kGlobal || arguments.kind != Kind::kTuple) throw BadInput("pickle: calls what is no function");
-    if (!rules_.may_call(callee.text)) throw BadInput("pickle: calls " + printable(callee.text) + ", which plain weights do not need");
+    if (!rules_.may_call(callee.text)) throw BadInput("pickle: calls " + callee.text + ", which plain weights do not need");
     if (callee.text == kOrderedDict && arguments.items.empty()) return push({.kind = Kind::kDictionary});
     push({.kind = Kind::kCall, .text = callee.text, .items = arguments.items});
-  }
-  static std::string printable(std::string text) {
-    for (char& c : text) c = c >= ' ' && c <= '~' ? c : '?';
-    return text.substr(0, 80);
   }
 
   std::string_view bytes_;

@@ -43,14 +43,18 @@ std::string from_base64(const std::string& text) {
 }
 
 /// What save() wrote for one attribute of the model that is not plain JSON. Names are read, nothing is called.
-Pickle pickled(const Json& item) {
+Pickle pickled(const std::string& name, const Json& item) {
   static const PickleRules kNamesOnly{.may_name = [](std::string_view) { return true; },
                                       .may_call = [](std::string_view) { return false; }};
-  return read_pickle(from_base64(item.at(":serialized:").get<std::string>()), kNamesOnly);
+  try {
+    return read_pickle(from_base64(item.at(":serialized:").get<std::string>()), kNamesOnly);
+  } catch (const BadInput& e) {
+    throw BadInput(name + ": " + e.what());
+  }
 }
 
 void check_policy_class(const Json& item) {
-  const Pickle pickle = pickled(item);
+  const Pickle pickle = pickled("policy_class", item);
   const PickleValue& top = pickle.top();
   if (top.kind != Kind::kGlobal || top.text != kPolicyClass) {
     throw BadInput("policy_class: " + (top.kind == Kind::kGlobal ? top.text : "unknown") + "; only " + std::string(kPolicyClass) +
@@ -74,7 +78,7 @@ void check_policy_arguments(const Json& item) {
     for (const auto& [name, value] : item.items()) check_policy_argument(name, nullptr);
     return;
   }
-  const Pickle pickle = pickled(item);
+  const Pickle pickle = pickled("policy_kwargs", item);
   const PickleValue& top = pickle.top();
   if (top.kind != Kind::kDictionary) throw BadInput("policy_kwargs: not a dictionary");
   for (std::size_t i = 0; i + 1 < top.items.size(); i += 2) {

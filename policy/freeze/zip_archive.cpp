@@ -15,7 +15,7 @@ ZipArchive::ZipArchive(std::string_view bytes) : archive_(nullptr, zip_discard) 
   if (source != nullptr) archive_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
   if (!archive_ && source != nullptr) zip_source_free(source);
   zip_error_fini(&error);
-  if (!archive_) throw BadInput("not a zip archive, or cut short");
+  if (!archive_ || bytes.empty()) throw BadInput("not a zip archive, or cut short");
   const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
   for (zip_int64_t i = 0; i < count; ++i) {
     const auto index = static_cast<zip_uint64_t>(i);
@@ -23,6 +23,12 @@ ZipArchive::ZipArchive(std::string_view bytes) : archive_(nullptr, zip_discard) 
     if (name == nullptr) throw BadInput("zip archive: an entry without a name");
     if (!entries_.emplace(name, index).second) throw BadInput("zip archive: names an entry twice");
   }
+}
+
+std::vector<std::string> ZipArchive::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, index] : entries_) names.push_back(name);
+  return names;
 }
 
 std::string ZipArchive::read(const std::string& name) const {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct zip;
 
@@ -16,6 +18,7 @@ class ZipArchive {
   explicit ZipArchive(std::string_view bytes);
 
   [[nodiscard]] bool has(const std::string& name) const { return entries_.contains(name); }
+  [[nodiscard]] std::vector<std::string> names() const;
   /// The whole entry, unpacked. Throws when there is none, it is over kMaxEntryBytes, or its bytes do not match their checksum.
   [[nodiscard]] std::string read(const std::string& name) const;
   /// The one entry whose name ends in `ending`. Throws unless there is exactly one.
