@@ -15,7 +15,7 @@ inline constexpr std::size_t kMaxHiddenLayers = 2;      ///< hidden layers; full
 inline constexpr std::size_t kMaxRememberedSteps = 21;  ///< steps in the memory state; older steps are forgotten
 inline constexpr std::size_t kMaxBeliefCells =
     2500;  ///< cells of the belief (25 km x 25 km in cells of 500 m); full: policy refused at load
-inline constexpr std::size_t kMaxBeliefHypotheses = 5;  ///< source levels and spreads believed possible; full: policy refused at load
+inline constexpr std::size_t kMaxBeliefHypotheses = 4;  ///< source levels and spreads believed possible; full: policy refused at load
 inline constexpr std::size_t kMaxBeliefRanges =
     512;  ///< samples of the SNR against range (51 km in steps of 100 m); full: policy refused at load
 inline constexpr std::size_t kBeliefBytes = std::size_t{64} * 1024;  ///< bytes of the belief about the source; full: does not compile

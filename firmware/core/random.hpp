@@ -15,6 +15,16 @@ class Pcg32 {
     next();
   }
 
+  /// All that decides the numbers still to come.
+  struct State {
+    std::uint64_t state;
+    std::uint64_t increment;  ///< odd
+    friend constexpr bool operator==(const State&, const State&) = default;
+  };
+  [[nodiscard]] constexpr State state() const { return {state_, increment_}; }
+  /// The generator whose state() this was.
+  constexpr explicit Pcg32(const State& state) : state_(state.state), increment_(state.increment) {}
+
   constexpr std::uint32_t next() {
     const std::uint64_t old = state_;
     state_ = old * 6364136223846793005ULL + increment_;

@@ -1,14 +1,86 @@
 #include "firmware/policy/belief.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <span>
 
 #include "firmware/core/math.hpp"
+#include "firmware/policy/normal_table.hpp"
 
 namespace earshot::policy {
+namespace {
+
+constexpr float kOutlierRange = 80.0F;  // dB over which an SNR that follows no model is spread
+constexpr float kCovered = 1e-3F;       // share left to a cell within step_length of a place visited: navigation errs, sources move
+constexpr float kLogStepDiscount = -0.105360516F;  // ln kStepDiscount
+
+std::size_t cell_count(const BeliefModel& model) {
+  return std::size_t{model.cells_north} * model.cells_east;
+}
+
+double cell_north(const BeliefModel& model) {
+  return model.area_size.north.value / static_cast<double>(model.cells_north);
+}
+
+double cell_east(const BeliefModel& model) {
+  return model.area_size.east.value / static_cast<double>(model.cells_east);
+}
+
+using RangeTable = std::array<float, config::kMaxBeliefRanges>;
+
+/// Likelihood of what was heard, were the source at each range, under one hypothesis.
+void tabulate_likelihood(const BeliefModel& model, const BeliefHypothesis& hypothesis, Heard heard, RangeTable& table) {
+  const float sounding = 1.0F - model.silence_share;
+  const float regular = sounding * (1.0F - model.outlier_share);
+  const float per_spread = 1.0F / hypothesis.spread_db;
+  const float level = static_cast<float>(heard.snr.value) - hypothesis.level_offset_db;
+  const std::size_t count = model.snr_db.size();
+  if (heard.measured) {
+    const float outlier = sounding * model.outlier_share / kOutlierRange;
+    const float scale = regular * per_spread;
+    for (std::size_t i = 0; i < count; ++i) table[i] = scale * normal_density((level - model.snr_db[i]) * per_spread) + outlier;
+  } else {
+    const float outlier = model.silence_share + sounding * model.outlier_share * 0.5F;
+    for (std::size_t i = 0; i < count; ++i) table[i] = regular * normal_cumulative((level - model.snr_db[i]) * per_spread) + outlier;
+  }
+}
+
+/// Mean over the `half` samples to either side of each; beyond the ends the first and the last hold.
+void smooth(std::span<const float> values, std::size_t half, std::span<float> smoothed) {
+  const std::size_t count = values.size();
+  const float share = 1.0F / static_cast<float>(2 * half + 1);
+  const auto held = [&](std::size_t i) {  // at the ends
+    float sum = 0.0F;
+    for (std::size_t k = 0; k <= 2 * half; ++k) sum += values[std::clamp(i + k, half, count - 1 + half) - half];
+    return sum * share;
+  };
+  const std::size_t last = count > 2 * half ? count - half : half;
+  for (std::size_t i = 0; i < std::min(half, count); ++i) smoothed[i] = held(i);
+  // Sample by sample of the mean, so that a vector unit can take many means at once.
+  for (std::size_t i = half; i < last; ++i) smoothed[i] = values[i - half];
+  for (std::size_t k = 1; k <= 2 * half; ++k) {
+    for (std::size_t i = half; i < last; ++i) smoothed[i] += values[i - half + k];
+  }
+  for (std::size_t i = half; i < last; ++i) smoothed[i] *= share;
+  for (std::size_t i = last; i < count; ++i) smoothed[i] = held(i);
+}
+
+/// Range steps in half a cell: a likelihood is smoothed by as much, for a cell lies at many ranges at once.
+std::size_t half_cell(const BeliefModel& model) {
+  const double cell = std::max(cell_north(model), cell_east(model));
+  return std::min(static_cast<std::size_t>(0.5 * cell / model.range_step.value), model.snr_db.size() - 1);
+}
+
+/// Share of a cell of size `cell`, its centre at `range`, that lies further than `reach` from the vehicle.
+float uncovered(float range, float reach, float cell) {
+  return std::clamp((range - reach) / cell + 0.5F, kCovered, 1.0F);
+}
+
+}  // namespace
 
 bool has_valid_shape(const BeliefModel& model) {
-  const std::size_t cells = std::size_t{model.cells_north} * model.cells_east;
-  return cells >= 1 && cells <= config::kMaxBeliefCells && !model.hypotheses.empty() && !model.snr_db.empty() && !model.actions.empty();
+  return model.cells_north >= 1 && model.cells_east >= 1 && cell_count(model) <= config::kMaxBeliefCells && !model.hypotheses.empty() &&
+         !model.snr_db.empty() && !model.actions.empty();
 }
 
 bool has_valid_numbers(const BeliefModel& model) {
@@ -22,28 +94,102 @@ bool has_valid_numbers(const BeliefModel& model) {
   }
   return is_positive(model.area_size.north.value) && is_positive(model.area_size.east.value) && is_positive(model.step_length.value) &&
          is_positive(model.border_width.value) && is_positive(model.range_step.value) && is_finite(model.detection_threshold.value) &&
-         is_share(model.outlier_share, 1.0F) && is_share(model.silence_share, 1.0F) && is_share(model.drift_share, 0.5F);
+         is_share(model.outlier_share, 1.0F) && is_share(model.silence_share, 1.0F) && is_share(model.forgotten_share, 0.5F);
 }
 
 void Belief::start(const BeliefModel& model) {
-  const std::size_t cells = std::size_t{model.cells_north} * model.cells_east;
+  const std::size_t cells = cell_count(model);
+  const std::size_t hypotheses = model.hypotheses.size();
   float sum = 0.0F;
   for (const BeliefHypothesis& hypothesis : model.hypotheses) sum += hypothesis.prior;
-  for (std::size_t h = 0; h < model.hypotheses.size(); ++h) {
-    hypothesis_shares_[h] = model.hypotheses[h].prior / sum;
-    for (std::size_t i = 0; i < cells; ++i) planes_[h * cells + i] = hypothesis_shares_[h] / static_cast<float>(cells);
-  }
-  summary_ = {};
-  outlooks_ = {};
+  priors_ = {};
+  for (std::size_t h = 0; h < hypotheses; ++h) priors_[h] = model.hypotheses[h].prior / sum;
+  hypothesis_shares_ = priors_;
+  Cell each;
+  for (std::size_t h = 0; h < each.size(); ++h) each[h] = priors_[h] / static_cast<float>(cells);
+  std::fill_n(cells_.begin(), cells, each);
+  std::fill_n(marginal_.begin(), cells, 1.0F / static_cast<float>(cells));
+  foresee(model);
 }
 
-void Belief::update(const BeliefModel& /*model*/, NorthEast /*position*/, Heard /*heard*/) {}
+void Belief::foresee(const BeliefModel& model) {
+  const std::size_t count = model.snr_db.size();
+  RangeTable heard;
+  for (std::size_t i = 0; i < count; ++i) heard[i] = double{model.snr_db[i]} >= model.detection_threshold.value ? 1.0F : 0.0F;
+  smooth(std::span(heard).first(count), half_cell(model), detected_);
+  const auto step = std::clamp<std::size_t>(static_cast<std::size_t>(model.step_length / model.range_step + 0.5), 1, count);
+  RangeTable silent;  // expected steps without detection
+  for (std::size_t i = 0; i < count; ++i) {
+    const float steps = i <= step ? 0.0F : static_cast<float>(i - step) / static_cast<float>(step);
+    silent[i] = i <= step ? 0.0F : (1.0F - detected_[i]) * std::min(1.0F, steps) + silent[i - step];
+    cost_[i] = silent[i] + kStepCost * (1.0F - exp(steps * kLogStepDiscount)) / (1.0F - kStepDiscount);
+  }
+}
 
-float Belief::probability(const BeliefModel& model, std::size_t north, std::size_t east) const {
-  const std::size_t cells = std::size_t{model.cells_north} * model.cells_east;
-  float sum = 0.0F;
-  for (std::size_t h = 0; h < model.hypotheses.size(); ++h) sum += planes_[h * cells + north * model.cells_east + east];
-  return sum;
+void Belief::update(const BeliefModel& model, NorthEast position, Heard heard) {
+  find_ranges(model, position);
+  weigh(model, heard);
+  summarise(model);
+  look_out(model, position);
+}
+
+void Belief::find_ranges(const BeliefModel& model, NorthEast position) {
+  const auto size_north = static_cast<float>(cell_north(model) / model.range_step.value);
+  const auto size_east = static_cast<float>(cell_east(model) / model.range_step.value);
+  const auto vehicle_north = static_cast<float>(position.north / model.range_step);
+  const auto vehicle_east = static_cast<float>(position.east / model.range_step);
+  const auto last = static_cast<float>(model.snr_db.size() - 1);
+  const int columns = model.cells_east;  // a copy: what is written below could otherwise be it
+  for (std::size_t n = 0; n < model.cells_north; ++n) {
+    const float north = (static_cast<float>(n) + 0.5F) * size_north - vehicle_north;
+    std::uint16_t* const row = &ranges_[n * model.cells_east];
+    for (int e = 0; e < columns; ++e) {
+      const float east = (static_cast<float>(e) + 0.5F) * size_east - vehicle_east;
+      const float range = __builtin_sqrtf(north * north + east * east);
+      row[e] = static_cast<std::uint16_t>(static_cast<int>((range < last ? range : last) + 0.5F));
+    }
+  }
+}
+
+void Belief::weigh(const BeliefModel& model, Heard heard) {
+  const std::size_t count = model.snr_db.size();
+  const auto cell = static_cast<float>(std::max(cell_north(model), cell_east(model)));
+  const auto range_step = static_cast<float>(model.range_step.value);
+  const auto reach = static_cast<float>(model.step_length.value);
+  std::array<Cell, config::kMaxBeliefRanges> tables{};  // by range, then hypothesis, as the cells are
+  RangeTable exact;
+  RangeTable seen;
+  for (std::size_t h = 0; h < model.hypotheses.size(); ++h) {
+    tabulate_likelihood(model, model.hypotheses[h], heard, exact);
+    smooth(std::span(exact).first(count), half_cell(model), seen);
+    for (std::size_t i = 0; i < count; ++i) tables[i][h] = seen[i] * uncovered(static_cast<float>(i) * range_step, reach, cell);
+  }
+  Cell sums{};
+  for (std::size_t i = 0; i < cell_count(model); ++i) {
+    const Cell& likelihood = tables[ranges_[i]];
+    for (std::size_t h = 0; h < likelihood.size(); ++h) {
+      cells_[i][h] *= likelihood[h];
+      sums[h] += cells_[i][h];
+    }
+  }
+  normalise(model, sums);
+}
+
+void Belief::normalise(const BeliefModel& model, const Cell& sums) {
+  const std::size_t cells = cell_count(model);
+  const float total = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  const float forgotten = total > 0.0F ? model.forgotten_share : 1.0F;  // what cannot be has been heard: begin anew
+  const float remembered = total > 0.0F ? (1.0F - forgotten) / total : 0.0F;
+  Cell fresh;  // of the forgotten share, the part of one cell
+  for (std::size_t h = 0; h < sums.size(); ++h) {
+    hypothesis_shares_[h] = remembered * sums[h] + forgotten * priors_[h];
+    fresh[h] = forgotten * priors_[h] / static_cast<float>(cells);
+  }
+  for (std::size_t i = 0; i < cells; ++i) {
+    Cell& p = cells_[i];
+    for (std::size_t h = 0; h < p.size(); ++h) p[h] = p[h] * remembered + fresh[h];
+    marginal_[i] = (p[0] + p[1]) + (p[2] + p[3]);
+  }
 }
 
 }  // namespace earshot::policy

@@ -223,7 +223,7 @@ Status read_belief(ByteReader& reader, const Shape& shape, BeliefModel& model) {
   model.range_step = Meters{reader.f64()};
   model.outlier_share = reader.f32();
   model.silence_share = reader.f32();
-  model.drift_share = reader.f32();
+  model.forgotten_share = reader.f32();
   static_cast<void>(reader.f32());  // reserved
   Status status = Status::kOk;
   for (std::size_t i = 0; i < shape.hypotheses && status == Status::kOk; ++i) {
@@ -244,7 +244,7 @@ void write_belief(ByteWriter& writer, const BeliefModel& model) {
   writer.f64(model.range_step.value);
   writer.f32(model.outlier_share);
   writer.f32(model.silence_share);
-  writer.f32(model.drift_share);
+  writer.f32(model.forgotten_share);
   writer.f32(0.0F);  // reserved
   for (const BeliefHypothesis& hypothesis : model.hypotheses) {
     writer.f32(hypothesis.level_offset_db);

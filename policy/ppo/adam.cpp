@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace earshot::ppo {
 namespace {
@@ -21,15 +22,20 @@ auto array_of(std::span<const float> x) {
 
 }  // namespace
 
+void Adam::resume(State state) {
+  assert(state.first_moment.size() == state_.first_moment.size() && state.second_moment.size() == state_.second_moment.size());
+  state_ = std::move(state);
+}
+
 void Adam::step(std::span<float> parameters, std::span<const float> gradient, double learning_rate) {
-  assert(parameters.size() == first_moment_.size() && gradient.size() == first_moment_.size());
-  ++steps_;
-  const double t = static_cast<double>(steps_);
+  assert(parameters.size() == state_.first_moment.size() && gradient.size() == state_.first_moment.size());
+  ++state_.steps;
+  const auto t = static_cast<double>(state_.steps);
   const auto step_size = static_cast<float>(learning_rate / (1.0 - std::pow(kBeta1, t)));
   const auto denominator_scale = static_cast<float>(1.0 / std::sqrt(1.0 - std::pow(kBeta2, t)));
   const auto g = array_of(gradient);
-  auto m = array_of(std::span(first_moment_));
-  auto v = array_of(std::span(second_moment_));
+  auto m = array_of(std::span(state_.first_moment));
+  auto v = array_of(std::span(state_.second_moment));
   m += static_cast<float>(1.0 - kBeta1) * (g - m);
   v = static_cast<float>(kBeta2) * v + static_cast<float>(1.0 - kBeta2) * g.square();
   array_of(parameters) -= step_size * m / (v.sqrt() * denominator_scale + static_cast<float>(kEpsilon));

@@ -15,15 +15,23 @@ namespace earshot::ppo {
 /// Source: Kingma and Ba 2015, arXiv:1412.6980, algorithm 1.   Oracle: Adam.*, Update.*
 class Adam {
  public:
-  explicit Adam(std::size_t parameter_count) : first_moment_(parameter_count), second_moment_(parameter_count) {}
+  explicit Adam(std::size_t parameter_count) : state_{0, std::vector<float>(parameter_count), std::vector<float>(parameter_count)} {}
+
+  /// What the steps so far leave for those to come.
+  struct State {
+    std::uint64_t steps = 0;
+    std::vector<float> first_moment;   ///< m
+    std::vector<float> second_moment;  ///< v
+  };
+  [[nodiscard]] const State& state() const { return state_; }
+  /// @param state  of as many parameters
+  void resume(State state);
 
   /// One step down `gradient`, which has the size of `parameters`.
   void step(std::span<float> parameters, std::span<const float> gradient, double learning_rate);
 
  private:
-  std::vector<float> first_moment_;
-  std::vector<float> second_moment_;
-  std::uint64_t steps_ = 0;
+  State state_;
 };
 
 /// Scales `gradient` so that its 2-norm is at most `max_norm`; returns the norm it had.

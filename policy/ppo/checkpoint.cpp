@@ -2,10 +2,14 @@
 
 #include <cmath>
 #include <cstdint>
+#include <iomanip>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/core/crc32.hpp"
+#include "policy/ppo/training_state_text.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::ppo {
@@ -15,6 +19,8 @@ using config_file::BadInput;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "earshot checkpoint 3";
+constexpr std::string_view kCrcLine = "crc32 ";
+constexpr std::size_t kCrcDigits = 8;
 
 policy::ObservationElement element_from(const Json& json) {
   policy::ObservationElement element;
@@ -27,6 +33,41 @@ policy::ObservationElement element_from(const Json& json) {
   element.offset = json.at("offset").get<float>();
   element.scale = json.at("scale").get<float>();
   return element;
+}
+
+Json to_json(const Continuation& c) {
+  auto written = [](const Continuation::Written& w) { return Json{{"bytes", w.bytes}, {"crc32", w.crc32}}; };
+  return {{"arguments", c.arguments},        {"directory", c.directory},      {"settings_crc32", c.settings_crc32},
+          {"episodes", written(c.episodes)}, {"updates", written(c.updates)}, {"state", to_json(c.state)}};
+}
+
+Continuation continuation_from(const Json& json) {
+  auto written = [](const Json& w) { return Continuation::Written{w.at("bytes").get<std::size_t>(), w.at("crc32").get<std::uint32_t>()}; };
+  return {.state = training_state_from(json.at("state")),
+          .arguments = json.at("arguments").get<std::vector<std::string>>(),
+          .directory = json.at("directory").get<std::string>(),
+          .settings_crc32 = json.at("settings_crc32").get<std::uint32_t>(),
+          .episodes = written(json.at("episodes")),
+          .updates = written(json.at("updates"))};
+}
+
+std::string crc_line(std::string_view json) {
+  std::ostringstream line;
+  line << kCrcLine << std::hex << std::setw(kCrcDigits) << std::setfill('0')
+       << crc32({reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}) << '\n';
+  return line.str();
+}
+
+/// The first line, when the second holds its CRC-32.
+std::string_view checked(std::string_view text) {
+  constexpr std::string_view kBegin = R"({"format":"earshot checkpoint )";
+  const std::string_view json = text.substr(0, std::min(text.size(), text.find('\n')));
+  const bool said = json.starts_with(kBegin) && json.find('"', kBegin.size()) != std::string_view::npos;
+  const bool another = said && json.substr(0, json.find('"', kBegin.size())) != R"({"format":")" + std::string(kFormat);
+  if (another) throw BadInput("of another version than this program's, which is " + std::string(kFormat));
+  if (text.size() == json.size() || text.substr(json.size() + 1) != crc_line(json))
+    throw BadInput("not a checkpoint, cut short or damaged");
+  return json;
 }
 
 template <class Vector, class Value>
@@ -42,7 +83,7 @@ policy::BeliefModel belief_from(const Json& json) {
   model.border_width = Meters{json.at("border_width_m").get<double>()};
   model.outlier_share = json.at("outlier_share").get<float>();
   model.silence_share = json.at("silence_share").get<float>();
-  model.drift_share = json.at("drift_share").get<float>();
+  model.forgotten_share = json.at("forgotten_share").get<float>();
   for (const Json& h : json.at("hypotheses")) {
     append(model.hypotheses, policy::BeliefHypothesis{.level_offset_db = h.at("level_offset_db").get<float>(),
                                                       .spread_db = h.at("spread_db").get<float>(),
@@ -60,7 +101,7 @@ Json belief_to(const policy::BeliefModel& model) {
   json["border_width_m"] = model.border_width.value;
   json["outlier_share"] = model.outlier_share;
   json["silence_share"] = model.silence_share;
-  json["drift_share"] = model.drift_share;
+  json["forgotten_share"] = model.forgotten_share;
   json["hypotheses"] = Json::array();
   for (const policy::BeliefHypothesis& h : model.hypotheses) {
     json["hypotheses"].push_back({{"level_offset_db", h.level_offset_db}, {"spread_db", h.spread_db}, {"prior", h.prior}});
@@ -94,6 +135,8 @@ Checkpoint checkpoint_from(const Json& json) {
   checkpoint.detection_threshold = Decibels{json.at("detection_threshold_db").get<double>()};
   for (const auto& [name, value] : json.at("provenance").items()) checkpoint.provenance.emplace_back(name, value.get<std::string>());
   checkpoint.parameters = json.at("parameters").get<std::vector<float>>();
+
+  if (json.contains("continuation")) checkpoint.continuation = continuation_from(json.at("continuation"));
 
   const bool sizes =
       !checkpoint.observation.spec.empty() && checkpoint.direction_count >= 1 && checkpoint.direction_count <= config::kMaxActions;
@@ -129,14 +172,14 @@ std::string to_text(const Checkpoint& checkpoint) {
   json["provenance"] = Json::object();
   for (const auto& [name, value] : checkpoint.provenance) json["provenance"][name] = value;
   json["parameters"] = checkpoint.parameters;
-  return json.dump() + "\n";
+  if (checkpoint.continuation) json["continuation"] = to_json(*checkpoint.continuation);
+  const std::string text = json.dump();
+  return text + "\n" + crc_line(text);
 }
 
 Checkpoint from_text(std::string_view text, const std::string& file) {
   try {
-    return checkpoint_from(Json::parse(text));
-  } catch (const nlohmann::json::parse_error&) {
-    throw BadInput(file + ": not a checkpoint, or cut short");
+    return checkpoint_from(Json::parse(checked(text)));
   } catch (const nlohmann::json::exception& e) {
     throw BadInput(file + ": not a whole checkpoint: " + e.what());
   } catch (const BadInput& e) {

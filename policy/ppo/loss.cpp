@@ -31,48 +31,58 @@ void normalise(std::span<Scalar> advantages) {
 }
 
 template <class Scalar>
-Scalar ppo_loss(const Samples<Scalar>& samples, const HyperParameters& hyper, Matrix<Scalar>& logits, const Matrix<Scalar>& values,
-                Matrix<Scalar>& d_logits, Matrix<Scalar>& d_values) {
+LossTerms<Scalar> ppo_loss(const Samples<Scalar>& samples, const HyperParameters& hyper, Matrix<Scalar>& logits,
+                           const Matrix<Scalar>& values, Matrix<Scalar>& d_logits, Matrix<Scalar>& d_values) {
   const std::size_t batch = samples.actions.size();
   const auto one_over_batch = Scalar{1} / static_cast<Scalar>(batch);
   const auto clip = static_cast<Scalar>(hyper.clip_range);
-  const auto value_weight = static_cast<Scalar>(hyper.value_coefficient) * one_over_batch;
-  const auto entropy_weight = static_cast<Scalar>(hyper.entropy_coefficient) * one_over_batch;
+  const auto value_weight = static_cast<Scalar>(hyper.value_coefficient);
+  const auto entropy_weight = static_cast<Scalar>(hyper.entropy_coefficient);
   log_softmax(static_cast<Eigen::Index>(batch), logits, d_logits);
 
-  Scalar loss{0};
+  LossTerms<Scalar> sums;
   for (std::size_t i = 0; i < batch; ++i) {
     const auto column = static_cast<Eigen::Index>(i);
     const auto action = static_cast<Eigen::Index>(samples.actions[i]);
     const Scalar advantage = samples.advantages[i];
-    const Scalar ratio = std::exp(logits(action, column) - samples.old_log_probabilities[i]);
+    const Scalar log_ratio = logits(action, column) - samples.old_log_probabilities[i];
+    const Scalar ratio = std::exp(log_ratio);
     const Scalar clipped = std::clamp(ratio, Scalar{1} - clip, Scalar{1} + clip);
     const bool moves = ratio * advantage <= clipped * advantage;
-    loss -= std::min(ratio * advantage, clipped * advantage) * one_over_batch;
+    sums.policy -= std::min(ratio * advantage, clipped * advantage);
+    sums.approximate_kl += ratio - Scalar{1} - log_ratio;
+    sums.clip_fraction += std::abs(ratio - Scalar{1}) > clip ? Scalar{1} : Scalar{0};
 
     auto d = d_logits.col(column);  // holds the probabilities
+    const Scalar entropy = -(d.array() * logits.col(column).array()).sum();
+    sums.entropy += entropy;
     const Scalar towards = moves ? -advantage * ratio * one_over_batch : Scalar{0};
     if (entropy_weight != Scalar{0}) {
-      const Scalar entropy = -(d.array() * logits.col(column).array()).sum();
-      loss -= entropy_weight * entropy;
-      d = d.array() * (entropy_weight * (logits.col(column).array() + entropy) - towards);
+      d = d.array() * (entropy_weight * one_over_batch * (logits.col(column).array() + entropy) - towards);
     } else {
       d *= -towards;
     }
     d(action) += towards;
 
     const Scalar error = values(0, column) - samples.returns[i];
-    loss += value_weight * error * error;
-    d_values(0, column) = Scalar{2} * value_weight * error;
+    sums.value += error * error;
+    d_values(0, column) = Scalar{2} * value_weight * one_over_batch * error;
   }
-  return loss;
+  LossTerms<Scalar> means{Scalar{0},
+                          sums.policy * one_over_batch,
+                          sums.value * one_over_batch,
+                          sums.entropy * one_over_batch,
+                          sums.approximate_kl * one_over_batch,
+                          sums.clip_fraction * one_over_batch};
+  means.total = means.policy + value_weight * means.value - entropy_weight * means.entropy;
+  return means;
 }
 
 template void normalise<float>(std::span<float>);
 template void normalise<double>(std::span<double>);
-template float ppo_loss<float>(const Samples<float>&, const HyperParameters&, Matrix<float>&, const Matrix<float>&, Matrix<float>&,
-                               Matrix<float>&);
-template double ppo_loss<double>(const Samples<double>&, const HyperParameters&, Matrix<double>&, const Matrix<double>&, Matrix<double>&,
-                                 Matrix<double>&);
+template LossTerms<float> ppo_loss<float>(const Samples<float>&, const HyperParameters&, Matrix<float>&, const Matrix<float>&,
+                                          Matrix<float>&, Matrix<float>&);
+template LossTerms<double> ppo_loss<double>(const Samples<double>&, const HyperParameters&, Matrix<double>&, const Matrix<double>&,
+                                            Matrix<double>&, Matrix<double>&);
 
 }  // namespace earshot::ppo

@@ -17,6 +17,17 @@ struct Samples {
   std::span<const Scalar> returns;
 };
 
+/// What a minibatch says of the update, means over its samples.
+template <class Scalar>
+struct LossTerms {
+  Scalar total{0};           ///< L
+  Scalar policy{0};          ///< mean(-min(r A, clip(r) A))
+  Scalar value{0};           ///< mean((R - V)^2)
+  Scalar entropy{0};         ///< mean(H), nats
+  Scalar approximate_kl{0};  ///< mean(r - 1 - log r) >= 0, nats; Source: Schulman, "Approximating KL divergence", 2020
+  Scalar clip_fraction{0};   ///< of the samples, |r - 1| > c
+};
+
 /// (A - mean) / (standard deviation + 1e-8), the standard deviation with n - 1; a single sample is left as it is.
 /// Oracle: NormaliseAdvantages.*
 template <class Scalar>
@@ -29,10 +40,9 @@ void normalise(std::span<Scalar> advantages);
 /// @param logits    [actions x batch]; becomes log-probabilities
 /// @param d_logits  [actions x batch] dL/dlogits
 /// @param d_values  [1 x batch] dL/dvalues
-/// @return L
 /// Source: Schulman et al. 2017, Eq. 7 and 9.   Oracle: Loss.*, Update.*
 template <class Scalar>
-Scalar ppo_loss(const Samples<Scalar>& samples, const HyperParameters& hyper, Matrix<Scalar>& logits, const Matrix<Scalar>& values,
-                Matrix<Scalar>& d_logits, Matrix<Scalar>& d_values);
+LossTerms<Scalar> ppo_loss(const Samples<Scalar>& samples, const HyperParameters& hyper, Matrix<Scalar>& logits,
+                           const Matrix<Scalar>& values, Matrix<Scalar>& d_logits, Matrix<Scalar>& d_values);
 
 }  // namespace earshot::ppo

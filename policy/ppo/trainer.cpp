@@ -18,38 +18,93 @@ NetworkShape shape_of(const search::VectorSearch& environments) {
   return {index(environments.observation_size()), index(environments.action_count())};
 }
 
+parallel::Ranks& one_process() {
+  static parallel::Alone alone;  // has no state
+  return alone;
+}
+
+/// Source: Stable-Baselines3 2.3.2, explained_variance.
+double explained_variance(const Rollout& rollout) {
+  const auto size = index(rollout.size());
+  const Eigen::ArrayXd returns = Eigen::Map<const Eigen::ArrayXf>(rollout.returns.data(), size).cast<double>();
+  const Eigen::ArrayXd errors = returns - Eigen::Map<const Eigen::ArrayXf>(rollout.values.data(), size).cast<double>();
+  const double spread = (returns - returns.mean()).square().sum();
+  return spread > 0.0 ? 1.0 - (errors - errors.mean()).square().sum() / spread : 0.0;
+}
+
 }  // namespace
 
 Trainer::Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed)
+    : Trainer(world, model, hyper, seed, one_process()) {}
+
+Trainer::Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed,
+                 parallel::Ranks& ranks)
     : hyper_(hyper),
+      seed_(seed),
+      ranks_(ranks),
       random_(seed, kLearningStream),
-      environments_(world, model, hyper.environment_count, seed),
-      learner_(shape_of(environments_), hyper, random_),
+      environments_(world, model, hyper.environment_count, seed, ranks.rank() * hyper.environment_count),
+      learner_(shape_of(environments_), hyper, random_, ranks),
       rollout_(shape_of(environments_), hyper.environment_count, hyper.steps_per_rollout),
       observations_(index(model.spec.size()), index(hyper.environment_count)),
       activations_(shape_of(environments_), index(hyper.environment_count)),
       single_(shape_of(environments_), 1),
       actions_(hyper.environment_count),
-      episode_starts_(hyper.environment_count, 1) {}
-
-void Trainer::train(std::uint64_t steps, const OnEpisode& on_episode) {
-  while (steps_ < steps && collect(on_episode)) {
-    estimate();
-    learner_.update(rollout_, random_);
-  }
+      episode_starts_(hyper.environment_count, 1) {
+  if (ranks.rank() > 0) random_ = Pcg32(seed, kLearningStream + ranks.rank());  // the weights are everyone's, what is drawn now is not
 }
 
-bool Trainer::collect(const OnEpisode& on_episode) {
+void Trainer::train(std::uint64_t steps, const OnEpisode& on_episode) {
+  bool goes_on = true;
+  const OnEpisode told = [&](const search::EpisodeRecord& episode, std::uint64_t at) {
+    goes_on = on_episode(episode, at) && goes_on;
+    return goes_on;
+  };
+  while (steps_ < steps && goes_on) advance(told);
+}
+
+UpdateReport Trainer::advance(const OnEpisode& on_episode) {
+  collect(on_episode);
+  estimate();
+  UpdateReport report = learner_.update(rollout_, learning_rate(), random_);
+  report.explained_variance = explained_variance(rollout_);
+  return report;
+}
+
+TrainingState Trainer::state() const {
+  return {.steps = steps_, .seed = seed_, .optimiser = learner_.optimiser(), .workers = {{random_.state(), environments_.scripts()}}};
+}
+
+bool Trainer::resume(std::span<const float> parameters, const TrainingState& state) {
+  const std::size_t size = learner_.networks().parameters().size();
+  if (parameters.size() != size || state.optimiser.first_moment.size() != size || state.optimiser.second_moment.size() != size)
+    return false;
+  if (state.workers.size() != ranks_.size() || state.seed != seed_) return false;
+  const WorkerState& mine = state.workers[ranks_.rank()];
+  if (!environments_.resume(mine.episodes)) return false;
+  learner_.resume(parameters, state.optimiser);
+  random_ = Pcg32(mine.random);
+  steps_ = state.steps;
+  for (std::size_t e = 0; e < episode_starts_.size(); ++e) episode_starts_[e] = mine.episodes[e].actions.empty() ? 1 : 0;
+  return true;
+}
+
+/// As Stable-Baselines3's linear schedules: by the steps taken when the update begins.
+double Trainer::learning_rate() const {
+  if (hyper_.decay_steps == 0) return hyper_.learning_rate;
+  return hyper_.learning_rate * std::max(0.0, 1.0 - static_cast<double>(steps_) / static_cast<double>(hyper_.decay_steps));
+}
+
+void Trainer::collect(const OnEpisode& on_episode) {
   for (std::size_t t = 0; t < hyper_.steps_per_rollout; ++t) {
     choose_actions(t);
     environments_.step(actions_);
-    steps_ += hyper_.environment_count;
+    steps_ += hyper_.environment_count * ranks_.size();
     keep_outcomes(t);
     for (std::size_t e = 0; e < hyper_.environment_count; ++e) {
-      if (episode_starts_[e] != 0 && !on_episode(environments_.ended(e), steps_)) return false;
+      if (episode_starts_[e] != 0) on_episode(environments_.ended(e), steps_);
     }
   }
-  return true;
 }
 
 void Trainer::choose_actions(std::size_t t) {
@@ -67,10 +122,16 @@ void Trainer::choose_actions(std::size_t t) {
   }
 }
 
+/// What learning is told, where the world pays `paid`.
+float Trainer::training_reward(float paid, search::EpisodeEnd end) const {
+  const double found = end == search::EpisodeEnd::kFound ? hyper_.found_reward : 0.0;
+  return static_cast<float>(hyper_.reward_scale * (std::max(double{paid}, hyper_.least_reward) + hyper_.step_reward + found));
+}
+
 void Trainer::keep_outcomes(std::size_t t) {
   for (std::size_t e = 0; e < hyper_.environment_count; ++e) {
     const search::EpisodeEnd end = environments_.ended(e).end;
-    float reward = environments_.reward(e);
+    float reward = training_reward(environments_.reward(e), end);
     if (end == search::EpisodeEnd::kTimeLimit) reward += static_cast<float>(hyper_.discount) * value_of(environments_.final_observation(e));
     rollout_.rewards[e * rollout_.steps + t] = reward;
     episode_starts_[e] = end != search::EpisodeEnd::kRunning ? 1 : 0;

@@ -10,33 +10,67 @@
 
 namespace earshot::ppo {
 
+/// What one process has of a training run between two rollouts.
+struct WorkerState {
+  Pcg32::State random{};
+  std::vector<search::EpisodeScript> episodes;  ///< one an environment
+};
+
+/// A training run between two rollouts: with it goes on bit for bit what was interrupted.
+struct TrainingState {
+  std::uint64_t steps = 0;
+  std::uint64_t seed = 0;
+  Adam::State optimiser;
+  std::vector<WorkerState> workers;  ///< one a rank
+};
+
 /// PPO on the search task: collects rollouts and learns from them. Same seed, same policy, on one kind of processor.
+///
+/// Several ranks train one policy together: each steps its own environments and learns from minibatches of its own, and every step of
+/// the optimiser takes the mean of their gradients. N ranks are thus as one process with N times the environments and N times the batch,
+/// but that each rank shuffles, and normalises advantages, among its own samples.
 class Trainer {
  public:
-  /// @param world  outlives this
+  /// @param world  outlives this, as `ranks` does
+  Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed,
+          parallel::Ranks& ranks);
+  /// In one process.
   Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed);
 
-  /// Told of every finished episode and the steps taken so far in all environments; false ends training at once (the rollout under way is
-  /// dropped).
+  /// Told of every finished episode of this process and the steps taken so far by all; false ends training with the rollout under way.
   using OnEpisode = std::function<bool(const search::EpisodeRecord& episode, std::uint64_t steps)>;
 
-  /// Rollouts and updates until at least `steps` steps are taken (whole rollouts, as Stable-Baselines3) or `on_episode` returns false.
+  /// One rollout and one update. What `on_episode` returns does not matter.
+  UpdateReport advance(const OnEpisode& on_episode);
+  /// Whole rollouts and updates, as Stable-Baselines3, until at least `steps` steps are taken or `on_episode` returns false. Not for
+  /// several ranks, which have to agree on the end.
   void train(std::uint64_t steps, const OnEpisode& on_episode);
 
+  /// Between two calls of advance(); of the workers this process's own alone.
+  [[nodiscard]] TrainingState state() const;
+  /// Goes on from there, bit for bit. False when it does not fit this training; only good for destruction then.
+  /// @param parameters  networks().parameters() of then
+  /// Oracle: Trainer.GoesOnFromItsStateAsIfNothingHadHappened
+  [[nodiscard]] bool resume(std::span<const float> parameters, const TrainingState& state);
+
   [[nodiscard]] const ActorCritic<float>& networks() const { return learner_.networks(); }
-  /// The last steps taken, all of a rollout once train() has returned of itself.
+  /// The last rollout.
   [[nodiscard]] const Rollout& rollout() const { return rollout_; }
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
  private:
-  bool collect(const OnEpisode& on_episode);
+  void collect(const OnEpisode& on_episode);
   void choose_actions(std::size_t t);
   void keep_outcomes(std::size_t t);
+  [[nodiscard]] float training_reward(float paid, search::EpisodeEnd end) const;
   [[nodiscard]] std::size_t draw(Eigen::Index environment, float& log_probability);
   [[nodiscard]] float value_of(std::span<const float> observation);
   void estimate();
+  [[nodiscard]] double learning_rate() const;
 
   HyperParameters hyper_;
+  std::uint64_t seed_;
+  parallel::Ranks& ranks_;
   Pcg32 random_;
   search::VectorSearch environments_;
   Learner learner_;

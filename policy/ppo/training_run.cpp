@@ -51,6 +51,14 @@ void read_hyper_parameters(TableReader table, HyperParameters& h) {
   h.value_coefficient = table.number_or("value_coefficient", h.value_coefficient, Range::at_least(0.0));
   h.entropy_coefficient = table.number_or("entropy_coefficient", h.entropy_coefficient, Range::at_least(0.0));
   h.max_gradient_norm = table.number_or("max_gradient_norm", h.max_gradient_norm, Range::above(0.0));
+  h.target_kl = table.number_or("target_kl", h.target_kl, Range::at_least(0.0));
+  h.reward_scale = table.number_or("reward_scale", h.reward_scale, Range::above(0.0));
+}
+
+void read_training_reward(TableReader table, HyperParameters& h) {
+  h.found_reward = table.number_or("found", h.found_reward);
+  h.step_reward = table.number_or("step", h.step_reward);
+  h.least_reward = table.number_or("least", h.least_reward, Range::between(-1.0e9, 0.0));
 }
 
 }  // namespace
@@ -68,7 +76,11 @@ TrainingRun load_run(const std::filesystem::path& path) {
   run.steps = static_cast<std::uint64_t>(root.integer_or("steps", 0, 0, kMany));
   std::optional<TableReader> search = root.optional_table("search");
   if (search) read_search(*search, run.search);
-  if (auto table = root.optional_table("ppo")) read_hyper_parameters(*table, run.hyper);
+  if (auto table = root.optional_table("ppo")) {
+    read_hyper_parameters(*table, run.hyper);
+    run.learning_rate_schedule = static_cast<LearningRateSchedule>(table->choice_or("learning_rate_schedule", 0, {"constant", "linear"}));
+  }
+  if (auto table = root.optional_table("training_reward")) read_training_reward(*table, run.hyper);
   file.finish();
   if (search && search::check(run.search) != Status::kOk)
     search->problem("border_width_m", "must leave room inside the border for the start");
@@ -115,6 +127,7 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   add("state", name_of(run.state));
   if (run.state == State::kMemory) add("remembered_steps", run.remembered_steps);
   add("source", s.placement == search::SourcePlacement::kFixed ? "fixed" : "changing");
+  add("start", s.start_region.south_west == s.domain.south_west ? "domain" : "inside_border");
   add("border_width_m", s.border_width.value);
   add("border_reward", s.border_reward);
   add("max_steps", s.max_steps);
@@ -125,12 +138,18 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   add("batch_size", h.batch_size);
   add("epochs", h.epochs);
   add("learning_rate", h.learning_rate);
+  add("learning_rate_schedule", run.learning_rate_schedule == LearningRateSchedule::kConstant ? "constant" : "linear");
   add("discount", h.discount);
   add("gae_lambda", h.gae_lambda);
   add("clip_range", h.clip_range);
   add("value_coefficient", h.value_coefficient);
   add("entropy_coefficient", h.entropy_coefficient);
   add("max_gradient_norm", h.max_gradient_norm);
+  add("target_kl", h.target_kl);
+  add("found_reward", h.found_reward);
+  add("step_reward", h.step_reward);
+  if (h.least_reward > HyperParameters{}.least_reward) add("least_reward", h.least_reward);
+  add("reward_scale", h.reward_scale);
   return lines;
 }
 

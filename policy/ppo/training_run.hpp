@@ -23,6 +23,11 @@ enum class State : std::uint8_t {
   kBelief,  ///< what is believed about the source, from all that was heard
 };
 
+enum class LearningRateSchedule : std::uint8_t {
+  kConstant,
+  kLinear,  ///< falls to zero with the last of `steps`
+};
+
 /// Everything that decides what a training run makes.
 struct TrainingRun {
   std::filesystem::path environment;  ///< environment file; its source position is the fixed source
@@ -31,8 +36,9 @@ struct TrainingRun {
   State state = State::kSimple;
   std::size_t remembered_steps = 2;  ///< m of the memory state, 1 to config::kMaxRememberedSteps
   HyperParameters hyper;
+  LearningRateSchedule learning_rate_schedule = LearningRateSchedule::kConstant;
   std::uint64_t seed = 1;
-  std::uint64_t episodes = 0;  ///< training ends after so many, the rollout under way unused; 0: no limit
+  std::uint64_t episodes = 0;  ///< training ends with the rollout that brings the last of so many; 0: no limit
   std::uint64_t steps = 0;     ///< training ends with the rollout that reaches it; 0: no limit
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 using earshot::apps::BadStart;
 using earshot::apps::FieldArguments;
-using earshot::apps::RankSession;
+using earshot::parallel::RankSession;
 
 std::string command_line(int argc, char** argv) {
   std::string line = std::filesystem::path(argv[0]).filename().string();

@@ -9,13 +9,13 @@
 #include "sim/apps/field_modes.hpp"
 #include "sim/apps/progress_bar.hpp"
 #include "sim/ocean/environment_file.hpp"
+#include "sim/parallel/ordered_tasks.hpp"
 #include "sim/sonar/detection.hpp"
 #include "sim/sonar/fan.hpp"
 #include "sim/sonar/fan_file.hpp"
 #include "sim/sonar/field_plot.hpp"
 #include "sim/sonar/grid_check.hpp"
 #include "sim/sonar/horizontal_map.hpp"
-#include "sim/sonar/ordered_tasks.hpp"
 
 namespace earshot::apps {
 namespace {
@@ -67,7 +67,7 @@ void write_fan(const FieldArguments& arguments) {
   const sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0, deepest)};
 
   ProgressBar bar("radials");
-  const sonar::Fan fan = sonar::compute_fan(environment, source, plan, arguments.threads.value_or(sonar::available_processors()),
+  const sonar::Fan fan = sonar::compute_fan(environment, source, plan, arguments.threads.value_or(parallel::available_processors()),
                                             [&bar](double fraction) { bar.update(fraction); });
   const sonar::Detector detector = detector_of(arguments, environment);
   const auto map = map_of(arguments, fan, detector);

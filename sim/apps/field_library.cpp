@@ -24,7 +24,7 @@ void print_summary(const FieldArguments& arguments, const sonar::LibraryPlan& pl
 
 }  // namespace
 
-void write_library(const FieldArguments& arguments, RankSession& session) {
+void write_library(const FieldArguments& arguments, parallel::RankSession& session) {
   std::optional<sonar::LibraryPlan> plan;
   std::string error;
   try {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "sim/apps/field_arguments.hpp"
-#include "sim/apps/rank_session.hpp"
+#include "sim/parallel/rank_session.hpp"
 
 namespace earshot::apps {
 
@@ -17,6 +17,6 @@ class BadStart : public std::runtime_error {
 /// among ranks; the others are one process's work.
 void write_radial(const FieldArguments& arguments);
 void write_fan(const FieldArguments& arguments);
-void write_library(const FieldArguments& arguments, RankSession& session);
+void write_library(const FieldArguments& arguments, parallel::RankSession& session);
 
 }  // namespace earshot::apps

@@ -57,6 +57,13 @@ double step_reward(const SearchSettings& s, NorthEast position, Decibels snr) {
   return heard + s.border_reward * ((s.border_width - to_edge) / s.border_width);
 }
 
+NorthEast uniform_in(const Rectangle& area, Pcg32& random) {
+  const double north = random.uniform_double();
+  const double east = random.uniform_double();
+  return {area.south_west.north + north * (area.north_east.north - area.south_west.north),
+          area.south_west.east + east * (area.north_east.east - area.south_west.east)};
+}
+
 ActionTable compass_directions(std::size_t count) {
   static constexpr std::array<UnitNorthEast, 4> kCardinals{{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}};
   assert(count >= 1 && count <= config::kMaxActions);

@@ -6,6 +6,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/geometry.hpp"
+#include "firmware/core/random.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/units.hpp"
 
@@ -48,6 +49,9 @@ struct SearchSettings {
 /// @param position  in the domain's frame; d_e, the distance to the nearest edge, is negative outside, where the penalty grows beyond p
 /// Source: Clark et al. 2022, reward.   Oracle: StepReward.*
 [[nodiscard]] double step_reward(const SearchSettings& settings, NorthEast position, Decibels snr);
+
+/// Takes two numbers from `random`.
+[[nodiscard]] NorthEast uniform_in(const Rectangle& area, Pcg32& random);
 
 using ActionTable = FixedVector<UnitNorthEast, config::kMaxActions>;
 

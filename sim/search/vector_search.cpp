@@ -5,10 +5,11 @@
 namespace earshot::search {
 
 VectorSearch::VectorSearch(const SearchWorld& world, const policy::ObservationModel& model, std::size_t environment_count,
-                           std::uint64_t seed)
+                           std::uint64_t seed, std::uint64_t first_stream)
     : world_(world),
       model_(model),
       episodes_(environment_count),
+      scripts_(environment_count),
       observations_(environment_count * model.spec.size()),
       final_observations_(environment_count * model.spec.size()),
       rewards_(environment_count),
@@ -16,21 +17,48 @@ VectorSearch::VectorSearch(const SearchWorld& world, const policy::ObservationMo
   assert(check(world.settings) == Status::kOk);
   random_.reserve(environment_count);
   for (std::size_t i = 0; i < environment_count; ++i) {
-    random_.emplace_back(seed, i);
-    episodes_[i].start(world_, model_, random_[i]);
+    random_.emplace_back(seed, first_stream + i);
+    start(i);
     episodes_[i].observe(slot(observations_, i));
   }
+}
+
+void VectorSearch::start(std::size_t environment) {
+  scripts_[environment].random = random_[environment].state();
+  scripts_[environment].actions.clear();
+  episodes_[environment].start(world_, model_, random_[environment]);
+}
+
+bool VectorSearch::resume(std::span<const EpisodeScript> scripts) {
+  if (scripts.size() != episodes_.size()) return false;
+  for (std::size_t i = 0; i < scripts.size(); ++i) {
+    random_[i] = Pcg32(scripts[i].random);
+    start(i);
+    for (const std::uint8_t action : scripts[i].actions) {
+      if (action >= action_count() || episodes_[i].record().end != EpisodeEnd::kRunning) return false;
+      take(i, action);
+    }
+    if (episodes_[i].record().end != EpisodeEnd::kRunning) return false;
+    episodes_[i].observe(slot(observations_, i));
+  }
+  return true;
+}
+
+/// One step of one episode; whatever an episode's steps draw from random numbers is drawn here.
+double VectorSearch::take(std::size_t environment, std::size_t action) {
+  scripts_[environment].actions.push_back(static_cast<std::uint8_t>(action));
+  return episodes_[environment].step(world_, action);
 }
 
 void VectorSearch::step(std::span<const std::size_t> actions) {
   assert(actions.size() == episodes_.size());
   for (std::size_t i = 0; i < episodes_.size(); ++i) {
     Episode& episode = episodes_[i];
-    rewards_[i] = static_cast<float>(episode.step(world_, actions[i]));
+    rewards_[i] = static_cast<float>(take(i, actions[i]));
     ended_[i] = episode.record();
     if (ended_[i].end != EpisodeEnd::kRunning) {
       episode.observe(slot(final_observations_, i));
-      episode.start(world_, model_, random_[i]);
+      start(i);
     }
     episode.observe(slot(observations_, i));
   }

@@ -9,19 +9,35 @@
 
 namespace earshot::search {
 
+/// An episode under way: what to do over again to stand where it stands, whatever it consists of.
+struct EpisodeScript {
+  Pcg32::State random;                ///< before the episode's start was drawn
+  std::vector<std::uint8_t> actions;  ///< since then
+  friend bool operator==(const EpisodeScript&, const EpisodeScript&) = default;
+};
+
 /// Many independent episodes stepped together, for training. A finished episode starts anew within the same step (Stable-Baselines3's
 /// autoreset): observations() then shows the new episode's first observation, final_observation() the old one's last.
-/// Nothing is allocated after construction. Environment i draws from stream i of the seed, so its episodes do not depend on how many others
-/// run.
+/// Nothing is allocated after construction but room for the actions of the longest episode so far. Environment i draws from stream
+/// first_stream + i of the seed, so its episodes do not depend on how many others run.
 class VectorSearch {
  public:
   /// @param world  outlives this; check(world.settings) is kOk
-  VectorSearch(const SearchWorld& world, const policy::ObservationModel& model, std::size_t environment_count, std::uint64_t seed);
+  /// @param first_stream  of the seed, that of environment 0: other processes have those before and after
+  VectorSearch(const SearchWorld& world, const policy::ObservationModel& model, std::size_t environment_count, std::uint64_t seed,
+               std::uint64_t first_stream = 0);
+
   VectorSearch(const VectorSearch&) = delete;  // its episodes point to its model
   VectorSearch& operator=(const VectorSearch&) = delete;
 
   /// One action for each environment.
   void step(std::span<const std::size_t> actions);
+
+  /// What brings every episode back, environment 0 first.
+  [[nodiscard]] const std::vector<EpisodeScript>& scripts() const { return scripts_; }
+  /// Goes on from there, bit for bit. False when they are not scripts of episodes under way in this world; only good for destruction then.
+  /// Oracle: VectorSearch.GoesOnFromItsScriptsAsIfNothingHadHappened
+  [[nodiscard]] bool resume(std::span<const EpisodeScript> scripts);
 
   [[nodiscard]] std::size_t environment_count() const { return episodes_.size(); }
   [[nodiscard]] std::size_t observation_size() const { return model_.spec.size(); }
@@ -36,12 +52,15 @@ class VectorSearch {
   [[nodiscard]] const EpisodeRecord& ended(std::size_t environment) const { return ended_[environment]; }
 
  private:
+  void start(std::size_t environment);
+  double take(std::size_t environment, std::size_t action);
   [[nodiscard]] std::span<float> slot(std::vector<float>& all, std::size_t environment) const;
 
   const SearchWorld& world_;
   policy::ObservationModel model_;
   std::vector<Episode> episodes_;
   std::vector<Pcg32> random_;
+  std::vector<EpisodeScript> scripts_;
   std::vector<float> observations_;        // [environment_count x observation_size]
   std::vector<float> final_observations_;  // [environment_count x observation_size]
   std::vector<float> rewards_;

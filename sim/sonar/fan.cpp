@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "sim/sonar/ordered_tasks.hpp"
+#include "sim/parallel/ordered_tasks.hpp"
 
 namespace earshot::sonar {
 
@@ -37,7 +37,7 @@ Fan compute_fan(const ocean::Environment& environment, NorthEast centre, const F
                 const pe::Progress& progress) {
   Fan fan = make_fan(centre, plan);
   const std::size_t marches = differs_with_place(environment) ? plan.bearings : 1;
-  run_in_order(
+  parallel::run_in_order(
       {.groups = marches, .tasks_per_group = 1, .threads = threads, .window = marches},
       [&](std::size_t bearing) { fill_bearing(environment, plan, bearing, fan); },
       [&](std::size_t bearing) {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "sim/netcdf/reader.hpp"
+#include "sim/parallel/ordered_tasks.hpp"
 #include "sim/sonar/library_store.hpp"
-#include "sim/sonar/ordered_tasks.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -68,13 +68,13 @@ void write_repeated(const LibraryPlan& plan, const Numbers& to_do, LibraryStore&
 }
 
 /// This rank's share of the work: every size-th position. `finished` gets the fans in order.
-void compute_share(const LibraryPlan& plan, const Numbers& to_do, std::size_t threads, const Ranks& ranks,
+void compute_share(const LibraryPlan& plan, const Numbers& to_do, std::size_t threads, const parallel::Ranks& ranks,
                    const std::function<void(std::size_t share, std::span<const float>)>& finished) {
   const std::size_t bearings = plan.fan.bearings;
   const std::size_t share = (to_do.size() + ranks.size() - 1 - ranks.rank()) / ranks.size();
   const std::size_t window = 2 + threads / bearings;
   Slots slots(plan.fan, window);
-  run_in_order(
+  parallel::run_in_order(
       {.groups = share, .tasks_per_group = bearings, .threads = threads, .window = window},
       [&](std::size_t task) {
         const std::size_t group = task / bearings;
@@ -85,7 +85,7 @@ void compute_share(const LibraryPlan& plan, const Numbers& to_do, std::size_t th
 }
 
 /// Rank 0: its own fans and those of the others, all in the plan's order.
-void collect(const LibraryPlan& plan, const Numbers& to_do, std::size_t threads, Ranks& ranks, LibraryStore& store,
+void collect(const LibraryPlan& plan, const Numbers& to_do, std::size_t threads, parallel::Ranks& ranks, LibraryStore& store,
              const pe::Progress& progress) {
   Slots received(plan.fan, 1);
   const auto write = [&](std::size_t i, std::span<const float> fan) {
@@ -104,7 +104,7 @@ void collect(const LibraryPlan& plan, const Numbers& to_do, std::size_t threads,
 
 }  // namespace
 
-LibrarySummary write_library(const std::filesystem::path& path, const LibraryPlan& plan, std::size_t threads, Ranks& ranks,
+LibrarySummary write_library(const std::filesystem::path& path, const LibraryPlan& plan, std::size_t threads, parallel::Ranks& ranks,
                              const pe::Progress& progress) {
   LibrarySummary summary{.computed = 0, .found = 0, .without_water = 0};
   std::optional<LibraryStore> store;

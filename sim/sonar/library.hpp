@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <optional>
 
+#include "sim/parallel/ranks.hpp"
 #include "sim/pe/solver.hpp"
 #include "sim/sonar/fan.hpp"
 #include "sim/sonar/library_plan.hpp"
-#include "sim/sonar/ranks.hpp"
 
 namespace earshot::sonar {
 
@@ -27,7 +27,7 @@ struct LibrarySummary {
 /// Memory: three fans and a grid for each thread.
 /// Throws as compute_radial does, and netcdf::FileError.
 /// Oracle: Library.*, FieldLibrary.*
-LibrarySummary write_library(const std::filesystem::path& path, const LibraryPlan& plan, std::size_t threads, Ranks& ranks,
+LibrarySummary write_library(const std::filesystem::path& path, const LibraryPlan& plan, std::size_t threads, parallel::Ranks& ranks,
                              const pe::Progress& progress = {});
 
 /// The fan of one position of a finished library; its sea floor is empty.

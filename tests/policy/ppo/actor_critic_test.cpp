@@ -34,7 +34,7 @@ class WholeLoss {
 
   double operator()() {
     networks.forward(observations.data(), kBatch, activations);
-    return ppo_loss<double>({actions, old, advantages, returns}, hyper, activations.logits, activations.values, d_logits, d_values);
+    return ppo_loss<double>({actions, old, advantages, returns}, hyper, activations.logits, activations.values, d_logits, d_values).total;
   }
 
   ActorCritic<double> networks{kShape};

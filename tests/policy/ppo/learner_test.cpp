@@ -108,7 +108,8 @@ TEST_F(UpdateTest, LeavesTheParametersOfStableBaselines3AfterThreeEpochsWithASho
   hyper.batch_size = 32;
   hyper.entropy_coefficient = 0.01;
   Pcg32 random(1);
-  Learner learner(kShape, hyper, random);
+  parallel::Alone alone;
+  Learner learner(kShape, hyper, random, alone);
   const std::span<float> parameters = learner.networks().parameters();
   std::map<std::string, std::uint32_t> stream_of;
   for (const auto& [name, values] : expected["parameters"].items()) stream_of.emplace(name, 100 + stream_of.size());
@@ -119,10 +120,11 @@ TEST_F(UpdateTest, LeavesTheParametersOfStableBaselines3AfterThreeEpochsWithASho
   });
   ASSERT_EQ(visited, parameters.size());
 
+  UpdateReport sums;
   for (std::size_t epoch = 0; epoch < kStrides.size(); ++epoch) {
     std::vector<std::uint32_t> order(kSamples);
     for (std::size_t i = 0; i < kSamples; ++i) order[i] = static_cast<std::uint32_t>((i * kStrides[epoch] + epoch) % kSamples);
-    learner.run_epoch(rollout, order);
+    ASSERT_TRUE(learner.run_epoch(rollout, order, hyper.learning_rate, sums));
   }
 
   // Nine Adam steps of 3e-4 move each parameter by up to 2.7e-3. Rounding: gradients agree to some 1e-7, and Adam divides by
@@ -141,8 +143,9 @@ TEST(Learner, GivesTheSameParametersForTheSameSeedWhereverTheHeapPutsThem) {
   hyper.steps_per_rollout = kSteps;
   auto learned = [&](std::uint64_t seed) {
     Pcg32 random(seed);
-    Learner learner(kShape, hyper, random);
-    learner.update(rollout, random);
+    parallel::Alone alone;
+  Learner learner(kShape, hyper, random, alone);
+    (void)learner.update(rollout, hyper.learning_rate, random);
     const auto p = learner.networks().parameters();
     return std::vector<float>(p.begin(), p.end());
   };

@@ -29,7 +29,7 @@ class Library : public testing::Test {
   [[nodiscard]] std::filesystem::path file() const { return folder_ / "library.nc"; }
 
   tests::TemporaryFolder folder_;
-  Alone alone_;
+  parallel::Alone alone_;
 };
 
 bool same(float a, float b) {

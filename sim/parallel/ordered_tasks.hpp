@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace earshot::sonar {
+namespace earshot::parallel {
 
 /// Processors that this process may use, at least 1.
 [[nodiscard]] std::size_t available_processors();
@@ -25,4 +25,4 @@ struct TaskGroups {
 void run_in_order(const TaskGroups& groups, const std::function<void(std::size_t task)>& work,
                   const std::function<void(std::size_t group)>& finished);
 
-}  // namespace earshot::sonar
+}  // namespace earshot::parallel

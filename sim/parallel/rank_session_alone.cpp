@@ -2,12 +2,12 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "sim/apps/rank_session.hpp"
-#include "sim/sonar/ordered_tasks.hpp"
+#include "sim/parallel/ordered_tasks.hpp"
+#include "sim/parallel/rank_session.hpp"
 
-namespace earshot::apps {
+namespace earshot::parallel {
 
-RankSession::RankSession() : ranks_(std::make_unique<sonar::Alone>()) {
+RankSession::RankSession() : ranks_(std::make_unique<Alone>()) {
   const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");  // NOLINT(concurrency-mt-unsafe): before any thread
   if (size != nullptr && std::atoi(size) > 1) {
     throw std::runtime_error("started by mpirun, but built without MPI: install libopenmpi-dev and build again");
@@ -17,7 +17,7 @@ RankSession::RankSession() : ranks_(std::make_unique<sonar::Alone>()) {
 RankSession::~RankSession() = default;
 
 std::size_t RankSession::processors() const {
-  return sonar::available_processors();
+  return available_processors();
 }
 
 std::string RankSession::first_error(const std::string& mine) {
@@ -28,4 +28,4 @@ void RankSession::abort() {
   std::exit(2);
 }
 
-}  // namespace earshot::apps
+}  // namespace earshot::parallel

@@ -1,4 +1,4 @@
-#include "sim/sonar/ordered_tasks.hpp"
+#include "sim/parallel/ordered_tasks.hpp"
 
 #include <sched.h>
 
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace earshot::sonar {
+namespace earshot::parallel {
 namespace {
 
 /// Shared by the threads, all under one lock: tasks take milliseconds.
@@ -128,4 +128,4 @@ void run_in_order(const TaskGroups& groups, const std::function<void(std::size_t
   ledger.rethrow();
 }
 
-}  // namespace earshot::sonar
+}  // namespace earshot::parallel

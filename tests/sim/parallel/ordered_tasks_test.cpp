@@ -1,4 +1,4 @@
-#include "sim/sonar/ordered_tasks.hpp"
+#include "sim/parallel/ordered_tasks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace earshot::sonar {
+namespace earshot::parallel {
 namespace {
 
 TEST(OrderedTasks, DoesEveryTaskOnceAndHandsTheGroupsOverInOrder) {
@@ -73,4 +73,4 @@ TEST(OrderedTasks, HasNothingToDoForNoGroups) {
 }
 
 }  // namespace
-}  // namespace earshot::sonar
+}  // namespace earshot::parallel

@@ -5,13 +5,14 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <numeric>
 #include <thread>
 #include <vector>
 
-#include "sim/apps/rank_session.hpp"
-#include "sim/sonar/ordered_tasks.hpp"
+#include "sim/parallel/ordered_tasks.hpp"
+#include "sim/parallel/rank_session.hpp"
 
-namespace earshot::apps {
+namespace earshot::parallel {
 namespace {
 
 /// MPI's own waiting keeps a processor busy that the solver could use.
@@ -20,7 +21,7 @@ void wait_for(MPI_Request& request) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-class MpiRanks : public sonar::Ranks {
+class MpiRanks : public Ranks {
  public:
   [[nodiscard]] std::size_t rank() const override {
     int value = 0;
@@ -48,6 +49,24 @@ class MpiRanks : public sonar::Ranks {
     MPI_Irecv(values.data(), static_cast<int>(values.size()), MPI_FLOAT, static_cast<int>(from), 0, MPI_COMM_WORLD, &request);
     wait_for(request);
   }
+  void gather_everywhere(std::span<const float> mine, std::span<float> all) override {
+    const int count = static_cast<int>(mine.size());
+    MPI_Allgather(mine.data(), count, MPI_FLOAT, all.data(), count, MPI_FLOAT, MPI_COMM_WORLD);
+  }
+  [[nodiscard]] std::vector<std::string> gather(const std::string& mine) override {
+    const int length = static_cast<int>(mine.size());
+    std::vector<int> lengths(rank() == 0 ? size() : 0);
+    MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
+    std::vector<int> begins(lengths.size());
+    std::exclusive_scan(lengths.begin(), lengths.end(), begins.begin(), 0);
+    std::string together(lengths.empty() ? 0 : static_cast<std::size_t>(begins.back() + lengths.back()), '\0');
+    MPI_Gatherv(mine.data(), length, MPI_CHAR, together.data(), lengths.data(), begins.data(), MPI_CHAR, 0, MPI_COMM_WORLD);
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      all.push_back(together.substr(static_cast<std::size_t>(begins[i]), static_cast<std::size_t>(lengths[i])));
+    }
+    return all;
+  }
 };
 
 /// Starting MPI takes a good part of a second: only where mpirun (OpenMPI, MPICH, a PMI of a batch system) has started us.
@@ -69,7 +88,7 @@ int count_ranks_here() {
 
 RankSession::RankSession() {
   if (!is_started_by_mpirun()) {
-    ranks_ = std::make_unique<sonar::Alone>();
+    ranks_ = std::make_unique<Alone>();
     return;
   }
   int level = 0;
@@ -89,7 +108,7 @@ RankSession::~RankSession() {
 }
 
 std::size_t RankSession::processors() const {
-  const std::size_t allowed = sonar::available_processors();
+  const std::size_t allowed = available_processors();
   const bool bound = allowed < std::thread::hardware_concurrency();
   return bound ? allowed : std::max<std::size_t>(1, allowed / ranks_here_);
 }
@@ -116,4 +135,4 @@ void RankSession::abort() {
   std::exit(2);
 }
 
-}  // namespace earshot::apps
+}  // namespace earshot::parallel

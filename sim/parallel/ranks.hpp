@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
-namespace earshot::sonar {
+namespace earshot::parallel {
 
 /// The processes that share one piece of work, perhaps on several machines. Rank 0 writes the files. Called from one thread only.
 class Ranks {
@@ -20,6 +22,10 @@ class Ranks {
   virtual void share(std::vector<std::int32_t>& values) = 0;            ///< afterwards all have what rank 0 has
   virtual void send(std::span<const float> values) = 0;                 ///< to rank 0; returns when that receives it
   virtual void receive(std::size_t from, std::span<float> values) = 0;  ///< on rank 0: what `from` sent, in its order
+  /// On every rank: what all gave, rank 0's first. @param all  of size() times mine's size
+  virtual void gather_everywhere(std::span<const float> mine, std::span<float> all) = 0;
+  /// On rank 0: what all gave, in order of rank; elsewhere nothing.
+  [[nodiscard]] virtual std::vector<std::string> gather(const std::string& mine) = 0;
 };
 
 /// One process.
@@ -30,6 +36,8 @@ class Alone : public Ranks {
   void share(std::vector<std::int32_t>&) override {}
   void send(std::span<const float>) override {}
   void receive(std::size_t, std::span<float>) override {}
+  void gather_everywhere(std::span<const float> mine, std::span<float> all) override { std::ranges::copy(mine, all.begin()); }
+  [[nodiscard]] std::vector<std::string> gather(const std::string& mine) override { return {mine}; }
 };
 
-}  // namespace earshot::sonar
+}  // namespace earshot::parallel

@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "sim/sonar/ranks.hpp"
+#include "sim/parallel/ranks.hpp"
 
-namespace earshot::apps {
+namespace earshot::parallel {
 
 /// The part this process has among those that `mpirun` has started; one process alone where it was started without. Programs built without
 /// MPI refuse to be started by mpirun, where each would write the same file.
@@ -17,7 +17,7 @@ class RankSession {
   RankSession(const RankSession&) = delete;
   RankSession& operator=(const RankSession&) = delete;
 
-  [[nodiscard]] sonar::Ranks& ranks() { return *ranks_; }
+  [[nodiscard]] Ranks& ranks() { return *ranks_; }
 
   /// Processors for the threads of this rank: those it is bound to, or its share of the machine's.
   [[nodiscard]] std::size_t processors() const;
@@ -29,8 +29,8 @@ class RankSession {
   [[noreturn]] void abort();
 
  private:
-  std::unique_ptr<sonar::Ranks> ranks_;
+  std::unique_ptr<Ranks> ranks_;
   std::size_t ranks_here_ = 1;  ///< on this machine
 };
 
-}  // namespace earshot::apps
+}  // namespace earshot::parallel

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "policy/apps/world_options.hpp"
+#include "policy/ppo/training_run.hpp"
+
+namespace earshot::apps {
+
+/// The command line of `earshot train`.
+struct TrainOptions {
+  std::optional<std::string> run_file;
+  std::vector<std::string> resume;  ///< checkpoints to go on from; none: a new training
+  std::optional<std::string> output;
+  std::optional<std::string> curve;
+  std::optional<std::string> plot;
+  std::optional<std::uint64_t> checkpoint_every;  ///< steps
+  WorldOptions world;
+  std::optional<std::string> state;
+  std::optional<std::size_t> remembered_steps;
+  std::optional<std::uint64_t> episodes;
+  std::optional<std::uint64_t> steps;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::uint64_t> seeds;
+  std::optional<std::size_t> threads;
+  std::optional<std::size_t> environments;
+
+  void add_to(CLI::App& app);
+  /// Makes the paths of input files absolute: those of a command that was given in `directory`.
+  void resolve(const std::filesystem::path& directory);
+};
+
+/// Throws config_file::BadInput when `app` was given something that cannot be changed in the middle of a training.
+void check_for_resume(const CLI::App& app);
+
+/// The options of a command line without the program's name. Throws CLI::ParseError.
+[[nodiscard]] TrainOptions options_from(const std::vector<std::string>& arguments);
+
+/// The run file with the options over it. Throws config_file::BadInput.
+[[nodiscard]] ppo::TrainingRun settled(const TrainOptions& options);
+
+}  // namespace earshot::apps

@@ -1,0 +1,307 @@
+#include "policy/apps/training_job.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <iomanip>
+#include <limits>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "firmware/core/crc32.hpp"
+#include "policy/apps/program.hpp"
+#include "policy/ppo/trainer.hpp"
+#include "policy/ppo/training_state_text.hpp"
+
+namespace earshot::apps {
+namespace {
+
+using config_file::BadInput;
+
+std::uint32_t crc_of(std::string_view text, std::uint32_t previous = 0) {
+  return crc32({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, previous);
+}
+
+ppo::Continuation::Written written(const std::string& text) {
+  return {text.size(), crc_of(text)};
+}
+
+/// Of all that shapes a training but how long it is: a run file as a whole, for what its reader may leave out of describe().
+std::uint32_t settings_crc32(const TrainOptions& options, const ppo::TrainingRun& run, const ocean::Environment& environment) {
+  std::ostringstream all;
+  for (const auto& [name, value] : ppo::describe(run)) all << name << " = " << value << '\n';
+  all << environment.file_crc32 << '\n';
+  if (options.run_file) all << read_whole(*options.run_file);
+  return crc_of(all.str());
+}
+
+/// A curve's file as it was when the checkpoint was written.
+std::string earlier_part(const std::filesystem::path& path, const ppo::Continuation::Written& part) {
+  std::string text = read_whole(path);
+  if (text.size() < part.bytes) throw BadInput(path.string() + ": shorter than when the checkpoint was written");
+  text.resize(part.bytes);
+  if (crc_of(text) != part.crc32) throw BadInput(path.string() + ": not the learning curve of the checkpoint");
+  return text;
+}
+
+LearningCurve earlier_curve(const TrainingJob& job) {
+  if (!job.resumed) return {};
+  try {
+    return {earlier_part(job.curve, job.resumed->continuation->episodes), earlier_part(job.updates, job.resumed->continuation->updates)};
+  } catch (const std::invalid_argument& e) {
+    throw BadInput(job.curve.string() + ": " + e.what());
+  }
+}
+
+/// An episode and the steps that all ranks had taken by its end.
+struct Told {
+  std::uint64_t steps;
+  search::EpisodeRecord episode;
+};
+
+/// On rank 0: the episodes of all ranks in the order of their steps, those of one step in order of rank.
+std::vector<Told> gather_episodes(parallel::Ranks& ranks, const std::vector<Told>& mine) {
+  if (ranks.size() == 1) return mine;
+  static_assert(std::is_trivially_copyable_v<Told>);
+  std::vector<Told> all;
+  for (const std::string& bytes : ranks.gather({reinterpret_cast<const char*>(mine.data()), mine.size() * sizeof(Told)})) {
+    const std::size_t before = all.size();
+    all.resize(before + bytes.size() / sizeof(Told));
+    std::memcpy(all.data() + before, bytes.data(), bytes.size());
+  }
+  std::ranges::stable_sort(all, {}, &Told::steps);
+  return all;
+}
+
+std::string hexadecimal(std::uint32_t value) {
+  std::ostringstream text;
+  text << std::hex << std::setw(8) << std::setfill('0') << value;
+  return text.str();
+}
+
+void name_files(TrainingJob& job, const std::optional<std::string>& curve) {
+  job.curve = curve ? std::filesystem::path(*curve) : std::filesystem::path(job.output).replace_extension(".csv");
+  job.updates = std::filesystem::path(job.curve).replace_extension(".updates.csv");
+  if (job.curve == job.output) throw BadInput("--curve: must not be the checkpoint itself");
+}
+
+/// "a.checkpoint" -> "a.seed3.checkpoint"
+std::filesystem::path with_seed(const std::filesystem::path& path, std::uint64_t seed) {
+  std::filesystem::path result = path;
+  return result.replace_extension(".seed" + std::to_string(seed) + path.extension().string());
+}
+
+std::vector<TrainingJob> new_jobs(const TrainOptions& options, const std::vector<std::string>& arguments) {
+  if (!options.output) throw BadInput("--output: no checkpoint to write given");
+  std::vector<TrainingJob> jobs;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, options.seeds.size()); ++i) {
+    TrainingJob job{.options = options,
+                    .output = *options.output,
+                    .curve = {},
+                    .updates = {},
+                    .arguments = arguments,
+                    .directory = std::filesystem::current_path()};
+    std::optional<std::string> curve = options.curve;
+    if (!options.seeds.empty()) {
+      job.options.seed = options.seeds[i];
+      job.output = with_seed(job.output, options.seeds[i]);
+      if (curve) curve = with_seed(*curve, options.seeds[i]).string();
+    }
+    name_files(job, curve);
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
+TrainingJob job_from(const std::string& file, const TrainOptions& given) {
+  TrainingJob job;
+  job.resumed = ppo::from_text(read_whole(file), file);
+  if (!job.resumed->continuation) throw BadInput(file + ": holds networks alone, from elsewhere: nothing to go on with");
+  const ppo::Continuation& continuation = *job.resumed->continuation;
+  job.arguments = continuation.arguments;
+  job.directory = continuation.directory;
+  try {
+    job.options = options_from(job.arguments);
+  } catch (const CLI::ParseError& e) {
+    throw BadInput(file + ": its command line is not this program's: " + e.what());
+  }
+  job.options.resolve(job.directory);
+  job.options.seed = continuation.state.seed;
+  if (given.episodes || given.steps) {
+    job.options.episodes = given.episodes;
+    job.options.steps = given.steps;
+  }
+  if (given.checkpoint_every) job.options.checkpoint_every = given.checkpoint_every;
+  job.output = given.output.value_or(file);
+  name_files(job, given.curve);
+  return job;
+}
+
+}  // namespace
+
+std::vector<TrainingJob> jobs_of(const TrainOptions& options, const std::vector<std::string>& arguments) {
+  if (options.resume.empty()) return new_jobs(options, arguments);
+  if (options.resume.size() > 1 && (options.output || options.curve))
+    throw BadInput("--output, --curve: for one training, not for several");
+  std::vector<TrainingJob> jobs;
+  for (const std::string& file : options.resume) jobs.push_back(job_from(file, options));
+  return jobs;
+}
+
+/// In the order in which they are made: later ones refer to earlier ones.
+struct Training::Parts {
+  TrainingJob job;
+  parallel::Ranks& ranks;
+  ppo::TrainingRun run;
+  ocean::Environment environment;
+  search::Soundscape soundscape;
+  search::SearchWorld world;
+  policy::ObservationModel model;
+  ppo::Trainer trainer;
+  LearningCurve curve;
+  std::uint32_t settings_crc32;
+
+  Parts(TrainingJob given, parallel::Ranks& r)
+      : job(std::move(given)),
+        ranks(r),
+        run(settled(job.options)),
+        environment(environment_at(run.environment, run.vehicle_depth)),
+        soundscape(settle_search()),
+        world(run.search, soundscape, environment.conditions),
+        model(ppo::observation_of(run, soundscape.expected())),
+        trainer(world, model, run.hyper, run.seed, ranks),
+        curve(earlier_curve(job)),
+        settings_crc32(apps::settings_crc32(job.options, run, environment)) {}
+
+  search::Soundscape settle_search() {
+    run.search.source = environment.source.position;
+    job.options.world.apply_to(run.search);
+    return soundscape_for(environment, run.vehicle_depth, run.search);
+  }
+
+  void resume();
+  void write();
+  void tell(const std::vector<Told>& episodes, const ppo::UpdateReport& update);
+  [[nodiscard]] ppo::Checkpoint checkpoint(ppo::TrainingState state) const;
+  [[nodiscard]] bool is_over() const {
+    return (run.steps > 0 && trainer.steps() >= run.steps) || (run.episodes > 0 && curve.episodes() >= run.episodes);
+  }
+  [[nodiscard]] TrainingProgress::At progress() const;
+};
+
+void Training::Parts::resume() {
+  const ppo::Continuation& continuation = *job.resumed->continuation;
+  if (continuation.settings_crc32 != settings_crc32) {
+    throw BadInput(job.output.string() + ": cannot go on: its environment" + (job.options.run_file ? " or run file" : "") +
+                   " is not what it was, or the program's defaults are not");
+  }
+  if (continuation.state.workers.size() != ranks.size()) {
+    throw BadInput(job.output.string() + ": was trained by " + std::to_string(continuation.state.workers.size()) +
+                   " ranks, goes on with as many");
+  }
+  if (!trainer.resume(job.resumed->parameters, continuation.state))
+    throw BadInput(job.output.string() + ": its state does not fit its settings");
+}
+
+ppo::Checkpoint Training::Parts::checkpoint(ppo::TrainingState state) const {
+  ppo::Checkpoint checkpoint;
+  checkpoint.observation = model;
+  checkpoint.direction_count = run.search.direction_count;
+  checkpoint.step_length = run.search.step_length;
+  checkpoint.area_size = run.search.domain.north_east - run.search.domain.south_west;
+  checkpoint.detection_threshold = run.search.detection_threshold;
+  std::string command = "earshot-train";
+  for (const std::string& word : job.arguments) command += " " + word;
+  checkpoint.provenance = {{"command", command},
+                           {"commit", build_commit()},
+                           {"environment", run.environment.filename().string()},
+                           {"environment_crc32", hexadecimal(environment.file_crc32)},
+                           {"steps", std::to_string(trainer.steps())}};
+  if (ranks.size() > 1) checkpoint.provenance.emplace_back("ranks", std::to_string(ranks.size()));
+  const auto settings = ppo::describe(run);
+  checkpoint.provenance.insert(checkpoint.provenance.end(), settings.begin(), settings.end());
+  const std::span<const float> parameters = trainer.networks().parameters();
+  checkpoint.parameters.assign(parameters.begin(), parameters.end());
+  checkpoint.continuation = {.state = std::move(state),
+                             .arguments = job.arguments,
+                             .directory = job.directory.string(),
+                             .settings_crc32 = settings_crc32,
+                             .episodes = written(curve.episodes_csv()),
+                             .updates = written(curve.updates_csv())};
+  return checkpoint;
+}
+
+/// The curves first: a checkpoint never tells of more than they hold.
+void Training::Parts::write() {
+  ppo::TrainingState state = trainer.state();
+  if (ranks.size() > 1) {
+    const std::vector<std::string> all = ranks.gather(to_text(state.workers.front()));
+    state.workers.clear();
+    for (const std::string& worker : all) state.workers.push_back(ppo::worker_from_text(worker));
+  }
+  if (ranks.rank() > 0) return;
+  write_whole(job.curve, curve.episodes_csv());
+  write_whole(job.updates, curve.updates_csv());
+  write_whole(job.output, to_text(checkpoint(std::move(state))));
+}
+
+void Training::Parts::tell(const std::vector<Told>& episodes, const ppo::UpdateReport& update) {
+  for (const Told& told : episodes) curve.add(told.episode, told.steps);
+  curve.add(update, trainer.steps());
+}
+
+TrainingProgress::At Training::Parts::progress() const {
+  const double by_episodes = run.episodes > 0 ? static_cast<double>(curve.episodes()) / static_cast<double>(run.episodes) : 0.0;
+  const double by_steps = run.steps > 0 ? static_cast<double>(trainer.steps()) / static_cast<double>(run.steps) : 0.0;
+  return {.fraction = std::min(1.0, std::max(by_episodes, by_steps)),
+          .steps = trainer.steps(),
+          .episodes = curve.episodes(),
+          .recent = curve.recent()};
+}
+
+Training::Training(TrainingJob job, parallel::Ranks& ranks) : parts_(std::make_unique<Parts>(std::move(job), ranks)) {
+  if (parts_->job.resumed) parts_->resume();
+  if (ranks.rank() > 0) return;
+  for (const auto& path : {parts_->job.output, parts_->job.curve, parts_->job.updates}) check_writable(path);
+}
+
+Training::~Training() = default;
+
+void Training::run(TrainingProgress& progress, std::size_t number, const std::atomic<bool>& interrupted) {
+  Parts& p = *parts_;
+  const std::uint64_t every = p.job.options.checkpoint_every.value_or(std::numeric_limits<std::uint64_t>::max());
+  std::uint64_t written_at = p.trainer.steps();
+  progress.begin(number, p.progress());
+  bool ends = p.is_over();
+  while (!ends) {
+    std::vector<Told> episodes;
+    const ppo::UpdateReport update = p.trainer.advance([&episodes](const search::EpisodeRecord& episode, std::uint64_t steps) {
+      episodes.push_back({steps, episode});
+      return true;
+    });
+    p.tell(gather_episodes(p.ranks, episodes), update);
+    progress.update(number, p.progress());
+    std::vector<std::int32_t> rank_0_says{p.is_over() || interrupted ? 1 : 0};
+    p.ranks.share(rank_0_says);
+    ends = rank_0_says.front() != 0;
+    if (ends || p.trainer.steps() - written_at >= every) {
+      p.write();
+      written_at = p.trainer.steps();
+    }
+  }
+}
+
+const TrainingJob& Training::job() const {
+  return parts_->job;
+}
+const LearningCurve& Training::curve() const {
+  return parts_->curve;
+}
+std::uint64_t Training::steps() const {
+  return parts_->trainer.steps();
+}
+
+}  // namespace earshot::apps

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "policy/apps/learning_curve.hpp"
+#include "policy/apps/train_options.hpp"
+#include "policy/apps/training_progress.hpp"
+#include "policy/ppo/checkpoint.hpp"
+#include "sim/parallel/ranks.hpp"
+
+namespace earshot::apps {
+
+/// One training from its first step, or from a checkpoint, to its last: a checkpoint and two curves.
+struct TrainingJob {
+  TrainOptions options;                         ///< of one seed
+  std::filesystem::path output;                 ///< checkpoint
+  std::filesystem::path curve;                  ///< a row an episode
+  std::filesystem::path updates;                ///< a row an update
+  std::vector<std::string> arguments;           ///< command line that begins it, without the program's name
+  std::filesystem::path directory;              ///< where that was given
+  std::optional<ppo::Checkpoint> resumed = {};  ///< its continuation is not empty
+};
+
+/// The jobs that a command line asks for. Throws config_file::BadInput.
+/// @param arguments  the command line without the program's name
+[[nodiscard]] std::vector<TrainingJob> jobs_of(const TrainOptions& options, const std::vector<std::string>& arguments);
+
+/// What stands while a training goes on.
+class Training {
+ public:
+  /// Everything that bad input can spoil. Throws config_file::BadInput. @param ranks  outlives this
+  Training(TrainingJob job, parallel::Ranks& ranks);
+  ~Training();
+  Training(const Training&) = delete;
+  Training& operator=(const Training&) = delete;
+
+  /// Trains to the end, or to the rollout after which `interrupted` is set (on rank 0), and writes the files (rank 0 does).
+  void run(TrainingProgress& progress, std::size_t number, const std::atomic<bool>& interrupted);
+
+  [[nodiscard]] const TrainingJob& job() const;
+  [[nodiscard]] const LearningCurve& curve() const;
+  [[nodiscard]] std::uint64_t steps() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace earshot::apps

@@ -1,0 +1,63 @@
+#include "policy/apps/training_progress.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "policy/evaluate/evaluation.hpp"
+
+namespace earshot::apps {
+
+using namespace std::chrono_literals;
+
+TrainingProgress::TrainingProgress(std::size_t trainings, Voice voice)
+    : begun_(trainings), now_(trainings), silent_(voice == Voice::kSilent), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+void TrainingProgress::begin(std::size_t training, const At& at) {
+  const std::scoped_lock guard(lock_);
+  begun_[training] = now_[training] = at;
+}
+
+void TrainingProgress::update(std::size_t training, const At& at) {
+  const std::scoped_lock guard(lock_);
+  now_[training] = at;
+  if (Clock::now() - shown_ > (terminal_ ? 200ms : 5'000ms)) show();
+}
+
+void TrainingProgress::finish() {
+  const std::scoped_lock guard(lock_);
+  show();
+  if (terminal_) std::fputc('\n', stderr);
+}
+
+double TrainingProgress::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void TrainingProgress::show() {
+  shown_ = Clock::now();
+  if (silent_) return;
+  At all;
+  double begun = 0.0;
+  std::uint64_t taken = 0;
+  std::vector<double> medians;
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    const auto share = 1.0 / static_cast<double>(now_.size());
+    all.fraction += share * now_[i].fraction;
+    begun += share * begun_[i].fraction;
+    all.steps += now_[i].steps;
+    all.episodes += now_[i].episodes;
+    taken += now_[i].steps - begun_[i].steps;
+    if (now_[i].recent.episodes > 0) medians.push_back(now_[i].recent.median_reward);
+    all.recent.found_fraction += share * now_[i].recent.found_fraction;
+  }
+  const double median = medians.empty() ? 0.0 : evaluate::quantile(medians, 0.5);
+  const double left = all.fraction > begun ? seconds() * (1.0 - all.fraction) / (all.fraction - begun) : 0.0;
+  std::fprintf(stderr, "%s%3.0f %%  %llu episodes  %llu steps  %.0f steps/s  last 50: median reward %.1f, found %.0f %%  %.0f s left   %s",
+               terminal_ ? "\r" : "", 100.0 * all.fraction, static_cast<unsigned long long>(all.episodes),
+               static_cast<unsigned long long>(all.steps), static_cast<double>(taken) / seconds(), median,
+               100.0 * all.recent.found_fraction, left, terminal_ ? "" : "\n");
+  std::fflush(stderr);
+}
+
+}  // namespace earshot::apps

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include "policy/apps/learning_curve.hpp"
+
+namespace earshot::apps {
+
+/// A line on standard error that says how far one training or several have come, at what rate, how well, and how long it will take.
+class TrainingProgress {
+ public:
+  enum class Voice : std::uint8_t { kSpeaks, kSilent };
+  TrainingProgress(std::size_t trainings, Voice voice);
+
+  struct At {
+    double fraction = 0.0;  ///< of the training that is done, 0 to 1
+    std::uint64_t steps = 0;
+    std::uint64_t episodes = 0;
+    LearningCurve::Recent recent;
+  };
+  /// Where a training begins. From any thread, as update().
+  void begin(std::size_t training, const At& at);
+  void update(std::size_t training, const At& at);
+  /// Shows the last line for good.
+  void finish();
+  [[nodiscard]] double seconds() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void show();
+
+  std::mutex lock_;
+  std::vector<At> begun_;
+  std::vector<At> now_;
+  bool silent_;
+  bool terminal_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point shown_ = start_;
+};
+
+}  // namespace earshot::apps
