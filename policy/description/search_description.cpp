@@ -41,7 +41,7 @@ policy::BeliefModel belief_from(const Json& json) {
   model.border_width = Meters{json.at("border_width_m").get<double>()};
   model.outlier_share = json.at("outlier_share").get<float>();
   model.silence_share = json.at("silence_share").get<float>();
-  model.drift_share = json.at("drift_share").get<float>();
+  model.forgotten_share = json.at("forgotten_share").get<float>();
   for (const Json& h : json.at("hypotheses")) {
     append(model.hypotheses, policy::BeliefHypothesis{.level_offset_db = h.at("level_offset_db").get<float>(),
                                                       .spread_db = h.at("spread_db").get<float>(),
@@ -59,7 +59,7 @@ Json belief_to(const policy::BeliefModel& model) {
   json["border_width_m"] = model.border_width.value;
   json["outlier_share"] = model.outlier_share;
   json["silence_share"] = model.silence_share;
-  json["drift_share"] = model.drift_share;
+  json["forgotten_share"] = model.forgotten_share;
   json["hypotheses"] = Json::array();
   for (const policy::BeliefHypothesis& h : model.hypotheses) {
     json["hypotheses"].push_back({{"level_offset_db", h.level_offset_db}, {"spread_db", h.spread_db}, {"prior", h.prior}});

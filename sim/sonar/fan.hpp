@@ -72,6 +72,12 @@ struct FanPlan {
 [[nodiscard]] Fan compute_fan(const ocean::Environment& environment, NorthEast centre, const FanPlan& plan, std::size_t threads,
                               const pe::Progress& progress = {});
 
+/// More is refused, by libraries and by `earshot field`: 256 MB of loss, of which a march and its files need a few times as much.
+inline constexpr double kMostFanValues = 64e6;
+
+/// The deepest sea floor on any radial. Throws as compute_radial does for the charts: it looks at all that the radials need.
+[[nodiscard]] Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast centre, std::size_t bearings, Meters max_range);
+
 /// An empty fan of the plan's shape.
 [[nodiscard]] Fan make_fan(NorthEast centre, const FanPlan& plan);
 
