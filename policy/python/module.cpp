@@ -65,7 +65,7 @@ class Episodes {
       throw py::value_error("position_m, source_m: within a step of each other the search would be over before it begins");
     }
     Running& running = at(i);
-    running.episode.start_at(world_->search(), world_->observation(), from, to);
+    running.episode.start_at(world_->search(), world_->observation(), from, to, running.random);
     running.started = true;
   }
 
@@ -99,6 +99,7 @@ class Episodes {
   [[nodiscard]] Place position(std::size_t i) const { return pair_of(at(i).episode.position()); }
   [[nodiscard]] Place source(std::size_t i) const { return pair_of(at(i).episode.source()); }
   [[nodiscard]] double snr_db(std::size_t i) const { return at(i).episode.snr().value; }
+  [[nodiscard]] bool is_measured(std::size_t i) const { return at(i).episode.heard().measured; }
   [[nodiscard]] py::dict record(std::size_t i) const { return dictionary_of(at(i).episode.record()); }
 
  private:
@@ -263,6 +264,7 @@ void add_episodes(py::module_& module) {
       .def("position_m", &Episodes::position, py::arg("index"))
       .def("source_m", &Episodes::source, py::arg("index"))
       .def("snr_db", &Episodes::snr_db, py::arg("index"))
+      .def("is_measured", &Episodes::is_measured, py::arg("index"))
       .def("record", &Episodes::record, py::arg("index"));
 }
 

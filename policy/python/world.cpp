@@ -8,7 +8,6 @@
 #include "policy/description/search_description.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/search/belief_model.hpp"
-#include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::python {
 namespace {
@@ -80,10 +79,11 @@ World::World(const WorldArguments& arguments) {
   const search::SearchSettings settings = settings_of(arguments, environment.source.position);
   const NorthEast diagonal = settings.domain.north_east - settings.domain.south_west;
   const Meters furthest{std::hypot(diagonal.north.value, diagonal.east.value)};
-  snr_ = std::make_unique<sonar::SnrCurve>(sonar::compute_snr_curve(environment, arguments.vehicle_depth, furthest + settings.step_length));
-  observation_.belief = search::belief_model(settings, *snr_);
+  soundscape_ =
+      std::make_unique<search::Soundscape>(search::soundscape_of(environment, arguments.vehicle_depth, furthest + settings.step_length));
+  observation_.belief = search::belief_model(settings, soundscape_->expected());
   observation_.spec = spec_of(arguments, settings, observation_.belief);
-  search_ = std::make_unique<search::SearchWorld>(settings, *snr_);
+  search_ = std::make_unique<search::SearchWorld>(settings, *soundscape_, environment.conditions);
   description_ = description::to_text(description_of(arguments, settings, observation_, environment.file_crc32));
 }
 

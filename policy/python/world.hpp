@@ -9,7 +9,7 @@
 #include "firmware/core/units.hpp"
 #include "firmware/policy/observation.hpp"
 #include "sim/search/episode.hpp"
-#include "sim/sonar/snr_curve.hpp"
+#include "sim/search/soundscape.hpp"
 
 namespace earshot::python {
 
@@ -40,7 +40,7 @@ class World {
   [[nodiscard]] const std::string& description() const { return description_; }
 
  private:
-  std::unique_ptr<sonar::SnrCurve> snr_;
+  std::unique_ptr<search::Soundscape> soundscape_;
   std::unique_ptr<search::SearchWorld> search_;
   policy::ObservationModel observation_;
   std::string description_;

@@ -31,7 +31,7 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
     Action       a compass direction, clockwise, 0 is north
     Reward       0 with a detection, -1 without; down to -100 and below towards and beyond the edge of the domain
     Terminated   source found, or domain left;  truncated after `max_steps`
-    Info         snr_db (dB), position_m and source_m ((north, east) in metres from the south-west corner); the source is not for the policy
+    Info         snr_db (dB) and whether it was measured (else it lies somewhere below), position_m and source_m ((north, east) in metres from the south-west corner); the source is not for the policy
                  to see; at the end of an episode also found and detections
 
     reset(options={"position_m": (north, east), "source_m": (north, east)}) starts at a given place.
@@ -98,4 +98,9 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
 
     def _info(self) -> dict[str, Any]:
         episodes = self._episodes
-        return {"snr_db": episodes.snr_db(0), "position_m": episodes.position_m(0), "source_m": episodes.source_m(0)}
+        return {
+            "snr_db": episodes.snr_db(0),
+            "measured": episodes.is_measured(0),
+            "position_m": episodes.position_m(0),
+            "source_m": episodes.source_m(0),
+        }

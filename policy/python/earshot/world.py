@@ -42,7 +42,7 @@ def make_world(
 ) -> SearchWorld:
     """A search with its ocean solved; the same choices give the same object, so that many environments solve it once.
 
-    environment       TOML file: ocean, source, noise
+    environment       TOML file: ocean, source, noise, and the conditions of the search (fluctuation, drift, pauses, ...)
     state             "simple": (x, y); "memory": (dx, dy, SNR) of each of the last `remembered_steps` steps;
                       "belief": distances to the edges, where the source may be, and what each action promises
     source            "fixed" where the environment puts it, or "changing": uniform in the domain anew every episode
