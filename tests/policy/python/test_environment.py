@@ -123,8 +123,10 @@ class VectorEnvironment(unittest.TestCase):
     COUNT = 5
 
     def make(self, **options):
-        mode = "custom" if gymnasium.__version__.startswith("0.") else "vector_entry_point"
-        env = gymnasium.make_vec(earshot.ID, num_envs=self.COUNT, vectorization_mode=mode, vector_kwargs=options)
+        if gymnasium.__version__.startswith("0."):
+            env = gymnasium.make_vec(earshot.ID, num_envs=self.COUNT, vectorization_mode="custom", vector_kwargs=options)
+        else:
+            env = gymnasium.make_vec(earshot.ID, num_envs=self.COUNT, **options)
         self.addCleanup(env.close)
         return env
 
