@@ -291,9 +291,35 @@ TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
   refuses("freeze a.checkpoint -o a.policy --key word.key", {"word.key", "64 hexadecimal digits"});
   refuses("freeze a.checkpoint -o a.policy --key a.key --new-key", {"a.key", "exists"});
   refuses("freeze a.checkpoint -o nowhere/a.policy --key a.key", {"nowhere/a.policy", "cannot be written"});
-  refuses("freeze a.checkpoint --key a.key", {"CHECKPOINT", "--output"});
+  refuses("freeze a.checkpoint --key a.key", {"MODEL", "--output"});
   refuses("freeze a.checkpoint -o a.policy --key a.key --draw dice", {"--draw", "dice"});
   EXPECT_EQ(content(folder / "a.key"), key);
+}
+
+TEST_F(Programs, FreezeReadsModelsTrainedElsewhere) {
+  const std::string models = kSource + "/tests/policy/freeze/models/";
+  ASSERT_EQ(run("freeze " + models + "memory.zip -o a.policy --key a.key --new-key"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "a.policy").find("trained_by = stable-baselines3 2.3.2 PPO"), std::string::npos);
+  EXPECT_EQ(run("freeze " + models + "memory.onnx -o b.policy --key a.key --draw argmax"), 0) << content(folder / "err");
+  EXPECT_EQ(run("evaluate b.policy" + kOcean + " --episodes 5"), 0) << content(folder / "err");
+}
+
+TEST_F(Programs, FreezeRefusesModelsItCannotBeSureOfInOneLine) {
+  const std::string models = kSource + "/tests/policy/freeze/models/";
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
+  std::ofstream(folder / "cut.zip", std::ios::binary) << content(models + "memory.zip").substr(0, 20'000);
+  std::ofstream(folder / "text.onnx") << "swordfish\n";
+  std::ofstream(folder / "bad.json") << "{}\n";
+  const auto refuses_model = [&](const std::string& words, std::initializer_list<std::string> parts) {
+    refuses("freeze " + words + " -o a.policy --key a.key", parts);
+  };
+  refuses_model("cut.zip", {"cut.zip", "cut short"});
+  refuses_model("text.onnx", {"text.onnx"});
+  refuses_model(models + "relu.zip", {"relu.zip", "activation_fn", "ReLU"});
+  refuses_model(models + "own_policy.zip", {"own_policy.zip", "policy_class"});
+  refuses_model(models + "plain_save.zip", {"plain_save.zip", "--search"});
+  refuses_model(models + "plain_save.zip --search bad.json", {"plain_save.zip", "search description"});
+  refuses_model(models + "memory.zip --search bad.json", {"memory.zip", "--search"});
 }
 
 TEST_F(Programs, HelpExplainsItselfAndEndsWell) {
