@@ -45,19 +45,24 @@ void tabulate_likelihood(const BeliefModel& model, const BeliefHypothesis& hypot
   }
 }
 
-/// Mean over the `half` samples to either side of each; the ends hold.
+/// Mean over the `half` samples to either side of each; beyond the ends the first and the last hold.
 void smooth(std::span<const float> values, std::size_t half, std::span<float> smoothed) {
   const std::size_t count = values.size();
   const float share = 1.0F / static_cast<float>(2 * half + 1);
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool inside = i >= half && i + half < count;
+  const auto held = [&](std::size_t i) {  // at the ends
     float sum = 0.0F;
-    for (std::size_t k = 0; k <= 2 * half; ++k) {
-      const std::size_t at = i + k;
-      sum += values[inside ? at - half : std::clamp(at, half, count - 1 + half) - half];
-    }
-    smoothed[i] = sum * share;
+    for (std::size_t k = 0; k <= 2 * half; ++k) sum += values[std::clamp(i + k, half, count - 1 + half) - half];
+    return sum * share;
+  };
+  const std::size_t last = count > 2 * half ? count - half : half;
+  for (std::size_t i = 0; i < std::min(half, count); ++i) smoothed[i] = held(i);
+  // Sample by sample of the mean, so that a vector unit can take many means at once.
+  for (std::size_t i = half; i < last; ++i) smoothed[i] = values[i - half];
+  for (std::size_t k = 1; k <= 2 * half; ++k) {
+    for (std::size_t i = half; i < last; ++i) smoothed[i] += values[i - half + k];
   }
+  for (std::size_t i = half; i < last; ++i) smoothed[i] *= share;
+  for (std::size_t i = last; i < count; ++i) smoothed[i] = held(i);
 }
 
 /// Range steps in half a cell: a likelihood is smoothed by as much, for a cell lies at many ranges at once.
@@ -134,10 +139,11 @@ void Belief::find_ranges(const BeliefModel& model, NorthEast position) {
   const auto vehicle_north = static_cast<float>(position.north / model.range_step);
   const auto vehicle_east = static_cast<float>(position.east / model.range_step);
   const auto last = static_cast<float>(model.snr_db.size() - 1);
+  const int columns = model.cells_east;  // a copy: what is written below could otherwise be it
   for (std::size_t n = 0; n < model.cells_north; ++n) {
     const float north = (static_cast<float>(n) + 0.5F) * size_north - vehicle_north;
     std::uint16_t* const row = &ranges_[n * model.cells_east];
-    for (int e = 0; e < int{model.cells_east}; ++e) {
+    for (int e = 0; e < columns; ++e) {
       const float east = (static_cast<float>(e) + 0.5F) * size_east - vehicle_east;
       const float range = __builtin_sqrtf(north * north + east * east);
       row[e] = static_cast<std::uint16_t>(static_cast<int>((range < last ? range : last) + 0.5F));

@@ -1,91 +1,271 @@
-#include "policy/evaluate/evaluation.hpp"
-
-#include <chrono>
-#include <cstdio>
+#include <CLI/CLI.hpp>
+#include <cstring>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "firmware/config_file/table_reader.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/apps/world_options.hpp"
+#include "policy/baselines/catalogue.hpp"
+#include "policy/baselines/learned.hpp"
+#include "policy/evaluate/evaluation.hpp"
 #include "policy/evaluate/policy_file.hpp"
+#include "policy/evaluate/table.hpp"
+#include "policy/evaluate/world_file.hpp"
+#include "sim/parallel/rank_session.hpp"
+#include "sim/search/soundscape.hpp"
+#include "sim/sonar/gnuplot.hpp"
 
 namespace {
 
 using namespace earshot;
+using config_file::BadInput;
 
 struct Options {
-  std::string policy;
-  apps::WorldOptions world;
+  std::vector<std::string> files;
+  std::vector<std::string> policies;
+  std::vector<std::string> worlds;
+  bool suite = false;
+  apps::WorldOptions search{.source = "changing", .start = "inside_border"};
   std::size_t episodes = 300;
-  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> seed;
   std::optional<std::string> draw;
   std::optional<std::string> json;
+  std::optional<std::string> csv;
+  std::optional<std::string> plot;
+  bool timing = false;
 };
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("POLICY", options.policy, "frozen policy (.policy)")->required();
-  options.world.add_to(app);
-  app.add_option("--episodes", options.episodes, "searches to fly")->capture_default_str()->check(CLI::Range(1, 100'000'000));
-  app.add_option("--seed", options.seed, "seed of starts, sources and sampled actions")->capture_default_str();
-  app.add_option("--draw", options.draw, "how actions are drawn, instead of the policy's own way")
+std::string names_of_baselines() {
+  std::string names;
+  for (const baselines::Entry& entry : baselines::catalogue())
+    names += "\n  " + std::string(entry.name) + std::string(18 - entry.name.size(), ' ') + std::string(entry.what);
+  return names;
+}
+
+void add_options(CLI::App& app, Options& o) {
+  app.add_option("POLICY", o.files, "frozen policies (.policy)");
+  app.add_option("--policies", o.policies, "more of them, and others by name, separated by commas")->delimiter(',');
+  app.add_option("--world", o.worlds, "world files to search in, such as policy/worlds/noisy_4db.toml (the environment itself)");
+  app.add_flag("--suite", o.suite, "search in every world of policy/worlds");
+  o.search.add_to(app);
+  app.add_option("--episodes", o.episodes, "searches to fly in each world")->capture_default_str()->check(CLI::Range(1, 100'000'000));
+  app.add_option("--seed", o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
+  app.add_option("--draw", o.draw, "how learned policies draw actions, instead of each one's own way")
       ->check(CLI::IsMember({"argmax", "sampled"}));
-  app.add_option("--json", options.json, "also write the figures there");
+  app.add_option("--json", o.json, "also write the figures there");
+  app.add_option("--csv", o.csv, "also write the table there");
+  app.add_option("--plot", o.plot, "also draw it there (.png or .svg)");
+  app.add_flag("--timing", o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
+  app.footer("By name:\n  shipped           the policy that ships (policy/frozen)" + names_of_baselines() +
+             "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what the --environment says is heard.\n"
+             "mpirun -n N earshot evaluate ... shares the searches out.\n"
+             "Example: earshot evaluate --policies shipped,bayes,oracle --episodes 3000 --json evaluation.json");
 }
 
-std::string in_words(policy::ActionDraw draw) {
-  return draw == policy::ActionDraw::kArgmax ? "argmax" : "sampled";
+/// One that searches: a learned policy, or a baseline when there is none.
+struct Contestant {
+  std::string name;
+  std::unique_ptr<policy::FrozenPolicy> learned;
+};
+
+Contestant contestant_named(const std::string& name) {
+  for (const baselines::Entry& entry : baselines::catalogue()) {
+    if (entry.name == name) return {name, nullptr};
+  }
+  if (name == "shipped") return {name, evaluate::load_policy(apps::shipped_policy())};
+  if (name.find_first_of("./") == std::string::npos) {
+    std::string known = "shipped";
+    for (const baselines::Entry& entry : baselines::catalogue()) known += ", " + std::string(entry.name);
+    throw BadInput("--policies: " + name + ": neither a .policy file nor one of " + known);
+  }
+  return {name, evaluate::load_policy(name)};
 }
 
-std::string as_json(const Options& options, policy::ActionDraw draw, const evaluate::Summary& s) {
-  nlohmann::ordered_json json;
-  json["policy"] = options.policy;
-  json["draw"] = in_words(draw);
-  json["seed"] = options.seed;
-  json["episodes"] = s.episodes;
-  json["mean_reward"] = s.mean_reward;
-  json["lower_quartile_reward"] = s.lower_quartile_reward;
-  json["median_reward"] = s.median_reward;
-  json["upper_quartile_reward"] = s.upper_quartile_reward;
-  json["found_fraction"] = s.found_fraction;
-  json["left_domain_fraction"] = s.left_domain_fraction;
-  json["mean_steps"] = s.mean_steps;
-  json["mean_detections"] = s.mean_detections;
+std::vector<Contestant> contestants_of(const Options& o) {
+  std::vector<Contestant> contestants;
+  for (const auto* names : {&o.files, &o.policies}) {
+    for (const std::string& name : *names) contestants.push_back(contestant_named(name));
+  }
+  if (contestants.empty()) throw BadInput("earshot evaluate: no policy given; try --policies shipped,bayes,oracle");
+  return contestants;
+}
+
+/// The search that the learned policies were trained for, the paper's when there is none.
+search::SearchSettings settings_of(const std::vector<Contestant>& contestants) {
+  const Contestant* first = nullptr;
+  for (const Contestant& c : contestants) {
+    if (!c.learned) continue;
+    if (first == nullptr) first = &c;
+    const policy::FrozenPolicy& a = *first->learned;
+    const policy::FrozenPolicy& b = *c.learned;
+    if (a.step_length != b.step_length || a.area_size != b.area_size || a.detection_threshold != b.detection_threshold) {
+      throw BadInput(c.name + ": was trained for another area, step length or detection threshold than " + first->name +
+                     ": evaluate them one by one");
+    }
+  }
+  return first == nullptr ? search::SearchSettings{} : evaluate::search_of(*first->learned);
+}
+
+std::vector<evaluate::World> worlds_of(const Options& o, const std::filesystem::path& environment, Meters depth) {
+  std::vector<std::filesystem::path> files(o.worlds.begin(), o.worlds.end());
+  if (o.suite) {
+    for (const std::filesystem::path& path : evaluate::worlds_in(apps::data_folder() / "worlds")) files.push_back(path);
+  }
+  std::vector<evaluate::World> worlds;
+  for (const std::filesystem::path& file : files) worlds.push_back(evaluate::load_world(file));
+  if (worlds.empty()) {
+    ocean::Environment own = apps::environment_at(environment, depth);
+    worlds.push_back({.name = environment.stem().string(), .what = own.name, .seed = 1, .environment = std::move(own)});
+  }
+  for (evaluate::World& world : worlds) world.seed = o.seed.value_or(world.seed);
+  return worlds;
+}
+
+/// Everything a contest needs but a contestant.
+struct Arena {
+  const evaluate::World& world;
+  const search::Soundscape& soundscape;
+  const sonar::SnrCurve& expected;
+  search::SearchSettings settings;
+  std::size_t episodes;
+  std::optional<policy::ActionDraw> draw;
+};
+
+std::vector<evaluate::Flight> fly_share(const Contestant& contestant, const Arena& arena, const parallel::Ranks& ranks) {
+  search::SearchSettings settings = arena.settings;
+  if (contestant.learned) settings.direction_count = contestant.learned->actions.size();
+  search::SearchWorld world(settings, arena.soundscape, arena.world.environment.conditions);
+  if (contestant.learned) world.actions = contestant.learned->actions;
+  const baselines::Briefing briefing{.settings = settings, .actions = world.actions, .snr = arena.expected};
+  std::unique_ptr<baselines::Searcher> searcher;
+  if (contestant.learned) {
+    searcher = std::make_unique<baselines::Learned>(*contestant.learned, arena.draw.value_or(contestant.learned->draw), settings.domain);
+  } else {
+    searcher = baselines::make_baseline(contestant.name, briefing);
+  }
+  return evaluate::fly(*searcher, world, {.end = arena.episodes, .first = ranks.rank(), .stride = ranks.size()}, arena.world.seed);
+}
+
+/// On rank 0: the searches of all ranks in the order of one alone; elsewhere nothing.
+std::vector<evaluate::Flight> gathered(const std::vector<evaluate::Flight>& mine, std::size_t episodes, parallel::Ranks& ranks) {
+  static_assert(std::is_trivially_copyable_v<evaluate::Flight>);
+  const std::string bytes(reinterpret_cast<const char*>(mine.data()), mine.size() * sizeof(evaluate::Flight));
+  const std::vector<std::string> shares = ranks.gather(bytes);
+  std::vector<evaluate::Flight> all(shares.empty() ? 0 : episodes);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    std::memcpy(&all[i], shares[i % shares.size()].data() + i / shares.size() * sizeof(evaluate::Flight), sizeof(evaluate::Flight));
+  return all;
+}
+
+nlohmann::ordered_json as_json(const evaluate::Row& row, evaluate::Timing timing) {
+  const evaluate::Summary& s = row.summary;
+  const auto interval = [](const evaluate::Interval& i) { return nlohmann::ordered_json{i.low, i.high}; };
+  nlohmann::ordered_json json{{"world", row.world},
+                              {"policy", row.policy},
+                              {"episodes", s.episodes},
+                              {"mean_reward", s.mean_reward},
+                              {"mean_reward_95", interval(row.intervals.mean_reward)},
+                              {"lower_quartile_reward", s.lower_quartile_reward},
+                              {"median_reward", s.median_reward},
+                              {"median_reward_95", interval(row.intervals.median_reward)},
+                              {"upper_quartile_reward", s.upper_quartile_reward},
+                              {"found_fraction", s.found_fraction},
+                              {"found_fraction_95", interval(row.intervals.found_fraction)},
+                              {"left_domain_fraction", s.left_domain_fraction},
+                              {"path_over_straight", row.path_over_straight},
+                              {"path_over_straight_95", interval(row.intervals.path_over_straight)},
+                              {"mean_steps", s.mean_steps},
+                              {"mean_detections", s.mean_detections}};
+  if (timing == evaluate::Timing::kIncluded) json["decision_us"] = 1e6 * row.decision_s;
+  return json;
+}
+
+std::string as_json(const Options& o, const search::SearchSettings& settings, const std::vector<evaluate::World>& worlds,
+                    const std::vector<evaluate::Row>& rows, evaluate::Timing timing) {
+  nlohmann::ordered_json json{{"episodes", o.episodes},
+                              {"source", *o.search.source},
+                              {"start", *o.search.start},
+                              {"border_width_m", settings.border_width.value},
+                              {"max_steps", settings.max_steps}};
+  for (const evaluate::World& world : worlds) json["worlds"].push_back({{"name", world.name}, {"what", world.what}, {"seed", world.seed}});
+  for (const evaluate::Row& row : rows) json["results"].push_back(as_json(row, timing));
   return json.dump(1) + "\n";
 }
 
-void print(const evaluate::Summary& s, policy::ActionDraw draw) {
-  std::printf("%zu episodes, actions %s\n", s.episodes, in_words(draw).c_str());
-  std::printf("reward      mean %.2f, median %.2f, quartiles %.2f to %.2f\n", s.mean_reward, s.median_reward, s.lower_quartile_reward,
-              s.upper_quartile_reward);
-  std::printf("found       %.1f %% (left the domain %.1f %%)\n", 100.0 * s.found_fraction, 100.0 * s.left_domain_fraction);
-  std::printf("steps       mean %.1f\n", s.mean_steps);
-  std::printf("detections  mean %.1f\n", s.mean_detections);
+void write_files(const Options& o, const search::SearchSettings& settings, const std::vector<evaluate::World>& worlds,
+                 const std::vector<evaluate::Row>& rows) {
+  const evaluate::Timing timing = o.timing ? evaluate::Timing::kIncluded : evaluate::Timing::kLeftOut;
+  if (o.json) apps::write_whole(*o.json, as_json(o, settings, worlds, rows, timing));
+  if (o.csv) apps::write_whole(*o.csv, evaluate::as_csv(rows, timing));
+  if (!o.plot) return;
+  try {
+    sonar::draw(*o.plot, "1400,900", evaluate::as_plot(rows, std::to_string(o.episodes) + " searches in each world"));
+  } catch (const std::runtime_error& e) {
+    throw BadInput(e.what());
+  }
 }
 
-void evaluate_policy(const Options& options) {
-  const std::unique_ptr<policy::FrozenPolicy> policy = evaluate::load_policy(options.policy);
-  const Meters depth{options.world.vehicle_depth_m.value_or(300.0)};
-  const ocean::Environment environment = apps::environment_at(options.world.environment.value_or(""), depth);
-  if (options.json) apps::check_writable(*options.json);
-  search::SearchSettings settings = evaluate::search_of(*policy);
+void check_files(const Options& o) {
+  for (const auto& file : {o.json, o.csv, o.plot}) {
+    if (file) apps::check_writable(*file);
+  }
+  const std::string extension = o.plot ? std::filesystem::path(*o.plot).extension().string() : ".png";
+  if (extension != ".png" && extension != ".svg") throw BadInput("--plot: " + *o.plot + ": a plot's name must end in .png or .svg");
+}
+
+void evaluate_policies(const Options& o, parallel::Ranks& ranks) {
+  const bool speaks = ranks.rank() == 0;
+  const std::vector<Contestant> contestants = contestants_of(o);
+  const Meters depth{o.search.vehicle_depth_m.value_or(300.0)};
+  const std::filesystem::path environment_file =
+      o.search.environment.value_or((apps::data_folder() / "../sim/ocean/environments/munk_flat.toml").lexically_normal().string());
+  const ocean::Environment environment = apps::environment_at(environment_file, depth);
+  const std::vector<evaluate::World> worlds = worlds_of(o, environment_file, depth);
+  search::SearchSettings settings = settings_of(contestants);
   settings.source = environment.source.position;
-  options.world.apply_to(settings);
-  const sonar::SnrCurve curve = apps::curve_for(environment, depth, settings);
-  const search::SearchWorld world = evaluate::world_of(*policy, settings, curve);
-  const policy::ActionDraw draw = !options.draw               ? policy->draw
-                                  : *options.draw == "argmax" ? policy::ActionDraw::kArgmax
-                                                              : policy::ActionDraw::kSampled;
-  const evaluate::Summary summary = evaluate::summarise(evaluate::evaluate(*policy, draw, world, options.episodes, options.seed));
-  print(summary, draw);
-  if (options.json) apps::write_whole(*options.json, as_json(options, draw, summary));
+  o.search.apply_to(settings);
+  if (speaks) check_files(o);
+  const sonar::SnrCurve expected = apps::curve_for(environment, depth, settings);
+  std::optional<policy::ActionDraw> draw;
+  if (o.draw) draw = *o.draw == "argmax" ? policy::ActionDraw::kArgmax : policy::ActionDraw::kSampled;
+
+  std::vector<evaluate::Row> rows;
+  for (const evaluate::World& world : worlds) {
+    const search::Soundscape soundscape = apps::soundscape_for(world.environment, depth, settings);
+    const Arena arena{world, soundscape, expected, settings, o.episodes, draw};
+    const std::size_t first_row = rows.size();
+    for (const Contestant& contestant : contestants) {
+      const std::vector<evaluate::Flight> flights = gathered(fly_share(contestant, arena, ranks), o.episodes, ranks);
+      if (speaks) rows.push_back(evaluate::row_of(world.name, contestant.name, flights, world.seed));
+    }
+    if (speaks) {
+      std::cout << world.name << ": " << world.what << "; " << o.episodes << " searches, seed " << world.seed << "\n"
+                << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
+    }
+  }
+  if (speaks) write_files(o, settings, worlds, rows);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Flies many simulated searches with a frozen policy and says how it did.", "earshot evaluate");
-  app.footer("Example: earshot evaluate policy/frozen/fixed_source.policy --environment sim/ocean/environments/munk_flat.toml");
+  CLI::App app("Flies many simulated searches with policies and baselines and says how they did.", "earshot evaluate");
   Options options;
   add_options(app, options);
-  return apps::run_program(app, argc, argv, [&] { evaluate_policy(options); });
+  try {
+    parallel::RankSession session;
+    if (session.ranks().rank() != 0) {  // what is wrong is wrong on every rank: it is said once
+      std::cerr.rdbuf(nullptr);
+      std::cout.rdbuf(nullptr);
+    }
+    return apps::run_program(app, argc, argv, [&] { evaluate_policies(options, session.ranks()); });
+  } catch (const std::runtime_error& e) {
+    std::cerr << "earshot evaluate: " << e.what() << "\n";
+    return 2;
+  }
 }

@@ -34,6 +34,8 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<void()
     std::cerr << app.get_name() << ": " << e.what() << "\n";
   } catch (const BadInput& e) {
     if (*e.what() != '\0') std::cerr << e.what() << "\n";
+  } catch (const std::exception& e) {
+    std::cerr << app.get_name() << ": " << e.what() << "\n";
   }
   return kBadInputStatus;
 }
@@ -69,6 +71,22 @@ void check_writable(const std::filesystem::path& path) {
   const bool writable = !std::filesystem::is_directory(path, error) && std::ofstream(part).is_open();
   std::filesystem::remove(part, error);
   if (!writable) throw BadInput(path.string() + ": cannot be written");
+}
+
+std::filesystem::path data_folder() {
+  std::error_code error;
+  const std::filesystem::path bin = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (const char* relative : {"../../../policy", "../share/earshot/policy"}) {  // of build/<preset>/bin, of an installation's bin
+    const std::filesystem::path folder = (bin / relative).lexically_normal();
+    if (std::filesystem::is_directory(folder / "frozen", error)) return folder;
+  }
+  throw BadInput(bin.string() + ": the folder policy/ of the source tree is not there: name files instead");
+}
+
+std::filesystem::path shipped_policy() {
+  const std::filesystem::path frozen = data_folder() / "frozen";
+  const std::filesystem::path shipped = frozen / "shipped.policy";
+  return std::filesystem::exists(shipped) ? shipped : frozen / "fixed_source.policy";
 }
 
 std::string command_line(int argc, char** argv) {

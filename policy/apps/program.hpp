@@ -28,6 +28,13 @@ void check_writable(const std::filesystem::path& path);
 /// The command line as a person would type it again.
 [[nodiscard]] std::string command_line(int argc, char** argv);
 
+/// The folder policy/ that belongs to this program: the one of the tree it was built in, or that beside it in an installation.
+/// Throws config_file::BadInput when there is none.
+[[nodiscard]] std::filesystem::path data_folder();
+
+/// The policy that ships.
+[[nodiscard]] std::filesystem::path shipped_policy();
+
 /// Commit the programs were built from, "-dirty" appended when the tree differed; "unknown" outside a repository.
 [[nodiscard]] std::string build_commit();
 

@@ -15,9 +15,12 @@ void WorldOptions::add_to(CLI::App& app) {
                  "environment file (TOML): ocean, source and noise, such as sim/ocean/environments/munk_flat.toml");
   app.add_option("--vehicle-depth-m", vehicle_depth_m, "depth of the vehicle, metres (300)")->check(CLI::PositiveNumber);
   app.add_option("--source", source,
-                 "source: fixed where the environment puts it, or changing, uniform in the domain anew every episode (fixed)")
+                 "source: fixed where the environment puts it, or changing, uniform in the domain anew every episode (" +
+                     source.value_or("fixed") + ")")
       ->check(CLI::IsMember({"fixed", "changing"}));
-  app.add_option("--start", start, "vehicle starts uniformly in the domain, or inside_border, where the border costs nothing (domain)")
+  app.add_option(
+         "--start", start,
+         "vehicle starts uniformly in the domain, or inside_border, where the border costs nothing (" + start.value_or("domain") + ")")
       ->check(CLI::IsMember({"domain", "inside_border"}));
   app.add_option("--border-width-m", border_width_m, "width b of the border in which the reward falls to -100, metres (1000)")
       ->check(CLI::PositiveNumber);
@@ -43,10 +46,22 @@ ocean::Environment environment_at(const std::filesystem::path& path, Meters vehi
   return environment;
 }
 
-sonar::SnrCurve curve_for(const ocean::Environment& environment, Meters vehicle_depth, const search::SearchSettings& settings) {
+namespace {
+
+/// Out to the far corner of the domain and one step beyond.
+Meters furthest(const search::SearchSettings& settings) {
   const NorthEast diagonal = settings.domain.north_east - settings.domain.south_west;
-  const Meters furthest{std::hypot(diagonal.north.value, diagonal.east.value)};
-  return sonar::compute_snr_curve(environment, vehicle_depth, furthest + settings.step_length);
+  return Meters{std::hypot(diagonal.north.value, diagonal.east.value)} + settings.step_length;
+}
+
+}  // namespace
+
+sonar::SnrCurve curve_for(const ocean::Environment& environment, Meters vehicle_depth, const search::SearchSettings& settings) {
+  return sonar::compute_snr_curve(environment, vehicle_depth, furthest(settings));
+}
+
+search::Soundscape soundscape_for(const ocean::Environment& environment, Meters vehicle_depth, const search::SearchSettings& settings) {
+  return search::soundscape_of(environment, vehicle_depth, furthest(settings));
 }
 
 }  // namespace earshot::apps

@@ -7,18 +7,20 @@
 
 #include "sim/ocean/environment.hpp"
 #include "sim/search/settings.hpp"
+#include "sim/search/soundscape.hpp"
 #include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::apps {
 
-/// The part of a command line that says where a policy searches; what is not given leaves the settings as they are.
+/// The part of a command line that says where a policy searches; what is not given leaves the settings as they are. What is given before
+/// add_to() is its default.
 struct WorldOptions {
-  std::optional<std::string> environment;
-  std::optional<double> vehicle_depth_m;
-  std::optional<std::string> source;
-  std::optional<std::string> start;
-  std::optional<double> border_width_m;
-  std::optional<std::uint32_t> max_steps;
+  std::optional<std::string> environment = {};
+  std::optional<double> vehicle_depth_m = {};
+  std::optional<std::string> source = {};
+  std::optional<std::string> start = {};
+  std::optional<double> border_width_m = {};
+  std::optional<std::uint32_t> max_steps = {};
 
   void add_to(CLI::App& app);
   /// Throws config_file::BadInput when the settings contradict each other.
@@ -31,5 +33,9 @@ struct WorldOptions {
 /// SNR against range out to the far corner of the domain and one step beyond.
 [[nodiscard]] sonar::SnrCurve curve_for(const ocean::Environment& environment, Meters vehicle_depth,
                                         const search::SearchSettings& settings);
+
+/// What is heard in an environment, conditions apart; as far as curve_for.
+[[nodiscard]] search::Soundscape soundscape_for(const ocean::Environment& environment, Meters vehicle_depth,
+                                                const search::SearchSettings& settings);
 
 }  // namespace earshot::apps

@@ -1,37 +1,55 @@
 #include "policy/evaluate/evaluation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
+#include <chrono>
+#include <limits>
 
-#include "firmware/policy/network.hpp"
+#include "policy/baselines/learned.hpp"
 
 namespace earshot::evaluate {
 namespace {
 
-search::EpisodeRecord fly(const policy::FrozenPolicy& policy, policy::ActionDraw draw, const search::SearchWorld& world, Pcg32 starts,
-                          Pcg32 actions) {
-  std::array<float, config::kMaxObservation> observation{};
-  std::array<float, config::kMaxActions> logits{};
-  const std::span<float> seen = std::span(observation).first(policy.observation.spec.size());
-  const std::span<float> scores = std::span(logits).first(policy.actions.size());
-  search::Episode episode;
-  episode.start(world, policy.observation, starts);
+using std::chrono::steady_clock;
+
+const policy::ObservationModel kSeesNothing;  // searchers remember for themselves
+
+Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, Pcg32 starts, Pcg32 actions, search::Episode& episode) {
+  Flight flight;
+  searcher.begin(actions);
+  episode.start(world, kSeesNothing, starts);
+  const Meters to_source = range_between(episode.position(), episode.source());
+  flight.straight_m = (to_source - world.settings.step_length).value;
   while (episode.record().end == search::EpisodeEnd::kRunning) {
-    episode.observe(seen);
-    policy::forward(policy.network, seen, scores);
-    episode.step(world, policy::draw_action(draw, scores, actions));
+    const NorthEast before = episode.position();
+    const baselines::Look look{
+        .position = episode.believed_position(), .heard = episode.heard(), .vehicle = before, .source = episode.source()};
+    const steady_clock::time_point began = steady_clock::now();
+    const std::size_t action = searcher.choose(look);
+    flight.decision_s += std::chrono::duration<double>(steady_clock::now() - began).count();
+    episode.step(world, action);
+    flight.path_m += range_between(before, episode.position()).value;
   }
-  return episode.record();
+  flight.record = episode.record();
+  return flight;
 }
 
 }  // namespace
 
+std::vector<Flight> fly(baselines::Searcher& searcher, const search::SearchWorld& world, Episodes episodes, std::uint64_t seed) {
+  std::vector<Flight> flights;
+  search::Episode episode;
+  for (std::size_t i = episodes.first; i < episodes.end; i += episodes.stride)
+    flights.push_back(fly_one(searcher, world, Pcg32(seed, 2 * i), Pcg32(seed, 2 * i + 1), episode));
+  return flights;
+}
+
 std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, policy::ActionDraw draw, const search::SearchWorld& world,
                                             std::size_t episodes, std::uint64_t seed) {
   assert(world.actions.size() == policy.actions.size());
-  std::vector<search::EpisodeRecord> records(episodes);
-  for (std::size_t i = 0; i < episodes; ++i) records[i] = fly(policy, draw, world, Pcg32(seed, 2 * i), Pcg32(seed, 2 * i + 1));
+  baselines::Learned learned(policy, draw, world.settings.domain);
+  std::vector<search::EpisodeRecord> records;
+  for (const Flight& flight : fly(learned, world, {.end = episodes}, seed)) records.push_back(flight.record);
   return records;
 }
 
@@ -70,6 +88,27 @@ Summary summarise(std::span<const search::EpisodeRecord> records) {
   summary.median_reward = quantile(rewards, 0.5);
   summary.upper_quartile_reward = quantile(rewards, 0.75);
   return summary;
+}
+
+double path_over_straight(std::span<const Flight> flights) {
+  double path_m = 0.0;
+  double straight_m = 0.0;
+  for (const Flight& flight : flights) {
+    if (flight.record.end != search::EpisodeEnd::kFound) continue;
+    path_m += flight.path_m;
+    straight_m += flight.straight_m;
+  }
+  return straight_m > 0.0 ? path_m / straight_m : std::numeric_limits<double>::quiet_NaN();
+}
+
+double decision_time_s(std::span<const Flight> flights) {
+  double time_s = 0.0;
+  double decisions = 0.0;
+  for (const Flight& flight : flights) {
+    time_s += flight.decision_s;
+    decisions += flight.record.steps;
+  }
+  return time_s / decisions;
 }
 
 double quantile(std::vector<double> values, double q) {

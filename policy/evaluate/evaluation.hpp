@@ -6,12 +6,32 @@
 #include <vector>
 
 #include "firmware/policy/frozen_policy.hpp"
+#include "policy/baselines/searcher.hpp"
 #include "sim/search/episode.hpp"
 
 namespace earshot::evaluate {
 
+/// One search as it went.
+struct Flight {
+  search::EpisodeRecord record;
+  double path_m = 0.0;      ///< over ground
+  double straight_m = 0.0;  ///< from the start to within l of where the nearest source then was
+  double decision_s = 0.0;  ///< by the clock, all decisions together
+};
+
+/// Which episodes of a seed are flown: every stride-th from the first, below the end.
+struct Episodes {
+  std::size_t end;
+  std::size_t first = 0;
+  std::size_t stride = 1;
+};
+
+/// Episode i draws its start, its sources and all that its world's conditions ask for from stream 2i of the seed, what the searcher draws
+/// from stream 2i + 1: the same starts for every searcher.
+[[nodiscard]] std::vector<Flight> fly(baselines::Searcher& searcher, const search::SearchWorld& world, Episodes episodes,
+                                      std::uint64_t seed);
+
 /// Flies `episodes` searches with the arithmetic that flies at sea (firmware/policy); `world.actions` are the policy's.
-/// Episode i draws its start and source from stream 2i of the seed and its actions from stream 2i + 1: the same starts for every policy.
 [[nodiscard]] std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, policy::ActionDraw draw,
                                                           const search::SearchWorld& world, std::size_t episodes, std::uint64_t seed);
 
@@ -38,6 +58,13 @@ struct Summary {
 
 /// @param records  at least one
 [[nodiscard]] Summary summarise(std::span<const search::EpisodeRecord> records);
+
+/// Length of the paths over that of the straight lines, of the searches that found a source: the sum of the one over the sum of the other,
+/// so that a start a few metres out of reach, to which any detour is long, weighs no more than it should. NaN when none found one.
+[[nodiscard]] double path_over_straight(std::span<const Flight> flights);
+
+/// Mean over all decisions, seconds.
+[[nodiscard]] double decision_time_s(std::span<const Flight> flights);
 
 /// The q-quantile (0 to 1) by linear interpolation between order statistics, as NumPy's default. @param values  at least one, any order
 [[nodiscard]] double quantile(std::vector<double> values, double q);

@@ -1,22 +1,28 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
+#include "sim/ocean/conditions.hpp"
 #include "sim/ocean/sound_speed.hpp"
 
 namespace earshot::ocean {
 
-/// A uniform fluid sediment.
+/// A fluid sediment, linear in depth from its top to its base; where nothing is given for the base, as at the top.
 struct SedimentLayer {
   Meters thickness;                            ///< > 0; the last layer is a half-space and its thickness is not used
-  MetersPerSecond sound_speed;                 ///< > 0
+  MetersPerSecond sound_speed;                 ///< at the top, > 0
   double density_g_per_cm3 = 1.5;              ///< > 0; the water's is 1
   double attenuation_db_per_wavelength = 0.5;  ///< >= 0
+  std::optional<MetersPerSecond> sound_speed_at_base = {};
+  std::optional<double> density_at_base_g_per_cm3 = {};
+  std::optional<double> attenuation_at_base_db_per_wavelength = {};
 };
 
 struct Seabed {
@@ -64,7 +70,10 @@ struct Environment {
   std::vector<SeaFloorStation> sea_floor_stations = {};  ///< empty: `seabed.depth` at every range
   std::vector<SedimentStation> sediment_stations = {};   ///< empty: `seabed.layers` at every range
   std::shared_ptr<const Charts> charts = {};             ///< null: none
-  std::uint32_t file_crc32 = 0;  ///< CRC-32 of the file this was read from and of the data it names, for provenance; 0: none
+  std::uint32_t file_crc32 = 0;                ///< CRC-32 of the file this was read from and of the data it names, for provenance; 0: none
+  Conditions conditions = {};                  ///< of a search in it
+  std::vector<Environment> other_oceans = {};  ///< a search is in this one or one of these, each as likely as another
+  std::filesystem::path field_library = {};    ///< transmission loss computed beforehand, instead of this ocean's own; empty: none
 };
 
 }  // namespace earshot::ocean

@@ -18,6 +18,8 @@
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/core/crc32.hpp"
 #include "sim/ocean/charts.hpp"
+#include "sim/ocean/environment_conditions.hpp"
+#include "sim/ocean/environment_family.hpp"
 #include "sim/ocean/environment_noise.hpp"
 #include "sim/ocean/environment_seabed.hpp"
 #include "sim/ocean/environment_water.hpp"
@@ -50,6 +52,12 @@ struct Keys {
   WaterKeys water;
   SeabedKeys seabed;
   std::optional<BathymetryKeys> bathymetry;
+  Conditions conditions;
+  std::vector<std::filesystem::path> other_oceans;
+  std::optional<Family> family;
+  std::filesystem::path field_library;
+
+  [[nodiscard]] bool is_one_ocean() const { return other_oceans.empty() && !family && field_library.empty() && is_calm(conditions); }
 };
 
 std::uint32_t crc32_of(const std::filesystem::path& path, std::uint32_t previous) {
@@ -96,6 +104,32 @@ void check_reach(TableReader& water, const Keys& keys) {
   }
 }
 
+/// The family is drawn from the file's own ocean, which must have the numbers that are drawn.
+Family read_own_family(TableReader table, const Keys& keys) {
+  Family family = read_family(table);
+  const bool plain = keys.water.from == WaterSource::kKeys && std::holds_alternative<MunkProfile>(keys.water.profile) && !keys.bathymetry &&
+                     keys.seabed.stations.empty();
+  if (!plain)
+    table.problem("members", "are drawn from an ocean with a Munk profile, flat and the same everywhere; list others as [[oceans]]");
+  if (family.sea_floor_depth_m && !(family.sea_floor_depth_m->lowest > keys.source.depth.value)) {
+    table.problem("sea_floor_depth_m", "must be more than source.depth_m");
+  }
+  return family;
+}
+
+/// What a search meets besides this one ocean.
+void read_search_keys(const config_file::File& file, TableReader& root, Keys& keys) {
+  if (const auto conditions = root.optional_table("conditions")) keys.conditions = read_conditions(*conditions);
+  if (const auto family = root.optional_table("family")) keys.family = read_own_family(*family, keys);
+  if (root.has("oceans")) {
+    for (TableReader& ocean : root.tables("oceans")) keys.other_oceans.push_back(file.resolve(ocean.text("environment")));
+  }
+  if (auto library = root.optional_table("field_library")) keys.field_library = file.resolve(library->text("file"));
+  if (!keys.field_library.empty() && (keys.family || !keys.other_oceans.empty())) {
+    root.problem("field_library", "cannot be there with family or oceans");
+  }
+}
+
 Keys read_keys(const config_file::File& file) {
   TableReader root = file.root();
   TableReader source = root.table("source");
@@ -106,13 +140,18 @@ Keys read_keys(const config_file::File& file) {
             .origin = {},
             .water = read_water(file, water),
             .seabed = {},
-            .bathymetry = {}};
+            .bathymetry = {},
+            .conditions = {},
+            .other_oceans = {},
+            .family = {},
+            .field_library = {}};
   if (const auto origin = root.optional_table("origin")) keys.origin = read_origin(*origin);
   if (const auto absorption = root.optional_table("absorption")) {
     keys.absorption_db_per_km = read_absorption(*absorption, keys.source.frequency);
   }
   if (const auto bathymetry = root.optional_table("bathymetry")) keys.bathymetry = read_bathymetry(file, *bathymetry);
   keys.seabed = read_seabed(root.table("seabed"), keys.bathymetry ? SeaFloorDepth::kGivenByBathymetry : SeaFloorDepth::kGivenHere);
+  read_search_keys(file, root, keys);
   const bool chart = keys.bathymetry && keys.bathymetry->layout != BathymetryLayout::kSectionCsv;
   if (!keys.origin && (chart || keys.water.from == WaterSource::kAtlas)) {
     root.problem("origin", "must be there, with latitude_deg and longitude_deg: where north_m = 0, east_m = 0 lies on the charts");
@@ -192,10 +231,8 @@ void check_against_data(const std::filesystem::path& path, const Environment& en
   for (const WaterStation& station : environment.water_stations) check(station.profile);
 }
 
-}  // namespace
-
-Environment load_environment(const std::filesystem::path& path) {
-  const Keys keys = read_keys(config_file::File(path));
+/// The file's own ocean.
+Environment own_ocean(const std::filesystem::path& path, const Keys& keys) {
   std::uint32_t crc = crc32_of(path, 0);
   Environment environment{.name = keys.name,
                           .water = {},
@@ -203,7 +240,9 @@ Environment load_environment(const std::filesystem::path& path) {
                           .source = keys.source,
                           .noise_level = keys.noise_level,
                           .absorption_db_per_km = keys.absorption_db_per_km,
-                          .sediment_stations = keys.seabed.stations};
+                          .sediment_stations = keys.seabed.stations,
+                          .conditions = keys.conditions,
+                          .field_library = keys.field_library};
   auto charts = std::make_shared<Charts>(Charts{.grid = {keys.origin.value_or(GeoPosition{})}, .bathymetry = {}, .climatology = {}});
   take_water(environment, *charts, keys, crc);
   take_sea_floor(environment, *charts, keys, crc);
@@ -214,6 +253,21 @@ Environment load_environment(const std::filesystem::path& path) {
   environment.water = at_source.water.front().profile;
   environment.seabed.depth = at_source.sea_floor.front().depth;
   check_against_data(path, environment, *charts);
+  return environment;
+}
+
+}  // namespace
+
+Environment load_environment(const std::filesystem::path& path) {
+  const Keys keys = read_keys(config_file::File(path));
+  Environment environment = own_ocean(path, keys);
+  if (keys.family) environment.other_oceans = draw_family(environment, *keys.family);
+  for (const std::filesystem::path& other : keys.other_oceans) {
+    const Keys its_keys = read_keys(config_file::File(other));
+    if (!its_keys.is_one_ocean()) throw BadInput(path.string() + ": oceans: " + other.string() + ": must be one ocean without conditions");
+    environment.other_oceans.push_back(own_ocean(other, its_keys));
+    environment.file_crc32 = crc32_of(other, environment.file_crc32);
+  }
   return environment;
 }
 

@@ -2,20 +2,7 @@
 
 #include <cassert>
 
-#include "firmware/detector/threshold_detector.hpp"
-
 namespace earshot::search {
-namespace {
-
-NorthEast uniform_in(const Rectangle& area, Pcg32& random) {
-  const double north = random.uniform_double();
-  const double east = random.uniform_double();
-  return {area.south_west.north + north * (area.north_east.north - area.south_west.north),
-          area.south_west.east + east * (area.north_east.east - area.south_west.east)};
-}
-
-}  // namespace
-
 void Episode::start(const SearchWorld& world, const policy::ObservationModel& model, Pcg32& random) {
   const SearchSettings& s = world.settings;
   NorthEast source = s.source;
@@ -24,31 +11,53 @@ void Episode::start(const SearchWorld& world, const policy::ObservationModel& mo
     if (s.placement == SourcePlacement::kChanging) source = uniform_in(s.domain, random);
     position = uniform_in(s.start_region, random);
   } while (range_between(position, source) <= s.step_length);
-  start_at(world, model, position, source);
+  if (world.soundscape == nullptr) return start_at(world, model, position, source);
+  const std::uint64_t high = random.next();
+  const std::uint64_t seed = (high << 32U) | random.next();
+  start_at(world, model, position, source, Pcg32(seed));
 }
 
-void Episode::start_at(const SearchWorld& world, const policy::ObservationModel& model, NorthEast position, NorthEast source) {
+void Episode::start_at(const SearchWorld& world, const policy::ObservationModel& model, NorthEast position, NorthEast source,
+                       Pcg32 conditions) {
   position_ = position;
   source_ = source;
-  snr_ = world.snr.at(range_between(position_, source_));
-  model_ = &model;
-  memory_.start(model, position_ - world.settings.domain.south_west, {.snr = snr_});
+  navigation_error_ = {};
   record_ = {};
+  model_ = &model;
+  if (world.soundscape == nullptr) {
+    heard_ = {.snr = world.snr.at(range_between(position_, source_))};
+  } else {
+    surroundings_.start(world, position, source, conditions);
+    heard_ = surroundings_.listen(world, position_);
+    source_ = surroundings_.nearest_source(position_);
+  }
+  memory_.start(model, in_domain(world), heard_);
+}
+
+void Episode::move(const SearchWorld& world, NorthEast through_water) {
+  if (world.soundscape == nullptr) {
+    position_ = position_ + through_water;
+    heard_.snr = world.snr.at(range_between(position_, source_));
+  } else {
+    position_ =
+        position_ + surroundings_.pass(world, through_water, world.settings.step_length.value / world.conditions.vehicle_speed.value);
+    heard_ = surroundings_.listen(world, position_);
+    source_ = surroundings_.nearest_source(position_);
+    navigation_error_ = surroundings_.navigation_error();
+  }
 }
 
 double Episode::step(const SearchWorld& world, std::size_t action) {
   assert(record_.end == EpisodeEnd::kRunning);
   const SearchSettings& s = world.settings;
-  position_ = position_ + s.step_length * world.actions[action];
-  const Meters range = range_between(position_, source_);
-  snr_ = world.snr.at(range);
-  memory_.remember(*model_, position_ - s.domain.south_west, {.snr = snr_});
+  move(world, s.step_length * world.actions[action]);
+  memory_.remember(*model_, in_domain(world), heard_);
 
-  const double reward = step_reward(s, position_, snr_);
+  const double reward = step_reward(s, position_, heard_);
   record_.reward += reward;
   record_.steps += 1;
-  record_.detections += detector::ThresholdDetector{s.detection_threshold}.detects(snr_) ? 1U : 0U;
-  if (range <= s.step_length) {
+  record_.detections += is_detection(s, heard_) ? 1U : 0U;
+  if (range_between(position_, source_) <= s.step_length) {
     record_.end = EpisodeEnd::kFound;
   } else if (!s.domain.contains(position_)) {
     record_.end = EpisodeEnd::kLeftDomain;

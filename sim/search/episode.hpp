@@ -8,8 +8,8 @@
 #include "firmware/core/random.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/policy/observation.hpp"
-#include "sim/search/settings.hpp"
-#include "sim/sonar/snr_curve.hpp"
+#include "sim/search/surroundings.hpp"
+#include "sim/search/world.hpp"
 
 namespace earshot::search {
 
@@ -29,26 +29,21 @@ struct EpisodeRecord {
   EpisodeEnd end = EpisodeEnd::kRunning;
 };
 
-/// What never changes while episodes run; must outlive them.
-struct SearchWorld {
-  SearchSettings settings;
-  const sonar::SnrCurve& snr;  ///< SNR at the vehicle's depth against horizontal range; covers the domain's diagonal
-  ActionTable actions;
-
-  SearchWorld(const SearchSettings& s, const sonar::SnrCurve& curve)
-      : settings(s), snr(curve), actions(compass_directions(s.direction_count)) {}
-};
-
 /// One search: a vehicle that takes steps of length l until it is within l of the source, out of the domain, or out of time.
 /// A source reached with step N counts as found.
+///
+/// In a world with conditions, truth and belief part: reward, border and finding go by where the vehicle is, observations by where
+/// navigation believes it, and a detection is one of what was heard. Everything is judged at the ends of steps, as in the paper.
 class Episode {
  public:
   /// Draws the source (kChanging) and the start. A start within l of the source would end before its first step: the start is drawn
-  /// again; a changing source is drawn again with it, so that no source position is without a start.
+  /// again; a changing source is drawn again with it, so that no source position is without a start. Start and source are those of a calm
+  /// world for the same `random`.
   /// @param model  what is remembered and seen; must outlive the episode
   void start(const SearchWorld& world, const policy::ObservationModel& model, Pcg32& random);
-  /// Starts at a given place.
-  void start_at(const SearchWorld& world, const policy::ObservationModel& model, NorthEast position, NorthEast source);
+  /// Starts at a given place. @param conditions  for what the world's conditions draw
+  void start_at(const SearchWorld& world, const policy::ObservationModel& model, NorthEast position, NorthEast source,
+                Pcg32 conditions = Pcg32(0));
 
   /// Takes one step; returns its reward. @param action below the size of world.actions; the episode is running.
   double step(const SearchWorld& world, std::size_t action);
@@ -57,16 +52,27 @@ class Episode {
   void observe(std::span<float> observation) const { policy::observe(memory_, *model_, observation); }
 
   [[nodiscard]] const EpisodeRecord& record() const { return record_; }
+  /// Where the vehicle is.
   [[nodiscard]] NorthEast position() const { return position_; }
+  /// Where navigation believes it.
+  [[nodiscard]] NorthEast believed_position() const { return position_ + navigation_error_; }
+  /// The source, the nearest of several.
   [[nodiscard]] NorthEast source() const { return source_; }
-  [[nodiscard]] Decibels snr() const { return snr_; }
+  [[nodiscard]] policy::Heard heard() const { return heard_; }
+  /// As heard; where it was too faint to measure, the least that could have been.
+  [[nodiscard]] Decibels snr() const { return heard_.snr; }
   /// What is believed about the source; meaningful only when the model's spec needs it.
   [[nodiscard]] const policy::Belief& belief() const { return memory_.belief(); }
 
  private:
+  void move(const SearchWorld& world, NorthEast through_water);
+  [[nodiscard]] NorthEast in_domain(const SearchWorld& world) const { return believed_position() - world.settings.domain.south_west; }
+
   NorthEast position_;
   NorthEast source_;
-  Decibels snr_;
+  NorthEast navigation_error_;
+  policy::Heard heard_;
+  Surroundings surroundings_;  ///< unused in a calm world of one ocean
   const policy::ObservationModel* model_ = nullptr;
   policy::SearchMemory memory_;
   EpisodeRecord record_;

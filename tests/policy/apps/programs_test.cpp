@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,9 @@ class Programs : public testing::Test {
   ~Programs() override { fs::remove_all(folder); }
 
   /// Runs `earshot-<words>` in the test's folder; returns its exit status.
-  int run(const std::string& words) {
-    const std::string command = "cd '" + folder.string() + "' && '" EARSHOT_BIN_DIR "/earshot-" + words.substr(0, words.find(' ')) + "'" +
-                                words.substr(words.find(' ')) + " >out 2>err";
+  int run(const std::string& words, const std::string& launcher = "") {
+    const std::string command = "cd '" + folder.string() + "' && " + launcher + "'" EARSHOT_BIN_DIR "/earshot-" +
+                                words.substr(0, words.find(' ')) + "'" + words.substr(words.find(' ')) + " >out 2>err";
     const int status = std::system(command.c_str());  // NOLINT: our own programs
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -79,7 +80,8 @@ TEST_F(Programs, TrainFreezeAndEvaluateMakeAPolicyThatFlies) {
   ASSERT_EQ(run("evaluate a.policy" + kOcean + " --episodes 20 --json a.json"), 0) << content(folder / "err");
   const auto json = nlohmann::json::parse(content(folder / "a.json"));
   EXPECT_EQ(json["episodes"], 20);
-  EXPECT_EQ(json["draw"], "sampled");
+  ASSERT_EQ(json["results"].size(), 1U);
+  EXPECT_EQ(json["results"][0]["policy"], "a.policy");
   EXPECT_EQ(files(), (std::vector<std::string>{"a.checkpoint", "a.csv", "a.json", "a.key", "a.policy", "a.pub", "a.updates.csv"}));
 }
 
@@ -214,9 +216,67 @@ TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
   refuses("evaluate none.policy" + kOcean, {"none.policy", "no such file"});
   refuses("evaluate flipped.policy" + kOcean, {"flipped.policy", "CRC-32"});
   refuses("evaluate short.policy" + kOcean, {"short.policy"});
-  refuses("evaluate " + kShipped, {"--environment"});
+  refuses("evaluate", {"no policy"});
+  refuses("evaluate --policies bayes,swordfish", {"swordfish", "bayes_infogain"});
+  refuses("evaluate --policies oracle --environment none.toml", {"none.toml", "no such file"});
+  refuses("evaluate --policies oracle --world none.toml", {"none.toml", "no such file"});
+  refuses("evaluate --policies oracle --plot a.gif", {"a.gif", ".png or .svg"});
+  std::ofstream(folder / "bad.toml") << "name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"" << kSource
+                                     << "/sim/ocean/environments/munk_flat.toml\"\n[conditions]\nfluctuation_db = -1.0\n";
+  refuses("evaluate --policies oracle --world bad.toml", {"bad.toml:6", "fluctuation_db", "at least 0"});
   refuses("evaluate " + kShipped + kOcean + " --episodes 0", {"--episodes", "0"});
   refuses("evaluate " + kShipped + kOcean + " --json nowhere/a.json", {"nowhere/a.json", "cannot be written"});
+}
+
+TEST_F(Programs, EvaluateNeedsNothingButTheNamesOfPolicies) {
+  ASSERT_EQ(run("evaluate --policies shipped,bayes,oracle --episodes 30 --json a.json --csv a.csv --plot a.svg"), 0)
+      << content(folder / "err");
+  const auto json = nlohmann::json::parse(content(folder / "a.json"));
+  EXPECT_EQ(json["source"], "changing");
+  EXPECT_EQ(json["start"], "inside_border");
+  ASSERT_EQ(json["results"].size(), 3U);
+  EXPECT_EQ(json["results"][0]["policy"], "shipped");
+  EXPECT_EQ(json["results"][2]["found_fraction"], 1.0) << "an oracle that heeds no border finds every source";
+  EXPECT_GE(json["results"][2]["path_over_straight"], 1.0);
+  EXPECT_EQ(std::ranges::count(content(folder / "a.csv"), '\n'), 4);
+  EXPECT_EQ(content(folder / "a.svg").substr(0, 5), "<?xml");
+  EXPECT_NE(content(folder / "out").find("us/decision"), std::string::npos);
+}
+
+TEST_F(Programs, EvaluateFliesTheSameStartsForEveryPolicyInEveryOrder) {
+  ASSERT_EQ(run("evaluate --policies oracle,gradient --episodes 40 --csv a.csv"), 0);
+  ASSERT_EQ(run("evaluate --policies gradient,oracle --episodes 40 --csv b.csv"), 0);
+  const auto lines_of = [&](const char* file) {
+    std::istringstream stream(content(folder / file));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    std::ranges::sort(lines);
+    return lines;
+  };
+  EXPECT_EQ(lines_of("a.csv"), lines_of("b.csv"));
+}
+
+TEST_F(Programs, EvaluateSearchesInWorldsWithTheirOwnSeeds) {
+  const std::string worlds = kSource + "/policy/worlds/";
+  ASSERT_EQ(run("evaluate --policies oracle --episodes 20 --world " + worlds + "noisy_4db.toml " + worlds + "hilly.toml --json a.json"), 0)
+      << content(folder / "err");
+  const auto json = nlohmann::json::parse(content(folder / "a.json"));
+  EXPECT_EQ(json["worlds"][0]["seed"], 1002);
+  ASSERT_EQ(json["results"].size(), 2U);
+  EXPECT_EQ(json["results"][1]["world"], "hilly");
+  EXPECT_GT(json["results"][1]["mean_detections"], 0.0);
+}
+
+TEST_F(Programs, EvaluateWritesTheSameBytesFromTwoRanks) {
+  if (std::string(EARSHOT_MPIEXEC).empty()) GTEST_SKIP() << "built without MPI";
+  const std::string words = "evaluate --policies shipped,bayes,random --episodes 31 --world " + kSource + "/policy/worlds/noisy_4db.toml";
+  // As root runs it in containers; --oversubscribe where there is one core.
+  const std::string launcher = std::string(EARSHOT_MPIEXEC) + " --allow-run-as-root --oversubscribe -n 2 ";
+  ASSERT_EQ(run(words + " --json one.json --csv one.csv"), 0) << content(folder / "err");
+  ASSERT_EQ(run(words + " --json two.json --csv two.csv", launcher), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "one.json"), content(folder / "two.json"));
+  EXPECT_EQ(content(folder / "one.csv"), content(folder / "two.csv"));
+  EXPECT_NE(run("evaluate --policies swordfish", launcher), 0);
 }
 
 TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
@@ -231,9 +291,35 @@ TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
   refuses("freeze a.checkpoint -o a.policy --key word.key", {"word.key", "64 hexadecimal digits"});
   refuses("freeze a.checkpoint -o a.policy --key a.key --new-key", {"a.key", "exists"});
   refuses("freeze a.checkpoint -o nowhere/a.policy --key a.key", {"nowhere/a.policy", "cannot be written"});
-  refuses("freeze a.checkpoint --key a.key", {"CHECKPOINT", "--output"});
+  refuses("freeze a.checkpoint --key a.key", {"MODEL", "--output"});
   refuses("freeze a.checkpoint -o a.policy --key a.key --draw dice", {"--draw", "dice"});
   EXPECT_EQ(content(folder / "a.key"), key);
+}
+
+TEST_F(Programs, FreezeReadsModelsTrainedElsewhere) {
+  const std::string models = kSource + "/tests/policy/freeze/models/";
+  ASSERT_EQ(run("freeze " + models + "memory.zip -o a.policy --key a.key --new-key"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "a.policy").find("trained_by = stable-baselines3 2.3.2 PPO"), std::string::npos);
+  EXPECT_EQ(run("freeze " + models + "memory.onnx -o b.policy --key a.key --draw argmax"), 0) << content(folder / "err");
+  EXPECT_EQ(run("evaluate b.policy" + kOcean + " --episodes 5"), 0) << content(folder / "err");
+}
+
+TEST_F(Programs, FreezeRefusesModelsItCannotBeSureOfInOneLine) {
+  const std::string models = kSource + "/tests/policy/freeze/models/";
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
+  std::ofstream(folder / "cut.zip", std::ios::binary) << content(models + "memory.zip").substr(0, 20'000);
+  std::ofstream(folder / "text.onnx") << "swordfish\n";
+  std::ofstream(folder / "bad.json") << "{}\n";
+  const auto refuses_model = [&](const std::string& words, std::initializer_list<std::string> parts) {
+    refuses("freeze " + words + " -o a.policy --key a.key", parts);
+  };
+  refuses_model("cut.zip", {"cut.zip", "cut short"});
+  refuses_model("text.onnx", {"text.onnx"});
+  refuses_model(models + "relu.zip", {"relu.zip", "activation_fn", "ReLU"});
+  refuses_model(models + "own_policy.zip", {"own_policy.zip", "policy_class"});
+  refuses_model(models + "plain_save.zip", {"plain_save.zip", "--search"});
+  refuses_model(models + "plain_save.zip --search bad.json", {"plain_save.zip", "search description"});
+  refuses_model(models + "memory.zip --search bad.json", {"memory.zip", "--search"});
 }
 
 TEST_F(Programs, HelpExplainsItselfAndEndsWell) {

@@ -1,0 +1,61 @@
+#include "policy/baselines/catalogue.hpp"
+
+#include <array>
+
+#include "policy/baselines/bayes.hpp"
+#include "policy/baselines/genetic.hpp"
+#include "policy/baselines/gradient.hpp"
+#include "policy/baselines/oracle.hpp"
+#include "policy/baselines/patterns.hpp"
+
+namespace earshot::baselines {
+namespace {
+
+using Make = std::unique_ptr<Searcher> (*)(const Briefing&);
+
+template <class S>
+std::unique_ptr<Searcher> make(const Briefing& briefing) {
+  return std::make_unique<S>(briefing);
+}
+
+template <Border border>
+std::unique_ptr<Searcher> make_oracle(const Briefing& briefing) {
+  return std::make_unique<Oracle>(briefing, border);
+}
+
+constexpr std::array kCatalogue{
+    Entry{"oracle", "knows the source and goes straight to it, heedless of the border"},
+    Entry{"oracle_lookahead", "knows the source, looks one step ahead at the border"},
+    Entry{"random", "random walk"},
+    Entry{"lawn_mower", "parallel tracks, twice the assured detection range apart"},
+    Entry{"expanding_square", "square spiral about the start, tracks two step lengths apart"},
+    Entry{"gradient", "goes on while it grows louder, turns when it grows fainter"},
+    Entry{"bayes", "grid belief, goes to the likeliest cell"},
+    Entry{"bayes_infogain", "grid belief, takes the step that is expected to tell most"},
+    Entry{"genetic", "grid belief, path planned by a genetic algorithm anew after every look"},
+};
+
+constexpr std::array<Make, kCatalogue.size()> kMakers{make_oracle<Border::kIgnored>,
+                                                      make_oracle<Border::kSeenOneStepAhead>,
+                                                      make<RandomWalk>,
+                                                      make<LawnMower>,
+                                                      make<ExpandingSquare>,
+                                                      make<GradientClimb>,
+                                                      make<Bayes>,
+                                                      make<BayesInformationGain>,
+                                                      make<Genetic>};
+
+}  // namespace
+
+std::span<const Entry> catalogue() {
+  return kCatalogue;
+}
+
+std::unique_ptr<Searcher> make_baseline(std::string_view name, const Briefing& briefing) {
+  for (std::size_t i = 0; i < kCatalogue.size(); ++i) {
+    if (kCatalogue[i].name == name) return kMakers[i](briefing);
+  }
+  return nullptr;
+}
+
+}  // namespace earshot::baselines

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "policy/baselines/searcher.hpp"
+
+namespace earshot::baselines {
+
+struct Entry {
+  std::string_view name;
+  std::string_view what;  ///< in a few words
+};
+
+/// Every searcher that is not learned.
+[[nodiscard]] std::span<const Entry> catalogue();
+
+/// The baseline of that name; null when there is none. @param briefing  outlives it
+[[nodiscard]] std::unique_ptr<Searcher> make_baseline(std::string_view name, const Briefing& briefing);
+
+}  // namespace earshot::baselines

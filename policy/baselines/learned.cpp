@@ -1,0 +1,30 @@
+#include "policy/baselines/learned.hpp"
+
+#include <array>
+#include <span>
+
+namespace earshot::baselines {
+
+void Learned::begin(Pcg32 random) {
+  random_ = random;
+  is_first_ = true;
+}
+
+std::size_t Learned::choose(const Look& look) {
+  const NorthEast place = look.position - corner_;
+  if (is_first_) {
+    memory_.start(policy_.observation, place, look.heard);
+  } else {
+    memory_.remember(policy_.observation, place, look.heard);
+  }
+  is_first_ = false;
+  std::array<float, config::kMaxObservation> observation{};
+  std::array<float, config::kMaxActions> logits{};
+  const std::span<float> seen = std::span(observation).first(policy_.observation.spec.size());
+  const std::span<float> scores = std::span(logits).first(policy_.actions.size());
+  policy::observe(memory_, policy_.observation, seen);
+  policy::forward(policy_.network, seen, scores);
+  return policy::draw_action(draw_, scores, random_);
+}
+
+}  // namespace earshot::baselines

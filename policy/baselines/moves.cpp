@@ -1,0 +1,43 @@
+#include "policy/baselines/moves.hpp"
+
+#include <limits>
+
+namespace earshot::baselines {
+namespace {
+
+/// The action of the least cost; the first of equals.
+template <class Cost>
+std::size_t cheapest(const Briefing& briefing, NorthEast position, Cost cost) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t action = 0; action < briefing.actions.size(); ++action) {
+    const double c = cost(end_of(briefing, position, action));
+    if (c < least) {
+      least = c;
+      best = action;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+NorthEast end_of(const Briefing& briefing, NorthEast position, std::size_t action) {
+  return position + briefing.settings.step_length * briefing.actions[action];
+}
+
+double border_cost(const search::SearchSettings& settings, NorthEast position) {
+  return -search::step_reward(settings, position, settings.detection_threshold);
+}
+
+std::size_t straight_toward(const Briefing& briefing, NorthEast position, NorthEast place) {
+  return cheapest(briefing, position, [place](NorthEast end) { return range_between(end, place).value; });
+}
+
+std::size_t warily_toward(const Briefing& briefing, NorthEast position, NorthEast place) {
+  return cheapest(briefing, position, [&](NorthEast end) {
+    return range_between(end, place) / briefing.settings.step_length + border_cost(briefing.settings, end);
+  });
+}
+
+}  // namespace earshot::baselines

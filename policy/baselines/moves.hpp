@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include "policy/baselines/searcher.hpp"
+
+namespace earshot::baselines {
+
+[[nodiscard]] NorthEast end_of(const Briefing& briefing, NorthEast position, std::size_t action);
+
+/// What the border takes at a place, as a positive number; 0 inside.
+[[nodiscard]] double border_cost(const search::SearchSettings& settings, NorthEast position);
+
+/// The action that ends nearest to a place, heedless of the border; the first of equals.
+[[nodiscard]] std::size_t straight_toward(const Briefing& briefing, NorthEast position, NorthEast place);
+
+/// The action that ends nearest to a place, where each step length of distance weighs as much as a point of border cost at the end.
+[[nodiscard]] std::size_t warily_toward(const Briefing& briefing, NorthEast position, NorthEast place);
+
+}  // namespace earshot::baselines

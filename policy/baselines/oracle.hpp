@@ -1,0 +1,21 @@
+#pragma once
+
+#include "policy/baselines/searcher.hpp"
+
+namespace earshot::baselines {
+
+enum class Border : bool { kIgnored, kSeenOneStepAhead };
+
+/// Knows where the source is and goes straight to it: what no searcher can be expected to beat by much.
+class Oracle : public Searcher {
+ public:
+  Oracle(const Briefing& briefing, Border border) : briefing_(briefing), border_(border) {}
+  void begin(Pcg32 random) override;
+  [[nodiscard]] std::size_t choose(const Look& look) override;
+
+ private:
+  const Briefing& briefing_;
+  Border border_;
+};
+
+}  // namespace earshot::baselines

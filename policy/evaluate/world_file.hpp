@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/ocean/environment.hpp"
+
+namespace earshot::evaluate {
+
+/// A world to test policies in.
+struct World {
+  std::string name;
+  std::string what;  ///< in one line
+  std::uint64_t seed = 1;
+  ocean::Environment environment;
+};
+
+/// Reads a world: keys name, what, seed, environment (a file), and optionally [conditions], which then replace the environment's own.
+/// Throws config_file::BadInput with everything that is wrong.
+[[nodiscard]] World load_world(const std::filesystem::path& path);
+
+/// The world files of a folder, by name. Throws config_file::BadInput when there are none.
+[[nodiscard]] std::vector<std::filesystem::path> worlds_in(const std::filesystem::path& folder);
+
+}  // namespace earshot::evaluate

@@ -1,0 +1,158 @@
+#include "sim/ocean/environment_conditions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <string>
+#include <variant>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "sim/ocean/environment_file.hpp"
+
+namespace earshot::ocean {
+namespace {
+
+namespace fs = std::filesystem;
+const std::string kMunk = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
+
+/// The paper's ocean with more tables behind it.
+class EnvironmentConditions : public testing::Test {
+ protected:
+  EnvironmentConditions() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~EnvironmentConditions() override { fs::remove_all(folder_); }
+
+  Environment load(const std::string& tables, const std::string& file = "ocean.toml") {
+    std::ifstream munk(kMunk);
+    std::ofstream(folder_ / file) << std::string(std::istreambuf_iterator<char>(munk), {}) << tables;
+    return load_environment(folder_ / file);
+  }
+  std::string complaint(const std::string& tables) {
+    try {
+      (void)load(tables);
+    } catch (const config_file::BadInput& e) {
+      return e.what();
+    }
+    return "";
+  }
+  void expect_refused(const std::string& tables, const std::string& part) {
+    const std::string text = complaint(tables);
+    EXPECT_NE(text.find(part), std::string::npos) << tables << " gives: " << text;
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(EnvironmentConditions, AreCalmWhereTheFileSaysNothing) {
+  const Environment ocean = load_environment(kMunk);
+  EXPECT_TRUE(is_calm(ocean.conditions));
+  EXPECT_TRUE(ocean.other_oceans.empty());
+  EXPECT_TRUE(ocean.field_library.empty());
+}
+
+TEST_F(EnvironmentConditions, ReadEveryKey) {
+  const Conditions c = load(R"(
+[conditions]
+fluctuation_db = 4.0
+floor_db = 5.0
+source_level_spread_db = 6.0
+navigation_drift_m_per_sqrt_km = 50.0
+source_speed_mps = 0.5
+sources = 2
+vehicle_speed_mps = 1.5
+[conditions.current]
+speed_mps = 0.25
+toward_deg = 90.0
+seen_by_navigation = false
+[conditions.calls]
+interval_s = 15.0
+song_s = 600.0
+pause_s = 120.0
+listening_s = 30.0
+)")
+                           .conditions;
+  EXPECT_FALSE(is_calm(c));
+  EXPECT_EQ(c.fluctuation, Decibels{4.0});
+  EXPECT_EQ(c.floor, Decibels{5.0});
+  EXPECT_EQ(c.source_level_spread, Decibels{6.0});
+  EXPECT_EQ(c.drift_m_per_sqrt_km, 50.0);
+  EXPECT_EQ(c.source_speed, MetersPerSecond{0.5});
+  EXPECT_EQ(c.sources, 2U);
+  EXPECT_EQ(c.vehicle_speed, MetersPerSecond{1.5});
+  EXPECT_EQ(c.current->speed, MetersPerSecond{0.25});
+  EXPECT_EQ(c.current->toward, Radians{std::numbers::pi / 2.0});
+  EXPECT_EQ(c.current->navigation, Current::Navigation::kDoesNotSeeIt);
+  EXPECT_EQ(c.calls->interval_s, 15.0);
+  EXPECT_EQ(c.calls->song_s, 600.0);
+  EXPECT_EQ(c.calls->pause_s, 120.0);
+  EXPECT_EQ(c.calls->listening_s, 30.0);
+}
+
+TEST_F(EnvironmentConditions, RefuseWhatLiesOutsideItsRange) {
+  expect_refused("[conditions]\nfluctuation_db = -1.0\n", "conditions.fluctuation_db = -1.0: must be a finite number of at least 0");
+  expect_refused("[conditions]\nfloor_db = inf\n", "conditions.floor_db = inf: must be a finite number");
+  expect_refused("[conditions]\nsources = 9\n", "conditions.sources = 9");
+  expect_refused("[conditions]\nvehicle_speed_mps = 0.0\n", "conditions.vehicle_speed_mps = 0.0: must be a finite number above 0");
+  expect_refused("[conditions]\nwind = 3\n", "conditions.wind: unknown key");
+  expect_refused("[conditions.current]\ntoward_deg = 10.0\n", "conditions.current.speed_mps is missing");
+  expect_refused("[conditions.current]\nspeed_mps = 0.1\ntoward_deg = 400.0\n", "conditions.current.toward_deg = 400.0");
+}
+
+TEST_F(EnvironmentConditions, NeedAFloorWhereCallsComeAndGo) {
+  expect_refused("[conditions.calls]\ninterval_s = 15.0\nsong_s = 600.0\npause_s = 120.0\nlistening_s = 30.0\n", "need floor_db");
+}
+
+TEST_F(EnvironmentConditions, ListOtherOceansRelativeToTheFile) {
+  load("", "other.toml");
+  const Environment ocean = load("[[oceans]]\nenvironment = \"other.toml\"\n[[oceans]]\nenvironment = \"" + kMunk + "\"\n");
+  EXPECT_EQ(ocean.other_oceans.size(), 2U);
+  EXPECT_NE(ocean.file_crc32, load("[[oceans]]\nenvironment = \"other.toml\"\n").file_crc32) << "the checksum covers what the file names";
+}
+
+TEST_F(EnvironmentConditions, RefuseAnOceanThatListsOthersOrHasConditions) {
+  expect_refused("[[oceans]]\nenvironment = \"ocean.toml\"\n", "must be one ocean");  // itself
+  load("[conditions]\nfluctuation_db = 1.0\n", "noisy.toml");
+  expect_refused("[[oceans]]\nenvironment = \"noisy.toml\"\n", "must be one ocean");
+  expect_refused("[[oceans]]\nenvironment = \"none.toml\"\n", "none.toml: no such file");
+}
+
+TEST_F(EnvironmentConditions, DrawAFamilyBetweenItsBoundsAndTheSameFromTheSameSeed) {
+  const std::string table = R"(
+[family]
+members = 50
+seed = 3
+sea_floor_depth_m = [2000.0, 4000.0]
+sediment_sound_speed_mps = [1450.0, 1650.0]
+)";
+  const auto members = load(table).other_oceans;
+  ASSERT_EQ(members.size(), 50U);
+  double shallowest = 1e9;
+  double deepest = 0.0;
+  for (const Environment& member : members) {
+    shallowest = std::min(shallowest, member.seabed.depth.value);
+    deepest = std::max(deepest, member.seabed.depth.value);
+    EXPECT_EQ(std::get<MunkProfile>(member.water).axis_depth, Meters{1300.0}) << "has no bounds";
+    EXPECT_EQ(member.noise_level, Decibels{90.0}) << "has no bounds";
+    const double speed_mps = member.seabed.layers.back().sound_speed.value;
+    EXPECT_TRUE(speed_mps >= 1450.0 && speed_mps <= 1650.0) << speed_mps;
+  }
+  // Of 50 uniform numbers the least lies in the lowest tenth but for a chance of 0.9^50 = 0.5 %; the seed is fixed.
+  EXPECT_TRUE(shallowest >= 2000.0 && shallowest < 2200.0) << shallowest;
+  EXPECT_TRUE(deepest <= 4000.0 && deepest > 3800.0) << deepest;
+  EXPECT_EQ(load(table).other_oceans[7].seabed.depth, members[7].seabed.depth);
+}
+
+TEST_F(EnvironmentConditions, RefuseAFamilyThatCannotBeDrawn) {
+  expect_refused("[family]\nsea_floor_depth_m = [2000.0, 4000.0]\n", "family.members is missing");
+  expect_refused("[family]\nmembers = 3\nsea_floor_depth_m = [4000.0, 2000.0]\n", "must be [lowest, highest]");
+  expect_refused("[family]\nmembers = 3\nsea_floor_depth_m = [20.0, 2000.0]\n", "must be more than source.depth_m");
+  expect_refused("[field_library]\nfile = \"a.nc\"\n[family]\nmembers = 3\n", "field_library");
+}
+
+}  // namespace
+}  // namespace earshot::ocean
