@@ -216,7 +216,7 @@ TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
   refuses("evaluate none.policy" + kOcean, {"none.policy", "no such file"});
   refuses("evaluate flipped.policy" + kOcean, {"flipped.policy", "CRC-32"});
   refuses("evaluate short.policy" + kOcean, {"short.policy"});
-  refuses("evaluate", {"no policy"});
+  refuses("evaluate --episodes 3", {"no policy"});
   refuses("evaluate --policies bayes,swordfish", {"swordfish", "bayes_infogain"});
   refuses("evaluate --policies oracle --environment none.toml", {"none.toml", "no such file"});
   refuses("evaluate --policies oracle --world none.toml", {"none.toml", "no such file"});
