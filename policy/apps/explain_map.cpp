@@ -37,6 +37,12 @@ sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const ExplainMapOpt
   }
 }
 
+std::string heard_in(const ExplainMapOptions& options) {
+  if (options.world) return "what is heard in " + options.world->filename().string();
+  if (options.environment) return "what is heard in " + options.environment->filename().string();
+  return "what is heard in the ocean that the policy takes for granted";
+}
+
 void draw_for_source(const policy::FrozenPolicy& policy, const ExplainMapOptions& options) {
   const NorthEast source = north_east_of("--source", *options.source);
   const sonar::SnrCurve curve = curve_of(policy, options);
@@ -47,6 +53,7 @@ void draw_for_source(const policy::FrozenPolicy& policy, const ExplainMapOptions
                                            .map = map,
                                            .snr_db = [&](NorthEast place) { return snr(place).value; },
                                            .source = source,
+                                           .heard = heard_in(options),
                                            .what = "where it goes after a first look at each place"});
 }
 
@@ -65,6 +72,7 @@ void draw_for_flight(const policy::FrozenPolicy& policy, const ExplainMapOptions
                                            .map = map,
                                            .snr_db = [&](NorthEast place) { return curve.at(range_between(place, heard_from)).value; },
                                            .source = source,
+                                           .heard = heard_in(options),
                                            .what = "where it would go with what it believes at step " + std::to_string(options.step),
                                            .belief = &account,
                                            .track = taken});

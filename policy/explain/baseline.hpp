@@ -19,7 +19,8 @@ enum class Baseline : std::uint8_t {
 inline constexpr policy::Heard kNothingLearnt{.snr = Decibels{1'000.0}, .measured = false};
 
 /// What a vehicle sees that has neither moved nor heard anything: no remembered displacement, every remembered SNR at the detection
-/// threshold (a newest look that is neither a detection nor a miss), and a belief that knows only that the source is not within a step.
+/// threshold (a newest look that is neither a detection nor a miss), and a belief that knows only that the source is not within a step,
+/// with its mean for a likeliest place.
 /// @param place  relative to the area's south-west corner
 [[nodiscard]] std::vector<float> uninformed_observation(const policy::ObservationModel& model, NorthEast place,
                                                         Decibels detection_threshold);

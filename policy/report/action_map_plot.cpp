@@ -79,8 +79,8 @@ std::string panel_style(const ActionMapPicture& picture) {
 std::string snr_panel(const ActionMapPicture& picture) {
   const double threshold = picture.policy.detection_threshold.value;
   std::ostringstream text;
-  text << "set title 'what is heard'\nset cblabel 'SNR (dB)'\nset cbrange [" << threshold - 20.0 << ':' << threshold + 20.0
-       << "]\nset palette defined (0 '#081d58', 20 '#a6cee3', 20 '#fee391', 40 '#cc4c02')\n"
+  text << "set title " << sonar::quoted(picture.heard) << " noenhanced\nset cblabel 'SNR (dB)'\nset cbrange [" << threshold - 20.0 << ':'
+       << threshold + 20.0 << "]\nset palette defined (0 '#081d58', 20 '#a6cee3', 20 '#fee391', 40 '#cc4c02')\n"
        << "plot $snr with image" << (picture.source ? ", $source with points pt 3 ps 1.8 lw 2 lc rgb 'black'" : "")
        << (picture.belief ? ", $track with linespoints pt 7 ps 0.6 lw 1.6 lc rgb 'black'" : "") << '\n';
   return text.str();

@@ -17,6 +17,7 @@ struct ActionMapPicture {
   const explain::ActionMap& map;            ///< square
   std::function<double(NorthEast)> snr_db;  ///< heard at a place
   std::optional<NorthEast> source;
+  std::string heard;                                      ///< over the SNR: whose ocean it is
   std::string what;                                       ///< over the arrows: "after a first look at each place"
   const explain::DecisionAccount* belief = nullptr;       ///< drawn under the arrows in place of the probability of the likeliest direction
   std::span<const explain::RecordedDecision> track = {};  ///< drawn with the belief

@@ -28,11 +28,11 @@ class Explanation : public testing::Test {
   ~Explanation() override { fs::remove_all(folder_); }
 
   void fly(const fs::path& policy) {
-    support::Process flight(kBin / "earshot-fly",
-                            {"--policy", policy, "--public-key", kFrozen / "earshot.pub", "--environment",
-                             kSource / "sim/ocean/environments/munk_flat.toml", "--mission",
-                             kSource / "firmware/boards/linux/missions/fixed_source.toml", "--out", folder_ / "out", "--no-report"},
-                            folder_ / "fly.txt");
+    support::Process flight(
+        kBin / "earshot-fly",
+        {"--policy", policy, "--public-key", kFrozen / "earshot.pub", "--environment", kSource / "sim/ocean/environments/munk_flat.toml",
+         "--mission", kSource / "firmware/boards/linux/missions/fixed_source.toml", "--out", folder_ / "out", "--no-report"},
+        folder_ / "fly.txt");
     ASSERT_EQ(flight.wait(120s), 0) << flight.output();
     EXPECT_EQ(support::read_text(folder_ / "out/journal.policy"), support::read_text(policy)) << "the policy stands beside its journal";
   }

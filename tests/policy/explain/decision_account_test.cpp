@@ -93,7 +93,9 @@ TEST(UninformedObservation, HasHeardNothing) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     ASSERT_TRUE(std::isfinite(seen[i])) << name_of(spec[i], policy->observation.belief, policy->actions);
     const double raw = static_cast<double>(seen[i]) / static_cast<double>(spec[i].scale) + static_cast<double>(spec[i].offset);
-    if (spec[i].feature == policy::Feature::kMeanEast || spec[i].feature == policy::Feature::kMeanNorth) {
+    using enum policy::Feature;
+    if (spec[i].feature == kMeanEast || spec[i].feature == kMeanNorth || spec[i].feature == kLikeliestEast ||
+        spec[i].feature == kLikeliestNorth) {
       EXPECT_NEAR(raw, 0.0, 10.0);  // m; as much to the one side as to the other
     }
   }
