@@ -63,13 +63,13 @@ def environment_and_profile(environment_file, section_file):
         receiver_km = np.asarray(data["depth"][:]) / 1e3
         loss_db = np.asarray(data["transmission_loss"][:])
     mesh = right.pcolormesh(range_km, receiver_km, loss_db.T, cmap="viridis_r",
-                            vmin=60, vmax=120, shading="nearest", rasterized=True)  # fmt: skip
+                            norm=BoundaryNorm(np.arange(60, 121, 5), 256, extend="both"), shading="nearest", rasterized=True)  # fmt: skip
     right.axhspan(sea_floor_m / 1e3, 3.3, color="#c9b18f", lw=0)
     right.plot(0.4, environment["source"]["depth_m"] / 1e3, marker="*", ms=13, color="#ffcf33", mec="k", mew=0.7, clip_on=False)
     right.axhline(VEHICLE_DEPTH_M / 1e3, color="w", lw=1, ls="--")
     right.annotate("vehicle, 300 m", (49, 0.40), color="w", fontsize=8.5, ha="right", va="top")
     right.set(xlabel="range, km", title="b  transmission loss at 20 Hz, source at 30 m", xlim=(0, 50))
-    figure.colorbar(mesh, ax=right, label="dB re 1 m", extend="both", pad=0.015)
+    figure.colorbar(mesh, ax=right, label="dB re 1 m", pad=0.015)
     return figure
 
 
@@ -79,9 +79,9 @@ def snr_and_detection(map_file):
         east_km, north_km = np.asarray(data["east"][:]) / 1e3, np.asarray(data["north"][:]) / 1e3
         snr_db = np.asarray(data["map_snr"][:])
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1), sharey=True)
-    norm = BoundaryNorm(THRESHOLD_DB + np.arange(-30, 31, 5), 256)  # the colours part at the threshold
+    norm = BoundaryNorm(THRESHOLD_DB + np.arange(-30, 31, 5), 256, extend="both")  # the colours part at the threshold
     mesh = left.pcolormesh(east_km, north_km, snr_db, cmap="RdYlBu_r", norm=norm, shading="nearest", rasterized=True)
-    figure.colorbar(mesh, ax=left, label="SNR, dB", extend="both", pad=0.015)
+    figure.colorbar(mesh, ax=left, label="SNR, dB", pad=0.015)
     left.set(title="a  SNR at 300 m", ylabel="north, km")
     right.pcolormesh(east_km, north_km, snr_db >= THRESHOLD_DB, cmap=ListedColormap(["#e9eef2", "#1b6ca8"]), shading="nearest",
                      rasterized=True)  # fmt: skip
@@ -188,7 +188,8 @@ def training_reward(paper, longer, episodes):
         axes.grid(axis="y", color="0.9", lw=0.7)
     left.set(ylabel=f"reward, median of the last {RECENT} episodes", title="a  as long as in the paper")
     right.set(title="b  longer")
-    left.legend(fontsize=8.5, loc="upper center", bbox_to_anchor=(1.05, -0.17), ncols=4, columnspacing=1.5)
+    figure.legend(*left.get_legend_handles_labels(), fontsize=8.5, loc="lower center", ncols=4)
+    figure.get_layout_engine().set(rect=(0, 0.07, 1, 0.93))
     return figure
 
 
