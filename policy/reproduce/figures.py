@@ -143,7 +143,7 @@ def high_and_low_reward(paths, snr_of_range):
 
 def example_paths(paths, snr_of_range, title):
     """Figures 6 to 8: the evaluation's first four searches, as they are and with the source at the origin."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 4.6))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 4.2))
     domain(left)
     left.set_title(f"a  {title}")
     extent = (-SIDE_KM, SIDE_KM, -SIDE_KM, SIDE_KM)
@@ -181,7 +181,7 @@ def training_reward(paper, longer, episodes):
         for name, seeds in runs.items():
             kind = name.removesuffix("_long")
             x, middle, low, high = curve_over_seeds(seeds, episodes if runs is paper else None)
-            thin = slice(None, None, max(1, x.size // 600))
+            thin = slice(None, None, max(1, x.size // 300))
             axes.fill_between(x[thin], low[thin], high[thin], color=COLOURS[kind], alpha=0.2, lw=0)
             axes.plot(x[thin], middle[thin], color=COLOURS[kind], lw=1.5, label=LABELS[kind])
         axes.set(xlabel="episode", xlim=(0, None), ylim=(-200, 3))
@@ -208,9 +208,9 @@ def reward_histograms(columns):
             median = np.median(rewards)
             axes.hist(np.clip(rewards, -197, None), bins, weights=np.full(rewards.size, 100.0 / rewards.size), color=COLOURS[kind])
             axes.axvline(median, color="k", lw=1, ls="--")
-            axes.annotate(f"median {median:.0f}", (median, 0.93), xycoords=("data", "axes fraction"), xytext=(-4, 0),
+            axes.annotate(f"median {median:.0f}", (median, 0.93), xycoords=("data", "axes fraction"), xytext=(-4 if median < -20 else -14, 0),
                           textcoords="offset points", ha="right" if median > -120 else "left", va="top", fontsize=8.5)  # fmt: skip
-            axes.set_title(LABELS[kind] + (f": {heading}" if heading else ""), fontsize=9)
+            axes.set_title(f"{LABELS[kind]}, {heading}", fontsize=8.5)
         panels[-1, column].set_xlabel("reward of a search (all below -195 in the first bar)")
     for axes in panels[:, 0]:
         axes.set_ylabel("searches, %")

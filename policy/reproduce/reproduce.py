@@ -25,7 +25,7 @@ INTRO = [
     "their interquartile range; {episodes} evaluation searches each, from starts that the training did not draw.",
 ]
 SWEEP_NOTE = (
-    "One thing changed at a time; source changing, trainings as long as in the paper, {seeds} each: median and interquartile range of their "
+    "One thing changed at a time; source changing, trainings as long as in the paper, seeds 1 to {seeds}: median and interquartile range of their "
     "evaluations' median rewards. A wider or narrower border also changes what a given path earns, so rows are to be read from left to right: "
     "what matters is what memory gains over the simple state under the same choice."
 )
@@ -83,14 +83,14 @@ def draw(folder, ocean, paper, longer, sweep):
         "figure7": figures.example_paths(first(longer, "changing_simple_long"), snr, "changing source, simple state"),
         "figure8": figures.example_paths(first(longer, "changing_memory_long"), snr, "changing source, memory state"),
         "figure8b": figures.example_paths(best, snr, "memory and position"),
-        "figure9": figures.reward_histograms([("as long as in the paper", paper), ("longer", longer)]),
+        "figure9": figures.reward_histograms([("as in the paper", paper), ("longer", longer)]),
         "sweep": figures.sweep([(f"{what} {value}".strip(), states) for (what, value), states in sweep]),
     }
     for name, figure in drawn.items():
         figures.save(figure, folder, name)
 
 
-def provenance(seconds):
+def provenance(seconds, steps):
     def said(*words):
         done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True)
         return done.stdout.strip() if done.returncode == 0 else ""
@@ -100,7 +100,8 @@ def provenance(seconds):
     return {
         "command": " ".join(["policy/reproduce/run", *words]),
         "commit": (said("git", "rev-parse", "--short=12", "HEAD") or "unknown") + dirty,
-        "rest": f"{seconds / 60:.0f} minutes of trainings and evaluations on {experiments.processors()} processors",
+        "rest": f"{steps / 1e6:.1f} million steps of training for Figures 4 to 9; {seconds / 60:.0f} minutes by the clock for these, the sweep and "
+        f"all evaluations, on {experiments.processors()} processors",
     }
 
 
@@ -129,7 +130,8 @@ def main():
     o.out.mkdir(parents=True, exist_ok=True)
     snr = snr_at_vehicle(section)
     draw(o.out, (section, map_file, snr), paper, longer, sweep)
-    made = provenance(workshop.seconds)
+    steps = sum(seed.curve[-1, 2] for seeds in [*paper.values(), *longer.values()] for seed in seeds)
+    made = provenance(workshop.seconds, steps)
     rows = claims.ocean_claims(ENVIRONMENT, snr, map_file)
     rows += claims.learning_claims(paper, longer, longer["changing_position_memory_long"][0].paths)
     intro = [paragraph.format(seeds=seeds, episodes=episodes) for paragraph in INTRO]
