@@ -14,10 +14,20 @@ using std::chrono::steady_clock;
 
 const policy::ObservationModel kSeesNothing;  // searchers remember for themselves
 
-Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, Pcg32 starts, Pcg32 actions, search::Episode& episode) {
+/// Which episode it is, and what it draws from.
+struct Turn {
+  std::size_t number;
+  Pcg32 starts;
+  Pcg32 actions;
+};
+
+Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, const Turn& turn, search::Episode& episode,
+               const Watcher& watcher) {
   Flight flight;
-  searcher.begin(actions);
+  Pcg32 starts = turn.starts;
+  searcher.begin(turn.actions);
   episode.start(world, kSeesNothing, starts);
+  if (watcher) watcher(turn.number, episode);
   const Meters to_source = range_between(episode.position(), episode.source());
   flight.straight_m = (to_source - world.settings.step_length).value;
   while (episode.record().end == search::EpisodeEnd::kRunning) {
@@ -29,6 +39,7 @@ Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, 
     flight.decision_s += std::chrono::duration<double>(steady_clock::now() - began).count();
     episode.step(world, action);
     flight.path_m += range_between(before, episode.position()).value;
+    if (watcher) watcher(turn.number, episode);
   }
   flight.record = episode.record();
   return flight;
@@ -36,11 +47,12 @@ Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, 
 
 }  // namespace
 
-std::vector<Flight> fly(baselines::Searcher& searcher, const search::SearchWorld& world, Episodes episodes, std::uint64_t seed) {
+std::vector<Flight> fly(baselines::Searcher& searcher, const search::SearchWorld& world, Episodes episodes, std::uint64_t seed,
+                        const Watcher& watcher) {
   std::vector<Flight> flights;
   search::Episode episode;
   for (std::size_t i = episodes.first; i < episodes.end; i += episodes.stride)
-    flights.push_back(fly_one(searcher, world, Pcg32(seed, 2 * i), Pcg32(seed, 2 * i + 1), episode));
+    flights.push_back(fly_one(searcher, world, {i, Pcg32(seed, 2 * i), Pcg32(seed, 2 * i + 1)}, episode, watcher));
   return flights;
 }
 
