@@ -20,7 +20,6 @@ std::string command_line(int argc, char** argv) {
 }
 
 void run(const FieldArguments& arguments, RankSession& session) {
-  require_consistent(arguments);
   if (!arguments.library.empty()) {
     write_library(arguments, session);
   } else if (session.ranks().rank() == 0 && arguments.radials > 0) {
@@ -62,6 +61,7 @@ int main(int argc, char** argv) {
   }
   arguments.history = command_line(argc, argv);
   try {
+    require_consistent(app, arguments);
     return run_in_session(arguments);
   } catch (const std::exception& e) {
     return say(e);

@@ -34,6 +34,8 @@ struct FieldArguments {
   std::optional<double> output_step_m;
   std::optional<double> depth_step_m;
   std::size_t terms = 0;
+  double absorber_wavelengths = 6.0;
+  std::string starter = "self";
   double accuracy_db = 0.02;
   bool check = false;
   double detection_threshold_db = 10.0;
@@ -43,14 +45,14 @@ struct FieldArguments {
 
 void describe(CLI::App& app, FieldArguments& arguments);
 
-/// Throws std::invalid_argument for options that contradict each other.
-void require_consistent(const FieldArguments& arguments);
+/// Throws std::invalid_argument for options that contradict each other, or would be ignored.
+void require_consistent(const CLI::App& app, const FieldArguments& arguments);
 
 /// Refused before the work, not after it.
 void require_writable_folder(const std::string& file);
 
 /// @param default_step_wavelengths  between ranges written where the command line names none
-/// Throws std::invalid_argument naming a depth that no radial has water at.
+/// Throws std::invalid_argument naming a depth that no radial has water at, and for more values than kMostFanValues.
 [[nodiscard]] sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Environment& environment,
                                             double default_step_wavelengths, Meters deepest_sea_floor);
 

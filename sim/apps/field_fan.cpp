@@ -20,10 +20,13 @@
 namespace earshot::apps {
 namespace {
 
+Meters map_side(const FieldArguments& arguments, const sonar::Fan& fan) {
+  return arguments.map_side_km ? Meters{1000.0 * *arguments.map_side_km} : std::numbers::sqrt2 * fan.max_range();
+}
+
 std::optional<sonar::HorizontalMap> map_of(const FieldArguments& arguments, const sonar::Fan& fan, const sonar::Detector& detector) {
   if (!arguments.map) return std::nullopt;
-  const Meters side = arguments.map_side_km ? Meters{1000.0 * *arguments.map_side_km} : std::numbers::sqrt2 * fan.max_range();
-  return sonar::make_map(fan, 0, {.side = side, .intervals = arguments.map_intervals}, detector);
+  return sonar::make_map(fan, 0, {.side = map_side(arguments, fan), .intervals = arguments.map_intervals}, detector);
 }
 
 void print_detection(const sonar::Fan& fan, const sonar::Detector& detector) {
@@ -72,7 +75,7 @@ void write_fan(const FieldArguments& arguments) {
   const sonar::Detector detector = detector_of(arguments, environment);
   const auto map = map_of(arguments, fan, detector);
   sonar::write_fan(arguments.output, fan, map, environment, plan.radial.band, detector, arguments.history);
-  if (!arguments.plot.empty()) sonar::plot_map(arguments.plot, *map, fan, environment.name, detector);
+  if (!arguments.plot.empty()) sonar::plot_map(arguments.plot, fan, environment, plan.radial.band, map_side(arguments, fan), detector);
 
   std::cout << "ocean:   " << environment.name << ", source at " << environment.source.depth.value << " m\n"
             << "fan:     " << fan.bearings << " bearings x " << fan.ranges << " ranges to " << fan.max_range().value / 1000.0 << " km"

@@ -5,7 +5,6 @@
 #include "sim/apps/field_modes.hpp"
 #include "sim/apps/progress_bar.hpp"
 #include "sim/ocean/environment_file.hpp"
-#include "sim/ocean/section.hpp"
 #include "sim/sonar/field_file.hpp"
 #include "sim/sonar/field_plot.hpp"
 #include "sim/sonar/grid_check.hpp"
@@ -13,13 +12,6 @@
 
 namespace earshot::apps {
 namespace {
-
-Meters deepest_on_radial(const ocean::Environment& environment, Radians bearing, Meters max_range) {
-  Meters deepest;
-  for (const auto& station : ocean::section_along(environment, environment.source.position, bearing, max_range).sea_floor)
-    deepest = std::max(deepest, station.depth);
-  return deepest;
-}
 
 void print_check(const ocean::Environment& environment, Radians bearing, const sonar::RadialPlan& plan) {
   ProgressBar bar("check");
@@ -36,13 +28,15 @@ void write_radial(const FieldArguments& arguments) {
   require_writable_folder(arguments.output);
   if (!arguments.plot.empty()) require_writable_folder(arguments.plot);
   const Radians bearing{arguments.bearing_deg * std::numbers::pi / 180.0};
-  const Meters deepest = deepest_on_radial(environment, bearing, Meters{1000.0 * arguments.max_range_km});
+  const Meters deepest =
+      sonar::deepest_sea_floor(environment, environment.source.position, bearing, Meters{1000.0 * arguments.max_range_km});
   const sonar::RadialPlan plan = plan_radial(arguments, environment, 1.0 / 6.0, deepest);
 
   ProgressBar bar("field");
   const auto field = sonar::compute_sonar_field(environment, bearing, plan, [&bar](double fraction) { bar.update(fraction); });
   sonar::write_field(arguments.output, field, environment, bearing, plan.band, arguments.history);
-  if (!arguments.plot.empty()) sonar::plot_field(arguments.plot, field, environment.name, Decibels{arguments.detection_threshold_db});
+  if (!arguments.plot.empty())
+    sonar::plot_field(arguments.plot, field, environment, plan.band, bearing, Decibels{arguments.detection_threshold_db});
 
   std::cout << "ocean:   " << environment.name << ", source of " << environment.source.frequency.value << " Hz at "
             << environment.source.depth.value << " m\n"

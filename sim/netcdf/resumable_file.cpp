@@ -57,23 +57,52 @@ void define(int file, const Layout& layout, const std::filesystem::path& path) {
   }
 }
 
-/// Makes the file with its fill values under a third name, so that what bears the second is never half made.
-void begin(const std::filesystem::path& partial, const Layout& layout) {
-  std::filesystem::path draft = partial;
-  draft += ".new";
+/// A descriptor of the file that `path` names, under a lock that falls with the process.
+int locked(const std::filesystem::path& path, int more_flags = 0) {
+  const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | more_flags, 0666);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+  if (descriptor == -1) fail(path, "", std::string("cannot be written (") + std::strerror(errno) + ")");
+  // Not lockf: such a lock falls when the process closes any descriptor of the file, as nc_open does after its first look.
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  const bool mine = fcntl(descriptor, F_OFD_SETLK, &whole) == 0;  // NOLINT(cppcoreguidelines-pro-type-vararg)
+  const int cause = errno;
+  std::error_code ignored;  // another process may have renamed the file between open and lock
+  if (mine && std::filesystem::equivalent(path, "/proc/self/fd/" + std::to_string(descriptor), ignored)) return descriptor;
+  ::close(descriptor);
+  const bool taken = mine || cause == EAGAIN || cause == EACCES;
+  fail(path, "", taken ? "another process is writing it" : std::string("cannot be locked (") + std::strerror(cause) + ")");
+}
+
+void write_draft(const std::filesystem::path& draft, const Layout& layout) {
   int file = -1;
   try {
-    require(nc_create(draft.c_str(), NC_64BIT_DATA | NC_CLOBBER, &file), draft);
+    require(nc_create(draft.c_str(), NC_64BIT_DATA | NC_CLOBBER, &file), draft);  // in the locked file: it is truncated, not replaced
     define(file, layout, draft);
     require(nc_enddef(file), draft);  // writes the fill values of all variables
-    const int open_file = std::exchange(file, -1);
-    require(nc_close(open_file), draft);
+    require(nc_close(std::exchange(file, -1)), draft);
     require_flushed(draft);
-    rename_and_flush(draft, partial);
   } catch (const FileError&) {
     if (file != -1) (void)nc_abort(file);
+    throw;
+  }
+}
+
+/// Makes the file with its fill values under a third name, so that what bears the second is never half made.
+/// @return its locked descriptor
+int begin(const std::filesystem::path& partial, const Layout& layout) {
+  std::filesystem::path draft = partial;
+  draft += ".new";
+  const int descriptor = locked(draft, O_CREAT);
+  try {
+    if (std::filesystem::exists(partial)) fail(partial, "", "another process is writing it");  // since we looked
+    write_draft(draft, layout);
+    rename_and_flush(draft, partial);
+    return descriptor;
+  } catch (const FileError&) {
     std::error_code ignored;
     std::filesystem::remove(draft, ignored);
+    ::close(descriptor);
     throw;
   }
 }
@@ -103,10 +132,10 @@ std::string difference(int file, const Layout& layout) {
 ResumableFile::ResumableFile(std::filesystem::path path, const Layout& layout) : path_(std::move(path)), partial_(path_) {
   partial_ += ".partial";
   leave_hdf5_alone_at_exit();
-  if (!std::filesystem::exists(partial_)) begin(partial_, layout);
-  (void)Reader(partial_);  // refuses what is truncated or no NetCDF file
+  descriptor_ = std::filesystem::exists(partial_) ? locked(partial_) : begin(partial_, layout);
   try {
-    lock();
+    if (std::filesystem::exists(path_)) fail(path_, "", "stands there already");
+    (void)Reader(partial_);  // refuses what is truncated or no NetCDF file
     check(nc_open(partial_.c_str(), NC_WRITE, &file_), "");
     const std::string what = difference(file_, layout);
     if (!what.empty()) fail(partial_, what, "it was begun with another; move or delete the file to begin anew");
@@ -125,24 +154,15 @@ void ResumableFile::close() {
   if (descriptor_ != -1) ::close(std::exchange(descriptor_, -1));
 }
 
-void ResumableFile::lock() {
-  descriptor_ = open(partial_.c_str(), O_RDWR | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
-  if (descriptor_ == -1) fail(partial_, "", std::string("cannot be written (") + std::strerror(errno) + ")");
-  // Not lockf: such a lock falls when the process closes any descriptor of the file, as nc_open does after its first look.
-  struct flock whole {};
-  whole.l_type = F_WRLCK;
-  whole.l_whence = SEEK_SET;
-  if (fcntl(descriptor_, F_OFD_SETLK, &whole) != 0)  // NOLINT(cppcoreguidelines-pro-type-vararg)
-    fail(partial_, "", "another process is writing it");
-}
-
 bool ResumableFile::is_finished(const std::filesystem::path& path, const Layout& layout) {
-  leave_hdf5_alone_at_exit();
+  if (!std::filesystem::exists(path)) return false;
+  (void)Reader(path);  // refuses what is truncated or no NetCDF file
   int file = -1;
-  if (!std::filesystem::is_regular_file(path) || nc_open(path.c_str(), NC_NOWRITE, &file) != NC_NOERR) return false;
-  const bool same = difference(file, layout).empty();
+  require(nc_open(path.c_str(), NC_NOWRITE, &file), path);
+  const std::string what = difference(file, layout);
   (void)nc_close(file);
-  return same;
+  if (!what.empty()) fail(path, what, "stands there already and was made with another; move or delete it, or choose another name");
+  return true;
 }
 
 void ResumableFile::check(int status, const std::string& variable) const {

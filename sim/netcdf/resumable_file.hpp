@@ -40,13 +40,14 @@ struct Layout {
 class ResumableFile {
  public:
   /// Takes up FILE.partial if there is one, else begins it.
-  /// Throws FileError when it was begun with another layout, is in use, or cannot be written.
+  /// Throws FileError when it was begun with another layout, is in use, or cannot be written, and when FILE itself is there already.
   ResumableFile(std::filesystem::path path, const Layout& layout);
   ~ResumableFile();
   ResumableFile(const ResumableFile&) = delete;
   ResumableFile& operator=(const ResumableFile&) = delete;
 
-  /// Whether a finished file of this name and layout stands there already.
+  /// Whether a finished file of this name and layout stands there already. Throws FileError when something else has the name: hours of
+  /// work are not overwritten, and not begun when their result will find no place.
   [[nodiscard]] static bool is_finished(const std::filesystem::path& path, const Layout& layout);
 
   [[nodiscard]] std::vector<double> read(const std::string& variable) const;
@@ -58,7 +59,6 @@ class ResumableFile {
  private:
   [[nodiscard]] int variable_id(const std::string& variable) const;
   void check(int status, const std::string& variable) const;
-  void lock();
   void close();
 
   std::filesystem::path path_;

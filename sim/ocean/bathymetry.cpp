@@ -15,6 +15,7 @@ using config_file::BadInput;
 using config_file::Range;
 
 constexpr double kDeepest_m = 12'000.0;
+constexpr double kHighest_m = 10'000.0;
 
 std::vector<double> distinct(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -24,6 +25,20 @@ std::vector<double> distinct(std::vector<double> values) {
 
 std::size_t index_of(const std::vector<double>& axis, double value) {
   return static_cast<std::size_t>(std::lower_bound(axis.begin(), axis.end(), value) - axis.begin());
+}
+
+/// A fill value that the file does not declare is no depth.
+void require_on_earth(const netcdf::Reader& file, const std::string& variable, const Bathymetry& chart) {
+  for (std::size_t i = 0; i < chart.elevation_m.size(); ++i) {
+    const double x = chart.elevation_m[i];
+    if (std::isnan(x) || (x >= -kDeepest_m && x <= kHighest_m)) continue;
+    const std::size_t columns = chart.axes.longitude_deg.size();
+    std::ostringstream text;
+    text << "holds " << x << " at latitude " << chart.axes.latitude_deg[i / columns] << ", longitude "
+         << chart.axes.longitude_deg[i % columns] << ", must be from " << -kDeepest_m << " to " << kHighest_m
+         << " m (or the variable's _FillValue where there is none)";
+    throw file.error(variable, text.str());
+  }
 }
 
 }  // namespace
@@ -50,14 +65,16 @@ Bathymetry read_gebco(const std::filesystem::path& path, GeoPosition centre, Met
     throw file.error(variable, "must have the dimensions (" + lat + ", " + lon + ")");
   }
   require_units(file, variable, {"m", "meters", "meter", "metres", "metre"});
-  return {.file = path.string(), .axes = window.axes(), .elevation_m = window.read(file, variable, {})};
+  Bathymetry chart{.file = path.string(), .axes = window.axes(), .elevation_m = window.read(file, variable, {})};
+  require_on_earth(file, variable, chart);
+  return chart;
 }
 
 Bathymetry read_bathymetry_csv(const std::filesystem::path& path, GeoPosition centre) {
   const CsvTable table(path);
   table.check("latitude_deg", Range::between(-90.0, 90.0));
   table.check("longitude_deg", Range::between(-180.0, 360.0));
-  table.check("elevation_m", Range::between(-kDeepest_m, 10'000.0));
+  table.check("elevation_m", Range::between(-kDeepest_m, kHighest_m));
   const std::vector<double>& latitude_deg = table.column("latitude_deg");
   std::vector<double> longitude_deg = table.column("longitude_deg");
   for (double& x : longitude_deg) x = centre.longitude_deg + std::remainder(x - centre.longitude_deg, 360.0);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 #include <sstream>
+#include <string>
 
 #include "sim/ocean/sea_water.hpp"
 
@@ -61,6 +62,10 @@ Field read_field(const netcdf::Reader& file, const std::string& variable, GeoPos
   const std::vector<std::string> dimensions = file.dimensions_of(variable);
   if (dimensions != with_time && dimensions != without) {
     throw file.error(variable, "must have the dimensions (time, depth, " + lat + ", " + lon + "), or all but time");
+  }
+  if (dimensions == with_time && file.shape_of(variable).front() != 1) {
+    throw file.error(variable,
+                     "has " + std::to_string(file.shape_of(variable).front()) + " times, must have one: cut the month or season out");
   }
   Field field{.axes = window.axes(), .depth_m = read_depth(file), .values = {}};
   std::vector<std::size_t> leading = {field.depth_m.size()};

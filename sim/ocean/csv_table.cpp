@@ -48,12 +48,19 @@ CsvTable::CsvTable(std::filesystem::path path) : path_(std::move(path)) {
     if (trimmed(text).empty() || text.starts_with('#')) continue;
     if (names_.empty()) {
       names_ = split(text);
+      require_distinct_names();
       columns_.resize(names_.size());
     } else {
       read_row(text, line);
     }
   }
   if (rows() == 0) throw BadInput(path_.string() + ": must have a header line and at least one line of numbers");
+}
+
+void CsvTable::require_distinct_names() const {
+  for (auto name = names_.begin(); name != names_.end(); ++name) {
+    if (std::find(names_.begin(), name, *name) != name) throw BadInput(path_.string() + ": has two columns " + *name);
+  }
 }
 
 void CsvTable::read_row(const std::string& text, std::size_t line) {

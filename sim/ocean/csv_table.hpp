@@ -29,6 +29,7 @@ class CsvTable {
   void check(std::string_view column, config_file::Range allowed) const;
 
  private:
+  void require_distinct_names() const;
   void read_row(const std::string& text, std::size_t line);
 
   std::filesystem::path path_;

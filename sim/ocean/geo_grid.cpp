@@ -42,6 +42,12 @@ bool is_monotonic(const std::vector<double>& values) {
          std::adjacent_find(values.begin(), values.end(), not_falling) == values.end();
 }
 
+/// Longitudes as they run on across the seam at 180 or 360 degrees.
+std::vector<double> continued(std::vector<double> longitude_deg) {
+  for (std::size_t i = 1; i < longitude_deg.size(); ++i) longitude_deg[i] = unwrapped(longitude_deg[i], longitude_deg[i - 1]);
+  return longitude_deg;
+}
+
 std::vector<double> read_axis(const netcdf::Reader& file, const std::string& name, const std::vector<std::string>& units,
                               double largest_deg) {
   if (file.shape_of(name).size() != 1) throw file.error(name, "must have one dimension");
@@ -55,7 +61,9 @@ std::vector<double> read_axis(const netcdf::Reader& file, const std::string& nam
       throw file.error(name, text.str());
     }
   }
-  if (!is_monotonic(values)) throw file.error(name, "must increase or decrease throughout");
+  const bool is_longitude = largest_deg > 90.0;
+  if (!is_monotonic(values) && !(is_longitude && is_monotonic(continued(values))))
+    throw file.error(name, "must increase or decrease throughout");
   return values;
 }
 

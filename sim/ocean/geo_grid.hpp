@@ -36,7 +36,7 @@ struct GeoCell {
 /// The part of a NetCDF file's latitude-longitude grid within `reach` of a centre, one node more on every side where the file has one.
 ///
 /// The file's axes are `lat` and `lon` (or `latitude`, `longitude`) in degrees north and east; latitude may fall, longitude may run from
-/// -180 or from 0 and, in a global file, wraps.
+/// -180 or from 0 or across the date line from 180 to -180 and, in a global file, wraps.
 class GeoWindow {
  public:
   /// Throws netcdf::FileError when the axes are not that, or the centre lies outside them.

@@ -8,9 +8,11 @@
 namespace earshot::parallel {
 
 RankSession::RankSession() : ranks_(std::make_unique<Alone>()) {
-  const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");  // NOLINT(concurrency-mt-unsafe): before any thread
-  if (size != nullptr && std::atoi(size) > 1) {
-    throw std::runtime_error("started by mpirun, but built without MPI: install libopenmpi-dev and build again");
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {  // OpenMPI's; MPICH's and batch systems'
+    const char* size = std::getenv(variable);                          // NOLINT(concurrency-mt-unsafe): before any thread
+    if (size != nullptr && std::atoi(size) > 1) {
+      throw std::runtime_error("started by mpirun, but built without MPI: install libopenmpi-dev and build again");
+    }
   }
 }
 

@@ -1,10 +1,18 @@
 #include "sim/sonar/fan.hpp"
 
+#include <algorithm>
 #include <span>
 
 #include "sim/parallel/ordered_tasks.hpp"
 
 namespace earshot::sonar {
+
+Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast centre, std::size_t bearings, Meters max_range) {
+  Meters deepest;
+  for (std::size_t j = 0; j < (differs_with_place(environment) ? bearings : 1); ++j)
+    deepest = std::max(deepest, deepest_sea_floor(environment, centre, bearing_of(j, bearings), max_range));
+  return deepest;
+}
 
 Fan make_fan(NorthEast centre, const FanPlan& plan) {
   const RadialPlan& radial = plan.radial;

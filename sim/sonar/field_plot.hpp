@@ -1,23 +1,28 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
+#include "firmware/core/units.hpp"
+#include "sim/ocean/environment.hpp"
 #include "sim/sonar/detection.hpp"
 #include "sim/sonar/fan.hpp"
-#include "sim/sonar/horizontal_map.hpp"
+#include "sim/sonar/radial.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::sonar {
 
-/// Draws the field's SNR against range and depth with gnuplot, as PNG or SVG by the path's extension; renamed into place when whole.
+/// Draws the field's SNR against range and depth with gnuplot, as PNG or SVG by the path's extension; renamed into place when whole. The
+/// source, the sea floor and the detection threshold, where the colours change from cold to warm, are marked.
 ///
-/// @param detection_threshold  where the colours change from cold to warm
 /// Throws std::invalid_argument for another extension, std::runtime_error when gnuplot is missing or fails.
-void plot_field(const std::filesystem::path& path, const SonarField& field, const std::string& title, Decibels detection_threshold);
+void plot_field(const std::filesystem::path& path, const SonarField& field, const ocean::Environment& environment, const Band& band,
+                Radians bearing, Decibels detection_threshold);
 
-/// Draws a map's SNR with the ring of furthest detection, and beside it the probability of detection when the SNR fluctuates.
-void plot_map(const std::filesystem::path& path, const HorizontalMap& map, const Fan& fan, const std::string& title,
+/// Draws SNR and probability of detection around the source at the fan's first depth, with the assured and the furthest range of
+/// detection on every bearing.
+///
+/// @param side  of the square
+void plot_map(const std::filesystem::path& path, const Fan& fan, const ocean::Environment& environment, const Band& band, Meters side,
               const Detector& detector);
 
 }  // namespace earshot::sonar

@@ -1,16 +1,48 @@
 #include "sim/sonar/gnuplot.hpp"
 
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <cstdio>
+#include <fstream>
+#include <ios>
 #include <stdexcept>
 
 namespace earshot::sonar {
 namespace {
 
+/// A gnuplot that ends early must not end us.
+class BrokenPipeIgnored {
+ public:
+  BrokenPipeIgnored() : before_(std::signal(SIGPIPE, SIG_IGN)) {}
+  ~BrokenPipeIgnored() { (void)std::signal(SIGPIPE, before_); }
+  BrokenPipeIgnored(const BrokenPipeIgnored&) = delete;
+  BrokenPipeIgnored& operator=(const BrokenPipeIgnored&) = delete;
+
+ private:
+  void (*before_)(int);
+};
+
 void run_gnuplot(const std::string& commands) {
-  std::FILE* pipe = popen("gnuplot 2>&1 >/dev/null", "w");
+  const BrokenPipeIgnored ignored;
+  std::FILE* pipe = popen("gnuplot >/dev/null 2>&1", "w");
   if (pipe == nullptr) throw std::runtime_error("gnuplot cannot be started");
-  const bool written = std::fwrite(commands.data(), 1, commands.size(), pipe) == commands.size();
-  if (pclose(pipe) != 0 || !written) throw std::runtime_error("gnuplot failed; is the Debian package gnuplot-nox installed?");
+  const bool written = std::fwrite(commands.data(), 1, commands.size(), pipe) == commands.size() && std::fflush(pipe) == 0;
+  const int status = pclose(pipe);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127) {
+    throw std::runtime_error("gnuplot is not there; install the Debian package gnuplot-nox");
+  }
+  if (status != 0 || !written) throw std::runtime_error("gnuplot failed; is the disk full?");
+}
+
+/// gnuplot does not notice that a disk was full, and reports success.
+void require_whole(const std::filesystem::path& picture, const std::string& mark) {
+  std::string tail(16, ' ');
+  std::ifstream stream(picture, std::ios::binary);
+  stream.seekg(-static_cast<std::streamoff>(tail.size()), std::ios::end);
+  stream.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  if (tail.find(mark) == std::string::npos) throw std::runtime_error("gnuplot left it unfinished; is the disk full?");
 }
 
 }  // namespace
@@ -24,11 +56,14 @@ std::string quoted(const std::string& text) {
 void draw(const std::filesystem::path& path, const std::string& size, const std::string& commands) {
   const std::string extension = path.extension().string();
   if (extension != ".png" && extension != ".svg") throw std::invalid_argument(path.string() + ": a plot's name must end in .png or .svg");
+  const bool png = extension == ".png";
   std::filesystem::path temporary = path;
-  temporary += ".part";
+  temporary += ".part" + std::to_string(getpid());
   try {
-    run_gnuplot("set terminal " + std::string(extension == ".png" ? "pngcairo" : "svg") + " size " + size + "\nset output " +
-                quoted(temporary.string()) + "\n" + commands);
+    if (!std::ofstream(temporary)) throw std::runtime_error("it cannot be written");
+    run_gnuplot(std::string("set encoding utf8\nset terminal ") + (png ? "pngcairo" : "svg background rgb 'white'") +
+                " font 'Sans,12' size " + size + "\nset output " + quoted(temporary.string()) + "\n" + commands + "\nset output\n");
+    require_whole(temporary, png ? "IEND" : "</svg>");
     std::filesystem::rename(temporary, path);
   } catch (const std::exception& e) {
     std::error_code ignored;

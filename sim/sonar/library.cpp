@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/netcdf/reader.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 #include "sim/sonar/library_store.hpp"
 
@@ -133,23 +132,6 @@ LibrarySummary write_library(const std::filesystem::path& path, const LibraryPla
   store->commit();
   summary.computed = to_do.size();
   return summary;
-}
-
-Fan read_library_fan(const std::filesystem::path& path, std::size_t position) {
-  const netcdf::Reader file(path);
-  const std::vector<std::size_t> shape = file.shape_of("transmission_loss");
-  if (shape.size() != 4 || position >= shape[0]) throw file.error("transmission_loss", "has no position " + std::to_string(position));
-  if (file.read("position_state")[position] != static_cast<double>(PositionState::kDone))
-    throw file.error("position_state", "position " + std::to_string(position) + " has no field");
-  const std::vector<double> range_m = file.read("range");
-  const auto loss = file.read("transmission_loss", {.start = {position, 0, 0, 0}, .count = {1, shape[1], shape[2], shape[3]}});
-  return {.centre = {Meters{file.read("position_north")[position]}, Meters{file.read("position_east")[position]}},
-          .bearings = shape[1],
-          .ranges = shape[2],
-          .range_step = Meters{range_m.front()},
-          .depth_m = file.read("depth"),
-          .transmission_loss_db = std::vector<float>(loss.begin(), loss.end()),
-          .sea_floor_depth_m = {}};
 }
 
 }  // namespace earshot::sonar

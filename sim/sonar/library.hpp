@@ -6,7 +6,6 @@
 
 #include "sim/parallel/ranks.hpp"
 #include "sim/pe/solver.hpp"
-#include "sim/sonar/fan.hpp"
 #include "sim/sonar/library_plan.hpp"
 
 namespace earshot::sonar {
@@ -29,9 +28,5 @@ struct LibrarySummary {
 /// Oracle: Library.*, FieldLibrary.*
 LibrarySummary write_library(const std::filesystem::path& path, const LibraryPlan& plan, std::size_t threads, parallel::Ranks& ranks,
                              const pe::Progress& progress = {});
-
-/// The fan of one position of a finished library; its sea floor is empty.
-/// Throws netcdf::FileError when the file is not a whole library or has no such position, or none in the water.
-[[nodiscard]] Fan read_library_fan(const std::filesystem::path& path, std::size_t position);
 
 }  // namespace earshot::sonar

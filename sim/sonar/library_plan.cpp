@@ -5,6 +5,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <sstream>
 
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/core/crc32.hpp"
@@ -19,7 +20,6 @@ using config_file::Range;
 using config_file::TableReader;
 
 constexpr std::size_t kMostPositions = 1'000'000;
-constexpr double kLargestFan = 64e6;  // values around one position, 256 MB: several are in memory at once
 
 std::vector<NorthEast> read_positions(TableReader table) {
   const bool grid = table.choice("layout", {"grid", "list"}) == 0;
@@ -69,7 +69,7 @@ void read_radials(TableReader table, FanPlan& fan) {
   fan.radial.ranges = static_cast<std::size_t>(std::max(1.0, std::floor(max_range_m / fan.radial.range_step.value + 1e-9)));
   const double values =
       static_cast<double>(fan.bearings) * static_cast<double>(fan.radial.ranges) * static_cast<double>(fan.radial.depth_m.size());
-  if (values > kLargestFan) table.problem("range_step_m", "radials x ranges x depths of one position must not exceed 64 million values");
+  if (values > kMostFanValues) table.problem("range_step_m", "radials x ranges x depths of one position must not exceed 64 million values");
 }
 
 std::optional<Band> read_band(TableReader table) {
@@ -84,6 +84,19 @@ std::uint32_t crc32_of(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), {}};
   return crc32(bytes, 0);
+}
+
+/// Charts tell only at each position whether a depth has water; without them the sea floor is the same about all.
+void require_depths_in_water(const std::filesystem::path& path, const LibraryPlan& plan) {
+  if (differs_with_place(plan.environment)) return;
+  const RadialPlan& radial = plan.fan.radial;
+  const Meters reach = static_cast<double>(radial.ranges) * radial.range_step;
+  const double floor_m = deepest_sea_floor(plan.environment, {}, Radians{}, reach).value;
+  if (radial.depth_m.back() <= floor_m) return;
+  std::ostringstream text;
+  text << path.string() << ": " << (plan.centre == Centre::kSource ? "receiver_depth_m" : "source_depth_m") << " = "
+       << radial.depth_m.back() << ": must not exceed the depth of the sea floor, " << floor_m << " m";
+  throw config_file::BadInput(text.str());
 }
 
 bool is_in_water(const LibraryPlan& plan, NorthEast position) {
@@ -123,6 +136,7 @@ LibraryPlan load_library_plan(const std::filesystem::path& path) {
   plan.environment = ocean::load_environment(environment);
   const Hertz frequency = plan.environment.source.frequency;
   plan.fan.radial.band = band.value_or(Band{frequency, frequency});
+  require_depths_in_water(path, plan);
   return plan;
 }
 

@@ -63,12 +63,11 @@ bool differs_with_place(const ocean::Environment& environment) {
   return environment.charts != nullptr && (environment.charts->bathymetry || environment.charts->climatology);
 }
 
-Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, std::size_t bearings, Meters max_range) {
-  Meters deepest;
-  for (std::size_t j = 0; j < (differs_with_place(environment) ? bearings : 1); ++j) {
-    for (const auto& station : ocean::section_along(environment, from, bearing_of(j, bearings), max_range).sea_floor) {
-      if (station.range <= max_range || station.range == Meters{}) deepest = std::max(deepest, station.depth);
-    }
+Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, Radians bearing, Meters max_range) {
+  const ocean::Section section = ocean::section_along(environment, from, bearing, max_range);
+  Meters deepest = std::max(ocean::sea_floor_depth(section, Meters{}), ocean::sea_floor_depth(section, max_range));
+  for (const auto& station : section.sea_floor) {
+    if (station.range <= max_range) deepest = std::max(deepest, station.depth);
   }
   return deepest;
 }

@@ -54,8 +54,9 @@ struct RadialLoss {
   return Radians{2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(bearings)};
 }
 
-/// The deepest station of the sea floor on any radial. Throws as compute_radial does for the charts: it looks at all that the radials need.
-[[nodiscard]] Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, std::size_t bearings, Meters max_range);
+/// The deepest sea floor on one radial. Throws as compute_radial does for the charts: it looks at all that the radial needs.
+/// Oracle: Radial.IsAsDeepAsItsDeepestSeaFloorWithinItsReach
+[[nodiscard]] Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, Radians bearing, Meters max_range);
 
 /// Fills `loss` for the radial of `bearing` (clockwise from north) from `from`. May be called from many threads.
 ///

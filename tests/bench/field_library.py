@@ -12,33 +12,7 @@ import tempfile
 import time
 from pathlib import Path
 
-OCEAN = """name = "hills"
-[origin]
-latitude_deg = 45.0
-longitude_deg = -20.0
-[source]
-frequency_hz = 20.0
-level_db_re_1upa_at_1m = 190.0
-depth_m = 30.0
-north_m = 0.0
-east_m = 0.0
-[noise]
-level_db_re_1upa = 90.0
-[water]
-profile = "munk"
-axis_sound_speed_mps = 1500.0
-axis_depth_m = 1300.0
-scale_m = 1300.0
-perturbation = 0.00737
-[bathymetry]
-layout = "grid_csv"
-file = "chart.csv"
-[seabed]
-[[seabed.layers]]
-sound_speed_mps = 1600.0
-density_g_per_cm3 = 1.8
-attenuation_db_per_wavelength = 0.5
-"""
+OCEAN = Path(__file__).parents[1] / "sim/sonar/hilly.toml"
 
 LIBRARY = """name = "64 sources"
 environment = "ocean.toml"
@@ -61,14 +35,14 @@ def chart() -> str:
     lines = ["latitude_deg,longitude_deg,elevation_m"]
     for i in range(-50, 51):
         for j in range(-50, 51):
-            north, east = i * 1.112, j * 0.015 * 111.2 * math.cos(math.radians(45))
+            north, east = i * 1.112, j * 1.179
             depth = 2500 + 300 * math.sin(east / 3 + 0.5 * math.sin(north / 7)) + 150 * math.sin(north / 1.8)
-            lines.append(f"{45 + 0.01 * i:.3f},{-20 + 0.015 * j:.3f},{-depth:.1f}")
+            lines.append(f"{0.01 * i:.4f},{0.0106 * j:.4f},{-depth:.1f}")
     return "\n".join(lines) + "\n"
 
 
 with tempfile.TemporaryDirectory() as folder:
-    for name, text in {"chart.csv": chart(), "ocean.toml": OCEAN, "library.toml": LIBRARY}.items():
+    for name, text in {"chart.csv": chart(), "ocean.toml": OCEAN.read_text(), "library.toml": LIBRARY}.items():
         (Path(folder) / name).write_text(text)
     start = time.monotonic()
     subprocess.run([sys.argv[1], "--library", f"{folder}/library.toml", "-o", f"{folder}/library.nc"], check=True, stdout=sys.stderr)

@@ -19,6 +19,25 @@ TEST_F(FieldProgram, DrawsAPictureWhenAsked) {
   EXPECT_NE(read(picture).find("<svg"), std::string::npos);
 }
 
+TEST_F(FieldProgram, SaysThatGnuplotIsMissing) {
+  // A picture of more data than a pipe holds: gnuplot's absence must not end the program by SIGPIPE.
+  const auto picture = folder_ / "out" / "field.png";
+  EXPECT_EQ(run(kMunk + " -o " + output() + " --max-range-km 5 --plot " + picture.string(), "PATH=/nowhere"), 2);
+  EXPECT_NE(errors().find("field.png: cannot be drawn: gnuplot is not there"), std::string::npos) << errors();
+  EXPECT_FALSE(std::filesystem::exists(picture));
+}
+
+TEST_F(FieldProgram, LooksAsDeepAsASectionIsBetweenItsStations) {
+  // 100 m at the source, 3000 m at 100 km, linear between: 825 m at 25 km, where no station stands.
+  std::ofstream(folder_ / "section.csv") << "range_m,depth_m\n0,100\n100000,3000\n";
+  const std::string ocean =
+      ocean_with("[seabed]\ndepth_m = 3000.0", "[bathymetry]\nlayout = \"section_csv\"\nfile = \"section.csv\"\n[seabed]");
+  EXPECT_EQ(run(ocean + " -o " + output() + " --radials 4 --receiver-depth-m 800"), 0) << errors();
+  std::filesystem::remove(output());
+  expect_refused(ocean + " -o " + output() + " --radials 4 --receiver-depth-m 850", "at its deepest 825 m");
+  expect_refused(ocean + " -o " + output() + " --receiver-depth-m 850", "at its deepest 825 m");
+}
+
 TEST_F(FieldProgram, RefusesAMissingFile) {
   expect_refused("/nowhere/ocean.toml -o " + output(), "/nowhere/ocean.toml: no such file");
 }
@@ -49,7 +68,34 @@ TEST_F(FieldProgram, RefusesAPictureOfAnUnknownKindBeforeTheWork) {
 }
 
 TEST_F(FieldProgram, RefusesAnOptionOutOfItsRange) {
-  expect_refused(kMunk + " -o " + output() + " --max-range-km=-1", "--max-range-km");
+  expect_refused(kMunk + " -o " + output() + " --max-range-km=-1", "--max-range-km: -1: must be a number from 0.001 to 2000");
+  expect_refused(kMunk + " -o " + output() + " --max-range-km nan", "--max-range-km: nan: must be a number from 0.001 to 2000");
+  expect_refused(kMunk + " -o " + output() + " --radials 0 --depth 300", "--radials: 0: must be");
+  expect_refused(kMunk + " -o " + output() + " --radials 99999999999999999999 --depth 300", "--radials: 99999999999999999999: must be");
+}
+
+TEST_F(FieldProgram, RefusesMoreThanMemoryHolds) {
+  expect_refused(kMunk + " -o " + output() + " --max-range-km 2000 --output-step-m 0.01", "must not exceed 6.4e+07; take a longer step");
+  expect_refused(kMunk + " -o " + output() + " --max-range-km 2000 --output-step-m 0.01 --radials 100000 --depth 300", "must not exceed");
+}
+
+TEST_F(FieldProgram, RefusesASolverThatCannotServe) {
+  const auto refuse = [this](const std::string& option, const std::string& value) {
+    expect_refused(kMunk + " -o " + output() + " --max-range-km 1 --depth 300 " + option + " " + value, option.substr(2));
+  };
+  for (const char* value : {"17", "1", "-1", "nan", "eight"}) refuse("--terms", value);
+  for (const char* value : {"0", "-5", "nan", "inf"}) {
+    for (const char* option : {"--range-step", "--depth-step", "--accuracy-db", "--absorber-wavelengths", "--output-step-m"})
+      refuse(option, value);
+  }
+  refuse("--starter", "thomson");
+}
+
+TEST_F(FieldProgram, TakesEveryOptionOfTheSolver) {
+  const std::string options = " --max-range-km 2 --depth 300 --range-step 20 --depth-step 5 --absorber-wavelengths 8 --accuracy-db 0.1";
+  for (const char* terms : {"2", "4", "8", "13", "16"})  // RAM writes stale numbers at 13
+    EXPECT_EQ(run(kMunk + " -o " + output() + options + " --terms " + terms), 0) << errors();
+  EXPECT_EQ(run(kMunk + " -o " + output() + options + " --starter gaussian"), 0) << errors();
 }
 
 TEST_F(FieldProgram, FollowsOneRadialOfAnOceanWithCharts) {
@@ -87,11 +133,13 @@ TEST_F(FieldProgram, RefusesARadialThatLeavesTheChart) {
 TEST_F(FieldProgram, RefusesOptionsThatContradictEachOther) {
   expect_refused("-o " + output(), "ENVIRONMENT");
   expect_refused(kMunk + " -o " + output() + " --radials 8", "--radials needs --receiver-depth-m");
-  expect_refused(kMunk + " -o " + output() + " --map --depth 300", "--map needs --radials");
+  expect_refused(kMunk + " -o " + output() + " --map --depth 300", "--map requires --radials");
   expect_refused(kMunk + " -o " + output() + " --band-hz 30 15", "--band-hz");
-  expect_refused(kMunk + " -o " + output() + " --library l.toml", "ENVIRONMENT excludes --library");
+  expect_refused(kMunk + " -o " + output() + " --library l.toml", "ENVIRONMENT: not with --library");
   expect_refused("--library l.toml -o " + output() + " --accuracy-db 0.5", "--accuracy-db");
   expect_refused(kMunk + " -o " + output() + " --depth 300 100", "must increase");
+  expect_refused(kMunk + " -o " + output() + " --fluctuation-db 6", "--fluctuation-db requires --radials");
+  expect_refused(kMunk + " -o " + output() + " --frequencies 6", "--frequencies requires --band-hz");
 }
 
 TEST_F(FieldProgram, SaysThatTheDiskIsFullAndLeavesNothing) {

@@ -1,6 +1,8 @@
 #include "sim/netcdf/resumable_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -32,6 +34,15 @@ std::string bytes(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+std::string complaint(const std::filesystem::path& path, const Layout& wanted) {
+  try {
+    const ResumableFile file(path, wanted);
+  } catch (const FileError& e) {
+    return e.what();
+  }
+  return "none";
+}
+
 TEST(ResumableFile, HoldsFillValuesWhereNothingWasWritten) {
   const tests::TemporaryFolder folder;
   ResumableFile file(folder / "f.nc", layout());
@@ -57,7 +68,32 @@ TEST(ResumableFile, EndsWithTheSameBytesHoweverItWasWritten) {
   }
   EXPECT_EQ(bytes(folder / "one.nc"), bytes(folder / "two.nc"));
   EXPECT_TRUE(ResumableFile::is_finished(folder / "two.nc", layout()));
-  EXPECT_FALSE(ResumableFile::is_finished(folder / "two.nc", layout("second")));
+}
+
+std::string complaint_about_finished(const std::filesystem::path& path, const Layout& wanted) {
+  try {
+    (void)ResumableFile::is_finished(path, wanted);
+  } catch (const FileError& e) {
+    return e.what();
+  }
+  return "none";
+}
+
+TEST(ResumableFile, RefusesANameThatSomethingElseHas) {
+  const tests::TemporaryFolder folder;
+  {
+    ResumableFile file(folder / "f.nc", layout("first", 1000));
+    file.commit();
+  }
+  EXPECT_NE(complaint_about_finished(folder / "f.nc", layout("second", 1000)).find("purpose: stands there already"), std::string::npos);
+  EXPECT_NE(complaint(folder / "f.nc", layout("first", 1000)).find("stands there already"), std::string::npos);
+  std::filesystem::resize_file(folder / "f.nc", 2000);
+  EXPECT_NE(complaint_about_finished(folder / "f.nc", layout("first", 1000)).find("truncated"), std::string::npos);
+  std::filesystem::create_directory(folder / "folder.nc");
+  EXPECT_NE(complaint_about_finished(folder / "folder.nc", layout()).find("cannot be read"), std::string::npos);
+  std::ofstream(folder / "thesis.txt") << "all of it";
+  EXPECT_NE(complaint_about_finished(folder / "thesis.txt", layout()).find("not a whole NetCDF file"), std::string::npos);
+  EXPECT_FALSE(ResumableFile::is_finished(folder / "new.nc", layout()));
 }
 
 TEST(ResumableFile, HasItsWholeSizeFromTheBeginning) {
@@ -68,15 +104,6 @@ TEST(ResumableFile, HasItsWholeSizeFromTheBeginning) {
   for (std::size_t x = 0; x < 10'000; ++x) put(file, x, 1.0);
   file.flush();
   EXPECT_EQ(std::filesystem::file_size(folder / "f.nc.partial"), size);
-}
-
-std::string complaint(const std::filesystem::path& path, const Layout& wanted) {
-  try {
-    const ResumableFile file(path, wanted);
-  } catch (const FileError& e) {
-    return e.what();
-  }
-  return "none";
 }
 
 TEST(ResumableFile, RefusesToGoOnWithWhatWasBegunForAnotherPurposeOrShape) {
@@ -91,6 +118,19 @@ TEST(ResumableFile, RefusesASecondWriter) {
   const tests::TemporaryFolder folder;
   const ResumableFile file(folder / "f.nc", layout());
   EXPECT_NE(complaint(folder / "f.nc", layout()).find("is writing it"), std::string::npos);
+}
+
+TEST(ResumableFile, RefusesASecondWriterWhileTheFirstStillFillsItsDraft) {
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path draft = folder / "f.nc.partial.new";
+  const int other = open(draft.c_str(), O_RDWR | O_CREAT, 0666);
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  ASSERT_EQ(fcntl(other, F_OFD_SETLK, &whole), 0);  // belongs to the descriptor: as good as another process's
+  EXPECT_NE(complaint(folder / "f.nc", layout()).find("is writing it"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(draft)) << "the other's draft was taken away";
+  close(other);
+  EXPECT_EQ(complaint(folder / "f.nc", layout()), "none") << "a draft that a killed process left is in the way";
 }
 
 TEST(ResumableFile, RefusesATruncatedFileAndANameInNoFolder) {

@@ -59,6 +59,15 @@ TEST(Bathymetry, RefusesAnotherLayoutOrUnit) {
   expect_mentions(complaint(layout), "g.nc: elevation: must have the dimensions (lat, lon)");
 }
 
+TEST(Bathymetry, RefusesAFillValueThatTheFileDoesNotDeclare) {
+  const tests::TemporaryFolder folder;
+  GebcoFile layout = slope();
+  layout.elevation_m = [](double lat, double lon) { return lat == 42.0 && lon == -8.0 ? -32767.0 : -100.0; };
+  layout.write(folder / "g.nc");
+  expect_mentions(complaint_of([&] { (void)read_gebco(folder / "g.nc", kCentre, Meters{1000.0}); }),
+                  "g.nc: elevation: holds -32767 at latitude 42, longitude -8, must be from -12000 to 10000 m");
+}
+
 TEST(Bathymetry, RefusesATruncatedFile) {
   const tests::TemporaryFolder folder;
   slope().write(folder / "g.nc");

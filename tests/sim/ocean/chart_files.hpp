@@ -48,10 +48,11 @@ struct AtlasFile {
   std::function<double(double depth_m, double latitude_deg, double longitude_deg)> salinity_psu;
   std::string temperature_units = "degrees_celsius";
   bool with_time = true;
+  std::size_t times = 1;  ///< the same at each
 
   void write(const std::filesystem::path& path) const {
     netcdf::Writer file(path);
-    file.dimension("time", 1);
+    file.dimension("time", times);
     file.dimension("depth", depth_m.size());
     file.dimension("lat", latitude_deg.size());
     file.dimension("lon", longitude_deg.size());
@@ -80,6 +81,8 @@ struct AtlasFile {
         for (const double lon : longitude_deg) values.push_back(f(z, lat, lon));
       }
     }
+    const std::vector<double> once = values;
+    for (std::size_t time = 1; time < times; ++time) values.insert(values.end(), once.begin(), once.end());
     return values;
   }
 };

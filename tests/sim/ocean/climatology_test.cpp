@@ -102,6 +102,12 @@ TEST_F(ClimatologyFile, RefusesOtherUnitsDepthsAndValues) {
   expect_mentions(complaint(layout), "woa.nc: t_an: holds 288, must be from -3 to 45");
 }
 
+TEST_F(ClimatologyFile, RefusesSeveralMonthsRatherThanTakeTheFirst) {
+  AtlasFile layout = warm_sea();
+  layout.times = 12;
+  expect_mentions(complaint(layout), "woa.nc: t_an: has 12 times, must have one");
+}
+
 TEST_F(ClimatologyFile, RefusesTemperatureAndSalinityOnDifferentGrids) {
   warm_sea().write(folder_ / "t.nc");
   AtlasFile other = warm_sea();

@@ -41,6 +41,7 @@ TEST_F(CsvTableFile, SaysWhereAValueIsMissingOrNoNumber) {
   EXPECT_EQ(complaint("a,b\n1e999,2\n"), "t.csv:2: a = 1e999: must be a finite number");
   EXPECT_EQ(complaint("a,b\n1,12abc\n"), "t.csv:2: b = 12abc: must be a finite number");
   EXPECT_EQ(complaint("a,b\n1\n"), "t.csv:2: has 1 values, the header has 2");
+  EXPECT_EQ(complaint("a,b,a\n1,2,3\n"), "t.csv: has two columns a");
   EXPECT_EQ(complaint("a,b\n"), "t.csv: must have a header line and at least one line of numbers");
 }
 

@@ -69,6 +69,13 @@ TEST(GeoWindow, CrossesTheDateLineAndGreenwich) {
   }
 }
 
+TEST(GeoWindow, ReadsARegionWhoseLongitudesJumpAtTheDateLine) {
+  std::vector<double> longitude_deg = axis(165, 1, 31);  // to 195, which charts of the Pacific write as -165
+  for (double& x : longitude_deg) x = x > 180.0 ? x - 360.0 : x;
+  for (const double centre_deg : {179.8, -179.8, 180.0})
+    expect_window_shows_labels({axis(0, 1, 90), longitude_deg, label}, {.latitude_deg = 30.0, .longitude_deg = centre_deg});
+}
+
 TEST(GeoWindow, RefusesAPlaceThatTheFileDoesNotCover) {
   const tests::TemporaryFolder folder;
   GebcoFile{axis(40, 1, 5), axis(-10, 1, 5), label}.write(folder / "g.nc");
@@ -97,6 +104,9 @@ TEST(GeoWindow, RefusesAxesThatAreNotLatitudeAndLongitude) {
   layout.latitude_deg = {41};
   EXPECT_NE(complaint(layout).find("g.nc: lat: must have at least two values"), std::string::npos);
   layout.latitude_deg = axis(40, 1, 5);
+  layout.longitude_deg = {-10, -9, -9.5, -8};
+  EXPECT_NE(complaint(layout).find("g.nc: lon: must increase or decrease throughout"), std::string::npos);
+  layout.longitude_deg = axis(-10, 1, 5);
   layout.latitude_units = "m";
   EXPECT_NE(complaint(layout).find("g.nc: lat: units must be degrees_north, are m"), std::string::npos);
 }

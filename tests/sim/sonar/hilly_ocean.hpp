@@ -21,33 +21,8 @@ inline std::filesystem::path write_hilly_ocean(const std::filesystem::path& fold
       chart << 0.02 * i << ',' << 0.02 * j << ',' << -2500.0 + island + hill << '\n';
     }
   }
-  std::ofstream(folder / "hilly.toml") << R"(name = "hill and island"
-[origin]
-latitude_deg = 0.0
-longitude_deg = 0.0
-[source]
-frequency_hz = 20.0
-level_db_re_1upa_at_1m = 190.0
-depth_m = 30.0
-north_m = 0.0
-east_m = 0.0
-[noise]
-level_db_re_1upa = 90.0
-[water]
-profile = "munk"
-axis_sound_speed_mps = 1500.0
-axis_depth_m = 1300.0
-scale_m = 1300.0
-perturbation = 0.00737
-[bathymetry]
-layout = "grid_csv"
-file = "chart.csv"
-[seabed]
-[[seabed.layers]]
-sound_speed_mps = 1600.0
-density_g_per_cm3 = 1.8
-attenuation_db_per_wavelength = 0.5
-)";
+  std::filesystem::copy_file(std::filesystem::path(EARSHOT_SOURCE_DIR) / "tests/sim/sonar/hilly.toml", folder / "hilly.toml",
+                             std::filesystem::copy_options::overwrite_existing);
   return folder / "hilly.toml";
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "sim/netcdf/reader.hpp"
+#include "sim/sonar/field_library.hpp"
 #include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
 
@@ -49,6 +50,13 @@ TEST_F(Library, HoldsTheFanOfEveryPosition) {
     ASSERT_TRUE(same(read.transmission_loss_db[i], fan.transmission_loss_db[i])) << i;
 }
 
+TEST_F(Library, RefusesADepthThatAFlatOceanHasNowhere) {
+  const std::string flat = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
+  EXPECT_NO_THROW((void)plan("source", "30", "300, 3000", flat));
+  EXPECT_THROW((void)plan("source", "30", "300, 3001", flat), config_file::BadInput);
+  EXPECT_NO_THROW((void)plan("source", "30", "300, 2400"));  // charts: some positions may be deep enough
+}
+
 TEST_F(Library, KeepsWhatWasComputedBeforeAnError) {
   const LibraryPlan library = plan("source", "30", "300");
   const auto fail_at_the_second = [](double fraction) {
@@ -65,7 +73,7 @@ TEST_F(Library, ComputesNothingThatStandsThereFinished) {
   const LibraryPlan library = plan("source", "30", "300");
   (void)write_library(file(), library, 2, alone_);
   EXPECT_EQ(write_library(file(), library, 2, alone_).computed, 0U);
-  EXPECT_EQ(write_library(file(), plan("source", "40", "300"), 2, alone_).computed, 3U);  // another one of the same name
+  EXPECT_THROW(write_library(file(), plan("source", "40", "300"), 2, alone_), netcdf::FileError) << "overwrote another of the same name";
 }
 
 TEST_F(Library, GivesBothDirectionsOfAFlatOceanTheSameLoss) {
