@@ -112,23 +112,34 @@ void Belief::start(const BeliefModel& model) {
   foresee(model);
 }
 
+/// What a search costs that goes straight to a source, by its range, under the hypotheses as likely as they now are.
 void Belief::foresee(const BeliefModel& model) {
   const std::size_t count = model.snr_db.size();
-  RangeTable heard;
-  for (std::size_t i = 0; i < count; ++i) heard[i] = double{model.snr_db[i]} >= model.detection_threshold.value ? 1.0F : 0.0F;
+  RangeTable heard{};
+  for (std::size_t h = 0; h < model.hypotheses.size(); ++h) {
+    const BeliefHypothesis& hypothesis = model.hypotheses[h];
+    const float per_spread = 1.0F / hypothesis.spread_db;
+    const float level = hypothesis.level_offset_db - static_cast<float>(model.detection_threshold.value);
+    const float share = (1.0F - model.silence_share) * hypothesis_shares_[h];
+    for (std::size_t i = 0; i < count; ++i) heard[i] += share * normal_cumulative((model.snr_db[i] + level) * per_spread);
+  }
   smooth(std::span(heard).first(count), half_cell(model), detected_);
   const auto step = std::clamp<std::size_t>(static_cast<std::size_t>(model.step_length / model.range_step + 0.5), 1, count);
+  const float discount = exp(kLogStepDiscount / static_cast<float>(step));
+  float discounted = 1.0F;
   RangeTable silent;  // expected steps without detection
   for (std::size_t i = 0; i < count; ++i) {
     const float steps = i <= step ? 0.0F : static_cast<float>(i - step) / static_cast<float>(step);
     silent[i] = i <= step ? 0.0F : (1.0F - detected_[i]) * std::min(1.0F, steps) + silent[i - step];
-    cost_[i] = silent[i] + kStepCost * (1.0F - exp(steps * kLogStepDiscount)) / (1.0F - kStepDiscount);
+    if (i > step) discounted *= discount;
+    cost_[i] = silent[i] + kStepCost * (1.0F - discounted) / (1.0F - kStepDiscount);
   }
 }
 
 void Belief::update(const BeliefModel& model, NorthEast position, Heard heard) {
   find_ranges(model, position);
   weigh(model, heard);
+  foresee(model);
   summarise(model);
   look_out(model, position);
 }

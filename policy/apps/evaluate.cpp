@@ -13,6 +13,7 @@
 #include "policy/baselines/catalogue.hpp"
 #include "policy/baselines/learned.hpp"
 #include "policy/evaluate/evaluation.hpp"
+#include "policy/evaluate/path_table.hpp"
 #include "policy/evaluate/policy_file.hpp"
 #include "policy/evaluate/table.hpp"
 #include "policy/evaluate/world_file.hpp"
@@ -37,6 +38,7 @@ struct Options {
   std::optional<std::string> json;
   std::optional<std::string> csv;
   std::optional<std::string> plot;
+  std::optional<std::string> paths;
   bool timing = false;
 };
 
@@ -60,6 +62,7 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--json", o.json, "also write the figures there");
   app.add_option("--csv", o.csv, "also write the table there");
   app.add_option("--plot", o.plot, "also draw it there (.png or .svg)");
+  app.add_option("--paths", o.paths, "also write there where every search went, step by step (CSV)");
   app.add_flag("--timing", o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
   app.footer("By name:\n  shipped           the policy that ships (policy/frozen)" + names_of_baselines() +
              "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what the --environment says is heard.\n"
@@ -136,7 +139,8 @@ struct Arena {
   std::optional<policy::ActionDraw> draw;
 };
 
-std::vector<evaluate::Flight> fly_share(const Contestant& contestant, const Arena& arena, const parallel::Ranks& ranks) {
+std::vector<evaluate::Flight> fly_share(const Contestant& contestant, const Arena& arena, const parallel::Ranks& ranks,
+                                        evaluate::PathTable* paths) {
   search::SearchSettings settings = arena.settings;
   if (contestant.learned) settings.direction_count = contestant.learned->actions.size();
   search::SearchWorld world(settings, arena.soundscape, arena.world.environment.conditions);
@@ -148,7 +152,10 @@ std::vector<evaluate::Flight> fly_share(const Contestant& contestant, const Aren
   } else {
     searcher = baselines::make_baseline(contestant.name, briefing);
   }
-  return evaluate::fly(*searcher, world, {.end = arena.episodes, .first = ranks.rank(), .stride = ranks.size()}, arena.world.seed);
+  evaluate::Watcher watcher;
+  if (paths != nullptr)
+    watcher = [&](std::size_t number, const search::Episode& episode) { paths->add(arena.world.name, contestant.name, number, episode); };
+  return evaluate::fly(*searcher, world, {.end = arena.episodes, .first = ranks.rank(), .stride = ranks.size()}, arena.world.seed, watcher);
 }
 
 /// On rank 0: the searches of all ranks in the order of one alone; elsewhere nothing.
@@ -211,7 +218,7 @@ void write_files(const Options& o, const search::SearchSettings& settings, const
 }
 
 void check_files(const Options& o) {
-  for (const auto& file : {o.json, o.csv, o.plot}) {
+  for (const auto& file : {o.json, o.csv, o.plot, o.paths}) {
     if (file) apps::check_writable(*file);
   }
   const std::string extension = o.plot ? std::filesystem::path(*o.plot).extension().string() : ".png";
@@ -220,6 +227,7 @@ void check_files(const Options& o) {
 
 void evaluate_policies(const Options& o, parallel::Ranks& ranks) {
   const bool speaks = ranks.rank() == 0;
+  if (o.paths && ranks.size() > 1) throw BadInput("--paths: not with several MPI ranks");
   const std::vector<Contestant> contestants = contestants_of(o);
   const Meters depth{o.search.vehicle_depth_m.value_or(300.0)};
   const std::filesystem::path environment_file =
@@ -235,12 +243,14 @@ void evaluate_policies(const Options& o, parallel::Ranks& ranks) {
   if (o.draw) draw = *o.draw == "argmax" ? policy::ActionDraw::kArgmax : policy::ActionDraw::kSampled;
 
   std::vector<evaluate::Row> rows;
+  evaluate::PathTable paths;
   for (const evaluate::World& world : worlds) {
     const search::Soundscape soundscape = apps::soundscape_for(world.environment, depth, settings);
     const Arena arena{world, soundscape, expected, settings, o.episodes, draw};
     const std::size_t first_row = rows.size();
     for (const Contestant& contestant : contestants) {
-      const std::vector<evaluate::Flight> flights = gathered(fly_share(contestant, arena, ranks), o.episodes, ranks);
+      const std::vector<evaluate::Flight> flights =
+          gathered(fly_share(contestant, arena, ranks, o.paths ? &paths : nullptr), o.episodes, ranks);
       if (speaks) rows.push_back(evaluate::row_of(world.name, contestant.name, flights, world.seed));
     }
     if (speaks) {
@@ -249,6 +259,7 @@ void evaluate_policies(const Options& o, parallel::Ranks& ranks) {
     }
   }
   if (speaks) write_files(o, settings, worlds, rows);
+  if (o.paths) apps::write_whole(*o.paths, paths.csv());
 }
 
 }  // namespace

@@ -52,9 +52,11 @@ void TrainOptions::add_to(CLI::App& app) {
   app.add_option("--episodes", episodes, "train for so many episodes, in whole rollouts (1500 when neither this nor --steps is given)");
   app.add_option("--steps", steps, "train for so many steps, in whole rollouts");
   world.add_to(app);
-  app.add_option("--state", state,
-                 "what the policy sees: simple (x, y), memory (last steps and their SNR) or belief (where the source may be) (simple)")
-      ->check(CLI::IsMember({"simple", "memory", "belief"}));
+  app.add_option(
+         "--state", state,
+         "what the policy sees: simple (x, y), memory (last steps and their SNR), position_memory (both) or belief (where the source may "
+         "be) (simple)")
+      ->check(CLI::IsMember({"simple", "memory", "position_memory", "belief"}));
   app.add_option("--remembered-steps", remembered_steps, "m of the memory state (2)")
       ->check(CLI::Range(1, static_cast<int>(config::kMaxRememberedSteps)));
   auto* one_seed = app.add_option("--seed", seed, "seed of everything random (1)");
@@ -70,7 +72,7 @@ void check_for_resume(const CLI::App& app) {
   constexpr std::array<std::string_view, 9> kFree{"--resume",   "--output", "--checkpoint-every", "--curve", "--plot",
                                                   "--episodes", "--steps",  "--threads",          "--help"};
   for (const CLI::Option* option : app.get_options()) {
-    const std::string name = option->get_name(true);
+    const std::string name = option->get_name();
     const bool free = std::ranges::any_of(kFree, [&](std::string_view each) { return option->check_name(std::string(each)); });
     if (option->count() > 0 && !free) throw config_file::BadInput(name + ": stays as it was in a training that --resume goes on with");
   }
@@ -97,6 +99,10 @@ ppo::TrainingRun settled(const TrainOptions& options) {
   if (options.world.vehicle_depth_m) run.vehicle_depth = Meters{*options.world.vehicle_depth_m};
   if (options.state) run.state = ppo::state_named(*options.state);
   if (options.remembered_steps) run.remembered_steps = *options.remembered_steps;
+  if (run.state == ppo::State::kPositionMemory && run.remembered_steps == config::kMaxRememberedSteps) {
+    throw config_file::BadInput("--remembered-steps: at most " + std::to_string(config::kMaxRememberedSteps - 1) +
+                                " with the state position_memory");
+  }
   if (options.seed) run.seed = *options.seed;
   if (options.environments) run.hyper.environment_count = *options.environments;
   if (options.episodes || options.steps) {

@@ -14,10 +14,20 @@ using std::chrono::steady_clock;
 
 const policy::ObservationModel kSeesNothing;  // searchers remember for themselves
 
-Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, Pcg32 starts, Pcg32 actions, search::Episode& episode) {
+/// Which episode it is, and what it draws from.
+struct Turn {
+  std::size_t number;
+  Pcg32 starts;
+  Pcg32 actions;
+};
+
+Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, const Turn& turn, search::Episode& episode,
+               const Watcher& watcher) {
   Flight flight;
-  searcher.begin(actions);
+  Pcg32 starts = turn.starts;
+  searcher.begin(turn.actions);
   episode.start(world, kSeesNothing, starts);
+  if (watcher) watcher(turn.number, episode);
   const Meters to_source = range_between(episode.position(), episode.source());
   flight.straight_m = (to_source - world.settings.step_length).value;
   while (episode.record().end == search::EpisodeEnd::kRunning) {
@@ -29,6 +39,7 @@ Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, 
     flight.decision_s += std::chrono::duration<double>(steady_clock::now() - began).count();
     episode.step(world, action);
     flight.path_m += range_between(before, episode.position()).value;
+    if (watcher) watcher(turn.number, episode);
   }
   flight.record = episode.record();
   return flight;
@@ -36,11 +47,12 @@ Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, 
 
 }  // namespace
 
-std::vector<Flight> fly(baselines::Searcher& searcher, const search::SearchWorld& world, Episodes episodes, std::uint64_t seed) {
+std::vector<Flight> fly(baselines::Searcher& searcher, const search::SearchWorld& world, Episodes episodes, std::uint64_t seed,
+                        const Watcher& watcher) {
   std::vector<Flight> flights;
   search::Episode episode;
   for (std::size_t i = episodes.first; i < episodes.end; i += episodes.stride)
-    flights.push_back(fly_one(searcher, world, Pcg32(seed, 2 * i), Pcg32(seed, 2 * i + 1), episode));
+    flights.push_back(fly_one(searcher, world, {i, Pcg32(seed, 2 * i), Pcg32(seed, 2 * i + 1)}, episode, watcher));
   return flights;
 }
 
@@ -76,14 +88,17 @@ Summary summarise(std::span<const search::EpisodeRecord> records) {
   Summary summary;
   summary.episodes = records.size();
   std::vector<double> rewards;
-  for (const search::EpisodeRecord& record : records) {
+  for (const search::EpisodeRecord& record : records) {  // sums first: shares of whole numbers come out exact
     rewards.push_back(record.reward);
-    summary.mean_reward += record.reward / count;
-    summary.found_fraction += record.end == search::EpisodeEnd::kFound ? 1.0 / count : 0.0;
-    summary.left_domain_fraction += record.end == search::EpisodeEnd::kLeftDomain ? 1.0 / count : 0.0;
-    summary.mean_steps += record.steps / count;
-    summary.mean_detections += record.detections / count;
+    summary.mean_reward += record.reward;
+    summary.found_fraction += record.end == search::EpisodeEnd::kFound ? 1.0 : 0.0;
+    summary.left_domain_fraction += record.end == search::EpisodeEnd::kLeftDomain ? 1.0 : 0.0;
+    summary.mean_steps += record.steps;
+    summary.mean_detections += record.detections;
   }
+  for (double* mean :
+       {&summary.mean_reward, &summary.found_fraction, &summary.left_domain_fraction, &summary.mean_steps, &summary.mean_detections})
+    *mean /= count;
   summary.lower_quartile_reward = quantile(rewards, 0.25);
   summary.median_reward = quantile(rewards, 0.5);
   summary.upper_quartile_reward = quantile(rewards, 0.75);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -26,10 +27,13 @@ struct Episodes {
   std::size_t stride = 1;
 };
 
+/// Shown every episode at its start and after each of its steps.
+using Watcher = std::function<void(std::size_t number, const search::Episode& episode)>;
+
 /// Episode i draws its start, its sources and all that its world's conditions ask for from stream 2i of the seed, what the searcher draws
 /// from stream 2i + 1: the same starts for every searcher.
 [[nodiscard]] std::vector<Flight> fly(baselines::Searcher& searcher, const search::SearchWorld& world, Episodes episodes,
-                                      std::uint64_t seed);
+                                      std::uint64_t seed, const Watcher& watcher = {});
 
 /// Flies `episodes` searches with the arithmetic that flies at sea (firmware/policy); `world.actions` are the policy's.
 [[nodiscard]] std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, policy::ActionDraw draw,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -16,7 +17,7 @@ namespace {
 using config_file::Range;
 using config_file::TableReader;
 
-constexpr std::array<std::string_view, 3> kStates{"simple", "memory", "belief"};  // in the order of State
+constexpr std::array<std::string_view, 4> kStates{"simple", "memory", "belief", "position_memory"};  // in the order of State
 constexpr std::int64_t kMany = std::numeric_limits<std::int64_t>::max();
 
 std::size_t read_size(TableReader& table, std::string_view key, std::size_t fallback, std::int64_t lowest, std::int64_t highest) {
@@ -37,6 +38,10 @@ void read_search(TableReader table, search::SearchSettings& s) {
   s.border_reward = table.number_or("border_reward", s.border_reward);
   const bool everywhere = table.choice_or("start", 0, {"domain", "inside_border"}) == 0;
   s.start_region = everywhere ? s.domain : search::inside_border(s);
+  if (table.has("start_margin_m")) {
+    const Meters margin{table.number("start_margin_m", Range::at_least(0.0))};
+    s.start_region = {s.domain.south_west + NorthEast{margin, margin}, s.domain.north_east - NorthEast{margin, margin}};
+  }
 }
 
 void read_hyper_parameters(TableReader table, HyperParameters& h) {
@@ -59,6 +64,19 @@ void read_training_reward(TableReader table, HyperParameters& h) {
   h.found_reward = table.number_or("found", h.found_reward);
   h.step_reward = table.number_or("step", h.step_reward);
   h.least_reward = table.number_or("least", h.least_reward, Range::between(-1.0e9, 0.0));
+}
+
+/// Where the vehicle is, and what the memory state holds.
+policy::ObservationSpec position_memory(const TrainingRun& run) {
+  const search::SearchSettings& s = run.search;
+  policy::ObservationSpec spec = policy::simple_state(s.domain.north_east - s.domain.south_west);
+  const policy::ObservationSpec memory = policy::memory_state(run.remembered_steps, s.step_length, s.detection_threshold).value();
+  for (const policy::ObservationElement& element : memory) {
+    const Status status = spec.push_back(element);
+    assert(status == Status::kOk);
+    static_cast<void>(status);
+  }
+  return spec;
 }
 
 }  // namespace
@@ -110,6 +128,9 @@ policy::ObservationModel observation_of(const TrainingRun& run, const sonar::Snr
     case State::kBelief:
       model.spec = policy::belief_state(model.belief);
       break;
+    case State::kPositionMemory:
+      model.spec = position_memory(run);
+      break;
   }
   return model;
 }
@@ -125,9 +146,9 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   const HyperParameters& h = run.hyper;
   add("vehicle_depth_m", run.vehicle_depth.value);
   add("state", name_of(run.state));
-  if (run.state == State::kMemory) add("remembered_steps", run.remembered_steps);
+  if (run.state == State::kMemory || run.state == State::kPositionMemory) add("remembered_steps", run.remembered_steps);
   add("source", s.placement == search::SourcePlacement::kFixed ? "fixed" : "changing");
-  add("start", s.start_region.south_west == s.domain.south_west ? "domain" : "inside_border");
+  add("start_margin_m", (s.start_region.south_west.north - s.domain.south_west.north).value);
   add("border_width_m", s.border_width.value);
   add("border_reward", s.border_reward);
   add("max_steps", s.max_steps);

@@ -18,9 +18,10 @@ namespace earshot::ppo {
 
 /// What the policy is shown.
 enum class State : std::uint8_t {
-  kSimple,  ///< o = (x, y)
-  kMemory,  ///< displacement and SNR of each of the last steps
-  kBelief,  ///< what is believed about the source, from all that was heard
+  kSimple,          ///< o = (x, y)
+  kMemory,          ///< displacement and SNR of each of the last steps
+  kBelief,          ///< what is believed about the source, from all that was heard
+  kPositionMemory,  ///< kSimple and kMemory together
 };
 
 enum class LearningRateSchedule : std::uint8_t {
@@ -46,7 +47,7 @@ struct TrainingRun {
 /// problem.
 [[nodiscard]] TrainingRun load_run(const std::filesystem::path& path);
 
-/// "simple", "memory" or "belief".
+/// "simple", "memory", "belief" or "position_memory".
 [[nodiscard]] std::string_view name_of(State state);
 /// @param name  one of the names above
 [[nodiscard]] State state_named(std::string_view name);

@@ -12,7 +12,9 @@ namespace {
 
 constexpr double kDepthError = 0.028;  // dB at 15 points to a wavelength
 constexpr double kDepthPoints = 15.0;
-constexpr double kPhaseError = 0.85;  // dB per radian of the steepest trapped wave
+constexpr double kDepthWavelengths = 40.0;  // of water, in which steep waves go wrong by that much; in deeper water by more
+constexpr double kDepthGrowth = 0.75;       // the power of it that was measured, 20 to 400 Hz in 3000 m
+constexpr double kPhaseError = 0.85;        // dB per radian of the steepest trapped wave
 constexpr double kSteepest = 60.0 / 180.0 * std::numbers::pi;
 constexpr double kSlopeError = 0.07;  // dB at a step of half a wavelength, a slope of 1 and a range of one wavelength
 constexpr double kSlopeStep = 0.5;
@@ -43,6 +45,7 @@ struct Scales {
   double slope;          // root mean square
   double corners;        // integral of slope^2 / depth
   double max_range_m;
+  double deepest_m;
 };
 
 struct Slopes {
@@ -74,15 +77,18 @@ Scales scales_of(const Section& section, Hertz frequency, Meters max_range) {
           .trapped_angle = trapped_angle,
           .slope = std::sqrt(slopes.mean_square),
           .corners = slopes.corners,
-          .max_range_m = max_range.value};
+          .max_range_m = max_range.value,
+          .deepest_m = std::ranges::max(section.floor, {}, &FloorPoint::depth_m).depth_m};
 }
 
-/// The first term is what steep waves do near the source, the second the phase error of the steepest wave that the sea floor keeps in.
+/// The first term is what steep waves do near the source, on their way down and up again, the second the phase error of the steepest wave
+/// that the sea floor keeps in.
 double depth_error_db(const Scales& s, double step_m) {
   const double vertical = s.wavenumber_per_m * std::sin(s.trapped_angle);
   const double horizontal = s.wavenumber_per_m * std::cos(s.trapped_angle);
   const double phase_error = s.max_range_m * vertical * vertical / horizontal * std::pow(vertical * step_m, 4) / 480.0;
-  return kDepthError * std::pow(kDepthPoints * step_m / s.wavelength_m, 4) + kPhaseError * phase_error;
+  const double way = std::pow(std::max(1.0, s.deepest_m / s.wavelength_m / kDepthWavelengths), kDepthGrowth);
+  return kDepthError * way * std::pow(kDepthPoints * step_m / s.wavelength_m, 4) + kPhaseError * phase_error;
 }
 
 double slope_error_db(const Scales& s, double step_m) {

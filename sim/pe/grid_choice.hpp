@@ -17,7 +17,7 @@ struct GridChoice {
 
 /// The coarsest grid that keeps a mean error of transmission loss, from the errors measured on some thirty oceans (README.md):
 ///
-///   depth step   0.028 dB (15 h / lambda)^4 + 0.85 dB r (k_v^2 / k_h) (k_v h)^4 / 480
+///   depth step   0.028 dB (15 h / lambda)^4 max(1, H / 40 lambda)^0.75 + 0.85 dB r (k_v^2 / k_h) (k_v h)^4 / 480
 ///                  lambda the shortest wavelength; k_v, k_h of the steepest wave that the sea floor keeps in
 ///   slope        0.07 dB sqrt(r / lambda) tan^1.5 (2 dr / lambda)^2   tan the root-mean-square slope of the sea floor
 ///   corners      0.2 dB integral of tan^2 / depth dr   no grid lessens it: the evanescent waves of ever shorter steps
@@ -25,7 +25,7 @@ struct GridChoice {
 ///
 /// @param accuracy   of the mean over ranges, dB, > 0
 /// @param max_range  > 0
-/// Oracle: GridChoice.*, Solver.PredictsItsErrorOnEveryReferenceCase
+/// Oracle: GridChoice.*, AutomaticGrid.*
 [[nodiscard]] GridChoice choose_grid(const Section& section, Hertz frequency, Meters max_range, Decibels accuracy);
 
 /// What `choose_grid` expects of a given grid.

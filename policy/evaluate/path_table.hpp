@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "sim/search/episode.hpp"
+
+namespace earshot::evaluate {
+
+/// Where searches went: CSV, a row for every start and for the end of every step.
+class PathTable {
+ public:
+  PathTable();
+  /// @param world, policy  names without a comma
+  void add(std::string_view world, std::string_view policy, std::size_t number, const search::Episode& episode);
+  [[nodiscard]] const std::string& csv() const { return csv_; }
+
+ private:
+  std::string csv_;
+};
+
+}  // namespace earshot::evaluate

@@ -1,0 +1,163 @@
+"""The trainings and evaluations behind the figures: what is run, and what comes back."""
+
+import csv
+import hashlib
+import json
+import os
+import subprocess
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+ENVIRONMENT = ROOT / "sim/ocean/environments/munk_flat.toml"
+KEY = "reproduce.key"
+EVALUATION_SEED = 1000  # plus the seed of the training: starts that the training did not draw
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One task, one state, one budget. The defaults are Earshot's reading of the paper."""
+
+    name: str
+    state: str
+    source: str = "changing"
+    episodes: int = 0
+    steps: int = 0
+    start: str = "domain"
+    border_m: float = 1000.0
+    directions: int = 8
+    remembered: int = 2
+
+    def run_file(self):
+        return (
+            f'environment = "{ENVIRONMENT}"\nstate = "{self.state}"\nremembered_steps = {self.remembered}\n'
+            f"episodes = {self.episodes}\nsteps = {self.steps}\n"
+            f'[search]\nsource = "{self.source}"\nstart = "{self.start}"\n'
+            f"border_width_m = {self.border_m:.1f}\ndirections = {self.directions}\n"
+        )
+
+
+@dataclass
+class Seed:
+    """What one training came to."""
+
+    curve: np.ndarray  # [episode x (reward, found, steps so far)]
+    evaluation: dict  # of earshot evaluate --json
+    rewards: np.ndarray  # of the evaluation's episodes
+    paths: list  # the evaluation's first episodes, each a dict of arrays
+
+
+class Workshop:
+    """Runs Earshot's programs in one folder. A command whose files are there already, made by the same words, is not run again."""
+
+    def __init__(self, folder, programs, jobs):
+        self.folder, self.programs, self.jobs = Path(folder), Path(programs), jobs
+        self.seconds = 0.0  # by the clock, of all commands, those of an earlier run that was kept too
+        self.folder.mkdir(parents=True, exist_ok=True)
+
+    def run(self, program, *words, makes):
+        words = [str(word) for word in words]
+        outputs = [self.folder / name for name in makes]
+        stamp = outputs[0].with_name(outputs[0].name + ".command")
+        inputs = b"".join((self.folder / w).read_bytes() for w in words if w.endswith((".toml", ".policy")) and (self.folder / w).is_file())
+        text = program + " " + " ".join(words) + " # " + hashlib.sha256(inputs).hexdigest()
+        if stamp.exists() and all(o.exists() for o in outputs):
+            made_by, _, seconds = stamp.read_text().rpartition("\n")
+            if made_by == text:
+                self.seconds += float(seconds)
+                return
+        began = time.monotonic()
+        done = subprocess.run([self.programs / f"earshot-{program}", *words], cwd=self.folder, capture_output=True, text=True)
+        if done.returncode != 0:
+            raise SystemExit(f"earshot {program} {' '.join(words)}\n{done.stderr.strip()}")
+        seconds = time.monotonic() - began
+        stamp.write_text(f"{text}\n{seconds:.1f}")
+        self.seconds += seconds
+
+    def field(self):
+        """A section out to 50 km, and a map of 100 km x 100 km at the vehicle's depth: two NetCDF files."""
+        self.run("field", ENVIRONMENT, "-o", "section.nc", "--max-range-km", 50, "--depth-spacing", 10, "--output-step-m", 50,
+                 makes=["section.nc"])  # fmt: skip
+        self.run("field", ENVIRONMENT, "-o", "map.nc", "--max-range-km", 71, "--radials", 8, "--receiver-depth-m", 300, "--map",
+                 "--map-side-km", 100, "--map-intervals", 400, makes=["map.nc"])  # fmt: skip
+        return self.folder / "section.nc", self.folder / "map.nc"
+
+    def results(self, setting, seeds, episodes):
+        """One Seed for each of 1..seeds."""
+        name = setting.name
+        (self.folder / f"{name}.toml").write_text(setting.run_file())
+        self.run("train", f"{name}.toml", "--seeds", f"1-{seeds}", "--threads", self.jobs, "-o", f"{name}.checkpoint",
+                 makes=[f"{name}.seed{k}.checkpoint" for k in range(1, seeds + 1)])  # fmt: skip
+        if not (self.folder / KEY).exists():
+            self.run("freeze", "--new-key", "--key", KEY, makes=[KEY])
+        with ThreadPoolExecutor(self.jobs) as pool:
+            return list(pool.map(lambda k: self.one_seed(setting, k, episodes), range(1, seeds + 1)))
+
+    def one_seed(self, setting, k, episodes):
+        stem = f"{setting.name}.seed{k}"
+        self.run("freeze", f"{stem}.checkpoint", "-o", f"{stem}.policy", "--draw", "sampled", "--key", KEY, makes=[f"{stem}.policy"])
+        self.run("evaluate", f"{stem}.policy", "--environment", ENVIRONMENT, "--source", setting.source, "--start", setting.start,
+                 "--border-width-m", setting.border_m, "--episodes", episodes, "--seed", EVALUATION_SEED + k,
+                 "--json", f"{stem}.json", "--paths", f"{stem}.paths.csv", makes=[f"{stem}.json", f"{stem}.paths.csv"])  # fmt: skip
+        curve = np.loadtxt(self.folder / f"{stem}.csv", delimiter=",", skiprows=1, ndmin=2)
+        evaluation = json.loads((self.folder / f"{stem}.json").read_text())["results"][0]
+        paths = read_paths(self.folder / f"{stem}.paths.csv")
+        return Seed(curve[:, [2, 3, 1]], evaluation, np.array([p["reward"][-1] for p in paths]), paths)
+
+
+def read_paths(file):
+    """[{east, north, snr, reward, source, state}] of every episode, positions in km."""
+    episodes = {}
+    with open(file, newline="") as stream:
+        for row in csv.DictReader(stream):
+            episodes.setdefault(int(row["episode"]), []).append(row)
+    column = lambda rows, name, unit=1.0: np.array([float(row[name]) for row in rows]) / unit
+    return [
+        {
+            "east": column(rows, "east_m", 1e3),
+            "north": column(rows, "north_m", 1e3),
+            "snr": column(rows, "snr_db"),
+            "reward": column(rows, "reward_so_far"),
+            "source": (float(rows[0]["source_east_m"]) / 1e3, float(rows[0]["source_north_m"]) / 1e3),
+            "end": rows[-1]["state"],
+        }
+        for _, rows in sorted(episodes.items())
+    ]
+
+
+def main_settings(quick):
+    """Figures 4 to 9: the three trainings of the paper, the third also in its other reading, as long as in the paper and longer."""
+    episodes = 20 if quick else 1500
+    steps = 4096 if quick else 1_000_000
+    paper = [
+        Setting("fixed_simple", "simple", "fixed", episodes=episodes),
+        Setting("changing_simple", "simple", episodes=episodes),
+        Setting("changing_memory", "memory", episodes=episodes),
+        Setting("changing_position_memory", "position_memory", episodes=episodes),
+    ]
+    longer = [replace(s, name=s.name + "_long", episodes=0, steps=steps) for s in paper[1:]]
+    return paper, longer
+
+
+def sweep_settings(quick):
+    """What the paper leaves open, one thing changed at a time, the source changing, as long as in the paper: [(what, value, Setting)]."""
+    varied = [("border width b", f"{b:g} km", {"border_m": 1000.0 * b}) for b in (0.5, 2.0)]
+    varied += [("directions n", str(n), {"directions": n}) for n in (4, 16)]
+    varied += [("start", "inside the border", {"start": "inside_border"})]
+    varied += [("remembered steps m", str(m), {"remembered": m}) for m in (1, 4)]
+    if quick:
+        varied = varied[1:2] + varied[-1:]
+    return [
+        (what, value, Setting(f"sweep_{what}_{value}_{state}".replace(" ", "_"), state, episodes=20 if quick else 1500, **change))
+        for what, value, change in varied
+        for state in ("simple", "memory", "position_memory")
+        if not (state == "simple" and "remembered" in change)
+    ]
+
+
+def processors():
+    return len(os.sched_getaffinity(0))

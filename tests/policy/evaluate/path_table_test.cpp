@@ -1,0 +1,62 @@
+#include "policy/evaluate/path_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "policy/evaluate/evaluation.hpp"
+
+namespace earshot::evaluate {
+namespace {
+
+/// Goes east, always.
+class GoesEast : public baselines::Searcher {
+ public:
+  void begin(Pcg32) override {}
+  std::size_t choose(const baselines::Look&) override { return 2; }
+};
+
+const sonar::SnrCurve kHeardNowhere{Meters{1'000.0}, std::vector<float>(40, -30.0F)};
+
+/// Starts 3 km from the east edge, far from a source in the west: lost after four steps, of which the last two end in the border.
+search::SearchSettings lost_in_the_east() {
+  search::SearchSettings settings;
+  settings.start_region = {{Meters{12'000.0}, Meters{22'000.0}}, {Meters{12'000.0}, Meters{22'000.0}}};
+  settings.source = {Meters{12'000.0}, Meters{2'000.0}};
+  return settings;
+}
+
+TEST(PathTable, HoldsTheStartAndTheEndOfEveryStepInOrder) {
+  GoesEast searcher;
+  const search::SearchWorld world(lost_in_the_east(), kHeardNowhere);
+  PathTable table;
+  const auto watch = [&](std::size_t number, const search::Episode& episode) { table.add("calm", "east", number, episode); };
+  const std::vector<Flight> flights = fly(searcher, world, {.end = 1}, 1, watch);
+  ASSERT_EQ(flights.size(), 1U);
+  EXPECT_EQ(table.csv(),  // by hand: -1 a step, and -100 times the share of the border's 1 km that is missing to the edge: 0, 0, 1, 2
+            "world,policy,episode,step,north_m,east_m,snr_db,reward_so_far,source_north_m,source_east_m,state\n"
+            "calm,east,0,0,12000,22000,-30,0,12000,2000,running\n"
+            "calm,east,0,1,12000,23000,-30,-1,12000,2000,running\n"
+            "calm,east,0,2,12000,24000,-30,-2,12000,2000,running\n"
+            "calm,east,0,3,12000,25000,-30,-103,12000,2000,running\n"
+            "calm,east,0,4,12000,26000,-30,-304,12000,2000,left_domain\n");
+}
+
+TEST(PathTable, WatchingChangesNothing) {
+  GoesEast searcher;
+  search::SearchSettings settings;
+  settings.placement = search::SourcePlacement::kChanging;
+  const search::SearchWorld world(settings, kHeardNowhere);
+  std::size_t shown = 0;
+  const std::vector<Flight> watched = fly(searcher, world, {.end = 20}, 7, [&](std::size_t, const search::Episode&) { ++shown; });
+  const std::vector<Flight> unwatched = fly(searcher, world, {.end = 20}, 7);
+  std::size_t expected = 0;
+  for (std::size_t i = 0; i < watched.size(); ++i) {
+    EXPECT_EQ(watched[i].record.reward, unwatched[i].record.reward);
+    expected += 1 + unwatched[i].record.steps;
+  }
+  EXPECT_EQ(shown, expected);
+}
+
+}  // namespace
+}  // namespace earshot::evaluate

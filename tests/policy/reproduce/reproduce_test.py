@@ -1,0 +1,84 @@
+"""The whole of policy/reproduce with tiny budgets. usage: reproduce_test.py FOLDER_OF_PROGRAMS"""
+
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+REPRODUCE = Path(__file__).resolve().parents[3] / "policy/reproduce"
+sys.path.insert(0, str(REPRODUCE))
+
+import claims
+import experiments
+import figures
+
+FIGURES = ["figure2", "figure3", "figure4", "figure5", "figure6", "figure7", "figure8", "figure8b", "figure9", "sweep"]
+PROGRAMS = Path(sys.argv.pop())
+
+
+class WholeRun(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.out = Path(cls.folder.name) / "out"
+        words = [sys.executable, "-B", REPRODUCE / "reproduce.py", "--quick", "--out", cls.out, "--work", Path(cls.folder.name) / "work"]
+        cls.done = subprocess.run([*words, "--bin", PROGRAMS], capture_output=True, text=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_ends_well(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stdout + self.done.stderr)
+
+    def test_draws_every_figure_twice(self):
+        for name in FIGURES:
+            self.assertEqual((self.out / f"{name}.png").read_bytes()[:4], b"\x89PNG", name)
+            self.assertTrue((self.out / f"{name}.svg").read_text().rstrip().endswith("</svg>"), name)
+
+    def test_both_pages_show_every_figure_and_claim(self):
+        markdown, html = ((self.out / f"reproduction.{kind}").read_text() for kind in ("md", "html"))
+        for name in FIGURES:
+            self.assertIn(f"]({name}.png)", markdown)
+            self.assertIn(f'src="{name}.svg"', html)
+        claimed = markdown.split("## Claims")[1].split("## Figures")[0]
+        numbers = {n for row in re.findall(r"^\| ([\d, ]+) \|", claimed, re.M) for n in re.findall(r"\d+", row)}
+        self.assertEqual(numbers, {str(n) for n in range(2, 10)})
+
+    def test_says_what_made_it(self):
+        made = json.loads((self.out / "measurements.json").read_text())["made"]
+        self.assertTrue(made["command"].startswith("policy/reproduce/run --quick"))
+        self.assertRegex(made["commit"], r"^[0-9a-f]{12}(-dirty)?$|^unknown$")
+
+    def test_measures_each_state_with_as_many_searches_as_it_says(self):
+        evaluations = json.loads((self.out / "measurements.json").read_text())["evaluations"]
+        self.assertEqual(len(evaluations), 7)
+        for name, seeds in evaluations.items():
+            self.assertEqual([e["episodes"] for e in seeds], [10, 10], name)
+
+
+class Arithmetic(unittest.TestCase):
+    def test_the_running_median_looks_back_over_the_window_only(self):
+        np.testing.assert_array_equal(figures.running_median(np.array([5.0, 1.0, 9.0, 9.0, 2.0]), 3), [5, 3, 5, 9, 9])
+
+    def test_training_has_converged_when_the_running_median_stays_up(self):
+        rewards = np.concatenate([np.full(100, -50.0), np.full(200, -2.0)])
+        seed = experiments.Seed(np.column_stack([rewards, rewards, rewards]), {}, rewards, [])
+        self.assertEqual(claims.first_episode_at(seed, -3.0), 126)  # the 26th good one outweighs the 24 bad ones still in the window
+        self.assertTrue(np.isnan(claims.first_episode_at(seed, -1.0)))
+
+    def test_detection_rings_begin_and_end_at_the_threshold(self):
+        rings = figures.detection_rings((np.arange(6.0), np.array([30.0, 10.0, 9.9, 10.0, 12.0, 0.0])))
+        self.assertEqual(rings, [(0.0, 1.0), (3.0, 4.0)])
+
+    def test_seeds_are_summarised_by_median_and_quartiles(self):
+        self.assertEqual(claims.over_seeds([1.0, 2.0, 3.0, 4.0, 100.0]), "3.0 (2.0 to 4.0)")
+
+
+if __name__ == "__main__":
+    unittest.main()
