@@ -30,7 +30,7 @@ struct Attribution {
 
 inline constexpr double kCompleteness = 1e-3;  ///< nats: a tenth of a percent of a probability
 inline constexpr std::size_t kFewestSteps = 32;
-inline constexpr std::size_t kMostSteps = 32'768;
+inline constexpr std::size_t kMostSteps = 4'096;
 
 /// Integrated gradients along the straight line from the baseline to the observation.
 ///
