@@ -19,6 +19,7 @@ struct WorldOptions {
   std::optional<double> vehicle_depth_m = {};
   std::optional<std::string> source = {};
   std::optional<std::string> start = {};
+  std::optional<double> start_margin_m = {};
   std::optional<double> border_width_m = {};
   std::optional<std::uint32_t> max_steps = {};
 

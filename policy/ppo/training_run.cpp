@@ -38,6 +38,10 @@ void read_search(TableReader table, search::SearchSettings& s) {
   s.border_reward = table.number_or("border_reward", s.border_reward);
   const bool everywhere = table.choice_or("start", 0, {"domain", "inside_border"}) == 0;
   s.start_region = everywhere ? s.domain : search::inside_border(s);
+  if (table.has("start_margin_m")) {
+    const Meters margin{table.number("start_margin_m", Range::at_least(0.0))};
+    s.start_region = {s.domain.south_west + NorthEast{margin, margin}, s.domain.north_east - NorthEast{margin, margin}};
+  }
 }
 
 void read_hyper_parameters(TableReader table, HyperParameters& h) {
@@ -137,7 +141,7 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   add("state", name_of(run.state));
   if (run.state == State::kMemory || run.state == State::kPositionMemory) add("remembered_steps", run.remembered_steps);
   add("source", s.placement == search::SourcePlacement::kFixed ? "fixed" : "changing");
-  add("start", s.start_region.south_west == s.domain.south_west ? "domain" : "inside_border");
+  add("start_margin_m", (s.start_region.south_west.north - s.domain.south_west.north).value);
   add("border_width_m", s.border_width.value);
   add("border_reward", s.border_reward);
   add("max_steps", s.max_steps);
