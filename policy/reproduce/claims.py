@@ -66,6 +66,7 @@ def learning_claims(paper, longer, paths_of):
     fixed, simple = paper["fixed_simple"], paper["changing_simple"]
     memory, both = paper["changing_memory"], paper["changing_position_memory"]
     simple_long, memory_long, both_long = (longer[f"changing_{s}_long"] for s in ("simple", "memory", "position_memory"))
+    central_gain = gain(longer["central_memory_long"], longer["central_simple_long"])
     converged = np.array([first_episode_at(seed, CONVERGED_REWARD) for seed in fixed])
     reached = converged[np.isfinite(converged)]
     episodes = min(len(seed.curve) for seed in fixed)
@@ -92,7 +93,13 @@ def learning_claims(paper, longer, paths_of):
          f"{million}: {reward(memory_long)}, a gain of {over_seeds(gain(memory_long, simple_long))}; of that mean, the border's penalty is "
          f"{over_seeds(border_penalties(memory_long))}.",
          "Differs. The memory state as it is written down does not tell the vehicle where the edge is, and an edge costs 100 a step: most of "
-         "what is lost is lost there, with every border width and start region in the sweep. The next row gives the vehicle its position back."),
+         "what is lost is lost there, with every border width and start region in the sweep. The next rows choose the start region, and give the vehicle its position back."),
+        ("5", "The same claim, the memory state as written, with what the paper leaves open chosen for it: starts at least 5 km from every edge, "
+         "b = 0.5 km.",
+         f"{million}: simple state {reward(longer['central_simple_long'])}; memory state {reward(longer['central_memory_long'])}, a gain of "
+         f"{over_seeds(central_gain)}, {int(np.sum(central_gain >= 20))} of {len(central_gain)} seeds by 20 or more.",
+         agreement(np.zeros(1), central_gain) + " A memory state hovers where it hears the source; from there most sources are heard at once, and "
+         "the edge is far."),
         ("5, 9", "The same claim, read as memory in addition to the position of the simple state.",
          f"Memory and position. 1500 episodes: median reward {reward(both)}, a gain of {over_seeds(gain(both, simple))}; "
          f"{million}: {reward(both_long)}, a gain of {over_seeds(gain(both_long, simple_long))}, "

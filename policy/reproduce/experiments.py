@@ -28,6 +28,7 @@ class Setting:
     episodes: int = 0
     steps: int = 0
     start: str = "domain"
+    margin_m: float = 0.0  # starts at least so far from every edge; above 0 it takes the place of `start`
     border_m: float = 1000.0
     directions: int = 8
     remembered: int = 2
@@ -36,8 +37,9 @@ class Setting:
         return (
             f'environment = "{ENVIRONMENT}"\nstate = "{self.state}"\nremembered_steps = {self.remembered}\n'
             f"episodes = {self.episodes}\nsteps = {self.steps}\n"
-            f'[search]\nsource = "{self.source}"\nstart = "{self.start}"\n'
-            f"border_width_m = {self.border_m:.1f}\ndirections = {self.directions}\n"
+            f'[search]\nsource = "{self.source}"\n'
+            + (f"start_margin_m = {self.margin_m:.1f}\n" if self.margin_m else f'start = "{self.start}"\n')
+            + f"border_width_m = {self.border_m:.1f}\ndirections = {self.directions}\n"
         )
 
 
@@ -100,7 +102,8 @@ class Workshop:
     def one_seed(self, setting, k, episodes):
         stem = f"{setting.name}.seed{k}"
         self.run("freeze", f"{stem}.checkpoint", "-o", f"{stem}.policy", "--draw", "sampled", "--key", KEY, makes=[f"{stem}.policy"])
-        self.run("evaluate", f"{stem}.policy", "--environment", ENVIRONMENT, "--source", setting.source, "--start", setting.start,
+        start = ["--start-margin-m", setting.margin_m] if setting.margin_m else ["--start", setting.start]
+        self.run("evaluate", f"{stem}.policy", "--environment", ENVIRONMENT, "--source", setting.source, *start,
                  "--border-width-m", setting.border_m, "--episodes", episodes, "--seed", EVALUATION_SEED + k,
                  "--json", f"{stem}.json", "--paths", f"{stem}.paths.csv", makes=[f"{stem}.json", f"{stem}.paths.csv"])  # fmt: skip
         curve = np.loadtxt(self.folder / f"{stem}.csv", delimiter=",", skiprows=1, ndmin=2)
@@ -140,6 +143,9 @@ def main_settings(quick):
         Setting("changing_position_memory", "position_memory", episodes=episodes),
     ]
     longer = [replace(s, name=s.name + "_long", episodes=0, steps=steps) for s in paper[1:]]
+    # the start region and border with which the memory state of the paper gains what the paper says
+    central = {"margin_m": 5000.0, "border_m": 500.0}
+    longer += [Setting(f"central_{state}_long", state, steps=steps, **central) for state in ("simple", "memory")]
     return paper, longer
 
 

@@ -174,21 +174,20 @@ def curve_over_seeds(seeds, episodes=None):
     return np.arange(1, length + 1), *np.quantile(curves, (0.5, 0.25, 0.75), axis=0)
 
 
-def training_reward(paper, longer, episodes):
-    """Figure 5. @param paper, longer  {name: seeds}"""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), sharey=True)
-    for axes, runs in ((left, paper), (right, longer)):
+def training_reward(panels, episodes):
+    """Figure 5. @param panels  [(title, {name: seeds})], the first drawn as far as `episodes`"""
+    figure, row = plt.subplots(1, len(panels), figsize=(9.6, 3.9), sharey=True)
+    for axes, letter, (title, runs) in zip(row, "abc", panels):
         for name, seeds in runs.items():
-            kind = name.removesuffix("_long")
-            x, middle, low, high = curve_over_seeds(seeds, episodes if runs is paper else None)
+            kind = name.removesuffix("_long").replace("central", "changing")
+            x, middle, low, high = curve_over_seeds(seeds, episodes if letter == "a" else None)
             thin = slice(None, None, max(1, x.size // 300))
             axes.fill_between(x[thin], low[thin], high[thin], color=COLOURS[kind], alpha=0.2, lw=0)
-            axes.plot(x[thin], middle[thin], color=COLOURS[kind], lw=1.5, label=LABELS[kind])
-        axes.set(xlabel="episode", xlim=(0, None), ylim=(-200, 3))
+            axes.plot(x[thin], middle[thin], color=COLOURS[kind], lw=1.3, label=LABELS[kind])
+        axes.set(xlabel="episode", xlim=(0, None), ylim=(-200, 3), title=f"{letter}  {title}")
         axes.grid(axis="y", color="0.9", lw=0.7)
-    left.set(ylabel=f"reward, median of the last {RECENT} episodes", title="a  as long as in the paper")
-    right.set(title="b  longer")
-    figure.legend(*left.get_legend_handles_labels(), fontsize=8.5, loc="lower center", ncols=4)
+    row[0].set_ylabel(f"reward, median of the last {RECENT} episodes")
+    figure.legend(*row[0].get_legend_handles_labels(), fontsize=8.5, loc="lower center", ncols=4)
     figure.get_layout_engine().set(rect=(0, 0.07, 1, 0.93))
     return figure
 
@@ -199,7 +198,7 @@ def reward_histograms(columns):
     figure, panels = plt.subplots(len(kinds), len(columns), figsize=(9.6, 7.2), sharex=True, sharey="row", squeeze=False)
     bins = np.arange(-200, 5, 5)
     for column, (heading, runs) in enumerate(columns):
-        runs = {name.removesuffix("_long"): seeds for name, seeds in runs.items()}
+        runs = {name.removesuffix("_long"): seeds for name, seeds in runs.items()}  # starts in the central part are another task
         for axes, kind in zip(panels[:, column], kinds):
             if kind not in runs:
                 axes.set_axis_off()

@@ -70,6 +70,12 @@ def measure_sweep(workshop, settings, seeds, episodes, paper):
     return list(rows.items())
 
 
+def training_panels(paper, longer):
+    whole = {name: seeds for name, seeds in longer.items() if not name.startswith("central")}
+    central = {name: seeds for name, seeds in longer.items() if name.startswith("central")}
+    return [("as long as in the paper", paper), ("longer", whole), ("longer, central starts", central)]
+
+
 def draw(folder, ocean, paper, longer, sweep):
     section, map_file, snr = ocean
     first = lambda runs, name: runs[name][0].paths
@@ -78,7 +84,7 @@ def draw(folder, ocean, paper, longer, sweep):
         "figure2": figures.environment_and_profile(ENVIRONMENT, section),
         "figure3": figures.snr_and_detection(map_file),
         "figure4": figures.high_and_low_reward(best, snr),
-        "figure5": figures.training_reward(paper, longer, min(len(s.curve) for s in paper["fixed_simple"])),
+        "figure5": figures.training_reward(training_panels(paper, longer), min(len(s.curve) for s in paper["fixed_simple"])),
         "figure6": figures.example_paths(first(paper, "fixed_simple"), snr, "fixed source, simple state"),
         "figure7": figures.example_paths(first(longer, "changing_simple_long"), snr, "changing source, simple state"),
         "figure8": figures.example_paths(first(longer, "changing_memory_long"), snr, "changing source, memory state"),

@@ -57,7 +57,7 @@ class WholeRun(unittest.TestCase):
 
     def test_measures_each_state_with_as_many_searches_as_it_says(self):
         evaluations = json.loads((self.out / "measurements.json").read_text())["evaluations"]
-        self.assertEqual(len(evaluations), 7)
+        self.assertEqual(len(evaluations), 9)
         for name, seeds in evaluations.items():
             self.assertEqual([e["episodes"] for e in seeds], [10, 10], name)
 
