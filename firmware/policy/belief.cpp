@@ -45,19 +45,24 @@ void tabulate_likelihood(const BeliefModel& model, const BeliefHypothesis& hypot
   }
 }
 
-/// Mean over the `half` samples to either side of each; the ends hold.
+/// Mean over the `half` samples to either side of each; beyond the ends the first and the last hold.
 void smooth(std::span<const float> values, std::size_t half, std::span<float> smoothed) {
   const std::size_t count = values.size();
   const float share = 1.0F / static_cast<float>(2 * half + 1);
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool inside = i >= half && i + half < count;
+  const auto held = [&](std::size_t i) {  // at the ends
     float sum = 0.0F;
-    for (std::size_t k = 0; k <= 2 * half; ++k) {
-      const std::size_t at = i + k;
-      sum += values[inside ? at - half : std::clamp(at, half, count - 1 + half) - half];
-    }
-    smoothed[i] = sum * share;
+    for (std::size_t k = 0; k <= 2 * half; ++k) sum += values[std::clamp(i + k, half, count - 1 + half) - half];
+    return sum * share;
+  };
+  const std::size_t last = count > 2 * half ? count - half : half;
+  for (std::size_t i = 0; i < std::min(half, count); ++i) smoothed[i] = held(i);
+  // Sample by sample of the mean, so that a vector unit can take many means at once.
+  for (std::size_t i = half; i < last; ++i) smoothed[i] = values[i - half];
+  for (std::size_t k = 1; k <= 2 * half; ++k) {
+    for (std::size_t i = half; i < last; ++i) smoothed[i] += values[i - half + k];
   }
+  for (std::size_t i = half; i < last; ++i) smoothed[i] *= share;
+  for (std::size_t i = last; i < count; ++i) smoothed[i] = held(i);
 }
 
 /// Range steps in half a cell: a likelihood is smoothed by as much, for a cell lies at many ranges at once.
@@ -107,23 +112,34 @@ void Belief::start(const BeliefModel& model) {
   foresee(model);
 }
 
+/// What a search costs that goes straight to a source, by its range, under the hypotheses as likely as they now are.
 void Belief::foresee(const BeliefModel& model) {
   const std::size_t count = model.snr_db.size();
-  RangeTable heard;
-  for (std::size_t i = 0; i < count; ++i) heard[i] = double{model.snr_db[i]} >= model.detection_threshold.value ? 1.0F : 0.0F;
+  RangeTable heard{};
+  for (std::size_t h = 0; h < model.hypotheses.size(); ++h) {
+    const BeliefHypothesis& hypothesis = model.hypotheses[h];
+    const float per_spread = 1.0F / hypothesis.spread_db;
+    const float level = hypothesis.level_offset_db - static_cast<float>(model.detection_threshold.value);
+    const float share = (1.0F - model.silence_share) * hypothesis_shares_[h];
+    for (std::size_t i = 0; i < count; ++i) heard[i] += share * normal_cumulative((model.snr_db[i] + level) * per_spread);
+  }
   smooth(std::span(heard).first(count), half_cell(model), detected_);
   const auto step = std::clamp<std::size_t>(static_cast<std::size_t>(model.step_length / model.range_step + 0.5), 1, count);
+  const float discount = exp(kLogStepDiscount / static_cast<float>(step));
+  float discounted = 1.0F;
   RangeTable silent;  // expected steps without detection
   for (std::size_t i = 0; i < count; ++i) {
     const float steps = i <= step ? 0.0F : static_cast<float>(i - step) / static_cast<float>(step);
     silent[i] = i <= step ? 0.0F : (1.0F - detected_[i]) * std::min(1.0F, steps) + silent[i - step];
-    cost_[i] = silent[i] + kStepCost * (1.0F - exp(steps * kLogStepDiscount)) / (1.0F - kStepDiscount);
+    if (i > step) discounted *= discount;
+    cost_[i] = silent[i] + kStepCost * (1.0F - discounted) / (1.0F - kStepDiscount);
   }
 }
 
 void Belief::update(const BeliefModel& model, NorthEast position, Heard heard) {
   find_ranges(model, position);
   weigh(model, heard);
+  foresee(model);
   summarise(model);
   look_out(model, position);
 }
@@ -134,10 +150,11 @@ void Belief::find_ranges(const BeliefModel& model, NorthEast position) {
   const auto vehicle_north = static_cast<float>(position.north / model.range_step);
   const auto vehicle_east = static_cast<float>(position.east / model.range_step);
   const auto last = static_cast<float>(model.snr_db.size() - 1);
+  const int columns = model.cells_east;  // a copy: what is written below could otherwise be it
   for (std::size_t n = 0; n < model.cells_north; ++n) {
     const float north = (static_cast<float>(n) + 0.5F) * size_north - vehicle_north;
     std::uint16_t* const row = &ranges_[n * model.cells_east];
-    for (int e = 0; e < int{model.cells_east}; ++e) {
+    for (int e = 0; e < columns; ++e) {
       const float east = (static_cast<float>(e) + 0.5F) * size_east - vehicle_east;
       const float range = __builtin_sqrtf(north * north + east * east);
       row[e] = static_cast<std::uint16_t>(static_cast<int>((range < last ? range : last) + 0.5F));

@@ -34,7 +34,8 @@ struct BeliefModel {
   FixedVector<BeliefHypothesis, config::kMaxBeliefHypotheses> hypotheses;
   float outlier_share = 0.02F;  ///< of SNRs that follow no model, 0 to 1
   float silence_share = 0.0F;   ///< of the looks that meet a pause in the call, when nothing is heard at any range, 0 to 1
-  float forgotten_share = 1e-4F;  ///< of the belief that is spread over the whole area between two looks, 0 to 0.5: the source may have moved
+  float forgotten_share =
+      1e-4F;  ///< of the belief that is spread over the whole area between two looks, 0 to 0.5: the source may have moved
 
   Meters range_step{100.0};  ///< > 0
   FixedVector<float, config::kMaxBeliefRanges>
@@ -57,21 +58,23 @@ struct BeliefSummary {
 
 /// What one action promises, under the belief.
 struct ActionOutlook {
-  float found = 0.0F;     ///< probability that its end lies within step_length of the source
-  float reach = 0.0F;     ///< the same for the best place within kReachSteps steps of which it is one, a step later counting kReachDiscount less
+  float found = 0.0F;  ///< probability that its end lies within step_length of the source
+  float reach =
+      0.0F;  ///< the same for the best place within kReachSteps steps of which it is one, a step later counting kReachDiscount less
   float detected = 0.0F;  ///< probability of a detection at its end
   float border = 0.0F;    ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
   float regret = 0.0F;    ///< expected cost of the search after it, less that after the best action; at most kMostRegret
 };
 
 // What a search costs, for the regret; a step on which nothing is detected costs one.
-inline constexpr float kStepCost = 3.0F;         ///< of a step, the first of many
-inline constexpr float kStepDiscount = 0.9F;     ///< of each step after it: a likely source near by is worth more than two half as likely further away
-inline constexpr float kReachReward = 30.0F;     ///< for a reach of one
+inline constexpr float kStepCost = 3.0F;  ///< of a step, the first of many
+inline constexpr float kStepDiscount =
+    0.9F;  ///< of each step after it: a likely source near by is worth more than two half as likely further away
+inline constexpr float kReachReward = 30.0F;  ///< for a reach of one
 inline constexpr float kReachDiscount = 0.85F;
-inline constexpr float kEdgeCost = 100.0F;       ///< of the border at the edge itself
+inline constexpr float kEdgeCost = 100.0F;  ///< of the border at the edge itself
 inline constexpr float kMostRegret = 10.0F;
-inline constexpr std::size_t kReachSteps = 3;    ///< as many as the time of a decision allows
+inline constexpr std::size_t kReachSteps = 3;  ///< as many as the time of a decision allows
 
 /// Probability of the source's place over a grid, in fixed memory.
 class Belief {
@@ -102,12 +105,12 @@ class Belief {
   void summarise(const BeliefModel& model);
   void look_out(const BeliefModel& model, NorthEast position);
 
-  std::array<Cell, config::kMaxBeliefCells> cells_;              ///< [north x east]; hypotheses that the model has not are zero
-  std::array<float, config::kMaxBeliefCells> marginal_;          ///< [north x east], sum over the hypotheses
-  std::array<std::uint16_t, config::kMaxBeliefCells> ranges_;    ///< [north x east], from the vehicle, in range steps
-  std::array<float, config::kMaxBeliefRanges> cost_;             ///< of a search that goes straight to a source at that range
-  std::array<float, config::kMaxBeliefRanges> detected_;         ///< probability of a detection at that range
-  Cell priors_;             ///< of the hypotheses
+  std::array<Cell, config::kMaxBeliefCells> cells_;            ///< [north x east]; hypotheses that the model has not are zero
+  std::array<float, config::kMaxBeliefCells> marginal_;        ///< [north x east], sum over the hypotheses
+  std::array<std::uint16_t, config::kMaxBeliefCells> ranges_;  ///< [north x east], from the vehicle, in range steps
+  std::array<float, config::kMaxBeliefRanges> cost_;           ///< of a search that goes straight to a source at that range
+  std::array<float, config::kMaxBeliefRanges> detected_;       ///< probability of a detection at that range
+  Cell priors_;                                                ///< of the hypotheses
   Cell hypothesis_shares_;
   BeliefSummary summary_;
   std::array<ActionOutlook, config::kMaxActions> outlooks_;

@@ -8,10 +8,9 @@
 namespace earshot::policy {
 namespace {
 
-constexpr std::size_t kBlock = 2;             // cells on the side of a block: a cost of kilometres needs no finer look
-constexpr float kLeastBlockShare = 2e-4F;     // a block less likely changes no decision
-constexpr float kLeastNearShare = 0.01F;      // a source less likely to be near needs no look at where it could be reached
-constexpr std::size_t kMaxBlocks = config::kMaxBeliefCells;
+constexpr std::size_t kBlock = 2;          // cells on the side of a block: a cost of kilometres needs no finer look
+constexpr float kLeastBlockShare = 2e-4F;  // a block less likely changes no decision
+constexpr float kLeastNearShare = 0.01F;   // a source less likely to be near needs no look at where it could be reached
 
 /// A place in kilometres is exact enough, and short: floats, metres from the south-west corner.
 struct Point {
@@ -82,21 +81,19 @@ struct Grid {
         size_north(static_cast<float>(model.area_size.north.value / static_cast<double>(model.cells_north))),
         size_east(static_cast<float>(model.area_size.east.value / static_cast<double>(model.cells_east))) {}
 
-  /// Sums up the cells [row, row + kBlock) x [column, column + kBlock), those that there are.
+  /// Sums up the cells [row, row + 2) x [column, column + 2), those that there are.
+  /// @return their share and, when it is worth looking at, their centre of mass; else a share of zero
   [[nodiscard]] float block(std::size_t row, std::size_t column, Point& centre) const {
-    float share = 0.0F;
-    float north = 0.0F;
-    float east = 0.0F;
-    for (std::size_t n = row; n < std::min(row + kBlock, rows); ++n) {
-      for (std::size_t e = column; e < std::min(column + kBlock, columns); ++e) {
-        const float p = shares[n * columns + e];
-        share += p;
-        north += p * static_cast<float>(n - row);
-        east += p * static_cast<float>(e - column);
-      }
-    }
+    const bool has_north = row + 1 < rows;
+    const bool has_east = column + 1 < columns;
+    const float* const south = &shares[row * columns + column];
+    const float south_east = has_east ? south[1] : 0.0F;
+    const float north_west = has_north ? south[columns] : 0.0F;
+    const float north_east = has_north && has_east ? south[columns + 1] : 0.0F;
+    const float share = (south[0] + south_east) + (north_west + north_east);
     if (share < kLeastBlockShare) return 0.0F;
-    centre = {(static_cast<float>(row) + 0.5F + north / share) * size_north, (static_cast<float>(column) + 0.5F + east / share) * size_east};
+    centre = {(static_cast<float>(row) + 0.5F + (north_west + north_east) / share) * size_north,
+              (static_cast<float>(column) + 0.5F + (south_east + north_east) / share) * size_east};
     return share;
   }
 
@@ -109,24 +106,72 @@ struct Grid {
     const auto index = [count](float cell) { return cell <= 0.0F ? 0 : std::min(static_cast<std::size_t>(cell), count); };
     return {index((place - reach) / size - 0.5F), index((place + reach) / size + 0.5F)};
   }
+};
+
+/// The cells near the vehicle that matter, side by side for a vector unit.
+class Surroundings {
+ public:
+  Surroundings(const Grid& grid, Point vehicle, float radius) : per_size_(1.0F / std::max(grid.size_north, grid.size_east)) {
+    // No more than 1 / least cells can have the least share of the last attempt: they fit.
+    static_assert(kCapacity * kLeastNearCell * 16.0F >= 1.0F);
+    for (float least = kLeastNearCell; !gather(grid, vehicle, radius, least); least *= 4.0F) {
+    }
+  }
 
   /// Probability within `reach` of a place; a cell counts by as much of it as lies within.
   [[nodiscard]] float within(Point place, float reach) const {
-    const float size = std::max(size_north, size_east);
-    const float per_size = 1.0F / size;
-    const Slice north = slice(place.north, reach + 0.5F * size, size_north, rows);
-    const Slice east = slice(place.east, reach + 0.5F * size, size_east, columns);
-    float sum = 0.0F;
-    for (std::size_t n = north.first; n < north.last; ++n) {
-      const float to_north = (static_cast<float>(n) + 0.5F) * size_north - place.north;
-      for (std::size_t e = east.first; e < east.last; ++e) {
-        const float to_east = (static_cast<float>(e) + 0.5F) * size_east - place.east;
-        const float share = (reach - __builtin_sqrtf(to_north * to_north + to_east * to_east)) * per_size + 0.5F;
-        sum += shares[n * columns + e] * std::max(0.0F, std::min(share, 1.0F));
+    std::array<float, kLanes> sums{};
+    for (std::size_t i = 0; i < count_; i += kLanes) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const float north = north_[i + lane] - place.north;
+        const float east = east_[i + lane] - place.east;
+        const float covered = (reach - __builtin_sqrtf(north * north + east * east)) * per_size_ + 0.5F;
+        const float held = covered > 0.0F ? covered : 0.0F;
+        sums[lane] += shares_[i + lane] * (held < 1.0F ? held : 1.0F);
       }
     }
-    return sum;
+    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
   }
+
+  [[nodiscard]] float share() const { return share_; }
+
+ private:
+  static constexpr std::size_t kLanes = 8;
+  static constexpr std::size_t kCapacity = 64;
+  static constexpr float kLeastNearCell = 1e-3F;
+
+  /// False when more than kCapacity cells have `least` or more.
+  bool gather(const Grid& grid, Point vehicle, float radius, float least) {
+    count_ = 0;
+    share_ = 0.0F;
+    const Grid::Slice north = Grid::slice(vehicle.north, radius, grid.size_north, grid.rows);
+    const Grid::Slice east = Grid::slice(vehicle.east, radius, grid.size_east, grid.columns);
+    for (std::size_t n = north.first; n < north.last; ++n) {
+      for (std::size_t e = east.first; e < east.last; ++e) {
+        const float share = grid.shares[n * grid.columns + e];
+        if (share < least) continue;
+        if (count_ == kCapacity) return false;
+        north_[count_] = (static_cast<float>(n) + 0.5F) * grid.size_north;
+        east_[count_] = (static_cast<float>(e) + 0.5F) * grid.size_east;
+        shares_[count_] = share;
+        share_ += share;
+        ++count_;
+      }
+    }
+    for (; count_ % kLanes != 0; ++count_) {
+      north_[count_] = 0.0F;
+      east_[count_] = 0.0F;
+      shares_[count_] = 0.0F;
+    }
+    return true;
+  }
+
+  std::array<float, kCapacity> north_;
+  std::array<float, kCapacity> east_;
+  std::array<float, kCapacity> shares_;
+  std::size_t count_ = 0;
+  float share_ = 0.0F;
+  float per_size_;
 };
 
 /// Linear between the samples of a table by range.
@@ -140,8 +185,8 @@ float at_range(std::span<const float> table, float range_steps) {
 /// The best place to be found at within kReachSteps steps, and the steps that lead there in any order.
 class Reach {
  public:
-  Reach(const BeliefModel& model, const Grid& grid, const Inside& inside)
-      : model_(model), grid_(grid), inside_(inside), step_(static_cast<float>(model.step_length.value)) {}
+  Reach(const BeliefModel& model, const Surroundings& surroundings, const Inside& inside)
+      : model_(model), surroundings_(surroundings), inside_(inside), step_(static_cast<float>(model.step_length.value)) {}
 
   /// Raises each action's reach to that of the best place that it can be a step towards. @param outlooks  [actions]
   void look(Point start, std::span<ActionOutlook> outlooks) const {
@@ -176,13 +221,57 @@ class Reach {
 
   [[nodiscard]] float worth(Point place, float discount) const {
     const float border = inside_.depth(place) * (kEdgeCost / kReachReward);
-    return border >= discount ? 0.0F : discount * grid_.within(place, step_) - border;
+    return border >= discount ? 0.0F : discount * surroundings_.within(place, step_) - border;
   }
 
   const BeliefModel& model_;
-  const Grid& grid_;
+  const Surroundings& surroundings_;
   const Inside& inside_;
   float step_;
+};
+
+/// What each action's end makes of a part of the belief, side by side for a vector unit.
+class Ways {
+ public:
+  Ways(const BeliefModel& model, Point vehicle)
+      : count_(model.actions.size()), per_range_step_(static_cast<float>(1.0 / model.range_step.value)) {
+    const auto step = static_cast<float>(model.step_length.value);
+    for (std::size_t a = 0; a < count_; ++a) {
+      north_[a] = vehicle.north + step * static_cast<float>(model.actions[a].north);
+      east_[a] = vehicle.east + step * static_cast<float>(model.actions[a].east);
+    }
+  }
+
+  [[nodiscard]] Point end(std::size_t action) const { return {north_[action], east_[action]}; }
+
+  void add(const Block& block, std::span<const float> cost, std::span<const float> detected) {
+    std::array<float, config::kMaxActions> ranges;  // to the source
+    std::array<float, config::kMaxActions> ways;    // to where it is found
+    for (std::size_t a = 0; a < count_; ++a) {
+      ranges[a] = distance(end(a), block.source);
+      const float way = distance(end(a), block.goal) + block.handicap;
+      ways[a] = (way > ranges[a] ? way : ranges[a]) * per_range_step_;
+      ranges[a] *= per_range_step_;
+    }
+    for (std::size_t a = 0; a < count_; ++a) {
+      cost_[a] += block.share * at_range(cost, ways[a]);
+      detected_[a] += block.share * at_range(detected, ranges[a]);
+    }
+    share_ += block.share;
+  }
+
+  /// Mean over all that was added.
+  [[nodiscard]] float cost(std::size_t action) const { return share_ > 0.0F ? cost_[action] / share_ : 0.0F; }
+  [[nodiscard]] float detected(std::size_t action) const { return share_ > 0.0F ? detected_[action] / share_ : 0.0F; }
+
+ private:
+  std::size_t count_;
+  float per_range_step_;
+  float share_ = 0.0F;
+  std::array<float, config::kMaxActions> north_{};
+  std::array<float, config::kMaxActions> east_{};
+  std::array<float, config::kMaxActions> cost_{};
+  std::array<float, config::kMaxActions> detected_{};
 };
 
 }  // namespace
@@ -232,47 +321,30 @@ void Belief::look_out(const BeliefModel& model, NorthEast position) {
   const Point vehicle = point_at(position);
   const Inside inside(model);
   const Grid grid(model, std::span(marginal_).first(std::size_t{model.cells_north} * model.cells_east));
-  const std::span<const float> cost = std::span(cost_).first(model.snr_db.size());
-  const std::span<const float> detected = std::span(detected_).first(model.snr_db.size());
-  const std::span<ActionOutlook> outlooks = std::span(outlooks_).first(model.actions.size());
   const auto reach = static_cast<float>(model.step_length.value);
-  const auto per_range_step = static_cast<float>(1.0 / model.range_step.value);
-  std::array<Point, config::kMaxActions> ends;
-  std::array<float, config::kMaxActions> costs{};
-  for (std::size_t a = 0; a < outlooks.size(); ++a) {
-    const NorthEast end = position + model.step_length * model.actions[a];
-    ends[a] = point_at(end);
-    outlooks[a] = {.found = grid.within(ends[a], reach), .border = inside.depth(ends[a])};
-  }
-
-  float looked_at = 0.0F;
-  float near = 0.0F;
-  const float near_range = (1.5F + static_cast<float>(kReachSteps)) * reach;
+  Ways ways(model, vehicle);
   for (std::size_t row = 0; row < grid.rows; row += kBlock) {
     for (std::size_t column = 0; column < grid.columns; column += kBlock) {
       Point source{};
       const float share = grid.block(row, column, source);
-      if (share == 0.0F) continue;
-      const Block block = block_at(inside, source, share, reach);
-      looked_at += share;
-      if (distance(source, vehicle) < near_range) near += share;
-      for (std::size_t a = 0; a < outlooks.size(); ++a) {
-        const float range = distance(ends[a], block.source);
-        const float way = std::max(range, distance(ends[a], block.goal) + block.handicap);
-        costs[a] += share * at_range(cost, way * per_range_step);
-        outlooks[a].detected += share * at_range(detected, range * per_range_step);
+      if (share > 0.0F) {
+        ways.add(block_at(inside, source, share, reach), std::span(cost_).first(model.snr_db.size()),
+                 std::span(detected_).first(model.snr_db.size()));
       }
     }
   }
-  if (near >= kLeastNearShare) Reach(model, grid, inside).look(vehicle, outlooks);
-
-  const float whole = looked_at > 0.0F ? 1.0F / looked_at : 0.0F;
-  float least = 0.0F;
+  const Surroundings surroundings(grid, vehicle, (1.5F + static_cast<float>(kReachSteps)) * reach);
+  const std::span<ActionOutlook> outlooks = std::span(outlooks_).first(model.actions.size());
   for (std::size_t a = 0; a < outlooks.size(); ++a) {
-    outlooks[a].detected *= whole;
-    costs[a] = costs[a] * whole + kEdgeCost * outlooks[a].border - kReachReward * outlooks[a].reach;
-    least = a == 0 ? costs[a] : std::min(least, costs[a]);
+    outlooks[a] = {.found = surroundings.within(ways.end(a), reach), .detected = ways.detected(a), .border = inside.depth(ways.end(a))};
   }
+  if (surroundings.share() >= kLeastNearShare) Reach(model, surroundings, inside).look(vehicle, outlooks);
+
+  std::array<float, config::kMaxActions> costs;
+  for (std::size_t a = 0; a < outlooks.size(); ++a) {
+    costs[a] = ways.cost(a) + kEdgeCost * outlooks[a].border - kReachReward * outlooks[a].reach;
+  }
+  const float least = *std::min_element(costs.begin(), costs.begin() + static_cast<std::ptrdiff_t>(outlooks.size()));
   for (std::size_t a = 0; a < outlooks.size(); ++a) outlooks[a].regret = std::min(costs[a] - least, kMostRegret);
 }
 

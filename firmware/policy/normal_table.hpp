@@ -5,8 +5,8 @@
 
 namespace earshot::policy {
 
-// The normal distribution by table: computed by the compiler, so that every machine has the same bits, and cheap enough for every range of a
-// belief.
+// The normal distribution by table: computed by the compiler, so that every machine has the same bits, and cheap enough for every range of
+// a belief.
 
 struct NormalTable {
   static constexpr std::size_t kPerUnit = 32;

@@ -33,7 +33,7 @@ bool is_known(Feature feature) {
 
 bool needs_belief(Feature feature) {
   const auto within = [feature](Feature first, Feature last) { return feature >= first && feature <= last; };
-  return within(Feature::kLikeliestEast, Feature::kHypothesis) || within(Feature::kFound, Feature::kRegret);
+  return within(Feature::kLikeliestEast, Feature::kHypothesis) || within(Feature::kFound, Feature::kPreference);
 }
 
 bool needs_belief(const ObservationSpec& spec) {
@@ -115,6 +115,8 @@ double SearchMemory::of_belief(const ObservationElement& element) const {
       return double{outlook.border};
     case Feature::kRegret:
       return double{outlook.regret};
+    case Feature::kPreference:
+      return 1.0 / (1.0 + double{outlook.regret});
     default:
       break;
   }
@@ -160,12 +162,27 @@ Result<ObservationSpec> memory_state(std::size_t steps, Meters step_length, Deci
 
 ObservationSpec belief_state(const BeliefModel& model) {
   ObservationSpec spec;
-  const auto add = [&spec](Feature feature, std::size_t index, float scale) {
-    [[maybe_unused]] const Status status =
-        spec.push_back({.feature = feature, .age = static_cast<std::uint8_t>(index), .offset = 0.0F, .scale = scale});
+  const auto add = [&spec](Feature feature, std::size_t index, double offset, double scale) {
+    [[maybe_unused]] const Status status = spec.push_back({.feature = feature,
+                                                           .age = static_cast<std::uint8_t>(index),
+                                                           .offset = static_cast<float>(offset),
+                                                           .scale = static_cast<float>(scale)});
     assert(status == Status::kOk);
   };
-  for (std::size_t i = 0; i < model.actions.size(); ++i) add(Feature::kRegret, i, 1.0F);
+  const double half_north = 0.5 * model.area_size.north.value;
+  const double half_east = 0.5 * model.area_size.east.value;
+  for (const Feature edge : {Feature::kToSouthEdge, Feature::kToNorthEdge}) add(edge, 0, half_north, 1.0 / half_north);
+  for (const Feature edge : {Feature::kToWestEdge, Feature::kToEastEdge}) add(edge, 0, half_east, 1.0 / half_east);
+  for (const Feature place : {Feature::kLikeliestEast, Feature::kMeanEast}) add(place, 0, 0.0, 1.0 / half_east);
+  for (const Feature place : {Feature::kLikeliestNorth, Feature::kMeanNorth}) add(place, 0, 0.0, 1.0 / half_north);
+  add(Feature::kSpread, 0, 0.0, 1.0 / half_north);
+  add(Feature::kLikeliestShare, 0, 0.0, 1.0);
+  for (std::size_t h = 0; h < model.hypotheses.size(); ++h) add(Feature::kHypothesis, h, 0.0, 1.0);
+  // Of each action as much as there is room for, what matters most first.
+  for (const Feature feature : {Feature::kPreference, Feature::kReach, Feature::kBorder, Feature::kDetected, Feature::kFound}) {
+    if (spec.size() + model.actions.size() > spec.capacity()) break;
+    for (std::size_t a = 0; a < model.actions.size(); ++a) add(feature, a, 0.0, 1.0);
+  }
   return spec;
 }
 

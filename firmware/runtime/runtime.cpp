@@ -128,6 +128,13 @@ policy::Heard Runtime::heard() const {
   return {.snr = progress_.snr->snr, .measured = progress_.snr->measured};
 }
 
+policy::BeliefSummary Runtime::belief() const {
+  policy::BeliefSummary summary = memory_.belief().summary();
+  summary.likeliest = summary.likeliest + mission_.operating_area.south_west;
+  summary.mean = summary.mean + mission_.operating_area.south_west;
+  return summary;
+}
+
 void Runtime::begin_search(Time now) {
   progress_.state = MissionState::kSearch;
   progress_.search_began = now;
@@ -166,6 +173,7 @@ void Runtime::decide(Time now, Decision& decision) {
   decision.action = static_cast<std::uint8_t>(action);
   decision.overridden = safe.overridden;
   decision.waypoint = safe.waypoint;
+  if (policy::needs_belief(policy_.observation.spec)) decision.belief = belief();
   decision.observation_size = static_cast<std::uint8_t>(observation.size());
   decision.action_count = static_cast<std::uint8_t>(logits.size());
 }

@@ -78,6 +78,7 @@ struct Decision {
   std::uint8_t action_count = 0;
   std::array<float, config::kMaxObservation> observation{};
   std::array<float, config::kMaxActions> logits{};
+  std::optional<policy::BeliefSummary> belief;  ///< in the mission's frame; absent when the policy holds none
 };
 
 /// Counters of what was refused; they only grow.
@@ -143,6 +144,7 @@ class Runtime {
   [[nodiscard]] EndReason reason_to_abort(Time now) const;
   [[nodiscard]] NorthEast place_in_area() const;
   [[nodiscard]] policy::Heard heard() const;
+  [[nodiscard]] policy::BeliefSummary belief() const;
   void begin_search(Time now);
   void search(Time now, Outputs& outputs);
   void decide(Time now, Decision& decision);

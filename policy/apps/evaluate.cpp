@@ -82,7 +82,9 @@ Contestant contestant_named(const std::string& name) {
   }
   if (name == "shipped") return {name, evaluate::load_policy(apps::shipped_policy())};
   if (name.find_first_of("./") == std::string::npos) {
-    throw BadInput("--policies: " + name + ": neither a .policy file nor one of:\n  shipped" + names_of_baselines());
+    std::string known = "shipped";
+    for (const baselines::Entry& entry : baselines::catalogue()) known += ", " + std::string(entry.name);
+    throw BadInput("--policies: " + name + ": neither a .policy file nor one of " + known);
   }
   return {name, evaluate::load_policy(name)};
 }

@@ -1,11 +1,15 @@
 #include "policy/freeze/freeze.hpp"
 
+#include <iomanip>
 #include <iostream>
 #include <optional>
+#include <sstream>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/core/crc32.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/freeze/keys.hpp"
+#include "policy/freeze/model_file.hpp"
 
 namespace {
 
@@ -13,16 +17,21 @@ using namespace earshot;
 using config_file::BadInput;
 
 struct Options {
-  std::optional<std::string> checkpoint;
+  std::optional<std::string> model;
   std::optional<std::string> output;
+  std::optional<std::string> search;
   std::string draw = "sampled";
   std::string key;
   bool new_key = false;
 };
 
 void add_options(CLI::App& app, Options& options) {
-  app.add_option("CHECKPOINT", options.checkpoint, "checkpoint of earshot train");
+  app.add_option("MODEL", options.model,
+                 "checkpoint of earshot train, model.zip of Stable-Baselines3 (PPO or A2C, MlpPolicy), or an ONNX export");
   app.add_option("-o,--output", options.output, "policy to write (.policy)");
+  app.add_option(
+      "--search", options.search,
+      "what a .zip or .onnx was trained to search, when it does not carry that along (JSON: earshot.describe() in policy/python)");
   app.add_option("--draw", options.draw, "how the vehicle draws its actions: sampled from the softmax, or argmax")
       ->check(CLI::IsMember({"argmax", "sampled"}))
       ->capture_default_str();
@@ -47,17 +56,54 @@ freeze::SecretKey key_of(const Options& options) {
   return freeze::secret_key_from(apps::read_whole(options.key), options.key);
 }
 
-void freeze_checkpoint(const Options& options) {
-  if (options.checkpoint.has_value() != options.output.has_value()) throw BadInput("earshot freeze: CHECKPOINT and --output go together");
-  if (!options.checkpoint && !options.new_key) throw BadInput("earshot freeze: nothing to do: no CHECKPOINT and no --new-key");
+policy::ActionDraw draw_of(const Options& options) {
+  return options.draw == "argmax" ? policy::ActionDraw::kArgmax : policy::ActionDraw::kSampled;
+}
+
+std::string search_of(const freeze::TrainedActor& actor, const Options& options) {
+  if (actor.search && options.search) throw BadInput("carries its own search description; --search is for models that carry none");
+  if (actor.search) return *actor.search;
+  if (options.search) return apps::read_whole(*options.search);
+  throw BadInput("does not say what it was trained to search: save it with earshot.sb3.save or export_onnx, or give --search");
+}
+
+/// What a policy's provenance says of the file it came from.
+std::pair<std::string, std::string> crc32_of(const std::string& bytes) {
+  std::ostringstream crc;
+  crc << std::hex << std::setw(8) << std::setfill('0')
+      << crc32(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));  // NOLINT: characters are bytes
+  return {"model_crc32", crc.str()};
+}
+
+std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, const std::filesystem::path& file, const Options& options) {
+  const freeze::TrainedActor actor = freeze::read_model(bytes, file.string());
+  try {
+    description::SearchDescription search = description::from_text(search_of(actor, options));
+    search.provenance.emplace_back("model", file.filename().string());
+    search.provenance.push_back(crc32_of(bytes));
+    return freeze::freeze(actor, search, draw_of(options));
+  } catch (const BadInput& e) {
+    throw BadInput(file.string() + ": " + freeze::printable(e.what()));
+  }
+}
+
+std::unique_ptr<policy::FrozenPolicy> freeze_model(const std::filesystem::path& file, const Options& options) {
+  const std::string bytes = apps::read_whole(file);
+  if (freeze::is_foreign_model(bytes, file.string())) return freeze_foreign(bytes, file, options);
+  if (options.search) throw BadInput("--search: a checkpoint says itself what it was trained to search");
+  return freeze::freeze(ppo::from_text(bytes, file.string()), draw_of(options));
+}
+
+void run(const Options& options) {
+  if (options.model.has_value() != options.output.has_value()) throw BadInput("earshot freeze: MODEL and --output go together");
+  if (!options.model && !options.new_key) throw BadInput("earshot freeze: nothing to do: no MODEL and no --new-key");
   std::unique_ptr<policy::FrozenPolicy> policy;
-  if (options.checkpoint) {
-    const ppo::Checkpoint checkpoint = ppo::from_text(apps::read_whole(*options.checkpoint), *options.checkpoint);
-    policy = freeze::freeze(checkpoint, options.draw == "argmax" ? policy::ActionDraw::kArgmax : policy::ActionDraw::kSampled);
+  if (options.model) {
+    policy = freeze_model(*options.model, options);
     apps::check_writable(*options.output);
   }
   const freeze::SecretKey key = key_of(options);
-  if (!options.checkpoint) return;
+  if (!options.model) return;
   const std::vector<std::uint8_t> bytes = freeze::sign(*policy, key);
   apps::write_whole(*options.output, std::string(bytes.begin(), bytes.end()));
   std::cout << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " observations, "
@@ -71,5 +117,5 @@ int main(int argc, char** argv) {
   app.footer("Example: earshot freeze fixed.checkpoint -o fixed.policy --key earshot.key --new-key");
   Options options;
   add_options(app, options);
-  return apps::run_program(app, argc, argv, [&] { freeze_checkpoint(options); });
+  return apps::run_program(app, argc, argv, [&] { run(options); });
 }

@@ -34,6 +34,8 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<void()
     std::cerr << app.get_name() << ": " << e.what() << "\n";
   } catch (const BadInput& e) {
     if (*e.what() != '\0') std::cerr << e.what() << "\n";
+  } catch (const std::exception& e) {
+    std::cerr << app.get_name() << ": " << e.what() << "\n";
   }
   return kBadInputStatus;
 }

@@ -72,7 +72,7 @@ void check_for_resume(const CLI::App& app) {
   constexpr std::array<std::string_view, 9> kFree{"--resume",   "--output", "--checkpoint-every", "--curve", "--plot",
                                                   "--episodes", "--steps",  "--threads",          "--help"};
   for (const CLI::Option* option : app.get_options()) {
-    const std::string name = option->get_name(true);
+    const std::string name = option->get_name();
     const bool free = std::ranges::any_of(kFree, [&](std::string_view each) { return option->check_name(std::string(each)); });
     if (option->count() > 0 && !free) throw config_file::BadInput(name + ": stays as it was in a training that --resume goes on with");
   }

@@ -157,7 +157,7 @@ struct Training::Parts {
   parallel::Ranks& ranks;
   ppo::TrainingRun run;
   ocean::Environment environment;
-  sonar::SnrCurve snr;
+  search::Soundscape soundscape;
   search::SearchWorld world;
   policy::ObservationModel model;
   ppo::Trainer trainer;
@@ -169,17 +169,17 @@ struct Training::Parts {
         ranks(r),
         run(settled(job.options)),
         environment(environment_at(run.environment, run.vehicle_depth)),
-        snr(settle_search()),
-        world(run.search, snr),
-        model(ppo::observation_of(run, snr)),
+        soundscape(settle_search()),
+        world(run.search, soundscape, environment.conditions),
+        model(ppo::observation_of(run, soundscape.expected())),
         trainer(world, model, run.hyper, run.seed, ranks),
         curve(earlier_curve(job)),
         settings_crc32(apps::settings_crc32(job.options, run, environment)) {}
 
-  sonar::SnrCurve settle_search() {
+  search::Soundscape settle_search() {
     run.search.source = environment.source.position;
     job.options.world.apply_to(run.search);
-    return curve_for(environment, run.vehicle_depth, run.search);
+    return soundscape_for(environment, run.vehicle_depth, run.search);
   }
 
   void resume();

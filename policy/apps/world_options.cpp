@@ -22,9 +22,8 @@ void WorldOptions::add_to(CLI::App& app) {
          "--start", start,
          "vehicle starts uniformly in the domain, or inside_border, where the border costs nothing (" + start.value_or("domain") + ")")
       ->check(CLI::IsMember({"domain", "inside_border"}));
-  app.add_option("--start-margin-m", start_margin_m, "vehicle starts uniformly at least so far from every edge, metres; instead of --start")
-      ->check(CLI::NonNegativeNumber)
-      ->excludes(app.get_option("--start"));
+  app.add_option("--start-margin-m", start_margin_m, "instead of --start: vehicle starts uniformly at least so far from every edge, metres")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--border-width-m", border_width_m, "width b of the border in which the reward falls to -100, metres (1000)")
       ->check(CLI::PositiveNumber);
   app.add_option("--max-steps", max_steps, "N, steps after which an episode is cut (100)")->check(CLI::Range(1, 1'000'000));
@@ -36,8 +35,8 @@ void WorldOptions::apply_to(search::SearchSettings& settings) const {
   if (max_steps) settings.max_steps = *max_steps;
   if (start) settings.start_region = *start == "domain" ? settings.domain : search::inside_border(settings);
   if (start_margin_m) {
-    const NorthEast margin{Meters{*start_margin_m}, Meters{*start_margin_m}};
-    settings.start_region = {settings.domain.south_west + margin, settings.domain.north_east - margin};
+    const NorthEast inwards{Meters{*start_margin_m}, Meters{*start_margin_m}};
+    settings.start_region = {settings.domain.south_west + inwards, settings.domain.north_east - inwards};
   }
   if (search::check(settings) != Status::kOk) {
     throw BadInput(

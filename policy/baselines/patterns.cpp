@@ -8,7 +8,7 @@
 namespace earshot::baselines {
 namespace {
 
-constexpr double kReached = 0.75;  ///< step lengths from a corner: the compass's directions do not lead exactly onto it
+constexpr double kReached = 1.25;  ///< step lengths from a corner: steps of whole lengths that keep out of the border may come no nearer
 
 }  // namespace
 

@@ -88,14 +88,17 @@ Summary summarise(std::span<const search::EpisodeRecord> records) {
   Summary summary;
   summary.episodes = records.size();
   std::vector<double> rewards;
-  for (const search::EpisodeRecord& record : records) {
+  for (const search::EpisodeRecord& record : records) {  // sums first: shares of whole numbers come out exact
     rewards.push_back(record.reward);
-    summary.mean_reward += record.reward / count;
-    summary.found_fraction += record.end == search::EpisodeEnd::kFound ? 1.0 / count : 0.0;
-    summary.left_domain_fraction += record.end == search::EpisodeEnd::kLeftDomain ? 1.0 / count : 0.0;
-    summary.mean_steps += record.steps / count;
-    summary.mean_detections += record.detections / count;
+    summary.mean_reward += record.reward;
+    summary.found_fraction += record.end == search::EpisodeEnd::kFound ? 1.0 : 0.0;
+    summary.left_domain_fraction += record.end == search::EpisodeEnd::kLeftDomain ? 1.0 : 0.0;
+    summary.mean_steps += record.steps;
+    summary.mean_detections += record.detections;
   }
+  for (double* mean :
+       {&summary.mean_reward, &summary.found_fraction, &summary.left_domain_fraction, &summary.mean_steps, &summary.mean_detections})
+    *mean /= count;
   summary.lower_quartile_reward = quantile(rewards, 0.25);
   summary.median_reward = quantile(rewards, 0.5);
   summary.upper_quartile_reward = quantile(rewards, 0.75);

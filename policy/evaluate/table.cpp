@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "sim/sonar/gnuplot.hpp"
@@ -114,14 +115,18 @@ std::string as_csv(std::span<const Row> rows, Timing timing) {
   return csv;
 }
 
-std::string as_plot(std::span<const Row> rows, const std::string& title) {
+std::string as_plot(std::span<const Row> all, const std::string& title) {
+  std::vector<Row> rows(all.begin(), all.end());
+  if (distinct(rows, &Row::world).size() == 1) {  // then policies stand along the axis
+    for (Row& row : rows) std::swap(row.world, row.policy);
+  }
   const std::vector<std::string> worlds = distinct(rows, &Row::world);
   std::string tics;
   for (std::size_t i = 0; i < worlds.size(); ++i) tics += (i == 0 ? "" : ", ") + sonar::quoted(worlds[i]) + " " + std::to_string(i);
-  const std::string setup = "set multiplot layout 2,1 title " + sonar::quoted(title) +
-                            " noenhanced\nset grid ytics lc rgb '#dddddd'\nset key outside right top noenhanced\nset xrange [-0.5:" +
-                            formatted("%g", static_cast<double>(worlds.size()) - 0.5) + "]\nset xtics noenhanced rotate by -20 (" + tics +
-                            ")\n";
+  const std::string setup =
+      "set multiplot layout 2,1 title " + sonar::quoted(title) +
+      " noenhanced\nset grid ytics lt 1 lw 0.5 lc rgb '#cccccc'\nset key outside right top noenhanced\nset xrange [-0.5:" +
+      formatted("%g", static_cast<double>(worlds.size()) - 0.5) + "]\nset xtics noenhanced rotate by -20 (" + tics + ")\n";
   return setup +
          panel(rows, "mean reward (95 %)",
                [](const Row& r) {

@@ -40,24 +40,70 @@ void copy_actor(const ppo::Checkpoint& checkpoint, policy::Network& network) {
   copy_layer(networks, layout.logits, layout.logits.outputs, network.output);
 }
 
-}  // namespace
-
-std::unique_ptr<policy::FrozenPolicy> freeze(const ppo::Checkpoint& checkpoint, policy::ActionDraw draw) {
+/// Everything but the network; `source` is a Checkpoint or a SearchDescription.
+template <class Source>
+std::unique_ptr<policy::FrozenPolicy> without_network(const Source& source, policy::ActionDraw draw) {
   auto policy = std::make_unique<policy::FrozenPolicy>();
-  policy->observation = checkpoint.observation;
-  policy->actions = search::compass_directions(checkpoint.direction_count);
-  policy->step_length = checkpoint.step_length;
-  policy->area_size = checkpoint.area_size;
-  policy->detection_threshold = checkpoint.detection_threshold;
+  policy->observation = source.observation;
+  policy->actions = search::compass_directions(source.direction_count);
+  policy->step_length = source.step_length;
+  policy->area_size = source.area_size;
+  policy->detection_threshold = source.detection_threshold;
   policy->draw = draw;
-  copy_actor(checkpoint, policy->network);
-  for (const auto& [name, value] : checkpoint.provenance) {
+  for (const auto& [name, value] : source.provenance) {
     for (const char c : name + " = " + value + "\n") {
       if (policy->provenance.push_back(c) != Status::kOk) {
         throw BadInput("provenance: longer than the " + std::to_string(config::kMaxProvenance) + " bytes a policy can hold");
       }
     }
   }
+  return policy;
+}
+
+void check_fit(const TrainedActor& actor, const description::SearchDescription& search) {
+  check_chain(actor);
+  const std::size_t hidden = actor.layers.size() - 1;
+  if (hidden != config::kMaxHiddenLayers) {
+    throw BadInput("has " + std::to_string(hidden) + " hidden layers; " + std::to_string(config::kMaxHiddenLayers) + " fly");
+  }
+  for (std::size_t i = 0; i < hidden; ++i) {
+    if (actor.layers[i].outputs <= policy::Network::kWidth) continue;
+    throw BadInput("hidden layer " + std::to_string(i + 1) + " has " + std::to_string(actor.layers[i].outputs) + " units; at most " +
+                   std::to_string(policy::Network::kWidth) + " fly");
+  }
+  const std::size_t inputs = actor.layers.front().inputs;
+  const std::size_t outputs = actor.layers.back().outputs;
+  if (inputs == search.observation.spec.size() && outputs == search.direction_count) return;
+  throw BadInput("has " + std::to_string(inputs) + " inputs and " + std::to_string(outputs) + " outputs; its search description has " +
+                 std::to_string(search.observation.spec.size()) + " observations and " + std::to_string(search.direction_count) +
+                 " directions");
+}
+
+template <class Target>
+void copy_dense(const DenseLayer& from, Target& to) {
+  std::ranges::copy(from.weights, to.weights.begin());
+  std::ranges::copy(from.bias, to.bias.begin());
+}
+
+}  // namespace
+
+std::unique_ptr<policy::FrozenPolicy> freeze(const ppo::Checkpoint& checkpoint, policy::ActionDraw draw) {
+  auto policy = without_network(checkpoint, draw);
+  copy_actor(checkpoint, policy->network);
+  return policy;
+}
+
+std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const description::SearchDescription& search,
+                                             policy::ActionDraw draw) {
+  check_fit(actor, search);
+  auto policy = without_network(search, draw);
+  policy::Network& network = policy->network;
+  network.observation_size = search.observation.spec.size();
+  network.hidden_sizes = {actor.layers[0].outputs, actor.layers[1].outputs};
+  network.action_count = search.direction_count;
+  copy_dense(actor.layers[0], network.first);
+  copy_dense(actor.layers[1], network.second);
+  copy_dense(actor.layers[2], network.output);
   return policy;
 }
 

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "firmware/policy/frozen_policy.hpp"
+#include "policy/description/search_description.hpp"
 #include "policy/freeze/keys.hpp"
+#include "policy/freeze/trained_actor.hpp"
 #include "policy/ppo/checkpoint.hpp"
 
 namespace earshot::freeze {
@@ -13,6 +15,11 @@ namespace earshot::freeze {
 /// The policy that flies, from what training left: the actor alone, its directions as a table, its provenance as "name = value" lines.
 /// Throws config_file::BadInput when it does not fit firmware's capacities.
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze(const ppo::Checkpoint& checkpoint, policy::ActionDraw draw);
+
+/// The policy that flies, from an actor trained elsewhere, its weights bit for bit.
+/// Throws config_file::BadInput when the actor does not fit its description or firmware's capacities.
+[[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const description::SearchDescription& search,
+                                                           policy::ActionDraw draw);
 
 /// The bytes of a `.policy` file, signed: Ed25519 over every byte before the signature.
 /// Throws config_file::BadInput for a policy that a vehicle would refuse.

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <type_traits>
 
+#include "firmware/config/capacities.hpp"
 #include "policy/ppo/orthogonal.hpp"
+#include "policy/ppo/wide_product.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -27,6 +30,54 @@ auto bias_of(Pointer* flat, const auto& layer) {
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
   using Mapped = std::conditional_t<std::is_const_v<Pointer>, const Vector, Vector>;
   return Eigen::Map<Mapped>(flat + layer.bias(), layer.outputs);
+}
+
+template <class Matrix>
+constexpr bool kIsFloat = std::is_same_v<typename std::decay_t<Matrix>::Scalar, float>;
+
+/// C += A B, C = A B, C = A B^T where A and C have kWidth rows, and C = B A^T where A has: with the wide product where there is one.
+template <class C, class A, class B>
+void add_product(C&& c, const A& a, const B& b) {
+  if constexpr (kIsFloat<C>) {
+    if (has_wide_product()) {
+      return multiply(
+          {a.data(), a.outerStride(), b.data(), 1, b.outerStride(), c.data(), c.outerStride(), a.cols(), b.cols(), WideProduct::Start::kC});
+    }
+  }
+  c.noalias() += a * b;
+}
+
+template <class C, class A, class B>
+void set_product(C&& c, const A& a, const B& b) {
+  if constexpr (kIsFloat<C>) {
+    if (has_wide_product()) {
+      return multiply({a.data(), a.outerStride(), b.data(), 1, b.outerStride(), c.data(), c.outerStride(), a.cols(), b.cols()});
+    }
+  }
+  c.noalias() = a * b;
+}
+
+template <class C, class A, class B>
+void set_product_with_transpose(C&& c, const A& a, const B& b) {
+  if constexpr (kIsFloat<C>) {
+    if (has_wide_product()) {
+      return multiply({a.data(), a.outerStride(), b.data(), b.outerStride(), 1, c.data(), c.outerStride(), a.cols(), b.rows()});
+    }
+  }
+  c.noalias() = a * b.transpose();
+}
+
+template <class C, class A, class B>
+void set_transposed_product(C&& c, const A& a, const B& b) {
+  if constexpr (kIsFloat<C>) {
+    if (has_wide_product()) {
+      Eigen::Matrix<float, kWidth, Eigen::Dynamic, Eigen::ColMajor, kWidth, config::kMaxActions> transposed(kWidth, b.rows());
+      set_product_with_transpose(transposed, a, b);
+      c = transposed.transpose();
+      return;
+    }
+  }
+  c.noalias() = b * a.transpose();
 }
 
 }  // namespace
@@ -66,13 +117,14 @@ void ActorCritic<Scalar>::forward(const Scalar* observations, Eigen::Index batch
   Eigen::Map<Hidden<Scalar>> critic(activations.critic.data(), kWidth, batch);
 
   first.colwise() = bias_of<Scalar>(p, layout_.first);
-  first.noalias() += weights_of<BothHidden<Scalar>>(p, layout_.first) * x;
+  add_product(first.template topRows<kWidth>(), weights_of<BothHidden<Scalar>>(p, layout_.first).template topRows<kWidth>(), x);
+  add_product(first.template bottomRows<kWidth>(), weights_of<BothHidden<Scalar>>(p, layout_.first).template bottomRows<kWidth>(), x);
   first = first.array().tanh();
   actor.colwise() = bias_of<Scalar>(p, layout_.actor_second);
-  actor.noalias() += weights_of<Square<Scalar>>(p, layout_.actor_second) * first.template topRows<kWidth>();
+  add_product(actor, weights_of<Square<Scalar>>(p, layout_.actor_second), first.template topRows<kWidth>());
   actor = actor.array().tanh();
   critic.colwise() = bias_of<Scalar>(p, layout_.critic_second);
-  critic.noalias() += weights_of<Square<Scalar>>(p, layout_.critic_second) * first.template bottomRows<kWidth>();
+  add_product(critic, weights_of<Square<Scalar>>(p, layout_.critic_second), first.template bottomRows<kWidth>());
   critic = critic.array().tanh();
   auto logits = activations.logits.leftCols(batch);
   logits.colwise() = bias_of<Scalar>(p, layout_.logits);
@@ -96,20 +148,22 @@ void ActorCritic<Scalar>::backward(const Scalar* observations, Eigen::Index batc
   // One branch from its output back to its half of the first layer; `hidden` becomes dL/d(its input before tanh).
   auto branch = [&](const auto& d_output, const Layer& output, const Layer& second, Scalar* hidden_data, const auto& below, auto d_below) {
     Eigen::Map<Hidden<Scalar>> hidden(hidden_data, kWidth, batch);
-    weights_of<Matrix<Scalar>>(g, output).noalias() = d_output * hidden.transpose();
+    set_transposed_product(weights_of<Matrix<Scalar>>(g, output), hidden, d_output);
     bias_of<Scalar>(g, output) = d_output.rowwise().sum();
     const auto slope = (Scalar{1} - hidden.array().square());
     hidden = (weights_of<Matrix<Scalar>>(p, output).transpose() * d_output).array() * slope;
-    weights_of<Square<Scalar>>(g, second).noalias() = hidden * below.transpose();
+    set_product_with_transpose(weights_of<Square<Scalar>>(g, second), hidden, below);
     bias_of<Scalar>(g, second) = hidden.rowwise().sum();
-    d_below.noalias() = weights_of<Square<Scalar>>(p, second).transpose() * hidden;
+    set_product(d_below, Square<Scalar>(weights_of<Square<Scalar>>(p, second).transpose()), hidden);
   };
   branch(d_logits.leftCols(batch), layout_.logits, layout_.actor_second, activations.actor.data(), first.template topRows<kWidth>(),
          d_first.template topRows<kWidth>());
   branch(d_values.leftCols(batch), layout_.value, layout_.critic_second, activations.critic.data(), first.template bottomRows<kWidth>(),
          d_first.template bottomRows<kWidth>());
   d_first.array() *= Scalar{1} - first.array().square();
-  weights_of<BothHidden<Scalar>>(g, layout_.first).noalias() = d_first * x.transpose();
+  auto g_first = weights_of<BothHidden<Scalar>>(g, layout_.first);
+  set_product_with_transpose(g_first.template topRows<kWidth>(), d_first.template topRows<kWidth>(), x);
+  set_product_with_transpose(g_first.template bottomRows<kWidth>(), d_first.template bottomRows<kWidth>(), x);
   bias_of<Scalar>(g, layout_.first) = d_first.rowwise().sum();
 }
 

@@ -20,6 +20,9 @@ struct HyperParameters {
   double entropy_coefficient = 0.0;      ///< weight of the entropy bonus
   double max_gradient_norm = 0.5;        ///< > 0; actor and critic together
   double target_kl = 0.0;                ///< an update ends early where the policy has moved 1.5 times as far (estimated KL); 0: never
+  double found_reward = 0.0;             ///< added to the reward of the step that finds the source: the paper's does not ask for it
+  double step_reward = 0.0;              ///< added to that of every step
+  double least_reward = -1.0e9;          ///< a step earns no less: a deep border must not drown everything else
   double reward_scale = 1.0;             ///< rewards are multiplied by it before learning, > 0
   std::uint64_t decay_steps = 0;         ///< the learning rate falls linearly to zero over so many steps; 0: constant
 };

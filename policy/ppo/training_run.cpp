@@ -60,6 +60,12 @@ void read_hyper_parameters(TableReader table, HyperParameters& h) {
   h.reward_scale = table.number_or("reward_scale", h.reward_scale, Range::above(0.0));
 }
 
+void read_training_reward(TableReader table, HyperParameters& h) {
+  h.found_reward = table.number_or("found", h.found_reward);
+  h.step_reward = table.number_or("step", h.step_reward);
+  h.least_reward = table.number_or("least", h.least_reward, Range::between(-1.0e9, 0.0));
+}
+
 /// Where the vehicle is, and what the memory state holds.
 policy::ObservationSpec position_memory(const TrainingRun& run) {
   const search::SearchSettings& s = run.search;
@@ -92,6 +98,7 @@ TrainingRun load_run(const std::filesystem::path& path) {
     read_hyper_parameters(*table, run.hyper);
     run.learning_rate_schedule = static_cast<LearningRateSchedule>(table->choice_or("learning_rate_schedule", 0, {"constant", "linear"}));
   }
+  if (auto table = root.optional_table("training_reward")) read_training_reward(*table, run.hyper);
   file.finish();
   if (search && search::check(run.search) != Status::kOk)
     search->problem("border_width_m", "must leave room inside the border for the start");
@@ -160,6 +167,9 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   add("entropy_coefficient", h.entropy_coefficient);
   add("max_gradient_norm", h.max_gradient_norm);
   add("target_kl", h.target_kl);
+  add("found_reward", h.found_reward);
+  add("step_reward", h.step_reward);
+  if (h.least_reward > HyperParameters{}.least_reward) add("least_reward", h.least_reward);
   add("reward_scale", h.reward_scale);
   return lines;
 }

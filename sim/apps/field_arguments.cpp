@@ -70,9 +70,17 @@ void describe_solver(CLI::App& app, FieldArguments& a) {
   app.add_option("--accuracy-db", a.accuracy_db, "of transmission loss, mean over ranges; chooses the solver's grid")
       ->check(between(0.0001, 10.0))
       ->capture_default_str();
-  app.add_option("--range-step", a.range_step_m, "m of one step of the solver; default: automatic")->check(between(0.01, 10000.0));
-  app.add_option("--depth-step", a.depth_step_m, "m of the solver's depth grid; default: automatic")->check(between(0.001, 1000.0));
+  app.add_option("--range-step,--range-step-m", a.range_step_m, "m of one step of the solver; default: automatic")
+      ->check(between(0.01, 10000.0));
+  app.add_option("--depth-step,--depth-step-m", a.depth_step_m, "m of the solver's depth grid; default: automatic")
+      ->check(between(0.001, 1000.0));
   app.add_option("--terms", a.terms, "poles of the propagator, 2 to 16; 0: automatic")->check(between(0, 16))->capture_default_str();
+  app.add_option("--absorber-wavelengths", a.absorber_wavelengths, "thickness of the absorbing layer below the deepest layer of the seabed")
+      ->check(between(0.5, 100.0))
+      ->capture_default_str();
+  app.add_option("--starter", a.starter, "self: a point source, exact at all angles; gaussian: a beam, weaker where it is steep")
+      ->check(CLI::IsMember({"self", "gaussian"}))
+      ->capture_default_str();
   app.add_flag("--check", a.check, "also run with both steps of the grid halved, and print by how many dB that changes the loss");
   app.add_option("--threads", a.threads, "processors used, default all; the result does not depend on it")->check(between(1, 4096));
 }
@@ -178,6 +186,8 @@ sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Envi
     throw std::invalid_argument(text.str());
   }
   plan.options.terms = arguments.terms;
+  plan.options.absorber_wavelengths = arguments.absorber_wavelengths;
+  plan.options.starter = arguments.starter == "gaussian" ? pe::Starter::kGaussian : pe::Starter::kSelf;
   plan.options.accuracy = Decibels{arguments.accuracy_db};
   if (arguments.range_step_m) plan.options.range_step = Meters{*arguments.range_step_m};
   if (arguments.depth_step_m) plan.options.depth_step = Meters{*arguments.depth_step_m};

@@ -34,6 +34,8 @@ struct FieldArguments {
   std::optional<double> output_step_m;
   std::optional<double> depth_step_m;
   std::size_t terms = 0;
+  double absorber_wavelengths = 6.0;
+  std::string starter = "self";
   double accuracy_db = 0.02;
   bool check = false;
   double detection_threshold_db = 10.0;

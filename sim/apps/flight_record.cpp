@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "firmware/core/geometry.hpp"
-#include "firmware/detector/threshold_detector.hpp"
 
 namespace earshot::simulation {
 namespace {
@@ -43,8 +42,8 @@ TrackFile::TrackFile(const std::filesystem::path& path)
 void TrackFile::add(const TrackPoint& p) {
   const int written = std::fprintf(file_.get(), "%.3f,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%s,%u\n", (p.time - Time{}).to_seconds(),
                                    p.vehicle.position.north.value, p.vehicle.position.east.value, p.vehicle.depth.value,
-                                   p.vehicle.heading.value * 180.0 / std::numbers::pi, p.vehicle.speed.value, p.snr.value, p.range.value,
-                                   name_of(p.state), p.steps_taken);
+                                   p.vehicle.heading.value * 180.0 / std::numbers::pi, p.vehicle.speed.value, p.heard.snr.value,
+                                   p.range.value, name_of(p.state), p.steps_taken);
   if (written >= 0) return;
   is_cut_ = true;
   fail(path_);
@@ -68,8 +67,8 @@ void Score::add(const TrackPoint& point) {
 
 void Score::end_step(const TrackPoint& point) {
   ++steps_;
-  reward_ += search::step_reward(settings_, point.vehicle.position, point.snr);
-  if (detector::ThresholdDetector{settings_.detection_threshold}.detects(point.snr)) ++detections_;
+  reward_ += search::step_reward(settings_, point.vehicle.position, point.heard);
+  if (search::is_detection(settings_, point.heard)) ++detections_;
 }
 
 void remove_results(const std::filesystem::path& folder) {

@@ -9,6 +9,7 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/policy/heard.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/vehicle/vehicle.hpp"
@@ -19,7 +20,7 @@ namespace earshot::simulation {
 struct TrackPoint {
   Time time;
   vehicle::State vehicle;
-  Decibels snr;
+  policy::Heard heard;
   Meters range;  ///< horizontal, to the source
   runtime::MissionState state = runtime::MissionState::kStandby;
   std::uint32_t steps_taken = 0;  ///< actions completed

@@ -14,7 +14,8 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr milliseconds kLookUp{100};  ///< how often a waiting simulator looks at `stop`
+constexpr std::uint64_t kConditionsStream = 1;  ///< of the seed; the start is drawn from stream 0
+constexpr milliseconds kLookUp{100};            ///< how often a waiting simulator looks at `stop`
 constexpr milliseconds kRuntimePatience{
     4000};                                  ///< for an answer: a step takes microseconds, a dead runtime is known after link::kLeaseSeconds
 constexpr milliseconds kBusPatience{2000};  ///< for a set-point that was sent before its answer
@@ -45,7 +46,15 @@ const char* word_for(runtime::EndReason reason) {
 class Stepper {
  public:
   Stepper(const Flight& flight, const vehicle::State& start, const volatile std::sig_atomic_t& stop)
-      : flight_(flight), vehicle_(start), command_{.heading = start.heading, .speed = start.speed, .depth = start.depth}, stop_(stop) {}
+      : flight_(flight),
+        vehicle_(start),
+        command_{.heading = start.heading, .speed = start.speed, .depth = start.depth},
+        source_(flight.world.source),
+        stop_(stop) {
+    if (is_calm()) return;
+    surroundings_.start(flight.world.search, start.position, flight.world.source, Pcg32(flight.world.seed, kConditionsStream));
+    source_ = surroundings_.nearest_source(start.position);
+  }
 
   FlightResult run() {
     const auto began = steady_clock::now();
@@ -65,33 +74,57 @@ class Stepper {
     for (;;) {
       tick();
       if (over_) return;
-      vehicle_ = vehicle::advance_for(vehicle_, command_, flight_.world.vehicle, flight_.world.tick);
+      advance();
       now_ = now_ + flight_.world.tick;
       keep_pace(began);
     }
   }
 
+  /// Whether the conditions of the world change anything.
+  [[nodiscard]] bool is_calm() const { return flight_.world.search.soundscape == nullptr; }
+
+  void advance() {
+    const NorthEast before = vehicle_.position;
+    vehicle_ = vehicle::advance_for(vehicle_, command_, flight_.world.vehicle, flight_.world.tick);
+    if (is_calm()) return;
+    vehicle_.position = before + surroundings_.pass(flight_.world.search, vehicle_.position - before, flight_.world.tick.to_seconds());
+    source_ = surroundings_.nearest_source(vehicle_.position);
+  }
+
+  [[nodiscard]] policy::Heard listen(Meters range) {
+    if (is_calm()) return {.snr = flight_.world.search.snr.at(range)};
+    return surroundings_.listen(flight_.world.search, vehicle_.position);
+  }
+
+  /// What navigation tells of the vehicle.
+  [[nodiscard]] vehicle::State believed() const {
+    vehicle::State state = vehicle_;
+    if (!is_calm()) state.position = state.position + surroundings_.navigation_error();
+    return state;
+  }
+
   void tick() {
-    const Meters range = range_between(vehicle_.position, flight_.world.source);
-    const Decibels snr = flight_.snr.at(range);
+    const Meters range = range_between(vehicle_.position, source_);
+    const policy::Heard heard = listen(range);
     const bool reached = flight_.world.may_be_found && range <= flight_.world.found_within;
-    flight_.bus.publish(now_, vehicle_);
+    flight_.bus.publish(now_, believed());
     flight_.link.send({.number = ++number_,
                        .time = now_,
                        .navigation_messages = flight_.bus.navigation_messages(),
-                       .snr = snr,
+                       .snr = heard.snr,
+                       .snr_too_faint = !heard.measured,
                        .command = order(reached)});
     flight_.link.observe({.time = now_,
                           .vehicle = vehicle_.position,
                           .vehicle_depth = vehicle_.depth,
                           .vehicle_heading = vehicle_.heading,
-                          .source = flight_.world.source,
+                          .source = source_,
                           .range = range});
     link::Answer answer;
     if (!receive(answer) || !collect(answer)) return;
     const TrackPoint point{.time = now_,
                            .vehicle = vehicle_,
-                           .snr = snr,
+                           .heard = heard,
                            .range = range,
                            .state = static_cast<runtime::MissionState>(answer.state),
                            .steps_taken = answer.steps_taken};
@@ -153,6 +186,8 @@ class Stepper {
   Flight flight_;
   vehicle::State vehicle_;
   vehicle::Command command_;
+  NorthEast source_;
+  search::Surroundings surroundings_;  ///< unused in a calm world
   const volatile std::sig_atomic_t& stop_;
   Time now_;
   std::uint64_t number_ = 0;

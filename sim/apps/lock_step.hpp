@@ -11,19 +11,21 @@
 #include "sim/apps/autopilot_bus.hpp"
 #include "sim/apps/flight_record.hpp"
 #include "sim/link/simulator_end.hpp"
-#include "sim/sonar/snr_curve.hpp"
+#include "sim/search/surroundings.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
 namespace earshot::simulation {
 
 /// The world that a flight goes through.
 struct World {
-  NorthEast source;
-  Meters found_within;       ///< l: the source is reached at this range
-  bool may_be_found = true;  ///< false: fly on to the last step even so (benchmarks)
+  const search::SearchWorld& search;  ///< what is heard, and its conditions
+  NorthEast source;                   ///< where it is at the start
+  Meters found_within;                ///< l: the source is reached at this range
+  bool may_be_found = true;           ///< false: fly on to the last step even so (benchmarks)
   vehicle::Limits vehicle;
   Duration tick = Duration::seconds(1);
-  double speed = 0.0;  ///< simulated seconds per second; 0: as fast as it goes
+  std::uint64_t seed = 1;  ///< of what the conditions draw
+  double speed = 0.0;      ///< simulated seconds per second; 0: as fast as it goes
 };
 
 struct FlightResult {
@@ -38,7 +40,6 @@ struct FlightResult {
 /// Everything that one flight needs; all must outlive it.
 struct Flight {
   const World& world;
-  const sonar::SnrCurve& snr;
   AutopilotBus& bus;
   link::SimulatorEnd& link;
   TrackFile& track;

@@ -72,16 +72,15 @@ void apply_options(const Options& o, board::MissionFile& file) {
   if (o.can_interface) file.can_interface = *o.can_interface;
 }
 
-/// The furthest that the source can be heard from within the area, and a little more.
-Meters longest_range(const Rectangle& area, NorthEast source) {
+/// The furthest that a source can be heard from within the area, and a little more.
+Meters longest_range(const Rectangle& area, NorthEast source, const ocean::Conditions& conditions) {
+  if (conditions.sources > 1 || conditions.source_speed.value > 0.0) return range_between(area.south_west, area.north_east) + Meters{100.0};
   const double north = std::max(area.north_east.north.value - source.north.value, source.north.value - area.south_west.north.value);
   const double east = std::max(area.north_east.east.value - source.east.value, source.east.value - area.south_west.east.value);
   return length_of({Meters{north}, Meters{east}}) + Meters{100.0};
 }
 
-vehicle::State start_of(const search::SearchSettings& settings, const sonar::SnrCurve& snr, const config::Mission& mission,
-                        std::uint64_t seed) {
-  const search::SearchWorld world(settings, snr);
+vehicle::State start_of(const search::SearchWorld& world, const config::Mission& mission, std::uint64_t seed) {
   Pcg32 random(seed);
   search::Episode episode;
   const policy::ObservationModel sees_nothing;
@@ -150,11 +149,17 @@ int simulate(const Options& o) {
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
   apply_options(o, plan.mission);
   const auto& [file, environment, settings] = plan;
-  const sonar::SnrCurve snr =
-      sonar::compute_snr_curve(environment, file.mission.search_depth, longest_range(settings.domain, settings.source));
-  const vehicle::State start = start_of(settings, snr, file.mission, o.seed);
-  const World world{
-      .source = settings.source, .found_within = settings.step_length, .may_be_found = !o.ignore_source, .vehicle = {}, .speed = o.speed};
+  const search::Soundscape soundscape = search::soundscape_of(environment, file.mission.search_depth,
+                                                              longest_range(settings.domain, settings.source, environment.conditions));
+  const search::SearchWorld searched(settings, soundscape, environment.conditions);
+  const vehicle::State start = start_of(searched, file.mission, o.seed);
+  const World world{.search = searched,
+                    .source = settings.source,
+                    .found_within = settings.step_length,
+                    .may_be_found = !o.ignore_source,
+                    .vehicle = {},
+                    .seed = o.seed,
+                    .speed = o.speed};
 
   const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
   link::SimulatorEnd link(o.domain);
@@ -163,10 +168,10 @@ int simulate(const Options& o) {
   // Only now that both sides have taken their input: a refused policy leaves no half of a flight behind.
   std::filesystem::create_directories(o.out);
   remove_results(o.out);
-  write_curve(o.out / "snr.csv", snr);
+  write_curve(o.out / "snr.csv", soundscape.expected());
   TrackFile track(o.out / "track.csv");
   Score score(settings);
-  const FlightResult result = fly({world, snr, *bus, link, track, score}, start, stop_requested);
+  const FlightResult result = fly({world, *bus, link, track, score}, start, stop_requested);
   const bool has_track = succeeds([&] { track.finish(); });
   const bool has_summary =
       succeeds([&] { write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n"); });

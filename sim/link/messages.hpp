@@ -16,6 +16,7 @@ struct Tick {
   Time time;
   std::uint64_t navigation_messages = 0;
   std::optional<Decibels> snr;
+  bool snr_too_faint = false;  ///< not measured: the signal lies somewhere below `snr`
   std::uint8_t command = 0;
 };
 

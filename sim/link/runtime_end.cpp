@@ -13,6 +13,7 @@ Tick from_wire(const earshot_sim_Tick& sample) {
           .time = {sample.time_us},
           .navigation_messages = sample.navigation_messages,
           .snr = sample.snr_valid ? std::optional(Decibels{sample.snr_db}) : std::nullopt,
+          .snr_too_faint = sample.snr_too_faint,
           .command = sample.command};
 }
 

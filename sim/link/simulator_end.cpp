@@ -39,7 +39,8 @@ void SimulatorEnd::send(const Tick& tick) {
                                 .navigation_messages = tick.navigation_messages,
                                 .snr_valid = tick.snr.has_value(),
                                 .command = tick.command,
-                                .snr_db = tick.snr.value_or(Decibels{}).value};
+                                .snr_db = tick.snr.value_or(Decibels{}).value,
+                                .snr_too_faint = tick.snr_too_faint};
   write(entities_->ticks, &sample, "a tick");
 }
 

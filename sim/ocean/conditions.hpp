@@ -27,7 +27,9 @@ struct Current {
 
 /// How a search departs from one where every look gives the modelled SNR and nothing but the vehicle moves. Everything is off by default.
 struct Conditions {
-  Decibels fluctuation;              ///< sigma >= 0 of the SNR, normal in dB, drawn anew at every look
+  Decibels fluctuation;  ///< sigma >= 0 of the SNR, normal in dB, drawn anew at every look
+  std::optional<Decibels>
+      least_fluctuation;             ///< sigma is uniform between this and `fluctuation`, drawn for every search; absent: it is that
   std::optional<Decibels> floor;     ///< the least SNR that can be measured
   Decibels source_level_spread;      ///< >= 0: the true level lies uniformly within so much of the environment's, drawn for every search
   double drift_m_per_sqrt_km = 0.0;  ///< >= 0: standard deviation of navigation's error, each of north and east, after 1 km; a random walk

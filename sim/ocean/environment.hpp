@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,15 @@
 
 namespace earshot::ocean {
 
-/// A uniform fluid sediment.
+/// A fluid sediment, linear in depth from its top to its base; where nothing is given for the base, as at the top.
 struct SedimentLayer {
   Meters thickness;                            ///< > 0; the last layer is a half-space and its thickness is not used
-  MetersPerSecond sound_speed;                 ///< > 0
+  MetersPerSecond sound_speed;                 ///< at the top, > 0
   double density_g_per_cm3 = 1.5;              ///< > 0; the water's is 1
   double attenuation_db_per_wavelength = 0.5;  ///< >= 0
+  std::optional<MetersPerSecond> sound_speed_at_base = {};
+  std::optional<double> density_at_base_g_per_cm3 = {};
+  std::optional<double> attenuation_at_base_db_per_wavelength = {};
 };
 
 struct Seabed {

@@ -34,6 +34,8 @@ CallPattern read_calls(TableReader table) {
 Conditions read_conditions(TableReader table) {
   Conditions c;
   c.fluctuation = Decibels{table.number_or("fluctuation_db", 0.0, Range::between(0.0, kMostDecibels))};
+  if (table.has("least_fluctuation_db"))
+    c.least_fluctuation = Decibels{table.number("least_fluctuation_db", Range::between(0.0, c.fluctuation.value))};
   if (table.has("floor_db")) c.floor = Decibels{table.number("floor_db", Range::between(-kMostDecibels, kMostDecibels))};
   c.source_level_spread = Decibels{table.number_or("source_level_spread_db", 0.0, Range::between(0.0, kMostDecibels))};
   c.drift_m_per_sqrt_km = table.number_or("navigation_drift_m_per_sqrt_km", 0.0, Range::between(0.0, 10'000.0));

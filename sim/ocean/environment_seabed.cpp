@@ -1,6 +1,8 @@
 #include "sim/ocean/environment_seabed.hpp"
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace earshot::ocean {
@@ -11,15 +13,39 @@ using config_file::TableReader;
 
 constexpr double kMaxDepth_m = 12'000.0;  // deeper than any ocean: whoever exceeds it has mistaken the unit
 
+const Range kSoundSpeed_mps = Range::between(100.0, 10'000.0);
+const Range kDensity_g_per_cm3 = Range::between(0.5, 20.0);
+const Range kAttenuation_db_per_wavelength = Range::between(0.0, 20.0);
+
+/// What only a layer of finite thickness has.
+void read_base(TableReader& table, SedimentLayer& layer) {
+  const auto number = [&table](const std::string& key, Range range) {
+    return table.has(key) ? std::optional(table.number(key, range)) : std::nullopt;
+  };
+  layer.thickness = Meters{table.number("thickness_m", Range::above_up_to(0.0, kMaxDepth_m))};
+  if (const auto speed = number("sound_speed_at_base_mps", kSoundSpeed_mps)) layer.sound_speed_at_base = MetersPerSecond{*speed};
+  layer.density_at_base_g_per_cm3 = number("density_at_base_g_per_cm3", kDensity_g_per_cm3);
+  layer.attenuation_at_base_db_per_wavelength = number("attenuation_at_base_db_per_wavelength", kAttenuation_db_per_wavelength);
+}
+
+void refuse_base(TableReader& table) {
+  for (const char* key : {"thickness_m", "sound_speed_at_base_mps", "density_at_base_g_per_cm3", "attenuation_at_base_db_per_wavelength"}) {
+    if (!table.has(key)) continue;
+    (void)table.number(key);
+    table.problem(key, "must be left out of the last layer, which is a half-space");
+  }
+}
+
 SedimentLayer read_layer(TableReader table, bool is_last) {
-  SedimentLayer layer{.thickness = Meters{},
-                      .sound_speed = MetersPerSecond{table.number("sound_speed_mps", Range::between(100.0, 10'000.0))},
-                      .density_g_per_cm3 = table.number_or("density_g_per_cm3", 1.5, Range::between(0.5, 20.0)),
-                      .attenuation_db_per_wavelength = table.number_or("attenuation_db_per_wavelength", 0.5, Range::between(0.0, 20.0))};
-  if (!is_last) layer.thickness = Meters{table.number("thickness_m", Range::above_up_to(0.0, kMaxDepth_m))};
-  if (is_last && table.has("thickness_m")) {
-    (void)table.number("thickness_m");
-    table.problem("thickness_m", "must be left out of the last layer, which is a half-space");
+  SedimentLayer layer{
+      .thickness = Meters{},
+      .sound_speed = MetersPerSecond{table.number("sound_speed_mps", kSoundSpeed_mps)},
+      .density_g_per_cm3 = table.number_or("density_g_per_cm3", 1.5, kDensity_g_per_cm3),
+      .attenuation_db_per_wavelength = table.number_or("attenuation_db_per_wavelength", 0.5, kAttenuation_db_per_wavelength)};
+  if (is_last) {
+    refuse_base(table);
+  } else {
+    read_base(table, layer);
   }
   return layer;
 }

@@ -10,19 +10,21 @@ namespace earshot::pe {
 
 namespace {
 
-constexpr double kDepthError = 0.014;  // dB at 15 points to a wavelength
+constexpr double kDepthError = 0.028;  // dB at 15 points to a wavelength
 constexpr double kDepthPoints = 15.0;
-constexpr double kPhaseError = 0.85;  // dB per radian of the steepest trapped wave
+constexpr double kDepthWavelengths = 40.0;  // of water, in which steep waves go wrong by that much; in deeper water by more
+constexpr double kDepthGrowth = 0.75;       // the power of it that was measured, 20 to 400 Hz in 3000 m
+constexpr double kPhaseError = 0.85;        // dB per radian of the steepest trapped wave
 constexpr double kSteepest = 60.0 / 180.0 * std::numbers::pi;
-constexpr double kSlopeError = 0.11;  // dB at two thirds of a wavelength and a slope of 1 in 10
-constexpr double kSlopeStep = 2.0 / 3.0;
-constexpr double kSlope = 0.1;
-constexpr double kStepError = 4e-7;  // of the amplitude in one step of phase kStepPhase
+constexpr double kSlopeError = 0.07;  // dB at a step of half a wavelength, a slope of 1 and a range of one wavelength
+constexpr double kSlopeStep = 0.5;
+constexpr double kCornerError = 0.2;  // dB of the integral of slope^2 / depth
+constexpr double kStepError = 4e-7;   // of the amplitude in one step of phase kStepPhase
 constexpr double kStepPhase = 16.0;
 constexpr double kDecibels = 8.7;  // dB in a relative error of one
 
-constexpr double kDepthShare = 0.4;  // of the error that is allowed
-constexpr double kSlopeShare = 0.4;
+constexpr double kDepthShare = 0.5;  // of the error that is allowed
+constexpr double kSlopeShare = 0.3;
 constexpr double kStepShare = 0.2;
 
 constexpr double kLongestStepPhase = 40.0;  // beyond it 16 poles no longer serve
@@ -32,7 +34,7 @@ struct Poles {
   double error;          // of the amplitude in one step
   double longest_phase;  // to which that holds
 };
-constexpr Poles kFewPoles[] = {{8, 2e-5, 4.0}, {12, 4e-6, 8.0}};
+constexpr Poles kFewPoles[] = {{8, 3e-5, 8.0}, {12, 7e-7, 8.0}};
 constexpr double kCancellation = 0.2;
 constexpr std::size_t kTerms = 16;
 
@@ -41,44 +43,66 @@ struct Scales {
   double wavenumber_per_m;
   double trapped_angle;  // of the steepest wave that the sea floor reflects whole
   double slope;          // root mean square
+  double corners;        // integral of slope^2 / depth
   double max_range_m;
+  double deepest_m;
 };
 
-double mean_square_slope(const Section& section, double max_range_m) {
-  double sum = 0.0;
+struct Slopes {
+  double mean_square;
+  double corners;
+};
+
+/// @param shallowest_m  water that is no deeper counts as this deep
+Slopes slopes_of(const Section& section, double max_range_m, double shallowest_m) {
+  Slopes sum{0.0, 0.0};
   for (std::size_t i = 1; i < section.floor.size(); ++i) {
     const FloorPoint& a = section.floor[i - 1];
     const FloorPoint& b = section.floor[i];
     const double used = std::min(b.range_m, max_range_m) - std::min(a.range_m, max_range_m);
     const double slope = (b.depth_m - a.depth_m) / (b.range_m - a.range_m);
-    sum += slope * slope * used;
+    sum.mean_square += slope * slope * used / max_range_m;
+    sum.corners += slope * slope * used / std::max(shallowest_m, 0.5 * (a.depth_m + b.depth_m));
   }
-  return sum / max_range_m;
+  return sum;
 }
 
 Scales scales_of(const Section& section, Hertz frequency, Meters max_range) {
   const SoundSpeedBounds bounds = sound_speed_bounds(section);
   const double wavelength = bounds.lowest_mps / frequency.value;
   const double trapped_angle = std::min(kSteepest, std::acos(bounds.lowest_mps / bounds.highest_mps));
-  return {wavelength, 2.0 * std::numbers::pi / wavelength, trapped_angle, std::sqrt(mean_square_slope(section, max_range.value)),
-          max_range.value};
+  const Slopes slopes = slopes_of(section, max_range.value, wavelength);
+  return {.wavelength_m = wavelength,
+          .wavenumber_per_m = 2.0 * std::numbers::pi / wavelength,
+          .trapped_angle = trapped_angle,
+          .slope = std::sqrt(slopes.mean_square),
+          .corners = slopes.corners,
+          .max_range_m = max_range.value,
+          .deepest_m = std::ranges::max(section.floor, {}, &FloorPoint::depth_m).depth_m};
 }
 
-/// The first term is what steep waves do near the source, the second the phase error of the steepest wave that the sea floor keeps in.
+/// The first term is what steep waves do near the source, on their way down and up again, the second the phase error of the steepest wave
+/// that the sea floor keeps in.
 double depth_error_db(const Scales& s, double step_m) {
   const double vertical = s.wavenumber_per_m * std::sin(s.trapped_angle);
   const double horizontal = s.wavenumber_per_m * std::cos(s.trapped_angle);
   const double phase_error = s.max_range_m * vertical * vertical / horizontal * std::pow(vertical * step_m, 4) / 480.0;
-  return kDepthError * std::pow(kDepthPoints * step_m / s.wavelength_m, 4) + kPhaseError * phase_error;
+  const double way = std::pow(std::max(1.0, s.deepest_m / s.wavelength_m / kDepthWavelengths), kDepthGrowth);
+  return kDepthError * way * std::pow(kDepthPoints * step_m / s.wavelength_m, 4) + kPhaseError * phase_error;
 }
 
 double slope_error_db(const Scales& s, double step_m) {
-  return kSlopeError * std::pow(step_m / (kSlopeStep * s.wavelength_m), 2) * std::pow(s.slope / kSlope, 2);
+  return kSlopeError * std::sqrt(s.max_range_m / s.wavelength_m) * std::pow(s.slope, 1.5) *
+         std::pow(step_m / (kSlopeStep * s.wavelength_m), 2);
 }
 
 double step_error_db(const Scales& s, double step_m) {
   const double phase = s.wavenumber_per_m * step_m;
   return kDecibels * s.max_range_m / step_m * kStepError * std::pow(phase / kStepPhase, 4);
+}
+
+double error_db(const Scales& s, double depth_step_m, double range_step_m) {
+  return depth_error_db(s, depth_step_m) + slope_error_db(s, range_step_m) + kCornerError * s.corners + step_error_db(s, range_step_m);
 }
 
 std::size_t choose_terms(const Scales& s, double step_m, double allowed_db) {
@@ -92,8 +116,7 @@ std::size_t choose_terms(const Scales& s, double step_m, double allowed_db) {
 }  // namespace
 
 double predicted_error_db(const Section& section, Hertz frequency, Meters max_range, Meters depth_step, Meters range_step) {
-  const Scales s = scales_of(section, frequency, max_range);
-  return depth_error_db(s, depth_step.value) + slope_error_db(s, range_step.value) + step_error_db(s, range_step.value);
+  return error_db(scales_of(section, frequency, max_range), depth_step.value, range_step.value);
 }
 
 GridChoice choose_grid(const Section& section, Hertz frequency, Meters max_range, Decibels accuracy) {
@@ -102,16 +125,16 @@ GridChoice choose_grid(const Section& section, Hertz frequency, Meters max_range
   const double depth_step = unit * std::pow(kDepthShare * accuracy.value / depth_error_db(s, unit), 0.25);  // fourth order
   const double by_phase =
       kStepPhase / s.wavenumber_per_m * std::cbrt(kStepShare * accuracy.value / step_error_db(s, kStepPhase / s.wavenumber_per_m));
+  const double unit_step = kSlopeStep * s.wavelength_m;
   const double by_slope =
-      s.slope > 0.0 ? kSlopeStep * s.wavelength_m * (kSlope / s.slope) * std::sqrt(kSlopeShare * accuracy.value / kSlopeError) : by_phase;
+      s.slope > 0.0 ? unit_step * std::sqrt(kSlopeShare * accuracy.value / slope_error_db(s, unit_step)) : by_phase;  // second order
   const double longest = kLongestStepPhase / s.wavenumber_per_m;
   GridChoice choice{.depth_step = Meters{std::clamp(depth_step, s.wavelength_m / 60.0, s.wavelength_m / 8.0)},
                     .range_step = Meters{std::clamp(std::min(by_phase, by_slope), s.wavelength_m / 20.0, longest)},
                     .terms = kTerms,
                     .predicted_error_db = 0.0};
   choice.terms = choose_terms(s, choice.range_step.value, kStepShare * accuracy.value);
-  choice.predicted_error_db =
-      depth_error_db(s, choice.depth_step.value) + slope_error_db(s, choice.range_step.value) + step_error_db(s, choice.range_step.value);
+  choice.predicted_error_db = error_db(s, choice.depth_step.value, choice.range_step.value);
   return choice;
 }
 

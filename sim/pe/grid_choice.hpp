@@ -15,16 +15,17 @@ struct GridChoice {
   double predicted_error_db;  ///< mean |dTL| against the limit of a fine grid
 };
 
-/// The coarsest grid that keeps a mean error of transmission loss, from the errors measured on the reference cases (README.md):
+/// The coarsest grid that keeps a mean error of transmission loss, from the errors measured on some thirty oceans (README.md):
 ///
-///   depth step   0.014 dB (15 h / lambda)^4 + 0.85 dB r (k_v^2 / k_h) (k_v h)^4 / 480
+///   depth step   0.028 dB (15 h / lambda)^4 max(1, H / 40 lambda)^0.75 + 0.85 dB r (k_v^2 / k_h) (k_v h)^4 / 480
 ///                  lambda the shortest wavelength; k_v, k_h of the steepest wave that the sea floor keeps in
-///   slope        0.11 dB (1.5 dr / lambda)^2 (tan / 0.1)^2  tan the root-mean-square slope of the sea floor
+///   slope        0.07 dB sqrt(r / lambda) tan^1.5 (2 dr / lambda)^2   tan the root-mean-square slope of the sea floor
+///   corners      0.2 dB integral of tan^2 / depth dr   no grid lessens it: the evanescent waves of ever shorter steps
 ///   propagator   8.7 dB N e(k0 dr),  e = 4e-7 (k0 dr / 16)^4 for 16 terms
 ///
 /// @param accuracy   of the mean over ranges, dB, > 0
 /// @param max_range  > 0
-/// Oracle: GridChoice.*, Solver.PredictsItsErrorOnEveryReferenceCase
+/// Oracle: GridChoice.*, AutomaticGrid.*
 [[nodiscard]] GridChoice choose_grid(const Section& section, Hertz frequency, Meters max_range, Decibels accuracy);
 
 /// What `choose_grid` expects of a given grid.

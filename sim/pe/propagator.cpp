@@ -12,7 +12,7 @@ using Complex = std::complex<double>;
 constexpr double kPi = std::numbers::pi;
 
 constexpr double kVerticalWeight = 0.05;
-constexpr double kEvanescentWeight = 0.02;
+constexpr double kEvanescentWeight = 0.002;
 constexpr double kBeyond = 1e-3;  // the fit reaches this far above the most grazing wave
 constexpr int kAngles = 60;
 constexpr int kEvanescent = 20;

@@ -32,8 +32,9 @@ struct Propagator {
 };
 
 /// Fits a propagator over the whole spectrum, evanescent waves included: errors count fully for waves that the sea floor keeps in, down to
-/// 1/20 for vertical ones, 1/50 for evanescent ones. No pole lies above the real axis, where attenuation and absorber put the eigenvalues:
-/// one that the fit puts there, beyond the most grazing wave, is reflected.
+/// 1/20 for vertical ones, 1/500 for evanescent ones: given more, short steps, of which there are many, lose their accuracy to them. No
+/// pole lies above the real axis, where attenuation and absorber put the eigenvalues: one that the fit puts there, beyond the most grazing
+/// wave, is reflected.
 ///
 /// @param reference_wavenumber_per_m  k0 > 0
 /// @param step_m                      dr > 0

@@ -100,12 +100,12 @@ std::vector<SedimentPoint> sediment_points(const std::vector<ocean::SedimentLaye
   double top = 0.0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const ocean::SedimentLayer& layer = layers[i];
-    SedimentPoint point{top, layer.sound_speed.value, layer.density_g_per_cm3, layer.attenuation_db_per_wavelength};
-    points.push_back(point);
+    points.push_back({top, layer.sound_speed.value, layer.density_g_per_cm3, layer.attenuation_db_per_wavelength});
     if (i + 1 == layers.size()) break;
     top += layer.thickness.value;
-    point.depth_below_floor_m = top;
-    points.push_back(point);
+    points.push_back({top, layer.sound_speed_at_base.value_or(layer.sound_speed).value,
+                      layer.density_at_base_g_per_cm3.value_or(layer.density_g_per_cm3),
+                      layer.attenuation_at_base_db_per_wavelength.value_or(layer.attenuation_db_per_wavelength)});
   }
   return points;
 }

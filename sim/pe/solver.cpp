@@ -89,7 +89,7 @@ Spectrum spectrum_of(const Section& section, const DepthGrid& grid, Hertz freque
 class March {
  public:
   March(const Section& section, const PointSource& source, const DepthGrid& grid, const Stepping& stepping, std::size_t terms,
-        std::span<const double> receiver_depth_m)
+        Starter starter, std::span<const double> receiver_depth_m)
       : stepping_(stepping),
         varies_(section.floor.size() > 1 || section.water_varies() || section.sediment.size() > 1),
         operator_(section, source.frequency, grid),
@@ -113,10 +113,12 @@ class March {
 
     operator_.move_to(0.5 * stepping.step_m);
     sweep_.take(operator_, {1, grid.intervals - 1}, meeting_row());
-    const DepthTap tap = tap_at(grid, source.depth.value, operator_.floor_depth_m());
-    for (std::size_t k = 0; k < DepthTap::kNodes; ++k)
-      sweep_.set_field(tap.node[k], sweep_.field(tap.node[k]) + tap.weight[k] / grid.step_m);
-    sweep_.set_field(0, 0.0);
+    const double speed_mps = section.water_sound_speed_mps(0.0, source.depth.value);
+    const std::vector<double> u = make_starter(starter, grid,
+                                               {.depth_m = source.depth.value,
+                                                .wavenumber_per_m = 2.0 * kPi * source.frequency.value / speed_mps,
+                                                .floor_depth_m = operator_.floor_depth_m()});
+    for (std::size_t node = 0; node < u.size(); ++node) sweep_.set_field(node, u[node]);
     place_taps(true);
   }
 
@@ -202,7 +204,7 @@ Field solve(const Section& section, const PointSource& source, const Options& op
   }
 
   const Stepping stepping = choose_stepping(options, choice, 2.0 * kPi / grid.reference_wavenumber_per_m);
-  March march(section, source, grid, stepping, options.terms == 0 ? choice.terms : options.terms, receiver_depth_m);
+  March march(section, source, grid, stepping, options.terms == 0 ? choice.terms : options.terms, options.starter, receiver_depth_m);
   Field field{.range_step = Meters{stepping.row_m()}, .depth_m = {receiver_depth_m.begin(), receiver_depth_m.end()}, .pressure = {}};
   const double rows = std::max(1.0, std::floor(max_range.value / stepping.row_m() + 1e-9));
   field.pressure.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(receiver_depth_m.size()));

@@ -11,6 +11,7 @@
 #include "firmware/core/units.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/pe/section.hpp"
+#include "sim/pe/starter.hpp"
 
 namespace earshot::pe {
 
@@ -22,6 +23,7 @@ struct Options {
   double absorber_wavelengths = 6.0;       ///< thickness of the perfectly matched layer
   std::optional<Meters> output_step = {};  ///< between rows of the field; empty: range_step if given, else a sixth of a wavelength
   Decibels accuracy{0.02};                 ///< of transmission loss, mean over ranges
+  Starter starter = Starter::kSelf;
 };
 
 /// Complex pressure of a source of unit amplitude at 1 m, without its common phase factor exp(i k0 r).
@@ -42,7 +44,7 @@ using Progress = std::function<void(double fraction)>;
 
 /// Sound of a point source against range and depth by the parabolic equation, as far as `max_range` and one row at least.
 ///
-///   u(r + dr) = exp(i k0 dr (sqrt(1 + X) - 1)) u(r),   u = (k0 (1 + X))^(1/4) p,   u(0) = delta(z - z_s)
+///   u(r + dr) = exp(i k0 dr (sqrt(1 + X) - 1)) u(r),   u = (k0 (1 + X))^(1/4) p,   u(0) from starter.hpp
 ///
 /// One way, cylindrical spreading; density, attenuation and layers of the sediment, bathymetry and water against range. The march allocates
 /// nothing. X is that of the middle of a step; where it changes, pressure and velocity are matched in the mean (sweep.hpp).

@@ -140,7 +140,7 @@ struct Sweep::Kernel {
   static void apply(Sweep& sweep) {
     const std::size_t m = sweep.meeting_row_;
     const std::size_t last = sweep.intervals_ - 1;
-    const std::size_t both = V > 2 ? 0 : std::min(m, last - m);  // two chains at once while registers suffice: it hides latency
+    const std::size_t both = std::min(m, last - m);  // two chains at once: it hides latency
     Lanes top = Lanes::zero();
     Lanes bottom = Lanes::zero();
     for (std::size_t k = 0; k < both; ++k) {
@@ -156,7 +156,7 @@ struct Sweep::Kernel {
     top = substitute(sweep, m, &sweep.meeting_[0], bottom);
     const auto above = [&sweep](std::size_t row) { return &sweep.factors_[(row + 1) * kFactors]; };
     const auto below = [&sweep](std::size_t row) { return &sweep.factors_[(row - 1) * kFactors]; };
-    const std::size_t pairs = V > 2 ? 0 : std::min(m - 1, last - m - 1);
+    const std::size_t pairs = std::min(m - 1, last - m - 1);
     for (std::size_t k = 1; k <= pairs; ++k) {
       top = substitute(sweep, m - k, above(m - k), top);
       bottom = substitute(sweep, m + 1 + k, below(m + 1 + k), bottom);

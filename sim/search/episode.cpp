@@ -1,9 +1,6 @@
 #include "sim/search/episode.hpp"
 
 #include <cassert>
-#include <limits>
-
-#include "firmware/detector/threshold_detector.hpp"
 
 namespace earshot::search {
 void Episode::start(const SearchWorld& world, const policy::ObservationModel& model, Pcg32& random) {
@@ -42,7 +39,8 @@ void Episode::move(const SearchWorld& world, NorthEast through_water) {
     position_ = position_ + through_water;
     heard_.snr = world.snr.at(range_between(position_, source_));
   } else {
-    position_ = position_ + surroundings_.step(world, through_water);
+    position_ =
+        position_ + surroundings_.pass(world, through_water, world.settings.step_length.value / world.conditions.vehicle_speed.value);
     heard_ = surroundings_.listen(world, position_);
     source_ = surroundings_.nearest_source(position_);
     navigation_error_ = surroundings_.navigation_error();
@@ -55,11 +53,10 @@ double Episode::step(const SearchWorld& world, std::size_t action) {
   move(world, s.step_length * world.actions[action]);
   memory_.remember(*model_, in_domain(world), heard_);
 
-  const Decibels detectable = heard_.measured ? heard_.snr : Decibels{-std::numeric_limits<double>::infinity()};
-  const double reward = step_reward(s, position_, detectable);
+  const double reward = step_reward(s, position_, heard_);
   record_.reward += reward;
   record_.steps += 1;
-  record_.detections += detector::ThresholdDetector{s.detection_threshold}.detects(detectable) ? 1U : 0U;
+  record_.detections += is_detection(s, heard_) ? 1U : 0U;
   if (range_between(position_, source_) <= s.step_length) {
     record_.end = EpisodeEnd::kFound;
   } else if (!s.domain.contains(position_)) {

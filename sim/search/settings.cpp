@@ -50,11 +50,19 @@ Status check(const SearchSettings& s) {
   return Status::kOk;
 }
 
-double step_reward(const SearchSettings& s, NorthEast position, Decibels snr) {
-  const double heard = detector::ThresholdDetector{s.detection_threshold}.detects(snr) ? 0.0 : -1.0;
+bool is_detection(const SearchSettings& s, policy::Heard heard) {
+  return heard.measured && detector::ThresholdDetector{s.detection_threshold}.detects(heard.snr);
+}
+
+double step_reward(const SearchSettings& s, NorthEast position, policy::Heard heard) {
+  const double reward = is_detection(s, heard) ? 0.0 : -1.0;
   const Meters to_edge = s.domain.distance_to_edge(position);
-  if (to_edge >= s.border_width) return heard;
-  return heard + s.border_reward * ((s.border_width - to_edge) / s.border_width);
+  if (to_edge >= s.border_width) return reward;
+  return reward + s.border_reward * ((s.border_width - to_edge) / s.border_width);
+}
+
+double step_reward(const SearchSettings& s, NorthEast position, Decibels snr) {
+  return step_reward(s, position, policy::Heard{.snr = snr});
 }
 
 NorthEast uniform_in(const Rectangle& area, Pcg32& random) {

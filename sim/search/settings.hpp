@@ -9,6 +9,7 @@
 #include "firmware/core/random.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/policy/heard.hpp"
 
 namespace earshot::search {
 
@@ -49,6 +50,11 @@ struct SearchSettings {
 /// @param position  in the domain's frame; d_e, the distance to the nearest edge, is negative outside, where the penalty grows beyond p
 /// Source: Clark et al. 2022, reward.   Oracle: StepReward.*
 [[nodiscard]] double step_reward(const SearchSettings& settings, NorthEast position, Decibels snr);
+
+/// Whether what was heard is a detection: measured, and SNR >= DT.
+[[nodiscard]] bool is_detection(const SearchSettings& settings, policy::Heard heard);
+/// As above: what was too faint to measure is no detection, wherever the floor lies.
+[[nodiscard]] double step_reward(const SearchSettings& settings, NorthEast position, policy::Heard heard);
 
 /// Takes two numbers from `random`.
 [[nodiscard]] NorthEast uniform_in(const Rectangle& area, Pcg32& random);

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "firmware/config_file/table_reader.hpp"
+#include "sim/sonar/field_library.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::search {
@@ -31,8 +34,34 @@ Decibels Soundscape::snr(std::size_t field, NorthEast source, NorthEast receiver
   return f.source_level - loss - f.noise_level;
 }
 
+namespace {
+
+/// The fans of the environment's library, of the vehicle's depth alone.
+std::vector<SnrFan> fans_of(const ocean::Environment& environment, Meters vehicle_depth, Meters furthest) {
+  const auto refused = [&](const std::string& what) { return config_file::BadInput(environment.field_library.string() + ": " + what); };
+  const sonar::FieldLibrary library(environment.field_library);
+  if (library.centre() != sonar::Centre::kSource) throw refused("must have the source, not the hydrophone, at its positions");
+  const std::vector<double>& depth_m = library.fans().front().depth_m;
+  const auto depth = std::ranges::find_if(depth_m, [&](double d) { return std::abs(d - vehicle_depth.value) < 0.5; });
+  if (depth == depth_m.end()) throw refused("has no fields at the vehicle's depth, " + std::to_string(vehicle_depth.value) + " m");
+  std::vector<SnrFan> fans;
+  for (const sonar::Fan& fan : library.fans()) {
+    if (fan.max_range() < furthest) throw refused("must reach " + std::to_string(furthest.value) + " m");
+    SnrFan one{.fan = fan, .source_level = environment.source.level, .noise_level = environment.noise_level};
+    one.fan.depth_m = {*depth};
+    one.fan.transmission_loss_db.clear();
+    for (std::size_t i = static_cast<std::size_t>(depth - depth_m.begin()); i < fan.transmission_loss_db.size(); i += depth_m.size())
+      one.fan.transmission_loss_db.push_back(fan.transmission_loss_db[i]);
+    fans.push_back(std::move(one));
+  }
+  return fans;
+}
+
+}  // namespace
+
 Soundscape soundscape_of(const ocean::Environment& environment, Meters vehicle_depth, Meters furthest) {
   std::vector<sonar::SnrCurve> curves{sonar::compute_snr_curve(environment, vehicle_depth, furthest)};
+  if (!environment.field_library.empty()) return Soundscape(std::move(curves.front()), fans_of(environment, vehicle_depth, furthest));
   for (const ocean::Environment& other : environment.other_oceans)
     curves.push_back(sonar::compute_snr_curve(other, vehicle_depth, furthest));
   return Soundscape(std::move(curves));

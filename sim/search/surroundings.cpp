@@ -20,10 +20,6 @@ Radians any_bearing(Pcg32& random) {
   return Radians{2.0 * std::numbers::pi * random.uniform_double()};
 }
 
-double step_time_s(const SearchWorld& world) {
-  return world.settings.step_length.value / world.conditions.vehicle_speed.value;
-}
-
 /// Mirrors what lies beyond an edge; the component of the course turns with it.
 void reflect(Meters& x, double& course, Meters low, Meters high) {
   if (x < low) {
@@ -43,9 +39,10 @@ void Surroundings::start(const SearchWorld& world, NorthEast vehicle, NorthEast 
   random_ = random;
   ocean_ = random_.next() % world.soundscape->ocean_count();
   level_offset_ = (2.0 * random_.uniform_double() - 1.0) * c.source_level_spread;
+  fluctuation_ = c.fluctuation;
+  if (c.least_fluctuation) fluctuation_ = *c.least_fluctuation + random_.uniform_double() * (c.fluctuation - *c.least_fluctuation);
   const Radians drawn_current = any_bearing(random_);
-  if (c.current)
-    current_per_step_ = Meters{c.current->speed.value * step_time_s(world)} * toward(c.current->toward.value_or(drawn_current));
+  current_toward_ = toward(c.current ? c.current->toward.value_or(drawn_current) : drawn_current);
   add_source(world, source);
   while (sources_.size() < c.sources) {
     const NorthEast further = uniform_in(world.settings.domain, random_);
@@ -61,25 +58,25 @@ void Surroundings::add_source(const SearchWorld& world, NorthEast position) {
   assert(status == Status::kOk);
 }
 
-NorthEast Surroundings::step(const SearchWorld& world, NorthEast through_water) {
+NorthEast Surroundings::pass(const SearchWorld& world, NorthEast through_water, double time_s) {
   const ocean::Conditions& c = world.conditions;
-  now_s_ += step_time_s(world);
+  now_s_ += time_s;
   if (c.source_speed.value > 0.0) {
-    for (Source& source : sources_) swim(world, source);
-  }
-  if (c.current && c.current->navigation == ocean::Current::Navigation::kDoesNotSeeIt) {
-    unseen_current_ = unseen_current_ + current_per_step_;
+    for (Source& source : sources_) swim(world, source, time_s);
   }
   if (c.drift_m_per_sqrt_km > 0.0) {
-    const Meters sigma{c.drift_m_per_sqrt_km * std::sqrt(world.settings.step_length.value / 1'000.0)};
+    const Meters sigma{c.drift_m_per_sqrt_km * std::sqrt(length_of(through_water).value / 1'000.0)};
     drift_ = drift_ + NorthEast{normal() * sigma, normal() * sigma};
   }
-  return through_water + current_per_step_;
+  if (!c.current) return through_water;
+  const NorthEast carried = Meters{c.current->speed.value * time_s} * current_toward_;
+  if (c.current->navigation == ocean::Current::Navigation::kDoesNotSeeIt) unseen_current_ = unseen_current_ + carried;
+  return through_water + carried;
 }
 
-void Surroundings::swim(const SearchWorld& world, Source& source) {
+void Surroundings::swim(const SearchWorld& world, Source& source, double time_s) {
   const Rectangle& domain = world.settings.domain;
-  source.position = source.position + Meters{world.conditions.source_speed.value * step_time_s(world)} * source.course;
+  source.position = source.position + Meters{world.conditions.source_speed.value * time_s} * source.course;
   reflect(source.position.north, source.course.north, domain.south_west.north, domain.north_east.north);
   reflect(source.position.east, source.course.east, domain.south_west.east, domain.north_east.east);
   source.field = world.soundscape->field_of(ocean_, source.position);
@@ -90,7 +87,7 @@ policy::Heard Surroundings::listen(const SearchWorld& world, NorthEast vehicle) 
   Decibels loudest{-std::numeric_limits<double>::infinity()};
   for (const Source& source : sources_) {
     Decibels snr = world.soundscape->snr(source.field, source.position, vehicle) + level_offset_;
-    if (c.fluctuation.value > 0.0) snr += normal() * c.fluctuation;
+    if (fluctuation_.value > 0.0) snr += normal() * fluctuation_;
     if (!c.calls || has_called(*c.calls, source)) loudest = std::max(loudest, snr);
   }
   if (c.floor && !(loudest >= *c.floor)) return {.snr = *c.floor, .measured = false};

@@ -17,10 +17,10 @@ class Surroundings {
   /// Draws everything but the first source and the start. A further source within l of the start is drawn again.
   void start(const SearchWorld& world, NorthEast vehicle, NorthEast source, Pcg32 random);
 
-  /// One step is over: sources have swum, the current has carried the vehicle, navigation has drifted.
-  /// @param through_water  what the vehicle meant to move
-  /// @return what it has moved
-  NorthEast step(const SearchWorld& world, NorthEast through_water);
+  /// Time has passed: sources have swum, the current has carried the vehicle, navigation has drifted.
+  /// @param through_water  what the vehicle has moved of itself
+  /// @return what it has moved over ground
+  NorthEast pass(const SearchWorld& world, NorthEast through_water, double time_s);
 
   /// What the hydrophone makes of the loudest source now; every look draws anew.
   ///
@@ -43,7 +43,7 @@ class Surroundings {
   };
 
   void add_source(const SearchWorld& world, NorthEast position);
-  void swim(const SearchWorld& world, Source& source);
+  void swim(const SearchWorld& world, Source& source, double time_s);
   [[nodiscard]] bool has_called(const ocean::CallPattern& calls, const Source& source) const;
   [[nodiscard]] double normal();
 
@@ -51,7 +51,8 @@ class Surroundings {
   FixedVector<Source, ocean::kMaxSources> sources_;
   std::size_t ocean_ = 0;
   Decibels level_offset_;
-  NorthEast current_per_step_;
+  Decibels fluctuation_;
+  UnitNorthEast current_toward_;
   NorthEast unseen_current_;
   NorthEast drift_;
   double now_s_ = 0.0;

@@ -1,8 +1,14 @@
 #include "sim/search/vector_search.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace earshot::search {
+namespace {
+
+constexpr std::size_t kExpectedSteps = 1'024;  // of an episode; the list of a longer one grows
+
+}  // namespace
 
 VectorSearch::VectorSearch(const SearchWorld& world, const policy::ObservationModel& model, std::size_t environment_count,
                            std::uint64_t seed, std::uint64_t first_stream)
@@ -18,6 +24,7 @@ VectorSearch::VectorSearch(const SearchWorld& world, const policy::ObservationMo
   random_.reserve(environment_count);
   for (std::size_t i = 0; i < environment_count; ++i) {
     random_.emplace_back(seed, first_stream + i);
+    scripts_[i].actions.reserve(std::min<std::size_t>(world.settings.max_steps, kExpectedSteps));
     start(i);
     episodes_[i].observe(slot(observations_, i));
   }

@@ -18,7 +18,7 @@ struct EpisodeScript {
 
 /// Many independent episodes stepped together, for training. A finished episode starts anew within the same step (Stable-Baselines3's
 /// autoreset): observations() then shows the new episode's first observation, final_observation() the old one's last.
-/// Nothing is allocated after construction but room for the actions of the longest episode so far. Environment i draws from stream
+/// Nothing is allocated after construction, unless an episode is longer than 1024 steps. Environment i draws from stream
 /// first_stream + i of the seed, so its episodes do not depend on how many others run.
 class VectorSearch {
  public:

@@ -40,6 +40,14 @@ struct Fan {
   [[nodiscard]] double transmission_loss_at(NorthEast position, std::size_t depth) const;
 };
 
+/// Linear from a to b; NaN for a NaN but beside the point that is asked for. (std::lerp of libstdc++ 12 returns b when a is NaN.)
+[[nodiscard]] constexpr double between(double a, double b, double fraction) {
+  constexpr double kRounding = 1e-9;
+  if (fraction < kRounding) return a;
+  if (fraction > 1.0 - kRounding) return b;
+  return a + fraction * (b - a);
+}
+
 inline double Fan::transmission_loss_at(NorthEast position, std::size_t depth) const {
   const double north = (position.north - centre.north).value;
   const double east = (position.east - centre.east).value;
@@ -55,10 +63,10 @@ inline double Fan::transmission_loss_at(NorthEast position, std::size_t depth) c
   const auto along = [&](std::size_t radial) {
     const double near = static_cast<double>(at(radial % bearings, i, depth));
     const double fraction = range - static_cast<double>(i);
-    return fraction < 1e-9 || i + 1 == ranges ? near : std::lerp(near, static_cast<double>(at(radial % bearings, i + 1, depth)), fraction);
+    return i + 1 == ranges ? near : between(near, static_cast<double>(at(radial % bearings, i + 1, depth)), fraction);
   };
   const double fraction = bearing - static_cast<double>(j);
-  return fraction < 1e-9 ? along(j) : std::lerp(along(j), along(j + 1), fraction);
+  return between(along(j), along(j + 1), fraction);
 }
 
 struct FanPlan {

@@ -67,8 +67,8 @@ std::string sound_words(const ocean::Environment& environment, const Band& band)
   std::ostringstream text;
   text << band.low.value;
   if (band.high > band.low) text << " to " << band.high.value;
-  text << " Hz, source at " << environment.source.depth.value << " m, SL " << environment.source.level.value << " dB re 1 uPa @ 1 m, N "
-       << std::round(10.0 * environment.noise_level.value) / 10.0 << " dB re 1 uPa";
+  text << " Hz, source at " << environment.source.depth.value << " m, SL " << environment.source.level.value << " dB re 1 µPa @ 1 m, N "
+       << std::round(10.0 * environment.noise_level.value) / 10.0 << " dB re 1 µPa";
   return text.str();
 }
 
@@ -76,12 +76,15 @@ std::string title(const std::string& first, const std::string& second) {
   return "set title " + quoted(first) + ".\"\\n\"." + quoted(second) + " noenhanced\n";
 }
 
-/// One range of detection per bearing as a closed line.
+/// One range of detection per bearing as a closed line; between bearings the range is linear, so that a circle looks like one.
 std::string ring(const Fan& fan, const std::vector<DetectionRange>& ranges, double DetectionRange::*which) {
+  constexpr std::size_t kParts = 16;
   std::ostringstream data;
-  for (std::size_t j = 0; j <= fan.bearings; ++j) {
-    const double angle = bearing_of(j, fan.bearings).value;
-    const double range_m = ranges[j % fan.bearings].*which;
+  for (std::size_t part = 0; part <= fan.bearings * kParts; ++part) {
+    const std::size_t j = part / kParts;
+    const double fraction = static_cast<double>(part % kParts) / kParts;
+    const double angle = bearing_of(part, fan.bearings * kParts).value;
+    const double range_m = between(ranges[j % fan.bearings].*which, ranges[(j + 1) % fan.bearings].*which, fraction);
     data << value((fan.centre.east.value + range_m * std::sin(angle)) / 1000.0) << ' '
          << value((fan.centre.north.value + range_m * std::cos(angle)) / 1000.0) << '\n';
   }

@@ -61,8 +61,8 @@ void draw(const std::filesystem::path& path, const std::string& size, const std:
   temporary += ".part" + std::to_string(getpid());
   try {
     if (!std::ofstream(temporary)) throw std::runtime_error("it cannot be written");
-    run_gnuplot(std::string("set terminal ") + (png ? "pngcairo" : "svg background rgb 'white'") + " font 'Sans,12' size " + size +
-                "\nset output " + quoted(temporary.string()) + "\n" + commands + "\nset output\n");
+    run_gnuplot(std::string("set encoding utf8\nset terminal ") + (png ? "pngcairo" : "svg background rgb 'white'") +
+                " font 'Sans,12' size " + size + "\nset output " + quoted(temporary.string()) + "\n" + commands + "\nset output\n");
     require_whole(temporary, png ? "IEND" : "</svg>");
     std::filesystem::rename(temporary, path);
   } catch (const std::exception& e) {

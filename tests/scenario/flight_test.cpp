@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <unistd.h>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -11,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -64,9 +67,10 @@ class Flight : public testing::Test {
   }
 
   /// A flight by earshot-fly with a policy that walks at random.
-  [[nodiscard]] std::unique_ptr<support::Process> fly(const std::string& out, std::vector<std::string> more) const {
+  [[nodiscard]] std::unique_ptr<support::Process> fly(const std::string& out, std::vector<std::string> more,
+                                                      const fs::path& environment = kEnvironment) const {
     std::vector<std::string> a = policy_arguments();
-    a.insert(a.end(), {"--environment", kEnvironment, "--mission", kMission, "--out", folder_ / out, "--no-report"});
+    a.insert(a.end(), {"--environment", environment, "--mission", kMission, "--out", folder_ / out, "--no-report"});
     a.insert(a.end(), more.begin(), more.end());
     return std::make_unique<support::Process>(kBin / "earshot-fly", a, folder_ / (out + ".txt"));
   }
@@ -151,6 +155,34 @@ TEST_F(Flight, GivenTwoSeedsTheyStartElsewhere) {
     ASSERT_EQ(flight->wait(120s), 0) << flight->output();
   }
   EXPECT_NE(summary("7").at("start"), summary("8").at("start"));
+}
+
+TEST_F(Flight, GivenAnEnvironmentWithConditionsWhatIsHeardFollowsThemAndTheSameSeedHearsTheSame) {
+  const fs::path noisy = folder_ / "noisy.toml";
+  std::ofstream(noisy) << support::read_text(kEnvironment) << "\n[conditions]\nfluctuation_db = 4.0\nfloor_db = 5.0\n";
+  for (const char* out : {"first", "second"}) {
+    const auto flight = fly(out, {"--seed", "7"}, noisy);
+    ASSERT_EQ(flight->wait(120s), 0) << flight->output();
+  }
+  const std::string track = support::read_text(folder_ / "first" / "track.csv");
+  EXPECT_EQ(track, support::read_text(folder_ / "second" / "track.csv"));
+  std::istringstream rows(track);
+  std::string row;
+  std::getline(rows, row);
+  double last_db = 0.0;
+  double greatest_change_db = 0.0;
+  bool was_too_faint = false;
+  while (std::getline(rows, row)) {
+    std::size_t place = 0;
+    for (int comma = 0; comma < 6; ++comma) place = row.find(',', place) + 1;
+    const double snr_db = std::stod(row.substr(place));
+    EXPECT_GE(snr_db, 5.0) << row;
+    was_too_faint = was_too_faint || snr_db == 5.0;
+    if (last_db > 5.0 && snr_db > 5.0) greatest_change_db = std::max(greatest_change_db, std::abs(snr_db - last_db));
+    last_db = snr_db;
+  }
+  EXPECT_TRUE(was_too_faint);
+  EXPECT_GT(greatest_change_db, 3.0) << "2 m further on the modelled SNR is nearly the same";
 }
 
 TEST_F(Flight, GivenAWholeMissionItsSummaryAgreesWithItsTrack) {

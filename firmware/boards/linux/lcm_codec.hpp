@@ -12,7 +12,7 @@
 
 namespace earshot::board {
 
-inline constexpr std::size_t kEncodedBytes = 1024;  ///< of one message of firmware/wire/lcm; the largest, decision_t, takes 454
+inline constexpr std::size_t kEncodedBytes = 1024;  ///< of one message of firmware/wire/lcm; the largest, decision_t, takes 504
 
 /// Bytes of a message of an lcm-gen type. Holds them itself: nothing is allocated.
 class Encoded {

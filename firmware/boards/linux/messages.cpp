@@ -19,6 +19,7 @@ snr_estimate_t to_message(const runtime::SnrEstimate& estimate) {
   snr_estimate_t m{};
   m.utime = estimate.time.us;
   m.snr_db = estimate.snr.value;
+  m.too_faint = estimate.measured ? 0 : 1;
   return m;
 }
 
@@ -47,6 +48,7 @@ decision_t to_message(const runtime::Decision& decision) {
   m.north_m = decision.position.north.value;
   m.east_m = decision.position.east.value;
   m.snr_db = decision.snr.value;
+  m.too_faint = decision.measured ? 0 : 1;
   m.detected = decision.detected ? 1 : 0;
   m.action = static_cast<std::int8_t>(decision.action);
   m.overridden = decision.overridden ? 1 : 0;
@@ -56,6 +58,16 @@ decision_t to_message(const runtime::Decision& decision) {
   m.action_count = static_cast<std::int8_t>(decision.action_count);
   std::copy(decision.observation.begin(), decision.observation.end(), std::begin(m.observation));
   std::copy(decision.logits.begin(), decision.logits.end(), std::begin(m.logits));
+  m.believes = decision.belief ? 1 : 0;
+  if (decision.belief) {
+    m.likeliest_north_m = decision.belief->likeliest.north.value;
+    m.likeliest_east_m = decision.belief->likeliest.east.value;
+    m.mean_north_m = decision.belief->mean.north.value;
+    m.mean_east_m = decision.belief->mean.east.value;
+    m.spread_m = decision.belief->spread.value;
+    m.likeliest_share = decision.belief->likeliest_share;
+    m.effective_cells = decision.belief->effective_cells;
+  }
   return m;
 }
 
@@ -82,7 +94,7 @@ runtime::Navigation from_message(const nav_state_t& m) {
 }
 
 runtime::SnrEstimate from_message(const snr_estimate_t& m) {
-  return {.time = {m.utime}, .snr = Decibels{m.snr_db}};
+  return {.time = {m.utime}, .snr = Decibels{m.snr_db}, .measured = m.too_faint == 0};
 }
 
 runtime::OperatorCommand from_message(const operator_command_t& m) {

@@ -59,7 +59,7 @@ bool collect_announced(VehicleBus& bus, Time now, std::uint64_t fixes, TickInput
 
 /// After what came over the bus: of two SNR with one date the simulator's is the later, and thus the one that counts.
 void take_tick(const link::Tick& tick, MissionTurn& turn) {
-  if (tick.snr) turn.take(tick.time, runtime::SnrEstimate{.time = tick.time, .snr = *tick.snr});
+  if (tick.snr) turn.take(tick.time, runtime::SnrEstimate{.time = tick.time, .snr = *tick.snr, .measured = !tick.snr_too_faint});
   if (tick.command != 0) turn.take(tick.time, static_cast<runtime::OperatorCommand>(tick.command));
 }
 

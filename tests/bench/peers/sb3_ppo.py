@@ -1,6 +1,8 @@
 """Peer of ppo.steps_per_s: Stable-Baselines3's PPO at its defaults on the same task, written as a plain Python Gymnasium environment; one thread.
 
-usage: python tests/bench/peers/sb3_ppo.py [STEPS]      prints one JSON line, training steps a second
+With large_batch, the peer of ppo.large_batch.steps_per_s: 64 environments, 256 steps of each in a rollout, minibatches of 2048.
+
+usage: python tests/bench/peers/sb3_ppo.py [large_batch] [STEPS]      prints one JSON line, training steps a second
 """
 
 import json
@@ -14,6 +16,7 @@ import torch
 
 import sb3_without_plots  # noqa: F401
 from stable_baselines3 import PPO
+from stable_baselines3.common.vec_env import DummyVecEnv
 
 DOMAIN_M, STEP_M, BORDER_M, MAX_STEPS, THRESHOLD_DB, REMEMBERED = 25_000.0, 1_000.0, 1_000.0, 100, 10.0, 2
 # Spherical spreading every 10 m, as tests/bench/ppo_steps.cpp.
@@ -64,13 +67,18 @@ class AcousticSearch(gymnasium.Env):
 
 
 def main() -> None:
-    steps = int(sys.argv[1]) if len(sys.argv) > 1 else 20_480
+    large_batch = sys.argv[1:2] == ["large_batch"]
+    arguments = sys.argv[2:] if large_batch else sys.argv[1:]
+    steps = int(arguments[0]) if arguments else (32_768 if large_batch else 20_480)
     torch.set_num_threads(1)
-    model = PPO("MlpPolicy", AcousticSearch(), seed=1, device="cpu")
+    if large_batch:
+        model = PPO("MlpPolicy", DummyVecEnv([AcousticSearch] * 64), n_steps=256, batch_size=2048, seed=1, device="cpu")
+    else:
+        model = PPO("MlpPolicy", AcousticSearch(), seed=1, device="cpu")
     begin = time.perf_counter()
     model.learn(steps)
     elapsed = time.perf_counter() - begin
-    print(json.dumps({"name": "ppo.steps_per_s", "value": model.num_timesteps / elapsed, "unit": "steps/s"}))
+    print(json.dumps({"name": "ppo.large_batch.steps_per_s" if large_batch else "ppo.steps_per_s", "value": model.num_timesteps / elapsed, "unit": "steps/s"}))
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "firmware/core/crc32.hpp"
@@ -190,6 +191,71 @@ TEST(FrozenPolicy, OfTheLargestSizesFillsTheLargestSerialisedSize) {
   EXPECT_EQ(parsed(bytes).status, Status::kOk);
 }
 
+/// small_policy() that sees a belief of two hypotheses and five ranges.
+std::unique_ptr<FrozenPolicy> believing_policy() {
+  auto policy = small_policy();
+  BeliefModel& belief = policy->observation.belief;
+  belief.actions = policy->actions;
+  belief.step_length = policy->step_length;
+  belief.area_size = policy->area_size;
+  belief.detection_threshold = policy->detection_threshold;
+  belief.border_width = Meters{700};
+  belief.cells_north = 49;
+  belief.cells_east = 51;
+  belief.outlier_share = 0.125F;
+  belief.silence_share = 0.25F;
+  belief.forgotten_share = 0.0625F;
+  belief.range_step = Meters{150};
+  EXPECT_EQ(belief.hypotheses.push_back({.level_offset_db = -1.0F, .spread_db = 2.0F, .prior = 3.0F}), Status::kOk);
+  EXPECT_EQ(belief.hypotheses.push_back({.level_offset_db = 4.0F, .spread_db = 5.0F, .prior = 6.0F}), Status::kOk);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(belief.snr_db.push_back(static_cast<float>(i) - 1.5F), Status::kOk);
+  policy->observation.spec.clear();
+  EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kPreference, .age = 3}), Status::kOk);
+  EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kHypothesis, .age = 1}), Status::kOk);
+  return policy;
+}
+
+TEST(FrozenPolicy, CarriesItsBelief) {
+  const auto before = believing_policy();
+  const std::vector<std::uint8_t> bytes = bytes_of(*before);
+  EXPECT_EQ(bytes.size(), kLength + 36 + 2 * 12 + 5 * 4);
+  const auto after = std::make_unique<FrozenPolicy>();
+  PolicyFault fault{};
+  ASSERT_EQ(parse(bytes, *after, fault), Status::kOk);
+  const BeliefModel& a = after->observation.belief;
+  const BeliefModel& b = before->observation.belief;
+  EXPECT_TRUE(std::ranges::equal(after->observation.spec, before->observation.spec));
+  EXPECT_TRUE(std::ranges::equal(a.hypotheses, b.hypotheses));
+  EXPECT_TRUE(std::ranges::equal(a.snr_db, b.snr_db));
+  EXPECT_TRUE(std::ranges::equal(a.actions, b.actions));
+  EXPECT_EQ(std::tuple(a.cells_north, a.cells_east, a.border_width, a.range_step), std::tuple(49, 51, Meters{700}, Meters{150}));
+  EXPECT_EQ(std::tuple(a.outlier_share, a.silence_share, a.forgotten_share), std::tuple(0.125F, 0.25F, 0.0625F));
+  EXPECT_EQ(std::tuple(a.area_size, a.step_length, a.detection_threshold), std::tuple(b.area_size, b.step_length, b.detection_threshold));
+  EXPECT_EQ(bytes_of(*after), bytes);
+}
+
+TEST(FrozenPolicy, WithABeliefThatCannotBeIsRefused) {
+  std::vector<std::uint8_t> bytes(max_serialised_size());
+  const auto refused = [&bytes](const std::function<void(BeliefModel&)>& damage) {
+    const auto policy = believing_policy();
+    damage(policy->observation.belief);
+    return serialise(*policy, kPublicKey, bytes).status() == Status::kOutOfRange;
+  };
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.cells_north = 0; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.cells_north = 50; }));  // 50 x 51 are more than 2500
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.hypotheses.clear(); }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.snr_db.clear(); }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.snr_db[2] = std::numeric_limits<float>::quiet_NaN(); }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.hypotheses[0].spread_db = 0.0F; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.hypotheses[1].prior = -1.0F; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.outlier_share = 1.5F; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.silence_share = std::numeric_limits<float>::quiet_NaN(); }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.forgotten_share = 0.6F; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.range_step = Meters{0}; }));
+  EXPECT_TRUE(refused([](BeliefModel& m) { m.step_length = Meters{999}; }));  // of another search than the policy
+  EXPECT_FALSE(refused([](BeliefModel&) {}));
+}
+
 TEST(FrozenPolicy, CutShortAnywhereIsTooShort) {
   const std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
   for (std::size_t size = 0; size < bytes.size(); ++size) {
@@ -263,8 +329,7 @@ TEST(FrozenPolicy, ThatDoesNotGiveItsGoldenLogitsIsCorrupt) {
   EXPECT_EQ(result.fault, PolicyFault::kGoldenMismatch);
 }
 
-TEST(FrozenPolicy, SurvivesAnyBytesWhatever) {
-  const std::vector<std::uint8_t> good = bytes_of(*small_policy());
+void survive_any_change_of(const std::vector<std::uint8_t>& good) {
   const auto policy = std::make_unique<FrozenPolicy>();
   Pcg32 random(31);
   for (int round = 0; round < 20000; ++round) {
@@ -282,6 +347,14 @@ TEST(FrozenPolicy, SurvivesAnyBytesWhatever) {
       ASSERT_EQ(bytes_of(*policy).size(), bytes.size());
     }
   }
+}
+
+TEST(FrozenPolicy, SurvivesAnyBytesWhatever) {
+  survive_any_change_of(bytes_of(*small_policy()));
+}
+
+TEST(FrozenPolicy, SurvivesAnyBytesWhateverInItsBelief) {
+  survive_any_change_of(bytes_of(*believing_policy()));
 }
 
 /// A mission that small_policy() was trained for, its corners where a sum of doubles rounds.

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,9 @@ class Programs : public testing::Test {
   ~Programs() override { fs::remove_all(folder); }
 
   /// Runs `earshot-<words>` in the test's folder; returns its exit status.
-  int run(const std::string& words) {
-    const std::string command = "cd '" + folder.string() + "' && '" EARSHOT_BIN_DIR "/earshot-" + words.substr(0, words.find(' ')) + "'" +
-                                words.substr(words.find(' ')) + " >out 2>err";
+  int run(const std::string& words, const std::string& launcher = "") {
+    const std::string command = "cd '" + folder.string() + "' && " + launcher + "'" EARSHOT_BIN_DIR "/earshot-" +
+                                words.substr(0, words.find(' ')) + "'" + words.substr(words.find(' ')) + " >out 2>err";
     const int status = std::system(command.c_str());  // NOLINT: our own programs
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -49,6 +50,11 @@ class Programs : public testing::Test {
     EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
     for (const std::string& part : parts) EXPECT_NE(said.find(part), std::string::npos) << part << " is not in: " << said;
     EXPECT_EQ(files(), files_before) << "left something behind: " << words;
+  }
+
+  nlohmann::json parameters_in(const std::string& checkpoint) const {
+    const std::string text = content(folder / checkpoint);
+    return nlohmann::json::parse(text.substr(0, text.find('\n')))["parameters"];
   }
 
   std::vector<std::string> files() const {
@@ -68,14 +74,15 @@ TEST_F(Programs, TrainFreezeAndEvaluateMakeAPolicyThatFlies) {
   ASSERT_EQ(run("train" + kOcean + " --episodes 40 --seed 3 -o a.checkpoint"), 0) << content(folder / "err");
   const std::string curve = content(folder / "a.csv");
   EXPECT_EQ(curve.substr(0, curve.find('\n')), "episode,steps,reward,found");
-  EXPECT_EQ(std::ranges::count(curve, '\n'), 41);
+  EXPECT_GE(std::ranges::count(curve, '\n'), 41) << "whole rollouts";
   ASSERT_EQ(run("freeze a.checkpoint -o a.policy --key a.key --new-key"), 0) << content(folder / "err");
   EXPECT_EQ(fs::status(folder / "a.key").permissions(), fs::perms::owner_read | fs::perms::owner_write);
   ASSERT_EQ(run("evaluate a.policy" + kOcean + " --episodes 20 --json a.json"), 0) << content(folder / "err");
   const auto json = nlohmann::json::parse(content(folder / "a.json"));
   EXPECT_EQ(json["episodes"], 20);
-  EXPECT_EQ(json["draw"], "sampled");
-  EXPECT_EQ(files(), (std::vector<std::string>{"a.checkpoint", "a.csv", "a.json", "a.key", "a.policy", "a.pub"}));
+  ASSERT_EQ(json["results"].size(), 1U);
+  EXPECT_EQ(json["results"][0]["policy"], "a.policy");
+  EXPECT_EQ(files(), (std::vector<std::string>{"a.checkpoint", "a.csv", "a.json", "a.key", "a.policy", "a.pub", "a.updates.csv"}));
 }
 
 TEST_F(Programs, TrainMakesTheSameCheckpointFromTheSameSeed) {
@@ -93,6 +100,95 @@ TEST_F(Programs, FreezeWritesIntoTheProvenanceWhereThePolicyComesFrom) {
                                  "environment_crc32 = ", "seed = 3", "learning_rate = 0.0003"}) {
     EXPECT_NE(bytes.find(part), std::string::npos) << part;
   }
+}
+
+TEST_F(Programs, TrainGoesOnWhereACheckpointStandsAndEndsWithTheSameBytes) {
+  const std::string task = kOcean + " --state memory --source changing --steps 20480 --seed 3 --checkpoint-every 4096 -o a.checkpoint";
+  ASSERT_EQ(run("train" + task), 0) << content(folder / "err");
+  const std::vector<std::string> whole{content(folder / "a.checkpoint"), content(folder / "a.csv"), content(folder / "a.updates.csv")};
+  fs::remove(folder / "a.checkpoint");
+  const std::string killed = "cd '" + folder.string() + "' && ( '" EARSHOT_BIN_DIR "/earshot-train'" + task +
+                             " >out 2>err & pid=$!; until [ -e a.checkpoint ]; do sleep 0.01; done; kill -9 $pid; wait $pid )";
+  EXPECT_NE(std::system(killed.c_str()), 0) << "it was to be killed before its end";  // NOLINT: our own programs
+  EXPECT_NE(content(folder / "a.checkpoint"), whole[0]);
+  std::ofstream(folder / "a.csv", std::ios::app) << "7,7";  // as if killed between two files: the curve tells of more than the checkpoint
+  ASSERT_EQ(run("train --resume a.checkpoint"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "a.checkpoint"), whole[0]);
+  EXPECT_EQ(content(folder / "a.csv"), whole[1]);
+  EXPECT_EQ(content(folder / "a.updates.csv"), whole[2]);
+  ASSERT_EQ(run("train --resume a.checkpoint --steps 22528"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "a.csv").substr(0, whole[1].size()), whole[1]);
+}
+
+TEST_F(Programs, TrainWritesItsCheckpointWhenInterrupted) {
+  const std::string words = "cd '" + folder.string() + "' && ( '" EARSHOT_BIN_DIR "/earshot-train'" + kOcean +
+                            " --steps 100000000 -o a.checkpoint --plot a.svg >out 2>err & pid=$!; sleep 1.5; kill -INT $pid; wait $pid )";
+  EXPECT_EQ(std::system(words.c_str()), 0) << content(folder / "err");  // NOLINT: our own programs
+  EXPECT_NE(content(folder / "out").find("--resume"), std::string::npos);
+  EXPECT_EQ(files(), (std::vector<std::string>{"a.checkpoint", "a.csv", "a.svg", "a.updates.csv"}));
+  const auto steps = std::ranges::count(content(folder / "a.updates.csv"), '\n') * 2'048;
+  ASSERT_EQ(run("train --resume a.checkpoint --steps " + std::to_string(steps)), 0) << content(folder / "err");
+  EXPECT_EQ(std::ranges::count(content(folder / "a.updates.csv"), '\n') * 2'048, steps + 2'048) << "one rollout more, and the header";
+}
+
+TEST_F(Programs, TrainMakesOfSeveralSeedsAtOnceWhatItMakesOfEach) {
+  ASSERT_EQ(run("train" + kOcean + " --steps 4096 --seed 2 -o alone.checkpoint"), 0);
+  ASSERT_EQ(run("train" + kOcean + " --steps 4096 --seeds 1-3 -o a.checkpoint --plot a.png"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "a.seed2.csv"), content(folder / "alone.csv"));
+  EXPECT_EQ(parameters_in("a.seed2.checkpoint"), parameters_in("alone.checkpoint"));
+  EXPECT_NE(parameters_in("a.seed1.checkpoint"), parameters_in("alone.checkpoint"));
+  EXPECT_NE(content(folder / "out").find("median of 3 trainings"), std::string::npos);
+  EXPECT_EQ(content(folder / "a.png").substr(1, 3), "PNG");
+  ASSERT_EQ(run("train --resume a.seed1.checkpoint a.seed2.checkpoint --steps 6144"), 0) << content(folder / "err");
+  ASSERT_EQ(run("train --resume alone.checkpoint --steps 6144"), 0) << content(folder / "err");
+  EXPECT_EQ(parameters_in("a.seed2.checkpoint"), parameters_in("alone.checkpoint"));
+}
+
+TEST_F(Programs, TrainOnTwoMpiRanksIsTheSameEveryTimeAndGoesOn) {
+  if (std::string(EARSHOT_MPIEXEC).empty()) GTEST_SKIP() << "built without MPI";
+  auto train = [this](const std::string& words) {
+    const std::string command = "cd '" + folder.string() +
+                                "' && '" EARSHOT_MPIEXEC "' --allow-run-as-root --oversubscribe -n 2 '" EARSHOT_BIN_DIR "/earshot-train' " +
+                                words + " >out 2>err";
+    return WEXITSTATUS(std::system(command.c_str()));  // NOLINT: our own programs
+  };
+  ASSERT_EQ(train(kOcean + " --steps 12288 --seed 3 -o a.checkpoint"), 0) << content(folder / "err");
+  const auto parameters = parameters_in("a.checkpoint");
+  const std::string curve = content(folder / "a.csv");
+  ASSERT_EQ(train(kOcean + " --steps 8192 --seed 3 -o b.checkpoint"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "b.csv"), curve.substr(0, content(folder / "b.csv").size()));
+  refuses("train --resume b.checkpoint --steps 12288", {"b.checkpoint", "2 ranks"});
+  ASSERT_EQ(train("--resume b.checkpoint --steps 12288"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "b.csv"), curve);
+  EXPECT_EQ(parameters_in("b.checkpoint"), parameters);
+  const std::string updates = content(folder / "a.updates.csv");
+  EXPECT_EQ(std::ranges::count(updates, '\n'), 4) << "three rollouts of 2048 steps on each of two ranks";
+
+  ASSERT_EQ(run("train" + kOcean + " --steps 12288 --seed 3 -o c.checkpoint"), 0);
+  EXPECT_NE(parameters_in("c.checkpoint"), parameters) << "the second rank had no say";
+  EXPECT_EQ(train(kOcean + " --steps 2048 -o nowhere/a.checkpoint"), 2);
+  EXPECT_NE(content(folder / "err").find("nowhere/a.checkpoint: cannot be written"), std::string::npos);
+}
+
+TEST_F(Programs, TrainRefusesToGoOnWithWhatItCannotInOneLine) {
+  std::ofstream(folder / "run.toml") << "environment = \"" << kSource << "/sim/ocean/environments/munk_flat.toml\"\nsteps = 2048\n";
+  ASSERT_EQ(run("train run.toml -o a.checkpoint"), 0) << content(folder / "err");
+  const std::string whole = content(folder / "a.checkpoint");
+  std::ofstream(folder / "cut.checkpoint") << whole.substr(0, whole.size() / 2);
+  std::ofstream(folder / "old.checkpoint") << R"({"format":"earshot checkpoint 2"})" << '\n';
+  refuses("train --resume none.checkpoint", {"none.checkpoint", "no such file"});
+  refuses("train --resume cut.checkpoint", {"cut.checkpoint", "cut short"});
+  refuses("train --resume old.checkpoint", {"old.checkpoint", "another version"});
+  refuses("train --resume a.checkpoint --seed 4", {"--seed", "--resume"});
+  refuses("train run.toml --resume a.checkpoint", {"RUN", "--resume"});
+  refuses("train --resume a.checkpoint --curve none.csv", {"none.csv", "no such file"});
+  refuses("train run.toml --seeds 3-1 -o a.checkpoint", {"--seeds", "3-1"});
+  refuses("train run.toml -o b.checkpoint --plot b.pdf", {"--plot", "b.pdf", ".png"});
+  std::ofstream(folder / "a.csv", std::ios::in) << "episode,steps,reward,fount";
+  refuses("train --resume a.checkpoint", {"a.csv", "not the learning curve"});
+  ASSERT_EQ(run("train run.toml -o a.checkpoint"), 0);
+  std::ofstream(folder / "run.toml", std::ios::app) << "seed = 2\n";
+  refuses("train --resume a.checkpoint", {"a.checkpoint", "run file"});
 }
 
 TEST_F(Programs, TrainRefusesBadInputInOneLine) {
@@ -120,9 +216,67 @@ TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
   refuses("evaluate none.policy" + kOcean, {"none.policy", "no such file"});
   refuses("evaluate flipped.policy" + kOcean, {"flipped.policy", "CRC-32"});
   refuses("evaluate short.policy" + kOcean, {"short.policy"});
-  refuses("evaluate " + kShipped, {"--environment"});
+  refuses("evaluate --episodes 3", {"no policy"});
+  refuses("evaluate --policies bayes,swordfish", {"swordfish", "bayes_infogain"});
+  refuses("evaluate --policies oracle --environment none.toml", {"none.toml", "no such file"});
+  refuses("evaluate --policies oracle --world none.toml", {"none.toml", "no such file"});
+  refuses("evaluate --policies oracle --plot a.gif", {"a.gif", ".png or .svg"});
+  std::ofstream(folder / "bad.toml") << "name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"" << kSource
+                                     << "/sim/ocean/environments/munk_flat.toml\"\n[conditions]\nfluctuation_db = -1.0\n";
+  refuses("evaluate --policies oracle --world bad.toml", {"bad.toml:6", "fluctuation_db", "at least 0"});
   refuses("evaluate " + kShipped + kOcean + " --episodes 0", {"--episodes", "0"});
   refuses("evaluate " + kShipped + kOcean + " --json nowhere/a.json", {"nowhere/a.json", "cannot be written"});
+}
+
+TEST_F(Programs, EvaluateNeedsNothingButTheNamesOfPolicies) {
+  ASSERT_EQ(run("evaluate --policies shipped,bayes,oracle --episodes 30 --json a.json --csv a.csv --plot a.svg"), 0)
+      << content(folder / "err");
+  const auto json = nlohmann::json::parse(content(folder / "a.json"));
+  EXPECT_EQ(json["source"], "changing");
+  EXPECT_EQ(json["start"], "inside_border");
+  ASSERT_EQ(json["results"].size(), 3U);
+  EXPECT_EQ(json["results"][0]["policy"], "shipped");
+  EXPECT_EQ(json["results"][2]["found_fraction"], 1.0) << "an oracle that heeds no border finds every source";
+  EXPECT_GE(json["results"][2]["path_over_straight"], 1.0);
+  EXPECT_EQ(std::ranges::count(content(folder / "a.csv"), '\n'), 4);
+  EXPECT_EQ(content(folder / "a.svg").substr(0, 5), "<?xml");
+  EXPECT_NE(content(folder / "out").find("us/decision"), std::string::npos);
+}
+
+TEST_F(Programs, EvaluateFliesTheSameStartsForEveryPolicyInEveryOrder) {
+  ASSERT_EQ(run("evaluate --policies oracle,gradient --episodes 40 --csv a.csv"), 0);
+  ASSERT_EQ(run("evaluate --policies gradient,oracle --episodes 40 --csv b.csv"), 0);
+  const auto lines_of = [&](const char* file) {
+    std::istringstream stream(content(folder / file));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    std::ranges::sort(lines);
+    return lines;
+  };
+  EXPECT_EQ(lines_of("a.csv"), lines_of("b.csv"));
+}
+
+TEST_F(Programs, EvaluateSearchesInWorldsWithTheirOwnSeeds) {
+  const std::string worlds = kSource + "/policy/worlds/";
+  ASSERT_EQ(run("evaluate --policies oracle --episodes 20 --world " + worlds + "noisy_4db.toml " + worlds + "hilly.toml --json a.json"), 0)
+      << content(folder / "err");
+  const auto json = nlohmann::json::parse(content(folder / "a.json"));
+  EXPECT_EQ(json["worlds"][0]["seed"], 1002);
+  ASSERT_EQ(json["results"].size(), 2U);
+  EXPECT_EQ(json["results"][1]["world"], "hilly");
+  EXPECT_GT(json["results"][1]["mean_detections"], 0.0);
+}
+
+TEST_F(Programs, EvaluateWritesTheSameBytesFromTwoRanks) {
+  if (std::string(EARSHOT_MPIEXEC).empty()) GTEST_SKIP() << "built without MPI";
+  const std::string words = "evaluate --policies shipped,bayes,random --episodes 31 --world " + kSource + "/policy/worlds/noisy_4db.toml";
+  // As root runs it in containers; --oversubscribe where there is one core.
+  const std::string launcher = std::string(EARSHOT_MPIEXEC) + " --allow-run-as-root --oversubscribe -n 2 ";
+  ASSERT_EQ(run(words + " --json one.json --csv one.csv"), 0) << content(folder / "err");
+  ASSERT_EQ(run(words + " --json two.json --csv two.csv", launcher), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "one.json"), content(folder / "two.json"));
+  EXPECT_EQ(content(folder / "one.csv"), content(folder / "two.csv"));
+  EXPECT_NE(run("evaluate --policies swordfish", launcher), 0);
 }
 
 TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
@@ -137,9 +291,35 @@ TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
   refuses("freeze a.checkpoint -o a.policy --key word.key", {"word.key", "64 hexadecimal digits"});
   refuses("freeze a.checkpoint -o a.policy --key a.key --new-key", {"a.key", "exists"});
   refuses("freeze a.checkpoint -o nowhere/a.policy --key a.key", {"nowhere/a.policy", "cannot be written"});
-  refuses("freeze a.checkpoint --key a.key", {"CHECKPOINT", "--output"});
+  refuses("freeze a.checkpoint --key a.key", {"MODEL", "--output"});
   refuses("freeze a.checkpoint -o a.policy --key a.key --draw dice", {"--draw", "dice"});
   EXPECT_EQ(content(folder / "a.key"), key);
+}
+
+TEST_F(Programs, FreezeReadsModelsTrainedElsewhere) {
+  const std::string models = kSource + "/tests/policy/freeze/models/";
+  ASSERT_EQ(run("freeze " + models + "memory.zip -o a.policy --key a.key --new-key"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "a.policy").find("trained_by = stable-baselines3 2.3.2 PPO"), std::string::npos);
+  EXPECT_EQ(run("freeze " + models + "memory.onnx -o b.policy --key a.key --draw argmax"), 0) << content(folder / "err");
+  EXPECT_EQ(run("evaluate b.policy" + kOcean + " --episodes 5"), 0) << content(folder / "err");
+}
+
+TEST_F(Programs, FreezeRefusesModelsItCannotBeSureOfInOneLine) {
+  const std::string models = kSource + "/tests/policy/freeze/models/";
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
+  std::ofstream(folder / "cut.zip", std::ios::binary) << content(models + "memory.zip").substr(0, 20'000);
+  std::ofstream(folder / "text.onnx") << "swordfish\n";
+  std::ofstream(folder / "bad.json") << "{}\n";
+  const auto refuses_model = [&](const std::string& words, std::initializer_list<std::string> parts) {
+    refuses("freeze " + words + " -o a.policy --key a.key", parts);
+  };
+  refuses_model("cut.zip", {"cut.zip", "cut short"});
+  refuses_model("text.onnx", {"text.onnx"});
+  refuses_model(models + "relu.zip", {"relu.zip", "activation_fn", "ReLU"});
+  refuses_model(models + "own_policy.zip", {"own_policy.zip", "policy_class"});
+  refuses_model(models + "plain_save.zip", {"plain_save.zip", "--search"});
+  refuses_model(models + "plain_save.zip --search bad.json", {"plain_save.zip", "search description"});
+  refuses_model(models + "memory.zip --search bad.json", {"memory.zip", "--search"});
 }
 
 TEST_F(Programs, HelpExplainsItselfAndEndsWell) {

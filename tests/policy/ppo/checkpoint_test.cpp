@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iomanip>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/core/crc32.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -34,10 +37,19 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
+/// A checkpoint's second line.
+std::string sealed(const std::string& json) {
+  std::ostringstream line;
+  line << "\ncrc32 " << std::hex << std::setw(8) << std::setfill('0')
+       << crc32({reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}) << '\n';
+  return json + line.str();
+}
+
 std::string refusal_with(const std::string& key, const nlohmann::json& value) {
-  nlohmann::json json = nlohmann::json::parse(to_text(made_up()));
+  const std::string text = to_text(made_up());
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(text.substr(0, text.find('\n')));
   json[key] = value;
-  return refusal(json.dump());
+  return refusal(sealed(json.dump()));
 }
 
 TEST(Checkpoint, SurvivesItsTextExactly) {
@@ -54,9 +66,54 @@ TEST(Checkpoint, SurvivesItsTextExactly) {
 
 TEST(Checkpoint, IsRefusedWhenCutShortAnywhere) {
   const std::string whole = to_text(made_up());
-  for (std::size_t size = 0; size + 2 < whole.size(); size += 1'009) {
-    EXPECT_EQ(refusal(whole.substr(0, size)), "a.checkpoint: not a checkpoint, or cut short");
+  for (std::size_t size = 0; size < whole.size(); size += size < 100 ? 1 : 1'009) {
+    EXPECT_EQ(refusal(whole.substr(0, size)), "a.checkpoint: not a checkpoint, cut short or damaged");
   }
+}
+
+TEST(Checkpoint, IsRefusedWhenABitHasFlipped) {
+  const std::string whole = to_text(made_up());
+  for (std::size_t at = 40; at < whole.size(); at += 997) {
+    std::string flipped = whole;
+    flipped[at] = static_cast<char>(flipped[at] ^ 1);
+    EXPECT_EQ(refusal(flipped), "a.checkpoint: not a checkpoint, cut short or damaged") << at;
+  }
+}
+
+TEST(Checkpoint, OfAnotherVersionIsRefusedAsThat) {
+  EXPECT_NE(refusal(R"({"format":"earshot checkpoint 2","observation":[]})"
+                    "\n")
+                .find("a.checkpoint: of another version"),
+            std::string::npos);
+}
+
+TEST(Checkpoint, KeepsWhatTrainingGoesOnFromExactly) {
+  Checkpoint written = made_up();
+  const std::uint64_t big = 0xFEDC'BA98'7654'3211ULL;  // beyond what a double holds
+  written.continuation = Continuation{.state = {.steps = 4'096,
+                                                .seed = big,
+                                                .optimiser = {7, {0.1F, -2e-30F}, {3e-12F, 1.0F / 3.0F}},
+                                                .workers = {{{big, 5}, {{{big - 1, 3}, {1, 2, 0}}, {{9, 7}, {}}}}, {{2, 3}, {}}}},
+                                      .arguments = {"run.toml", "-o", "a b"},
+                                      .directory = "/somewhere",
+                                      .settings_crc32 = 0xDEADBEEF,
+                                      .episodes = {100, 1},
+                                      .updates = {200, 2}};
+  const Checkpoint read = from_text(to_text(written), "a");
+  ASSERT_TRUE(read.continuation);
+  const TrainingState& state = read.continuation->state;
+  EXPECT_EQ(state.steps, 4'096U);
+  EXPECT_EQ(state.seed, big);
+  EXPECT_EQ(state.optimiser.steps, 7U);
+  EXPECT_EQ(state.optimiser.first_moment, written.continuation->state.optimiser.first_moment);
+  EXPECT_EQ(state.optimiser.second_moment, written.continuation->state.optimiser.second_moment);
+  ASSERT_EQ(state.workers.size(), 2U);
+  EXPECT_EQ(state.workers[0].random, (Pcg32::State{big, 5}));
+  EXPECT_EQ(state.workers[0].episodes, written.continuation->state.workers[0].episodes);
+  EXPECT_EQ(read.continuation->arguments, written.continuation->arguments);
+  EXPECT_EQ(read.continuation->settings_crc32, 0xDEADBEEF);
+  EXPECT_EQ(read.continuation->updates.bytes, 200U);
+  EXPECT_EQ(read.continuation->updates.crc32, 2U);
 }
 
 TEST(Checkpoint, IsRefusedWithTheFileAndThePartThatIsWrong) {
@@ -71,8 +128,9 @@ TEST(Checkpoint, IsRefusedWithTheFileAndThePartThatIsWrong) {
   EXPECT_NE(refusal_with("observation", {{{"feature", 99}, {"age", 0}, {"offset", 0}, {"scale", 1}}}).find("unknown feature"),
             std::string::npos);
   EXPECT_NE(refusal_with("provenance", 7), "accepted");
-  EXPECT_NE(refusal("[]"), "accepted");
-  EXPECT_NE(refusal("{}"), "accepted");
+  EXPECT_NE(refusal_with("continuation", 7), "accepted");
+  EXPECT_NE(refusal(sealed("[]")), "accepted");
+  EXPECT_NE(refusal(sealed("{}")), "accepted");
 }
 
 }  // namespace

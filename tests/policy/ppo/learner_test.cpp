@@ -144,7 +144,7 @@ TEST(Learner, GivesTheSameParametersForTheSameSeedWhereverTheHeapPutsThem) {
   auto learned = [&](std::uint64_t seed) {
     Pcg32 random(seed);
     parallel::Alone alone;
-  Learner learner(kShape, hyper, random, alone);
+    Learner learner(kShape, hyper, random, alone);
     (void)learner.update(rollout, hyper.learning_rate, random);
     const auto p = learner.networks().parameters();
     return std::vector<float>(p.begin(), p.end());

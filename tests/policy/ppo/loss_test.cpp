@@ -37,14 +37,16 @@ struct OneSample {
   Matrix<double> d_logits{2, 1};
   Matrix<double> d_values{1, 1};
 
-  double loss() {
+  double loss() { return terms().total; }
+
+  LossTerms<double> terms() {
     Matrix<double> logits = Matrix<double>::Zero(2, 1);
     const Matrix<double> values = Matrix<double>::Constant(1, 1, value);
     const std::array<std::uint8_t, 1> actions{action};
     const std::array<double, 1> old{std::log(old_probability)};
     std::array<double, 1> advantages{advantage};
     const std::array<double, 1> returns{ret};
-    return ppo_loss<double>({actions, old, advantages, returns}, hyper, logits, values, d_logits, d_values).total;
+    return ppo_loss<double>({actions, old, advantages, returns}, hyper, logits, values, d_logits, d_values);
   }
 };
 
@@ -87,6 +89,19 @@ TEST(Loss, AddsHalfTheSquaredErrorOfTheValue) {
   one.value = 2.0;
   EXPECT_NEAR(one.loss(), 0.5 * 9.0, kRounding);
   EXPECT_NEAR(one.d_values(0, 0), -3.0, kRounding);
+}
+
+TEST(Loss, SaysHowFarThePolicyHasMoved) {
+  OneSample one;
+  one.old_probability = 0.25;  // ratio 2
+  EXPECT_NEAR(one.terms().approximate_kl, 2.0 - 1.0 - std::log(2.0), kRounding);
+  EXPECT_EQ(one.terms().clip_fraction, 1.0);
+  one.old_probability = 0.45;  // ratio 1.11
+  EXPECT_EQ(one.terms().clip_fraction, 0.0);
+  EXPECT_NEAR(one.terms().entropy, std::log(2.0), kRounding);
+  one.ret = 5.0;
+  one.value = 2.0;
+  EXPECT_NEAR(one.terms().value, 9.0, kRounding);
 }
 
 TEST(Loss, PaysForEntropyByItsCoefficient) {

@@ -17,7 +17,7 @@ class TrainerTest : public testing::Test {
 
   std::vector<float> trained(std::uint64_t seed) {
     const search::SearchWorld world(settings, curve);
-    Trainer trainer(world, {.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), .belief = {}}, hyper, seed);
+    Trainer trainer(world, simple, hyper, seed);
     trainer.train(1'000, [this](const search::EpisodeRecord& episode, std::uint64_t) {
       episodes.push_back(episode);
       return true;
@@ -28,6 +28,7 @@ class TrainerTest : public testing::Test {
 
   sonar::SnrCurve curve{Meters{1'000.0}, std::vector<float>{30.0F, 25.0F, 20.0F, 15.0F, 10.0F, 5.0F, 0.0F}};
   search::SearchSettings settings;
+  policy::ObservationModel simple{.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), .belief = {}};
   HyperParameters hyper;
   std::vector<search::EpisodeRecord> episodes;
   std::uint64_t steps = 0;
@@ -54,12 +55,81 @@ TEST_F(TrainerTest, TellsOfEveryFinishedEpisodeOnce) {
   EXPECT_GE(told + 3 * settings.max_steps, steps) << "only the three episodes under way may be untold";
 }
 
-TEST_F(TrainerTest, StopsAtOnceWhenTold) {
+TEST_F(TrainerTest, StopsWithTheRolloutInWhichItIsTold) {
   const search::SearchWorld world(settings, curve);
-  Trainer trainer(world, {.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), .belief = {}}, hyper, 1);
+  Trainer trainer(world, simple, hyper, 1);
   int told = 0;
-  trainer.train(1'000'000, [&told](const search::EpisodeRecord&, std::uint64_t) { return ++told < 2; });
-  EXPECT_EQ(told, 2);
+  trainer.train(1'000'000, [&told](const search::EpisodeRecord&, std::uint64_t) { return ++told != 2; });
+  EXPECT_GE(told, 2);
+  EXPECT_EQ(trainer.steps(), 600U);
+}
+
+bool ignore(const search::EpisodeRecord&, std::uint64_t) {
+  return true;
+}
+
+TEST_F(TrainerTest, GoesOnFromItsStateAsIfNothingHadHappened) {
+  hyper.decay_steps = 3'000;
+  const search::SearchWorld world(settings, curve);
+  const policy::ObservationModel model{.spec = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value(), .belief = {}};
+  Trainer uninterrupted(world, model, hyper, 5);
+  uninterrupted.train(1'200, ignore);
+  const TrainingState state = uninterrupted.state();
+  const std::vector<float> parameters(uninterrupted.networks().parameters().begin(), uninterrupted.networks().parameters().end());
+  const UpdateReport expected = uninterrupted.advance(ignore);
+
+  Trainer resumed(world, model, hyper, 5);
+  ASSERT_TRUE(resumed.resume(parameters, state));
+  EXPECT_EQ(resumed.steps(), 1'200U);
+  const UpdateReport report = resumed.advance(ignore);
+  EXPECT_TRUE(std::ranges::equal(resumed.networks().parameters(), uninterrupted.networks().parameters()));
+  EXPECT_EQ(report.policy_loss, expected.policy_loss);
+  EXPECT_EQ(report.learning_rate, expected.learning_rate);
+  EXPECT_EQ(resumed.state().workers[0].episodes, uninterrupted.state().workers[0].episodes);
+  EXPECT_EQ(resumed.state().optimiser.second_moment, uninterrupted.state().optimiser.second_moment);
+}
+
+TEST_F(TrainerTest, RefusesTheStateOfAnotherTraining) {
+  const search::SearchWorld world(settings, curve);
+  const Trainer other(world, simple, hyper, 5);
+  const std::span<const float> parameters = other.networks().parameters();
+  auto refuses = [&](const TrainingState& state, std::span<const float> p) { return !Trainer(world, simple, hyper, 5).resume(p, state); };
+  EXPECT_FALSE(refuses(other.state(), parameters));
+  EXPECT_TRUE(refuses(other.state(), parameters.first(7)));
+  TrainingState state = other.state();
+  state.seed = 6;
+  EXPECT_TRUE(refuses(state, parameters));
+  state = other.state();
+  state.optimiser.first_moment.pop_back();
+  EXPECT_TRUE(refuses(state, parameters));
+  state = other.state();
+  state.workers.push_back(state.workers.front());
+  EXPECT_TRUE(refuses(state, parameters)) << "of two ranks";
+  state = other.state();
+  state.workers[0].episodes.pop_back();
+  EXPECT_TRUE(refuses(state, parameters)) << "of two environments";
+  state = other.state();
+  state.workers[0].episodes[1].actions = {8};
+  EXPECT_TRUE(refuses(state, parameters)) << "a ninth direction";
+  state.workers[0].episodes[1].actions.assign(101, 0);
+  EXPECT_TRUE(refuses(state, parameters)) << "an episode that has ended";
+}
+
+TEST_F(TrainerTest, LowersTheLearningRateWithTheStepsTaken) {
+  hyper.decay_steps = 2'400;
+  const search::SearchWorld world(settings, curve);
+  Trainer trainer(world, simple, hyper, 1);
+  EXPECT_DOUBLE_EQ(trainer.advance(ignore).learning_rate, 3e-4 * 0.75);  // 600 of 2400 steps, as Stable-Baselines3 counts
+  EXPECT_DOUBLE_EQ(trainer.advance(ignore).learning_rate, 3e-4 * 0.5);
+}
+
+TEST_F(TrainerTest, EndsAnUpdateEarlyWhereThePolicyHasMovedFarEnough) {
+  const search::SearchWorld world(settings, curve);
+  EXPECT_EQ(Trainer(world, simple, hyper, 1).advance(ignore).minibatches, 100U);  // 10 epochs of 600 samples by 64
+  hyper.target_kl = 1e-9;
+  const std::size_t minibatches = Trainer(world, simple, hyper, 1).advance(ignore).minibatches;
+  EXPECT_GT(minibatches, 1U) << "the first sees the policy unchanged";
+  EXPECT_LT(minibatches, 100U);
 }
 
 TEST_F(TrainerTest, AddsTheDiscountedValueOfTheLastObservationWhereTheTimeLimitCutAnEpisode) {
@@ -69,10 +139,9 @@ TEST_F(TrainerTest, AddsTheDiscountedValueOfTheLastObservationWhereTheTimeLimitC
   settings.start_region = {{Meters{10'000.0}, Meters{10'000.0}}, {Meters{20'000.0}, Meters{20'000.0}}};
   hyper.environment_count = 1;
   const search::SearchWorld world(settings, curve);
-  Trainer trainer(world, {.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), .belief = {}}, hyper, 1);
-  std::size_t told = 0;
-  trainer.train(1'000,
-                [&](const search::EpisodeRecord&, std::uint64_t) { return ++told < hyper.steps_per_rollout; });  // a rollout, no update
+  const Trainer untrained(world, simple, hyper, 1);  // values are those before the update
+  Trainer trainer(world, simple, hyper, 1);
+  trainer.train(1, ignore);
 
   const Rollout& rollout = trainer.rollout();
   Activations<float> activations({2, 8}, 1);
@@ -81,7 +150,7 @@ TEST_F(TrainerTest, AddsTheDiscountedValueOfTheLastObservationWhereTheTimeLimitC
     const float step = 1.0F / 12.5F;  // 1 km of a state that spans -1 to 1 over 25 km
     const Eigen::Vector2f moved(static_cast<float>(direction.east) * step, static_cast<float>(direction.north) * step);
     const Eigen::Vector2f last = rollout.observations.col(static_cast<Eigen::Index>(t)) + moved;
-    trainer.networks().forward(last.data(), 1, activations);
+    untrained.networks().forward(last.data(), 1, activations);
     ASSERT_NEAR(rollout.rewards[t], -1.0F + 0.99F * activations.values(0, 0), 1e-5F);  // rounding of the last observation, times 64 weights
   }
 }
@@ -91,7 +160,7 @@ TEST_F(TrainerTest, LearnsToStayClearOfAnEdgeThatCosts) {
   hyper.steps_per_rollout = 2'048;
   hyper.environment_count = 1;
   const search::SearchWorld world(settings, curve);
-  Trainer trainer(world, {.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}}), .belief = {}}, hyper, 1);
+  Trainer trainer(world, simple, hyper, 1);
   std::vector<bool> left;
   trainer.train(40'000, [&left](const search::EpisodeRecord& episode, std::uint64_t) {
     left.push_back(episode.end == search::EpisodeEnd::kLeftDomain);

@@ -79,6 +79,25 @@ TEST_F(FieldProgram, RefusesMoreThanMemoryHolds) {
   expect_refused(kMunk + " -o " + output() + " --max-range-km 2000 --output-step-m 0.01 --radials 100000 --depth 300", "must not exceed");
 }
 
+TEST_F(FieldProgram, RefusesASolverThatCannotServe) {
+  const auto refuse = [this](const std::string& option, const std::string& value) {
+    expect_refused(kMunk + " -o " + output() + " --max-range-km 1 --depth 300 " + option + " " + value, option.substr(2));
+  };
+  for (const char* value : {"17", "1", "-1", "nan", "eight"}) refuse("--terms", value);
+  for (const char* value : {"0", "-5", "nan", "inf"}) {
+    for (const char* option : {"--range-step", "--depth-step", "--accuracy-db", "--absorber-wavelengths", "--output-step-m"})
+      refuse(option, value);
+  }
+  refuse("--starter", "thomson");
+}
+
+TEST_F(FieldProgram, TakesEveryOptionOfTheSolver) {
+  const std::string options = " --max-range-km 2 --depth 300 --range-step 20 --depth-step 5 --absorber-wavelengths 8 --accuracy-db 0.1";
+  for (const char* terms : {"2", "4", "8", "13", "16"})  // RAM writes stale numbers at 13
+    EXPECT_EQ(run(kMunk + " -o " + output() + options + " --terms " + terms), 0) << errors();
+  EXPECT_EQ(run(kMunk + " -o " + output() + options + " --starter gaussian"), 0) << errors();
+}
+
 TEST_F(FieldProgram, FollowsOneRadialOfAnOceanWithCharts) {
   const std::string ocean = write_hilly_ocean(folder_).string();
   ASSERT_EQ(run(ocean + " -o " + output() + " --bearing-deg 270 --max-range-km 10 --depth-spacing 100"), 0) << errors();

@@ -57,7 +57,7 @@ std::size_t count(const std::string& text, const std::string& what) {
 TEST_F(FlyScript, GivesTheShippedOceanAndMissionWhereNoneIsNamed) {
   const std::string arguments = arguments_of("--seed 7");
   EXPECT_NE(arguments.find("munk_flat.toml\n"), std::string::npos) << arguments;
-  EXPECT_NE(arguments.find("fixed_source.toml\n"), std::string::npos) << arguments;
+  EXPECT_NE(arguments.find("search.toml\n"), std::string::npos) << arguments;
 }
 
 TEST_F(FlyScript, GivesNoSecondMissionOrOceanWhereOneIsNamedInEitherSpelling) {
@@ -68,7 +68,7 @@ TEST_F(FlyScript, GivesNoSecondMissionOrOceanWhereOneIsNamedInEitherSpelling) {
 TEST_F(FlyScript, TakesTheValueOfAnotherOptionForNoOption) {
   const std::string arguments = arguments_of("--out 'the --mission of --environment b'");
   EXPECT_NE(arguments.find("munk_flat.toml\n"), std::string::npos) << arguments;
-  EXPECT_NE(arguments.find("fixed_source.toml\n"), std::string::npos) << arguments;
+  EXPECT_NE(arguments.find("search.toml\n"), std::string::npos) << arguments;
 }
 
 TEST(FlyScriptHelp, NamesEveryOptionOfEarshotFly) {

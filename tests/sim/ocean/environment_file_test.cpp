@@ -91,6 +91,23 @@ TEST_F(EnvironmentFile, ReadsATableAndLayers) {
   ASSERT_EQ(ocean.seabed.layers.size(), 2U);
   EXPECT_EQ(ocean.seabed.layers[0].thickness, Meters{5.0});
   EXPECT_EQ(ocean.seabed.layers[1].density_g_per_cm3, 2.0);
+  EXPECT_FALSE(ocean.seabed.layers[0].sound_speed_at_base);
+}
+
+TEST_F(EnvironmentFile, GivesALayerOfSedimentItsGradients) {
+  const auto ocean = load_changed("thickness_m = 5.0",
+                                  "thickness_m = 5.0\nsound_speed_at_base_mps = 1650.0\ndensity_at_base_g_per_cm3 = 1.8\n"
+                                  "attenuation_at_base_db_per_wavelength = 0.2");
+  const SedimentLayer& layer = ocean.seabed.layers.at(0);
+  EXPECT_EQ(layer.sound_speed, MetersPerSecond{1550.0});
+  EXPECT_EQ(layer.sound_speed_at_base, MetersPerSecond{1650.0});
+  EXPECT_EQ(layer.density_at_base_g_per_cm3, 1.8);
+  EXPECT_EQ(layer.attenuation_at_base_db_per_wavelength, 0.2);
+}
+
+TEST_F(EnvironmentFile, RefusesAGradientInTheHalfSpaceAndOneOutOfRange) {
+  expect_mentions(complaint("density_g_per_cm3 = 2.0", "density_at_base_g_per_cm3 = 2.0"), "must be left out of the last layer");
+  expect_mentions(complaint("thickness_m = 5.0", "thickness_m = 5.0\nsound_speed_at_base_mps = 1.7"), "sound_speed_at_base_mps = 1.7");
 }
 
 TEST_F(EnvironmentFile, KeepsTheChecksumOfItsBytes) {

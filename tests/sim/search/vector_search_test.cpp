@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdlib>
@@ -100,6 +101,30 @@ TEST_F(VectorSearchTest, StartsAnewInTheStepThatEndsAnEpisodeAndKeepsItsLastObse
   EXPECT_EQ(search.observation(0)[1], 0.0F) << "the new episode remembers no step";
   search.step(north);
   EXPECT_EQ(search.ended(0).end, EpisodeEnd::kRunning);
+}
+
+TEST_F(VectorSearchTest, GoesOnFromItsScriptsAsIfNothingHadHappened) {
+  settings.max_steps = 7;  // some episodes have just begun, others not
+  const SearchWorld world(settings, curve);
+  VectorSearch uninterrupted(world, model, 5, 3);
+  std::vector<std::size_t> actions(5);
+  auto step = [&actions](VectorSearch& environments, std::size_t t) {
+    for (std::size_t e = 0; e < actions.size(); ++e) actions[e] = (3 * t + e) % 8;
+    environments.step(actions);
+  };
+  for (std::size_t t = 0; t < 21; ++t) step(uninterrupted, t);
+  VectorSearch resumed(world, model, 5, 99);
+  ASSERT_TRUE(resumed.resume(uninterrupted.scripts()));
+  for (std::size_t t = 21; t < 60; ++t) {
+    for (std::size_t e = 0; e < actions.size(); ++e) ASSERT_TRUE(std::ranges::equal(resumed.observation(e), uninterrupted.observation(e)));
+    step(uninterrupted, t);
+    step(resumed, t);
+    for (std::size_t e = 0; e < actions.size(); ++e) {
+      ASSERT_EQ(resumed.reward(e), uninterrupted.reward(e));
+      ASSERT_EQ(resumed.ended(e).end, uninterrupted.ended(e).end);
+      ASSERT_EQ(resumed.ended(e).reward, uninterrupted.ended(e).reward);
+    }
+  }
 }
 
 }  // namespace

@@ -51,7 +51,10 @@ TEST(Fan, KnowsNothingBeyondItsLastRangeNorBesideWhatHasNoWater) {
   EXPECT_TRUE(std::isnan(loss_at(301.0, 0.0)));
   EXPECT_TRUE(std::isnan(loss_at(0.0, -150.0)));
   EXPECT_TRUE(std::isnan(loss_at(0.0, -200.0)));
-  EXPECT_NEAR(loss_at(0.0, -100.0), 40.0, 1e-6);  // on the last range before
+  EXPECT_TRUE(std::isnan(loss_at(0.0, -250.0)));                                     // behind it
+  EXPECT_TRUE(std::isnan(loss_at(200.0 * std::sin(0.5), -200.0 * std::cos(0.5))));   // clockwise of it
+  EXPECT_TRUE(std::isnan(loss_at(-200.0 * std::sin(0.5), -200.0 * std::cos(0.5))));  // and the other way
+  EXPECT_NEAR(loss_at(0.0, -100.0), 40.0, 1e-6);                                     // on the last range before
   EXPECT_TRUE(std::isnan(loss_at(std::nan(""), 0.0)));
 }
 

@@ -92,6 +92,15 @@ board::JournalOptions journal_options(const Options& o) {
           .existing = o.replace ? J::Existing::kReplace : (o.simulation ? J::Existing::kRefuse : J::Existing::kKeep)};
 }
 
+/// Beside the journal, under its name: what was decided can be explained only with the policy that decided it. A disk that does not take it
+/// is no reason to stay ashore.
+void keep_policy(const std::filesystem::path& policy, const std::filesystem::path& journal) {
+  const std::filesystem::path kept = std::filesystem::path(journal).replace_extension(".policy");
+  std::error_code error;
+  std::filesystem::copy_file(policy, kept, std::filesystem::copy_options::overwrite_existing, error);
+  if (error) std::cerr << "earshotd: " << kept.string() << ": the policy cannot be kept there: " << error.message() << "\n";
+}
+
 /// Exit status: 0 for a mission flown to its end or stopped by a person, 3 when the other side was lost.
 int report(const board::LoopResult& result, const board::VehicleBus& bus, const std::filesystem::path& journal) {
   const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
@@ -123,6 +132,7 @@ int fly(const Options& o) {
   const std::unique_ptr<board::VehicleBus> bus = board::open_vehicle_bus(file);
   std::filesystem::create_directories(o.out);
   board::Journal journal(o.out / "journal.lcmlog", journal_options(o));
+  keep_policy(file.policy, journal.path());
   board::MissionTurn turn(*runtime, *bus, journal);
 
   board::LoopResult result;

@@ -1,0 +1,100 @@
+// earshot-explain: what a policy does, and why it did it.
+
+#include <iostream>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "policy/apps/explain_map.hpp"
+#include "policy/apps/program.hpp"
+#include "policy/report/explanation.hpp"
+#include "policy/report/recorded_flight.hpp"
+#include "policy/report/sheet.hpp"
+
+namespace {
+
+using namespace earshot;
+using config_file::BadInput;
+
+struct DecisionOptions {
+  std::filesystem::path flight;
+  std::uint32_t step = 0;
+  std::optional<std::filesystem::path> policy;
+  std::optional<std::string> south_west;
+  std::string baseline = "centre";
+  std::filesystem::path output;
+};
+
+CLI::App& add_map(CLI::App& app, apps::ExplainMapOptions& o) {
+  CLI::App& map = *app.add_subcommand("map", "draws where a policy goes all over its area, beside what is heard there");
+  map.add_option("POLICY", o.policy, "frozen policy (.policy)")->required();
+  map.add_option(
+      "--source", o.source,
+      "NORTH_M,EAST_M of a source, from the south-west corner of the policy's area: the policy's choice after a first look at each place");
+  map.add_option("--flight", o.flight,
+                 "folder of a flight with this policy, instead of --source: its choice anywhere with what it believed at --step");
+  map.add_option("--step", o.step, "step of the flight")->capture_default_str();
+  CLI::Option* environment = map.add_option("--environment", o.environment,
+                                            "environment file (TOML): the ocean, instead of the one that a policy with a belief carries");
+  map.add_option("--world", o.world,
+                 "world of policy/worlds instead of an environment; its conditions are left out: what is heard is the mean")
+      ->excludes(environment);
+  map.add_option("--vehicle-depth-m", o.vehicle_depth_m, "depth of the vehicle in that ocean, metres")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  map.add_option("--arrows", o.arrows, "arrows along a side")->check(CLI::Range(1, 100))->capture_default_str();
+  map.add_option("-o,--output", o.output, "picture to write (.png or .svg)")->required();
+  return map;
+}
+
+CLI::App& add_decision(CLI::App& app, DecisionOptions& o) {
+  CLI::App& decision =
+      *app.add_subcommand("decision", "writes a sheet about one decision of a flight: heard, believed, chosen, expected, and why");
+  decision.add_option("FLIGHT", o.flight, "folder of a flight, or its journal (.lcmlog)")->required();
+  decision.add_option("--step", o.step, "which decision; the first is 0")->required();
+  decision.add_option("--policy", o.policy, "policy that flew; default: the .policy beside the journal");
+  decision.add_option("--south-west", o.south_west,
+                      "NORTH_M,EAST_M of the area's south-west corner; default: summary.json's, or 0,0 for a journal alone");
+  decision
+      .add_option("--baseline", o.baseline,
+                  "what the observation is compared with: a vehicle that has heard nothing, in the area's centre or here")
+      ->check(CLI::IsMember({"centre", "here"}))
+      ->capture_default_str();
+  decision.add_option("-o,--output", o.output, "sheet to write (.html, .md or .json)")->required();
+  return decision;
+}
+
+std::string in_format_of(const std::filesystem::path& output, const report::Sheet& sheet) {
+  if (output.extension() == ".html") return report::as_html(sheet);
+  return output.extension() == ".md" ? report::as_markdown(sheet) : report::as_json(sheet);
+}
+
+void write_sheet(const DecisionOptions& o) {
+  const std::string extension = o.output.extension().string();
+  if (extension != ".html" && extension != ".md" && extension != ".json")
+    throw BadInput("-o " + o.output.string() + ": must end in .html, .md or .json");
+  report::RecordingOptions recording{.policy = o.policy, .south_west = std::nullopt};
+  if (o.south_west) recording.south_west = apps::north_east_of("--south-west", *o.south_west);
+  const report::RecordedFlight flight = report::open_recording(o.flight, recording);
+  const report::Sheet sheet = report::make_sheet(flight, report::index_of_step(flight, o.step),
+                                                 o.baseline == "here" ? explain::Baseline::kHere : explain::Baseline::kCentre);
+  apps::write_whole(o.output, in_format_of(o.output, sheet));
+  for (const std::string& sentence : report::sentences(sheet.account)) std::cout << sentence << "\n";
+  std::cout << "Integrated gradients: " << report::completeness_in_words(sheet.account.attribution) << ".\n";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Draws what a policy does, and says of one recorded decision why it was taken.", "earshot explain");
+  app.footer(
+      "Examples:\n"
+      "  earshot explain map policy/frozen/fixed_source.policy --source 10000,10000 --environment sim/ocean/environments/munk_flat.toml -o "
+      "map.png\n"
+      "  earshot explain decision out --step 4 -o sheet.html");
+  app.require_subcommand(1);
+  apps::ExplainMapOptions map_options;
+  DecisionOptions decision_options;
+  const CLI::App& map = add_map(app, map_options);
+  (void)add_decision(app, decision_options);
+  return apps::run_program(app, argc, argv,
+                           [&] { map.parsed() ? apps::draw_explanation_map(map_options) : write_sheet(decision_options); });
+}

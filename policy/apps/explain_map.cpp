@@ -1,0 +1,104 @@
+#include "policy/apps/explain_map.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "policy/evaluate/policy_file.hpp"
+#include "policy/evaluate/world_file.hpp"
+#include "policy/explain/replay.hpp"
+#include "policy/report/action_map_plot.hpp"
+#include "policy/report/recorded_flight.hpp"
+#include "sim/ocean/environment_file.hpp"
+#include "sim/sonar/sonar_field.hpp"
+
+namespace earshot::apps {
+namespace {
+
+using config_file::BadInput;
+
+/// What the policy itself takes for granted, where nobody says otherwise.
+sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const ExplainMapOptions& options) {
+  if (!options.world && !options.environment) {
+    const policy::BeliefModel& model = policy.observation.belief;
+    if (!policy::needs_belief(policy.observation.spec))
+      throw BadInput("--environment: " + options.policy.string() + " holds no ocean of its own: name an environment file (TOML)");
+    return {model.range_step, std::vector<float>(model.snr_db.begin(), model.snr_db.end())};
+  }
+  const std::filesystem::path& file = options.world ? *options.world : *options.environment;
+  const ocean::Environment environment = options.world ? evaluate::load_world(file).environment : ocean::load_environment(file);
+  const Meters depth{options.vehicle_depth_m};
+  if (!(depth < environment.seabed.depth))
+    throw BadInput("--vehicle-depth-m: must be less than the depth of the sea floor in " + file.string());
+  try {
+    return sonar::compute_snr_curve(environment, depth, length_of(policy.area_size));
+  } catch (const std::invalid_argument& e) {
+    throw BadInput(file.string() + ": " + e.what());
+  }
+}
+
+std::string heard_in(const ExplainMapOptions& options) {
+  if (options.world) return "what is heard in " + options.world->filename().string();
+  if (options.environment) return "what is heard in " + options.environment->filename().string();
+  return "what is heard in the ocean that the policy takes for granted";
+}
+
+void draw_for_source(const policy::FrozenPolicy& policy, const ExplainMapOptions& options) {
+  const NorthEast source = north_east_of("--source", *options.source);
+  const sonar::SnrCurve curve = curve_of(policy, options);
+  const auto snr = [&](NorthEast place) { return curve.at(range_between(place, source)); };
+  const explain::ActionMap map =
+      explain::after_a_first_look(policy, options.arrows, [&](NorthEast place) { return policy::Heard{.snr = snr(place)}; });
+  report::draw_action_map(options.output, {.policy = policy,
+                                           .map = map,
+                                           .snr_db = [&](NorthEast place) { return snr(place).value; },
+                                           .source = source,
+                                           .heard = heard_in(options),
+                                           .what = "where it goes after a first look at each place"});
+}
+
+void draw_for_flight(const policy::FrozenPolicy& policy, const ExplainMapOptions& options) {
+  const report::RecordedFlight flight = report::open_recording(*options.flight, {.policy = options.policy});
+  if (!policy::needs_belief(policy.observation.spec))
+    throw BadInput("--flight: " + options.policy.string() + " holds no belief that could be followed along a flight");
+  const auto taken = std::span(flight.journal.decisions).first(report::index_of_step(flight, options.step) + 1);
+  const explain::ActionMap map =
+      explain::standing_elsewhere(policy, options.arrows, *explain::remembered_at(policy.observation, taken, flight.south_west));
+  const explain::DecisionAccount account = explain::account_of(flight.circumstances(explain::Baseline::kCentre), taken);
+  const sonar::SnrCurve curve = curve_of(policy, options);
+  const std::optional<NorthEast> source = flight.source ? std::optional(*flight.source - flight.south_west) : std::nullopt;
+  const NorthEast heard_from = source.value_or(account.place.likeliest);
+  report::draw_action_map(options.output, {.policy = policy,
+                                           .map = map,
+                                           .snr_db = [&](NorthEast place) { return curve.at(range_between(place, heard_from)).value; },
+                                           .source = source,
+                                           .heard = heard_in(options),
+                                           .what = "where it would go with what it believes at step " + std::to_string(options.step),
+                                           .belief = &account,
+                                           .track = taken});
+}
+
+}  // namespace
+
+NorthEast north_east_of(const std::string& option, const std::string& text) {
+  NorthEast place;
+  char rest = 0;
+  const bool is_read = std::sscanf(text.c_str(), "%lf,%lf%c", &place.north.value, &place.east.value, &rest) == 2;
+  if (!is_read || !std::isfinite(place.north.value) || !std::isfinite(place.east.value))
+    throw BadInput(option + " " + text + ": two numbers are needed, metres north and metres east, such as 10000,10000");
+  return place;
+}
+
+void draw_explanation_map(const ExplainMapOptions& options) {
+  const std::string extension = options.output.extension().string();
+  if (extension != ".png" && extension != ".svg") throw BadInput("-o " + options.output.string() + ": must end in .png or .svg");
+  const std::unique_ptr<policy::FrozenPolicy> policy = evaluate::load_policy(options.policy);
+  if (options.source.has_value() == options.flight.has_value())
+    throw BadInput("earshot explain map: one of --source NORTH_M,EAST_M and --flight DIR is needed");
+  if (options.source)
+    draw_for_source(*policy, options);
+  else
+    draw_for_flight(*policy, options);
+}
+
+}  // namespace earshot::apps

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "firmware/core/geometry.hpp"
+
+namespace earshot::apps {
+
+struct ExplainMapOptions {
+  std::filesystem::path policy;
+  std::optional<std::string> source;  ///< "NORTH_M,EAST_M" from the south-west corner of the policy's area
+  std::optional<std::filesystem::path> environment;
+  std::optional<std::filesystem::path> world;  ///< a world of policy/worlds, instead of an environment
+  double vehicle_depth_m = 300.0;
+  std::optional<std::filesystem::path> flight;
+  std::uint32_t step = 0;
+  std::size_t arrows = 25;  ///< along a side
+  std::filesystem::path output;
+};
+
+/// Draws what a policy would do all over its area. Throws config_file::BadInput.
+void draw_explanation_map(const ExplainMapOptions& options);
+
+/// Reads "NORTH_M,EAST_M". Throws config_file::BadInput naming the option when it is anything else.
+[[nodiscard]] NorthEast north_east_of(const std::string& option, const std::string& text);
+
+}  // namespace earshot::apps

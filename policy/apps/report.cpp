@@ -1,0 +1,31 @@
+// earshot-report: one page about one flight.
+
+#include <filesystem>
+
+#include "policy/apps/program.hpp"
+#include "policy/report/flight_files.hpp"
+#include "policy/report/page.hpp"
+#include "policy/report/plots.hpp"
+
+namespace {
+
+using namespace earshot;
+
+void write_report(const std::filesystem::path& folder) {
+  const report::Flight flight = report::read_flight(folder);
+  const report::Pictures pictures{.map = report::map_svg(flight), .history = report::history_svg(flight)};
+  apps::write_whole(folder / "report.html", report::page(flight, pictures, report::explain_flight(folder)));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "earshot report DIR reads the journal, the policy, track.csv, snr.csv and summary.json that a flight left in DIR and writes\n"
+      "DIR/report.html, a page that needs no other file.\n"
+      "Exit status: 0 written, 2 something of the flight cannot be read or the page cannot be made.",
+      "earshot report"};
+  std::filesystem::path folder;
+  app.add_option("DIR", folder, "folder of the flight")->required();
+  return apps::run_program(app, argc, argv, [&] { write_report(folder); });
+}

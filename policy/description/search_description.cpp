@@ -1,0 +1,48 @@
+#include "policy/description/search_description.hpp"
+
+#include "firmware/config_file/table_reader.hpp"
+#include "policy/description/search_json.hpp"
+
+namespace earshot::description {
+namespace {
+
+using config_file::BadInput;
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kFormat = "earshot search 1";
+
+void check_normalisation(const Json& json) {
+  if (!json.contains("normalisation")) throw BadInput("normalisation: missing; nothing says that the network saw the observation as it is");
+  if (json.at("normalisation") != "none")
+    throw BadInput("normalisation: only a policy that saw the observation as it is (none) can be frozen");
+}
+
+SearchDescription checked(const Json& json) {
+  if (json.value("format", "") != kFormat) throw BadInput("not an " + std::string(kFormat));
+  check_normalisation(json);
+  return read(json);
+}
+
+}  // namespace
+
+std::string to_text(const SearchDescription& description) {
+  Json json;
+  json["format"] = kFormat;
+  json["normalisation"] = "none";
+  write(description, json);
+  return json.dump();
+}
+
+SearchDescription from_text(std::string_view text) {
+  try {
+    return checked(Json::parse(text));
+  } catch (const BadInput& e) {
+    throw BadInput(std::string("search description: ") + e.what());
+  } catch (const Json::parse_error&) {
+    throw BadInput("search description: not JSON, or cut short");
+  } catch (const Json::exception& e) {
+    throw BadInput(std::string("search description: ") + e.what());
+  }
+}
+
+}  // namespace earshot::description

@@ -1,0 +1,123 @@
+#include "policy/description/search_json.hpp"
+
+#include <cmath>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/config_file/table_reader.hpp"
+#include "sim/search/settings.hpp"
+
+namespace earshot::description {
+namespace {
+
+using config_file::BadInput;
+using Json = nlohmann::ordered_json;
+
+policy::ObservationElement element_from(const Json& json) {
+  policy::ObservationElement element;
+  const auto feature = json.at("feature").get<std::int64_t>();
+  const auto age = json.at("age").get<std::int64_t>();
+  const bool known = feature >= 0 && feature <= 255 && policy::is_known(static_cast<policy::Feature>(feature));
+  if (!known || age < 0 || age > 255) throw BadInput("observation: unknown feature or age");
+  element.feature = static_cast<policy::Feature>(feature);
+  element.age = static_cast<std::uint8_t>(age);
+  element.offset = json.at("offset").get<float>();
+  element.scale = json.at("scale").get<float>();
+  return element;
+}
+
+template <class Vector, class Value>
+void append(Vector& vector, const Value& value) {
+  if (vector.push_back(value) != Status::kOk) throw BadInput("belief: too many hypotheses or ranges");
+}
+
+/// What is not among the description's own numbers.
+policy::BeliefModel belief_from(const Json& json) {
+  policy::BeliefModel model;
+  model.cells_north = json.at("cells_north").get<std::uint16_t>();
+  model.cells_east = json.at("cells_east").get<std::uint16_t>();
+  model.border_width = Meters{json.at("border_width_m").get<double>()};
+  model.outlier_share = json.at("outlier_share").get<float>();
+  model.silence_share = json.at("silence_share").get<float>();
+  model.forgotten_share = json.at("forgotten_share").get<float>();
+  for (const Json& h : json.at("hypotheses")) {
+    append(model.hypotheses, policy::BeliefHypothesis{.level_offset_db = h.at("level_offset_db").get<float>(),
+                                                      .spread_db = h.at("spread_db").get<float>(),
+                                                      .prior = h.at("prior").get<float>()});
+  }
+  model.range_step = Meters{json.at("range_step_m").get<double>()};
+  for (const Json& snr : json.at("snr_db")) append(model.snr_db, snr.get<float>());
+  return model;
+}
+
+Json belief_to(const policy::BeliefModel& model) {
+  Json json;
+  json["cells_north"] = model.cells_north;
+  json["cells_east"] = model.cells_east;
+  json["border_width_m"] = model.border_width.value;
+  json["outlier_share"] = model.outlier_share;
+  json["silence_share"] = model.silence_share;
+  json["forgotten_share"] = model.forgotten_share;
+  json["hypotheses"] = Json::array();
+  for (const policy::BeliefHypothesis& h : model.hypotheses) {
+    json["hypotheses"].push_back({{"level_offset_db", h.level_offset_db}, {"spread_db", h.spread_db}, {"prior", h.prior}});
+  }
+  json["range_step_m"] = model.range_step.value;
+  json["snr_db"] = model.snr_db.span();
+  return json;
+}
+
+/// Gives the belief the description's own numbers, and refuses one that cannot be.
+void complete_belief(SearchDescription& description) {
+  policy::BeliefModel& belief = description.observation.belief;
+  belief.area_size = description.area_size;
+  belief.step_length = description.step_length;
+  belief.detection_threshold = description.detection_threshold;
+  belief.actions = search::compass_directions(description.direction_count);
+  if (!policy::needs_belief(description.observation.spec)) return;
+  if (!policy::has_valid_shape(belief) || !policy::has_valid_numbers(belief)) throw BadInput("belief: a number is out of its range");
+}
+
+double length_from(const Json& json, const char* key) {
+  const double length = json.at(key).get<double>();
+  if (!(length > 0.0) || !std::isfinite(length)) throw BadInput(std::string(key) + ": must be above 0");
+  return length;
+}
+
+}  // namespace
+
+void write(const SearchDescription& description, Json& json) {
+  json["observation"] = Json::array();
+  for (const policy::ObservationElement& e : description.observation.spec) {
+    json["observation"].push_back({{"feature", static_cast<int>(e.feature)}, {"age", e.age}, {"offset", e.offset}, {"scale", e.scale}});
+  }
+  if (policy::needs_belief(description.observation.spec)) json["belief"] = belief_to(description.observation.belief);
+  json["direction_count"] = description.direction_count;
+  json["step_length_m"] = description.step_length.value;
+  json["area_north_m"] = description.area_size.north.value;
+  json["area_east_m"] = description.area_size.east.value;
+  json["detection_threshold_db"] = description.detection_threshold.value;
+  json["provenance"] = Json::object();
+  for (const auto& [name, value] : description.provenance) json["provenance"][name] = value;
+}
+
+SearchDescription read(const Json& json) {
+  SearchDescription description;
+  for (const Json& element : json.at("observation")) {
+    if (description.observation.spec.push_back(element_from(element)) != Status::kOk) throw BadInput("observation: too many elements");
+  }
+  if (json.contains("belief")) description.observation.belief = belief_from(json.at("belief"));
+  if (description.observation.spec.empty()) throw BadInput("observation: has no elements");
+  const auto directions = json.at("direction_count").get<std::int64_t>();
+  if (directions < 1 || directions > static_cast<std::int64_t>(config::kMaxActions)) {
+    throw BadInput("direction_count: must be 1 to " + std::to_string(config::kMaxActions));
+  }
+  description.direction_count = static_cast<std::size_t>(directions);
+  description.step_length = Meters{length_from(json, "step_length_m")};
+  description.area_size = {Meters{length_from(json, "area_north_m")}, Meters{length_from(json, "area_east_m")}};
+  description.detection_threshold = Decibels{json.at("detection_threshold_db").get<double>()};
+  for (const auto& [name, value] : json.at("provenance").items()) description.provenance.emplace_back(name, value.get<std::string>());
+  complete_belief(description);
+  return description;
+}
+
+}  // namespace earshot::description

@@ -1,0 +1,117 @@
+#include "policy/explain/decision_account.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <memory>
+
+#include "firmware/policy/action_draw.hpp"
+
+namespace earshot::explain {
+namespace {
+
+std::vector<ActionAccount> actions_of(const Circumstances& c, const RecordedDecision& decision, const policy::Belief& belief,
+                                      const BelievedPlace& place) {
+  std::vector<float> probabilities(decision.logits.size());
+  policy::softmax(decision.logits, probabilities);
+  std::vector<ActionAccount> actions;
+  for (std::size_t a = 0; a < probabilities.size(); ++a) {
+    const NorthEast end = decision.position + c.policy.step_length * c.policy.actions[a];
+    const policy::ActionOutlook& outlook = belief.outlook(a);
+    actions.push_back({.name = direction_name(c.policy.actions[a]),
+                       .probability = static_cast<double>(probabilities[a]),
+                       .end = end,
+                       .hear = expected_hearing(place, belief, c.belief, end - c.south_west),
+                       .detected = static_cast<double>(outlook.detected),
+                       .found = static_cast<double>(outlook.found),
+                       .approach = expected_approach(place, decision.position - c.south_west, end - c.south_west),
+                       .border = static_cast<double>(outlook.border)});
+  }
+  return actions;
+}
+
+std::vector<HypothesisAccount> hypotheses_of(const policy::Belief& belief, const policy::BeliefModel& model) {
+  std::vector<HypothesisAccount> hypotheses;
+  for (std::size_t h = 0; h < model.hypotheses.size(); ++h)
+    hypotheses.push_back({.hypothesis = model.hypotheses[h], .share = static_cast<double>(belief.probability_of_hypothesis(h))});
+  return hypotheses;
+}
+
+void attribute(const Circumstances& c, DecisionAccount& account) {
+  const RecordedDecision& decision = account.decision;
+  const NorthEast size = c.policy.area_size;
+  const NorthEast place = c.baseline == Baseline::kHere ? decision.position - c.south_west : NorthEast{size.north / 2.0, size.east / 2.0};
+  const std::vector<float> compared = uninformed_observation(c.policy.observation, place, c.policy.detection_threshold);
+  const std::vector<double> observation(decision.observation.begin(), decision.observation.end());
+  const std::vector<double> baseline(compared.begin(), compared.end());
+  account.attribution = integrated_gradients(c.policy.network, {.observation = observation, .baseline = baseline}, decision.action);
+  for (std::size_t i = 0; i < observation.size(); ++i) {
+    const policy::ObservationElement& element = c.policy.observation.spec[i];
+    account.observed.push_back({.subject = subject_of(element.feature),
+                                .name = name_of(element, c.belief, c.policy.actions),
+                                .value = value_of(element, decision.observation[i]),
+                                .baseline = value_of(element, compared[i]),
+                                .part = account.attribution.parts[i]});
+  }
+}
+
+DecisionAccount account_with(const Circumstances& c, const RecordedDecision& decision, const policy::Belief& belief) {
+  DecisionAccount account;
+  account.decision = decision;
+  account.detection_threshold = c.policy.detection_threshold;
+  account.area = {.south_west = c.south_west, .north_east = c.south_west + c.policy.area_size};
+  account.belief_is_the_policys = c.belief_is_the_policys;
+  account.place = believed_place(belief, c.belief);
+  account.hypotheses = hypotheses_of(belief, c.belief);
+  account.actions = actions_of(c, decision, belief, account.place);
+  account.likeliest_action =
+      static_cast<std::size_t>(std::ranges::max_element(account.actions, {}, &ActionAccount::probability) - account.actions.begin());
+  account.baseline = c.baseline;
+  attribute(c, account);
+  return account;
+}
+
+}  // namespace
+
+std::vector<DecisionAccount> accounts_of(const Circumstances& c, std::span<const RecordedDecision> decisions) {
+  const auto belief = std::make_unique<policy::Belief>();
+  belief->start(c.belief);
+  std::vector<DecisionAccount> accounts;
+  for (const RecordedDecision& decision : decisions) {
+    belief->update(c.belief, decision.position - c.south_west, decision.heard);
+    accounts.push_back(account_with(c, decision, *belief));
+  }
+  return accounts;
+}
+
+DecisionAccount account_of(const Circumstances& c, std::span<const RecordedDecision> decisions) {
+  assert(!decisions.empty());
+  const auto belief = std::make_unique<policy::Belief>();
+  belief->start(c.belief);
+  for (const RecordedDecision& decision : decisions) belief->update(c.belief, decision.position - c.south_west, decision.heard);
+  return account_with(c, decisions.back(), *belief);
+}
+
+std::vector<ObservedAccount> weightiest(const DecisionAccount& account, std::size_t count) {
+  std::vector<ObservedAccount> sorted = account.observed;
+  std::ranges::stable_sort(sorted, [](const ObservedAccount& a, const ObservedAccount& b) { return std::abs(a.part) > std::abs(b.part); });
+  sorted.resize(std::min(count, sorted.size()));
+  return sorted;
+}
+
+std::vector<SubjectAccount> by_subject(const DecisionAccount& account) {
+  std::vector<SubjectAccount> sums;
+  for (const Subject subject : {Subject::kPlace, Subject::kMoved, Subject::kHeard, Subject::kBelieved, Subject::kPromised}) {
+    bool is_seen = false;
+    double sum = 0.0;
+    for (const ObservedAccount& o : account.observed) {
+      if (o.subject != subject) continue;
+      is_seen = true;
+      sum += o.part;
+    }
+    if (is_seen) sums.push_back({subject, sum});
+  }
+  return sums;
+}
+
+}  // namespace earshot::explain

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "firmware/policy/frozen_policy.hpp"
+#include "policy/explain/baseline.hpp"
+#include "policy/explain/believed_place.hpp"
+#include "policy/explain/integrated_gradients.hpp"
+#include "policy/explain/recorded_decision.hpp"
+#include "policy/explain/wording.hpp"
+
+namespace earshot::explain {
+
+/// One thing the vehicle could have done.
+struct ActionAccount {
+  std::string name;  ///< of the direction
+  double probability = 0.0;
+  NorthEast end;          ///< of its step, in the mission's plane
+  ExpectedHearing hear;   ///< at its end
+  double detected = 0.0;  ///< probability of a detection at its end
+  double found = 0.0;     ///< probability that its end lies within a step length of the source
+  Meters approach;        ///< expected decrease of the distance to the source
+  double border = 0.0;    ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
+};
+
+/// One element of what the policy saw.
+struct ObservedAccount {
+  Subject subject = Subject::kPlace;
+  std::string name;
+  std::string value;
+  std::string baseline;
+  double part = 0.0;  ///< of the change of the taken action's log-probability, nats
+};
+
+struct HypothesisAccount {
+  policy::BeliefHypothesis hypothesis;
+  double share = 0.0;
+};
+
+/// Everything about one decision.
+struct DecisionAccount {
+  RecordedDecision decision;
+  Decibels detection_threshold;
+  Rectangle area;                     ///< in the mission's plane
+  bool belief_is_the_policys = true;  ///< false: an observer's; the policy has none
+  BelievedPlace place;
+  std::vector<HypothesisAccount> hypotheses;
+  std::vector<ActionAccount> actions;
+  std::size_t likeliest_action = 0;
+  Baseline baseline = Baseline::kCentre;
+  Attribution attribution;
+  std::vector<ObservedAccount> observed;  ///< in the order of the observation
+};
+
+/// What is needed beside the decisions themselves.
+struct Circumstances {
+  const policy::FrozenPolicy& policy;
+  const policy::BeliefModel& belief;
+  bool belief_is_the_policys = true;
+  NorthEast south_west;  ///< corner of the operating area
+  Baseline baseline = Baseline::kCentre;
+};
+
+/// Explains the last of these decisions.
+/// @param decisions  from step 0 on without a gap, at least one; replayed with remembered_at
+[[nodiscard]] DecisionAccount account_of(const Circumstances& circumstances, std::span<const RecordedDecision> decisions);
+
+/// Explains each of them: what the belief comes to is followed once.
+[[nodiscard]] std::vector<DecisionAccount> accounts_of(const Circumstances& circumstances, std::span<const RecordedDecision> decisions);
+
+/// The observed elements that moved the choice most, for or against, first.
+[[nodiscard]] std::vector<ObservedAccount> weightiest(const DecisionAccount& account, std::size_t count);
+
+/// What each subject moved the choice in all, in the order of Subject; subjects that the policy does not see are left out.
+struct SubjectAccount {
+  Subject subject;
+  double part;
+};
+[[nodiscard]] std::vector<SubjectAccount> by_subject(const DecisionAccount& account);
+
+}  // namespace earshot::explain

@@ -1,0 +1,48 @@
+#include "policy/explain/integrated_gradients.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+#include "policy/explain/network_gradient.hpp"
+
+namespace earshot::explain {
+namespace {
+
+std::vector<double> parts_with(const policy::Network& network, const Comparison& c, std::size_t action, std::size_t steps) {
+  const std::size_t size = c.observation.size();
+  std::vector<double> mean_gradient(size, 0.0);
+  std::vector<double> between(size);
+  for (std::size_t k = 0; k < steps; ++k) {
+    const double t = (static_cast<double>(k) + 0.5) / static_cast<double>(steps);
+    for (std::size_t i = 0; i < size; ++i) between[i] = c.baseline[i] + t * (c.observation[i] - c.baseline[i]);
+    const LogProbability there = log_probability(network, between, action);
+    for (std::size_t i = 0; i < size; ++i) mean_gradient[i] += there.gradient[i] / static_cast<double>(steps);
+  }
+  for (std::size_t i = 0; i < size; ++i) mean_gradient[i] *= c.observation[i] - c.baseline[i];
+  return mean_gradient;
+}
+
+}  // namespace
+
+double Attribution::sum() const {
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+bool Attribution::is_complete() const {
+  return std::abs(sum() - difference()) <= tolerance;
+}
+
+Attribution integrated_gradients(const policy::Network& network, const Comparison& comparison, std::size_t action, double tolerance) {
+  assert(comparison.observation.size() == network.observation_size && comparison.baseline.size() == network.observation_size);
+  Attribution result;
+  result.at_observation = log_probability(network, comparison.observation, action).value;
+  result.at_baseline = log_probability(network, comparison.baseline, action).value;
+  result.tolerance = tolerance;
+  for (result.steps = kFewestSteps;; result.steps *= 2) {
+    result.parts = parts_with(network, comparison, action, result.steps);
+    if (result.is_complete() || result.steps >= kMostSteps) return result;
+  }
+}
+
+}  // namespace earshot::explain

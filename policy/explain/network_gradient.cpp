@@ -1,0 +1,99 @@
+#include "policy/explain/network_gradient.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace earshot::explain {
+namespace {
+
+using Values = std::vector<double>;
+
+/// One dense layer as the network packs it: weights row-major [outputs x inputs].
+struct Dense {
+  std::span<const float> weights;
+  std::span<const float> bias;
+  std::size_t inputs;
+  std::size_t outputs;
+
+  [[nodiscard]] double weight(std::size_t output, std::size_t input) const { return static_cast<double>(weights[output * inputs + input]); }
+
+  [[nodiscard]] Values apply(std::span<const double> input) const {
+    Values output(outputs);
+    for (std::size_t i = 0; i < outputs; ++i) {
+      output[i] = static_cast<double>(bias[i]);
+      for (std::size_t j = 0; j < inputs; ++j) output[i] += weight(i, j) * input[j];
+    }
+    return output;
+  }
+
+  /// From the derivative by the outputs to the derivative by the inputs.
+  [[nodiscard]] Values transposed(std::span<const double> by_output) const {
+    Values by_input(inputs, 0.0);
+    for (std::size_t i = 0; i < outputs; ++i) {
+      for (std::size_t j = 0; j < inputs; ++j) by_input[j] += weight(i, j) * by_output[i];
+    }
+    return by_input;
+  }
+};
+
+template <class Layer>
+Dense dense(const Layer& layer, std::size_t inputs, std::size_t outputs) {
+  return {.weights = std::span(layer.weights).first(inputs * outputs),
+          .bias = std::span(layer.bias).first(outputs),
+          .inputs = inputs,
+          .outputs = outputs};
+}
+
+struct Layers {
+  Dense first;
+  Dense second;
+  Dense output;
+
+  explicit Layers(const policy::Network& n)
+      : first(dense(n.first, n.observation_size, n.hidden_sizes[0])),
+        second(dense(n.second, n.hidden_sizes[0], n.hidden_sizes[1])),
+        output(dense(n.output, n.hidden_sizes[1], n.action_count)) {}
+};
+
+Values apply_tanh(Values values) {
+  for (double& x : values) x = std::tanh(x);
+  return values;
+}
+
+/// derivative by what went into the tanh that gave `activation`
+Values before_tanh(Values by_activation, const Values& activation) {
+  for (std::size_t i = 0; i < activation.size(); ++i) by_activation[i] *= 1.0 - activation[i] * activation[i];
+  return by_activation;
+}
+
+double log_sum_exp(const Values& logits) {
+  const double top = *std::ranges::max_element(logits);
+  double sum = 0.0;
+  for (const double z : logits) sum += std::exp(z - top);
+  return top + std::log(sum);
+}
+
+}  // namespace
+
+std::vector<double> logits_of(const policy::Network& network, std::span<const double> observation) {
+  assert(observation.size() == network.observation_size);
+  const Layers layers(network);
+  return layers.output.apply(apply_tanh(layers.second.apply(apply_tanh(layers.first.apply(observation)))));
+}
+
+LogProbability log_probability(const policy::Network& network, std::span<const double> observation, std::size_t action) {
+  assert(observation.size() == network.observation_size && action < network.action_count);
+  const Layers layers(network);
+  const Values first = apply_tanh(layers.first.apply(observation));
+  const Values second = apply_tanh(layers.second.apply(first));
+  const Values logits = layers.output.apply(second);
+  const double log_sum = log_sum_exp(logits);
+  Values by_logit(logits.size());
+  for (std::size_t i = 0; i < logits.size(); ++i) by_logit[i] = (i == action ? 1.0 : 0.0) - std::exp(logits[i] - log_sum);
+  const Values by_second = before_tanh(layers.output.transposed(by_logit), second);
+  const Values by_first = before_tanh(layers.second.transposed(by_second), first);
+  return {.value = logits[action] - log_sum, .gradient = layers.first.transposed(by_first)};
+}
+
+}  // namespace earshot::explain

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "firmware/core/geometry.hpp"
+#include "firmware/policy/heard.hpp"
+
+namespace earshot::explain {
+
+/// One decision as the vehicle wrote it down.
+struct RecordedDecision {
+  std::uint32_t step = 0;  ///< 0 for the first action
+  double time_s = 0.0;
+  NorthEast position;  ///< in the mission's plane
+  policy::Heard heard;
+  bool detected = false;
+  std::size_t action = 0;
+  bool overridden = false;  ///< the safety layer changed the way-point
+  NorthEast waypoint;
+  std::vector<float> observation;
+  std::vector<float> logits;
+};
+
+}  // namespace earshot::explain

@@ -1,0 +1,29 @@
+#include "policy/explain/replay.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace earshot::explain {
+
+std::unique_ptr<policy::SearchMemory> remembered_at(const policy::ObservationModel& model, std::span<const RecordedDecision> decisions,
+                                                    NorthEast south_west) {
+  assert(!decisions.empty());
+  auto memory = std::make_unique<policy::SearchMemory>();
+  memory->start(model, decisions.front().position - south_west, decisions.front().heard);
+  for (const RecordedDecision& decision : decisions.subspan(1)) memory->remember(model, decision.position - south_west, decision.heard);
+  return memory;
+}
+
+Contradiction contradiction(const policy::FrozenPolicy& policy, const RecordedDecision& decision, const policy::SearchMemory& memory) {
+  if (decision.observation.size() != policy.observation.spec.size() || decision.logits.size() != policy.actions.size() ||
+      decision.action >= policy.actions.size())
+    return Contradiction::kSizes;
+  std::vector<float> again(decision.logits.size());
+  policy::forward(policy.network, decision.observation, again);
+  if (again != decision.logits) return Contradiction::kLogits;
+  again.resize(decision.observation.size());
+  policy::observe(memory, policy.observation, again);
+  return again == decision.observation ? Contradiction::kNone : Contradiction::kObservation;
+}
+
+}  // namespace earshot::explain

@@ -1,0 +1,173 @@
+#include "policy/explain/wording.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace earshot::explain {
+namespace {
+
+using policy::Feature;
+
+enum class Unit : std::uint8_t { kMeters, kDecibels, kShare, kCount };
+
+Unit unit_of(Feature feature) {
+  switch (feature) {
+    case Feature::kStepSnr:
+      return Unit::kDecibels;
+    case Feature::kLikeliestShare:
+    case Feature::kHypothesis:
+    case Feature::kFound:
+    case Feature::kDetected:
+      return Unit::kShare;
+    case Feature::kEffectiveCells:
+    case Feature::kBorder:
+    case Feature::kRegret:
+    case Feature::kPreference:
+      return Unit::kCount;
+    default:
+      return Unit::kMeters;
+  }
+}
+
+std::string steps_ago(unsigned age) {
+  if (age == 0) return "over the last step";
+  return age == 1 ? "over the step before" : std::to_string(age) + " steps earlier";
+}
+
+std::string heard_when(unsigned age) {
+  if (age == 0) return "SNR heard now";
+  return age == 1 ? "SNR heard one step ago" : "SNR heard " + std::to_string(age) + " steps ago";
+}
+
+std::string hypothesis_name(std::size_t index, const policy::BeliefModel& model) {
+  if (index >= model.hypotheses.size()) return "chance of hypothesis " + std::to_string(index);
+  const policy::BeliefHypothesis& h = model.hypotheses[index];
+  const double offset = static_cast<double>(h.level_offset_db);
+  return "chance that the source is " + (offset == 0.0 ? "as loud as modelled" : (offset > 0 ? "+" : "") + fixed(offset, 0) + " dB") +
+         ", heard to within " + fixed(static_cast<double>(h.spread_db), 0) + " dB";
+}
+
+}  // namespace
+
+Subject subject_of(Feature feature) {
+  switch (feature) {
+    case Feature::kStepEast:
+    case Feature::kStepNorth:
+      return Subject::kMoved;
+    case Feature::kStepSnr:
+      return Subject::kHeard;
+    case Feature::kFound:
+    case Feature::kDetected:
+    case Feature::kReach:
+    case Feature::kBorder:
+    case Feature::kRegret:
+    case Feature::kPreference:
+      return Subject::kPromised;
+    default:
+      return policy::needs_belief(feature) ? Subject::kBelieved : Subject::kPlace;
+  }
+}
+
+std::string_view in_words(Subject subject) {
+  constexpr std::array<std::string_view, 5> kWords{"where the vehicle is", "how it moved", "what it heard",
+                                                   "where the source is believed to be", "what each direction promises"};
+  return kWords[static_cast<std::size_t>(subject)];
+}
+
+std::string direction_name(const UnitNorthEast& direction) {
+  constexpr std::array<std::string_view, 16> kPoints{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
+                                                     "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
+  const double degrees = std::fmod(std::atan2(direction.east, direction.north) * 180.0 / std::numbers::pi + 360.0, 360.0);
+  const double point = degrees / 22.5;
+  const double nearest = std::round(point);
+  if (std::abs(point - nearest) < 1e-6) return std::string(kPoints[static_cast<std::size_t>(nearest) % kPoints.size()]);
+  std::array<char, 16> text{};
+  (void)std::snprintf(text.data(), text.size(), "%03.0f\u00B0", degrees);
+  return text.data();
+}
+
+std::string name_of(const policy::ObservationElement& element, const policy::BeliefModel& model,
+                    const FixedVector<UnitNorthEast, config::kMaxActions>& actions) {
+  const auto going = [&](const char* what) {
+    return std::string(what) + " " + (element.age < actions.size() ? direction_name(actions[element.age]) : std::to_string(element.age));
+  };
+  switch (element.feature) {
+    case Feature::kEast:
+      return "vehicle east of the west edge";
+    case Feature::kNorth:
+      return "vehicle north of the south edge";
+    case Feature::kStepEast:
+      return "went east " + steps_ago(element.age);
+    case Feature::kStepNorth:
+      return "went north " + steps_ago(element.age);
+    case Feature::kStepSnr:
+      return heard_when(element.age);
+    case Feature::kToSouthEdge:
+      return "distance to the south edge";
+    case Feature::kToNorthEdge:
+      return "distance to the north edge";
+    case Feature::kToWestEdge:
+      return "distance to the west edge";
+    case Feature::kToEastEdge:
+      return "distance to the east edge";
+    case Feature::kLikeliestEast:
+      return "likeliest place, east of the vehicle";
+    case Feature::kLikeliestNorth:
+      return "likeliest place, north of the vehicle";
+    case Feature::kMeanEast:
+      return "mean place, east of the vehicle";
+    case Feature::kMeanNorth:
+      return "mean place, north of the vehicle";
+    case Feature::kSpread:
+      return "spread of the believed place";
+    case Feature::kLikeliestShare:
+      return "chance of the likeliest place";
+    case Feature::kEffectiveCells:
+      return "cells that the belief is spread over";
+    case Feature::kHypothesis:
+      return hypothesis_name(element.age, model);
+    case Feature::kFound:
+      return going("chance of finding the source by going");
+    case Feature::kDetected:
+      return going("chance of hearing it by going");
+    case Feature::kReach:
+      return going("chance of finding it within a few steps, first going");
+    case Feature::kBorder:
+      return going("depth in the border by going");
+    case Feature::kRegret:
+      return going("expected extra cost of the search by going");
+    case Feature::kPreference:
+      return going("worth (1 the best, 0 the worst) of going");
+    default:
+      break;
+  }
+  return "feature " + std::to_string(static_cast<int>(element.feature));
+}
+
+std::string value_of(const policy::ObservationElement& element, float value) {
+  const double scale = static_cast<double>(element.scale);
+  if (scale == 0.0) return "-";
+  const double raw = static_cast<double>(value) / scale + static_cast<double>(element.offset);
+  switch (unit_of(element.feature)) {
+    case Unit::kMeters:
+      return fixed(raw / 1e3, 2) + " km";
+    case Unit::kDecibels:
+      return fixed(raw, 1) + " dB";
+    case Unit::kShare:
+      return fixed(100.0 * raw, 1) + " %";
+    case Unit::kCount:
+      return fixed(raw, 2);
+  }
+  return fixed(raw, 2);
+}
+
+std::string fixed(double x, int digits) {
+  std::array<char, 64> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.*f", digits, x);
+  const std::string written = text.data();
+  return written.find_first_not_of("-0.") == std::string::npos && written.front() == '-' ? written.substr(1) : written;
+}
+
+}  // namespace earshot::explain

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "firmware/core/geometry.hpp"
+#include "firmware/policy/belief.hpp"
+#include "firmware/policy/observation.hpp"
+
+namespace earshot::explain {
+
+/// What an element of an observation is about; the order of a sheet.
+enum class Subject : std::uint8_t {
+  kPlace,     ///< where the vehicle is
+  kMoved,     ///< how it moved
+  kHeard,     ///< what it heard
+  kBelieved,  ///< where the source is believed to be
+  kPromised,  ///< what each direction promises
+};
+
+[[nodiscard]] Subject subject_of(policy::Feature feature);
+[[nodiscard]] std::string_view in_words(Subject subject);
+
+/// "N", "NE", "NNE" where a direction is one of the sixteen points of the compass; otherwise degrees, "014°".
+[[nodiscard]] std::string direction_name(const UnitNorthEast& direction);
+
+/// "chance of finding the source by going NE"
+[[nodiscard]] std::string name_of(const policy::ObservationElement& element, const policy::BeliefModel& model,
+                                  const FixedVector<UnitNorthEast, config::kMaxActions>& actions);
+
+/// The raw value of an element of an observation with its unit, "3.2 km" or "12 %".
+[[nodiscard]] std::string value_of(const policy::ObservationElement& element, float value);
+
+/// printf's "%.*f", without a minus sign in front of zero
+[[nodiscard]] std::string fixed(double x, int digits);
+
+}  // namespace earshot::explain

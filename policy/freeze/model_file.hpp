@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "policy/freeze/trained_actor.hpp"
+
+namespace earshot::freeze {
+
+/// Whether the bytes of a file are a model trained elsewhere (a zip archive, or a file called .onnx) rather than a checkpoint.
+[[nodiscard]] bool is_foreign_model(std::string_view bytes, const std::string& file);
+
+/// Reads a zip of Stable-Baselines3, or else an ONNX model. Throws config_file::BadInput, one line that begins with `file`, whatever the
+/// bytes are. Oracle: ModelFuzz.*
+[[nodiscard]] TrainedActor read_model(std::string_view bytes, const std::string& file);
+
+/// One line of printable characters, cut at a few hundred: what is told of bytes that may hold anything.
+[[nodiscard]] std::string printable(std::string_view text);
+
+}  // namespace earshot::freeze

@@ -1,0 +1,328 @@
+#include "policy/freeze/onnx_model.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "policy/freeze/protobuf.hpp"
+
+// Field numbers are those of onnx.proto3 (ONNX 1.16), the schema of every version up to it.
+
+namespace earshot::freeze {
+namespace {
+
+using config_file::BadInput;
+using Wire = ProtobufReader::Wire;
+using Field = ProtobufReader::Field;
+
+constexpr std::uint64_t kFloat = 1;  // TensorProto.FLOAT
+constexpr std::size_t kMaxSide = 1U << 16U;
+constexpr std::size_t kMaxNodes = 64;  ///< operators of a graph; the networks that fly have six
+
+std::string text_of(const Field& field) {
+  if (field.wire != Wire::kBytes) throw BadInput("protobuf: a text that is a number");
+  return std::string(field.bytes);
+}
+
+struct Tensor {
+  std::string name;
+  std::vector<std::size_t> shape;
+  std::vector<float> values;  // row-major
+};
+
+void append_floats(std::string_view bytes, std::vector<float>& values) {
+  static_assert(std::endian::native == std::endian::little);
+  if (bytes.size() % sizeof(float) != 0) throw BadInput("half a number at the end of its data");
+  const std::size_t before = values.size();
+  values.resize(before + bytes.size() / sizeof(float));
+  if (!bytes.empty()) std::memcpy(values.data() + before, bytes.data(), bytes.size());
+}
+
+void read_dims(const Field& field, std::vector<std::size_t>& shape) {
+  if (field.wire == Wire::kVarint) return shape.push_back(field.value);
+  for (ProtobufReader packed(field.bytes); !packed.at_end();) shape.push_back(packed.varint());
+}
+
+void check_size(const Tensor& tensor) {
+  std::size_t size = 1;
+  for (const std::size_t side : tensor.shape) {
+    if (side == 0 || side > kMaxSide || size > kMaxSide * kMaxSide) throw BadInput("of a size that cannot be");
+    size *= side;
+  }
+  if (tensor.values.size() != size) throw BadInput("not as many numbers as its shape says");
+}
+
+Tensor read_tensor(std::string_view bytes) {
+  Tensor tensor;
+  std::uint64_t type = 0;
+  ProtobufReader reader(bytes);
+  try {
+    while (const auto field = reader.next()) {
+      switch (field->number) {
+        case 1:
+          read_dims(*field, tensor.shape);
+          break;
+        case 2:
+          type = field->value;
+          break;
+        case 4:  // float_data
+        case 9:  // raw_data
+          append_floats(field->bytes, tensor.values);
+          break;
+        case 8:
+          tensor.name = text_of(*field);
+          break;
+        case 12:  // doc_string
+          break;
+        case 14:  // data_location
+          if (field->value == 0) break;
+          [[fallthrough]];
+        default:
+          throw BadInput("field " + std::to_string(field->number) + " is not one that plain float32 weights in the file need");
+      }
+    }
+    if (type != kFloat) throw BadInput("not float32");
+    check_size(tensor);
+  } catch (const BadInput& e) {
+    throw BadInput("initializer " + tensor.name + ": " + e.what());
+  }
+  return tensor;
+}
+
+struct Attribute {
+  std::string name;
+  float real = 0.0F;
+  std::int64_t integer = 0;
+};
+
+Attribute read_attribute(std::string_view bytes) {
+  Attribute attribute;
+  ProtobufReader reader(bytes);
+  while (const auto field = reader.next()) {
+    if (field->number == 1) attribute.name = text_of(*field);
+    if (field->number == 2) attribute.real = std::bit_cast<float>(static_cast<std::uint32_t>(field->value));
+    if (field->number == 3) attribute.integer = static_cast<std::int64_t>(field->value);
+  }
+  return attribute;
+}
+
+struct Node {
+  std::string operation;
+  std::vector<std::string> inputs;
+  std::vector<std::string> outputs;
+  std::vector<Attribute> attributes;
+};
+
+Node read_node(std::string_view bytes) {
+  Node node;
+  ProtobufReader reader(bytes);
+  while (const auto field = reader.next()) {
+    if (field->number == 1) node.inputs.push_back(text_of(*field));
+    if (field->number == 2) node.outputs.push_back(text_of(*field));
+    if (field->number == 4) node.operation = text_of(*field);
+    if (field->number == 5) node.attributes.push_back(read_attribute(field->bytes));
+    if (field->number == 7 && !field->bytes.empty() && field->bytes != "ai.onnx") {
+      throw BadInput("operator domain " + text_of(*field) + " is unknown");
+    }
+  }
+  static const std::set<std::string> kKnown = {"Gemm", "MatMul", "Add", "Tanh", "Flatten", "Identity"};
+  if (!kKnown.contains(node.operation)) {
+    throw BadInput("operator " + node.operation + " is unknown; Gemm, MatMul, Add and Tanh fly");
+  }
+  if (node.outputs.size() != 1) throw BadInput("operator " + node.operation + " without its one output");
+  return node;
+}
+
+std::string name_of_value(std::string_view bytes) {
+  std::string name;
+  ProtobufReader reader(bytes);
+  while (const auto field = reader.next()) {
+    if (field->number == 1) name = text_of(*field);
+  }
+  return name;
+}
+
+struct Graph {
+  std::vector<Node> nodes;
+  std::map<std::string, Tensor> initializers;
+  std::vector<std::string> inputs;
+  std::vector<std::string> outputs;
+};
+
+Graph read_graph(std::string_view bytes) {
+  Graph graph;
+  ProtobufReader reader(bytes);
+  while (const auto field = reader.next()) {
+    switch (field->number) {
+      case 1:
+        if (graph.nodes.size() == kMaxNodes) throw BadInput("graph: more operators than any policy that flies");
+        graph.nodes.push_back(read_node(field->bytes));
+        break;
+      case 5: {
+        Tensor tensor = read_tensor(field->bytes);
+        const std::string name = tensor.name;
+        if (!graph.initializers.emplace(name, std::move(tensor)).second) throw BadInput("initializer " + name + ": given twice");
+        break;
+      }
+      case 11:
+        graph.inputs.push_back(name_of_value(field->bytes));
+        break;
+      case 12:
+        graph.outputs.push_back(name_of_value(field->bytes));
+        break;
+      case 2:   // name
+      case 10:  // doc_string
+      case 13:  // value_info
+      case 16:  // metadata_props
+        break;
+      default:
+        throw BadInput("graph: field " + std::to_string(field->number) + " is not one that a plain network needs");
+    }
+  }
+  std::erase_if(graph.inputs, [&graph](const std::string& name) { return graph.initializers.contains(name); });
+  if (graph.inputs.size() != 1 || graph.outputs.size() != 1) throw BadInput("graph: not one input (observation) and one output (logits)");
+  return graph;
+}
+
+/// The nodes in the order in which they work on the observation.
+std::vector<const Node*> chain_of(const Graph& graph) {
+  std::vector<const Node*> chain;
+  std::string current = graph.inputs[0];
+  while (current != graph.outputs[0] && chain.size() < graph.nodes.size()) {
+    const Node* next = nullptr;
+    for (const Node& node : graph.nodes) {
+      if (std::ranges::find(node.inputs, current) == node.inputs.end()) continue;
+      if (next != nullptr) throw BadInput("graph: " + current + " goes more than one way");
+      next = &node;
+    }
+    if (next == nullptr) throw BadInput("graph: " + current + " goes nowhere");
+    chain.push_back(next);
+    current = next->outputs[0];
+  }
+  if (current != graph.outputs[0] || chain.size() != graph.nodes.size()) throw BadInput("graph: not one chain from input to output");
+  return chain;
+}
+
+const Tensor& initializer(const Graph& graph, const Node& node, std::size_t input, std::size_t dimensions) {
+  const auto found = input < node.inputs.size() ? graph.initializers.find(node.inputs[input]) : graph.initializers.end();
+  if (found == graph.initializers.end()) throw BadInput("operator " + node.operation + ": its weights are not in the file");
+  if (found->second.shape.size() != dimensions) throw BadInput("operator " + node.operation + ": weights of another shape");
+  return found->second;
+}
+
+/// @param transposed  the tensor is [outputs x inputs]; else it is [inputs x outputs]
+DenseLayer layer_from(const Tensor& weights, bool transposed) {
+  DenseLayer layer;
+  layer.outputs = weights.shape[transposed ? 0 : 1];
+  layer.inputs = weights.shape[transposed ? 1 : 0];
+  layer.weights.resize(weights.values.size());
+  for (std::size_t o = 0; o < layer.outputs; ++o) {
+    for (std::size_t i = 0; i < layer.inputs; ++i) {
+      layer.weights[o * layer.inputs + i] = weights.values[transposed ? o * layer.inputs + i : i * layer.outputs + o];
+    }
+  }
+  return layer;
+}
+
+DenseLayer gemm(const Graph& graph, const Node& node) {
+  bool transposed = false;
+  for (const Attribute& attribute : node.attributes) {
+    const bool one = (attribute.name == "alpha" || attribute.name == "beta") && attribute.real == 1.0F;
+    const bool plain = attribute.name == "transA" && attribute.integer == 0;
+    const bool turned = attribute.name == "transB" && (attribute.integer == 0 || attribute.integer == 1);
+    if (!one && !plain && !turned) throw BadInput("operator Gemm: attribute " + attribute.name + " is not as a dense layer has it");
+    if (turned) transposed = attribute.integer == 1;
+  }
+  if (node.inputs.size() != 3) throw BadInput("operator Gemm: without a bias");
+  DenseLayer layer = layer_from(initializer(graph, node, 1, 2), transposed);
+  layer.bias = initializer(graph, node, 2, 1).values;
+  return layer;
+}
+
+DenseLayer matmul(const Graph& graph, const Node& node) {
+  if (node.inputs.size() != 2 || !node.attributes.empty()) throw BadInput("operator MatMul: not as a dense layer has it");
+  return layer_from(initializer(graph, node, 1, 2), false);
+}
+
+/// Addition commutes: the bias is whichever input is in the file.
+std::vector<float> added(const Graph& graph, const Node& node) {
+  if (node.inputs.size() != 2 || !node.attributes.empty()) throw BadInput("operator Add: not as a dense layer has it");
+  return initializer(graph, node, graph.initializers.contains(node.inputs[0]) ? 0 : 1, 1).values;
+}
+
+/// Changes nothing for observations [batch x size].
+bool is_without_effect(const Node& node) {
+  if (node.inputs.size() != 1) return false;
+  if (node.operation == "Identity") return node.attributes.empty();
+  return node.operation == "Flatten" &&
+         std::ranges::all_of(node.attributes, [](const Attribute& a) { return a.name == "axis" && a.integer == 1; });
+}
+
+TrainedActor actor_from(const Graph& graph) {
+  enum class Expect : std::uint8_t { kLayer, kBias, kTanh } expect = Expect::kLayer;
+  TrainedActor actor;
+  for (const Node* node : chain_of(graph)) {
+    const std::string& operation = node->operation;
+    if (actor.layers.empty() && is_without_effect(*node)) continue;
+    if (expect == Expect::kLayer && operation == "Gemm") {
+      actor.layers.push_back(gemm(graph, *node));
+      expect = Expect::kTanh;
+    } else if (expect == Expect::kLayer && operation == "MatMul") {
+      actor.layers.push_back(matmul(graph, *node));
+      expect = Expect::kBias;
+    } else if (expect == Expect::kBias && operation == "Add") {
+      actor.layers.back().bias = added(graph, *node);
+      expect = Expect::kTanh;
+    } else if (expect == Expect::kTanh && operation == "Tanh" && node->inputs.size() == 1) {
+      expect = Expect::kLayer;
+    } else {
+      throw BadInput("graph: operator " + operation + " where a network of dense layers with tanh between has none");
+    }
+  }
+  if (expect != Expect::kTanh) throw BadInput("graph: does not end with a dense layer");
+  for (const DenseLayer& layer : actor.layers) {
+    if (layer.bias.size() != layer.outputs) throw BadInput("graph: a bias that does not fit its weights");
+  }
+  check_chain(actor);
+  return actor;
+}
+
+/// Whether one of the model's metadata_props is ours; then `search` holds it.
+void read_metadata(std::string_view bytes, std::optional<std::string>& search) {
+  std::string key;
+  std::string value;
+  ProtobufReader reader(bytes);
+  while (const auto field = reader.next()) {
+    if (field->number == 1) key = text_of(*field);
+    if (field->number == 2) value = text_of(*field);
+  }
+  if (key != kSearchMetadata) return;
+  if (search) throw BadInput("metadata: " + key + " given twice");
+  search = value;
+}
+
+}  // namespace
+
+TrainedActor read_onnx_model(std::string_view bytes) {
+  std::optional<TrainedActor> actor;
+  std::optional<std::string> search;
+  ProtobufReader reader(bytes);
+  while (const auto field = reader.next()) {
+    if (field->number == 7) {
+      if (actor) throw BadInput("more than one graph");
+      actor = actor_from(read_graph(field->bytes));
+    } else if (field->number == 14) {
+      read_metadata(field->bytes, search);
+    } else if (field->number == 25) {
+      throw BadInput("operators of its own (functions) are not known");
+    }
+  }
+  if (!actor) throw BadInput("not an ONNX model, or cut short");
+  actor->search = search;
+  return *actor;
+}
+
+}  // namespace earshot::freeze

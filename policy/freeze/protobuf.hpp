@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace earshot::freeze {
+
+/// Walks the fields of one protobuf message in its wire format. Throws config_file::BadInput for bytes that are none.
+/// Source: protobuf.dev, "Encoding". Groups, which no current schema uses, are refused.
+class ProtobufReader {
+ public:
+  enum class Wire : std::uint8_t { kVarint = 0, kFixed64 = 1, kBytes = 2, kFixed32 = 5 };
+  struct Field {
+    std::uint32_t number = 0;
+    Wire wire = Wire::kVarint;
+    std::uint64_t value = 0;  ///< of kVarint, kFixed64, kFixed32
+    std::string_view bytes;   ///< of kBytes; of kFixed32 and kFixed64 as they stand
+  };
+
+  explicit ProtobufReader(std::string_view message) : rest_(message) {}
+  /// Nothing at the end.
+  [[nodiscard]] std::optional<Field> next();
+  [[nodiscard]] bool at_end() const { return rest_.empty(); }
+  [[nodiscard]] std::uint64_t varint();
+
+ private:
+  std::string_view take(std::uint64_t size);
+  std::string_view rest_;
+};
+
+}  // namespace earshot::freeze

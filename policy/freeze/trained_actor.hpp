@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace earshot::freeze {
+
+/// output = weights * input + bias.
+struct DenseLayer {
+  std::size_t inputs = 0;
+  std::size_t outputs = 0;
+  std::vector<float> weights;  ///< row-major [outputs x inputs]
+  std::vector<float> bias;     ///< [outputs]
+};
+
+/// The actor of a policy that was trained elsewhere: dense layers with a tanh after each but the last, which gives the logits.
+struct TrainedActor {
+  std::vector<DenseLayer> layers;
+  std::optional<std::string> search;  ///< text of the search description that the file carries (policy/description)
+};
+
+/// Throws config_file::BadInput unless each layer's inputs are the outputs of the one before.
+void check_chain(const TrainedActor& actor);
+
+}  // namespace earshot::freeze

@@ -1,0 +1,88 @@
+"""The search in C++. Positions are (north, east), metres from the south-west corner of the search domain."""
+
+import os
+from typing import Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+Place = tuple[float, float]
+
+class BadInput(ValueError):
+    """An argument or a file is not as it must be; the message names it and says what is allowed."""
+
+class World:
+    """A search with its ocean solved. Takes a second or so to make; any number of episodes may share it."""
+
+    def __init__(
+        self,
+        *,
+        environment: os.PathLike[str] | str,
+        state: str,
+        remembered_steps: int,
+        source: str,
+        start: str,
+        directions: int,
+        vehicle_depth_m: float,
+        border_width_m: float,
+        max_steps: int,
+    ) -> None: ...
+    @property
+    def observation_size(self) -> int: ...
+    @property
+    def action_count(self) -> int: ...
+    @property
+    def max_steps(self) -> int: ...
+    @property
+    def detection_threshold_db(self) -> float: ...
+    @property
+    def area_m(self) -> Place:
+        """Size of the search domain, north and east."""
+    @property
+    def description(self) -> str:
+        """What `earshot freeze` must know of a policy trained here, one line of JSON."""
+    def snr_db(self, range_m: NDArray[np.float64]) -> NDArray[np.float64]:
+        """SNR in dB at horizontal ranges in metres, same shape."""
+
+class Episodes:
+    """`count` searches in one world, each with random numbers of its own. Raises RuntimeError when stepped before started or after the end."""
+
+    def __init__(self, world: World, count: int) -> None: ...
+    def start(self, index: int, seed: Optional[int] = None) -> None:
+        """Draws the next search of one episode; a seed restarts its random numbers first."""
+    def start_at(self, index: int, position_m: Place, source_m: Place) -> None:
+        """Starts one episode at a given place."""
+    def observations(self) -> NDArray[np.float32]:
+        """[count x observation_size]"""
+    def step_one(self, action: int) -> tuple[NDArray[np.float32], float, bool, bool]:
+        """Steps episode 0: observation [observation_size], reward, terminated, truncated."""
+    def step(
+        self, actions: NDArray[np.int64]
+    ) -> tuple[
+        NDArray[np.float32],
+        NDArray[np.float64],
+        NDArray[np.bool_],
+        NDArray[np.bool_],
+        list[tuple[int, NDArray[np.float32], dict[str, float]]],
+    ]:
+        """Steps all episodes with actions [count]; one that ends starts anew at once.
+
+        Returns observations [count x observation_size] to act upon next, rewards [count], terminated [count], truncated [count], and for each
+        episode that ended (index, last observation [observation_size], record)."""
+    def position_m(self, index: int) -> Place: ...
+    def source_m(self, index: int) -> Place: ...
+    def snr_db(self, index: int) -> float:
+        """As heard; where it was too faint to measure, the least that could have been."""
+    def is_measured(self, index: int) -> bool: ...
+    def record(self, index: int) -> dict[str, float]:
+        """reward (sum so far), steps, detections (steps with SNR at or over the threshold), found"""
+
+class FrozenPolicy:
+    """A `.policy` file, run with the arithmetic that flies. The signature is not checked. Raises BadInput for a damaged file."""
+
+    def __init__(self, file: os.PathLike[str] | str) -> None: ...
+    def logits(self, observations: NDArray[np.float32]) -> NDArray[np.float32]:
+        """[count x observation_size] -> [count x action_count]"""
+    @property
+    def provenance(self) -> str:
+        """Lines "name = value"."""

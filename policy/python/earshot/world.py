@@ -1,0 +1,76 @@
+"""The choices that make a search, shared by the single and the vector environment."""
+
+from __future__ import annotations
+
+import functools
+import os
+from pathlib import Path
+from typing import TypedDict, Union
+
+from earshot._core import World as SearchWorld
+
+__all__ = ["PAPER_ENVIRONMENT", "SearchWorld", "WorldOptions", "make_world"]
+
+PAPER_ENVIRONMENT = Path(__file__).parent / "environments" / "munk_flat.toml"
+
+
+class WorldOptions(TypedDict, total=False):
+    """Keyword arguments of `make_world`, and of the environments, which pass them on."""
+
+    environment: Union[str, os.PathLike[str]]
+    state: str
+    remembered_steps: int
+    source: str
+    start: str
+    directions: int
+    vehicle_depth_m: float
+    border_width_m: float
+    max_steps: int
+
+
+def make_world(
+    *,
+    environment: Union[str, os.PathLike[str]] = PAPER_ENVIRONMENT,
+    state: str = "simple",
+    remembered_steps: int = 2,
+    source: str = "fixed",
+    start: str = "domain",
+    directions: int = 8,
+    vehicle_depth_m: float = 300.0,
+    border_width_m: float = 1_000.0,
+    max_steps: int = 100,
+) -> SearchWorld:
+    """A search with its ocean solved; the same choices give the same object, so that many environments solve it once.
+
+    environment       TOML file: ocean, source, noise, and the conditions of the search (fluctuation, drift, pauses, ...)
+    state             "simple": (x, y); "memory": (dx, dy, SNR) of each of the last `remembered_steps` steps;
+                      "belief": distances to the edges, where the source may be, and what each action promises
+    source            "fixed" where the environment puts it, or "changing": uniform in the domain anew every episode
+    start             vehicle starts uniformly in the "domain", or "inside_border", where the border costs nothing
+    directions        actions: compass directions, clockwise, 0 is north; 1 to 32
+    vehicle_depth_m   positive down
+    border_width_m    b of the border in which the reward falls to -100
+    max_steps         N, after which an episode is truncated
+
+    Raises FileNotFoundError, or BadInput (a ValueError) that names what is wrong and what is allowed.
+    """
+    file = Path(environment).resolve()
+    if not file.is_file():
+        raise FileNotFoundError(f"environment: no such file: {file}")
+    changed = (file.stat().st_mtime_ns, file.stat().st_size)
+    return _solved(file, changed, state, remembered_steps, source, start, directions, vehicle_depth_m, border_width_m, max_steps)
+
+
+@functools.lru_cache(maxsize=16)
+def _solved(file, changed, state, remembered_steps, source, start, directions, vehicle_depth_m, border_width_m, max_steps) -> SearchWorld:
+    return SearchWorld(
+        environment=file,
+        state=state,
+        remembered_steps=remembered_steps,
+        source=source,
+        start=start,
+        directions=directions,
+        vehicle_depth_m=vehicle_depth_m,
+        border_width_m=border_width_m,
+        max_steps=max_steps,
+    )

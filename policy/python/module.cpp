@@ -1,0 +1,281 @@
+// earshot._core: the search as Python sees it. Every argument is checked here; earshot/_core.pyi says what each call takes and gives.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "firmware/policy/frozen_policy.hpp"
+#include "policy/python/world.hpp"
+
+namespace {
+
+namespace py = pybind11;
+using namespace earshot;
+using search::EpisodeEnd;
+
+using Floats = py::array_t<float, py::array::c_style>;
+using Actions = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+using Place = std::pair<double, double>;  // north, east
+
+std::span<float> span_of(Floats& array) {
+  return {array.mutable_data(), static_cast<std::size_t>(array.size())};
+}
+
+std::size_t checked_action(std::int64_t action, std::size_t count) {
+  if (action >= 0 && static_cast<std::size_t>(action) < count) return static_cast<std::size_t>(action);
+  throw py::value_error("action " + std::to_string(action) + ": must be 0 to " + std::to_string(count - 1));
+}
+
+NorthEast checked_place(const char* name, Place place, const Rectangle& domain) {
+  const NorthEast position{Meters{place.first}, Meters{place.second}};
+  if (domain.contains(position)) return position;  // false for NaN
+  throw py::value_error(std::string(name) + ": must lie in the search domain");
+}
+
+/// Episodes stepped together, each with its random numbers.
+class Episodes {
+ public:
+  Episodes(std::shared_ptr<const python::World> world, std::size_t count) : world_(std::move(world)), running_(count) {
+    if (count < 1) throw py::value_error("count: must be 1 or more");
+    for (std::size_t i = 0; i < count; ++i) running_[i].random = Pcg32(0, i);
+  }
+
+  /// Draws the next search; a seed restarts the random numbers first.
+  void start(std::size_t i, std::optional<std::uint64_t> seed) {
+    Running& running = at(i);
+    if (seed) running.random = Pcg32(*seed);
+    running.episode.start(world_->search(), world_->observation(), running.random);
+    running.started = true;
+  }
+
+  void start_at(std::size_t i, Place position, Place source) {
+    const Rectangle& domain = world_->search().settings.domain;
+    const NorthEast from = checked_place("position_m", position, domain);
+    const NorthEast to = checked_place("source_m", source, domain);
+    if (range_between(from, to) <= world_->search().settings.step_length) {
+      throw py::value_error("position_m, source_m: within a step of each other the search would be over before it begins");
+    }
+    Running& running = at(i);
+    running.episode.start_at(world_->search(), world_->observation(), from, to, running.random);
+    running.started = true;
+  }
+
+  Floats observations() {
+    Floats all(shape());
+    for (std::size_t i = 0; i < running_.size(); ++i) observe(i, all);
+    return all;
+  }
+
+  /// Steps episode 0.
+  py::tuple step_one(std::int64_t action) {
+    check_all_run();
+    const std::size_t checked = checked_action(action, world_->search().actions.size());
+    const double reward = running_[0].episode.step(world_->search(), checked);
+    const EpisodeEnd end = running_[0].episode.record().end;
+    Floats observation(static_cast<py::ssize_t>(world_->observation().spec.size()));
+    running_[0].episode.observe(span_of(observation));
+    return py::make_tuple(std::move(observation), reward, is_terminated(end), end == EpisodeEnd::kTimeLimit);
+  }
+
+  /// Steps every episode; those that end start anew at once.
+  py::tuple step(const Actions& actions) {
+    check_all_run();
+    if (actions.ndim() != 1 || static_cast<std::size_t>(actions.size()) != running_.size()) {
+      throw py::value_error("actions: must be one for each of the " + std::to_string(running_.size()) + " environments");
+    }
+    for (const std::int64_t action : std::span(actions.data(), running_.size())) checked_action(action, world_->search().actions.size());
+    return step_checked(std::span(actions.data(), running_.size()));
+  }
+
+  [[nodiscard]] Place position(std::size_t i) const { return pair_of(at(i).episode.position()); }
+  [[nodiscard]] Place source(std::size_t i) const { return pair_of(at(i).episode.source()); }
+  [[nodiscard]] double snr_db(std::size_t i) const { return at(i).episode.snr().value; }
+  [[nodiscard]] bool is_measured(std::size_t i) const { return at(i).episode.heard().measured; }
+  [[nodiscard]] py::dict record(std::size_t i) const { return dictionary_of(at(i).episode.record()); }
+
+ private:
+  struct Running {
+    search::Episode episode;
+    Pcg32 random{0};
+    bool started = false;
+  };
+
+  static bool is_terminated(EpisodeEnd end) { return end == EpisodeEnd::kFound || end == EpisodeEnd::kLeftDomain; }
+  static Place pair_of(NorthEast place) { return {place.north.value, place.east.value}; }
+  static py::dict dictionary_of(const search::EpisodeRecord& record) {
+    py::dict dictionary;
+    dictionary["reward"] = record.reward;
+    dictionary["steps"] = record.steps;
+    dictionary["detections"] = record.detections;
+    dictionary["found"] = record.end == EpisodeEnd::kFound;
+    return dictionary;
+  }
+
+  [[nodiscard]] std::vector<py::ssize_t> shape() const {
+    return {static_cast<py::ssize_t>(running_.size()), static_cast<py::ssize_t>(world_->observation().spec.size())};
+  }
+  const Running& at(std::size_t i) const {
+    if (i >= running_.size()) throw py::index_error("no environment " + std::to_string(i));
+    return running_[i];
+  }
+  Running& at(std::size_t i) {
+    static_cast<void>(std::as_const(*this).at(i));
+    return running_[i];
+  }
+  void observe(std::size_t i, Floats& all) const {
+    const std::size_t size = world_->observation().spec.size();
+    running_[i].episode.observe(span_of(all).subspan(i * size, size));
+  }
+  void check_all_run() const {
+    for (const Running& running : running_) {
+      if (!running.started) throw std::runtime_error("step() before reset()");
+      if (running.episode.record().end != EpisodeEnd::kRunning) throw std::runtime_error("the episode is over: reset() before step()");
+    }
+  }
+
+  py::tuple step_checked(std::span<const std::int64_t> actions) {
+    const auto count = static_cast<py::ssize_t>(running_.size());
+    Floats observations(shape());
+    py::array_t<double> rewards(count);
+    py::array_t<bool> terminated(count);
+    py::array_t<bool> truncated(count);
+    py::list ended;  // (index, final observation, record)
+    for (std::size_t i = 0; i < running_.size(); ++i) {
+      Running& running = running_[i];
+      const auto index = static_cast<py::ssize_t>(i);
+      rewards.mutable_at(index) = running.episode.step(world_->search(), static_cast<std::size_t>(actions[i]));
+      const search::EpisodeRecord record = running.episode.record();
+      terminated.mutable_at(index) = is_terminated(record.end);
+      truncated.mutable_at(index) = record.end == EpisodeEnd::kTimeLimit;
+      if (record.end != EpisodeEnd::kRunning) {
+        Floats last(static_cast<py::ssize_t>(world_->observation().spec.size()));
+        running.episode.observe(span_of(last));
+        ended.append(py::make_tuple(i, std::move(last), dictionary_of(record)));
+        running.episode.start(world_->search(), world_->observation(), running.random);
+      }
+      observe(i, observations);
+    }
+    return py::make_tuple(std::move(observations), std::move(rewards), std::move(terminated), std::move(truncated), std::move(ended));
+  }
+
+  std::shared_ptr<const python::World> world_;
+  std::vector<Running> running_;
+};
+
+/// A `.policy` file as the vehicle runs it. Its signature is not checked: a desk may look at any policy.
+class FrozenPolicy {
+ public:
+  explicit FrozenPolicy(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    policy::PolicyFault fault{};
+    if (policy::parse(bytes, *policy_, fault) == Status::kOk) return;
+    throw config_file::BadInput(file.string() + ": not a .policy of this version, or damaged (fault " +
+                                std::to_string(static_cast<int>(fault)) + ")");
+  }
+
+  [[nodiscard]] Floats logits(const py::array_t<float, py::array::c_style | py::array::forcecast>& observations) const {
+    const std::size_t size = policy_->observation.spec.size();
+    if (observations.ndim() != 2 || static_cast<std::size_t>(observations.shape(1)) != size) {
+      throw py::value_error("observations: must be of shape [count x " + std::to_string(size) + "]");
+    }
+    const auto count = static_cast<std::size_t>(observations.shape(0));
+    Floats logits(std::vector<py::ssize_t>{observations.shape(0), static_cast<py::ssize_t>(policy_->actions.size())});
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t actions = policy_->actions.size();
+      policy::forward(policy_->network, std::span(observations.data(), count * size).subspan(i * size, size),
+                      span_of(logits).subspan(i * actions, actions));
+    }
+    return logits;
+  }
+
+  [[nodiscard]] std::string provenance() const { return {policy_->provenance.begin(), policy_->provenance.end()}; }
+
+ private:
+  std::unique_ptr<policy::FrozenPolicy> policy_ = std::make_unique<policy::FrozenPolicy>();
+};
+
+template <class Unsigned>
+Unsigned checked_count(const char* name, std::int64_t value) {
+  if (value >= 0 && value <= std::numeric_limits<std::uint32_t>::max()) return static_cast<Unsigned>(value);
+  throw config_file::BadInput(std::string(name) + " = " + std::to_string(value) + ": is no such number");
+}
+
+std::shared_ptr<python::World> make_world(std::filesystem::path environment, std::string state, std::int64_t remembered_steps,
+                                          std::string source, std::string start, std::int64_t directions, double vehicle_depth_m,
+                                          double border_width_m, std::int64_t max_steps) {
+  const python::WorldArguments arguments{.environment = std::move(environment),
+                                         .state = std::move(state),
+                                         .remembered_steps = checked_count<std::size_t>("remembered_steps", remembered_steps),
+                                         .source = std::move(source),
+                                         .start = std::move(start),
+                                         .direction_count = checked_count<std::size_t>("directions", directions),
+                                         .vehicle_depth = Meters{vehicle_depth_m},
+                                         .border_width = Meters{border_width_m},
+                                         .max_steps = checked_count<std::uint32_t>("max_steps", max_steps)};
+  const py::gil_scoped_release others_may_run;
+  return std::make_shared<python::World>(arguments);
+}
+
+py::array_t<double> snr_against_range(const python::World& world,
+                                      const py::array_t<double, py::array::c_style | py::array::forcecast>& range_m) {
+  py::array_t<double> snr_db(std::vector<py::ssize_t>(range_m.shape(), range_m.shape() + range_m.ndim()));
+  for (py::ssize_t i = 0; i < range_m.size(); ++i) snr_db.mutable_data()[i] = world.search().snr.at(Meters{range_m.data()[i]}).value;
+  return snr_db;
+}
+
+Place area_of(const python::World& world) {
+  const Rectangle& domain = world.search().settings.domain;
+  const NorthEast size = domain.north_east - domain.south_west;
+  return {size.north.value, size.east.value};
+}
+
+void add_world(py::module_& module) {
+  py::class_<python::World, std::shared_ptr<python::World>>(module, "World")
+      .def(py::init(&make_world), py::kw_only(), py::arg("environment"), py::arg("state"), py::arg("remembered_steps"), py::arg("source"),
+           py::arg("start"), py::arg("directions"), py::arg("vehicle_depth_m"), py::arg("border_width_m"), py::arg("max_steps"))
+      .def_property_readonly("observation_size", [](const python::World& world) { return world.observation().spec.size(); })
+      .def_property_readonly("action_count", [](const python::World& world) { return world.search().actions.size(); })
+      .def_property_readonly("max_steps", [](const python::World& world) { return world.search().settings.max_steps; })
+      .def_property_readonly("detection_threshold_db",
+                             [](const python::World& world) { return world.search().settings.detection_threshold.value; })
+      .def_property_readonly("area_m", &area_of)
+      .def_property_readonly("description", &python::World::description)
+      .def("snr_db", &snr_against_range, py::arg("range_m"));
+}
+
+void add_episodes(py::module_& module) {
+  py::class_<Episodes>(module, "Episodes")
+      .def(py::init<std::shared_ptr<python::World>, std::size_t>(), py::arg("world"), py::arg("count"))
+      .def("start", &Episodes::start, py::arg("index"), py::arg("seed") = std::nullopt)
+      .def("start_at", &Episodes::start_at, py::arg("index"), py::arg("position_m"), py::arg("source_m"))
+      .def("observations", &Episodes::observations)
+      .def("step_one", &Episodes::step_one, py::arg("action"))
+      .def("step", &Episodes::step, py::arg("actions"))
+      .def("position_m", &Episodes::position, py::arg("index"))
+      .def("source_m", &Episodes::source, py::arg("index"))
+      .def("snr_db", &Episodes::snr_db, py::arg("index"))
+      .def("is_measured", &Episodes::is_measured, py::arg("index"))
+      .def("record", &Episodes::record, py::arg("index"));
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, module) {
+  py::register_exception<config_file::BadInput>(module, "BadInput", PyExc_ValueError);
+  add_world(module);
+  add_episodes(module);
+  py::class_<FrozenPolicy>(module, "FrozenPolicy")
+      .def(py::init<std::filesystem::path>(), py::arg("file"))
+      .def("logits", &FrozenPolicy::logits, py::arg("observations"))
+      .def_property_readonly("provenance", &FrozenPolicy::provenance);
+}

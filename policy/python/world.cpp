@@ -1,0 +1,90 @@
+#include "policy/python/world.hpp"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "policy/description/search_description.hpp"
+#include "sim/ocean/environment_file.hpp"
+#include "sim/search/belief_model.hpp"
+
+namespace earshot::python {
+namespace {
+
+using config_file::BadInput;
+
+/// Which of two words it is: true for the first.
+bool is_first(const char* name, const std::string& word, const char* first, const char* second) {
+  if (word == first || word == second) return word == first;
+  throw BadInput(std::string(name) + " = \"" + word + "\": must be \"" + first + "\" or \"" + second + "\"");
+}
+
+search::SearchSettings settings_of(const WorldArguments& arguments, NorthEast source) {
+  search::SearchSettings settings;
+  settings.source = source;
+  settings.placement =
+      is_first("source", arguments.source, "fixed", "changing") ? search::SourcePlacement::kFixed : search::SourcePlacement::kChanging;
+  settings.direction_count = arguments.direction_count;
+  settings.border_width = arguments.border_width;
+  settings.max_steps = arguments.max_steps;
+  if (!is_first("start", arguments.start, "domain", "inside_border")) settings.start_region = search::inside_border(settings);
+  if (settings.direction_count < 1 || settings.direction_count > config::kMaxActions) {
+    throw BadInput("directions = " + std::to_string(settings.direction_count) + ": must be 1 to " + std::to_string(config::kMaxActions));
+  }
+  if (settings.max_steps < 1) throw BadInput("max_steps = 0: must be 1 or more");
+  if (!(settings.border_width.value > 0.0)) throw BadInput("border_width_m: must be above 0");
+  if (search::check(settings) != Status::kOk) {
+    throw BadInput("border_width_m, start: nothing of the domain is left to start in, or all of it lies within a step of the source");
+  }
+  return settings;
+}
+
+policy::ObservationSpec spec_of(const WorldArguments& arguments, const search::SearchSettings& settings,
+                                const policy::BeliefModel& belief) {
+  if (arguments.state == "simple") return policy::simple_state(settings.domain.north_east - settings.domain.south_west);
+  if (arguments.state == "belief") return policy::belief_state(belief);
+  if (arguments.state != "memory") throw BadInput("state = \"" + arguments.state + "\": must be \"simple\", \"memory\" or \"belief\"");
+  const auto memory = policy::memory_state(arguments.remembered_steps, settings.step_length, settings.detection_threshold);
+  if (memory.ok()) return memory.value();
+  throw BadInput("remembered_steps = " + std::to_string(arguments.remembered_steps) + ": must be 1 to " +
+                 std::to_string(config::kMaxRememberedSteps));
+}
+
+description::SearchDescription description_of(const WorldArguments& arguments, const search::SearchSettings& settings,
+                                              const policy::ObservationModel& observation, std::uint32_t environment_crc32) {
+  std::ostringstream crc;
+  crc << std::hex << std::setw(8) << std::setfill('0') << environment_crc32;
+  description::SearchDescription description;
+  description.observation = observation;
+  description.direction_count = settings.direction_count;
+  description.step_length = settings.step_length;
+  description.area_size = settings.domain.north_east - settings.domain.south_west;
+  description.detection_threshold = settings.detection_threshold;
+  description.provenance = {{"environment", arguments.environment.filename().string()},
+                            {"environment_crc32", crc.str()},
+                            {"state", arguments.state},
+                            {"source", arguments.source},
+                            {"start", arguments.start}};
+  return description;
+}
+
+}  // namespace
+
+World::World(const WorldArguments& arguments) {
+  const ocean::Environment environment = ocean::load_environment(arguments.environment);
+  if (!(arguments.vehicle_depth.value > 0.0 && arguments.vehicle_depth < environment.seabed.depth)) {
+    throw BadInput("vehicle_depth_m: must be above 0 and less than the depth of the sea floor");
+  }
+  const search::SearchSettings settings = settings_of(arguments, environment.source.position);
+  const NorthEast diagonal = settings.domain.north_east - settings.domain.south_west;
+  const Meters furthest{std::hypot(diagonal.north.value, diagonal.east.value)};
+  soundscape_ =
+      std::make_unique<search::Soundscape>(search::soundscape_of(environment, arguments.vehicle_depth, furthest + settings.step_length));
+  observation_.belief = search::belief_model(settings, soundscape_->expected());
+  observation_.spec = spec_of(arguments, settings, observation_.belief);
+  search_ = std::make_unique<search::SearchWorld>(settings, *soundscape_, environment.conditions);
+  description_ = description::to_text(description_of(arguments, settings, observation_, environment.file_crc32));
+}
+
+}  // namespace earshot::python

@@ -1,0 +1,202 @@
+#include "policy/report/explanation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "firmware/core/math.hpp"
+#include "policy/report/html.hpp"
+
+namespace earshot::report {
+namespace {
+
+using explain::DecisionAccount;
+using explain::fixed;
+
+constexpr std::size_t kLooksShown = 6;
+
+std::string percent(double share) {
+  const double p = 100.0 * share;
+  return (p > 0.0 && p < 0.1 ? std::string("under 0.1") : fixed(p, p < 10.0 ? 1 : 0)) + " %";
+}
+
+std::string km(Meters length) {
+  return fixed(length.value / 1e3, 1) + " km";
+}
+
+std::string square_km(double area) {
+  return fixed(area, area < 10.0 ? 1 : 0) + " km\u00B2";
+}
+
+std::string place_in_words(NorthEast place) {
+  return fixed(place.north.value / 1e3, 2) + " km north, " + fixed(place.east.value / 1e3, 2) + " km east";
+}
+
+std::string bearing_in_words(NorthEast from, NorthEast to) {
+  const NorthEast way = to - from;
+  const double degrees = std::fmod(bearing_of(way.north.value, way.east.value).value * 180.0 / std::numbers::pi + 360.0, 360.0);
+  std::array<char, 16> text{};
+  (void)std::snprintf(text.data(), text.size(), "%03.0f\u00B0", std::fmod(std::round(degrees), 360.0));
+  return text.data();
+}
+
+std::string heard_sentence(const DecisionAccount& a) {
+  const std::string threshold = fixed(a.detection_threshold.value, 0) + " dB";
+  if (!a.decision.heard.measured)
+    return "It heard nothing that could be measured: the signal lies under " + fixed(a.decision.heard.snr.value, 1) + " dB.";
+  return "It heard " + fixed(a.decision.heard.snr.value, 1) + " dB, " +
+         (a.decision.detected ? "a detection (threshold " + threshold + ")." : "under the threshold of " + threshold + ": no detection.");
+}
+
+std::string belief_sentence(const DecisionAccount& a) {
+  const NorthEast likeliest = a.area.south_west + a.place.likeliest;
+  return std::string(a.belief_is_the_policys ? "It believes" : "An observer would believe (this policy holds no belief)") +
+         " that the source is most likely " + km(range_between(a.decision.position, likeliest)) + " away, bearing " +
+         bearing_in_words(a.decision.position, likeliest) + "; with 50 % it lies within " + square_km(a.place.smallest_area_km2(0.5)) +
+         ", with 95 % within " + square_km(a.place.smallest_area_km2(0.95)) + ".";
+}
+
+std::string choice_sentence(const DecisionAccount& a) {
+  const explain::ActionAccount& taken = a.actions[a.decision.action];
+  const std::string went = "It chose " + taken.name + ", which it gave " + percent(taken.probability);
+  if (a.decision.action == a.likeliest_action) return went + ": its likeliest choice.";
+  const explain::ActionAccount& likeliest = a.actions[a.likeliest_action];
+  return went + " by drawing from its probabilities; " + likeliest.name + " was likelier with " + percent(likeliest.probability) + ".";
+}
+
+std::string expectation_sentence(const DecisionAccount& a) {
+  const explain::ActionAccount& taken = a.actions[a.decision.action];
+  return "There one would expect to hear " + fixed(taken.hear.snr.value, 1) + " dB, give or take " + fixed(taken.hear.spread.value, 1) +
+         " dB: a detection with " + percent(taken.detected) + ", the source found with " + percent(taken.found) + ".";
+}
+
+std::string safety_sentence(const DecisionAccount& a) {
+  if (!a.decision.overridden) return "The safety layer left the way-point as it was.";
+  const NorthEast wanted = a.actions[a.decision.action].end;
+  return "The safety layer moved the way-point by " + fixed(range_between(wanted, a.decision.waypoint).value, 0) + " m, to " +
+         place_in_words(a.decision.waypoint) + ".";
+}
+
+std::string because_sentence(const DecisionAccount& a) {
+  std::string text = "What weighed most:";
+  const char* separator = " ";
+  for (const explain::ObservedAccount& o : explain::weightiest(a, 3)) {
+    text += separator + o.name + " " + o.value + " (" + factor_in_words(o.part) + ")";
+    separator = ", ";
+  }
+  return text + ".";
+}
+
+std::string bar_cell(double part, double largest) {
+  const double width = largest > 0.0 ? 7.0 * std::abs(part) / largest : 0.0;
+  return std::string("<td class=\"p ") + (part >= 0.0 ? "for" : "against") +
+         "\" style=\"min-width:7.4rem\"><i style=\"width:" + fixed(width, 2) + "rem\"></i>" + (part >= 0.0 ? "+" : "") + fixed(part, 2) +
+         "</td>";
+}
+
+std::string observed_row(const explain::ObservedAccount& o, double largest) {
+  return "<tr><td class=\"left\">" + escaped(o.name) + "</td><td>" + o.value + "</td><td>" + o.baseline + "</td>" +
+         bar_cell(o.part, largest) + "<td>" + factor_in_words(o.part) + "</td></tr>\n";
+}
+
+constexpr const char* kObservedHead =
+    "<div class=\"table\"><table>\n<tr><th "
+    "class=\"left\">observation</th><th>seen</th><th>baseline</th><th>nats</th><th>chance</th></tr>\n";
+
+double largest_part(const std::vector<explain::ObservedAccount>& observed) {
+  double largest = 0.0;
+  for (const explain::ObservedAccount& o : observed) largest = std::max(largest, std::abs(o.part));
+  return largest;
+}
+
+}  // namespace
+
+std::vector<std::string> sentences(const DecisionAccount& a) {
+  return {heard_sentence(a), belief_sentence(a), choice_sentence(a), expectation_sentence(a), safety_sentence(a), because_sentence(a)};
+}
+
+std::string baseline_in_words(explain::Baseline baseline) {
+  return baseline == explain::Baseline::kCentre ? "a vehicle in the middle of the area that has heard nothing yet"
+                                                : "a vehicle at the same place that has heard nothing yet";
+}
+
+std::string completeness_in_words(const explain::Attribution& a) {
+  return "the parts add up to " + fixed(a.sum(), 4) + " of " + fixed(a.difference(), 4) + " nats after " + std::to_string(a.steps) +
+         " steps, " +
+         (a.is_complete() ? "complete within " + fixed(a.tolerance, 3)
+                          : "NOT complete within " + fixed(a.tolerance, 3) + ": do not trust the parts beyond that gap");
+}
+
+std::string factor_in_words(double part) {
+  const double factor = std::exp(part);
+  if (factor >= 0.01 && factor < 100.0) return "\u00D7 " + fixed(factor, 2);
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "\u00D7 %.0e", factor);
+  return text.data();
+}
+
+std::string heard_in_words(policy::Heard heard) {
+  return (heard.measured ? "" : "under ") + fixed(heard.snr.value, 1) + " dB";
+}
+
+std::string looks_table(std::span<const explain::RecordedDecision> looks) {
+  std::string text = "<div class=\"table\"><table>\n<tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>heard</th></tr>\n";
+  for (std::size_t i = looks.size(); i > 0 && looks.size() - i < kLooksShown; --i) {
+    const explain::RecordedDecision& look = looks[i - 1];
+    text += "<tr><td>" + std::to_string(look.step) + "</td><td>" + duration(look.time_s - looks.front().time_s) + "</td><td>" +
+            fixed(look.position.north.value / 1e3, 2) + "</td><td>" + fixed(look.position.east.value / 1e3, 2) + "</td><td" +
+            (look.detected ? " class=\"heard\"" : "") + ">" + heard_in_words(look.heard) + (look.detected ? " &#9679;" : "") +
+            "</td></tr>\n";
+  }
+  return text + "</table></div>\n";
+}
+
+std::string actions_table(const DecisionAccount& a) {
+  std::string text =
+      "<div class=\"table\"><table>\n<tr><th class=\"left\">direction</th><th>chosen with (%)</th><th>would hear (dB)</th><th>detects "
+      "(%)</th>"
+      "<th>finds (%)</th><th>nearer by (km)</th><th>border</th></tr>\n";
+  for (std::size_t i = 0; i < a.actions.size(); ++i) {
+    const explain::ActionAccount& action = a.actions[i];
+    const bool is_taken = i == a.decision.action;
+    text += std::string("<tr><td class=\"left\">") + (is_taken ? "<b>" + action.name + "</b> taken" : action.name) + "</td>" +
+            percent_cell(action.probability, 6.0, is_taken) + "<td>" + fixed(action.hear.snr.value, 1) + " &plusmn; " +
+            fixed(action.hear.spread.value, 1) + "</td><td>" + fixed(100.0 * action.detected, 0) + "</td><td>" +
+            fixed(100.0 * action.found, 1) + "</td><td>" + fixed(action.approach.value / 1e3, 2) + "</td><td>" +
+            (action.border > 0.0 ? fixed(action.border, 2) : "-") + "</td></tr>\n";
+  }
+  return text + "</table></div>\n";
+}
+
+std::string attribution_tables(const DecisionAccount& a, std::size_t rows) {
+  const std::vector<explain::ObservedAccount> top = explain::weightiest(a, rows);
+  const double largest = largest_part(top);
+  std::string text = kObservedHead;
+  double rest = a.attribution.sum();
+  for (const explain::ObservedAccount& o : top) {
+    text += observed_row(o, largest);
+    rest -= o.part;
+  }
+  if (a.observed.size() > top.size())
+    text += "<tr><td class=\"left\">the other " + std::to_string(a.observed.size() - top.size()) + "</td><td></td><td></td>" +
+            bar_cell(rest, largest) + "<td>" + factor_in_words(rest) + "</td></tr>\n";
+  text += "</table></div>\n<p>In all";
+  const char* separator = ": ";
+  for (const explain::SubjectAccount& subject : explain::by_subject(a)) {
+    text += separator + std::string(explain::in_words(subject.subject)) + " " + factor_in_words(subject.part);
+    separator = ", ";
+  }
+  return text + ". Compared with " + baseline_in_words(a.baseline) + ", for which " + a.actions[a.decision.action].name + " had " +
+         percent(std::exp(a.attribution.at_baseline)) + "; " + completeness_in_words(a.attribution) + ".</p>\n";
+}
+
+std::string observation_table(const DecisionAccount& a) {
+  std::string text = kObservedHead;
+  const double largest = largest_part(a.observed);
+  for (const explain::ObservedAccount& o : a.observed) text += observed_row(o, largest);
+  return text + "</table></div>\n";
+}
+
+}  // namespace earshot::report

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "policy/explain/decision_account.hpp"
+
+namespace earshot::report {
+
+// One decision in words and tables: what a sheet and a row of a flight's page have in common.
+
+/// Sentences that a watch officer reads first: heard, believed, chosen, expected, safety, why.
+[[nodiscard]] std::vector<std::string> sentences(const explain::DecisionAccount& account);
+
+/// "at the centre of the area, having heard nothing"
+[[nodiscard]] std::string baseline_in_words(explain::Baseline baseline);
+
+/// "the parts add up to 1.2340 of 1.2344 nats, within 0.001 after 64 steps: complete"
+[[nodiscard]] std::string completeness_in_words(const explain::Attribution& attribution);
+
+/// "x 1.83": what a part of the log-probability does to the probability
+[[nodiscard]] std::string factor_in_words(double part);
+
+/// "9.5 dB", "under 5 dB"
+[[nodiscard]] std::string heard_in_words(policy::Heard heard);
+
+/// The last looks at the source, newest first.
+[[nodiscard]] std::string looks_table(std::span<const explain::RecordedDecision> looks);
+/// Every action: how likely, and what it would be expected to bring.
+[[nodiscard]] std::string actions_table(const explain::DecisionAccount& account);
+/// What moved the choice: the weightiest elements as bars, sums by subject, completeness.
+[[nodiscard]] std::string attribution_tables(const explain::DecisionAccount& account, std::size_t rows);
+/// Every element of the observation.
+[[nodiscard]] std::string observation_table(const explain::DecisionAccount& account);
+
+}  // namespace earshot::report

@@ -1,0 +1,55 @@
+#include "policy/report/gnuplot_svg.hpp"
+
+#include <unistd.h>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace earshot::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& path) {
+  std::ifstream stream(path);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+const char* const kPlotStyle = R"(
+set border lc rgb '#888888'
+set tics textcolor rgb '#888888'
+set xlabel textcolor rgb '#888888'
+set ylabel textcolor rgb '#888888'
+set y2label textcolor rgb '#888888'
+set key textcolor rgb '#888888'
+)";
+
+PlotFolder::PlotFolder() {
+  std::string name = (fs::temp_directory_path() / "earshot-report-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder can be made in " + fs::temp_directory_path().string());
+  folder_ = name;
+}
+
+PlotFolder::~PlotFolder() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+std::vector<std::string> svgs_from(const PlotFolder& folder, const std::string& script, const std::vector<std::string>& outputs) {
+  std::ofstream(folder / "plot.gp") << script;
+  const std::string command = "cd '" + (folder / ".").string() + "' && gnuplot plot.gp 2>error.txt";
+  const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): fixed text and a folder of our own making
+  std::vector<std::string> svgs;
+  for (const std::string& output : outputs) {
+    const std::string text = content(folder / output);
+    const std::size_t root = text.find("<svg");
+    if (status != 0 || root == std::string::npos) throw std::runtime_error("gnuplot failed: " + content(folder / "error.txt"));
+    svgs.push_back(text.substr(root));
+  }
+  return svgs;
+}
+
+}  // namespace earshot::report

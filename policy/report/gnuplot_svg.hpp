@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace earshot::report {
+
+/// A folder for gnuplot's input and output, gone with this object.
+class PlotFolder {
+ public:
+  /// @throws std::runtime_error when no temporary folder can be made.
+  PlotFolder();
+  ~PlotFolder();
+  PlotFolder(const PlotFolder&) = delete;
+  PlotFolder& operator=(const PlotFolder&) = delete;
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// Grey text and no background: readable on a light page and on a dark one.
+extern const char* const kPlotStyle;
+
+/// Runs one gnuplot in the folder and returns what it drew as SVG text that may stand in a page.
+/// @param script  sets its terminals and one output for each of `outputs`
+/// @throws std::runtime_error when gnuplot fails.
+[[nodiscard]] std::vector<std::string> svgs_from(const PlotFolder& folder, const std::string& script,
+                                                 const std::vector<std::string>& outputs);
+
+}  // namespace earshot::report

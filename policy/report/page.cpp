@@ -1,0 +1,113 @@
+#include "policy/report/page.hpp"
+
+#include <span>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "firmware/policy/action_draw.hpp"
+#include "policy/explain/wording.hpp"
+#include "policy/report/belief_pictures.hpp"
+#include "policy/report/explanation.hpp"
+#include "policy/report/html.hpp"
+#include "policy/report/recorded_flight.hpp"
+
+namespace earshot::report {
+namespace {
+
+using explain::fixed;
+
+constexpr std::size_t kRowsOfAttribution = 5;
+
+std::string headline(const nlohmann::json& s) {
+  const bool found = s.at("found");
+  const std::string steps = std::to_string(s.at("steps").get<int>()) + " steps";
+  std::string text = found ? "<h1 class=\"found\">Source found after " + steps + "</h1>\n"
+                           : "<h1 class=\"missed\">Source not found in " + steps + "</h1>\n";
+  if (!found) text += "<p>The mission ended because: " + escaped(s.at("end_reason").get<std::string>()) + "</p>\n";
+  return text + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
+         escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";
+}
+
+std::string facts(const nlohmann::json& s) {
+  const double sim = s.at("sim_time_s");
+  const double wall = s.at("wall_time_s");
+  return "<dl>\n" + fact("reward", fixed(s.at("reward"), 1)) +
+         fact("steps with a detection", std::to_string(s.at("detections").get<int>())) +
+         fact("distance", fixed(s.at("distance_m").get<double>() / 1e3, 1) + " km") + fact("time at sea", duration(sim)) +
+         fact("time to simulate", fixed(wall, 2) + " s") + fact("times real time", wall > 0 ? fixed(sim / wall, 0) : "-") + "</dl>\n";
+}
+
+/// "N", "NE", ... where the actions are eight compass directions; otherwise degrees.
+std::string action_name(std::size_t action, std::size_t count) {
+  constexpr std::string_view kEight[] = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
+  if (count == 8) return std::string(kEight[action]);
+  if (count == 4) return std::string(kEight[2 * action]);
+  return fixed(360.0 * static_cast<double>(action) / static_cast<double>(count), 0) + "&deg;";
+}
+
+std::vector<double> probabilities_of(const explain::RecordedDecision& d) {
+  std::vector<float> p(d.logits.size());
+  if (!p.empty()) policy::softmax(d.logits, p);
+  return {p.begin(), p.end()};
+}
+
+std::string row(const explain::RecordedDecision& d) {
+  std::string text = "<tr><td>" + std::to_string(d.step) + "</td><td>" + duration(d.time_s) + "</td><td>" +
+                     fixed(d.position.north.value / 1e3, 2) + "</td><td>" + fixed(d.position.east.value / 1e3, 2) + "</td><td" +
+                     (d.detected ? " class=\"heard\"" : "") + ">" + (d.heard.measured ? "" : "&lt; ") + fixed(d.heard.snr.value, 1) +
+                     (d.detected ? " &#9679;" : "") + "</td>";
+  const std::vector<double> probabilities = probabilities_of(d);
+  for (std::size_t a = 0; a < probabilities.size(); ++a) text += percent_cell(probabilities[a], 2.2, a == d.action);
+  return text + "<td>" + (d.overridden ? "way-point moved" : "") + "</td></tr>\n";
+}
+
+std::string reasons(const explain::DecisionAccount& account, const std::string& chart, std::size_t columns) {
+  std::string text = "<tr class=\"why\"><td colspan=\"" + std::to_string(columns) + "\"><details><summary>why " +
+                     account.actions[account.decision.action].name + "</summary>\n<ul class=\"words\">\n";
+  for (const std::string& sentence : sentences(account)) text += "<li>" + escaped(sentence) + "</li>\n";
+  return text + "</ul>\n<div class=\"chart\">" + chart + "</div>\n" + actions_table(account) +
+         attribution_tables(account, kRowsOfAttribution) + "</details></td></tr>\n";
+}
+
+std::string decisions(const Flight& flight, const FlightExplanation& explanation) {
+  const std::vector<explain::RecordedDecision>& taken = flight.journal.decisions;
+  if (taken.empty()) return "<p>The policy took no decision.</p>\n";
+  const std::size_t count = taken.front().logits.size();
+  std::string text = "<p>Percent: how likely the policy made each direction; bold: the one taken; &#9679;: source heard.</p>\n";
+  if (!explanation.why_not.empty()) text += "<p>Not explained: " + escaped(explanation.why_not) + "</p>\n";
+  text += "<div class=\"table\"><table>\n<tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR (dB)</th>";
+  for (std::size_t a = 0; a < count; ++a) text += "<th>" + action_name(a, count) + "</th>";
+  text += "<th>safety</th></tr>\n";
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    text += row(taken[i]);
+    if (i < explanation.accounts.size()) text += reasons(explanation.accounts[i], explanation.charts[i], count + 6);
+  }
+  return text + "</table></div>\n";
+}
+
+}  // namespace
+
+FlightExplanation explain_flight(const std::filesystem::path& folder) try {
+  const RecordedFlight flight = open_recording(folder, {});
+  FlightExplanation explanation{.accounts =
+                                    explain::accounts_of(flight.circumstances(explain::Baseline::kCentre), flight.journal.decisions)};
+  std::vector<BeliefPicture> pictures;
+  for (const explain::DecisionAccount& account : explanation.accounts)
+    pictures.push_back(
+        {.account = account, .looks = std::span(flight.journal.decisions).first(pictures.size() + 1), .source = flight.source});
+  explanation.charts = belief_svgs(pictures);
+  return explanation;
+} catch (const config_file::BadInput& e) {
+  return {.why_not = e.what()};
+}
+
+std::string page(const Flight& flight, const Pictures& pictures, const FlightExplanation& explanation) {
+  std::string text = html_head("Earshot: one search") + headline(flight.summary) + facts(flight.summary);
+  if (!flight.journal.is_whole)
+    text += "<p class=\"missed\">The journal does not end with a whole record: the runtime was stopped while it wrote.</p>\n";
+  text += "<h2>Where it went</h2>\n<p>SNR at the vehicle's depth; warm colours: loud enough to be heard.</p>\n" + pictures.map;
+  text += "<h2>What it heard</h2>\n" + pictures.history;
+  text += "<h2>What it decided, and why</h2>\n" + decisions(flight, explanation);
+  return text + std::string(kHtmlEnd);
+}
+
+}  // namespace earshot::report

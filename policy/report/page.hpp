@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "policy/explain/decision_account.hpp"
+#include "policy/report/flight_files.hpp"
+
+namespace earshot::report {
+
+/// Why a flight's decisions were taken; one account and one chart for each of them, or none and the reason.
+struct FlightExplanation {
+  std::vector<explain::DecisionAccount> accounts = {};
+  std::vector<std::string> charts = {};  ///< SVG text
+  std::string why_not = {};              ///< one line when there are no accounts
+};
+
+/// Explains every decision of the flight in `folder`, or says in one line why that cannot be done.
+[[nodiscard]] FlightExplanation explain_flight(const std::filesystem::path& folder);
+
+struct Pictures {
+  std::string map;      ///< SVG text
+  std::string history;  ///< SVG text
+};
+
+/// A page that needs no other file: what happened, the two pictures, every decision with its reasons to unfold.
+[[nodiscard]] std::string page(const Flight& flight, const Pictures& pictures, const FlightExplanation& explanation);
+
+}  // namespace earshot::report

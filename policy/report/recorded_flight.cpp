@@ -1,0 +1,123 @@
+#include "policy/report/recorded_flight.hpp"
+
+#include <span>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "policy/evaluate/evaluation.hpp"
+#include "policy/evaluate/policy_file.hpp"
+#include "policy/explain/replay.hpp"
+#include "sim/search/belief_model.hpp"
+#include "sim/sonar/snr_curve.hpp"
+
+namespace earshot::report {
+namespace {
+
+namespace fs = std::filesystem;
+using config_file::BadInput;
+using explain::RecordedDecision;
+
+std::string how_it_ends(const JournalledSearch& journal) {
+  return journal.is_whole ? "" : "; the journal is cut short or damaged after it";
+}
+
+void require_decisions(const fs::path& path, const JournalledSearch& journal) {
+  if (!journal.is_journal) throw BadInput(path.string() + ": not a journal: no record where the first should begin");
+  if (journal.decisions.empty())
+    throw BadInput(path.string() + ": no decision in it" + (journal.is_whole ? "" : ": the journal is cut short or damaged"));
+  for (std::size_t i = 0; i < journal.decisions.size(); ++i) {
+    if (journal.decisions[i].step != i)
+      throw BadInput(path.string() + ": the decision of step " + std::to_string(i) +
+                     " is missing: what was remembered after it cannot be made again");
+  }
+}
+
+fs::path policy_for(const fs::path& journal, const RecordingOptions& options) {
+  if (options.policy) return *options.policy;
+  if (const std::optional<fs::path> beside = policy_beside(journal)) return *beside;
+  throw BadInput(journal.string() + ": no policy beside it (" + fs::path(journal).replace_extension(".policy").filename().string() +
+                 "): name the one that flew with --policy FILE");
+}
+
+[[noreturn]] void refuse(const RecordedFlight& flight, const RecordedDecision& decision, explain::Contradiction why) {
+  const std::string here = flight.journal_path.string() + ": step " + std::to_string(decision.step) + ": ";
+  const std::string policy = flight.policy_path.string();
+  if (why == explain::Contradiction::kSizes)
+    throw BadInput(here + "taken by another policy than " + policy + ": it saw " + std::to_string(decision.observation.size()) +
+                   " numbers and had " + std::to_string(decision.logits.size()) + " actions, this one sees " +
+                   std::to_string(flight.policy->observation.spec.size()) + " and has " + std::to_string(flight.policy->actions.size()));
+  if (why == explain::Contradiction::kLogits)
+    throw BadInput(here + "taken by another policy than " + policy + ": the same observation gives other logits");
+  throw BadInput(here + "what was heard until then gives another observation than " + policy +
+                 " saw: another belief, or the area's south-west corner is elsewhere (--south-west NORTH_M,EAST_M)");
+}
+
+void check_against_policy(const RecordedFlight& flight) {
+  const auto memory = std::make_unique<policy::SearchMemory>();
+  const policy::ObservationModel& model = flight.policy->observation;
+  for (const RecordedDecision& decision : flight.journal.decisions) {
+    const NorthEast place = decision.position - flight.south_west;
+    if (decision.step == 0)
+      memory->start(model, place, decision.heard);
+    else
+      memory->remember(model, place, decision.heard);
+    const explain::Contradiction found = explain::contradiction(*flight.policy, decision, *memory);
+    if (found != explain::Contradiction::kNone) refuse(flight, decision, found);
+  }
+}
+
+void read_places(const fs::path& path, const nlohmann::json& summary, RecordedFlight& flight) try {
+  flight.south_west = place_in(summary.at("area").at("south_west"));
+  flight.source = place_in(summary.at("source"));
+} catch (const nlohmann::json::exception& e) {
+  throw BadInput(path.string() + ": " + e.what());
+}
+
+/// For a policy without a belief: one made of the SNR that the simulator flew with.
+policy::BeliefModel observer_of(const policy::FrozenPolicy& policy, const Flight& flight) {
+  std::vector<float> snr_db;
+  for (const SnrRow& row : flight.snr) snr_db.push_back(static_cast<float>(row.snr_db));
+  const sonar::SnrCurve curve(Meters{flight.snr.at(1).range_m - flight.snr.at(0).range_m}, std::move(snr_db));
+  policy::BeliefModel model = search::belief_model(evaluate::search_of(policy), curve);
+  model.actions = policy.actions;
+  return model;
+}
+
+}  // namespace
+
+explain::Circumstances RecordedFlight::circumstances(explain::Baseline baseline) const {
+  return {.policy = *policy, .belief = belief(), .belief_is_the_policys = !observer, .south_west = south_west, .baseline = baseline};
+}
+
+RecordedFlight open_recording(const fs::path& folder_or_journal, const RecordingOptions& options) {
+  RecordedFlight flight;
+  std::optional<Flight> files;
+  if (fs::is_directory(folder_or_journal)) {
+    flight.journal_path = folder_or_journal / kJournalName;
+    if (fs::exists(folder_or_journal / "summary.json")) files = read_flight(folder_or_journal);
+  } else {
+    flight.journal_path = folder_or_journal;
+  }
+  flight.journal = files ? std::move(files->journal) : read_journal(flight.journal_path);
+  require_decisions(flight.journal_path, flight.journal);
+  flight.policy_path = policy_for(flight.journal_path, options);
+  flight.policy = evaluate::load_policy(flight.policy_path);
+  if (files) read_places(folder_or_journal / "summary.json", files->summary, flight);
+  if (options.south_west) flight.south_west = *options.south_west;
+  check_against_policy(flight);
+  if (policy::needs_belief(flight.policy->observation.spec)) return flight;
+  if (!files)
+    throw BadInput(
+        flight.policy_path.string() +
+        ": holds no belief, and without the folder of a simulated flight (summary.json, snr.csv) there is no ocean to make one of");
+  flight.observer = observer_of(*flight.policy, *files);
+  return flight;
+}
+
+std::size_t index_of_step(const RecordedFlight& flight, std::uint32_t step) {
+  const std::size_t last = flight.journal.decisions.size() - 1;
+  if (step <= last) return step;
+  throw BadInput("--step " + std::to_string(step) + ": " + flight.journal_path.string() + " ends with the decision of step " +
+                 std::to_string(last) + how_it_ends(flight.journal));
+}
+
+}  // namespace earshot::report

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "policy/explain/decision_account.hpp"
+#include "policy/report/flight_files.hpp"
+
+namespace earshot::report {
+
+/// A journal with the policy that flew it: all that an explanation of its decisions needs.
+struct RecordedFlight {
+  std::filesystem::path journal_path;
+  std::filesystem::path policy_path;
+  JournalledSearch journal;
+  std::unique_ptr<policy::FrozenPolicy> policy;
+  NorthEast south_west;                         ///< of the operating area, in the mission's plane
+  std::optional<NorthEast> source;              ///< where a simulator put it
+  std::optional<policy::BeliefModel> observer;  ///< for a policy that holds no belief: what one who knows the ocean would take for granted
+
+  /// The policy's belief, or the observer's.
+  [[nodiscard]] const policy::BeliefModel& belief() const { return observer ? *observer : policy->observation.belief; }
+  [[nodiscard]] explain::Circumstances circumstances(explain::Baseline baseline) const;
+};
+
+/// What a person may say about a recording; what is not said is looked for beside the journal.
+struct RecordingOptions {
+  std::optional<std::filesystem::path> policy = std::nullopt;
+  std::optional<NorthEast> south_west = std::nullopt;
+};
+
+/// Opens the folder of a simulated flight, or a journal alone, and holds every decision against the policy, bit for bit.
+/// @throws config_file::BadInput, one line: no decision in it, a gap, no policy, another policy, or an ocean that is not known.
+[[nodiscard]] RecordedFlight open_recording(const std::filesystem::path& folder_or_journal, const RecordingOptions& options);
+
+/// Index of the decision of a step. @throws config_file::BadInput when the flight has no such step.
+[[nodiscard]] std::size_t index_of_step(const RecordedFlight& flight, std::uint32_t step);
+
+}  // namespace earshot::report

@@ -1,0 +1,97 @@
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "policy/report/explanation.hpp"
+#include "policy/report/sheet.hpp"
+
+namespace earshot::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json place(NorthEast p) {
+  return {{"north_m", p.north.value}, {"east_m", p.east.value}};
+}
+
+ordered_json look(const explain::RecordedDecision& d) {
+  return {{"step", d.step},
+          {"time_s", d.time_s},
+          {"position", place(d.position)},
+          {"snr_db", d.heard.snr.value},
+          {"measured", d.heard.measured},
+          {"detected", d.detected}};
+}
+
+ordered_json belief(const explain::DecisionAccount& a) {
+  const explain::BelievedPlace& b = a.place;
+  ordered_json hypotheses = ordered_json::array();
+  for (const explain::HypothesisAccount& h : a.hypotheses)
+    hypotheses.push_back(
+        {{"level_offset_db", h.hypothesis.level_offset_db}, {"spread_db", h.hypothesis.spread_db}, {"probability", h.share}});
+  return {{"whose", a.belief_is_the_policys ? "the policy's" : "an observer's"},
+          {"likeliest", place(a.area.south_west + b.likeliest)},
+          {"likeliest_cell_probability", b.likeliest_share},
+          {"mean", place(a.area.south_west + b.mean)},
+          {"ellipse",
+           {{"semi_major_m", b.ellipse.semi_major.value},
+            {"semi_minor_m", b.ellipse.semi_minor.value},
+            {"bearing_deg", b.ellipse.bearing.value * 180.0 / std::numbers::pi}}},
+          {"area_50_percent_km2", b.smallest_area_km2(0.5)},
+          {"area_95_percent_km2", b.smallest_area_km2(0.95)},
+          {"hypotheses", hypotheses}};
+}
+
+ordered_json actions(const explain::DecisionAccount& a) {
+  ordered_json rows = ordered_json::array();
+  for (const explain::ActionAccount& action : a.actions)
+    rows.push_back({{"direction", action.name},
+                    {"probability", action.probability},
+                    {"end", place(action.end)},
+                    {"expected_snr_db", action.hear.snr.value},
+                    {"snr_spread_db", action.hear.spread.value},
+                    {"detection_probability", action.detected},
+                    {"found_probability", action.found},
+                    {"expected_approach_m", action.approach.value},
+                    {"border", action.border}});
+  return rows;
+}
+
+ordered_json attribution(const explain::DecisionAccount& a) {
+  ordered_json parts = ordered_json::array();
+  for (const explain::ObservedAccount& o : a.observed)
+    parts.push_back(
+        {{"observation", o.name}, {"about", explain::in_words(o.subject)}, {"seen", o.value}, {"baseline", o.baseline}, {"nats", o.part}});
+  const explain::Attribution& g = a.attribution;
+  return {{"method", "integrated gradients of the log-probability of the action taken"},
+          {"baseline", baseline_in_words(a.baseline)},
+          {"log_probability", g.at_observation},
+          {"log_probability_at_baseline", g.at_baseline},
+          {"sum_of_parts", g.sum()},
+          {"steps", g.steps},
+          {"tolerance", g.tolerance},
+          {"complete", g.is_complete()},
+          {"parts", parts}};
+}
+
+}  // namespace
+
+std::string as_json(const Sheet& sheet) {
+  const explain::DecisionAccount& a = sheet.account;
+  ordered_json looks = ordered_json::array();
+  for (const explain::RecordedDecision& d : sheet.looks()) looks.push_back(look(d));
+  ordered_json json{{"step", a.decision.step},
+                    {"journal", sheet.flight.journal_path.string()},
+                    {"policy", sheet.flight.policy_path.string()},
+                    {"taken", a.actions[a.decision.action].name},
+                    {"likeliest", a.actions[a.likeliest_action].name},
+                    {"waypoint", place(a.decision.waypoint)},
+                    {"changed_by_safety_layer", a.decision.overridden},
+                    {"summary", sentences(a)},
+                    {"looks", looks},
+                    {"belief", belief(a)},
+                    {"actions", actions(a)},
+                    {"attribution", attribution(a)}};
+  return json.dump(1) + "\n";
+}
+
+}  // namespace earshot::report

@@ -1,0 +1,78 @@
+"""gym.*: steps of the search as a Gymnasium environment, and steps of Stable-Baselines3's PPO on it; ours, or a plain Python one. One thread.
+
+usage: python tests/bench/peers/gym_steps.py env|vector|train earshot|python      prints one JSON line, steps a second
+
+Both are the changing source with the memory state, m = 2, one environment stepped alone (env), eight stepped (vector) and trained on (train) together. The plain Python
+environment is sb3_ppo.py's, written as a person would; eight of it stand in Stable-Baselines3's DummyVecEnv, its default.
+"""
+
+import json
+import sys
+import time
+
+import gymnasium
+import numpy as np
+import torch
+
+import sb3_without_plots  # noqa: F401
+from stable_baselines3 import PPO
+from stable_baselines3.common.monitor import Monitor
+from stable_baselines3.common.vec_env import DummyVecEnv
+
+import earshot.sb3
+from sb3_ppo import AcousticSearch
+
+OPTIONS = {"state": "memory", "source": "changing"}
+TOGETHER = 8
+
+
+def env_steps_per_s(env: gymnasium.Env, steps: int) -> float:
+    actions = np.random.default_rng(1).integers(0, 8, steps)
+    env.reset(seed=1)
+    begin = time.perf_counter()
+    for action in actions:
+        _, _, terminated, truncated, _ = env.step(action)
+        if terminated or truncated:
+            env.reset()
+    return steps / (time.perf_counter() - begin)
+
+
+def vector_steps_per_s(env, steps: int) -> float:
+    actions = np.random.default_rng(1).integers(0, 8, (steps // TOGETHER, TOGETHER))
+    env.seed(1)
+    env.reset()
+    begin = time.perf_counter()
+    for together in actions:
+        env.step(together)
+    return actions.size / (time.perf_counter() - begin)
+
+
+def train_steps_per_s(env, steps: int) -> float:
+    """Rollouts and updates, at Stable-Baselines3's defaults but for the rollout: 2048 steps of all environments together."""
+    model = PPO("MlpPolicy", env, n_steps=2048 // TOGETHER, seed=1, device="cpu")
+    begin = time.perf_counter()
+    model.learn(steps)
+    return model.num_timesteps / (time.perf_counter() - begin)
+
+
+def together(whose: str):
+    if whose == "earshot":
+        return earshot.sb3.SearchVecEnv(TOGETHER, **OPTIONS)
+    return DummyVecEnv([lambda: Monitor(AcousticSearch())] * TOGETHER)
+
+
+def main() -> None:
+    torch.set_num_threads(1)
+    what, whose = sys.argv[1:]
+    if what == "env":
+        env = earshot.AcousticSearchEnv(**OPTIONS) if whose == "earshot" else AcousticSearch()
+        value = env_steps_per_s(env, 100_000)
+    elif what == "vector":
+        value = vector_steps_per_s(together(whose), 160_000)
+    else:
+        value = train_steps_per_s(together(whose), 20_480)
+    print(json.dumps({"name": f"gym.{what}", "value": value, "unit": "steps/s"}))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,272 @@
+#include "firmware/policy/belief.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "firmware/core/crc32.hpp"
+#include "firmware/core/random.hpp"
+
+namespace earshot::policy {
+namespace {
+
+NorthEast at(double north, double east) {
+  return {.north = Meters{north}, .east = Meters{east}};
+}
+
+constexpr std::size_t kNorth = 0;
+constexpr std::size_t kEast = 1;
+constexpr std::size_t kSouth = 2;
+
+/// 20 km x 20 km in cells of 500 m; the SNR falls from 30 dB by 1 dB every kilometre, so that a detection is one within 20 km.
+BeliefModel flat_model(std::initializer_list<BeliefHypothesis> hypotheses) {
+  BeliefModel model;
+  model.area_size = at(20'000, 20'000);
+  model.cells_north = 40;
+  model.cells_east = 40;
+  model.outlier_share = 0.0F;
+  model.forgotten_share = 0.0F;
+  for (const UnitNorthEast direction : {UnitNorthEast{1, 0}, UnitNorthEast{0, 1}, UnitNorthEast{-1, 0}, UnitNorthEast{0, -1}}) {
+    EXPECT_EQ(model.actions.push_back(direction), Status::kOk);
+  }
+  for (const BeliefHypothesis& hypothesis : hypotheses) EXPECT_EQ(model.hypotheses.push_back(hypothesis), Status::kOk);
+  for (int i = 0; i < 300; ++i) EXPECT_EQ(model.snr_db.push_back(static_cast<float>(300 - i) / 10.0F), Status::kOk);
+  return model;
+}
+
+double snr_at(NorthEast place, NorthEast source) {
+  return 30.0 - range_between(place, source).value / 1'000.0;
+}
+
+NorthEast centre(std::size_t north, std::size_t east) {
+  return at((static_cast<double>(north) + 0.5) * 500.0, (static_cast<double>(east) + 0.5) * 500.0);
+}
+
+class BeliefTest : public testing::Test {
+ protected:
+  void hear(const BeliefModel& model, NorthEast place, double snr_db) { belief->update(model, place, {.snr = Decibels{snr_db}}); }
+  void hear_nothing(const BeliefModel& model, NorthEast place, double floor_db) {
+    belief->update(model, place, {.snr = Decibels{floor_db}, .measured = false});
+  }
+  [[nodiscard]] double probability_at(const BeliefModel& model, NorthEast place) const {
+    return double{belief->probability(model, static_cast<std::size_t>(place.north.value / 500.0),
+                                      static_cast<std::size_t>(place.east.value / 500.0))};
+  }
+
+  std::unique_ptr<Belief> belief = std::make_unique<Belief>();
+};
+
+TEST_F(BeliefTest, StartsWithEveryPlaceAsLikelyAsAnyOther) {
+  const BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+  belief->start(model);
+  for (std::size_t n = 0; n < 40; ++n) {
+    for (std::size_t e = 0; e < 40; ++e) EXPECT_FLOAT_EQ(belief->probability(model, n, e), 1.0F / 1600.0F);
+  }
+}
+
+/// Bayes' rule with every factor written out, in long double, over places beyond reach.
+std::vector<long double> by_hand(const std::vector<std::pair<NorthEast, Heard>>& looks, const BeliefModel& model) {
+  std::vector<long double> joint(std::size_t{40} * 40 * model.hypotheses.size());
+  long double total = 0.0L;
+  for (std::size_t h = 0; h < model.hypotheses.size(); ++h) {
+    const auto sigma = static_cast<long double>(model.hypotheses[h].spread_db);
+    const auto outlier = static_cast<long double>(model.outlier_share);
+    const auto silent = static_cast<long double>(model.silence_share);
+    for (std::size_t i = 0; i < 1600; ++i) {
+      long double p = static_cast<long double>(model.hypotheses[h].prior);
+      for (const auto& [place, heard] : looks) {
+        const long double expected =
+            static_cast<long double>(snr_at(place, centre(i / 40, i % 40)) + double{model.hypotheses[h].level_offset_db});
+        const long double z = (static_cast<long double>(heard.snr.value) - expected) / sigma;
+        const long double density = std::exp(-0.5L * z * z) / (sigma * std::sqrt(2.0L * std::numbers::pi_v<long double>));
+        const long double below = 0.5L * std::erfc(-z / std::sqrt(2.0L));
+        p *= heard.measured ? (1.0L - silent) * ((1.0L - outlier) * density + outlier / 80.0L)
+                            : silent + (1.0L - silent) * ((1.0L - outlier) * below + outlier * 0.5L);
+      }
+      joint[h * 1600 + i] = p;
+      total += p;
+    }
+  }
+  for (long double& p : joint) p /= total;
+  return joint;
+}
+
+TEST_F(BeliefTest, IsWhatBayesRuleGivesByHand) {
+  BeliefModel model = flat_model({{0.0F, 3.0F, 2.0F}, {4.0F, 5.0F, 1.0F}, {-4.0F, 4.0F, 1.0F}});
+  model.outlier_share = 0.05F;
+  model.silence_share = 0.1F;
+  // From outside the area, so that no look rules a place out by having been there.
+  const std::vector<std::pair<NorthEast, Heard>> looks = {{at(-2'000, 3'000), {.snr = Decibels{21.0}}},
+                                                          {at(-2'000, 9'000), {.snr = Decibels{17.5}}},
+                                                          {at(5'000, -2'000), {.snr = Decibels{15.0}, .measured = false}},
+                                                          {at(21'000, 21'000), {.snr = Decibels{9.0}}}};
+  belief->start(model);
+  for (const auto& [place, heard] : looks) belief->update(model, place, heard);
+
+  const std::vector<long double> expected = by_hand(looks, model);
+  for (std::size_t i = 0; i < 1600; ++i) {
+    const auto p = static_cast<double>(expected[i] + expected[1600 + i] + expected[3200 + i]);
+    // Ranges are rounded to 100 m, which is 0.05 dB, and smoothed over the cell: at up to 3 sigma of 3 dB, 5 % a look at the very most,
+    // and some of four looks the one way, some the other.
+    EXPECT_NEAR(double{belief->probability(model, i / 40, i % 40)}, p, 0.08 * p) << i;
+  }
+  for (std::size_t h = 0; h < 3; ++h) {
+    long double share = 0.0L;
+    for (std::size_t i = 0; i < 1600; ++i) share += expected[h * 1600 + i];
+    EXPECT_NEAR(double{belief->probability_of_hypothesis(h)}, static_cast<double>(share), 0.01);
+  }
+}
+
+TEST_F(BeliefTest, FindsTheSourceWhereThreeLooksMeet) {
+  const BeliefModel model = flat_model({{0.0F, 0.2F, 1.0F}});
+  const NorthEast source = centre(27, 11);
+  belief->start(model);
+  for (const NorthEast place : {at(2'000, 2'000), at(15'000, 18'000), at(3'000, 17'000)}) hear(model, place, snr_at(place, source));
+  EXPECT_EQ(belief->summary().likeliest, source);
+  EXPECT_LT(range_between(belief->summary().mean, source).value, 250.0);
+  EXPECT_LT(belief->summary().spread.value, 500.0);
+}
+
+TEST_F(BeliefTest, TakesASignalTooFaintToMeasureForOneBelowTheFloorHoweverFar) {
+  const BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+  const NorthEast place = centre(20, 0);
+  belief->start(model);
+  hear_nothing(model, place, 25.0);  // the model's SNR 5 km away
+  // The normal distribution's table: half at the mean, 0.8413 and 0.1587 a standard deviation, which is 2 km, beyond and before it.
+  const double far = probability_at(model, centre(20, 39));
+  EXPECT_NEAR(probability_at(model, centre(20, 10)) / far, 0.5, 0.01);  // of what the furthest cell, 7 sigma beyond, has
+  EXPECT_NEAR(probability_at(model, centre(20, 14)) / far, 0.8413, 0.01);
+  EXPECT_NEAR(probability_at(model, centre(20, 6)) / far, 0.1587, 0.01);
+}
+
+TEST_F(BeliefTest, LearnsLittleFromSilenceWhereCallsMayPause) {
+  BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+  model.silence_share = 0.5F;
+  const NorthEast place = centre(20, 0);
+  belief->start(model);
+  hear_nothing(model, place, 10.0);
+  // A source 2 km away is heard for certain when it calls: half of what one has that could never be heard, and one 20 km away is at the
+  // floor.
+  EXPECT_NEAR(probability_at(model, centre(20, 4)) / probability_at(model, centre(20, 39)), 0.5 / (0.5 + 0.5 * 0.4), 0.02);
+}
+
+TEST_F(BeliefTest, RulesOutWhereTheVehicleHasBeen) {
+  const BeliefModel model = flat_model({{0.0F, 8.0F, 1.0F}});
+  belief->start(model);
+  hear(model, centre(20, 20), 25.0);
+  EXPECT_LT(probability_at(model, centre(20, 21)), 0.01 * probability_at(model, centre(20, 24)));
+}
+
+TEST_F(BeliefTest, ComesBackFromAHundredLooksThatWereWrong) {
+  BeliefModel model = flat_model({{0.0F, 1.0F, 1.0F}});
+  model.outlier_share = 0.02F;
+  model.forgotten_share = 1e-4F;
+  const NorthEast wrong = centre(35, 35);
+  const NorthEast right = centre(4, 30);
+  belief->start(model);
+  Pcg32 random(5);
+  const auto anywhere = [&random] { return at(20'000 * random.uniform_double(), 20'000 * random.uniform_double()); };
+  for (int i = 0; i < 100; ++i) {
+    const NorthEast place = anywhere();
+    hear(model, place, snr_at(place, wrong));
+  }
+  for (std::size_t i = 0; i < 1600; ++i) ASSERT_GT(belief->probability(model, i / 40, i % 40), 0.0F) << i;
+  for (int i = 0; i < 10; ++i) {
+    const NorthEast place = anywhere();
+    hear(model, place, snr_at(place, right));
+  }
+  EXPECT_LT(range_between(belief->summary().likeliest, right).value, 1'000.0);
+}
+
+TEST_F(BeliefTest, KnowsNoMoreWhenItHearsWhatCannotBe) {
+  const BeliefModel model = flat_model({{0.0F, 0.1F, 1.0F}});  // no outliers, and nothing is as loud as this
+  belief->start(model);
+  hear(model, at(10'000, 10'000), 900.0);
+  EXPECT_NEAR(belief->probability(model, 3, 3), 1.0 / 1600.0, 0.01 / 1600.0);  // but for the dozen cells it has been at
+}
+
+TEST_F(BeliefTest, FindsOutThatTheSourceIsLouderThanTheModelSays) {
+  const BeliefModel model = flat_model({{0.0F, 2.0F, 2.0F}, {-6.0F, 2.0F, 1.0F}, {6.0F, 2.0F, 1.0F}});
+  const NorthEast source = centre(10, 10);
+  belief->start(model);
+  for (const NorthEast place :
+       {at(2'000, 18'000), at(18'000, 2'000), at(18'000, 18'000), at(9'000, 9'000), at(1'000, 1'000), at(12'000, 4'000)}) {
+    hear(model, place, snr_at(place, source) + 6.0);
+  }
+  EXPECT_GT(belief->probability_of_hypothesis(2), 0.8F);
+}
+
+TEST_F(BeliefTest, HasTheSameBitsOnEveryMachine) {
+  BeliefModel model = flat_model({{0.0F, 1.0F, 2.0F}, {0.0F, 4.0F, 2.0F}, {-6.0F, 4.0F, 1.0F}, {6.0F, 4.0F, 1.0F}});
+  model.outlier_share = 0.02F;
+  model.forgotten_share = 1e-4F;
+  belief->start(model);
+  Pcg32 random(9);
+  for (int i = 0; i < 50; ++i) {
+    const NorthEast place = at(20'000 * random.uniform_double(), 20'000 * random.uniform_double());
+    belief->update(model, place, {.snr = Decibels{30.0 * random.uniform_double()}, .measured = i % 5 != 0});
+  }
+  std::vector<float> all;
+  for (std::size_t i = 0; i < 1600; ++i) all.push_back(belief->probability(model, i / 40, i % 40));
+  for (std::size_t a = 0; a < 4; ++a) {
+    const ActionOutlook& outlook = belief->outlook(a);
+    all.insert(all.end(), {outlook.found, outlook.reach, outlook.detected, outlook.border, outlook.regret});
+  }
+  const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(all.data()), all.size() * sizeof(float));
+  EXPECT_EQ(crc32(bytes), 0xB9D5EC00U);  // of x86-64, unoptimised for SSE2 as well as vectorised for AVX2
+}
+
+/// A belief that knows the source to the cell, as heard from afar.
+class OutlookTest : public BeliefTest {
+ protected:
+  /// Looks at the source from afar, then once from `place`.
+  void know(NorthEast source, NorthEast place) {
+    belief->start(model);
+    for (const NorthEast from : {at(1'000, 10'500), at(19'000, 9'500), at(10'000, 1'000), at(10'000, 19'000), place}) {
+      hear(model, from, snr_at(from, source));
+    }
+  }
+
+  BeliefModel model = flat_model({{0.0F, 0.2F, 1.0F}});
+};
+
+TEST_F(OutlookTest, HasNoRegretForTheStraightWayToTheSource) {
+  know(centre(30, 20), centre(10, 20));
+  EXPECT_EQ(belief->outlook(kNorth).regret, 0.0F);
+  EXPECT_GT(belief->outlook(kEast).regret, 0.1F);
+  EXPECT_GT(belief->outlook(kSouth).regret, belief->outlook(kEast).regret);
+}
+
+TEST_F(OutlookTest, FindsWhereAStepEndsWithinReachOfTheSource) {
+  know(centre(23, 20), centre(20, 20));  // 1500 m north: one step leaves 500 m
+  EXPECT_GT(belief->outlook(kNorth).found, 0.95F);
+  EXPECT_LT(belief->outlook(kSouth).found, 0.05F);
+}
+
+TEST_F(OutlookTest, ReachesInTwoStepsWhatOneDoesNot) {
+  know(centre(23, 23), centre(20, 20));  // 1500 m north and 1500 m east
+  EXPECT_LT(belief->outlook(kNorth).found, 0.2F);
+  EXPECT_NEAR(belief->outlook(kNorth).reach, 0.85F * 0.95F, 0.06F);  // the second step counts 0.85
+  EXPECT_EQ(belief->outlook(kNorth).reach, belief->outlook(kEast).reach);
+}
+
+TEST_F(OutlookTest, GoesAlongTheBorderForASourceBehindIt) {
+  const NorthEast source = centre(30, 39);  // 250 m from the east edge, within the border
+  know(source, at(15'250, 18'500));         // 1250 m west of it: one step east would find it 500 m deep in the border
+  EXPECT_NEAR(belief->outlook(kEast).border, 0.5F, 1e-3F);
+  EXPECT_GT(belief->outlook(kEast).regret, 5.0F);
+}
+
+TEST_F(OutlookTest, ExpectsADetectionWithinTwentyKilometres) {
+  model.detection_threshold = Decibels{25.0};  // within 5 km
+  know(centre(20, 20), at(10'250, 4'250));     // 6 km west
+  EXPECT_GT(belief->outlook(kEast).detected, 0.4F);
+  EXPECT_LT(belief->outlook(kNorth).detected, 0.1F);
+}
+
+}  // namespace
+}  // namespace earshot::policy

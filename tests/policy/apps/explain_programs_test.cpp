@@ -1,0 +1,102 @@
+// earshot explain and earshot report as a person meets them.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/policy/explain/flown_policy.hpp"
+#include "tests/policy/report/flight_folder.hpp"
+#include "tests/support/process.hpp"
+
+namespace earshot {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kOcean = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
+
+class ExplainPrograms : public testing::Test {
+ protected:
+  ExplainPrograms() {
+    std::string name = (fs::temp_directory_path() / "earshot-explain-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    const auto policy = explain::belief_policy(1);
+    report::write_flight(folder_ / "flight", *policy, explain::flown(*policy, 4, {}), {});
+  }
+  ~ExplainPrograms() override { fs::remove_all(folder_); }
+
+  /// Runs `earshot-<words>` in the test's folder; returns its exit status.
+  int run(const std::string& words) {
+    const std::string command = "cd '" + folder_.string() + "' && '" EARSHOT_BIN_DIR "/earshot-" + words.substr(0, words.find(' ')) + "'" +
+                                words.substr(words.find(' ')) + " >out 2>err";
+    const int status = std::system(command.c_str());  // NOLINT: our own programs
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  [[nodiscard]] std::string content(const std::string& name) const { return support::read_text(folder_ / name); }
+
+  /// Exit status 2, one line on standard error that holds every one of `parts`, and no output written.
+  void refuses(const std::string& words, std::initializer_list<const char*> parts) {
+    EXPECT_EQ(run(words), 2) << words;
+    const std::string said = content("err");
+    EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+    for (const char* part : parts) EXPECT_NE(said.find(part), std::string::npos) << part << " is not in: " << said;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      const std::string name = entry.path().filename();
+      EXPECT_TRUE(name == "out" || name == "err" || name == "flight") << words << " left " << name;
+    }
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ExplainPrograms, ExplainWritesASheetInEachFormatAndTheReportOfTheFlight) {
+  ASSERT_EQ(run("explain decision flight --step 2 -o sheet.html"), 0) << content("err");
+  EXPECT_NE(content("out").find("complete within 0.001"), std::string::npos) << content("out");
+  EXPECT_NE(content("sheet.html").find("<svg"), std::string::npos);
+  ASSERT_EQ(run("explain decision flight/journal.lcmlog --baseline here --step 2 -o sheet.md"), 0) << content("err");
+  EXPECT_NE(content("sheet.md").find("a vehicle at the same place that has heard nothing yet"), std::string::npos);
+  ASSERT_EQ(run("explain decision flight --step 3 -o sheet.json"), 0) << content("err");
+  EXPECT_EQ(nlohmann::json::parse(content("sheet.json"))["step"], 3);
+  ASSERT_EQ(run("report flight"), 0) << content("err");
+  EXPECT_NE(content("flight/report.html").find("<summary>why "), std::string::npos);
+}
+
+TEST_F(ExplainPrograms, ExplainDrawsMapsForASourceAndAlongAFlight) {
+  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6 -o own.png"), 0) << content("err");
+  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6 --environment " + kOcean + " -o paper.svg"), 0)
+      << content("err");
+  ASSERT_EQ(run("explain map flight/journal.policy --flight flight --step 3 --arrows 6 -o belief.png"), 0) << content("err");
+  EXPECT_EQ(content("own.png").substr(1, 3), "PNG");
+  EXPECT_NE(content("paper.svg").find("where it goes after a first look"), std::string::npos);
+  EXPECT_NE(content("own.png"), content("belief.png"));
+}
+
+TEST_F(ExplainPrograms, RefuseWhatTheyCannotExplainWithOneLine) {
+  refuses("explain decision flight --step 4 -o a.html", {"--step 4", "journal.lcmlog", "step 3"});
+  refuses("explain decision flight --step 1 -o a.pdf", {"a.pdf", ".html"});
+  refuses("explain decision flight --step 1 --south-west 0x0 -o a.html", {"--south-west", "metres north"});
+  refuses("explain decision nowhere --step 1 -o a.html", {"nowhere"});
+  refuses("explain decision flight/track.csv --step 1 -o a.html", {"track.csv", "not a journal"});
+  refuses("explain decision flight --policy flight/snr.csv --step 1 -o a.html", {"snr.csv", "not a .policy file"});
+  refuses("explain map flight/journal.policy -o a.png", {"--source", "--flight"});
+  refuses("explain map flight/journal.policy --source 1 -o a.png", {"--source 1", "metres north"});
+  refuses("explain map flight/journal.policy --source 0,0 --world flight/snr.csv -o a.png", {"snr.csv"});
+  refuses("explain map flight/journal.policy --source 0,0 --environment flight/snr.csv -o a.png", {"snr.csv"});
+  refuses("explain map flight/journal.policy --source 0,0 -o a.pdf", {"a.pdf", ".png"});
+  refuses("explain map nothing.policy --source 0,0 -o a.png", {"nothing.policy", "no such file"});
+}
+
+TEST_F(ExplainPrograms, RefuseAMapOfAPolicyThatKnowsNoOceanUntilOneIsNamed) {
+  const auto policy = explain::place_policy(1);
+  report::write_flight(folder_ / "flight", *policy, explain::flown(*policy, 2, {}), {});
+  refuses("explain map flight/journal.policy --source 0,0 -o a.png", {"--environment", "journal.policy"});
+  refuses("explain map flight/journal.policy --flight flight -o a.png", {"--flight", "no belief"});
+}
+
+}  // namespace
+}  // namespace earshot

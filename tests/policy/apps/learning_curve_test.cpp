@@ -1,0 +1,64 @@
+#include "policy/apps/learning_curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "policy/apps/curve_plot.hpp"
+
+namespace earshot::apps {
+namespace {
+
+search::EpisodeRecord episode(double reward, search::EpisodeEnd end) {
+  return {.reward = reward, .steps = 3, .detections = 0, .end = end};
+}
+
+TEST(LearningCurve, GoesOnFromItsFilesExactly) {
+  LearningCurve written;
+  for (int i = 0; i < 60; ++i) written.add(episode(-i / 3.0, i % 4 == 0 ? search::EpisodeEnd::kFound : search::EpisodeEnd::kTimeLimit), 10);
+  written.add(ppo::UpdateReport{}, 2'048);
+  LearningCurve resumed(written.episodes_csv(), written.updates_csv());
+  EXPECT_EQ(resumed.episodes(), 60U);
+  EXPECT_EQ(resumed.recent().median_reward, written.recent().median_reward);
+  for (LearningCurve* curve : {&written, &resumed}) {
+    curve->add(episode(-0.1, search::EpisodeEnd::kFound), 20);
+    curve->add(ppo::UpdateReport{}, 4'096);
+  }
+  EXPECT_EQ(resumed.episodes_csv(), written.episodes_csv());
+  EXPECT_EQ(resumed.updates_csv(), written.updates_csv());
+}
+
+TEST(LearningCurve, LooksAtTheLastFiftyEpisodesOnly) {
+  LearningCurve curve;
+  for (int i = 0; i < 30; ++i) curve.add(episode(-1'000.0, search::EpisodeEnd::kLeftDomain), 1);
+  for (int i = 0; i < 50; ++i) curve.add(episode(-i, i < 10 ? search::EpisodeEnd::kFound : search::EpisodeEnd::kTimeLimit), 1);
+  EXPECT_EQ(curve.recent().episodes, 50U);
+  EXPECT_EQ(curve.recent().median_reward, -24.5);
+  EXPECT_EQ(curve.recent().found_fraction, 0.2);
+}
+
+TEST(LearningCurve, RefusesFilesThatAreNotItsLike) {
+  const LearningCurve curve;
+  EXPECT_THROW(LearningCurve("episode,steps\n", curve.updates_csv()), std::invalid_argument);
+  EXPECT_THROW(LearningCurve(curve.episodes_csv() + "1,2,x,1\n", curve.updates_csv()), std::invalid_argument);
+  EXPECT_THROW(LearningCurve(curve.episodes_csv() + "1,2,3", curve.updates_csv()), std::invalid_argument);
+}
+
+TEST(CurvePlot, OfSeveralTrainingsShowsTheQuartilesOfTheirMedians) {
+  std::vector<std::string> curves;
+  for (int training = 0; training < 5; ++training) {
+    LearningCurve curve;
+    for (int i = 0; i < 3; ++i) curve.add(episode(-10.0 * training, search::EpisodeEnd::kTimeLimit), 1);
+    if (training == 0) curve.add(episode(7.0, search::EpisodeEnd::kTimeLimit), 1);  // beyond the shortest training: not shown
+    curves.push_back(curve.episodes_csv());
+  }
+  const std::vector<CurvePoint> points = points_of(curves);
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_EQ(points.back().episode, 3U);
+  EXPECT_EQ(points.back().lower, -30.0);
+  EXPECT_EQ(points.back().median, -20.0);
+  EXPECT_EQ(points.back().upper, -10.0);
+}
+
+}  // namespace
+}  // namespace earshot::apps

@@ -1,0 +1,103 @@
+#include "policy/evaluate/world_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "sim/search/soundscape.hpp"
+
+namespace earshot::evaluate {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kPolicy = fs::path(EARSHOT_SOURCE_DIR) / "policy";
+const std::string kMunk = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
+
+TEST(Worlds, BearTheNamesOfTheirFilesAndEachASeedOfItsOwn) {
+  std::set<std::uint64_t> seeds;
+  for (const fs::path& path : worlds_in(kPolicy / "worlds")) {
+    const World world = load_world(path);
+    EXPECT_EQ(world.name, path.stem().string());
+    EXPECT_TRUE(seeds.insert(world.seed).second) << path << ": its seed is another's too";
+    EXPECT_NE(world.seed, 1U) << path << ": training begins with seed 1";
+  }
+  EXPECT_GE(seeds.size(), 14U);
+}
+
+TEST(Worlds, AreNamedByNoTrainingRun) {
+  int files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(kPolicy)) {
+    const fs::path& path = entry.path();
+    const bool may_train = path.extension() == ".toml" || path.filename() == "make";
+    if (!may_train || path.string().find("/worlds/") != std::string::npos) continue;
+    ++files;
+    std::ifstream stream(path);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    EXPECT_EQ(text.find("environment = \"../worlds"), std::string::npos) << path;
+    EXPECT_EQ(text.find("worlds/oceans"), std::string::npos) << path;
+    for (const fs::path& world : worlds_in(kPolicy / "worlds"))
+      EXPECT_EQ(text.find("worlds/" + world.filename().string()), std::string::npos) << path << " names " << world;
+  }
+  EXPECT_GE(files, 2) << "found no run files to look at";
+}
+
+TEST(Worlds, HillyHearsAnotherSnrInEveryDirection) {
+  const World world = load_world(kPolicy / "worlds" / "hilly.toml");
+  const search::Soundscape sounds = search::soundscape_of(world.environment, Meters{300.0}, Meters{36'400.0});
+  EXPECT_EQ(sounds.ocean_count(), 1U);
+  EXPECT_FALSE(sounds.is_one_curve());
+  const NorthEast source{Meters{12'500.0}, Meters{12'500.0}};
+  const std::size_t field = sounds.field_of(0, source);
+  const double north_db = sounds.snr(field, source, {Meters{20'500.0}, Meters{12'500.0}}).value;
+  const double east_db = sounds.snr(field, source, {Meters{12'500.0}, Meters{20'500.0}}).value;
+  EXPECT_GT(std::abs(north_db - east_db), 1.0);
+  // Spherical spreading over 8 km is 78 dB, cylindrical from 2500 m on 73 dB: an SNR of about 25 dB, less what the bottom takes.
+  EXPECT_TRUE(north_db > -20.0 && north_db < 40.0) << north_db;
+}
+
+class WorldFile : public testing::Test {
+ protected:
+  WorldFile()
+      : path_(fs::path(testing::TempDir()) / (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".toml")) {}
+  ~WorldFile() override { fs::remove(path_); }
+  World load(const std::string& text) {
+    std::ofstream(path_) << text;
+    return load_world(path_);
+  }
+  std::string complaint(const std::string& text) {
+    try {
+      (void)load(text);
+    } catch (const config_file::BadInput& e) {
+      return e.what();
+    }
+    return "";
+  }
+  const fs::path path_;
+};
+
+TEST_F(WorldFile, GivesItsConditionsToItsEnvironment) {
+  const World world = load("name = \"a\"\nwhat = \"b\"\nseed = 5\nenvironment = \"" + kMunk + "\"\n[conditions]\nfluctuation_db = 3.0\n");
+  EXPECT_EQ(world.seed, 5U);
+  EXPECT_EQ(world.environment.conditions.fluctuation, Decibels{3.0});
+  EXPECT_EQ(world.environment.source.level, Decibels{190.0});
+}
+
+TEST_F(WorldFile, IsRefusedWithWhatIsWrong) {
+  EXPECT_NE(complaint("name = \"a\"\nwhat = \"b\"\nenvironment = \"" + kMunk + "\"\n").find("seed is missing"), std::string::npos);
+  EXPECT_NE(complaint("name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"none.toml\"\n").find("none.toml: no such file"),
+            std::string::npos);
+  EXPECT_NE(complaint("name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"" + kMunk + "\"\nsead = 1\n").find("sead: unknown key"),
+            std::string::npos);
+}
+
+TEST_F(WorldFile, IsLookedForInAFolderThatHasSome) {
+  EXPECT_THROW((void)worlds_in("/nowhere"), config_file::BadInput);
+}
+
+}  // namespace
+}  // namespace earshot::evaluate

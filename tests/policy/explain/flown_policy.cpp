@@ -1,0 +1,79 @@
+#include "tests/policy/explain/flown_policy.hpp"
+
+#include <algorithm>
+
+#include "sim/search/belief_model.hpp"
+#include "sim/search/settings.hpp"
+#include "sim/sonar/snr_curve.hpp"
+#include "tests/policy/explain/random_network.hpp"
+
+namespace earshot::explain {
+namespace {
+
+sonar::SnrCurve falling() {
+  std::vector<float> snr_db;
+  for (int i = 0; i <= 36; ++i) snr_db.push_back(static_cast<float>(40 - i));
+  return {Meters{1'000.0}, std::move(snr_db)};
+}
+
+policy::Heard hear(Decibels snr) {
+  return snr < kFloor ? policy::Heard{.snr = kFloor, .measured = false} : policy::Heard{.snr = snr};
+}
+
+std::unique_ptr<policy::FrozenPolicy> with_random_network(const policy::ObservationModel& observation, std::uint64_t seed) {
+  const search::SearchSettings settings;
+  auto policy = std::make_unique<policy::FrozenPolicy>();
+  policy->observation = observation;
+  policy->actions = search::compass_directions(settings.direction_count);
+  policy->step_length = settings.step_length;
+  policy->area_size = settings.domain.north_east - settings.domain.south_west;
+  policy->detection_threshold = settings.detection_threshold;
+  Pcg32 random(seed);
+  policy->network = *random_network({observation.spec.size(), {16, 16}, policy->actions.size()}, 0.5F, random);
+  return policy;
+}
+
+}  // namespace
+
+std::unique_ptr<policy::FrozenPolicy> belief_policy(std::uint64_t seed) {
+  policy::ObservationModel observation;
+  observation.belief = search::belief_model(search::SearchSettings{}, falling());
+  observation.spec = policy::belief_state(observation.belief);
+  return with_random_network(observation, seed);
+}
+
+std::unique_ptr<policy::FrozenPolicy> place_policy(std::uint64_t seed) {
+  policy::ObservationModel observation;
+  observation.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}});
+  return with_random_network(observation, seed);
+}
+
+std::vector<RecordedDecision> flown(const policy::FrozenPolicy& policy, std::size_t decisions, NorthEast south_west) {
+  const sonar::SnrCurve curve = falling();
+  const NorthEast source{Meters{12'000.0}, Meters{15'000.0}};
+  NorthEast place{Meters{8'000.0}, Meters{6'000.0}};
+  const auto memory = std::make_unique<policy::SearchMemory>();
+  std::vector<RecordedDecision> taken;
+  for (std::size_t i = 0; i < decisions; ++i) {
+    RecordedDecision d;
+    d.step = static_cast<std::uint32_t>(i);
+    d.time_s = 500.0 * static_cast<double>(i);
+    d.position = south_west + place;
+    d.heard = hear(curve.at(range_between(place, source)));
+    d.detected = d.heard.measured && d.heard.snr >= policy.detection_threshold;
+    i == 0 ? memory->start(policy.observation, d.position - south_west, d.heard)
+           : memory->remember(policy.observation, d.position - south_west, d.heard);
+    d.observation.resize(policy.observation.spec.size());
+    d.logits.resize(policy.actions.size());
+    policy::observe(*memory, policy.observation, d.observation);
+    policy::forward(policy.network, d.observation, d.logits);
+    d.action = static_cast<std::size_t>(std::ranges::max_element(d.logits) - d.logits.begin());
+    // Towards the middle, whatever it chose: a random policy would leave.
+    place = place + NorthEast{Meters{400.0}, Meters{700.0}};
+    d.waypoint = south_west + place;
+    taken.push_back(d);
+  }
+  return taken;
+}
+
+}  // namespace earshot::explain

@@ -1,0 +1,68 @@
+#include "policy/explain/integrated_gradients.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "policy/explain/network_gradient.hpp"
+#include "tests/policy/explain/random_network.hpp"
+
+namespace earshot::explain {
+namespace {
+
+/// All that a network with one unit in its first layer knows of its inputs is u = w x: by the chain rule the gradient is w everywhere but
+/// for one factor, so that the difference is shared out as w_i (x_i - x'_i), whatever comes after u.
+TEST(IntegratedGradients, AreThoseOfAHandComputedNetwork) {
+  Pcg32 random(5);
+  const auto network = random_network({3, {1, 4}, 3}, 2.0F, random);
+  std::ranges::copy(std::array{2.0F, -1.0F, 0.0F}, network->first.weights.begin());
+  const std::array x{0.75, 0.25, 0.9};
+  const std::array baseline{0.25, 0.75, -0.5};
+  // w (x - x') = 2 * 0.5, -1 * -0.5, 0: two thirds, one third, nothing.
+  const Attribution a = integrated_gradients(*network, {.observation = x, .baseline = baseline}, 1, 1e-9);
+  ASSERT_TRUE(a.is_complete());
+  EXPECT_GT(std::abs(a.difference()), 0.01) << "a network that does not care shows nothing";
+  EXPECT_NEAR(a.parts[0], a.difference() * 2.0 / 3.0, 1e-9);
+  EXPECT_NEAR(a.parts[1], a.difference() / 3.0, 1e-9);
+  EXPECT_EQ(a.parts[2], 0.0);
+}
+
+TEST(IntegratedGradients, AddUpToTheDifferenceForEveryNetworkAndEveryPairOfObservations) {
+  Pcg32 random(6);
+  for (int round = 0; round < 100; ++round) {
+    const NetworkSizes sizes{1 + random.next() % 20, {1 + random.next() % 16, 1 + random.next() % 16}, 2 + random.next() % 7};
+    const auto network = random_network(sizes, 1.5F, random);
+    const std::vector<double> x = random_observation(sizes.observation, random);
+    const std::vector<double> baseline = random_observation(sizes.observation, random);
+    const std::size_t action = random.next() % sizes.actions;
+    const Attribution a = integrated_gradients(*network, {.observation = x, .baseline = baseline}, action);
+    EXPECT_TRUE(a.is_complete()) << "round " << round << ": " << a.sum() << " of " << a.difference() << " after " << a.steps;
+    EXPECT_EQ(a.difference(), log_probability(*network, x, action).value - log_probability(*network, baseline, action).value);
+  }
+}
+
+TEST(IntegratedGradients, TakeMoreStepsForATighterTolerance) {
+  Pcg32 random(7);
+  const auto network = random_network({6, {12, 12}, 4}, 1.5F, random);
+  const std::vector<double> x = random_observation(6, random);
+  const std::vector<double> baseline(6, 0.0);
+  const Comparison comparison{.observation = x, .baseline = baseline};
+  const Attribution loose = integrated_gradients(*network, comparison, 0, 1e-2);
+  const Attribution tight = integrated_gradients(*network, comparison, 0, 1e-7);
+  EXPECT_TRUE(loose.is_complete());
+  EXPECT_TRUE(tight.is_complete());
+  EXPECT_GT(tight.steps, loose.steps);
+}
+
+TEST(IntegratedGradients, SayThatTheyAreNotCompleteRatherThanGoOnForEver) {
+  Pcg32 random(8);
+  const auto network = random_network({3, {4, 4}, 3}, 1.0F, random);
+  const std::vector<double> x = random_observation(3, random);
+  const std::vector<double> baseline(3, 0.0);
+  const Attribution a = integrated_gradients(*network, {.observation = x, .baseline = baseline}, 0, -1.0);  // which nothing keeps
+  EXPECT_FALSE(a.is_complete());
+  EXPECT_EQ(a.steps, kMostSteps);
+}
+
+}  // namespace
+}  // namespace earshot::explain

@@ -1,0 +1,72 @@
+#include "policy/explain/network_gradient.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "firmware/policy/action_draw.hpp"
+#include "tests/policy/explain/random_network.hpp"
+
+namespace earshot::explain {
+namespace {
+
+TEST(LogProbability, EqualsAHandComputedNetwork) {
+  const auto network = std::make_unique<policy::Network>();
+  network->observation_size = 2;
+  network->hidden_sizes = {2, 1};
+  network->action_count = 2;
+  std::ranges::copy(std::array{1.0F, 2.0F, -3.0F, 0.5F}, network->first.weights.begin());
+  std::ranges::copy(std::array{0.25F, -1.0F}, network->first.bias.begin());
+  std::ranges::copy(std::array{2.0F, -1.0F}, network->second.weights.begin());
+  network->second.bias[0] = 0.5F;
+  std::ranges::copy(std::array{4.0F, -2.0F}, network->output.weights.begin());
+  std::ranges::copy(std::array{1.0F, 0.0F}, network->output.bias.begin());
+  const LogProbability p = log_probability(*network, std::array{0.5, -0.25}, 0);
+  // By hand: tanh (0.2449187, -0.9895597), second 0.9625427, logits (4.8501707, -1.9250854); p_1 = q = 0.0011403761, log p_0 = log(1 - q);
+  // by the second unit 6q (1 - 0.9625427^2), by the first two 2 and -1 times that times their own 1 - tanh^2, by the inputs the weights.
+  EXPECT_NEAR(p.value, -0.001141026857315, 1e-15);  // rounding of a double
+  EXPECT_NEAR(p.gradient[0], 0.000976970239383, 1e-15);
+  EXPECT_NEAR(p.gradient[1], 0.001886030055415, 1e-15);
+}
+
+TEST(LogProbability, HasTheGradientThatFiniteDifferencesShow) {
+  Pcg32 random(3);
+  for (const NetworkSizes& sizes : {NetworkSizes{1, {1, 1}, 1}, NetworkSizes{5, {7, 6}, 4}, NetworkSizes{64, {64, 64}, 32}}) {
+    const auto network = random_network(sizes, 0.4F, random);
+    std::vector<double> x = random_observation(sizes.observation, random);
+    for (std::size_t action = 0; action < sizes.actions; action += 3) {
+      const LogProbability here = log_probability(*network, x, action);
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        constexpr double kStep = 1e-5;
+        const double middle = x[i];
+        x[i] = middle + kStep;
+        const double above = log_probability(*network, x, action).value;
+        x[i] = middle - kStep;
+        const double below = log_probability(*network, x, action).value;
+        x[i] = middle;
+        // A central difference is off by the third derivative times kStep^2 (some 1e-9 here) and by 1e-15 / kStep of rounding.
+        EXPECT_NEAR(here.gradient[i], (above - below) / (2.0 * kStep), 1e-8);
+      }
+    }
+  }
+}
+
+TEST(LogProbability, IsThatOfTheFloatNetworkThatFlies) {
+  Pcg32 random(4);
+  const auto network = random_network({20, {64, 64}, 8}, 0.4F, random);
+  const std::vector<double> x = random_observation(20, random);
+  const std::vector<float> observation(x.begin(), x.end());
+  std::array<float, 8> logits{};
+  std::array<float, 8> probabilities{};
+  policy::forward(*network, observation, logits);
+  policy::softmax(logits, probabilities);
+  const std::vector<double> seen(observation.begin(), observation.end());
+  for (std::size_t a = 0; a < logits.size(); ++a) {
+    EXPECT_NEAR(std::exp(log_probability(*network, seen, a).value), static_cast<double>(probabilities[a]),
+                2e-6);  // some 64 float roundings
+    EXPECT_NEAR(logits_of(*network, seen)[a], static_cast<double>(logits[a]), 2e-5);
+  }
+}
+
+}  // namespace
+}  // namespace earshot::explain

@@ -1,0 +1,54 @@
+#include "policy/explain/replay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/policy/explain/flown_policy.hpp"
+
+namespace earshot::explain {
+namespace {
+
+constexpr NorthEast kCorner{Meters{-3'000.0}, Meters{750.0}};
+
+Contradiction last_contradiction(const policy::FrozenPolicy& policy, std::span<const RecordedDecision> taken, NorthEast south_west) {
+  return contradiction(policy, taken.back(), *remembered_at(policy.observation, taken, south_west));
+}
+
+TEST(Replay, MakesEveryRecordedObservationAgainBitForBit) {
+  const auto policy = belief_policy(1);
+  const std::vector<RecordedDecision> taken = flown(*policy, 6, kCorner);
+  for (std::size_t i = 1; i <= taken.size(); ++i)
+    EXPECT_EQ(last_contradiction(*policy, std::span(taken).first(i), kCorner), Contradiction::kNone) << i;
+}
+
+TEST(Replay, KnowsThatAnotherPolicyTookTheDecision) {
+  const std::vector<RecordedDecision> taken = flown(*belief_policy(1), 3, kCorner);
+  EXPECT_EQ(last_contradiction(*belief_policy(2), taken, kCorner), Contradiction::kLogits);
+  EXPECT_EQ(last_contradiction(*place_policy(1), taken, kCorner), Contradiction::kSizes);
+}
+
+TEST(Replay, KnowsThatThePastIsNotTheOneThatWasSeen) {
+  const auto policy = belief_policy(1);
+  std::vector<RecordedDecision> taken = flown(*policy, 4, kCorner);
+  EXPECT_EQ(last_contradiction(*policy, taken, {}), Contradiction::kObservation) << "of another corner";
+  taken[1].heard.snr = taken[1].heard.snr + Decibels{1.0};
+  EXPECT_EQ(last_contradiction(*policy, taken, kCorner), Contradiction::kObservation) << "of another look";
+}
+
+TEST(Replay, RefusesAnActionThatThePolicyHasNot) {
+  const auto policy = place_policy(1);
+  std::vector<RecordedDecision> taken = flown(*policy, 1, kCorner);
+  taken[0].action = 8;
+  EXPECT_EQ(last_contradiction(*policy, taken, kCorner), Contradiction::kSizes);
+}
+
+TEST(Replay, TakesANumberThatIsNoneForAContradiction) {
+  const auto policy = place_policy(1);
+  std::vector<RecordedDecision> taken = flown(*policy, 1, kCorner);
+  taken[0].observation[0] = std::nanf("");
+  EXPECT_NE(last_contradiction(*policy, taken, kCorner), Contradiction::kNone);
+}
+
+}  // namespace
+}  // namespace earshot::explain

@@ -1,0 +1,64 @@
+#include "policy/explain/wording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/search/settings.hpp"
+
+namespace earshot::explain {
+namespace {
+
+using policy::Feature;
+
+TEST(DirectionName, IsThePointOfTheCompassWhereItIsOneAndDegreesWhereNot) {
+  const auto names = [](std::size_t count) {
+    std::string text;
+    for (const UnitNorthEast& direction : search::compass_directions(count)) text += direction_name(direction) + " ";
+    return text;
+  };
+  EXPECT_EQ(names(4), "N E S W ");
+  EXPECT_EQ(names(8), "N NE E SE S SW W NW ");
+  EXPECT_EQ(names(16), "N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW ");
+  EXPECT_EQ(names(5), "N 072\u00B0 144\u00B0 216\u00B0 288\u00B0 ");
+}
+
+TEST(ValueOf, UndoesTheScalingOfTheObservation) {
+  const policy::ObservationElement snr{.feature = Feature::kStepSnr, .age = 0, .offset = 10.0F, .scale = 0.5F};
+  EXPECT_EQ(value_of(snr, -1.25F), "7.5 dB");  // -1.25 / 0.5 + 10
+  const policy::ObservationElement east{.feature = Feature::kEast, .age = 0, .offset = 12'500.0F, .scale = 1.0F / 12'500.0F};
+  EXPECT_EQ(value_of(east, -1.0F), "0.00 km");
+  EXPECT_EQ(value_of(east, 0.2F), "15.00 km");
+  const policy::ObservationElement found{.feature = Feature::kFound, .age = 2, .offset = 0.0F, .scale = 4.0F};
+  EXPECT_EQ(value_of(found, 1.0F), "25.0 %");
+}
+
+TEST(NameOf, TellsEveryFeatureOfABeliefAndEveryDirectionFromEveryOther) {
+  policy::BeliefModel model;
+  model.actions = search::compass_directions(8);
+  for (const float offset : {0.0F, 6.0F}) (void)model.hypotheses.push_back({.level_offset_db = offset});
+  std::vector<std::string> names;
+  for (int feature = 0; feature < 64; ++feature) {
+    if (!policy::is_known(static_cast<Feature>(feature))) continue;
+    for (std::uint8_t age = 0; age < 2; ++age) {
+      const policy::ObservationElement element{.feature = static_cast<Feature>(feature), .age = age};
+      const std::string name = name_of(element, model, model.actions);
+      EXPECT_EQ(name.find("feature"), std::string::npos) << "no words for feature " << feature;
+      if (age == 0 || name != names.back()) names.push_back(name);
+    }
+  }
+  const std::size_t count = names.size();
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  EXPECT_EQ(names.size(), count);
+}
+
+TEST(Fixed, NeverWritesMinusZero) {
+  EXPECT_EQ(fixed(-0.004, 2), "0.00");
+  EXPECT_EQ(fixed(-0.006, 2), "-0.01");
+  EXPECT_EQ(fixed(0.0, 0), "0");
+  EXPECT_EQ(fixed(-10.0, 0), "-10");
+}
+
+}  // namespace
+}  // namespace earshot::explain

@@ -1,0 +1,126 @@
+#include "policy/freeze/pickle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/policy/freeze/bytes.hpp"
+
+namespace earshot::freeze {
+namespace {
+
+using test::refusal;
+using Kind = PickleValue::Kind;
+using namespace std::string_literals;
+
+const PickleRules kNothing{.may_name = [](std::string_view) { return false; }, .may_call = [](std::string_view) { return false; }};
+const PickleRules kNames{.may_name = [](std::string_view) { return true; }, .may_call = [](std::string_view) { return false; }};
+const PickleRules kCalls{.may_name = [](std::string_view) { return true; }, .may_call = [](std::string_view) { return true; }};
+
+std::string refused(const std::string& bytes, const PickleRules& rules) {
+  return refusal([&] { (void)read_pickle(bytes, rules); });
+}
+
+// pickle.dumps({"a": [1, 300, -2], "b": (True, None, 1.5)}, protocol=2), as Python 3.11 writes it.
+const std::string kPlain =
+    "\x80\x02}q\x00(X\x01\x00\x00\x00"
+    "aq\x01]q\x02(K\x01M,\x01J\xfe\xff\xff\xff"
+    "eX\x01\x00\x00\x00"
+    "bq\x03\x88NG?\xf8\x00\x00\x00\x00\x00\x00\x87q\x04u."s;
+
+TEST(Pickle, ReadsPlainDataThatPythonWrote) {
+  const Pickle pickle = read_pickle(kPlain, kNothing);
+  const PickleValue& top = pickle.top();
+  ASSERT_EQ(top.kind, Kind::kDictionary);
+  ASSERT_EQ(top.items.size(), 4U);
+  EXPECT_EQ(pickle.at(top.items[0]).text, "a");
+  const PickleValue& list = pickle.at(top.items[1]);
+  ASSERT_EQ(list.items.size(), 3U);
+  EXPECT_EQ(pickle.at(list.items[0]).integer, 1);
+  EXPECT_EQ(pickle.at(list.items[1]).integer, 300);
+  EXPECT_EQ(pickle.at(list.items[2]).integer, -2);
+  const PickleValue& tuple = pickle.at(top.items[3]);
+  ASSERT_EQ(tuple.kind, Kind::kTuple);
+  EXPECT_EQ(pickle.at(tuple.items[0]).kind, Kind::kBoolean);
+  EXPECT_EQ(pickle.at(tuple.items[1]).kind, Kind::kNone);
+  EXPECT_EQ(pickle.at(tuple.items[2]).real, 1.5);
+}
+
+TEST(Pickle, OnlyWritesDownWhatItNames) {
+  const Pickle pickle = read_pickle(
+      "\x80\x02"
+      "cos\nsystem\n.",
+      kNames);
+  EXPECT_EQ(pickle.top().kind, Kind::kGlobal);
+  EXPECT_EQ(pickle.top().text, "os.system");
+}
+
+TEST(Pickle, RefusesACallThatPythonWouldMake) {
+  const std::filesystem::path proof = std::filesystem::path(testing::TempDir()) / "executed";
+  std::filesystem::remove(proof);
+  const std::string command = "touch " + proof.string();
+  const std::string attack =
+      "\x80\x02"
+      "cos\nsystem\nX"s +
+      static_cast<char>(command.size()) + "\0\0\0"s + command + "\x85R.";
+  EXPECT_NE(refused(attack, kNothing).find("names os.system"), std::string::npos);
+  EXPECT_NE(refused(attack, kNames).find("calls os.system"), std::string::npos);
+  EXPECT_EQ(read_pickle(attack, kCalls).top().kind, Kind::kCall);
+  EXPECT_FALSE(std::filesystem::exists(proof));
+}
+
+TEST(Pickle, RefusesEveryOtherWayToCallSomething) {
+  EXPECT_NE(refused("\x80\x02(X\x02\x00\x00\x00lsios\nsystem\n."s, kCalls).find("opcode 0x69"), std::string::npos);   // INST
+  EXPECT_NE(refused("\x80\x02(cos\nsystem\nX\x02\x00\x00\x00lso."s, kCalls).find("opcode 0x6f"), std::string::npos);  // OBJ
+  EXPECT_NE(refused("\x80\x02"
+                    "cos\nsystem\n)\x81."s,
+                    kCalls)
+                .find("opcode 0x81"),
+            std::string::npos);  // NEWOBJ
+  EXPECT_NE(refused("\x80\x04"
+                    "cos\nsystem\n)}\x92."s,
+                    kCalls)
+                .find("opcode 0x92"),
+            std::string::npos);                                                             // NEWOBJ_EX
+  EXPECT_NE(refused("\x80\x02\x82\x01."s, kCalls).find("opcode 0x82"), std::string::npos);  // EXT1
+  EXPECT_NE(refused("\x80\x02"
+                    "cos\nsystem\n)Rcos\nsystem\nb."s,
+                    kCalls)
+                .find("expected a dictionary"),
+            std::string::npos);  // BUILD
+}
+
+TEST(Pickle, RefusesEveryOpcodeItDoesNotKnow) {
+  const std::string known = "(.NJKMGXaebc})hjqrRsut]Q\x80\x85\x86\x87\x88\x89\x8c\x93\x94\x95";
+  for (int code = 0; code < 256; ++code) {
+    const char opcode = static_cast<char>(code);
+    if (known.find(opcode) != std::string::npos) continue;
+    EXPECT_NE(refused("\x80\x02"s + opcode + std::string(64, '\n'), kCalls).find("opcode 0x"), std::string::npos) << code;
+  }
+}
+
+TEST(Pickle, RefusesEveryBeginningOfAWholeOne) {
+  for (std::size_t size = 0; size < kPlain.size(); ++size) {
+    EXPECT_NE(refused(kPlain.substr(0, size), kNothing), "") << size;
+  }
+  EXPECT_NE(refused(kPlain + ".", kNothing).find("after its end"), std::string::npos);
+}
+
+TEST(Pickle, RefusesToTakeWhatIsNotThere) {
+  for (const std::string& bytes : {"\x80\x02."s, "\x80\x02\x85."s, "\x80\x02t."s, "\x80\x02h\x07."s, "\x80\x02q\x00N."s, "\x80\x02N\x61."s,
+                                   "\x80\x02}(Nu."s, "\x80\x02(N\x85t."s + "", "\x80\x02N(\x85."s}) {
+    if (bytes == "\x80\x02(N\x85t."s) continue;  // a tuple in a tuple: whole
+    EXPECT_NE(refused(bytes, kCalls), "") << testing::PrintToString(bytes);
+  }
+}
+
+TEST(Pickle, TakesAListThatHoldsItself) {
+  const Pickle pickle = read_pickle(
+      "\x80\x02]q\x00h\x00"
+      "a."s,
+      kNothing);
+  EXPECT_EQ(pickle.top().items, std::vector<std::size_t>{pickle.root});
+}
+
+}  // namespace
+}  // namespace earshot::freeze

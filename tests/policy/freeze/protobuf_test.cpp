@@ -1,0 +1,49 @@
+#include "policy/freeze/protobuf.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/policy/freeze/bytes.hpp"
+
+namespace earshot::freeze {
+namespace {
+
+using test::refusal;
+using namespace std::string_literals;
+
+void read_all(const std::string& bytes) {
+  ProtobufReader reader(bytes);
+  while (reader.next()) {
+  }
+}
+
+// Examples of protobuf.dev, "Encoding": field 1 = 150; field 2 = "testing".
+TEST(Protobuf, ReadsTheExamplesOfItsDocumentation) {
+  const std::string bytes = "\x08\x96\x01\x12\x07testing"s;
+  ProtobufReader reader(bytes);
+  const auto number = reader.next();
+  ASSERT_TRUE(number);
+  EXPECT_EQ(number->number, 1U);
+  EXPECT_EQ(number->value, 150U);
+  const auto text = reader.next();
+  ASSERT_TRUE(text);
+  EXPECT_EQ(text->number, 2U);
+  EXPECT_EQ(text->bytes, "testing");
+  EXPECT_FALSE(reader.next());
+}
+
+TEST(Protobuf, ReadsFixedNumbersLittleEndian) {
+  const std::string bytes = "\x0d\x00\x00\x80\x3f"s;  // field 1, fixed32, the bits of 1.0F
+  ProtobufReader reader(bytes);
+  EXPECT_EQ(reader.next()->value, 0x3f80'0000U);
+}
+
+TEST(Protobuf, RefusesWhatIsCutShortOrUnknown) {
+  EXPECT_NE(refusal([] { read_all("\x12\x07test"s); }).find("cut short"), std::string::npos);
+  EXPECT_NE(refusal([] { read_all("\x0d\x00"s); }).find("cut short"), std::string::npos);
+  EXPECT_NE(refusal([] { read_all("\x08"s + std::string(11, '\xff')); }).find("does not end"), std::string::npos);
+  EXPECT_NE(refusal([] { read_all("\x0b"s); }).find("unknown kind"), std::string::npos);  // a group
+  EXPECT_NE(refusal([] { read_all("\x00\x00"s); }).find("without a number"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace earshot::freeze

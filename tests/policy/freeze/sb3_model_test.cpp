@@ -1,0 +1,147 @@
+#include "policy/freeze/sb3_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "firmware/policy/network.hpp"
+#include "policy/description/search_description.hpp"
+#include "policy/freeze/freeze.hpp"
+#include "policy/freeze/model_file.hpp"
+#include "policy/freeze/state_dict.hpp"
+#include "tests/policy/freeze/bytes.hpp"
+
+namespace earshot::freeze {
+namespace {
+
+using test::refusal;
+
+std::unique_ptr<policy::FrozenPolicy> frozen(const std::string& name) {
+  const TrainedActor actor = read_model(test::model(name), name);
+  return freeze(actor, description::from_text(actor.search.value()), policy::ActionDraw::kArgmax);
+}
+
+std::string refused(const std::string& name) {
+  return refusal([&] { (void)frozen(name); });
+}
+
+/// memory.zip with one entry changed by `change`.
+template <class Change>
+std::string refused_with(const std::string& entry, Change change) {
+  auto entries = test::unzipped(test::model("memory.zip"));
+  change(entries[entry]);
+  const std::string bytes = test::zip_of(entries);
+  return refusal([&] { (void)read_model(bytes, "model.zip"); });
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+int decisions_that_differ(const policy::Network& network) {
+  const std::string expected = test::model_oracle().at("actions");
+  int differ = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    std::array<float, 6> observation{};
+    for (std::uint32_t e = 0; e < observation.size(); ++e) {
+      observation[e] = static_cast<float>(3.0 * test::uniform(e, static_cast<std::uint32_t>(i)) - 1.5);
+    }
+    std::array<float, 8> logits{};
+    policy::forward(network, observation, logits);
+    differ += std::ranges::max_element(logits) - logits.begin() == expected[i] - '0' ? 0 : 1;
+  }
+  return differ;
+}
+
+TEST(Sb3Model, FrozenMakesTheTenThousandDecisionsOfPredict) {
+  ASSERT_EQ(test::model_oracle().at("actions").get<std::string>().size(), 10'000U);
+  EXPECT_EQ(decisions_that_differ(frozen("memory.zip")->network), 0);
+  EXPECT_EQ(decisions_that_differ(frozen("memory.onnx")->network), 0);
+}
+
+TEST(Sb3Model, FreezesEveryWeightOfTheActorBitForBit) {
+  const StateDict state = read_state_dict(test::unzipped(test::model("memory.zip")).at("policy.pth"));
+  const policy::Network& network = frozen("memory.zip")->network;
+  const auto same_bits = [](const std::vector<float>& from, std::span<const float> to) {
+    return std::ranges::equal(from, to.first(from.size()),
+                              [](float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); });
+  };
+  EXPECT_TRUE(same_bits(state.at("mlp_extractor.policy_net.0.weight").values, network.first.weights));
+  EXPECT_TRUE(same_bits(state.at("mlp_extractor.policy_net.0.bias").values, network.first.bias));
+  EXPECT_TRUE(same_bits(state.at("mlp_extractor.policy_net.2.weight").values, network.second.weights));
+  EXPECT_TRUE(same_bits(state.at("mlp_extractor.policy_net.2.bias").values, network.second.bias));
+  EXPECT_TRUE(same_bits(state.at("action_net.weight").values, network.output.weights));
+  EXPECT_TRUE(same_bits(state.at("action_net.bias").values, network.output.bias));
+}
+
+TEST(Sb3Model, SaysWhatItWasTrainedToSearch) {
+  const auto policy = frozen("memory.zip");
+  EXPECT_EQ(policy->observation.spec.size(), 6U);
+  EXPECT_EQ(policy->observation.spec[2].feature, policy::Feature::kStepSnr);
+  EXPECT_EQ(policy->actions.size(), 8U);
+  EXPECT_EQ(policy->step_length, Meters{1'000.0});
+  EXPECT_EQ(policy->area_size, (NorthEast{Meters{25'000.0}, Meters{25'000.0}}));
+  const std::string provenance(policy->provenance.begin(), policy->provenance.end());
+  EXPECT_NE(provenance.find("trained_by = stable-baselines3 2.3.2 PPO"), std::string::npos);
+}
+
+TEST(Sb3Model, TakesTanhAndLayersNamedInItsArguments) {
+  const auto policy = frozen("named_tanh.zip");
+  EXPECT_EQ(policy->network.hidden_sizes, (std::array<std::size_t, 2>{32, 16}));
+}
+
+TEST(Sb3Model, RefusesWhatItCannotBeSureOf) {
+  EXPECT_NE(refused("relu.zip").find("activation_fn: torch.nn.modules.activation.ReLU"), std::string::npos);
+  EXPECT_NE(refused("named_extractor.zip").find("features_extractor_class"), std::string::npos);
+  EXPECT_NE(refused("own_policy.zip").find("policy_class"), std::string::npos);
+  EXPECT_NE(refused("continuous.zip").find("action_space"), std::string::npos);
+  EXPECT_NE(refused("three_layers.zip").find("3 hidden layers"), std::string::npos);
+}
+
+TEST(Sb3Model, RefusesAModelThatSomebodyChanged) {
+  const auto with_data = [](const std::string& from, const std::string& to) {
+    return refused_with("data", [&](std::string& data) { data = replaced(data, from, to); });
+  };
+  EXPECT_NE(with_data("\"use_sde\": false", "\"use_sde\": true").find("use_sde"), std::string::npos);
+  EXPECT_NE(with_data("\"start\": \"0\"", "\"start\": \"1\"").find("starts at 0"), std::string::npos);
+  EXPECT_NE(with_data("\"policy_kwargs\": {}", "\"policy_kwargs\": {\"squash_output\": true}").find("squash_output"), std::string::npos);
+  EXPECT_NE(with_data("\"policy_kwargs\": {}", "\"policy_kwargs\": {\"a\\nb\": 1}").find("a?b"), std::string::npos);
+  EXPECT_NE(with_data("\"policy_class\"", "\"policy_clasp\"").find("policy_class"), std::string::npos);
+  EXPECT_NE(refused_with("data", [](std::string& data) { data.resize(100); }).find("cut short"), std::string::npos);
+  EXPECT_NE(refused_with("policy.pth", [](std::string& weights) { weights.resize(1'000); }).find("policy.pth"), std::string::npos);
+}
+
+TEST(Sb3Model, RefusesAStateDictWithMoreInIt) {
+  const std::string message = refused_with("policy.pth", [](std::string& weights) {
+    auto inner = test::unzipped(weights);
+    std::string& pickle = inner.at("archive/data.pkl");
+    pickle = replaced(pickle, "value_net.bias", "value_mat.bias");
+    weights = test::zip_of(inner);
+  });
+  EXPECT_NE(message.find("value_mat.bias"), std::string::npos);
+}
+
+TEST(SearchDescription, SurvivesItsText) {
+  const std::string text = read_model(test::model("memory.zip"), "m").search.value();
+  const description::SearchDescription search = description::from_text(text);
+  EXPECT_EQ(description::to_text(description::from_text(description::to_text(search))), description::to_text(search));
+}
+
+TEST(SearchDescription, IsRefusedWhenObservationsWereNormalisedOrNothingSaysThatTheyWereNot) {
+  const std::string text = read_model(test::model("memory.zip"), "m").search.value();
+  const auto refused_text = [](const std::string& changed) { return refusal([&] { (void)description::from_text(changed); }); };
+  EXPECT_EQ(refused_text(text), "");
+  EXPECT_NE(refused_text(replaced(text, "\"normalisation\": \"none\", ", "")).find("normalisation: missing"), std::string::npos);
+  EXPECT_NE(refused_text(replaced(text, "\"none\"", "\"VecNormalize\"")).find("normalisation"), std::string::npos);
+  EXPECT_NE(refused_text(replaced(text, "\"feature\": 5", "\"feature\": 200")).find("unknown feature"), std::string::npos);
+  EXPECT_NE(refused_text(replaced(text, "\"direction_count\": 8", "\"direction_count\": 0")).find("direction_count"), std::string::npos);
+  EXPECT_NE(refused_text(replaced(text, "\"step_length_m\": 1000.0", "\"step_length_m\": -1")).find("step_length_m"), std::string::npos);
+  EXPECT_NE(refused_text(text.substr(0, 50)).find("cut short"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace earshot::freeze

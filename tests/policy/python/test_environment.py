@@ -1,0 +1,201 @@
+"""policy/python as a person meets it: Gymnasium's own checks, seeds, vector against single, bad input. Run by ctest (run in this folder)."""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+from pathlib import Path
+
+import gymnasium
+import numpy as np
+from gymnasium.utils.env_checker import check_env
+
+import earshot
+
+STATES = ("simple", "memory", "belief")
+EAST = 2
+
+
+def flown(env, seed, actions):
+    """Observations and rewards of one episode."""
+    observation, _ = env.reset(seed=seed)
+    out = [observation]
+    for action in actions:
+        observation, reward, terminated, truncated, _ = env.step(action)
+        out += [observation, reward]
+        if terminated or truncated:
+            break
+    return np.concatenate([np.ravel(x) for x in out])
+
+
+class Environment(unittest.TestCase):
+    def test_passes_the_checks_of_gymnasium(self):
+        for state in STATES:
+            for source in ("fixed", "changing"):
+                with self.subTest(state=state, source=source), warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    warnings.filterwarnings("ignore", message=".*Box observation space m..imum value is -?infinity")
+                    check_env(gymnasium.make(earshot.ID, state=state, source=source, render_mode="rgb_array").unwrapped)
+
+    def test_repeats_an_episode_from_its_seed(self):
+        rng = np.random.default_rng(1)
+        actions = rng.integers(0, 8, 100)
+        env = earshot.AcousticSearchEnv(state="memory", source="changing")
+        first = flown(env, 5, actions)
+        flown(env, 6, actions)
+        np.testing.assert_array_equal(flown(env, 5, actions), first)
+        self.assertFalse(np.array_equal(flown(env, 6, actions), first))
+
+    def test_without_a_seed_no_two_are_alike(self):
+        one, other = earshot.AcousticSearchEnv(), earshot.AcousticSearchEnv()
+        self.assertFalse(np.array_equal(one.reset()[0], other.reset()[0]))
+        self.assertFalse(np.array_equal(one.reset()[0], one.reset()[0]))
+
+    def test_finds_a_source_straight_east(self):
+        env = earshot.AcousticSearchEnv(state="simple", source="changing")
+        observation, info = env.reset(seed=1, options={"position_m": (12_500.0, 5_000.0), "source_m": (12_500.0, 8_500.0)})
+        np.testing.assert_allclose(observation, [-0.6, 0.0], atol=1e-6)  # (x, y) over half the area's 25 km, from its centre; a float's rounding
+        self.assertEqual(info["source_m"], (12_500.0, 8_500.0))
+        for step in range(3):  # 3.5 km away, found within 1 km: 3 steps of 1 km
+            _, reward, terminated, truncated, info = env.step(EAST)
+            self.assertEqual(reward, 0.0)  # 190 dB a few km away is heard
+            self.assertEqual(terminated, step == 2)
+            self.assertFalse(truncated)
+        self.assertTrue(info["found"])
+        self.assertEqual(info["position_m"], (12_500.0, 8_000.0))
+        self.assertRaisesRegex(RuntimeError, "the episode is over", env.step, EAST)
+
+    def test_is_cut_after_max_steps(self):
+        env = earshot.AcousticSearchEnv(max_steps=2)
+        env.reset(seed=1, options={"position_m": (20_000.0, 20_000.0)})
+        self.assertEqual(env.step(0)[2:4], (False, False))
+        self.assertEqual(env.step(4)[2:4], (False, True))
+
+    def test_draws_itself(self):
+        env = earshot.AcousticSearchEnv(render_mode="ansi")
+        env.reset(seed=1, options={"position_m": (20_000.0, 10_000.0)})
+        self.assertIn("20.0 km north, 10.0 km east", env.render())
+        self.assertIn("source 10.0 km away", env.render())
+        env = earshot.AcousticSearchEnv(render_mode="rgb_array")
+        env.reset(seed=1)
+        picture = env.render()
+        self.assertEqual((picture.shape, picture.dtype), ((256, 256, 3), np.uint8))
+        self.assertEqual(tuple(picture[256 - 103, 102]), (235, 80, 60))  # the source, 10 of 25 km north and east
+
+    def test_refuses_bad_input_by_name(self):
+        for arguments, error, message in [
+            ({"state": "both"}, ValueError, "state.*simple.*memory.*belief"),
+            ({"source": "moving"}, ValueError, "source.*fixed.*changing"),
+            ({"start": "anywhere"}, ValueError, "start.*domain.*inside_border"),
+            ({"environment": "none.toml"}, FileNotFoundError, "none.toml"),
+            ({"directions": 33}, ValueError, "directions = 33.*1 to 32"),
+            ({"directions": -1}, ValueError, "directions = -1"),
+            ({"state": "memory", "remembered_steps": 22}, ValueError, "remembered_steps = 22.*1 to 21"),
+            ({"max_steps": 0}, ValueError, "max_steps = 0"),
+            ({"border_width_m": float("nan")}, ValueError, "border_width_m"),
+            ({"border_width_m": 12_500.0, "start": "inside_border"}, ValueError, "nothing of the domain is left"),
+            ({"vehicle_depth_m": 3_000.0}, ValueError, "vehicle_depth_m"),
+            ({"render_mode": "hologram"}, ValueError, "render_mode"),
+            ({"frobnicate": 1}, TypeError, "frobnicate"),
+        ]:
+            with self.subTest(**arguments):
+                self.assertRaisesRegex(error, message, earshot.AcousticSearchEnv, **arguments)
+
+    def test_names_what_is_wrong_with_an_environment_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "ocean.toml"
+            file.write_text(earshot.world.PAPER_ENVIRONMENT.read_text() + "\n[sky]\n")
+            self.assertRaisesRegex(earshot.BadInput, "ocean.toml.*sky.*unknown key", earshot.AcousticSearchEnv, environment=file)
+
+    def test_refuses_steps_that_cannot_be_taken(self):
+        env = earshot.AcousticSearchEnv()
+        self.assertRaisesRegex(RuntimeError, "before reset", env.step, 0)
+        env.reset(seed=1)
+        self.assertRaisesRegex(ValueError, "action 8: must be 0 to 7", env.step, 8)
+        self.assertRaisesRegex(ValueError, "action -1", env.step, -1)
+        self.assertRaisesRegex(ValueError, "position_m", env.reset, options={"position_m": (float("nan"), 0.0)})
+        self.assertRaisesRegex(ValueError, "within a step", env.reset, options={"position_m": (9_500.0, 10_000.0)})
+        self.assertRaisesRegex(ValueError, "unknown.*place", env.reset, options={"place": 1})
+
+
+class VectorEnvironment(unittest.TestCase):
+    COUNT = 5
+
+    def make(self, **options):
+        if gymnasium.__version__.startswith("0."):
+            env = gymnasium.make_vec(earshot.ID, num_envs=self.COUNT, vectorization_mode="custom", vector_kwargs=options)
+        else:
+            env = gymnasium.make_vec(earshot.ID, num_envs=self.COUNT, **options)
+        self.addCleanup(env.close)
+        return env
+
+    def test_runs_as_so_many_single_ones(self):
+        options = {"state": "memory", "source": "changing"}
+        rng = np.random.default_rng(2)
+        vector, singles = self.make(**options), [earshot.AcousticSearchEnv(**options) for _ in range(self.COUNT)]
+        observations, _ = vector.reset(seed=9)
+        np.testing.assert_array_equal(observations, [env.reset(seed=9 + i)[0] for i, env in enumerate(singles)])
+        last_key = "final_observation" if gymnasium.__version__.startswith("0.") else "final_obs"
+        ended = 0
+        for _ in range(400):
+            actions = rng.integers(0, 8, self.COUNT)
+            observations, rewards, terminated, truncated, info = vector.step(actions)
+            for i, env in enumerate(singles):
+                observation, reward, over, cut, _ = env.step(actions[i])
+                self.assertEqual((rewards[i], terminated[i], truncated[i]), (reward, over, cut))
+                if over or cut:
+                    ended += 1
+                    self.assertTrue(info["_" + last_key][i])
+                    np.testing.assert_array_equal(info[last_key][i], observation)
+                    observation, _ = env.reset()
+                np.testing.assert_array_equal(observations[i], observation)
+        self.assertGreater(ended, 20)
+
+    def test_states_its_autoreset_mode(self):
+        self.assertIn("same", str(self.make().metadata["autoreset_mode"]).lower())
+
+    def test_has_the_shapes_it_says(self):
+        env = self.make(state="memory", remembered_steps=3)
+        self.assertEqual(env.observation_space.shape, (self.COUNT, 9))
+        observations, _ = env.reset(seed=1)
+        self.assertTrue(env.observation_space.contains(observations))
+        self.assertTrue(env.action_space.contains(env.action_space.sample()))
+
+    def test_keeps_what_it_gave(self):
+        env = self.make(state="simple")
+        before, _ = env.reset(seed=1)
+        copy = before.copy()
+        env.step(np.zeros(self.COUNT, dtype=np.int64))
+        np.testing.assert_array_equal(before, copy)
+
+    def test_refuses_bad_input_by_name(self):
+        env = self.make()
+        self.assertRaisesRegex(RuntimeError, "before reset", env.step, np.zeros(self.COUNT, dtype=np.int64))
+        self.assertRaisesRegex(ValueError, "seed", env.reset, seed=[1, 2])
+        self.assertRaisesRegex(ValueError, "seed", env.reset, seed=-1)
+        env.reset(seed=1)
+        self.assertRaisesRegex(ValueError, "one for each", env.step, np.zeros(2, dtype=np.int64))
+        self.assertRaisesRegex(ValueError, "action 8", env.step, np.full(self.COUNT, 8))
+        self.assertRaisesRegex(ValueError, "count", earshot.AcousticSearchVectorEnv, 0)
+
+    def test_a_refused_action_moves_nobody(self):
+        env = self.make()
+        env.reset(seed=1)
+        self.assertRaises(ValueError, env.step, np.array([0, 0, 0, 0, 99]))
+        moved, *_ = env.step(np.zeros(self.COUNT, dtype=np.int64))
+        env.reset(seed=1)
+        np.testing.assert_array_equal(env.step(np.zeros(self.COUNT, dtype=np.int64))[0], moved)
+
+
+class Package(unittest.TestCase):
+    def test_imports_neither_torch_nor_stable_baselines3(self):
+        found = "import earshot, sys; sys.exit('torch' in sys.modules or 'stable_baselines3' in sys.modules)"
+        self.assertEqual(subprocess.run([sys.executable, "-c", found], check=False).returncode, 0)
+
+    def test_says_that_it_is_typed(self):
+        self.assertTrue((Path(earshot.__file__).parent / "py.typed").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,129 @@
+"""Stable-Baselines3 trains on the environment, and what it trained decides the same when frozen. Run by ctest where PyTorch is there."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+
+import gymnasium
+import numpy as np
+import torch
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "peers"))
+import sb3_without_plots  # noqa: F401
+from stable_baselines3 import PPO
+from stable_baselines3.common.evaluation import evaluate_policy
+from stable_baselines3.common.vec_env import DummyVecEnv, VecFrameStack, VecNormalize
+
+import earshot.sb3
+
+OPTIONS = {"state": "memory", "source": "changing"}
+
+
+def trained(env, steps=4_096):
+    model = PPO("MlpPolicy", env, n_steps=256, seed=1, device="cpu")
+    model.learn(steps)
+    return model
+
+
+class StableBaselines3(unittest.TestCase):
+    def setUp(self):
+        torch.set_num_threads(1)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def freeze(self, model: Path, *options) -> subprocess.CompletedProcess:
+        self.policy = self.folder / "model.policy"
+        key = ["--key", self.folder / "a.key"] + ([] if (self.folder / "a.key").exists() else ["--new-key"])
+        command = [f"{os.environ['EARSHOT_PROGRAMS']}/earshot-freeze", model, "-o", self.policy, *key, *options]
+        return subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
+
+    def test_frozen_makes_the_ten_thousand_decisions_of_predict(self):
+        """On the observations of the searches it flies, zip and ONNX alike. Sums in another order may turn a tie within a float's rounding:
+        such a decision counts as the same only if its two best logits are that near."""
+        env = earshot.sb3.SearchVecEnv(50, **OPTIONS)
+        model = trained(env, 25_600)
+        env.seed(3)
+        observation, seen = env.reset(), []
+        for _ in range(200):
+            seen.append(observation)
+            observation, *_ = env.step(model.predict(observation, deterministic=True)[0])
+        seen = np.concatenate(seen)
+        self.assertEqual(len(seen), 10_000)
+        decided, _ = model.predict(seen, deterministic=True)
+        for file in (earshot.sb3.save(model, self.folder / "model"), earshot.sb3.export_onnx(model, self.folder / "model.onnx")):
+            done = self.freeze(file)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            logits = earshot.FrozenPolicy(self.policy).logits(seen)
+            differ = logits.argmax(axis=1) != decided
+            best = np.sort(logits, axis=1)
+            print(f"{file.name}: {differ.sum()} of {len(seen)} decisions differ", file=sys.stderr)
+            self.assertTrue(np.all(best[differ, -1] - best[differ, -2] < 1e-5))
+            self.assertLessEqual(differ.sum(), 1)
+
+    def test_trains_on_the_registered_environment_too(self):
+        model = trained(gymnasium.make(earshot.ID, **OPTIONS), 512)
+        done = self.freeze(earshot.sb3.save(model, self.folder / "model.zip"))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_learns_to_find_a_fixed_source(self):
+        env = earshot.sb3.SearchVecEnv(8, state="simple", source="fixed", start="inside_border")
+        env.seed(1)
+        model = PPO("MlpPolicy", env, n_steps=256, seed=1, device="cpu")
+        before, _ = evaluate_policy(model, env, 40)
+        model.learn(30_000)
+        after, _ = evaluate_policy(model, env, 40)
+        self.assertGreater(after, before / 3)  # rewards are negative: three times better at the least
+
+    def test_a_saved_model_is_loaded_by_stable_baselines3(self):
+        env = earshot.sb3.SearchVecEnv(2, **OPTIONS)
+        model = trained(env, 512)
+        file = earshot.sb3.save(model, self.folder / "model")
+        self.assertEqual(json.loads(zipfile.ZipFile(file).read("earshot.json"))["normalisation"], "none")
+        observation = np.zeros((1, 6), np.float32)
+        self.assertEqual(PPO.load(file).predict(observation, deterministic=True)[0], model.predict(observation, deterministic=True)[0])
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["model.zip"])
+
+    def test_refuses_to_save_what_saw_changed_observations(self):
+        for env in (
+            VecNormalize(earshot.sb3.SearchVecEnv(2, **OPTIONS)),
+            VecFrameStack(earshot.sb3.SearchVecEnv(2, **OPTIONS), 2),
+            DummyVecEnv([lambda: gymnasium.wrappers.NormalizeObservation(gymnasium.make(earshot.ID, **OPTIONS))]),
+        ):
+            model = PPO("MlpPolicy", env, n_steps=16, device="cpu")
+            self.assertRaisesRegex(ValueError, "frozen", earshot.sb3.save, model, self.folder / "model.zip")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_normalised_rewards_change_nothing(self):
+        env = VecNormalize(earshot.sb3.SearchVecEnv(2, **OPTIONS), norm_obs=False)
+        self.assertEqual(self.freeze(earshot.sb3.save(trained(env, 512), self.folder / "model.zip")).returncode, 0)
+
+    def test_a_model_without_description_needs_one(self):
+        env = earshot.sb3.SearchVecEnv(2, **OPTIONS)
+        model = trained(env, 512)
+        model.save(self.folder / "plain.zip")
+        refused = self.freeze(self.folder / "plain.zip")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--search", refused.stderr)
+        (self.folder / "search.json").write_text(earshot.sb3.describe(model))
+        self.assertEqual(self.freeze(self.folder / "plain.zip", "--search", self.folder / "search.json").returncode, 0)
+
+    def test_the_vector_environment_tells_of_episodes_as_a_monitor_does(self):
+        env = earshot.sb3.SearchVecEnv(4, max_steps=3, **OPTIONS)
+        env.seed(1)
+        env.reset()
+        for _ in range(3):
+            _, _, done, infos = env.step(np.zeros(4, dtype=np.int64))
+        for info in (info for info, over in zip(infos, done) if over):
+            self.assertEqual(info["episode"]["l"], 3)
+            self.assertEqual(info["terminal_observation"].shape, (6,))
+        self.assertTrue(done.any())
+
+
+if __name__ == "__main__":
+    unittest.main()

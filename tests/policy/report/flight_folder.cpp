@@ -1,0 +1,87 @@
+#include "tests/policy/report/flight_folder.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "earshot/decision_t.hpp"
+#include "firmware/boards/linux/journal.hpp"
+#include "firmware/boards/linux/lcm_codec.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "tests/support/signed_policy.hpp"
+
+namespace earshot::report {
+namespace {
+
+decision_t message_of(const explain::RecordedDecision& d) {
+  decision_t m{};
+  m.utime = static_cast<std::int64_t>(d.time_s * 1e6);
+  m.step = static_cast<std::int32_t>(d.step);
+  m.north_m = d.position.north.value;
+  m.east_m = d.position.east.value;
+  m.snr_db = d.heard.snr.value;
+  m.too_faint = d.heard.measured ? 0 : 1;
+  m.detected = d.detected ? 1 : 0;
+  m.action = static_cast<std::int8_t>(d.action);
+  m.overridden = d.overridden ? 1 : 0;
+  m.waypoint_north_m = d.waypoint.north.value;
+  m.waypoint_east_m = d.waypoint.east.value;
+  m.observation_size = static_cast<std::int8_t>(d.observation.size());
+  m.action_count = static_cast<std::int8_t>(d.logits.size());
+  std::ranges::copy(d.observation, m.observation);
+  std::ranges::copy(d.logits, m.logits);
+  return m;
+}
+
+nlohmann::json place(NorthEast p) {
+  return {{"north_m", p.north.value}, {"east_m", p.east.value}};
+}
+
+nlohmann::json summary_of(const policy::FrozenPolicy& policy, std::size_t steps, NorthEast corner) {
+  return {{"found", false},
+          {"reward", -3.0},
+          {"steps", steps},
+          {"distance_m", 1e3 * static_cast<double>(steps)},
+          {"detections", 1},
+          {"sim_time_s", 2e3},
+          {"wall_time_s", 0.5},
+          {"seed", 1},
+          {"end_reason", "a test"},
+          {"environment", "a"},
+          {"mission", "b"},
+          {"detection_threshold_db", policy.detection_threshold.value},
+          {"source", place(corner + NorthEast{Meters{12'000.0}, Meters{15'000.0}})},
+          {"start", place(corner + NorthEast{Meters{8'000.0}, Meters{6'000.0}})},
+          {"area", {{"south_west", place(corner)}, {"north_east", place(corner + policy.area_size)}}}};
+}
+
+}  // namespace
+
+void write_journal(const std::filesystem::path& path, const std::vector<explain::RecordedDecision>& decisions) {
+  board::Journal journal(path, {.existing = board::JournalOptions::Existing::kReplace});
+  for (const explain::RecordedDecision& d : decisions) {
+    const board::Encoded encoded(message_of(d));
+    if (journal.append(Time{static_cast<std::int64_t>(d.time_s * 1e6)}, wire::kDecisionChannel, encoded.bytes()) != Status::kOk)
+      std::abort();
+  }
+  if (journal.close() != Status::kOk) std::abort();
+}
+
+void write_flight(const std::filesystem::path& folder, const policy::FrozenPolicy& policy,
+                  const std::vector<explain::RecordedDecision>& decisions, NorthEast south_west) {
+  std::filesystem::create_directories(folder);
+  write_journal(folder / "journal.lcmlog", decisions);
+  support::write_bytes(folder / "journal.policy", support::signed_bytes(policy));
+  std::ofstream(folder / "summary.json") << summary_of(policy, decisions.size(), south_west);
+  std::ofstream snr(folder / "snr.csv");
+  snr << "range_m,snr_db\n";
+  for (int i = 0; i <= 36; ++i) snr << 1000 * i << ',' << 40 - i << '\n';
+  std::ofstream track(folder / "track.csv");
+  track << "time_s,north_m,east_m,depth_m,heading_deg,speed_mps,snr_db,range_m,state,steps_taken\n";
+  for (const explain::RecordedDecision& d : decisions)
+    track << d.time_s << ',' << d.position.north.value << ',' << d.position.east.value << ",300,0,2," << d.heard.snr.value
+          << ",9000,search," << d.step << '\n';
+}
+
+}  // namespace earshot::report

@@ -1,0 +1,88 @@
+#include "policy/report/page.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "policy/report/sheet.hpp"
+#include "tests/policy/explain/flown_policy.hpp"
+#include "tests/policy/report/flight_folder.hpp"
+
+namespace earshot::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PageTest : public testing::Test {
+ protected:
+  PageTest() {
+    std::string name = (fs::temp_directory_path() / "earshot-page-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    std::vector<explain::RecordedDecision> taken = explain::flown(*policy_, 3, {});
+    taken[1].overridden = true;
+    write_flight(folder_, *policy_, taken, {});
+  }
+  ~PageTest() override { fs::remove_all(folder_); }
+
+  static std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+  }
+
+  fs::path folder_;
+  std::unique_ptr<policy::FrozenPolicy> policy_ = explain::belief_policy(1);
+};
+
+TEST_F(PageTest, UnfoldsTheReasonsOfEveryDecision) {
+  const FlightExplanation explanation = explain_flight(folder_);
+  ASSERT_EQ(explanation.why_not, "");
+  const std::string text = page(read_flight(folder_), {.map = "<svg>map</svg>", .history = ""}, explanation);
+  EXPECT_EQ(count(text, "<details><summary>why "), 3U);
+  EXPECT_EQ(count(text, "complete within 0.001"), 3U);
+  EXPECT_EQ(count(text, "<svg"), 4U) << "the map and a chart for each decision";
+  EXPECT_EQ(count(text, "The safety layer moved the way-point"), 1U);
+}
+
+TEST_F(PageTest, TellsALookTooFaintToMeasureFromAMeasuredOne) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  const std::string first = as_html(make_sheet(flight, 0, explain::Baseline::kCentre));
+  EXPECT_EQ(count(first, "It heard nothing that could be measured: the signal lies under 31.0 dB."), 1U);
+  EXPECT_EQ(count(first, "under 31.0 dB</td>"), 1U);
+  EXPECT_EQ(count(as_html(make_sheet(flight, 2, explain::Baseline::kCentre)), "a detection (threshold 10 dB)."), 1U);
+}
+
+TEST_F(PageTest, OfAFlightWithoutItsPolicyStillListsEveryDecisionAndSaysWhatIsMissing) {
+  fs::remove(folder_ / "journal.policy");
+  const FlightExplanation explanation = explain_flight(folder_);
+  EXPECT_TRUE(explanation.accounts.empty());
+  const std::string text = page(read_flight(folder_), {}, explanation);
+  EXPECT_EQ(count(text, "<details>"), 0U);
+  EXPECT_EQ(count(text, "Not explained: "), 1U);
+  EXPECT_EQ(count(text, "class=\"p taken\""), 3U) << "one action taken at each of three decisions";
+}
+
+TEST_F(PageTest, SheetSaysTheSameInEveryFormat) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  const Sheet sheet = make_sheet(flight, 2, explain::Baseline::kCentre);
+  const auto json = nlohmann::json::parse(as_json(sheet));
+  EXPECT_EQ(json["step"], 2);
+  EXPECT_TRUE(json["attribution"]["complete"].get<bool>());
+  EXPECT_EQ(json["actions"].size(), 8U);
+  EXPECT_EQ(json["looks"].size(), 3U);
+  double parts = 0.0;
+  for (const auto& part : json["attribution"]["parts"]) parts += part["nats"].get<double>();
+  const double difference =
+      json["attribution"]["log_probability"].get<double>() - json["attribution"]["log_probability_at_baseline"].get<double>();
+  EXPECT_NEAR(parts, difference, json["attribution"]["tolerance"].get<double>());
+  const std::string html = as_html(sheet);
+  const std::string markdown = as_markdown(sheet);
+  for (const auto& sentence : json["summary"]) {
+    EXPECT_EQ(count(html, sentence.get<std::string>()), 1U) << sentence;
+    EXPECT_EQ(count(markdown, sentence.get<std::string>()), 1U) << sentence;
+  }
+}
+
+}  // namespace
+}  // namespace earshot::report

@@ -1,0 +1,132 @@
+#include "policy/report/recorded_flight.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "tests/policy/explain/flown_policy.hpp"
+#include "tests/policy/report/flight_folder.hpp"
+#include "tests/support/signed_policy.hpp"
+
+namespace earshot::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr NorthEast kCorner{Meters{-3'000.0}, Meters{750.0}};
+
+class RecordedFlightTest : public testing::Test {
+ protected:
+  RecordedFlightTest() {
+    std::string name = (fs::temp_directory_path() / "earshot-recording-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    write_flight(folder_, *policy_, explain::flown(*policy_, 5, kCorner), kCorner);
+  }
+  ~RecordedFlightTest() override { fs::remove_all(folder_); }
+
+  /// What open_recording says when it refuses.
+  [[nodiscard]] static std::string refusal(const fs::path& recording, const RecordingOptions& options = {}) {
+    try {
+      (void)open_recording(recording, options);
+    } catch (const config_file::BadInput& e) {
+      EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << "more than one line";
+      return e.what();
+    }
+    return "not refused";
+  }
+  static void expect_said(const std::string& said, std::initializer_list<const char*> parts) {
+    for (const char* part : parts) EXPECT_NE(said.find(part), std::string::npos) << part << " is not in: " << said;
+  }
+  [[nodiscard]] fs::path journal() const { return folder_ / "journal.lcmlog"; }
+
+  fs::path folder_;
+  std::unique_ptr<policy::FrozenPolicy> policy_ = explain::belief_policy(1);
+};
+
+TEST_F(RecordedFlightTest, HoldsEveryDecisionAgainstThePolicyBesideTheJournal) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  EXPECT_EQ(flight.journal.decisions.size(), 5U);
+  EXPECT_EQ(flight.policy_path, folder_ / "journal.policy");
+  EXPECT_EQ(flight.south_west, kCorner);
+  EXPECT_FALSE(flight.observer);
+}
+
+TEST_F(RecordedFlightTest, OpensAJournalAloneOnceItKnowsTheCorner) {
+  expect_said(refusal(journal()), {"step 0", "--south-west"});
+  EXPECT_EQ(open_recording(journal(), {.south_west = kCorner}).journal.decisions.size(), 5U);
+}
+
+TEST_F(RecordedFlightTest, RefusesAnotherPolicyThanTheOneThatFlew) {
+  const fs::path other = folder_ / "other.policy";
+  support::write_bytes(other, support::signed_bytes(*explain::belief_policy(2)));
+  expect_said(refusal(folder_, {.policy = other}), {"step 0", "another policy", "other.policy", "other logits"});
+  support::write_bytes(other, support::signed_bytes(*explain::place_policy(1)));
+  expect_said(refusal(folder_, {.policy = other}), {"another policy", "other.policy", "this one sees 2"});
+  fs::remove(folder_ / "journal.policy");
+  expect_said(refusal(folder_), {"journal.policy", "--policy"});
+}
+
+TEST_F(RecordedFlightTest, RefusesAGapInTheDecisions) {
+  std::vector<explain::RecordedDecision> taken = explain::flown(*policy_, 5, kCorner);
+  taken.erase(taken.begin() + 2);
+  write_journal(journal(), taken);
+  expect_said(refusal(folder_), {"journal.lcmlog", "step 2", "missing"});
+}
+
+TEST_F(RecordedFlightTest, SaysWhereAJournalCutShortEndsAndKeepsWhatIsWhole) {
+  fs::resize_file(journal(), fs::file_size(journal()) - 10);
+  const RecordedFlight flight = open_recording(folder_, {});
+  EXPECT_EQ(flight.journal.decisions.size(), 4U);
+  EXPECT_EQ(index_of_step(flight, 3), 3U);
+  try {
+    (void)index_of_step(flight, 4);
+    FAIL() << "step 4 is cut off";
+  } catch (const config_file::BadInput& e) {
+    expect_said(e.what(), {"--step 4", "step 3", "cut short"});
+  }
+}
+
+TEST_F(RecordedFlightTest, RefusesAStepBeyondTheFlight) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  EXPECT_EQ(index_of_step(flight, 4), 4U);
+  try {
+    (void)index_of_step(flight, 5);
+    FAIL() << "there is no step 5";
+  } catch (const config_file::BadInput& e) {
+    expect_said(e.what(), {"--step 5", "ends with the decision of step 4"});
+    EXPECT_EQ(std::string(e.what()).find("cut"), std::string::npos);
+  }
+}
+
+TEST_F(RecordedFlightTest, RefusesWhatIsNoJournal) {
+  std::ofstream(journal()) << "time,snr\n0,1\n";
+  expect_said(refusal(folder_), {"journal.lcmlog", "not a journal"});
+  std::ofstream(journal(), std::ios::trunc).flush();
+  expect_said(refusal(folder_), {"journal.lcmlog", "no decision"});
+  fs::remove(journal());
+  expect_said(refusal(folder_), {"journal.lcmlog"});
+}
+
+TEST_F(RecordedFlightTest, NamesWhatASummaryDoesNotSay) {
+  std::ofstream(folder_ / "summary.json") << "{}";
+  expect_said(refusal(folder_), {"summary.json", "area"});
+  std::ofstream(folder_ / "snr.csv") << "range_m,snr_db\n";
+  expect_said(refusal(folder_), {"snr.csv"});
+}
+
+TEST_F(RecordedFlightTest, GivesAPolicyWithoutABeliefAnObserversOfTheOceanThatWasFlown) {
+  const auto policy = explain::place_policy(1);
+  write_flight(folder_, *policy, explain::flown(*policy, 5, kCorner), kCorner);
+  const RecordedFlight flight = open_recording(folder_, {});
+  ASSERT_TRUE(flight.observer);
+  EXPECT_FALSE(flight.circumstances(explain::Baseline::kCentre).belief_is_the_policys);
+  // Five looks of 1 dB a kilometre find the range to the source, though not the side of the track on which it lies.
+  const explain::DecisionAccount last = explain::account_of(flight.circumstances(explain::Baseline::kCentre), flight.journal.decisions);
+  EXPECT_LT(last.place.smallest_area_km2(0.5), 150.0) << "of 625";
+  expect_said(refusal(journal(), {.south_west = kCorner}), {"journal.policy", "no belief", "summary.json"});
+}
+
+}  // namespace
+}  // namespace earshot::report

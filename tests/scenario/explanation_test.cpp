@@ -1,0 +1,66 @@
+// What a flight leaves behind explains its decisions.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/process.hpp"
+
+namespace earshot {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+const fs::path kSource = EARSHOT_SOURCE_DIR;
+const fs::path kBin = EARSHOT_BIN_DIR;
+const fs::path kFrozen = kSource / "policy/frozen";
+
+class Explanation : public testing::Test {
+ protected:
+  Explanation() {
+    std::string name = (fs::temp_directory_path() / "earshot-explanation-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~Explanation() override { fs::remove_all(folder_); }
+
+  void fly(const fs::path& policy) {
+    support::Process flight(
+        kBin / "earshot-fly",
+        {"--policy", policy, "--public-key", kFrozen / "earshot.pub", "--environment", kSource / "sim/ocean/environments/munk_flat.toml",
+         "--mission", kSource / "firmware/boards/linux/missions/fixed_source.toml", "--out", folder_ / "out", "--no-report"},
+        folder_ / "fly.txt");
+    ASSERT_EQ(flight.wait(120s), 0) << flight.output();
+    EXPECT_EQ(support::read_text(folder_ / "out/journal.policy"), support::read_text(policy)) << "the policy stands beside its journal";
+  }
+
+  /// The sheet about the second decision.
+  [[nodiscard]] nlohmann::json explained() {
+    support::Process explain(kBin / "earshot-explain", {"decision", folder_ / "out", "--step", "1", "-o", folder_ / "sheet.json"},
+                             folder_ / "explain.txt");
+    EXPECT_EQ(explain.wait(60s), 0) << explain.output();
+    return nlohmann::json::parse(support::read_text(folder_ / "sheet.json"));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Explanation, GivenAFlightOnABeliefItsBeliefIsMadeAgainBitForBitAndTheChoiceIsSharedOutWhole) {
+  ASSERT_NO_FATAL_FAILURE(fly(kFrozen / "shipped.policy"));
+  const nlohmann::json sheet = explained();
+  EXPECT_EQ(sheet["belief"]["whose"], "the policy's");
+  EXPECT_TRUE(sheet["attribution"]["complete"].get<bool>());
+}
+
+TEST_F(Explanation, GivenAFlightOnItsPlaceAloneAnObserversBeliefIsShown) {
+  ASSERT_NO_FATAL_FAILURE(fly(kFrozen / "fixed_source.policy"));
+  const nlohmann::json sheet = explained();
+  EXPECT_EQ(sheet["belief"]["whose"], "an observer's");
+  EXPECT_TRUE(sheet["attribution"]["complete"].get<bool>());
+}
+
+}  // namespace
+}  // namespace earshot
