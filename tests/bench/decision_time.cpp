@@ -84,14 +84,14 @@ policy::Heard heard(const policy::BeliefModel& model, NorthEast place, NorthEast
   return {.snr = Decibels{double{model.snr_db[std::min(at, model.snr_db.size() - 1)]}}};
 }
 
-/// Mean microseconds of a decision over whole searches, sources and starts everywhere; the vehicle stays in the area.
+/// Median microseconds of a decision over whole searches, sources and starts everywhere; the vehicle stays in the area.
 template <class Decider>
-double mean_us(Decider decider, const policy::BeliefModel& model) {
+double median_us(Decider decider, const policy::BeliefModel& model) {
   Pcg32 random(3);
   const auto anywhere = [&random] {
     return NorthEast{Meters{25'000.0 * random.uniform_double()}, Meters{25'000.0 * random.uniform_double()}};
   };
-  std::chrono::steady_clock::duration spent{};
+  std::vector<double> spent_us;
   for (int search = 0; search < kSearches; ++search) {
     const NorthEast source = anywhere();
     NorthEast place = anywhere();
@@ -100,11 +100,13 @@ double mean_us(Decider decider, const policy::BeliefModel& model) {
       const policy::Heard look = heard(model, place, source);
       const auto began = std::chrono::steady_clock::now();
       const std::size_t action = decider.decide(model, place, look);
-      spent += std::chrono::steady_clock::now() - began;
+      spent_us.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - began).count());
       place = place + model.step_length * model.actions[action];
     }
   }
-  return std::chrono::duration<double, std::micro>(spent).count() / (kSearches * kDecisions);
+  const auto middle = spent_us.begin() + static_cast<std::ptrdiff_t>(spent_us.size() / 2);
+  std::ranges::nth_element(spent_us, middle);
+  return *middle;
 }
 
 }  // namespace
@@ -114,7 +116,8 @@ int main(int argc, char** argv) {
   const bool peer = argc > 1 && std::strcmp(argv[1], "peer") == 0;
   double best = 1e9;  // of five: what else the machine does only ever adds
   for (int round = 0; round < 5; ++round) {
-    best = std::min(best, peer ? mean_us(PlainBayes(), policy->observation.belief) : mean_us(Shipped(*policy), policy->observation.belief));
+    best = std::min(best,
+                    peer ? median_us(PlainBayes(), policy->observation.belief) : median_us(Shipped(*policy), policy->observation.belief));
   }
   std::printf("{\"value\": %.2f}\n", best);
 }
