@@ -47,8 +47,9 @@ fs::path policy_for(const fs::path& journal, const RecordingOptions& options) {
                    std::to_string(flight.policy->observation.spec.size()) + " and has " + std::to_string(flight.policy->actions.size()));
   if (why == explain::Contradiction::kLogits)
     throw BadInput(here + "taken by another policy than " + policy + ": the same observation gives other logits");
-  throw BadInput(here + "what was heard until then gives another observation than " + policy +
-                 " saw: another belief, or the area's south-west corner is elsewhere (--south-west NORTH_M,EAST_M)");
+  throw BadInput(
+      here + "what was heard until then gives another observation than " + policy +
+      " saw: a belief of another version of Earshot, or the area's south-west corner is elsewhere (--south-west NORTH_M,EAST_M)");
 }
 
 void check_against_policy(const RecordedFlight& flight) {

@@ -19,11 +19,11 @@ TEST(IntegratedGradients, AreThoseOfAHandComputedNetwork) {
   const std::array x{0.75, 0.25, 0.9};
   const std::array baseline{0.25, 0.75, -0.5};
   // w (x - x') = 2 * 0.5, -1 * -0.5, 0: two thirds, one third, nothing.
-  const Attribution a = integrated_gradients(*network, {.observation = x, .baseline = baseline}, 1, 1e-9);
+  const Attribution a = integrated_gradients(*network, {.observation = x, .baseline = baseline}, 1, 1e-7);
   ASSERT_TRUE(a.is_complete());
   EXPECT_GT(std::abs(a.difference()), 0.01) << "a network that does not care shows nothing";
-  EXPECT_NEAR(a.parts[0], a.difference() * 2.0 / 3.0, 1e-9);
-  EXPECT_NEAR(a.parts[1], a.difference() / 3.0, 1e-9);
+  EXPECT_NEAR(a.parts[0], a.difference() * 2.0 / 3.0, 1e-7);  // the integral is as good as that
+  EXPECT_NEAR(a.parts[1], a.difference() / 3.0, 1e-7);
   EXPECT_EQ(a.parts[2], 0.0);
 }
 
