@@ -225,7 +225,20 @@ void check_files(const Options& o) {
   if (extension != ".png" && extension != ".svg") throw BadInput("--plot: " + *o.plot + ": a plot's name must end in .png or .svg");
 }
 
-void evaluate_policies(const Options& o, parallel::Ranks& ranks) {
+/// Rank 0 alone writes, so it alone can find that it cannot; the others must not fly on and wait for it.
+void check_files(const Options& o, parallel::RankSession& session) {
+  std::string error;
+  try {
+    if (session.ranks().rank() == 0) check_files(o);
+  } catch (const BadInput& e) {
+    error = e.what();
+  }
+  error = session.first_error(error);
+  if (!error.empty()) throw BadInput(error);
+}
+
+void evaluate_policies(const Options& o, parallel::RankSession& session) {
+  parallel::Ranks& ranks = session.ranks();
   const bool speaks = ranks.rank() == 0;
   if (o.paths && ranks.size() > 1) throw BadInput("--paths: not with several MPI ranks");
   const std::vector<Contestant> contestants = contestants_of(o);
@@ -237,7 +250,7 @@ void evaluate_policies(const Options& o, parallel::Ranks& ranks) {
   search::SearchSettings settings = settings_of(contestants);
   settings.source = environment.source.position;
   o.search.apply_to(settings);
-  if (speaks) check_files(o);
+  check_files(o, session);
   const sonar::SnrCurve expected = apps::curve_for(environment, depth, settings);
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = *o.draw == "argmax" ? policy::ActionDraw::kArgmax : policy::ActionDraw::kSampled;
@@ -274,7 +287,7 @@ int main(int argc, char** argv) {
       std::cerr.rdbuf(nullptr);
       std::cout.rdbuf(nullptr);
     }
-    return apps::run_program(app, argc, argv, [&] { evaluate_policies(options, session.ranks()); });
+    return apps::run_program(app, argc, argv, [&] { evaluate_policies(options, session); });
   } catch (const std::runtime_error& e) {
     std::cerr << "earshot evaluate: " << e.what() << "\n";
     return 2;

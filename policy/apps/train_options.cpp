@@ -64,7 +64,7 @@ void TrainOptions::add_to(CLI::App& app) {
          "--seeds", [this](const std::string& text) { seeds = seeds_in(text); },
          "train with each of these, 1-5 or 1,2,7, on all processors: FILE.seed1.checkpoint, ...")
       ->excludes(one_seed);
-  app.add_option("--threads", threads, "trainings at a time (all processors)")->check(CLI::PositiveNumber);
+  app.add_option("--threads", threads, "trainings at a time (all processors)")->check(CLI::Range(1, 1024));
   app.add_option("--environments", environments, "episodes stepped together (1)")->check(CLI::Range(1, 65'536));
 }
 

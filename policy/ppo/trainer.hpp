@@ -50,7 +50,7 @@ class Trainer {
   [[nodiscard]] TrainingState state() const;
   /// Goes on from there, bit for bit. False when it does not fit this training; only good for destruction then.
   /// @param parameters  networks().parameters() of then
-  /// Oracle: Trainer.GoesOnFromItsStateAsIfNothingHadHappened
+  /// Oracle: TrainerTest.GoesOnFromItsStateAsIfNothingHadHappened
   [[nodiscard]] bool resume(std::span<const float> parameters, const TrainingState& state);
 
   [[nodiscard]] const ActorCritic<float>& networks() const { return learner_.networks(); }

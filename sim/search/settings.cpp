@@ -23,6 +23,14 @@ bool can_start_out_of_reach(const SearchSettings& s) {
   return length_of({north, east}) > s.step_length;
 }
 
+/// The source may be as far from a start as the two furthest corners of domain and start region are from each other.
+bool has_room_for_a_search(const SearchSettings& s) {
+  const Rectangle& r = s.start_region;
+  const Meters north = std::max(r.north_east.north - s.domain.south_west.north, s.domain.north_east.north - r.south_west.north);
+  const Meters east = std::max(r.north_east.east - s.domain.south_west.east, s.domain.north_east.east - r.south_west.east);
+  return length_of({north, east}) > s.step_length;
+}
+
 bool positive(double x) {
   return is_finite(x) && x > 0.0;
 }
@@ -45,7 +53,7 @@ Status check(const SearchSettings& s) {
   const bool levels = is_finite(s.detection_threshold.value) && is_finite(s.border_reward);
   if (!sizes || !lengths || !levels || !is_rectangle(s.domain) || !is_rectangle(s.start_region)) return Status::kOutOfRange;
   if (!s.domain.contains(s.start_region.south_west) || !s.domain.contains(s.start_region.north_east)) return Status::kOutOfRange;
-  if (s.placement == SourcePlacement::kChanging) return Status::kOk;
+  if (s.placement == SourcePlacement::kChanging) return has_room_for_a_search(s) ? Status::kOk : Status::kOutOfRange;
   if (!is_finite(s.source.north.value) || !is_finite(s.source.east.value) || !can_start_out_of_reach(s)) return Status::kOutOfRange;
   return Status::kOk;
 }

@@ -36,7 +36,7 @@ class VectorSearch {
   /// What brings every episode back, environment 0 first.
   [[nodiscard]] const std::vector<EpisodeScript>& scripts() const { return scripts_; }
   /// Goes on from there, bit for bit. False when they are not scripts of episodes under way in this world; only good for destruction then.
-  /// Oracle: VectorSearch.GoesOnFromItsScriptsAsIfNothingHadHappened
+  /// Oracle: VectorSearchTest.GoesOnFromItsScriptsAsIfNothingHadHappened
   [[nodiscard]] bool resume(std::span<const EpisodeScript> scripts);
 
   [[nodiscard]] std::size_t environment_count() const { return episodes_.size(); }

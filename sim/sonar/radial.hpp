@@ -55,7 +55,6 @@ struct RadialLoss {
 }
 
 /// The deepest sea floor on one radial. Throws as compute_radial does for the charts: it looks at all that the radial needs.
-/// Oracle: Radial.IsAsDeepAsItsDeepestSeaFloorWithinItsReach
 [[nodiscard]] Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, Radians bearing, Meters max_range);
 
 /// Fills `loss` for the radial of `bearing` (clockwise from north) from `from`. May be called from many threads.

@@ -436,7 +436,7 @@ TEST_F(Flight, GivenADamagedPolicyAnEarlierFlightInTheFolderStaysAsItWas) {
   ASSERT_EQ(earlier->wait(120s), 0) << earlier->output();
   std::ofstream(folder_ / "out/report.html") << "the page of the earlier flight";
   const std::map<fs::path, std::string> before = contents(folder_ / "out");
-  ASSERT_EQ(before.size(), 5);  // journal, track, SNR, summary, page
+  ASSERT_EQ(before.size(), 6);  // journal and its policy, track, SNR, summary, page
   support::write_bytes(folder_ / "walk.policy", {1, 2, 3});
   const auto refused = fly("out", {"--seed", "8"});
   EXPECT_EQ(refused->wait(10s), 2);

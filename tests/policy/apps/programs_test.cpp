@@ -277,6 +277,8 @@ TEST_F(Programs, EvaluateWritesTheSameBytesFromTwoRanks) {
   EXPECT_EQ(content(folder / "one.json"), content(folder / "two.json"));
   EXPECT_EQ(content(folder / "one.csv"), content(folder / "two.csv"));
   EXPECT_NE(run("evaluate --policies swordfish", launcher), 0);
+  // Only rank 0 writes; that it cannot must end the others too.
+  EXPECT_NE(run("evaluate --policies random --episodes 31 --json nowhere/two.json", launcher), 0);
 }
 
 TEST_F(Programs, FreezeRefusesBadInputInOneLine) {

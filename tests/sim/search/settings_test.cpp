@@ -79,6 +79,16 @@ TEST(SearchSettingsCheck, RefusesEachNumberOutsideItsRange) {
   EXPECT_TRUE(refused([](SearchSettings& s) { s.domain.north_east.north = Meters{-1.0}; }));
 }
 
+TEST(SearchSettingsCheck, RefusesADomainInWhichEveryChangingSourceIsWithinReachOfEveryStart) {
+  SearchSettings settings;
+  settings.placement = SourcePlacement::kChanging;
+  settings.domain = {{Meters{0.0}, Meters{0.0}}, {Meters{600.0}, Meters{600.0}}};  // a diagonal of 849 m, a step of 1000 m
+  settings.start_region = settings.domain;
+  EXPECT_EQ(check(settings), Status::kOutOfRange);
+  settings.step_length = Meters{800.0};
+  EXPECT_EQ(check(settings), Status::kOk);
+}
+
 TEST(SearchSettingsCheck, RefusesAStartRegionThatLiesWhollyWithinReachOfTheSource) {
   SearchSettings s;
   s.start_region = {at(9'900, 9'900), at(10'100, 10'100)};
