@@ -14,6 +14,17 @@ constexpr float kOutlierRange = 80.0F;  // dB over which an SNR that follows no 
 constexpr float kCovered = 1e-3F;       // share left to a cell within step_length of a place visited: navigation errs, sources move
 constexpr float kLogStepDiscount = -0.105360516F;  // ln kStepDiscount
 
+// Wider than any search, and narrow enough that no float overflows on the way.
+constexpr double kMostLevel = 1e3;  // dB, either side of zero
+constexpr double kLeastSpread = 0.05;
+constexpr double kMostSpread = 100.0;  // dB
+constexpr double kLeastPrior = 1e-6;
+constexpr double kMostPrior = 1e6;
+constexpr double kLeastLength = 1.0;  // m
+constexpr double kMostRangeStep = 1e4;
+constexpr double kMostStep = 1e6;  // of the border too
+constexpr double kMostArea = 1e7;
+
 std::size_t cell_count(const BeliefModel& model) {
   return std::size_t{model.cells_north} * model.cells_east;
 }
@@ -84,17 +95,20 @@ bool has_valid_shape(const BeliefModel& model) {
 }
 
 bool has_valid_numbers(const BeliefModel& model) {
-  const auto is_positive = [](double x) { return is_finite(x) && x > 0.0; };
-  const auto is_share = [](float x, float most) { return x >= 0.0F && x <= most; };
+  const auto is_within = [](double x, double least, double most) { return x >= least && x <= most; };  // no NaN is
+  const auto is_level = [is_within](float x) { return is_within(double{x}, -kMostLevel, kMostLevel); };
+  const auto is_length = [is_within](Meters x, double most) { return is_within(x.value, kLeastLength, most); };
   for (const BeliefHypothesis& h : model.hypotheses) {
-    if (!is_finite(h.level_offset_db) || !is_positive(double{h.spread_db}) || !is_positive(double{h.prior})) return false;
+    if (!is_level(h.level_offset_db) || !is_within(double{h.spread_db}, kLeastSpread, kMostSpread) ||
+        !is_within(double{h.prior}, kLeastPrior, kMostPrior))
+      return false;
   }
-  for (const float snr : model.snr_db) {
-    if (!is_finite(snr)) return false;
-  }
-  return is_positive(model.area_size.north.value) && is_positive(model.area_size.east.value) && is_positive(model.step_length.value) &&
-         is_positive(model.border_width.value) && is_positive(model.range_step.value) && is_finite(model.detection_threshold.value) &&
-         is_share(model.outlier_share, 1.0F) && is_share(model.silence_share, 1.0F) && is_share(model.forgotten_share, 0.5F);
+  if (!std::all_of(model.snr_db.begin(), model.snr_db.end(), is_level)) return false;
+  return is_length(model.area_size.north, kMostArea) && is_length(model.area_size.east, kMostArea) &&
+         is_length(model.step_length, kMostStep) && is_length(model.border_width, kMostStep) &&
+         is_length(model.range_step, kMostRangeStep) && is_finite(model.detection_threshold.value) &&
+         is_within(double{model.outlier_share}, 0.0, 1.0) && is_within(double{model.silence_share}, 0.0, 1.0) &&
+         is_within(double{model.forgotten_share}, 0.0, 0.5);
 }
 
 void Belief::start(const BeliefModel& model) {
@@ -104,12 +118,16 @@ void Belief::start(const BeliefModel& model) {
   for (const BeliefHypothesis& hypothesis : model.hypotheses) sum += hypothesis.prior;
   priors_ = {};
   for (std::size_t h = 0; h < hypotheses; ++h) priors_[h] = model.hypotheses[h].prior / sum;
+  begin_anew(cells);
+  foresee(model);
+}
+
+void Belief::begin_anew(std::size_t cells) {
   hypothesis_shares_ = priors_;
   Cell each;
   for (std::size_t h = 0; h < each.size(); ++h) each[h] = priors_[h] / static_cast<float>(cells);
   std::fill_n(cells_.begin(), cells, each);
   std::fill_n(marginal_.begin(), cells, 1.0F / static_cast<float>(cells));
-  foresee(model);
 }
 
 /// What a search costs that goes straight to a source, by its range, under the hypotheses as likely as they now are.
@@ -189,8 +207,12 @@ void Belief::weigh(const BeliefModel& model, Heard heard) {
 void Belief::normalise(const BeliefModel& model, const Cell& sums) {
   const std::size_t cells = cell_count(model);
   const float total = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  const float forgotten = total > 0.0F ? model.forgotten_share : 1.0F;  // what cannot be has been heard: begin anew
-  const float remembered = total > 0.0F ? (1.0F - forgotten) / total : 0.0F;
+  const float forgotten = model.forgotten_share;
+  const float remembered = (1.0F - forgotten) / total;
+  if (!(total > 0.0F) || !is_finite(total) || !is_finite(remembered)) {  // what cannot be has been heard
+    begin_anew(cells);
+    return;
+  }
   Cell fresh;  // of the forgotten share, the part of one cell
   for (std::size_t h = 0; h < sums.size(); ++h) {
     hypothesis_shares_[h] = remembered * sums[h] + forgotten * priors_[h];

@@ -44,7 +44,8 @@ struct BeliefModel {
 
 /// Whether every size fits its capacity and is not zero.
 [[nodiscard]] bool has_valid_shape(const BeliefModel& model);
-/// Whether every number is finite and in its range. @param model  of a valid shape
+/// Whether every number is in its range: spread 0.05 to 100 dB, offsets and SNRs within 1000 dB, priors 1e-6 to 1e6; range step 1 m to
+/// 10 km, step and border 1 m to 1000 km, area 1 m to 10 000 km. @param model  of a valid shape
 [[nodiscard]] bool has_valid_numbers(const BeliefModel& model);
 
 /// The belief in a few numbers. Places are relative to the area's south-west corner.
@@ -98,6 +99,7 @@ class Belief {
   /// Probability of each hypothesis together with one cell.
   using Cell = std::array<float, config::kMaxBeliefHypotheses>;
 
+  void begin_anew(std::size_t cells);
   void foresee(const BeliefModel& model);
   void find_ranges(const BeliefModel& model, NorthEast position);
   void weigh(const BeliefModel& model, Heard heard);

@@ -114,7 +114,7 @@ class Surroundings {
   Surroundings(const Grid& grid, Point vehicle, float radius) : per_size_(1.0F / std::max(grid.size_north, grid.size_east)) {
     // No more than 1 / least cells can have the least share of the last attempt: they fit.
     static_assert(kCapacity * kLeastNearCell * 16.0F >= 1.0F);
-    for (float least = kLeastNearCell; !gather(grid, vehicle, radius, least); least *= 4.0F) {
+    for (float least = kLeastNearCell; !gather(grid, vehicle, radius, least) && least < 1.0F; least *= 4.0F) {
     }
   }
 

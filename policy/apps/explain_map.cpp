@@ -43,8 +43,17 @@ std::string heard_in(const ExplainMapOptions& options) {
   return "what is heard in the ocean that the policy takes for granted";
 }
 
+NorthEast source_in(const policy::FrozenPolicy& policy, const std::string& text) {
+  const NorthEast source = north_east_of("--source", text);
+  const auto is_within = [](Meters x, Meters most) { return x.value >= 0.0 && x <= most; };
+  if (is_within(source.north, policy.area_size.north) && is_within(source.east, policy.area_size.east)) return source;
+  char area[80];
+  (void)std::snprintf(area, sizeof area, "0,0 to %.10g,%.10g m", policy.area_size.north.value, policy.area_size.east.value);
+  throw BadInput("--source " + text + ": outside the policy's area, " + area);
+}
+
 void draw_for_source(const policy::FrozenPolicy& policy, const ExplainMapOptions& options) {
-  const NorthEast source = north_east_of("--source", *options.source);
+  const NorthEast source = source_in(policy, *options.source);
   const sonar::SnrCurve curve = curve_of(policy, options);
   const auto snr = [&](NorthEast place) { return curve.at(range_between(place, source)); };
   const explain::ActionMap map =

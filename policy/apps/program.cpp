@@ -84,9 +84,10 @@ std::filesystem::path data_folder() {
 }
 
 std::filesystem::path shipped_policy() {
-  const std::filesystem::path frozen = data_folder() / "frozen";
-  const std::filesystem::path shipped = frozen / "shipped.policy";
-  return std::filesystem::exists(shipped) ? shipped : frozen / "fixed_source.policy";
+  const std::filesystem::path shipped = data_folder() / "frozen" / "shipped.policy";
+  std::error_code error;
+  if (!std::filesystem::exists(shipped, error)) throw BadInput(shipped.string() + ": the policy that ships is not there");
+  return shipped;
 }
 
 std::string command_line(int argc, char** argv) {

@@ -32,7 +32,7 @@ void check_writable(const std::filesystem::path& path);
 /// Throws config_file::BadInput when there is none.
 [[nodiscard]] std::filesystem::path data_folder();
 
-/// The policy that ships.
+/// The policy that ships. Throws config_file::BadInput when it is not there: no other stands in for it.
 [[nodiscard]] std::filesystem::path shipped_policy();
 
 /// Commit the programs were built from, "-dirty" appended when the tree differed; "unknown" outside a repository.

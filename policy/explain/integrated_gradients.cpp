@@ -1,8 +1,10 @@
 #include "policy/explain/integrated_gradients.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "policy/explain/network_gradient.hpp"
 
@@ -23,6 +25,10 @@ std::vector<double> parts_with(const policy::Network& network, const Comparison&
   return mean_gradient;
 }
 
+bool agree(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
+  return std::ranges::equal(a, b, [tolerance](double x, double y) { return std::abs(x - y) <= tolerance; });
+}
+
 }  // namespace
 
 double Attribution::sum() const {
@@ -30,7 +36,7 @@ double Attribution::sum() const {
 }
 
 bool Attribution::is_complete() const {
-  return std::abs(sum() - difference()) <= tolerance;
+  return is_settled && std::abs(sum() - difference()) <= tolerance;
 }
 
 Attribution integrated_gradients(const policy::Network& network, const Comparison& comparison, std::size_t action, double tolerance) {
@@ -40,7 +46,8 @@ Attribution integrated_gradients(const policy::Network& network, const Compariso
   result.at_baseline = log_probability(network, comparison.baseline, action).value;
   result.tolerance = tolerance;
   for (result.steps = kFewestSteps;; result.steps *= 2) {
-    result.parts = parts_with(network, comparison, action, result.steps);
+    const std::vector<double> before = std::exchange(result.parts, parts_with(network, comparison, action, result.steps));
+    result.is_settled = agree(before, result.parts, tolerance);
     if (result.is_complete() || result.steps >= kMostSteps) return result;
   }
 }

@@ -19,12 +19,13 @@ struct Attribution {
   std::vector<double> parts;    ///< [observation_size], in nats: a part of log 2 doubles the action's probability
   double at_observation = 0.0;  ///< log-probability of the action
   double at_baseline = 0.0;
-  std::size_t steps = 0;   ///< of the integral, as many as it took
-  double tolerance = 0.0;  ///< that the completeness was held against
+  std::size_t steps = 0;    ///< of the integral, as many as it took
+  double tolerance = 0.0;   ///< that the completeness was held against
+  bool is_settled = false;  ///< whether the last doubling of the steps moved no part by more than the tolerance
 
   [[nodiscard]] double sum() const;
   [[nodiscard]] double difference() const { return at_observation - at_baseline; }
-  /// Completeness: the parts add up to the difference within the tolerance.
+  /// Completeness: the parts are settled and add up to the difference within the tolerance. (The errors of two parts may cancel.)
   [[nodiscard]] bool is_complete() const;
 };
 
@@ -36,8 +37,8 @@ inline constexpr std::size_t kMostSteps = 4'096;
 ///
 ///   part_i = (x_i - x'_i) * integral_0^1 dF/dx_i (x' + t (x - x')) dt,   sum of the parts = F(x) - F(x')
 ///
-/// F is the log-probability of the action. The integral is a midpoint sum whose steps are doubled until the parts are complete within
-/// `tolerance`, or kMostSteps are used: Attribution::is_complete says which.
+/// F is the log-probability of the action. The integral is a midpoint sum whose steps are doubled until the parts are settled and
+/// complete within `tolerance`, or kMostSteps are used: Attribution::is_complete says which.
 ///
 /// @param action  below action_count
 /// Source: Sundararajan, Taly, Yan, "Axiomatic attribution for deep networks", ICML 2017, Eq. 1 and Proposition 1.

@@ -1,6 +1,7 @@
 #include "policy/report/flight_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -51,6 +52,18 @@ std::vector<TrackRow> read_track(const std::filesystem::path& path) {
   return rows;
 }
 
+/// What is wrong with the last row of a curve over ranges that rise by one step; nothing when it is right.
+const char* fault_in_last(const std::vector<SnrRow>& rows) {
+  constexpr double kUnevenness = 0.01;  // of a step: ranges are written rounded
+  const SnrRow& last = rows.back();
+  if (!std::isfinite(last.range_m) || !std::isfinite(static_cast<float>(last.snr_db))) return "range and SNR must be finite numbers";
+  if (rows.size() == 1) return nullptr;
+  const double first_step = rows[1].range_m - rows[0].range_m;
+  const double step = last.range_m - rows[rows.size() - 2].range_m;
+  const bool rises = step > 0.0 && std::isfinite(step) && std::abs(step - first_step) <= kUnevenness * first_step;
+  return rises ? nullptr : "range_m must rise by the same step from row to row";
+}
+
 std::vector<SnrRow> read_snr(const std::filesystem::path& path) {
   std::ifstream stream = open_file(path);
   std::vector<SnrRow> rows;
@@ -60,6 +73,7 @@ std::vector<SnrRow> read_snr(const std::filesystem::path& path) {
     SnrRow row;
     if (std::sscanf(line.c_str(), "%lf,%lf", &row.range_m, &row.snr_db) != 2) refuse_line(path, rows.size() + 2);
     rows.push_back(row);
+    if (const char* const fault = fault_in_last(rows)) throw BadInput(path.string() + ":" + std::to_string(rows.size() + 1) + ": " + fault);
   }
   return rows;
 }

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "sim/sonar/gnuplot.hpp"
+
 namespace earshot::report {
 namespace {
 
@@ -39,14 +41,12 @@ PlotFolder::~PlotFolder() {
 }
 
 std::vector<std::string> svgs_from(const PlotFolder& folder, const std::string& script, const std::vector<std::string>& outputs) {
-  std::ofstream(folder / "plot.gp") << script;
-  const std::string command = "cd '" + (folder / ".").string() + "' && gnuplot plot.gp 2>error.txt";
-  const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): fixed text and a folder of our own making
+  sonar::run_gnuplot("cd " + sonar::quoted(folder.path().string()) + "\n" + script);
   std::vector<std::string> svgs;
   for (const std::string& output : outputs) {
     const std::string text = content(folder / output);
     const std::size_t root = text.find("<svg");
-    if (status != 0 || root == std::string::npos) throw std::runtime_error("gnuplot failed: " + content(folder / "error.txt"));
+    if (root == std::string::npos) throw std::runtime_error("gnuplot drew nothing; is the disk full?");
     svgs.push_back(text.substr(root));
   }
   return svgs;

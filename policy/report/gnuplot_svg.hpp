@@ -14,6 +14,7 @@ class PlotFolder {
   ~PlotFolder();
   PlotFolder(const PlotFolder&) = delete;
   PlotFolder& operator=(const PlotFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
   [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
 
  private:
@@ -25,7 +26,7 @@ extern const char* const kPlotStyle;
 
 /// Runs one gnuplot in the folder and returns what it drew as SVG text that may stand in a page.
 /// @param script  sets its terminals and one output for each of `outputs`
-/// @throws std::runtime_error when gnuplot fails.
+/// @throws std::runtime_error when gnuplot is missing or fails.
 [[nodiscard]] std::vector<std::string> svgs_from(const PlotFolder& folder, const std::string& script,
                                                  const std::vector<std::string>& outputs);
 

@@ -24,18 +24,6 @@ class BrokenPipeIgnored {
   void (*before_)(int);
 };
 
-void run_gnuplot(const std::string& commands) {
-  const BrokenPipeIgnored ignored;
-  std::FILE* pipe = popen("gnuplot >/dev/null 2>&1", "w");
-  if (pipe == nullptr) throw std::runtime_error("gnuplot cannot be started");
-  const bool written = std::fwrite(commands.data(), 1, commands.size(), pipe) == commands.size() && std::fflush(pipe) == 0;
-  const int status = pclose(pipe);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 127) {
-    throw std::runtime_error("gnuplot is not there; install the Debian package gnuplot-nox");
-  }
-  if (status != 0 || !written) throw std::runtime_error("gnuplot failed; is the disk full?");
-}
-
 /// gnuplot does not notice that a disk was full, and reports success.
 void require_whole(const std::filesystem::path& picture, const std::string& mark) {
   std::string tail(16, ' ');
@@ -48,9 +36,23 @@ void require_whole(const std::filesystem::path& picture, const std::string& mark
 }  // namespace
 
 std::string quoted(const std::string& text) {
+  if (text.find_first_of(std::string("\n\r\0", 3)) != std::string::npos)
+    throw std::invalid_argument("a line break cannot stand in a text for gnuplot");
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
   return result + "'";
+}
+
+void run_gnuplot(const std::string& commands) {
+  const BrokenPipeIgnored ignored;
+  std::FILE* pipe = popen("gnuplot >/dev/null 2>&1", "w");
+  if (pipe == nullptr) throw std::runtime_error("gnuplot cannot be started");
+  const bool written = std::fwrite(commands.data(), 1, commands.size(), pipe) == commands.size() && std::fflush(pipe) == 0;
+  const int status = pclose(pipe);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127) {
+    throw std::runtime_error("gnuplot is not there; install the Debian package gnuplot-nox");
+  }
+  if (status != 0 || !written) throw std::runtime_error("gnuplot failed; is the disk full?");
 }
 
 void draw(const std::filesystem::path& path, const std::string& size, const std::string& commands) {

@@ -13,7 +13,11 @@ namespace earshot::sonar {
 /// Throws std::invalid_argument for another extension, std::runtime_error when gnuplot is missing or fails.
 void draw(const std::filesystem::path& path, const std::string& size, const std::string& commands);
 
-/// A string for gnuplot, which expands nothing in it.
+/// Runs gnuplot on the commands. Throws std::runtime_error when it is missing or fails.
+void run_gnuplot(const std::string& commands);
+
+/// A string for gnuplot, which expands nothing in it. Throws std::invalid_argument for a text of more than one line: the rest would be
+/// commands.
 [[nodiscard]] std::string quoted(const std::string& text);
 
 }  // namespace earshot::sonar

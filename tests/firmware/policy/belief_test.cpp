@@ -189,6 +189,16 @@ TEST_F(BeliefTest, KnowsNoMoreWhenItHearsWhatCannotBe) {
   EXPECT_NEAR(belief->probability(model, 3, 3), 1.0 / 1600.0, 0.01 / 1600.0);  // but for the dozen cells it has been at
 }
 
+/// A spread whose inverse is infinite makes likelihoods NaN: parse() refuses it, and the belief must come to an end all the same.
+TEST_F(BeliefTest, ComesToAnEndWithASpreadThatParseRefuses) {
+  BeliefModel model = flat_model({{0.0F, 1e-39F, 1.0F}});
+  EXPECT_FALSE(has_valid_numbers(model));
+  belief->start(model);
+  hear(model, at(10'000, 10'000), 20.0);
+  EXPECT_EQ(belief->probability(model, 3, 3), 1.0F / 1600.0F);
+  EXPECT_TRUE(std::isfinite(belief->outlook(kNorth).regret));
+}
+
 TEST_F(BeliefTest, FindsOutThatTheSourceIsLouderThanTheModelSays) {
   const BeliefModel model = flat_model({{0.0F, 2.0F, 2.0F}, {-6.0F, 2.0F, 1.0F}, {6.0F, 2.0F, 1.0F}});
   const NorthEast source = centre(10, 10);

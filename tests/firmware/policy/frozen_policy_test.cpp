@@ -256,6 +256,41 @@ TEST(FrozenPolicy, WithABeliefThatCannotBeIsRefused) {
   EXPECT_FALSE(refused([](BeliefModel&) {}));
 }
 
+TEST(FrozenPolicy, WithABeliefOutOfRangeIsRefusedByParse) {
+  constexpr std::size_t kBeliefAt = kElementsAt + 2 * 12 + 4 * 16;  // elements, directions
+  constexpr std::size_t kBorderAt = kBeliefAt + 4;
+  constexpr std::size_t kRangeStepAt = kBorderAt + 8;
+  constexpr std::size_t kOffsetAt = kBeliefAt + 36;  // of the first hypothesis
+  constexpr std::size_t kSpreadAt = kOffsetAt + 4;
+  constexpr std::size_t kPriorAt = kOffsetAt + 8;
+  constexpr std::size_t kSnrAt = kOffsetAt + 2 * 12;
+  const std::vector<std::uint8_t> whole = bytes_of(*believing_policy());
+  const auto fault = [&whole](std::size_t at, auto value) {
+    std::vector<std::uint8_t> bytes = whole;
+    if constexpr (sizeof(value) == 4)
+      put_float(bytes, at, value);
+    else
+      put_double(bytes, at, value);
+    mend_checksum(bytes);
+    return parsed(bytes).fault;
+  };
+  EXPECT_EQ(fault(kSpreadAt, 1e-39F), PolicyFault::kNotFinite);  // its inverse is infinite
+  EXPECT_EQ(fault(kSpreadAt, 0.04F), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kSpreadAt, 101.0F), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kOffsetAt, -1'001.0F), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kPriorAt, 1e-7F), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kPriorAt, 3e38F), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kSnrAt, 3e38F), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kRangeStepAt, 0.5), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kRangeStepAt, 10'001.0), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kBorderAt, 1.1e6), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kStepLengthAt, 1.1e6), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kAreaNorthAt, 1.1e7), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kAreaEastAt, 1.1e7), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault(kAreaEastAt, 1e-300), PolicyFault::kNotFinite);  // no area as a float
+  EXPECT_EQ(fault(kSpreadAt, 2.0F), PolicyFault::kNone) << "as it was";
+}
+
 TEST(FrozenPolicy, CutShortAnywhereIsTooShort) {
   const std::vector<std::uint8_t> bytes = bytes_of(*small_policy());
   for (std::size_t size = 0; size < bytes.size(); ++size) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -85,10 +86,18 @@ TEST_F(ExplainPrograms, RefuseWhatTheyCannotExplainWithOneLine) {
   refuses("explain decision flight --policy flight/snr.csv --step 1 -o a.html", {"snr.csv", "not a .policy file"});
   refuses("explain map flight/journal.policy -o a.png", {"--source", "--flight"});
   refuses("explain map flight/journal.policy --source 1 -o a.png", {"--source 1", "metres north"});
+  refuses("explain map flight/journal.policy --source 1e300,1e300 -o a.png", {"--source 1e300,1e300", "0,0 to 25000,25000 m"});
+  refuses("explain map flight/journal.policy --source 10000,25001 -o a.png", {"--source 10000,25001", "outside the policy's area"});
+  refuses("explain map flight/journal.policy --source=-1,0 -o a.png", {"--source -1,0", "outside the policy's area"});
   refuses("explain map flight/journal.policy --source 0,0 --world flight/snr.csv -o a.png", {"snr.csv"});
   refuses("explain map flight/journal.policy --source 0,0 --environment flight/snr.csv -o a.png", {"snr.csv"});
   refuses("explain map flight/journal.policy --source 0,0 -o a.pdf", {"a.pdf", ".png"});
   refuses("explain map nothing.policy --source 0,0 -o a.png", {"nothing.policy", "no such file"});
+}
+
+TEST_F(ExplainPrograms, RefuseAFlightWithAnSnrCurveThatStandsStill) {
+  std::ofstream(folder_ / "flight" / "snr.csv") << "range_m,snr_db\n100,30\n100,29\n";
+  refuses("report flight", {"snr.csv:3", "same step"});
 }
 
 TEST_F(ExplainPrograms, RefuseAMapOfAPolicyThatKnowsNoOceanUntilOneIsNamed) {

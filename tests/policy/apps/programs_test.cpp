@@ -324,6 +324,21 @@ TEST_F(Programs, FreezeRefusesModelsItCannotBeSureOfInOneLine) {
   refuses_model(models + "memory.zip --search bad.json", {"memory.zip", "--search"});
 }
 
+TEST_F(Programs, EvaluateNamesTheShippedPolicyWhenItIsMissingRatherThanTakeAnother) {
+  fs::create_directories(folder / "bin");  // an installation
+  const fs::path frozen = folder / "share/earshot/policy/frozen";
+  fs::create_directories(frozen);
+  fs::copy_file(kShipped, frozen / "fixed_source.policy");
+  fs::copy_file(EARSHOT_BIN_DIR "/earshot-evaluate", folder / "bin/earshot-evaluate");
+  const std::string command =
+      "cd '" + folder.string() + "' && bin/earshot-evaluate --policies shipped --episodes 1" + kOcean + " >out 2>err";
+  const int status = std::system(command.c_str());  // NOLINT: our own program
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  const std::string said = content(folder / "err");
+  EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+  EXPECT_NE(said.find("shipped.policy: the policy that ships is not there"), std::string::npos) << said;
+}
+
 TEST_F(Programs, HelpExplainsItselfAndEndsWell) {
   for (const std::string verb : {"train", "evaluate", "freeze"}) {
     EXPECT_EQ(run(verb + " --help"), 0);

@@ -54,6 +54,29 @@ TEST(IntegratedGradients, TakeMoreStepsForATighterTolerance) {
   EXPECT_GT(tight.steps, loose.steps);
 }
 
+/// Two units go together from one end of their tanh to the other within a hundredth of the way, and count against each other: 32 midpoints
+/// miss most of both, and the sum is right all the same, zero.
+TEST(IntegratedGradients, TakeMoreStepsUntilEachPartIsRightAndNotOnlyTheirSum) {
+  Pcg32 random(9);
+  const auto network = random_network({2, {2, 2}, 2}, 0.0F, random);
+  network->first.weights[0] = 200.0F;  // [unit x input]
+  network->first.weights[3] = 200.0F;
+  network->first.bias[0] = -100.0F;
+  network->first.bias[1] = -100.0F;
+  network->second.weights[0] = 1.0F;
+  network->second.weights[1] = -1.0F;
+  network->output.weights[0] = 1.0F;
+  const std::array x{1.0, 1.0};
+  const std::array baseline{0.0, 0.0};
+  const Attribution a = integrated_gradients(*network, {.observation = x, .baseline = baseline}, 0);
+  EXPECT_NEAR(a.difference(), 0.0, 1e-12);
+  EXPECT_TRUE(a.is_complete());
+  // The units move together, so that nothing follows from their difference: F has slope 1/2 there and each unit moves by 2.
+  EXPECT_NEAR(a.parts[0], 1.0, 2e-3);
+  EXPECT_NEAR(a.parts[1], -1.0, 2e-3);
+  EXPECT_GT(a.steps, kFewestSteps);
+}
+
 TEST(IntegratedGradients, SayThatTheyAreNotCompleteRatherThanGoOnForEver) {
   Pcg32 random(8);
   const auto network = random_network({3, {4, 4}, 3}, 1.0F, random);

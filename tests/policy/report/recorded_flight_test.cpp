@@ -116,6 +116,20 @@ TEST_F(RecordedFlightTest, NamesWhatASummaryDoesNotSay) {
   expect_said(refusal(folder_), {"snr.csv"});
 }
 
+TEST_F(RecordedFlightTest, RefusesAnSnrCurveWhoseRangesDoNotRiseByOneStepOrWhoseNumbersAreNone) {
+  const auto refused = [this](const char* rows) {
+    std::ofstream(folder_ / "snr.csv") << "range_m,snr_db\n" << rows;
+    return refusal(folder_);
+  };
+  expect_said(refused("100,30\n100,29\n"), {"snr.csv:3", "same step"});
+  expect_said(refused("100,30\n0,29\n"), {"snr.csv:3", "same step"});
+  expect_said(refused("0,30\n100,29\n300,28\n"), {"snr.csv:4", "same step"});
+  expect_said(refused("0,30\nnan,29\n"), {"snr.csv:3", "finite"});
+  expect_said(refused("0,30\n100,nan\n"), {"snr.csv:3", "finite"});
+  expect_said(refused("0,30\n100,1e300\n"), {"snr.csv:3", "finite"});  // no float
+  expect_said(refused("0,30\n100.001,29\n200,28\n"), {"not refused"});
+}
+
 TEST_F(RecordedFlightTest, GivesAPolicyWithoutABeliefAnObserversOfTheOceanThatWasFlown) {
   const auto policy = explain::place_policy(1);
   write_flight(folder_, *policy, explain::flown(*policy, 5, kCorner), kCorner);

@@ -31,5 +31,9 @@ TEST(Gnuplot, ExpandsNothingInAQuotedText) {
   EXPECT_EQ(quoted("it's `date` $x \"a\""), "'it''s `date` $x \"a\"'");
 }
 
+TEST(Gnuplot, IsGivenNoTextOfTwoLinesForTheSecondWouldBeACommand) {
+  EXPECT_THROW((void)quoted("a\nsystem('date')"), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace earshot::sonar

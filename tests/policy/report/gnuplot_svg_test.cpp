@@ -1,0 +1,62 @@
+#include "policy/report/gnuplot_svg.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+namespace earshot::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder for temporary files whose name a shell would run.
+class GnuplotSvg : public testing::Test {
+ protected:
+  GnuplotSvg() {
+    std::string name = (fs::temp_directory_path() / "earshot-gnuplot-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    const char* const before = std::getenv("TMPDIR");
+    before_ = before == nullptr ? "" : before;
+    use(folder_ / "it's ';touch ran;'`touch ran`");
+    fs::current_path(folder_);  // where it would touch
+  }
+  ~GnuplotSvg() override {
+    fs::current_path("/");
+    before_.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", before_.c_str(), 1);
+    fs::remove_all(folder_);
+  }
+  static void use(const fs::path& temporary) {
+    fs::create_directories(temporary);
+    ::setenv("TMPDIR", temporary.c_str(), 1);
+  }
+
+  fs::path folder_;
+  std::string before_;
+};
+
+TEST_F(GnuplotSvg, DrawsInAFolderWhateverItsNameAndRunsNothingInIt) {
+  const PlotFolder folder;
+  const std::vector<std::string> svgs =
+      svgs_from(folder, "set terminal svg\nset output 'a.svg'\nplot x\nset output 'b.svg'\nplot -x\n", {"a.svg", "b.svg"});
+  ASSERT_EQ(svgs.size(), 2U);
+  for (const std::string& svg : svgs) EXPECT_EQ(svg.substr(0, 4), "<svg");
+  for (const auto& entry : fs::recursive_directory_iterator(folder_)) EXPECT_NE(entry.path().filename(), "ran") << entry.path();
+}
+
+TEST_F(GnuplotSvg, TellsAScriptThatFails) {
+  const PlotFolder folder;
+  EXPECT_THROW((void)svgs_from(folder, "plot nothing of the kind\n", {"a.svg"}), std::runtime_error);
+  EXPECT_THROW((void)svgs_from(folder, "set terminal svg\n", {"a.svg"}), std::runtime_error) << "nothing was drawn";
+}
+
+TEST_F(GnuplotSvg, RefusesAFolderWhoseNameHoldsALineBreak) {
+  use(folder_ / "a\nsystem 'touch ran'\n");
+  const PlotFolder folder;
+  EXPECT_THROW((void)svgs_from(folder, "set terminal svg\nset output 'a.svg'\nplot x\n", {"a.svg"}), std::invalid_argument);
+  EXPECT_FALSE(fs::exists(folder_ / "ran"));
+}
+
+}  // namespace
+}  // namespace earshot::report
