@@ -1,6 +1,7 @@
 #include "policy/description/search_json.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/config_file/table_reader.hpp"
@@ -12,14 +13,24 @@ namespace {
 using config_file::BadInput;
 using Json = nlohmann::ordered_json;
 
+/// A whole number in a range; get<>() alone wraps and truncates without a word.
+std::int64_t integer_from(const Json& json, const char* key, std::int64_t lowest, std::int64_t highest) {
+  const Json& value = json.at(key);
+  const bool fits_64_bits = value.is_number_integer() && (!value.is_number_unsigned() || value.get<std::uint64_t>() <= INT64_MAX);
+  const std::int64_t number = fits_64_bits ? value.get<std::int64_t>() : -1;
+  if (fits_64_bits && number >= lowest && number <= highest) return number;
+  throw BadInput(std::string(key) + ": must be a whole number, " + std::to_string(lowest) + " to " + std::to_string(highest));
+}
+
+std::uint16_t cells_from(const Json& json, const char* key) {
+  return static_cast<std::uint16_t>(integer_from(json, key, 1, config::kMaxBeliefCells));
+}
+
 policy::ObservationElement element_from(const Json& json) {
   policy::ObservationElement element;
-  const auto feature = json.at("feature").get<std::int64_t>();
-  const auto age = json.at("age").get<std::int64_t>();
-  const bool known = feature >= 0 && feature <= 255 && policy::is_known(static_cast<policy::Feature>(feature));
-  if (!known || age < 0 || age > 255) throw BadInput("observation: unknown feature or age");
-  element.feature = static_cast<policy::Feature>(feature);
-  element.age = static_cast<std::uint8_t>(age);
+  element.feature = static_cast<policy::Feature>(integer_from(json, "feature", 0, 255));
+  if (!policy::is_known(element.feature)) throw BadInput("observation: unknown feature");
+  element.age = static_cast<std::uint8_t>(integer_from(json, "age", 0, 255));
   element.offset = json.at("offset").get<float>();
   element.scale = json.at("scale").get<float>();
   return element;
@@ -33,8 +44,8 @@ void append(Vector& vector, const Value& value) {
 /// What is not among the description's own numbers.
 policy::BeliefModel belief_from(const Json& json) {
   policy::BeliefModel model;
-  model.cells_north = json.at("cells_north").get<std::uint16_t>();
-  model.cells_east = json.at("cells_east").get<std::uint16_t>();
+  model.cells_north = cells_from(json, "cells_north");
+  model.cells_east = cells_from(json, "cells_east");
   model.border_width = Meters{json.at("border_width_m").get<double>()};
   model.outlier_share = json.at("outlier_share").get<float>();
   model.silence_share = json.at("silence_share").get<float>();
@@ -107,11 +118,7 @@ SearchDescription read(const Json& json) {
   }
   if (json.contains("belief")) description.observation.belief = belief_from(json.at("belief"));
   if (description.observation.spec.empty()) throw BadInput("observation: has no elements");
-  const auto directions = json.at("direction_count").get<std::int64_t>();
-  if (directions < 1 || directions > static_cast<std::int64_t>(config::kMaxActions)) {
-    throw BadInput("direction_count: must be 1 to " + std::to_string(config::kMaxActions));
-  }
-  description.direction_count = static_cast<std::size_t>(directions);
+  description.direction_count = static_cast<std::size_t>(integer_from(json, "direction_count", 1, config::kMaxActions));
   description.step_length = Meters{length_from(json, "step_length_m")};
   description.area_size = {Meters{length_from(json, "area_north_m")}, Meters{length_from(json, "area_east_m")}};
   description.detection_threshold = Decibels{json.at("detection_threshold_db").get<double>()};

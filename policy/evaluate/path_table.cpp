@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include "policy/evaluate/csv.hpp"
+
 namespace earshot::evaluate {
 namespace {
 
@@ -27,7 +29,7 @@ void PathTable::add(std::string_view world, std::string_view policy, std::size_t
   const search::EpisodeRecord& record = episode.record();
   std::ostringstream row;
   row.precision(9);
-  row << world << ',' << policy << ',' << number << ',' << record.steps << ',' << episode.position().north.value << ','
+  row << csv_cell(world) << ',' << csv_cell(policy) << ',' << number << ',' << record.steps << ',' << episode.position().north.value << ','
       << episode.position().east.value << ',' << episode.snr().value << ',' << record.reward << ',' << episode.source().north.value << ','
       << episode.source().east.value << ',' << name_of(record.end) << '\n';
   csv_ += row.str();

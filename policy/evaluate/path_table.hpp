@@ -12,7 +12,6 @@ namespace earshot::evaluate {
 class PathTable {
  public:
   PathTable();
-  /// @param world, policy  names without a comma
   void add(std::string_view world, std::string_view policy, std::size_t number, const search::Episode& episode);
   [[nodiscard]] const std::string& csv() const { return csv_; }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "policy/evaluate/csv.hpp"
 #include "sim/sonar/gnuplot.hpp"
 
 namespace earshot::evaluate {
@@ -103,7 +104,7 @@ std::string as_csv(std::span<const Row> rows, Timing timing) {
   for (const Row& row : rows) {
     const Summary& s = row.summary;
     const Intervals& i = row.intervals;
-    csv += row.world + "," + row.policy + "," + std::to_string(s.episodes);
+    csv += csv_cell(row.world) + "," + csv_cell(row.policy) + "," + std::to_string(s.episodes);
     for (const double x : {s.mean_reward, i.mean_reward.low, i.mean_reward.high, s.lower_quartile_reward, s.median_reward,
                            i.median_reward.low, i.median_reward.high, s.upper_quartile_reward, s.found_fraction, i.found_fraction.low,
                            i.found_fraction.high, s.left_domain_fraction, row.path_over_straight, i.path_over_straight.low,

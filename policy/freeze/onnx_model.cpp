@@ -152,6 +152,16 @@ struct Graph {
   std::vector<std::string> outputs;
 };
 
+/// Every value has one origin: chain_of() follows names.
+void check_outputs(const Graph& graph) {
+  std::set<std::string> given(graph.inputs.begin(), graph.inputs.end());
+  for (const auto& [name, tensor] : graph.initializers) given.insert(name);
+  for (const Node& node : graph.nodes) {
+    if (given.insert(node.outputs[0]).second) continue;
+    throw BadInput("operator " + node.operation + ": its output " + node.outputs[0] + " is the name of another value");
+  }
+}
+
 Graph read_graph(std::string_view bytes) {
   Graph graph;
   ProtobufReader reader(bytes);
@@ -184,6 +194,7 @@ Graph read_graph(std::string_view bytes) {
   }
   std::erase_if(graph.inputs, [&graph](const std::string& name) { return graph.initializers.contains(name); });
   if (graph.inputs.size() != 1 || graph.outputs.size() != 1) throw BadInput("graph: not one input (observation) and one output (logits)");
+  check_outputs(graph);
   return graph;
 }
 

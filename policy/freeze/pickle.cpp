@@ -14,6 +14,9 @@ using config_file::BadInput;
 using Kind = PickleValue::Kind;
 
 constexpr std::size_t kMaxPickleBytes = std::size_t{1024} * 1024;
+constexpr std::size_t kMaxHeldBytes = 4 * kMaxPickleBytes;  ///< texts and items: a value recalled again and again is held that often
+constexpr std::size_t kMaxNameSize = 256;
+constexpr std::size_t kMaxArguments = 8;  ///< of a call; a tensor is rebuilt with 6
 
 /// Opcodes by the names of Python's pickletools.
 enum class Opcode : std::uint8_t {
@@ -104,7 +107,12 @@ class Machine {
     return text;
   }
 
+  void hold(std::size_t text_size, std::size_t item_count) {
+    held_bytes_ += text_size + item_count * sizeof(std::size_t);
+    if (held_bytes_ > kMaxHeldBytes) throw BadInput("pickle: holds more than 4 MiB of texts and items");
+  }
   std::size_t add(PickleValue value) {
+    hold(value.text.size(), value.items.size());
     pickle_.values.push_back(std::move(value));
     return pickle_.values.size() - 1;
   }
@@ -135,7 +143,7 @@ class Machine {
     if (stack_.size() <= lowest || pickle_.values[stack_.back()].kind != kind) throw BadInput(std::string("pickle: expected ") + what);
     return pickle_.values[stack_.back()];
   }
-  std::string pop_text() {
+  const std::string& pop_text() {
     const PickleValue& value = pickle_.values[pop()];
     if (value.kind != Kind::kText) throw BadInput("pickle: expected a text");
     return value.text;
@@ -174,6 +182,7 @@ class Machine {
 
   void append(std::vector<std::size_t> items, Kind kind, const char* what) {
     PickleValue& container = top(kind, what);
+    hold(0, items.size());
     container.items.insert(container.items.end(), items.begin(), items.end());
   }
 
@@ -241,11 +250,11 @@ class Machine {
     switch (opcode) {
       case Opcode::kGlobal: {
         const std::string module = line();
-        return push_global(module + "." + line()), true;
+        return push_global(module, line()), true;
       }
       case Opcode::kStackGlobal: {
-        const std::string last = pop_text();
-        return push_global(pop_text() + "." + last), true;
+        const std::string& last = pop_text();
+        return push_global(pop_text(), last), true;
       }
       case Opcode::kReduce:
         return call(), true;
@@ -259,15 +268,18 @@ class Machine {
         return false;
     }
   }
-  void push_global(std::string global) {
+  void push_global(const std::string& module, const std::string& last) {
+    if (module.size() + 1 + last.size() > kMaxNameSize) throw BadInput("pickle: a name of more than 256 characters");
+    std::string global = module + "." + last;
     if (!rules_.may_name(global)) throw BadInput("pickle: names " + global + ", which plain weights do not need");
     push({.kind = Kind::kGlobal, .text = std::move(global)});
   }
   void call() {
-    const PickleValue arguments = pickle_.values[pop()];
-    const PickleValue callee = pickle_.values[pop()];
+    const PickleValue& arguments = pickle_.values[pop()];
+    const PickleValue& callee = pickle_.values[pop()];
     if (callee.kind != Kind::kGlobal || arguments.kind != Kind::kTuple) throw BadInput("pickle: calls what is no function");
     if (!rules_.may_call(callee.text)) throw BadInput("pickle: calls " + callee.text + ", which plain weights do not need");
+    if (arguments.items.size() > kMaxArguments) throw BadInput("pickle: calls " + callee.text + " with more than 8 arguments");
     if (callee.text == kOrderedDict && arguments.items.empty()) return push({.kind = Kind::kDictionary});
     push({.kind = Kind::kCall, .text = callee.text, .items = arguments.items});
   }
@@ -276,6 +288,7 @@ class Machine {
   const PickleRules& rules_;
   std::size_t position_ = 0;
   Pickle pickle_;
+  std::size_t held_bytes_ = 0;
   std::vector<std::size_t> stack_;  // places
   std::vector<std::size_t> marks_;  // heights of the stack
   std::map<std::uint64_t, std::size_t> memo_;

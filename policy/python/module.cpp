@@ -23,11 +23,17 @@ using namespace earshot;
 using search::EpisodeEnd;
 
 using Floats = py::array_t<float, py::array::c_style>;
-using Actions = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
-using Place = std::pair<double, double>;  // north, east
+using Actions = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;  // of whole_numbers() only: it truncates
+using Place = std::pair<double, double>;                                               // north, east
 
 std::span<float> span_of(Floats& array) {
   return {array.mutable_data(), static_cast<std::size_t>(array.size())};
+}
+
+Actions whole_numbers(const py::array& actions) {
+  const char kind = actions.dtype().kind();
+  if (kind == 'i' || kind == 'u') return Actions(actions);
+  throw py::type_error("actions: must be whole numbers, not " + std::string(py::str(actions.dtype())));
 }
 
 std::size_t checked_action(std::int64_t action, std::size_t count) {
@@ -70,6 +76,7 @@ class Episodes {
   }
 
   Floats observations() {
+    check_all_started("observations()");
     Floats all(shape());
     for (std::size_t i = 0; i < running_.size(); ++i) observe(i, all);
     return all;
@@ -87,8 +94,9 @@ class Episodes {
   }
 
   /// Steps every episode; those that end start anew at once.
-  py::tuple step(const Actions& actions) {
+  py::tuple step(const py::array& given) {
     check_all_run();
+    const Actions actions = whole_numbers(given);
     if (actions.ndim() != 1 || static_cast<std::size_t>(actions.size()) != running_.size()) {
       throw py::value_error("actions: must be one for each of the " + std::to_string(running_.size()) + " environments");
     }
@@ -135,9 +143,14 @@ class Episodes {
     const std::size_t size = world_->observation().spec.size();
     running_[i].episode.observe(span_of(all).subspan(i * size, size));
   }
-  void check_all_run() const {
+  void check_all_started(const char* call) const {
     for (const Running& running : running_) {
-      if (!running.started) throw std::runtime_error("step() before reset()");
+      if (!running.started) throw std::runtime_error(std::string(call) + " before reset()");
+    }
+  }
+  void check_all_run() const {
+    check_all_started("step()");
+    for (const Running& running : running_) {
       if (running.episode.record().end != EpisodeEnd::kRunning) throw std::runtime_error("the episode is over: reset() before step()");
     }
   }

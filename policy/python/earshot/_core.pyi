@@ -45,7 +45,10 @@ class World:
         """SNR in dB at horizontal ranges in metres, same shape."""
 
 class Episodes:
-    """`count` searches in one world, each with random numbers of its own. Raises RuntimeError when stepped before started or after the end."""
+    """`count` searches in one world, each with random numbers of its own.
+
+    Raises RuntimeError when observed or stepped before started, and when stepped after the end.
+    """
 
     def __init__(self, world: World, count: int) -> None: ...
     def start(self, index: int, seed: Optional[int] = None) -> None:
@@ -65,7 +68,7 @@ class Episodes:
         NDArray[np.bool_],
         list[tuple[int, NDArray[np.float32], dict[str, float]]],
     ]:
-        """Steps all episodes with actions [count]; one that ends starts anew at once.
+        """Steps all episodes with actions [count]; one that ends starts anew at once. Any integer dtype will do; TypeError for others.
 
         Returns observations [count x observation_size] to act upon next, rewards [count], terminated [count], truncated [count], and for each
         episode that ended (index, last observation [observation_size], record)."""

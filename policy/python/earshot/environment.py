@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any, Optional
 
 import gymnasium
@@ -71,7 +72,7 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
     def step(self, action: np.int64) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
         if not self._seeded:
             raise RuntimeError("step() before reset()")
-        observation, reward, terminated, truncated = self._episodes.step_one(int(action))
+        observation, reward, terminated, truncated = self._episodes.step_one(operator.index(action))
         info = self._info()
         if terminated or truncated:
             record = self._episodes.record(0)

@@ -13,9 +13,11 @@ from typing import Any, Optional, Union
 import gymnasium
 import numpy as np
 import stable_baselines3
+from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker, RecordEpisodeStatistics, TimeLimit
 from numpy.typing import NDArray
 from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.monitor import Monitor
+from stable_baselines3.common.torch_layers import FlattenExtractor
 from stable_baselines3.common.vec_env import DummyVecEnv, VecCheckNan, VecEnv, VecEnvWrapper, VecMonitor, VecNormalize
 
 from earshot._core import Episodes
@@ -31,9 +33,9 @@ __all__ = ["SearchVecEnv", "describe", "export_onnx", "save"]
 
 Path_ = Union[str, os.PathLike[str]]
 
-# Wrappers that leave observations and actions as they are.
+# Wrappers that leave observations and actions as they are; a class derived from one may not, nor one that only has its name.
 _PLAIN_VECTOR_WRAPPERS = (VecMonitor, VecCheckNan)
-_PLAIN_WRAPPERS = {"Monitor", "TimeLimit", "OrderEnforcing", "PassiveEnvChecker", "RecordEpisodeStatistics"}
+_PLAIN_WRAPPERS = (Monitor, TimeLimit, OrderEnforcing, PassiveEnvChecker, RecordEpisodeStatistics)
 
 
 class SearchVecEnv(VecEnv):
@@ -99,30 +101,40 @@ class SearchVecEnv(VecEnv):
 
 def _inner(env: gymnasium.Env) -> gymnasium.Env:
     while isinstance(env, gymnasium.Wrapper):
-        if type(env).__name__ not in _PLAIN_WRAPPERS:
+        if type(env) not in _PLAIN_WRAPPERS:
             raise ValueError(f"{type(env).__name__}: not known to leave observations and actions as they are; this policy cannot be frozen")
         env = env.env
     return env
 
 
+def _searches(env: VecEnv) -> list[Any]:
+    while isinstance(env, VecEnvWrapper):
+        plain = type(env) in _PLAIN_VECTOR_WRAPPERS or (type(env) is VecNormalize and not env.norm_obs)
+        if not plain:
+            raise ValueError(f"{type(env).__name__}: changes what the policy sees; this policy cannot be frozen")
+        env = env.venv
+    searches = [_inner(each) for each in env.envs] if isinstance(env, DummyVecEnv) else [env]
+    for search in searches:
+        if not isinstance(search, (SearchVecEnv, AcousticSearchEnv)):
+            raise ValueError(f"{type(search).__name__}: not a search of Earshot, or not to be looked into; train in earshot.sb3.SearchVecEnv")
+    return searches
+
+
 def describe(model: BaseAlgorithm, env: Optional[VecEnv] = None) -> str:
     """What `earshot freeze` must know of the policy besides its weights, one line of JSON.
 
-    Raises ValueError when something between environment and policy changes what it sees (VecNormalize, frame stacks, unknown wrappers).
+    Raises ValueError when something between environment and policy changes what it sees (VecNormalize, frame stacks, unknown wrappers, a
+    features extractor), and when its environments are searches that differ.
     """
     current = env if env is not None else model.get_env()
     if current is None:
         raise ValueError("the model has no environment: give the one it was trained in (env=...)")
-    while isinstance(current, VecEnvWrapper):
-        plain = isinstance(current, _PLAIN_VECTOR_WRAPPERS) or (isinstance(current, VecNormalize) and not current.norm_obs)
-        if not plain:
-            raise ValueError(f"{type(current).__name__}: changes what the policy sees; this policy cannot be frozen")
-        current = current.venv
-    inner = current
-    if isinstance(current, DummyVecEnv):
-        inner = _inner(current.envs[0])
-    if not isinstance(inner, (SearchVecEnv, AcousticSearchEnv)):
-        raise ValueError(f"{type(inner).__name__}: not a search of Earshot, or not to be looked into; train in earshot.sb3.SearchVecEnv")
+    extractor = type(getattr(model.policy, "features_extractor", None))
+    if extractor is not FlattenExtractor:
+        raise ValueError(f"features_extractor: {extractor.__name__} changes what the policy sees; this policy cannot be frozen")
+    inner, *others = _searches(current)
+    if any(other.search_description != inner.search_description for other in others):
+        raise ValueError("the model's environments are searches that differ; this policy cannot be frozen")
     description = json.loads(inner.search_description)
     description["provenance"] = {
         "trained_by": f"stable-baselines3 {stable_baselines3.__version__} {type(model).__name__}",

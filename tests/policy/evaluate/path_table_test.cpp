@@ -42,6 +42,15 @@ TEST(PathTable, HoldsTheStartAndTheEndOfEveryStepInOrder) {
             "calm,east,0,4,12000,26000,-30,-304,12000,2000,left_domain\n");
 }
 
+TEST(PathTable, KeepsNamesWithCommasAndQuotesInTheirCells) {
+  GoesEast searcher;
+  const search::SearchWorld world(lost_in_the_east(), kHeardNowhere);
+  PathTable table;
+  (void)fly(searcher, world, {.end = 1}, 1,
+            [&](std::size_t number, const search::Episode& episode) { table.add("deep, cold", R"(a"b)", number, episode); });
+  EXPECT_NE(table.csv().find("\n\"deep, cold\",\"a\"\"b\",0,0,12000,22000,"), std::string::npos) << table.csv();
+}
+
 TEST(PathTable, WatchingChangesNothing) {
   GoesEast searcher;
   search::SearchSettings settings;

@@ -54,6 +54,11 @@ TEST(Table, WritesEveryFigureUnderItsName) {
   EXPECT_NEAR(std::stod(value_of(csv, "decision_us")), 3.0, 1e-9);
 }
 
+TEST(Table, KeepsNamesWithCommasAndQuotesInTheirCells) {
+  const std::string csv = as_csv(std::vector<Row>{row_of("deep, cold", R"(a"b)", flights(), 1)}, Timing::kLeftOut);
+  EXPECT_NE(csv.find("\n\"deep, cold\",\"a\"\"b\",4,-1.5,"), std::string::npos) << csv;
+}
+
 TEST(Table, LeavesOutTheClockSoThatItsBytesRepeat) {
   std::vector<Flight> slower = flights();
   for (Flight& flight : slower) flight.decision_s *= 2.0;

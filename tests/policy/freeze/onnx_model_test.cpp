@@ -119,6 +119,18 @@ TEST(OnnxModel, RefusesOperatorsWhereANetworkHasNone) {
   EXPECT_NE(refused(layer).find("not one chain"), std::string::npos);
 }
 
+TEST(OnnxModel, RefusesAnOutputThatWritesOverAnotherValue) {
+  const std::string ends = field(11, field(1, "x"s)) + kWeights;
+  const auto layer_to = [&](const std::string& output) {
+    return refused(ends + field(12, field(1, output)) + node("Gemm", {"x", "w", "b"}, output, kTurned));
+  };
+  EXPECT_EQ(layer_to("y"), "");
+  EXPECT_NE(layer_to("b").find("its output b is the name of another value"), std::string::npos);
+  EXPECT_NE(layer_to("x").find("its output x is the name of another value"), std::string::npos);
+  EXPECT_NE(refused(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned) + node("Tanh", {"z"}, "y")).find("its output y"),
+            std::string::npos);
+}
+
 TEST(OnnxModel, RefusesAGemmThatIsNoDenseLayer) {
   const auto gemm = [](const std::string& attributes) {
     return refused(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", attributes));

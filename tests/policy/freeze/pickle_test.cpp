@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 
 #include "tests/policy/freeze/bytes.hpp"
 
@@ -120,6 +121,51 @@ TEST(Pickle, TakesAListThatHoldsItself) {
       "a."s,
       kNothing);
   EXPECT_EQ(pickle.top().items, std::vector<std::size_t>{pickle.root});
+}
+
+std::string repeated(const std::string& part, std::size_t count) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += part;
+  return all;
+}
+
+std::size_t held_bytes(const Pickle& pickle) {
+  std::size_t bytes = 0;
+  for (const PickleValue& value : pickle.values) bytes += value.text.size() + value.items.size() * sizeof(std::size_t);
+  return bytes;
+}
+
+TEST(Pickle, RefusesACallWithMoreArgumentsThanAnyThatWeightsNeed) {
+  const auto call = [](std::size_t arguments) { return "\x80\x02(cm\nf\n("s + repeated("N", arguments) + "tRt."; };
+  EXPECT_EQ(refused(call(8), kCalls), "");
+  EXPECT_NE(refused(call(9), kCalls).find("calls m.f with more than 8 arguments"), std::string::npos);
+}
+
+TEST(Pickle, RefusesALongNameHoweverItIsGiven) {
+  const auto line = [](std::size_t size) { return "\x80\x02" + ("cm\n" + std::string(size - 2, 'f') + "\n."); };
+  const auto texts = [](std::size_t size) {
+    return "\x80\x04\x8c\x01m\x8c" + (static_cast<char>(size - 2) + std::string(size - 2, 'f') + "\x93.");
+  };
+  for (const auto& name : {std::function<std::string(std::size_t)>(line), std::function<std::string(std::size_t)>(texts)}) {
+    EXPECT_EQ(refused(name(256), kNames), "");
+    EXPECT_NE(refused(name(257), kNames).find("a name of more than 256 characters"), std::string::npos);
+  }
+}
+
+// Bytes that recall what was written once grow by a factor; what is held of them does not.
+TEST(Pickle, HoldsNoMoreThanItsBudgetOfTextsAndItems) {
+  const std::string text = "\x80\x04(\x8c\x01mq\x00\x8c\xc8"s + std::string(200, 'f') + "q\x01"s;
+  const auto names = [&](std::size_t count) { return text + repeated("h\x00h\x01\x93"s, count) + "t."; };
+  const std::string tuple = "\x80\x02(cm\nf\nq\x00(NNNNNNNNtq\x01"s;
+  const auto calls = [&](std::size_t count) { return tuple + repeated("h\x00h\x01R"s, count) + "t."; };
+  constexpr std::size_t kBudget = std::size_t{4} * 1024 * 1024;
+  for (const auto& bytes : {std::function<std::string(std::size_t)>(names), std::function<std::string(std::size_t)>(calls)}) {
+    EXPECT_LE(held_bytes(read_pickle(bytes(2'000), kCalls)), kBudget);
+    EXPECT_NE(refused(bytes(100'000), kCalls).find("holds more than 4 MiB"), std::string::npos);
+  }
+  const auto list = [](std::size_t count) { return "\x80\x02]("s + repeated("N", count) + "e."; };
+  EXPECT_EQ(held_bytes(read_pickle(list(kBudget / sizeof(std::size_t)), kNothing)), kBudget);
+  EXPECT_NE(refused(list(kBudget / sizeof(std::size_t) + 1), kNothing).find("holds more than 4 MiB"), std::string::npos);
 }
 
 }  // namespace

@@ -143,5 +143,34 @@ TEST(SearchDescription, IsRefusedWhenObservationsWereNormalisedOrNothingSaysThat
   EXPECT_NE(refused_text(text.substr(0, 50)).find("cut short"), std::string::npos);
 }
 
+/// The model's search with a belief of 50 x 50 cells.
+std::string text_with_belief() {
+  description::SearchDescription search = description::from_text(read_model(test::model("memory.zip"), "m").search.value());
+  EXPECT_EQ(search.observation.spec.push_back({.feature = policy::Feature::kEffectiveCells}), Status::kOk);
+  policy::BeliefModel& belief = search.observation.belief;
+  belief.cells_north = 50;
+  belief.cells_east = 50;
+  belief.border_width = Meters{1'000.0};
+  belief.range_step = Meters{1'000.0};
+  EXPECT_EQ(belief.hypotheses.push_back({.level_offset_db = 0.0F, .spread_db = 3.0F, .prior = 1.0F}), Status::kOk);
+  EXPECT_EQ(belief.snr_db.push_back(10.0F), Status::kOk);
+  return description::to_text(search);
+}
+
+TEST(SearchDescription, RefusesWholeNumbersThatWouldWrapOrLoseTheirFraction) {
+  const auto refused_with = [text = text_with_belief()](const std::string& from, const std::string& to) {
+    return refusal([&] { (void)description::from_text(replaced(text, from, to)); });
+  };
+  EXPECT_EQ(refused_with("\"cells_north\":50", "\"cells_north\":25"), "");
+  for (const std::string cells : {"65586", "0", "-1", "2501", "50.5", "18446744073709551615", "1e300"}) {  // 65586 = 65536 + 50
+    const std::string expected = ": must be a whole number, 1 to 2500";
+    EXPECT_NE(refused_with("\"cells_north\":50", "\"cells_north\":" + cells).find("cells_north" + expected), std::string::npos) << cells;
+    EXPECT_NE(refused_with("\"cells_east\":50", "\"cells_east\":" + cells).find("cells_east" + expected), std::string::npos) << cells;
+  }
+  EXPECT_NE(refused_with("\"direction_count\":8", "\"direction_count\":8.5").find("direction_count: must be a whole number, 1 to 32"),
+            std::string::npos);
+  EXPECT_NE(refused_with("\"age\":0", "\"age\":256").find("age: must be a whole number, 0 to 255"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace earshot::freeze

@@ -114,9 +114,34 @@ class Environment(unittest.TestCase):
         env.reset(seed=1)
         self.assertRaisesRegex(ValueError, "action 8: must be 0 to 7", env.step, 8)
         self.assertRaisesRegex(ValueError, "action -1", env.step, -1)
+        self.assertRaises(TypeError, env.step, 1.9)
         self.assertRaisesRegex(ValueError, "position_m", env.reset, options={"position_m": (float("nan"), 0.0)})
         self.assertRaisesRegex(ValueError, "within a step", env.reset, options={"position_m": (9_500.0, 10_000.0)})
         self.assertRaisesRegex(ValueError, "unknown.*place", env.reset, options={"place": 1})
+
+
+class Episodes(unittest.TestCase):
+    def make(self, count):
+        return earshot._core.Episodes(earshot.AcousticSearchEnv(state="memory").world, count)
+
+    def test_refuses_to_observe_before_every_episode_began(self):
+        episodes = self.make(2)
+        self.assertRaisesRegex(RuntimeError, "observations.. before reset", episodes.observations)
+        episodes.start(0, 1)
+        self.assertRaisesRegex(RuntimeError, "observations.. before reset", episodes.observations)
+        episodes.start(1, 2)
+        self.assertEqual(episodes.observations().shape, (2, 6))
+
+    def test_takes_actions_of_integers_only(self):
+        for dtype in (np.int8, np.uint8, np.int32, np.int64, np.uint64):
+            episodes = self.make(2)
+            for index in range(2):
+                episodes.start_at(index, (20_000.0, 20_000.0), (10_000.0, 10_000.0))
+            episodes.step(np.array([2, 0], dtype=dtype))  # east, north
+            self.assertEqual((episodes.position_m(0), episodes.position_m(1)), ((20_000.0, 21_000.0), (21_000.0, 20_000.0)), dtype)
+        for actions in ([1.9, 0.0], np.array([True, False]), np.array([1.0, 0.0], np.float32), np.array(["1", "0"])):
+            self.assertRaisesRegex(TypeError, "actions: must be whole numbers", episodes.step, np.asarray(actions))
+        self.assertRaisesRegex(ValueError, "action -1", episodes.step, np.array([2**64 - 1, 0], np.uint64))
 
 
 class VectorEnvironment(unittest.TestCase):

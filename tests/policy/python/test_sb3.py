@@ -17,6 +17,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "peers"))
 import sb3_without_plots  # noqa: F401
 from stable_baselines3 import PPO
 from stable_baselines3.common.evaluation import evaluate_policy
+from stable_baselines3.common.torch_layers import FlattenExtractor
 from stable_baselines3.common.vec_env import DummyVecEnv, VecFrameStack, VecNormalize
 
 import earshot.sb3
@@ -98,6 +99,36 @@ class StableBaselines3(unittest.TestCase):
             model = PPO("MlpPolicy", env, n_steps=16, device="cpu")
             self.assertRaisesRegex(ValueError, "frozen", earshot.sb3.save, model, self.folder / "model.zip")
         self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_refuses_a_features_extractor_that_would_be_dropped(self):
+        class Doubled(FlattenExtractor):
+            def forward(self, observations):
+                return 2.0 * super().forward(observations)
+
+        kwargs = {"features_extractor_class": Doubled}
+        env = earshot.sb3.SearchVecEnv(2, **OPTIONS)
+        model = PPO("MlpPolicy", env, n_steps=16, device="cpu", policy_kwargs=kwargs)
+        for write in (earshot.sb3.save, earshot.sb3.export_onnx):
+            self.assertRaisesRegex(ValueError, "features_extractor: Doubled", write, model, self.folder / "model")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_looks_at_the_wrappers_of_every_environment_and_at_more_than_their_names(self):
+        class TimeLimit(gymnasium.ObservationWrapper):
+            def observation(self, observation):
+                return 2.0 * observation
+
+        def make(**options):
+            return gymnasium.make(earshot.ID, **{**OPTIONS, **options})
+
+        for last, message in [
+            (lambda: TimeLimit(make()), "TimeLimit: not known"),
+            (lambda: gymnasium.wrappers.NormalizeObservation(make()), "NormalizeObservation: not known"),
+            (lambda: make(source="fixed"), "searches that differ"),
+        ]:
+            with self.subTest(message):
+                model = PPO("MlpPolicy", DummyVecEnv([make, last]), n_steps=16, device="cpu")
+                self.assertRaisesRegex(ValueError, message, earshot.sb3.describe, model)
+        earshot.sb3.describe(PPO("MlpPolicy", DummyVecEnv([make, make]), n_steps=16, device="cpu"))
 
     def test_normalised_rewards_change_nothing(self):
         env = VecNormalize(earshot.sb3.SearchVecEnv(2, **OPTIONS), norm_obs=False)
