@@ -19,6 +19,7 @@ Unit unit_of(Feature feature) {
     case Feature::kLikeliestShare:
     case Feature::kHypothesis:
     case Feature::kFound:
+    case Feature::kReach:
     case Feature::kDetected:
       return Unit::kShare;
     case Feature::kEffectiveCells:
