@@ -59,7 +59,7 @@ void draw(const std::filesystem::path& path, const std::string& size, const std:
   const std::string extension = path.extension().string();
   if (extension != ".png" && extension != ".svg") throw std::invalid_argument(path.string() + ": a plot's name must end in .png or .svg");
   const bool png = extension == ".png";
-  std::filesystem::path temporary = path;
+  std::filesystem::path temporary = std::filesystem::absolute(path);  // gnuplot takes a name that begins with | for a command
   temporary += ".part" + std::to_string(getpid());
   try {
     if (!std::ofstream(temporary)) throw std::runtime_error("it cannot be written");

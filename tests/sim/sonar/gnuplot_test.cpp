@@ -35,5 +35,15 @@ TEST(Gnuplot, IsGivenNoTextOfTwoLinesForTheSecondWouldBeACommand) {
   EXPECT_THROW((void)quoted("a\nsystem('date')"), std::invalid_argument);
 }
 
+TEST(Gnuplot, TakesANameThatLooksLikeACommandForAName) {
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path((folder / "x").parent_path());
+  EXPECT_NO_THROW(draw("|touch owned;.svg", "400,300", "plot x\n"));
+  EXPECT_TRUE(std::filesystem::exists("|touch owned;.svg"));
+  EXPECT_FALSE(std::filesystem::exists("owned"));
+  std::filesystem::current_path(before);
+}
+
 }  // namespace
 }  // namespace earshot::sonar
