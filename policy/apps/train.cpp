@@ -77,8 +77,7 @@ void print_summary(const Trainings& trainings, double seconds) {
   std::cout << seconds << " s\n";
 }
 
-void train(const apps::TrainOptions& options, const std::vector<std::string>& arguments) {
-  parallel::RankSession session;
+void train(const apps::TrainOptions& options, const std::vector<std::string>& arguments, parallel::RankSession& session) {
   const bool speaks = session.ranks().rank() == 0;
   Trainings trainings;
   std::string error;
@@ -114,8 +113,14 @@ int main(int argc, char** argv) {
       "mpirun -n N earshot-train ... trains one policy with N times the environments and the batch.");
   apps::TrainOptions options;
   options.add_to(app);
-  return apps::run_program(app, argc, argv, [&] {
-    if (!options.resume.empty()) apps::check_for_resume(app);
-    train(options, std::vector<std::string>(argv + 1, argv + argc));
-  });
+  try {
+    parallel::RankSession session;  // outlives what is said: mpirun drops the words of others when the first rank has ended
+    return apps::run_program(app, argc, argv, [&] {
+      if (!options.resume.empty()) apps::check_for_resume(app);
+      train(options, std::vector<std::string>(argv + 1, argv + argc), session);
+    });
+  } catch (const std::runtime_error& e) {
+    std::cerr << "earshot train: " << e.what() << "\n";
+    return 2;
+  }
 }
