@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <cstring>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -160,12 +159,9 @@ std::vector<evaluate::Flight> fly_share(const Contestant& contestant, const Aren
 
 /// On rank 0: the searches of all ranks in the order of one alone; elsewhere nothing.
 std::vector<evaluate::Flight> gathered(const std::vector<evaluate::Flight>& mine, std::size_t episodes, parallel::Ranks& ranks) {
-  static_assert(std::is_trivially_copyable_v<evaluate::Flight>);
-  const std::string bytes(reinterpret_cast<const char*>(mine.data()), mine.size() * sizeof(evaluate::Flight));
-  const std::vector<std::string> shares = ranks.gather(bytes);
+  const auto shares = parallel::gather_values(ranks, std::span(mine));
   std::vector<evaluate::Flight> all(shares.empty() ? 0 : episodes);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    std::memcpy(&all[i], shares[i % shares.size()].data() + i / shares.size() * sizeof(evaluate::Flight), sizeof(evaluate::Flight));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = shares[i % shares.size()][i / shares.size()];
   return all;
 }
 
@@ -225,18 +221,6 @@ void check_files(const Options& o) {
   if (extension != ".png" && extension != ".svg") throw BadInput("--plot: " + *o.plot + ": a plot's name must end in .png or .svg");
 }
 
-/// Rank 0 alone writes, so it alone can find that it cannot; the others must not fly on and wait for it.
-void check_files(const Options& o, parallel::RankSession& session) {
-  std::string error;
-  try {
-    if (session.ranks().rank() == 0) check_files(o);
-  } catch (const BadInput& e) {
-    error = e.what();
-  }
-  error = session.first_error(error);
-  if (!error.empty()) throw BadInput(error);
-}
-
 void evaluate_policies(const Options& o, parallel::RankSession& session) {
   parallel::Ranks& ranks = session.ranks();
   const bool speaks = ranks.rank() == 0;
@@ -250,7 +234,9 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   search::SearchSettings settings = settings_of(contestants);
   settings.source = environment.source.position;
   o.search.apply_to(settings);
-  check_files(o, session);
+  session.all_or_none<BadInput>([&] {
+    if (speaks) check_files(o);
+  });
   const sonar::SnrCurve expected = apps::curve_for(environment, depth, settings);
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = *o.draw == "argmax" ? policy::ActionDraw::kArgmax : policy::ActionDraw::kSampled;
@@ -281,15 +267,5 @@ int main(int argc, char** argv) {
   CLI::App app("Flies many simulated searches with policies and baselines and says how they did.", "earshot evaluate");
   Options options;
   add_options(app, options);
-  try {
-    parallel::RankSession session;
-    if (session.ranks().rank() != 0) {  // what is wrong is wrong on every rank: it is said once
-      std::cerr.rdbuf(nullptr);
-      std::cout.rdbuf(nullptr);
-    }
-    return apps::run_program(app, argc, argv, [&] { evaluate_policies(options, session); });
-  } catch (const std::runtime_error& e) {
-    std::cerr << "earshot evaluate: " << e.what() << "\n";
-    return 2;
-  }
+  return apps::run_ranked_program(app, argc, argv, [&](parallel::RankSession& session) { evaluate_policies(options, session); });
 }

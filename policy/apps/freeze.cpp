@@ -1,13 +1,11 @@
 #include "policy/freeze/freeze.hpp"
 
-#include <iomanip>
 #include <iostream>
 #include <optional>
-#include <sstream>
 
 #include "firmware/config_file/table_reader.hpp"
-#include "firmware/core/crc32.hpp"
 #include "policy/apps/program.hpp"
+#include "policy/description/crc32_text.hpp"
 #include "policy/freeze/keys.hpp"
 #include "policy/freeze/model_file.hpp"
 
@@ -67,20 +65,12 @@ std::string search_of(const freeze::TrainedActor& actor, const Options& options)
   throw BadInput("does not say what it was trained to search: save it with earshot.sb3.save or export_onnx, or give --search");
 }
 
-/// What a policy's provenance says of the file it came from.
-std::pair<std::string, std::string> crc32_of(const std::string& bytes) {
-  std::ostringstream crc;
-  crc << std::hex << std::setw(8) << std::setfill('0')
-      << crc32(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));  // NOLINT: characters are bytes
-  return {"model_crc32", crc.str()};
-}
-
 std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, const std::filesystem::path& file, const Options& options) {
   const freeze::TrainedActor actor = freeze::read_model(bytes, file.string());
   try {
     description::SearchDescription search = description::from_text(search_of(actor, options));
     search.provenance.emplace_back("model", file.filename().string());
-    search.provenance.push_back(crc32_of(bytes));
+    search.provenance.emplace_back("model_crc32", description::crc32_text(description::crc32_of(bytes)));
     return freeze::freeze(actor, search, draw_of(options));
   } catch (const BadInput& e) {
     throw BadInput(file.string() + ": " + freeze::printable(e.what()));

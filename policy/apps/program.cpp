@@ -33,11 +33,25 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<void()
   } catch (const CLI::ParseError& e) {
     std::cerr << app.get_name() << ": " << e.what() << "\n";
   } catch (const BadInput& e) {
-    if (*e.what() != '\0') std::cerr << e.what() << "\n";
+    std::cerr << e.what() << "\n";
   } catch (const std::exception& e) {
     std::cerr << app.get_name() << ": " << e.what() << "\n";
   }
   return kBadInputStatus;
+}
+
+int run_ranked_program(CLI::App& app, int argc, char** argv, const std::function<void(parallel::RankSession&)>& body) {
+  try {
+    parallel::RankSession session;
+    if (session.ranks().rank() != 0) {
+      std::cerr.rdbuf(nullptr);
+      std::cout.rdbuf(nullptr);
+    }
+    return run_program(app, argc, argv, [&] { body(session); });
+  } catch (const std::runtime_error& e) {
+    std::cerr << app.get_name() << ": " << e.what() << "\n";
+    return kBadInputStatus;
+  }
 }
 
 std::string read_whole(const std::filesystem::path& path) {

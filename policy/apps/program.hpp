@@ -7,11 +7,16 @@
 #include <string>
 #include <string_view>
 
+#include "sim/parallel/rank_session.hpp"
+
 namespace earshot::apps {
 
-/// Parses the command line and runs `body`. Bad input of any kind ends as one message on standard error and exit status 2;
-/// an empty message is for the other ranks of an MPI program to say.
+/// Parses the command line and runs `body`. Bad input of any kind ends as one message on standard error and exit status 2.
 int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& body);
+
+/// The same of a program that mpirun may have started: rank 0 alone speaks, and the session outlives what it says, because mpirun drops the
+/// words of a rank when another has ended.
+int run_ranked_program(CLI::App& app, int argc, char** argv, const std::function<void(parallel::RankSession&)>& body);
 
 /// The whole content of a file. Throws config_file::BadInput when it cannot be read.
 [[nodiscard]] std::string read_whole(const std::filesystem::path& path);

@@ -80,14 +80,7 @@ void print_summary(const Trainings& trainings, double seconds) {
 void train(const apps::TrainOptions& options, const std::vector<std::string>& arguments, parallel::RankSession& session) {
   const bool speaks = session.ranks().rank() == 0;
   Trainings trainings;
-  std::string error;
-  try {
-    trainings = prepare(options, arguments, session.ranks());
-  } catch (const BadInput& e) {
-    error = e.what();
-  }
-  error = session.first_error(error);
-  if (!error.empty()) throw BadInput(speaks ? error : "");
+  session.all_or_none<BadInput>([&] { trainings = prepare(options, arguments, session.ranks()); });
 
   apps::TrainingProgress progress(trainings.size(),
                                   speaks ? apps::TrainingProgress::Voice::kSpeaks : apps::TrainingProgress::Voice::kSilent);
@@ -113,14 +106,8 @@ int main(int argc, char** argv) {
       "mpirun -n N earshot-train ... trains one policy with N times the environments and the batch.");
   apps::TrainOptions options;
   options.add_to(app);
-  try {
-    parallel::RankSession session;  // outlives what is said: mpirun drops the words of others when the first rank has ended
-    return apps::run_program(app, argc, argv, [&] {
-      if (!options.resume.empty()) apps::check_for_resume(app);
-      train(options, std::vector<std::string>(argv + 1, argv + argc), session);
-    });
-  } catch (const std::runtime_error& e) {
-    std::cerr << "earshot train: " << e.what() << "\n";
-    return 2;
-  }
+  return apps::run_ranked_program(app, argc, argv, [&](parallel::RankSession& session) {
+    if (!options.resume.empty()) apps::check_for_resume(app);
+    train(options, std::vector<std::string>(argv + 1, argv + argc), session);
+  });
 }

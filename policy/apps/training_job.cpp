@@ -1,18 +1,15 @@
 #include "policy/apps/training_job.hpp"
 
 #include <algorithm>
-#include <cstring>
-#include <iomanip>
 #include <limits>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 
 #include "firmware/config_file/table_reader.hpp"
-#include "firmware/core/crc32.hpp"
 #include "policy/apps/program.hpp"
+#include "policy/description/crc32_text.hpp"
 #include "policy/ppo/trainer.hpp"
 #include "policy/ppo/training_state_text.hpp"
 
@@ -21,12 +18,8 @@ namespace {
 
 using config_file::BadInput;
 
-std::uint32_t crc_of(std::string_view text, std::uint32_t previous = 0) {
-  return crc32({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, previous);
-}
-
 ppo::Continuation::Written written(const std::string& text) {
-  return {text.size(), crc_of(text)};
+  return {text.size(), description::crc32_of(text)};
 }
 
 /// Of all that shapes a training but how long it is: a run file as a whole, for what its reader may leave out of describe().
@@ -35,7 +28,7 @@ std::uint32_t settings_crc32(const TrainOptions& options, const ppo::TrainingRun
   for (const auto& [name, value] : ppo::describe(run)) all << name << " = " << value << '\n';
   all << environment.file_crc32 << '\n';
   if (options.run_file) all << read_whole(*options.run_file);
-  return crc_of(all.str());
+  return description::crc32_of(all.str());
 }
 
 /// A curve's file as it was when the checkpoint was written.
@@ -43,7 +36,7 @@ std::string earlier_part(const std::filesystem::path& path, const ppo::Continuat
   std::string text = read_whole(path);
   if (text.size() < part.bytes) throw BadInput(path.string() + ": shorter than when the checkpoint was written");
   text.resize(part.bytes);
-  if (crc_of(text) != part.crc32) throw BadInput(path.string() + ": not the learning curve of the checkpoint");
+  if (description::crc32_of(text) != part.crc32) throw BadInput(path.string() + ": not the learning curve of the checkpoint");
   return text;
 }
 
@@ -65,21 +58,11 @@ struct Told {
 /// On rank 0: the episodes of all ranks in the order of their steps, those of one step in order of rank.
 std::vector<Told> gather_episodes(parallel::Ranks& ranks, const std::vector<Told>& mine) {
   if (ranks.size() == 1) return mine;
-  static_assert(std::is_trivially_copyable_v<Told>);
   std::vector<Told> all;
-  for (const std::string& bytes : ranks.gather({reinterpret_cast<const char*>(mine.data()), mine.size() * sizeof(Told)})) {
-    const std::size_t before = all.size();
-    all.resize(before + bytes.size() / sizeof(Told));
-    std::memcpy(all.data() + before, bytes.data(), bytes.size());
-  }
+  for (const std::vector<Told>& theirs : parallel::gather_values(ranks, std::span(mine)))
+    all.insert(all.end(), theirs.begin(), theirs.end());
   std::ranges::stable_sort(all, {}, &Told::steps);
   return all;
-}
-
-std::string hexadecimal(std::uint32_t value) {
-  std::ostringstream text;
-  text << std::hex << std::setw(8) << std::setfill('0') << value;
-  return text.str();
 }
 
 void name_files(TrainingJob& job, const std::optional<std::string>& curve) {
@@ -207,18 +190,13 @@ void Training::Parts::resume() {
 }
 
 ppo::Checkpoint Training::Parts::checkpoint(ppo::TrainingState state) const {
-  ppo::Checkpoint checkpoint;
-  checkpoint.observation = model;
-  checkpoint.direction_count = run.search.direction_count;
-  checkpoint.step_length = run.search.step_length;
-  checkpoint.area_size = run.search.domain.north_east - run.search.domain.south_west;
-  checkpoint.detection_threshold = run.search.detection_threshold;
+  ppo::Checkpoint checkpoint{description::describe(run.search, model), {}};
   std::string command = "earshot-train";
   for (const std::string& word : job.arguments) command += " " + word;
   checkpoint.provenance = {{"command", command},
                            {"commit", build_commit()},
                            {"environment", run.environment.filename().string()},
-                           {"environment_crc32", hexadecimal(environment.file_crc32)},
+                           {"environment_crc32", description::crc32_text(environment.file_crc32)},
                            {"steps", std::to_string(trainer.steps())}};
   if (ranks.size() > 1) checkpoint.provenance.emplace_back("ranks", std::to_string(ranks.size()));
   const auto settings = ppo::describe(run);

@@ -25,6 +25,15 @@ SearchDescription checked(const Json& json) {
 
 }  // namespace
 
+SearchDescription describe(const search::SearchSettings& settings, const policy::ObservationModel& observation) {
+  return {.observation = observation,
+          .direction_count = settings.direction_count,
+          .step_length = settings.step_length,
+          .area_size = settings.domain.north_east - settings.domain.south_west,
+          .detection_threshold = settings.detection_threshold,
+          .provenance = {}};
+}
+
 std::string to_text(const SearchDescription& description) {
   Json json;
   json["format"] = kFormat;

@@ -9,6 +9,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/policy/observation.hpp"
+#include "sim/search/settings.hpp"
 
 namespace earshot::description {
 
@@ -21,6 +22,9 @@ struct SearchDescription {
   Decibels detection_threshold;                                 ///< DT of the reward
   std::vector<std::pair<std::string, std::string>> provenance;  ///< names and values in the order written
 };
+
+/// Of a policy that searches as `settings` say; without provenance.
+[[nodiscard]] SearchDescription describe(const search::SearchSettings& settings, const policy::ObservationModel& observation);
 
 /// JSON on one line. It states that the network saw the observation as it is: nothing normalised it on the way.
 [[nodiscard]] std::string to_text(const SearchDescription& description);

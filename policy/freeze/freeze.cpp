@@ -40,9 +40,8 @@ void copy_actor(const ppo::Checkpoint& checkpoint, policy::Network& network) {
   copy_layer(networks, layout.logits, layout.logits.outputs, network.output);
 }
 
-/// Everything but the network; `source` is a Checkpoint or a SearchDescription.
-template <class Source>
-std::unique_ptr<policy::FrozenPolicy> without_network(const Source& source, policy::ActionDraw draw) {
+/// Everything but the network.
+std::unique_ptr<policy::FrozenPolicy> without_network(const description::SearchDescription& source, policy::ActionDraw draw) {
   auto policy = std::make_unique<policy::FrozenPolicy>();
   policy->observation = source.observation;
   policy->actions = search::compass_directions(source.direction_count);

@@ -2,12 +2,10 @@
 
 #include <cmath>
 #include <cstdint>
-#include <iomanip>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "firmware/config_file/table_reader.hpp"
-#include "firmware/core/crc32.hpp"
+#include "policy/description/crc32_text.hpp"
 #include "policy/description/search_json.hpp"
 #include "policy/ppo/training_state_text.hpp"
 
@@ -19,7 +17,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "earshot checkpoint 3";
 constexpr std::string_view kCrcLine = "crc32 ";
-constexpr std::size_t kCrcDigits = 8;
 
 Json to_json(const Continuation& c) {
   auto written = [](const Continuation::Written& w) { return Json{{"bytes", w.bytes}, {"crc32", w.crc32}}; };
@@ -38,10 +35,7 @@ Continuation continuation_from(const Json& json) {
 }
 
 std::string crc_line(std::string_view json) {
-  std::ostringstream line;
-  line << kCrcLine << std::hex << std::setw(kCrcDigits) << std::setfill('0')
-       << crc32({reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}) << '\n';
-  return line.str();
+  return std::string(kCrcLine) + description::crc32_text(description::crc32_of(json)) + "\n";
 }
 
 /// The first line, when the second holds its CRC-32.
@@ -58,14 +52,7 @@ std::string_view checked(std::string_view text) {
 
 Checkpoint checkpoint_from(const Json& json) {
   if (json.value("format", "") != kFormat) throw BadInput("not an " + std::string(kFormat));
-  Checkpoint checkpoint;
-  const description::SearchDescription search = description::read(json);
-  checkpoint.observation = search.observation;
-  checkpoint.direction_count = search.direction_count;
-  checkpoint.step_length = search.step_length;
-  checkpoint.area_size = search.area_size;
-  checkpoint.detection_threshold = search.detection_threshold;
-  checkpoint.provenance = search.provenance;
+  Checkpoint checkpoint{description::read(json), {}};
   checkpoint.parameters = json.at("parameters").get<std::vector<float>>();
 
   if (json.contains("continuation")) checkpoint.continuation = continuation_from(json.at("continuation"));
@@ -85,13 +72,7 @@ Checkpoint checkpoint_from(const Json& json) {
 std::string to_text(const Checkpoint& checkpoint) {
   Json json;
   json["format"] = kFormat;
-  description::write({.observation = checkpoint.observation,
-                      .direction_count = checkpoint.direction_count,
-                      .step_length = checkpoint.step_length,
-                      .area_size = checkpoint.area_size,
-                      .detection_threshold = checkpoint.detection_threshold,
-                      .provenance = checkpoint.provenance},
-                     json);
+  description::write(checkpoint, json);
   json["parameters"] = checkpoint.parameters;
   if (checkpoint.continuation) json["continuation"] = to_json(*checkpoint.continuation);
   const std::string text = json.dump();

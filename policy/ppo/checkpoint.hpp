@@ -5,12 +5,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "firmware/core/geometry.hpp"
-#include "firmware/core/units.hpp"
-#include "firmware/policy/observation.hpp"
+#include "policy/description/search_description.hpp"
 #include "policy/ppo/actor_critic.hpp"
 #include "policy/ppo/trainer.hpp"
 
@@ -31,15 +28,9 @@ struct Continuation {
   Written updates;
 };
 
-/// What training leaves behind: both networks and what they mean.
-struct Checkpoint {
-  policy::ObservationModel observation;
-  std::size_t direction_count = 0;  ///< actions: compass directions, clockwise from north
-  Meters step_length;
-  NorthEast area_size;                                          ///< of the domain trained in
-  Decibels detection_threshold;                                 ///< DT of the reward
-  std::vector<std::pair<std::string, std::string>> provenance;  ///< names and values in the order written
-  std::vector<float> parameters;                                ///< as ActorCritic::parameters() of shape()
+/// What training leaves behind: what the networks see and do, and both of them.
+struct Checkpoint : description::SearchDescription {
+  std::vector<float> parameters;  ///< as ActorCritic::parameters() of shape()
 
   std::optional<Continuation> continuation = {};  ///< none: made elsewhere, cannot be gone on with
 

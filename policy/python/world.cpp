@@ -1,10 +1,9 @@
 #include "policy/python/world.hpp"
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "policy/description/crc32_text.hpp"
 #include "policy/description/search_description.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/search/belief_model.hpp"
@@ -53,16 +52,9 @@ policy::ObservationSpec spec_of(const WorldArguments& arguments, const search::S
 
 description::SearchDescription description_of(const WorldArguments& arguments, const search::SearchSettings& settings,
                                               const policy::ObservationModel& observation, std::uint32_t environment_crc32) {
-  std::ostringstream crc;
-  crc << std::hex << std::setw(8) << std::setfill('0') << environment_crc32;
-  description::SearchDescription description;
-  description.observation = observation;
-  description.direction_count = settings.direction_count;
-  description.step_length = settings.step_length;
-  description.area_size = settings.domain.north_east - settings.domain.south_west;
-  description.detection_threshold = settings.detection_threshold;
+  description::SearchDescription description = description::describe(settings, observation);
   description.provenance = {{"environment", arguments.environment.filename().string()},
-                            {"environment_crc32", crc.str()},
+                            {"environment_crc32", description::crc32_text(environment_crc32)},
                             {"state", arguments.state},
                             {"source", arguments.source},
                             {"start", arguments.start}};

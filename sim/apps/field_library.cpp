@@ -26,15 +26,10 @@ void print_summary(const FieldArguments& arguments, const sonar::LibraryPlan& pl
 
 void write_library(const FieldArguments& arguments, parallel::RankSession& session) {
   std::optional<sonar::LibraryPlan> plan;
-  std::string error;
-  try {
+  session.all_or_none<BadStart, std::exception>([&] {
     plan = sonar::load_library_plan(arguments.library);
     if (session.ranks().rank() == 0) require_writable_folder(arguments.output);
-  } catch (const std::exception& e) {
-    error = e.what();
-  }
-  error = session.first_error(error);
-  if (!error.empty()) throw BadStart(error);
+  });
 
   const std::size_t threads = arguments.threads.value_or(session.processors());
   ProgressBar bar("library");

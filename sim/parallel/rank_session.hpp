@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <memory>
 #include <string>
 
@@ -24,6 +25,20 @@ class RankSession {
 
   /// The first rank's error that is not empty, on every rank.
   [[nodiscard]] std::string first_error(const std::string& mine);
+
+  /// Runs `work`, on every rank; where it throws `Caught` on any, throws an `Error` with the words of the first such rank on all of them,
+  /// so that none goes on and waits for one that has given up.
+  template <class Error, class Caught = Error, class Work>
+  void all_or_none(Work work) {
+    std::string error;
+    try {
+      work();
+    } catch (const Caught& e) {
+      error = e.what();
+    }
+    error = first_error(error);
+    if (!error.empty()) throw Error(error);
+  }
 
   /// Ends every rank with exit status 2.
   [[noreturn]] void abort();

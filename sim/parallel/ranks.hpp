@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace earshot::parallel {
@@ -27,6 +29,18 @@ class Ranks {
   /// On rank 0: what all gave, in order of rank; elsewhere nothing.
   [[nodiscard]] virtual std::vector<std::string> gather(const std::string& mine) = 0;
 };
+
+/// On rank 0: the values that all gave, in order of rank; elsewhere nothing.
+template <class T>
+[[nodiscard]] std::vector<std::vector<T>> gather_values(Ranks& ranks, std::span<const T> mine) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  std::vector<std::vector<T>> all;
+  for (const std::string& bytes : ranks.gather({reinterpret_cast<const char*>(mine.data()), mine.size_bytes()})) {
+    std::vector<T>& values = all.emplace_back(bytes.size() / sizeof(T));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+  }
+  return all;
+}
 
 /// One process.
 class Alone : public Ranks {

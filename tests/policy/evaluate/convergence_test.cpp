@@ -31,13 +31,7 @@ TEST_P(FixedSource, IsFoundInNinetyNinePercentOfSearchesAfterFifteenHundredEpiso
   EXPECT_GE(summarise(std::span(training).last(50)).median_reward, -3.0);
 
   const std::span<const float> parameters = trainer.networks().parameters();
-  const ppo::Checkpoint checkpoint{.observation = model,
-                                   .direction_count = paper.search.direction_count,
-                                   .step_length = paper.search.step_length,
-                                   .area_size = paper.search.domain.north_east - paper.search.domain.south_west,
-                                   .detection_threshold = paper.search.detection_threshold,
-                                   .provenance = {},
-                                   .parameters = {parameters.begin(), parameters.end()}};
+  const ppo::Checkpoint checkpoint{description::describe(paper.search, model), {parameters.begin(), parameters.end()}};
   const auto policy = freeze::freeze(checkpoint, policy::ActionDraw::kSampled);
   const Summary summary = summarise(evaluate(*policy, policy->draw, world_of(*policy, paper.search, curve), 300, 77));
   EXPECT_GE(summary.found_fraction, 0.99);
