@@ -51,6 +51,11 @@ struct Rectangle {
     const Meters horizontal = to_west < to_east ? to_west : to_east;
     return vertical < horizontal ? vertical : horizontal;
   }
+
+  /// The rectangle with every edge moved in by `margin`.
+  [[nodiscard]] constexpr Rectangle moved_in(Meters margin) const {
+    return {south_west + NorthEast{margin, margin}, north_east - NorthEast{margin, margin}};
+  }
 };
 
 }  // namespace earshot

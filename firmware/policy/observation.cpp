@@ -26,6 +26,10 @@ ObservationSpec spec_of(const std::array<ObservationElement, N>& elements) {
 
 }  // namespace
 
+float scaled(const ObservationElement& element, double raw) {
+  return static_cast<float>((raw - double{element.offset}) * double{element.scale});
+}
+
 bool is_known(Feature feature) {
   const auto within = [feature](Feature first, Feature last) { return feature >= first && feature <= last; };
   return within(Feature::kEast, Feature::kToEastEdge) || needs_belief(feature);
@@ -33,7 +37,7 @@ bool is_known(Feature feature) {
 
 bool needs_belief(Feature feature) {
   const auto within = [feature](Feature first, Feature last) { return feature >= first && feature <= last; };
-  return within(Feature::kLikeliestEast, Feature::kHypothesis) || within(Feature::kFound, Feature::kPreference);
+  return within(Feature::kLikeliestEast, Feature::kHypothesis) || within(Feature::kFound, Feature::kApproach);
 }
 
 bool needs_belief(const ObservationSpec& spec) {
@@ -81,11 +85,11 @@ double SearchMemory::raw(const ObservationModel& model, const ObservationElement
     case Feature::kStepSnr:
       return steps_[element.age].snr.value;
     default:
-      return of_belief(element);
+      return of_belief(model.belief, element);
   }
 }
 
-double SearchMemory::of_belief(const ObservationElement& element) const {
+double SearchMemory::of_belief(const BeliefModel& model, const ObservationElement& element) const {
   const BeliefSummary& summary = belief_.summary();
   const ActionOutlook& outlook = belief_.outlook(element.age);
   switch (element.feature) {
@@ -117,6 +121,10 @@ double SearchMemory::of_belief(const ObservationElement& element) const {
       return double{outlook.regret};
     case Feature::kPreference:
       return 1.0 / (1.0 + double{outlook.regret});
+    case Feature::kApproach:
+      return (range_between(position_, summary.likeliest) -
+              range_between(position_ + model.step_length * model.actions[element.age], summary.likeliest))
+          .value;
     default:
       break;
   }
@@ -127,8 +135,7 @@ double SearchMemory::of_belief(const ObservationElement& element) const {
 void observe(const SearchMemory& memory, const ObservationModel& model, std::span<float> observation) {
   assert(observation.size() == model.spec.size());
   for (std::size_t i = 0; i < model.spec.size(); ++i) {
-    const ObservationElement& element = model.spec[i];
-    observation[i] = static_cast<float>((memory.raw(model, element) - double{element.offset}) * double{element.scale});
+    observation[i] = scaled(model.spec[i], memory.raw(model, model.spec[i]));
   }
 }
 
@@ -178,10 +185,12 @@ ObservationSpec belief_state(const BeliefModel& model) {
   add(Feature::kSpread, 0, 0.0, 1.0 / half_north);
   add(Feature::kLikeliestShare, 0, 0.0, 1.0);
   for (std::size_t h = 0; h < model.hypotheses.size(); ++h) add(Feature::kHypothesis, h, 0.0, 1.0);
+  const double per_step = 1.0 / model.step_length.value;
   // Of each action as much as there is room for, what matters most first.
-  for (const Feature feature : {Feature::kPreference, Feature::kReach, Feature::kBorder, Feature::kDetected, Feature::kFound}) {
+  for (const Feature feature :
+       {Feature::kPreference, Feature::kReach, Feature::kBorder, Feature::kDetected, Feature::kFound, Feature::kApproach}) {
     if (spec.size() + model.actions.size() > spec.capacity()) break;
-    for (std::size_t a = 0; a < model.actions.size(); ++a) add(feature, a, 0.0, 1.0);
+    for (std::size_t a = 0; a < model.actions.size(); ++a) add(feature, a, 0.0, feature == Feature::kApproach ? per_step : 1.0);
   }
   return spec;
 }

@@ -46,6 +46,7 @@ enum class Feature : std::uint8_t {
   kBorder = 35,      ///< how deep the action's end lies in the border: 0 inside, 1 at the edge, more beyond
   kRegret = 36,      ///< expected cost of the search after the action, less that after the best
   kPreference = 37,  ///< 1 / (1 + regret): 1 for the best action, and telling small regrets apart
+  kApproach = 38,    ///< by how much the action brings the vehicle nearer to the likeliest place of the source, metres
 };
 
 /// One element of an observation: element = (raw - offset) * scale.
@@ -58,6 +59,9 @@ struct ObservationElement {
 };
 
 using ObservationSpec = FixedVector<ObservationElement, config::kMaxObservation>;
+
+/// The element that a raw value makes.
+[[nodiscard]] float scaled(const ObservationElement& element, double raw);
 
 /// Whether a feature is taken from the belief.
 [[nodiscard]] bool needs_belief(Feature feature);
@@ -95,7 +99,7 @@ class SearchMemory {
     Decibels snr;
   };
 
-  [[nodiscard]] double of_belief(const ObservationElement& element) const;
+  [[nodiscard]] double of_belief(const BeliefModel& model, const ObservationElement& element) const;
 
   NorthEast position_;
   std::array<Step, config::kMaxRememberedSteps> steps_{};  ///< newest first

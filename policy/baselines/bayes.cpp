@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <ranges>
 
 #include "policy/baselines/moves.hpp"
 #include "sim/search/belief_model.hpp"
@@ -56,8 +57,12 @@ void Bayes::begin(Pcg32 /*random*/) {
   belief_.start(model_);
 }
 
-std::size_t Bayes::choose(const Look& look) {
+void Bayes::hear(const Look& look) {
   belief_.update(model_, look.position - briefing_.settings.domain.south_west, look.heard);
+}
+
+std::size_t Bayes::choose(const Look& look) {
+  hear(look);
   return chase(look);
 }
 
@@ -73,8 +78,14 @@ NorthEast Bayes::centre_of(std::size_t north, std::size_t east) const {
          NorthEast{middle(north, model_.cells_north, model_.area_size.north), middle(east, model_.cells_east, model_.area_size.east)};
 }
 
+std::size_t BayesLeastRegret::choose(const Look& look) {
+  hear(look);
+  const auto regret = [this](std::size_t action) { return belief_.outlook(action).regret; };
+  return std::ranges::min(std::views::iota(std::size_t{0}, model_.actions.size()), {}, regret);
+}
+
 std::size_t BayesInformationGain::choose(const Look& look) {
-  belief_.update(model_, look.position - briefing_.settings.domain.south_west, look.heard);
+  hear(look);
   const double cells = static_cast<double>(model_.cells_north) * static_cast<double>(model_.cells_east);
   const double cell_area = model_.area_size.north.value * model_.area_size.east.value / cells;
   const double covered = std::numbers::pi * model_.step_length.value * model_.step_length.value / cell_area;

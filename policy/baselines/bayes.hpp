@@ -17,6 +17,8 @@ class Bayes : public Searcher {
   [[nodiscard]] std::size_t choose(const Look& look) override;
 
  protected:
+  /// Takes a look into the belief.
+  void hear(const Look& look);
   [[nodiscard]] std::size_t chase(const Look& look) const;
   /// Centre of a cell in the domain's frame.
   [[nodiscard]] NorthEast centre_of(std::size_t north, std::size_t east) const;
@@ -24,6 +26,13 @@ class Bayes : public Searcher {
   const Briefing& briefing_;
   policy::BeliefModel model_;
   policy::Belief belief_;
+};
+
+/// Takes the action of least regret (policy::ActionOutlook), the belief's own advice: what a learned policy that sees it must better.
+class BayesLeastRegret : public Bayes {
+ public:
+  explicit BayesLeastRegret(const Briefing& briefing) : Bayes(briefing) {}
+  [[nodiscard]] std::size_t choose(const Look& look) override;
 };
 
 /// Takes the step whose look is expected to tell most about the source's place, until the belief has shrunk to what one look covers; then

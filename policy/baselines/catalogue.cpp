@@ -31,6 +31,7 @@ constexpr std::array kCatalogue{
     Entry{"expanding_square", "square spiral about the start, tracks two step lengths apart"},
     Entry{"gradient", "goes on while it grows louder, turns when it grows fainter"},
     Entry{"bayes", "grid belief, goes to the likeliest cell"},
+    Entry{"bayes_least_regret", "grid belief, takes the action that it expects to cost least"},
     Entry{"bayes_infogain", "grid belief, takes the step that is expected to tell most"},
     Entry{"genetic", "grid belief, path planned by a genetic algorithm anew after every look"},
 };
@@ -42,6 +43,7 @@ constexpr std::array<Make, kCatalogue.size()> kMakers{make_oracle<Border::kIgnor
                                                       make<ExpandingSquare>,
                                                       make<GradientClimb>,
                                                       make<Bayes>,
+                                                      make<BayesLeastRegret>,
                                                       make<BayesInformationGain>,
                                                       make<Genetic>};
 

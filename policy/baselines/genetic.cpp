@@ -38,7 +38,7 @@ void Genetic::begin(Pcg32 random) {
 }
 
 std::size_t Genetic::choose(const Look& look) {
-  belief_.update(model_, look.position - briefing_.settings.domain.south_west, look.heard);
+  hear(look);
   take_cells();
   population_.clear();
   population_.push_back(planned(straight_to_likeliest(look.position), look.position));

@@ -79,8 +79,7 @@ ActionMap standing_elsewhere(const FrozenPolicy& policy, std::size_t per_side, c
     std::vector<float> observation(policy.observation.spec.size());
     for (std::size_t i = 0; i < observation.size(); ++i) {
       const policy::ObservationElement& element = policy.observation.spec[i];
-      const double raw = (is_of_the_past(element.feature) ? memory : *moved).raw(policy.observation, element);
-      observation[i] = static_cast<float>((raw - double{element.offset}) * double{element.scale});
+      observation[i] = policy::scaled(element, (is_of_the_past(element.feature) ? memory : *moved).raw(policy.observation, element));
     }
     return observation;
   });

@@ -6,11 +6,17 @@ namespace earshot::explain {
 
 namespace {
 
-/// A vehicle that has heard nothing has no likeliest place, only the first of many equal ones: the mean stands in for it.
-policy::ObservationElement with_mean_for_likeliest(policy::ObservationElement element) {
-  if (element.feature == policy::Feature::kLikeliestEast) element.feature = policy::Feature::kMeanEast;
-  if (element.feature == policy::Feature::kLikeliestNorth) element.feature = policy::Feature::kMeanNorth;
-  return element;
+using policy::Feature;
+
+/// A vehicle that has heard nothing has no likeliest place, only the first of many equal ones: the mean stands in for it, and no way leads
+/// nearer.
+double raw_unheard(const policy::SearchMemory& memory, const policy::ObservationModel& model, policy::ObservationElement element,
+                   Decibels detection_threshold) {
+  if (element.feature == Feature::kStepSnr) return detection_threshold.value;
+  if (element.feature == Feature::kApproach) return 0.0;
+  if (element.feature == Feature::kLikeliestEast) element.feature = Feature::kMeanEast;
+  if (element.feature == Feature::kLikeliestNorth) element.feature = Feature::kMeanNorth;
+  return memory.raw(model, element);
 }
 
 }  // namespace
@@ -20,9 +26,7 @@ std::vector<float> uninformed_observation(const policy::ObservationModel& model,
   memory->start(model, place, kNothingLearnt);
   std::vector<float> observation(model.spec.size());
   for (std::size_t i = 0; i < observation.size(); ++i) {
-    const policy::ObservationElement element = with_mean_for_likeliest(model.spec[i]);
-    const double raw = element.feature == policy::Feature::kStepSnr ? detection_threshold.value : memory->raw(model, element);
-    observation[i] = static_cast<float>((raw - double{element.offset}) * double{element.scale});
+    observation[i] = policy::scaled(model.spec[i], raw_unheard(*memory, model, model.spec[i], detection_threshold));
   }
   return observation;
 }

@@ -65,6 +65,7 @@ Subject subject_of(Feature feature) {
     case Feature::kBorder:
     case Feature::kRegret:
     case Feature::kPreference:
+    case Feature::kApproach:
       return Subject::kPromised;
     default:
       return policy::needs_belief(feature) ? Subject::kBelieved : Subject::kPlace;
@@ -141,6 +142,8 @@ std::string name_of(const policy::ObservationElement& element, const policy::Bel
       return going("expected extra cost of the search by going");
     case Feature::kPreference:
       return going("worth (1 the best, 0 the worst) of going");
+    case Feature::kApproach:
+      return going("nearer to the likeliest place by going");
     default:
       break;
   }

@@ -121,6 +121,8 @@ TEST(BeliefState, SeesTheSourceFromTheVehicleAndTheBestAction) {
   EXPECT_GT(raw(memory, model, Feature::kLikeliestShare), 0.3);
   EXPECT_EQ(raw(memory, model, Feature::kPreference, 1), 1.0);  // east
   EXPECT_LT(raw(memory, model, Feature::kPreference, 0), 1.0);
+  EXPECT_NEAR(raw(memory, model, Feature::kApproach, 1), 1000.0, 1e-9);
+  EXPECT_NEAR(raw(memory, model, Feature::kApproach, 0), -82.7625303, 1e-7);  // 6000 m - sqrt(6000^2 + 1000^2) m
   for (const float element : observed(memory, model)) EXPECT_LE(std::abs(element), 2.0F);
 }
 

@@ -55,7 +55,7 @@ sonar::SnrCurve one_decibel_per_kilometer() {
 
 template <class Searcher>
 class Believers : public testing::Test {};
-using AllBelievers = testing::Types<Bayes, BayesInformationGain, Genetic>;
+using AllBelievers = testing::Types<Bayes, BayesLeastRegret, BayesInformationGain, Genetic>;
 TYPED_TEST_SUITE(Believers, AllBelievers);
 
 TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {
