@@ -15,7 +15,6 @@
 namespace earshot::apps {
 namespace {
 
-constexpr std::size_t kWindow = 50;   // episodes, the paper's Fig. 5
 constexpr std::size_t kPoints = 500;  // more than a picture shows
 
 std::vector<double> rewards_in(std::string_view csv) {
@@ -29,9 +28,9 @@ std::array<double, 3> quartiles(const std::vector<double>& values) {
   return {evaluate::quantile(values, 0.25), evaluate::quantile(values, 0.5), evaluate::quantile(values, 0.75)};
 }
 
-/// Of the episodes before `end`, the last kWindow.
+/// Of the episodes before `end`, the last kRecentEpisodes.
 std::array<double, 3> recent_quartiles(const std::vector<double>& rewards, std::size_t end) {
-  const auto begin = static_cast<std::ptrdiff_t>(end - std::min(end, kWindow));
+  const auto begin = static_cast<std::ptrdiff_t>(end - std::min(end, kRecentEpisodes));
   return quartiles({rewards.begin() + begin, rewards.begin() + static_cast<std::ptrdiff_t>(end)});
 }
 
@@ -53,11 +52,6 @@ std::vector<CurvePoint> points_of(std::span<const std::string> episodes_csv) {
     points.push_back({end, lower, median, upper});
   }
   return points;
-}
-
-void check_plot_name(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  if (extension != ".png" && extension != ".svg") throw config_file::BadInput("--plot: " + path.string() + ": must end in .png or .svg");
 }
 
 void draw_curves(const std::filesystem::path& path, std::span<const std::string> episodes_csv) {

@@ -7,9 +7,6 @@
 
 namespace earshot::apps {
 
-/// Throws config_file::BadInput when the name does not end in .png or .svg.
-void check_plot_name(const std::filesystem::path& path);
-
 /// Draws reward against episodes, as the paper's Fig. 5: median of the last 50 episodes and their quartiles; of several trainings the
 /// median and the quartiles of their medians. Throws config_file::BadInput when it cannot be drawn.
 /// @param episodes_csv  one a training, as LearningCurve has it

@@ -217,8 +217,7 @@ void check_files(const Options& o) {
   for (const auto& file : {o.json, o.csv, o.plot, o.paths}) {
     if (file) apps::check_writable(*file);
   }
-  const std::string extension = o.plot ? std::filesystem::path(*o.plot).extension().string() : ".png";
-  if (extension != ".png" && extension != ".svg") throw BadInput("--plot: " + *o.plot + ": a plot's name must end in .png or .svg");
+  if (o.plot) apps::check_picture_name("--plot", *o.plot);
 }
 
 void evaluate_policies(const Options& o, parallel::RankSession& session) {

@@ -4,6 +4,8 @@
 #include <cstdio>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "policy/apps/program.hpp"
+#include "policy/apps/world_options.hpp"
 #include "policy/evaluate/policy_file.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "policy/explain/replay.hpp"
@@ -28,8 +30,7 @@ sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const ExplainMapOpt
   const std::filesystem::path& file = options.world ? *options.world : *options.environment;
   const ocean::Environment environment = options.world ? evaluate::load_world(file).environment : ocean::load_environment(file);
   const Meters depth{options.vehicle_depth_m};
-  if (!(depth < environment.seabed.depth))
-    throw BadInput("--vehicle-depth-m: must be less than the depth of the sea floor in " + file.string());
+  check_vehicle_depth(environment, file, depth);
   try {
     return sonar::compute_snr_curve(environment, depth, length_of(policy.area_size));
   } catch (const std::invalid_argument& e) {
@@ -99,8 +100,7 @@ NorthEast north_east_of(const std::string& option, const std::string& text) {
 }
 
 void draw_explanation_map(const ExplainMapOptions& options) {
-  const std::string extension = options.output.extension().string();
-  if (extension != ".png" && extension != ".svg") throw BadInput("-o " + options.output.string() + ": must end in .png or .svg");
+  check_picture_name("-o", options.output);
   const std::unique_ptr<policy::FrozenPolicy> policy = evaluate::load_policy(options.policy);
   if (options.source.has_value() == options.flight.has_value())
     throw BadInput("earshot explain map: one of --source NORTH_M,EAST_M and --flight DIR is needed");

@@ -15,7 +15,6 @@ namespace {
 constexpr std::string_view kUpdatesHeader =
     "steps,episodes,median_reward_50,found_fraction_50,policy_loss,value_loss,entropy_nats,approximate_kl_nats,clip_fraction,"
     "gradient_norm,explained_variance,learning_rate,minibatches\n";
-constexpr std::size_t kRecent = 50;  // the paper's Fig. 5
 
 /// The shortest digits that read back as the same number.
 template <class Number>
@@ -60,7 +59,7 @@ LearningCurve::LearningCurve(std::string episodes_csv, std::string updates_csv)
 void LearningCurve::remember(Outcome outcome) {
   ++episodes_;
   recent_.push_back(outcome);
-  if (recent_.size() > kRecent) recent_.pop_front();
+  if (recent_.size() > kRecentEpisodes) recent_.pop_front();
 }
 
 void LearningCurve::add(const search::EpisodeRecord& episode, std::uint64_t steps) {

@@ -10,6 +10,8 @@
 
 namespace earshot::apps {
 
+inline constexpr std::size_t kRecentEpisodes = 50;  ///< that "recent" means: the paper's Fig. 5
+
 /// How training went, as the CSV files that it leaves: a row an episode, a row an update. The files are its whole state.
 class LearningCurve {
  public:
@@ -20,7 +22,7 @@ class LearningCurve {
   void add(const search::EpisodeRecord& episode, std::uint64_t steps);
   void add(const ppo::UpdateReport& update, std::uint64_t steps);
 
-  /// Of the last 50 episodes, or as many as there are.
+  /// Of the last kRecentEpisodes, or as many as there are.
   struct Recent {
     std::size_t episodes = 0;
     double median_reward = 0.0;

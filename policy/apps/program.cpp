@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "sim/sonar/gnuplot.hpp"
 
 namespace earshot::apps {
 namespace {
@@ -102,6 +103,10 @@ std::filesystem::path shipped_policy() {
   std::error_code error;
   if (!std::filesystem::exists(shipped, error)) throw BadInput(shipped.string() + ": the policy that ships is not there");
   return shipped;
+}
+
+void check_picture_name(const std::string& option, const std::filesystem::path& path) {
+  if (!sonar::is_picture_name(path)) throw BadInput(option + " " + path.string() + ": must end in .png or .svg");
 }
 
 std::string command_line(int argc, char** argv) {

@@ -30,6 +30,9 @@ void write_whole(const std::filesystem::path& path, std::string_view content, Ac
 /// Throws config_file::BadInput now rather than after minutes of work when `path` cannot be written later.
 void check_writable(const std::filesystem::path& path);
 
+/// Throws config_file::BadInput when a picture of that name, given with `option`, cannot be drawn: it does not end in .png or .svg.
+void check_picture_name(const std::string& option, const std::filesystem::path& path);
+
 /// The command line as a person would type it again.
 [[nodiscard]] std::string command_line(int argc, char** argv);
 

@@ -34,7 +34,7 @@ void end_well_on_interrupt() {
 
 Trainings prepare(const apps::TrainOptions& options, const std::vector<std::string>& arguments, parallel::Ranks& ranks) {
   if (options.plot) {
-    apps::check_plot_name(*options.plot);
+    apps::check_picture_name("--plot", *options.plot);
     if (ranks.rank() == 0) apps::check_writable(*options.plot);
   }
   std::vector<apps::TrainingJob> jobs = apps::jobs_of(options, arguments);

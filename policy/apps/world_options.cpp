@@ -1,7 +1,5 @@
 #include "policy/apps/world_options.hpp"
 
-#include <cmath>
-
 #include "firmware/config_file/table_reader.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
@@ -35,10 +33,7 @@ void WorldOptions::apply_to(search::SearchSettings& settings) const {
   if (border_width_m) settings.border_width = Meters{*border_width_m};
   if (max_steps) settings.max_steps = *max_steps;
   if (start) settings.start_region = *start == "domain" ? settings.domain : search::inside_border(settings);
-  if (start_margin_m) {
-    const NorthEast margin{Meters{*start_margin_m}, Meters{*start_margin_m}};
-    settings.start_region = {settings.domain.south_west + margin, settings.domain.north_east - margin};
-  }
+  if (start_margin_m) settings.start_region = settings.domain.moved_in(Meters{*start_margin_m});
   if (search::check(settings) != Status::kOk) {
     throw BadInput(
         "--border-width-m, --start, --start-margin-m: nothing of the domain is left to start in, or all of it lies within a step of the "
@@ -49,28 +44,21 @@ void WorldOptions::apply_to(search::SearchSettings& settings) const {
 ocean::Environment environment_at(const std::filesystem::path& path, Meters vehicle_depth) {
   if (path.empty()) throw BadInput("--environment: no environment file given");
   ocean::Environment environment = ocean::load_environment(path);
-  if (!(vehicle_depth < environment.seabed.depth)) {
-    throw BadInput("--vehicle-depth-m: must be less than the depth of the sea floor in " + path.string());
-  }
+  check_vehicle_depth(environment, path, vehicle_depth);
   return environment;
 }
 
-namespace {
-
-/// Out to the far corner of the domain and one step beyond.
-Meters furthest(const search::SearchSettings& settings) {
-  const NorthEast diagonal = settings.domain.north_east - settings.domain.south_west;
-  return Meters{std::hypot(diagonal.north.value, diagonal.east.value)} + settings.step_length;
+void check_vehicle_depth(const ocean::Environment& environment, const std::filesystem::path& path, Meters vehicle_depth) {
+  if (vehicle_depth < environment.seabed.depth) return;
+  throw BadInput("--vehicle-depth-m: must be less than the depth of the sea floor in " + path.string());
 }
 
-}  // namespace
-
 sonar::SnrCurve curve_for(const ocean::Environment& environment, Meters vehicle_depth, const search::SearchSettings& settings) {
-  return sonar::compute_snr_curve(environment, vehicle_depth, furthest(settings));
+  return sonar::compute_snr_curve(environment, vehicle_depth, search::furthest_range(settings));
 }
 
 search::Soundscape soundscape_for(const ocean::Environment& environment, Meters vehicle_depth, const search::SearchSettings& settings) {
-  return search::soundscape_of(environment, vehicle_depth, furthest(settings));
+  return search::soundscape_of(environment, vehicle_depth, search::furthest_range(settings));
 }
 
 }  // namespace earshot::apps

@@ -31,7 +31,10 @@ struct WorldOptions {
 /// Throws config_file::BadInput when there is no environment, or the vehicle's depth is not in its water.
 [[nodiscard]] ocean::Environment environment_at(const std::filesystem::path& path, Meters vehicle_depth);
 
-/// SNR against range out to the far corner of the domain and one step beyond.
+/// Throws config_file::BadInput when the vehicle's depth is not in the water of the environment read from `path`.
+void check_vehicle_depth(const ocean::Environment& environment, const std::filesystem::path& path, Meters vehicle_depth);
+
+/// SNR against range out to search::furthest_range.
 [[nodiscard]] sonar::SnrCurve curve_for(const ocean::Environment& environment, Meters vehicle_depth,
                                         const search::SearchSettings& settings);
 

@@ -38,10 +38,7 @@ void read_search(TableReader table, search::SearchSettings& s) {
   s.border_reward = table.number_or("border_reward", s.border_reward);
   const bool everywhere = table.choice_or("start", 0, {"domain", "inside_border"}) == 0;
   s.start_region = everywhere ? s.domain : search::inside_border(s);
-  if (table.has("start_margin_m")) {
-    const Meters margin{table.number("start_margin_m", Range::at_least(0.0))};
-    s.start_region = {s.domain.south_west + NorthEast{margin, margin}, s.domain.north_east - NorthEast{margin, margin}};
-  }
+  if (table.has("start_margin_m")) s.start_region = s.domain.moved_in(Meters{table.number("start_margin_m", Range::at_least(0.0))});
 }
 
 void read_hyper_parameters(TableReader table, HyperParameters& h) {

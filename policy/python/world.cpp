@@ -1,7 +1,5 @@
 #include "policy/python/world.hpp"
 
-#include <cmath>
-
 #include "firmware/config_file/table_reader.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/description/search_description.hpp"
@@ -69,10 +67,8 @@ World::World(const WorldArguments& arguments) {
     throw BadInput("vehicle_depth_m: must be above 0 and less than the depth of the sea floor");
   }
   const search::SearchSettings settings = settings_of(arguments, environment.source.position);
-  const NorthEast diagonal = settings.domain.north_east - settings.domain.south_west;
-  const Meters furthest{std::hypot(diagonal.north.value, diagonal.east.value)};
   soundscape_ =
-      std::make_unique<search::Soundscape>(search::soundscape_of(environment, arguments.vehicle_depth, furthest + settings.step_length));
+      std::make_unique<search::Soundscape>(search::soundscape_of(environment, arguments.vehicle_depth, search::furthest_range(settings)));
   observation_.belief = search::belief_model(settings, soundscape_->expected());
   observation_.spec = spec_of(arguments, settings, observation_.belief);
   search_ = std::make_unique<search::SearchWorld>(settings, *soundscape_, environment.conditions);

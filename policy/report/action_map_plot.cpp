@@ -4,16 +4,11 @@
 #include <cmath>
 #include <sstream>
 
+#include "policy/report/gnuplot_svg.hpp"
 #include "sim/sonar/gnuplot.hpp"
 
 namespace earshot::report {
 namespace {
-
-std::string km(NorthEast place) {
-  std::ostringstream text;
-  text << place.east.value / 1e3 << ' ' << place.north.value / 1e3;
-  return text.str();
-}
 
 std::string block(const std::string& name, const std::string& rows) {
   return "$" + name + " << EOD\n" + rows + "EOD\n";

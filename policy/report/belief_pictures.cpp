@@ -13,12 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string km(NorthEast place) {
-  std::ostringstream text;
-  text << place.east.value / 1e3 << ' ' << place.north.value / 1e3;
-  return text.str();
-}
-
 /// 3 in the smallest area that holds half of the probability, 2 in that of 80 %, 1 in that of 95 %; nothing elsewhere.
 const char* shade(double rank, double share) {
   if (rank - share < 0.5) return "3";

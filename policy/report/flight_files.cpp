@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <span>
 #include <string>
 #include <system_error>
 
@@ -33,47 +34,45 @@ nlohmann::json read_summary(const std::filesystem::path& path) {
   }
 }
 
-[[noreturn]] void refuse_line(const std::filesystem::path& path, std::size_t number) {
-  throw BadInput(path.string() + ":" + std::to_string(number) + ": not a row of this table");
+[[noreturn]] void refuse_row(const std::filesystem::path& path, std::size_t row, const std::string& fault) {
+  throw BadInput(path.string() + ":" + std::to_string(row + 1) + ": " + fault);
 }
 
-std::vector<TrackRow> read_track(const std::filesystem::path& path) {
+/// The rows below a table's header. @param read  of one line's text into a row: whether it is one
+template <class Row>
+std::vector<Row> read_rows(const std::filesystem::path& path, bool (*read)(const char* line, Row& row)) {
   std::ifstream stream = open_file(path);
-  std::vector<TrackRow> rows;
+  std::vector<Row> rows;
   std::string line;
   std::getline(stream, line);
   while (std::getline(stream, line)) {
-    TrackRow row;
-    const int fields =
-        std::sscanf(line.c_str(), "%lf,%lf,%lf,%*f,%*f,%*f,%lf,%lf", &row.time_s, &row.north_m, &row.east_m, &row.snr_db, &row.range_m);
-    if (fields != 5) refuse_line(path, rows.size() + 2);
-    rows.push_back(row);
+    if (!read(line.c_str(), rows.emplace_back())) refuse_row(path, rows.size(), "not a row of this table");
   }
   return rows;
 }
 
-/// What is wrong with the last row of a curve over ranges that rise by one step; nothing when it is right.
-const char* fault_in_last(const std::vector<SnrRow>& rows) {
+std::vector<TrackRow> read_track(const std::filesystem::path& path) {
+  return read_rows<TrackRow>(path, [](const char* line, TrackRow& row) {
+    return std::sscanf(line, "%lf,%lf,%lf,%*f,%*f,%*f,%lf,%lf", &row.time_s, &row.north_m, &row.east_m, &row.snr_db, &row.range_m) == 5;
+  });
+}
+
+/// What is wrong with a row of a curve over ranges that rise by one step; nothing when it is right.
+const char* fault_in(std::span<const SnrRow> rows, std::size_t i) {
   constexpr double kUnevenness = 0.01;  // of a step: ranges are written rounded
-  const SnrRow& last = rows.back();
-  if (!std::isfinite(last.range_m) || !std::isfinite(static_cast<float>(last.snr_db))) return "range and SNR must be finite numbers";
-  if (rows.size() == 1) return nullptr;
+  if (!std::isfinite(rows[i].range_m) || !std::isfinite(static_cast<float>(rows[i].snr_db))) return "range and SNR must be finite numbers";
+  if (i == 0) return nullptr;
   const double first_step = rows[1].range_m - rows[0].range_m;
-  const double step = last.range_m - rows[rows.size() - 2].range_m;
+  const double step = rows[i].range_m - rows[i - 1].range_m;
   const bool rises = step > 0.0 && std::isfinite(step) && std::abs(step - first_step) <= kUnevenness * first_step;
   return rises ? nullptr : "range_m must rise by the same step from row to row";
 }
 
 std::vector<SnrRow> read_snr(const std::filesystem::path& path) {
-  std::ifstream stream = open_file(path);
-  std::vector<SnrRow> rows;
-  std::string line;
-  std::getline(stream, line);
-  while (std::getline(stream, line)) {
-    SnrRow row;
-    if (std::sscanf(line.c_str(), "%lf,%lf", &row.range_m, &row.snr_db) != 2) refuse_line(path, rows.size() + 2);
-    rows.push_back(row);
-    if (const char* const fault = fault_in_last(rows)) throw BadInput(path.string() + ":" + std::to_string(rows.size() + 1) + ": " + fault);
+  std::vector<SnrRow> rows =
+      read_rows<SnrRow>(path, [](const char* line, SnrRow& row) { return std::sscanf(line, "%lf,%lf", &row.range_m, &row.snr_db) == 2; });
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (const char* const fault = fault_in(rows, i)) refuse_row(path, i + 1, fault);
   }
   return rows;
 }

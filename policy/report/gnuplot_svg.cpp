@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include "sim/sonar/gnuplot.hpp"
@@ -19,6 +20,12 @@ std::string content(const fs::path& path) {
 }
 
 }  // namespace
+
+std::string km(NorthEast place) {
+  std::ostringstream text;
+  text << place.east.value / 1e3 << ' ' << place.north.value / 1e3;
+  return text.str();
+}
 
 const char* const kPlotStyle = R"(
 set border lc rgb '#888888'

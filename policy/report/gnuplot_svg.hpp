@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "firmware/core/geometry.hpp"
+
 namespace earshot::report {
 
 /// A folder for gnuplot's input and output, gone with this object.
@@ -20,6 +22,9 @@ class PlotFolder {
  private:
   std::filesystem::path folder_;
 };
+
+/// A place as gnuplot reads it: kilometres east, kilometres north.
+[[nodiscard]] std::string km(NorthEast place);
 
 /// Grey text and no background: readable on a light page and on a dark one.
 extern const char* const kPlotStyle;

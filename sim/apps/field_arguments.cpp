@@ -7,13 +7,13 @@
 #include <stdexcept>
 
 #include "sim/sonar/fan.hpp"
+#include "sim/sonar/gnuplot.hpp"
 
 namespace earshot::apps {
 namespace {
 
 std::string picture_name(const std::string& path) {
-  const auto extension = std::filesystem::path(path).extension();
-  return extension == ".png" || extension == ".svg" ? std::string() : path + ": a picture's name must end in .png or .svg";
+  return sonar::is_picture_name(path) ? std::string() : path + ": a picture's name must end in .png or .svg";
 }
 
 /// CLI11's own lets NaN through.

@@ -43,8 +43,11 @@ std::size_t cardinal(std::size_t i, std::size_t count) {
 }  // namespace
 
 Rectangle inside_border(const SearchSettings& s) {
-  const NorthEast inwards{s.border_width, s.border_width};
-  return {s.domain.south_west + inwards, s.domain.north_east - inwards};
+  return s.domain.moved_in(s.border_width);
+}
+
+Meters furthest_range(const SearchSettings& s) {
+  return range_between(s.domain.south_west, s.domain.north_east) + s.step_length;
 }
 
 Status check(const SearchSettings& s) {

@@ -39,6 +39,9 @@ struct SearchSettings {
 /// penalty.
 [[nodiscard]] Rectangle inside_border(const SearchSettings& settings);
 
+/// How far a source can be from a vehicle: from corner to corner of the domain and a step beyond.
+[[nodiscard]] Meters furthest_range(const SearchSettings& settings);
+
 /// kOutOfRange when a number is not finite or outside its range, the start region leaves the domain, or (fixed source) every start is
 /// within l of the source.
 [[nodiscard]] Status check(const SearchSettings& settings);

@@ -55,10 +55,14 @@ void run_gnuplot(const std::string& commands) {
   if (status != 0 || !written) throw std::runtime_error("gnuplot failed; is the disk full?");
 }
 
+bool is_picture_name(const std::filesystem::path& path) {
+  const std::filesystem::path extension = path.extension();
+  return extension == ".png" || extension == ".svg";
+}
+
 void draw(const std::filesystem::path& path, const std::string& size, const std::string& commands) {
-  const std::string extension = path.extension().string();
-  if (extension != ".png" && extension != ".svg") throw std::invalid_argument(path.string() + ": a plot's name must end in .png or .svg");
-  const bool png = extension == ".png";
+  if (!is_picture_name(path)) throw std::invalid_argument(path.string() + ": a plot's name must end in .png or .svg");
+  const bool png = path.extension() == ".png";
   std::filesystem::path temporary = std::filesystem::absolute(path);  // gnuplot takes a name that begins with | for a command
   temporary += ".part" + std::to_string(getpid());
   try {

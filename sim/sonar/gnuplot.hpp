@@ -5,6 +5,9 @@
 
 namespace earshot::sonar {
 
+/// Whether `draw` can write a picture of that name: .png or .svg.
+[[nodiscard]] bool is_picture_name(const std::filesystem::path& path);
+
 /// Draws with gnuplot under a temporary name, which takes its own when the picture is whole.
 ///
 /// @param path      ends in .png or .svg
