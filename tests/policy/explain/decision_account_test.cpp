@@ -98,7 +98,9 @@ TEST(UninformedObservation, HasHeardNothing) {
         spec[i].feature == kLikeliestNorth) {
       EXPECT_NEAR(raw, 0.0, 10.0);  // m; as much to the one side as to the other
     }
-    if (spec[i].feature == kApproach) EXPECT_EQ(raw, 0.0);
+    if (spec[i].feature == kApproach) {
+      EXPECT_EQ(raw, 0.0);
+    }
   }
 }
 
