@@ -35,7 +35,7 @@ auto bias_of(Pointer* flat, const auto& layer) {
 template <class Matrix>
 constexpr bool kIsFloat = std::is_same_v<typename std::decay_t<Matrix>::Scalar, float>;
 
-/// C += A B, C = A B, C = A B^T where A and C have kWidth rows, and C = B A^T where A has: with the wide product where there is one.
+/// C += A B, C = A B, C += A B^T where A and C have kWidth rows, and C += B A^T where A has: with the wide product where there is one.
 template <class C, class A, class B>
 void add_product(C&& c, const A& a, const B& b) {
   if constexpr (kIsFloat<C>) {
@@ -58,26 +58,27 @@ void set_product(C&& c, const A& a, const B& b) {
 }
 
 template <class C, class A, class B>
-void set_product_with_transpose(C&& c, const A& a, const B& b) {
+void add_product_with_transpose(C&& c, const A& a, const B& b) {
   if constexpr (kIsFloat<C>) {
     if (has_wide_product()) {
-      return multiply({a.data(), a.outerStride(), b.data(), b.outerStride(), 1, c.data(), c.outerStride(), a.cols(), b.rows()});
+      return multiply(
+          {a.data(), a.outerStride(), b.data(), b.outerStride(), 1, c.data(), c.outerStride(), a.cols(), b.rows(), WideProduct::Start::kC});
     }
   }
-  c.noalias() = a * b.transpose();
+  c.noalias() += a * b.transpose();
 }
 
 template <class C, class A, class B>
-void set_transposed_product(C&& c, const A& a, const B& b) {
+void add_transposed_product(C&& c, const A& a, const B& b) {
   if constexpr (kIsFloat<C>) {
     if (has_wide_product()) {
-      Eigen::Matrix<float, kWidth, Eigen::Dynamic, Eigen::ColMajor, kWidth, config::kMaxActions> transposed(kWidth, b.rows());
-      set_product_with_transpose(transposed, a, b);
+      Eigen::Matrix<float, kWidth, Eigen::Dynamic, Eigen::ColMajor, kWidth, config::kMaxActions> transposed = c.transpose();
+      add_product_with_transpose(transposed, a, b);
       c = transposed.transpose();
       return;
     }
   }
-  c.noalias() = b * a.transpose();
+  c.noalias() += b * a.transpose();
 }
 
 }  // namespace
@@ -148,12 +149,12 @@ void ActorCritic<Scalar>::backward(const Scalar* observations, Eigen::Index batc
   // One branch from its output back to its half of the first layer; `hidden` becomes dL/d(its input before tanh).
   auto branch = [&](const auto& d_output, const Layer& output, const Layer& second, Scalar* hidden_data, const auto& below, auto d_below) {
     Eigen::Map<Hidden<Scalar>> hidden(hidden_data, kWidth, batch);
-    set_transposed_product(weights_of<Matrix<Scalar>>(g, output), hidden, d_output);
-    bias_of<Scalar>(g, output) = d_output.rowwise().sum();
+    add_transposed_product(weights_of<Matrix<Scalar>>(g, output), hidden, d_output);
+    bias_of<Scalar>(g, output) += d_output.rowwise().sum();
     const auto slope = (Scalar{1} - hidden.array().square());
     hidden = (weights_of<Matrix<Scalar>>(p, output).transpose() * d_output).array() * slope;
-    set_product_with_transpose(weights_of<Square<Scalar>>(g, second), hidden, below);
-    bias_of<Scalar>(g, second) = hidden.rowwise().sum();
+    add_product_with_transpose(weights_of<Square<Scalar>>(g, second), hidden, below);
+    bias_of<Scalar>(g, second) += hidden.rowwise().sum();
     set_product(d_below, Square<Scalar>(weights_of<Square<Scalar>>(p, second).transpose()), hidden);
   };
   branch(d_logits.leftCols(batch), layout_.logits, layout_.actor_second, activations.actor.data(), first.template topRows<kWidth>(),
@@ -162,9 +163,9 @@ void ActorCritic<Scalar>::backward(const Scalar* observations, Eigen::Index batc
          d_first.template bottomRows<kWidth>());
   d_first.array() *= Scalar{1} - first.array().square();
   auto g_first = weights_of<BothHidden<Scalar>>(g, layout_.first);
-  set_product_with_transpose(g_first.template topRows<kWidth>(), d_first.template topRows<kWidth>(), x);
-  set_product_with_transpose(g_first.template bottomRows<kWidth>(), d_first.template bottomRows<kWidth>(), x);
-  bias_of<Scalar>(g, layout_.first) = d_first.rowwise().sum();
+  add_product_with_transpose(g_first.template topRows<kWidth>(), d_first.template topRows<kWidth>(), x);
+  add_product_with_transpose(g_first.template bottomRows<kWidth>(), d_first.template bottomRows<kWidth>(), x);
+  bias_of<Scalar>(g, layout_.first) += d_first.rowwise().sum();
 }
 
 template class ActorCritic<float>;

@@ -59,11 +59,11 @@ class ActorCritic {
   /// Runs `batch` samples. @param observations  [observation_size x batch], column-major
   void forward(const Scalar* observations, Eigen::Index batch, Activations<Scalar>& activations) const;
 
-  /// Gradient of a loss with respect to every parameter, by the chain rule from that with respect to logits and values.
+  /// Adds the gradient of a loss with respect to every parameter, by the chain rule from that with respect to logits and values.
   /// @param activations   as forward() left them; hidden layers are overwritten
   /// @param d_logits      [actions x batch] dL/dlogits
   /// @param d_values      [1 x batch] dL/dvalues
-  /// @param gradient      of parameters()' size; overwritten
+  /// @param gradient      of parameters()' size
   /// Oracle: ActorCritic.GradientMatchesFiniteDifferences
   void backward(const Scalar* observations, Eigen::Index batch, Activations<Scalar>& activations, const Matrix<Scalar>& d_logits,
                 const Matrix<Scalar>& d_values, std::span<Scalar> gradient);

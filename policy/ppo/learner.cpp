@@ -10,6 +10,7 @@ namespace earshot::ppo {
 namespace {
 
 constexpr std::size_t kAveragedTerms = 5;  // of the loss
+constexpr std::size_t kSlice = 256;  // samples of a minibatch at a time: what they leave in the networks stays in the second-level cache
 
 void shuffle(std::span<std::uint32_t> order, Pcg32& random) {
   for (std::size_t i = order.size(); i > 1; --i) {
@@ -37,9 +38,9 @@ Learner::Learner(NetworkShape shape, const HyperParameters& hyper, Pcg32& random
       log_probabilities_(hyper.batch_size),
       advantages_(hyper.batch_size),
       returns_(hyper.batch_size),
-      activations_(shape, index(hyper.batch_size)),
-      d_logits_(shape.action_count, index(hyper.batch_size)),
-      d_values_(1, index(hyper.batch_size)) {
+      activations_(shape, index(std::min(hyper.batch_size, kSlice))),
+      d_logits_(shape.action_count, index(std::min(hyper.batch_size, kSlice))),
+      d_values_(1, index(std::min(hyper.batch_size, kSlice))) {
   networks_.initialise(random);
 }
 
@@ -88,15 +89,12 @@ void Learner::gather_minibatch(const Rollout& rollout, std::span<const std::uint
 bool Learner::run_minibatch(const Rollout& rollout, std::span<const std::uint32_t> samples, double learning_rate, UpdateReport& sums) {
   const std::size_t batch = samples.size();
   gather_minibatch(rollout, samples);
-  const std::span advantages = std::span(advantages_).first(batch);
-  normalise(advantages);
-  networks_.forward(observations_.data(), index(batch), activations_);
-  const Samples<float> seen{std::span<const std::uint8_t>(actions_).first(batch), std::span<const float>(log_probabilities_).first(batch),
-                            advantages, std::span<const float>(returns_).first(batch)};
-  const LossTerms<float> loss = ppo_loss(seen, hyper_, activations_.logits, activations_.values, d_logits_, d_values_);
-  const std::span gradient = std::span(gradient_).first(networks_.parameters().size());
+  normalise(std::span(advantages_).first(batch));
+  std::ranges::fill(gradient_, 0.0F);
+  LossTerms<float> loss;
+  for (std::size_t first = 0; first < batch; first += kSlice) loss += learn_from(first, std::min(kSlice, batch - first), batch);
+  const std::span gradient = gradient_of_parameters();
   const std::span averaged = std::span(gradient_).subspan(gradient.size());
-  networks_.backward(observations_.data(), index(batch), activations_, d_logits_, d_values_, gradient);
   std::ranges::copy(std::array{loss.policy, loss.value, loss.entropy, loss.approximate_kl, loss.clip_fraction}, averaged.begin());
   average_over_ranks();
 
@@ -110,6 +108,17 @@ bool Learner::run_minibatch(const Rollout& rollout, std::span<const std::uint32_
   sums.gradient_norm += clip_gradient(gradient, hyper_.max_gradient_norm);
   adam_.step(networks_.parameters(), gradient, learning_rate);
   return true;
+}
+
+LossTerms<float> Learner::learn_from(std::size_t first, std::size_t count, std::size_t minibatch) {
+  const float* const observations = observations_.col(index(first)).data();
+  networks_.forward(observations, index(count), activations_);
+  const Samples<float> seen{std::span<const std::uint8_t>(actions_).subspan(first, count),
+                            std::span<const float>(log_probabilities_).subspan(first, count), std::span(advantages_).subspan(first, count),
+                            std::span<const float>(returns_).subspan(first, count), minibatch};
+  const LossTerms<float> loss = ppo_loss(seen, hyper_, activations_.logits, activations_.values, d_logits_, d_values_);
+  networks_.backward(observations, index(count), activations_, d_logits_, d_values_, gradient_of_parameters());
+  return loss;
 }
 
 /// Every rank adds up in order of rank, so that all have the same bits, whoever came first.

@@ -49,8 +49,11 @@ class Learner {
   [[nodiscard]] const ActorCritic<float>& networks() const { return networks_; }
 
  private:
+  std::span<float> gradient_of_parameters() { return std::span(gradient_).first(networks_.parameters().size()); }
   bool run_minibatch(const Rollout& rollout, std::span<const std::uint32_t> samples, double learning_rate, UpdateReport& sums);
   void gather_minibatch(const Rollout& rollout, std::span<const std::uint32_t> samples);
+  /// Forward, loss and backward of a slice of the gathered minibatch of so many samples; adds to the gradient.
+  LossTerms<float> learn_from(std::size_t first, std::size_t count, std::size_t minibatch);
   void average_over_ranks();
 
   HyperParameters hyper_;

@@ -31,10 +31,21 @@ void normalise(std::span<Scalar> advantages) {
 }
 
 template <class Scalar>
+LossTerms<Scalar>& LossTerms<Scalar>::operator+=(const LossTerms& more) {
+  total += more.total;
+  policy += more.policy;
+  value += more.value;
+  entropy += more.entropy;
+  approximate_kl += more.approximate_kl;
+  clip_fraction += more.clip_fraction;
+  return *this;
+}
+
+template <class Scalar>
 LossTerms<Scalar> ppo_loss(const Samples<Scalar>& samples, const HyperParameters& hyper, Matrix<Scalar>& logits,
                            const Matrix<Scalar>& values, Matrix<Scalar>& d_logits, Matrix<Scalar>& d_values) {
   const std::size_t batch = samples.actions.size();
-  const auto one_over_batch = Scalar{1} / static_cast<Scalar>(batch);
+  const auto one_over_batch = Scalar{1} / static_cast<Scalar>(samples.minibatch_size);
   const auto clip = static_cast<Scalar>(hyper.clip_range);
   const auto value_weight = static_cast<Scalar>(hyper.value_coefficient);
   const auto entropy_weight = static_cast<Scalar>(hyper.entropy_coefficient);
@@ -78,6 +89,8 @@ LossTerms<Scalar> ppo_loss(const Samples<Scalar>& samples, const HyperParameters
   return means;
 }
 
+template struct LossTerms<float>;
+template struct LossTerms<double>;
 template void normalise<float>(std::span<float>);
 template void normalise<double>(std::span<double>);
 template LossTerms<float> ppo_loss<float>(const Samples<float>&, const HyperParameters&, Matrix<float>&, const Matrix<float>&,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -8,16 +9,17 @@
 
 namespace earshot::ppo {
 
-/// A minibatch as PPO's loss needs it; all of one size.
+/// A minibatch, or a slice of one, as PPO's loss needs it; all spans of one size.
 template <class Scalar>
 struct Samples {
   std::span<const std::uint8_t> actions;
   std::span<const Scalar> old_log_probabilities;
   std::span<Scalar> advantages;  ///< normalised in place
   std::span<const Scalar> returns;
+  std::size_t minibatch_size = 0;  ///< samples of the whole minibatch
 };
 
-/// What a minibatch says of the update, means over its samples.
+/// What a minibatch says of the update, means over its samples; of a slice, its part of them.
 template <class Scalar>
 struct LossTerms {
   Scalar total{0};           ///< L
@@ -26,6 +28,8 @@ struct LossTerms {
   Scalar entropy{0};         ///< mean(H), nats
   Scalar approximate_kl{0};  ///< mean(r - 1 - log r) >= 0, nats; Source: Schulman, "Approximating KL divergence", 2020
   Scalar clip_fraction{0};   ///< of the samples, |r - 1| > c
+
+  LossTerms& operator+=(const LossTerms& more);
 };
 
 /// (A - mean) / (standard deviation + 1e-8), the standard deviation with n - 1; a single sample is left as it is.
@@ -33,7 +37,7 @@ struct LossTerms {
 template <class Scalar>
 void normalise(std::span<Scalar> advantages);
 
-/// PPO's loss and its gradient with respect to logits and values.
+/// PPO's loss, or a slice's part of it, and its gradient with respect to logits and values.
 ///
 ///   L = mean(-min(r A, clip(r, 1 - c, 1 + c) A)) + c_v mean((R - V)^2) - c_e mean(H),  r = pi(a|o) / pi_old(a|o)
 ///

@@ -34,7 +34,9 @@ class WholeLoss {
 
   double operator()() {
     networks.forward(observations.data(), kBatch, activations);
-    return ppo_loss<double>({actions, old, advantages, returns}, hyper, activations.logits, activations.values, d_logits, d_values).total;
+    return ppo_loss<double>({actions, old, advantages, returns, actions.size()}, hyper, activations.logits, activations.values, d_logits,
+                            d_values)
+        .total;
   }
 
   ActorCritic<double> networks{kShape};

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -38,16 +39,17 @@ std::vector<float> inputs(std::uint32_t stream, std::size_t count, float scale, 
   return all;
 }
 
-Rollout made_up_rollout() {
-  Rollout rollout(kShape, kEnvironments, kSteps);
-  const std::vector<float> observations = inputs(1, kSamples * 6, 2.0F, -1.0F);
+Rollout made_up_rollout(std::size_t steps = kSteps) {
+  const std::size_t samples = kEnvironments * steps;
+  Rollout rollout(kShape, kEnvironments, steps);
+  const std::vector<float> observations = inputs(1, samples * 6, 2.0F, -1.0F);
   std::ranges::copy(observations, rollout.observations.data());
-  const std::vector<float> actions = inputs(2, kSamples, 8.0F, 0.0F);
+  const std::vector<float> actions = inputs(2, samples, 8.0F, 0.0F);
   std::ranges::transform(actions, rollout.actions.begin(), [](float x) { return static_cast<std::uint8_t>(x); });
-  rollout.log_probabilities = inputs(3, kSamples, 1.0F, -2.5F);
-  rollout.values = inputs(4, kSamples, 4.0F, -2.0F);
-  rollout.rewards = inputs(5, kSamples, 2.0F, -1.5F);
-  const std::vector<float> starts = inputs(6, kSamples, 1.0F, 0.0F);
+  rollout.log_probabilities = inputs(3, samples, 1.0F, -2.5F);
+  rollout.values = inputs(4, samples, 4.0F, -2.0F);
+  rollout.rewards = inputs(5, samples, 2.0F, -1.5F);
+  const std::vector<float> starts = inputs(6, samples, 1.0F, 0.0F);
   std::ranges::transform(starts, rollout.episode_starts.begin(), [](float x) { return x < 0.1F ? 1 : 0; });
   return rollout;
 }
@@ -156,6 +158,47 @@ TEST(Learner, GivesTheSameParametersForTheSameSeedWhereverTheHeapPutsThem) {
     ASSERT_EQ(learned(1), first);
   }
   EXPECT_NE(learned(2), first);
+}
+
+TEST(Learner, LearnsFromALargeMinibatchInSlicesAsIfFromAllOfItAtOnce) {
+  constexpr std::size_t kLarge = 600;  // more than two slices
+  Rollout rollout = made_up_rollout(kLarge / kEnvironments);
+  rollout.advantages = rollout.rewards;
+  rollout.returns = rollout.values;
+  HyperParameters hyper;
+  hyper.environment_count = kEnvironments;
+  hyper.steps_per_rollout = kLarge / kEnvironments;
+  hyper.batch_size = kLarge;
+  hyper.entropy_coefficient = 0.01;
+  Pcg32 random(3);
+  parallel::Alone alone;
+  Learner learner(kShape, hyper, random, alone);
+  Networks at_once = learner.networks();
+  std::vector<std::uint32_t> order(kLarge);
+  std::iota(order.begin(), order.end(), 0U);
+  UpdateReport sums;
+  ASSERT_TRUE(learner.run_epoch(rollout, order, hyper.learning_rate, sums));
+
+  Activations<float> activations(kShape, kLarge);
+  Matrix<float> d_logits(kShape.action_count, kLarge);
+  Matrix<float> d_values(1, kLarge);
+  std::vector<float> gradient(at_once.parameters().size());
+  Aligned<float> advantages(rollout.advantages.begin(), rollout.advantages.end());
+  normalise(std::span<float>(advantages));
+  at_once.forward(rollout.observations.data(), kLarge, activations);
+  const Samples<float> samples{rollout.actions, rollout.log_probabilities, advantages, rollout.returns, kLarge};
+  const LossTerms<float> loss = ppo_loss(samples, hyper, activations.logits, activations.values, d_logits, d_values);
+  at_once.backward(rollout.observations.data(), kLarge, activations, d_logits, d_values, gradient);
+  EXPECT_NEAR(sums.policy_loss, double{loss.policy}, 1e-6);
+  EXPECT_NEAR(sums.value_loss, double{loss.value}, 1e-6);
+  EXPECT_NEAR(sums.entropy, double{loss.entropy}, 6e-5);  // a float's sum of 600 times 2, each rounded by up to 6e-5 of one
+  EXPECT_NEAR(sums.gradient_norm, clip_gradient(gradient, hyper.max_gradient_norm), 1e-6);
+  Adam adam(gradient.size());
+  adam.step(at_once.parameters(), gradient, hyper.learning_rate);
+  for (std::size_t i = 0; i < gradient.size(); ++i) {
+    // Adam's first step is 3e-4 g / (|g| + 1e-5): an error of 1e-8 in a gradient near zero moves a parameter by 3e-7.
+    ASSERT_NEAR(learner.networks().parameters()[i], at_once.parameters()[i], 5e-7F) << i;
+  }
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct OneSample {
     const std::array<double, 1> old{std::log(old_probability)};
     std::array<double, 1> advantages{advantage};
     const std::array<double, 1> returns{ret};
-    return ppo_loss<double>({actions, old, advantages, returns}, hyper, logits, values, d_logits, d_values);
+    return ppo_loss<double>({actions, old, advantages, returns, actions.size()}, hyper, logits, values, d_logits, d_values);
   }
 };
 
