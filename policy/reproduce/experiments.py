@@ -32,6 +32,7 @@ class Setting:
     border_m: float = 1000.0
     directions: int = 8
     remembered: int = 2
+    ppo: str = ""  # lines of the run file's table of that name
 
     def run_file(self):
         return (
@@ -39,7 +40,7 @@ class Setting:
             f"episodes = {self.episodes}\nsteps = {self.steps}\n"
             f'[search]\nsource = "{self.source}"\n'
             + (f"start_margin_m = {self.margin_m:.1f}\n" if self.margin_m else f'start = "{self.start}"\n')
-            + f"border_width_m = {self.border_m:.1f}\ndirections = {self.directions}\n"
+            + f"border_width_m = {self.border_m:.1f}\ndirections = {self.directions}\n[ppo]\n{self.ppo}"
         )
 
 
@@ -143,9 +144,10 @@ def main_settings(quick):
         Setting("changing_position_memory", "position_memory", episodes=episodes),
     ]
     longer = [replace(s, name=s.name + "_long", episodes=0, steps=steps) for s in paper[1:]]
-    # the start region and border with which the memory state of the paper gains what the paper says
-    central = {"margin_m": 5000.0, "border_m": 500.0}
-    longer += [Setting(f"central_{state}_long", state, steps=steps, **central) for state in ("simple", "memory")]
+    # the start region, border and batches with which the memory state of the paper gains what the paper says: policy/ppo/runs/changing_*.toml
+    batches = 'environments = 8\nsteps_per_rollout = 1024\nbatch_size = 512\nlearning_rate = 1e-3\nlearning_rate_schedule = "linear"\n'
+    central = {"margin_m": 5000.0, "border_m": 500.0, "ppo": batches}
+    longer += [Setting(f"central_{state}_long", state, steps=2 * steps, **central) for state in ("simple", "memory")]
     return paper, longer
 
 
