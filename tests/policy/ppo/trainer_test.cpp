@@ -155,6 +155,37 @@ TEST_F(TrainerTest, AddsTheDiscountedValueOfTheLastObservationWhereTheTimeLimitC
   }
 }
 
+TEST_F(TrainerTest, TellsLearningTheRewardsOfTheRunFileBesideThePapers) {
+  // Near the source and near an edge: many searches find, many go deep into the border.
+  settings.max_steps = 100'000;
+  settings.source = {Meters{3'500.0}, Meters{3'500.0}};
+  settings.start_region = {{Meters{1'000.0}, Meters{1'000.0}}, {Meters{2'000.0}, Meters{2'000.0}}};
+  hyper.found_reward = 10.0;
+  hyper.step_reward = -0.25;
+  hyper.least_reward = -7.0;
+  hyper.reward_scale = 0.5;
+  const search::SearchWorld world(settings, curve);
+  Trainer trainer(world, simple, hyper, 1);
+  trainer.train(1, ignore);
+
+  const Rollout& rollout = trainer.rollout();
+  int found = 0;
+  int held = 0;
+  for (std::size_t t = 0; t < rollout.size(); ++t) {
+    const Eigen::Vector2f state = rollout.observations.col(static_cast<Eigen::Index>(t));
+    const NorthEast place{Meters{12'500.0 * (1.0 + double{state.y()})}, Meters{12'500.0 * (1.0 + double{state.x()})}};
+    const NorthEast end = place + Meters{1'000.0} * world.actions[rollout.actions[t]];
+    const Meters range = range_between(end, settings.source);
+    const double paid = search::step_reward(settings, end, curve.at(range));
+    held += paid < -7.0 ? 1 : 0;
+    found += range <= Meters{1'000.0} ? 1 : 0;
+    const double told = 0.5 * (std::max(paid, -7.0) - 0.25 + (range <= Meters{1'000.0} ? 10.0 : 0.0));
+    ASSERT_NEAR(double{rollout.rewards[t]}, told, 1e-3) << t;  // places are floats, of 1 mm: a ten-thousandth in the border, times 0.5
+  }
+  EXPECT_GT(found, 10);
+  EXPECT_GT(held, 10);
+}
+
 TEST_F(TrainerTest, LearnsToStayClearOfAnEdgeThatCosts) {
   settings.max_steps = 20;
   hyper.steps_per_rollout = 2'048;

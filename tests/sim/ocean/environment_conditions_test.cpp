@@ -59,6 +59,7 @@ TEST_F(EnvironmentConditions, ReadEveryKey) {
   const Conditions c = load(R"(
 [conditions]
 fluctuation_db = 4.0
+least_fluctuation_db = 1.0
 floor_db = 5.0
 source_level_spread_db = 6.0
 navigation_drift_m_per_sqrt_km = 50.0
@@ -78,6 +79,7 @@ listening_s = 30.0
                            .conditions;
   EXPECT_FALSE(is_calm(c));
   EXPECT_EQ(c.fluctuation, Decibels{4.0});
+  EXPECT_EQ(c.least_fluctuation, Decibels{1.0});
   EXPECT_EQ(c.floor, Decibels{5.0});
   EXPECT_EQ(c.source_level_spread, Decibels{6.0});
   EXPECT_EQ(c.drift_m_per_sqrt_km, 50.0);
@@ -95,6 +97,7 @@ listening_s = 30.0
 
 TEST_F(EnvironmentConditions, RefuseWhatLiesOutsideItsRange) {
   expect_refused("[conditions]\nfluctuation_db = -1.0\n", "conditions.fluctuation_db = -1.0: must be a finite number of at least 0");
+  expect_refused("[conditions]\nfluctuation_db = 2.0\nleast_fluctuation_db = 3.0\n", "conditions.least_fluctuation_db = 3.0");
   expect_refused("[conditions]\nfloor_db = inf\n", "conditions.floor_db = inf: must be a finite number");
   expect_refused("[conditions]\nsources = 9\n", "conditions.sources = 9");
   expect_refused("[conditions]\nvehicle_speed_mps = 0.0\n", "conditions.vehicle_speed_mps = 0.0: must be a finite number above 0");

@@ -105,6 +105,23 @@ TEST_F(Conditions, FluctuationSpreadsTheSnrNormallyAboutTheModelled) {
   EXPECT_NEAR(static_cast<double>(within) / 20'000.0, 0.6827, 0.017);  // of the normal distribution; five standard errors
 }
 
+TEST_F(Conditions, FluctuationOfASearchIsUniformBetweenItsBounds) {
+  conditions.fluctuation = Decibels{6.0};
+  conditions.least_fluctuation = Decibels{2.0};
+  constexpr int kSearches = 50'000;
+  double second = 0.0;
+  double fourth = 0.0;
+  for (const double snr : heard_in_searches(kSearches)) {
+    const double off = snr - 18.0;
+    second += off * off / kSearches;
+    fourth += off * off * off * off / kSearches;
+  }
+  // sigma uniform between a = 2 and b = 6: E x^2 = (b^3 - a^3) / 3 (b - a), E x^4 = 3 (b^5 - a^5) / 5 (b - a), of one sigma 901. Five
+  // standard errors, from E x^4 and E x^8 = 105 (b^9 - a^9) / 9 (b - a).
+  EXPECT_NEAR(second, 17.333, 0.66);
+  EXPECT_NEAR(fourth, 1'161.6, 121.0);
+}
+
 TEST_F(Conditions, FluctuationIsDrawnAnewAtEveryLook) {
   conditions.fluctuation = Decibels{4.0};
   const SearchWorld w = world();
