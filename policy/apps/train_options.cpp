@@ -97,11 +97,11 @@ ppo::TrainingRun settled(const TrainOptions& options) {
   ppo::TrainingRun run = options.run_file ? ppo::load_run(*options.run_file) : ppo::TrainingRun{};
   if (options.world.environment) run.environment = *options.world.environment;
   if (options.world.vehicle_depth_m) run.vehicle_depth = Meters{*options.world.vehicle_depth_m};
-  if (options.state) run.state = ppo::state_named(*options.state);
+  if (options.state) run.state = description::state_named(*options.state).value();
   if (options.remembered_steps) run.remembered_steps = *options.remembered_steps;
-  if (run.state == ppo::State::kPositionMemory && run.remembered_steps == config::kMaxRememberedSteps) {
-    throw config_file::BadInput("--remembered-steps: at most " + std::to_string(config::kMaxRememberedSteps - 1) +
-                                " with the state position_memory");
+  if (const std::size_t most = description::most_remembered(run.state); run.remembered_steps > most) {
+    throw config_file::BadInput("--remembered-steps, remembered_steps: at most " + std::to_string(most) + " with the state " +
+                                std::string(description::name_of(run.state)));
   }
   if (options.seed) run.seed = *options.seed;
   if (options.environments) run.hyper.environment_count = *options.environments;

@@ -1,7 +1,6 @@
 #include "policy/ppo/training_run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <limits>
 #include <optional>
@@ -9,7 +8,6 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/config_file/table_reader.hpp"
-#include "sim/search/belief_model.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -17,7 +15,6 @@ namespace {
 using config_file::Range;
 using config_file::TableReader;
 
-constexpr std::array<std::string_view, 4> kStates{"simple", "memory", "belief", "position_memory"};  // in the order of State
 constexpr std::int64_t kMany = std::numeric_limits<std::int64_t>::max();
 
 std::size_t read_size(TableReader& table, std::string_view key, std::size_t fallback, std::int64_t lowest, std::int64_t highest) {
@@ -63,19 +60,6 @@ void read_training_reward(TableReader table, HyperParameters& h) {
   h.least_reward = table.number_or("least", h.least_reward, Range::between(-1.0e9, 0.0));
 }
 
-/// Where the vehicle is, and what the memory state holds.
-policy::ObservationSpec position_memory(const TrainingRun& run) {
-  const search::SearchSettings& s = run.search;
-  policy::ObservationSpec spec = policy::simple_state(s.domain.north_east - s.domain.south_west);
-  const policy::ObservationSpec memory = policy::memory_state(run.remembered_steps, s.step_length, s.detection_threshold).value();
-  for (const policy::ObservationElement& element : memory) {
-    const Status status = spec.push_back(element);
-    assert(status == Status::kOk);
-    static_cast<void>(status);
-  }
-  return spec;
-}
-
 }  // namespace
 
 TrainingRun load_run(const std::filesystem::path& path) {
@@ -84,7 +68,7 @@ TrainingRun load_run(const std::filesystem::path& path) {
   TrainingRun run;
   if (root.has("environment")) run.environment = file.resolve(root.text("environment"));
   run.vehicle_depth = Meters{root.number_or("vehicle_depth_m", run.vehicle_depth.value, Range::above(0.0))};
-  run.state = static_cast<State>(root.choice_or("state", 0, {kStates.begin(), kStates.end()}));
+  run.state = static_cast<description::State>(root.choice_or("state", 0, {description::kStates.begin(), description::kStates.end()}));
   run.remembered_steps = read_size(root, "remembered_steps", run.remembered_steps, 1, config::kMaxRememberedSteps);
   run.seed = static_cast<std::uint64_t>(root.integer_or("seed", 1, 0, kMany));
   run.episodes = static_cast<std::uint64_t>(root.integer_or("episodes", 0, 0, kMany));
@@ -103,33 +87,8 @@ TrainingRun load_run(const std::filesystem::path& path) {
   return run;
 }
 
-std::string_view name_of(State state) {
-  return kStates[static_cast<std::size_t>(state)];
-}
-
-State state_named(std::string_view name) {
-  return static_cast<State>(std::ranges::find(kStates, name) - kStates.begin());
-}
-
 policy::ObservationModel observation_of(const TrainingRun& run, const sonar::SnrCurve& curve) {
-  const search::SearchSettings& s = run.search;
-  policy::ObservationModel model;
-  model.belief = search::belief_model(s, curve);
-  switch (run.state) {
-    case State::kSimple:
-      model.spec = policy::simple_state(s.domain.north_east - s.domain.south_west);
-      break;
-    case State::kMemory:
-      model.spec = policy::memory_state(run.remembered_steps, s.step_length, s.detection_threshold).value();
-      break;
-    case State::kBelief:
-      model.spec = policy::belief_state(model.belief);
-      break;
-    case State::kPositionMemory:
-      model.spec = position_memory(run);
-      break;
-  }
-  return model;
+  return description::observation_of(run.state, run.remembered_steps, run.search, curve);
 }
 
 std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run) {
@@ -142,8 +101,8 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   const search::SearchSettings& s = run.search;
   const HyperParameters& h = run.hyper;
   add("vehicle_depth_m", run.vehicle_depth.value);
-  add("state", name_of(run.state));
-  if (run.state == State::kMemory || run.state == State::kPositionMemory) add("remembered_steps", run.remembered_steps);
+  add("state", description::name_of(run.state));
+  if (description::remembers(run.state)) add("remembered_steps", run.remembered_steps);
   add("source", s.placement == search::SourcePlacement::kFixed ? "fixed" : "changing");
   add("start_margin_m", (s.start_region.south_west.north - s.domain.south_west.north).value);
   add("border_width_m", s.border_width.value);

@@ -10,19 +10,12 @@
 
 #include "firmware/core/units.hpp"
 #include "firmware/policy/observation.hpp"
+#include "policy/description/state.hpp"
 #include "policy/ppo/hyper_parameters.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::ppo {
-
-/// What the policy is shown.
-enum class State : std::uint8_t {
-  kSimple,          ///< o = (x, y)
-  kMemory,          ///< displacement and SNR of each of the last steps
-  kBelief,          ///< what is believed about the source, from all that was heard
-  kPositionMemory,  ///< kSimple and kMemory together
-};
 
 enum class LearningRateSchedule : std::uint8_t {
   kConstant,
@@ -34,8 +27,8 @@ struct TrainingRun {
   std::filesystem::path environment;  ///< environment file; its source position is the fixed source
   Meters vehicle_depth{300.0};        ///< of the hydrophone, > 0
   search::SearchSettings search;
-  State state = State::kSimple;
-  std::size_t remembered_steps = 2;  ///< m of the memory state, 1 to config::kMaxRememberedSteps
+  description::State state = description::State::kSimple;
+  std::size_t remembered_steps = 2;  ///< m of the memory states, 1 to description::most_remembered(state)
   HyperParameters hyper;
   LearningRateSchedule learning_rate_schedule = LearningRateSchedule::kConstant;
   std::uint64_t seed = 1;
@@ -46,11 +39,6 @@ struct TrainingRun {
 /// Reads a run file: the keys of `policy/ppo/runs/fixed_source.toml`, all of them optional. Throws config_file::BadInput with every
 /// problem.
 [[nodiscard]] TrainingRun load_run(const std::filesystem::path& path);
-
-/// "simple", "memory", "belief" or "position_memory".
-[[nodiscard]] std::string_view name_of(State state);
-/// @param name  one of the names above
-[[nodiscard]] State state_named(std::string_view name);
 
 /// What the policy of this run sees, and what it takes for granted when it looks.
 /// @param curve  SNR that a belief takes for the truth

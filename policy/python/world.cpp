@@ -3,8 +3,8 @@
 #include "firmware/config_file/table_reader.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/description/search_description.hpp"
+#include "policy/description/state.hpp"
 #include "sim/ocean/environment_file.hpp"
-#include "sim/search/belief_model.hpp"
 
 namespace earshot::python {
 namespace {
@@ -37,15 +37,14 @@ search::SearchSettings settings_of(const WorldArguments& arguments, NorthEast so
   return settings;
 }
 
-policy::ObservationSpec spec_of(const WorldArguments& arguments, const search::SearchSettings& settings,
-                                const policy::BeliefModel& belief) {
-  if (arguments.state == "simple") return policy::simple_state(settings.domain.north_east - settings.domain.south_west);
-  if (arguments.state == "belief") return policy::belief_state(belief);
-  if (arguments.state != "memory") throw BadInput("state = \"" + arguments.state + "\": must be \"simple\", \"memory\" or \"belief\"");
-  const auto memory = policy::memory_state(arguments.remembered_steps, settings.step_length, settings.detection_threshold);
-  if (memory.ok()) return memory.value();
-  throw BadInput("remembered_steps = " + std::to_string(arguments.remembered_steps) + ": must be 1 to " +
-                 std::to_string(config::kMaxRememberedSteps));
+description::State state_of(const WorldArguments& arguments) {
+  const std::optional<description::State> state = description::state_named(arguments.state);
+  if (!state) throw BadInput("state = \"" + arguments.state + "\": must be \"simple\", \"memory\", \"belief\" or \"position_memory\"");
+  const std::size_t most = description::most_remembered(*state);
+  if (description::remembers(*state) && (arguments.remembered_steps < 1 || arguments.remembered_steps > most)) {
+    throw BadInput("remembered_steps = " + std::to_string(arguments.remembered_steps) + ": must be 1 to " + std::to_string(most));
+  }
+  return *state;
 }
 
 description::SearchDescription description_of(const WorldArguments& arguments, const search::SearchSettings& settings,
@@ -67,10 +66,10 @@ World::World(const WorldArguments& arguments) {
     throw BadInput("vehicle_depth_m: must be above 0 and less than the depth of the sea floor");
   }
   const search::SearchSettings settings = settings_of(arguments, environment.source.position);
+  const description::State state = state_of(arguments);
   soundscape_ =
       std::make_unique<search::Soundscape>(search::soundscape_of(environment, arguments.vehicle_depth, search::furthest_range(settings)));
-  observation_.belief = search::belief_model(settings, soundscape_->expected());
-  observation_.spec = spec_of(arguments, settings, observation_.belief);
+  observation_ = description::observation_of(state, arguments.remembered_steps, settings, soundscape_->expected());
   search_ = std::make_unique<search::SearchWorld>(settings, *soundscape_, environment.conditions);
   description_ = description::to_text(description_of(arguments, settings, observation_, environment.file_crc32));
 }

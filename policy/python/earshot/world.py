@@ -44,6 +44,7 @@ def make_world(
 
     environment       TOML file: ocean, source, noise, and the conditions of the search (fluctuation, drift, pauses, ...)
     state             "simple": (x, y); "memory": (dx, dy, SNR) of each of the last `remembered_steps` steps;
+                      "position_memory": both;
                       "belief": distances to the edges, where the source may be, and what each action promises
     source            "fixed" where the environment puts it, or "changing": uniform in the domain anew every episode
     start             vehicle starts uniformly in the "domain", or "inside_border", where the border costs nothing

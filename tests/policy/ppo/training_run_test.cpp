@@ -47,6 +47,18 @@ TEST(TrainingRun, ShowsPositionAndThenMemoryToAPolicyOfBoth) {
   for (std::size_t i = 0; i < both.size(); ++i) EXPECT_EQ(both[i], i < simple.size() ? simple[i] : memory[i - simple.size()]) << i;
 }
 
+TEST(TrainingRun, RemembersAsManyStepsAsAnObservationHolds) {
+  using description::State;
+  EXPECT_EQ(description::most_remembered(State::kMemory), 21U);          // 21 * 3 = 63 of 64 elements
+  EXPECT_EQ(description::most_remembered(State::kPositionMemory), 20U);  // 2 + 20 * 3 = 62
+  const sonar::SnrCurve curve(Meters{1'000.0}, std::vector<float>(40, 0.0F));
+  for (const State state : {State::kMemory, State::kPositionMemory}) {
+    const std::size_t most = description::most_remembered(state);
+    const std::size_t size = description::observation_of(state, most, {}, curve).spec.size();
+    EXPECT_EQ(size, most * 3 + (state == State::kPositionMemory ? 2 : 0)) << description::name_of(state);
+  }
+}
+
 TEST(TrainingRun, ReportsEveryProblemAtOnceWithItsLine) {
   const std::string path = written("seeed = 1\n[ppo]\nbatch_size = 1\ndiscount = 1.5\n[search]\ndirections = 33\n");
   try {

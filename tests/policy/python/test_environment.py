@@ -92,6 +92,7 @@ class Environment(unittest.TestCase):
             ({"directions": 33}, ValueError, "directions = 33.*1 to 32"),
             ({"directions": -1}, ValueError, "directions = -1"),
             ({"state": "memory", "remembered_steps": 22}, ValueError, "remembered_steps = 22.*1 to 21"),
+            ({"state": "position_memory", "remembered_steps": 21}, ValueError, "remembered_steps = 21.*1 to 20"),
             ({"max_steps": 0}, ValueError, "max_steps = 0"),
             ({"border_width_m": float("nan")}, ValueError, "border_width_m"),
             ({"border_width_m": 12_500.0, "start": "inside_border"}, ValueError, "nothing of the domain is left"),
