@@ -11,6 +11,7 @@
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/random.hpp"
+#include "tests/support/hand_computed_network.hpp"
 
 namespace earshot::policy {
 namespace {
@@ -39,19 +40,9 @@ std::vector<float> random_observation(std::size_t size) {
 }
 
 TEST(Forward, EqualsAHandComputedNetwork) {
-  const auto network = std::make_unique<Network>();
-  network->observation_size = 2;
-  network->hidden_sizes = {2, 1};
-  network->action_count = 2;
-  std::ranges::copy(std::array{1.0F, 2.0F, -3.0F, 0.5F}, network->first.weights.begin());
-  std::ranges::copy(std::array{0.25F, -1.0F}, network->first.bias.begin());
-  std::ranges::copy(std::array{2.0F, -1.0F}, network->second.weights.begin());
-  network->second.bias[0] = 0.5F;
-  std::ranges::copy(std::array{4.0F, -2.0F}, network->output.weights.begin());
-  std::ranges::copy(std::array{1.0F, 0.0F}, network->output.bias.begin());
+  const auto network = tests::hand_computed_network();
   std::array<float, 2> logits{};
   forward(*network, std::array{0.5F, -0.25F}, logits);
-  // By hand: first layer (0.25, -2.625), tanh (0.2449187, -0.9895597); second 1.9793971, tanh 0.9625427.
   EXPECT_NEAR(logits[0], 4.8501707F, 2e-6F);  // four roundings of a float near 4
   EXPECT_NEAR(logits[1], -1.9250854F, 1e-6F);
 }

@@ -6,21 +6,13 @@
 
 #include "firmware/policy/action_draw.hpp"
 #include "tests/policy/explain/random_network.hpp"
+#include "tests/support/hand_computed_network.hpp"
 
 namespace earshot::explain {
 namespace {
 
 TEST(LogProbability, EqualsAHandComputedNetwork) {
-  const auto network = std::make_unique<policy::Network>();
-  network->observation_size = 2;
-  network->hidden_sizes = {2, 1};
-  network->action_count = 2;
-  std::ranges::copy(std::array{1.0F, 2.0F, -3.0F, 0.5F}, network->first.weights.begin());
-  std::ranges::copy(std::array{0.25F, -1.0F}, network->first.bias.begin());
-  std::ranges::copy(std::array{2.0F, -1.0F}, network->second.weights.begin());
-  network->second.bias[0] = 0.5F;
-  std::ranges::copy(std::array{4.0F, -2.0F}, network->output.weights.begin());
-  std::ranges::copy(std::array{1.0F, 0.0F}, network->output.bias.begin());
+  const auto network = tests::hand_computed_network();
   const LogProbability p = log_probability(*network, std::array{0.5, -0.25}, 0);
   // By hand: tanh (0.2449187, -0.9895597), second 0.9625427, logits (4.8501707, -1.9250854); p_1 = q = 0.0011403761, log p_0 = log(1 - q);
   // by the second unit 6q (1 - 0.9625427^2), by the first two 2 and -1 times that times their own 1 - tanh^2, by the inputs the weights.

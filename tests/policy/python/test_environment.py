@@ -13,7 +13,7 @@ from gymnasium.utils.env_checker import check_env
 
 import earshot
 
-STATES = ("simple", "memory", "belief")
+STATES = ("simple", "memory", "position_memory", "belief")
 EAST = 2
 
 
