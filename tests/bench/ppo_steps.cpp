@@ -1,11 +1,13 @@
 // ppo.steps_per_s: training steps a second of the changing-source memory task at Stable-Baselines3's default settings, one thread.
-// ppo.large_batch.steps_per_s: the same with 64 environments, 256 steps of each in a rollout and minibatches of 2048.
-// usage: bench_ppo_steps [large_batch] [STEPS]
+// ppo.large_batch.steps_per_s: the same with minibatches of 2048, the whole rollout.
+// ppo.many_environments.steps_per_s: with minibatches of 2048 and 64 environments, 256 steps of each in a rollout.
+// usage: bench_ppo_steps [large_batch|many_environments] [STEPS]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,14 +27,16 @@ sonar::SnrCurve spherical_spreading() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool large_batch = argc > 1 && std::string_view(argv[1]) == "large_batch";
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  const bool many_environments = first == "many_environments";
+  const bool large_batch = first == "large_batch" || many_environments;
   const int next = large_batch ? 2 : 1;
   const std::uint64_t steps = argc > next ? std::strtoull(argv[next], nullptr, 10) : 300'000;
   ppo::HyperParameters hyper;
-  if (large_batch) {
+  if (large_batch) hyper.batch_size = 2'048;
+  if (many_environments) {
     hyper.environment_count = 64;
     hyper.steps_per_rollout = 256;
-    hyper.batch_size = 2'048;
   }
   const sonar::SnrCurve curve = spherical_spreading();
   search::SearchSettings settings;
@@ -44,6 +48,6 @@ int main(int argc, char** argv) {
   ppo::Trainer trainer(world, model, hyper, 1);
   trainer.train(steps, [](const search::EpisodeRecord&, std::uint64_t) { return true; });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  std::cout << R"({"name": "ppo.)" << (large_batch ? "large_batch." : "") << R"(steps_per_s", "value": )"
+  std::cout << R"({"name": "ppo.)" << (large_batch ? std::string(first) + "." : "") << R"(steps_per_s", "value": )"
             << static_cast<double>(trainer.steps()) / elapsed.count() << R"(, "unit": "steps/s"})" << '\n';
 }

@@ -1,6 +1,6 @@
 """Trains a search policy with Stable-Baselines3's PPO on Earshot's C++ environment, and saves it so that a vehicle can fly it.
 
-usage: python policy/python/examples/train_with_sb3.py [--steps N] [--state simple|memory] [--source fixed|changing] [-o model.zip]
+usage: python policy/python/examples/train_with_sb3.py [--steps N] [--state simple|memory|position_memory|belief] [--source fixed|changing] [-o model.zip]
 
 Then, with the programs built (cmake --preset release && cmake --build --preset release):
 
@@ -18,7 +18,7 @@ import earshot.sb3
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--steps", type=int, default=200_000)
-    parser.add_argument("--state", choices=["simple", "memory"], default="simple")
+    parser.add_argument("--state", choices=["simple", "memory", "position_memory", "belief"], default="simple")
     parser.add_argument("--source", choices=["fixed", "changing"], default="fixed")
     parser.add_argument("--environments", type=int, default=8, help="searches stepped together")
     parser.add_argument("--seed", type=int, default=1)

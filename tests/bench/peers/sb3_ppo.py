@@ -1,8 +1,9 @@
 """Peer of ppo.steps_per_s: Stable-Baselines3's PPO at its defaults on the same task, written as a plain Python Gymnasium environment; one thread.
 
-With large_batch, the peer of ppo.large_batch.steps_per_s: 64 environments, 256 steps of each in a rollout, minibatches of 2048.
+With large_batch, the peer of ppo.large_batch.steps_per_s: minibatches of 2048, the whole rollout. With many_environments, that of
+ppo.many_environments.steps_per_s: 64 environments, 256 steps of each in a rollout, minibatches of 2048.
 
-usage: python tests/bench/peers/sb3_ppo.py [large_batch] [STEPS]      prints one JSON line, training steps a second
+usage: python tests/bench/peers/sb3_ppo.py [large_batch|many_environments] [STEPS]      prints one JSON line, training steps a second
 """
 
 import json
@@ -67,18 +68,20 @@ class AcousticSearch(gymnasium.Env):
 
 
 def main() -> None:
-    large_batch = sys.argv[1:2] == ["large_batch"]
-    arguments = sys.argv[2:] if large_batch else sys.argv[1:]
-    steps = int(arguments[0]) if arguments else (32_768 if large_batch else 20_480)
+    kind = sys.argv[1] if sys.argv[1:2] in (["large_batch"], ["many_environments"]) else ""
+    arguments = sys.argv[2:] if kind else sys.argv[1:]
+    steps = int(arguments[0]) if arguments else (32_768 if kind == "many_environments" else 20_480)
     torch.set_num_threads(1)
-    if large_batch:
+    if kind == "many_environments":
         model = PPO("MlpPolicy", DummyVecEnv([AcousticSearch] * 64), n_steps=256, batch_size=2048, seed=1, device="cpu")
+    elif kind == "large_batch":
+        model = PPO("MlpPolicy", AcousticSearch(), batch_size=2048, seed=1, device="cpu")
     else:
         model = PPO("MlpPolicy", AcousticSearch(), seed=1, device="cpu")
     begin = time.perf_counter()
     model.learn(steps)
     elapsed = time.perf_counter() - begin
-    print(json.dumps({"name": "ppo.large_batch.steps_per_s" if large_batch else "ppo.steps_per_s", "value": model.num_timesteps / elapsed, "unit": "steps/s"}))
+    print(json.dumps({"name": f"ppo.{kind}.steps_per_s" if kind else "ppo.steps_per_s", "value": model.num_timesteps / elapsed, "unit": "steps/s"}))
 
 
 if __name__ == "__main__":
