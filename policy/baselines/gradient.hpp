@@ -6,8 +6,8 @@
 
 namespace earshot::baselines {
 
-/// Climbs the SNR: goes on while it grows louder, turns when it grows fainter, alternately to either side and further each time; goes
-/// straight on through silence. Turns away from the border.
+/// Climbs the SNR: goes on while it grows louder; when it grows fainter tries a quarter turn to either side of the way it last grew louder
+/// on, then further ones; goes straight on through silence. Turns away from the border.
 class GradientClimb : public Searcher {
  public:
   explicit GradientClimb(const Briefing& briefing) : briefing_(briefing) {}
@@ -15,12 +15,14 @@ class GradientClimb : public Searcher {
   [[nodiscard]] std::size_t choose(const Look& look) override;
 
  private:
-  [[nodiscard]] std::size_t turned(std::ptrdiff_t by) const;
+  /// The direction `by` actions clockwise of another.
+  [[nodiscard]] std::size_t turned(std::size_t from, std::ptrdiff_t by) const;
 
   const Briefing& briefing_;
   Pcg32 random_{0};
   std::size_t heading_ = 0;
-  std::size_t turns_ = 0;  ///< since it last grew louder
+  std::size_t louder_ = 0;  ///< heading on which it last grew louder
+  std::size_t turns_ = 0;   ///< since it last grew louder
   bool is_first_ = true;
   policy::Heard before_;
 };

@@ -25,7 +25,8 @@ Meters assured_detection_range(const Briefing& briefing) {
   const std::vector<float>& snr = briefing.snr.samples_db();
   const auto threshold = static_cast<float>(briefing.settings.detection_threshold.value);
   const auto first_unheard = std::ranges::find_if(snr, [threshold](float x) { return x < threshold; });
-  return static_cast<double>(first_unheard - snr.begin()) * briefing.snr.range_step();
+  const auto heard = first_unheard - snr.begin();
+  return static_cast<double>(std::max<std::ptrdiff_t>(heard - 1, 0)) * briefing.snr.range_step();
 }
 
 std::vector<NorthEast> lawn_mower_corners(const Rectangle& area, Meters spacing, Tracks tracks, NorthEast start) {

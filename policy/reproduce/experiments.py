@@ -4,6 +4,7 @@ import csv
 import hashlib
 import json
 import os
+import shutil
 import subprocess
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -15,6 +16,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = ROOT / "sim/ocean/environments/munk_flat.toml"
 KEY = "reproduce.key"
+MARK = ".made-by-reproduce"
 EVALUATION_SEED = 1000  # plus the seed of the training: starts that the training did not draw
 
 
@@ -54,24 +56,35 @@ class Seed:
     paths: list  # the evaluation's first episodes, each a dict of arrays
 
 
+def clear(folder):
+    """Removes what an earlier run left. Any other folder that holds something is refused."""
+    folder = Path(folder)
+    if not folder.is_dir() or not any(folder.iterdir()):
+        return
+    if not (folder / MARK).exists():
+        raise SystemExit(f"{folder}: was not made by an earlier run; empty it, or name another folder")
+    shutil.rmtree(folder)
+
+
 class Workshop:
     """Runs Earshot's programs in one folder. A command whose files are there already, made by the same words, is not run again."""
 
     def __init__(self, folder, programs, jobs):
         self.folder, self.programs, self.jobs = Path(folder), Path(programs), jobs
-        self.seconds = 0.0  # by the clock, of all commands, those of an earlier run that was kept too
+        self.seconds = []  # of each command, those of an earlier run that was kept too
         self.folder.mkdir(parents=True, exist_ok=True)
+        (self.folder / MARK).touch()
 
     def run(self, program, *words, makes):
         words = [str(word) for word in words]
         outputs = [self.folder / name for name in makes]
         stamp = outputs[0].with_name(outputs[0].name + ".command")
-        inputs = b"".join((self.folder / w).read_bytes() for w in words if w.endswith((".toml", ".policy")) and (self.folder / w).is_file())
+        inputs = b"".join((self.folder / w).read_bytes() for w in words if w.endswith((".toml", ".checkpoint", ".policy")) and (self.folder / w).is_file())
         text = program + " " + " ".join(words) + " # " + hashlib.sha256(inputs).hexdigest()
         if stamp.exists() and all(o.exists() for o in outputs):
             made_by, _, seconds = stamp.read_text().rpartition("\n")
             if made_by == text:
-                self.seconds += float(seconds)
+                self.seconds.append(float(seconds))
                 return
         began = time.monotonic()
         done = subprocess.run([self.programs / f"earshot-{program}", *words], cwd=self.folder, capture_output=True, text=True)
@@ -79,7 +92,7 @@ class Workshop:
             raise SystemExit(f"earshot {program} {' '.join(words)}\n{done.stderr.strip()}")
         seconds = time.monotonic() - began
         stamp.write_text(f"{text}\n{seconds:.1f}")
-        self.seconds += seconds
+        self.seconds.append(seconds)
 
     def field(self):
         """A section out to 50 km, and a map of 100 km x 100 km at the vehicle's depth: two NetCDF files."""

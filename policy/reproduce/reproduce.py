@@ -2,7 +2,6 @@
 
 import argparse
 import json
-import shutil
 import subprocess
 import sys
 import time
@@ -106,8 +105,8 @@ def provenance(seconds, steps):
     return {
         "command": " ".join(["policy/reproduce/run", *words]),
         "commit": (said("git", "rev-parse", "--short=12", "HEAD") or "unknown") + dirty,
-        "rest": f"{steps / 1e6:.1f} million steps of training for Figures 4 to 9; {seconds / 60:.0f} minutes by the clock for these, the sweep and "
-        f"all evaluations, on {experiments.processors()} processors",
+        "rest": f"{steps / 1e6:.1f} million steps of training for Figures 4 to 9; {seconds / 60:.0f} minutes of commands, as many at a time as there are processors, for these, "
+        f"the sweep and all evaluations, on {experiments.processors()} processors",
     }
 
 
@@ -124,7 +123,7 @@ def write_measurements(folder, made, paper, longer, sweep):
 def main():
     o = options()
     if not o.keep:
-        shutil.rmtree(o.work, ignore_errors=True)
+        experiments.clear(o.work)
     workshop = experiments.Workshop(o.work.resolve(), o.bin.resolve(), o.jobs)
     seeds, sweep_seeds, episodes = (2, 1, 10) if o.quick else (5, 3, 300)
     settings, longer_settings = experiments.main_settings(o.quick)
@@ -137,7 +136,7 @@ def main():
     snr = snr_at_vehicle(section)
     draw(o.out, (section, map_file, snr), paper, longer, sweep)
     steps = sum(seed.curve[-1, 2] for seeds in [*paper.values(), *longer.values()] for seed in seeds)
-    made = provenance(workshop.seconds, steps)
+    made = provenance(sum(workshop.seconds), steps)
     rows = claims.ocean_claims(ENVIRONMENT, snr, map_file)
     rows += claims.learning_claims(paper, longer, longer["changing_position_memory_long"][0].paths)
     intro = [paragraph.format(seeds=seeds, episodes=episodes) for paragraph in INTRO]

@@ -87,7 +87,7 @@ TEST_F(Baselines, RandomWalkTakesEveryActionButNeverStepsIntoTheBorder) {
 }
 
 TEST_F(Baselines, AssuredDetectionRangeIsWhereTheSnrFirstFallsBelowTheThreshold) {
-  EXPECT_EQ(assured_detection_range(briefing), Meters{11'000.0});  // 10 dB at 10 km still counts as heard
+  EXPECT_EQ(assured_detection_range(briefing), Meters{10'000.0});  // 10 dB at 10 km still counts as heard
 }
 
 TEST(LawnMowerCorners, CoverAnAreaInTracksNoFurtherApartThanTheSpacingFromTheNearestCorner) {
@@ -142,9 +142,13 @@ TEST_F(Baselines, GradientClimbGoesOnWhileItGrowsLouderAndTurnsWhenItGrowsFainte
   const std::size_t first = climb.choose(look_at(place, {}, Decibels{5.0}));
   EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{6.0})), first);
   EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{7.0})), first);
-  const std::size_t turned = climb.choose(look_at(place, {}, Decibels{4.0}));
-  EXPECT_NE(turned, first);
-  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{4.5})), turned);
+  const auto from_first = [first](std::size_t eighths) { return (first + eighths) % 8; };
+  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{4.0})), from_first(2));
+  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{3.0})), from_first(6));  // the other side
+  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{2.0})), from_first(3));
+  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{1.0})), from_first(5));
+  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{4.5})), from_first(5));  // louder: goes on
+  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{4.0})), from_first(7));  // a quarter turn from there
 }
 
 TEST_F(Baselines, GradientClimbFindsASourceWhoseSnrFallsEverywhereWithRange) {

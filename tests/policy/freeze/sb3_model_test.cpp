@@ -65,7 +65,8 @@ TEST(Sb3Model, FrozenMakesTheTenThousandDecisionsOfPredict) {
 
 TEST(Sb3Model, FreezesEveryWeightOfTheActorBitForBit) {
   const StateDict state = read_state_dict(test::unzipped(test::model("memory.zip")).at("policy.pth"));
-  const policy::Network& network = frozen("memory.zip")->network;
+  const auto flown = frozen("memory.zip");
+  const policy::Network& network = flown->network;
   const auto same_bits = [](const std::vector<float>& from, std::span<const float> to) {
     return std::ranges::equal(from, to.first(from.size()),
                               [](float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); });

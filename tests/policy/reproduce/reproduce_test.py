@@ -36,6 +36,17 @@ class WholeRun(unittest.TestCase):
     def test_ends_well(self):
         self.assertEqual(self.done.returncode, 0, self.done.stdout + self.done.stderr)
 
+    def test_clears_only_a_folder_of_its_own(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "letter.txt").write_text("mine")
+            with self.assertRaisesRegex(SystemExit, "was not made by an earlier run"):
+                experiments.clear(folder)
+            self.assertTrue((Path(folder) / "letter.txt").exists())
+            experiments.Workshop(folder, PROGRAMS, 1)
+            experiments.clear(folder)
+            self.assertFalse(Path(folder).exists())
+            Path(folder).mkdir()
+
     def test_draws_every_figure_twice(self):
         for name in FIGURES:
             self.assertEqual((self.out / f"{name}.png").read_bytes()[:4], b"\x89PNG", name)
