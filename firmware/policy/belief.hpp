@@ -60,8 +60,9 @@ struct BeliefSummary {
 /// What one action promises, under the belief.
 struct ActionOutlook {
   float found = 0.0F;  ///< probability that its end lies within step_length of the source
-  float reach =
-      0.0F;  ///< the same for the best place within kReachSteps steps of which it is one, a step later counting kReachDiscount less
+  /// The same for the best place within kReachSteps steps of which it is one, a step later counting kReachDiscount less, and the border's
+  /// cost there (kEdgeCost / kReachReward of its depth) taken off; at least 0.
+  float reach = 0.0F;
   float detected = 0.0F;  ///< probability of a detection at its end
   float border = 0.0F;    ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
   float regret = 0.0F;    ///< expected cost of the search after it, less that after the best action; at most kMostRegret

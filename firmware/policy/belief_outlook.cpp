@@ -97,13 +97,16 @@ struct Grid {
     return share;
   }
 
-  /// First and last but one of the cells along one axis whose centres can lie within `reach` of `place`.
+  /// The cells along one axis whose centres can lie within `reach` of `place`: the first, and one past the last.
   struct Slice {
     std::size_t first;
     std::size_t last;
   };
   [[nodiscard]] static Slice slice(float place, float reach, float size, std::size_t count) {
-    const auto index = [count](float cell) { return cell <= 0.0F ? 0 : std::min(static_cast<std::size_t>(cell), count); };
+    const auto index = [count](float cell) -> std::size_t {
+      if (!(cell > 0.0F)) return 0;
+      return cell < static_cast<float>(count) ? static_cast<std::size_t>(cell) : count;  // infinite for a fix beyond any area
+    };
     return {index((place - reach) / size - 0.5F), index((place + reach) / size + 0.5F)};
   }
 };

@@ -41,7 +41,7 @@ enum class Feature : std::uint8_t {
 
   // Of the belief, one for each action; `age` is the action's index.
   kFound = 32,       ///< probability that the action's end lies within a step length of the source
-  kReach = 33,       ///< the same for the best place within a few steps of which the action is one (ActionOutlook::reach)
+  kReach = 33,       ///< the same for the best place within a few steps, the border's cost taken off (ActionOutlook::reach)
   kDetected = 34,    ///< probability of a detection at the action's end
   kBorder = 35,      ///< how deep the action's end lies in the border: 0 inside, 1 at the edge, more beyond
   kRegret = 36,      ///< expected cost of the search after the action, less that after the best

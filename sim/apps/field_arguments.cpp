@@ -113,7 +113,9 @@ std::vector<double> receiver_depths(const FieldArguments& arguments, Meters sea_
     throw std::invalid_argument(text.str());
   }
   if (!depths.empty()) return depths;
-  for (double depth = arguments.depth_spacing_m; depth < sea_floor.value; depth += arguments.depth_spacing_m) depths.push_back(depth);
+  // Multiples, less one that falls on the sea floor but for rounding: a sum of tenths of a metre would miss it by a nanometre.
+  const double spacings = std::max(1.0, std::ceil(sea_floor.value / arguments.depth_spacing_m - 1e-6));
+  for (std::size_t i = 1; i < static_cast<std::size_t>(spacings); ++i) depths.push_back(static_cast<double>(i) * arguments.depth_spacing_m);
   depths.push_back(sea_floor.value);
   return depths;
 }

@@ -48,14 +48,20 @@ void print_detection(const sonar::Fan& fan, const sonar::Detector& detector) {
 
 /// The worst of four bearings speaks for all.
 void print_check(const ocean::Environment& environment, const sonar::RadialPlan& plan) {
-  ProgressBar bar("check");
-  for (int i = 0; i < 4; ++i) {
-    const auto check = sonar::check_grid(environment, environment.source.position, Radians{0.5 * std::numbers::pi * i}, plan,
-                                         [&bar, i](double f) { bar.update(0.25 * (i + f)); });
-    std::cout << "check:   bearing " << 90 * i << ": grid of " << check.depth_step.value << " m x " << check.range_step.value
+  const int bearings = sonar::differs_with_place(environment) ? 4 : 1;
+  std::vector<sonar::GridCheck> checks;
+  {
+    ProgressBar bar("check");
+    for (int i = 0; i < bearings; ++i)
+      checks.push_back(sonar::check_grid(environment, environment.source.position, Radians{0.5 * std::numbers::pi * i}, plan,
+                                         [&bar, i, bearings](double f) { bar.update((i + f) / bearings); }));
+  }
+  int degrees = 0;
+  for (const sonar::GridCheck& check : checks) {
+    std::cout << "check:   bearing " << degrees << ": grid of " << check.depth_step.value << " m x " << check.range_step.value
               << " m halved at " << plan.band.high.value << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db
               << " dB at most (range " << check.range_of_max.value / 1000.0 << " km)\n";
-    if (!sonar::differs_with_place(environment)) return;
+    degrees += 90;
   }
 }
 
@@ -69,9 +75,11 @@ void write_fan(const FieldArguments& arguments) {
   const Meters deepest = sonar::deepest_sea_floor(environment, source, arguments.radials, Meters{1000.0 * arguments.max_range_km});
   const sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0, deepest)};
 
-  ProgressBar bar("radials");
-  const sonar::Fan fan = sonar::compute_fan(environment, source, plan, arguments.threads.value_or(parallel::available_processors()),
-                                            [&bar](double fraction) { bar.update(fraction); });
+  const sonar::Fan fan = [&] {
+    ProgressBar bar("radials");
+    return sonar::compute_fan(environment, source, plan, arguments.threads.value_or(parallel::available_processors()),
+                              [&bar](double fraction) { bar.update(fraction); });
+  }();
   const sonar::Detector detector = detector_of(arguments, environment);
   const auto map = map_of(arguments, fan, detector);
   sonar::write_fan(arguments.output, fan, map, environment, plan.radial.band, detector, arguments.history);

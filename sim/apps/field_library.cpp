@@ -32,9 +32,10 @@ void write_library(const FieldArguments& arguments, parallel::RankSession& sessi
   });
 
   const std::size_t threads = arguments.threads.value_or(session.processors());
-  ProgressBar bar("library");
-  const auto summary =
-      sonar::write_library(arguments.output, *plan, threads, session.ranks(), [&bar](double fraction) { bar.update(fraction); });
+  const auto summary = [&] {
+    ProgressBar bar("library");
+    return sonar::write_library(arguments.output, *plan, threads, session.ranks(), [&bar](double fraction) { bar.update(fraction); });
+  }();
   if (session.ranks().rank() == 0) print_summary(arguments, *plan, summary, session.ranks().size(), threads);
 }
 

@@ -14,8 +14,10 @@ namespace earshot::apps {
 namespace {
 
 void print_check(const ocean::Environment& environment, Radians bearing, const sonar::RadialPlan& plan) {
-  ProgressBar bar("check");
-  const auto check = sonar::check_grid(environment, environment.source.position, bearing, plan, [&bar](double f) { bar.update(f); });
+  const auto check = [&] {
+    ProgressBar bar("check");
+    return sonar::check_grid(environment, environment.source.position, bearing, plan, [&bar](double f) { bar.update(f); });
+  }();
   std::cout << "check:   grid of " << check.depth_step.value << " m x " << check.range_step.value << " m halved at " << plan.band.high.value
             << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db << " dB at most (range "
             << check.range_of_max.value / 1000.0 << " km, depth " << check.depth_of_max.value << " m)\n";
@@ -32,8 +34,10 @@ void write_radial(const FieldArguments& arguments) {
       sonar::deepest_sea_floor(environment, environment.source.position, bearing, Meters{1000.0 * arguments.max_range_km});
   const sonar::RadialPlan plan = plan_radial(arguments, environment, 1.0 / 6.0, deepest);
 
-  ProgressBar bar("field");
-  const auto field = sonar::compute_sonar_field(environment, bearing, plan, [&bar](double fraction) { bar.update(fraction); });
+  const auto field = [&] {
+    ProgressBar bar("field");
+    return sonar::compute_sonar_field(environment, bearing, plan, [&bar](double fraction) { bar.update(fraction); });
+  }();
   sonar::write_field(arguments.output, field, environment, bearing, plan.band, arguments.history);
   if (!arguments.plot.empty())
     sonar::plot_field(arguments.plot, field, environment, plan.band, bearing, Decibels{arguments.detection_threshold_db});

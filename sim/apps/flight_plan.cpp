@@ -23,11 +23,11 @@ search::SearchSettings settings_of(const config::Mission& mission, const ocean::
   return settings;
 }
 
-void require_depth_in_water(const std::filesystem::path& mission, Meters depth, const std::filesystem::path& environment, Meters floor) {
+/// @param whose  what the sea floor is called that the depth is above
+void require_depth_in_water(const std::filesystem::path& mission, Meters depth, Meters floor, const std::string& whose) {
   if (depth < floor) return;
   std::ostringstream text;
-  text << mission.string() << ": search.depth_m = " << depth.value << ": must be less than " << floor.value << ", the seabed.depth_m of "
-       << environment.string();
+  text << mission.string() << ": search.depth_m = " << depth.value << ": must be less than " << floor.value << ", " << whose;
   throw BadInput(text.str());
 }
 
@@ -37,7 +37,11 @@ FlightPlan load_flight_plan(const std::filesystem::path& mission, const std::fil
   FlightPlan plan{.mission = board::load_mission(mission), .environment = ocean::load_environment(environment), .search = {}};
   if (!ocean::is_range_independent(plan.environment))
     throw BadInput(environment.string() + ": its ocean changes with range or bearing, and a flight needs one that does not");
-  require_depth_in_water(mission, plan.mission.mission.search_depth, environment, plan.environment.seabed.depth);
+  const Meters depth = plan.mission.mission.search_depth;
+  require_depth_in_water(mission, depth, plan.environment.seabed.depth, "the seabed.depth_m of " + environment.string());
+  for (const ocean::Environment& other : plan.environment.other_oceans)
+    require_depth_in_water(mission, depth, other.seabed.depth,
+                           "the sea floor of " + other.name + " among the other oceans of " + environment.string());
   plan.search = settings_of(plan.mission.mission, plan.environment);
   if (search::check(plan.search) != Status::kOk)
     throw BadInput(mission.string() + ": area: no start is further than search.step_length_m from the source");

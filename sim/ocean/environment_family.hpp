@@ -30,7 +30,7 @@ struct Family {
 /// The table [family] of an environment file.
 [[nodiscard]] Family read_family(config_file::TableReader table);
 
-/// The members. @param own  with a Munk profile, the same everywhere
+/// The members. @param own  with a Munk profile whose axis is deeper than 0, the same everywhere
 [[nodiscard]] std::vector<Environment> draw_family(const Environment& own, const Family& family);
 
 }  // namespace earshot::ocean

@@ -1,10 +1,10 @@
 #include "sim/ocean/environment_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -34,6 +34,8 @@ using config_file::TableReader;
 
 constexpr double kMaxDepth_m = 12'000.0;  // deeper than any ocean: whoever exceeds it has mistaken the unit
 
+constexpr double kFurthest_m = 1e6;  // from the origin: a plane further out than that is none on this earth
+
 enum class BathymetryLayout : std::uint8_t { kSectionCsv, kGridCsv, kGebco };
 
 struct BathymetryKeys {
@@ -60,9 +62,24 @@ struct Keys {
   [[nodiscard]] bool is_one_ocean() const { return other_oceans.empty() && !family && field_library.empty() && is_calm(conditions); }
 };
 
+/// Piece by piece: a field library may have 2 GiB. Nothing is added by a file that cannot be read; whoever needs it says so.
 std::uint32_t crc32_of(const std::filesystem::path& path, std::uint32_t previous) {
   std::ifstream stream(path, std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), {}};
+  std::vector<char> piece(1U << 20U);
+  while (stream) {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    previous = crc32({reinterpret_cast<const std::uint8_t*>(piece.data()), static_cast<std::size_t>(stream.gcount())}, previous);
+  }
+  return previous;
+}
+
+/// Another checksum, lowest byte first.
+std::uint32_t crc32_of(std::uint32_t checksum, std::uint32_t previous) {
+  std::array<std::uint8_t, 4> bytes{};
+  for (std::uint8_t& byte : bytes) {
+    byte = static_cast<std::uint8_t>(checksum);
+    checksum >>= 8U;
+  }
   return crc32(bytes, previous);
 }
 
@@ -70,11 +87,16 @@ std::uint32_t crc32_of(const std::vector<double>& values, std::uint32_t previous
   return crc32({reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(double)}, previous);
 }
 
+std::uint32_t crc32_of(const GeoAxes& axes, std::uint32_t previous) {
+  return crc32_of(axes.longitude_deg, crc32_of(axes.latitude_deg, previous));
+}
+
 Source read_source(TableReader& table) {
+  const Range in_plane = Range::between(-kFurthest_m, kFurthest_m);
   return {.frequency = Hertz{table.number("frequency_hz", Range::between(1.0, 10'000.0))},
           .level = Decibels{table.number("level_db_re_1upa_at_1m", Range::between(0.0, 300.0))},
           .depth = Meters{table.number("depth_m", Range::above_up_to(0.0, kMaxDepth_m))},
-          .position = {.north = Meters{table.number("north_m")}, .east = Meters{table.number("east_m")}}};
+          .position = {.north = Meters{table.number("north_m", in_plane)}, .east = Meters{table.number("east_m", in_plane)}}};
 }
 
 GeoPosition read_origin(TableReader table) {
@@ -111,6 +133,9 @@ Family read_own_family(TableReader table, const Keys& keys) {
                      keys.seabed.stations.empty();
   if (!plain)
     table.problem("members", "are drawn from an ocean with a Munk profile, flat and the same everywhere; list others as [[oceans]]");
+  if (plain && !(std::get<MunkProfile>(keys.water.profile).axis_depth.value > 0.0)) {
+    table.problem("members", "are drawn from an ocean whose water.axis_depth_m is above 0: their scale keeps its ratio to it");
+  }
   if (family.sea_floor_depth_m && !(family.sea_floor_depth_m->lowest > keys.source.depth.value)) {
     table.problem("sea_floor_depth_m", "must be more than source.depth_m");
   }
@@ -178,6 +203,7 @@ void take_water(Environment& environment, Charts& charts, const Keys& keys, std:
   } else if (keys.water.from == WaterSource::kAtlas) {
     charts.climatology = read_world_ocean_atlas(keys.water.atlas, *keys.origin, keys.water.reach);
     charts.formula = keys.water.formula;
+    crc = crc32_of(charts.climatology->depth_m, crc32_of(charts.climatology->axes, crc));
     crc = crc32_of(charts.climatology->salinity_psu, crc32_of(charts.climatology->temperature_c, crc));
   }
 }
@@ -197,7 +223,7 @@ void take_sea_floor(Environment& environment, Charts& charts, const Keys& keys, 
       charts.bathymetry = read_gebco(from.file, *keys.origin, from.reach);
       break;
   }
-  crc = crc32_of(charts.bathymetry->elevation_m, crc);
+  crc = crc32_of(charts.bathymetry->elevation_m, crc32_of(charts.bathymetry->axes, crc));
 }
 
 Meters deepest(const Environment& environment, const Charts& charts) {
@@ -262,11 +288,12 @@ Environment load_environment(const std::filesystem::path& path) {
   const Keys keys = read_keys(config_file::File(path));
   Environment environment = own_ocean(path, keys);
   if (keys.family) environment.other_oceans = draw_family(environment, *keys.family);
+  if (!keys.field_library.empty()) environment.file_crc32 = crc32_of(keys.field_library, environment.file_crc32);
   for (const std::filesystem::path& other : keys.other_oceans) {
     const Keys its_keys = read_keys(config_file::File(other));
     if (!its_keys.is_one_ocean()) throw BadInput(path.string() + ": oceans: " + other.string() + ": must be one ocean without conditions");
     environment.other_oceans.push_back(own_ocean(other, its_keys));
-    environment.file_crc32 = crc32_of(other, environment.file_crc32);
+    environment.file_crc32 = crc32_of(environment.other_oceans.back().file_crc32, environment.file_crc32);
   }
   return environment;
 }

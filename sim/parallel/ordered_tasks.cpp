@@ -95,7 +95,12 @@ void work_until_none_is_left(Ledger& ledger, const std::function<void(std::size_
 class Workers {
  public:
   Workers(Ledger& ledger, std::size_t threads, const std::function<void(std::size_t)>& work) : ledger_(ledger) {
-    for (std::size_t i = 0; i < threads; ++i) threads_.emplace_back([&ledger, &work] { work_until_none_is_left(ledger, work); });
+    try {
+      for (std::size_t i = 0; i < threads; ++i) threads_.emplace_back([&ledger, &work] { work_until_none_is_left(ledger, work); });
+    } catch (...) {  // no more threads to be had: no destructor runs, and those that were started wait for tasks
+      ledger.stop();
+      throw;
+    }
   }
   ~Workers() { ledger_.stop(); }
   Workers(const Workers&) = delete;

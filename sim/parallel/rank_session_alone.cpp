@@ -2,15 +2,16 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "sim/parallel/launcher.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 #include "sim/parallel/rank_session.hpp"
 
 namespace earshot::parallel {
 
 RankSession::RankSession() : ranks_(std::make_unique<Alone>()) {
-  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {  // OpenMPI's; MPICH's and batch systems'
-    const char* size = std::getenv(variable);                          // NOLINT(concurrency-mt-unsafe): before any thread
-    if (size != nullptr && std::atoi(size) > 1) {
+  for (const LauncherVariable& variable : kLauncherVariables) {
+    const char* value = std::getenv(variable.name);  // NOLINT(concurrency-mt-unsafe): before any thread
+    if (value != nullptr && std::atoi(value) >= variable.least_of_many) {
       throw std::runtime_error("started by mpirun, but built without MPI: install libopenmpi-dev and build again");
     }
   }

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "sim/parallel/launcher.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 #include "sim/parallel/rank_session.hpp"
 
@@ -71,8 +72,9 @@ class MpiRanks : public Ranks {
 
 /// Starting MPI takes a good part of a second: only where mpirun (OpenMPI, MPICH, a PMI of a batch system) has started us.
 bool is_started_by_mpirun() {
-  return std::ranges::any_of(std::array{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"},
-                             [](const char* name) { return std::getenv(name) != nullptr; });  // NOLINT(concurrency-mt-unsafe)
+  return std::ranges::any_of(kLauncherVariables, [](const LauncherVariable& variable) {
+    return std::getenv(variable.name) != nullptr;  // NOLINT(concurrency-mt-unsafe)
+  });
 }
 
 int count_ranks_here() {

@@ -50,7 +50,8 @@ using Progress = std::function<void(double fraction)>;
 /// nothing. X is that of the middle of a step; where it changes, pressure and velocity are matched in the mean (sweep.hpp).
 ///
 /// @param receiver_depth_m  each from 0 to 12000 m, below the sea floor too; no deeper than the half-space's absorber
-/// Throws std::invalid_argument that names what lies outside its range.
+/// Throws std::invalid_argument that names what lies outside its range, and for terms or a range step of the caller's over which sound
+/// would be off by more than 3 dB at `max_range`, or grow.
 /// Source: Collins, J. Acoust. Soc. Am. 93 (1993) 1736; energy-conserving form: Collins & Westwood, J. Acoust. Soc. Am. 89 (1991) 1068.
 /// Oracle: Solver.*
 [[nodiscard]] Field solve(const Section& section, const PointSource& source, const Options& options,

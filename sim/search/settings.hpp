@@ -42,8 +42,8 @@ struct SearchSettings {
 /// How far a source can be from a vehicle: from corner to corner of the domain and a step beyond.
 [[nodiscard]] Meters furthest_range(const SearchSettings& settings);
 
-/// kOutOfRange when a number is not finite or outside its range, the start region leaves the domain, or (fixed source) every start is
-/// within l of the source.
+/// kOutOfRange when a number is not finite or outside its range, the start region leaves the domain, or there is no room for a search:
+/// every start is within l of the source (fixed source), or of every place where it may be (changing source).
 [[nodiscard]] Status check(const SearchSettings& settings);
 
 /// Reward of one step that ends at `position`, where `snr` is heard.

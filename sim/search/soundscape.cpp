@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -36,23 +37,52 @@ Decibels Soundscape::snr(std::size_t field, NorthEast source, NorthEast receiver
 
 namespace {
 
+constexpr double kSameDepth_m = 0.5;        // fields change little over that
+constexpr double kSameFrequency_hz = 1e-6;  // rounding
+
+std::string words(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+/// Allocates for that depth alone, of which a library may hold many.
+sonar::Fan fan_of_one_depth(const sonar::Fan& fan, std::size_t depth) {
+  std::vector<float> loss_db;
+  loss_db.reserve(fan.bearings * fan.ranges);
+  for (std::size_t i = depth; i < fan.transmission_loss_db.size(); i += fan.depth_m.size()) loss_db.push_back(fan.transmission_loss_db[i]);
+  return {.centre = fan.centre,
+          .bearings = fan.bearings,
+          .ranges = fan.ranges,
+          .range_step = fan.range_step,
+          .depth_m = {fan.depth_m[depth]},
+          .transmission_loss_db = std::move(loss_db),
+          .sea_floor_depth_m = {}};
+}
+
 /// The fans of the environment's library, of the vehicle's depth alone.
 std::vector<SnrFan> fans_of(const ocean::Environment& environment, Meters vehicle_depth, Meters furthest) {
   const auto refused = [&](const std::string& what) { return config_file::BadInput(environment.field_library.string() + ": " + what); };
   const sonar::FieldLibrary library(environment.field_library);
   if (library.centre() != sonar::Centre::kSource) throw refused("must have the source, not the hydrophone, at its positions");
+  const ocean::Source& source = environment.source;
+  if (!(std::abs((library.centre_depth() - source.depth).value) < kSameDepth_m))
+    throw refused("has its sources at " + words(library.centre_depth().value) + " m, but source.depth_m of the environment is " +
+                  words(source.depth.value));
+  const double low_hz = library.frequency_hz().front();
+  const double high_hz = library.frequency_hz().back();
+  if (!(source.frequency.value >= low_hz - kSameFrequency_hz && source.frequency.value <= high_hz + kSameFrequency_hz))
+    throw refused("is of sound from " + words(low_hz) + " to " + words(high_hz) + " Hz, but source.frequency_hz of the environment is " +
+                  words(source.frequency.value));
   const std::vector<double>& depth_m = library.fans().front().depth_m;
-  const auto depth = std::ranges::find_if(depth_m, [&](double d) { return std::abs(d - vehicle_depth.value) < 0.5; });
+  const auto depth = std::ranges::find_if(depth_m, [&](double d) { return std::abs(d - vehicle_depth.value) < kSameDepth_m; });
   if (depth == depth_m.end()) throw refused("has no fields at the vehicle's depth, " + std::to_string(vehicle_depth.value) + " m");
   std::vector<SnrFan> fans;
   for (const sonar::Fan& fan : library.fans()) {
     if (fan.max_range() < furthest) throw refused("must reach " + std::to_string(furthest.value) + " m");
-    SnrFan one{.fan = fan, .source_level = environment.source.level, .noise_level = environment.noise_level};
-    one.fan.depth_m = {*depth};
-    one.fan.transmission_loss_db.clear();
-    for (std::size_t i = static_cast<std::size_t>(depth - depth_m.begin()); i < fan.transmission_loss_db.size(); i += depth_m.size())
-      one.fan.transmission_loss_db.push_back(fan.transmission_loss_db[i]);
-    fans.push_back(std::move(one));
+    fans.push_back({.fan = fan_of_one_depth(fan, static_cast<std::size_t>(depth - depth_m.begin())),
+                    .source_level = source.level,
+                    .noise_level = environment.noise_level});
   }
   return fans;
 }

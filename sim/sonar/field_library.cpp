@@ -1,12 +1,9 @@
 #include "sim/sonar/field_library.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "sim/netcdf/reader.hpp"
 #include "sim/sonar/library_store.hpp"
-#include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -35,6 +32,7 @@ class LibraryFile {
     return bytes;
   }
   [[nodiscard]] double number(const std::string& variable) const { return file_.read(variable).at(0); }
+  [[nodiscard]] std::vector<double> numbers(const std::string& variable) const { return file_.read(variable); }
   [[nodiscard]] Centre centre() const {
     return file_.text_attribute("depth", "long_name") == "depth of the source" ? Centre::kHydrophone : Centre::kSource;
   }
@@ -71,23 +69,8 @@ FieldLibrary::FieldLibrary(const std::filesystem::path& path) {
   if (fans_.empty()) throw file.error("position_state", "no position has a field");
   centre_ = file.centre();
   centre_depth_ = Meters{file.number("position_depth")};
-  source_level_ = Decibels{file.number("source_level")};
-  noise_level_ = Decibels{file.number("noise_level")};
-}
-
-std::size_t FieldLibrary::nearest(NorthEast position) const {
-  const auto distance = [position](const Fan& fan) {
-    const NorthEast apart = fan.centre - position;
-    return std::hypot(apart.north.value, apart.east.value);
-  };
-  const auto closest = std::ranges::min_element(fans_, {}, distance);
-  return static_cast<std::size_t>(closest - fans_.begin());
-}
-
-Decibels FieldLibrary::snr(std::size_t fan, NorthEast position, std::size_t depth) const {
-  const double loss_db = fans_[fan].transmission_loss_at(position, depth);
-  const Decibels heard_loss = std::isnan(loss_db) ? kMaxTransmissionLoss : Decibels{loss_db};
-  return source_level_ - heard_loss - noise_level_;
+  frequency_hz_ = file.numbers("frequency");
+  if (frequency_hz_.empty()) throw file.error("frequency", "holds none");
 }
 
 Fan read_library_fan(const std::filesystem::path& path, std::size_t position) {

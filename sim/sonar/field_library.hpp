@@ -5,15 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "sim/sonar/fan.hpp"
 #include "sim/sonar/library_plan.hpp"
 
 namespace earshot::sonar {
 
-/// A finished library in memory: the SNR between any of its positions and any place around it, looked up in well under a microsecond
-/// without allocating. What a search environment asks at every step.
+/// A finished library in memory. What is heard in a search is made of its fans, by search::Soundscape.
 ///
 /// Memory: 4 bytes x positions x bearings x ranges x depths, at most 2 GiB; a larger library is refused (make one of fewer depths, or read
 /// single fans with `read_library_fan`).
@@ -26,23 +24,14 @@ class FieldLibrary {
   [[nodiscard]] std::span<const Fan> fans() const { return fans_; }
   [[nodiscard]] Centre centre() const { return centre_; }  ///< what stands at the positions
   [[nodiscard]] Meters centre_depth() const { return centre_depth_; }
-  [[nodiscard]] Decibels source_level() const { return source_level_; }  ///< dB re 1 uPa @ 1 m
-  [[nodiscard]] Decibels noise_level() const { return noise_level_; }    ///< in the detector's band, dB re 1 uPa
-
-  /// The fan whose centre is nearest to `position`.
-  [[nodiscard]] std::size_t nearest(NorthEast position) const;
-
-  /// SNR between the centre of a fan and `position` at the depth of that index; interpolated as Fan::transmission_loss_at does. The loss
-  /// is `kMaxTransmissionLoss` where there is no water and beyond the last range: never NaN.
-  /// Oracle: FieldLibraryInMemory.GivesTheSnrOfItsFans
-  [[nodiscard]] Decibels snr(std::size_t fan, NorthEast position, std::size_t depth) const;
+  /// Intensity is averaged over these; increasing, one at least.
+  [[nodiscard]] std::span<const double> frequency_hz() const { return frequency_hz_; }
 
  private:
   std::vector<Fan> fans_;
   Centre centre_ = Centre::kSource;
   Meters centre_depth_;
-  Decibels source_level_;
-  Decibels noise_level_;
+  std::vector<double> frequency_hz_;
 };
 
 /// The fan of one position of a finished library; its sea floor is empty.

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 
 #include "sim/ocean/charts.hpp"
 #include "sim/ocean/section.hpp"
@@ -47,6 +49,14 @@ Eigen::ArrayXXd mean_intensity(const pe::Section& section, const RadialPlan& pla
     sum += field.pressure.abs2();
   }
   return sum / count;
+}
+
+/// NaN in a field means that there is no water; a march that went wrong must not look like that.
+[[noreturn]] void throw_no_number(const ocean::Environment& environment, Meters range, double depth_m) {
+  std::ostringstream text;
+  text << environment.name << ": the solver's sound at " << range.value << " m of range and " << depth_m
+       << " m of depth is no finite number; choose another grid";
+  throw std::runtime_error(text.str());
 }
 
 }  // namespace
@@ -96,6 +106,7 @@ void compute_radial(const ocean::Environment& environment, NorthEast from, Radia
     for (std::size_t j = 0; j < depths && column < intensity.cols(); ++j) {
       if (plan.depth_m[j] != wet_m[static_cast<std::size_t>(column)]) continue;
       const double value = intensity(i, column++);
+      if (!std::isfinite(value)) throw_no_number(environment, (static_cast<double>(i) + 1.0) * plan.range_step, plan.depth_m[j]);
       if (in_water(plan.depth_m[j], loss.sea_floor_depth_m[row]))
         loss.transmission_loss_db[row * depths + j] = static_cast<float>(transmission_loss(std::sqrt(value)).value);
     }

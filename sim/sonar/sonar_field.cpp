@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 
 #include "sim/sonar/sonar_equation.hpp"
@@ -36,11 +37,25 @@ SonarField compute_sonar_field(const ocean::Environment& environment, Radians be
   return result;
 }
 
+namespace {
+
+void require_receiver_in_water(const ocean::Environment& environment, Meters receiver_depth, Meters max_range) {
+  const Meters floor = deepest_sea_floor(environment, environment.source.position, Radians{}, max_range);
+  if (receiver_depth < floor) return;
+  std::ostringstream text;
+  text << environment.name << ": a receiver at " << receiver_depth.value << " m must be above the sea floor, which lies at " << floor.value
+       << " m in this ocean";
+  throw std::invalid_argument(text.str());
+}
+
+}  // namespace
+
 SnrCurve compute_snr_curve(const ocean::Environment& environment, Meters receiver_depth, Meters max_range) {
   if (differs_with_place(environment)) {
     throw std::invalid_argument(environment.name +
                                 ": its ocean differs from bearing to bearing; one curve of SNR against range does not tell it");
   }
+  require_receiver_in_water(environment, receiver_depth, max_range);
   constexpr Meters kStep{10.0};  // at 20 Hz the shortest interference along the range is 75 m long
   const RadialPlan plan{.source_depth = environment.source.depth,
                         .depth_m = {receiver_depth.value},

@@ -35,7 +35,8 @@ struct SonarField {
 /// SNR at one receiver depth every 10 m of range up to `max_range`. Range 0 gets the value at 10 m; where there is no water the loss is
 /// `kMaxTransmissionLoss`.
 ///
-/// Throws as compute_radial does, and std::invalid_argument where the ocean differs from bearing to bearing: that needs a Fan.
+/// Throws as compute_radial does, and std::invalid_argument where the ocean differs from bearing to bearing: that needs a Fan; and for a
+/// receiver that is nowhere above the sea floor, naming both depths.
 /// Oracle: SonarField.CurveFollowsTheReferenceOfThePapersOcean
 [[nodiscard]] SnrCurve compute_snr_curve(const ocean::Environment& environment, Meters receiver_depth, Meters max_range);
 

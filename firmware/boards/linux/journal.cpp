@@ -106,7 +106,8 @@ struct Journal::Writer {
   std::uint64_t appended = 0;    ///< bytes ever put into the ring
   std::uint64_t written = 0;     ///< bytes ever taken out of it
   bool ending = false;
-  bool failing = false;  ///< the last write took nothing
+  bool failing = false;   ///< the last write took nothing
+  bool unsynced = false;  ///< the kernel failed to bring something to the disk, and does not try again; of the writer until it has ended
   std::uint32_t next_number = 0;
   JournalCounters counters;  ///< of the appender
   std::atomic<std::uint64_t> write_errors = 0;
@@ -162,7 +163,10 @@ struct Journal::Writer {
   std::size_t write_some(std::span<const std::uint8_t> bytes) {
     const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
     if (count <= 0) return 0;
-    if (options.survives == JournalOptions::Survives::kPowerCut) static_cast<void>(::fdatasync(file.number()));
+    if (options.survives == JournalOptions::Survives::kPowerCut && ::fdatasync(file.number()) != 0) {
+      ++write_errors;
+      unsynced = true;
+    }
     return static_cast<std::size_t>(count);
   }
 };
@@ -210,7 +214,7 @@ Status Journal::close() {
     writer_->thread.join();
     writer_->file = FileDescriptor();
   }
-  return writer_->appended == writer_->written ? Status::kOk : Status::kNotReady;
+  return writer_->appended == writer_->written && !writer_->unsynced ? Status::kOk : Status::kNotReady;
 }
 
 JournalCounters Journal::counters() const {

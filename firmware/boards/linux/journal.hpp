@@ -36,8 +36,9 @@ struct JournalCounters {
   std::uint64_t appended = 0;  ///< records taken into the buffer
   std::uint64_t dropped = 0;   ///< records lost because the buffer was full
   std::uint64_t refused = 0;   ///< records larger than the format or the buffer allows
-  std::uint64_t write_errors =
-      0;  ///< failed write(2); tried again every 100 ms with the buffer filling meanwhile, so that the file has no hole
+  /// Failed write(2), tried again every 100 ms with the buffer filling meanwhile, so that the file has no hole; and failed fdatasync(2)
+  /// (kPowerCut), after which what was written may not survive a power cut.
+  std::uint64_t write_errors = 0;
 };
 
 /// A log of everything that goes in and out of the runtime: an LCM event log (lcm-logplayer, lcm-spy and Python's lcm.EventLog read it),
@@ -63,7 +64,7 @@ class Journal {
   [[nodiscard]] Status flush();
 
   /// Writes what is left, ends the thread and closes the file; nothing can be appended afterwards. kNotReady if not everything could be
-  /// written.
+  /// written, or (kPowerCut) brought to the disk.
   [[nodiscard]] Status close();
 
   [[nodiscard]] JournalCounters counters() const;

@@ -15,6 +15,7 @@ namespace earshot::board {
 
 JournalReader::JournalReader(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
+  if (std::filesystem::is_directory(path)) throw std::system_error(EISDIR, std::generic_category(), path.string());
   if (!file) throw std::system_error(errno, std::generic_category(), path.string());
   bytes_.assign(std::istreambuf_iterator<char>(file), {});
 }

@@ -17,6 +17,7 @@ using config_file::TableReader;
 constexpr double kFarthest_m = 1e6;    // of a local plane
 constexpr double kDeepest_m = 11'000;  // of any ocean
 constexpr double kLongest_s = 1e7;     // four months
+constexpr double kShortest_s = 1e-6;   // less would be rounded to nothing
 
 Duration seconds(double s) {
   return {std::llround(s * 1e6)};
@@ -40,9 +41,9 @@ void read_search(TableReader search, config::Mission& mission) {
 
 void read_limits(TableReader limits, config::Mission& mission) {
   mission.max_depth = Meters{limits.number("max_depth_m", Range::above_up_to(0.0, kDeepest_m))};
-  mission.max_time = seconds(limits.number("max_time_s", Range::above_up_to(0.0, kLongest_s)));
-  mission.navigation_timeout = seconds(limits.number("navigation_timeout_s", Range::above_up_to(0.0, 3600.0)));
-  mission.snr_timeout = seconds(limits.number("snr_timeout_s", Range::above_up_to(0.0, 3600.0)));
+  mission.max_time = seconds(limits.number("max_time_s", Range::between(kShortest_s, kLongest_s)));
+  mission.navigation_timeout = seconds(limits.number("navigation_timeout_s", Range::between(kShortest_s, 3600.0)));
+  mission.snr_timeout = seconds(limits.number("snr_timeout_s", Range::between(kShortest_s, 3600.0)));
 }
 
 void read_bus(TableReader bus, MissionFile& file) {

@@ -18,7 +18,7 @@ struct BusCounters {
 };
 
 /// The vehicle's bus: navigation in, set-points out, and where the bus can carry them also orders and SNR in, decisions and health out.
-/// Nothing waits and, after construction, nothing allocates.
+/// Nothing but wait() waits and, after construction, nothing allocates.
 class VehicleBus {
  public:
   VehicleBus() = default;

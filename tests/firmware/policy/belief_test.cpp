@@ -278,5 +278,14 @@ TEST_F(OutlookTest, ExpectsADetectionWithinTwentyKilometres) {
   EXPECT_LT(belief->outlook(kNorth).detected, 0.1F);
 }
 
+TEST_F(BeliefTest, FindsNothingNearAPlaceBeyondWhatAFloatHolds) {
+  const BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+  belief->start(model);
+  for (const NorthEast place : {at(1e300, 1e300), at(-1e300, 5'000), at(5'000, 1e300)}) {
+    hear(model, place, 20.0);
+    for (std::size_t action = 0; action < 4; ++action) EXPECT_EQ(belief->outlook(action).found, 0.0F);
+  }
+}
+
 }  // namespace
 }  // namespace earshot::policy

@@ -69,6 +69,19 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_wanders() {
   return policy;
 }
 
+/// policy_that_goes(kNorthward) that sees a belief: the SNR falls from 30 dB by 1 dB every kilometre.
+inline std::unique_ptr<policy::FrozenPolicy> policy_that_believes() {
+  auto policy = policy_that_goes(kNorthward);
+  policy::BeliefModel& belief = policy->observation.belief;
+  belief.area_size = policy->area_size;
+  belief.actions = policy->actions;
+  static_cast<void>(belief.hypotheses.push_back({.level_offset_db = 0.0F, .spread_db = 0.5F, .prior = 1.0F}));
+  for (int i = 0; i < 360; ++i) static_cast<void>(belief.snr_db.push_back(static_cast<float>(300 - i) / 10.0F));
+  policy->observation.spec = policy::belief_state(belief);
+  policy->network.observation_size = policy->observation.spec.size();
+  return policy;
+}
+
 /// A runtime and a vehicle that does at once what it is told: 1 Hz navigation and SNR, no current, no turning circle.
 struct Rig {
   explicit Rig(const policy::FrozenPolicy& policy, const config::Mission& mission = paper_mission()) {

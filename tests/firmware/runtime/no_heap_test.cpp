@@ -49,17 +49,28 @@ TEST(HeapTrap, SpringsOnAnAllocation) {
   EXPECT_EXIT(allocate_in_the_trap(), testing::ExitedWithCode(3), "heap used while the trap was set");
 }
 
-TEST(Runtime, UsesNoHeapFromConfigurationToTheEndOfAHundredSteps) {
-  const auto policy = policy_that_wanders();
-  Rig rig(*policy);
+void expect_no_heap_in_a_hundred_steps(const policy::FrozenPolicy& policy) {
+  Rig rig(policy);
   trap_is_set = true;
-  const Status configured = rig.runtime->configure(paper_mission(), *policy);
+  const Status configured = rig.runtime->configure(paper_mission(), policy);
   rig.sail(OperatorCommand::kStart);
   while (rig.sail().state == MissionState::kSearch) {
   }
   trap_is_set = false;
   EXPECT_EQ(configured, Status::kOk);
   EXPECT_EQ(rig.outputs.steps_taken, 100U);
+}
+
+TEST(Runtime, UsesNoHeapFromConfigurationToTheEndOfAHundredSteps) {
+  expect_no_heap_in_a_hundred_steps(*policy_that_wanders());
+}
+
+TEST(Runtime, UsesNoHeapForABeliefEither) {
+  const auto policy = policy_that_believes();
+  policy->draw = policy::ActionDraw::kSampled;  // as long as it goes north alone it ends at the edge
+  policy->network.output.bias = {};
+  ASSERT_TRUE(policy::needs_belief(policy->observation.spec));
+  expect_no_heap_in_a_hundred_steps(*policy);
 }
 
 }  // namespace

@@ -157,19 +157,6 @@ TEST(Runtime, RemembersStepsAndSnrForAMemoryPolicy) {
   EXPECT_EQ(rig.outputs.decision->observation[5], 1.0F);
 }
 
-/// policy_that_goes(kNorthward) that sees a belief: the SNR falls from 30 dB by 1 dB every kilometre.
-std::unique_ptr<policy::FrozenPolicy> policy_that_believes() {
-  auto policy = policy_that_goes(kNorthward);
-  policy::BeliefModel& belief = policy->observation.belief;
-  belief.area_size = policy->area_size;
-  belief.actions = policy->actions;
-  EXPECT_EQ(belief.hypotheses.push_back({.level_offset_db = 0.0F, .spread_db = 0.5F, .prior = 1.0F}), Status::kOk);
-  for (int i = 0; i < 360; ++i) EXPECT_EQ(belief.snr_db.push_back(static_cast<float>(300 - i) / 10.0F), Status::kOk);
-  policy->observation.spec = policy::belief_state(belief);
-  policy->network.observation_size = policy->observation.spec.size();
-  return policy;
-}
-
 TEST(Runtime, TellsWithItsDecisionWhereItBelievesTheSource) {
   Rig rig(*policy_that_believes());
   rig.snr = Decibels{20};
@@ -189,6 +176,15 @@ TEST(Runtime, TakesASignalTooFaintToMeasureForNoDetectionAndASourceFurtherAway) 
   EXPECT_FALSE(rig.outputs.decision->measured);
   EXPECT_FALSE(rig.outputs.decision->detected);
   EXPECT_GT(range_between(rig.outputs.decision->belief->likeliest, rig.position).value, 8'000.0);  // 22 dB are heard at 8 km
+}
+
+TEST(Runtime, EndsTheSearchThatBeginsBeyondAnyOcean) {
+  Rig rig(*policy_that_believes());
+  rig.position = at(1e300, -1e300);
+  rig.sail(OperatorCommand::kStart);
+  EXPECT_EQ(rig.outputs.state, MissionState::kAbort);
+  EXPECT_EQ(rig.outputs.end_reason, EndReason::kLeftOperatingArea);
+  EXPECT_FALSE(rig.outputs.decision);
 }
 
 TEST(Runtime, RefusesNavigationThatIsNotFiniteAndKeepsTheLast) {

@@ -98,6 +98,15 @@ TEST_F(FieldProgram, TakesEveryOptionOfTheSolver) {
   EXPECT_EQ(run(kMunk + " -o " + output() + options + " --starter gaussian"), 0) << errors();
 }
 
+TEST_F(FieldProgram, HasNoSecondDepthAHairAboveTheSeaFloor) {
+  ASSERT_EQ(run(kMunk + " -o " + output() + " --max-range-km 1 --output-step-m 500 --depth-spacing 0.1"), 0) << errors();
+  EXPECT_NE(said().find("30000 depths from 0.1 to 3000 m"), std::string::npos) << said();
+}
+
+TEST_F(FieldProgram, RefusesTermsThatLetTheSoundGrow) {
+  expect_refused(kMunk + " -o " + output() + " --output-step-m 1000 --max-range-km 8 --terms 2", "take more terms or a shorter range step");
+}
+
 TEST_F(FieldProgram, FollowsOneRadialOfAnOceanWithCharts) {
   const std::string ocean = write_hilly_ocean(folder_).string();
   ASSERT_EQ(run(ocean + " -o " + output() + " --bearing-deg 270 --max-range-km 10 --depth-spacing 100"), 0) << errors();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -117,6 +118,43 @@ TEST_F(EnvironmentConditions, ListOtherOceansRelativeToTheFile) {
   EXPECT_NE(ocean.file_crc32, load("[[oceans]]\nenvironment = \"other.toml\"\n").file_crc32) << "the checksum covers what the file names";
 }
 
+TEST_F(EnvironmentConditions, ChangeTheChecksumWithADataFileOfAnotherOcean) {
+  const std::string text = R"(name = "other"
+[source]
+frequency_hz = 20.0
+level_db_re_1upa_at_1m = 190.0
+depth_m = 30.0
+north_m = 0.0
+east_m = 0.0
+[noise]
+level_db_re_1upa = 90.0
+[water]
+profile = "csv"
+file = "cast.csv"
+[seabed]
+depth_m = 1000.0
+[[seabed.layers]]
+sound_speed_mps = 1600.0
+)";
+  std::ofstream(folder_ / "other.toml") << text;
+  const auto checksum_with = [&](const std::string& deepest_mps) {
+    std::ofstream(folder_ / "cast.csv") << "depth_m,sound_speed_mps\n0,1500\n1000," << deepest_mps << "\n";
+    return load("[[oceans]]\nenvironment = \"other.toml\"\n").file_crc32;
+  };
+  const std::uint32_t before = checksum_with("1510");
+  EXPECT_NE(checksum_with("1511"), before);
+  EXPECT_EQ(checksum_with("1510"), before);
+}
+
+TEST_F(EnvironmentConditions, ChangeTheChecksumWithTheFieldLibrary) {
+  const auto checksum_with = [&](const std::string& bytes) {
+    std::ofstream(folder_ / "library.nc") << bytes;
+    return load("[field_library]\nfile = \"library.nc\"\n").file_crc32;
+  };
+  const std::string large(3U << 20U, 'a');  // more than is read at once
+  EXPECT_NE(checksum_with(large + "b"), checksum_with(large + "c"));
+}
+
 TEST_F(EnvironmentConditions, RefuseAnOceanThatListsOthersOrHasConditions) {
   expect_refused("[[oceans]]\nenvironment = \"ocean.toml\"\n", "must be one ocean");  // itself
   load("[conditions]\nfluctuation_db = 1.0\n", "noisy.toml");
@@ -154,6 +192,17 @@ TEST_F(EnvironmentConditions, RefuseAFamilyThatCannotBeDrawn) {
   expect_refused("[family]\nsea_floor_depth_m = [2000.0, 4000.0]\n", "family.members is missing");
   expect_refused("[family]\nmembers = 3\nsea_floor_depth_m = [4000.0, 2000.0]\n", "must be [lowest, highest]");
   expect_refused("[family]\nmembers = 3\nsea_floor_depth_m = [20.0, 2000.0]\n", "must be more than source.depth_m");
+  load("");  // the paper's ocean, its axis at the surface
+  std::ifstream munk(folder_ / "ocean.toml");
+  std::string text{std::istreambuf_iterator<char>(munk), {}};
+  text.replace(text.find("axis_depth_m = 1300.0"), 21, "axis_depth_m = 0.0");
+  std::ofstream(folder_ / "surface.toml") << text << "[family]\nmembers = 3\n";
+  try {
+    (void)load_environment(folder_ / "surface.toml");
+    ADD_FAILURE();
+  } catch (const config_file::BadInput& e) {
+    EXPECT_NE(std::string(e.what()).find("water.axis_depth_m is above 0"), std::string::npos) << e.what();
+  }
   expect_refused("[field_library]\nfile = \"a.nc\"\n[family]\nmembers = 3\n", "field_library");
 }
 

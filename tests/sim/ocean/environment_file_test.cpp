@@ -125,6 +125,11 @@ TEST_F(EnvironmentFile, RefusesANegativeFrequencyWithFileKeyValueAndRange) {
   expect_mentions(text, "at least 1 and at most 10000");
 }
 
+TEST_F(EnvironmentFile, RefusesASourceThatNoPlaneOnEarthReaches) {
+  expect_mentions(complaint("north_m = 1.0", "north_m = 1e7"), "must be a finite number of at least -1e+06 and at most 1e+06");
+  expect_mentions(complaint("east_m = 2.0", "east_m = -1e7"), "must be a finite number of at least -1e+06 and at most 1e+06");
+}
+
 TEST_F(EnvironmentFile, RefusesAnUnknownKey) {
   expect_mentions(complaint("north_m", "noth_m"), "source.noth_m: unknown key");
 }

@@ -1,12 +1,16 @@
 #include "sim/parallel/ordered_tasks.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -65,6 +69,27 @@ TEST(OrderedTasks, StopsWhenAGroupCannotBeTaken) {
                    }),
                std::runtime_error);
   EXPECT_LE(done, 13);  // the window past the last one handed over
+}
+
+/// Runs in a process of its own, whose address space cannot hold the stacks of so many threads.
+void ask_for_more_threads_than_there_are() {
+  const rlimit little{.rlim_cur = 256UL << 20U, .rlim_max = 256UL << 20U};
+  if (setrlimit(RLIMIT_AS, &little) != 0) std::_Exit(1);
+  alarm(20);  // a deadlock ends by a signal
+  try {
+    run_in_order(
+        {.groups = 1000, .tasks_per_group = 1, .threads = 1000, .window = 1}, [](std::size_t) {}, [](std::size_t) {});
+  } catch (const std::system_error&) {
+    std::_Exit(7);
+  }
+  std::_Exit(0);
+}
+
+TEST(OrderedTasks, ThrowsWhenThereAreNoMoreThreadsInsteadOfWaitingForThoseItHas) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer needs more addresses than the limit leaves";
+#endif
+  EXPECT_EXIT(ask_for_more_threads_than_there_are(), testing::ExitedWithCode(7), "");
 }
 
 TEST(OrderedTasks, HasNothingToDoForNoGroups) {

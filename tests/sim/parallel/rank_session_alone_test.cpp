@@ -29,6 +29,11 @@ TEST(RankSessionAlone, RefusesToBeOneOfManyThatWouldWriteTheSameFile) {
     EXPECT_THROW(RankSession{}, std::runtime_error) << variable;
     unsetenv(variable);
   }
+  setenv("PMIX_RANK", "0", 1);  // alone, or the one that writes
+  EXPECT_NO_THROW(RankSession{});
+  setenv("PMIX_RANK", "1", 1);
+  EXPECT_THROW(RankSession{}, std::runtime_error);
+  unsetenv("PMIX_RANK");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ std::string test_name(const testing::TestParamInfo<Ocean>& info) {
 
 class AutomaticGrid : public testing::TestWithParam<Ocean> {};
 
-TEST_P(AutomaticGrid, PredictsItsErrorWithinAFactorOfTwo) {
+TEST_P(AutomaticGrid, IsOffByAtMostTwiceThePredictedError) {
   const Decibels accuracy{0.02};
   const GridChoice choice = tests::automatic_grid(GetParam(), accuracy);
   const bool uniform = GetParam().section.floor.size() == 1 && !GetParam().section.water_varies();

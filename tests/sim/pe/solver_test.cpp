@@ -245,6 +245,24 @@ TEST(Solver, RefusesWhatLiesOutsideTheWater) {
   EXPECT_THROW((void)solve_at(pekeris(), 50.0, 1'000.0, {.depth_step = {}, .range_step = {}, .terms = 17}), std::invalid_argument);
 }
 
+TEST(Solver, RefusesTermsAndStepsThatCannotCarryTheSound) {
+  // 22 dB off in 8 km; 14 dB off in 25 km; 16 dB; 25 dB, of waves that grow eightfold a step.
+  const std::vector<std::pair<Options, double>> useless{{{.terms = 2, .output_step = Meters{1'000.0}}, 8'000.0},
+                                                        {{.terms = 4}, 25'000.0},
+                                                        {{.range_step = Meters{5'000.0}}, 25'000.0},
+                                                        {{.range_step = Meters{2'000.0}}, 25'000.0}};
+  for (const auto& [options, range_m] : useless) {
+    try {
+      (void)solve_at(papers_ocean(), 300.0, range_m, options);
+      ADD_FAILURE() << options.terms << " terms to " << range_m << " m";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("take more terms or a shorter range step"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_NO_THROW((void)solve_at(papers_ocean(), 300.0, 25'000.0, {.range_step = Meters{500.0}}));             // 0.002 dB off
+  EXPECT_NO_THROW((void)solve_at(papers_ocean(), 300.0, 25'000.0, {.range_step = Meters{50.0}, .terms = 8}));  // 0.05 dB, as RAM is used
+}
+
 TEST(Solver, RefusesStepsThatDoNotDivideEachOther) {
   EXPECT_THROW((void)solve_at(pekeris(), 50.0, 1'000.0, {.range_step = Meters{7.0}, .output_step = Meters{10.0}}), std::invalid_argument);
   EXPECT_NO_THROW((void)solve_at(pekeris(), 50.0, 100.0, {.range_step = Meters{5.0}, .output_step = Meters{10.0}}));

@@ -2,6 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "sim/ocean/environment_file.hpp"
+#include "sim/sonar/library_store.hpp"
+#include "tests/sim/netcdf/temporary_folder.hpp"
+
 namespace earshot::search {
 namespace {
 
@@ -46,6 +56,65 @@ TEST(Soundscape, HearsNothingWhereThereIsNoWater) {
 TEST(Soundscape, DrawsAmongItsCurvesOnly) {
   EXPECT_EQ(Soundscape({sonar::SnrCurve(Meters{1.0}, {0.0F}), sonar::SnrCurve(Meters{1.0}, {0.0F})}).ocean_count(), 2U);
   EXPECT_EQ(Soundscape(sonar::SnrCurve(Meters{1.0}, {0.0F}), {fan_at(at(0, 0), 1.0), fan_at(at(1, 0), 1.0)}).ocean_count(), 1U);
+}
+
+ocean::Environment papers_ocean() {
+  return ocean::load_environment(std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml");  // source: 20 Hz at 30 m
+}
+
+TEST(SoundscapeOf, RefusesAnOtherOceanWhoseSeaFloorLiesAboveTheVehicle) {
+  ocean::Environment environment = papers_ocean();
+  environment.other_oceans = {environment, environment};
+  EXPECT_EQ(soundscape_of(environment, Meters{300.0}, Meters{200.0}).ocean_count(), 3U);
+  environment.other_oceans.back().seabed.depth = Meters{299.0};
+  EXPECT_THROW((void)soundscape_of(environment, Meters{300.0}, Meters{200.0}), std::invalid_argument);
+}
+
+/// An environment whose field library is of one position, two bearings, 100 m and 200 m of range, 100 m and 300 m of depth; the loss is
+/// 100 b + 10 r + d (their indices). Nothing is computed.
+ocean::Environment with_library(const std::filesystem::path& path, double source_depth_m, double frequency_hz) {
+  const sonar::LibraryPlan plan{.name = "one",
+                                .environment = papers_ocean(),
+                                .positions = {{Meters{0.0}, Meters{0.0}}},
+                                .centre = sonar::Centre::kSource,
+                                .fan = {.bearings = 2,
+                                        .radial = {.source_depth = Meters{source_depth_m},
+                                                   .depth_m = {100.0, 300.0},
+                                                   .range_step = Meters{100.0},
+                                                   .ranges = 2,
+                                                   .band = {Hertz{frequency_hz}, Hertz{frequency_hz}}}},
+                                .file_crc32 = 1};
+  sonar::LibraryStore store(path, plan);
+  store.write(0, std::vector<float>{0.0F, 1.0F, 10.0F, 11.0F, 100.0F, 101.0F, 110.0F, 111.0F});
+  store.commit();
+  ocean::Environment environment = papers_ocean();
+  environment.field_library = path;
+  return environment;
+}
+
+std::string complaint_of(const ocean::Environment& environment) {
+  try {
+    (void)soundscape_of(environment, Meters{300.0}, Meters{200.0});
+  } catch (const config_file::BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SoundscapeOf, TakesTheVehiclesDepthFromALibraryOfSeveral) {
+  const tests::TemporaryFolder folder;
+  const Soundscape soundscape = soundscape_of(with_library(folder / "library.nc", 30.0, 20.0), Meters{300.0}, Meters{200.0});
+  EXPECT_EQ(soundscape.snr(0, at(0, 0), at(200, 0)), Decibels{190.0 - 11.0 - 90.0});
+  EXPECT_EQ(soundscape.snr(0, at(0, 0), at(-100, 0)), Decibels{190.0 - 101.0 - 90.0});
+}
+
+TEST(SoundscapeOf, RefusesALibraryOfASourceAtAnotherDepthOrFrequency) {
+  const tests::TemporaryFolder folder;
+  const std::string depth = complaint_of(with_library(folder / "deep.nc", 100.0, 20.0));
+  EXPECT_NE(depth.find("has its sources at 100 m, but source.depth_m of the environment is 30"), std::string::npos) << depth;
+  const std::string frequency = complaint_of(with_library(folder / "high.nc", 30.0, 50.0));
+  EXPECT_NE(frequency.find("is of sound from 50 to 50 Hz, but source.frequency_hz of the environment is 20"), std::string::npos)
+      << frequency;
 }
 
 }  // namespace

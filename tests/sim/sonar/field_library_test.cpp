@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "sim/netcdf/file_error.hpp"
@@ -18,11 +16,6 @@ namespace {
 /// position p, bearing b, range r, depth d is 100 p + 10 b + r + 5 d (their indices).
 class FieldLibraryInMemory : public testing::Test {
  protected:
-  FieldLibraryInMemory() {
-    plan_.environment.source.level = Decibels{190.0};
-    plan_.environment.noise_level = Decibels{90.0};
-  }
-
   [[nodiscard]] static std::vector<float> loss_db(std::size_t position) {
     std::vector<float> values;
     for (std::size_t b = 0; b < 4; ++b)
@@ -61,26 +54,9 @@ TEST_F(FieldLibraryInMemory, HoldsThePositionsInTheWaterOnly) {
   EXPECT_EQ(library.fans()[1].centre, (NorthEast{Meters{5000.0}, Meters{0.0}}));
   EXPECT_EQ(library.fans()[1].depth_m, (std::vector<double>{10.0, 50.0}));
   EXPECT_EQ(library.centre_depth(), Meters{30.0});
-  EXPECT_EQ(library.nearest({Meters{100.0}, Meters{990.0}}), 0U);  // not the one on land
-  EXPECT_EQ(library.nearest({Meters{3000.0}, Meters{0.0}}), 1U);
-}
-
-TEST_F(FieldLibraryInMemory, GivesTheSnrOfItsFans) {
-  write();
-  const FieldLibrary library(path_);
-  // 190 - 90 less the loss. East of the first, 150 m: halfway from 10 to 11 dB. South of the last, 200 m, 50 m deep: 200 + 20 + 1 + 5.
-  EXPECT_NEAR(library.snr(0, {Meters{0.0}, Meters{150.0}}, 0).value, 89.5, 1e-5);
-  EXPECT_NEAR(library.snr(1, {Meters{4800.0}, Meters{0.0}}, 1).value, -126.0, 1e-5);
-  // South-east at 100 m: halfway from 10 to 20 dB, and 5 dB for the depth.
-  const Meters part{100.0 / std::numbers::sqrt2};
-  EXPECT_NEAR(library.snr(0, {-1.0 * part, part}, 1).value, 80.0, 1e-5);
-}
-
-TEST_F(FieldLibraryInMemory, IsSilentAndNeverNaNWhereThereIsNoWaterOrNoField) {
-  write();
-  const FieldLibrary library(path_);
-  EXPECT_EQ(library.snr(0, {Meters{0.0}, Meters{-200.0}}, 1), Decibels{190.0 - 300.0 - 90.0});
-  EXPECT_EQ(library.snr(0, {Meters{0.0}, Meters{201.0}}, 0), Decibels{190.0 - 300.0 - 90.0});
+  EXPECT_EQ(library.frequency_hz().size(), 1U);
+  EXPECT_EQ(library.frequency_hz().front(), 20.0);
+  EXPECT_EQ(library.fans()[1].at(2, 1, 0), 221.0F);  // position 2, bearing 2, range 1, depth 0
 }
 
 TEST_F(FieldLibraryInMemory, KnowsWhatStandsInTheCentre) {

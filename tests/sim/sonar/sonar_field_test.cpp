@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "sim/ocean/environment_file.hpp"
@@ -35,6 +36,20 @@ TEST(SonarField, CurveFollowsTheReferenceOfThePapersOcean) {
   EXPECT_LT(reference::compare(loss, truth, 500, 25'000, audible).root_mean_square_db, 0.1);  // a fifth of the project's bar
   EXPECT_LT(reference::compare(loss, truth, 50, 500, audible).root_mean_square_db,
             0.5);  // asymptotic Hankel function: 1 / (8 k r) at 50 m is 3 percent
+}
+
+TEST(SonarField, HasNoCurveForAReceiverThatIsNotInTheWater) {
+  ocean::Environment shallow = papers_ocean();
+  shallow.name = "shallow";
+  shallow.seabed.depth = Meters{250.0};
+  try {
+    (void)compute_snr_curve(shallow, Meters{300.0}, Meters{1'000.0});
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "shallow: a receiver at 300 m must be above the sea floor, which lies at 250 m in this ocean");
+  }
+  EXPECT_THROW((void)compute_snr_curve(shallow, Meters{250.0}, Meters{1'000.0}), std::invalid_argument);
+  EXPECT_NO_THROW((void)compute_snr_curve(shallow, Meters{249.0}, Meters{1'000.0}));
 }
 
 TEST(SonarField, SubtractsLossAndNoiseFromTheSourceLevel) {

@@ -189,6 +189,14 @@ TEST_F(JournalTest, ReportsADiskThatIsFull) {
   EXPECT_EQ(journal.close(), Status::kNotReady);
 }
 
+TEST_F(JournalTest, SaysThatWhatItWroteDidNotReachTheDisk) {
+  // /dev/null takes every byte, and fdatasync(2) of it fails: it is no file on a disk.
+  Journal journal("/dev/null", {.survives = JournalOptions::Survives::kPowerCut, .existing = JournalOptions::Existing::kReplace});
+  ASSERT_EQ(journal.append(Time{0}, "CHANNEL", Bytes(10)), Status::kOk);
+  EXPECT_EQ(journal.close(), Status::kNotReady);
+  EXPECT_EQ(journal.counters().write_errors, 1U);
+}
+
 TEST_F(JournalTest, OfAProcessKilledInMidFlightReadsBackWhole) {
   const ::pid_t child = ::fork();
   if (child == 0) {
@@ -206,6 +214,16 @@ TEST_F(JournalTest, OfAProcessKilledInMidFlightReadsBackWhole) {
   while (reader.next(record)) ++count;
   EXPECT_NE(reader.end(), JournalReader::End::kCorrupt);
   EXPECT_GE(count, 1000U);
+}
+
+TEST_F(JournalTest, NamesAFolderThatIsNoJournal) {
+  try {
+    const JournalReader reader(folder_);
+    FAIL();
+  } catch (const std::system_error& error) {
+    EXPECT_EQ(error.code(), std::errc::is_a_directory);
+    EXPECT_NE(std::string(error.what()).find(folder_.string()), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(JournalTest, DoesNotOverwriteUnlessTold) {

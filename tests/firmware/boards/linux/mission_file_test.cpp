@@ -73,6 +73,19 @@ TEST(MissionFile, RefusesNan) {
             std::string::npos);
 }
 
+TEST(MissionFile, RefusesATimeThatIsLessThanAMicrosecondByItsOwnName) {
+  for (const std::string key : {"max_time_s", "navigation_timeout_s", "snr_timeout_s"}) {
+    const std::string text = text_of(kShipped);
+    const std::size_t at = text.find(key + " = ");
+    ASSERT_NE(at, std::string::npos) << key;
+    const std::string line = text.substr(at, text.find_first_of(" \n", at + key.size() + 3) - at);
+    const std::string what = complaint(line, key + " = 1e-7");
+    EXPECT_NE(what.find("limits." + key + " = "), std::string::npos) << what;
+    EXPECT_NE(what.find("must be a finite number of at least 1e-06"), std::string::npos) << what;
+    EXPECT_EQ(what.find("edge_margin_m"), std::string::npos) << what;
+  }
+}
+
 TEST(MissionFile, RefusesAnAreaWhoseNorthLiesSouthOfItsSouth) {
   EXPECT_NE(complaint("north_m = 25000.0", "north_m = -1.0").find("area.north_m = -1.0: must be greater than south_m"), std::string::npos);
 }
