@@ -63,10 +63,12 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--plot", o.plot, "also draw it there (.png or .svg)");
   app.add_option("--paths", o.paths, "also write there where every search went, step by step (CSV)");
   app.add_flag("--timing", o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
-  app.footer("By name:\n  shipped           the policy that ships (policy/frozen)" + names_of_baselines() +
-             "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what the --environment says is heard.\n"
-             "mpirun -n N earshot evaluate ... shares the searches out.\n"
-             "Example: earshot evaluate --policies shipped,bayes,oracle --episodes 3000 --json evaluation.json");
+  app.footer(
+      "By name:\n  shipped           the policy that ships (policy/frozen)" + names_of_baselines() +
+      "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what the --environment says is heard, learned "
+      "policies by what their file says.\n"
+      "mpirun -n N earshot evaluate ... shares the searches out.\n"
+      "Example: earshot evaluate --policies shipped,bayes,oracle --episodes 3000 --json evaluation.json");
 }
 
 /// One that searches: a learned policy, or a baseline when there is none.
@@ -190,11 +192,13 @@ nlohmann::ordered_json as_json(const evaluate::Row& row, evaluate::Timing timing
 
 std::string as_json(const Options& o, const search::SearchSettings& settings, const std::vector<evaluate::World>& worlds,
                     const std::vector<evaluate::Row>& rows, evaluate::Timing timing) {
-  nlohmann::ordered_json json{{"episodes", o.episodes},
-                              {"source", *o.search.source},
-                              {"start", *o.search.start},
-                              {"border_width_m", settings.border_width.value},
-                              {"max_steps", settings.max_steps}};
+  nlohmann::ordered_json json{{"episodes", o.episodes}, {"source", *o.search.source}};
+  if (o.search.start_margin_m)
+    json["start_margin_m"] = *o.search.start_margin_m;
+  else
+    json["start"] = *o.search.start;
+  json["border_width_m"] = settings.border_width.value;
+  json["max_steps"] = settings.max_steps;
   for (const evaluate::World& world : worlds) json["worlds"].push_back({{"name", world.name}, {"what", world.what}, {"seed", world.seed}});
   for (const evaluate::Row& row : rows) json["results"].push_back(as_json(row, timing));
   return json.dump(1) + "\n";
@@ -214,9 +218,16 @@ void write_files(const Options& o, const search::SearchSettings& settings, const
 }
 
 void check_files(const Options& o) {
-  for (const auto& file : {o.json, o.csv, o.plot, o.paths}) {
-    if (file) apps::check_writable(*file);
-  }
+  std::vector<apps::OutputFile> files;
+  const auto add = [&files](const char* option, const std::optional<std::string>& file) {
+    if (file) files.push_back({option, *file});
+  };
+  add("--json", o.json);
+  add("--csv", o.csv);
+  add("--plot", o.plot);
+  add("--paths", o.paths);
+  apps::check_distinct(files);
+  for (const apps::OutputFile& file : files) apps::check_writable(file.path);
   if (o.plot) apps::check_picture_name("--plot", *o.plot);
 }
 
@@ -227,7 +238,8 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   const std::vector<Contestant> contestants = contestants_of(o);
   const Meters depth{o.search.vehicle_depth_m.value_or(300.0)};
   const std::filesystem::path environment_file =
-      o.search.environment.value_or((apps::data_folder() / "../sim/ocean/environments/munk_flat.toml").lexically_normal().string());
+      o.search.environment ? std::filesystem::path(*o.search.environment)
+                           : (apps::data_folder() / "../sim/ocean/environments/munk_flat.toml").lexically_normal();
   const ocean::Environment environment = apps::environment_at(environment_file, depth);
   const std::vector<evaluate::World> worlds = worlds_of(o, environment_file, depth);
   search::SearchSettings settings = settings_of(contestants);
@@ -238,7 +250,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   });
   const sonar::SnrCurve expected = apps::curve_for(environment, depth, settings);
   std::optional<policy::ActionDraw> draw;
-  if (o.draw) draw = *o.draw == "argmax" ? policy::ActionDraw::kArgmax : policy::ActionDraw::kSampled;
+  if (o.draw) draw = apps::draw_named(*o.draw);
 
   std::vector<evaluate::Row> rows;
   evaluate::PathTable paths;

@@ -1,5 +1,6 @@
 #include "policy/freeze/freeze.hpp"
 
+#include <array>
 #include <iostream>
 #include <optional>
 
@@ -37,12 +38,23 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--new-key", options.new_key, "make the key and its .pub first; refused when the key exists");
 }
 
+std::filesystem::path public_file_of(std::filesystem::path key_file) {
+  return key_file.replace_extension(".pub");
+}
+
+/// A policy must not be written over the key that signs it.
+void check_output(const Options& options) {
+  const apps::OutputFile output{"--output", *options.output};
+  apps::check_distinct(std::array{apps::OutputFile{"--key", options.key}, output});
+  apps::check_distinct(std::array{apps::OutputFile{"the public half of --key", public_file_of(options.key)}, output});
+}
+
 freeze::SecretKey new_key(const std::filesystem::path& file) {
   if (file.extension() == ".pub") throw BadInput(file.string() + ": a secret key must not end in .pub, the public key's name");
   if (std::filesystem::exists(file)) throw BadInput(file.string() + ": exists already; --new-key does not replace keys");
   const freeze::SecretKey key = freeze::make_key();
   apps::write_whole(file, to_text(key), apps::Access::kOwnerOnly);
-  const std::filesystem::path public_file = std::filesystem::path(file).replace_extension(".pub");
+  const std::filesystem::path public_file = public_file_of(file);
   apps::write_whole(public_file, freeze::to_text(freeze::public_key_of(key)));
   std::cout << file.string() << " (secret: keep it), " << public_file.string() << "\n";
   return key;
@@ -52,10 +64,6 @@ freeze::SecretKey key_of(const Options& options) {
   if (options.new_key) return new_key(options.key);
   if (!std::filesystem::exists(options.key)) throw BadInput(options.key + ": no such key; --new-key makes one");
   return freeze::secret_key_from(apps::read_whole(options.key), options.key);
-}
-
-policy::ActionDraw draw_of(const Options& options) {
-  return options.draw == "argmax" ? policy::ActionDraw::kArgmax : policy::ActionDraw::kSampled;
 }
 
 std::string search_of(const freeze::TrainedActor& actor, const Options& options) {
@@ -71,7 +79,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, c
     description::SearchDescription search = description::from_text(search_of(actor, options));
     search.provenance.emplace_back("model", file.filename().string());
     search.provenance.emplace_back("model_crc32", description::crc32_text(description::crc32_of(bytes)));
-    return freeze::freeze(actor, search, draw_of(options));
+    return freeze::freeze(actor, search, apps::draw_named(options.draw));
   } catch (const BadInput& e) {
     throw BadInput(file.string() + ": " + freeze::printable(e.what()));
   }
@@ -81,7 +89,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze_model(const std::filesystem::path& 
   const std::string bytes = apps::read_whole(file);
   if (freeze::is_foreign_model(bytes, file.string())) return freeze_foreign(bytes, file, options);
   if (options.search) throw BadInput("--search: a checkpoint says itself what it was trained to search");
-  return freeze::freeze(ppo::from_text(bytes, file.string()), draw_of(options));
+  return freeze::freeze(ppo::from_text(bytes, file.string()), apps::draw_named(options.draw));
 }
 
 void run(const Options& options) {
@@ -89,6 +97,7 @@ void run(const Options& options) {
   if (!options.model && !options.new_key) throw BadInput("earshot freeze: nothing to do: no MODEL and no --new-key");
   std::unique_ptr<policy::FrozenPolicy> policy;
   if (options.model) {
+    check_output(options);
     policy = freeze_model(*options.model, options);
     apps::check_writable(*options.output);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdio>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -75,12 +76,39 @@ void LearningCurve::add(const ppo::UpdateReport& update, std::uint64_t steps) {
   const Recent last = recent();
   append(updates_csv_, steps, ',');
   append(updates_csv_, episodes_, ',');
-  for (const double value :
-       {last.median_reward, last.found_fraction, update.policy_loss, update.value_loss, update.entropy, update.approximate_kl,
-        update.clip_fraction, update.gradient_norm, update.explained_variance, update.learning_rate}) {
+  for (const double value : {last.median_reward, last.found_fraction}) {
+    if (last.episodes > 0)
+      append(updates_csv_, static_cast<float>(value), ',');
+    else
+      updates_csv_ += ',';
+  }
+  for (const double value : {update.policy_loss, update.value_loss, update.entropy, update.approximate_kl, update.clip_fraction,
+                             update.gradient_norm, update.explained_variance, update.learning_rate}) {
     append(updates_csv_, static_cast<float>(value), ',');
   }
   append(updates_csv_, update.minibatches, '\n');
+}
+
+std::string in_words(const LearningCurve::Recent& recent) {
+  if (recent.episodes == 0) return "median reward -, found - %";
+  std::array<char, 80> text{};
+  (void)std::snprintf(text.data(), text.size(), "median reward %.1f, found %.0f %%", recent.median_reward, 100.0 * recent.found_fraction);
+  return text.data();
+}
+
+LearningCurve::Recent LearningCurve::recent_of_all(std::span<const Recent> trainings) {
+  Recent all;
+  std::vector<double> medians;
+  for (const Recent& each : trainings) {
+    if (each.episodes == 0) continue;
+    all.episodes += each.episodes;
+    all.found_fraction += each.found_fraction;
+    medians.push_back(each.median_reward);
+  }
+  if (medians.empty()) return {};
+  all.found_fraction /= static_cast<double>(medians.size());
+  all.median_reward = evaluate::quantile(std::move(medians), 0.5);
+  return all;
 }
 
 LearningCurve::Recent LearningCurve::recent() const {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,13 +23,15 @@ class LearningCurve {
   void add(const search::EpisodeRecord& episode, std::uint64_t steps);
   void add(const ppo::UpdateReport& update, std::uint64_t steps);
 
-  /// Of the last kRecentEpisodes, or as many as there are.
+  /// Of the last kRecentEpisodes, or as many as there are; without any the figures mean nothing, and the updates' cells for them are empty.
   struct Recent {
     std::size_t episodes = 0;
     double median_reward = 0.0;
     double found_fraction = 0.0;
   };
   [[nodiscard]] Recent recent() const;
+  /// Median of the medians, mean of the shares found, over the trainings in which an episode has ended.
+  [[nodiscard]] static Recent recent_of_all(std::span<const Recent> trainings);
   [[nodiscard]] std::uint64_t episodes() const { return episodes_; }
   [[nodiscard]] const std::string& episodes_csv() const { return episodes_csv_; }
   [[nodiscard]] const std::string& updates_csv() const { return updates_csv_; }
@@ -45,6 +48,9 @@ class LearningCurve {
   std::deque<Outcome> recent_;
   std::uint64_t episodes_ = 0;
 };
+
+/// "median reward -2.5, found 98 %", with "-" for both before the first episode has ended
+[[nodiscard]] std::string in_words(const LearningCurve::Recent& recent);
 
 /// One row of the episodes' file.
 struct EpisodeRow {

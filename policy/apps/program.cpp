@@ -1,9 +1,15 @@
 #include "policy/apps/program.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <map>
 
 #include "firmware/config_file/table_reader.hpp"
 #include "sim/sonar/gnuplot.hpp"
@@ -22,10 +28,34 @@ std::filesystem::path part_of(const std::filesystem::path& path) {
   return part;
 }
 
+/// Waits until what was written of a file, or into a folder, is on the disk.
+bool bring_to_disk(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool done = ::fsync(file) == 0;
+  ::close(file);
+  return done;
+}
+
+void check_command_line(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (!is_utf8(argv[i])) throw BadInput("the command line holds bytes that are not UTF-8");
+  }
+}
+
+/// One name for one file, whether it is there yet or not.
+std::filesystem::path canonical_name(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(path);
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(absolute, error);
+  return error ? absolute.lexically_normal() : canonical;
+}
+
 }  // namespace
 
 int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& body) {
   try {
+    check_command_line(argc, argv);
     app.parse(argc, argv);
     body();
     return EXIT_SUCCESS;
@@ -72,8 +102,12 @@ void write_whole(const std::filesystem::path& path, std::string_view content, Ac
       std::filesystem::permissions(part, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write, error);
     stream.write(content.data(), static_cast<std::streamsize>(content.size()));
     stream.close();
-    if (stream && !error) std::filesystem::rename(part, path, error);
-    if (stream && !error) return;
+    const bool is_whole = stream && !error && bring_to_disk(part);
+    if (is_whole) std::filesystem::rename(part, path, error);
+    if (is_whole && !error) {
+      (void)bring_to_disk(std::filesystem::absolute(path).parent_path());  // not every file system can; the file is there all the same
+      return;
+    }
   }
   std::error_code ignored;
   std::filesystem::remove(part, ignored);
@@ -103,6 +137,40 @@ std::filesystem::path shipped_policy() {
   std::error_code error;
   if (!std::filesystem::exists(shipped, error)) throw BadInput(shipped.string() + ": the policy that ships is not there");
   return shipped;
+}
+
+void check_distinct(std::span<const OutputFile> files) {
+  std::map<std::filesystem::path, const OutputFile*> known;
+  for (const OutputFile& file : files) {
+    const auto [first, is_new] = known.emplace(canonical_name(file.path), &file);
+    if (is_new) continue;
+    const OutputFile& other = *first->second;
+    throw BadInput(other.option + " " + other.path.string() + ", " + file.option + " " + file.path.string() +
+                   ": the same file, one would replace the other");
+  }
+}
+
+bool is_utf8(std::string_view text) {
+  constexpr std::array<std::uint32_t, 5> kLeastOfSize{0, 0, 0x80, 0x800, 0x10000};
+  while (!text.empty()) {
+    const std::uint32_t first = static_cast<std::uint8_t>(text.front());
+    const std::size_t size = first < 0x80 ? 1 : first >> 5 == 0x06 ? 2 : first >> 4 == 0x0E ? 3 : first >> 3 == 0x1E ? 4 : 0;
+    if (size == 0 || size > text.size()) return false;
+    std::uint32_t character = size == 1 ? first : first & (0x7FU >> size);
+    for (const char next : text.substr(1, size - 1)) {
+      const std::uint32_t byte = static_cast<std::uint8_t>(next);
+      if (byte >> 6 != 0x02) return false;
+      character = character << 6 | (byte & 0x3FU);
+    }
+    const bool surrogate = character >= 0xD800 && character <= 0xDFFF;
+    if (character < kLeastOfSize[size] || character > 0x10FFFF || surrogate) return false;
+    text.remove_prefix(size);
+  }
+  return true;
+}
+
+policy::ActionDraw draw_named(std::string_view name) {
+  return name == "argmax" ? policy::ActionDraw::kArgmax : policy::ActionDraw::kSampled;
 }
 
 void check_picture_name(const std::string& option, const std::filesystem::path& path) {

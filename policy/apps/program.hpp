@@ -1,17 +1,20 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "firmware/policy/action_draw.hpp"
 #include "sim/parallel/rank_session.hpp"
 
 namespace earshot::apps {
 
-/// Parses the command line and runs `body`. Bad input of any kind ends as one message on standard error and exit status 2.
+/// Parses the command line and runs `body`. Bad input of any kind, a command line that is not UTF-8 among it (provenance and JSON could not
+/// hold it), ends as one message on standard error and exit status 2.
 int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& body);
 
 /// The same of a program that mpirun may have started: rank 0 alone speaks, and the session outlives what it says, because mpirun drops the
@@ -23,12 +26,28 @@ int run_ranked_program(CLI::App& app, int argc, char** argv, const std::function
 
 enum class Access : std::uint8_t { kEveryone, kOwnerOnly };
 
-/// Writes a file that is either whole or not there: under a temporary name in the same folder, then renamed.
+/// Writes a file that is either whole or not there, a power cut included: under a temporary name in the same folder, brought to the disk,
+/// then renamed.
 /// Throws config_file::BadInput when it cannot be written.
 void write_whole(const std::filesystem::path& path, std::string_view content, Access access = Access::kEveryone);
 
 /// Throws config_file::BadInput now rather than after minutes of work when `path` cannot be written later.
 void check_writable(const std::filesystem::path& path);
+
+/// A file that a program is to write, and the option that names it.
+struct OutputFile {
+  std::string option;
+  std::filesystem::path path;
+};
+
+/// Throws config_file::BadInput, naming both options, when two of them are one file: one would silently replace the other.
+void check_distinct(std::span<const OutputFile> files);
+
+/// Whether JSON can hold it (RFC 3629).
+[[nodiscard]] bool is_utf8(std::string_view text);
+
+/// @param name  "argmax" or "sampled", which the option's check has made sure of
+[[nodiscard]] policy::ActionDraw draw_named(std::string_view name);
 
 /// Throws config_file::BadInput when a picture of that name, given with `option`, cannot be drawn: it does not end in .png or .svg.
 void check_picture_name(const std::string& option, const std::filesystem::path& path);

@@ -1,7 +1,9 @@
 // earshot-report: one page about one flight.
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "firmware/config_file/table_reader.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/report/flight_files.hpp"
 #include "policy/report/page.hpp"
@@ -11,10 +13,12 @@ namespace {
 
 using namespace earshot;
 
-void write_report(const std::filesystem::path& folder) {
+void write_report(const std::filesystem::path& folder) try {
   const report::Flight flight = report::read_flight(folder);
   const report::Pictures pictures{.map = report::map_svg(flight), .history = report::history_svg(flight)};
   apps::write_whole(folder / "report.html", report::page(flight, pictures, report::explain_flight(folder)));
+} catch (const nlohmann::json::exception& e) {
+  throw config_file::BadInput((folder / "summary.json").string() + ": " + e.what());
 }
 
 }  // namespace

@@ -57,20 +57,27 @@ void print_summary(const Trainings& trainings, double seconds) {
   std::vector<double> found;
   for (const auto& training : trainings) {
     const apps::LearningCurve::Recent last = training->curve().recent();
-    medians.push_back(last.median_reward);
-    found.push_back(last.found_fraction);
+    if (last.episodes > 0) {
+      medians.push_back(last.median_reward);
+      found.push_back(last.found_fraction);
+    }
     std::cout << training->job().output.string() << ": " << training->curve().episodes() << " episodes, " << training->steps()
-              << " steps; last " << last.episodes << " episodes: median reward " << last.median_reward << ", found "
-              << 100.0 * last.found_fraction << " %\n";
+              << " steps; ";
+    if (last.episodes > 0) {
+      std::cout << "last " << last.episodes << " episodes: median reward " << last.median_reward << ", found "
+                << 100.0 * last.found_fraction << " %\n";
+    } else {
+      std::cout << "no episode has ended\n";
+    }
   }
-  if (trainings.size() > 1) {
+  if (trainings.size() > 1 && !medians.empty()) {
     auto of_seeds = [](const std::vector<double>& x, double scale) {
       std::ostringstream text;
       text << scale * evaluate::quantile(x, 0.5) << " (quartiles " << scale * evaluate::quantile(x, 0.25) << " and "
            << scale * evaluate::quantile(x, 0.75) << ")";
       return text.str();
     };
-    std::cout << "median of " << trainings.size() << " trainings: median reward " << of_seeds(medians, 1.0) << ", found "
+    std::cout << "median of " << medians.size() << " trainings: median reward " << of_seeds(medians, 1.0) << ", found "
               << of_seeds(found, 100.0) << " %\n";
   }
   if (interrupted) std::cout << "interrupted; go on with earshot train --resume\n";

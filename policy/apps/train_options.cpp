@@ -26,8 +26,10 @@ std::vector<std::uint64_t> seeds_in(const std::string& text) {
   while (true) {
     const std::uint64_t first = number();
     const std::uint64_t last = at != end && *at == '-' ? (++at, number()) : first;
-    if (last < first || last - first >= kMostSeeds) throw CLI::ValidationError("--seeds", "must be like 1-5 or 1,2,7: " + text);
-    for (std::uint64_t seed = first; seed <= last; ++seed) seeds.push_back(seed);
+    if (last < first) throw CLI::ValidationError("--seeds", "must be like 1-5 or 1,2,7: " + text);
+    if (last - first >= kMostSeeds - seeds.size())
+      throw CLI::ValidationError("--seeds", "more than " + std::to_string(kMostSeeds) + " trainings: " + text);
+    for (std::uint64_t i = 0; i <= last - first; ++i) seeds.push_back(first + i);  // last may be the greatest number there is
     if (at == end) break;
     if (*at++ != ',') throw CLI::ValidationError("--seeds", "must be like 1-5 or 1,2,7: " + text);
   }
@@ -40,14 +42,16 @@ std::vector<std::uint64_t> seeds_in(const std::string& text) {
 
 void TrainOptions::add_to(CLI::App& app) {
   app.add_option("RUN", run_file, "run file (TOML) with every setting, such as policy/ppo/runs/fixed_source.toml; options override it");
-  app.add_option("-o,--output", output, "checkpoint to write");
+  app.add_option("-o,--output", output, "checkpoint to write (with --resume the one it goes on from)");
   app.add_option("--resume", resume,
                  "checkpoint of a training to go on with, bit for bit, as its own command line said; several go on together")
       ->expected(1, -1);
   app.add_option("--checkpoint-every", checkpoint_every, "steps after which the checkpoint is written again (at the end, and on Ctrl-C)")
       ->check(CLI::PositiveNumber);
   app.add_option("--curve", curve,
-                 "learning curve to write, CSV (the checkpoint's name with .csv); the losses go to .updates.csv beside it");
+                 "learning curve to write, CSV (the checkpoint's name with .csv; with --resume alone where it was); the losses go to "
+                 ".updates.csv beside "
+                 "it");
   app.add_option("--plot", plot, "picture of the reward in training to write, .png or .svg: median of the last 50 episodes, quartiles");
   app.add_option("--episodes", episodes, "train for so many episodes, in whole rollouts (1500 when neither this nor --steps is given)");
   app.add_option("--steps", steps, "train for so many steps, in whole rollouts");

@@ -1,6 +1,7 @@
 #include "policy/apps/training_job.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -25,10 +26,22 @@ ppo::Continuation::Written written(const std::string& text) {
 /// Of all that shapes a training but how long it is: a run file as a whole, for what its reader may leave out of describe().
 std::uint32_t settings_crc32(const TrainOptions& options, const ppo::TrainingRun& run, const ocean::Environment& environment) {
   std::ostringstream all;
-  for (const auto& [name, value] : ppo::describe(run)) all << name << " = " << value << '\n';
+  for (const auto& [name, value] : ppo::describe(run)) {
+    if (name != ppo::kDecayStepsName) all << name << " = " << value << '\n';  // how long
+  }
   all << environment.file_crc32 << '\n';
   if (options.run_file) all << read_whole(*options.run_file);
   return description::crc32_of(all.str());
+}
+
+/// "a.csv" -> "a.updates.csv"
+std::filesystem::path updates_of(std::filesystem::path curve) {
+  return curve.replace_extension(".updates.csv");
+}
+
+/// The curve of a checkpoint for which none is named: "a.checkpoint" -> "a.csv"
+std::filesystem::path curve_beside(std::filesystem::path checkpoint) {
+  return checkpoint.replace_extension(".csv");
 }
 
 /// A curve's file as it was when the checkpoint was written.
@@ -43,9 +56,10 @@ std::string earlier_part(const std::filesystem::path& path, const ppo::Continuat
 LearningCurve earlier_curve(const TrainingJob& job) {
   if (!job.resumed) return {};
   try {
-    return {earlier_part(job.curve, job.resumed->continuation->episodes), earlier_part(job.updates, job.resumed->continuation->updates)};
+    return {earlier_part(job.earlier_curve, job.resumed->continuation->episodes),
+            earlier_part(updates_of(job.earlier_curve), job.resumed->continuation->updates)};
   } catch (const std::invalid_argument& e) {
-    throw BadInput(job.curve.string() + ": " + e.what());
+    throw BadInput(job.earlier_curve.string() + ": " + e.what());
   }
 }
 
@@ -65,16 +79,15 @@ std::vector<Told> gather_episodes(parallel::Ranks& ranks, const std::vector<Told
   return all;
 }
 
-void name_files(TrainingJob& job, const std::optional<std::string>& curve) {
-  job.curve = curve ? std::filesystem::path(*curve) : std::filesystem::path(job.output).replace_extension(".csv");
-  job.updates = std::filesystem::path(job.curve).replace_extension(".updates.csv");
-  if (job.curve == job.output) throw BadInput("--curve: must not be the checkpoint itself");
-}
-
 /// "a.checkpoint" -> "a.seed3.checkpoint"
 std::filesystem::path with_seed(const std::filesystem::path& path, std::uint64_t seed) {
   std::filesystem::path result = path;
   return result.replace_extension(".seed" + std::to_string(seed) + path.extension().string());
+}
+
+/// Of the command line before a seed is put into it.
+std::filesystem::path curve_of(const TrainOptions& options) {
+  return options.curve ? std::filesystem::path(*options.curve) : curve_beside(*options.output);
 }
 
 std::vector<TrainingJob> new_jobs(const TrainOptions& options, const std::vector<std::string>& arguments) {
@@ -83,24 +96,42 @@ std::vector<TrainingJob> new_jobs(const TrainOptions& options, const std::vector
   for (std::size_t i = 0; i < std::max<std::size_t>(1, options.seeds.size()); ++i) {
     TrainingJob job{.options = options,
                     .output = *options.output,
-                    .curve = {},
+                    .curve = curve_of(options),
                     .updates = {},
                     .arguments = arguments,
                     .directory = std::filesystem::current_path()};
-    std::optional<std::string> curve = options.curve;
     if (!options.seeds.empty()) {
       job.options.seed = options.seeds[i];
       job.output = with_seed(job.output, options.seeds[i]);
-      if (curve) curve = with_seed(*curve, options.seeds[i]).string();
+      job.curve = with_seed(job.curve, options.seeds[i]);
     }
-    name_files(job, curve);
+    job.updates = updates_of(job.curve);
     jobs.push_back(std::move(job));
   }
   return jobs;
 }
 
+/// Where a checkpoint says that its curve is; one that does not say so has it where its command line put it.
+std::filesystem::path recorded_curve(const std::filesystem::path& checkpoint, const TrainingJob& job) {
+  const ppo::Continuation& continuation = *job.resumed->continuation;
+  if (continuation.curve && !continuation.curve->empty()) return checkpoint.parent_path() / *continuation.curve;
+  if (continuation.curve || !job.options.curve) return curve_beside(checkpoint);
+  const std::filesystem::path curve = job.directory / *job.options.curve;
+  return job.options.seeds.empty() ? curve : with_seed(curve, continuation.state.seed);
+}
+
+/// The curve's place as its checkpoint keeps it: so that both can be moved together, and copied under another name where one is the
+/// other's.
+std::string curve_to_record(const TrainingJob& job) {
+  if (job.curve == curve_beside(job.output)) return {};
+  const std::filesystem::path curve = std::filesystem::absolute(job.curve).lexically_normal();
+  const std::filesystem::path below = curve.lexically_relative(std::filesystem::absolute(job.output).lexically_normal().parent_path());
+  return below.empty() || *below.begin() == ".." ? curve.string() : below.string();
+}
+
 TrainingJob job_from(const std::string& file, const TrainOptions& given) {
   TrainingJob job;
+  job.resumed_file = file;
   job.resumed = ppo::from_text(read_whole(file), file);
   if (!job.resumed->continuation) throw BadInput(file + ": holds networks alone, from elsewhere: nothing to go on with");
   const ppo::Continuation& continuation = *job.resumed->continuation;
@@ -119,18 +150,39 @@ TrainingJob job_from(const std::string& file, const TrainOptions& given) {
   }
   if (given.checkpoint_every) job.options.checkpoint_every = given.checkpoint_every;
   job.output = given.output.value_or(file);
-  name_files(job, given.curve);
+  job.earlier_curve = recorded_curve(file, job);
+  std::error_code error;
+  const bool was_moved = given.curve && !std::filesystem::exists(job.earlier_curve, error);
+  if (was_moved) job.earlier_curve = *given.curve;
+  job.curve = given.curve ? std::filesystem::path(*given.curve) : given.output ? curve_beside(job.output) : job.earlier_curve;
+  job.updates = updates_of(job.curve);
   return job;
+}
+
+void check_files(const std::vector<TrainingJob>& jobs, const TrainOptions& given) {
+  const std::string checkpoint = given.output || given.resume.empty() ? "--output" : "--resume";
+  const std::string curve = given.curve ? "--curve" : "the learning curve of " + checkpoint;
+  std::vector<OutputFile> files;
+  for (const TrainingJob& job : jobs) {
+    files.push_back({checkpoint, job.output});
+    files.push_back({curve, job.curve});
+    files.push_back({"the losses beside " + curve, job.updates});
+  }
+  if (given.plot) files.push_back({"--plot", *given.plot});
+  check_distinct(files);
 }
 
 }  // namespace
 
 std::vector<TrainingJob> jobs_of(const TrainOptions& options, const std::vector<std::string>& arguments) {
-  if (options.resume.empty()) return new_jobs(options, arguments);
   if (options.resume.size() > 1 && (options.output || options.curve))
     throw BadInput("--output, --curve: for one training, not for several");
+  if (!is_utf8(std::filesystem::current_path().string()))
+    throw BadInput("the name of the current folder, which a checkpoint keeps, holds bytes that are not UTF-8");
   std::vector<TrainingJob> jobs;
+  if (options.resume.empty()) jobs = new_jobs(options, arguments);
   for (const std::string& file : options.resume) jobs.push_back(job_from(file, options));
+  check_files(jobs, options);
   return jobs;
 }
 
@@ -161,11 +213,16 @@ struct Training::Parts {
 
   search::Soundscape settle_search() {
     run.search.source = environment.source.position;
-    job.options.world.apply_to(run.search);
+    WorldOptions world_options = job.options.world;
+    const bool start_is_given = world_options.start || world_options.start_margin_m;
+    if (run.start == ppo::Start::kInsideBorder && !start_is_given)
+      world_options.start = "inside_border";  // of whatever width it has by now
+    world_options.apply_to(run.search);
     return soundscape_for(environment, run.vehicle_depth, run.search);
   }
 
   void resume();
+  void refuse_divergence() const;
   void write();
   void tell(const std::vector<Told>& episodes, const ppo::UpdateReport& update);
   [[nodiscard]] ppo::Checkpoint checkpoint(ppo::TrainingState state) const;
@@ -178,15 +235,27 @@ struct Training::Parts {
 void Training::Parts::resume() {
   const ppo::Continuation& continuation = *job.resumed->continuation;
   if (continuation.settings_crc32 != settings_crc32) {
-    throw BadInput(job.output.string() + ": cannot go on: its environment" + (job.options.run_file ? " or run file" : "") +
+    throw BadInput(job.resumed_file.string() + ": cannot go on: its environment" + (job.options.run_file ? " or run file" : "") +
                    " is not what it was, or the program's defaults are not");
   }
   if (continuation.state.workers.size() != ranks.size()) {
-    throw BadInput(job.output.string() + ": was trained by " + std::to_string(continuation.state.workers.size()) +
+    throw BadInput(job.resumed_file.string() + ": was trained by " + std::to_string(continuation.state.workers.size()) +
                    " ranks, goes on with as many");
   }
   if (!trainer.resume(job.resumed->parameters, continuation.state))
-    throw BadInput(job.output.string() + ": its state does not fit its settings");
+    throw BadInput(job.resumed_file.string() + ": its state does not fit its settings");
+}
+
+/// All ranks have the same parameters and moments, and so the same opinion.
+void Training::Parts::refuse_divergence() const {
+  const ppo::TrainingState state = trainer.state();
+  const auto are_finite = [](std::span<const float> values) {
+    return std::ranges::all_of(values, [](float x) { return std::isfinite(x); });
+  };
+  if (are_finite(trainer.networks().parameters()) && are_finite(state.optimiser.first_moment) && are_finite(state.optimiser.second_moment))
+    return;
+  throw BadInput(job.output.string() + ": diverged at step " + std::to_string(trainer.steps()) +
+                 ": a weight or its moment is no finite number; nothing written, lower learning_rate");
 }
 
 ppo::Checkpoint Training::Parts::checkpoint(ppo::TrainingState state) const {
@@ -208,7 +277,8 @@ ppo::Checkpoint Training::Parts::checkpoint(ppo::TrainingState state) const {
                              .directory = job.directory.string(),
                              .settings_crc32 = settings_crc32,
                              .episodes = written(curve.episodes_csv()),
-                             .updates = written(curve.updates_csv())};
+                             .updates = written(curve.updates_csv()),
+                             .curve = curve_to_record(job)};
   return checkpoint;
 }
 
@@ -260,6 +330,7 @@ void Training::run(TrainingProgress& progress, std::size_t number, const std::at
       episodes.push_back({steps, episode});
       return true;
     });
+    p.refuse_divergence();
     p.tell(gather_episodes(p.ranks, episodes), update);
     progress.update(number, p.progress());
     std::vector<std::int32_t> rank_0_says{p.is_over() || interrupted ? 1 : 0};

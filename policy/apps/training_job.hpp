@@ -21,13 +21,15 @@ struct TrainingJob {
   TrainOptions options;                         ///< of one seed
   std::filesystem::path output;                 ///< checkpoint
   std::filesystem::path curve;                  ///< a row an episode
-  std::filesystem::path updates;                ///< a row an update
+  std::filesystem::path updates;                ///< a row an update, beside the curve
+  std::filesystem::path earlier_curve = {};     ///< the curve up to the checkpoint that is resumed, its updates beside it
   std::vector<std::string> arguments;           ///< command line that begins it, without the program's name
   std::filesystem::path directory;              ///< where that was given
-  std::optional<ppo::Checkpoint> resumed = {};  ///< its continuation is not empty
+  std::filesystem::path resumed_file = {};      ///< checkpoint that it goes on from
+  std::optional<ppo::Checkpoint> resumed = {};  ///< its content, whose continuation is not empty
 };
 
-/// The jobs that a command line asks for. Throws config_file::BadInput.
+/// The jobs that a command line asks for. Throws config_file::BadInput, also when two of their files are one.
 /// @param arguments  the command line without the program's name
 [[nodiscard]] std::vector<TrainingJob> jobs_of(const TrainOptions& options, const std::vector<std::string>& arguments);
 
@@ -41,6 +43,7 @@ class Training {
   Training& operator=(const Training&) = delete;
 
   /// Trains to the end, or to the rollout after which `interrupted` is set (on rank 0), and writes the files (rank 0 does).
+  /// Throws config_file::BadInput, on every rank, when training diverges; the files then stay as they were last written.
   void run(TrainingProgress& progress, std::size_t number, const std::atomic<bool>& interrupted);
 
   [[nodiscard]] const TrainingJob& job() const;

@@ -4,8 +4,6 @@
 
 #include <cstdio>
 
-#include "policy/evaluate/evaluation.hpp"
-
 namespace earshot::apps {
 
 using namespace std::chrono_literals;
@@ -40,7 +38,7 @@ void TrainingProgress::show() {
   At all;
   double begun = 0.0;
   std::uint64_t taken = 0;
-  std::vector<double> medians;
+  std::vector<LearningCurve::Recent> recent;
   for (std::size_t i = 0; i < now_.size(); ++i) {
     const auto share = 1.0 / static_cast<double>(now_.size());
     all.fraction += share * now_[i].fraction;
@@ -48,15 +46,12 @@ void TrainingProgress::show() {
     all.steps += now_[i].steps;
     all.episodes += now_[i].episodes;
     taken += now_[i].steps - begun_[i].steps;
-    if (now_[i].recent.episodes > 0) medians.push_back(now_[i].recent.median_reward);
-    all.recent.found_fraction += share * now_[i].recent.found_fraction;
+    recent.push_back(now_[i].recent);
   }
-  const double median = medians.empty() ? 0.0 : evaluate::quantile(medians, 0.5);
   const double left = all.fraction > begun ? seconds() * (1.0 - all.fraction) / (all.fraction - begun) : 0.0;
-  std::fprintf(stderr, "%s%3.0f %%  %llu episodes  %llu steps  %.0f steps/s  last 50: median reward %.1f, found %.0f %%  %.0f s left   %s",
-               terminal_ ? "\r" : "", 100.0 * all.fraction, static_cast<unsigned long long>(all.episodes),
-               static_cast<unsigned long long>(all.steps), static_cast<double>(taken) / seconds(), median,
-               100.0 * all.recent.found_fraction, left, terminal_ ? "" : "\n");
+  std::fprintf(stderr, "%s%3.0f %%  %llu episodes  %llu steps  %.0f steps/s  last 50: %s  %.0f s left   %s", terminal_ ? "\r" : "",
+               100.0 * all.fraction, static_cast<unsigned long long>(all.episodes), static_cast<unsigned long long>(all.steps),
+               static_cast<double>(taken) / seconds(), in_words(LearningCurve::recent_of_all(recent)).c_str(), left, terminal_ ? "" : "\n");
   std::fflush(stderr);
 }
 

@@ -78,6 +78,12 @@ std::string_view in_words(Subject subject) {
   return kWords[static_cast<std::size_t>(subject)];
 }
 
+std::string degrees_in_words(double degrees) {
+  std::array<char, 16> text{};
+  (void)std::snprintf(text.data(), text.size(), "%03.0f\u00B0", std::fmod(std::round(std::fmod(degrees + 360.0, 360.0)), 360.0));
+  return text.data();
+}
+
 std::string direction_name(const UnitNorthEast& direction) {
   constexpr std::array<std::string_view, 16> kPoints{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
                                                      "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
@@ -85,9 +91,7 @@ std::string direction_name(const UnitNorthEast& direction) {
   const double point = degrees / 22.5;
   const double nearest = std::round(point);
   if (std::abs(point - nearest) < 1e-6) return std::string(kPoints[static_cast<std::size_t>(nearest) % kPoints.size()]);
-  std::array<char, 16> text{};
-  (void)std::snprintf(text.data(), text.size(), "%03.0f\u00B0", degrees);
-  return text.data();
+  return degrees_in_words(degrees);
 }
 
 std::string name_of(const policy::ObservationElement& element, const policy::BeliefModel& model,

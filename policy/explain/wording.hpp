@@ -22,6 +22,10 @@ enum class Subject : std::uint8_t {
 [[nodiscard]] Subject subject_of(policy::Feature feature);
 [[nodiscard]] std::string_view in_words(Subject subject);
 
+/// A bearing in whole degrees, "000°" to "359°".
+/// @param degrees  clockwise from north, above -360
+[[nodiscard]] std::string degrees_in_words(double degrees);
+
 /// "N", "NE", "NNE" where a direction is one of the sixteen points of the compass; otherwise degrees, "014°".
 [[nodiscard]] std::string direction_name(const UnitNorthEast& direction);
 
@@ -29,7 +33,7 @@ enum class Subject : std::uint8_t {
 [[nodiscard]] std::string name_of(const policy::ObservationElement& element, const policy::BeliefModel& model,
                                   const FixedVector<UnitNorthEast, config::kMaxActions>& actions);
 
-/// The raw value of an element of an observation with its unit, "3.2 km" or "12 %".
+/// The raw value of an element of an observation with its unit, "3.20 km" or "12.0 %".
 [[nodiscard]] std::string value_of(const policy::ObservationElement& element, float value);
 
 /// printf's "%.*f", without a minus sign in front of zero

@@ -107,6 +107,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const de
 }
 
 std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const SecretKey& key) {
+  ready_libsodium();
   std::array<std::uint8_t, crypto_sign_SECRETKEYBYTES> expanded{};
   PublicKey public_key{};
   crypto_sign_seed_keypair(public_key.data(), expanded.data(), key.seed.data());
@@ -121,6 +122,7 @@ std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const SecretK
 
 bool is_signed_by(std::span<const std::uint8_t> bytes, const PublicKey& key) {
   if (bytes.size() < policy::kSignatureSize) return false;
+  ready_libsodium();
   const std::size_t signed_size = bytes.size() - policy::kSignatureSize;
   return crypto_sign_verify_detached(bytes.data() + signed_size, bytes.data(), signed_size, key.data()) == 0;
 }

@@ -20,6 +20,7 @@ std::string in_hex(std::span<const std::uint8_t> bytes) {
 }
 
 Key from_hex(std::string_view text, const std::string& file, const std::string& kind) {
+  ready_libsodium();
   Key key{};
   std::size_t read = 0;
   const char* end = nullptr;
@@ -32,14 +33,19 @@ Key from_hex(std::string_view text, const std::string& file, const std::string& 
 
 }  // namespace
 
-SecretKey make_key() {
+void ready_libsodium() {
   if (sodium_init() < 0) throw config_file::BadInput("libsodium finds no source of random numbers");
+}
+
+SecretKey make_key() {
+  ready_libsodium();
   SecretKey key;
   randombytes_buf(key.seed.data(), key.seed.size());
   return key;
 }
 
 PublicKey public_key_of(const SecretKey& key) {
+  ready_libsodium();
   PublicKey public_key{};
   std::array<std::uint8_t, crypto_sign_SECRETKEYBYTES> expanded{};
   crypto_sign_seed_keypair(public_key.data(), expanded.data(), key.seed.data());

@@ -16,6 +16,9 @@ struct SecretKey {
 };
 using PublicKey = std::array<std::uint8_t, policy::kPublicKeySize>;
 
+/// Readies libsodium, which everything that uses it does first; again costs nothing. Throws config_file::BadInput when it cannot be used.
+void ready_libsodium();
+
 /// A new key from the system's random source.
 [[nodiscard]] SecretKey make_key();
 [[nodiscard]] PublicKey public_key_of(const SecretKey& key);

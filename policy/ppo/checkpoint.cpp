@@ -20,8 +20,14 @@ constexpr std::string_view kCrcLine = "crc32 ";
 
 Json to_json(const Continuation& c) {
   auto written = [](const Continuation::Written& w) { return Json{{"bytes", w.bytes}, {"crc32", w.crc32}}; };
-  return {{"arguments", c.arguments},        {"directory", c.directory},      {"settings_crc32", c.settings_crc32},
-          {"episodes", written(c.episodes)}, {"updates", written(c.updates)}, {"state", to_json(c.state)}};
+  Json json{{"arguments", c.arguments},
+            {"directory", c.directory},
+            {"settings_crc32", c.settings_crc32},
+            {"episodes", written(c.episodes)},
+            {"updates", written(c.updates)}};
+  if (c.curve) json["curve"] = *c.curve;
+  json["state"] = to_json(c.state);
+  return json;
 }
 
 Continuation continuation_from(const Json& json) {
@@ -31,7 +37,8 @@ Continuation continuation_from(const Json& json) {
           .directory = json.at("directory").get<std::string>(),
           .settings_crc32 = json.at("settings_crc32").get<std::uint32_t>(),
           .episodes = written(json.at("episodes")),
-          .updates = written(json.at("updates"))};
+          .updates = written(json.at("updates")),
+          .curve = json.contains("curve") ? std::optional(json.at("curve").get<std::string>()) : std::nullopt};
 }
 
 std::string crc_line(std::string_view json) {

@@ -26,6 +26,9 @@ struct Continuation {
   };
   Written episodes;
   Written updates;
+  /// Where the curve of episodes is, from the checkpoint's folder; empty: beside it, under its name with .csv.
+  /// None: written by a program that did not say so.
+  std::optional<std::string> curve = {};
 };
 
 /// What training leaves behind: what the networks see and do, and both of them.

@@ -1,7 +1,9 @@
 #include "policy/ppo/training_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <charconv>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -21,7 +23,7 @@ std::size_t read_size(TableReader& table, std::string_view key, std::size_t fall
   return static_cast<std::size_t>(table.integer_or(key, static_cast<std::int64_t>(fallback), lowest, highest));
 }
 
-void read_search(TableReader table, search::SearchSettings& s) {
+Start read_search(TableReader table, search::SearchSettings& s) {
   const double width = table.number_or("domain_east_m", 25'000.0, Range::above(0.0));
   const double height = table.number_or("domain_north_m", 25'000.0, Range::above(0.0));
   s.domain = {{Meters{0.0}, Meters{0.0}}, {Meters{height}, Meters{width}}};
@@ -35,7 +37,10 @@ void read_search(TableReader table, search::SearchSettings& s) {
   s.border_reward = table.number_or("border_reward", s.border_reward);
   const bool everywhere = table.choice_or("start", 0, {"domain", "inside_border"}) == 0;
   s.start_region = everywhere ? s.domain : search::inside_border(s);
-  if (table.has("start_margin_m")) s.start_region = s.domain.moved_in(Meters{table.number("start_margin_m", Range::at_least(0.0))});
+  if (!table.has("start_margin_m")) return everywhere ? Start::kRegion : Start::kInsideBorder;
+  if (table.has("start")) table.problem("start_margin_m", "takes the place of start: give one of the two");
+  s.start_region = s.domain.moved_in(Meters{table.number("start_margin_m", Range::at_least(0.0))});
+  return Start::kRegion;
 }
 
 void read_hyper_parameters(TableReader table, HyperParameters& h) {
@@ -52,6 +57,26 @@ void read_hyper_parameters(TableReader table, HyperParameters& h) {
   h.max_gradient_norm = table.number_or("max_gradient_norm", h.max_gradient_norm, Range::above(0.0));
   h.target_kl = table.number_or("target_kl", h.target_kl, Range::at_least(0.0));
   h.reward_scale = table.number_or("reward_scale", h.reward_scale, Range::above(0.0));
+}
+
+template <class Value>
+std::string in_text(const Value& value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// Six digits, as long as they say it exactly; otherwise as many more as it takes.
+std::string in_text(double value) {
+  std::array<char, 32> digits{};
+  std::string_view text;
+  for (int precision = 6; precision <= std::numeric_limits<double>::max_digits10; ++precision) {
+    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, precision);
+    text = {digits.data(), written.ptr};
+    double read = 0.0;
+    if (std::from_chars(digits.data(), written.ptr, read).ec == std::errc() && read == value) break;
+  }
+  return std::string(text);
 }
 
 void read_training_reward(TableReader table, HyperParameters& h) {
@@ -74,7 +99,7 @@ TrainingRun load_run(const std::filesystem::path& path) {
   run.episodes = static_cast<std::uint64_t>(root.integer_or("episodes", 0, 0, kMany));
   run.steps = static_cast<std::uint64_t>(root.integer_or("steps", 0, 0, kMany));
   std::optional<TableReader> search = root.optional_table("search");
-  if (search) read_search(*search, run.search);
+  if (search) run.start = read_search(*search, run.search);
   if (auto table = root.optional_table("ppo")) {
     read_hyper_parameters(*table, run.hyper);
     run.learning_rate_schedule = static_cast<LearningRateSchedule>(table->choice_or("learning_rate_schedule", 0, {"constant", "linear"}));
@@ -93,11 +118,7 @@ policy::ObservationModel observation_of(const TrainingRun& run, const sonar::Snr
 
 std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run) {
   std::vector<std::pair<std::string, std::string>> lines;
-  auto add = [&lines](const std::string& name, const auto& value) {
-    std::ostringstream text;
-    text << value;
-    lines.emplace_back(name, text.str());
-  };
+  auto add = [&lines](std::string_view name, const auto& value) { lines.emplace_back(name, in_text(value)); };
   const search::SearchSettings& s = run.search;
   const HyperParameters& h = run.hyper;
   add("vehicle_depth_m", run.vehicle_depth.value);
@@ -116,6 +137,7 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   add("epochs", h.epochs);
   add("learning_rate", h.learning_rate);
   add("learning_rate_schedule", run.learning_rate_schedule == LearningRateSchedule::kConstant ? "constant" : "linear");
+  if (h.decay_steps > 0) add(kDecayStepsName, h.decay_steps);
   add("discount", h.discount);
   add("gae_lambda", h.gae_lambda);
   add("clip_range", h.clip_range);

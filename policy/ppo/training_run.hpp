@@ -22,11 +22,18 @@ enum class LearningRateSchedule : std::uint8_t {
   kLinear,  ///< falls to zero with the last of `steps`
 };
 
+/// Where a run file has the vehicle start.
+enum class Start : std::uint8_t {
+  kRegion,        ///< in search.start_region, whatever else is settled
+  kInsideBorder,  ///< where the border costs nothing: search.start_region moves with search.border_width
+};
+
 /// Everything that decides what a training run makes.
 struct TrainingRun {
   std::filesystem::path environment;  ///< environment file; its source position is the fixed source
   Meters vehicle_depth{300.0};        ///< of the hydrophone, > 0
   search::SearchSettings search;
+  Start start = Start::kRegion;
   description::State state = description::State::kSimple;
   std::size_t remembered_steps = 2;  ///< m of the memory states, 1 to description::most_remembered(state)
   HyperParameters hyper;
@@ -44,7 +51,10 @@ struct TrainingRun {
 /// @param curve  SNR that a belief takes for the truth
 [[nodiscard]] policy::ObservationModel observation_of(const TrainingRun& run, const sonar::SnrCurve& curve);
 
-/// Every setting that shaped the policy, as names and values, for its provenance.
+inline constexpr std::string_view kDecayStepsName = "learning_rate_decay_steps";
+
+/// Every setting that shaped the policy, as names and values, for its provenance. Numbers are written with six digits, or as many more
+/// as it takes to read back the same. Oracle: TrainingRun.DescribesNumbersSoThatTheyReadBackTheSame
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run);
 
 }  // namespace earshot::ppo

@@ -36,10 +36,7 @@ std::string place_in_words(NorthEast place) {
 
 std::string bearing_in_words(NorthEast from, NorthEast to) {
   const NorthEast way = to - from;
-  const double degrees = std::fmod(bearing_of(way.north.value, way.east.value).value * 180.0 / std::numbers::pi + 360.0, 360.0);
-  std::array<char, 16> text{};
-  (void)std::snprintf(text.data(), text.size(), "%03.0f\u00B0", std::fmod(std::round(degrees), 360.0));
-  return text.data();
+  return explain::degrees_in_words(bearing_of(way.north.value, way.east.value).value * 180.0 / std::numbers::pi);
 }
 
 std::string heard_sentence(const DecisionAccount& a) {

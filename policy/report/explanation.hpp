@@ -13,16 +13,16 @@ namespace earshot::report {
 /// Sentences that a watch officer reads first: heard, believed, chosen, expected, safety, why.
 [[nodiscard]] std::vector<std::string> sentences(const explain::DecisionAccount& account);
 
-/// "at the centre of the area, having heard nothing"
+/// "a vehicle in the middle of the area that has heard nothing yet"
 [[nodiscard]] std::string baseline_in_words(explain::Baseline baseline);
 
-/// "the parts add up to 1.2340 of 1.2344 nats, within 0.001 after 64 steps: complete"
+/// "the parts add up to 1.2340 of 1.2344 nats after 64 steps, complete within 0.001"
 [[nodiscard]] std::string completeness_in_words(const explain::Attribution& attribution);
 
-/// "x 1.83": what a part of the log-probability does to the probability
+/// "× 1.83": what a part of the log-probability does to the probability
 [[nodiscard]] std::string factor_in_words(double part);
 
-/// "9.5 dB", "under 5 dB"
+/// "9.5 dB", "under 5.0 dB"
 [[nodiscard]] std::string heard_in_words(policy::Heard heard);
 
 /// The last looks at the source, newest first.

@@ -57,11 +57,11 @@ std::vector<TrackRow> read_track(const std::filesystem::path& path) {
   });
 }
 
-/// What is wrong with a row of a curve over ranges that rise by one step; nothing when it is right.
+/// What is wrong with a row of a curve over ranges that rise from 0 by one step; nothing when it is right.
 const char* fault_in(std::span<const SnrRow> rows, std::size_t i) {
   constexpr double kUnevenness = 0.01;  // of a step: ranges are written rounded
   if (!std::isfinite(rows[i].range_m) || !std::isfinite(static_cast<float>(rows[i].snr_db))) return "range and SNR must be finite numbers";
-  if (i == 0) return nullptr;
+  if (i == 0) return rows[0].range_m == 0.0 ? nullptr : "the first range_m must be 0";
   const double first_step = rows[1].range_m - rows[0].range_m;
   const double step = rows[i].range_m - rows[i - 1].range_m;
   const bool rises = step > 0.0 && std::isfinite(step) && std::abs(step - first_step) <= kUnevenness * first_step;

@@ -9,6 +9,7 @@
 #include "policy/report/explanation.hpp"
 #include "policy/report/html.hpp"
 #include "policy/report/recorded_flight.hpp"
+#include "sim/search/settings.hpp"
 
 namespace earshot::report {
 namespace {
@@ -36,12 +37,9 @@ std::string facts(const nlohmann::json& s) {
          fact("time to simulate", fixed(wall, 2) + " s") + fact("times real time", wall > 0 ? fixed(sim / wall, 0) : "-") + "</dl>\n";
 }
 
-/// "N", "NE", ... where the actions are eight compass directions; otherwise degrees.
-std::string action_name(std::size_t action, std::size_t count) {
-  constexpr std::string_view kEight[] = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
-  if (count == 8) return std::string(kEight[action]);
-  if (count == 4) return std::string(kEight[2 * action]);
-  return fixed(360.0 * static_cast<double>(action) / static_cast<double>(count), 0) + "&deg;";
+/// The actions of a policy that may be missing: the compass directions that every policy has.
+search::ActionTable directions_of(std::size_t count) {
+  return count == 0 ? search::ActionTable{} : search::compass_directions(count);
 }
 
 std::vector<double> probabilities_of(const explain::RecordedDecision& d) {
@@ -75,7 +73,7 @@ std::string decisions(const Flight& flight, const FlightExplanation& explanation
   std::string text = "<p>Percent: how likely the policy made each direction; bold: the one taken; &#9679;: source heard.</p>\n";
   if (!explanation.why_not.empty()) text += "<p>Not explained: " + escaped(explanation.why_not) + "</p>\n";
   text += "<div class=\"table\"><table>\n<tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR (dB)</th>";
-  for (std::size_t a = 0; a < count; ++a) text += "<th>" + action_name(a, count) + "</th>";
+  for (const UnitNorthEast& direction : directions_of(count)) text += "<th>" + explain::direction_name(direction) + "</th>";
   text += "<th>safety</th></tr>\n";
   for (std::size_t i = 0; i < taken.size(); ++i) {
     text += row(taken[i]);

@@ -18,7 +18,7 @@ struct Sheet {
 
 [[nodiscard]] Sheet make_sheet(const RecordedFlight& flight, std::size_t index, explain::Baseline baseline);
 
-/// "Step 12: NE"
+/// "Step 12: why it went NE"
 [[nodiscard]] std::string title_of(const Sheet& sheet);
 
 [[nodiscard]] std::string as_html(const Sheet& sheet);  ///< a page that needs no other file; draws with gnuplot

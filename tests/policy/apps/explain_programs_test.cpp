@@ -96,8 +96,13 @@ TEST_F(ExplainPrograms, RefuseWhatTheyCannotExplainWithOneLine) {
 }
 
 TEST_F(ExplainPrograms, RefuseAFlightWithAnSnrCurveThatStandsStill) {
-  std::ofstream(folder_ / "flight" / "snr.csv") << "range_m,snr_db\n100,30\n100,29\n";
+  std::ofstream(folder_ / "flight" / "snr.csv") << "range_m,snr_db\n0,30\n0,29\n";
   refuses("report flight", {"snr.csv:3", "same step"});
+}
+
+TEST_F(ExplainPrograms, RefuseAFlightWhoseSummaryDoesNotSayAllAndNameIt) {
+  std::ofstream(folder_ / "flight" / "summary.json") << R"({"found": true})";
+  refuses("report flight", {"flight/summary.json: ", "area"});
 }
 
 TEST_F(ExplainPrograms, RefuseAMapOfAPolicyThatKnowsNoOceanUntilOneIsNamed) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <vector>
 
 #include "policy/apps/curve_plot.hpp"
 
@@ -35,6 +36,24 @@ TEST(LearningCurve, LooksAtTheLastFiftyEpisodesOnly) {
   EXPECT_EQ(curve.recent().episodes, 50U);
   EXPECT_EQ(curve.recent().median_reward, -24.5);
   EXPECT_EQ(curve.recent().found_fraction, 0.2);
+}
+
+TEST(LearningCurve, LeavesEmptyWhatNoEpisodeHasToldYet) {
+  LearningCurve curve;
+  curve.add(ppo::UpdateReport{.minibatches = 7}, 64);
+  const std::string& csv = curve.updates_csv();
+  EXPECT_EQ(csv.substr(csv.find('\n') + 1), "64,0,,,0,0,0,0,0,0,0,0,7\n");
+  EXPECT_EQ(LearningCurve(curve.episodes_csv(), csv).updates_csv(), csv);
+}
+
+TEST(LearningCurve, OfSeveralTrainingsCountsThoseInWhichAnEpisodeHasEnded) {
+  using Recent = LearningCurve::Recent;
+  const std::vector<Recent> trainings{{50, -2.0, 0.5}, {}, {10, -4.0, 1.0}};
+  const Recent all = LearningCurve::recent_of_all(trainings);
+  EXPECT_EQ(all.median_reward, -3.0);
+  EXPECT_EQ(all.found_fraction, 0.75);
+  EXPECT_EQ(in_words(all), "median reward -3.0, found 75 %");
+  EXPECT_EQ(in_words(LearningCurve::recent_of_all(std::vector<Recent>(2))), "median reward -, found - %");
 }
 
 TEST(LearningCurve, RefusesFilesThatAreNotItsLike) {

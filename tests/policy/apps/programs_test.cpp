@@ -6,11 +6,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "firmware/core/crc32.hpp"
 
 namespace {
 
@@ -55,6 +58,16 @@ class Programs : public testing::Test {
   nlohmann::json parameters_in(const std::string& checkpoint) const {
     const std::string text = content(folder / checkpoint);
     return nlohmann::json::parse(text.substr(0, text.find('\n')))["parameters"];
+  }
+
+  /// Makes of a checkpoint one of the programs that did not yet keep where its curve is.
+  void forget_the_curve(const std::string& checkpoint) const {
+    const std::string text = content(folder / checkpoint);
+    auto json = nlohmann::ordered_json::parse(text.substr(0, text.find('\n')));
+    ASSERT_EQ(json["continuation"].erase("curve"), 1U);
+    const std::string line = json.dump();
+    const std::uint32_t crc = earshot::crc32({reinterpret_cast<const std::uint8_t*>(line.data()), line.size()});
+    std::ofstream(folder / checkpoint) << line << "\ncrc32 " << std::hex << std::setw(8) << std::setfill('0') << crc << '\n';
   }
 
   std::vector<std::string> files() const {
@@ -144,6 +157,90 @@ TEST_F(Programs, TrainMakesOfSeveralSeedsAtOnceWhatItMakesOfEach) {
   EXPECT_EQ(parameters_in("a.seed2.checkpoint"), parameters_in("alone.checkpoint"));
 }
 
+TEST_F(Programs, TrainGivesEverySeedItsOwnFilesWhateverTheOutputIsCalled) {
+  ASSERT_EQ(run("train" + kOcean + " --seeds 1,2 --episodes 1 -o x"), 0) << content(folder / "err");
+  EXPECT_EQ(files(),
+            (std::vector<std::string>{"x.seed1", "x.seed1.csv", "x.seed1.updates.csv", "x.seed2", "x.seed2.csv", "x.seed2.updates.csv"}));
+  const std::string curve = content(folder / "x.seed1.csv");
+  EXPECT_NE(content(folder / "x.seed2.csv"), curve);
+  ASSERT_EQ(run("train --resume x.seed1 x.seed2 --steps 4096"), 0) << content(folder / "err");
+  EXPECT_EQ(files().size(), 6U) << "it went on with the same files";
+  EXPECT_EQ(content(folder / "x.seed1.csv").substr(0, curve.size()), curve);
+  EXPECT_GT(content(folder / "x.seed1.csv").size(), curve.size());
+}
+
+TEST_F(Programs, TrainTakesTheLastSeedThereIs) {
+  ASSERT_EQ(run("train" + kOcean + " --seeds 18446744073709551615 --steps 1 -o x"), 0) << content(folder / "err");
+  EXPECT_EQ(files().front(), "x.seed18446744073709551615");
+}
+
+TEST_F(Programs, TrainGoesOnFromTheCurveThatItWasGivenAndIntoTheFilesThatItIsGiven) {
+  fs::create_directories(folder / "curves");
+  ASSERT_EQ(run("train" + kOcean + " --steps 4096 --seed 3 -o whole.checkpoint"), 0) << content(folder / "err");
+  ASSERT_EQ(run("train" + kOcean + " --steps 2048 --seed 3 -o a.checkpoint --curve curves/c.csv"), 0) << content(folder / "err");
+  const std::string first = content(folder / "curves/c.csv");
+  const std::string checkpoint = content(folder / "a.checkpoint");
+
+  ASSERT_EQ(run("train --resume a.checkpoint --steps 4096 -o b.checkpoint"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "b.csv"), content(folder / "whole.csv"));
+  EXPECT_EQ(content(folder / "b.updates.csv"), content(folder / "whole.updates.csv"));
+  EXPECT_EQ(content(folder / "curves/c.csv"), first) << "what it went on from stays as it was";
+  EXPECT_EQ(content(folder / "a.checkpoint"), checkpoint);
+  ASSERT_EQ(run("train --resume b.checkpoint --steps 6144"), 0) << content(folder / "err");
+
+  ASSERT_EQ(run("train --resume a.checkpoint --steps 4096 --curve d.csv"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "d.csv"), content(folder / "whole.csv"));
+  ASSERT_EQ(run("train --resume a.checkpoint --steps 6144"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "d.csv"), content(folder / "b.csv"));
+  EXPECT_FALSE(fs::exists(folder / "a.csv"));
+
+  fs::remove(folder / "d.csv");
+  refuses("train --resume a.checkpoint", {"d.csv", "no such file"});
+}
+
+TEST_F(Programs, TrainGoesOnFromACheckpointThatDoesNotSayWhereItsCurveIs) {
+  for (const std::string curve : {"", " --curve c.csv"}) {
+    ASSERT_EQ(run("train" + kOcean + " --steps 2048 -o a.checkpoint" + curve), 0) << content(folder / "err");
+    const fs::path file = folder / (curve.empty() ? "a.csv" : "c.csv");
+    const std::string first = content(file);
+    forget_the_curve("a.checkpoint");
+    ASSERT_EQ(run("train --resume a.checkpoint --steps 4096"), 0) << content(folder / "err");
+    EXPECT_EQ(content(file).substr(0, first.size()), first);
+    EXPECT_GT(content(file).size(), first.size());
+  }
+}
+
+TEST_F(Programs, TrainThatDivergesSaysSoAndLeavesItsGoodFilesAlone) {
+  const std::string settings = "environment = \"" + kSource + "/sim/ocean/environments/munk_flat.toml\"\nsteps = 4096\n[ppo]\n";
+  std::ofstream(folder / "good.toml") << settings;
+  std::ofstream(folder / "bad.toml") << settings << "learning_rate = 1e30\n";
+  ASSERT_EQ(run("train good.toml -o a.checkpoint"), 0) << content(folder / "err");
+  const std::vector<std::string> good{content(folder / "a.checkpoint"), content(folder / "a.csv"), content(folder / "a.updates.csv")};
+  EXPECT_EQ(run("train bad.toml -o a.checkpoint"), 2);
+  EXPECT_NE(content(folder / "err").find("a.checkpoint: diverged at step "), std::string::npos) << content(folder / "err");
+  EXPECT_NE(content(folder / "err").find("lower learning_rate"), std::string::npos) << content(folder / "err");
+  EXPECT_EQ(content(folder / "a.checkpoint"), good[0]);
+  EXPECT_EQ(content(folder / "a.csv"), good[1]);
+  EXPECT_EQ(content(folder / "a.updates.csv"), good[2]);
+}
+
+TEST_F(Programs, TrainStartsInsideTheBorderOfTheWidthThatTheCommandLineGives) {
+  std::ofstream(folder / "run.toml") << "[search]\nstart = \"inside_border\"\nborder_width_m = 1000.0\n";
+  ASSERT_EQ(run("train run.toml" + kOcean + " --border-width-m 4000 --steps 1 -o a.checkpoint"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "a.checkpoint").find(R"("start_margin_m":"4000")"), std::string::npos);
+  ASSERT_EQ(run("train run.toml" + kOcean + " --border-width-m 4000 --start-margin-m 3000 --steps 1 -o b.checkpoint"), 0);
+  EXPECT_NE(content(folder / "b.checkpoint").find(R"("start_margin_m":"3000")"), std::string::npos);
+}
+
+TEST_F(Programs, TrainSaysThatNoEpisodeHasEndedRatherThanThatItEarnedNothing) {
+  std::ofstream(folder / "run.toml") << "[ppo]\nsteps_per_rollout = 2\nbatch_size = 2\n";
+  ASSERT_EQ(run("train run.toml" + kOcean + " --source changing --start-margin-m 12000 --steps 1 --seed 3 -o a.checkpoint"), 0)
+      << content(folder / "err");
+  ASSERT_EQ(content(folder / "a.csv"), "episode,steps,reward,found\n") << "this seed is to find nothing in two steps";
+  EXPECT_NE(content(folder / "out").find("no episode has ended"), std::string::npos) << content(folder / "out");
+  EXPECT_NE(content(folder / "err").find("median reward -, found - %"), std::string::npos) << content(folder / "err");
+}
+
 TEST_F(Programs, TrainOnTwoMpiRanksIsTheSameEveryTimeAndGoesOn) {
   if (std::string(EARSHOT_MPIEXEC).empty()) GTEST_SKIP() << "built without MPI";
   auto train = [this](const std::string& words) {
@@ -181,8 +278,10 @@ TEST_F(Programs, TrainRefusesToGoOnWithWhatItCannotInOneLine) {
   refuses("train --resume old.checkpoint", {"old.checkpoint", "another version"});
   refuses("train --resume a.checkpoint --seed 4", {"--seed", "--resume"});
   refuses("train run.toml --resume a.checkpoint", {"RUN", "--resume"});
-  refuses("train --resume a.checkpoint --curve none.csv", {"none.csv", "no such file"});
   refuses("train run.toml --seeds 3-1 -o a.checkpoint", {"--seeds", "3-1"});
+  refuses("train run.toml --seeds 1-1001 -o a.checkpoint", {"--seeds", "1000", "1-1001"});
+  refuses("train run.toml --seeds 1-1000,2000 -o a.checkpoint", {"--seeds", "1000", "1-1000,2000"});
+  refuses("train --resume a.checkpoint a.checkpoint", {"--resume a.checkpoint, --resume a.checkpoint", "the same file"});
   refuses("train run.toml -o b.checkpoint --plot b.pdf", {"--plot", "b.pdf", ".png"});
   std::ofstream(folder / "a.csv", std::ios::in) << "episode,steps,reward,fount";
   refuses("train --resume a.checkpoint", {"a.csv", "not the learning curve"});
@@ -206,6 +305,12 @@ TEST_F(Programs, TrainRefusesBadInputInOneLine) {
   refuses("train" + kOcean + " --vehicle-depth-m 3000 -o a.checkpoint", {"--vehicle-depth-m", "sea floor"});
   refuses("train" + kOcean + " --frobnicate -o a.checkpoint", {"frobnicate"});
   refuses("train" + kOcean, {"--output"});
+  refuses("train" + kOcean + " -o a\xFF.checkpoint", {"the command line holds bytes that are not UTF-8"});
+  refuses("train" + kOcean + " -o a.svg --plot ./a.svg", {"--output a.svg", "--plot ./a.svg", "the same file"});
+  refuses("train" + kOcean + " -o a.csv", {"--output a.csv, the learning curve of --output a.csv", "the same file"});
+  refuses("train" + kOcean + " -o a.updates.csv --curve a.csv", {"--output a.updates.csv", "losses beside --curve", "the same file"});
+  std::ofstream(folder / "start.toml") << "[search]\nstart = \"domain\"\nstart_margin_m = 10.0\n";
+  refuses("train start.toml" + kOcean + " -o a.checkpoint", {"start.toml:3", "start_margin_m", "start"});
 }
 
 TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
@@ -221,6 +326,8 @@ TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
   refuses("evaluate --policies oracle --environment none.toml", {"none.toml", "no such file"});
   refuses("evaluate --policies oracle --world none.toml", {"none.toml", "no such file"});
   refuses("evaluate --policies oracle --plot a.gif", {"a.gif", ".png or .svg"});
+  refuses("evaluate --policies oracle --csv a --json a", {"--json a, --csv a", "the same file"});
+  refuses("evaluate --policies oracle --world \xC0\xAF.toml", {"the command line holds bytes that are not UTF-8"});
   std::ofstream(folder / "bad.toml") << "name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"" << kSource
                                      << "/sim/ocean/environments/munk_flat.toml\"\n[conditions]\nfluctuation_db = -1.0\n";
   refuses("evaluate --policies oracle --world bad.toml", {"bad.toml:6", "fluctuation_db", "at least 0"});
@@ -234,6 +341,7 @@ TEST_F(Programs, EvaluateNeedsNothingButTheNamesOfPolicies) {
   const auto json = nlohmann::json::parse(content(folder / "a.json"));
   EXPECT_EQ(json["source"], "changing");
   EXPECT_EQ(json["start"], "inside_border");
+  EXPECT_FALSE(json.contains("start_margin_m"));
   ASSERT_EQ(json["results"].size(), 3U);
   EXPECT_EQ(json["results"][0]["policy"], "shipped");
   EXPECT_EQ(json["results"][2]["found_fraction"], 1.0) << "an oracle that heeds no border finds every source";
@@ -241,6 +349,13 @@ TEST_F(Programs, EvaluateNeedsNothingButTheNamesOfPolicies) {
   EXPECT_EQ(std::ranges::count(content(folder / "a.csv"), '\n'), 4);
   EXPECT_EQ(content(folder / "a.svg").substr(0, 5), "<?xml");
   EXPECT_NE(content(folder / "out").find("us/decision"), std::string::npos);
+}
+
+TEST_F(Programs, EvaluateWritesTheMarginOfItsStartsInPlaceOfTheirRegion) {
+  ASSERT_EQ(run("evaluate --policies random --episodes 3 --start-margin-m 5000 --json \u00E4.json"), 0) << content(folder / "err");
+  const auto json = nlohmann::json::parse(content(folder / "\u00E4.json"));
+  EXPECT_EQ(json["start_margin_m"], 5'000.0);
+  EXPECT_FALSE(json.contains("start"));
 }
 
 TEST_F(Programs, EvaluateFliesTheSameStartsForEveryPolicyInEveryOrder) {
@@ -295,7 +410,18 @@ TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
   refuses("freeze a.checkpoint -o nowhere/a.policy --key a.key", {"nowhere/a.policy", "cannot be written"});
   refuses("freeze a.checkpoint --key a.key", {"MODEL", "--output"});
   refuses("freeze a.checkpoint -o a.policy --key a.key --draw dice", {"--draw", "dice"});
+  refuses("freeze a.checkpoint -o ./a.key --key a.key", {"--key a.key", "--output ./a.key", "the same file"});
+  refuses("freeze a.checkpoint -o a.pub --key a.key", {"--key a.pub", "--output a.pub", "the same file"});
+  refuses("freeze a.checkpoint -o b.key --key b.key --new-key", {"--key b.key", "--output b.key", "the same file"});
   EXPECT_EQ(content(folder / "a.key"), key);
+}
+
+TEST_F(Programs, FreezeReplacesThePublicKeyWhoseSecretHalfIsGone) {
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0) << content(folder / "err");
+  const std::string public_key = content(folder / "a.pub");
+  fs::remove(folder / "a.key");
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "a.pub"), public_key);
 }
 
 TEST_F(Programs, FreezeReadsModelsTrainedElsewhere) {

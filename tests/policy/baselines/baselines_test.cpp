@@ -105,16 +105,16 @@ TEST(LawnMowerCorners, RunEastAndWestWhenAskedTo) {
 }
 
 TEST_F(Baselines, LawnMowerLeavesNoPlaceInsideTheBorderFurtherThanHalfATrackSpacingAndTheCornersItCuts) {
-  const sonar::SnrCurve short_range(Meters{1'000.0}, {20.0F, 15.0F, 12.0F, 5.0F});  // heard up to 2 km, tracks 6 km apart at most
+  const sonar::SnrCurve short_range(Meters{1'000.0}, {20.0F, 15.0F, 12.0F, 5.0F});  // heard up to 2 km, tracks 4 km apart at most
   const Briefing near{.settings = {}, .actions = briefing.actions, .snr = short_range};
   LawnMower mower(near);
-  const std::vector<NorthEast> places = track(mower, near, at(3'000, 3'000), 130);
+  const std::vector<NorthEast> places = track(mower, near, at(3'000, 3'000), 170);
   const Rectangle inside = search::inside_border(near.settings);
   for (double north_m = 1'000; north_m <= 24'000; north_m += 1'000) {
     for (double east_m = 1'000; east_m <= 24'000; east_m += 1'000) {
       const bool near_enough =
-          std::ranges::any_of(places, [&](NorthEast p) { return range_between(p, at(north_m, east_m)).value < 4'150; });
-      EXPECT_TRUE(near_enough) << north_m << " " << east_m;  // half of 23 km / 4 tracks = 2.88 km, and 1.25 km of a corner
+          std::ranges::any_of(places, [&](NorthEast p) { return range_between(p, at(north_m, east_m)).value < 3'200; });
+      EXPECT_TRUE(near_enough) << north_m << " " << east_m;  // half of 23 km / 6 tracks = 1.92 km, and 1.25 km of a corner
     }
   }
   for (const NorthEast place : places) EXPECT_TRUE(inside.contains(place));

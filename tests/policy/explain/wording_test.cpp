@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "sim/search/settings.hpp"
 
@@ -21,6 +23,17 @@ TEST(DirectionName, IsThePointOfTheCompassWhereItIsOneAndDegreesWhereNot) {
   EXPECT_EQ(names(8), "N NE E SE S SW W NW ");
   EXPECT_EQ(names(16), "N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW ");
   EXPECT_EQ(names(5), "N 072\u00B0 144\u00B0 216\u00B0 288\u00B0 ");
+}
+
+TEST(DegreesInWords, GoFromNorthOnceAroundAndBegin) {
+  EXPECT_EQ(degrees_in_words(0.0), "000\u00B0");
+  EXPECT_EQ(degrees_in_words(14.4), "014\u00B0");
+  EXPECT_EQ(degrees_in_words(359.4), "359\u00B0");
+  EXPECT_EQ(degrees_in_words(359.7), "000\u00B0");
+  EXPECT_EQ(degrees_in_words(-0.3), "000\u00B0");
+  EXPECT_EQ(degrees_in_words(-90.0), "270\u00B0");
+  const double west_of_north = -0.3 * std::numbers::pi / 180.0;
+  EXPECT_EQ(direction_name({std::cos(west_of_north), std::sin(west_of_north)}), "000\u00B0");
 }
 
 TEST(ValueOf, UndoesTheScalingOfTheObservation) {

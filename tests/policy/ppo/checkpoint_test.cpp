@@ -98,7 +98,8 @@ TEST(Checkpoint, KeepsWhatTrainingGoesOnFromExactly) {
                                       .directory = "/somewhere",
                                       .settings_crc32 = 0xDEADBEEF,
                                       .episodes = {100, 1},
-                                      .updates = {200, 2}};
+                                      .updates = {200, 2},
+                                      .curve = "curves/a.csv"};
   const Checkpoint read = from_text(to_text(written), "a");
   ASSERT_TRUE(read.continuation);
   const TrainingState& state = read.continuation->state;
@@ -114,6 +115,17 @@ TEST(Checkpoint, KeepsWhatTrainingGoesOnFromExactly) {
   EXPECT_EQ(read.continuation->settings_crc32, 0xDEADBEEF);
   EXPECT_EQ(read.continuation->updates.bytes, 200U);
   EXPECT_EQ(read.continuation->updates.crc32, 2U);
+  EXPECT_EQ(read.continuation->curve, "curves/a.csv");
+}
+
+TEST(Checkpoint, OfAProgramThatDidNotSayWhereItsCurveIsCanBeGoneOnWith) {
+  Checkpoint written = made_up();
+  written.continuation = Continuation{};
+  const std::string text = to_text(written);
+  EXPECT_EQ(text.find("\"curve\""), std::string::npos);
+  const Checkpoint read = from_text(text, "a");
+  ASSERT_TRUE(read.continuation);
+  EXPECT_FALSE(read.continuation->curve);
 }
 
 TEST(Checkpoint, IsRefusedWithTheFileAndThePartThatIsWrong) {

@@ -83,6 +83,37 @@ TEST(TrainingRun, SaysOneThingOfADomainThatIsNoNumber) {
   }
 }
 
+TEST(TrainingRun, RefusesAStartInTwoWays) {
+  const std::string path = written("[search]\nstart = \"domain\"\nstart_margin_m = 5000.0\n");
+  try {
+    (void)load_run(path);
+    FAIL();
+  } catch (const config_file::BadInput& e) {
+    EXPECT_NE(std::string(e.what()).find(path + ":3: search.start_margin_m"), std::string::npos) << e.what();
+  }
+}
+
+TEST(TrainingRun, DescribesNumbersSoThatTheyReadBackTheSame) {
+  const auto value_of = [](const TrainingRun& run, std::string_view name) {
+    for (const auto& [each, value] : describe(run)) {
+      if (each == name) return value;
+    }
+    return std::string("not described");
+  };
+  TrainingRun run;
+  EXPECT_EQ(value_of(run, "learning_rate"), "0.0003");
+  EXPECT_EQ(value_of(run, "border_reward"), "-100");
+  EXPECT_EQ(value_of(run, "learning_rate_decay_steps"), "not described");
+  run.hyper.learning_rate = 1.0 / 3.0;
+  run.hyper.clip_range = 0.12345678;
+  run.search.border_width = Meters{1'234.5678};
+  run.hyper.decay_steps = 10'000'000;
+  EXPECT_EQ(std::stod(value_of(run, "learning_rate")), 1.0 / 3.0);
+  EXPECT_EQ(value_of(run, "clip_range"), "0.12345678");
+  EXPECT_EQ(value_of(run, "border_width_m"), "1234.5678");
+  EXPECT_EQ(value_of(run, "learning_rate_decay_steps"), "10000000");
+}
+
 TEST(TrainingRun, RefusesABorderThatLeavesNoRoomToStartIn) {
   EXPECT_THROW((void)load_run(written("[search]\nstart = \"inside_border\"\nborder_width_m = 12500.0\n")), config_file::BadInput);
 }

@@ -61,6 +61,7 @@ TEST_F(PageTest, OfAFlightWithoutItsPolicyStillListsEveryDecisionAndSaysWhatIsMi
   EXPECT_EQ(count(text, "<details>"), 0U);
   EXPECT_EQ(count(text, "Not explained: "), 1U);
   EXPECT_EQ(count(text, "class=\"p taken\""), 3U) << "one action taken at each of three decisions";
+  EXPECT_EQ(count(text, "<th>N</th><th>NE</th><th>E</th><th>SE</th><th>S</th><th>SW</th><th>W</th><th>NW</th>"), 1U);
 }
 
 TEST_F(PageTest, SheetSaysTheSameInEveryFormat) {

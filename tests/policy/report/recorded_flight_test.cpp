@@ -116,13 +116,14 @@ TEST_F(RecordedFlightTest, NamesWhatASummaryDoesNotSay) {
   expect_said(refusal(folder_), {"snr.csv"});
 }
 
-TEST_F(RecordedFlightTest, RefusesAnSnrCurveWhoseRangesDoNotRiseByOneStepOrWhoseNumbersAreNone) {
+TEST_F(RecordedFlightTest, RefusesAnSnrCurveWhoseRangesDoNotRiseFromZeroByOneStepOrWhoseNumbersAreNone) {
   const auto refused = [this](const char* rows) {
     std::ofstream(folder_ / "snr.csv") << "range_m,snr_db\n" << rows;
     return refusal(folder_);
   };
-  expect_said(refused("100,30\n100,29\n"), {"snr.csv:3", "same step"});
-  expect_said(refused("100,30\n0,29\n"), {"snr.csv:3", "same step"});
+  expect_said(refused("0,30\n0,29\n"), {"snr.csv:3", "same step"});
+  expect_said(refused("0,30\n-100,29\n"), {"snr.csv:3", "same step"});
+  expect_said(refused("100,30\n200,29\n"), {"snr.csv:2", "must be 0"});
   expect_said(refused("0,30\n100,29\n300,28\n"), {"snr.csv:4", "same step"});
   expect_said(refused("0,30\nnan,29\n"), {"snr.csv:3", "finite"});
   expect_said(refused("0,30\n100,nan\n"), {"snr.csv:3", "finite"});
