@@ -159,7 +159,7 @@ def main_settings(quick):
     longer = [replace(s, name=s.name + "_long", episodes=0, steps=steps) for s in paper[1:]]
     # the start region, border and batches with which the memory state of the paper gains what the paper says: policy/ppo/runs/changing_*.toml
     batches = 'environments = 8\nsteps_per_rollout = 1024\nbatch_size = 512\nlearning_rate = 1e-3\nlearning_rate_schedule = "linear"\n'
-    central = {"margin_m": 5000.0, "border_m": 500.0, "ppo": batches}
+    central = {"margin_m": 7500.0, "border_m": 500.0, "ppo": batches}
     longer += [Setting(f"central_{state}_long", state, steps=2 * steps, **central) for state in ("simple", "memory")]
     return paper, longer
 

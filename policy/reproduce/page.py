@@ -9,7 +9,7 @@ CAPTIONS = {
     "figure4": "Figure 4. A search with a high and one with a low reward (the 95th and 5th percentile; changing source, memory and position, the "
     "longer training, seed 1). Circle: start; square: source reached; cross: not reached. Pale blue: where the source is heard. Dotted: border.",
     "figure5": "Figure 5. Reward in training: running median of the last 50 episodes; line and band: median and interquartile range of the seeds. "
-    "(c): starts at least 5 km from every edge, border b = 0.5 km.",
+    "(c): starts at least 7.5 km from every edge, border b = 0.5 km.",
     "figure6": "Figure 6. Fixed source, simple state: the first four searches of an evaluation, not chosen, as they are (a) and relative to the source (b).",
     "figure7": "Figure 7. Changing source, simple state, the longer training: the first four searches of an evaluation. Each source in its path's colour.",
     "figure8": "Figure 8. Changing source, memory state, the longer training: the first four searches of an evaluation, from the same starts.",
