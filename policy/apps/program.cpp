@@ -3,13 +3,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "firmware/config_file/table_reader.hpp"
 #include "sim/sonar/gnuplot.hpp"
@@ -151,22 +150,12 @@ void check_distinct(std::span<const OutputFile> files) {
 }
 
 bool is_utf8(std::string_view text) {
-  constexpr std::array<std::uint32_t, 5> kLeastOfSize{0, 0, 0x80, 0x800, 0x10000};
-  while (!text.empty()) {
-    const std::uint32_t first = static_cast<std::uint8_t>(text.front());
-    const std::size_t size = first < 0x80 ? 1 : first >> 5 == 0x06 ? 2 : first >> 4 == 0x0E ? 3 : first >> 3 == 0x1E ? 4 : 0;
-    if (size == 0 || size > text.size()) return false;
-    std::uint32_t character = size == 1 ? first : first & (0x7FU >> size);
-    for (const char next : text.substr(1, size - 1)) {
-      const std::uint32_t byte = static_cast<std::uint8_t>(next);
-      if (byte >> 6 != 0x02) return false;
-      character = character << 6 | (byte & 0x3FU);
-    }
-    const bool surrogate = character >= 0xD800 && character <= 0xDFFF;
-    if (character < kLeastOfSize[size] || character > 0x10FFFF || surrogate) return false;
-    text.remove_prefix(size);
+  try {
+    (void)nlohmann::json(text).dump();
+    return true;
+  } catch (const nlohmann::json::type_error&) {
+    return false;
   }
-  return true;
 }
 
 policy::ActionDraw draw_named(std::string_view name) {

@@ -43,7 +43,7 @@ struct OutputFile {
 /// Throws config_file::BadInput, naming both options, when two of them are one file: one would silently replace the other.
 void check_distinct(std::span<const OutputFile> files);
 
-/// Whether JSON can hold it (RFC 3629).
+/// Whether JSON can hold it.
 [[nodiscard]] bool is_utf8(std::string_view text);
 
 /// @param name  "argmax" or "sampled", which the option's check has made sure of
