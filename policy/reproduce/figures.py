@@ -207,8 +207,9 @@ def reward_histograms(columns):
             median = np.median(rewards)
             axes.hist(np.clip(rewards, -197, None), bins, weights=np.full(rewards.size, 100.0 / rewards.size), color=COLOURS[kind])
             axes.axvline(median, color="k", lw=1, ls="--")
-            axes.annotate(f"median {median:.0f}", (median, 0.93), xycoords=("data", "axes fraction"), xytext=(-4 if median < -20 else -14, 0),
-                          textcoords="offset points", ha="right" if median > -120 else "left", va="top", fontsize=8.5)  # fmt: skip
+            beside, side = (4, "left") if median < -120 else (-4 if median < -20 else -14, "right")  # where the bars leave room
+            axes.annotate(f"median {median:.0f}", (median, 0.93), xycoords=("data", "axes fraction"), xytext=(beside, 0),
+                          textcoords="offset points", ha=side, va="top", fontsize=8.5)  # fmt: skip
             axes.set_title(f"{LABELS[kind]}, {heading}", fontsize=8.5)
         panels[-1, column].set_xlabel("reward of a search (all below -195 in the first bar)")
     for axes in panels[:, 0]:
