@@ -248,12 +248,11 @@ void Training::Parts::resume() {
 
 /// All ranks have the same parameters and moments, and so the same opinion.
 void Training::Parts::refuse_divergence() const {
-  const ppo::TrainingState state = trainer.state();
+  const ppo::Adam::State& optimiser = trainer.optimiser();
   const auto are_finite = [](std::span<const float> values) {
     return std::ranges::all_of(values, [](float x) { return std::isfinite(x); });
   };
-  if (are_finite(trainer.networks().parameters()) && are_finite(state.optimiser.first_moment) && are_finite(state.optimiser.second_moment))
-    return;
+  if (are_finite(trainer.networks().parameters()) && are_finite(optimiser.first_moment) && are_finite(optimiser.second_moment)) return;
   throw BadInput(job.output.string() + ": diverged at step " + std::to_string(trainer.steps()) +
                  ": a weight or its moment is no finite number; nothing written, lower learning_rate");
 }

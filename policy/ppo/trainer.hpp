@@ -54,6 +54,7 @@ class Trainer {
   [[nodiscard]] bool resume(std::span<const float> parameters, const TrainingState& state);
 
   [[nodiscard]] const ActorCritic<float>& networks() const { return learner_.networks(); }
+  [[nodiscard]] const Adam::State& optimiser() const { return learner_.optimiser(); }
   /// The last rollout.
   [[nodiscard]] const Rollout& rollout() const { return rollout_; }
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
