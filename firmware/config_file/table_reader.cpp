@@ -3,22 +3,41 @@
 #include <toml++/toml.h>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <functional>
 #include <set>
 #include <sstream>
 #include <utility>
 
+#include "firmware/config_file/nesting.hpp"
+#include "firmware/host/file/input_file.hpp"
+#include "firmware/host/file/printable.hpp"
+
 namespace earshot::config_file {
 
 struct Problems {
+  static constexpr std::size_t kMostLines = 20;         // a screen
+  static constexpr std::size_t kLongestProblem = 1000;  // bytes: our own words are shorter, and a name may have as many as the file
+
   std::filesystem::path path;
   std::vector<std::string> lines;
+  std::size_t left_out = 0;
 
   void add(std::size_t line, const std::string& what) {
-    std::string text = path.string();
+    if (lines.size() == kMostLines) {
+      ++left_out;
+      return;
+    }
+    std::string text = host::printable(path.string());
     if (line > 0) text.append(":").append(std::to_string(line));
-    lines.push_back(text.append(": ").append(what));
+    text.append(": ").append(host::printable(std::string_view(what).substr(0, kLongestProblem)));
+    lines.push_back(what.size() > kLongestProblem ? text + "..." : text);
+  }
+
+  [[nodiscard]] std::string told() const {
+    std::string all;
+    for (const std::string& line : lines) all += (all.empty() ? "" : "\n") + line;
+    if (left_out > 0) all += "\n" + host::printable(path.string()) + ": " + std::to_string(left_out) + " more problems";
+    return all;
   }
 };
 
@@ -269,14 +288,16 @@ void TableReader::problem(std::string_view key, std::string_view what) {
 File::File(std::filesystem::path path)
     : path_(std::move(path)), problems_(std::make_shared<Problems>()), root_(std::make_shared<TableNode>()) {
   problems_->path = path_;
-  std::error_code error;
-  if (!std::filesystem::exists(path_, error)) throw BadInput(path_.string() + ": no such file");
-  std::ifstream stream(path_);
-  if (!stream || std::filesystem::is_directory(path_, error)) throw BadInput(path_.string() + ": cannot be read");
+  const std::string text = host::read_text(path_, host::kTomlFile);
+  const auto refused = [this](std::size_t line, const std::string& what) {
+    return BadInput(host::printable(path_.string()) + ":" + std::to_string(line) + ": " + what);
+  };
+  if (const auto line = line_nested_too_deep(text))
+    throw refused(*line, "tables, arrays or dots of a key stand more than " + std::to_string(kDeepestNesting) + " deep in each other");
   try {
-    root_->document = std::make_shared<const toml::table>(toml::parse(stream, path_.string()));
+    root_->document = std::make_shared<const toml::table>(toml::parse(text, path_.string()));
   } catch (const toml::parse_error& e) {
-    throw BadInput(path_.string() + ":" + std::to_string(e.source().begin.line) + ": not TOML: " + std::string(e.description()));
+    throw refused(e.source().begin.line, "not TOML: " + std::string(e.description()));
   }
   root_->problems = problems_;
   root_->table = root_->document.get();
@@ -293,9 +314,7 @@ std::filesystem::path File::resolve(const std::filesystem::path& relative) const
 void File::finish() const {
   root_->note_unknown_keys();
   if (problems_->lines.empty()) return;
-  std::string all;
-  for (const std::string& line : problems_->lines) all += (all.empty() ? "" : "\n") + line;
-  throw BadInput(all);
+  throw BadInput(problems_->told());
 }
 
 }  // namespace earshot::config_file

@@ -5,19 +5,15 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "firmware/host/file/bad_input.hpp"
+
 namespace earshot::config_file {
 
-/// Everything that is wrong with a file, one line each: "FILE:LINE: KEY = VALUE: what is allowed". Programs print it and exit with
-/// status 2.
-class BadInput : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using host::BadInput;
 
 struct Problems;   ///< what the readers of one file have found so far
 struct TableNode;  ///< one TOML table and which of its keys were asked for

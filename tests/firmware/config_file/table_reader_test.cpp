@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -206,6 +207,32 @@ TEST(File, RefusesAFolder) {
 TEST(File, NamesTheLineThatIsNotToml) {
   const std::filesystem::path path = written("a = 1\nb = = 2\n");
   EXPECT_EQ(refusal(path).rfind(path.string() + ":2: not TOML: ", 0), 0U) << refusal(path);
+}
+
+TEST(File, RefusesAKeyOfFortyThousandDotsBeforeItIsParsed) {
+  std::string key = "a";
+  for (int i = 0; i < 40'000; ++i) key += ".a";
+  EXPECT_NE(refusal(written(key + "=1\n")).find(":1: tables, arrays or dots of a key stand more than 32 deep"), std::string::npos);
+}
+
+TEST(File, RefusesTomlOfMoreThanFourMebibytes) {
+  const std::filesystem::path path = written("");
+  std::filesystem::resize_file(path, (std::uintmax_t{4} << 20U) + 1);
+  EXPECT_NE(refusal(path).find("a TOML file has at most 4194304"), std::string::npos) << refusal(path);
+}
+
+TEST(File, SaysHowManyProblemsThereAreBesidesTheFirstTwenty) {
+  std::string toml;
+  for (int i = 0; i < 200'000; ++i) toml += "k" + std::to_string(i) + " = 1\n";
+  const std::string text = complaint(toml, [](TableReader&) {});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 20);
+  EXPECT_TRUE(text.ends_with(": 199980 more problems")) << text;
+}
+
+TEST(File, SpellsOutControlCharactersOfKeysAndShortensLongOnes) {
+  EXPECT_EQ(complaint("\"\\u001b[31m\\n\" = 1", [](TableReader&) {}), ":1: \\x1b[31m\\n: unknown key");
+  const std::string text = complaint(std::string(100'000, 'k') + " = 1", [](TableReader&) {});
+  EXPECT_EQ(text, ":1: " + std::string(1000, 'k') + "...");
 }
 
 TEST(File, ResolvesPathsAgainstItsOwnFolder) {
