@@ -1,5 +1,6 @@
 #include "hil/bus/dbc.hpp"
 
+#include <array>
 #include <ostream>
 
 #include "firmware/wire/n2k/identifier.hpp"
@@ -16,7 +17,8 @@ constexpr std::uint32_t kExtended = 0x8000'0000U;  ///< DBC's mark of a 29-bit i
 constexpr int kJ1939Format = 3;                    ///< index in the VFrameFormat enumeration below
 
 std::uint32_t dbc_identifier(const Message& message) {
-  return n2k::compose({message.pgn, message.priority, n2k::kNullAddress, n2k::kBroadcast}).value() | kExtended;
+  const std::uint8_t source = message.direction == n2k::Direction::kFromRuntime ? n2k::kRuntimeAddress : n2k::kVehicleAddress;
+  return n2k::compose({message.pgn, message.priority, source, n2k::kBroadcast}).value() | kExtended;
 }
 
 void print_message(std::ostream& out, const Message& message) {
@@ -36,6 +38,18 @@ void print_comment(std::ostream& out, const Message& message) {
       << " ms\";\n";
 }
 
+/// Names for the raw values that are no numbers, so that nobody reads "not available" as 655.35 m/s.
+void print_special_values(std::ostream& out, const Message& message) {
+  constexpr std::array kNames{"not available", "out of range", "reserved"};
+  for (const Signal& signal : message.signals) {
+    out << "VAL_ " << dbc_identifier(message) << ' ' << signal.name;
+    for (std::int64_t i = 0; i < n2k::special_values(signal); ++i) {
+      out << ' ' << n2k::not_available(signal) - i << " \"" << kNames.at(static_cast<std::size_t>(i)) << '"';
+    }
+    out << " ;\n";
+  }
+}
+
 }  // namespace
 
 void print_dbc(std::ostream& out) {
@@ -52,6 +66,8 @@ void print_dbc(std::ostream& out) {
     out << "BA_ \"VFrameFormat\" BO_ " << dbc_identifier(message) << ' ' << kJ1939Format << ";\n";
     out << "BA_ \"GenMsgCycleTime\" BO_ " << dbc_identifier(message) << ' ' << message.period.us / 1000 << ";\n";
   }
+  out << '\n';
+  for (const Message& message : n2k::messages()) print_special_values(out, message);
 }
 
 }  // namespace earshot::hil

@@ -15,8 +15,6 @@
 namespace earshot::simulation {
 namespace {
 
-constexpr std::uint8_t kSensorAddress = 0x23;  ///< NMEA 2000 source address
-
 runtime::Navigation navigation_of(Time now, const vehicle::State& state) {
   return {.time = now, .position = state.position, .depth = state.depth, .heading = state.heading, .speed = state.speed};
 }
@@ -55,7 +53,7 @@ class CanAutopilot final : public AutopilotBus {
   void publish(Time /*now*/, const vehicle::State& state) override {
     const n2k::Navigation fix{.position = state.position, .depth = state.depth, .heading = state.heading, .speed = state.speed};
     n2k::NavigationFrames frames;
-    if (n2k::compose_navigation(fix, plane_, kSensorAddress, frames) != Status::kOk)
+    if (n2k::compose_navigation(fix, plane_, n2k::kVehicleAddress, frames) != Status::kOk)
       throw std::runtime_error("navigation does not fit its NMEA 2000 messages");
     for (const n2k::Frame& frame : frames) {
       if (socket_.send(frame) != Status::kOk) throw std::runtime_error("navigation cannot be put on the CAN bus");

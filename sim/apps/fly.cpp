@@ -66,7 +66,7 @@ void declare(CLI::App& app, Options& o) {
   app.add_option("--public-key", o.public_key, "file of the public key that signed it, instead of the mission's");
   app.add_option("--bus", o.bus, "bus between autopilot and earshotd instead of the mission's")->check(CLI::IsMember({"lcm", "can"}));
   app.add_option("--lcm-url", o.lcm_url, "LCM address; default: one that no other flight on this machine uses");
-  app.add_option("--can-interface", o.can_interface, "CAN interface instead of the mission's");
+  app.add_option("--can-interface", o.can_interface, "CAN interface instead of the mission's; vcan0 stands in for can0, the bus at sea");
   app.add_flag("--ignore-source", o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
   app.add_flag("--no-report", o.no_report, "do not write report.html");
 }
@@ -215,19 +215,26 @@ std::optional<std::string> chosen_url(const Options& o, const board::MissionFile
   return mission.lcm_url == board::kDefaultLcmUrl ? std::nullopt : std::optional(mission.lcm_url);
 }
 
+/// A simulation puts no frames on the bus that a vehicle has at sea unless somebody says so.
+std::string chosen_can_interface(const Options& o, const board::MissionFile& mission) {
+  if (o.can_interface) return *o.can_interface;
+  return mission.can_interface == board::kDefaultCanInterface ? "vcan0" : mission.can_interface;
+}
+
 /// Holds a bus that somebody chose; a run slot holds its own.
 board::FileDescriptor lock_bus(const Options& o, const board::MissionFile& mission) {
   const bool over_can = o.bus ? *o.bus == "can" : mission.bus == board::BusKind::kCan;
-  if (over_can) return board::lock_can(o.can_interface.value_or(mission.can_interface));
+  if (over_can) return board::lock_can(chosen_can_interface(o, mission));
   const std::optional<std::string> url = chosen_url(o, mission);
   return url ? board::lock_lcm(*url) : board::FileDescriptor{};
 }
 
-int fly(const Options& o) {
+int fly(Options o) {
   board::stop_on_signals();
   // Both processes would say the same about a bad file: say it once, before either starts.
   const board::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
   const board::FileDescriptor lock = lock_bus(o, mission);
+  o.can_interface = chosen_can_interface(o, mission);
   const link::RunSlot slot;
   const std::string lcm_url = chosen_url(o, mission).value_or(slot.lcm_url());
   Process runtime{.id = start("earshotd", runtime_arguments(o, slot, lcm_url))};

@@ -94,7 +94,7 @@ class CanFlight : public testing::Test {
     support::Process flight(fs::path(EARSHOT_BIN_DIR) / "earshot-fly",
                             {"--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--mission", folder_ / "short.toml",
                              "--environment", fs::path(EARSHOT_SOURCE_DIR) / "sim/ocean/environments/munk_flat.toml", "--out",
-                             folder_ / out, "--bus", bus, "--can-interface", "vcan0", "--seed", "2", "--ignore-source", "--no-report"},
+                             folder_ / out, "--bus", bus, "--seed", "2", "--ignore-source", "--no-report"},
                             folder_ / (out + ".txt"));
     ASSERT_EQ(flight.wait(240s), 0) << flight.output();
   }

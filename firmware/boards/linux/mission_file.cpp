@@ -49,7 +49,7 @@ void read_limits(TableReader limits, config::Mission& mission) {
 void read_bus(TableReader bus, MissionFile& file) {
   file.bus = bus.choice("kind", {"lcm", "can"}) == 0 ? BusKind::kLcm : BusKind::kCan;
   file.lcm_url = bus.text_or("lcm_url", kDefaultLcmUrl);
-  file.can_interface = bus.text_or("can_interface", "can0");
+  file.can_interface = bus.text_or("can_interface", kDefaultCanInterface);
   try {
     (void)parse_lcm_url(file.lcm_url);
   } catch (const std::invalid_argument& e) {

@@ -10,6 +10,8 @@
 
 namespace earshot::board {
 
+inline constexpr const char* kDefaultCanInterface = "can0";  ///< the bus of a vehicle at sea
+
 enum class BusKind : std::uint8_t { kLcm, kCan };
 
 /// A mission file: what the runtime is asked to do, and what this board needs to do it.

@@ -16,8 +16,6 @@
 namespace earshot::board {
 namespace {
 
-constexpr std::uint8_t kOwnAddress = 0x40;  ///< NMEA 2000 source address; address claim comes with a later issue
-
 void wait_for_input(int file_descriptor, Duration most) {
   constexpr std::int64_t kMicrosecondsPerSecond = 1'000'000;
   pollfd readable{.fd = file_descriptor, .events = POLLIN, .revents = 0};
@@ -97,7 +95,7 @@ class CanBus final : public VehicleBus {
  private:
   Status send(const n2k::Setpoint& setpoint) {
     n2k::SetpointFrames frames;
-    const Status composed = n2k::compose_setpoint(setpoint, kOwnAddress, sequence_++, frames);
+    const Status composed = n2k::compose_setpoint(setpoint, n2k::kRuntimeAddress, sequence_++, frames);
     if (composed != Status::kOk) return composed;
     for (const n2k::Frame& frame : frames) {
       const Status sent = socket_.send(frame);

@@ -120,18 +120,6 @@ bool fits(const Signal& signal, std::size_t size) {
   return std::size_t{signal.first_bit} + signal.bit_count <= 8 * size;
 }
 
-/// The field's raw value that means "not available": all ones, the sign bit apart.
-std::int64_t not_available(const Signal& signal) {
-  const unsigned magnitude_bits = signal.sign == kSigned ? signal.bit_count - 1U : signal.bit_count;
-  return (std::int64_t{1} << magnitude_bits) - 1;
-}
-
-/// How many of the highest raw values are no numbers.
-std::int64_t special_values(const Signal& signal) {
-  if (signal.bit_count >= 8) return 3;
-  return signal.bit_count >= 4 ? 2 : 1;
-}
-
 }  // namespace
 
 std::span<const Message> messages() {
@@ -150,6 +138,16 @@ const Signal* find_signal(const Message& message, std::string_view name) {
     if (signal.name == name) return &signal;
   }
   return nullptr;
+}
+
+std::int64_t not_available(const Signal& signal) {
+  const unsigned magnitude_bits = signal.sign == kSigned ? signal.bit_count - 1U : signal.bit_count;
+  return (std::int64_t{1} << magnitude_bits) - 1;
+}
+
+std::int64_t special_values(const Signal& signal) {
+  if (signal.bit_count >= 8) return 3;
+  return signal.bit_count >= 4 ? 2 : 1;
 }
 
 Result<double> decode(const Signal& signal, std::span<const std::uint8_t> bytes) {

@@ -15,7 +15,7 @@ namespace earshot::n2k {
 // SavvyCAN users is printed from it (earshot dbc).
 
 /// One field: value = raw * scale + offset, raw little-endian from bit `first_bit` (bit 0 of byte 0 is bit 0).
-/// The highest raw values are no numbers: "not available", and from four bits up also "out of range" and one reserved.
+/// The highest raw values are no numbers (special_values).
 struct Signal {
   enum class Sign : std::uint8_t { kUnsigned, kSigned };
   std::string_view name;
@@ -58,6 +58,13 @@ inline constexpr std::uint32_t kSpeedDepthPgn = 65290;
 /// Null if the table has no such message or signal.
 [[nodiscard]] const Message* find_message(std::uint32_t pgn);
 [[nodiscard]] const Signal* find_signal(const Message& message, std::string_view name);
+
+/// The highest raw values are no numbers; the topmost, all ones but for the sign bit, says "not available".
+[[nodiscard]] std::int64_t not_available(const Signal& signal);
+
+/// How many of the highest raw values are no numbers: 1 below four bits (not available), 2 below eight (and out of range), else 3 (and
+/// reserved).
+[[nodiscard]] std::int64_t special_values(const Signal& signal);
 
 /// kNotReady: the field says "not available". kOutOfRange: "out of range", reserved, or a value the standard does not allow. kMalformed:
 /// too few bytes.
