@@ -1,11 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
-#include <thread>
 
 namespace earshot::link {
 
@@ -17,9 +15,8 @@ enum class Delivery : std::uint8_t {
 
 /// Hands one value at a time from one thread to another; a value not yet taken is replaced (in lock-step there is never a second one).
 ///
-/// The taker yields the processor in a short loop before it sleeps: in lock-step the next value is some 20 us away, and falling asleep and
-/// being woken would cost more than that (2 cores, 50 000 round trips through Cyclone DDS with this hand-over on both ways: 22 us each,
-/// against 86 us asleep).
+/// The taker sleeps at once. Looking out for the next value in a loop that yields the processor looks cheaper, and gives each turn away to
+/// whoever else is busy (`sil.busy.times_real_time` in tests/bench).
 template <class T>
 class Mailbox {
  public:
@@ -27,7 +24,7 @@ class Mailbox {
     {
       const std::scoped_lock lock(mutex_);
       value_ = value;
-      posted_.fetch_add(1, std::memory_order_release);
+      is_new_ = true;
     }
     changed_.notify_one();
   }
@@ -36,33 +33,25 @@ class Mailbox {
   void close() {
     {
       const std::scoped_lock lock(mutex_);
-      closed_.store(true, std::memory_order_release);
+      is_closed_ = true;
     }
     changed_.notify_all();
   }
 
   [[nodiscard]] Delivery take(T& value, std::chrono::milliseconds timeout) {
-    constexpr auto kYielding = std::chrono::microseconds(100);
-    const auto start = std::chrono::steady_clock::now();
-    while (!is_news() && std::chrono::steady_clock::now() - start < kYielding) std::this_thread::yield();
     std::unique_lock lock(mutex_);
-    if (!changed_.wait_for(lock, timeout, [this] { return is_news(); })) return Delivery::kNothing;
-    if (posted_.load(std::memory_order_relaxed) == taken_) return Delivery::kLost;
-    taken_ = posted_.load(std::memory_order_relaxed);
+    if (!changed_.wait_for(lock, timeout, [this] { return is_new_ || is_closed_; })) return Delivery::kNothing;
+    if (!is_new_) return Delivery::kLost;
+    is_new_ = false;
     value = value_;
     return Delivery::kArrived;
   }
 
  private:
-  [[nodiscard]] bool is_news() const {
-    return posted_.load(std::memory_order_acquire) != taken_ || closed_.load(std::memory_order_acquire);
-  }
-
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::atomic<std::uint64_t> posted_{0};
-  std::atomic<bool> closed_{false};
-  std::uint64_t taken_ = 0;  ///< touched by the taker only
+  bool is_new_ = false;
+  bool is_closed_ = false;
   T value_{};
 };
 

@@ -1,5 +1,5 @@
 // Peer of sil.times_real_time: the same messages between two processes in the same lock-step, and nothing else: no vehicle, policy, journal
-// or track.
+// or track. With the argument "busy", peer of sil.busy.times_real_time: beside eight busy loops on two processors.
 
 #include <poll.h>
 #include <sys/wait.h>
@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
-#include <thread>
+#include <optional>
+#include <string_view>
 
 #include "earshot/health_t.hpp"
 #include "earshot/nav_state_t.hpp"
@@ -19,6 +20,7 @@
 #include "sim/link/run_slot.hpp"
 #include "sim/link/runtime_end.hpp"
 #include "sim/link/simulator_end.hpp"
+#include "tests/bench/busy_loops.hpp"
 
 namespace {
 
@@ -26,6 +28,7 @@ using namespace earshot;
 using namespace std::chrono_literals;
 
 constexpr std::uint64_t kTicks = 50'000;
+constexpr std::uint64_t kTicksWhenBusy = 5'000;
 
 /// Until one message on `channel` has come.
 void take_one(board::LcmEndpoint& bus, std::string_view channel) {
@@ -39,11 +42,11 @@ void take_one(board::LcmEndpoint& bus, std::string_view channel) {
   }
 }
 
-int answer(const link::RunSlot& slot) {
+int answer(const link::RunSlot& slot, std::uint64_t ticks) {
   board::LcmEndpoint bus(board::parse_lcm_url(slot.lcm_url()), {wire::kNavStateChannel});
   link::RuntimeEnd link(slot.domain());
   link::Tick tick;
-  while (tick.number < kTicks) {
+  while (tick.number < ticks) {
     if (link.receive(tick, 10s) != link::Delivery::kArrived) return 1;
     take_one(bus, wire::kNavStateChannel);
     (void)board::publish(bus, wire::kSetpointChannel, setpoint_t{});
@@ -55,12 +58,12 @@ int answer(const link::RunSlot& slot) {
   return 0;
 }
 
-double measure(const link::RunSlot& slot) {
+double measure(const link::RunSlot& slot, std::uint64_t ticks) {
   board::LcmEndpoint bus(board::parse_lcm_url(slot.lcm_url()), {wire::kSetpointChannel});
   link::SimulatorEnd link(slot.domain());
   if (!link.wait_for_runtime(10s)) std::exit(1);
   const auto began = std::chrono::steady_clock::now();
-  for (std::uint64_t n = 1; n <= kTicks; ++n) {
+  for (std::uint64_t n = 1; n <= ticks; ++n) {
     (void)board::publish(bus, wire::kNavStateChannel, nav_state_t{});
     link::Tick tick;
     tick.number = n;
@@ -75,11 +78,16 @@ double measure(const link::RunSlot& slot) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  const bool is_busy = argc > 1 && std::string_view(argv[1]) == "busy";
+  const std::uint64_t ticks = is_busy ? kTicksWhenBusy : kTicks;
   const link::RunSlot slot;
+  if (is_busy) bench::use_two_processors();
   const pid_t child = fork();
-  if (child == 0) std::_Exit(answer(slot));
-  const double wall_time_s = measure(slot);
+  std::optional<bench::BusyLoops> others;  // after the fork: threads stay behind in it
+  if (child == 0) std::_Exit(answer(slot, ticks));
+  if (is_busy) others.emplace();
+  const double wall_time_s = measure(slot, ticks);
   waitpid(child, nullptr, 0);
-  std::cout << "{\"name\":\"bare lock-step of 1 s ticks\",\"unit\":\"x\",\"value\":" << static_cast<double>(kTicks) / wall_time_s << "}\n";
+  std::cout << "{\"name\":\"bare lock-step of 1 s ticks\",\"unit\":\"x\",\"value\":" << static_cast<double>(ticks) / wall_time_s << "}\n";
 }

@@ -101,10 +101,13 @@ struct Journal::Writer {
   JournalOptions options;
   std::array<std::uint8_t, config::kJournalBufferBytes> ring;
   std::mutex mutex;
-  std::condition_variable more;  ///< for the writer: there is something to write, or it is to end
-  std::condition_variable less;  ///< for the appender: something was written
-  std::uint64_t appended = 0;    ///< bytes ever put into the ring
-  std::uint64_t written = 0;     ///< bytes ever taken out of it
+  // Two for the writer, so that nobody who appends wakes it from its pause: at some 3 records a tick that cost half of a flight.
+  std::condition_variable more;   ///< for an idle writer: there is something to write, or it is to end
+  std::condition_variable ended;  ///< for a writer that pauses: it is to end
+  std::condition_variable less;   ///< for the appender: something was written
+  std::uint64_t appended = 0;     ///< bytes ever put into the ring
+  std::uint64_t written = 0;      ///< bytes ever taken out of it
+  bool idle = false;              ///< the writer waits for `more`
   bool ending = false;
   bool failing = false;   ///< the last write took nothing
   bool unsynced = false;  ///< the kernel failed to bring something to the disk, and does not try again; of the writer until it has ended
@@ -133,17 +136,23 @@ struct Journal::Writer {
   }
 
   void publish(std::uint64_t position) {
+    bool wake = false;
     {
       const std::lock_guard lock(mutex);
       appended = position;
+      wake = std::exchange(idle, false);
     }
-    more.notify_one();
+    if (wake) more.notify_one();
   }
 
   void run() {
     std::unique_lock lock(mutex);
     for (;;) {
-      more.wait(lock, [this] { return appended != written || ending; });
+      while (appended == written && !ending) {
+        idle = true;
+        more.wait(lock);
+      }
+      idle = false;
       if (appended == written || (ending && failing)) return;
       const std::size_t at = written % ring.size();
       const std::size_t size = std::min<std::size_t>(appended - written, ring.size() - at);
@@ -155,7 +164,7 @@ struct Journal::Writer {
       if (failing) ++write_errors;
       less.notify_all();
       // Bytes that were not taken are tried again, so that the file never has a hole.
-      more.wait_for(lock, failing ? kRetry : kPause, [this] { return ending; });
+      ended.wait_for(lock, failing ? kRetry : kPause, [this] { return ending; });
     }
   }
 
@@ -211,6 +220,7 @@ Status Journal::close() {
       writer_->ending = true;
     }
     writer_->more.notify_one();
+    writer_->ended.notify_one();
     writer_->thread.join();
     writer_->file = FileDescriptor();
   }

@@ -7,12 +7,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <lcm/lcm-cpp.hpp>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include "firmware/boards/linux/file_descriptor.hpp"
@@ -161,6 +163,33 @@ TEST_F(JournalTest, LosesNothingOfManyTimesItsBufferWhenItMayWait) {
   for (; reader.next(record); ++read) ASSERT_EQ(record.data, Bytes(1000, static_cast<std::uint8_t>(read)));
   EXPECT_EQ(read, count);
   EXPECT_EQ(journal.counters().dropped, 0U);
+}
+
+/// How often all threads of this process but the calling one have gone to sleep.
+std::uint64_t sleeps_of_other_threads() {
+  std::uint64_t sleeps = 0;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    if (task.path().filename() == std::to_string(::gettid())) continue;
+    std::ifstream status(task.path() / "status");
+    for (std::string line; std::getline(status, line);) {
+      if (line.starts_with("voluntary_ctxt_switches:")) sleeps += std::stoull(line.substr(line.find(':') + 1));
+    }
+  }
+  return sleeps;
+}
+
+TEST_F(JournalTest, LeavesItsWriterAloneInThePauseBetweenTwoWrites) {
+  using std::chrono::steady_clock;
+  Journal journal(path_);
+  const std::uint64_t before = sleeps_of_other_threads();
+  const auto began = steady_clock::now();
+  for (int i = 0; i < 2000; ++i) {
+    ASSERT_EQ(journal.append(Time{1}, "A", Bytes(16, 1)), Status::kOk);
+    std::this_thread::sleep_for(std::chrono::microseconds(50));
+  }
+  // Two sleeps a write: for the pause of a millisecond and, if nothing has come meanwhile, for the next record; one more for the lock.
+  const auto pauses = static_cast<std::uint64_t>((steady_clock::now() - began) / std::chrono::milliseconds(1));
+  EXPECT_LE(sleeps_of_other_threads() - before, 3 * (pauses + 10));
 }
 
 TEST_F(JournalTest, DropsAndCountsInsteadOfWaitingForADiskThatHangs) {
