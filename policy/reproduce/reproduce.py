@@ -44,9 +44,9 @@ def options():
 def snr_at_vehicle(section_file):
     """(range in km, SNR in dB) at the vehicle's depth."""
     with netCDF4.Dataset(section_file) as data:
-        depth_m, snr_db = np.asarray(data["depth"][:]), np.asarray(data["snr"][:])
-        row = int(np.argmin(np.abs(depth_m - figures.VEHICLE_DEPTH_M)))
-        return np.asarray(data["range"][:]) / 1e3, snr_db[:, row]
+        row = int(np.argmin(np.abs(np.asarray(data["depth"][:]) - figures.VEHICLE_DEPTH_M)))
+        loss_db = np.asarray(data["transmission_loss"][:, row])
+        return np.asarray(data["range"][:]) / 1e3, float(data["source_level"][...]) - loss_db - float(data["noise_level"][...])
 
 
 def measure(workshop, settings, seeds, episodes):

@@ -3,6 +3,7 @@
 #include <netcdf.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <system_error>
 
@@ -48,7 +49,16 @@ void Writer::variable(const std::string& name, Type type, const std::vector<std:
 }
 
 void Writer::compress(const std::string& variable) {
-  check(nc_def_var_deflate(file_, variable_id(variable), NC_SHUFFLE, 1, 1), variable);
+  constexpr std::size_t kChunkValues = 16'384;
+  std::vector<std::size_t> chunk = all_of(variable).count;
+  std::size_t values = 1;
+  for (auto length = chunk.rbegin(); length != chunk.rend(); ++length) {
+    *length = std::min(*length, std::max<std::size_t>(1, kChunkValues / values));
+    values *= *length;
+  }
+  const int id = variable_id(variable);
+  check(nc_def_var_chunking(file_, id, NC_CHUNKED, chunk.data()), variable);
+  check(nc_def_var_deflate(file_, id, NC_SHUFFLE, 1, 1), variable);
 }
 
 void Writer::attribute(const std::string& name, const std::string& value) {

@@ -41,16 +41,10 @@ void write_axes(Writer& file, const Fan& fan) {
 
 void write_losses(Writer& file, const Fan& fan, const Detector& detector) {
   const Shape shape = {"bearing", "range", "depth"};
-  std::vector<float> snr;
   std::vector<float> probability;
-  for (const float loss : fan.transmission_loss_db) {
-    const Decibels ratio = detector.snr(Decibels{static_cast<double>(loss)});
-    snr.push_back(static_cast<float>(ratio.value));
-    probability.push_back(static_cast<float>(detection_probability(ratio, detector)));
-  }
-  write_floats(file, "transmission_loss", shape, {{"long_name", "transmission loss, dB re 1 m"}, {"units", "dB"}},
-               fan.transmission_loss_db);
-  write_floats(file, "snr", shape, {{"long_name", "signal-to-noise ratio at the hydrophone"}, {"units", "dB"}}, snr);
+  for (const float loss : fan.transmission_loss_db)
+    probability.push_back(static_cast<float>(detection_probability(detector.snr(Decibels{static_cast<double>(loss)}), detector)));
+  write_transmission_loss(file, shape, "", fan.transmission_loss_db);
   write_floats(file, "detection_probability", shape, {{"long_name", "probability of detection"}, {"units", "1"}}, probability);
   write_floats(file, "sea_floor_depth", {"bearing", "range"},
                {{"long_name", "depth of the sea floor, 0 on land"}, {"standard_name", "sea_floor_depth_below_sea_surface"}, {"units", "m"}},

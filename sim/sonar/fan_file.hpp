@@ -11,8 +11,8 @@
 
 namespace earshot::sonar {
 
-/// Writes transmission loss, SNR, detection probability and detection ranges [bearing x range x depth] as NetCDF-4 (CF-1.8), and the map
-/// beside them if there is one. Takes its name when it is whole.
+/// Writes transmission loss, detection probability and detection ranges [bearing x range x depth] as NetCDF-4 (CF-1.8), and the map of
+/// SNR and probability beside them if there is one. Takes its name when it is whole.
 ///
 /// @param history  the command that made it
 /// Throws netcdf::FileError; nothing is left behind then. Oracle: FanFile.*

@@ -1,7 +1,10 @@
 #include "sim/sonar/field_attributes.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,6 +32,23 @@ void write_provenance(Writer& file, const std::string& title, const ocean::Envir
 void write_scalar(Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value) {
   file.variable(name, Type::kDouble, {}, {{"long_name", long_name}, {"units", units}});
   file.write(name, std::span(&value, 1));
+}
+
+void write_transmission_loss(Writer& file, const std::vector<std::string>& dimensions, const std::string& coordinates,
+                             std::span<const float> loss_db) {
+  const std::string name = "transmission_loss";
+  netcdf::Attributes attributes = {
+      {"long_name", "transmission loss, dB re 1 m"},
+      {"units", "dB"},
+      {"comment", "rounded to 1/256 dB; signal-to-noise ratio at the hydrophone in dB = source_level - transmission_loss - noise_level"}};
+  if (!coordinates.empty()) attributes.emplace_back("coordinates", coordinates);
+  file.variable(name, Type::kFloat, dimensions, attributes);
+  file.attribute(name, "_FillValue", std::numeric_limits<double>::quiet_NaN());
+  file.attribute(name, "least_significant_digit", 2.0);  // the attribute that netCDF4-python and NCO write: good to 0.01
+  file.compress(name);
+  std::vector<float> rounded(loss_db.size());
+  std::transform(loss_db.begin(), loss_db.end(), rounded.begin(), [](float loss) { return std::nearbyint(loss * 256.0F) / 256.0F; });
+  file.write(name, rounded);
 }
 
 void write_scene(Writer& file, const ocean::Environment& environment, const Band& band) {

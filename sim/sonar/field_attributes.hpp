@@ -1,6 +1,8 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "sim/netcdf/writer.hpp"
 #include "sim/ocean/environment.hpp"
@@ -15,6 +17,18 @@ namespace earshot::sonar {
 void write_provenance(netcdf::Writer& file, const std::string& title, const ocean::Environment& environment, const std::string& history);
 
 void write_scalar(netcdf::Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value);
+
+/// Transmission loss [n_range x n_depth] or [n_bearing x n_range x n_depth] as the variable "transmission_loss", rounded to 1/256 dB: the
+/// digits below are the solver's errors, and without them zlib needs half the time and half the bytes. SNR is not stored beside it: its
+/// digits are the same, and the attribute `comment` says how it is had from variables of the same file (write_scene).
+///
+///   SNR = SL - TL - N
+///
+/// @param loss_db      dB re 1 m, NaN where there is no water; below 16 384 dB, where 1/256 is a whole number of a float's digits
+/// @param coordinates  CF: scalar variables that say where, separated by blanks; may be empty
+/// Oracle: FieldFile.HoldsTheLossWithinHalfOf1To256Decibel
+void write_transmission_loss(netcdf::Writer& file, const std::vector<std::string>& dimensions, const std::string& coordinates,
+                             std::span<const float> loss_db);
 
 /// Source, noise and frequency band as scalar variables.
 void write_scene(netcdf::Writer& file, const ocean::Environment& environment, const Band& band);

@@ -1,6 +1,5 @@
 #include "sim/sonar/field_file.hpp"
 
-#include <limits>
 #include <numbers>
 #include <span>
 #include <string>
@@ -32,14 +31,6 @@ void write_sea_floor(Writer& file, const SonarField& field) {
   file.write("sea_floor_depth", field.sea_floor_depth_m);
 }
 
-void write_array(Writer& file, const std::string& name, const std::string& long_name, const DecibelArray& values) {
-  file.variable(name, Type::kFloat, {"range", "depth"},
-                {{"long_name", long_name}, {"units", "dB"}, {"coordinates", "source_depth bearing"}});
-  file.attribute(name, "_FillValue", std::numeric_limits<double>::quiet_NaN());
-  file.compress(name);
-  file.write(name, std::span(values.data(), static_cast<std::size_t>(values.size())));
-}
-
 }  // namespace
 
 void write_field(const std::filesystem::path& path, const SonarField& field, const ocean::Environment& environment, Radians bearing,
@@ -51,8 +42,8 @@ void write_field(const std::filesystem::path& path, const SonarField& field, con
   write_scalar(file, "bearing", "bearing of the radial from the source, clockwise from grid north", "degree",
                bearing.value * 180.0 / std::numbers::pi);
   write_sea_floor(file, field);
-  write_array(file, "transmission_loss", "transmission loss, dB re 1 m", field.transmission_loss_db);
-  write_array(file, "snr", "signal-to-noise ratio at the hydrophone", field.snr_db);
+  const DecibelArray& loss = field.transmission_loss_db;
+  write_transmission_loss(file, {"range", "depth"}, "source_depth bearing", std::span(loss.data(), static_cast<std::size_t>(loss.size())));
   file.commit();
 }
 

@@ -32,23 +32,28 @@ std::vector<double> wet_depths(const std::vector<double>& depth_m, std::span<con
   return wet;
 }
 
+using Intensities = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// Mean of |p|^2 over the band, [n_range x n_wet_depth].
-Eigen::ArrayXXd mean_intensity(const pe::Section& section, const RadialPlan& plan, const std::vector<double>& depth_m, Meters max_range,
-                               const pe::Progress& progress) {
+Intensities mean_intensity(const pe::Section& section, const RadialPlan& plan, const std::vector<double>& depth_m, Meters max_range,
+                           const pe::Progress& progress) {
   pe::Options options = plan.options;
   options.output_step = plan.range_step;
   const std::vector<double> frequency_hz = frequencies_hz(plan.band);
-  Eigen::ArrayXXd sum;
+  Intensities mean;
   const auto count = static_cast<double>(frequency_hz.size());
   for (std::size_t i = 0; i < frequency_hz.size(); ++i) {
     const auto report = [&](double fraction) {
       if (progress) progress((static_cast<double>(i) + fraction) / count);
     };
     const pe::Field field = pe::solve(section, {Hertz{frequency_hz[i]}, plan.source_depth}, options, depth_m, max_range, report);
-    if (sum.size() == 0) sum = Eigen::ArrayXXd::Zero(field.pressure.rows(), field.pressure.cols());
-    sum += field.pressure.abs2();
+    if (i == 0)
+      mean = field.pressure.abs2();
+    else
+      mean += field.pressure.abs2();
   }
-  return sum / count;
+  if (count > 1.0) mean /= count;
+  return mean;
 }
 
 /// NaN in a field means that there is no water; a march that went wrong must not look like that.
@@ -99,7 +104,7 @@ void compute_radial(const ocean::Environment& environment, NorthEast from, Radia
   const std::vector<double> wet_m = wet_depths(plan.depth_m, loss.sea_floor_depth_m);
   if (wet_m.empty() || end < plan.range_step) return;
 
-  const Eigen::ArrayXXd intensity = mean_intensity(section, plan, wet_m, end, progress);
+  const Intensities intensity = mean_intensity(section, plan, wet_m, end, progress);
   for (Eigen::Index i = 0; i < std::min(intensity.rows(), static_cast<Eigen::Index>(plan.ranges)); ++i) {
     const auto row = static_cast<std::size_t>(i);
     Eigen::Index column = 0;
@@ -108,7 +113,7 @@ void compute_radial(const ocean::Environment& environment, NorthEast from, Radia
       const double value = intensity(i, column++);
       if (!std::isfinite(value)) throw_no_number(environment, (static_cast<double>(i) + 1.0) * plan.range_step, plan.depth_m[j]);
       if (in_water(plan.depth_m[j], loss.sea_floor_depth_m[row]))
-        loss.transmission_loss_db[row * depths + j] = static_cast<float>(transmission_loss(std::sqrt(value)).value);
+        loss.transmission_loss_db[row * depths + j] = static_cast<float>(transmission_loss(value).value);
     }
   }
 }

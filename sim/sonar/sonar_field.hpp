@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <complex>
 #include <vector>
 
 #include "firmware/core/units.hpp"
@@ -12,8 +11,8 @@
 
 namespace earshot::sonar {
 
-/// -20 log10 |p|, dB re 1 m, for a source of unit pressure at 1 m; at most `kMaxTransmissionLoss`, also where the pressure vanishes.
-[[nodiscard]] Decibels transmission_loss(std::complex<double> pressure);
+/// -10 log10 |p|^2, dB re 1 m, for a source of unit pressure at 1 m; at most `kMaxTransmissionLoss`, also where the pressure vanishes.
+[[nodiscard]] Decibels transmission_loss(double squared_pressure);
 
 inline constexpr Decibels kMaxTransmissionLoss{300.0};
 
@@ -23,9 +22,13 @@ using DecibelArray = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::
 struct SonarField {
   std::vector<double> range_m;                ///< increasing, > 0
   std::vector<double> depth_m;                ///< positive down
+  Decibels source_level;                      ///< dB re 1 uPa @ 1 m
+  Decibels noise_level;                       ///< in the detector's band, dB re 1 uPa
   DecibelArray transmission_loss_db;          ///< [n_range x n_depth], dB re 1 m
-  DecibelArray snr_db;                        ///< [n_range x n_depth]
   std::vector<float> sea_floor_depth_m = {};  ///< [n_range]; 0 on land
+
+  /// SL - TL - N at one range and depth; NaN where there is no water.
+  [[nodiscard]] float snr_db(Eigen::Index range, Eigen::Index depth) const;
 };
 
 /// The radial of `bearing` (clockwise from north) from the environment's source. Throws as compute_radial does.

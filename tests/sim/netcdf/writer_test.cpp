@@ -1,6 +1,7 @@
 #include "sim/netcdf/writer.hpp"
 
 #include <gtest/gtest.h>
+#include <netcdf.h>
 #include <sys/resource.h>
 
 #include <csignal>
@@ -34,6 +35,31 @@ TEST(NetcdfWriter, WritesWhatTheReaderReads) {
   EXPECT_EQ(back.read("range"), (std::vector<double>{2.5, 7.0, -1.0, 2.5, 2.5}));
   EXPECT_EQ(back.read("tl"), std::vector<double>(5, 80.25));
   EXPECT_EQ(back.text_attribute("tl", "units"), "dB");
+}
+
+/// Lengths of a compressed variable's chunks, from the library itself.
+std::vector<std::size_t> chunks_of(const std::vector<std::size_t>& lengths) {
+  const tests::TemporaryFolder folder;
+  Writer file(folder / "f.nc");
+  std::vector<std::string> names;
+  for (const std::size_t length : lengths) file.dimension(names.emplace_back("d" + std::to_string(names.size())), length);
+  file.variable("tl", Type::kFloat, names, {});
+  file.compress("tl");
+  file.commit();
+  int id = -1;
+  int storage = -1;
+  std::vector<std::size_t> chunk(lengths.size());
+  EXPECT_EQ(nc_open((folder / "f.nc").c_str(), NC_NOWRITE, &id), NC_NOERR);
+  EXPECT_EQ(nc_inq_var_chunking(id, 0, &storage, chunk.data()), NC_NOERR);
+  nc_close(id);
+  return chunk;
+}
+
+TEST(NetcdfWriter, CompressesInChunksOf64KibibytesThatHoldWholeRows) {
+  EXPECT_EQ(chunks_of({8000, 300}), (std::vector<std::size_t>{54, 300}));       // 54 x 300 x 4 bytes = 64 800
+  EXPECT_EQ(chunks_of({72, 2000, 1}), (std::vector<std::size_t>{8, 2000, 1}));  // 8 bearings
+  EXPECT_EQ(chunks_of({3, 20'000}), (std::vector<std::size_t>{1, 16'384}));     // a row alone is longer
+  EXPECT_EQ(chunks_of({3, 2}), (std::vector<std::size_t>{3, 2}));
 }
 
 TEST(NetcdfWriter, LeavesTheOldFileAndNothingElseWhenNotCommitted) {

@@ -34,18 +34,19 @@ Fan fan() {
           .sea_floor_depth_m = {500, 400, 350, 320, 0, 0}};
 }
 
-TEST(FanFile, ReadsBackLossRatioProbabilityAndDetectionRanges) {
+TEST(FanFile, ReadsBackLossProbabilityAndDetectionRanges) {
   const tests::TemporaryFolder folder;
   write_fan(folder / "fan.nc", fan(), std::nullopt, environment(), {Hertz{20.0}, Hertz{20.0}}, kDetector, "by hand");
   const netcdf::Reader file(folder / "fan.nc");
-  EXPECT_EQ(file.dimensions_of("snr"), (std::vector<std::string>{"bearing", "range", "depth"}));
+  EXPECT_EQ(file.dimensions_of("transmission_loss"), (std::vector<std::string>{"bearing", "range", "depth"}));
   EXPECT_EQ(file.read("bearing"), (std::vector<double>{0.0, 180.0}));
   EXPECT_EQ(file.read("range"), (std::vector<double>{100.0, 200.0, 300.0}));
-  EXPECT_EQ(file.read("snr")[1], 16.0);
+  EXPECT_EQ(file.read("transmission_loss")[1], 84.0);
   EXPECT_NEAR(file.read("detection_probability")[1], 0.84134, 5e-6);  // one sigma: Abramowitz & Stegun, table 26.1
   EXPECT_TRUE(std::isnan(file.read("transmission_loss")[4]));
   EXPECT_EQ(file.read("furthest_detection_range"), (std::vector<double>{250.0, 100.0}));
   EXPECT_EQ(file.text_attribute("sea_floor_depth", "standard_name"), "sea_floor_depth_below_sea_surface");
+  EXPECT_FALSE(file.has_variable("snr"));
   EXPECT_FALSE(file.has_variable("map_snr"));
 }
 

@@ -4,10 +4,14 @@
 #include <netcdf.h>
 
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "sim/netcdf/reader.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -16,11 +20,11 @@ namespace {
 SonarField small_field() {
   SonarField field{.range_m = {10.0, 20.0, 30.0},
                    .depth_m = {5.0, 50.0},
+                   .source_level = Decibels{190.0},
+                   .noise_level = Decibels{90.0},
                    .transmission_loss_db = DecibelArray(3, 2),
-                   .snr_db = DecibelArray(3, 2),
                    .sea_floor_depth_m = {60.0F, 60.0F, 60.0F}};
   field.transmission_loss_db << 1, 2, 3, 4, 5, 6;
-  field.snr_db << -1, -2, -3, -4, -5, -6;
   return field;
 }
 
@@ -82,8 +86,40 @@ TEST_F(FieldFile, NamesItsConventionsUnitsAndProvenance) {
   EXPECT_EQ(text("", "environment_crc32"), "0x1234abcd");
   EXPECT_EQ(text("depth", "positive"), "down");
   EXPECT_EQ(text("range", "units"), "m");
-  EXPECT_EQ(text("snr", "units"), "dB");
+  EXPECT_EQ(text("transmission_loss", "units"), "dB");
+  EXPECT_NE(text("transmission_loss", "comment").find("rounded to 1/256 dB"), std::string::npos);
   nc_close(id);
+}
+
+/// Losses no two of which differ by a multiple of 1/256 dB, and one place without water.
+SonarField odd_field() {
+  SonarField field = small_field();
+  field.transmission_loss_db << 60.0019F, 71.37F, 83.1234567F, 300.0F, 99.99871F, std::numeric_limits<float>::quiet_NaN();
+  return field;
+}
+
+TEST_F(FieldFile, HoldsTheLossWithinHalfOf1To256Decibel) {
+  const SonarField field = odd_field();
+  write_field(folder_ / "field.nc", field, environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
+  const std::vector<double> loss = netcdf::Reader(folder_ / "field.nc").read("transmission_loss");
+  ASSERT_EQ(loss.size(), 6U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(256.0 * loss[i], std::floor(256.0 * loss[i])) << i;
+    EXPECT_LE(std::abs(loss[i] - double{field.transmission_loss_db(static_cast<Eigen::Index>(i))}), 1.0 / 512.0) << i;
+  }
+  EXPECT_TRUE(std::isnan(loss[5]));
+}
+
+TEST_F(FieldFile, HasWhatSnrIsMadeOfInOneFile) {
+  const SonarField field = odd_field();
+  environment_.source.level = field.source_level;
+  environment_.noise_level = field.noise_level;
+  write_field(folder_ / "field.nc", field, environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
+  const netcdf::Reader file(folder_ / "field.nc");
+  const double snr_db = file.read("source_level").at(0) - file.read("transmission_loss").at(1) - file.read("noise_level").at(0);
+  EXPECT_NEAR(snr_db, 190.0 - 71.37 - 90.0, 1.0 / 512.0 + 1e-5);  // rounding of the file, and of a float
+  EXPECT_NEAR(double{field.snr_db(0, 1)}, 190.0 - 71.37 - 90.0, 1e-5);
+  EXPECT_FALSE(file.has_variable("snr"));
 }
 
 TEST_F(FieldFile, ReplacesAnOldFileAndLeavesNothingBeside) {
