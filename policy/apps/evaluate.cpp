@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -48,22 +47,21 @@ std::string names_of_baselines() {
   return names;
 }
 
-void add_options(CLI::App& app, Options& o) {
-  app.add_option("POLICY", o.files, "frozen policies (.policy)");
-  app.add_option("--policies", o.policies, "more of them, and others by name, separated by commas")->delimiter(',');
-  app.add_option("--world", o.worlds, "world files to search in, such as policy/worlds/noisy_4db.toml (the environment itself)");
-  app.add_flag("--suite", o.suite, "search in every world of policy/worlds");
-  o.search.add_to(app);
-  app.add_option("--episodes", o.episodes, "searches to fly in each world")->capture_default_str()->check(CLI::Range(1, 100'000'000));
-  app.add_option("--seed", o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
-  app.add_option("--draw", o.draw, "how learned policies draw actions, instead of each one's own way")
-      ->check(CLI::IsMember({"argmax", "sampled"}));
-  app.add_option("--json", o.json, "also write the figures there");
-  app.add_option("--csv", o.csv, "also write the table there");
-  app.add_option("--plot", o.plot, "also draw it there (.png or .svg)");
-  app.add_option("--paths", o.paths, "also write there where every search went, step by step (CSV)");
-  app.add_flag("--timing", o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
-  app.footer(
+void add_options(program::CommandLine& line, Options& o) {
+  line.option("POLICY", &o.files, "frozen policies (.policy)");
+  line.option("--policies", &o.policies, "more of them, and others by name, separated by commas").separated_by(',');
+  line.option("--world", &o.worlds, "world files to search in, such as policy/worlds/noisy_4db.toml (the environment itself)");
+  line.flag("--suite", &o.suite, "search in every world of policy/worlds");
+  o.search.add_to(line);
+  line.option("--episodes", &o.episodes, "searches to fly in each world").shows_default().from(1, 100'000'000);
+  line.option("--seed", &o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
+  line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way").one_of({"argmax", "sampled"});
+  line.option("--json", &o.json, "also write the figures there");
+  line.option("--csv", &o.csv, "also write the table there");
+  line.option("--plot", &o.plot, "also draw it there (.png or .svg)");
+  line.option("--paths", &o.paths, "also write there where every search went, step by step (CSV)");
+  line.flag("--timing", &o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
+  line.footer(
       "By name:\n  shipped           the policy that ships (policy/frozen)" + names_of_baselines() +
       "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what the --environment says is heard, learned "
       "policies by what their file says.\n"
@@ -275,8 +273,8 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Flies many simulated searches with policies and baselines and says how they did.", "earshot evaluate");
+  program::CommandLine line("earshot evaluate", "Flies many simulated searches with policies and baselines and says how they did.");
   Options options;
-  add_options(app, options);
-  return apps::run_ranked_program(app, argc, argv, [&](parallel::RankSession& session) { evaluate_policies(options, session); });
+  add_options(line, options);
+  return apps::run_ranked_program(line, argc, argv, [&](parallel::RankSession& session) { evaluate_policies(options, session); });
 }

@@ -23,43 +23,40 @@ struct DecisionOptions {
   std::filesystem::path output;
 };
 
-CLI::App& add_map(CLI::App& app, apps::ExplainMapOptions& o) {
-  CLI::App& map = *app.add_subcommand("map", "draws where a policy goes all over its area, beside what is heard there");
-  map.add_option("POLICY", o.policy, "frozen policy (.policy)")->required();
-  map.add_option(
-      "--source", o.source,
+program::CommandLine& add_map(program::CommandLine& line, apps::ExplainMapOptions& o) {
+  program::CommandLine& map = line.verb("map", "draws where a policy goes all over its area, beside what is heard there");
+  map.option("POLICY", &o.policy, "frozen policy (.policy)").required();
+  map.option(
+      "--source", &o.source,
       "NORTH_M,EAST_M of a source, from the south-west corner of the policy's area: the policy's choice after a first look at each place");
-  map.add_option("--flight", o.flight,
-                 "folder of a flight with this policy, instead of --source: its choice anywhere with what it believed at --step");
-  map.add_option("--step", o.step, "step of the flight")->capture_default_str();
-  CLI::Option* environment = map.add_option("--environment", o.environment,
-                                            "environment file (TOML): the ocean, instead of the one that a policy with a belief carries");
-  map.add_option("--world", o.world,
-                 "world of policy/worlds instead of an environment; its conditions are left out: what is heard is the mean")
-      ->excludes(environment);
-  map.add_option("--vehicle-depth-m", o.vehicle_depth_m, "depth of the vehicle in that ocean, metres")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  map.add_option("--arrows", o.arrows, "arrows along a side")->check(CLI::Range(1, 100))->capture_default_str();
-  map.add_option("-o,--output", o.output, "picture to write (.png or .svg)")->required();
+  map.option("--flight", &o.flight,
+             "folder of a flight with this policy, instead of --source: its choice anywhere with what it believed at --step");
+  map.option("--step", &o.step, "step of the flight").shows_default();
+  const program::Option environment = map.option(
+      "--environment", &o.environment, "environment file (TOML): the ocean, instead of the one that a policy with a belief carries");
+  map.option("--world", &o.world,
+             "world of policy/worlds instead of an environment; its conditions are left out: what is heard is the mean")
+      .excludes(environment);
+  map.option("--vehicle-depth-m", &o.vehicle_depth_m, "depth of the vehicle in that ocean, metres").positive().shows_default();
+  map.option("--arrows", &o.arrows, "arrows along a side").from(1, 100).shows_default();
+  map.option("-o,--output", &o.output, "picture to write (.png or .svg)").required();
   return map;
 }
 
-CLI::App& add_decision(CLI::App& app, DecisionOptions& o) {
-  CLI::App& decision =
-      *app.add_subcommand("decision", "writes a sheet about one decision of a flight: heard, believed, chosen, expected, and why");
-  decision.add_option("FLIGHT", o.flight, "folder of a flight, or its journal (.lcmlog)")->required();
-  decision.add_option("--step", o.step, "which decision; the first is 0")->required();
-  decision.add_option("--policy", o.policy, "policy that flew; default: the .policy beside the journal");
-  decision.add_option("--south-west", o.south_west,
-                      "NORTH_M,EAST_M of the area's south-west corner; default: summary.json's, or 0,0 for a journal alone");
+void add_decision(program::CommandLine& line, DecisionOptions& o) {
+  program::CommandLine& decision =
+      line.verb("decision", "writes a sheet about one decision of a flight: heard, believed, chosen, expected, and why");
+  decision.option("FLIGHT", &o.flight, "folder of a flight, or its journal (.lcmlog)").required();
+  decision.option("--step", &o.step, "which decision; the first is 0").required();
+  decision.option("--policy", &o.policy, "policy that flew; default: the .policy beside the journal");
+  decision.option("--south-west", &o.south_west,
+                  "NORTH_M,EAST_M of the area's south-west corner; default: summary.json's, or 0,0 for a journal alone");
   decision
-      .add_option("--baseline", o.baseline,
-                  "what the observation is compared with: a vehicle that has heard nothing, in the area's centre or here")
-      ->check(CLI::IsMember({"centre", "here"}))
-      ->capture_default_str();
-  decision.add_option("-o,--output", o.output, "sheet to write (.html, .md or .json)")->required();
-  return decision;
+      .option("--baseline", &o.baseline,
+              "what the observation is compared with: a vehicle that has heard nothing, in the area's centre or here")
+      .one_of({"centre", "here"})
+      .shows_default();
+  decision.option("-o,--output", &o.output, "sheet to write (.html, .md or .json)").required();
 }
 
 std::string in_format_of(const std::filesystem::path& output, const report::Sheet& sheet) {
@@ -84,17 +81,16 @@ void write_sheet(const DecisionOptions& o) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Draws what a policy does, and says of one recorded decision why it was taken.", "earshot explain");
-  app.footer(
+  program::CommandLine line("earshot explain", "Draws what a policy does, and says of one recorded decision why it was taken.");
+  line.footer(
       "Examples:\n"
       "  earshot explain map policy/frozen/fixed_source.policy --source 10000,10000 --environment sim/ocean/environments/munk_flat.toml -o "
       "map.png\n"
       "  earshot explain decision out --step 4 -o sheet.html");
-  app.require_subcommand(1);
   apps::ExplainMapOptions map_options;
   DecisionOptions decision_options;
-  const CLI::App& map = add_map(app, map_options);
-  (void)add_decision(app, decision_options);
-  return apps::run_program(app, argc, argv,
-                           [&] { map.parsed() ? apps::draw_explanation_map(map_options) : write_sheet(decision_options); });
+  const program::CommandLine& map = add_map(line, map_options);
+  add_decision(line, decision_options);
+  return apps::run_program(line, argc, argv,
+                           [&] { map.is_chosen() ? apps::draw_explanation_map(map_options) : write_sheet(decision_options); });
 }

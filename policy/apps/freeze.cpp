@@ -24,18 +24,17 @@ struct Options {
   bool new_key = false;
 };
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("MODEL", options.model,
-                 "checkpoint of earshot train, model.zip of Stable-Baselines3 (PPO or A2C, MlpPolicy), or an ONNX export");
-  app.add_option("-o,--output", options.output, "policy to write (.policy)");
-  app.add_option(
-      "--search", options.search,
-      "what a .zip or .onnx was trained to search, when it does not carry that along (JSON: earshot.describe() in policy/python)");
-  app.add_option("--draw", options.draw, "how the vehicle draws its actions: sampled from the softmax, or argmax")
-      ->check(CLI::IsMember({"argmax", "sampled"}))
-      ->capture_default_str();
-  app.add_option("--key", options.key, "secret key file to sign with; its public half stands beside it as .pub")->required();
-  app.add_flag("--new-key", options.new_key, "make the key and its .pub first; refused when the key exists");
+void add_options(program::CommandLine& line, Options& options) {
+  line.option("MODEL", &options.model,
+              "checkpoint of earshot train, model.zip of Stable-Baselines3 (PPO or A2C, MlpPolicy), or an ONNX export");
+  line.option("-o,--output", &options.output, "policy to write (.policy)");
+  line.option("--search", &options.search,
+              "what a .zip or .onnx was trained to search, when it does not carry that along (JSON: earshot.describe() in policy/python)");
+  line.option("--draw", &options.draw, "how the vehicle draws its actions: sampled from the softmax, or argmax")
+      .one_of({"argmax", "sampled"})
+      .shows_default();
+  line.option("--key", &options.key, "secret key file to sign with; its public half stands beside it as .pub").required();
+  line.flag("--new-key", &options.new_key, "make the key and its .pub first; refused when the key exists");
 }
 
 std::filesystem::path public_file_of(std::filesystem::path key_file) {
@@ -112,9 +111,9 @@ void run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Freezes a trained policy into the signed file that a vehicle flies.", "earshot freeze");
-  app.footer("Example: earshot freeze fixed.checkpoint -o fixed.policy --key earshot.key --new-key");
+  program::CommandLine line("earshot freeze", "Freezes a trained policy into the signed file that a vehicle flies.");
+  line.footer("Example: earshot freeze fixed.checkpoint -o fixed.policy --key earshot.key --new-key");
   Options options;
-  add_options(app, options);
-  return apps::run_program(app, argc, argv, [&] { run(options); });
+  add_options(line, options);
+  return apps::run_program(line, argc, argv, [&] { run(options); });
 }

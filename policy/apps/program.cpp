@@ -11,14 +11,13 @@
 #include <nlohmann/json.hpp>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/program/run.hpp"
 #include "sim/sonar/gnuplot.hpp"
 
 namespace earshot::apps {
 namespace {
 
 using config_file::BadInput;
-
-constexpr int kBadInputStatus = 2;
 
 /// The temporary name under which a file is written before it gets its own.
 std::filesystem::path part_of(const std::filesystem::path& path) {
@@ -52,35 +51,25 @@ std::filesystem::path canonical_name(const std::filesystem::path& path) {
 
 }  // namespace
 
-int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& body) {
-  try {
+int run_program(program::CommandLine& line, int argc, char** argv, const std::function<void()>& body) {
+  return program::run(line, argc, argv, [&] {
     check_command_line(argc, argv);
-    app.parse(argc, argv);
     body();
-    return EXIT_SUCCESS;
-  } catch (const CLI::Success& e) {
-    return app.exit(e);  // --help
-  } catch (const CLI::ParseError& e) {
-    std::cerr << app.get_name() << ": " << e.what() << "\n";
-  } catch (const BadInput& e) {
-    std::cerr << e.what() << "\n";
-  } catch (const std::exception& e) {
-    std::cerr << app.get_name() << ": " << e.what() << "\n";
-  }
-  return kBadInputStatus;
+    return program::kDone;
+  });
 }
 
-int run_ranked_program(CLI::App& app, int argc, char** argv, const std::function<void(parallel::RankSession&)>& body) {
+int run_ranked_program(program::CommandLine& line, int argc, char** argv, const std::function<void(parallel::RankSession&)>& body) {
   try {
     parallel::RankSession session;
     if (session.ranks().rank() != 0) {
       std::cerr.rdbuf(nullptr);
       std::cout.rdbuf(nullptr);
     }
-    return run_program(app, argc, argv, [&] { body(session); });
+    return run_program(line, argc, argv, [&] { body(session); });
   } catch (const std::runtime_error& e) {
-    std::cerr << app.get_name() << ": " << e.what() << "\n";
-    return kBadInputStatus;
+    std::cerr << line.name() << ": " << e.what() << "\n";
+    return program::kBadInput;
   }
 }
 
@@ -164,12 +153,6 @@ policy::ActionDraw draw_named(std::string_view name) {
 
 void check_picture_name(const std::string& option, const std::filesystem::path& path) {
   if (!sonar::is_picture_name(path)) throw BadInput(option + " " + path.string() + ": must end in .png or .svg");
-}
-
-std::string command_line(int argc, char** argv) {
-  std::string line = std::filesystem::path(argv[0]).filename().string();
-  for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
-  return line;
 }
 
 }  // namespace earshot::apps

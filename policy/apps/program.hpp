@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -8,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "firmware/host/program/command_line.hpp"
 #include "firmware/policy/action_draw.hpp"
 #include "sim/parallel/rank_session.hpp"
 
@@ -15,11 +15,11 @@ namespace earshot::apps {
 
 /// Parses the command line and runs `body`. Bad input of any kind, a command line that is not UTF-8 among it (provenance and JSON could not
 /// hold it), ends as one message on standard error and exit status 2.
-int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& body);
+int run_program(program::CommandLine& line, int argc, char** argv, const std::function<void()>& body);
 
 /// The same of a program that mpirun may have started: rank 0 alone speaks, and the session outlives what it says, because mpirun drops the
 /// words of a rank when another has ended.
-int run_ranked_program(CLI::App& app, int argc, char** argv, const std::function<void(parallel::RankSession&)>& body);
+int run_ranked_program(program::CommandLine& line, int argc, char** argv, const std::function<void(parallel::RankSession&)>& body);
 
 /// The whole content of a file. Throws config_file::BadInput when it cannot be read.
 [[nodiscard]] std::string read_whole(const std::filesystem::path& path);
@@ -52,17 +52,11 @@ void check_distinct(std::span<const OutputFile> files);
 /// Throws config_file::BadInput when a picture of that name, given with `option`, cannot be drawn: it does not end in .png or .svg.
 void check_picture_name(const std::string& option, const std::filesystem::path& path);
 
-/// The command line as a person would type it again.
-[[nodiscard]] std::string command_line(int argc, char** argv);
-
 /// The folder policy/ that belongs to this program: the one of the tree it was built in, or that beside it in an installation.
 /// Throws config_file::BadInput when there is none.
 [[nodiscard]] std::filesystem::path data_folder();
 
 /// The policy that ships. Throws config_file::BadInput when it is not there: no other stands in for it.
 [[nodiscard]] std::filesystem::path shipped_policy();
-
-/// Commit the programs were built from, "-dirty" appended when the tree differed; "unknown" outside a repository.
-[[nodiscard]] std::string build_commit();
 
 }  // namespace earshot::apps

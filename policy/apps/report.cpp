@@ -24,12 +24,12 @@ void write_report(const std::filesystem::path& folder) try {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  program::CommandLine line(
+      "earshot report",
       "earshot report DIR reads the journal, the policy, track.csv, snr.csv and summary.json that a flight left in DIR and writes\n"
       "DIR/report.html, a page that needs no other file.\n"
-      "Exit status: 0 written, 2 something of the flight cannot be read or the page cannot be made.",
-      "earshot report"};
+      "Exit status: 0 written, 2 something of the flight cannot be read or the page cannot be made.");
   std::filesystem::path folder;
-  app.add_option("DIR", folder, "folder of the flight")->required();
-  return apps::run_program(app, argc, argv, [&] { write_report(folder); });
+  line.option("DIR", &folder, "folder of the flight").required();
+  return apps::run_program(line, argc, argv, [&] { write_report(folder); });
 }

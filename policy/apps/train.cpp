@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <iostream>
 #include <memory>
 #include <sstream>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/program/signals.hpp"
 #include "policy/apps/curve_plot.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/apps/training_job.hpp"
@@ -18,19 +17,6 @@ namespace {
 using namespace earshot;
 using config_file::BadInput;
 using Trainings = std::vector<std::unique_ptr<apps::Training>>;
-
-std::atomic<bool> interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // set by a signal
-
-/// The first Ctrl-C ends training with the rollout under way, the second at once.
-void end_well_on_interrupt() {
-  for (const int number : {SIGINT, SIGTERM}) {
-    struct sigaction action {};
-    action.sa_handler = [](int) { interrupted = true; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-    sigaction(number, &action, nullptr);
-  }
-}
 
 Trainings prepare(const apps::TrainOptions& options, const std::vector<std::string>& arguments, parallel::Ranks& ranks) {
   if (options.plot) {
@@ -45,8 +31,8 @@ Trainings prepare(const apps::TrainOptions& options, const std::vector<std::stri
 }
 
 void run_all(const Trainings& trainings, std::size_t threads, apps::TrainingProgress& progress) {
-  end_well_on_interrupt();
-  auto run = [&](std::size_t i) { trainings[i]->run(progress, i, interrupted); };
+  program::stop_on_signals(program::SecondSignal::kEndsAtOnce);
+  auto run = [&](std::size_t i) { trainings[i]->run(progress, i, program::stop_requested); };
   if (trainings.size() == 1) return run(0);  // MPI wants the main thread
   parallel::run_in_order({.groups = trainings.size(), .tasks_per_group = 1, .threads = threads, .window = trainings.size()}, run,
                          [](std::size_t) {});
@@ -80,7 +66,7 @@ void print_summary(const Trainings& trainings, double seconds) {
     std::cout << "median of " << medians.size() << " trainings: median reward " << of_seeds(medians, 1.0) << ", found "
               << of_seeds(found, 100.0) << " %\n";
   }
-  if (interrupted) std::cout << "interrupted; go on with earshot train --resume\n";
+  if (program::stop_requested) std::cout << "interrupted; go on with earshot train --resume\n";
   std::cout << seconds << " s\n";
 }
 
@@ -105,16 +91,16 @@ void train(const apps::TrainOptions& options, const std::vector<std::string>& ar
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Trains a search policy by PPO in the simulated ocean.", "earshot train");
-  app.footer(
+  program::CommandLine line("earshot train", "Trains a search policy by PPO in the simulated ocean.");
+  line.footer(
       "Example: earshot train --environment sim/ocean/environments/munk_flat.toml --state simple --source fixed --episodes 1500 -o "
       "fixed.checkpoint\n"
       "Ctrl-C writes the checkpoint; earshot train --resume fixed.checkpoint goes on.\n"
       "mpirun -n N earshot-train ... trains one policy with N times the environments and the batch.");
   apps::TrainOptions options;
-  options.add_to(app);
-  return apps::run_ranked_program(app, argc, argv, [&](parallel::RankSession& session) {
-    if (!options.resume.empty()) apps::check_for_resume(app);
+  options.add_to(line);
+  return apps::run_ranked_program(line, argc, argv, [&](parallel::RankSession& session) {
+    if (!options.resume.empty()) apps::check_for_resume(line);
     train(options, std::vector<std::string>(argv + 1, argv + argc), session);
   });
 }

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "firmware/host/program/command_line.hpp"
 #include "policy/apps/world_options.hpp"
 #include "policy/ppo/training_run.hpp"
 
@@ -30,15 +30,15 @@ struct TrainOptions {
   std::optional<std::size_t> threads;
   std::optional<std::size_t> environments;
 
-  void add_to(CLI::App& app);
+  void add_to(program::CommandLine& line);
   /// Makes the paths of input files absolute: those of a command that was given in `directory`.
   void resolve(const std::filesystem::path& directory);
 };
 
-/// Throws config_file::BadInput when `app` was given something that cannot be changed in the middle of a training.
-void check_for_resume(const CLI::App& app);
+/// Throws config_file::BadInput when `line` was given something that cannot be changed in the middle of a training.
+void check_for_resume(const program::CommandLine& line);
 
-/// The options of a command line without the program's name. Throws CLI::ParseError.
+/// The options of a command line without the program's name. Throws config_file::BadInput.
 [[nodiscard]] TrainOptions options_from(const std::vector<std::string>& arguments);
 
 /// The run file with the options over it. Throws config_file::BadInput.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/program/version.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/ppo/trainer.hpp"
@@ -139,7 +140,7 @@ TrainingJob job_from(const std::string& file, const TrainOptions& given) {
   job.directory = continuation.directory;
   try {
     job.options = options_from(job.arguments);
-  } catch (const CLI::ParseError& e) {
+  } catch (const BadInput& e) {
     throw BadInput(file + ": its command line is not this program's: " + e.what());
   }
   job.options.resolve(job.directory);
@@ -262,7 +263,7 @@ ppo::Checkpoint Training::Parts::checkpoint(ppo::TrainingState state) const {
   std::string command = "earshot-train";
   for (const std::string& word : job.arguments) command += " " + word;
   checkpoint.provenance = {{"command", command},
-                           {"commit", build_commit()},
+                           {"commit", program::build_commit()},
                            {"environment", run.environment.filename().string()},
                            {"environment_crc32", description::crc32_text(environment.file_crc32)},
                            {"steps", std::to_string(trainer.steps())}};

@@ -8,24 +8,22 @@ namespace earshot::apps {
 
 using config_file::BadInput;
 
-void WorldOptions::add_to(CLI::App& app) {
-  app.add_option("--environment", environment,
-                 "environment file (TOML): ocean, source and noise, such as sim/ocean/environments/munk_flat.toml");
-  app.add_option("--vehicle-depth-m", vehicle_depth_m, "depth of the vehicle, metres (300)")->check(CLI::PositiveNumber);
-  app.add_option("--source", source,
-                 "source: fixed where the environment puts it, or changing, uniform in the domain anew every episode (" +
-                     source.value_or("fixed") + ")")
-      ->check(CLI::IsMember({"fixed", "changing"}));
-  app.add_option(
-         "--start", start,
-         "vehicle starts uniformly in the domain, or inside_border, where the border costs nothing (" + start.value_or("domain") + ")")
-      ->check(CLI::IsMember({"domain", "inside_border"}));
-  app.add_option("--start-margin-m", start_margin_m, "vehicle starts uniformly at least so far from every edge, metres; instead of --start")
-      ->check(CLI::NonNegativeNumber)
-      ->excludes(app.get_option("--start"));
-  app.add_option("--border-width-m", border_width_m, "width b of the border in which the reward falls to -100, metres (1000)")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--max-steps", max_steps, "N, steps after which an episode is cut (100)")->check(CLI::Range(1, 1'000'000));
+void WorldOptions::add_to(program::CommandLine& line) {
+  line.option("--environment", &environment,
+              "environment file (TOML): ocean, source and noise, such as sim/ocean/environments/munk_flat.toml");
+  line.option("--vehicle-depth-m", &vehicle_depth_m, "depth of the vehicle, metres (300)").positive();
+  line.option("--source", &source,
+              "source: fixed where the environment puts it, or changing, uniform in the domain anew every episode (" +
+                  source.value_or("fixed") + ")")
+      .one_of({"fixed", "changing"});
+  line.option("--start", &start,
+              "vehicle starts uniformly in the domain, or inside_border, where the border costs nothing (" + start.value_or("domain") + ")")
+      .one_of({"domain", "inside_border"});
+  line.option("--start-margin-m", &start_margin_m, "vehicle starts uniformly at least so far from every edge, metres; instead of --start")
+      .not_negative()
+      .excludes(line.at("--start"));
+  line.option("--border-width-m", &border_width_m, "width b of the border in which the reward falls to -100, metres (1000)").positive();
+  line.option("--max-steps", &max_steps, "N, steps after which an episode is cut (100)").from(1, 1'000'000);
 }
 
 void WorldOptions::apply_to(search::SearchSettings& settings) const {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
 
+#include "firmware/host/program/command_line.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/search/soundscape.hpp"
@@ -23,7 +23,7 @@ struct WorldOptions {
   std::optional<double> border_width_m = {};
   std::optional<std::uint32_t> max_steps = {};
 
-  void add_to(CLI::App& app);
+  void add_to(program::CommandLine& line);
   /// Throws config_file::BadInput when the settings contradict each other.
   void apply_to(search::SearchSettings& settings) const;
 };

@@ -1,9 +1,9 @@
-#include <CLI/CLI.hpp>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <string>
 
+#include "firmware/host/program/run.hpp"
 #include "sim/apps/field_arguments.hpp"
 #include "sim/apps/field_modes.hpp"
 
@@ -12,12 +12,7 @@ namespace {
 using earshot::apps::BadStart;
 using earshot::apps::FieldArguments;
 using earshot::parallel::RankSession;
-
-std::string command_line(int argc, char** argv) {
-  std::string line = std::filesystem::path(argv[0]).filename().string();
-  for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
-  return line;
-}
+using earshot::program::CommandLine;
 
 void run(const FieldArguments& arguments, RankSession& session) {
   if (!arguments.library.empty()) {
@@ -52,18 +47,14 @@ int run_in_session(const FieldArguments& arguments) {
 
 int main(int argc, char** argv) {
   FieldArguments arguments;
-  CLI::App app;
-  describe(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-  arguments.history = command_line(argc, argv);
-  try {
-    require_consistent(app, arguments);
+  CommandLine line(
+      "earshot field",
+      "Computes how loud the source of an ocean is at every range and depth, and writes transmission loss and SNR as NetCDF (CF-1.8):\n"
+      "along one bearing, all around (--radials), or for many sources of a region (--library).");
+  describe(line, arguments);
+  return earshot::program::run(line, argc, argv, [&] {
+    arguments.history = earshot::program::as_typed(argc, argv);
+    require_consistent(line, arguments);
     return run_in_session(arguments);
-  } catch (const std::exception& e) {
-    return say(e);
-  }
+  });
 }

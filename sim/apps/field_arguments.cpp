@@ -16,87 +16,69 @@ std::string picture_name(const std::string& path) {
   return sonar::is_picture_name(path) ? std::string() : path + ": a picture's name must end in .png or .svg";
 }
 
-/// CLI11's own lets NaN through.
-CLI::Validator between(double lowest, double highest) {
-  std::ostringstream range;
-  range << lowest << " to " << highest;
-  const std::string words = range.str();
-  return {[=](std::string& text) {
-            double value = 0.0;
-            const bool good = CLI::detail::lexical_cast(text, value) && value >= lowest && value <= highest;
-            return good ? std::string() : text + ": must be a number from " + words;
-          },
-          words};
+void describe_place(program::CommandLine& line, FieldArguments& a) {
+  line.option("--max-range-km", &a.max_range_km, "how far from the source").between(0.001, 2000.0).shows_default();
+  line.option("--depth,--receiver-depth-m", &a.depth_m, "receiver depths in m; default: every --depth-spacing down to the sea floor")
+      .between(0.0, 12'000.0);
+  line.option("--depth-spacing", &a.depth_spacing_m, "m between receiver depths").between(0.1, 10000.0).shows_default();
+  line.option("--bearing-deg", &a.bearing_deg, "of the radial, clockwise from north; matters where charts are used")
+      .between(-360.0, 360.0)
+      .shows_default();
+  line.option("--output-step-m", &a.output_step_m,
+              "m between ranges written; default: a sixth of a wavelength, a third with --radials, --range-step if given")
+      .between(0.01, 100000.0);
 }
 
-void describe_place(CLI::App& app, FieldArguments& a) {
-  app.add_option("--max-range-km", a.max_range_km, "how far from the source")->check(between(0.001, 2000.0))->capture_default_str();
-  app.add_option("--depth,--receiver-depth-m", a.depth_m, "receiver depths in m; default: every --depth-spacing down to the sea floor")
-      ->check(between(0.0, 12'000.0));
-  app.add_option("--depth-spacing", a.depth_spacing_m, "m between receiver depths")->check(between(0.1, 10000.0))->capture_default_str();
-  app.add_option("--bearing-deg", a.bearing_deg, "of the radial, clockwise from north; matters where charts are used")
-      ->check(between(-360.0, 360.0))
-      ->capture_default_str();
-  app.add_option("--output-step-m", a.output_step_m,
-                 "m between ranges written; default: a sixth of a wavelength, a third with --radials, --range-step if given")
-      ->check(between(0.01, 100000.0));
+void describe_fan(program::CommandLine& line, FieldArguments& a) {
+  line.option("--radials", &a.radials, "all around the source on so many bearings, at the depths of --receiver-depth-m").from(1, 100'000);
+  line.flag("--map", &a.map, "also lay SNR and probability of detection on a north-east grid; one receiver depth");
+  line.option("--map-side-km", &a.map_side_km, "side of that square; default: the largest within --max-range-km").between(0.001, 4000.0);
+  line.option("--map-intervals", &a.map_intervals, "grid steps along a side").from(1, 10'000).shows_default();
+  line.option("--detection-threshold-db", &a.detection_threshold_db, "SNR needed for detection; pictures change colour there")
+      .between(-200.0, 200.0)
+      .shows_default();
+  line.option("--fluctuation-db", &a.fluctuation_db, "standard deviation of the SNR in dB; 0: detection is certain or impossible")
+      .between(0.0, 100.0)
+      .shows_default();
 }
 
-void describe_fan(CLI::App& app, FieldArguments& a) {
-  app.add_option("--radials", a.radials, "all around the source on so many bearings, at the depths of --receiver-depth-m")
-      ->check(between(1, 100'000));
-  app.add_flag("--map", a.map, "also lay SNR and probability of detection on a north-east grid; one receiver depth");
-  app.add_option("--map-side-km", a.map_side_km, "side of that square; default: the largest within --max-range-km")
-      ->check(between(0.001, 4000.0));
-  app.add_option("--map-intervals", a.map_intervals, "grid steps along a side")->check(between(1, 10'000))->capture_default_str();
-  app.add_option("--detection-threshold-db", a.detection_threshold_db, "SNR needed for detection; pictures change colour there")
-      ->check(between(-200.0, 200.0))
-      ->capture_default_str();
-  app.add_option("--fluctuation-db", a.fluctuation_db, "standard deviation of the SNR in dB; 0: detection is certain or impossible")
-      ->check(between(0.0, 100.0))
-      ->capture_default_str();
+void describe_sound(program::CommandLine& line, FieldArguments& a) {
+  line.option("--band-hz", &a.band_hz, "average intensity over the band LOW HIGH instead of the source's one frequency")
+      .takes(2, 2)
+      .between(1.0, 10'000.0);
+  line.option("--frequencies", &a.frequencies, "how many equal parts of the band are computed, at their middles")
+      .from(1, 10'000)
+      .shows_default();
 }
 
-void describe_sound(CLI::App& app, FieldArguments& a) {
-  app.add_option("--band-hz", a.band_hz, "average intensity over the band LOW HIGH instead of the source's one frequency")
-      ->expected(2)
-      ->check(between(1.0, 10'000.0));
-  app.add_option("--frequencies", a.frequencies, "how many equal parts of the band are computed, at their middles")
-      ->check(between(1, 10'000))
-      ->capture_default_str();
-}
-
-void describe_solver(CLI::App& app, FieldArguments& a) {
-  app.add_option("--accuracy-db", a.accuracy_db, "of transmission loss, mean over ranges; chooses the solver's grid")
-      ->check(between(0.0001, 10.0))
-      ->capture_default_str();
-  app.add_option("--range-step,--range-step-m", a.range_step_m, "m of one step of the solver; default: automatic")
-      ->check(between(0.01, 10000.0));
-  app.add_option("--depth-step,--depth-step-m", a.depth_step_m, "m of the solver's depth grid; default: automatic")
-      ->check(between(0.001, 1000.0));
-  app.add_option("--terms", a.terms, "poles of the propagator, 2 to 16; 0: automatic")->check(between(0, 16))->capture_default_str();
-  app.add_option("--absorber-wavelengths", a.absorber_wavelengths, "thickness of the absorbing layer below the deepest layer of the seabed")
-      ->check(between(0.5, 100.0))
-      ->capture_default_str();
-  app.add_option("--starter", a.starter, "self: a point source, exact at all angles; gaussian: a beam, weaker where it is steep")
-      ->check(CLI::IsMember({"self", "gaussian"}))
-      ->capture_default_str();
-  app.add_flag("--check", a.check, "also run with both steps of the grid halved, and print by how many dB that changes the loss");
-  app.add_option("--threads", a.threads, "processors used, default all; the result does not depend on it")->check(between(1, 4096));
+void describe_solver(program::CommandLine& line, FieldArguments& a) {
+  line.option("--accuracy-db", &a.accuracy_db, "of transmission loss, mean over ranges; chooses the solver's grid")
+      .between(0.0001, 10.0)
+      .shows_default();
+  line.option("--range-step,--range-step-m", &a.range_step_m, "m of one step of the solver; default: automatic").between(0.01, 10000.0);
+  line.option("--depth-step,--depth-step-m", &a.depth_step_m, "m of the solver's depth grid; default: automatic").between(0.001, 1000.0);
+  line.option("--terms", &a.terms, "poles of the propagator, 2 to 16; 0: automatic").from(0, 16).shows_default();
+  line.option("--absorber-wavelengths", &a.absorber_wavelengths, "thickness of the absorbing layer below the deepest layer of the seabed")
+      .between(0.5, 100.0)
+      .shows_default();
+  line.option("--starter", &a.starter, "self: a point source, exact at all angles; gaussian: a beam, weaker where it is steep")
+      .one_of({"self", "gaussian"})
+      .shows_default();
+  line.flag("--check", &a.check, "also run with both steps of the grid halved, and print by how many dB that changes the loss");
+  line.option("--threads", &a.threads, "processors used, default all; the result does not depend on it").from(1, 4096);
 }
 
 /// Options that would be silently ignored are refused.
-void refuse_beside_library(const CLI::App& app) {
-  for (const CLI::Option* option : app.get_options()) {
-    const std::string name = option->get_name();
-    const bool allowed = name == "--library" || name == "--output" || name == "--threads" || option->count() == 0;
-    if (!allowed) throw std::invalid_argument(name + ": not with --library, whose file says all of it");
+void refuse_beside_library(const program::CommandLine& line) {
+  for (const std::string& option : line.given()) {
+    if (option != "--library" && option != "--output" && option != "--threads")
+      throw std::invalid_argument(option + ": not with --library, whose file says all of it");
   }
 }
 
 /// `option` says something about `other`.
-void bind(CLI::App& app, const char* option, const char* other) {
-  app.get_option(option)->needs(app.get_option(other));
+void bind(const program::CommandLine& line, const char* option, const char* other) {
+  line.at(option).needs(line.at(other));
 }
 
 sonar::Band band_of(const FieldArguments& arguments, const ocean::Environment& environment) {
@@ -122,38 +104,34 @@ std::vector<double> receiver_depths(const FieldArguments& arguments, Meters sea_
 
 }  // namespace
 
-void describe(CLI::App& app, FieldArguments& a) {
-  app.name("earshot field");
-  app.description(
-      "Computes how loud the source of an ocean is at every range and depth, and writes transmission loss and SNR as NetCDF (CF-1.8):\n"
-      "along one bearing, all around (--radials), or for many sources of a region (--library).");
-  app.footer(
+void describe(program::CommandLine& line, FieldArguments& a) {
+  line.footer(
       "Examples:\n"
       "  earshot field sim/ocean/environments/munk_flat.toml -o field.nc --plot field.png\n"
       "  earshot field OCEAN.toml -o fan.nc --radials 72 --receiver-depth-m 300 --map --fluctuation-db 6 --plot map.png\n"
       "  mpirun -n 4 earshot-field --library LIBRARY.toml -o library.nc     (started again after an interruption, it goes on)");
-  app.add_option("ENVIRONMENT", a.environment, "TOML file that describes the ocean and the source");
-  app.add_option("--library", a.library, "TOML file that names an environment and many positions; instead of ENVIRONMENT");
-  app.add_option("-o,--output", a.output, "NetCDF file to write")->required();
-  app.add_option("--plot", a.plot, "also draw the SNR, as .png or .svg")->check(picture_name);
-  describe_place(app, a);
-  describe_fan(app, a);
-  describe_sound(app, a);
-  describe_solver(app, a);
-  bind(app, "--map", "--radials");
-  bind(app, "--map-side-km", "--map");
-  bind(app, "--map-intervals", "--map");
-  bind(app, "--fluctuation-db", "--radials");
-  bind(app, "--frequencies", "--band-hz");
-  app.get_option("--bearing-deg")->excludes(app.get_option("--radials"));
-  app.get_option("--depth-spacing")->excludes(app.get_option("--depth"));
+  line.option("ENVIRONMENT", &a.environment, "TOML file that describes the ocean and the source");
+  line.option("--library", &a.library, "TOML file that names an environment and many positions; instead of ENVIRONMENT");
+  line.option("-o,--output", &a.output, "NetCDF file to write").required();
+  line.option("--plot", &a.plot, "also draw the SNR, as .png or .svg").checked(picture_name);
+  describe_place(line, a);
+  describe_fan(line, a);
+  describe_sound(line, a);
+  describe_solver(line, a);
+  bind(line, "--map", "--radials");
+  bind(line, "--map-side-km", "--map");
+  bind(line, "--map-intervals", "--map");
+  bind(line, "--fluctuation-db", "--radials");
+  bind(line, "--frequencies", "--band-hz");
+  line.at("--bearing-deg").excludes(line.at("--radials"));
+  line.at("--depth-spacing").excludes(line.at("--depth"));
 }
 
-void require_consistent(const CLI::App& app, const FieldArguments& a) {
+void require_consistent(const program::CommandLine& line, const FieldArguments& a) {
   const auto refuse_unless = [](bool holds, const std::string& what) {
     if (!holds) throw std::invalid_argument(what);
   };
-  if (!a.library.empty()) refuse_beside_library(app);
+  if (!a.library.empty()) refuse_beside_library(line);
   refuse_unless(a.environment.empty() != a.library.empty(), "ENVIRONMENT or --library is needed");
   refuse_unless(a.radials == 0 || !a.depth_m.empty(), "--radials needs --receiver-depth-m");
   refuse_unless(!a.map || a.depth_m.size() == 1, "--map needs one --receiver-depth-m");

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "firmware/core/units.hpp"
+#include "firmware/host/program/command_line.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/sonar/detection.hpp"
 #include "sim/sonar/radial.hpp"
@@ -43,10 +43,10 @@ struct FieldArguments {
   std::optional<std::size_t> threads;  ///< default: all processors
 };
 
-void describe(CLI::App& app, FieldArguments& arguments);
+void describe(program::CommandLine& line, FieldArguments& arguments);
 
 /// Throws std::invalid_argument for options that contradict each other, or would be ignored.
-void require_consistent(const CLI::App& app, const FieldArguments& arguments);
+void require_consistent(const program::CommandLine& line, const FieldArguments& arguments);
 
 /// Refused before the work, not after it.
 void require_writable_folder(const std::string& file);

@@ -3,7 +3,6 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -24,7 +23,8 @@
 #include "firmware/boards/linux/bus_lock.hpp"
 #include "firmware/boards/linux/lcm_url.hpp"
 #include "firmware/boards/linux/mission_file.hpp"
-#include "firmware/boards/linux/program.hpp"
+#include "firmware/host/program/run.hpp"
+#include "firmware/host/program/signals.hpp"
 #include "sim/apps/flight_plan.hpp"
 #include "sim/apps/flight_record.hpp"
 #include "sim/apps/speed_option.hpp"
@@ -35,7 +35,7 @@ namespace {
 using namespace earshot;
 namespace fs = std::filesystem;
 
-using board::stop_requested;
+using program::stop_requested;
 
 struct Options {
   fs::path environment;
@@ -52,23 +52,23 @@ struct Options {
   bool no_report = false;
 };
 
-void declare(CLI::App& app, Options& o) {
-  app.add_option("--environment", o.environment, "ocean, source and noise (TOML)")->required();
-  app.add_option("--mission", o.mission, "area, depth, speed, limits, bus, policy (TOML)")->required();
-  app.add_option("--out", o.out, "folder for journal.lcmlog, track.csv, snr.csv, summary.json and report.html")->capture_default_str();
-  app.add_option("--seed", o.seed, "where the vehicle starts, and how a policy that draws its actions draws them")
-      ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
-      ->capture_default_str();
-  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")
-      ->check(simulation::speed_range())
-      ->capture_default_str();
-  app.add_option("--policy", o.policy, "policy file instead of the mission's");
-  app.add_option("--public-key", o.public_key, "file of the public key that signed it, instead of the mission's");
-  app.add_option("--bus", o.bus, "bus between autopilot and earshotd instead of the mission's")->check(CLI::IsMember({"lcm", "can"}));
-  app.add_option("--lcm-url", o.lcm_url, "LCM address; default: one that no other flight on this machine uses");
-  app.add_option("--can-interface", o.can_interface, "CAN interface instead of the mission's; vcan0 stands in for can0, the bus at sea");
-  app.add_flag("--ignore-source", o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
-  app.add_flag("--no-report", o.no_report, "do not write report.html");
+void declare(program::CommandLine& line, Options& o) {
+  line.option("--environment", &o.environment, "ocean, source and noise (TOML)").required();
+  line.option("--mission", &o.mission, "area, depth, speed, limits, bus, policy (TOML)").required();
+  line.option("--out", &o.out, "folder for journal.lcmlog, track.csv, snr.csv, summary.json and report.html").shows_default();
+  line.option("--seed", &o.seed, "where the vehicle starts, and how a policy that draws its actions draws them")
+      .from(0, std::numeric_limits<std::int64_t>::max())
+      .shows_default();
+  line.option("--speed", &o.speed, "simulated seconds per second; 0: as fast as it goes")
+      .checked(simulation::speed_complaint, simulation::kSpeedsAllowed)
+      .shows_default();
+  line.option("--policy", &o.policy, "policy file instead of the mission's");
+  line.option("--public-key", &o.public_key, "file of the public key that signed it, instead of the mission's");
+  line.option("--bus", &o.bus, "bus between autopilot and earshotd instead of the mission's").one_of({"lcm", "can"});
+  line.option("--lcm-url", &o.lcm_url, "LCM address; default: one that no other flight on this machine uses");
+  line.option("--can-interface", &o.can_interface, "CAN interface instead of the mission's; vcan0 stands in for can0, the bus at sea");
+  line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
+  line.flag("--no-report", &o.no_report, "do not write report.html");
 }
 
 template <class Value>
@@ -150,7 +150,7 @@ void wait_for_both(Process& simulator, Process& runtime) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     simulator.poll();
     runtime.poll();
-    if (stop_requested != 0 && !stopping) {
+    if (stop_requested && !stopping) {
       stopping = true;
       simulator.signal(SIGINT);
     }
@@ -204,7 +204,7 @@ bool has_flown(const Process& simulator) {
 
 /// A process that we ended because the other refused its input has a status of its own; the refusal is what counts.
 int exit_status(const Process& simulator, const Process& runtime) {
-  if (stop_requested != 0) return 130;
+  if (stop_requested) return program::kStopped;
   if (!has_flown(simulator) && (simulator.status == 2 || runtime.status == 2)) return 2;
   return simulator.status == 0 && runtime.status == 0 ? 0 : 3;
 }
@@ -230,7 +230,7 @@ board::FileDescriptor lock_bus(const Options& o, const board::MissionFile& missi
 }
 
 int fly(Options o) {
-  board::stop_on_signals();
+  program::stop_on_signals();
   // Both processes would say the same about a bad file: say it once, before either starts.
   const board::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
   const board::FileDescriptor lock = lock_bus(o, mission);
@@ -256,11 +256,11 @@ int fly(Options o) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  program::CommandLine line(
+      "earshot fly",
       "earshot fly plays one search: an ocean with a sound source (earshot-sim) and the vehicle's own software (earshotd) in lock-step.\n"
-      "Exit status: 0 flown (found or not), 2 bad input, 3 a process was lost, 130 Ctrl-C.",
-      "earshot-fly"};
+      "Exit status: 0 flown (found or not), 2 bad input, 3 a process was lost, 130 Ctrl-C.");
   Options options;
-  declare(app, options);
-  return board::run_program(app, argc, argv, [&] { return fly(options); });
+  declare(line, options);
+  return program::run(line, argc, argv, [&] { return fly(options); });
 }

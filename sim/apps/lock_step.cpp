@@ -45,7 +45,7 @@ const char* word_for(runtime::EndReason reason) {
 /// One flight in the making.
 class Stepper {
  public:
-  Stepper(const Flight& flight, const vehicle::State& start, const volatile std::sig_atomic_t& stop)
+  Stepper(const Flight& flight, const vehicle::State& start, const std::atomic<bool>& stop)
       : flight_(flight),
         vehicle_(start),
         command_{.heading = start.heading, .speed = start.speed, .depth = start.depth},
@@ -132,7 +132,7 @@ class Stepper {
   }
 
   [[nodiscard]] std::uint8_t order(bool reached) const {
-    if (stop_ != 0) return static_cast<std::uint8_t>(runtime::OperatorCommand::kAbort);
+    if (stop_) return static_cast<std::uint8_t>(runtime::OperatorCommand::kAbort);
     if (number_ == 1) return static_cast<std::uint8_t>(runtime::OperatorCommand::kStart);
     return reached ? static_cast<std::uint8_t>(runtime::OperatorCommand::kComplete) : std::uint8_t{0};
   }
@@ -180,7 +180,7 @@ class Stepper {
     if (flight_.world.speed <= 0.0) return;
     const auto due = began + std::chrono::duration_cast<steady_clock::duration>(
                                  std::chrono::duration<double>((now_ - Time{}).to_seconds() / flight_.world.speed));
-    while (stop_ == 0 && steady_clock::now() < due) std::this_thread::sleep_until(std::min(due, steady_clock::now() + kLookUp));
+    while (!stop_ && steady_clock::now() < due) std::this_thread::sleep_until(std::min(due, steady_clock::now() + kLookUp));
   }
 
   Flight flight_;
@@ -188,7 +188,7 @@ class Stepper {
   vehicle::Command command_;
   NorthEast source_;
   search::Surroundings surroundings_;  ///< unused in a calm world
-  const volatile std::sig_atomic_t& stop_;
+  const std::atomic<bool>& stop_;
   Time now_;
   std::uint64_t number_ = 0;
   bool over_ = false;
@@ -197,7 +197,7 @@ class Stepper {
 
 }  // namespace
 
-FlightResult fly(Flight flight, const vehicle::State& start, const volatile std::sig_atomic_t& stop) {
+FlightResult fly(Flight flight, const vehicle::State& start, const std::atomic<bool>& stop) {
   return Stepper(flight, start, stop).run();
 }
 

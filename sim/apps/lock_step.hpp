@@ -1,6 +1,6 @@
 #pragma once
 
-#include <csignal>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -51,6 +51,6 @@ struct Flight {
 /// its way has found it.
 /// Never throws: whatever goes wrong on the way ends the flight, and the result says what.
 /// @param stop  set by a signal handler: the runtime is told to abort
-[[nodiscard]] FlightResult fly(Flight flight, const vehicle::State& start, const volatile std::sig_atomic_t& stop);
+[[nodiscard]] FlightResult fly(Flight flight, const vehicle::State& start, const std::atomic<bool>& stop);
 
 }  // namespace earshot::simulation

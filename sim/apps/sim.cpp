@@ -1,6 +1,5 @@
 // earshot-sim: the ocean, the vehicle and the truth, in lock-step with earshotd.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -15,8 +14,9 @@
 #include <string>
 
 #include "firmware/boards/linux/mission_file.hpp"
-#include "firmware/boards/linux/program.hpp"
 #include "firmware/core/random.hpp"
+#include "firmware/host/program/run.hpp"
+#include "firmware/host/program/signals.hpp"
 #include "sim/apps/autopilot_bus.hpp"
 #include "sim/apps/flight_plan.hpp"
 #include "sim/apps/flight_record.hpp"
@@ -32,9 +32,7 @@ namespace {
 using namespace earshot;
 using namespace earshot::simulation;
 
-constexpr int kNotBegun = 130;  ///< exit status when stopped before the first tick
-
-using board::stop_requested;
+using program::stop_requested;
 
 struct Options {
   std::filesystem::path environment;
@@ -49,21 +47,23 @@ struct Options {
   bool ignore_source = false;
 };
 
-void declare(CLI::App& app, Options& o) {
-  app.add_option("--environment", o.environment, "ocean, source and noise (TOML)")->required();
-  app.add_option("--mission", o.mission, "mission file that earshotd flies (TOML): area, depth, speed, bus")->required();
-  app.add_option("--out", o.out, "folder for track.csv, snr.csv and summary.json, made if it is missing")->capture_default_str();
-  app.add_option("--seed", o.seed, "seed of the place where the vehicle starts")
-      ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
-      ->capture_default_str();
-  app.add_option("--speed", o.speed, "simulated seconds per second; 0: as fast as it goes")->check(speed_range())->capture_default_str();
-  app.add_option("--domain", o.domain, "DDS domain in which earshotd listens")
-      ->check(CLI::Range(link::kLowestDomain, link::kHighestDomain))
-      ->capture_default_str();
-  app.add_option("--bus", o.bus, "bus instead of the mission's")->check(CLI::IsMember({"lcm", "can"}));
-  app.add_option("--lcm-url", o.lcm_url, "LCM address instead of the mission's");
-  app.add_option("--can-interface", o.can_interface, "CAN interface instead of the mission's");
-  app.add_flag("--ignore-source", o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
+void declare(program::CommandLine& line, Options& o) {
+  line.option("--environment", &o.environment, "ocean, source and noise (TOML)").required();
+  line.option("--mission", &o.mission, "mission file that earshotd flies (TOML): area, depth, speed, bus").required();
+  line.option("--out", &o.out, "folder for track.csv, snr.csv and summary.json, made if it is missing").shows_default();
+  line.option("--seed", &o.seed, "seed of the place where the vehicle starts")
+      .from(0, std::numeric_limits<std::int64_t>::max())
+      .shows_default();
+  line.option("--speed", &o.speed, "simulated seconds per second; 0: as fast as it goes")
+      .checked(simulation::speed_complaint, simulation::kSpeedsAllowed)
+      .shows_default();
+  line.option("--domain", &o.domain, "DDS domain in which earshotd listens")
+      .from(link::kLowestDomain, link::kHighestDomain)
+      .shows_default();
+  line.option("--bus", &o.bus, "bus instead of the mission's").one_of({"lcm", "can"});
+  line.option("--lcm-url", &o.lcm_url, "LCM address instead of the mission's");
+  line.option("--can-interface", &o.can_interface, "CAN interface instead of the mission's");
+  line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
 }
 
 void apply_options(const Options& o, board::MissionFile& file) {
@@ -125,7 +125,7 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
 bool runtime_comes(link::SimulatorEnd& link, std::uint32_t domain) {
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   while (!link.wait_for_runtime(std::chrono::milliseconds(100))) {
-    if (stop_requested != 0) return false;
+    if (stop_requested) return false;
     if (std::chrono::steady_clock::now() > patience)
       throw std::runtime_error("no earshotd in DDS domain " + std::to_string(domain) + " within 20 s");
   }
@@ -145,7 +145,7 @@ bool succeeds(Work work) {
 }
 
 int simulate(const Options& o) {
-  board::stop_on_signals();
+  program::stop_on_signals();
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
   apply_options(o, plan.mission);
   const auto& [file, environment, settings] = plan;
@@ -163,7 +163,7 @@ int simulate(const Options& o) {
 
   const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
   link::SimulatorEnd link(o.domain);
-  if (!runtime_comes(link, o.domain)) return kNotBegun;
+  if (!runtime_comes(link, o.domain)) return program::kStopped;
 
   // Only now that both sides have taken their input: a refused policy leaves no half of a flight behind.
   std::filesystem::create_directories(o.out);
@@ -184,12 +184,12 @@ int simulate(const Options& o) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  program::CommandLine line(
+      "earshot-sim",
       "earshot-sim plays the ocean and the vehicle for one search, in lock-step with an earshotd started with --simulation.\n"
       "Exit status: 0 flown, 2 bad input, 3 earshotd, the bus or a file was lost, 130 stopped before the start.\n"
-      "(earshot fly starts both.)",
-      "earshot-sim"};
+      "(earshot fly starts both.)");
   Options options;
-  declare(app, options);
-  return board::run_program(app, argc, argv, [&] { return simulate(options); });
+  declare(line, options);
+  return program::run(line, argc, argv, [&] { return simulate(options); });
 }

@@ -110,7 +110,7 @@ class SeaInputs final : public InputSink {
 
 }  // namespace
 
-LoopResult fly_in_simulation(MissionTurn& turn, VehicleBus& bus, link::RuntimeEnd& link, const volatile std::sig_atomic_t& stop) {
+LoopResult fly_in_simulation(MissionTurn& turn, VehicleBus& bus, link::RuntimeEnd& link, const std::atomic<bool>& stop) {
   LoopResult result;
   std::uint64_t fixes_before = 0;
   while (stop == 0) {
@@ -131,8 +131,7 @@ LoopResult fly_in_simulation(MissionTurn& turn, VehicleBus& bus, link::RuntimeEn
   return result;
 }
 
-LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& host, const SeaTiming& timing,
-                      const volatile std::sig_atomic_t& stop) {
+LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& host, const SeaTiming& timing, const std::atomic<bool>& stop) {
   const MissionClock clock(host);
   SeaInputs inputs(turn, bus, timing);
   LoopResult result;

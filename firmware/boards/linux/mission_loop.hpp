@@ -1,6 +1,6 @@
 #pragma once
 
-#include <csignal>
+#include <atomic>
 #include <cstdint>
 
 #include "firmware/boards/linux/host_clock.hpp"
@@ -29,8 +29,7 @@ struct LoopResult {
 /// In lock-step with a simulator: one turn for every tick, once the navigation that the tick announces has arrived over the bus.
 /// The simulator is waited for without limit before its first tick.
 /// @param stop  set by a signal handler
-[[nodiscard]] LoopResult fly_in_simulation(MissionTurn& turn, VehicleBus& bus, link::RuntimeEnd& link,
-                                           const volatile std::sig_atomic_t& stop);
+[[nodiscard]] LoopResult fly_in_simulation(MissionTurn& turn, VehicleBus& bus, link::RuntimeEnd& link, const std::atomic<bool>& stop);
 
 /// What the loop at sea needs to know of the mission.
 struct SeaTiming {
@@ -45,6 +44,6 @@ struct SeaTiming {
 /// Mission time is UTC as it is when the loop begins, and runs on whatever becomes of the wall clock; messages dated by a wall clock are
 /// moved to it (SenderClock).
 [[nodiscard]] LoopResult fly_at_sea(MissionTurn& turn, VehicleBus& bus, const HostClock& host, const SeaTiming& timing,
-                                    const volatile std::sig_atomic_t& stop);
+                                    const std::atomic<bool>& stop);
 
 }  // namespace earshot::board

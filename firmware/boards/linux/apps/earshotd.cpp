@@ -1,6 +1,5 @@
 // earshotd: the process that flies the vehicle.
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -17,9 +16,10 @@
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/policy_file.hpp"
-#include "firmware/boards/linux/program.hpp"
 #include "firmware/boards/linux/vehicle_bus.hpp"
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/program/run.hpp"
+#include "firmware/host/program/signals.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "sim/link/runtime_end.hpp"
 #include "sim/link/session.hpp"
@@ -28,7 +28,7 @@ namespace {
 
 using namespace earshot;
 
-using board::stop_requested;
+using program::stop_requested;
 
 struct Options {
   std::filesystem::path mission;
@@ -43,22 +43,21 @@ struct Options {
   bool replace = false;
 };
 
-void declare(CLI::App& app, Options& o) {
-  app.add_option("MISSION", o.mission, "mission file (TOML)")->required();
-  app.add_option("--out", o.out, "folder for journal.lcmlog, made if it is missing")->capture_default_str();
-  app.add_flag(
-      "--replace", o.replace,
-      "replace a journal that is there already; without it: refuse to start in simulation, write journal-2.lcmlog and so on at sea");
-  app.add_option("--policy", o.policy, "policy file instead of the mission's");
-  app.add_option("--public-key", o.public_key, "file of the trusted public key instead of the mission's");
-  app.add_option("--seed", o.seed, "seed of a policy that draws its actions, instead of the mission's")
-      ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())));
-  app.add_option("--bus", o.bus, "bus instead of the mission's")->check(CLI::IsMember({"lcm", "can"}));
-  app.add_option("--lcm-url", o.lcm_url, "LCM address instead of the mission's");
-  app.add_option("--can-interface", o.can_interface, "CAN interface instead of the mission's");
-  app.add_option("--simulation", o.simulation,
-                 "fly in lock-step with a simulator in this DDS domain; without it: at sea, on this host's clock")
-      ->check(CLI::Range(link::kLowestDomain, link::kHighestDomain));
+void declare(program::CommandLine& line, Options& o) {
+  line.option("MISSION", &o.mission, "mission file (TOML)").required();
+  line.option("--out", &o.out, "folder for journal.lcmlog, made if it is missing").shows_default();
+  line.flag("--replace", &o.replace,
+            "replace a journal that is there already; without it: refuse to start in simulation, write journal-2.lcmlog and so on at sea");
+  line.option("--policy", &o.policy, "policy file instead of the mission's");
+  line.option("--public-key", &o.public_key, "file of the trusted public key instead of the mission's");
+  line.option("--seed", &o.seed, "seed of a policy that draws its actions, instead of the mission's")
+      .from(0, std::numeric_limits<std::int64_t>::max());
+  line.option("--bus", &o.bus, "bus instead of the mission's").one_of({"lcm", "can"});
+  line.option("--lcm-url", &o.lcm_url, "LCM address instead of the mission's");
+  line.option("--can-interface", &o.can_interface, "CAN interface instead of the mission's");
+  line.option("--simulation", &o.simulation,
+              "fly in lock-step with a simulator in this DDS domain; without it: at sea, on this host's clock")
+      .from(link::kLowestDomain, link::kHighestDomain);
 }
 
 board::MissionFile load(const Options& o) {
@@ -124,7 +123,7 @@ int report(const board::LoopResult& result, const board::VehicleBus& bus, const 
 }
 
 int fly(const Options& o) {
-  board::stop_on_signals();
+  program::stop_on_signals();
   const board::MissionFile file = load(o);
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, o.mission.string());
   // In simulation whoever started both processes holds it.
@@ -160,11 +159,10 @@ int fly(const Options& o) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
-      "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
-      "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost.",
-      "earshotd"};
+  program::CommandLine line("earshotd",
+                            "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
+                            "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost.");
   Options options;
-  declare(app, options);
-  return board::run_program(app, argc, argv, [&] { return fly(options); });
+  declare(line, options);
+  return program::run(line, argc, argv, [&] { return fly(options); });
 }

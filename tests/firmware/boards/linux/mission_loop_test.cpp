@@ -138,7 +138,7 @@ class AtSea : public testing::Test {
     bus_.then(at, [command](Time now, InputSink& sink) { sink.take(now, command); });
   }
   void stop_at(int second) {
-    bus_.then(seconds(second), [this](Time, InputSink&) { stop_ = 1; });
+    bus_.then(seconds(second), [this](Time, InputSink&) { stop_ = true; });
   }
 
   LoopResult fly() {
@@ -173,7 +173,7 @@ class AtSea : public testing::Test {
   FakeBus bus_{clock_};
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
   std::unique_ptr<Journal> journal_;
-  volatile std::sig_atomic_t stop_ = 0;
+  std::atomic<bool> stop_{false};
 };
 
 TEST_F(AtSea, TurnsOnceAPeriodAndSearchesOnceStarted) {

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace earshot::program {
+
+inline constexpr int kDone = 0;
+/// The command line or a file was refused; nothing was done.
+inline constexpr int kBadInput = 2;
+/// Something went wrong on the way that was not the input's fault: another process, a bus, a file.
+inline constexpr int kLost = 3;
+/// Ctrl-C or SIGTERM, as a shell counts: 128 and SIGINT's number.
+inline constexpr int kStopped = 130;
+
+}  // namespace earshot::program

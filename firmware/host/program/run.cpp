@@ -1,0 +1,41 @@
+#include "firmware/host/program/run.hpp"
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/program/talk.hpp"
+
+namespace earshot::program {
+namespace {
+
+/// A process that is not to speak has no buffer there.
+bool is_all_printed() {
+  return std::cout.rdbuf() == nullptr || std::cout.flush().good();
+}
+
+}  // namespace
+
+int run(CommandLine& line, int argc, char** argv, const std::function<int()>& work) {
+  try {
+    if (const std::optional<std::string> answer = line.read(argc, argv)) {
+      std::cout << *answer;
+    } else {
+      set_talk(line.talk());
+      if (const int status = work(); status != kDone) return status;
+    }
+    if (is_all_printed()) return kDone;
+    std::cerr << line.name() << ": standard output cannot be written\n";
+    return kLost;
+  } catch (const host::BadInput& e) {
+    std::cerr << e.what() << "\n";
+  } catch (const std::bad_alloc&) {
+    std::cerr << line.name() << ": not enough memory for what was asked\n";
+  } catch (const std::exception& e) {
+    std::cerr << line.name() << ": " << e.what() << "\n";
+  }
+  return kBadInput;
+}
+
+}  // namespace earshot::program

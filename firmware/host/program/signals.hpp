@@ -1,0 +1,18 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace earshot::program {
+
+/// Set when a person or a service manager asks the program to stop; see stop_on_signals().
+inline std::atomic<bool> stop_requested{false};
+// A signal handler sets it.
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+enum class SecondSignal : std::uint8_t { kIgnored, kEndsAtOnce };
+
+/// From now on the first SIGINT or SIGTERM sets stop_requested and does nothing else.
+void stop_on_signals(SecondSignal second = SecondSignal::kIgnored);
+
+}  // namespace earshot::program

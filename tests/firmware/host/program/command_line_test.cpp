@@ -1,0 +1,168 @@
+#include "firmware/host/program/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/program/version.hpp"
+
+namespace earshot::program {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// A program with one option of each kind.
+struct Example {
+  std::uint64_t seed = 1;
+  double depth_m = 300.0;
+  double spacing_m = 0.0;
+  std::optional<std::filesystem::path> out;
+  std::vector<std::string> files;
+  std::vector<double> band_hz;
+  std::string bus = "lcm";
+  bool map = false;
+  CommandLine line{"earshot try", "Tries."};
+
+  Example() {
+    line.option("FILE", &files, "files");
+    line.option("--seed", &seed, "seed").from(0, std::numeric_limits<std::int64_t>::max()).shows_default();
+    line.option("--depth-m", &depth_m, "depth").between(0.0, 12'000.0);
+    line.option("--spacing-m", &spacing_m, "spacing").positive();
+    line.option("-o,--out", &out, "folder");
+    line.option("--band-hz", &band_hz, "band").takes(2, 2).between(1.0, 1e4);
+    line.option("--bus", &bus, "bus").one_of({"lcm", "can"});
+    line.flag("--map", &map, "map").needs(line.at("--out"));
+  }
+
+  std::string complaint(const Words& words) {
+    try {
+      (void)line.read(words);
+      return {};
+    } catch (const host::BadInput& e) {
+      return e.what();
+    }
+  }
+};
+
+TEST(CommandLine, PutsEveryValueWhereItBelongs) {
+  Example e;
+  EXPECT_EQ(e.line.read(Words{"a", "--seed", "7", "--depth-m=250.5", "-o", "out", "--band-hz", "10", "30", "--map", "--", "b"}),
+            std::nullopt);
+  EXPECT_EQ(e.seed, 7U);
+  EXPECT_EQ(e.depth_m, 250.5);
+  EXPECT_EQ(e.out, "out");
+  EXPECT_EQ(e.band_hz, (std::vector<double>{10.0, 30.0}));
+  EXPECT_EQ(e.files, (Words{"a", "b"}));
+  EXPECT_TRUE(e.map);
+  EXPECT_EQ(e.line.given(), (Words{"FILE", "--seed", "--depth-m", "--out", "--band-hz", "--map"}));
+}
+
+TEST(CommandLine, NamesTheOptionThatWasMeant) {
+  EXPECT_EQ(Example().complaint({"--sed", "3"}), "earshot try: --sed: no such option; did you mean --seed? (earshot try --help lists all)");
+  EXPECT_EQ(Example().complaint({"--sed=3"}), "earshot try: --sed: no such option; did you mean --seed? (earshot try --help lists all)");
+  EXPECT_EQ(Example().complaint({"--whatever"}), "earshot try: --whatever: no such option (earshot try --help lists all)");
+}
+
+TEST(CommandLine, NamesTheUnknownOptionRatherThanTheOneThatIsMissingForIt) {
+  CommandLine line("earshot try", "");
+  std::string environment;
+  line.option("--environment", &environment, "").required();
+  try {
+    (void)line.read(Words{"--enviroment", "x.toml"});
+    FAIL();
+  } catch (const host::BadInput& e) {
+    EXPECT_NE(std::string(e.what()).find("--enviroment: no such option; did you mean --environment?"), std::string::npos) << e.what();
+  }
+}
+
+TEST(CommandLine, RefusesNumbersThatAreNone) {
+  for (const char* value : {"nan", "NaN", "-nan", "inf", "1e999", "12000.1", "-0.1", "deep", "", "3 m"})
+    EXPECT_NE(Example().complaint({"--depth-m", value}).find("must be a number from 0 to 12000"), std::string::npos) << value;
+  for (const char* value : {"nan", "inf", "0", "-1"})
+    EXPECT_NE(Example().complaint({"--spacing-m", value}).find("must be a number greater than 0"), std::string::npos) << value;
+  for (const char* value : {"nan", "1.5", "-1", "9223372036854775808"})
+    EXPECT_NE(Example().complaint({"--seed", value}).find("must be a whole number from 0 to"), std::string::npos) << value;
+  EXPECT_NE(Example().complaint({"--band-hz", "20", "nan"}).find("must be a number from 1 to 10000"), std::string::npos);
+}
+
+TEST(CommandLine, RefusesAWholeNumberThatDoesNotFitItsTarget) {
+  std::uint64_t steps = 0;
+  std::optional<std::uint32_t> most;
+  for (const Words& words : {Words{"--steps", "18446744073709551616"}, Words{"--steps", "-1"}, Words{"--most", "4294967296"}}) {
+    CommandLine line("earshot try", "");
+    line.option("--steps", &steps, "");
+    line.option("--most", &most, "");
+    EXPECT_THROW((void)line.read(words), host::BadInput) << words[1];
+  }
+}
+
+TEST(CommandLine, TakesTheGreatestSeed) {
+  Example e;
+  EXPECT_EQ(e.complaint({"--seed", "9223372036854775807"}), "");
+  EXPECT_EQ(e.seed, 9'223'372'036'854'775'807U);
+}
+
+TEST(CommandLine, SaysWhichWordsAreAllowed) {
+  EXPECT_NE(Example().complaint({"--bus", "cna"}).find("cna: must be one of lcm, can; did you mean can?"), std::string::npos);
+}
+
+TEST(CommandLine, RefusesAnOptionWithoutTheOneItNeeds) {
+  EXPECT_NE(Example().complaint({"--map"}), "");
+}
+
+TEST(CommandLine, AnswersHelpAndVersion) {
+  const std::string version = "earshot try " + program::version() + " (" + build_commit() + ")\n";
+  EXPECT_EQ(Example().line.read(Words{"--version"}), version);
+  const std::string help = Example().line.read(Words{"--help"}).value();
+  for (const char* part : {"Tries.", "--seed", "--quiet", "--verbose", "--version"}) EXPECT_NE(help.find(part), std::string::npos) << part;
+}
+
+TEST(CommandLine, TellsHowMuchIsToBeSaid) {
+  Example normal;
+  Example quiet;
+  Example verbose;
+  (void)normal.line.read(Words{});
+  (void)quiet.line.read(Words{"--quiet"});
+  (void)verbose.line.read(Words{"--verbose"});
+  EXPECT_EQ(normal.line.talk(), Talk::kNormal);
+  EXPECT_EQ(quiet.line.talk(), Talk::kQuiet);
+  EXPECT_EQ(verbose.line.talk(), Talk::kVerbose);
+  EXPECT_EQ(verbose.line.given(), Words{});
+  EXPECT_NE(Example().complaint({"--quiet", "--verbose"}), "");
+}
+
+struct TwoVerbs {
+  CommandLine line{"earshot try", "Tries."};
+  std::string source;
+  CommandLine& map = line.verb("map", "draws");
+  CommandLine& decision = line.verb("decision", "says why");
+
+  TwoVerbs() { map.option("--source", &source, "where"); }
+};
+
+TEST(CommandLine, KnowsWhichVerbWasChosen) {
+  TwoVerbs v;
+  EXPECT_EQ(v.line.read(Words{"map", "--source", "-3,4", "--quiet"}), std::nullopt);
+  EXPECT_TRUE(v.map.is_chosen());
+  EXPECT_FALSE(v.decision.is_chosen());
+  EXPECT_EQ(v.source, "-3,4");
+  EXPECT_EQ(v.line.talk(), Talk::kQuiet);
+}
+
+TEST(CommandLine, NamesTheVerbOrTheVerbsOptionThatWasMeant) {
+  const auto complaint = [](const Words& words) -> std::string {
+    try {
+      (void)TwoVerbs().line.read(words);
+      return {};
+    } catch (const host::BadInput& e) {
+      return e.what();
+    }
+  };
+  EXPECT_NE(complaint({"mpa"}).find("mpa: no such verb; did you mean map?"), std::string::npos) << complaint({"mpa"});
+  EXPECT_NE(complaint({"map", "--sorce", "1,2"}).find("--sorce: no such option; did you mean --source?"), std::string::npos);
+  EXPECT_NE(complaint({}), "");
+}
+
+}  // namespace
+}  // namespace earshot::program
