@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/file_descriptor.hpp"
+
+namespace earshot::host {
+
+/// Another program is writing into the folder; the message says which.
+class FolderInUse : public BadInput {
+ public:
+  using BadInput::BadInput;
+};
+
+/// Marks a folder as one that is being written. The kernel forgets the mark with the process, however that ends, and nothing is left in
+/// the folder. It holds among programs that ask for it, on this machine; a file system that cannot lock a folder (NFS) is refused.
+/// @param folder  it exists
+/// @return the lock, held as long as this is kept
+/// @throws FolderInUse, std::system_error naming the folder
+/// Oracle: FolderLock.*
+[[nodiscard]] FileDescriptor lock_folder(const std::filesystem::path& folder);
+
+}  // namespace earshot::host

@@ -1,0 +1,75 @@
+#include "firmware/host/file/folder_lock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <sys/wait.h>
+#include <system_error>
+
+namespace earshot::host {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FolderLock : public testing::Test {
+ protected:
+  FolderLock() {
+    std::string name = (fs::temp_directory_path() / "earshot-folder-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~FolderLock() override { fs::remove_all(folder_); }
+
+  fs::path folder_;
+};
+
+TEST_F(FolderLock, RefusesASecondWriterAndNamesTheFirst) {
+  const FileDescriptor first = lock_folder(folder_);
+  try {
+    const FileDescriptor second = lock_folder(folder_);
+    FAIL() << "two hold the lock";
+  } catch (const FolderInUse& e) {
+    EXPECT_EQ(std::string(e.what()),
+              folder_.string() + ": host_file_test (process " + std::to_string(::getpid()) + ") is writing into this folder");
+  }
+}
+
+TEST_F(FolderLock, IsOneFolderByWhateverPath) {
+  const FileDescriptor first = lock_folder(folder_);
+  fs::create_directory(folder_ / "inner");
+  EXPECT_THROW((void)lock_folder(folder_ / "inner" / ".."), FolderInUse);
+}
+
+TEST_F(FolderLock, IsFreeAgainWhenItsHolderIsKilledAndLeavesNothingBehind) {
+  int held[2];
+  ASSERT_EQ(::pipe(held), 0);
+  const pid_t holder = ::fork();
+  if (holder == 0) {
+    const FileDescriptor lock = lock_folder(folder_);
+    if (::write(held[1], "!", 1) == 1) ::pause();
+    std::_Exit(1);
+  }
+  char word = 0;
+  ASSERT_EQ(::read(held[0], &word, 1), 1);
+  EXPECT_THROW((void)lock_folder(folder_), FolderInUse);
+  ::kill(holder, SIGKILL);
+  ::waitpid(holder, nullptr, 0);
+  EXPECT_NO_THROW((void)lock_folder(folder_));
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(FolderLock, NamesAFolderThatIsNotThere) {
+  try {
+    (void)lock_folder(folder_ / "none");
+    FAIL() << "a folder that is not there is locked";
+  } catch (const std::system_error& e) {
+    EXPECT_NE(std::string(e.what()).find((folder_ / "none").string()), std::string::npos) << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace earshot::host
