@@ -71,29 +71,38 @@ void declare(program::CommandLine& line, Options& o) {
   line.flag("--no-report", &o.no_report, "do not write report.html");
 }
 
+/// Where the two processes of a flight find each other.
+struct Meeting {
+  std::uint32_t domain = 0;
+  std::string lcm_url;
+  link::RunId run = link::new_run();
+};
+
 template <class Value>
 void add(std::vector<std::string>& arguments, const char* name, const std::optional<Value>& value) {
   if (value) arguments.insert(arguments.end(), {name, std::string(*value)});
 }
 
-std::vector<std::string> common_arguments(const Options& o, const std::string& lcm_url) {
-  std::vector<std::string> a{"--out", o.out.string(), "--seed", std::to_string(o.seed), "--lcm-url", lcm_url};
+std::vector<std::string> common_arguments(const Options& o, const Meeting& meeting) {
+  std::vector<std::string> a{"--out",     o.out.string(),  "--seed", std::to_string(o.seed),
+                             "--lcm-url", meeting.lcm_url, "--run",  std::to_string(meeting.run)};
   add(a, "--bus", o.bus);
   add(a, "--can-interface", o.can_interface);
   return a;
 }
 
-std::vector<std::string> simulator_arguments(const Options& o, const link::RunSlot& slot, const std::string& lcm_url) {
-  std::vector<std::string> a = common_arguments(o, lcm_url);
-  a.insert(a.end(), {"--environment", o.environment.string(), "--mission", o.mission.string(), "--domain", std::to_string(slot.domain()),
+std::vector<std::string> simulator_arguments(const Options& o, const Meeting& meeting) {
+  std::vector<std::string> a = common_arguments(o, meeting);
+  a.insert(a.end(), {"--environment", o.environment.string(), "--mission", o.mission.string(), "--domain", std::to_string(meeting.domain),
                      "--speed", o.speed});
   if (o.ignore_source) a.emplace_back("--ignore-source");
   return a;
 }
 
-std::vector<std::string> runtime_arguments(const Options& o, const link::RunSlot& slot, const std::string& lcm_url) {
-  std::vector<std::string> a = common_arguments(o, lcm_url);
-  a.insert(a.end(), {o.mission.string(), "--replace", "--simulation", std::to_string(slot.domain())});
+std::vector<std::string> runtime_arguments(const Options& o, const Meeting& meeting) {
+  constexpr const char* kWait_s = "86400";  // this program looks after both
+  std::vector<std::string> a = common_arguments(o, meeting);
+  a.insert(a.end(), {o.mission.string(), "--replace", "--simulation", std::to_string(meeting.domain), "--wait", kWait_s});
   add(a, "--policy", o.policy);
   add(a, "--public-key", o.public_key);
   return a;
@@ -236,9 +245,9 @@ int fly(Options o) {
   const board::FileDescriptor lock = lock_bus(o, mission);
   o.can_interface = chosen_can_interface(o, mission);
   const link::RunSlot slot;
-  const std::string lcm_url = chosen_url(o, mission).value_or(slot.lcm_url());
-  Process runtime{.id = start("earshotd", runtime_arguments(o, slot, lcm_url))};
-  Process simulator{.id = start("earshot-sim", simulator_arguments(o, slot, lcm_url))};
+  const Meeting meeting{.domain = slot.domain(), .lcm_url = chosen_url(o, mission).value_or(slot.lcm_url())};
+  Process runtime{.id = start("earshotd", runtime_arguments(o, meeting))};
+  Process simulator{.id = start("earshot-sim", simulator_arguments(o, meeting))};
   wait_for_both(simulator, runtime);
 
   if (!has_flown(simulator)) {

@@ -10,10 +10,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "firmware/boards/linux/mission_file.hpp"
+#include "firmware/boards/linux/waiting.hpp"
 #include "firmware/core/random.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
@@ -32,6 +32,9 @@ namespace {
 using namespace earshot;
 using namespace earshot::simulation;
 
+constexpr std::chrono::seconds kPatience{20};
+
+using program::kLost;
 using program::stop_requested;
 
 struct Options {
@@ -41,6 +44,7 @@ struct Options {
   std::uint64_t seed = 1;
   double speed = 0.0;
   std::uint32_t domain = link::kLowestDomain;
+  std::optional<link::RunId> run;
   std::optional<std::string> bus;
   std::optional<std::string> lcm_url;
   std::optional<std::string> can_interface;
@@ -60,6 +64,8 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--domain", &o.domain, "DDS domain in which earshotd listens")
       .from(link::kLowestDomain, link::kHighestDomain)
       .shows_default();
+  line.option("--run", &o.run, "number that tells this run from others in the domain; default: drawn")
+      .from(1, std::numeric_limits<std::int64_t>::max());
   line.option("--bus", &o.bus, "bus instead of the mission's").one_of({"lcm", "can"});
   line.option("--lcm-url", &o.lcm_url, "LCM address instead of the mission's");
   line.option("--can-interface", &o.can_interface, "CAN interface instead of the mission's");
@@ -121,17 +127,6 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
           {"detection_threshold_db", mission.detection_threshold.value}};
 }
 
-/// False when the wait was stopped. @throws std::runtime_error when nobody comes.
-bool runtime_comes(link::SimulatorEnd& link, std::uint32_t domain) {
-  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (!link.wait_for_runtime(std::chrono::milliseconds(100))) {
-    if (stop_requested) return false;
-    if (std::chrono::steady_clock::now() > patience)
-      throw std::runtime_error("no earshotd in DDS domain " + std::to_string(domain) + " within 20 s");
-  }
-  return true;
-}
-
 /// Each of a flight's files is kept whatever becomes of the others.
 template <class Work>
 bool succeeds(Work work) {
@@ -145,7 +140,6 @@ bool succeeds(Work work) {
 }
 
 int simulate(const Options& o) {
-  program::stop_on_signals();
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
   apply_options(o, plan.mission);
   const auto& [file, environment, settings] = plan;
@@ -162,8 +156,11 @@ int simulate(const Options& o) {
                     .speed = o.speed};
 
   const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
-  link::SimulatorEnd link(o.domain);
-  if (!runtime_comes(link, o.domain)) return program::kStopped;
+  program::stop_on_signals();  // up to here nothing is under way that would have to end in order
+  link::SimulatorEnd link(o.domain, o.run.value_or(link::new_run()));
+  const board::Waited waited = board::wait_for("earshot-sim", "an earshotd in DDS domain " + std::to_string(o.domain), kPatience,
+                                               [&link](std::chrono::milliseconds most) { return link.wait_for_runtime(most); });
+  if (waited != board::Waited::kCame) return waited == board::Waited::kStopped ? program::kStopped : kLost;
 
   // Only now that both sides have taken their input: a refused policy leaves no half of a flight behind.
   std::filesystem::create_directories(o.out);
@@ -175,10 +172,12 @@ int simulate(const Options& o) {
   const bool has_track = succeeds([&] { track.finish(); });
   const bool has_summary =
       succeeds([&] { write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n"); });
-  if (result.failure.empty()) return has_track && has_summary ? 0 : 3;
+  if (link.strangers() > 0)
+    std::cerr << "earshot-sim: " << link.strangers() << " answers of another earshotd in DDS domain " << o.domain << " were ignored\n";
+  if (result.failure.empty()) return has_track && has_summary ? 0 : kLost;
   std::cerr << "earshot-sim: " << result.failure << " at " << result.last_tick.us / 1'000'000
             << " s; track up to then: " << (o.out / "track.csv").string() << "\n";
-  return 3;
+  return kLost;
 }
 
 }  // namespace

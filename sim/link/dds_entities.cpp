@@ -1,7 +1,6 @@
 #include "sim/link/dds_entities.hpp"
 
 #include <memory>
-#include <thread>
 
 namespace earshot::link {
 namespace {
@@ -36,16 +35,6 @@ dds_entity_t make_writer(const Session& session, const dds_topic_descriptor_t& t
 
 dds_entity_t make_reader(const Session& session, const dds_topic_descriptor_t& type, dds_listener_t* listener) {
   return checked(dds_create_reader(session.participant(), make_topic(session, type), reliable().get(), listener), "reader", type);
-}
-
-bool wait_for_reader(dds_entity_t writer, std::chrono::milliseconds timeout) {
-  const auto deadline = std::chrono::steady_clock::now() + timeout;
-  for (;;) {
-    dds_publication_matched_status_t status{};
-    if (dds_get_publication_matched_status(writer, &status) == DDS_RETCODE_OK && status.current_count > 0) return true;
-    if (std::chrono::steady_clock::now() >= deadline) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
 }
 
 void write(dds_entity_t writer, const void* sample, const char* what) {

@@ -2,7 +2,8 @@
 
 #include <dds/dds.h>
 
-#include <chrono>
+#include <atomic>
+#include <cstdint>
 #include <string>
 
 #include "sim/link/mailbox.hpp"
@@ -17,40 +18,69 @@ namespace earshot::link {
 [[nodiscard]] dds_entity_t make_writer(const Session& session, const dds_topic_descriptor_t& type);
 [[nodiscard]] dds_entity_t make_reader(const Session& session, const dds_topic_descriptor_t& type, dds_listener_t* listener);
 
-/// Waits until `writer` has a reader.
-[[nodiscard]] bool wait_for_reader(dds_entity_t writer, std::chrono::milliseconds timeout);
-
 /// Throws LinkError when the write failed.
 void write(dds_entity_t writer, const void* sample, const char* what);
 
-/// Puts everything that arrives for a reader of `Sample` into a mailbox of `Message`, and closes the mailbox when the writer is gone.
-/// `convert` turns one into the other. Runs on Cyclone's receive thread, so that no further thread must be woken on the way.
+/// Puts everything that the peer sends into a mailbox of `Message`, and closes the mailbox when the peer is gone.
+/// `convert` turns a `Sample` into a message. Runs on Cyclone's threads, so that no further thread must be woken on the way.
+///
+/// The peer is the first writer of a sample of `run`; where the run is not known, the first writer of a sample with number 0. Samples of
+/// all others in the domain are counted and ignored.
 template <class Sample, class Message, Message (*convert)(const Sample&)>
 class Delivering {
  public:
-  Delivering(const Session& session, const dds_topic_descriptor_t& type, Mailbox<Message>& mailbox) {
-    dds_listener_t* listener = dds_create_listener(&mailbox);
-    dds_lset_data_available(listener, &deliver);
-    dds_lset_subscription_matched(listener, &note_writers);
+  Delivering(const Session& session, const dds_topic_descriptor_t& type, Mailbox<Message>& mailbox, RunId run)
+      : mailbox_(mailbox), run_(run) {
+    dds_listener_t* listener = dds_create_listener(this);
+    dds_lset_data_available(listener, [](dds_entity_t reader, void* self) { static_cast<Delivering*>(self)->deliver(reader); });
+    dds_lset_subscription_matched(listener, [](dds_entity_t, const dds_subscription_matched_status_t status, void* self) {
+      static_cast<Delivering*>(self)->note_writers(status);
+    });
     reader_ = make_reader(session, type, listener);
     dds_delete_listener(listener);
   }
+  /// No thread of Cyclone's is in here afterwards.
+  ~Delivering() { dds_delete(reader_); }
+  Delivering(const Delivering&) = delete;
+  Delivering& operator=(const Delivering&) = delete;
+
+  /// Of the peer; 0 as long as that is not known.
+  [[nodiscard]] RunId run() const { return run_; }
+  /// Samples of others that were ignored.
+  [[nodiscard]] std::uint64_t strangers() const { return strangers_; }
 
  private:
-  static void deliver(dds_entity_t reader, void* argument) {
+  void deliver(dds_entity_t reader) {
     Sample sample{};
     void* samples[1] = {&sample};
     dds_sample_info_t info{};
     while (dds_take(reader, samples, &info, 1, 1) > 0) {
-      if (info.valid_data) static_cast<Mailbox<Message>*>(argument)->put(convert(sample));
+      if (!info.valid_data) continue;
+      if (is_of_peer(sample, info.publication_handle)) {
+        mailbox_.put(convert(sample));
+      } else {
+        ++strangers_;
+      }
     }
   }
 
-  static void note_writers(dds_entity_t /*reader*/, const dds_subscription_matched_status_t status, void* argument) {
-    if (status.current_count == 0) static_cast<Mailbox<Message>*>(argument)->close();
+  [[nodiscard]] bool is_of_peer(const Sample& sample, dds_instance_handle_t writer) {
+    if (peer_ != 0) return writer == peer_ && sample.run == run_;
+    if (run_ == 0 && sample.number == 0) run_ = sample.run;
+    if (run_ == 0 || sample.run != run_) return false;
+    peer_ = writer;
+    return true;
   }
 
-  dds_entity_t reader_ = 0;  ///< owned by the session's participant
+  void note_writers(const dds_subscription_matched_status_t& status) {
+    if (status.current_count_change < 0 && status.last_publication_handle == peer_) mailbox_.close();
+  }
+
+  Mailbox<Message>& mailbox_;
+  std::atomic<RunId> run_;
+  std::atomic<dds_instance_handle_t> peer_{0};
+  std::atomic<std::uint64_t> strangers_{0};
+  dds_entity_t reader_ = 0;
 };
 
 }  // namespace earshot::link

@@ -12,7 +12,7 @@ namespace earshot::link {
 // What the link carries, without its transport; sim.idl says what each field means.
 
 struct Tick {
-  std::uint64_t number = 0;
+  std::uint64_t number = 0;  ///< 0 knocks, and stays within the link
   Time time;
   std::uint64_t navigation_messages = 0;
   std::optional<Decibels> snr;

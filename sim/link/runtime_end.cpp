@@ -17,8 +17,9 @@ Tick from_wire(const earshot_sim_Tick& sample) {
           .command = sample.command};
 }
 
-earshot_sim_Answer to_wire(const Answer& answer) {
-  return {.number = answer.number,
+earshot_sim_Answer to_wire(const Answer& answer, RunId run) {
+  return {.run = run,
+          .number = answer.number,
           .setpoint_messages = answer.setpoint_messages,
           .steps_taken = answer.steps_taken,
           .state = answer.state,
@@ -28,40 +29,50 @@ earshot_sim_Answer to_wire(const Answer& answer) {
 }  // namespace
 
 struct RuntimeEnd::Entities {
-  explicit Entities(std::uint32_t domain) : session(domain) {}
+  Entities(std::uint32_t domain, RunId run) : session(domain), delivering(session, earshot_sim_Tick_desc, ticks, run) {}
 
   Mailbox<Tick> ticks;  // outlives the session, whose threads fill it
   Mailbox<Answer> outbox;
   Session session;
   dds_entity_t answers = make_writer(session, earshot_sim_Answer_desc);
-  Delivering<earshot_sim_Tick, Tick, from_wire> delivering{session, earshot_sim_Tick_desc, ticks};
+  Delivering<earshot_sim_Tick, Tick, from_wire> delivering;
   std::thread answering{[this] { write_answers(); }};
 
   void write_answers() {
-    // A volatile writer forgets what it writes before its reader is known, and the first tick may come before the simulator's reader is.
-    constexpr std::chrono::milliseconds kPatience{2000};
-    bool known = false;
+    constexpr std::chrono::milliseconds kLookUp{2000};
     Answer answer;
     for (;;) {
-      const Delivery delivery = outbox.take(answer, kPatience);
+      const Delivery delivery = outbox.take(answer, kLookUp);
       if (delivery == Delivery::kLost) return;
       if (delivery == Delivery::kNothing) continue;
-      known = known || wait_for_reader(answers, kPatience);
-      const earshot_sim_Answer sample = to_wire(answer);
+      const earshot_sim_Answer sample = to_wire(answer, delivering.run());
       dds_write(answers, &sample);  // a failure shows as the simulator not advancing
     }
   }
 };
 
-RuntimeEnd::RuntimeEnd(std::uint32_t domain) : entities_(std::make_unique<Entities>(domain)) {}
+RuntimeEnd::RuntimeEnd(std::uint32_t domain, RunId run) : entities_(std::make_unique<Entities>(domain, run)) {}
 
 RuntimeEnd::~RuntimeEnd() {
   entities_->outbox.close();
   entities_->answering.join();
 }
 
+bool RuntimeEnd::wait_for_simulator(std::chrono::milliseconds timeout) {
+  Tick knock;
+  return entities_->ticks.take(knock, timeout) == Delivery::kArrived;
+}
+
 Delivery RuntimeEnd::receive(Tick& tick, std::chrono::milliseconds timeout) {
-  return entities_->ticks.take(tick, timeout);
+  for (;;) {
+    const Delivery delivery = entities_->ticks.take(tick, timeout);
+    if (delivery != Delivery::kArrived || tick.number != 0) return delivery;
+    send({});
+  }
+}
+
+std::uint64_t RuntimeEnd::strangers() const {
+  return entities_->delivering.strangers();
 }
 
 void RuntimeEnd::send(const Answer& answer) {

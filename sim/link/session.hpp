@@ -23,13 +23,20 @@ inline constexpr std::uint32_t kHighestDomain = 99;  ///< its UDP ports stay bel
 inline constexpr int kLeaseSeconds = 3;
 static_assert(kLeaseSeconds < 5);
 
+/// Tells one run from all others: whatever a domain carries of another run is not meant for this one. 0: not known yet.
+using RunId = std::uint64_t;
+
+/// A number that no other run has; of 63 bits, as all whole numbers of command lines.
+[[nodiscard]] RunId new_run();
+
 /// Configuration of Cyclone DDS for one simulation: loopback only, unicast (so that a network namespace with nothing but `lo` will do), no
 /// multicast. An observer joins with the same text in CYCLONEDDS_URI.
 [[nodiscard]] std::string cyclone_configuration();
 
-/// A participant in one DDS domain and everything it owns.
+/// A participant in one DDS domain and everything it owns. Its sockets receive from the loopback interface only.
 class Session {
  public:
+  /// Throws LinkError.
   explicit Session(std::uint32_t domain);
   ~Session();
   Session(const Session&) = delete;
@@ -38,6 +45,8 @@ class Session {
   [[nodiscard]] std::int32_t participant() const { return participant_; }
 
  private:
+  void join(std::uint32_t domain);
+
   std::int32_t domain_ = 0;
   std::int32_t participant_ = 0;
 };

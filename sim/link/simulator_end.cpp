@@ -17,24 +17,35 @@ Answer from_wire(const earshot_sim_Answer& sample) {
 }  // namespace
 
 struct SimulatorEnd::Entities {
-  explicit Entities(std::uint32_t domain) : session(domain) {}
+  Entities(std::uint32_t domain, RunId run) : session(domain), delivering(session, earshot_sim_Answer_desc, answers, run) {}
 
   Mailbox<Answer> answers;  // outlives the session, whose threads fill it
   Session session;
   dds_entity_t ticks = make_writer(session, earshot_sim_Tick_desc);
   dds_entity_t ground_truth = make_writer(session, earshot_sim_GroundTruth_desc);
-  Delivering<earshot_sim_Answer, Answer, from_wire> delivering{session, earshot_sim_Answer_desc, answers};
+  Delivering<earshot_sim_Answer, Answer, from_wire> delivering;
 };
 
-SimulatorEnd::SimulatorEnd(std::uint32_t domain) : entities_(std::make_unique<Entities>(domain)) {}
+SimulatorEnd::SimulatorEnd(std::uint32_t domain, RunId run) : entities_(std::make_unique<Entities>(domain, run)) {}
 SimulatorEnd::~SimulatorEnd() = default;
 
 bool SimulatorEnd::wait_for_runtime(std::chrono::milliseconds timeout) {
-  return wait_for_reader(entities_->ticks, timeout);
+  using std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kBetweenKnocks{20};
+  const auto deadline = steady_clock::now() + timeout;
+  do {
+    send({});
+    Answer answer;
+    const Delivery delivery = receive(answer, kBetweenKnocks);
+    if (delivery == Delivery::kArrived) return true;
+    if (delivery == Delivery::kLost) throw LinkError("simulation link: the runtime left before the first tick");
+  } while (steady_clock::now() < deadline);
+  return false;
 }
 
 void SimulatorEnd::send(const Tick& tick) {
-  const earshot_sim_Tick sample{.number = tick.number,
+  const earshot_sim_Tick sample{.run = entities_->delivering.run(),
+                                .number = tick.number,
                                 .time_us = tick.time.us,
                                 .navigation_messages = tick.navigation_messages,
                                 .snr_valid = tick.snr.has_value(),
@@ -46,6 +57,10 @@ void SimulatorEnd::send(const Tick& tick) {
 
 Delivery SimulatorEnd::receive(Answer& answer, std::chrono::milliseconds timeout) {
   return entities_->answers.take(answer, timeout);
+}
+
+std::uint64_t SimulatorEnd::strangers() const {
+  return entities_->delivering.strangers();
 }
 
 void SimulatorEnd::observe(const GroundTruth& truth) {

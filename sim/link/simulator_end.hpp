@@ -6,22 +6,25 @@
 
 #include "sim/link/mailbox.hpp"
 #include "sim/link/messages.hpp"
+#include "sim/link/session.hpp"
 
 namespace earshot::link {
 
 /// The simulator's end of the link: sends ticks and ground truth, receives answers. One thread uses it.
 class SimulatorEnd {
  public:
-  /// Throws LinkError.
-  explicit SimulatorEnd(std::uint32_t domain);
+  /// @param run  that a runtime may have been told to wait for; not 0. Throws LinkError.
+  explicit SimulatorEnd(std::uint32_t domain, RunId run = new_run());
   ~SimulatorEnd();
 
-  /// True as soon as a runtime listens in this domain.
+  /// Knocks until a runtime answers that it is ready for the first tick. From then on only that one is heard. Throws LinkError.
   [[nodiscard]] bool wait_for_runtime(std::chrono::milliseconds timeout);
   /// Throws LinkError.
   void send(const Tick& tick);
   /// kLost when the runtime has left or has not been heard of for kLeaseSeconds.
   [[nodiscard]] Delivery receive(Answer& answer, std::chrono::milliseconds timeout);
+  /// Answers of other runtimes in the domain, or to other simulators, that were ignored.
+  [[nodiscard]] std::uint64_t strangers() const;
   void observe(const GroundTruth& truth);
 
  private:

@@ -1,4 +1,4 @@
-#include "tests/firmware/boards/linux/private_network.hpp"
+#include "tests/support/private_network.hpp"
 
 #include <sched.h>
 

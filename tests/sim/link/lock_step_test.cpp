@@ -109,7 +109,7 @@ TEST(LockStep, ASimulatorLearnsThatItsRuntimeWasKilled) {
   ASSERT_EQ(link.receive(answer, 5000ms), Delivery::kArrived);
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
-  // The bar allows 5 s; the lease runs out after 2 s.
+  // The bar allows 5 s; the lease runs out after 3 s.
   EXPECT_EQ(link.receive(answer, 5000ms), Delivery::kLost);
 }
 
@@ -134,6 +134,97 @@ TEST(LockStep, ARuntimeStillGetsTheLastTickOfASimulatorThatHasLeft) {
   int status = 0;
   waitpid(child, &status, 0);
   EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+/// What one process waits for and another says once.
+class Word {
+ public:
+  Word() { EXPECT_EQ(pipe(ends_), 0); }
+  ~Word() {
+    close(ends_[0]);
+    close(ends_[1]);
+  }
+  Word(const Word&) = delete;
+  Word& operator=(const Word&) = delete;
+
+  void say() const { EXPECT_EQ(write(ends_[1], "!", 1), 1); }
+  void wait() const {
+    char heard = 0;
+    if (read(ends_[0], &heard, 1) != 1) std::_Exit(98);
+  }
+
+ private:
+  int ends_[2] = {-1, -1};
+};
+
+/// Exchanges one tick; the answer.
+Answer exchange(SimulatorEnd& link, std::uint64_t number) {
+  link.send(tick_number(number));
+  Answer answer;
+  EXPECT_EQ(link.receive(answer, 5000ms), Delivery::kArrived) << "tick " << number;
+  EXPECT_EQ(answer.number, number);
+  return answer;
+}
+
+TEST(LockStep, ASecondSimulatorInTheDomainFindsNobodyAndTheFirstGoesOn) {
+  const pid_t runtime = in_another_process([] {
+    RuntimeEnd link(own_domain());
+    for (Tick tick; link.receive(tick, 5000ms) == Delivery::kArrived;) {
+      Answer answer = answer_to(tick.number);
+      answer.setpoint_messages = link.strangers();
+      link.send(answer);
+    }
+  });
+  const Word begin;
+  const pid_t stranger = in_another_process([&begin] {
+    begin.wait();
+    SimulatorEnd second(own_domain());
+    if (second.wait_for_runtime(500ms)) std::_Exit(1);
+    second.send(tick_number(7));  // and does not mind
+    std::this_thread::sleep_for(100ms);
+  });
+  SimulatorEnd link(own_domain());
+  ASSERT_TRUE(link.wait_for_runtime(10s));
+  std::uint64_t number = 0;
+  exchange(link, ++number);
+  begin.say();
+  int status = -1;
+  while (waitpid(stranger, &status, WNOHANG) == 0) exchange(link, ++number);
+  EXPECT_EQ(status, 0) << "the second simulator was answered";
+  EXPECT_GE(exchange(link, ++number).setpoint_messages, 2) << "knocks and a tick of the second simulator are counted";
+  kill(runtime, SIGKILL);
+  waitpid(runtime, nullptr, 0);
+}
+
+TEST(LockStep, ARuntimeThatWasToldItsRunHearsNoOther) {
+  constexpr RunId kRun = 42;
+  const pid_t child = in_another_process([] {
+    RuntimeEnd link(own_domain(), kRun);
+    for (Tick tick; link.receive(tick, 5000ms) == Delivery::kArrived;) link.send(answer_to(tick.number));
+  });
+  EXPECT_FALSE(SimulatorEnd(own_domain(), kRun + 1).wait_for_runtime(500ms));
+  SimulatorEnd link(own_domain(), kRun);
+  EXPECT_TRUE(link.wait_for_runtime(10s));
+  exchange(link, 1);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+}
+
+TEST(LockStep, ASimulatorMissesItsRuntimeAlsoWhenAnotherIsInTheDomain) {
+  const pid_t child = in_another_process([] { answer_every_tick(kNever); });
+  const pid_t other = in_another_process([] {
+    RuntimeEnd link(own_domain(), RunId{1});  // of a run that never comes
+    (void)link.wait_for_simulator(60s);
+  });
+  SimulatorEnd link(own_domain());
+  ASSERT_TRUE(link.wait_for_runtime(10s));
+  exchange(link, 1);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  Answer answer;
+  EXPECT_EQ(link.receive(answer, 5000ms), Delivery::kLost);
+  kill(other, SIGKILL);
+  waitpid(other, nullptr, 0);
 }
 
 TEST(LockStep, RunsInTwoDomainsDoNotMeet) {

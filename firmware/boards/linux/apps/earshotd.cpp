@@ -1,5 +1,6 @@
 // earshotd: the process that flies the vehicle.
 
+#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -17,6 +18,7 @@
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/policy_file.hpp"
 #include "firmware/boards/linux/vehicle_bus.hpp"
+#include "firmware/boards/linux/waiting.hpp"
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
@@ -28,6 +30,7 @@ namespace {
 
 using namespace earshot;
 
+using program::kLost;
 using program::stop_requested;
 
 struct Options {
@@ -40,6 +43,8 @@ struct Options {
   std::optional<std::string> lcm_url;
   std::optional<std::string> can_interface;
   std::optional<std::uint32_t> simulation;
+  link::RunId run = 0;
+  std::uint32_t wait_s = 60;
   bool replace = false;
 };
 
@@ -58,6 +63,10 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--simulation", &o.simulation,
               "fly in lock-step with a simulator in this DDS domain; without it: at sea, on this host's clock")
       .from(link::kLowestDomain, link::kHighestDomain);
+  line.option("--run", &o.run, "in simulation: number of the run whose simulator is waited for; 0: of the first that knocks")
+      .from(0, std::numeric_limits<std::int64_t>::max())
+      .shows_default();
+  line.option("--wait", &o.wait_s, "in simulation: how many seconds to wait for the simulator").from(1, 86'400).shows_default();
 }
 
 board::MissionFile load(const Options& o) {
@@ -114,46 +123,69 @@ int report(const board::LoopResult& result, const board::VehicleBus& bus, const 
       return 0;
     case board::LoopEnd::kSimulatorLost:
       std::cerr << "earshotd: lost the simulator" << after << "; journal up to then: " << journal.string() << "\n";
-      return 3;
+      return kLost;
     case board::LoopEnd::kBusLost:
       std::cerr << "earshotd: lost the bus" << after << ": navigation that the simulator sent did not arrive\n";
-      return 3;
+      return kLost;
   }
-  return 3;
+  return kLost;
+}
+
+/// @return exit status
+template <class Loop>
+int fly(const Options& o, const board::MissionFile& file, runtime::Runtime& runtime, board::VehicleBus& bus, Loop loop) {
+  std::filesystem::create_directories(o.out);
+  board::Journal journal(o.out / "journal.lcmlog", journal_options(o));
+  keep_policy(file.policy, journal.path());
+  board::MissionTurn turn(runtime, bus, journal);
+  board::LoopResult result;
+  try {
+    result = loop(turn, journal.path());
+  } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
+    std::cerr << "earshotd: " << e.what() << "; journal up to then: " << journal.path().string() << "\n";
+    return kLost;
+  }
+  const Status kept = journal.close();
+  const int status = report(result, bus, journal.path());
+  if (kept == Status::kOk && journal.counters().dropped == 0) return status;
+  std::cerr << "earshotd: the journal is not whole: " << journal.counters().dropped << " records dropped, "
+            << journal.counters().write_errors << " writes failed\n";
+  return kLost;
+}
+
+/// The journal of an earlier flight is not touched before a simulator has come, and that comes when it has judged its own input.
+int fly_in_simulation(const Options& o, const board::MissionFile& file, runtime::Runtime& runtime, board::VehicleBus& bus) {
+  link::RuntimeEnd link(*o.simulation, o.run);
+  const std::string whom = "a simulator in DDS domain " + std::to_string(*o.simulation);
+  const board::Waited waited = board::wait_for("earshotd", whom, std::chrono::seconds(o.wait_s),
+                                               [&](std::chrono::milliseconds most) { return link.wait_for_simulator(most); });
+  if (waited != board::Waited::kCame) return waited == board::Waited::kStopped ? program::kStopped : kLost;
+  const int status = fly(o, file, runtime, bus, [&](board::MissionTurn& turn, const std::filesystem::path&) {
+    return board::fly_in_simulation(turn, bus, link, stop_requested);
+  });
+  if (link.strangers() > 0)
+    std::cerr << "earshotd: " << link.strangers() << " ticks of another simulator in DDS domain " << *o.simulation << " were ignored\n";
+  return status;
+}
+
+int fly_at_sea(const Options& o, const board::MissionFile& file, runtime::Runtime& runtime, board::VehicleBus& bus) {
+  return fly(o, file, runtime, bus, [&](board::MissionTurn& turn, const std::filesystem::path& journal) {
+    std::cerr << "earshotd: waiting on " << file.lcm_url << " for navigation, SNR and an operator's START, as long as it takes; journal "
+              << journal.string() << "\n";
+    const board::SeaTiming timing{
+        .period = file.step_period, .navigation_timeout = file.mission.navigation_timeout, .snr_timeout = file.mission.snr_timeout};
+    return board::fly_at_sea(turn, bus, board::HostClock(), timing, stop_requested);
+  });
 }
 
 int fly(const Options& o) {
-  program::stop_on_signals();
   const board::MissionFile file = load(o);
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, o.mission.string());
   // In simulation whoever started both processes holds it.
   const board::FileDescriptor lock = o.simulation ? board::FileDescriptor{} : board::lock_lcm(file.lcm_url);
   const std::unique_ptr<board::VehicleBus> bus = board::open_vehicle_bus(file);
-  std::filesystem::create_directories(o.out);
-  board::Journal journal(o.out / "journal.lcmlog", journal_options(o));
-  keep_policy(file.policy, journal.path());
-  board::MissionTurn turn(*runtime, *bus, journal);
-
-  board::LoopResult result;
-  try {
-    if (o.simulation) {
-      link::RuntimeEnd link(*o.simulation);
-      result = board::fly_in_simulation(turn, *bus, link, stop_requested);
-    } else {
-      const board::SeaTiming timing{
-          .period = file.step_period, .navigation_timeout = file.mission.navigation_timeout, .snr_timeout = file.mission.snr_timeout};
-      result = board::fly_at_sea(turn, *bus, board::HostClock(), timing, stop_requested);
-    }
-  } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
-    std::cerr << "earshotd: " << e.what() << "; journal up to then: " << journal.path().string() << "\n";
-    return 3;
-  }
-  const Status kept = journal.close();
-  const int status = report(result, *bus, journal.path());
-  if (kept == Status::kOk && journal.counters().dropped == 0) return status;
-  std::cerr << "earshotd: the journal is not whole: " << journal.counters().dropped << " records dropped, "
-            << journal.counters().write_errors << " writes failed\n";
-  return 3;
+  program::stop_on_signals();  // up to here nothing is under way that would have to end in order
+  return o.simulation ? fly_in_simulation(o, file, *runtime, *bus) : fly_at_sea(o, file, *runtime, *bus);
 }
 
 }  // namespace
@@ -161,7 +193,8 @@ int fly(const Options& o) {
 int main(int argc, char** argv) {
   program::CommandLine line("earshotd",
                             "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
-                            "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost.");
+                            "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost,\n"
+                            "130 stopped before the simulator came.");
   Options options;
   declare(line, options);
   return program::run(line, argc, argv, [&] { return fly(options); });

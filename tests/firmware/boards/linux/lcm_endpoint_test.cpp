@@ -18,7 +18,7 @@
 #include "earshot/nav_state_t.hpp"
 #include "firmware/boards/linux/lcm_codec.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "tests/firmware/boards/linux/private_network.hpp"
+#include "tests/support/private_network.hpp"
 
 namespace earshot::board {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <unistd.h>
 
+#include <sys/wait.h>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <sys/wait.h>
 #include <system_error>
 
 namespace earshot::host {
