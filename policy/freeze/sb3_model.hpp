@@ -6,7 +6,7 @@
 
 namespace earshot::freeze {
 
-/// Entry of the zip that says what the policy was trained to search; `earshot.sb3.save` (policy/python) writes it.
+/// Entry of the zip that says what the policy was trained to search; `earshot_gym.sb3.save` (policy/python) writes it.
 inline constexpr std::string_view kSearchEntry = "earshot.json";
 
 /// The actor of a model that Stable-Baselines3's save() wrote: PPO or A2C with MlpPolicy, tanh, discrete actions. Nothing in the file is

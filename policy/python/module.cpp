@@ -1,4 +1,4 @@
-// earshot._core: the search as Python sees it. Every argument is checked here; earshot/_core.pyi says what each call takes and gives.
+// earshot_gym._core: the search as Python sees it. Every argument is checked here; earshot_gym/_core.pyi says what each call takes and gives.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -47,6 +47,16 @@ NorthEast checked_place(const char* name, Place place, const Rectangle& domain) 
   throw py::value_error(std::string(name) + ": must lie in the search domain");
 }
 
+/// Keys of an info, made once: making them would cost as much as the rest of a step.
+struct InfoKeys {
+  py::str snr_db{"snr_db"};
+  py::str measured{"measured"};
+  py::str position_m{"position_m"};
+  py::str source_m{"source_m"};
+  py::str found{"found"};
+  py::str detections{"detections"};
+};
+
 /// Episodes stepped together, each with its random numbers.
 class Episodes {
  public:
@@ -90,7 +100,7 @@ class Episodes {
     const EpisodeEnd end = running_[0].episode.record().end;
     Floats observation(static_cast<py::ssize_t>(world_->observation().spec.size()));
     running_[0].episode.observe(span_of(observation));
-    return py::make_tuple(std::move(observation), reward, is_terminated(end), end == EpisodeEnd::kTimeLimit);
+    return py::make_tuple(std::move(observation), reward, is_terminated(end), end == EpisodeEnd::kTimeLimit, info(0));
   }
 
   /// Steps every episode; those that end start anew at once.
@@ -102,6 +112,22 @@ class Episodes {
     }
     for (const std::int64_t action : std::span(actions.data(), running_.size())) checked_action(action, world_->search().actions.size());
     return step_checked(std::span(actions.data(), running_.size()));
+  }
+
+  /// What Gymnasium calls info, whole: one call from Python instead of one for each value.
+  [[nodiscard]] py::dict info(std::size_t i) const {
+    const search::Episode& episode = at(i).episode;
+    py::dict info;
+    info[keys_.snr_db] = episode.snr().value;
+    info[keys_.measured] = episode.heard().measured;
+    info[keys_.position_m] = pair_of(episode.position());
+    info[keys_.source_m] = pair_of(episode.source());
+    const search::EpisodeRecord& record = episode.record();
+    if (record.end != EpisodeEnd::kRunning) {
+      info[keys_.found] = record.end == EpisodeEnd::kFound;
+      info[keys_.detections] = record.detections;
+    }
+    return info;
   }
 
   [[nodiscard]] Place position(std::size_t i) const { return pair_of(at(i).episode.position()); }
@@ -182,6 +208,7 @@ class Episodes {
 
   std::shared_ptr<const python::World> world_;
   std::vector<Running> running_;
+  InfoKeys keys_;
 };
 
 /// A `.policy` file as the vehicle runs it. Its signature is not checked: a desk may look at any policy.
@@ -278,6 +305,7 @@ void add_episodes(py::module_& module) {
       .def("source_m", &Episodes::source, py::arg("index"))
       .def("snr_db", &Episodes::snr_db, py::arg("index"))
       .def("is_measured", &Episodes::is_measured, py::arg("index"))
+      .def("info", &Episodes::info, py::arg("index"))
       .def("record", &Episodes::record, py::arg("index"));
 }
 

@@ -13,7 +13,7 @@
 
 namespace earshot::python {
 
-/// What a person may choose about the search; the defaults stand in earshot/environment.py.
+/// What a person may choose about the search; the defaults stand in earshot_gym/environment.py.
 struct WorldArguments {
   std::filesystem::path environment;
   std::string state;

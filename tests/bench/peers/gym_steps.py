@@ -19,7 +19,7 @@ from stable_baselines3 import PPO
 from stable_baselines3.common.monitor import Monitor
 from stable_baselines3.common.vec_env import DummyVecEnv
 
-import earshot.sb3
+import earshot_gym.sb3
 from sb3_ppo import AcousticSearch
 
 OPTIONS = {"state": "memory", "source": "changing"}
@@ -58,7 +58,7 @@ def train_steps_per_s(env, steps: int) -> float:
 
 def together(whose: str, count: int):
     if whose == "earshot":
-        return earshot.sb3.SearchVecEnv(count, **OPTIONS)
+        return earshot_gym.sb3.SearchVecEnv(count, **OPTIONS)
     return DummyVecEnv([lambda: Monitor(AcousticSearch())] * count)
 
 
@@ -66,7 +66,7 @@ def main() -> None:
     torch.set_num_threads(1)
     what, whose = sys.argv[1:]
     if what == "env":
-        env = earshot.AcousticSearchEnv(**OPTIONS) if whose == "earshot" else AcousticSearch()
+        env = earshot_gym.AcousticSearchEnv(**OPTIONS) if whose == "earshot" else AcousticSearch()
         value = env_steps_per_s(env, 100_000)
     elif what == "vector":
         value = vector_steps_per_s(together(whose, STEPPED_TOGETHER), 160_000)

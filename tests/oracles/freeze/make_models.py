@@ -3,8 +3,8 @@
 usage: python tests/oracles/freeze/make_models.py tests/policy/freeze/models
 needs: stable-baselines3==2.3.2 gymnasium==0.29.1 torch (toolchains/python-environment tests/bench/requirements.txt), and policy/python
 
-memory.zip        PPO at its defaults, memory state, saved by earshot.sb3.save
-memory.onnx       the same policy, exported by earshot.sb3.export_onnx
+memory.zip        PPO at its defaults, memory state, saved by earshot_gym.sb3.save
+memory.onnx       the same policy, exported by earshot_gym.sb3.export_onnx
 memory.json       its decisions (predict, deterministic) for 10 000 observations that `uniform` below gives and sb3_model_test.cpp repeats,
                   one digit each; CRC-32 of every weight's bytes as NumPy has them
 named_tanh.zip    activation and layers named in policy_kwargs, hidden layers 32 and 16
@@ -30,7 +30,7 @@ from stable_baselines3 import PPO
 from stable_baselines3.common.policies import ActorCriticPolicy
 from stable_baselines3.common.torch_layers import FlattenExtractor
 
-import earshot.sb3
+import earshot_gym.sb3
 
 DECISIONS, OBSERVATION_SIZE = 10_000, 6
 
@@ -83,24 +83,24 @@ def main() -> None:
     torch.set_num_threads(1)
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    env = earshot.sb3.SearchVecEnv(8, state="memory", source="changing")
+    env = earshot_gym.sb3.SearchVecEnv(8, state="memory", source="changing")
 
     model = PPO("MlpPolicy", env, n_steps=256, seed=1, device="cpu")
     model.learn(30_000)
-    earshot.sb3.save(model, folder / "memory.zip")
-    earshot.sb3.export_onnx(model, folder / "memory.onnx")
+    earshot_gym.sb3.save(model, folder / "memory.zip")
+    earshot_gym.sb3.export_onnx(model, folder / "memory.onnx")
     (folder / "memory.json").write_text(json.dumps(decisions_of(model), indent=1) + "\n")
 
     def untrained(policy="MlpPolicy", **kwargs) -> PPO:
         return PPO(policy, env, n_steps=16, seed=2, device="cpu", policy_kwargs=kwargs)
 
     small, tanh = {"pi": [32, 16], "vf": [4, 4]}, torch.nn.Tanh
-    earshot.sb3.save(untrained(net_arch=small, activation_fn=tanh, ortho_init=False), folder / "named_tanh.zip")
+    earshot_gym.sb3.save(untrained(net_arch=small, activation_fn=tanh, ortho_init=False), folder / "named_tanh.zip")
     untrained(net_arch=[4, 4]).save(folder / "plain_save.zip")
-    earshot.sb3.save(untrained(net_arch=[4, 4], activation_fn=torch.nn.ReLU), folder / "relu.zip")
-    earshot.sb3.save(untrained(net_arch=[4, 4, 4]), folder / "three_layers.zip")
-    earshot.sb3.save(untrained(net_arch=[4, 4], features_extractor_class=FlattenExtractor), folder / "named_extractor.zip")
-    earshot.sb3.save(untrained(OwnPolicy, net_arch=[4, 4]), folder / "own_policy.zip")
+    earshot_gym.sb3.save(untrained(net_arch=[4, 4], activation_fn=torch.nn.ReLU), folder / "relu.zip")
+    earshot_gym.sb3.save(untrained(net_arch=[4, 4, 4]), folder / "three_layers.zip")
+    earshot_gym.sb3.save(untrained(net_arch=[4, 4], features_extractor_class=FlattenExtractor), folder / "named_extractor.zip")
+    earshot_gym.sb3.save(untrained(OwnPolicy, net_arch=[4, 4]), folder / "own_policy.zip")
     PPO("MlpPolicy", Continuous(), device="cpu", policy_kwargs={"net_arch": [4, 4]}).save(folder / "continuous.zip")
     for file in folder.glob("*.zip"):
         slim(file)

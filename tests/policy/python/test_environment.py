@@ -11,10 +11,11 @@ import gymnasium
 import numpy as np
 from gymnasium.utils.env_checker import check_env
 
-import earshot
+import earshot_gym
 
 STATES = ("simple", "memory", "position_memory", "belief")
 EAST = 2
+ROOT = Path(__file__).resolve().parents[3]
 
 
 def flown(env, seed, actions):
@@ -36,24 +37,24 @@ class Environment(unittest.TestCase):
                 with self.subTest(state=state, source=source), warnings.catch_warnings():
                     warnings.simplefilter("error")
                     warnings.filterwarnings("ignore", message=".*Box observation space m..imum value is -?infinity")
-                    check_env(gymnasium.make(earshot.ID, state=state, source=source, render_mode="rgb_array").unwrapped)
+                    check_env(gymnasium.make(earshot_gym.ID, state=state, source=source, render_mode="rgb_array").unwrapped)
 
     def test_repeats_an_episode_from_its_seed(self):
         rng = np.random.default_rng(1)
         actions = rng.integers(0, 8, 100)
-        env = earshot.AcousticSearchEnv(state="memory", source="changing")
+        env = earshot_gym.AcousticSearchEnv(state="memory", source="changing")
         first = flown(env, 5, actions)
         flown(env, 6, actions)
         np.testing.assert_array_equal(flown(env, 5, actions), first)
         self.assertFalse(np.array_equal(flown(env, 6, actions), first))
 
     def test_without_a_seed_no_two_are_alike(self):
-        one, other = earshot.AcousticSearchEnv(), earshot.AcousticSearchEnv()
+        one, other = earshot_gym.AcousticSearchEnv(), earshot_gym.AcousticSearchEnv()
         self.assertFalse(np.array_equal(one.reset()[0], other.reset()[0]))
         self.assertFalse(np.array_equal(one.reset()[0], one.reset()[0]))
 
     def test_finds_a_source_straight_east(self):
-        env = earshot.AcousticSearchEnv(state="simple", source="changing")
+        env = earshot_gym.AcousticSearchEnv(state="simple", source="changing")
         observation, info = env.reset(seed=1, options={"position_m": (12_500.0, 5_000.0), "source_m": (12_500.0, 8_500.0)})
         np.testing.assert_allclose(observation, [-0.6, 0.0], atol=1e-6)  # (x, y) over half the area's 25 km, from its centre; a float's rounding
         self.assertEqual(info["source_m"], (12_500.0, 8_500.0))
@@ -67,17 +68,17 @@ class Environment(unittest.TestCase):
         self.assertRaisesRegex(RuntimeError, "the episode is over", env.step, EAST)
 
     def test_is_cut_after_max_steps(self):
-        env = earshot.AcousticSearchEnv(max_steps=2)
+        env = earshot_gym.AcousticSearchEnv(max_steps=2)
         env.reset(seed=1, options={"position_m": (20_000.0, 20_000.0)})
         self.assertEqual(env.step(0)[2:4], (False, False))
         self.assertEqual(env.step(4)[2:4], (False, True))
 
     def test_draws_itself(self):
-        env = earshot.AcousticSearchEnv(render_mode="ansi")
+        env = earshot_gym.AcousticSearchEnv(render_mode="ansi")
         env.reset(seed=1, options={"position_m": (20_000.0, 10_000.0)})
         self.assertIn("20.0 km north, 10.0 km east", env.render())
         self.assertIn("source 10.0 km away", env.render())
-        env = earshot.AcousticSearchEnv(render_mode="rgb_array")
+        env = earshot_gym.AcousticSearchEnv(render_mode="rgb_array")
         env.reset(seed=1)
         picture = env.render()
         self.assertEqual((picture.shape, picture.dtype), ((256, 256, 3), np.uint8))
@@ -101,16 +102,16 @@ class Environment(unittest.TestCase):
             ({"frobnicate": 1}, TypeError, "frobnicate"),
         ]:
             with self.subTest(**arguments):
-                self.assertRaisesRegex(error, message, earshot.AcousticSearchEnv, **arguments)
+                self.assertRaisesRegex(error, message, earshot_gym.AcousticSearchEnv, **arguments)
 
     def test_names_what_is_wrong_with_an_environment_file(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "ocean.toml"
-            file.write_text(earshot.world.PAPER_ENVIRONMENT.read_text() + "\n[sky]\n")
-            self.assertRaisesRegex(earshot.BadInput, "ocean.toml.*sky.*unknown key", earshot.AcousticSearchEnv, environment=file)
+            file.write_text(earshot_gym.world.PAPER_ENVIRONMENT.read_text() + "\n[sky]\n")
+            self.assertRaisesRegex(earshot_gym.BadInput, "ocean.toml.*sky.*unknown key", earshot_gym.AcousticSearchEnv, environment=file)
 
     def test_refuses_steps_that_cannot_be_taken(self):
-        env = earshot.AcousticSearchEnv()
+        env = earshot_gym.AcousticSearchEnv()
         self.assertRaisesRegex(RuntimeError, "before reset", env.step, 0)
         env.reset(seed=1)
         self.assertRaisesRegex(ValueError, "action 8: must be 0 to 7", env.step, 8)
@@ -123,7 +124,7 @@ class Environment(unittest.TestCase):
 
 class Episodes(unittest.TestCase):
     def make(self, count):
-        return earshot._core.Episodes(earshot.AcousticSearchEnv(state="memory").world, count)
+        return earshot_gym._core.Episodes(earshot_gym.AcousticSearchEnv(state="memory").world, count)
 
     def test_refuses_to_observe_before_every_episode_began(self):
         episodes = self.make(2)
@@ -150,16 +151,16 @@ class VectorEnvironment(unittest.TestCase):
 
     def make(self, **options):
         if gymnasium.__version__.startswith("0."):
-            env = gymnasium.make_vec(earshot.ID, num_envs=self.COUNT, vectorization_mode="custom", vector_kwargs=options)
+            env = gymnasium.make_vec(earshot_gym.ID, num_envs=self.COUNT, vectorization_mode="custom", vector_kwargs=options)
         else:
-            env = gymnasium.make_vec(earshot.ID, num_envs=self.COUNT, **options)
+            env = gymnasium.make_vec(earshot_gym.ID, num_envs=self.COUNT, **options)
         self.addCleanup(env.close)
         return env
 
     def test_runs_as_so_many_single_ones(self):
         options = {"state": "memory", "source": "changing"}
         rng = np.random.default_rng(2)
-        vector, singles = self.make(**options), [earshot.AcousticSearchEnv(**options) for _ in range(self.COUNT)]
+        vector, singles = self.make(**options), [earshot_gym.AcousticSearchEnv(**options) for _ in range(self.COUNT)]
         observations, _ = vector.reset(seed=9)
         np.testing.assert_array_equal(observations, [env.reset(seed=9 + i)[0] for i, env in enumerate(singles)])
         last_key = "final_observation" if gymnasium.__version__.startswith("0.") else "final_obs"
@@ -203,7 +204,7 @@ class VectorEnvironment(unittest.TestCase):
         env.reset(seed=1)
         self.assertRaisesRegex(ValueError, "one for each", env.step, np.zeros(2, dtype=np.int64))
         self.assertRaisesRegex(ValueError, "action 8", env.step, np.full(self.COUNT, 8))
-        self.assertRaisesRegex(ValueError, "count", earshot.AcousticSearchVectorEnv, 0)
+        self.assertRaisesRegex(ValueError, "count", earshot_gym.AcousticSearchVectorEnv, 0)
 
     def test_a_refused_action_moves_nobody(self):
         env = self.make()
@@ -216,11 +217,27 @@ class VectorEnvironment(unittest.TestCase):
 
 class Package(unittest.TestCase):
     def test_imports_neither_torch_nor_stable_baselines3(self):
-        found = "import earshot, sys; sys.exit('torch' in sys.modules or 'stable_baselines3' in sys.modules)"
+        found = "import earshot_gym, sys; sys.exit('torch' in sys.modules or 'stable_baselines3' in sys.modules)"
         self.assertEqual(subprocess.run([sys.executable, "-c", found], check=False).returncode, 0)
 
+    def test_stands_beside_the_package_that_lcm_gen_makes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run(["lcm-gen", "-p", "--ppath", folder, *map(str, (ROOT / "firmware/wire/lcm").glob("*.lcm"))], check=True, capture_output=True)
+            both = "import earshot, earshot_gym; earshot.nav_state_t; earshot_gym.AcousticSearchEnv"
+            done = subprocess.run([sys.executable, "-c", both], cwd=folder, capture_output=True, text=True, check=False)
+            self.assertEqual((done.stderr, done.returncode), ("", 0))
+
+    def test_says_how_to_install_it_where_only_its_source_is(self):
+        done = subprocess.run([sys.executable, "-c", "import earshot_gym"], cwd=ROOT / "policy/python", capture_output=True, text=True, check=False)
+        self.assertIn("pip install ./policy/python", done.stderr)
+
+    def test_runs_the_block_of_its_readme_pasted_whole(self):
+        block = (ROOT / "policy/python/README.md").read_text().split("```python\n")[1].split("```")[0]
+        said = subprocess.run([sys.executable, "-qi"], input=block, capture_output=True, text=True, check=True).stderr
+        self.assertEqual(said.replace(">>> ", "").replace("... ", "").strip(), "")
+
     def test_says_that_it_is_typed(self):
-        self.assertTrue((Path(earshot.__file__).parent / "py.typed").exists())
+        self.assertTrue((Path(earshot_gym.__file__).parent / "py.typed").exists())
 
 
 if __name__ == "__main__":

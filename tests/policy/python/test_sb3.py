@@ -20,7 +20,7 @@ from stable_baselines3.common.evaluation import evaluate_policy
 from stable_baselines3.common.torch_layers import FlattenExtractor
 from stable_baselines3.common.vec_env import DummyVecEnv, VecFrameStack, VecNormalize
 
-import earshot.sb3
+import earshot_gym.sb3
 
 OPTIONS = {"state": "memory", "source": "changing"}
 
@@ -47,7 +47,7 @@ class StableBaselines3(unittest.TestCase):
     def test_frozen_makes_the_ten_thousand_decisions_of_predict(self):
         """On the observations of the searches it flies, zip and ONNX alike. Sums in another order may turn a tie within a float's rounding:
         such a decision counts as the same only if its two best logits are that near."""
-        env = earshot.sb3.SearchVecEnv(50, **OPTIONS)
+        env = earshot_gym.sb3.SearchVecEnv(50, **OPTIONS)
         model = trained(env, 25_600)
         env.seed(3)
         observation, seen = env.reset(), []
@@ -57,10 +57,10 @@ class StableBaselines3(unittest.TestCase):
         seen = np.concatenate(seen)
         self.assertEqual(len(seen), 10_000)
         decided, _ = model.predict(seen, deterministic=True)
-        for file in (earshot.sb3.save(model, self.folder / "model"), earshot.sb3.export_onnx(model, self.folder / "model.onnx")):
+        for file in (earshot_gym.sb3.save(model, self.folder / "model"), earshot_gym.sb3.export_onnx(model, self.folder / "model.onnx")):
             done = self.freeze(file)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
-            logits = earshot.FrozenPolicy(self.policy).logits(seen)
+            logits = earshot_gym.FrozenPolicy(self.policy).logits(seen)
             differ = logits.argmax(axis=1) != decided
             best = np.sort(logits, axis=1)
             print(f"{file.name}: {differ.sum()} of {len(seen)} decisions differ", file=sys.stderr)
@@ -68,12 +68,12 @@ class StableBaselines3(unittest.TestCase):
             self.assertLessEqual(differ.sum(), 1)
 
     def test_trains_on_the_registered_environment_too(self):
-        model = trained(gymnasium.make(earshot.ID, **OPTIONS), 512)
-        done = self.freeze(earshot.sb3.save(model, self.folder / "model.zip"))
+        model = trained(gymnasium.make(earshot_gym.ID, **OPTIONS), 512)
+        done = self.freeze(earshot_gym.sb3.save(model, self.folder / "model.zip"))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_learns_to_find_a_fixed_source(self):
-        env = earshot.sb3.SearchVecEnv(8, state="simple", source="fixed", start="inside_border")
+        env = earshot_gym.sb3.SearchVecEnv(8, state="simple", source="fixed", start="inside_border")
         env.seed(1)
         model = PPO("MlpPolicy", env, n_steps=256, seed=1, device="cpu")
         before, _ = evaluate_policy(model, env, 40)
@@ -82,9 +82,9 @@ class StableBaselines3(unittest.TestCase):
         self.assertGreater(after, before / 3)  # rewards are negative: three times better at the least
 
     def test_a_saved_model_is_loaded_by_stable_baselines3(self):
-        env = earshot.sb3.SearchVecEnv(2, **OPTIONS)
+        env = earshot_gym.sb3.SearchVecEnv(2, **OPTIONS)
         model = trained(env, 512)
-        file = earshot.sb3.save(model, self.folder / "model")
+        file = earshot_gym.sb3.save(model, self.folder / "model")
         self.assertEqual(json.loads(zipfile.ZipFile(file).read("earshot.json"))["normalisation"], "none")
         observation = np.zeros((1, 6), np.float32)
         self.assertEqual(PPO.load(file).predict(observation, deterministic=True)[0], model.predict(observation, deterministic=True)[0])
@@ -92,12 +92,12 @@ class StableBaselines3(unittest.TestCase):
 
     def test_refuses_to_save_what_saw_changed_observations(self):
         for env in (
-            VecNormalize(earshot.sb3.SearchVecEnv(2, **OPTIONS)),
-            VecFrameStack(earshot.sb3.SearchVecEnv(2, **OPTIONS), 2),
-            DummyVecEnv([lambda: gymnasium.wrappers.NormalizeObservation(gymnasium.make(earshot.ID, **OPTIONS))]),
+            VecNormalize(earshot_gym.sb3.SearchVecEnv(2, **OPTIONS)),
+            VecFrameStack(earshot_gym.sb3.SearchVecEnv(2, **OPTIONS), 2),
+            DummyVecEnv([lambda: gymnasium.wrappers.NormalizeObservation(gymnasium.make(earshot_gym.ID, **OPTIONS))]),
         ):
             model = PPO("MlpPolicy", env, n_steps=16, device="cpu")
-            self.assertRaisesRegex(ValueError, "frozen", earshot.sb3.save, model, self.folder / "model.zip")
+            self.assertRaisesRegex(ValueError, "frozen", earshot_gym.sb3.save, model, self.folder / "model.zip")
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_refuses_a_features_extractor_that_would_be_dropped(self):
@@ -106,9 +106,9 @@ class StableBaselines3(unittest.TestCase):
                 return 2.0 * super().forward(observations)
 
         kwargs = {"features_extractor_class": Doubled}
-        env = earshot.sb3.SearchVecEnv(2, **OPTIONS)
+        env = earshot_gym.sb3.SearchVecEnv(2, **OPTIONS)
         model = PPO("MlpPolicy", env, n_steps=16, device="cpu", policy_kwargs=kwargs)
-        for write in (earshot.sb3.save, earshot.sb3.export_onnx):
+        for write in (earshot_gym.sb3.save, earshot_gym.sb3.export_onnx):
             self.assertRaisesRegex(ValueError, "features_extractor: Doubled", write, model, self.folder / "model")
         self.assertEqual(list(self.folder.iterdir()), [])
 
@@ -118,7 +118,7 @@ class StableBaselines3(unittest.TestCase):
                 return 2.0 * observation
 
         def make(**options):
-            return gymnasium.make(earshot.ID, **{**OPTIONS, **options})
+            return gymnasium.make(earshot_gym.ID, **{**OPTIONS, **options})
 
         for last, message in [
             (lambda: TimeLimit(make()), "TimeLimit: not known"),
@@ -127,25 +127,25 @@ class StableBaselines3(unittest.TestCase):
         ]:
             with self.subTest(message):
                 model = PPO("MlpPolicy", DummyVecEnv([make, last]), n_steps=16, device="cpu")
-                self.assertRaisesRegex(ValueError, message, earshot.sb3.describe, model)
-        earshot.sb3.describe(PPO("MlpPolicy", DummyVecEnv([make, make]), n_steps=16, device="cpu"))
+                self.assertRaisesRegex(ValueError, message, earshot_gym.sb3.describe, model)
+        earshot_gym.sb3.describe(PPO("MlpPolicy", DummyVecEnv([make, make]), n_steps=16, device="cpu"))
 
     def test_normalised_rewards_change_nothing(self):
-        env = VecNormalize(earshot.sb3.SearchVecEnv(2, **OPTIONS), norm_obs=False)
-        self.assertEqual(self.freeze(earshot.sb3.save(trained(env, 512), self.folder / "model.zip")).returncode, 0)
+        env = VecNormalize(earshot_gym.sb3.SearchVecEnv(2, **OPTIONS), norm_obs=False)
+        self.assertEqual(self.freeze(earshot_gym.sb3.save(trained(env, 512), self.folder / "model.zip")).returncode, 0)
 
     def test_a_model_without_description_needs_one(self):
-        env = earshot.sb3.SearchVecEnv(2, **OPTIONS)
+        env = earshot_gym.sb3.SearchVecEnv(2, **OPTIONS)
         model = trained(env, 512)
         model.save(self.folder / "plain.zip")
         refused = self.freeze(self.folder / "plain.zip")
         self.assertEqual(refused.returncode, 2)
         self.assertIn("--search", refused.stderr)
-        (self.folder / "search.json").write_text(earshot.sb3.describe(model))
+        (self.folder / "search.json").write_text(earshot_gym.sb3.describe(model))
         self.assertEqual(self.freeze(self.folder / "plain.zip", "--search", self.folder / "search.json").returncode, 0)
 
     def test_the_vector_environment_tells_of_episodes_as_a_monitor_does(self):
-        env = earshot.sb3.SearchVecEnv(4, max_steps=3, **OPTIONS)
+        env = earshot_gym.sb3.SearchVecEnv(4, max_steps=3, **OPTIONS)
         env.seed(1)
         env.reset()
         for _ in range(3):

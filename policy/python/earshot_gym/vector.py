@@ -10,9 +10,9 @@ from gymnasium.vector import VectorEnv
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
-from earshot._core import Episodes
-from earshot.environment import spaces_of
-from earshot.world import WorldOptions, make_world
+from earshot_gym._core import Episodes
+from earshot_gym.environment import spaces_of
+from earshot_gym.world import WorldOptions, make_world
 
 try:
     from typing import Unpack

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import operator
 from typing import Any, Optional
 
 import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from earshot import drawing
-from earshot._core import Episodes
-from earshot.world import SearchWorld, WorldOptions, make_world
+from earshot_gym import drawing
+from earshot_gym._core import Episodes
+from earshot_gym.world import SearchWorld, WorldOptions, make_world
 
 try:
     from typing import Unpack
@@ -67,19 +66,13 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
         if options:
             self._start_at(options)
         self._path = [self._episodes.position_m(0)]
-        return self._episodes.observations()[0], self._info()
+        return self._episodes.observations()[0], self._episodes.info(0)
 
     def step(self, action: np.int64) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
-        if not self._seeded:
-            raise RuntimeError("step() before reset()")
-        observation, reward, terminated, truncated = self._episodes.step_one(operator.index(action))
-        info = self._info()
-        if terminated or truncated:
-            record = self._episodes.record(0)
-            info["found"], info["detections"] = record["found"], record["detections"]
+        stepped = self._episodes.step_one(action)
         if self.render_mode is not None:
-            self._path.append(info["position_m"])
-        return observation, reward, terminated, truncated, info
+            self._path.append(self._episodes.position_m(0))
+        return stepped
 
     def render(self) -> Any:
         """ "ansi": one line. "rgb_array": uint8 [height x width x 3], north up; what is heard where, the path, the source."""
@@ -96,12 +89,3 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
         position = options.get("position_m", self._episodes.position_m(0))
         source = options.get("source_m", self._episodes.source_m(0))
         self._episodes.start_at(0, position, source)
-
-    def _info(self) -> dict[str, Any]:
-        episodes = self._episodes
-        return {
-            "snr_db": episodes.snr_db(0),
-            "measured": episodes.is_measured(0),
-            "position_m": episodes.position_m(0),
-            "source_m": episodes.source_m(0),
-        }

@@ -1,12 +1,22 @@
 """The search in C++. Positions are (north, east), metres from the south-west corner of the search domain."""
 
 import os
-from typing import Optional
+from typing import Optional, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
 
 Place = tuple[float, float]
+
+class Info(TypedDict, total=False):
+    snr_db: float
+    """As heard; where it was too faint to measure, the least that could have been."""
+    measured: bool
+    position_m: Place
+    source_m: Place
+    found: bool
+    """At the end of an episode only, like detections."""
+    detections: int
 
 class BadInput(ValueError):
     """An argument or a file is not as it must be; the message names it and says what is allowed."""
@@ -57,8 +67,8 @@ class Episodes:
         """Starts one episode at a given place."""
     def observations(self) -> NDArray[np.float32]:
         """[count x observation_size]"""
-    def step_one(self, action: int) -> tuple[NDArray[np.float32], float, bool, bool]:
-        """Steps episode 0: observation [observation_size], reward, terminated, truncated."""
+    def step_one(self, action: int) -> tuple[NDArray[np.float32], float, bool, bool, Info]:
+        """Steps episode 0: observation [observation_size], reward, terminated, truncated, info."""
     def step(
         self, actions: NDArray[np.int64]
     ) -> tuple[
@@ -77,6 +87,7 @@ class Episodes:
     def snr_db(self, index: int) -> float:
         """As heard; where it was too faint to measure, the least that could have been."""
     def is_measured(self, index: int) -> bool: ...
+    def info(self, index: int) -> Info: ...
     def record(self, index: int) -> dict[str, float]:
         """reward (sum so far), steps, detections (steps with SNR at or over the threshold), found"""
 

@@ -20,9 +20,9 @@ from stable_baselines3.common.monitor import Monitor
 from stable_baselines3.common.torch_layers import FlattenExtractor
 from stable_baselines3.common.vec_env import DummyVecEnv, VecCheckNan, VecEnv, VecEnvWrapper, VecMonitor, VecNormalize
 
-from earshot._core import Episodes
-from earshot.environment import AcousticSearchEnv, spaces_of
-from earshot.world import WorldOptions, make_world
+from earshot_gym._core import Episodes
+from earshot_gym.environment import AcousticSearchEnv, spaces_of
+from earshot_gym.world import WorldOptions, make_world
 
 try:
     from typing import Unpack
@@ -116,7 +116,7 @@ def _searches(env: VecEnv) -> list[Any]:
     searches = [_inner(each) for each in env.envs] if isinstance(env, DummyVecEnv) else [env]
     for search in searches:
         if not isinstance(search, (SearchVecEnv, AcousticSearchEnv)):
-            raise ValueError(f"{type(search).__name__}: not a search of Earshot, or not to be looked into; train in earshot.sb3.SearchVecEnv")
+            raise ValueError(f"{type(search).__name__}: not a search of Earshot, or not to be looked into; train in earshot_gym.sb3.SearchVecEnv")
     return searches
 
 

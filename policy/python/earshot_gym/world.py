@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 from typing import TypedDict, Union
 
-from earshot._core import World as SearchWorld
+from earshot_gym._core import World as SearchWorld
 
 __all__ = ["PAPER_ENVIRONMENT", "SearchWorld", "WorldOptions", "make_world"]
 

@@ -1,0 +1,31 @@
+"""Earshot's search for an underwater source as a Gymnasium environment, on the C++ that flies.
+
+>>> import earshot_gym, gymnasium
+>>> env = gymnasium.make("earshot/AcousticSearch-v0", state="memory", source="changing")
+"""
+
+import gymnasium as _gymnasium
+
+try:
+    from earshot_gym._core import BadInput, FrozenPolicy
+except ModuleNotFoundError as missing:
+    if missing.name != "earshot_gym._core":
+        raise
+    raise ImportError(
+        f"{__path__[0]} is the package's source, without its compiled part: pip install ./policy/python from the root of the repository, "
+        "and start Python in another folder than policy/python"
+    ) from None
+from earshot_gym.environment import AcousticSearchEnv
+from earshot_gym.vector import AcousticSearchVectorEnv
+from earshot_gym.world import SearchWorld, make_world
+
+ID = "earshot/AcousticSearch-v0"
+
+if ID not in _gymnasium.registry:
+    _gymnasium.register(
+        id=ID,
+        entry_point="earshot_gym.environment:AcousticSearchEnv",
+        vector_entry_point="earshot_gym.vector:AcousticSearchVectorEnv",
+    )
+
+__all__ = ["ID", "AcousticSearchEnv", "AcousticSearchVectorEnv", "BadInput", "FrozenPolicy", "SearchWorld", "make_world"]
