@@ -28,8 +28,9 @@ void add_options(program::CommandLine& line, Options& options) {
   line.option("MODEL", &options.model,
               "checkpoint of earshot train, model.zip of Stable-Baselines3 (PPO or A2C, MlpPolicy), or an ONNX export");
   line.option("-o,--output", &options.output, "policy to write (.policy)");
-  line.option("--search", &options.search,
-              "what a .zip or .onnx was trained to search, when it does not carry that along (JSON: earshot_gym.sb3.describe() in policy/python)");
+  line.option(
+      "--search", &options.search,
+      "what a .zip or .onnx was trained to search, when it does not carry that along (JSON: earshot_gym.sb3.describe() in policy/python)");
   line.option("--draw", &options.draw, "how the vehicle draws its actions: sampled from the softmax, or argmax")
       .one_of({"argmax", "sampled"})
       .shows_default();

@@ -6,7 +6,8 @@
 
 namespace earshot::freeze {
 
-/// Key of the model's metadata_props that says what the policy was trained to search; `earshot_gym.sb3.export_onnx` (policy/python) writes it.
+/// Key of the model's metadata_props that says what the policy was trained to search; `earshot_gym.sb3.export_onnx` (policy/python) writes
+/// it.
 inline constexpr std::string_view kSearchMetadata = "earshot";
 
 /// The actor of an ONNX model: one chain from the one input to the one output (logits) of Gemm, or MatMul and Add, with a Tanh between

@@ -1,4 +1,4 @@
-// earshot_gym._core: the search as Python sees it. Every argument is checked here; earshot_gym/_core.pyi says what each call takes and gives.
+// earshot_gym._core: the search as Python sees it. Every argument is checked here; earshot_gym/_core.pyi says what a call takes and gives.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>

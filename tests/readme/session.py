@@ -1,0 +1,79 @@
+"""Runs the commands of one Markdown file as a reader would: one after the other, in one shell, from the root of a copy of the tree."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import signal
+import subprocess
+from pathlib import Path
+
+from markdown import Command
+
+# A command that does not end by itself: must still run after three seconds, and end on Ctrl-C, as a shell's foreground job would.
+_FUNCTIONS = r"""
+start_and_stop() {
+  local job
+  set -m
+  (eval "$1") &
+  job=$!
+  set +m
+  for _ in $(seq 30); do
+    sleep 0.1
+    kill -0 "$job" 2>/dev/null || { wait "$job"; echo "ended by itself with status $?, though it is marked as one that does not" >&2; return 1; }
+  done
+  kill -INT -- "-$job"
+  for _ in $(seq 200); do
+    sleep 0.1
+    kill -0 "$job" 2>/dev/null || { wait "$job"; case $? in 0 | 130) return 0 ;; *) return 1 ;; esac; }
+  done
+  kill -KILL -- "-$job"
+  echo "did not end within 20 s of Ctrl-C" >&2
+  return 1
+}
+ended() { printf '%s\n' "$1" >&3; [ "$1" -eq 0 ] || exit "$1"; }
+"""
+
+
+def _script(commands: list[Command]) -> str:
+    lines = [_FUNCTIONS]
+    for command in commands:
+        if "start" in command.marks:
+            lines.append(f"start_and_stop {shlex.quote(command.text)}")
+        elif command.language == "python":
+            lines.append(f"python3 -c {shlex.quote(command.text)}")
+        else:
+            lines.append(command.text)
+        lines.append("ended $?")
+    return "\n".join(lines) + "\n"
+
+
+def failure_of(commands: list[Command], folder: Path, environment: dict[str, str], limit_s: float) -> str | None:
+    """Runs them until one fails. Returns FILE:LINE: the command and the end of what it printed; None when all went well."""
+    read_end, write_end = os.pipe()
+    shell = subprocess.Popen(
+        ["bash", "-c", f"exec 3>&{write_end} {write_end}>&-\n" + _script(commands)],
+        cwd=folder,
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        pass_fds=[write_end],
+        start_new_session=True,
+        text=True,
+        errors="replace",
+    )
+    os.close(write_end)
+    try:
+        printed, _ = shell.communicate(timeout=limit_s)
+        why = f"status {shell.returncode}"
+    except subprocess.TimeoutExpired:
+        os.killpg(shell.pid, signal.SIGKILL)
+        printed, _ = shell.communicate()
+        why = f"not done within {limit_s:.0f} s"
+    with os.fdopen(read_end) as statuses:
+        done = statuses.read().split()
+    if shell.returncode == 0 and len(done) == len(commands):
+        return None
+    failed = commands[min(len(commands) - 1, sum(status == "0" for status in done))]
+    return f"{failed.file}:{failed.line}: {failed.text}\n  {why}; it printed last:\n" + "\n".join("    " + line for line in printed.splitlines()[-15:])
