@@ -54,7 +54,7 @@ std::vector<CurvePoint> points_of(std::span<const std::string> episodes_csv) {
   return points;
 }
 
-void draw_curves(const std::filesystem::path& path, std::span<const std::string> episodes_csv) {
+void draw_curves(const std::filesystem::path& path, const std::string& title, std::span<const std::string> episodes_csv) {
   const std::vector<CurvePoint> points = points_of(episodes_csv);
   if (points.empty()) throw config_file::BadInput(path.string() + ": no episode has ended in every training, nothing to draw");
   std::ostringstream commands;
@@ -64,11 +64,12 @@ void draw_curves(const std::filesystem::path& path, std::span<const std::string>
   const std::string band =
       several ? "quartiles of " + std::to_string(episodes_csv.size()) + " trainings" : "quartiles of the last 50 episodes";
   const std::string line = several ? "median of their medians of the last 50 episodes" : "median of the last 50 episodes";
-  commands << "EOD\nset xlabel 'episodes'\nset ylabel 'reward of an episode'\nset key bottom right\nset grid\n"
+  commands << "EOD\nset title " << sonar::quoted(title) << " noenhanced\nset xlabel 'episodes'\nset ylabel 'reward of an episode'\n"
+           << "set key bottom right reverse Left\nset tics out nomirror\nset grid\nset style fill solid\nset autoscale xfix\n"
            << "plot $points using 1:2:4 with filledcurves fillcolor rgb '#b0c8e8' title " << sonar::quoted(band)
            << ", $points using 1:3 with lines linewidth 2 linecolor rgb '#104080' title " << sonar::quoted(line) << "\n";
   try {
-    sonar::draw(path, "900,500", commands.str());
+    sonar::draw(path, {.title = title, .size = "900,500", .commands = commands.str()});
   } catch (const std::runtime_error& e) {
     throw config_file::BadInput(e.what());
   }

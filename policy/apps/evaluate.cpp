@@ -202,6 +202,12 @@ std::string as_json(const Options& o, const search::SearchSettings& settings, co
   return json.dump(1) + "\n";
 }
 
+/// "300 searches each in munk_flat, source changing"
+std::string title_of(const Options& o, const std::vector<evaluate::World>& worlds) {
+  return std::to_string(o.episodes) + " searches each in " +
+         (worlds.size() == 1 ? worlds.front().name : std::to_string(worlds.size()) + " worlds") + ", source " + *o.search.source;
+}
+
 void write_files(const Options& o, const search::SearchSettings& settings, const std::vector<evaluate::World>& worlds,
                  const std::vector<evaluate::Row>& rows) {
   const evaluate::Timing timing = o.timing ? evaluate::Timing::kIncluded : evaluate::Timing::kLeftOut;
@@ -209,7 +215,8 @@ void write_files(const Options& o, const search::SearchSettings& settings, const
   if (o.csv) apps::write_whole(*o.csv, evaluate::as_csv(rows, timing));
   if (!o.plot) return;
   try {
-    sonar::draw(*o.plot, "1400,900", evaluate::as_plot(rows, std::to_string(o.episodes) + " searches in each world"));
+    const std::string title = title_of(o, worlds);
+    sonar::draw(*o.plot, {.title = title, .size = "1400,900", .commands = evaluate::as_plot(rows, title)});
   } catch (const std::runtime_error& e) {
     throw BadInput(e.what());
   }

@@ -28,7 +28,8 @@ program::CommandLine& add_map(program::CommandLine& line, apps::ExplainMapOption
   map.option("POLICY", &o.policy, "frozen policy (.policy)").required();
   map.option(
       "--source", &o.source,
-      "NORTH_M,EAST_M of a source, from the south-west corner of the policy's area: the policy's choice after a first look at each place");
+      "NORTH_M,EAST_M of a source, from the south-west corner of the policy's area: the policy's choice at each place or, where that hangs "
+      "on what it has heard before, its paths from starts all over the area");
   map.option("--flight", &o.flight,
              "folder of a flight with this policy, instead of --source: its choice anywhere with what it believed at --step");
   map.option("--step", &o.step, "step of the flight").shows_default();
@@ -39,6 +40,7 @@ program::CommandLine& add_map(program::CommandLine& line, apps::ExplainMapOption
       .excludes(environment);
   map.option("--vehicle-depth-m", &o.vehicle_depth_m, "depth of the vehicle in that ocean, metres").positive().shows_default();
   map.option("--arrows", &o.arrows, "arrows along a side").from(1, 100).shows_default();
+  map.option("--starts", &o.starts, "starts of paths along a side").from(1, 50).shows_default();
   map.option("-o,--output", &o.output, "picture to write (.png or .svg)").required();
   return map;
 }

@@ -56,15 +56,19 @@ NorthEast source_in(const policy::FrozenPolicy& policy, const std::string& text)
 void draw_for_source(const policy::FrozenPolicy& policy, const ExplainMapOptions& options) {
   const NorthEast source = source_in(policy, *options.source);
   const sonar::SnrCurve curve = curve_of(policy, options);
-  const auto snr = [&](NorthEast place) { return curve.at(range_between(place, source)); };
-  const explain::ActionMap map =
-      explain::after_a_first_look(policy, options.arrows, [&](NorthEast place) { return policy::Heard{.snr = snr(place)}; });
-  report::draw_action_map(options.output, {.policy = policy,
-                                           .map = map,
-                                           .snr_db = [&](NorthEast place) { return snr(place).value; },
-                                           .source = source,
-                                           .heard = heard_in(options),
-                                           .what = "where it goes after a first look at each place"});
+  const auto heard = [&](NorthEast place) { return policy::Heard{.snr = curve.at(range_between(place, source))}; };
+  const report::MapOcean ocean{.policy = policy,
+                               .policy_name = options.policy.filename().string(),
+                               .curve = curve,
+                               .heard_from = source,
+                               .words = heard_in(options),
+                               .source = source};
+  if (explain::sees_place_alone(policy)) {
+    report::draw_arrows(options.output, ocean, explain::after_a_first_look(policy, options.arrows, heard), "where it goes");
+  } else {
+    const auto paths = explain::flown_from_all_over(policy, source, {.per_side = options.starts}, heard);
+    report::draw_paths(options.output, ocean, paths);
+  }
 }
 
 void draw_for_flight(const policy::FrozenPolicy& policy, const ExplainMapOptions& options) {
@@ -78,14 +82,14 @@ void draw_for_flight(const policy::FrozenPolicy& policy, const ExplainMapOptions
   const sonar::SnrCurve curve = curve_of(policy, options);
   const std::optional<NorthEast> source = flight.source ? std::optional(*flight.source - flight.south_west) : std::nullopt;
   const NorthEast heard_from = source.value_or(account.place.likeliest);
-  report::draw_action_map(options.output, {.policy = policy,
-                                           .map = map,
-                                           .snr_db = [&](NorthEast place) { return curve.at(range_between(place, heard_from)).value; },
-                                           .source = source,
-                                           .heard = heard_in(options),
-                                           .what = "where it would go with what it believes at step " + std::to_string(options.step),
-                                           .belief = &account,
-                                           .track = taken});
+  const report::MapOcean ocean{.policy = policy,
+                               .policy_name = options.policy.filename().string(),
+                               .curve = curve,
+                               .heard_from = heard_from,
+                               .words = heard_in(options),
+                               .source = source};
+  report::draw_arrows(options.output, ocean, map, "where it would go with what it believes at step " + std::to_string(options.step),
+                      report::MapFlight{.belief = account, .track = taken});
 }
 
 }  // namespace

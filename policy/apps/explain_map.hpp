@@ -18,6 +18,7 @@ struct ExplainMapOptions {
   std::optional<std::filesystem::path> flight;
   std::uint32_t step = 0;
   std::size_t arrows = 25;  ///< along a side
+  std::size_t starts = 6;   ///< along a side, of a policy that goes by what it has heard
   std::filesystem::path output;
 };
 

@@ -8,6 +8,7 @@
 #include "policy/apps/curve_plot.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/apps/training_job.hpp"
+#include "policy/description/state.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 #include "sim/parallel/rank_session.hpp"
@@ -70,6 +71,15 @@ void print_summary(const Trainings& trainings, double seconds) {
   std::cout << seconds << " s\n";
 }
 
+/// "Reward in training: source changing, state belief, seed 1"
+std::string title_of(const Trainings& trainings) {
+  const ppo::TrainingRun& run = trainings.front()->run_settings();
+  const bool changes = run.search.placement == search::SourcePlacement::kChanging;
+  return std::string("Reward in training: source ") + (changes ? "changing" : "fixed") + ", state " +
+         std::string(description::name_of(run.state)) + ", " +
+         (trainings.size() == 1 ? "seed " + std::to_string(run.seed) : std::to_string(trainings.size()) + " seeds");
+}
+
 void train(const apps::TrainOptions& options, const std::vector<std::string>& arguments, parallel::RankSession& session) {
   const bool speaks = session.ranks().rank() == 0;
   Trainings trainings;
@@ -83,7 +93,7 @@ void train(const apps::TrainOptions& options, const std::vector<std::string>& ar
   if (options.plot) {
     std::vector<std::string> curves;
     for (const auto& training : trainings) curves.push_back(training->curve().episodes_csv());
-    apps::draw_curves(*options.plot, curves);
+    apps::draw_curves(*options.plot, title_of(trainings), curves);
   }
   print_summary(trainings, progress.seconds());
 }

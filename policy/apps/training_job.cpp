@@ -346,6 +346,10 @@ void Training::run(TrainingProgress& progress, std::size_t number, const std::at
 const TrainingJob& Training::job() const {
   return parts_->job;
 }
+const ppo::TrainingRun& Training::run_settings() const {
+  return parts_->run;
+}
+
 const LearningCurve& Training::curve() const {
   return parts_->curve;
 }

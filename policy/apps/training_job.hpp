@@ -12,6 +12,7 @@
 #include "policy/apps/train_options.hpp"
 #include "policy/apps/training_progress.hpp"
 #include "policy/ppo/checkpoint.hpp"
+#include "policy/ppo/training_run.hpp"
 #include "sim/parallel/ranks.hpp"
 
 namespace earshot::apps {
@@ -47,6 +48,7 @@ class Training {
   void run(TrainingProgress& progress, std::size_t number, const std::atomic<bool>& interrupted);
 
   [[nodiscard]] const TrainingJob& job() const;
+  [[nodiscard]] const ppo::TrainingRun& run_settings() const;
   [[nodiscard]] const LearningCurve& curve() const;
   [[nodiscard]] std::uint64_t steps() const;
 

@@ -48,17 +48,25 @@ std::vector<std::string> distinct(std::span<const Row> rows, std::string Row::*n
   return names;
 }
 
-/// One panel: a point with its interval for every row; policies side by side within their world, a colour each.
+/// Where the points of one policy stand, and its mark: colour and shape both tell it from its neighbours.
+std::string points_of(std::size_t policy) {
+  constexpr std::array<const char*, 6> kColours{"#1b6ca8", "#d1495b", "#2a9d6f", "#8a5aa8", "#e08a1e", "#4d5b68"};
+  constexpr std::array<int, 6> kShapes{7, 5, 9, 13, 11, 15};  // disc, square, triangle, diamond, triangle on its head, pentagon
+  return formatted(" using 1:2:3:4 with yerrorbars pt %d ps 1.1 lw 1.5 lc rgb '%s'", kShapes[policy % kShapes.size()],
+                   kColours[policy % kColours.size()]);
+}
+
+/// One panel: a point with its interval for every row; policies side by side within their world.
+/// @param is_named  whether the policies' names stand beside it
 template <class Value>
-std::string panel(std::span<const Row> rows, const std::string& label, Value value) {
+std::string panel(std::span<const Row> rows, const std::string& label, bool is_named, Value value) {
   const std::vector<std::string> policies = distinct(rows, &Row::policy);
   const std::vector<std::string> worlds = distinct(rows, &Row::world);
   const double apart = 0.7 / static_cast<double>(policies.size());
   std::string plot = "set ylabel '" + label + "'\nplot ";
   std::string data;
   for (std::size_t p = 0; p < policies.size(); ++p) {
-    plot += (p == 0 ? "" : ", ") + std::string("'-' using 1:2:3:4 with yerrorbars pt 7 ps 0.6 lw 1.5 lc ") + std::to_string(p + 1) +
-            " title " + sonar::quoted(policies[p]);
+    plot += (p == 0 ? "'-'" : ", '-'") + points_of(p) + (is_named ? " title " + sonar::quoted(policies[p]) : " notitle");
     for (const Row& row : rows) {
       if (row.policy != policies[p]) continue;
       const auto world = static_cast<double>(std::ranges::find(worlds, row.world) - worlds.begin());
@@ -69,6 +77,14 @@ std::string panel(std::span<const Row> rows, const std::string& label, Value val
     data += "e\n";
   }
   return plot + "\n" + data;
+}
+
+/// gnuplot's list of places along the axis.
+std::string tics_of(const std::vector<std::string>& worlds, bool is_named) {
+  std::string tics = worlds.size() > 6 ? "set xtics noenhanced rotate by -35 (" : "set xtics noenhanced norotate (";
+  for (std::size_t i = 0; i < worlds.size(); ++i)
+    tics += (i == 0 ? "" : ", ") + sonar::quoted(is_named ? worlds[i] : "") + " " + std::to_string(i);
+  return tics + ")\n";
 }
 
 }  // namespace
@@ -122,19 +138,19 @@ std::string as_plot(std::span<const Row> all, const std::string& title) {
     for (Row& row : rows) std::swap(row.world, row.policy);
   }
   const std::vector<std::string> worlds = distinct(rows, &Row::world);
-  std::string tics;
-  for (std::size_t i = 0; i < worlds.size(); ++i) tics += (i == 0 ? "" : ", ") + sonar::quoted(worlds[i]) + " " + std::to_string(i);
-  const std::string setup =
-      "set multiplot layout 2,1 title " + sonar::quoted(title) +
-      " noenhanced\nset grid ytics lt 1 lw 0.5 lc rgb '#cccccc'\nset key outside right top noenhanced\nset xrange [-0.5:" +
-      formatted("%g", static_cast<double>(worlds.size()) - 0.5) + "]\nset xtics noenhanced rotate by -20 (" + tics + ")\n";
-  return setup +
-         panel(rows, "mean reward (95 %)",
+  const bool has_legend = distinct(rows, &Row::policy).size() > 1;
+  const std::string setup = "set multiplot title " + sonar::quoted(title) +
+                            " noenhanced\nset grid ytics lt 1 lw 0.5 lc rgb '#cccccc'\nset key at screen 0.99,0.93 right top noenhanced "
+                            "reverse Left\nset tics out nomirror\nset lmargin at screen 0.07\nset rmargin at screen " +
+                            (has_legend ? "0.82" : "0.97") +
+                            "\nset xrange [-0.5:" + formatted("%g", static_cast<double>(worlds.size()) - 0.5) + "]\n";
+  return setup + "set bmargin at screen 0.55\nset tmargin at screen 0.93\nset yrange [*:0]\n" + tics_of(worlds, false) +
+         panel(rows, "mean reward (95 %)", has_legend,
                [](const Row& r) {
                  return std::array{r.summary.mean_reward, r.intervals.mean_reward.low, r.intervals.mean_reward.high};
                }) +
-         "set yrange [0:105]\n" +
-         panel(rows, "sources found, % (95 %)",
+         "set bmargin at screen 0.13\nset tmargin at screen 0.51\nset yrange [0:105]\n" + tics_of(worlds, true) +
+         panel(rows, "sources found, % (95 %)", false,
                [](const Row& r) {
                  return std::array{100.0 * r.summary.found_fraction, 100.0 * r.intervals.found_fraction.low,
                                    100.0 * r.intervals.found_fraction.high};

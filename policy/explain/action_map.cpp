@@ -42,15 +42,7 @@ MapPoint point_of(const FrozenPolicy& policy, NorthEast place, const std::vector
 
 ActionMap map_of(const FrozenPolicy& policy, std::size_t per_side, const std::function<std::vector<float>(NorthEast)>& observe_at) {
   ActionMap map;
-  const auto along = [per_side](Meters side, std::size_t i) {
-    return side * ((static_cast<double>(i) + 0.5) / static_cast<double>(per_side));
-  };
-  for (std::size_t i = 0; i < per_side; ++i) {
-    for (std::size_t j = 0; j < per_side; ++j) {
-      const NorthEast place{along(policy.area_size.north, i), along(policy.area_size.east, j)};
-      map.push_back(point_of(policy, place, observe_at(place)));
-    }
-  }
+  for (const NorthEast place : cell_centres(policy.area_size, per_side)) map.push_back(point_of(policy, place, observe_at(place)));
   return map;
 }
 
@@ -60,6 +52,16 @@ bool is_of_the_past(policy::Feature feature) {
 }
 
 }  // namespace
+
+std::vector<NorthEast> cell_centres(NorthEast area_size, std::size_t per_side) {
+  const auto along = [per_side](Meters side, std::size_t i) {
+    return side * ((static_cast<double>(i) + 0.5) / static_cast<double>(per_side));
+  };
+  std::vector<NorthEast> centres;
+  for (std::size_t i = 0; i < per_side * per_side; ++i)
+    centres.push_back({along(area_size.north, i / per_side), along(area_size.east, i % per_side)});
+  return centres;
+}
 
 ActionMap after_a_first_look(const FrozenPolicy& policy, std::size_t per_side, const std::function<policy::Heard(NorthEast)>& heard) {
   const auto memory = std::make_unique<SearchMemory>();

@@ -21,6 +21,9 @@ struct MapPoint {
 /// [per_side x per_side] points from south to north, each row from west to east: the centres of equal cells of the policy's area.
 using ActionMap = std::vector<MapPoint>;
 
+/// The centres of per_side x per_side equal cells of an area, in the order of an ActionMap, relative to its south-west corner.
+[[nodiscard]] std::vector<NorthEast> cell_centres(NorthEast area_size, std::size_t per_side);
+
 /// What the policy does after a first look at each place.
 /// @param heard  what is heard there
 /// Oracle: ActionMap.*

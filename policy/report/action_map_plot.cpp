@@ -5,44 +5,41 @@
 #include <sstream>
 
 #include "policy/report/gnuplot_svg.hpp"
+#include "policy/report/snr_surface.hpp"
 #include "sim/sonar/gnuplot.hpp"
+#include "sim/sonar/snr_scale.hpp"
 
 namespace earshot::report {
 namespace {
+
+using explain::FlownPath;
+
+constexpr const char* kArrowsInWords =
+    "Arrow: the mean of the directions, each weighted by its probability; the shorter, the less they agree. Star: the source.";
 
 std::string block(const std::string& name, const std::string& rows) {
   return "$" + name + " << EOD\n" + rows + "EOD\n";
 }
 
-std::string snr_rows(const ActionMapPicture& picture) {
-  constexpr std::size_t kPerSide = 200;
-  const auto along = [](Meters side, std::size_t i) { return side * ((static_cast<double>(i) + 0.5) / double{kPerSide}); };
-  std::ostringstream rows;
-  for (std::size_t i = 0; i < kPerSide; ++i) {
-    for (std::size_t j = 0; j < kPerSide; ++j) {
-      const NorthEast place{along(picture.policy.area_size.north, i), along(picture.policy.area_size.east, j)};
-      rows << km(place) << ' ' << picture.snr_db(place) << '\n';
-    }
-    rows << '\n';
-  }
-  return rows.str();
+Rectangle area_of(const MapOcean& ocean) {
+  return {.south_west = {}, .north_east = ocean.policy.area_size};
 }
 
 /// Arrows about their places, so that none leans on its neighbour: at most nine tenths of a cell long.
-std::string arrow_rows(const ActionMapPicture& picture) {
-  const double per_side = std::sqrt(static_cast<double>(picture.map.size()));
-  const Meters longest = 0.9 / per_side * std::min(picture.policy.area_size.north, picture.policy.area_size.east);
+std::string arrow_rows(const policy::FrozenPolicy& policy, const explain::ActionMap& arrows) {
+  const double per_side = std::sqrt(static_cast<double>(arrows.size()));
+  const Meters longest = 0.9 / per_side * std::min(policy.area_size.north, policy.area_size.east);
   std::ostringstream rows;
-  for (const explain::MapPoint& point : picture.map) {
+  for (const explain::MapPoint& point : arrows) {
     const NorthEast arrow = (std::max(point.agreement, 0.15) * longest) * point.heading;
     rows << km(point.place - NorthEast{arrow.north / 2.0, arrow.east / 2.0}) << ' ' << km(arrow) << '\n';
   }
   return rows.str();
 }
 
-std::string probability_rows(const ActionMapPicture& picture) {
+std::string probability_rows(const explain::ActionMap& arrows) {
   std::ostringstream rows;
-  for (const explain::MapPoint& point : picture.map) rows << km(point.place) << ' ' << point.probabilities[point.likeliest] << '\n';
+  for (const explain::MapPoint& point : arrows) rows << km(point.place) << ' ' << point.probabilities[point.likeliest] << '\n';
   return rows.str();
 }
 
@@ -57,52 +54,109 @@ std::string belief_rows(const explain::DecisionAccount& account) {
   return rows.str();
 }
 
-std::string track_rows(const ActionMapPicture& picture) {
+std::string track_rows(const MapFlight& flight) {
   std::ostringstream rows;
-  for (const explain::RecordedDecision& look : picture.track) rows << km(look.position - picture.belief->area.south_west) << '\n';
+  for (const explain::RecordedDecision& look : flight.track) rows << km(look.position - flight.belief.area.south_west) << '\n';
   return rows.str();
 }
 
-std::string panel_style(const ActionMapPicture& picture) {
+/// Every path with the number of its steps, a blank line between two.
+std::string path_rows(std::span<const FlownPath> paths) {
+  std::ostringstream rows;
+  for (const FlownPath& path : paths) {
+    for (const NorthEast place : path.places) rows << km(place) << ' ' << path.steps() << '\n';
+    rows << '\n';
+  }
+  return rows.str();
+}
+
+std::string start_rows(std::span<const FlownPath> paths) {
+  std::ostringstream rows;
+  for (const FlownPath& path : paths)
+    rows << km(path.places.front()) << ' ' << path.steps() << ' ' << (path.end == FlownPath::End::kFound ? 1 : 0) << '\n';
+  return rows.str();
+}
+
+/// Margins in shares of the picture, so that both panels are squares of one height whatever stands beside them.
+std::string panel(double left, double right, const std::string& title) {
   std::ostringstream text;
-  text << "set xrange [0:" << picture.policy.area_size.east.value / 1e3 << "]\nset yrange [0:" << picture.policy.area_size.north.value / 1e3
-       << "]\nset xlabel 'east (km)'\nset ylabel 'north (km)'\nset size ratio -1\nset tics out\nunset key\n";
+  text << "set lmargin at screen " << left << "\nset rmargin at screen " << right << "\nset title " << sonar::quoted(title)
+       << " noenhanced\n";
   return text.str();
 }
 
-/// Cold below the detection threshold and warm above it.
-std::string snr_panel(const ActionMapPicture& picture) {
-  const double threshold = picture.policy.detection_threshold.value;
-  std::ostringstream text;
-  text << "set title " << sonar::quoted(picture.heard) << " noenhanced\nset cblabel 'SNR (dB)'\nset cbrange [" << threshold - 20.0 << ':'
-       << threshold + 20.0 << "]\nset palette defined (0 '#081d58', 20 '#a6cee3', 20 '#fee391', 40 '#cc4c02')\n"
-       << "plot $snr with image" << (picture.source ? ", $source with points pt 3 ps 1.8 lw 2 lc rgb 'black'" : "")
-       << (picture.belief ? ", $track with linespoints pt 7 ps 0.6 lw 1.6 lc rgb 'black'" : "") << '\n';
-  return text.str();
+/// What both pictures have in common: heading, the SNR on the left, a sentence below. `right_panel` draws the rest.
+void draw_beside_snr(const std::filesystem::path& path, const MapOcean& ocean, const std::string& blocks, const std::string& right_panel,
+                     const std::string& sentence, bool has_track) {
+  constexpr std::size_t kCellsPerSide = 250;
+  const std::string heading = "What " + ocean.policy_name + " does";
+  std::string text = blocks + block("snr", snr_rows(ocean.curve, ocean.heard_from, area_of(ocean), kCellsPerSide));
+  if (ocean.source) text += block("source", km(*ocean.source) + "\n");
+  text += "set multiplot title " + sonar::quoted(heading) + " noenhanced font ',15'\nset label 1 " + sonar::quoted(sentence) +
+          " at screen 0.5,0.035 center noenhanced\n" + km_ranges(area_of(ocean)) +
+          "set xlabel 'east (km)'\nset ylabel 'north (km)'\nset size ratio -1\nset tics out\nunset key\nset bmargin at screen 0.165\nset "
+          "tmargin "
+          "at screen 0.865\n" +
+          panel(0.05, 0.40, ocean.words) + sonar::snr_scale(ocean.policy.detection_threshold) + "plot $snr with image" +
+          (has_track ? ", $track with linespoints pt 7 ps 0.6 lw 1.6 lc rgb 'black'" : "") +
+          (ocean.source ? ", $source with points pt 3 ps 1.8 lw 2 lc rgb 'black'" : "") + "\nunset label 1\n" + right_panel +
+          "unset multiplot\n";
+  sonar::draw(path, {.title = heading, .size = "1560,780", .commands = text});
 }
 
-std::string action_panel(const ActionMapPicture& picture) {
-  std::string text = "set title " + sonar::quoted(picture.what) + " noenhanced\n";
-  text += picture.belief ? "set cblabel 'believed: 1 where the source is likeliest'\nset cbrange [0:1]\n"
-                           "set palette defined (0 '#ffffff', 0.05 '#fdf2e3', 0.5 '#e9a15b', 1 '#b3541e')\nplot $belief with image"
-                         : "set cblabel 'probability of the likeliest direction'\nset cbrange [0:1]\n"
-                           "set palette defined (0 '#ffffff', 1 '#7fb8dd')\nplot $probability with image";
-  text += ", $arrows using 1:2:3:4 with vectors filled head size 0.35,20,60 lw 1.1 lc rgb '#1d2733'";
-  if (picture.belief) text += ", $track with linespoints pt 7 ps 0.6 lw 1.6 lc rgb '#3f8fc5'";
-  if (picture.source) text += ", $source with points pt 3 ps 1.8 lw 2 lc rgb '#d1126b'";
-  return text + "\n";
+std::string count(std::size_t paths, const char* what) {
+  return paths == 0 ? "" : "; " + std::to_string(paths) + " " + what;
 }
 
 }  // namespace
 
-void draw_action_map(const std::filesystem::path& path, const ActionMapPicture& picture) {
-  std::string text = block("snr", snr_rows(picture)) + block("arrows", arrow_rows(picture));
-  if (picture.source) text += block("source", km(*picture.source) + "\n");
-  text += picture.belief ? block("belief", belief_rows(*picture.belief)) + block("track", track_rows(picture))
-                         : block("probability", probability_rows(picture));
-  sonar::draw(
-      path, "1560,700",
-      text + "set multiplot layout 1,2\n" + panel_style(picture) + snr_panel(picture) + action_panel(picture) + "unset multiplot\n");
+void draw_arrows(const std::filesystem::path& path, const MapOcean& ocean, const explain::ActionMap& arrows, const std::string& words,
+                 const std::optional<MapFlight>& flight) {
+  const std::string blocks = block("arrows", arrow_rows(ocean.policy, arrows)) +
+                             (flight ? block("belief", belief_rows(flight->belief)) + block("track", track_rows(*flight))
+                                     : block("probability", probability_rows(arrows)));
+  std::string text = panel(0.555, 0.905, words) + "set cbrange [0:1]\nset cbtics 0.2\n";
+  text += flight ? "set cblabel 'believed: 1 where the source is likeliest'\n"
+                   "set palette defined (0 '#ffffff', 0.05 '#fdf2e3', 0.5 '#e9a15b', 1 '#b3541e')\nplot $belief with image"
+                 : "set cblabel 'probability of the likeliest direction'\n"
+                   "set palette defined (0 '#ffffff', 1 '#7fb8dd')\nplot $probability with image";
+  text += ", $arrows using 1:2:3:4 with vectors filled head size 0.35,20,60 lw 1.1 lc rgb '#1d2733'";
+  if (flight) text += ", $track with linespoints pt 7 ps 0.6 lw 1.6 lc rgb '#c2127a'";
+  if (ocean.source) text += ", $source with points pt 3 ps 1.8 lw 2 lc rgb 'black'";
+  draw_beside_snr(path, ocean, blocks, text + "\n", std::string(kArrowsInWords) + (flight ? " Dots: where the vehicle has been." : ""),
+                  flight.has_value());
+}
+
+void draw_paths(const std::filesystem::path& path, const MapOcean& ocean, std::span<const FlownPath> paths) {
+  const auto longest = std::ranges::max_element(paths, {}, &FlownPath::steps);
+  std::ostringstream text;
+  text << panel(0.555, 0.905, "where it goes: searches without noise, the likeliest action at every step")
+       << "set cblabel 'steps of the path'\n"
+       << "set cbrange [0:" << longest->steps() << "]\nset cbtics autofreq\n"
+       << "set palette defined (0 '#1d5c8a', 0.5 '#8a5aa8', 1 '#d1495b')\n"
+       << "plot $snr using 1:2:($3>=" << ocean.policy.detection_threshold.value
+       << "?226:255):($3>=" << ocean.policy.detection_threshold.value << "?236:255):($3>=" << ocean.policy.detection_threshold.value
+       << "?244:255) with rgbimage, $paths using 1:2:3 with lines lw 1.8 lc palette, "
+          "$starts using 1:($4==1?$2:1/0):3 with points pt 7 ps 1 lc palette, $starts using 1:($4==0?$2:1/0):3 with points pt 2 ps 1.4 lw "
+          "3 lc "
+          "palette, $source with points pt 3 ps 1.8 lw 2 lc rgb 'black'\n";
+  draw_beside_snr(path, ocean, block("paths", path_rows(paths)) + block("starts", start_rows(paths)), text.str(),
+                  paths_in_words(paths) + ". Dot: a start; cross: one that does not find it. Pale: the source (star) is heard.", false);
+}
+
+std::string paths_in_words(std::span<const FlownPath> paths) {
+  std::vector<std::size_t> steps;
+  std::size_t left = 0;
+  for (const FlownPath& path : paths) {
+    if (path.end == FlownPath::End::kFound) steps.push_back(path.steps());
+    if (path.end == FlownPath::End::kLeft) ++left;
+  }
+  std::ranges::sort(steps);
+  std::string text = std::to_string(steps.size()) + " of " + std::to_string(paths.size()) + " find the source";
+  if (!steps.empty())
+    text += ", after " + std::to_string(steps.front()) + " to " + std::to_string(steps.back()) + " steps (median " +
+            std::to_string(steps[steps.size() / 2]) + ")";
+  return text + count(left, "leave the area") + count(paths.size() - steps.size() - left, "are still searching when they end");
 }
 
 }  // namespace earshot::report

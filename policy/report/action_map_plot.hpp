@@ -1,30 +1,47 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "policy/explain/action_map.hpp"
 #include "policy/explain/decision_account.hpp"
+#include "policy/explain/flown_paths.hpp"
+#include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::report {
 
-/// What stands beside and under the arrows. Places are relative to the area's south-west corner.
-struct ActionMapPicture {
+/// The left panel of a picture of what a policy does, and its heading. Places are relative to the area's south-west corner.
+struct MapOcean {
   const policy::FrozenPolicy& policy;
-  const explain::ActionMap& map;            ///< square
-  std::function<double(NorthEast)> snr_db;  ///< heard at a place
-  std::optional<NorthEast> source;
-  std::string heard;                                      ///< over the SNR: whose ocean it is
-  std::string what;                                       ///< over the arrows: "after a first look at each place"
-  const explain::DecisionAccount* belief = nullptr;       ///< drawn under the arrows in place of the probability of the likeliest direction
-  std::span<const explain::RecordedDecision> track = {};  ///< drawn with the belief
+  std::string policy_name;  ///< over both panels
+  const sonar::SnrCurve& curve;
+  NorthEast heard_from;             ///< whence it sounds
+  std::string words;                ///< whose ocean it is
+  std::optional<NorthEast> source;  ///< marked, where one knows it
 };
 
-/// Two panels: the SNR over the policy's area, and the policy's mean direction on a grid, longer where its probabilities agree.
-/// @param path  .png or .svg. Throws as sonar::draw does.
-void draw_action_map(const std::filesystem::path& path, const ActionMapPicture& picture);
+/// What a flight has heard and believes, drawn under the arrows.
+struct MapFlight {
+  const explain::DecisionAccount& belief;
+  std::span<const explain::RecordedDecision> track;
+};
+
+/// Two panels: the SNR over the policy's area, and the policy's mean direction on a grid, longer where its probabilities agree, over the
+/// probability of the likeliest direction or over a flight's belief.
+/// @param path    .png or .svg. Throws as sonar::draw does.
+/// @param arrows  square
+/// @param words   over the arrows
+void draw_arrows(const std::filesystem::path& path, const MapOcean& ocean, const explain::ActionMap& arrows, const std::string& words,
+                 const std::optional<MapFlight>& flight = std::nullopt);
+
+/// Two panels: the SNR over the policy's area, and where the policy goes from all over it, coloured by the number of its steps.
+/// @param path   .png or .svg. Throws as sonar::draw does.
+/// @param paths  of searches for `ocean.source`, at least one
+void draw_paths(const std::filesystem::path& path, const MapOcean& ocean, std::span<const explain::FlownPath> paths);
+
+/// "62 of 64 find the source, after 3 to 31 steps (median 14); 2 leave the area"
+[[nodiscard]] std::string paths_in_words(std::span<const explain::FlownPath> paths);
 
 }  // namespace earshot::report

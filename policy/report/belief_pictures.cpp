@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include "policy/report/gnuplot_svg.hpp"
 
@@ -50,13 +49,6 @@ void write_looks(const fs::path& path, std::span<const explain::RecordedDecision
   for (const explain::RecordedDecision& look : looks) out << km(look.position) << ' ' << (look.detected ? 1 : 0) << '\n';
 }
 
-std::string ranges(const Rectangle& area) {
-  std::ostringstream text;
-  text << "set xrange [" << area.south_west.east.value / 1e3 << ':' << area.north_east.east.value / 1e3 << "]\nset yrange ["
-       << area.south_west.north.value / 1e3 << ':' << area.north_east.north.value / 1e3 << "]\n";
-  return text.str();
-}
-
 /// The datasets stand in files of the folder, `name` their common beginning.
 std::string plot_of(const PlotFolder& folder, const std::string& name, const BeliefPicture& picture) {
   const explain::DecisionAccount& account = picture.account;
@@ -69,21 +61,24 @@ std::string plot_of(const PlotFolder& folder, const std::string& name, const Bel
                                             << km(account.decision.waypoint - account.decision.position) << "\n\n\n"
                                             << (picture.source ? km(*picture.source) : "") << '\n';
   const auto file = [&name](const char* suffix) { return "'" + name + suffix + "'"; };
-  std::string text = "set output '" + name + ".svg'\n" + ranges(account.area);
-  text += "plot " + file(".belief") + " using 1:2:3 with image notitle, \\\n";
+  std::string text = "set output '" + name + ".svg'\n" + km_ranges(account.area);
+  text += "plot " + file(".belief") + " using 1:2:3 with image pixels notitle, \\\n";
   text += " keyentry with points pt 5 ps 1.6 lc rgb '#b3541e' title '50 % area', \\\n";
   text += " keyentry with points pt 5 ps 1.6 lc rgb '#e9a15b' title '80 %', \\\n";
   text += " keyentry with points pt 5 ps 1.6 lc rgb '#f6dcb8' title '95 %', \\\n";
-  text += file(".ellipse") + " using 1:2 with lines lw 1.6 dt 2 lc rgb '#7a3fb0' title 'one std. dev.', \\\n";
-  text += file(".looks") + " using 1:2 with lines lw 1.6 lc rgb '#3f8fc5' title 'track', \\\n";
-  text += file(".looks") + " using 1:($3==0?$2:1/0) with points pt 6 ps 0.6 lw 1.4 lc rgb '#3f8fc5' title 'nothing heard', \\\n";
-  text += file(".looks") + " using 1:($3==1?$2:1/0) with points pt 7 ps 0.6 lc rgb '#1f8a5f' title 'source heard', \\\n";
-  text += file(".marks") +
-          " index 2 using 1:2:3:4 with vectors filled head size screen 0.018,20,60 lw 2.6 lc rgb '#d1126b' title 'taken', \\\n";
-  text += file(".marks") + " index 0 using 1:2 with points pt 1 ps 1.5 lw 3 lc rgb '#7a3fb0' title 'likeliest', \\\n";
-  text += file(".marks") + " index 1 using 1:2 with points pt 2 ps 1.2 lw 2.5 lc rgb '#7a3fb0' title 'mean'";
+  text += file(".ellipse") + " using 1:2 with lines lw 1.8 dt (6,4) lc rgb '#2f7fc0' title 'one std. dev.', \\\n";
+  text += file(".looks") + " using 1:2 with lines lw 2.4 lc rgb '#c2127a' title 'track', \\\n";
+  text += file(".looks") + " using 1:2 with points pt 7 ps 0.72 lc rgb 'white' notitle, \\\n";
+  text += file(".looks") + " using 1:($3==0?$2:1/0) with points pt 6 ps 0.6 lc rgb '#c2127a' title 'nothing heard', \\\n";
+  text += file(".looks") + " using 1:($3==1?$2:1/0) with points pt 7 ps 0.72 lc rgb '#c2127a' title 'source heard', \\\n";
+  text += file(".marks") + " index 2 using 1:2:3:4 with vectors filled head size screen 0.018,20,60 lw 2.6 lc rgb 'black' notitle, \\\n";
+  text += std::string(" keyentry with vectors filled head size screen 0.018,20,60 lw 2.6 lc ") + kInk + " title 'taken', \\\n";
+  text += file(".marks") + " index 0 using 1:2 with points pt 1 ps 1.5 lc rgb '#2f7fc0' title 'likeliest', \\\n";
+  text += file(".marks") + " index 1 using 1:2 with points pt 2 ps 1.2 lc rgb '#2f7fc0' title 'mean'";
   if (picture.source)
-    text += ", \\\n" + file(".marks") + " index 3 using 1:2 with points pt 3 ps 1.5 lw 2.5 lc rgb '#888888' title 'true source'";
+    text += ", \\\n" + file(".marks") +
+            " index 3 using 1:2 with points pt 3 ps 1.3 lc rgb 'black' notitle, \\\n keyentry with points pt 3 ps 1.3 lc " + kInk +
+            " title 'true source'";
   return text + "\n";
 }
 
@@ -92,24 +87,26 @@ std::string plot_of(const PlotFolder& folder, const std::string& name, const Bel
 std::vector<std::string> belief_svgs(const std::vector<BeliefPicture>& pictures) {
   if (pictures.empty()) return {};
   const PlotFolder folder;
-  std::string script = std::string("set terminal svg size 700,520 dynamic enhanced font 'sans-serif,13'\n") + kPlotStyle + R"(
+  std::string script = page_style("600,760") + R"(
 set size ratio -1
-set lmargin at screen 0.10
-set rmargin at screen 0.74
-set tmargin at screen 0.97
-set bmargin at screen 0.12
+set lmargin at screen 0.11
+set rmargin at screen 0.97
+set bmargin at screen 0.307
+set tmargin at screen 0.986
 set xlabel 'east (km)'
-set ylabel 'north (km)'
+set ylabel 'north (km)' offset 1,0
 set cbrange [1:3]
 set palette defined (1 '#f6dcb8', 2 '#e9a15b', 3 '#b3541e')
 unset colorbox
-set key at screen 0.99,0.95 right top
+set key at screen 0.53,0.215 center top vertical maxrows 4
+set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb 'white' fillstyle solid noborder
 )";
-  std::vector<std::string> outputs;
+  std::vector<SvgOutput> outputs;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const std::string name = "belief" + std::to_string(i);
     script += plot_of(folder, name, pictures[i]);
-    outputs.push_back(name + ".svg");
+    outputs.push_back({.file = name + ".svg",
+                       .title = "Where the source is believed to be at step " + std::to_string(pictures[i].account.decision.step)});
   }
   return svgs_from(folder, script, outputs);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <cstdlib>
 #include <numbers>
 
 #include "firmware/core/math.hpp"
@@ -86,21 +86,38 @@ std::string because_sentence(const DecisionAccount& a) {
   return text + ".";
 }
 
-std::string bar_cell(double part, double largest) {
-  const double width = largest > 0.0 ? 7.0 * std::abs(part) / largest : 0.0;
-  return std::string("<td class=\"p ") + (part >= 0.0 ? "for" : "against") +
-         "\" style=\"min-width:7.4rem\"><i style=\"width:" + fixed(width, 2) + "rem\"></i>" + (part >= 0.0 ? "+" : "") + fixed(part, 2) +
-         "</td>";
+constexpr const char* kTimes = "\u00D7 ";
+
+/// "20 000"
+std::string grouped(long number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, "\u202F");
+  return digits;
+}
+
+/// An exponent as it stands beside a ten.
+std::string superscript(int power) {
+  constexpr std::array<const char*, 10> kDigits{"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
+                                                "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text = power < 0 ? "\u207B" : "";
+  for (const char digit : std::to_string(std::abs(power))) text += kDigits[static_cast<std::size_t>(digit - '0')];
+  return text;
+}
+
+/// What a part of the log-probability is: its number, its bar and what it does to the chance.
+std::string part_cells(double part, double largest) {
+  return "<td>" + std::string(part >= 0.0 ? "+" : "") + fixed(part, 2) + "</td>" + signed_bar_cell(largest > 0.0 ? part / largest : 0.0) +
+         "<td>" + factor_in_words(part) + "</td>";
 }
 
 std::string observed_row(const explain::ObservedAccount& o, double largest) {
   return "<tr><td class=\"left\">" + escaped(o.name) + "</td><td>" + o.value + "</td><td>" + o.baseline + "</td>" +
-         bar_cell(o.part, largest) + "<td>" + factor_in_words(o.part) + "</td></tr>\n";
+         part_cells(o.part, largest) + "</tr>\n";
 }
 
 constexpr const char* kObservedHead =
     "<div class=\"table\"><table>\n<tr><th "
-    "class=\"left\">observation</th><th>seen</th><th>baseline</th><th>nats</th><th>chance</th></tr>\n";
+    "class=\"left\">observation</th><th>seen</th><th>baseline</th><th>nats</th><th>against, for</th><th>chance</th></tr>\n";
 
 double largest_part(const std::vector<explain::ObservedAccount>& observed) {
   double largest = 0.0;
@@ -128,10 +145,11 @@ std::string completeness_in_words(const explain::Attribution& a) {
 
 std::string factor_in_words(double part) {
   const double factor = std::exp(part);
-  if (factor >= 0.01 && factor < 100.0) return "\u00D7 " + fixed(factor, 2);
-  std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "\u00D7 %.0e", factor);
-  return text.data();
+  if (factor >= 0.01 && factor < 100.0) return kTimes + fixed(factor, 2);
+  const int power = static_cast<int>(std::floor(std::log10(factor)));
+  if (power < -4 || power > 5) return kTimes + fixed(factor / std::pow(10.0, power), 1) + "\u00B7" + "10" + superscript(power);
+  const double unit = std::pow(10.0, power - 1);  // two digits are certain
+  return kTimes + (power < 0 ? fixed(factor, 1 - power) : grouped(std::lround(std::round(factor / unit) * unit)));
 }
 
 std::string heard_in_words(policy::Heard heard) {
@@ -159,7 +177,7 @@ std::string actions_table(const DecisionAccount& a) {
     const explain::ActionAccount& action = a.actions[i];
     const bool is_taken = i == a.decision.action;
     text += std::string("<tr><td class=\"left\">") + (is_taken ? "<b>" + action.name + "</b> taken" : action.name) + "</td>" +
-            percent_cell(action.probability, 6.0, is_taken) + "<td>" + fixed(action.hear.snr.value, 1) + " &plusmn; " +
+            percent_cell("", action.probability, is_taken) + "<td>" + fixed(action.hear.snr.value, 1) + " &plusmn; " +
             fixed(action.hear.spread.value, 1) + "</td><td>" + fixed(100.0 * action.detected, 0) + "</td><td>" +
             fixed(100.0 * action.found, 1) + "</td><td>" + fixed(action.approach.value / 1e3, 2) + "</td><td>" +
             (action.border > 0.0 ? fixed(action.border, 2) : "-") + "</td></tr>\n";
@@ -169,16 +187,14 @@ std::string actions_table(const DecisionAccount& a) {
 
 std::string attribution_tables(const DecisionAccount& a, std::size_t rows) {
   const std::vector<explain::ObservedAccount> top = explain::weightiest(a, rows);
-  const double largest = largest_part(top);
-  std::string text = kObservedHead;
   double rest = a.attribution.sum();
-  for (const explain::ObservedAccount& o : top) {
-    text += observed_row(o, largest);
-    rest -= o.part;
-  }
+  for (const explain::ObservedAccount& o : top) rest -= o.part;
+  const double largest = std::max(largest_part(top), std::abs(rest));
+  std::string text = kObservedHead;
+  for (const explain::ObservedAccount& o : top) text += observed_row(o, largest);
   if (a.observed.size() > top.size())
     text += "<tr><td class=\"left\">the other " + std::to_string(a.observed.size() - top.size()) + "</td><td></td><td></td>" +
-            bar_cell(rest, largest) + "<td>" + factor_in_words(rest) + "</td></tr>\n";
+            part_cells(rest, largest) + "</tr>\n";
   text += "</table></div>\n<p>In all";
   const char* separator = ": ";
   for (const explain::SubjectAccount& subject : explain::by_subject(a)) {

@@ -7,21 +7,37 @@
 namespace earshot::report {
 namespace {
 
+/// Three readers: a screen of any width, light or dark, and paper. Below 40rem a table of decisions becomes a list whose cells name
+/// themselves; nothing stands beyond the edge of the page but a table that is scrolled by itself.
 constexpr std::string_view kStyle = R"(
-:root { color-scheme: light dark; --ink: #1d2733; --soft: #5c6b7a; --line: #d9e0e7; --paper: #ffffff; --card: #f4f7fa; --bar: #3f8fc5; --good: #1f8a5f; --bad: #b5371c; }
-@media (prefers-color-scheme: dark) { :root { --ink: #e4eaf0; --soft: #9aa8b5; --line: #2d3843; --paper: #12181f; --card: #1a222b; --bar: #5aa9dc; --good: #46c493; --bad: #e8734f; } }
-body { margin: 0 auto; max-width: 62rem; padding: 2rem 1.25rem 4rem; background: var(--paper); color: var(--ink); font: 16px/1.5 system-ui, sans-serif; }
-h1 { font-size: 1.7rem; margin: 0 0 .25rem; } h2 { font-size: 1.15rem; margin: 2.25rem 0 .75rem; } p { color: var(--soft); margin: .25rem 0; }
+:root { color-scheme: light dark; --ink: #1d2733; --soft: #5c6b7a; --line: #d9e0e7; --paper: #ffffff; --card: #f4f7fa; --bar: #3f8fc5; --good: #1a7a54; --bad: #b5371c; }
+@media screen and (prefers-color-scheme: dark) { :root { --ink: #e4eaf0; --soft: #9aa8b5; --line: #2d3843; --paper: #12181f; --card: #1a222b; --bar: #5aa9dc; --good: #46c493; --bad: #e8734f; } }
+body { margin: 0 auto; max-width: 62rem; padding: 2rem 1.25rem 4rem; background: var(--paper); color: var(--ink); font: 16px/1.5 system-ui, sans-serif; overflow-wrap: anywhere; }
+h1 { font-size: 1.7rem; line-height: 1.25; margin: 0 0 .25rem; } h2 { font-size: 1.15rem; margin: 2.25rem 0 .75rem; } p { color: var(--soft); margin: .25rem 0; }
 .found { color: var(--good); } .missed { color: var(--bad); }
 dl { display: grid; grid-template-columns: repeat(auto-fit, minmax(9.5rem, 1fr)); gap: .75rem; margin: 1.25rem 0 0; }
 dl div { background: var(--card); border-radius: .5rem; padding: .6rem .8rem; } dt { color: var(--soft); font-size: .82rem; } dd { margin: 0; font-size: 1.2rem; font-variant-numeric: tabular-nums; }
-svg { width: 100%; height: auto; } .table { overflow-x: auto; }
-table { border-collapse: collapse; width: 100%; font-size: .85rem; font-variant-numeric: tabular-nums; } th { text-align: right; color: var(--soft); font-weight: 600; }
-th, td { padding: .2rem .5rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; } .heard { color: var(--good); }
-td.p { position: relative; min-width: 2.6rem; } td.p i { position: absolute; inset: .2rem auto .2rem .2rem; background: var(--bar); opacity: .35; border-radius: 2px; } td.p.taken { font-weight: 700; }
-th.left, td.left { text-align: left; white-space: normal; } td.for i { background: var(--good); } td.against i { background: var(--bad); }
-.two { display: grid; grid-template-columns: repeat(auto-fit, minmax(22rem, 1fr)); gap: 1.25rem; align-items: start; } .words { color: var(--ink); } .words li { margin: .2rem 0; }
-.chart { max-width: 42rem; margin: 0 auto; } .chart image { image-rendering: pixelated; } summary { cursor: pointer; color: var(--soft); } tr.why > td { text-align: left; white-space: normal; border-bottom: 1px solid var(--line); padding-bottom: .6rem; } h3 { font-size: 1rem; margin: 1rem 0 .4rem; }
+.chart { max-width: 38rem; margin: 0 auto; } .chart svg { display: block; width: 100%; height: auto; } .cells image { image-rendering: pixelated; }
+.table { overflow-x: auto; }
+table { border-collapse: collapse; width: 100%; font-size: .85rem; font-variant-numeric: tabular-nums; } th { color: var(--soft); font-weight: 600; vertical-align: bottom; }
+th, td { padding: .2rem .5rem; border-bottom: 1px solid var(--line); text-align: right; overflow-wrap: normal; } td { white-space: nowrap; } .heard { color: var(--good); }
+td.p { position: relative; min-width: 1.8rem; } td.p.wide { min-width: 6rem; } td.p i { position: absolute; left: .2rem; top: .2rem; bottom: .2rem; width: calc(var(--share) * (100% - .4rem)); background: var(--bar); opacity: .35; border-radius: 2px; } td.p.taken { font-weight: 700; }
+td.part { min-width: 6rem; padding: .2rem 0; } td.part b { display: block; position: relative; height: 1em; background: linear-gradient(var(--soft), var(--soft)) 50% / 1px 100% no-repeat; } td.part i { position: absolute; top: 0; bottom: 0; width: calc(var(--share) * 50%); opacity: .55; } td.part .for { left: 50%; background: var(--good); } td.part .against { right: 50%; background: var(--bad); }
+th.left, td.left { text-align: left; white-space: normal; } .words { color: var(--ink); padding-left: 1.2rem; } .words li { margin: .2rem 0; }
+summary { cursor: pointer; color: var(--soft); } tr.why > td { text-align: left; white-space: normal; overflow-wrap: anywhere; padding-bottom: .6rem; } tr.step > td { border-bottom: 0; }
+@media screen and (max-width: 40rem) {
+  body { padding: 1.25rem .9rem 3rem; } dl { grid-template-columns: repeat(auto-fit, minmax(8rem, 1fr)); gap: .5rem; }
+  .decisions { display: block; } .decisions > tbody { display: block; } .decisions > thead { display: none; }
+  tr.step { display: grid; grid-template-columns: repeat(40, minmax(0, 1fr)); padding-top: .5rem; } tr.step > td { grid-column: span 8; text-align: left; padding: .1rem .2rem; } tr.step > td.p { grid-column: span 5; min-width: 0; } tr.step > td:last-child { grid-column: span 40; } tr.step > td:empty { display: none; }
+  tr.step > td[data-name]::before { content: attr(data-name); display: block; color: var(--soft); font-size: .72rem; font-weight: 400; }
+  tr.why, tr.why > td { display: block; padding-left: 0; padding-right: 0; }
+  th, td { padding: .2rem .12rem; font-size: .72rem; } th { font-size: .64rem; } td.p.wide, td.part { min-width: 2.4rem; }
+}
+@media print {
+  @page { margin: 14mm; } :root { font-size: 11px; } body { max-width: none; padding: 0; font-size: 11px; } * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  .table { overflow: visible; } th, td { padding: .15rem .3rem; } td.p.wide, td.part { min-width: 4rem; } .chart { max-width: 30rem; }
+  thead { display: table-header-group; } tr.step, .decisions .table, .chart, dl div { break-inside: avoid; } tr.step, h2, summary { break-after: avoid; }
+}
 )";
 
 }  // namespace
@@ -33,28 +49,20 @@ std::string html_head(const std::string& title) {
          escaped(title) + "</title><style>" + std::string(kStyle) + "</style></head><body>\n";
 }
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string fact(std::string_view name, const std::string& value) {
   return "<div><dt>" + std::string(name) + "</dt><dd>" + value + "</dd></div>\n";
 }
 
-std::string percent_cell(double share, double full_rem, bool is_taken) {
-  return std::string("<td class=\"p") + (is_taken ? " taken" : "") + "\" style=\"min-width:" + explain::fixed(full_rem + 0.4, 1) +
-         "rem\"><i style=\"width:" + explain::fixed(full_rem * share, 2) + "rem\"></i>" + explain::fixed(100.0 * share, 0) + "</td>";
+std::string percent_cell(std::string_view name, double share, bool is_taken) {
+  const std::string opened = name.empty() ? "<td class=\"p wide" : "<td data-name=\"" + std::string(name) + "\" class=\"p";
+  const std::string percent = explain::fixed(100.0 * share, 0);
+  const std::string bar = percent == "0" ? "" : "<i style=\"--share:" + explain::fixed(share, 3) + "\"></i>";
+  return opened + (is_taken ? " taken" : "") + "\">" + bar + percent + "</td>";
+}
+
+std::string signed_bar_cell(double share) {
+  return std::string("<td class=\"part\"><b><i class=\"") + (share >= 0.0 ? "for" : "against") +
+         "\" style=\"--share:" + explain::fixed(std::abs(share), 3) + "\"></i></b></td>";
 }
 
 std::string duration(double s) {

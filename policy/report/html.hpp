@@ -3,19 +3,26 @@
 #include <string>
 #include <string_view>
 
+#include "sim/sonar/gnuplot.hpp"
+
 namespace earshot::report {
 
 /// From the doctype to the opened body: a page that needs no other file, light or dark as the reader has it.
 [[nodiscard]] std::string html_head(const std::string& title);
 inline constexpr std::string_view kHtmlEnd = "</body></html>\n";
 
-[[nodiscard]] std::string escaped(std::string_view text);
+using sonar::escaped;
 
 /// "<dt>..<dd>" in a box; belongs into a <dl>.
 [[nodiscard]] std::string fact(std::string_view name, const std::string& value);
 
-/// A cell in percent whose background is a bar, `full_rem` long where the share is one.
-[[nodiscard]] std::string percent_cell(double share, double full_rem, bool is_taken);
+/// A cell in percent whose background is a bar, as long as the cell where the share is one.
+/// @param name  of one of many columns, shown in the cell where a narrow screen has no room for the table's head; none: a wide column
+[[nodiscard]] std::string percent_cell(std::string_view name, double share, bool is_taken);
+
+/// A cell with a bar from its middle to the right for what speaks for a choice, to the left for what speaks against it.
+/// @param share  of the longest bar in the column, -1 to 1
+[[nodiscard]] std::string signed_bar_cell(double share);
 
 /// "47 min" or "1 h 12 min"
 [[nodiscard]] std::string duration(double s);

@@ -18,12 +18,14 @@ using explain::fixed;
 
 constexpr std::size_t kRowsOfAttribution = 5;
 
+/// The flight's summary counts a step that the source cut short as the others: one count, with a word about the last.
 std::string headline(const nlohmann::json& s) {
-  const bool found = s.at("found");
-  const std::string steps = std::to_string(s.at("steps").get<int>()) + " steps";
-  std::string text = found ? "<h1 class=\"found\">Source found after " + steps + "</h1>\n"
-                           : "<h1 class=\"missed\">Source not found in " + steps + "</h1>\n";
-  if (!found) text += "<p>The mission ended because: " + escaped(s.at("end_reason").get<std::string>()) + "</p>\n";
+  const int steps = s.at("steps");
+  const std::string count = std::to_string(steps) + (steps == 1 ? " step" : " steps");
+  std::string text = s.at("found").get<bool>() ? "<h1 class=\"found\">Source found after " + count + "</h1>\n"
+                                               : "<h1 class=\"missed\">Source not found in " + count + "</h1>\n";
+  if (!s.at("found").get<bool>()) text += "<p>The mission ended because: " + escaped(s.at("end_reason").get<std::string>()) + "</p>\n";
+  if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
   return text + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
          escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";
 }
@@ -48,13 +50,18 @@ std::vector<double> probabilities_of(const explain::RecordedDecision& d) {
   return {p.begin(), p.end()};
 }
 
-std::string row(const explain::RecordedDecision& d) {
-  std::string text = "<tr><td>" + std::to_string(d.step) + "</td><td>" + duration(d.time_s) + "</td><td>" +
-                     fixed(d.position.north.value / 1e3, 2) + "</td><td>" + fixed(d.position.east.value / 1e3, 2) + "</td><td" +
-                     (d.detected ? " class=\"heard\"" : "") + ">" + (d.heard.measured ? "" : "&lt; ") + fixed(d.heard.snr.value, 1) +
-                     (d.detected ? " &#9679;" : "") + "</td>";
+std::string cell(std::string_view name, const std::string& value, const char* of_class = "") {
+  return "<td data-name=\"" + std::string(name) + "\"" + (*of_class != 0 ? " class=\"" + std::string(of_class) + "\"" : "") + ">" + value +
+         "</td>";
+}
+
+std::string row(const explain::RecordedDecision& d, const std::vector<std::string>& directions) {
+  std::string text = "<tr class=\"step\">" + cell("step", std::to_string(d.step)) + cell("at", duration(d.time_s)) +
+                     cell("north (km)", fixed(d.position.north.value / 1e3, 2)) + cell("east (km)", fixed(d.position.east.value / 1e3, 2)) +
+                     cell("SNR (dB)", (d.heard.measured ? "" : "&lt; ") + fixed(d.heard.snr.value, 1) + (d.detected ? " &#9679;" : ""),
+                          d.detected ? "heard" : "");
   const std::vector<double> probabilities = probabilities_of(d);
-  for (std::size_t a = 0; a < probabilities.size(); ++a) text += percent_cell(probabilities[a], 2.2, a == d.action);
+  for (std::size_t a = 0; a < probabilities.size(); ++a) text += percent_cell(directions[a], probabilities[a], a == d.action);
   return text + "<td>" + (d.overridden ? "way-point moved" : "") + "</td></tr>\n";
 }
 
@@ -62,24 +69,29 @@ std::string reasons(const explain::DecisionAccount& account, const std::string& 
   std::string text = "<tr class=\"why\"><td colspan=\"" + std::to_string(columns) + "\"><details><summary>why " +
                      account.actions[account.decision.action].name + "</summary>\n<ul class=\"words\">\n";
   for (const std::string& sentence : sentences(account)) text += "<li>" + escaped(sentence) + "</li>\n";
-  return text + "</ul>\n<div class=\"chart\">" + chart + "</div>\n" + actions_table(account) +
+  return text + "</ul>\n<div class=\"chart cells\">" + chart + "</div>\n" + actions_table(account) +
          attribution_tables(account, kRowsOfAttribution) + "</details></td></tr>\n";
 }
 
 std::string decisions(const Flight& flight, const FlightExplanation& explanation) {
   const std::vector<explain::RecordedDecision>& taken = flight.journal.decisions;
   if (taken.empty()) return "<p>The policy took no decision.</p>\n";
-  const std::size_t count = taken.front().logits.size();
-  std::string text = "<p>Percent: how likely the policy made each direction; bold: the one taken; &#9679;: source heard.</p>\n";
+  std::string text =
+      "<p>Percent: how likely the policy made each direction; bold: the one taken; &#9679;: source heard. The first decision is that of "
+      "step 0.</p>\n";
   if (!explanation.why_not.empty()) text += "<p>Not explained: " + escaped(explanation.why_not) + "</p>\n";
-  text += "<div class=\"table\"><table>\n<tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR (dB)</th>";
-  for (const UnitNorthEast& direction : directions_of(count)) text += "<th>" + explain::direction_name(direction) + "</th>";
-  text += "<th>safety</th></tr>\n";
+  text +=
+      "<div class=\"table\"><table class=\"decisions\">\n<thead><tr><th>step</th><th>at</th><th>north (km)</th><th>east (km)</th><th>SNR "
+      "(dB)</th>";
+  std::vector<std::string> directions;
+  for (const UnitNorthEast& direction : directions_of(taken.front().logits.size()))
+    text += "<th>" + directions.emplace_back(explain::direction_name(direction)) + "</th>";
+  text += "<th>safety</th></tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < taken.size(); ++i) {
-    text += row(taken[i]);
-    if (i < explanation.accounts.size()) text += reasons(explanation.accounts[i], explanation.charts[i], count + 6);
+    text += row(taken[i], directions);
+    if (i < explanation.accounts.size()) text += reasons(explanation.accounts[i], explanation.charts[i], directions.size() + 6);
   }
-  return text + "</table></div>\n";
+  return text + "</tbody></table></div>\n";
 }
 
 }  // namespace
@@ -102,8 +114,9 @@ std::string page(const Flight& flight, const Pictures& pictures, const FlightExp
   std::string text = html_head("Earshot: one search") + headline(flight.summary) + facts(flight.summary);
   if (!flight.journal.is_whole)
     text += "<p class=\"missed\">The journal does not end with a whole record: the runtime was stopped while it wrote.</p>\n";
-  text += "<h2>Where it went</h2>\n<p>SNR at the vehicle's depth; warm colours: loud enough to be heard.</p>\n" + pictures.map;
-  text += "<h2>What it heard</h2>\n" + pictures.history;
+  text += "<h2>Where it went</h2>\n<p>SNR at the vehicle's depth. Warm colours: the source is heard, " +
+          fixed(flight.summary.at("detection_threshold_db"), 0) + " dB or more.</p>\n<div class=\"chart\">" + pictures.map + "</div>\n";
+  text += "<h2>What it heard</h2>\n<div class=\"chart\">" + pictures.history + "</div>\n";
   text += "<h2>What it decided, and why</h2>\n" + decisions(flight, explanation);
   return text + std::string(kHtmlEnd);
 }

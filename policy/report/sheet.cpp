@@ -41,7 +41,7 @@ std::string as_html(const Sheet& sheet) {
   if (!notes(sheet).empty()) text += "<p class=\"missed\">" + notes(sheet) + "</p>\n";
   text += "<ul class=\"words\">\n";
   for (const std::string& sentence : sentences(a)) text += "<li>" + escaped(sentence) + "</li>\n";
-  text += "</ul>\n<h2>Where the source is believed to be</h2>\n<div class=\"chart\">" +
+  text += "</ul>\n<h2>Where the source is believed to be</h2>\n<div class=\"chart cells\">" +
           belief_svgs({{.account = a, .looks = sheet.looks(), .source = sheet.flight.source}}).front() + "</div>\n";
   text += "<h2>What it could do</h2>\n" + actions_table(a);
   text +=

@@ -9,6 +9,7 @@
 
 #include "sim/sonar/gnuplot.hpp"
 #include "sim/sonar/horizontal_map.hpp"
+#include "sim/sonar/snr_scale.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -48,15 +49,6 @@ std::string sea_floor(const SonarField& field) {
     data << field.range_m[i] / 1000.0 << ' ' << field.sea_floor_depth_m[i] << '\n';
   data << field.range_m.back() / 1000.0 << ' ' << field.sea_floor_depth_m.back() << '\n';
   return data.str();
-}
-
-/// Cold below the threshold and warm above it, so that the colour change is the edge of detection.
-std::string snr_colours(Decibels detection_threshold) {
-  const double threshold = detection_threshold.value;
-  std::ostringstream text;
-  text << "set cblabel 'SNR (dB)' offset 1,0\nset cbrange [" << threshold - 20.0 << ':' << threshold + 30.0 << "]\nset cbtics 10\n"
-       << "set palette defined (0 '#081d58', 20 '#bdd7e7', 20 '#fff3b0', 50 '#a63603')\n";
-  return text.str();
 }
 
 constexpr const char* kProbabilityColours =
@@ -132,13 +124,14 @@ void plot_field(const std::filesystem::path& path, const SonarField& field, cons
   std::ostringstream text;
   text << title(environment.name, subtitle.str()) << "set xlabel 'range (km)'\nset ylabel 'depth (m)'\nset yrange [" << bottom_m
        << ":0]\nset xrange [0:" << field.range_m.back() / 1000.0 << "]\n"
-       << snr_colours(detection_threshold) << "set tics out nomirror\nset key below samplen 2\nset style fill solid\n$field << EOD\n"
+       << snr_scale(detection_threshold)
+       << "set tics out nomirror\nset key below reverse Left samplen 2 maxrows 1\nset style fill solid\n$field << EOD\n"
        << surface(field) << "EOD\n$floor << EOD\n"
        << sea_floor(field) << "EOD\n$source << EOD\n0 " << environment.source.depth.value << "\nEOD\n"
        << "plot $field with image notitle, $floor using 1:2:(" << bottom_m << ") with filledcurves fc rgb '#8c7b6b' notitle, "
        << "$floor with lines lc rgb 'black' lw 1.5 title 'sea floor', $source with points pt 7 ps 1.4 lc rgb 'black' title 'source', "
        << "NaN with boxes fc rgb '#d98b45' title 'warm colours: heard, SNR of " << detection_threshold.value << " dB or more'\n";
-  draw(path, "1200,600", text.str());
+  draw(path, {.title = "SNR against range and depth: " + environment.name, .size = "1200,640", .commands = text.str()});
 }
 
 void plot_map(const std::filesystem::path& path, const Fan& fan, const ocean::Environment& environment, const Band& band, Meters side,
@@ -152,9 +145,9 @@ void plot_map(const std::filesystem::path& path, const Fan& fan, const ocean::En
        << "set xlabel 'east (km)'\nset ylabel 'north (km)' offset 1,0\nset size ratio -1\nset tics out nomirror\nset key below samplen 2\n"
        << "set xrange [" << map.east_m.front() / 1000.0 << ':' << map.east_m.back() / 1000.0 << "]\nset yrange ["
        << map.north_m.front() / 1000.0 << ':' << map.north_m.back() / 1000.0 << "]\nset multiplot layout 1,2\n"
-       << title(environment.name, sound_words(environment, band)) << snr_colours(detector.detection_threshold) << map_picture("snr")
+       << title(environment.name, sound_words(environment, band)) << snr_scale(detector.detection_threshold) << map_picture("snr")
        << title("Detection", subtitle.str()) << kProbabilityColours << map_picture("probability") << "unset multiplot\n";
-  draw(path, "1500,760", text.str());
+  draw(path, {.title = "SNR and detection around the source: " + environment.name, .size = "1500,760", .commands = text.str()});
 }
 
 }  // namespace earshot::sonar

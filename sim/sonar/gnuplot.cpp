@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <fstream>
 #include <ios>
+#include <iterator>
 #include <stdexcept>
 
 namespace earshot::sonar {
@@ -33,6 +34,12 @@ void require_whole(const std::filesystem::path& picture, const std::string& mark
   if (tail.find(mark) == std::string::npos) throw std::runtime_error("gnuplot left it unfinished; is the disk full?");
 }
 
+void retitle(const std::filesystem::path& svg, const std::string& title) {
+  std::ifstream stream(svg);
+  const std::string text = with_title({std::istreambuf_iterator<char>(stream), {}}, title);
+  if (!(std::ofstream(svg) << text).flush()) throw std::runtime_error("it cannot be written; is the disk full?");
+}
+
 }  // namespace
 
 std::string quoted(const std::string& text) {
@@ -41,6 +48,28 @@ std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
   return result + "'";
+}
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string with_title(std::string svg, std::string_view title) {
+  constexpr std::string_view kGnuplots = "<title>Gnuplot</title>";
+  const std::size_t at = svg.find(kGnuplots);
+  if (at != std::string::npos) svg.replace(at, kGnuplots.size(), "<title>" + escaped(title) + "</title>");
+  return svg;
 }
 
 void run_gnuplot(const std::string& commands) {
@@ -60,7 +89,7 @@ bool is_picture_name(const std::filesystem::path& path) {
   return extension == ".png" || extension == ".svg";
 }
 
-void draw(const std::filesystem::path& path, const std::string& size, const std::string& commands) {
+void draw(const std::filesystem::path& path, const Drawing& drawing) {
   if (!is_picture_name(path)) throw std::invalid_argument(path.string() + ": a plot's name must end in .png or .svg");
   const bool png = path.extension() == ".png";
   std::filesystem::path temporary = std::filesystem::absolute(path);  // gnuplot takes a name that begins with | for a command
@@ -68,8 +97,10 @@ void draw(const std::filesystem::path& path, const std::string& size, const std:
   try {
     if (!std::ofstream(temporary)) throw std::runtime_error("it cannot be written");
     run_gnuplot(std::string("set encoding utf8\nset terminal ") + (png ? "pngcairo" : "svg background rgb 'white'") +
-                " font 'Sans,12' size " + size + "\nset output " + quoted(temporary.string()) + "\n" + commands + "\nset output\n");
+                " font 'Sans,12' size " + drawing.size + "\nset output " + quoted(temporary.string()) + "\n" + drawing.commands +
+                "\nset output\n");
     require_whole(temporary, png ? "IEND" : "</svg>");
+    if (!png) retitle(temporary, drawing.title);
     std::filesystem::rename(temporary, path);
   } catch (const std::exception& e) {
     std::error_code ignored;

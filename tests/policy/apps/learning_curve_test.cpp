@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "policy/apps/curve_plot.hpp"
+#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/support/process.hpp"
 
 namespace earshot::apps {
 namespace {
@@ -61,6 +63,16 @@ TEST(LearningCurve, RefusesFilesThatAreNotItsLike) {
   EXPECT_THROW(LearningCurve("episode,steps\n", curve.updates_csv()), std::invalid_argument);
   EXPECT_THROW(LearningCurve(curve.episodes_csv() + "1,2,x,1\n", curve.updates_csv()), std::invalid_argument);
   EXPECT_THROW(LearningCurve(curve.episodes_csv() + "1,2,3", curve.updates_csv()), std::invalid_argument);
+}
+
+TEST(CurvePlot, SaysWhatWasTrained) {
+  LearningCurve curve;
+  for (int i = 0; i < 3; ++i) curve.add(episode(-i, search::EpisodeEnd::kTimeLimit), 1);
+  const tests::TemporaryFolder folder;
+  draw_curves(folder / "curve.svg", "source fixed, state fixed_simple", std::vector<std::string>{curve.episodes_csv()});
+  const std::string svg = support::read_text(folder / "curve.svg");
+  EXPECT_NE(svg.find("<title>source fixed, state fixed_simple</title>"), std::string::npos);
+  EXPECT_NE(svg.find(">source fixed, state fixed_simple<"), std::string::npos) << "over the curve, no letter of it lowered";
 }
 
 TEST(CurvePlot, OfSeveralTrainingsShowsTheQuartilesOfTheirMedians) {

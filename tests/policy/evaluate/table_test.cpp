@@ -54,6 +54,32 @@ TEST(Table, WritesEveryFigureUnderItsName) {
   EXPECT_NEAR(std::stod(value_of(csv, "decision_us")), 3.0, 1e-9);
 }
 
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(TablePlot, StandsItsPanelsOverOneAnotherWithOneLegendAndAMarkForEachPolicy) {
+  std::vector<Row> rows;
+  for (const char* world : {"calm", "noisy"}) {
+    for (const char* policy : {"shipped", "bayes"}) rows.push_back(row_of(world, policy, flights(), 1));
+  }
+  const std::string plot = as_plot(rows, "4 searches each in 2 worlds");
+  EXPECT_EQ(count(plot, "set lmargin at screen"), 1U) << "both panels begin at the same place";
+  EXPECT_EQ(count(plot, "set rmargin at screen"), 1U) << "and end there";
+  EXPECT_EQ(count(plot, "title 'shipped'"), 1U);
+  EXPECT_EQ(count(plot, "'calm' 0"), 1U) << "places are named once, below both";
+  EXPECT_NE(plot.find("pt 7 ps 1.1 lw 1.5 lc rgb '#1b6ca8' title 'shipped'"), std::string::npos) << plot;
+  EXPECT_NE(plot.find("pt 5 ps 1.1 lw 1.5 lc rgb '#d1495b' title 'bayes'"), std::string::npos) << "another shape, not only another colour";
+}
+
+TEST(TablePlot, OfOneWorldNamesPoliciesAlongTheAxisAndHasNoLegend) {
+  const std::string plot = as_plot(std::vector<Row>{row_of("calm", "shipped", flights(), 1), row_of("calm", "bayes", flights(), 1)}, "one");
+  EXPECT_EQ(count(plot, "'shipped' 0, 'bayes' 1"), 1U);
+  EXPECT_EQ(count(plot, " title 'calm'"), 0U);
+}
+
 TEST(Table, KeepsNamesWithCommasAndQuotesInTheirCells) {
   const std::string csv = as_csv(std::vector<Row>{row_of("deep, cold", R"(a"b)", flights(), 1)}, Timing::kLeftOut);
   EXPECT_NE(csv.find("\n\"deep, cold\",\"a\"\"b\",4,-1.5,"), std::string::npos) << csv;

@@ -38,23 +38,38 @@ class GnuplotSvg : public testing::Test {
 
 TEST_F(GnuplotSvg, DrawsInAFolderWhateverItsNameAndRunsNothingInIt) {
   const PlotFolder folder;
-  const std::vector<std::string> svgs =
-      svgs_from(folder, "set terminal svg\nset output 'a.svg'\nplot x\nset output 'b.svg'\nplot -x\n", {"a.svg", "b.svg"});
+  const std::vector<std::string> svgs = svgs_from(folder, "set terminal svg\nset output 'a.svg'\nplot x\nset output 'b.svg'\nplot -x\n",
+                                                  {{"a.svg", "up"}, {"b.svg", "down"}});
   ASSERT_EQ(svgs.size(), 2U);
   for (const std::string& svg : svgs) EXPECT_EQ(svg.substr(0, 4), "<svg");
   for (const auto& entry : fs::recursive_directory_iterator(folder_)) EXPECT_NE(entry.path().filename(), "ran") << entry.path();
 }
 
+TEST_F(GnuplotSvg, DrawsInTheInkOfThePageUnderTheTitleItIsGivenAndThickEnoughToBeSeen) {
+  const PlotFolder folder;
+  const std::string svg =
+      svgs_from(folder,
+                page_style("600,400") + "set output 'a.svg'\nset xlabel 'time'\nplot '-' with points pt 6 lc " + kInk + "\n1 1\n2 2\ne\n",
+                {{.file = "a.svg", .title = "two rings"}})
+          .front();
+  EXPECT_NE(svg.find("<title>two rings</title>"), std::string::npos);
+  EXPECT_NE(svg.find("fill=\"var(--ink, #1d2733)\""), std::string::npos) << "text";
+  EXPECT_NE(svg.find("stroke='var(--ink, #1d2733)'"), std::string::npos) << "border";
+  EXPECT_EQ(svg.find("rgb(1,2,3)"), std::string::npos);
+  EXPECT_EQ(svg.find("rgb(  1,   2,   3)"), std::string::npos);
+  EXPECT_EQ(svg.find("stroke-width='0.1"), std::string::npos) << "gnuplot draws its symbols with hair lines";
+}
+
 TEST_F(GnuplotSvg, TellsAScriptThatFails) {
   const PlotFolder folder;
-  EXPECT_THROW((void)svgs_from(folder, "plot nothing of the kind\n", {"a.svg"}), std::runtime_error);
-  EXPECT_THROW((void)svgs_from(folder, "set terminal svg\n", {"a.svg"}), std::runtime_error) << "nothing was drawn";
+  EXPECT_THROW((void)svgs_from(folder, "plot nothing of the kind\n", {{"a.svg", ""}}), std::runtime_error);
+  EXPECT_THROW((void)svgs_from(folder, "set terminal svg\n", {{"a.svg", ""}}), std::runtime_error) << "nothing was drawn";
 }
 
 TEST_F(GnuplotSvg, RefusesAFolderWhoseNameHoldsALineBreak) {
   use(folder_ / "a\nsystem 'touch ran'\n");
   const PlotFolder folder;
-  EXPECT_THROW((void)svgs_from(folder, "set terminal svg\nset output 'a.svg'\nplot x\n", {"a.svg"}), std::invalid_argument);
+  EXPECT_THROW((void)svgs_from(folder, "set terminal svg\nset output 'a.svg'\nplot x\n", {{"a.svg", ""}}), std::invalid_argument);
   EXPECT_FALSE(fs::exists(folder_ / "ran"));
 }
 

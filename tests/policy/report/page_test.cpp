@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "policy/report/plots.hpp"
 #include "policy/report/sheet.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
@@ -43,6 +44,33 @@ TEST_F(PageTest, UnfoldsTheReasonsOfEveryDecision) {
   EXPECT_EQ(count(text, "complete within 0.001"), 3U);
   EXPECT_EQ(count(text, "<svg"), 4U) << "the map and a chart for each decision";
   EXPECT_EQ(count(text, "The safety layer moved the way-point"), 1U);
+}
+
+TEST_F(PageTest, NamesEveryCellOfADecisionForANarrowScreen) {
+  const std::string text = page(read_flight(folder_), {}, explain_flight(folder_));
+  for (const char* name : {"step", "at", "north (km)", "east (km)", "SNR (dB)", "N", "NE", "E", "SE", "S", "SW", "W", "NW"})
+    EXPECT_EQ(count(text, std::string("<td data-name=\"") + name + "\""), 3U) << name;
+}
+
+TEST_F(PageTest, CountsStepsOnceAndSaysThatTheSourceCutTheLastOneShort) {
+  Flight flight = read_flight(folder_);
+  flight.summary["found"] = true;
+  flight.summary["steps"] = 16;
+  flight.summary["whole_steps"] = 15;
+  const std::string text = page(flight, {}, {});
+  EXPECT_EQ(count(text, "Source found after 16 steps</h1>\n<p>The last step was cut short by the source.</p>"), 1U);
+  EXPECT_EQ(count(text, "15 steps"), 0U);
+  flight.summary["whole_steps"] = 16;
+  EXPECT_EQ(count(page(flight, {}, {}), "cut short"), 0U);
+}
+
+TEST_F(PageTest, ShowsSnrOnTheScaleOfEveryFieldUnderATrackThatStandsOutOnAnyColourOfIt) {
+  const std::string svg = map_svg(read_flight(folder_));
+  for (const char* tic : {">-10<", "> 40<"}) EXPECT_EQ(count(svg, tic), 1U) << "20 dB below the threshold of 10 dB to 30 above";
+  EXPECT_EQ(count(svg, "<title>SNR at the vehicle's depth and the vehicle's track</title>"), 1U);
+  EXPECT_GT(svg.find("stroke='rgb(194,  18, 122)'"), svg.find("stroke='rgb(255, 255, 255)'")) << "the track lies on a white line";
+  EXPECT_EQ(count(svg, "<polygon fill = 'rgb( 29,  92, 138)'"), 0U) << "the legend has no ground of its own";
+  EXPECT_EQ(count(history_svg(read_flight(folder_)), "<title>SNR heard and range to the source against time</title>"), 1U);
 }
 
 TEST_F(PageTest, TellsALookTooFaintToMeasureFromAMeasuredOne) {

@@ -4,8 +4,11 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
+#include "sim/sonar/snr_scale.hpp"
 #include "tests/sim/netcdf/temporary_folder.hpp"
 
 namespace earshot::sonar {
@@ -18,14 +21,30 @@ TEST_P(Picture, OfAFullDiskIsNotTakenForAWholeOne) {
   const std::filesystem::path path = folder / (std::string("p.") + GetParam());
   // Where gnuplot writes; it reports success whether or not its bytes found room.
   std::filesystem::create_symlink("/dev/full", path.string() + ".part" + std::to_string(getpid()));
-  EXPECT_THROW(draw(path, "400,300", "plot x\n"), std::runtime_error);
+  EXPECT_THROW(draw(path, {.title = "a line", .size = "400,300", .commands = "plot x\n"}), std::runtime_error);
   EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(path)));
-  EXPECT_NO_THROW(draw(path, "400,300", "plot x\n"));
+  EXPECT_NO_THROW(draw(path, {.title = "a line", .size = "400,300", .commands = "plot x\n"}));
   EXPECT_GT(std::filesystem::file_size(path), 1000U);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path.parent_path()), {}), 1) << "something was left beside the picture";
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Picture, testing::Values("png", "svg"));
+
+TEST(Gnuplot, GivesAnSvgTheTitleOfItsPictureInPlaceOfItsOwn) {
+  const tests::TemporaryFolder folder;
+  draw(folder / "p.svg", {.title = "depth < 3 km & range", .size = "400,300", .commands = "plot x\n"});
+  std::ifstream stream(folder / "p.svg");
+  const std::string svg{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_NE(svg.find("<title>depth &lt; 3 km &amp; range</title>"), std::string::npos);
+  EXPECT_EQ(svg.find("<title>Gnuplot</title>"), std::string::npos);
+}
+
+TEST(SnrScale, RunsFromTwentyDecibelsBelowTheThresholdToThirtyAboveAndItsColoursPartAtTheThreshold) {
+  const std::string scale = snr_scale(Decibels{7.0});
+  EXPECT_NE(scale.find("set cbrange [-13:37]"), std::string::npos) << scale;
+  // Of 50 dB, 20 lie below: there the palette has two colours at one place, a pale blue and a pale yellow.
+  EXPECT_NE(scale.find("20 '#bdd7e7', 20 '#fff3b0'"), std::string::npos) << scale;
+}
 
 TEST(Gnuplot, ExpandsNothingInAQuotedText) {
   EXPECT_EQ(quoted("it's `date` $x \"a\""), "'it''s `date` $x \"a\"'");
@@ -39,7 +58,7 @@ TEST(Gnuplot, TakesANameThatLooksLikeACommandForAName) {
   const tests::TemporaryFolder folder;
   const std::filesystem::path before = std::filesystem::current_path();
   std::filesystem::current_path((folder / "x").parent_path());
-  EXPECT_NO_THROW(draw("|touch owned;.svg", "400,300", "plot x\n"));
+  EXPECT_NO_THROW(draw("|touch owned;.svg", {.title = "a line", .size = "400,300", .commands = "plot x\n"}));
   EXPECT_TRUE(std::filesystem::exists("|touch owned;.svg"));
   EXPECT_FALSE(std::filesystem::exists("owned"));
   std::filesystem::current_path(before);
