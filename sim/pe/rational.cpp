@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace earshot::pe {
 
@@ -31,56 +33,55 @@ class Barycentric {
     support_.push_back(worst);
   }
 
-  /// Weights that minimise the linearised error |n - f d| by the normal equations: enough to find the next support point.
+  /// Weights that minimise the linearised error |n - f d|, roughly: enough to find the next support point.
   void solve_roughly() {
-    const Eigen::MatrixXcd loewner = loewner_matrix();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> eigen(loewner.adjoint() * loewner);
-    weights_ = eigen.eigenvectors().col(0);
+    constexpr int kIterations = 4;
+    weights_ = PivotedQr(loewner_matrix()).least_singular_vector(kIterations);
     evaluate();
   }
 
-  /// The same to full precision, over the weights with sum_k w_k f_k = 0, that is with R(infinity) = 0.
+  /// The same to full precision, over the weights with sum_k w_k f_k = 0, that is with R(infinity) = 0: a reflection that turns f's
+  /// conjugate to the first axis leaves the others for them.
   void solve_vanishing_at_infinity() {
-    const auto n = static_cast<Eigen::Index>(support_.size());
-    Eigen::VectorXcd f(n);
-    for (Eigen::Index k = 0; k < n; ++k) f(k) = std::conj(samples_.value[support_[static_cast<std::size_t>(k)]]);
-    const Eigen::MatrixXcd q = Eigen::HouseholderQR<Eigen::MatrixXcd>(f).householderQ();
-    const Eigen::MatrixXcd allowed = q.rightCols(n - 1);
-    const Eigen::MatrixXcd triangle =
-        Eigen::HouseholderQR<Eigen::MatrixXcd>(loewner_matrix() * allowed).matrixQR().topRows(n - 1).triangularView<Eigen::Upper>();
-    const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(triangle, Eigen::ComputeFullV);
-    weights_ = allowed * svd.matrixV().col(n - 2);
+    std::vector<Complex> f;
+    for (const std::size_t support : support_) f.push_back(std::conj(samples_.value[support]));
+    const Reflector reflector = reflector_of(f);
+    SmallMatrix loewner = loewner_matrix();
+    reflector.apply_from_right(loewner, 0);
+    SmallMatrix allowed(loewner.rows(), loewner.columns() - 1);
+    for (std::size_t k = 0; k < allowed.columns(); ++k) std::ranges::copy(loewner.column(k + 1), allowed.column(k).begin());
+    constexpr int kIterations = 100;
+    const std::vector<Complex> along_axes = PivotedQr(std::move(allowed)).least_singular_vector(kIterations);
+    weights_.assign(1, 0.0);
+    weights_.insert(weights_.end(), along_axes.begin(), along_axes.end());
+    reflector.apply(weights_);
   }
 
   /// Zeros of d(x): eigenvalues of diag(z) - 1 v^T with v_k = w_k (z_k - c) / sum w, which are those of (x - c) d(x).
   [[nodiscard]] std::vector<Complex> poles() const {
-    const auto n = static_cast<Eigen::Index>(support_.size());
+    const std::size_t n = support_.size();
     constexpr double kAway = 3.3;  // c: any point away from the samples and the poles
-    Eigen::MatrixXcd companion(n, n);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const double z = samples_.x[support_[static_cast<std::size_t>(k)]];
-      companion.col(k).setConstant(-weights_(k) * (z - kAway) / weights_.sum());
+    const Complex sum = std::accumulate(weights_.begin(), weights_.end(), Complex(0.0));
+    SmallMatrix companion(n, n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const double z = samples_.x[support_[k]];
+      std::ranges::fill(companion.column(k), -weights_[k] * (z - kAway) / sum);
       companion(k, k) += z;
     }
-    const Eigen::VectorXcd eigenvalues = Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues();
-    Eigen::Index away = 0;
-    (eigenvalues.array() - kAway).abs().minCoeff(&away);
-    std::vector<Complex> result;
-    for (Eigen::Index k = 0; k < n; ++k)
-      if (k != away) result.push_back(eigenvalues(k));
+    std::vector<Complex> result = eigenvalues(std::move(companion));
+    result.erase(std::ranges::min_element(result, {}, [=](Complex pole) { return std::abs(pole - kAway); }));
     return result;
   }
 
  private:
-  [[nodiscard]] Eigen::MatrixXcd loewner_matrix() const {
-    Eigen::MatrixXcd loewner(static_cast<Eigen::Index>(is_support_.size() - support_.size()), static_cast<Eigen::Index>(support_.size()));
-    Eigen::Index row = 0;
+  [[nodiscard]] SmallMatrix loewner_matrix() const {
+    SmallMatrix loewner(is_support_.size() - support_.size(), support_.size());
+    std::size_t row = 0;
     for (std::size_t i = 0; i < is_support_.size(); ++i) {
       if (is_support_[i]) continue;
       for (std::size_t k = 0; k < support_.size(); ++k) {
         const std::size_t s = support_[k];
-        loewner(row, static_cast<Eigen::Index>(k)) =
-            samples_.weight[i] * (samples_.value[i] - samples_.value[s]) / (samples_.x[i] - samples_.x[s]);
+        loewner(row, k) = samples_.weight[i] * (samples_.value[i] - samples_.value[s]) / (samples_.x[i] - samples_.x[s]);
       }
       ++row;
     }
@@ -93,7 +94,7 @@ class Barycentric {
       Complex numerator = 0.0;
       Complex denominator = 0.0;
       for (std::size_t k = 0; k < support_.size(); ++k) {
-        const Complex term = weights_(static_cast<Eigen::Index>(k)) / (samples_.x[i] - samples_.x[support_[k]]);
+        const Complex term = weights_[k] / (samples_.x[i] - samples_.x[support_[k]]);
         numerator += term * samples_.value[support_[k]];
         denominator += term;
       }
@@ -105,7 +106,7 @@ class Barycentric {
   std::vector<bool> is_support_;
   std::vector<std::size_t> support_;
   std::vector<Complex> approximation_;
-  Eigen::VectorXcd weights_;
+  std::vector<Complex> weights_;
 };
 
 }  // namespace
@@ -131,20 +132,26 @@ std::vector<std::complex<double>> fit_poles(const Samples& samples, std::size_t 
   return poles;
 }
 
-ResidueFit::ResidueFit(std::span<const double> x, std::span<const double> weight, std::span<const std::complex<double>> pole)
-    : weight_(Eigen::VectorXd::Map(weight.data(), static_cast<Eigen::Index>(weight.size()))) {
-  Eigen::MatrixXcd matrix(weight_.size(), static_cast<Eigen::Index>(pole.size()));
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-      matrix(i, j) = weight_(i) / (1.0 - x[static_cast<std::size_t>(i)] / pole[static_cast<std::size_t>(j)]);
+namespace {
+
+/// One column for each pole: weight / (1 - x / pole).
+SmallMatrix weighted_poles(std::span<const double> x, std::span<const double> weight, std::span<const Complex> pole) {
+  SmallMatrix matrix(x.size(), pole.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t j = 0; j < pole.size(); ++j) matrix(i, j) = weight[i] / (1.0 - x[i] / pole[j]);
   }
-  factors_.compute(matrix);
+  return matrix;
 }
 
+}  // namespace
+
+ResidueFit::ResidueFit(std::span<const double> x, std::span<const double> weight, std::span<const std::complex<double>> pole)
+    : weight_(weight.begin(), weight.end()), factors_(weighted_poles(x, weight, pole)) {}
+
 std::vector<std::complex<double>> ResidueFit::residues(std::span<const std::complex<double>> value) const {
-  const Eigen::VectorXcd right = weight_.cwiseProduct(Eigen::VectorXcd::Map(value.data(), weight_.size()));
-  const Eigen::VectorXcd solution = factors_.solve(right);
-  return {solution.begin(), solution.end()};
+  std::vector<Complex> right;
+  for (std::size_t i = 0; i < value.size(); ++i) right.push_back(weight_[i] * value[i]);
+  return factors_.least_squares(right);
 }
 
 }  // namespace earshot::pe

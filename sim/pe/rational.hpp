@@ -1,10 +1,11 @@
 #pragma once
 
-#include <Eigen/Dense>
 #include <complex>
 #include <cstddef>
 #include <span>
 #include <vector>
+
+#include "sim/pe/small_matrix.hpp"
 
 namespace earshot::pe {
 
@@ -44,8 +45,8 @@ class ResidueFit {
   [[nodiscard]] std::vector<std::complex<double>> residues(std::span<const std::complex<double>> value) const;
 
  private:
-  Eigen::VectorXd weight_;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors_;
+  std::vector<double> weight_;
+  PivotedQr factors_;
 };
 
 }  // namespace earshot::pe
