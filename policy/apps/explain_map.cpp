@@ -44,6 +44,16 @@ std::string heard_in(const ExplainMapOptions& options) {
   return "what is heard in the ocean that the policy takes for granted";
 }
 
+report::MapOcean ocean_of(const policy::FrozenPolicy& policy, const ExplainMapOptions& options, const sonar::SnrCurve& curve,
+                          NorthEast heard_from, std::optional<NorthEast> source) {
+  return {.policy = policy,
+          .policy_name = options.policy.filename().string(),
+          .curve = curve,
+          .heard_from = heard_from,
+          .words = heard_in(options),
+          .source = source};
+}
+
 NorthEast source_in(const policy::FrozenPolicy& policy, const std::string& text) {
   const NorthEast source = north_east_of("--source", text);
   const auto is_within = [](Meters x, Meters most) { return x.value >= 0.0 && x <= most; };
@@ -57,12 +67,7 @@ void draw_for_source(const policy::FrozenPolicy& policy, const ExplainMapOptions
   const NorthEast source = source_in(policy, *options.source);
   const sonar::SnrCurve curve = curve_of(policy, options);
   const auto heard = [&](NorthEast place) { return policy::Heard{.snr = curve.at(range_between(place, source))}; };
-  const report::MapOcean ocean{.policy = policy,
-                               .policy_name = options.policy.filename().string(),
-                               .curve = curve,
-                               .heard_from = source,
-                               .words = heard_in(options),
-                               .source = source};
+  const report::MapOcean ocean = ocean_of(policy, options, curve, source, source);
   if (explain::sees_place_alone(policy)) {
     report::draw_arrows(options.output, ocean, explain::after_a_first_look(policy, options.arrows, heard), "where it goes");
   } else {
@@ -81,13 +86,7 @@ void draw_for_flight(const policy::FrozenPolicy& policy, const ExplainMapOptions
   const explain::DecisionAccount account = explain::account_of(flight.circumstances(explain::Baseline::kCentre), taken);
   const sonar::SnrCurve curve = curve_of(policy, options);
   const std::optional<NorthEast> source = flight.source ? std::optional(*flight.source - flight.south_west) : std::nullopt;
-  const NorthEast heard_from = source.value_or(account.place.likeliest);
-  const report::MapOcean ocean{.policy = policy,
-                               .policy_name = options.policy.filename().string(),
-                               .curve = curve,
-                               .heard_from = heard_from,
-                               .words = heard_in(options),
-                               .source = source};
+  const report::MapOcean ocean = ocean_of(policy, options, curve, source.value_or(account.place.likeliest), source);
   report::draw_arrows(options.output, ocean, map, "where it would go with what it believes at step " + std::to_string(options.step),
                       report::MapFlight{.belief = account, .track = taken});
 }

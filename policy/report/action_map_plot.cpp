@@ -104,8 +104,8 @@ void draw_beside_snr(const std::filesystem::path& path, const MapOcean& ocean, c
   sonar::draw(path, {.title = heading, .size = "1560,780", .commands = text});
 }
 
-std::string count(std::size_t paths, const char* what) {
-  return paths == 0 ? "" : "; " + std::to_string(paths) + " " + what;
+std::string count(const char* what, std::size_t paths) {
+  return paths == 0 ? "" : std::string("; ") + what + std::to_string(paths);
 }
 
 }  // namespace
@@ -141,7 +141,8 @@ void draw_paths(const std::filesystem::path& path, const MapOcean& ocean, std::s
           "3 lc "
           "palette, $source with points pt 3 ps 1.8 lw 2 lc rgb 'black'\n";
   draw_beside_snr(path, ocean, block("paths", path_rows(paths)) + block("starts", start_rows(paths)), text.str(),
-                  paths_in_words(paths) + ". Dot: a start; cross: one that does not find it. Pale: the source (star) is heard.", false);
+                  paths_in_words(paths) + ". Dot: a start; cross: one from which it is not found. Pale: the source (star) is heard.",
+                  false);
 }
 
 std::string paths_in_words(std::span<const FlownPath> paths) {
@@ -152,11 +153,11 @@ std::string paths_in_words(std::span<const FlownPath> paths) {
     if (path.end == FlownPath::End::kLeft) ++left;
   }
   std::ranges::sort(steps);
-  std::string text = std::to_string(steps.size()) + " of " + std::to_string(paths.size()) + " find the source";
+  std::string text = "The source is found from " + std::to_string(steps.size()) + " of " + std::to_string(paths.size()) + " starts";
   if (!steps.empty())
     text += ", after " + std::to_string(steps.front()) + " to " + std::to_string(steps.back()) + " steps (median " +
             std::to_string(steps[steps.size() / 2]) + ")";
-  return text + count(left, "leave the area") + count(paths.size() - steps.size() - left, "are still searching when they end");
+  return text + count("the area is left from ", left) + count("it is not found in time from ", paths.size() - steps.size() - left);
 }
 
 }  // namespace earshot::report

@@ -41,7 +41,7 @@ void draw_arrows(const std::filesystem::path& path, const MapOcean& ocean, const
 /// @param paths  of searches for `ocean.source`, at least one
 void draw_paths(const std::filesystem::path& path, const MapOcean& ocean, std::span<const explain::FlownPath> paths);
 
-/// "62 of 64 find the source, after 3 to 31 steps (median 14); 2 leave the area"
+/// "The source is found from 34 of 36 starts, after 3 to 31 steps (median 14); the area is left from 2"
 [[nodiscard]] std::string paths_in_words(std::span<const explain::FlownPath> paths);
 
 }  // namespace earshot::report

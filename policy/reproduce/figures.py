@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import netCDF4
 import numpy as np
 from PIL import Image
-from matplotlib.colors import BoundaryNorm, ListedColormap
+from matplotlib.colors import BoundaryNorm, LinearSegmentedColormap, ListedColormap, Normalize
 from matplotlib.patches import Rectangle
 
 SIDE_KM = 25.0
@@ -30,6 +30,18 @@ COLOURS = {
     "changing_memory": "#2a9d6f",
     "changing_position_memory": "#8a5aa8",
 }
+# Told apart without colours too: on paper, and by one in twelve men.
+DASHES = {
+    "fixed_simple": "-",
+    "changing_simple": (0, (6, 1.5)),
+    "changing_memory": "-",
+    "changing_position_memory": (0, (2, 1)),
+}
+MARKERS = {"fixed_simple": "s", "changing_simple": "o", "changing_memory": "^", "changing_position_memory": "D"}
+MARKS = 8  # along a curve
+PATH_DASHES = ["-", (0, (5, 1.5)), (0, (2, 1)), (0, (6, 1.5, 1.5, 1.5))]
+# The scale of every map and field of Earshot (sim/sonar/snr_scale.cpp): dB above 20 below the threshold, and colour.
+SNR_COLOURS = [(0, "#081d58"), (20, "#bdd7e7"), (20, "#fff3b0"), (50, "#a63603")]
 PATH_COLOURS = ["#1b6ca8", "#e08a1e", "#2a9d6f", "#b03a6f"]
 
 plt.rcParams.update({
@@ -79,9 +91,11 @@ def snr_and_detection(map_file):
         east_km, north_km = np.asarray(data["east"][:]) / 1e3, np.asarray(data["north"][:]) / 1e3
         snr_db = np.asarray(data["map_snr"][:])
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1), sharey=True)
-    norm = BoundaryNorm(THRESHOLD_DB + np.arange(-30, 31, 5), 256, extend="both")  # the colours part at the threshold
-    mesh = left.pcolormesh(east_km, north_km, snr_db, cmap="RdYlBu_r", norm=norm, shading="nearest", rasterized=True)
-    figure.colorbar(mesh, ax=left, label="SNR, dB", pad=0.015)
+    widest_db = SNR_COLOURS[-1][0]
+    colours = LinearSegmentedColormap.from_list("snr", [(db / widest_db, colour) for db, colour in SNR_COLOURS], N=500)
+    norm = Normalize(THRESHOLD_DB - 20, THRESHOLD_DB - 20 + widest_db)  # the colours part at the threshold
+    mesh = left.pcolormesh(east_km, north_km, snr_db, cmap=colours, norm=norm, shading="nearest", rasterized=True)
+    figure.colorbar(mesh, ax=left, label="SNR, dB", pad=0.015, extend="both")
     left.set(title="a  SNR at 300 m", ylabel="north, km")
     right.pcolormesh(east_km, north_km, snr_db >= THRESHOLD_DB, cmap=ListedColormap(["#e9eef2", "#1b6ca8"]), shading="nearest",
                      rasterized=True)  # fmt: skip
@@ -116,9 +130,9 @@ def domain(axes, border_km=1.0):
     axes.set(xlim=(-1.5, SIDE_KM + 1.5), ylim=(-1.5, SIDE_KM + 1.5), aspect="equal", xlabel="east, km", ylabel="north, km")
 
 
-def draw_path(axes, path, colour, origin=(0.0, 0.0), label=None):
+def draw_path(axes, path, colour, origin=(0.0, 0.0), label=None, dashes="-"):
     east, north = path["east"] - origin[0], path["north"] - origin[1]
-    axes.plot(east, north, color=colour, lw=1.3, label=label, zorder=3)
+    axes.plot(east, north, color=colour, lw=1.3, ls=dashes, label=label, zorder=3)
     axes.plot(east[0], north[0], "o", color=colour, ms=5.5, mec="w", mew=0.7, zorder=4)
     axes.plot(east[-1], north[-1], "s" if path["end"] == "found" else "X", color=colour, ms=6, mec="w", mew=0.7, zorder=4)
 
@@ -149,12 +163,12 @@ def example_paths(paths, snr_of_range, title):
     extent = (-SIDE_KM, SIDE_KM, -SIDE_KM, SIDE_KM)
     shade_detections(right, snr_of_range, (0, 0), extent)
     fixed = len({path["source"] for path in paths[:4]}) == 1
-    for path, colour in zip(paths[:4], PATH_COLOURS):
-        draw_path(left, path, colour)
+    for path, colour, dashes in zip(paths[:4], PATH_COLOURS, PATH_DASHES):
+        draw_path(left, path, colour, dashes=dashes)
         star(left, path["source"], "#ffcf33" if fixed else colour)
-        draw_path(right, path, colour, path["source"], f"{path['reward'][-1]:.0f}")
+        draw_path(right, path, colour, path["source"], f"{path['reward'][-1]:.0f}", dashes)
     star(right, (0, 0))
-    right.legend(title="reward", loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=1.2)
+    right.legend(title="reward", loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=2.4)
     right.set(xlim=extent[:2], ylim=extent[2:], aspect="equal", xlabel="east of the source, km", ylabel="north of the source, km",
               title="b  relative to the source")  # fmt: skip
     return figure
@@ -183,7 +197,8 @@ def training_reward(panels, episodes):
             x, middle, low, high = curve_over_seeds(seeds, episodes if letter == "a" else None)
             thin = slice(None, None, max(1, x.size // 300))
             axes.fill_between(x[thin], low[thin], high[thin], color=COLOURS[kind], alpha=0.2, lw=0)
-            axes.plot(x[thin], middle[thin], color=COLOURS[kind], lw=1.3, label=LABELS[kind])
+            axes.plot(x[thin], middle[thin], color=COLOURS[kind], lw=1.3, ls=DASHES[kind], marker=MARKERS[kind], ms=5, mec="w", mew=0.6,
+                      markevery=max(1, x[thin].size // MARKS), label=LABELS[kind])  # fmt: skip
         axes.set(xlabel="episode", xlim=(0, None), ylim=(-200, 3), title=f"{letter}  {title}")
         axes.grid(axis="y", color="0.9", lw=0.7)
     row[0].set_ylabel(f"reward, median of the last {RECENT} episodes")
@@ -225,9 +240,9 @@ def sweep(rows):
         for state, medians in states.items():
             colour = COLOURS["changing_" + state]
             axes.plot([min(medians), max(medians)], [y + shifts[state]] * 2, color=colour, lw=1, alpha=0.5)
-            axes.plot(medians, [y + shifts[state]] * len(medians), "o", color=colour, ms=3.5, alpha=0.6, mec="none")
-            axes.plot(np.median(medians), y + shifts[state], "D", color=colour, ms=5.5, label=LABELS["changing_" + state] if y == 0 else None)
-    axes.set(yticks=range(len(rows)), yticklabels=[label for label, _ in rows], xlabel="median reward of a training's evaluation; diamond: median of the seeds")
+            axes.plot(medians, [y + shifts[state]] * len(medians), "|", color=colour, ms=5, alpha=0.7)
+            axes.plot(np.median(medians), y + shifts[state], MARKERS["changing_" + state], color=colour, ms=6, label=LABELS["changing_" + state] if y == 0 else None)
+    axes.set(yticks=range(len(rows)), yticklabels=[label for label, _ in rows], xlabel="median reward of a training's evaluation; stroke: one seed; symbol: their median")
     axes.invert_yaxis()
     axes.grid(axis="both", color="0.92", lw=0.7)
     axes.legend(fontsize=8.5, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)

@@ -20,11 +20,13 @@ CAPTIONS = {
 CLAIMS_HEADER = ["Figure", "The paper", "Earshot", "Where they differ, and why"]
 SWEEP_HEADER = ["Left open", "Value", "Simple state", "Memory state", "Memory and position"]
 STYLE = """
-body{font:15px/1.5 system-ui,sans-serif;max-width:1060px;margin:2em auto;padding:0 1em;color:#1c2733}
+body{font:15px/1.5 system-ui,sans-serif;max-width:1060px;margin:2em auto;padding:0 1em;color:#1c2733;background:#fff;overflow-wrap:anywhere}
 h1{font-size:1.5em;margin-bottom:.2em}h2{font-size:1.15em;margin-top:2em;border-bottom:1px solid #d5dde5}
 table{border-collapse:collapse;font-size:.9em;width:100%}td,th{vertical-align:top;text-align:left;padding:.45em .7em;border-bottom:1px solid #e3e8ee}
 th{background:#f3f6f9}figure{margin:1.6em 0}figure img{width:100%}figcaption{font-size:.9em;color:#4a5866}
 code{background:#f3f6f9;padding:.1em .3em}.made{color:#4a5866;font-size:.9em}
+.table{overflow-x:auto}table{min-width:34em;overflow-wrap:normal}
+@media print{body{font-size:11px;max-width:none;margin:0;padding:0}.table{overflow:visible}table{min-width:0}tr,figure{break-inside:avoid}h2{break-after:avoid}}
 """
 
 
@@ -55,7 +57,8 @@ def as_html(intro, made, claims, sweep_rows, sweep_note):
 
     def table(header, rows):
         cells = lambda tag, line: "".join(f"<{tag}>{text(cell)}</{tag}>" for cell in line)
-        return f"<table><tr>{cells('th', header)}</tr>" + "".join(f"<tr>{cells('td', row)}</tr>\n" for row in rows) + "</table>"
+        body = "".join(f"<tr>{cells('td', row)}</tr>\n" for row in rows)
+        return f"<div class=\"table\"><table><tr>{cells('th', header)}</tr>{body}</table></div>"
 
     def figure(name):
         return (f'<figure><img src="{name}.svg" alt="{text(CAPTIONS[name])}"><figcaption>{text(CAPTIONS[name])} '
@@ -63,7 +66,7 @@ def as_html(intro, made, claims, sweep_rows, sweep_note):
 
     made_line = f'<p class="made">Made by <code>{text(made["command"])}</code> at commit <code>{text(made["commit"])}</code>, {text(made["rest"])}.</p>'
     return (
-        f'<!doctype html>\n<html lang="en"><meta charset="utf-8"><title>{TITLE}</title><style>{STYLE}</style>\n<h1>{TITLE}</h1>\n'
+        f'<!doctype html>\n<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>{TITLE}</title><style>{STYLE}</style>\n<h1>{TITLE}</h1>\n'
         + "".join(f"<p>{text(p)}</p>\n" for p in intro) + made_line
         + "\n<h2>Claims</h2>\n" + table(CLAIMS_HEADER, claims)
         + "\n<h2>Figures</h2>\n" + "".join(figure(name) for name in CAPTIONS if name != "sweep")

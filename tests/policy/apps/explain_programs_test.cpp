@@ -74,7 +74,7 @@ TEST_F(ExplainPrograms, ExplainDrawsMapsForASourceAndAlongAFlight) {
   ASSERT_EQ(run("explain map flight/journal.policy --flight flight --step 3 --arrows 6 -o belief.png"), 0) << content("err");
   EXPECT_EQ(content("own.png").substr(1, 3), "PNG");
   EXPECT_NE(content("paper.svg").find("What journal.policy does"), std::string::npos);
-  EXPECT_NE(content("paper.svg").find(" of 36 find the source"), std::string::npos) << "6 x 6 paths of a policy with a belief";
+  EXPECT_NE(content("paper.svg").find(" of 36 starts"), std::string::npos) << "6 x 6 paths of a policy with a belief";
   EXPECT_NE(content("own.png"), content("belief.png"));
 }
 

@@ -1,31 +1,24 @@
 #include "policy/report/action_map_plot.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "tests/policy/explain/flown_policy.hpp"
+#include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/support/process.hpp"
 
 namespace earshot::report {
 namespace {
 
-namespace fs = std::filesystem;
 using explain::FlownPath;
 
 class ActionMapPlot : public testing::Test {
  protected:
-  ActionMapPlot() {
-    std::string name = (fs::temp_directory_path() / "earshot-action-map-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~ActionMapPlot() override { fs::remove_all(folder_); }
-
   void has(std::initializer_list<const char*> parts) const {
     const std::string svg = support::read_text(folder_ / "map.svg");
     for (const char* part : parts) EXPECT_NE(svg.find(part), std::string::npos) << part;
   }
 
-  fs::path folder_;
+  tests::TemporaryFolder folder_;
   sonar::SnrCurve curve_{Meters{40'000.0}, {40.0F, 0.0F}};
   NorthEast source_{Meters{10'000.0}, Meters{10'000.0}};
 };
@@ -45,15 +38,16 @@ TEST_F(ActionMapPlot, NamesThePolicyAndSaysHowManyPathsFindTheSource) {
   const std::vector<FlownPath> paths{{{{Meters{0.0}, Meters{0.0}}, {Meters{700.0}, Meters{700.0}}}, FlownPath::End::kFound}};
   draw_paths(folder_ / "map.svg", ocean, paths);
   has({">What shipped.policy does<", "searches without noise, the likeliest action at every step",
-       "1 of 1 find the source, after 1 to 1 steps (median 1). Dot: a start; cross: one that does not find it."});
+       "The source is found from 1 of 1 starts, after 1 to 1 steps (median 1). Dot: a start; cross: one from which it is not found."});
 }
 
 TEST(PathsInWords, CountWhatBecameOfEachAndTheStepsOfThoseThatFind) {
   const auto path = [](std::size_t steps, FlownPath::End end) { return FlownPath{std::vector<NorthEast>(steps + 1), end}; };
   const std::vector<FlownPath> paths{path(9, FlownPath::End::kFound), path(3, FlownPath::End::kFound), path(4, FlownPath::End::kFound),
                                      path(2, FlownPath::End::kLeft), path(100, FlownPath::End::kStepLimit)};
-  EXPECT_EQ(paths_in_words(paths),
-            "3 of 5 find the source, after 3 to 9 steps (median 4); 1 leave the area; 1 are still searching when they end");
+  EXPECT_EQ(
+      paths_in_words(paths),
+      "The source is found from 3 of 5 starts, after 3 to 9 steps (median 4); the area is left from 1; it is not found in time from 1");
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ sys.path.insert(0, str(REPRODUCE))
 import claims
 import experiments
 import figures
+import page
 
 FIGURES = ["figure2", "figure3", "figure4", "figure5", "figure6", "figure7", "figure8", "figure8b", "figure9", "sweep"]
 PROGRAMS = Path(sys.argv.pop())
@@ -71,6 +72,31 @@ class WholeRun(unittest.TestCase):
         self.assertEqual(len(evaluations), 9)
         for name, seeds in evaluations.items():
             self.assertEqual([e["episodes"] for e in seeds], [10, 10], name)
+
+
+class Drawing(unittest.TestCase):
+    def test_curves_differ_by_more_than_their_colours(self):
+        rewards = np.linspace(-100.0, -2.0, 60)
+        seed = experiments.Seed(np.column_stack([rewards, rewards, rewards]), {}, rewards, [])
+        runs = {name: [seed, seed] for name in figures.LABELS}
+        figure = figures.training_reward([("as long as in the paper", runs), ("longer", runs)], 60)
+        for axes in figure.axes:
+            drawn = {(line.get_linestyle(), line.get_marker()) for line in axes.lines}
+            self.assertEqual(len(drawn), len(figures.LABELS))
+            self.assertEqual(len({line.get_marker() for line in axes.lines} - {"None"}), len(figures.LABELS))
+
+    def test_snr_is_drawn_on_the_scale_of_every_map_and_field(self):
+        scale = (REPRODUCE.parents[1] / "sim/sonar/snr_scale.cpp").read_text()
+        palette = re.search(r"set palette defined \((.*?)\)", scale).group(1)
+        colours = [(int(db), colour) for db, colour in re.findall(r"(\d+) '(#\w+)'", palette)]
+        self.assertEqual(figures.SNR_COLOURS, colours)
+
+    def test_the_page_can_be_read_on_a_telephone_and_printed_whole(self):
+        html = page.as_html([], {"command": "", "commit": "", "rest": ""}, [["1", "2", "3", "4"]], [], "")
+        self.assertIn('<meta name="viewport" content="width=device-width, initial-scale=1">', html)
+        self.assertEqual(html.count('<div class="table"><table>'), 2)
+        self.assertIn("@media print{", html)
+        self.assertIn(".table{overflow:visible}", html.split("@media print{")[1])
 
 
 class Arithmetic(unittest.TestCase):
