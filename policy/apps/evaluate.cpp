@@ -38,6 +38,7 @@ struct Options {
   std::optional<std::string> plot;
   std::optional<std::string> paths;
   bool timing = false;
+  bool force = false;
 };
 
 std::string names_of_baselines() {
@@ -61,6 +62,7 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--plot", &o.plot, "also draw it there (.png or .svg)");
   line.option("--paths", &o.paths, "also write there where every search went, step by step (CSV)");
   line.flag("--timing", &o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
+  line.flag("--force", &o.force, apps::kForceHelp);
   line.footer(
       "By name:\n  shipped           the policy that ships (policy/frozen)" + names_of_baselines() +
       "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what the --environment says is heard, learned "
@@ -211,8 +213,8 @@ std::string title_of(const Options& o, const std::vector<evaluate::World>& world
 void write_files(const Options& o, const search::SearchSettings& settings, const std::vector<evaluate::World>& worlds,
                  const std::vector<evaluate::Row>& rows) {
   const evaluate::Timing timing = o.timing ? evaluate::Timing::kIncluded : evaluate::Timing::kLeftOut;
-  if (o.json) apps::write_whole(*o.json, as_json(o, settings, worlds, rows, timing));
-  if (o.csv) apps::write_whole(*o.csv, evaluate::as_csv(rows, timing));
+  if (o.json) host::write_whole(*o.json, as_json(o, settings, worlds, rows, timing));
+  if (o.csv) host::write_whole(*o.csv, evaluate::as_csv(rows, timing));
   if (!o.plot) return;
   try {
     const std::string title = title_of(o, worlds);
@@ -222,18 +224,18 @@ void write_files(const Options& o, const search::SearchSettings& settings, const
   }
 }
 
+constexpr host::OutputKind kFiguresOutput{"figures of earshot evaluate (JSON)", {"{\n \"episodes\"", {}}};
+constexpr host::OutputKind kTableOutput{"a table of earshot evaluate (CSV)", {"world,policy,episodes,", {}}};
+constexpr host::OutputKind kPathsOutput{"paths of earshot evaluate (CSV)", {"world,policy,episode,step,", {}}};
+
 void check_files(const Options& o) {
-  std::vector<apps::OutputFile> files;
-  const auto add = [&files](const char* option, const std::optional<std::string>& file) {
-    if (file) files.push_back({option, *file});
-  };
-  add("--json", o.json);
-  add("--csv", o.csv);
-  add("--plot", o.plot);
-  add("--paths", o.paths);
-  apps::check_distinct(files);
-  for (const apps::OutputFile& file : files) apps::check_writable(file.path);
   if (o.plot) apps::check_picture_name("--plot", *o.plot);
+  std::vector<apps::Output> files;
+  if (o.json) files.push_back({"--json", *o.json, kFiguresOutput});
+  if (o.csv) files.push_back({"--csv", *o.csv, kTableOutput});
+  if (o.plot) files.push_back({"--plot", *o.plot, host::picture_kind(*o.plot)});
+  if (o.paths) files.push_back({"--paths", *o.paths, kPathsOutput});
+  apps::require_writable(files, host::replaced_by(o.force));
 }
 
 void evaluate_policies(const Options& o, parallel::RankSession& session) {
@@ -274,7 +276,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
     }
   }
   if (speaks) write_files(o, settings, worlds, rows);
-  if (o.paths) apps::write_whole(*o.paths, paths.csv());
+  if (o.paths) host::write_whole(*o.paths, paths.csv());
 }
 
 }  // namespace

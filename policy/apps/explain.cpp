@@ -21,6 +21,7 @@ struct DecisionOptions {
   std::optional<std::string> south_west;
   std::string baseline = "centre";
   std::filesystem::path output;
+  bool force = false;
 };
 
 program::CommandLine& add_map(program::CommandLine& line, apps::ExplainMapOptions& o) {
@@ -42,6 +43,7 @@ program::CommandLine& add_map(program::CommandLine& line, apps::ExplainMapOption
   map.option("--arrows", &o.arrows, "arrows along a side").from(1, 100).shows_default();
   map.option("--starts", &o.starts, "starts of paths along a side").from(1, 50).shows_default();
   map.option("-o,--output", &o.output, "picture to write (.png or .svg)").required();
+  map.flag("--force", &o.force, apps::kForceHelp);
   return map;
 }
 
@@ -59,6 +61,7 @@ void add_decision(program::CommandLine& line, DecisionOptions& o) {
       .one_of({"centre", "here"})
       .shows_default();
   decision.option("-o,--output", &o.output, "sheet to write (.html, .md or .json)").required();
+  decision.flag("--force", &o.force, apps::kForceHelp);
 }
 
 std::string in_format_of(const std::filesystem::path& output, const report::Sheet& sheet) {
@@ -66,16 +69,23 @@ std::string in_format_of(const std::filesystem::path& output, const report::Shee
   return output.extension() == ".md" ? report::as_markdown(sheet) : report::as_json(sheet);
 }
 
+host::OutputKind sheet_kind(const std::string& extension) {
+  if (extension == ".html") return host::kHtmlOutput;
+  if (extension == ".md") return {"a sheet of earshot explain (Markdown)", {"# Step ", {}}};
+  return {"a sheet of earshot explain (JSON)", {"{\n \"step\"", {}}};
+}
+
 void write_sheet(const DecisionOptions& o) {
   const std::string extension = o.output.extension().string();
   if (extension != ".html" && extension != ".md" && extension != ".json")
     throw BadInput("-o " + o.output.string() + ": must end in .html, .md or .json");
+  host::require_writable(o.output, sheet_kind(extension), host::replaced_by(o.force));
   report::RecordingOptions recording{.policy = o.policy, .south_west = std::nullopt};
   if (o.south_west) recording.south_west = apps::north_east_of("--south-west", *o.south_west);
   const report::RecordedFlight flight = report::open_recording(o.flight, recording);
   const report::Sheet sheet = report::make_sheet(flight, report::index_of_step(flight, o.step),
                                                  o.baseline == "here" ? explain::Baseline::kHere : explain::Baseline::kCentre);
-  apps::write_whole(o.output, in_format_of(o.output, sheet));
+  host::write_whole(o.output, in_format_of(o.output, sheet));
   for (const std::string& sentence : report::sentences(sheet.account)) std::cout << sentence << "\n";
   std::cout << "Integrated gradients: " << report::completeness_in_words(sheet.account.attribution) << ".\n";
 }

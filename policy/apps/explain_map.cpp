@@ -104,6 +104,7 @@ NorthEast north_east_of(const std::string& option, const std::string& text) {
 
 void draw_explanation_map(const ExplainMapOptions& options) {
   check_picture_name("-o", options.output);
+  host::require_writable(options.output, host::picture_kind(options.output), host::replaced_by(options.force));
   const std::unique_ptr<policy::FrozenPolicy> policy = evaluate::load_policy(options.policy);
   if (options.source.has_value() == options.flight.has_value())
     throw BadInput("earshot explain map: one of --source NORTH_M,EAST_M and --flight DIR is needed");

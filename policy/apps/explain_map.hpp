@@ -20,6 +20,7 @@ struct ExplainMapOptions {
   std::size_t arrows = 25;  ///< along a side
   std::size_t starts = 6;   ///< along a side, of a policy that goes by what it has heard
   std::filesystem::path output;
+  bool force = false;  ///< replace whatever file is there
 };
 
 /// Draws what a policy would do all over its area. Throws config_file::BadInput.

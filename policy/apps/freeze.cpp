@@ -22,6 +22,7 @@ struct Options {
   std::string draw = "sampled";
   std::string key;
   bool new_key = false;
+  bool force = false;
 };
 
 void add_options(program::CommandLine& line, Options& options) {
@@ -36,6 +37,7 @@ void add_options(program::CommandLine& line, Options& options) {
       .shows_default();
   line.option("--key", &options.key, "secret key file to sign with; its public half stands beside it as .pub").required();
   line.flag("--new-key", &options.new_key, "make the key and its .pub first; refused when the key exists");
+  line.flag("--force", &options.force, apps::kForceHelp);
 }
 
 std::filesystem::path public_file_of(std::filesystem::path key_file) {
@@ -44,18 +46,19 @@ std::filesystem::path public_file_of(std::filesystem::path key_file) {
 
 /// A policy must not be written over the key that signs it.
 void check_output(const Options& options) {
-  const apps::OutputFile output{"--output", *options.output};
-  apps::check_distinct(std::array{apps::OutputFile{"--key", options.key}, output});
-  apps::check_distinct(std::array{apps::OutputFile{"the public half of --key", public_file_of(options.key)}, output});
+  const apps::Output output{"--output", *options.output, apps::kPolicyOutput};
+  apps::check_distinct(std::array{apps::Output{"--key", options.key, {}}, output});
+  apps::check_distinct(std::array{apps::Output{"the public half of --key", public_file_of(options.key), {}}, output});
 }
 
 freeze::SecretKey new_key(const std::filesystem::path& file) {
   if (file.extension() == ".pub") throw BadInput(file.string() + ": a secret key must not end in .pub, the public key's name");
   if (std::filesystem::exists(file)) throw BadInput(file.string() + ": exists already; --new-key does not replace keys");
-  const freeze::SecretKey key = freeze::make_key();
-  apps::write_whole(file, to_text(key), apps::Access::kOwnerOnly);
   const std::filesystem::path public_file = public_file_of(file);
-  apps::write_whole(public_file, freeze::to_text(freeze::public_key_of(key)));
+  if (std::filesystem::exists(public_file)) (void)freeze::public_key_from(apps::read_whole(public_file), public_file.string());
+  const freeze::SecretKey key = freeze::make_key();
+  host::write_whole(file, to_text(key), host::Access::kOwnerOnly);
+  host::write_whole(public_file, freeze::to_text(freeze::public_key_of(key)));
   std::cout << file.string() << " (secret: keep it), " << public_file.string() << "\n";
   return key;
 }
@@ -99,12 +102,12 @@ void run(const Options& options) {
   if (options.model) {
     check_output(options);
     policy = freeze_model(*options.model, options);
-    apps::check_writable(*options.output);
+    host::require_writable(*options.output, apps::kPolicyOutput, host::replaced_by(options.force));
   }
   const freeze::SecretKey key = key_of(options);
   if (!options.model) return;
   const std::vector<std::uint8_t> bytes = freeze::sign(*policy, key);
-  apps::write_whole(*options.output, std::string(bytes.begin(), bytes.end()));
+  host::write_whole(*options.output, std::string(bytes.begin(), bytes.end()));
   std::cout << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " observations, "
             << policy->actions.size() << " actions, " << options.draw << "\n";
 }

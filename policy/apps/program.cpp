@@ -1,8 +1,5 @@
 #include "policy/apps/program.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -18,22 +15,6 @@ namespace earshot::apps {
 namespace {
 
 using config_file::BadInput;
-
-/// The temporary name under which a file is written before it gets its own.
-std::filesystem::path part_of(const std::filesystem::path& path) {
-  std::filesystem::path part = path;
-  part += ".part";
-  return part;
-}
-
-/// Waits until what was written of a file, or into a folder, is on the disk.
-bool bring_to_disk(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return false;
-  const bool done = ::fsync(file) == 0;
-  ::close(file);
-  return done;
-}
 
 void check_command_line(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
@@ -81,35 +62,6 @@ std::string read_whole(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-void write_whole(const std::filesystem::path& path, std::string_view content, Access access) {
-  const std::filesystem::path part = part_of(path);
-  std::error_code error;
-  {
-    std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-    if (access == Access::kOwnerOnly)
-      std::filesystem::permissions(part, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write, error);
-    stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-    stream.close();
-    const bool is_whole = stream && !error && bring_to_disk(part);
-    if (is_whole) std::filesystem::rename(part, path, error);
-    if (is_whole && !error) {
-      (void)bring_to_disk(std::filesystem::absolute(path).parent_path());  // not every file system can; the file is there all the same
-      return;
-    }
-  }
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
-  throw BadInput(path.string() + ": cannot be written");
-}
-
-void check_writable(const std::filesystem::path& path) {
-  const std::filesystem::path part = part_of(path);
-  std::error_code error;
-  const bool writable = !std::filesystem::is_directory(path, error) && std::ofstream(part).is_open();
-  std::filesystem::remove(part, error);
-  if (!writable) throw BadInput(path.string() + ": cannot be written");
-}
-
 std::filesystem::path data_folder() {
   std::error_code error;
   const std::filesystem::path bin = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
@@ -127,15 +79,20 @@ std::filesystem::path shipped_policy() {
   return shipped;
 }
 
-void check_distinct(std::span<const OutputFile> files) {
-  std::map<std::filesystem::path, const OutputFile*> known;
-  for (const OutputFile& file : files) {
+void check_distinct(std::span<const Output> files) {
+  std::map<std::filesystem::path, const Output*> known;
+  for (const Output& file : files) {
     const auto [first, is_new] = known.emplace(canonical_name(file.path), &file);
     if (is_new) continue;
-    const OutputFile& other = *first->second;
+    const Output& other = *first->second;
     throw BadInput(other.option + " " + other.path.string() + ", " + file.option + " " + file.path.string() +
                    ": the same file, one would replace the other");
   }
+}
+
+void require_writable(std::span<const Output> files, host::Replace replace) {
+  check_distinct(files);
+  for (const Output& file : files) host::require_writable(file.path, file.kind, replace);
 }
 
 bool is_utf8(std::string_view text) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "firmware/host/file/output_file.hpp"
 #include "firmware/host/program/command_line.hpp"
 #include "firmware/policy/action_draw.hpp"
 #include "sim/parallel/rank_session.hpp"
@@ -24,24 +25,23 @@ int run_ranked_program(program::CommandLine& line, int argc, char** argv, const 
 /// The whole content of a file. Throws config_file::BadInput when it cannot be read.
 [[nodiscard]] std::string read_whole(const std::filesystem::path& path);
 
-enum class Access : std::uint8_t { kEveryone, kOwnerOnly };
-
-/// Writes a file that is either whole or not there, a power cut included: under a temporary name in the same folder, brought to the disk,
-/// then renamed.
-/// Throws config_file::BadInput when it cannot be written.
-void write_whole(const std::filesystem::path& path, std::string_view content, Access access = Access::kEveryone);
-
-/// Throws config_file::BadInput now rather than after minutes of work when `path` cannot be written later.
-void check_writable(const std::filesystem::path& path);
-
 /// A file that a program is to write, and the option that names it.
-struct OutputFile {
+struct Output {
   std::string option;
   std::filesystem::path path;
+  host::OutputKind kind;
 };
 
+inline constexpr host::OutputKind kPolicyOutput{"a .policy file", {"EARSHOTP", {}}};
+
+/// What help says of --force.
+inline constexpr const char* kForceHelp = "replace a file that is there already, of whatever kind it is";
+
 /// Throws config_file::BadInput, naming both options, when two of them are one file: one would silently replace the other.
-void check_distinct(std::span<const OutputFile> files);
+void check_distinct(std::span<const Output> files);
+
+/// The same, and throws now rather than after minutes of work when one of them cannot be written later: see host::require_writable.
+void require_writable(std::span<const Output> files, host::Replace replace);
 
 /// Whether JSON can hold it.
 [[nodiscard]] bool is_utf8(std::string_view text);

@@ -22,7 +22,7 @@ using Trainings = std::vector<std::unique_ptr<apps::Training>>;
 Trainings prepare(const apps::TrainOptions& options, const std::vector<std::string>& arguments, parallel::Ranks& ranks) {
   if (options.plot) {
     apps::check_picture_name("--plot", *options.plot);
-    if (ranks.rank() == 0) apps::check_writable(*options.plot);
+    if (ranks.rank() == 0) host::require_writable(*options.plot, host::picture_kind(*options.plot), host::replaced_by(options.force));
   }
   std::vector<apps::TrainingJob> jobs = apps::jobs_of(options, arguments);
   if (jobs.size() > 1 && ranks.size() > 1) throw BadInput("several trainings at once share no MPI ranks: start mpirun for each");

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "policy/apps/program.hpp"
 
 namespace earshot::apps {
 namespace {
@@ -71,11 +72,12 @@ void TrainOptions::add_to(program::CommandLine& line) {
       .excludes(one_seed);
   line.option("--threads", &threads, "trainings at a time (all processors)").from(1, 1024);
   line.option("--environments", &environments, "episodes stepped together (1)").from(1, 65'536);
+  line.flag("--force", &force, kForceHelp);
 }
 
 void check_for_resume(const program::CommandLine& line) {
-  constexpr std::array<std::string_view, 8> kFree{"--resume",   "--output", "--checkpoint-every", "--curve", "--plot",
-                                                  "--episodes", "--steps",  "--threads"};
+  constexpr std::array<std::string_view, 9> kFree{"--resume",   "--output", "--checkpoint-every", "--curve", "--plot",
+                                                  "--episodes", "--steps",  "--threads",          "--force"};
   for (const std::string& option : line.given()) {
     if (std::ranges::find(kFree, option) == kFree.end())
       throw BadInput(option + ": stays as it was in a training that --resume goes on with");

@@ -29,6 +29,7 @@ struct TrainOptions {
   std::vector<std::uint64_t> seeds;
   std::optional<std::size_t> threads;
   std::optional<std::size_t> environments;
+  bool force = false;  ///< replace files that are of another kind
 
   void add_to(program::CommandLine& line);
   /// Makes the paths of input files absolute: those of a command that was given in `directory`.

@@ -149,6 +149,7 @@ TrainingJob job_from(const std::string& file, const TrainOptions& given) {
     job.options.episodes = given.episodes;
     job.options.steps = given.steps;
   }
+  job.options.force = given.force;
   if (given.checkpoint_every) job.options.checkpoint_every = given.checkpoint_every;
   job.output = given.output.value_or(file);
   job.earlier_curve = recorded_curve(file, job);
@@ -160,16 +161,20 @@ TrainingJob job_from(const std::string& file, const TrainOptions& given) {
   return job;
 }
 
+constexpr host::OutputKind kCheckpointOutput{"a checkpoint of earshot train", {R"({"format":"earshot checkpoint)", {}}};
+constexpr host::OutputKind kCurveOutput{"a learning curve (CSV)", {"episode,", {}}};
+constexpr host::OutputKind kLossesOutput{"the losses of a training (CSV)", {"steps,episodes,", {}}};
+
 void check_files(const std::vector<TrainingJob>& jobs, const TrainOptions& given) {
   const std::string checkpoint = given.output || given.resume.empty() ? "--output" : "--resume";
   const std::string curve = given.curve ? "--curve" : "the learning curve of " + checkpoint;
-  std::vector<OutputFile> files;
+  std::vector<Output> files;
   for (const TrainingJob& job : jobs) {
-    files.push_back({checkpoint, job.output});
-    files.push_back({curve, job.curve});
-    files.push_back({"the losses beside " + curve, job.updates});
+    files.push_back({checkpoint, job.output, kCheckpointOutput});
+    files.push_back({curve, job.curve, kCurveOutput});
+    files.push_back({"the losses beside " + curve, job.updates, kLossesOutput});
   }
-  if (given.plot) files.push_back({"--plot", *given.plot});
+  if (given.plot) files.push_back({"--plot", *given.plot, host::picture_kind(*given.plot)});
   check_distinct(files);
 }
 
@@ -291,9 +296,9 @@ void Training::Parts::write() {
     for (const std::string& worker : all) state.workers.push_back(ppo::worker_from_text(worker));
   }
   if (ranks.rank() > 0) return;
-  write_whole(job.curve, curve.episodes_csv());
-  write_whole(job.updates, curve.updates_csv());
-  write_whole(job.output, to_text(checkpoint(std::move(state))));
+  host::write_whole(job.curve, curve.episodes_csv());
+  host::write_whole(job.updates, curve.updates_csv());
+  host::write_whole(job.output, to_text(checkpoint(std::move(state))));
 }
 
 void Training::Parts::tell(const std::vector<Told>& episodes, const ppo::UpdateReport& update) {
@@ -313,7 +318,11 @@ TrainingProgress::At Training::Parts::progress() const {
 Training::Training(TrainingJob job, parallel::Ranks& ranks) : parts_(std::make_unique<Parts>(std::move(job), ranks)) {
   if (parts_->job.resumed) parts_->resume();
   if (ranks.rank() > 0) return;
-  for (const auto& path : {parts_->job.output, parts_->job.curve, parts_->job.updates}) check_writable(path);
+  const TrainingJob& outputs = parts_->job;
+  const host::Replace replace = host::replaced_by(outputs.options.force);
+  host::require_writable(outputs.output, kCheckpointOutput, replace);
+  host::require_writable(outputs.curve, kCurveOutput, replace);
+  host::require_writable(outputs.updates, kLossesOutput, replace);
 }
 
 Training::~Training() = default;

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "firmware/host/file/output_file.hpp"
 #include "sim/sonar/fan.hpp"
 #include "sim/sonar/gnuplot.hpp"
 
@@ -71,7 +72,7 @@ void describe_solver(program::CommandLine& line, FieldArguments& a) {
 /// Options that would be silently ignored are refused.
 void refuse_beside_library(const program::CommandLine& line) {
   for (const std::string& option : line.given()) {
-    if (option != "--library" && option != "--output" && option != "--threads")
+    if (option != "--library" && option != "--output" && option != "--threads" && option != "--force")
       throw std::invalid_argument(option + ": not with --library, whose file says all of it");
   }
 }
@@ -114,6 +115,7 @@ void describe(program::CommandLine& line, FieldArguments& a) {
   line.option("--library", &a.library, "TOML file that names an environment and many positions; instead of ENVIRONMENT");
   line.option("-o,--output", &a.output, "NetCDF file to write").required();
   line.option("--plot", &a.plot, "also draw the SNR, as .png or .svg").checked(picture_name);
+  line.flag("--force", &a.force, "replace a file that is there already, of whatever kind it is");
   describe_place(line, a);
   describe_fan(line, a);
   describe_sound(line, a);
@@ -141,9 +143,10 @@ void require_consistent(const program::CommandLine& line, const FieldArguments& 
                 "--band-hz: the low frequency comes first, and must be less than the high one");
 }
 
-void require_writable_folder(const std::string& file) {
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  if (!std::filesystem::is_directory(folder)) throw std::runtime_error(file + ": cannot be written: there is no folder " + folder.string());
+void require_writable(const FieldArguments& arguments) {
+  const host::Replace replace = host::replaced_by(arguments.force);
+  host::require_writable(arguments.output, host::kNetcdfOutput, replace);
+  if (!arguments.plot.empty()) host::require_writable(arguments.plot, host::picture_kind(arguments.plot), replace);
 }
 
 sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Environment& environment, double default_step_wavelengths,

@@ -38,6 +38,7 @@ struct FieldArguments {
   std::string starter = "self";
   double accuracy_db = 0.02;
   bool check = false;
+  bool force = false;  ///< replace files that are of another kind
   double detection_threshold_db = 10.0;
   double fluctuation_db = 0.0;
   std::optional<std::size_t> threads;  ///< default: all processors
@@ -48,8 +49,8 @@ void describe(program::CommandLine& line, FieldArguments& arguments);
 /// Throws std::invalid_argument for options that contradict each other, or would be ignored.
 void require_consistent(const program::CommandLine& line, const FieldArguments& arguments);
 
-/// Refused before the work, not after it.
-void require_writable_folder(const std::string& file);
+/// Refuses files that cannot be written before the work, not after it. Throws host::BadInput.
+void require_writable(const FieldArguments& arguments);
 
 /// @param default_step_wavelengths  between ranges written where the command line names none
 /// Throws std::invalid_argument naming a depth that no radial has water at, and for more values than kMostFanValues.

@@ -69,8 +69,7 @@ void print_check(const ocean::Environment& environment, const sonar::RadialPlan&
 
 void write_fan(const FieldArguments& arguments) {
   const auto environment = ocean::load_environment(arguments.environment);
-  require_writable_folder(arguments.output);
-  if (!arguments.plot.empty()) require_writable_folder(arguments.plot);
+  require_writable(arguments);
   const NorthEast source = environment.source.position;
   const Meters deepest = sonar::deepest_sea_floor(environment, source, arguments.radials, Meters{1000.0 * arguments.max_range_km});
   const sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0, deepest)};

@@ -1,6 +1,7 @@
 #include <iostream>
 #include <optional>
 
+#include "firmware/host/file/output_file.hpp"
 #include "sim/apps/field_modes.hpp"
 #include "sim/apps/progress_bar.hpp"
 #include "sim/sonar/library.hpp"
@@ -28,13 +29,14 @@ void write_library(const FieldArguments& arguments, parallel::RankSession& sessi
   std::optional<sonar::LibraryPlan> plan;
   session.all_or_none<BadStart, std::exception>([&] {
     plan = sonar::load_library_plan(arguments.library);
-    if (session.ranks().rank() == 0) require_writable_folder(arguments.output);
+    if (session.ranks().rank() == 0) require_writable(arguments);
   });
 
   const std::size_t threads = arguments.threads.value_or(session.processors());
   const auto summary = [&] {
     ProgressBar bar("library");
-    return sonar::write_library(arguments.output, *plan, threads, session.ranks(), [&bar](double fraction) { bar.update(fraction); });
+    return sonar::write_library(host::followed(arguments.output), *plan, threads, session.ranks(),
+                                [&bar](double fraction) { bar.update(fraction); });
   }();
   if (session.ranks().rank() == 0) print_summary(arguments, *plan, summary, session.ranks().size(), threads);
 }

@@ -27,8 +27,7 @@ void print_check(const ocean::Environment& environment, Radians bearing, const s
 
 void write_radial(const FieldArguments& arguments) {
   const auto environment = ocean::load_environment(arguments.environment);
-  require_writable_folder(arguments.output);
-  if (!arguments.plot.empty()) require_writable_folder(arguments.plot);
+  require_writable(arguments);
   const Radians bearing{arguments.bearing_deg * std::numbers::pi / 180.0};
   const Meters deepest =
       sonar::deepest_sea_floor(environment, environment.source.position, bearing, Meters{1000.0 * arguments.max_range_km});

@@ -75,17 +75,4 @@ void remove_results(const std::filesystem::path& folder) {
   for (const char* name : {"summary.json", "track.csv", "report.html"}) std::filesystem::remove(folder / name);
 }
 
-void write_whole(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path partial = partial_name(path);
-  std::FILE* file = std::fopen(partial.c_str(), "w");
-  if (file == nullptr) fail(partial);
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  if (std::fclose(file) != 0 || !written) {
-    const int error = errno;
-    std::filesystem::remove(partial);
-    throw std::system_error(error, std::generic_category(), path.string());
-  }
-  std::filesystem::rename(partial, path);
-}
-
 }  // namespace earshot::simulation

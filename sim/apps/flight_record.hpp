@@ -76,7 +76,4 @@ class Score {
 /// Removes what an earlier flight left in its folder and a new one does not replace at once: no half-flown search may look finished.
 void remove_results(const std::filesystem::path& folder);
 
-/// Writes `text` to `path` by way of another name, which is gone if that fails. @throws std::system_error naming the file.
-void write_whole(const std::filesystem::path& path, const std::string& text);
-
 }  // namespace earshot::simulation

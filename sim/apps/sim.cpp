@@ -15,6 +15,7 @@
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/boards/linux/waiting.hpp"
 #include "firmware/core/random.hpp"
+#include "firmware/host/file/output_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "sim/apps/autopilot_bus.hpp"
@@ -99,7 +100,7 @@ void write_curve(const std::filesystem::path& path, const sonar::SnrCurve& snr) 
   for (std::size_t i = 0; i < snr.samples_db().size(); ++i) {
     text += std::to_string(static_cast<double>(i) * snr.range_step().value) + "," + std::to_string(snr.samples_db()[i]) + "\n";
   }
-  write_whole(path, text);
+  host::write_whole(path, text);
 }
 
 nlohmann::ordered_json summary_of(const Options& o, const config::Mission& mission, const FlightResult& result, const Score& score,
@@ -171,7 +172,7 @@ int simulate(const Options& o) {
   const FlightResult result = fly({world, *bus, link, track, score}, start, stop_requested);
   const bool has_track = succeeds([&] { track.finish(); });
   const bool has_summary =
-      succeeds([&] { write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n"); });
+      succeeds([&] { host::write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n"); });
   if (link.strangers() > 0)
     std::cerr << "earshot-sim: " << link.strangers() << " answers of another earshotd in DDS domain " << o.domain << " were ignored\n";
   if (result.failure.empty()) return has_track && has_summary ? 0 : kLost;

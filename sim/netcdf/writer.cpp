@@ -1,27 +1,22 @@
 #include "sim/netcdf/writer.hpp"
 
 #include <netcdf.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <system_error>
+#include <utility>
 
 #include "sim/netcdf/library_exit.hpp"
 #include "sim/netcdf/library_type.hpp"
 
 namespace earshot::netcdf {
-Writer::Writer(std::filesystem::path path) : path_(std::move(path)), partial_(path_) {
-  partial_ += ".part" + std::to_string(getpid());
+Writer::Writer(std::filesystem::path path) : path_(std::move(path)), whole_(path_) {
   leave_hdf5_alone_at_exit();
-  check(nc_create(partial_.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_), "");
+  check(nc_create(whole_.partial().c_str(), NC_NETCDF4 | NC_CLOBBER, &file_), "");
 }
 
 Writer::~Writer() {
-  if (file_ == -1) return;
-  (void)nc_close(file_);
-  std::error_code ignored;
-  std::filesystem::remove(partial_, ignored);
+  if (file_ != -1) (void)nc_close(file_);
 }
 
 void Writer::check(int status, const std::string& variable) const {
@@ -113,14 +108,8 @@ void Writer::write(const std::string& variable, const Block& block, std::span<co
 
 void Writer::commit() {
   const int file = std::exchange(file_, -1);
-  const int status = nc_close(file);
-  std::error_code failed;
-  if (status == NC_NOERR) std::filesystem::rename(partial_, path_, failed);
-  if (status == NC_NOERR && !failed) return;
-  std::error_code ignored;
-  std::filesystem::remove(partial_, ignored);
-  check(status, "");
-  throw FileError(path_.string() + ": cannot be written (" + failed.message() + ")");
+  check(nc_close(file), "");
+  whole_.commit(host::OutputFile::Survives::kProcess);
 }
 
 }  // namespace earshot::netcdf

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/host/file/output_file.hpp"
 #include "sim/netcdf/file_error.hpp"
 #include "sim/netcdf/reader.hpp"
 
@@ -17,9 +18,9 @@ enum class Type : std::uint8_t { kFloat, kDouble, kInt16, kInt32 };
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
-/// A NetCDF-4 file in the making. It stands under a temporary name in the same folder ("FILE.part" and the process's number) and gets its
-/// own only at `commit`; destroyed before that, it leaves nothing. Whatever cannot be written (no such folder, no right, disk full) throws
-/// FileError.
+/// A NetCDF-4 file in the making. It stands under a temporary name in the same folder (host::OutputFile) and gets its own only at `commit`;
+/// destroyed before that, it leaves nothing. A file that cannot be made or named (no such folder, no right, a pipe or a device in its
+/// place) throws host::BadInput, values that cannot be written (disk full) FileError, which is one.
 ///
 ///     netcdf::Writer file("field.nc");
 ///     file.dimension("range", 100);
@@ -54,7 +55,7 @@ class Writer {
   void check_size(const std::string& variable, const Block& block, std::size_t values) const;
 
   std::filesystem::path path_;
-  std::filesystem::path partial_;
+  host::OutputFile whole_;
   int file_ = -1;  ///< -1: closed
 };
 

@@ -10,6 +10,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "firmware/host/file/output_file.hpp"
+
 namespace earshot::sonar {
 namespace {
 
@@ -92,19 +94,16 @@ bool is_picture_name(const std::filesystem::path& path) {
 void draw(const std::filesystem::path& path, const Drawing& drawing) {
   if (!is_picture_name(path)) throw std::invalid_argument(path.string() + ": a plot's name must end in .png or .svg");
   const bool png = path.extension() == ".png";
-  std::filesystem::path temporary = std::filesystem::absolute(path);  // gnuplot takes a name that begins with | for a command
-  temporary += ".part" + std::to_string(getpid());
+  // Its other name is absolute: gnuplot takes one that begins with | for a command.
+  host::OutputFile picture(path);
   try {
-    if (!std::ofstream(temporary)) throw std::runtime_error("it cannot be written");
     run_gnuplot(std::string("set encoding utf8\nset terminal ") + (png ? "pngcairo" : "svg background rgb 'white'") +
-                " font 'Sans,12' size " + drawing.size + "\nset output " + quoted(temporary.string()) + "\n" + drawing.commands +
+                " font 'Sans,12' size " + drawing.size + "\nset output " + quoted(picture.partial().string()) + "\n" + drawing.commands +
                 "\nset output\n");
-    require_whole(temporary, png ? "IEND" : "</svg>");
-    if (!png) retitle(temporary, drawing.title);
-    std::filesystem::rename(temporary, path);
+    require_whole(picture.partial(), png ? "IEND" : "</svg>");
+    if (!png) retitle(picture.partial(), drawing.title);
+    picture.commit(host::OutputFile::Survives::kProcess);
   } catch (const std::exception& e) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
     throw std::runtime_error(path.string() + ": cannot be drawn: " + e.what());
   }
 }

@@ -18,7 +18,8 @@ struct Drawing {
 /// Draws with gnuplot under a temporary name, which takes its own when the picture is whole.
 ///
 /// @param path  ends in .png or .svg
-/// Throws std::invalid_argument for another extension, std::runtime_error when gnuplot is missing or fails.
+/// Throws std::invalid_argument for another extension, host::BadInput when the file cannot be made, std::runtime_error when gnuplot is
+/// missing or fails.
 void draw(const std::filesystem::path& path, const Drawing& drawing);
 
 /// Runs gnuplot on the commands. Throws std::runtime_error when it is missing or fails.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/file_type.hpp"
 #include "firmware/host/file/printable.hpp"
 
 namespace earshot::host {
@@ -25,11 +26,10 @@ BadInput unreadable(const std::filesystem::path& path, const std::string& why) {
   return refused(path, "cannot be read: " + why);
 }
 
-const char* what_it_is(mode_t mode) {
-  if (S_ISDIR(mode)) return "it is a folder";
-  if (S_ISFIFO(mode)) return "it is a pipe, and only regular files are read: write it to a file first";
-  if (S_ISSOCK(mode)) return "it is a socket, and only regular files are read";
-  return "it is a device, and only regular files are read";
+std::string why_not_read(mode_t mode) {
+  const std::string type = std::string("it is ") + type_name(mode);
+  if (S_ISDIR(mode)) return type;
+  return type + ", and only regular files are read" + (S_ISFIFO(mode) ? ": write it to a file first" : "");
 }
 
 BadInput too_large(const std::filesystem::path& path, FileKind kind, std::uint64_t size) {
@@ -37,7 +37,7 @@ BadInput too_large(const std::filesystem::path& path, FileKind kind, std::uint64
 }
 
 void require_acceptable(const std::filesystem::path& path, FileKind kind, const struct stat& status) {
-  if (!S_ISREG(status.st_mode)) throw unreadable(path, what_it_is(status.st_mode));
+  if (!S_ISREG(status.st_mode)) throw unreadable(path, why_not_read(status.st_mode));
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size > kind.most_bytes) throw too_large(path, kind, size);
 }

@@ -1,5 +1,6 @@
 // The commands as a person meets them: what they make, and what they say of bad input.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -333,6 +334,30 @@ TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
   refuses("evaluate --policies oracle --world bad.toml", {"bad.toml:6", "fluctuation_db", "at least 0"});
   refuses("evaluate " + kShipped + kOcean + " --episodes 0", {"--episodes", "0"});
   refuses("evaluate " + kShipped + kOcean + " --json nowhere/a.json", {"nowhere/a.json", "cannot be written"});
+}
+
+TEST_F(Programs, LeaveFilesThatAreNoneOfTheirOwnUnlessForced) {
+  const std::string notes = "[seabed]\ndepth_m = 3000\n";
+  for (const char* name : {"notes.toml", "notes.svg"}) std::ofstream(folder / name) << notes;
+  const std::string evaluate = "evaluate --policies oracle --episodes 1";
+  for (const char* option : {" --json notes.toml", " --csv notes.toml", " --paths notes.toml", " --plot notes.svg"})
+    refuses(evaluate + option, {"is there already and is not", "--force"});
+  const std::string train = "train" + kOcean + " --episodes 1 -o ";
+  refuses(train + "notes.toml", {"notes.toml: is there already and is not a checkpoint"});
+  refuses(train + "a.checkpoint --curve notes.toml", {"notes.toml: is there already and is not a learning curve"});
+  ASSERT_EQ(run(train + "a.checkpoint"), 0) << content(folder / "err");
+  ASSERT_EQ(run(train + "a.checkpoint"), 0) << "its own kind: " << content(folder / "err");
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0) << content(folder / "err");
+  refuses("freeze a.checkpoint -o notes.toml --key a.key", {"notes.toml: is there already and is not a .policy file"});
+  EXPECT_EQ(content(folder / "notes.toml"), notes);
+  ASSERT_EQ(run(evaluate + " --force --csv notes.toml"), 0) << content(folder / "err");
+  EXPECT_TRUE(content(folder / "notes.toml").starts_with("world,policy,"));
+}
+
+TEST_F(Programs, EvaluateLeavesAPipe) {
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  refuses("evaluate --policies oracle --episodes 1 --force --csv pipe", {"pipe: cannot be written: it is a pipe"});
+  EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
 }
 
 TEST_F(Programs, EvaluateNeedsNothingButTheNamesOfPolicies) {

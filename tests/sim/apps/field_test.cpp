@@ -62,6 +62,33 @@ TEST_F(FieldProgram, RefusesAnOutputThatCannotBeWritten) {
   expect_refused(kMunk + " -o /nowhere/field.nc", "/nowhere/field.nc: cannot be written");
 }
 
+TEST_F(FieldProgram, LeavesAFileThatIsNoneOfItsOwnUnlessForced) {
+  const std::string ocean = ocean_with("depth_m = 30.0", "depth_m = 31.0");
+  const std::string before = read(ocean);
+  const std::string small = " --max-range-km 1 --depth 100";
+  for (const std::string& option : {" -o " + ocean, " -o " + output() + " --plot " + ocean + ".svg"}) {
+    std::filesystem::copy_file(ocean, ocean + ".svg", std::filesystem::copy_options::overwrite_existing);
+    expect_refused(ocean + small + option, "is there already and is not");
+    EXPECT_EQ(read(ocean), before);
+    EXPECT_EQ(read(ocean + ".svg"), before);
+  }
+  EXPECT_EQ(run(kMunk + small + " --force -o " + ocean), 0) << errors();
+  EXPECT_EQ(read(ocean).substr(1, 3), "HDF");
+  EXPECT_EQ(run(kMunk + small + " -o " + ocean), 0) << errors();
+}
+
+TEST_F(FieldProgram, LeavesAPipeAndFollowsASymbolicLink) {
+  const std::filesystem::path pipe = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string small = " --max-range-km 1 --depth 100";
+  expect_refused(kMunk + small + " --force -o " + pipe.string(), "pipe: cannot be written: it is a pipe");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+  std::filesystem::create_symlink("out/field.nc", folder_ / "link.nc");
+  EXPECT_EQ(run(kMunk + small + " -o " + (folder_ / "link.nc").string()), 0) << errors();
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link.nc"));
+  EXPECT_EQ(read(output()).substr(1, 3), "HDF");
+}
+
 TEST_F(FieldProgram, RefusesAPictureOfAnUnknownKindBeforeTheWork) {
   expect_refused(kMunk + " -o " + output() + " --max-range-km 1 --plot " + folder_.string() + "/out/field.jpeg",
                  "must end in .png or .svg");

@@ -77,7 +77,7 @@ TEST(NetcdfWriter, LeavesTheOldFileAndNothingElseWhenNotCommitted) {
 
 TEST(NetcdfWriter, RefusesAFolderThatIsNotThereAndANumberOfValuesThatDoesNotFit) {
   const tests::TemporaryFolder folder;
-  EXPECT_THROW(Writer(folder / "none/f.nc"), FileError);
+  EXPECT_THROW(Writer(folder / "none/f.nc"), host::BadInput);
   Writer file(folder / "f.nc");
   file.dimension("range", 5);
   file.variable("range", Type::kDouble, {"range"}, {});
@@ -151,9 +151,14 @@ TEST(NetcdfWriter, LetsAProgramEndInPeaceAfterAFullDisk) {
 TEST(NetcdfWriter, SaysThatItCannotTakeItsNameAndLeavesNothingBehind) {
   const tests::TemporaryFolder folder;
   std::filesystem::create_directories(folder / "f.nc/in the way");
-  Writer file(folder / "f.nc");
-  fill(file, 5);
-  EXPECT_THROW(file.commit(), FileError);
+  EXPECT_THROW(Writer(folder / "f.nc"), host::BadInput);
+  {
+    Writer file(folder / "g.nc");
+    fill(file, 5);
+    std::filesystem::create_directories(folder / "g.nc/in the way by now");
+    EXPECT_THROW(file.commit(), host::BadInput);
+  }
+  std::filesystem::remove_all(folder / "g.nc");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+#include "firmware/host/file/file_descriptor.hpp"
+
+namespace earshot::host {
+
+/// What a program writes, told by how such a file begins.
+struct OutputKind {
+  std::string_view name;  ///< with its article: "a NetCDF file"
+  std::array<std::string_view, 2> beginnings;
+};
+
+inline constexpr OutputKind kNetcdfOutput{"a NetCDF file", {"\x89HDF\r\n\x1a\n", "CDF"}};
+inline constexpr OutputKind kPngOutput{"a PNG picture", {"\x89PNG\r\n\x1a\n", {}}};
+inline constexpr OutputKind kSvgOutput{"an SVG picture", {"<?xml", "<svg"}};
+inline constexpr OutputKind kHtmlOutput{"an HTML page", {"<!DOCTYPE html>", {}}};
+
+/// By the end of its name: .png is a PNG picture, anything else an SVG one.
+[[nodiscard]] OutputKind picture_kind(const std::filesystem::path& path);
+
+/// Which files may be replaced.
+enum class Replace : std::uint8_t {
+  kOwnKind,  ///< empty ones, and such as are of the kind that is written
+  kAny,      ///< any regular file: --force
+};
+
+/// What --force means.
+[[nodiscard]] constexpr Replace replaced_by(bool force) {
+  return force ? Replace::kAny : Replace::kOwnKind;
+}
+
+/// Whether others may read a file that is made anew.
+enum class Access : std::uint8_t { kEveryone, kOwnerOnly };
+
+/// The file that a path stands for: where its symbolic links end, whether anything is there yet or not.
+/// Throws BadInput when they go round in a circle.
+[[nodiscard]] std::filesystem::path followed(const std::filesystem::path& path);
+
+/// Judges before the work what would be refused after it.
+/// Throws BadInput naming the file when it is not a regular one, is of another kind than is to be written, or cannot be made in its folder.
+/// Oracle: OutputFile.*
+void require_writable(const std::filesystem::path& path, const OutputKind& kind, Replace replace);
+
+/// A file that is either whole or what it was before. It is written beside its place under another name, brought to the disk and renamed. A
+/// symbolic link stays and what it points to is replaced; a pipe, a device, a socket or a folder is refused and stays.
+class OutputFile {
+ public:
+  /// Throws BadInput naming the file.
+  explicit OutputFile(const std::filesystem::path& path, Access access = Access::kEveryone);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  /// Unless commit() was called, nothing of it is left.
+  ~OutputFile();
+
+  /// Where it stands until commit(), for a library that opens files by name.
+  [[nodiscard]] const std::filesystem::path& partial() const { return partial_; }
+  /// Throws BadInput naming the file, such as on a full disk.
+  void write(std::string_view content);
+
+  enum class Survives : std::uint8_t { kProcess, kPowerCut };
+  /// Gives it its name. Throws BadInput naming the file; the older one is then still there.
+  void commit(Survives survives = Survives::kPowerCut);
+
+ private:
+  std::filesystem::path path_;    ///< as a person named it
+  std::filesystem::path target_;  ///< where its links end
+  std::filesystem::path partial_;
+  FileDescriptor file_;
+};
+
+/// Writes a whole file. Throws BadInput naming the file; the older one is then still there.
+void write_whole(const std::filesystem::path& path, std::string_view content, Access access = Access::kEveryone);
+
+}  // namespace earshot::host

@@ -1,0 +1,175 @@
+#include "firmware/host/file/output_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/input_file.hpp"
+
+namespace earshot::host {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr OutputKind kNotes{"a file of notes", {"note:", {}}};
+
+class OutputFileTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = testing::TempDir() + "earshot-output-XXXXXX";
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    path_ = folder_ / "file";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  template <class Work>
+  static std::string refusal(Work work) {
+    try {
+      work();
+    } catch (const BadInput& bad) {
+      return bad.what();
+    }
+    return {};
+  }
+
+  /// What is no regular file stays, whether it is judged before the work or written to after it.
+  void expect_stays(mode_t type, const std::string& why) {
+    for (const Replace replace : {Replace::kOwnKind, Replace::kAny})
+      EXPECT_EQ(refusal([&] { require_writable(path_, kNotes, replace); }), path_.string() + ": cannot be written: it is " + why);
+    EXPECT_EQ(refusal([&] { write_whole(path_, "note: 1"); }), path_.string() + ": cannot be written: it is " + why);
+    struct stat status {};
+    ASSERT_EQ(lstat(path_.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & S_IFMT, type);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1) << "left something behind";
+  }
+
+  [[nodiscard]] std::string content() const { return read_text(path_, kAnySize); }
+
+  fs::path folder_;
+  fs::path path_;
+};
+
+TEST_F(OutputFileTest, ReplacesAFileOfItsKindWhole) {
+  write_whole(path_, "note: an older and longer one");
+  require_writable(path_, kNotes, Replace::kOwnKind);
+  write_whole(path_, "note: 2");
+  EXPECT_EQ(content(), "note: 2");
+}
+
+TEST_F(OutputFileTest, LeavesAFileOfAnotherKindUnlessForced) {
+  write_whole(path_, "[seabed]\ndepth_m = 3000\n");
+  EXPECT_EQ(refusal([&] { require_writable(path_, kNotes, Replace::kOwnKind); }),
+            path_.string() + ": is there already and is not a file of notes; --force replaces it");
+  EXPECT_EQ(refusal([&] { require_writable(path_, kNotes, Replace::kAny); }), "");
+  EXPECT_EQ(content(), "[seabed]\ndepth_m = 3000\n");
+}
+
+TEST_F(OutputFileTest, TakesAnEmptyFileForItsOwn) {
+  write_whole(path_, "");
+  EXPECT_EQ(refusal([&] { require_writable(path_, kNotes, Replace::kOwnKind); }), "");
+}
+
+TEST_F(OutputFileTest, LeavesAPipe) {
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  expect_stays(S_IFIFO, "a pipe, and only regular files are replaced");
+}
+
+TEST_F(OutputFileTest, LeavesADevice) {
+  if (mknod(path_.c_str(), S_IFCHR | 0600, makedev(1, 7)) != 0) GTEST_SKIP() << "only root makes devices";
+  expect_stays(S_IFCHR, "a device, and only regular files are replaced");
+}
+
+TEST_F(OutputFileTest, LeavesASocket) {
+  const int socket_number = socket(AF_UNIX, SOCK_STREAM, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  ASSERT_LT(path_.string().size(), sizeof address.sun_path);
+  path_.string().copy(address.sun_path, path_.string().size());
+  ASSERT_EQ(bind(socket_number, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  close(socket_number);
+  expect_stays(S_IFSOCK, "a socket, and only regular files are replaced");
+}
+
+TEST_F(OutputFileTest, LeavesAFolder) {
+  fs::create_directory(path_);
+  expect_stays(S_IFDIR, "a folder, and only regular files are replaced");
+}
+
+TEST_F(OutputFileTest, WritesToWhereSymbolicLinksEnd) {
+  fs::create_directory(folder_ / "elsewhere");
+  fs::create_symlink("second", path_);
+  fs::create_symlink("elsewhere/target", folder_ / "second");
+  for (const char* text : {"note: made", "note: replaced"}) {
+    write_whole(path_, text);
+    EXPECT_TRUE(fs::is_symlink(path_));
+    EXPECT_EQ(read_text(folder_ / "elsewhere/target", kAnySize), text);
+  }
+}
+
+TEST_F(OutputFileTest, LeavesAPipeBehindASymbolicLink) {
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  fs::create_symlink("pipe", path_);
+  EXPECT_NE(refusal([&] { write_whole(path_, "note: 1"); }), "");
+  EXPECT_TRUE(fs::is_symlink(path_));
+  EXPECT_TRUE(fs::is_fifo(folder_ / "pipe"));
+}
+
+TEST_F(OutputFileTest, RefusesLinksThatGoRound) {
+  fs::create_symlink("file", path_);
+  EXPECT_NE(refusal([&] { write_whole(path_, "note: 1"); }), "");
+}
+
+TEST_F(OutputFileTest, KeepsWhoMayReadTheOlderFile) {
+  write_whole(path_, "note: secret");
+  fs::permissions(path_, fs::perms::owner_read | fs::perms::owner_write);
+  write_whole(path_, "note: 2");
+  EXPECT_EQ(fs::status(path_).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(OutputFileTest, KeepsASecretFromOthersFromTheFirstByte) {
+  const OutputFile file(path_, Access::kOwnerOnly);
+  EXPECT_EQ(fs::status(file.partial()).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(OutputFileTest, LeavesTheOlderFileAndNothingElseWhereTheDiskIsFull) {
+  write_whole(path_, "note: older");
+  (void)std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string said = refusal([&] { write_whole(path_, std::string(100'000, 'x')); });
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_EQ(said, path_.string() + ": cannot be written: File too large");
+  EXPECT_EQ(content(), "note: older");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(OutputFileTest, LeavesNothingOfAFileThatWasNotFinished) {
+  {
+    OutputFile file(path_);
+    file.write("note: half");
+  }
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(OutputFileTest, NamesAFolderThatIsNotThere) {
+  const fs::path lost = folder_ / "no" / "file";
+  EXPECT_EQ(refusal([&] { require_writable(lost, kNotes, Replace::kOwnKind); }),
+            lost.string() + ": cannot be written: No such file or directory");
+}
+
+}  // namespace
+}  // namespace earshot::host
