@@ -59,13 +59,14 @@ void describe_solver(program::CommandLine& line, FieldArguments& a) {
   line.option("--range-step,--range-step-m", &a.range_step_m, "m of one step of the solver; default: automatic").between(0.01, 10000.0);
   line.option("--depth-step,--depth-step-m", &a.depth_step_m, "m of the solver's depth grid; default: automatic").between(0.001, 1000.0);
   line.option("--terms", &a.terms, "poles of the propagator, 2 to 16; 0: automatic").from(0, 16).shows_default();
-  line.option("--absorber-wavelengths", &a.absorber_wavelengths, "thickness of the absorbing layer below the deepest layer of the seabed")
-      .between(0.5, 100.0)
-      .shows_default();
+  line.option("--absorber-wavelengths", &a.absorber_wavelengths,
+              "thickness of the absorber below the deepest layer of the seabed; default: after seabed and range")
+      .between(0.5, 10'000.0);
   line.option("--starter", &a.starter, "self: a point source, exact at all angles; gaussian: a beam, weaker where it is steep")
       .one_of({"self", "gaussian"})
       .shows_default();
-  line.flag("--check", &a.check, "also run with both steps of the grid halved, and print by how many dB that changes the loss");
+  line.flag("--check", &a.check,
+            "also run with both steps of the grid halved and a thicker absorber, and print by how many dB that changes the loss");
   line.option("--threads", &a.threads, "processors used, default all; the result does not depend on it").from(1, 4096);
 }
 

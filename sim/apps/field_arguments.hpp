@@ -34,7 +34,7 @@ struct FieldArguments {
   std::optional<double> output_step_m;
   std::optional<double> depth_step_m;
   std::size_t terms = 0;
-  double absorber_wavelengths = 6.0;
+  std::optional<double> absorber_wavelengths;
   std::string starter = "self";
   double accuracy_db = 0.02;
   bool check = false;

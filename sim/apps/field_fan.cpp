@@ -4,6 +4,8 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <sstream>
+#include <stdexcept>
 #include <vector>
 
 #include "sim/apps/field_modes.hpp"
@@ -58,11 +60,27 @@ void print_check(const ocean::Environment& environment, const sonar::RadialPlan&
   }
   int degrees = 0;
   for (const sonar::GridCheck& check : checks) {
-    std::cout << "check:   bearing " << degrees << ": grid of " << check.depth_step.value << " m x " << check.range_step.value
-              << " m halved at " << plan.band.high.value << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db
-              << " dB at most (range " << check.range_of_max.value / 1000.0 << " km)\n";
+    std::cout << "check:   bearing " << degrees << ": absorber thicker, grid of " << check.depth_step.value << " m x "
+              << check.range_step.value << " m halved at " << plan.band.high.value << " Hz: loss changes by " << check.mean_db
+              << " dB in the mean, " << check.max_db << " dB at most (range " << check.range_of_max.value / 1000.0 << " km)\n";
     degrees += 90;
   }
+}
+
+/// Throws where no bearing has water as far as the first range; warns where only some have.
+void require_water(const ocean::Environment& environment, const sonar::FanPlan& plan) {
+  std::vector<double> dry_deg;
+  for (std::size_t j = 0; j < (sonar::differs_with_place(environment) ? plan.bearings : 1); ++j) {
+    const Radians bearing = sonar::bearing_of(j, plan.bearings);
+    if (sonar::shore_before(environment, environment.source.position, bearing, plan.radial.range_step))
+      dry_deg.push_back(bearing.value * 180.0 / std::numbers::pi);
+  }
+  if (dry_deg.empty()) return;
+  std::ostringstream text;
+  text << dry_deg.size() << " of " << plan.bearings << " bearings (the first at " << dry_deg.front()
+       << " degrees) meet land nearer than the first range, " << plan.radial.range_step.value << " m: there is no number on them";
+  if (dry_deg.size() == plan.bearings || !sonar::differs_with_place(environment)) throw std::invalid_argument("--radials: " + text.str());
+  warn(text.str());
 }
 
 }  // namespace
@@ -73,6 +91,7 @@ void write_fan(const FieldArguments& arguments) {
   const NorthEast source = environment.source.position;
   const Meters deepest = sonar::deepest_sea_floor(environment, source, arguments.radials, Meters{1000.0 * arguments.max_range_km});
   const sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0, deepest)};
+  require_water(environment, plan);
 
   const sonar::Fan fan = [&] {
     ProgressBar bar("radials");
@@ -89,6 +108,7 @@ void write_fan(const FieldArguments& arguments) {
             << (sonar::differs_with_place(environment) ? "" : ", one march for all: this ocean is the same on every bearing") << '\n';
   print_detection(fan, detector);
   std::cout << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
+  warn(sonar::unmeasured_water(environment, source, plan.bearings, fan.max_range()));
   if (arguments.check) print_check(environment, plan.radial);
 }
 

@@ -21,6 +21,7 @@ void print_summary(const FieldArguments& arguments, const sonar::LibraryPlan& pl
   if (!sonar::differs_with_place(plan.environment)) std::cout << "; one march for all: this ocean is the same everywhere";
   std::cout << "; " << ranks << (ranks == 1 ? " process" : " processes") << " of " << threads << " threads\n"
             << "written: " << arguments.output << '\n';
+  warn(sonar::unmeasured_water(plan));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <sstream>
+#include <stdexcept>
 
 #include "sim/apps/field_modes.hpp"
 #include "sim/apps/progress_bar.hpp"
@@ -18,12 +20,29 @@ void print_check(const ocean::Environment& environment, Radians bearing, const s
     ProgressBar bar("check");
     return sonar::check_grid(environment, environment.source.position, bearing, plan, [&bar](double f) { bar.update(f); });
   }();
-  std::cout << "check:   grid of " << check.depth_step.value << " m x " << check.range_step.value << " m halved at " << plan.band.high.value
-            << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db << " dB at most (range "
-            << check.range_of_max.value / 1000.0 << " km, depth " << check.depth_of_max.value << " m)\n";
+  std::cout << "check:   absorber thicker, grid of " << check.depth_step.value << " m x " << check.range_step.value << " m halved at "
+            << plan.band.high.value << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db
+            << " dB at most (range " << check.range_of_max.value / 1000.0 << " km, depth " << check.depth_of_max.value << " m)\n";
+}
+
+void require_water(const ocean::Environment& environment, Radians bearing, Meters first_range) {
+  const auto shore = sonar::shore_before(environment, environment.source.position, bearing, first_range);
+  if (!shore) return;
+  std::ostringstream text;
+  text << "--bearing-deg = " << bearing.value * 180.0 / std::numbers::pi << ": meets land " << shore->value
+       << " m from the source, nearer than the first range of the field, " << first_range.value << " m: there is nothing to compute";
+  throw std::invalid_argument(text.str());
 }
 
 }  // namespace
+
+void warn(const std::string& what) {
+  std::cerr << "earshot field: warning: " << what << '\n';
+}
+
+void warn(const std::optional<ocean::UnmeasuredWater>& water) {
+  if (water) warn(to_string(*water));
+}
 
 void write_radial(const FieldArguments& arguments) {
   const auto environment = ocean::load_environment(arguments.environment);
@@ -32,6 +51,7 @@ void write_radial(const FieldArguments& arguments) {
   const Meters deepest =
       sonar::deepest_sea_floor(environment, environment.source.position, bearing, Meters{1000.0 * arguments.max_range_km});
   const sonar::RadialPlan plan = plan_radial(arguments, environment, 1.0 / 6.0, deepest);
+  require_water(environment, bearing, plan.range_step);
 
   const auto field = [&] {
     ProgressBar bar("field");
@@ -46,6 +66,7 @@ void write_radial(const FieldArguments& arguments) {
             << "field:   " << field.range_m.size() << " ranges to " << field.range_m.back() / 1000.0 << " km, " << field.depth_m.size()
             << " depths from " << field.depth_m.front() << " to " << field.depth_m.back() << " m\n"
             << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
+  warn(sonar::unmeasured_water(environment, environment.source.position, bearing, Meters{field.range_m.back()}));
   if (arguments.check) print_check(environment, bearing, plan);
 }
 

@@ -92,6 +92,22 @@ std::optional<SeaWater> water_at(const Climatology& c, const GeoCell& cell, std:
   return SeaWater{.temperature_c = sum.temperature_c / weight, .salinity_psu = sum.salinity_psu / weight};
 }
 
+/// From the surface down, as many levels as there are data for; at least one.
+std::vector<SeaWater> levels_at(const Climatology& climatology, GeoPosition position) {
+  const auto cell = cell_at(climatology.axes, position);
+  std::vector<SeaWater> levels;
+  while (cell && levels.size() < climatology.depth_m.size()) {
+    const std::optional<SeaWater> water = water_at(climatology, *cell, levels.size());
+    if (!water) break;
+    levels.push_back(*water);
+  }
+  if (!levels.empty()) return levels;
+  std::ostringstream text;
+  text << climatology.file << ": no water at latitude " << position.latitude_deg << ", longitude " << position.longitude_deg
+       << (cell ? "" : " (outside the file or the reach_km that was read)");
+  throw config_file::BadInput(text.str());
+}
+
 }  // namespace
 
 Climatology read_world_ocean_atlas(const WorldOceanAtlas& files, GeoPosition centre, Meters reach) {
@@ -121,22 +137,14 @@ TabulatedProfile profile_at(const Climatology& climatology, GeoPosition position
     profile.depth_m.push_back(depth_m);
     profile.sound_speed_mps.push_back(sound_speed_of(water, Meters{depth_m}, latitude, formula).value);
   };
-  const auto cell = cell_at(climatology.axes, position);
-  std::optional<SeaWater> deepest;
-  for (std::size_t level = 0; cell && level < climatology.depth_m.size(); ++level) {
-    const std::optional<SeaWater> water = water_at(climatology, *cell, level);
-    if (!water) break;
-    deepest = water;
-    add(*water, climatology.depth_m[level]);
-  }
-  if (!deepest) {
-    std::ostringstream text;
-    text << climatology.file << ": no water at latitude " << position.latitude_deg << ", longitude " << position.longitude_deg
-         << (cell ? "" : " (outside the file or the reach_km that was read)");
-    throw config_file::BadInput(text.str());
-  }
-  while (profile.depth_m.back() < kDeepest_m) add(*deepest, std::min(profile.depth_m.back() + kExtensionStep_m, kDeepest_m));
+  const std::vector<SeaWater> levels = levels_at(climatology, position);
+  for (std::size_t level = 0; level < levels.size(); ++level) add(levels[level], climatology.depth_m[level]);
+  while (profile.depth_m.back() < kDeepest_m) add(levels.back(), std::min(profile.depth_m.back() + kExtensionStep_m, kDeepest_m));
   return profile;
+}
+
+Meters data_end_at(const Climatology& climatology, GeoPosition position) {
+  return Meters{climatology.depth_m[levels_at(climatology, position).size() - 1]};
 }
 
 }  // namespace earshot::ocean

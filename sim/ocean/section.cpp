@@ -79,14 +79,36 @@ void take_sea_floor(Section& section, const Bathymetry& chart, const Radial& rad
   }
 }
 
+/// At every station of the sea floor as far as the radial goes, and of the water.
+/// @param data_end  at each station of the water; between two of them the shallower counts
+void note_unmeasured(Section& section, const std::vector<Meters>& data_end, const std::string& file, Meters max_range) {
+  constexpr double kMostBeyond = 1.1;
+  std::vector<Meters> ranges;
+  for (const SeaFloorStation& station : section.sea_floor) ranges.push_back(station.range);
+  for (const WaterStation& station : section.water) ranges.push_back(station.range);
+  for (const Meters range : ranges) {
+    if (range > section.shore.value_or(max_range)) continue;
+    const Between at = stations_about(section.water, range);
+    const UnmeasuredWater here{.file = file,
+                               .range = range,
+                               .data_end = std::min(data_end[at.below], data_end[at.above]),
+                               .sea_floor = sea_floor_depth(section, range)};
+    if (here.sea_floor > kMostBeyond * here.data_end && (!section.unmeasured || here.thickness() > section.unmeasured->thickness()))
+      section.unmeasured = here;
+  }
+}
+
 void take_water(Section& section, const Climatology& chart, SoundSpeedFormula formula, const Radial& radial) {
   const Radial afloat{radial.from, radial.azimuth, section.shore.value_or(radial.max_range)};
   const std::vector<double> range_m = even_ranges(afloat.max_range, 0.5 * spacing(chart.axes));
   const std::vector<GeoPosition> positions = geodesic_radial(afloat.from, afloat.azimuth, range_m);
   section.water.clear();
+  std::vector<Meters> data_end;
   for (std::size_t i = 0; i < range_m.size(); ++i) {
     section.water.push_back({.range = Meters{range_m[i]}, .profile = profile_at(chart, positions[i], formula)});
+    data_end.push_back(data_end_at(chart, positions[i]));
   }
+  note_unmeasured(section, data_end, chart.file, radial.max_range);
 }
 
 }  // namespace
@@ -105,6 +127,14 @@ Meters sea_floor_depth(const Section& section, Meters range) {
 
 const std::vector<SedimentLayer>& sediment_layers(const Section& section, Meters range) {
   return section.sediment[stations_about(section.sediment, range).below].layers;
+}
+
+std::string to_string(const UnmeasuredWater& water) {
+  std::ostringstream text;
+  text << water.file << ": temperature and salinity end at " << water.data_end.value << " m, the sea floor lies at "
+       << water.sea_floor.value << " m (range " << water.range.value / 1000.0
+       << " km); between them the last ones are kept and only pressure raises the sound speed, so that loss may be off by many dB";
+  return text.str();
 }
 
 bool is_range_independent(const Section& section) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "firmware/core/units.hpp"
@@ -8,6 +9,19 @@
 #include "sim/ocean/sound_speed.hpp"
 
 namespace earshot::ocean {
+
+/// Water below the deepest measurement, in which only pressure raises the sound speed.
+struct UnmeasuredWater {
+  std::string file;  ///< the climatology
+  Meters range;
+  Meters data_end;   ///< depth of the deepest measurement
+  Meters sea_floor;  ///< there
+
+  [[nodiscard]] Meters thickness() const { return sea_floor - data_end; }
+};
+
+/// "FILE: temperature and salinity end at 1500 m, ..."
+[[nodiscard]] std::string to_string(const UnmeasuredWater& water);
 
 /// The ocean in the vertical plane along one radial: what a propagation model marches through.
 ///
@@ -18,6 +32,9 @@ struct Section {
   std::vector<SeaFloorStation> sea_floor;  ///< at least one, range strictly increasing
   std::vector<SedimentStation> sediment;   ///< at least one, range strictly increasing
   std::optional<Meters> shore;             ///< where the radial meets land and the section ends, if it does
+  /// Where most water lies below the measurements, if at any station the sea floor is deeper than they are by more than a tenth: levels
+  /// of an atlas lie that far apart.
+  std::optional<UnmeasuredWater> unmeasured = {};
 };
 
 /// @param depth  positive down

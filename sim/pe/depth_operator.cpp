@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/pe/water_samples.hpp"
+
 namespace earshot::pe {
 
 namespace {
@@ -30,19 +32,29 @@ constexpr double kThinnest = 1e-6;  // of an element: thinner slices of a medium
 
 DepthOperator::DepthOperator(const Section& section, Hertz frequency, const DepthGrid& grid)
     : section_(section), angular_frequency_(2.0 * kPi * frequency.value), grid_(grid), water_potential_(grid.intervals + 1) {
-  for (const WaterColumn& column : section_.water) {
-    std::vector<double>& speeds = sound_speed_.emplace_back();
-    for (std::size_t node = 0; node <= grid_.intervals; ++node)
-      speeds.push_back(ocean::sound_speed(column.profile, Meters{static_cast<double>(node) * grid_.step_m}).value);
-  }
+  for (const WaterColumn& column : section_.water)
+    sound_speed_.push_back(water_samples(column.profile, Meters{grid_.step_m}, grid_.intervals));
   for (Tridiagonal* matrix : {&mass_, &g_}) {
     matrix->diagonal.assign(grid_.intervals + 1, 0.0);
     matrix->off.assign(grid_.intervals + 1, 0.0);
   }
   sediment_ = &section_.sediment_at(0.0);
   floor_depth_m_ = floor_at(0.0);
+  for (const SedimentColumn& column : section_.sediment) interfaces_.reserve(std::max(interfaces_.capacity(), column.points.size()));
+  find_interfaces();
   sample_water(0.0);
   assemble(0, grid_.intervals - 1);
+}
+
+void DepthOperator::find_interfaces() {
+  const std::vector<SedimentPoint>& points = sediment_->points;
+  interfaces_.assign(1, {floor_depth_m_, 1.0, points.front().density_g_per_cm3});
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const SedimentPoint& above = points[i - 1];
+    const SedimentPoint& below = points[i];
+    if (above.depth_below_floor_m == below.depth_below_floor_m && above.density_g_per_cm3 != below.density_g_per_cm3)
+      interfaces_.push_back({floor_depth_m_ + below.depth_below_floor_m, above.density_g_per_cm3, below.density_g_per_cm3});
+  }
 }
 
 double DepthOperator::floor_at(double range_m) const {
@@ -71,6 +83,7 @@ void DepthOperator::move_to(double range_m) {
   range_m_ = range_m;
   floor_depth_m_ = floor_at(range_m);
   sediment_ = &section_.sediment_at(range_m);
+  find_interfaces();
   if (!changed.empty()) assemble(changed.first - 1, changed.last);
 }
 
@@ -94,17 +107,32 @@ Complex DepthOperator::water_potential(double depth_m) const {
   return water_potential_[node] + share * (water_potential_[node + 1] - water_potential_[node]);
 }
 
-DepthOperator::Element DepthOperator::uniform(Complex potential_top, Complex potential_bottom, Complex length, double density,
-                                              double reference_wavenumber) {
-  const Complex potential = 0.5 * (potential_top + potential_bottom);
-  const Complex phase = reference_wavenumber * length;
-  const Complex inverse_density = (1.0 + potential * phase * phase / 12.0) / density;
-  const Complex diagonal = inverse_density * length * (5.0 / 12.0);
-  const Complex off = inverse_density * length / 12.0;
-  return {inverse_density / length, diagonal, off, diagonal, diagonal * potential_top, off * potential, diagonal * potential_bottom};
+/// Numerov's, of a whole element.
+DepthOperator::Element DepthOperator::uniform(const Slice& slice) const {
+  const Complex potential = 0.5 * (slice.potential_top + slice.potential_bottom);
+  const double phase = grid_.reference_wavenumber_per_m * slice.length_m;
+  const Complex inverse_density = (1.0 + potential * phase * phase / 12.0) / slice.density;
+  const Complex diagonal = inverse_density * slice.length_m * (5.0 / 12.0);
+  const Complex off = inverse_density * slice.length_m / 12.0;
+  return {inverse_density / slice.length_m, diagonal, off, diagonal, diagonal * slice.potential_top, off * potential,
+          diagonal * slice.potential_bottom};
 }
 
-/// Eliminates the node between two pieces: its pressure is what keeps the flux continuous.
+/// Pressure linear over a part of an element: exact to first order in k^2.
+DepthOperator::Element DepthOperator::galerkin(const Slice& slice) {
+  const double share = slice.length_m / slice.density / 12.0;
+  const Complex top = slice.potential_top;
+  const Complex bottom = slice.potential_bottom;
+  return {1.0 / (slice.density * slice.length_m),
+          4.0 * share,
+          2.0 * share,
+          4.0 * share,
+          share * (3.0 * top + bottom),
+          share * (top + bottom),
+          share * (top + 3.0 * bottom)};
+}
+
+/// Eliminates the node between two parts: its pressure is what keeps the flux continuous. Exact to first order in k^2 if they are.
 DepthOperator::Element DepthOperator::joined(const Element& upper, const Element& lower) {
   const Complex sum = upper.stiffness + lower.stiffness;
   const Complex up = upper.stiffness / sum;
@@ -120,56 +148,72 @@ DepthOperator::Element DepthOperator::joined(const Element& upper, const Element
           lower.potential11 + 2.0 * lower.potential01 * down + potential * down * down};
 }
 
-DepthOperator::Element DepthOperator::water_piece(std::size_t index, double top_m, double bottom_m) const {
-  const bool whole = bottom_m - top_m > (1.0 - kThinnest) * grid_.step_m;
-  const Complex top = whole ? water_potential_[index] : water_potential(top_m);
-  const Complex bottom = whole ? water_potential_[index + 1] : water_potential(bottom_m);
-  return uniform(top, bottom, bottom_m - top_m, 1.0, grid_.reference_wavenumber_per_m);
+/// The factor 1 + (k0 h)^2 X / 12 that whole elements have, to first order in k^2.
+DepthOperator::Element DepthOperator::with_numerov_mass(Element element) const {
+  const Complex more = element.stiffness * (grid_.step_m * grid_.step_m / 12.0);
+  element.mass00 += more;
+  element.mass01 -= more;
+  element.mass11 += more;
+  return element;
 }
 
-/// A stretch of sediment, cut at every point of its column that lies inside. In the half-space below the layers the absorber begins at
-/// `absorber_top_m`: length (1 + (1 + i) 3 t^3), t from 0 to 1.
-DepthOperator::Element DepthOperator::sediment_piece(double top_m, double bottom_m) const {
+Complex DepthOperator::potential_of(const SedimentPoint& p) const {
+  const Complex ratio =
+      wavenumber(angular_frequency_, p.sound_speed_mps, p.attenuation_db_per_wavelength) / grid_.reference_wavenumber_per_m;
+  return ratio * ratio - 1.0;
+}
+
+DepthOperator::Element DepthOperator::absorber_element(std::size_t index) const {
+  const SedimentPoint& half_space = sediment_->points.back();
+  const Complex potential = potential_of(half_space);
+  const double phase = grid_.reference_wavenumber_per_m * grid_.step_m;
+  const Complex inverse_density = (1.0 + potential * phase * phase / 12.0) / half_space.density_g_per_cm3;
+  const Complex length = grid_.absorber.length_m(index);
+  const Complex half = 0.25 * length * inverse_density;
+  const Complex stiff = grid_.step_m * grid_.step_m / (6.0 * length) * inverse_density;
+  return {inverse_density / length,  half + stiff, half - stiff, half + stiff, (half + stiff) * potential, (half - stiff) * potential,
+          (half + stiff) * potential};
+}
+
+/// From the top down: the water, then the sediment, cut at every point of its column that lies inside.
+template <class Visitor>
+void DepthOperator::visit_slices(double top_m, double bottom_m, const Visitor& visit) const {
+  const double thinnest = kThinnest * grid_.step_m;
+  if (floor_depth_m_ - top_m > thinnest) {
+    const double end = bottom_m - floor_depth_m_ > thinnest ? floor_depth_m_ : bottom_m;
+    visit(Slice{water_potential(top_m), water_potential(end), end - top_m, 1.0});
+  }
   const std::vector<SedimentPoint>& points = sediment_->points;
-  const auto potential = [this](const SedimentPoint& p) {
-    const Complex ratio =
-        wavenumber(angular_frequency_, p.sound_speed_mps, p.attenuation_db_per_wavelength) / grid_.reference_wavenumber_per_m;
-    return ratio * ratio - 1.0;
-  };
-  Element result{};
-  bool begun = false;
-  const auto add = [&](const SedimentPoint& top, const SedimentPoint& bottom, Complex length) {
-    const double density = 0.5 * (top.density_g_per_cm3 + bottom.density_g_per_cm3);
-    const Element piece = uniform(potential(top), potential(bottom), length, density, grid_.reference_wavenumber_per_m);
-    result = begun ? joined(result, piece) : piece;
-    begun = true;
-  };
-  const double from = top_m - floor_depth_m_;
+  double reached = std::max(0.0, top_m - floor_depth_m_);
   const double to = bottom_m - floor_depth_m_;
-  double reached = from;
+  const auto visit_to = [&](const SedimentPoint& top, const SedimentPoint& bottom) {
+    visit(Slice{potential_of(top), potential_of(bottom), bottom.depth_below_floor_m - top.depth_below_floor_m,
+                0.5 * (top.density_g_per_cm3 + bottom.density_g_per_cm3)});
+  };
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const double end = std::min(points[i + 1].depth_below_floor_m, to);
-    if (end - reached <= kThinnest * grid_.step_m) continue;
-    add(between(points[i], points[i + 1], reached), between(points[i], points[i + 1], end), end - reached);
+    if (end - reached <= thinnest) continue;
+    visit_to(between(points[i], points[i + 1], reached), between(points[i], points[i + 1], end));
     reached = end;
   }
-  if (to - reached > kThinnest * grid_.step_m || !begun) {
-    Complex length = to - reached;
-    const double end_m = static_cast<double>(grid_.intervals) * grid_.step_m;
-    const double t = (0.5 * (top_m + bottom_m) - grid_.absorber_top_m) / (end_m - grid_.absorber_top_m);
-    if (t > 0.0) length *= 1.0 + Complex(3.0, 3.0) * t * t * t;
-    add(points.back(), points.back(), length);
-  }
-  return result;
+  SedimentPoint top = points.back();
+  SedimentPoint bottom = points.back();
+  top.depth_below_floor_m = reached;
+  bottom.depth_below_floor_m = to;
+  if (to - reached > thinnest) visit_to(top, bottom);
 }
 
 DepthOperator::Element DepthOperator::element(std::size_t index) const {
-  const double top = static_cast<double>(index) * grid_.step_m;
-  const double bottom = static_cast<double>(index + 1) * grid_.step_m;
-  const double sliver = kThinnest * grid_.step_m;
-  if (bottom <= floor_depth_m_ + sliver) return water_piece(index, top, bottom);
-  if (top >= floor_depth_m_ - sliver) return sediment_piece(std::max(top, floor_depth_m_), bottom);
-  return joined(water_piece(index, top, floor_depth_m_), sediment_piece(floor_depth_m_, bottom));
+  if (index >= grid_.absorber_node()) return absorber_element(index - grid_.absorber_node());
+  Slice first{};
+  Element result{};
+  std::size_t slices = 0;
+  visit_slices(static_cast<double>(index) * grid_.step_m, static_cast<double>(index + 1) * grid_.step_m, [&](const Slice& slice) {
+    if (slices == 0) first = slice;
+    result = slices == 0 ? galerkin(slice) : joined(result, galerkin(slice));
+    ++slices;
+  });
+  return slices == 1 ? uniform(first) : with_numerov_mass(result);
 }
 
 void DepthOperator::assemble(std::size_t first_element, std::size_t last_element) {

@@ -2,6 +2,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "sim/pe/depth_grid.hpp"
@@ -27,8 +28,9 @@ struct RowRange {
 ///
 /// Every element carries its own medium. The mass weights are Numerov's (5/12, 1/12 of an element's length), and its density is
 /// scaled by 1 - (k^2 - k0^2) h^2 / 12: with both, elements of one length agree with the exact two-point solution to fourth order up to a
-/// factor that is the same in all media. In an element that an interface divides, the pressure is linear on each side and the flux
-/// continuous, so that an interface may lie, and move, anywhere between nodes. The absorber is a perfectly matched layer: complex lengths.
+/// factor that is the same in all media, 1 + (k0 h)^2 X / 12. In an element that an interface divides, the pressure is linear on each side
+/// and the flux continuous, so that an interface may lie, and move, anywhere between nodes. An element of the absorber is the same one for
+/// another, complex length l: mass l / 4 (1 1; 1 1) + h^2 / 6 l (1 -1; -1 1), which is Numerov's where l = h.
 /// Source: Jensen, Kuperman, Porter & Schmidt, Computational Ocean Acoustics, 2nd ed., ch. 6; the element by hand from its exact dynamic
 ///   stiffness (k cot kh, -k / sin kh).   Oracle: DepthOperator.*
 class DepthOperator {
@@ -43,6 +45,8 @@ class DepthOperator {
   [[nodiscard]] const Tridiagonal& g() const { return g_; }
   [[nodiscard]] double floor_depth_m() const { return floor_depth_m_; }
   [[nodiscard]] const DepthGrid& grid() const { return grid_; }
+  /// Here, from the sea floor down.
+  [[nodiscard]] std::span<const Interface> interfaces() const { return interfaces_; }
 
  private:
   using Complex = std::complex<double>;
@@ -51,12 +55,23 @@ class DepthOperator {
     Complex mass00, mass01, mass11;
     Complex potential00, potential01, potential11;  // of (k^2 - k0^2) / k0^2
   };
-  static Element uniform(Complex potential_top, Complex potential_bottom, Complex length, double density, double reference_wavenumber);
-  static Element joined(const Element& upper, const Element& lower);
+  /// One medium between two depths within an element.
+  struct Slice {
+    Complex potential_top, potential_bottom;
+    double length_m;
+    double density;
+  };
+  [[nodiscard]] Element uniform(const Slice& slice) const;
+  [[nodiscard]] static Element galerkin(const Slice& slice);
+  [[nodiscard]] static Element joined(const Element& upper, const Element& lower);
+  [[nodiscard]] Element with_numerov_mass(Element element) const;
+  template <class Visitor>
+  void visit_slices(double top_m, double bottom_m, const Visitor& visit) const;
   [[nodiscard]] Element element(std::size_t index) const;
-  [[nodiscard]] Element water_piece(std::size_t index, double top_m, double bottom_m) const;
-  [[nodiscard]] Element sediment_piece(double top_m, double bottom_m) const;
+  [[nodiscard]] Element absorber_element(std::size_t index) const;
+  [[nodiscard]] Complex potential_of(const SedimentPoint& point) const;
   [[nodiscard]] Complex water_potential(double depth_m) const;
+  void find_interfaces();
   void sample_water(double range_m);
   void assemble(std::size_t first_element, std::size_t last_element);
   [[nodiscard]] double floor_at(double range_m) const;
@@ -70,6 +85,7 @@ class DepthOperator {
   const SedimentColumn* sediment_ = nullptr;
   std::vector<std::vector<double>> sound_speed_;  // [water column][node]
   std::vector<Complex> water_potential_;          // [node]
+  std::vector<Interface> interfaces_;
   Tridiagonal mass_, g_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "sim/pe/depth_grid.hpp"
 
@@ -23,9 +24,16 @@ constexpr double kStepError = 4e-7;   // of the amplitude in one step of phase k
 constexpr double kStepPhase = 16.0;
 constexpr double kDecibels = 8.7;  // dB in a relative error of one
 
+constexpr double kThinError = 3.2;   // dB at one step to the water's depth: 20 Hz in 10 and 20 m
+constexpr double kThinShare = 0.1;   // of the range: so much may be shallower than the depth that counts, as on the way to a shore
+constexpr double kCutOff = 0.5;      // wavelengths of water; in less, sound dies away within a few wavelengths of range
+constexpr double kCutOffStep = 1.0;  // wavelengths: what is read off within the first step is not as weak as that
+constexpr double kFinestStep = 1.0 / 600.0;
+
 constexpr double kDepthShare = 0.5;  // of the error that is allowed
 constexpr double kSlopeShare = 0.3;
 constexpr double kStepShare = 0.2;
+constexpr double kThinErrorShare = 0.3;
 
 constexpr double kLongestStepPhase = 40.0;  // beyond it 16 poles no longer serve
 // What fewer poles can do. Over hundreds of steps their errors partly cancel: a fifth of the sum was measured on slopes.
@@ -46,6 +54,7 @@ struct Scales {
   double corners;        // integral of slope^2 / depth
   double max_range_m;
   double deepest_m;
+  double thin_m;  // water depth at the source, or that of the shallowest tenth of the range
 };
 
 struct Slopes {
@@ -67,6 +76,14 @@ Slopes slopes_of(const Section& section, double max_range_m, double shallowest_m
   return sum;
 }
 
+double thin_water_m(const Section& section, double max_range_m) {
+  constexpr int kSamples = 100;
+  std::vector<double> depth_m;
+  for (int i = 0; i < kSamples; ++i) depth_m.push_back(section.floor_depth_m(max_range_m * (i + 0.5) / kSamples));
+  std::ranges::sort(depth_m);
+  return std::min(section.floor_depth_m(0.0), depth_m[static_cast<std::size_t>(kThinShare * kSamples)]);
+}
+
 Scales scales_of(const Section& section, Hertz frequency, Meters max_range) {
   const SoundSpeedBounds bounds = sound_speed_bounds(section);
   const double wavelength = bounds.lowest_mps / frequency.value;
@@ -78,7 +95,8 @@ Scales scales_of(const Section& section, Hertz frequency, Meters max_range) {
           .slope = std::sqrt(slopes.mean_square),
           .corners = slopes.corners,
           .max_range_m = max_range.value,
-          .deepest_m = std::ranges::max(section.floor, {}, &FloorPoint::depth_m).depth_m};
+          .deepest_m = std::ranges::max(section.floor, {}, &FloorPoint::depth_m).depth_m,
+          .thin_m = std::max(1e-3 * wavelength, thin_water_m(section, max_range.value))};
 }
 
 /// The first term is what steep waves do near the source, on their way down and up again, the second the phase error of the steepest wave
@@ -89,6 +107,16 @@ double depth_error_db(const Scales& s, double step_m) {
   const double phase_error = s.max_range_m * vertical * vertical / horizontal * std::pow(vertical * step_m, 4) / 480.0;
   const double way = std::pow(std::max(1.0, s.deepest_m / s.wavelength_m / kDepthWavelengths), kDepthGrowth);
   return kDepthError * way * std::pow(kDepthPoints * step_m / s.wavelength_m, 4) + kPhaseError * phase_error;
+}
+
+/// No wave is kept in the water.
+bool is_cut_off(const Scales& s) {
+  return s.thin_m < kCutOff * s.wavelength_m;
+}
+
+/// Of the one element that the sea floor divides, where there are few others.
+double thin_error_db(const Scales& s, double step_m) {
+  return kThinError * std::pow(step_m / s.thin_m, 4);
 }
 
 double slope_error_db(const Scales& s, double step_m) {
@@ -102,10 +130,12 @@ double step_error_db(const Scales& s, double step_m) {
 }
 
 double error_db(const Scales& s, double depth_step_m, double range_step_m) {
-  return depth_error_db(s, depth_step_m) + slope_error_db(s, range_step_m) + kCornerError * s.corners + step_error_db(s, range_step_m);
+  return depth_error_db(s, depth_step_m) + thin_error_db(s, depth_step_m) + slope_error_db(s, range_step_m) + kCornerError * s.corners +
+         step_error_db(s, range_step_m);
 }
 
 std::size_t choose_terms(const Scales& s, double step_m, double allowed_db) {
+  if (is_cut_off(s)) return kTerms;  // the errors of steep and evanescent waves, which fewer poles neglect, stand alone
   for (const Poles& poles : kFewPoles) {
     const double error = kCancellation * kDecibels * s.max_range_m / step_m * poles.error;
     if (s.wavenumber_per_m * step_m <= poles.longest_phase && error <= allowed_db) return poles.terms;
@@ -123,13 +153,15 @@ GridChoice choose_grid(const Section& section, Hertz frequency, Meters max_range
   const Scales s = scales_of(section, frequency, max_range);
   const double unit = s.wavelength_m / kDepthPoints;
   const double depth_step = unit * std::pow(kDepthShare * accuracy.value / depth_error_db(s, unit), 0.25);  // fourth order
+  const double by_thin = s.thin_m * std::pow(kThinErrorShare * accuracy.value / kThinError, 0.25);
   const double by_phase =
       kStepPhase / s.wavenumber_per_m * std::cbrt(kStepShare * accuracy.value / step_error_db(s, kStepPhase / s.wavenumber_per_m));
   const double unit_step = kSlopeStep * s.wavelength_m;
   const double by_slope =
       s.slope > 0.0 ? unit_step * std::sqrt(kSlopeShare * accuracy.value / slope_error_db(s, unit_step)) : by_phase;  // second order
-  const double longest = kLongestStepPhase / s.wavenumber_per_m;
-  GridChoice choice{.depth_step = Meters{std::clamp(depth_step, s.wavelength_m / 60.0, s.wavelength_m / 8.0)},
+  const double longest = is_cut_off(s) ? kCutOffStep * s.wavelength_m : kLongestStepPhase / s.wavenumber_per_m;
+  const double in_deep_water = std::clamp(depth_step, s.wavelength_m / 60.0, s.wavelength_m / 8.0);
+  GridChoice choice{.depth_step = Meters{std::max(std::min(in_deep_water, by_thin), kFinestStep * s.wavelength_m)},
                     .range_step = Meters{std::clamp(std::min(by_phase, by_slope), s.wavelength_m / 20.0, longest)},
                     .terms = kTerms,
                     .predicted_error_db = 0.0};

@@ -40,7 +40,8 @@ void require_valid(const Options& options) {
     require(inside(options.output_step->value, 1e-2, 1e5), "output step in m", options.output_step->value, "0.01 to 100000");
   require(options.terms == 0 || inside(static_cast<double>(options.terms), 2, Sweep::kMaxTerms), "terms",
           static_cast<double>(options.terms), "2 to 16, or 0 for automatic");
-  require(inside(options.absorber_wavelengths, 0.5, 100.0), "absorber in wavelengths", options.absorber_wavelengths, "0.5 to 100");
+  if (options.absorber_wavelengths)
+    require(inside(*options.absorber_wavelengths, 0.5, 1e4), "absorber in wavelengths", *options.absorber_wavelengths, "0.5 to 10000");
   require(inside(options.accuracy.value, 1e-4, 10.0), "accuracy in dB", options.accuracy.value, "0.0001 to 10");
 }
 
@@ -143,10 +144,8 @@ class March {
     operator_.move_to(0.5 * stepping.step_m);
     sweep_.take(operator_, {1, grid.intervals - 1}, meeting_row());
     const double speed_mps = section.water_sound_speed_mps(0.0, source.depth.value);
-    const std::vector<double> u = make_starter(starter, grid,
-                                               {.depth_m = source.depth.value,
-                                                .wavenumber_per_m = 2.0 * kPi * source.frequency.value / speed_mps,
-                                                .floor_depth_m = operator_.floor_depth_m()});
+    const std::vector<Complex> u = make_starter(
+        starter, operator_, {.depth_m = source.depth.value, .wavenumber_per_m = 2.0 * kPi * source.frequency.value / speed_mps});
     for (std::size_t node = 0; node < u.size(); ++node) sweep_.set_field(node, u[node]);
     place_taps(true);
   }
@@ -187,14 +186,13 @@ class March {
     return varies_ ? static_cast<std::size_t>(operator_.floor_depth_m() / grid.step_m) : grid.intervals / 2;
   }
 
-  /// Receivers within reach of the sea floor must not be interpolated across it.
+  /// Receivers within reach of the sea floor, or below it, must not be interpolated across it and the layers that follow it.
   void place_taps(bool all) {
     const double floor = operator_.floor_depth_m();
     const double reach = static_cast<double>(DepthTap::kNodes) * operator_.grid().step_m;
     for (std::size_t i = 0; i < taps_.size(); ++i) {
-      const bool near = std::abs(depth_m_[i] - floor) < reach || std::abs(depth_m_[i] - tap_floor_m_) < reach ||
-                        (depth_m_[i] < floor) != (depth_m_[i] < tap_floor_m_);
-      if (all || near) taps_[i] = tap_at(operator_.grid(), depth_m_[i], floor);
+      const bool near = depth_m_[i] > std::min(floor, tap_floor_m_) - reach;
+      if (all || near) taps_[i] = tap_at(operator_.grid(), depth_m_[i], operator_.interfaces());
     }
     tap_floor_m_ = floor;
   }
@@ -222,14 +220,14 @@ Field solve(const Section& section, const PointSource& source, const Options& op
   require_valid(section, source.depth);
 
   const GridChoice choice = choose_grid(section, source.frequency, max_range, options.accuracy);
-  const DepthGrid grid =
-      make_depth_grid(section, source.frequency, options.depth_step.value_or(choice.depth_step), options.absorber_wavelengths);
+  const DepthGrid grid = make_depth_grid(section, source.frequency, options.depth_step.value_or(choice.depth_step),
+                                         choose_absorber(section, source.frequency, max_range, options.absorber_wavelengths));
   require(grid.intervals >= 8 && grid.intervals <= 10'000'000, "number of depth steps", static_cast<double>(grid.intervals),
           "8 to 10000000: choose another depth step");
   for (const double depth : receiver_depth_m) {
     std::ostringstream allowed;
-    allowed << "from 0 to " << grid.absorber_top_m << ", the sea floor or the end of the layers below it";
-    require(inside(depth, 0.0, grid.absorber_top_m), "receiver depth in m", depth, allowed.str());
+    allowed << "from 0 to " << grid.deepest_medium_m << ", the sea floor or the end of the layers below it";
+    require(inside(depth, 0.0, grid.deepest_medium_m), "receiver depth in m", depth, allowed.str());
   }
 
   const Stepping stepping = choose_stepping(options, choice, 2.0 * kPi / grid.reference_wavenumber_per_m);

@@ -18,11 +18,11 @@ namespace earshot::pe {
 /// What is left empty (or 0) is chosen from frequency, environment and accuracy: grid_choice.hpp.
 struct Options {
   std::optional<Meters> depth_step = {};
-  std::optional<Meters> range_step = {};   ///< of the march; output_step is a multiple of it, or it of output_step
-  std::size_t terms = 0;                   ///< poles of the propagator, 2 to 16; a multiple of 4 fills the vector lanes
-  double absorber_wavelengths = 6.0;       ///< thickness of the perfectly matched layer
-  std::optional<Meters> output_step = {};  ///< between rows of the field; empty: range_step if given, else a sixth of a wavelength
-  Decibels accuracy{0.02};                 ///< of transmission loss, mean over ranges
+  std::optional<Meters> range_step = {};            ///< of the march; output_step is a multiple of it, or it of output_step
+  std::size_t terms = 0;                            ///< poles of the propagator, 2 to 16; a multiple of 4 fills the vector lanes
+  std::optional<double> absorber_wavelengths = {};  ///< thickness of the absorber: absorber.hpp
+  std::optional<Meters> output_step = {};           ///< between rows of the field; empty: range_step if given, else a sixth of a wavelength
+  Decibels accuracy{0.02};                          ///< of transmission loss, mean over ranges
   Starter starter = Starter::kSelf;
 };
 
@@ -49,7 +49,7 @@ using Progress = std::function<void(double fraction)>;
 /// One way, cylindrical spreading; density, attenuation and layers of the sediment, bathymetry and water against range. The march allocates
 /// nothing. X is that of the middle of a step; where it changes, pressure and velocity are matched in the mean (sweep.hpp).
 ///
-/// @param receiver_depth_m  each from 0 to 12000 m, below the sea floor too; no deeper than the half-space's absorber
+/// @param receiver_depth_m  each from 0 to 12000 m, below the sea floor too; no deeper than the half-space
 /// Throws std::invalid_argument that names what lies outside its range, and for terms or a range step of the caller's over which sound
 /// would be off by more than 3 dB at `max_range`, or grow.
 /// Source: Collins, J. Acoust. Soc. Am. 93 (1993) 1736; energy-conserving form: Collins & Westwood, J. Acoust. Soc. Am. 89 (1991) 1068.

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <complex>
 #include <vector>
 
 #include "firmware/core/units.hpp"
-#include "sim/pe/depth_grid.hpp"
+#include "sim/pe/depth_operator.hpp"
 
 namespace earshot::pe {
 
@@ -17,10 +18,9 @@ enum class Starter : unsigned char {
 struct StartingSource {
   double depth_m;
   double wavenumber_per_m;  ///< k_s, of the water around it
-  double floor_depth_m;     ///< of the sea floor below it
 };
 
-/// u at every node at range 0, real; u = (k0 (1 + X))^(1/4) p as in propagator.hpp, without its constant factor.
+/// u at every node at range 0; u = (k0 (1 + X))^(1/4) p as in propagator.hpp, without its constant factor.
 ///
 ///   self      u = delta(z - z_s)
 ///   Gaussian  u = k_s / sqrt(2 pi) (exp(-(k_s (z - z_s))^2 / 2) - exp(-(k_s (z + z_s))^2 / 2))
@@ -30,8 +30,13 @@ struct StartingSource {
 /// and what it reads off within its first step is the self-starter at every r. The Gaussian radiates exp(-sin^2(angle) / 2) of the point
 /// source at an angle to the horizontal: 0.5 dB less at 20 degrees, 2.2 dB at 45. Source: Collins, J. Acoust. Soc. Am. 92 (1992) 2069
 /// (self-starter); Jensen et al., Computational Ocean Acoustics, 2nd ed., 6.4.1 (Gaussian).
+///
+/// On the nodes the delta function is u = (1 + c X) M^-1 t: t the weights by which a receiver there would be read (DepthTap), M the mass
+/// matrix, and c = (k0 h)^2 / 12 for what the elements' mass is larger than the medium's. Between uniform elements that is t / h. Beside an
+/// interface it is what makes the sound there and back alike: M at a node of the sea floor is that of half water and half sediment.
 ///   Deviation: there psi is the Gaussian, here u is, closer to the point source by sqrt(cos(angle)); width by k_s in place of k0.
-/// Oracle: Starter.*
-[[nodiscard]] std::vector<double> make_starter(Starter starter, const DepthGrid& grid, const StartingSource& source);
+/// Oracle: Starter.*, WavenumberIntegration.*
+[[nodiscard]] std::vector<std::complex<double>> make_starter(Starter starter, const DepthOperator& depth_operator,
+                                                             const StartingSource& source);
 
 }  // namespace earshot::pe

@@ -281,7 +281,7 @@ void Sweep::apply() {
 
 void Sweep::solutions_at(const DepthTap& tap, std::span<std::complex<double>> y) const {
   std::fill(y.begin(), y.end(), 0.0);
-  for (std::size_t k = 0; k < DepthTap::kNodes; ++k) {
+  for (std::size_t k = 0; k < tap.count; ++k) {
     const double* const re = reinterpret_cast<const double*>(&solution_[tap.node[k] * 2 * vectors_]);
     const double* const im = re + vectors_ * kLanes;
     for (std::size_t j = 0; j < terms_; ++j) y[j] += tap.weight[k] * std::complex<double>(re[j], im[j]);

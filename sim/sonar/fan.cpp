@@ -14,6 +14,16 @@ Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast centre
   return deepest;
 }
 
+std::optional<ocean::UnmeasuredWater> unmeasured_water(const ocean::Environment& environment, NorthEast centre, std::size_t bearings,
+                                                       Meters max_range) {
+  std::optional<ocean::UnmeasuredWater> thickest;
+  for (std::size_t j = 0; j < (differs_with_place(environment) ? bearings : 1); ++j) {
+    const auto here = unmeasured_water(environment, centre, bearing_of(j, bearings), max_range);
+    if (here && (!thickest || here->thickness() > thickest->thickness())) thickest = here;
+  }
+  return thickest;
+}
+
 Fan make_fan(NorthEast centre, const FanPlan& plan) {
   const RadialPlan& radial = plan.radial;
   return {.centre = centre,

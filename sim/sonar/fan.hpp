@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "firmware/core/geometry.hpp"
@@ -85,6 +86,10 @@ inline constexpr double kMostFanValues = 64e6;
 
 /// The deepest sea floor on any radial. Throws as compute_radial does for the charts: it looks at all that the radials need.
 [[nodiscard]] Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast centre, std::size_t bearings, Meters max_range);
+
+/// The thickest water on any radial that was not measured but extended, if any. Throws as compute_radial does for the charts.
+[[nodiscard]] std::optional<ocean::UnmeasuredWater> unmeasured_water(const ocean::Environment& environment, NorthEast centre,
+                                                                     std::size_t bearings, Meters max_range);
 
 /// An empty fan of the plan's shape.
 [[nodiscard]] Fan make_fan(NorthEast centre, const FanPlan& plan);

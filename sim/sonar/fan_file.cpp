@@ -93,6 +93,7 @@ void write_fan(const std::filesystem::path& path, const Fan& fan, const std::opt
                const ocean::Environment& environment, const Band& band, const Detector& detector, const std::string& history) {
   Writer file(path);
   write_provenance(file, "Sound around one source", environment, history);
+  write_unmeasured(file, unmeasured_water(environment, fan.centre, fan.bearings, fan.max_range()));
   file.attribute("interpolation",
                  "each radial is a vertical plane of its own (N x 2D); the map is linear in dB along range, then between bearings");
   write_axes(file, fan);

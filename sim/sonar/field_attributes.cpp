@@ -29,6 +29,10 @@ void write_provenance(Writer& file, const std::string& title, const ocean::Envir
   file.attribute("environment_crc32", crc32_text(environment));
 }
 
+void write_unmeasured(Writer& file, const std::optional<ocean::UnmeasuredWater>& water) {
+  if (water) file.attribute("unmeasured_water", to_string(*water));
+}
+
 void write_scalar(Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value) {
   file.variable(name, Type::kDouble, {}, {{"long_name", long_name}, {"units", units}});
   file.write(name, std::span(&value, 1));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ namespace earshot::sonar {
 
 /// Attributes of the whole file: conventions, title, what made it.
 void write_provenance(netcdf::Writer& file, const std::string& title, const ocean::Environment& environment, const std::string& history);
+
+/// The attribute "unmeasured_water" of the whole file, where there is any.
+void write_unmeasured(netcdf::Writer& file, const std::optional<ocean::UnmeasuredWater>& water);
 
 void write_scalar(netcdf::Writer& file, const std::string& name, const std::string& long_name, const std::string& units, double value);
 

@@ -6,12 +6,22 @@
 #include <vector>
 
 #include "sim/ocean/section.hpp"
+#include "sim/pe/absorber.hpp"
 #include "sim/pe/depth_grid.hpp"
 #include "sim/pe/grid_choice.hpp"
 #include "sim/pe/ocean_section.hpp"
 
 namespace earshot::sonar {
 namespace {
+
+double absorber_wavelengths(const pe::Section& section, Hertz frequency, Meters max_range, const pe::Options& options) {
+  if (options.absorber_wavelengths) return *options.absorber_wavelengths;
+  const double fastest =
+      std::ranges::max(section.sediment, {}, [](const pe::SedimentColumn& column) { return column.points.back().sound_speed_mps; })
+          .points.back()
+          .sound_speed_mps;
+  return pe::choose_absorber(section, frequency, max_range, {}).thickness_m() * frequency.value / fastest * (1.0 - 1e-9);
+}
 
 /// The solver's own steps made explicit: several rows of the result to a range step, or several steps to a row.
 pe::Options explicit_grid(const pe::Section& section, const RadialPlan& plan) {
@@ -24,6 +34,7 @@ pe::Options explicit_grid(const pe::Section& section, const RadialPlan& plan) {
   options.depth_step = options.depth_step.value_or(choice.depth_step);
   options.range_step = rows_per_step >= 1.0 ? rows_per_step * plan.range_step : plan.range_step / steps_per_row;
   if (options.terms == 0) options.terms = choice.terms;
+  options.absorber_wavelengths = absorber_wavelengths(section, plan.band.high, max_range, plan.options);
   return options;
 }
 
@@ -35,11 +46,15 @@ std::vector<float> loss_db(const ocean::Environment& environment, NorthEast from
   return loss;
 }
 
-RadialPlan halved(RadialPlan plan) {
+/// Three elements more, by which a wave is served that is three times closer to grazing.
+constexpr double kThicker = 3.0;
+
+RadialPlan finer(RadialPlan plan) {
   plan.range_step = plan.range_step / 2.0;
   plan.ranges *= 2;
   plan.options.depth_step = *plan.options.depth_step / 2.0;
   plan.options.range_step = *plan.options.range_step / 2.0;
+  plan.options.absorber_wavelengths = kThicker * *plan.options.absorber_wavelengths;
   return plan;
 }
 
@@ -59,7 +74,7 @@ GridCheck check_grid(const ocean::Environment& environment, NorthEast from, Radi
     };
   };
   const std::vector<float> before = loss_db(environment, from, bearing, coarse, half_of(0.0));
-  const std::vector<float> after = loss_db(environment, from, bearing, halved(coarse), half_of(0.2));
+  const std::vector<float> after = loss_db(environment, from, bearing, finer(coarse), half_of(0.2));
 
   GridCheck check{.depth_step = *coarse.options.depth_step,
                   .range_step = *coarse.options.range_step,

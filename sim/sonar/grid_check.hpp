@@ -8,7 +8,7 @@
 
 namespace earshot::sonar {
 
-/// How much transmission loss changes when the solver's depth step and range step are halved.
+/// How much transmission loss changes when the solver's depth step and range step are halved and its absorber is three times as thick.
 struct GridCheck {
   Meters depth_step;  ///< of the coarse grid
   Meters range_step;

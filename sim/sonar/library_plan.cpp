@@ -99,6 +99,8 @@ void require_depths_in_water(const std::filesystem::path& path, const LibraryPla
   throw config_file::BadInput(text.str());
 }
 
+constexpr std::size_t kBearingsLookedAt = 8;
+
 bool is_in_water(const LibraryPlan& plan, NorthEast position) {
   Meters floor = plan.environment.seabed.depth;
   if (plan.environment.charts != nullptr && plan.environment.charts->bathymetry) {
@@ -110,7 +112,7 @@ bool is_in_water(const LibraryPlan& plan, NorthEast position) {
 
 void require_on_chart(const LibraryPlan& plan, NorthEast position) {
   const Meters max_range = static_cast<double>(plan.fan.radial.ranges) * plan.fan.radial.range_step;
-  const std::size_t stride = std::max<std::size_t>(1, plan.fan.bearings / 8);
+  const std::size_t stride = std::max<std::size_t>(1, plan.fan.bearings / kBearingsLookedAt);
   for (std::size_t j = 0; j < plan.fan.bearings; j += stride)
     (void)ocean::section_along(plan.environment, position, bearing_of(j, plan.fan.bearings), max_range);
 }
@@ -149,6 +151,18 @@ std::vector<bool> positions_in_water(const LibraryPlan& plan) {
   if (std::ranges::find(in_water, true) == in_water.end())
     throw config_file::BadInput(plan.name + ": every position is on land or too shallow for the depth in its centre");
   return in_water;
+}
+
+std::optional<ocean::UnmeasuredWater> unmeasured_water(const LibraryPlan& plan) {
+  std::optional<ocean::UnmeasuredWater> thickest;
+  if (!differs_with_place(plan.environment) || !plan.environment.charts->climatology) return thickest;
+  for (const NorthEast& position : plan.positions) {
+    if (!is_in_water(plan, position)) continue;
+    const Meters max_range = static_cast<double>(plan.fan.radial.ranges) * plan.fan.radial.range_step;
+    const auto here = unmeasured_water(plan.environment, position, kBearingsLookedAt, max_range);
+    if (here && (!thickest || here->thickness() > thickest->thickness())) thickest = here;
+  }
+  return thickest;
 }
 
 }  // namespace earshot::sonar

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,8 @@ struct LibraryPlan {
 /// Throws config_file::BadInput for a position off the chart, for one whose radials leave it (looked for on eight bearings), and when no
 /// position is in the water.
 [[nodiscard]] std::vector<bool> positions_in_water(const LibraryPlan& plan);
+
+/// The thickest water that was not measured but extended, on eight bearings of every position, if any.
+[[nodiscard]] std::optional<ocean::UnmeasuredWater> unmeasured_water(const LibraryPlan& plan);
 
 }  // namespace earshot::sonar

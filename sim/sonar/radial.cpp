@@ -87,6 +87,16 @@ Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, 
   return deepest;
 }
 
+std::optional<Meters> shore_before(const ocean::Environment& environment, NorthEast from, Radians bearing, Meters first_range) {
+  const auto shore = ocean::section_along(environment, from, bearing, first_range).shore;
+  return shore && *shore < first_range ? shore : std::nullopt;
+}
+
+std::optional<ocean::UnmeasuredWater> unmeasured_water(const ocean::Environment& environment, NorthEast from, Radians bearing,
+                                                       Meters max_range) {
+  return ocean::section_along(environment, from, bearing, max_range).unmeasured;
+}
+
 void compute_radial(const ocean::Environment& environment, NorthEast from, Radians bearing, const RadialPlan& plan, const RadialLoss& loss,
                     const pe::Progress& progress) {
   const std::size_t depths = plan.depth_m.size();

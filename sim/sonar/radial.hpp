@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "sim/ocean/environment.hpp"
+#include "sim/ocean/section.hpp"
 #include "sim/pe/section.hpp"
 #include "sim/pe/solver.hpp"
 
@@ -56,6 +58,14 @@ struct RadialLoss {
 
 /// The deepest sea floor on one radial. Throws as compute_radial does for the charts: it looks at all that the radial needs.
 [[nodiscard]] Meters deepest_sea_floor(const ocean::Environment& environment, NorthEast from, Radians bearing, Meters max_range);
+
+/// Where the radial meets land, if it does so nearer than `first_range`: a field of it has no number at all.
+[[nodiscard]] std::optional<Meters> shore_before(const ocean::Environment& environment, NorthEast from, Radians bearing,
+                                                 Meters first_range);
+
+/// What of the radial's water was not measured but extended, if any. Throws as compute_radial does for the charts.
+[[nodiscard]] std::optional<ocean::UnmeasuredWater> unmeasured_water(const ocean::Environment& environment, NorthEast from, Radians bearing,
+                                                                     Meters max_range);
 
 /// Fills `loss` for the radial of `bearing` (clockwise from north) from `from`. May be called from many threads.
 ///

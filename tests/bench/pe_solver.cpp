@@ -62,7 +62,7 @@ void require_mean_error(const pe::Field& field, const std::string& name, int col
 }
 
 double measure(const std::string& figure) {
-  // The absorber is each solver's own: here a matched layer of 6 wavelengths, in pyRAM 20 wavelengths of growing loss.
+  // The absorber is each solver's own: here some ten matched elements, in pyRAM 20 wavelengths of growing loss.
   const pe::Options same_grid{.depth_step = Meters{1.0}, .range_step = Meters{50.0}, .terms = 8, .output_step = Meters{50.0}};
   if (figure == "same_grid.single") return best_of_three([&] { (void)run(papers_ocean(), same_grid, 30.0, kRange); });
   if (figure == "same_grid.batch") {

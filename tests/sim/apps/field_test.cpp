@@ -1,4 +1,6 @@
+#include "firmware/config_file/table_reader.hpp"
 #include "tests/sim/apps/field_program.hpp"
+#include "tests/sim/ocean/chart_files.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
 
 namespace earshot::tests {
@@ -164,6 +166,43 @@ TEST_F(FieldProgram, SaysHowMuchAFinerGridChanges) {
 TEST_F(FieldProgram, RefusesARadialThatLeavesTheChart) {
   const std::string ocean = write_hilly_ocean(folder_).string();
   expect_refused(ocean + " -o " + output() + " --radials 4 --receiver-depth-m 300 --max-range-km 60", "chart.csv");
+}
+
+TEST_F(FieldProgram, RefusesARadialThatMeetsLandBeforeItsFirstRange) {
+  const std::string ocean = write_hilly_ocean(folder_).string();  // an island 7 km in the east
+  const std::string coarse = " -o " + output() + " --max-range-km 16 --output-step-m 8000 --depth-spacing 500";
+  expect_refused(ocean + coarse + " --bearing-deg 90", "--bearing-deg = 90: meets land 5");
+  EXPECT_EQ(run(ocean + coarse + " --bearing-deg 270"), 0) << errors();
+}
+
+TEST_F(FieldProgram, WarnsOfBearingsThatMeetLandBeforeTheFirstRange) {
+  const std::string ocean = write_hilly_ocean(folder_).string();
+  const std::string coarse = ocean + " -o " + output() + " --max-range-km 16 --output-step-m 8000 --receiver-depth-m 300";
+  EXPECT_EQ(run(coarse + " --radials 4"), 0) << errors();
+  EXPECT_NE(errors().find("warning: 1 of 4 bearings (the first at 90 degrees) meet land nearer than the first range, 8000 m"),
+            std::string::npos)
+      << errors();
+}
+
+TEST_F(FieldProgram, SaysInItsWarningAndInTheFileWhereMeasurementsOfTheWaterEnd) {
+  AtlasFile{.depth_m = {0.0, 500.0, 1500.0},
+            .latitude_deg = axis(-1.5, 0.5, 7),
+            .longitude_deg = axis(-1.5, 0.5, 7),
+            .temperature_c = [](double z, double, double) { return 25.0 - 0.01 * z; },
+            .salinity_psu = [](double, double, double) { return 35.0; }}
+      .write(folder_ / "woa.nc");
+  const auto ocean = write_hilly_ocean(folder_);
+  std::string text = read(ocean);
+  const auto water = text.find("[water]");
+  text.replace(water, text.find("[bathymetry]") - water, "[water]\nprofile = \"woa\"\ntemperature_file = \"woa.nc\"\nreach_km = 60.0\n");
+  std::ofstream(ocean) << text;
+  const std::string end = "temperature and salinity end at 1500 m, the sea floor lies at 24";
+  for (const char* shape : {" --bearing-deg 180 --depth-spacing 500", " --radials 2 --receiver-depth-m 300"}) {
+    ASSERT_EQ(run(ocean.string() + " -o " + output() + " --max-range-km 3" + shape), 0) << errors();
+    EXPECT_NE(errors().find("earshot field: warning: "), std::string::npos) << errors();
+    EXPECT_NE(errors().find(end), std::string::npos) << errors();
+    EXPECT_NE(read(output()).find(end), std::string::npos) << "attribute unmeasured_water";
+  }
 }
 
 TEST_F(FieldProgram, RefusesOptionsThatContradictEachOther) {

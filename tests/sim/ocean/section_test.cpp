@@ -124,8 +124,10 @@ TEST(SectionAlong, RefusesToBeginOnLandOrToLeaveTheChart) {
   EXPECT_NE(outside.find("chart.nc: no elevation at latitude 47"), std::string::npos) << outside;
 }
 
-TEST(SectionAlong, ChangesItsWaterWithTheClimatology) {
+/// 25 degC on 45 degN, a degree more for each tenth of a degree north, 35 psu; measured at two depths.
+Environment measured_sea(double sea_floor_m, double data_end_m) {
   Environment sea = flat_sea();
+  sea.seabed.depth = Meters{sea_floor_m};
   auto charts = std::make_shared<Charts>();
   charts->grid.origin = {.latitude_deg = 45.0, .longitude_deg = -7.0};
   charts->formula = SoundSpeedFormula::kMackenzie;
@@ -134,17 +136,31 @@ TEST(SectionAlong, ChangesItsWaterWithTheClimatology) {
   water.axes.centre_longitude_deg = -7.0;
   water.axes.latitude_deg = axis(44.0, 0.5, 5);
   water.axes.longitude_deg = axis(-8.0, 0.5, 5);
-  water.depth_m = {0.0, 1000.0};
+  water.depth_m = {0.0, data_end_m};
   water.salinity_psu.assign(50, 35.0);
   for (int level = 0; level < 2; ++level) {
     for (const double lat : water.axes.latitude_deg) water.temperature_c.insert(water.temperature_c.end(), 5, 25.0 + 10.0 * (lat - 45.0));
   }
   charts->climatology = std::move(water);
   sea.charts = charts;
-  const Section section = section_along(sea, {}, Radians{0.0}, Meters{55'568.3});         // to 45.5 degN
-  EXPECT_NEAR(sound_speed(section, Meters{0.0}, Meters{1000.0}).value, 1550.744, 0.001);  // Mackenzie's check value
+  return sea;
+}
+
+TEST(SectionAlong, ChangesItsWaterWithTheClimatology) {
+  const Section section = section_along(measured_sea(200.0, 1000.0), {}, Radians{0.0}, Meters{55'568.3});  // to 45.5 degN
+  EXPECT_NEAR(sound_speed(section, Meters{0.0}, Meters{1000.0}).value, 1550.744, 0.001);                   // Mackenzie's check value
   // Surface, 30 degC, 35 psu: 1448.96 + 137.73 - 47.736 + 6.4098 by hand.
   EXPECT_NEAR(sound_speed(section, Meters{55'568.3}, Meters{0.0}).value, 1545.364, 0.001);
+  EXPECT_FALSE(section.unmeasured.has_value());
+}
+
+TEST(SectionAlong, KnowsWhatOfItsWaterWasNotMeasured) {
+  const Section section = section_along(measured_sea(3000.0, 1500.0), {}, Radians{0.0}, Meters{50'000.0});
+  ASSERT_TRUE(section.unmeasured.has_value());
+  EXPECT_EQ(section.unmeasured->data_end, Meters{1500.0});
+  EXPECT_EQ(section.unmeasured->sea_floor, Meters{3000.0});
+  EXPECT_EQ(to_string(*section.unmeasured).find("woa.nc: temperature and salinity end at 1500 m, the sea floor lies at 3000 m"), 0U);
+  EXPECT_FALSE(section_along(measured_sea(1600.0, 1500.0), {}, Radians{0.0}, Meters{50'000.0}).unmeasured);  // within a level
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ Section waveguide(double depth_m) {
 
 /// Horizontal wavenumbers of the modes that decay least.
 std::vector<std::complex<double>> modes(const Section& section, double step_m, std::size_t count) {
-  const DepthGrid grid = make_depth_grid(section, kFrequency, Meters{step_m}, 6.0);
+  const DepthGrid grid = make_depth_grid(section, kFrequency, Meters{step_m}, choose_absorber(section, kFrequency, Meters{20'000.0}, {}));
   const DepthOperator op(section, kFrequency, grid);
   const auto n = static_cast<Eigen::Index>(grid.intervals) - 1;
   Eigen::MatrixXcd m = Eigen::MatrixXcd::Zero(n, n);
@@ -67,7 +67,7 @@ TEST(DepthOperator, LetsTheSeaFloorLieBetweenNodes) {
 TEST(DepthOperator, ChangesOnlyRowsAtTheSeaFloorWhenOnlyTheFloorMoves) {
   Section section = waveguide(100.0);
   section.floor.push_back({1'000.0, 80.0});
-  const DepthGrid grid = make_depth_grid(section, kFrequency, Meters{1.0}, 3.0);
+  const DepthGrid grid = make_depth_grid(section, kFrequency, Meters{1.0}, choose_absorber(section, kFrequency, Meters{1'000.0}, {}));
   DepthOperator moved(section, kFrequency, grid);
   const DepthOperator before = moved;
   const RowRange changed = moved.rows_changed_by(500.0);

@@ -228,6 +228,19 @@ TEST(Solver, IsReciprocal) {
   EXPECT_LT((forth.pressure - reverse.pressure).abs().bottomRows(400).maxCoeff(), 0.01 * scale);
 }
 
+TEST(Solver, IsReciprocalBesideTheSeaFloor) {
+  const Options options{.depth_step = Meters{0.77}, .range_step = Meters{20.0}};  // the floor lies between nodes
+  for (const double above_m : {1.0, 0.4, 0.1, 0.01}) {
+    ocean::Environment there = pekeris();
+    ocean::Environment back = pekeris();
+    there.source.depth = Meters{100.0 - above_m};
+    const Field forth = solve_at(there, 36.0, 4'000.0, options);
+    const Field reverse = solve_at(back, 100.0 - above_m, 4'000.0, options);
+    const double scale = forth.pressure.abs().mean();
+    EXPECT_LT((forth.pressure - reverse.pressure).abs().bottomRows(150).maxCoeff(), 1e-4 * scale) << above_m;  // to the fourth order exact
+  }
+}
+
 TEST(Solver, ConvergesWithTheFourthPowerOfTheDepthStep) {
   const auto at = [](double depth_step_m) {
     return solve_at(papers_ocean(), 300.0, 10'000.0, {.depth_step = Meters{depth_step_m}, .range_step = Meters{20.0}});

@@ -51,7 +51,7 @@ Eigen::VectorXcd field_of(const Sweep& sweep, Eigen::Index rows) {
 class SweepOfTerms : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(SweepOfTerms, SolvesWhatADenseEliminationSolves) {
-  const DepthGrid grid = make_depth_grid(kSlope, kFrequency, Meters{1.0}, 3.0);
+  const DepthGrid grid = make_depth_grid(kSlope, kFrequency, Meters{1.0}, choose_absorber(kSlope, kFrequency, Meters{1'000.0}, {}));
   DepthOperator op(kSlope, kFrequency, grid);
   const Rational r = some_rational(GetParam());
   Sweep sweep(grid.intervals, GetParam());

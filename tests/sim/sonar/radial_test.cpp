@@ -86,6 +86,18 @@ TEST(GridCheck, FindsACoarseGridBad) {
   EXPECT_GT(check_grid(papers_ocean(), {}, Radians{}, coarse).mean_db, 0.2);
 }
 
+TEST(GridCheck, SeesAnAbsorberThatIsTooThinForTheSeabed) {
+  auto silt = papers_ocean();
+  silt.water = ocean::TabulatedProfile{{0.0}, {1500.0}};
+  silt.seabed = {.depth = Meters{500.0}, .layers = silt.seabed.layers};
+  silt.seabed.layers.front().sound_speed = MetersPerSecond{1500.0};
+  silt.seabed.layers.front().attenuation_db_per_wavelength = 0.02;
+  RadialPlan thin = plan(100.0, {200.0});
+  EXPECT_LT(check_grid(silt, {}, Radians{}, thin).mean_db, 0.02);
+  thin.options.absorber_wavelengths = 2.0;
+  EXPECT_GT(check_grid(silt, {}, Radians{}, thin).mean_db, 0.05);
+}
+
 TEST(GridCheck, HalvesAStepThatIsShorterThanARowToo) {
   RadialPlan steep = plan(30.0, {300.0});
   steep.options.range_step = Meters{5.0};
