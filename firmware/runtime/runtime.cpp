@@ -93,6 +93,7 @@ void Runtime::take(Time /*now*/, OperatorCommand command) {
   } else if (command == OperatorCommand::kStart && progress_.state == MissionState::kStandby && configured_) {
     progress_.start_wanted = true;
   } else if (command == OperatorCommand::kComplete && progress_.state == MissionState::kSearch) {
+    if (progress_.leg.length().value > 0.0) ++progress_.steps_taken;  // the step under way ends where the source is
     end(MissionState::kDone, EndReason::kCompleted);
   } else {
     ++progress_.counters.commands_refused;

@@ -53,17 +53,15 @@ class Score {
   explicit Score(const search::SearchSettings& settings) : settings_(settings) {}
 
   void add(const TrackPoint& point);
-  /// The source is reached in the middle of a step: that step ends here.
-  void end_step(const TrackPoint& point);
 
   [[nodiscard]] double reward() const { return reward_; }
-  [[nodiscard]] std::uint32_t steps() const { return steps_; }
-  /// Steps flown to their end, as the runtime counts them: one fewer where the source was reached in the middle of the last.
-  [[nodiscard]] std::uint32_t whole_steps() const { return steps_taken_; }
+  [[nodiscard]] std::uint32_t steps() const { return steps_; }            ///< as the runtime counts them
   [[nodiscard]] std::uint32_t detections() const { return detections_; }  ///< steps that ended with SNR >= DT
   [[nodiscard]] Meters distance() const { return distance_; }
 
  private:
+  void end_step(const TrackPoint& point);
+
   search::SearchSettings settings_;
   std::optional<NorthEast> last_position_;
   std::uint32_t steps_taken_ = 0;

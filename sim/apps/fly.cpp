@@ -1,18 +1,14 @@
 // earshot-fly: one search from start to report: earshot-sim, earshotd, what happened.
 
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -25,8 +21,9 @@
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
+#include "sim/apps/child_process.hpp"
+#include "sim/apps/flight_folder.hpp"
 #include "sim/apps/flight_plan.hpp"
-#include "sim/apps/flight_record.hpp"
 #include "sim/apps/speed_option.hpp"
 #include "sim/link/run_slot.hpp"
 
@@ -36,12 +33,15 @@ using namespace earshot;
 namespace fs = std::filesystem;
 
 using program::stop_requested;
+using simulation::ChildProcess;
+using simulation::FlightFolder;
 
 struct Options {
   fs::path environment;
   fs::path mission;
   fs::path out = "out";
   std::uint64_t seed = 1;
+  std::string source = "changing";
   std::string speed = "0";
   std::optional<fs::path> policy;
   std::optional<fs::path> public_key;
@@ -56,8 +56,11 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--environment", &o.environment, "ocean, source and noise (TOML)").required();
   line.option("--mission", &o.mission, "area, depth, speed, limits, bus, policy (TOML)").required();
   line.option("--out", &o.out, "folder for journal.lcmlog, track.csv, snr.csv, summary.json and report.html").shows_default();
-  line.option("--seed", &o.seed, "where the vehicle starts, and how a policy that draws its actions draws them")
+  line.option("--seed", &o.seed, "where source and vehicle start, and how a policy that draws its actions draws them")
       .from(0, std::numeric_limits<std::int64_t>::max())
+      .shows_default();
+  line.option("--source", &o.source, "changing: drawn with the seed, uniform in the mission's area; fixed: where the environment has it")
+      .one_of({"changing", "fixed"})
       .shows_default();
   line.option("--speed", &o.speed, "simulated seconds per second; 0: as fast as it goes")
       .checked(simulation::speed_complaint, simulation::kSpeedsAllowed)
@@ -71,11 +74,12 @@ void declare(program::CommandLine& line, Options& o) {
   line.flag("--no-report", &o.no_report, "do not write report.html");
 }
 
-/// Where the two processes of a flight find each other.
+/// Where the two processes of a flight find each other, and where they write.
 struct Meeting {
   std::uint32_t domain = 0;
   std::string lcm_url;
   link::RunId run = link::new_run();
+  fs::path folder;
 };
 
 template <class Value>
@@ -84,7 +88,7 @@ void add(std::vector<std::string>& arguments, const char* name, const std::optio
 }
 
 std::vector<std::string> common_arguments(const Options& o, const Meeting& meeting) {
-  std::vector<std::string> a{"--out",     o.out.string(),  "--seed", std::to_string(o.seed),
+  std::vector<std::string> a{"--out",     meeting.folder,  "--seed", std::to_string(o.seed),
                              "--lcm-url", meeting.lcm_url, "--run",  std::to_string(meeting.run)};
   add(a, "--bus", o.bus);
   add(a, "--can-interface", o.can_interface);
@@ -94,7 +98,7 @@ std::vector<std::string> common_arguments(const Options& o, const Meeting& meeti
 std::vector<std::string> simulator_arguments(const Options& o, const Meeting& meeting) {
   std::vector<std::string> a = common_arguments(o, meeting);
   a.insert(a.end(), {"--environment", o.environment.string(), "--mission", o.mission.string(), "--domain", std::to_string(meeting.domain),
-                     "--speed", o.speed});
+                     "--source", o.source, "--speed", o.speed});
   if (o.ignore_source) a.emplace_back("--ignore-source");
   return a;
 }
@@ -102,72 +106,26 @@ std::vector<std::string> simulator_arguments(const Options& o, const Meeting& me
 std::vector<std::string> runtime_arguments(const Options& o, const Meeting& meeting) {
   constexpr const char* kWait_s = "86400";  // this program looks after both
   std::vector<std::string> a = common_arguments(o, meeting);
-  a.insert(a.end(), {o.mission.string(), "--replace", "--simulation", std::to_string(meeting.domain), "--wait", kWait_s});
+  a.insert(a.end(), {o.mission.string(), "--quiet", "--simulation", std::to_string(meeting.domain), "--wait", kWait_s});
   add(a, "--policy", o.policy);
   add(a, "--public-key", o.public_key);
   return a;
 }
 
-fs::path own_folder() {
-  return fs::read_symlink("/proc/self/exe").parent_path();
-}
-
-/// Starts a program that stands beside this one, in a process group of its own (a terminal's Ctrl-C then reaches only this program, which
-/// ends both in order) and to be ended with this process.
-pid_t start(const std::string& program, const std::vector<std::string>& arguments) {
-  const std::string path = own_folder() / program;
-  std::vector<char*> argv{const_cast<char*>(path.c_str())};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error(std::string("cannot start another process: ") + std::strerror(errno));
-  if (child > 0) return child;
-  (void)setpgid(0, 0);
-  (void)prctl(PR_SET_PDEATHSIG, SIGTERM);
-  (void)execv(path.c_str(), argv.data());
-  (void)std::fprintf(stderr, "%s: %s\n", path.c_str(), std::strerror(errno));
-  _exit(2);
-}
-
-/// One of the two processes of a flight.
-struct Process {
-  pid_t id = 0;
-  int status = -1;  ///< exit status, 128 + signal; -1 while it runs
-
-  [[nodiscard]] bool running() const { return status < 0; }
-  void poll() {
-    int raw = 0;
-    if (running() && waitpid(id, &raw, WNOHANG) == id) status = WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw);
-  }
-  void signal(int number) const {
-    if (running()) (void)kill(id, number);
-  }
-};
-
-/// One of them refused its input, or the simulator was stopped before the first tick.
-bool never_begins(const Process& simulator, const Process& runtime) {
-  return simulator.status == 2 || runtime.status == 2 || simulator.status == 130;
-}
-
-/// Waits for both. Ctrl-C goes to the simulator, which tells earshotd to abort; whoever has not left some seconds after the other is ended.
-void wait_for_both(Process& simulator, Process& runtime) {
+/// Waits for both. Ctrl-C goes to the simulator, which tells earshotd to abort; whoever is left when the other has gone is asked to end,
+/// and ended some seconds later.
+void wait_for_both(ChildProcess& simulator, ChildProcess& runtime) {
   using std::chrono::steady_clock;
   constexpr auto kGrace = std::chrono::seconds(6);  // longer than either takes to notice by itself that the other is gone
   std::optional<steady_clock::time_point> deadline;
-  bool stopping = false;
   while (simulator.running() || runtime.running()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     simulator.poll();
     runtime.poll();
-    if (stop_requested && !stopping) {
-      stopping = true;
-      simulator.signal(SIGINT);
-    }
-    if (never_begins(simulator, runtime)) {  // the other waits in vain
-      simulator.signal(SIGTERM);
-      runtime.signal(SIGTERM);
-    }
-    if (!deadline && (stopping || !simulator.running() || !runtime.running())) deadline = steady_clock::now() + kGrace;
+    if (stop_requested) simulator.stop();
+    if (simulator.status() > 0) runtime.stop();
+    if (runtime.status() > 0) simulator.stop();
+    if (!deadline && (stop_requested || !simulator.running() || !runtime.running())) deadline = steady_clock::now() + kGrace;
     if (deadline && steady_clock::now() > *deadline) {
       simulator.signal(SIGKILL);
       runtime.signal(SIGKILL);
@@ -183,39 +141,32 @@ std::string duration(double s) {
 }
 
 void print_summary(const fs::path& out) {
+  if (program::talk() == program::Talk::kQuiet) return;
   std::ifstream stream(out / "summary.json");
-  if (!stream) return;
   const nlohmann::json s = nlohmann::json::parse(stream);
   const double sim_time_s = s.at("sim_time_s");
   const double wall_time_s = s.at("wall_time_s");
   std::printf("%s\n", s.at("found").get<bool>() ? "source found" : ("source not found: " + s.at("end_reason").get<std::string>()).c_str());
-  const bool is_last_cut = s.at("whole_steps") < s.at("steps");
-  std::printf("  reward      %.1f\n  steps       %d%s\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(),
-              s.at("steps").get<int>(), is_last_cut ? ", the last one cut short by the source" : "", s.at("detections").get<int>(),
-              s.at("distance_m").get<double>() / 1e3);
+  std::printf("  reward      %.1f\n  steps       %d\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(),
+              s.at("steps").get<int>(), s.at("detections").get<int>(), s.at("distance_m").get<double>() / 1e3);
   std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", duration(sim_time_s).c_str(), wall_time_s,
               sim_time_s / std::max(wall_time_s, 1e-9));
 }
 
-int run(const std::string& program, const std::vector<std::string>& arguments) {
-  Process process{.id = start(program, arguments)};
-  while (process.running()) {
+bool writes_report(const fs::path& folder) {
+  ChildProcess report("earshot-report", {folder});
+  while (report.running()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    process.poll();
+    report.poll();
   }
-  return process.status;
-}
-
-/// The simulator keeps what it has once the flight has begun.
-bool has_flown(const Process& simulator) {
-  return simulator.status == 0 || simulator.status == 3;
+  return report.status() == program::kDone;
 }
 
 /// A process that we ended because the other refused its input has a status of its own; the refusal is what counts.
-int exit_status(const Process& simulator, const Process& runtime) {
+int exit_status(const ChildProcess& simulator, const ChildProcess& runtime, bool has_flown) {
   if (stop_requested) return program::kStopped;
-  if (!has_flown(simulator) && (simulator.status == 2 || runtime.status == 2)) return 2;
-  return simulator.status == 0 && runtime.status == 0 ? 0 : 3;
+  if (!has_flown && (simulator.status() == program::kBadInput || runtime.status() == program::kBadInput)) return program::kBadInput;
+  return simulator.status() == 0 && runtime.status() == 0 ? program::kDone : program::kLost;
 }
 
 /// The LCM address that somebody chose; what a mission at sea uses when nobody did is never a simulation's.
@@ -238,28 +189,40 @@ board::FileDescriptor lock_bus(const Options& o, const board::MissionFile& missi
   return url ? board::lock_lcm(*url) : board::FileDescriptor{};
 }
 
+/// Reports on a flight that has begun, and keeps it if every file of it is whole. @return false when one is not
+bool conclude(const Options& o, FlightFolder& folder, bool is_whole) {
+  print_summary(folder.unfinished());
+  const bool has_report = !o.no_report && writes_report(folder.unfinished());
+  const bool is_kept = is_whole && (has_report || o.no_report);
+  if (is_kept) folder.keep();
+  const fs::path place = is_kept ? o.out : folder.unfinished();
+  if (has_report && program::talk() != program::Talk::kQuiet) std::printf("  report      %s\n", (place / "report.html").c_str());
+  return is_kept;
+}
+
 int fly(Options o) {
   program::stop_on_signals();
   // Both processes would say the same about a bad file: say it once, before either starts.
   const board::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
   const board::FileDescriptor lock = lock_bus(o, mission);
   o.can_interface = chosen_can_interface(o, mission);
+  FlightFolder folder(o.out);
   const link::RunSlot slot;
-  const Meeting meeting{.domain = slot.domain(), .lcm_url = chosen_url(o, mission).value_or(slot.lcm_url())};
-  Process runtime{.id = start("earshotd", runtime_arguments(o, meeting))};
-  Process simulator{.id = start("earshot-sim", simulator_arguments(o, meeting))};
+  const Meeting meeting{.domain = slot.domain(), .lcm_url = chosen_url(o, mission).value_or(slot.lcm_url()), .folder = folder.unfinished()};
+  ChildProcess runtime("earshotd", runtime_arguments(o, meeting));
+  ChildProcess simulator("earshot-sim", simulator_arguments(o, meeting));
   wait_for_both(simulator, runtime);
+  runtime.report_signal("earshot fly");
+  simulator.report_signal("earshot fly");
 
-  if (!has_flown(simulator)) {
-    // An earshotd that took its input has begun a journal; what stands beside it is of an earlier flight. Otherwise all of that is whole.
-    if (runtime.status != 2) simulation::remove_results(o.out);
-    return exit_status(simulator, runtime);
-  }
-  print_summary(o.out);
-  if (!o.no_report && fs::exists(o.out / "summary.json") && run("earshot-report", {o.out.string()}) == 0) {
-    std::printf("  report      %s\n", (o.out / "report.html").c_str());
-  }
-  return exit_status(simulator, runtime);
+  const bool has_flown = fs::exists(folder.unfinished() / "summary.json");
+  const int status = exit_status(simulator, runtime, has_flown);
+  const bool is_whole = simulator.status() == 0 && runtime.status() == 0;
+  if (has_flown && conclude(o, folder, is_whole)) return status;
+  if (stop_requested && !has_flown) std::cerr << "earshot fly: stopped before the flight began\n";
+  if (fs::exists(folder.unfinished()))
+    std::cerr << "earshot fly: this flight is not whole; what there is of it is in " << folder.unfinished().string() << "\n";
+  return status == program::kDone ? program::kLost : status;
 }
 
 }  // namespace
@@ -268,7 +231,7 @@ int main(int argc, char** argv) {
   program::CommandLine line(
       "earshot fly",
       "earshot fly plays one search: an ocean with a sound source (earshot-sim) and the vehicle's own software (earshotd) in lock-step.\n"
-      "Exit status: 0 flown (found or not), 2 bad input, 3 a process was lost, 130 Ctrl-C.");
+      "Exit status: 0 flown (found or not), 2 bad input, 3 a process or a file was lost, 130 Ctrl-C.");
   Options options;
   declare(line, options);
   return program::run(line, argc, argv, [&] { return fly(options); });

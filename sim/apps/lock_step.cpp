@@ -167,13 +167,11 @@ class Stepper {
 
   void record(const TrackPoint& point, runtime::EndReason reason) {
     flight_.track.add(point);
-    const std::uint32_t steps_before = flight_.score.steps();
     flight_.score.add(point);
     over_ = point.state == runtime::MissionState::kDone || point.state == runtime::MissionState::kAbort;
     if (!over_) return;
     result_.found = reason == runtime::EndReason::kCompleted;
     result_.end_reason = word_for(reason);
-    if (result_.found && flight_.score.steps() == steps_before) flight_.score.end_step(point);
   }
 
   void keep_pace(steady_clock::time_point began) const {

@@ -43,6 +43,7 @@ struct Options {
   std::filesystem::path mission;
   std::filesystem::path out = "out";
   std::uint64_t seed = 1;
+  std::string source = "changing";
   double speed = 0.0;
   std::uint32_t domain = link::kLowestDomain;
   std::optional<link::RunId> run;
@@ -56,8 +57,11 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--environment", &o.environment, "ocean, source and noise (TOML)").required();
   line.option("--mission", &o.mission, "mission file that earshotd flies (TOML): area, depth, speed, bus").required();
   line.option("--out", &o.out, "folder for track.csv, snr.csv and summary.json, made if it is missing").shows_default();
-  line.option("--seed", &o.seed, "seed of the place where the vehicle starts")
+  line.option("--seed", &o.seed, "where source and vehicle start, and what the conditions draw")
       .from(0, std::numeric_limits<std::int64_t>::max())
+      .shows_default();
+  line.option("--source", &o.source, "changing: drawn with the seed, uniform in the mission's area; fixed: where the environment has it")
+      .one_of({"changing", "fixed"})
       .shows_default();
   line.option("--speed", &o.speed, "simulated seconds per second; 0: as fast as it goes")
       .checked(simulation::speed_complaint, simulation::kSpeedsAllowed)
@@ -73,26 +77,41 @@ void declare(program::CommandLine& line, Options& o) {
   line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
 }
 
-void apply_options(const Options& o, board::MissionFile& file) {
+void apply_options(const Options& o, FlightPlan& plan) {
+  board::MissionFile& file = plan.mission;
+  if (o.source == "changing") plan.search.placement = search::SourcePlacement::kChanging;
   if (o.bus) file.bus = *o.bus == "can" ? board::BusKind::kCan : board::BusKind::kLcm;
   if (o.lcm_url) file.lcm_url = *o.lcm_url;
   if (o.can_interface) file.can_interface = *o.can_interface;
 }
 
 /// The furthest that a source can be heard from within the area, and a little more.
-Meters longest_range(const Rectangle& area, NorthEast source, const ocean::Conditions& conditions) {
-  if (conditions.sources > 1 || conditions.source_speed.value > 0.0) return range_between(area.south_west, area.north_east) + Meters{100.0};
+Meters longest_range(const search::SearchSettings& settings, const ocean::Conditions& conditions) {
+  const Rectangle& area = settings.domain;
+  const NorthEast source = settings.source;
+  const bool is_drawn = settings.placement == search::SourcePlacement::kChanging;
+  if (is_drawn || conditions.sources > 1 || conditions.source_speed.value > 0.0)
+    return range_between(area.south_west, area.north_east) + Meters{100.0};
   const double north = std::max(area.north_east.north.value - source.north.value, source.north.value - area.south_west.north.value);
   const double east = std::max(area.north_east.east.value - source.east.value, source.east.value - area.south_west.east.value);
   return length_of({Meters{north}, Meters{east}}) + Meters{100.0};
 }
 
-vehicle::State start_of(const search::SearchWorld& world, const config::Mission& mission, std::uint64_t seed) {
+/// Where a flight begins.
+struct Places {
+  NorthEast source;
+  vehicle::State start;
+};
+
+/// Drawn as an episode of training draws them.
+Places places_of(const search::SearchWorld& world, const config::Mission& mission, std::uint64_t seed) {
+  const search::SearchWorld calm(world.settings, world.snr);  // of the same places; where sources are several it names the first
   Pcg32 random(seed);
   search::Episode episode;
   const policy::ObservationModel sees_nothing;
-  episode.start(world, sees_nothing, random);
-  return {.position = episode.position(), .depth = mission.search_depth, .heading = Radians{0.0}, .speed = mission.search_speed};
+  episode.start(calm, sees_nothing, random);
+  return {.source = episode.source(),
+          .start = {.position = episode.position(), .depth = mission.search_depth, .heading = Radians{0.0}, .speed = mission.search_speed}};
 }
 
 void write_curve(const std::filesystem::path& path, const sonar::SnrCurve& snr) {
@@ -110,7 +129,6 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
   return {{"found", result.found},
           {"reward", score.reward()},
           {"steps", score.steps()},
-          {"whole_steps", score.whole_steps()},
           {"distance_m", score.distance().value},
           {"detections", score.detections()},
           {"sim_time_s", (result.last_tick - Time{}).to_seconds()},
@@ -142,14 +160,14 @@ bool succeeds(Work work) {
 
 int simulate(const Options& o) {
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
-  apply_options(o, plan.mission);
+  apply_options(o, plan);
   const auto& [file, environment, settings] = plan;
-  const search::Soundscape soundscape = search::soundscape_of(environment, file.mission.search_depth,
-                                                              longest_range(settings.domain, settings.source, environment.conditions));
+  const search::Soundscape soundscape =
+      search::soundscape_of(environment, file.mission.search_depth, longest_range(settings, environment.conditions));
   const search::SearchWorld searched(settings, soundscape, environment.conditions);
-  const vehicle::State start = start_of(searched, file.mission, o.seed);
+  const auto [source, start] = places_of(searched, file.mission, o.seed);
   const World world{.search = searched,
-                    .source = settings.source,
+                    .source = source,
                     .found_within = settings.step_length,
                     .may_be_found = !o.ignore_source,
                     .vehicle = {},

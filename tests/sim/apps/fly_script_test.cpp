@@ -25,6 +25,7 @@ class FlyScript : public testing::Test {
     for (const char* folder : {"sim", "toolchains", "build/release/bin", "bin"}) fs::create_directories(root_ / folder);
     fs::copy_file(fs::path(EARSHOT_SOURCE_DIR) / "sim/fly", root_ / "sim/fly");
     write_program("toolchains/setup", "");
+    write_program("toolchains/build", "");
     write_program("bin/cmake", "");
     write_program("build/release/bin/earshot-fly", "printf '%s\\n' \"$@\"");
   }

@@ -114,12 +114,13 @@ int report(const board::LoopResult& result, const board::VehicleBus& bus, const 
   const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
   if (bus.counters().unsent_messages > 0)
     std::cerr << "earshotd: " << bus.counters().unsent_messages << " messages could not be put on the bus\n";
+  const bool is_talkative = program::talk() != program::Talk::kQuiet;
   switch (result.end) {
     case board::LoopEnd::kMissionOver:
-      std::cerr << "earshotd: " << board::in_words(result.last) << "; journal " << journal.string() << "\n";
+      if (is_talkative) std::cerr << "earshotd: " << board::in_words(result.last) << "; journal " << journal.string() << "\n";
       return 0;
     case board::LoopEnd::kStopped:
-      std::cerr << "earshotd: stopped" << after << "; journal " << journal.string() << "\n";
+      if (is_talkative) std::cerr << "earshotd: stopped" << after << "; journal " << journal.string() << "\n";
       return 0;
     case board::LoopEnd::kSimulatorLost:
       std::cerr << "earshotd: lost the simulator" << after << "; journal up to then: " << journal.string() << "\n";
