@@ -171,7 +171,9 @@ TEST_F(Keeping, GivenSigtermAtAnyMomentOfItsStartTheFlightEndsAtOnceAndSaysSo) {
     EXPECT_TRUE(status == 130 || status == 128 + SIGTERM) << delay_ms << " ms: " << status;  // the second before main
     expect_no_orphans();
   }
-  EXPECT_TRUE(files() == earlier_);
+  // Where the signal found the flight begun, that has ended in order and is whole.
+  const std::string summary = support::read_text(out_() / "summary.json");
+  EXPECT_TRUE(files() == earlier_ || summary.find("\"interrupted\"") != std::string::npos) << summary;
 }
 
 }  // namespace
