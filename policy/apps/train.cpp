@@ -1,10 +1,12 @@
 #include <algorithm>
-#include <iostream>
+#include <iomanip>
 #include <memory>
+#include <ostream>
 #include <sstream>
 
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/program/signals.hpp"
+#include "firmware/host/program/talk.hpp"
 #include "policy/apps/curve_plot.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/apps/training_job.hpp"
@@ -48,13 +50,13 @@ void print_summary(const Trainings& trainings, double seconds) {
       medians.push_back(last.median_reward);
       found.push_back(last.found_fraction);
     }
-    std::cout << training->job().output.string() << ": " << training->curve().episodes() << " episodes, " << training->steps()
-              << " steps; ";
+    program::say() << training->job().output.string() << ": " << training->curve().episodes() << " episodes, " << training->steps()
+                   << " steps; ";
     if (last.episodes > 0) {
-      std::cout << "last " << last.episodes << " episodes: median reward " << last.median_reward << ", found "
-                << 100.0 * last.found_fraction << " %\n";
+      program::say() << "last " << last.episodes << " episodes: median reward " << last.median_reward << ", found "
+                     << 100.0 * last.found_fraction << " %\n";
     } else {
-      std::cout << "no episode has ended\n";
+      program::say() << "no episode has ended\n";
     }
   }
   if (trainings.size() > 1 && !medians.empty()) {
@@ -64,11 +66,11 @@ void print_summary(const Trainings& trainings, double seconds) {
            << scale * evaluate::quantile(x, 0.75) << ")";
       return text.str();
     };
-    std::cout << "median of " << medians.size() << " trainings: median reward " << of_seeds(medians, 1.0) << ", found "
-              << of_seeds(found, 100.0) << " %\n";
+    program::say() << "median of " << medians.size() << " trainings: median reward " << of_seeds(medians, 1.0) << ", found "
+                   << of_seeds(found, 100.0) << " %\n";
   }
-  if (program::stop_requested) std::cout << "interrupted; go on with earshot train --resume\n";
-  std::cout << seconds << " s\n";
+  if (program::stop_requested) program::say() << "interrupted; go on with earshot train --resume\n";
+  program::say() << "trained for " << std::fixed << std::setprecision(1) << seconds << " s\n";
 }
 
 /// "Reward in training: source changing, state belief, seed 1"
@@ -85,8 +87,9 @@ void train(const apps::TrainOptions& options, const std::vector<std::string>& ar
   Trainings trainings;
   session.all_or_none<BadInput>([&] { trainings = prepare(options, arguments, session.ranks()); });
 
-  apps::TrainingProgress progress(trainings.size(),
-                                  speaks ? apps::TrainingProgress::Voice::kSpeaks : apps::TrainingProgress::Voice::kSilent);
+  apps::TrainingProgress progress(trainings.size(), speaks && program::talk() != program::Talk::kQuiet
+                                                        ? apps::TrainingProgress::Voice::kSpeaks
+                                                        : apps::TrainingProgress::Voice::kSilent);
   run_all(trainings, options.threads.value_or(parallel::available_processors()), progress);
   if (!speaks) return;
   progress.finish();

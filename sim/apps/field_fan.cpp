@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
+#include "firmware/host/program/talk.hpp"
 #include "sim/apps/field_modes.hpp"
 #include "sim/apps/progress_bar.hpp"
 #include "sim/ocean/environment_file.hpp"
@@ -37,14 +38,14 @@ void print_detection(const sonar::Fan& fan, const sonar::Detector& detector) {
     for (const auto& range : sonar::detection_ranges(fan, depth, detector)) {
       if (!std::isnan(range.furthest_m)) furthest_km.push_back(range.furthest_m / 1000.0);
     }
-    std::cout << "heard:   at " << fan.depth_m[depth] << " m ";
+    program::say() << "heard:   at " << fan.depth_m[depth] << " m ";
     if (furthest_km.empty()) {
-      std::cout << "nowhere: there is no water at that depth beside the source\n";
+      program::say() << "nowhere: there is no water at that depth beside the source\n";
       continue;
     }
     const auto [nearest, furthest] = std::minmax_element(furthest_km.begin(), furthest_km.end());
-    std::cout << "last at " << *nearest << " to " << *furthest << " km, by bearing; mean "
-              << std::accumulate(furthest_km.begin(), furthest_km.end(), 0.0) / static_cast<double>(furthest_km.size()) << " km\n";
+    program::say() << "last at " << *nearest << " to " << *furthest << " km, by bearing; mean "
+                   << std::accumulate(furthest_km.begin(), furthest_km.end(), 0.0) / static_cast<double>(furthest_km.size()) << " km\n";
   }
 }
 
@@ -60,9 +61,9 @@ void print_check(const ocean::Environment& environment, const sonar::RadialPlan&
   }
   int degrees = 0;
   for (const sonar::GridCheck& check : checks) {
-    std::cout << "check:   bearing " << degrees << ": absorber thicker, grid of " << check.depth_step.value << " m x "
-              << check.range_step.value << " m halved at " << plan.band.high.value << " Hz: loss changes by " << check.mean_db
-              << " dB in the mean, " << check.max_db << " dB at most (range " << check.range_of_max.value / 1000.0 << " km)\n";
+    program::say() << "check:   bearing " << degrees << ": absorber thicker, grid of " << check.depth_step.value << " m x "
+                   << check.range_step.value << " m halved at " << plan.band.high.value << " Hz: loss changes by " << check.mean_db
+                   << " dB in the mean, " << check.max_db << " dB at most (range " << check.range_of_max.value / 1000.0 << " km)\n";
     degrees += 90;
   }
 }
@@ -103,11 +104,11 @@ void write_fan(const FieldArguments& arguments) {
   sonar::write_fan(arguments.output, fan, map, environment, plan.radial.band, detector, arguments.history);
   if (!arguments.plot.empty()) sonar::plot_map(arguments.plot, fan, environment, plan.radial.band, map_side(arguments, fan), detector);
 
-  std::cout << "ocean:   " << environment.name << ", source at " << environment.source.depth.value << " m\n"
-            << "fan:     " << fan.bearings << " bearings x " << fan.ranges << " ranges to " << fan.max_range().value / 1000.0 << " km"
-            << (sonar::differs_with_place(environment) ? "" : ", one march for all: this ocean is the same on every bearing") << '\n';
+  program::say() << "ocean:   " << environment.name << ", source at " << environment.source.depth.value << " m\n"
+                 << "fan:     " << fan.bearings << " bearings x " << fan.ranges << " ranges to " << fan.max_range().value / 1000.0 << " km"
+                 << (sonar::differs_with_place(environment) ? "" : ", one march for all: this ocean is the same on every bearing") << '\n';
   print_detection(fan, detector);
-  std::cout << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
+  program::say() << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
   warn(sonar::unmeasured_water(environment, source, plan.bearings, fan.max_range()));
   if (arguments.check) print_check(environment, plan.radial);
 }

@@ -1,7 +1,8 @@
-#include <iostream>
 #include <optional>
+#include <ostream>
 
 #include "firmware/host/file/output_file.hpp"
+#include "firmware/host/program/talk.hpp"
 #include "sim/apps/field_modes.hpp"
 #include "sim/apps/progress_bar.hpp"
 #include "sim/sonar/library.hpp"
@@ -13,14 +14,14 @@ namespace {
 void print_summary(const FieldArguments& arguments, const sonar::LibraryPlan& plan, const sonar::LibrarySummary& summary, std::size_t ranks,
                    std::size_t threads) {
   const sonar::RadialPlan& radial = plan.fan.radial;
-  std::cout << "library: " << plan.name << ": " << plan.positions.size() << " positions x " << plan.fan.bearings << " bearings x "
-            << radial.ranges << " ranges x " << radial.depth_m.size() << " depths\n"
-            << "fields:  " << summary.computed << " computed";
-  if (summary.found > 0) std::cout << ", " << summary.found << " found from before";
-  if (summary.without_water > 0) std::cout << ", " << summary.without_water << " on land or too shallow";
-  if (!sonar::differs_with_place(plan.environment)) std::cout << "; one march for all: this ocean is the same everywhere";
-  std::cout << "; " << ranks << (ranks == 1 ? " process" : " processes") << " of " << threads << " threads\n"
-            << "written: " << arguments.output << '\n';
+  program::say() << "library: " << plan.name << ": " << plan.positions.size() << " positions x " << plan.fan.bearings << " bearings x "
+                 << radial.ranges << " ranges x " << radial.depth_m.size() << " depths\n"
+                 << "fields:  " << summary.computed << " computed";
+  if (summary.found > 0) program::say() << ", " << summary.found << " found from before";
+  if (summary.without_water > 0) program::say() << ", " << summary.without_water << " on land or too shallow";
+  if (!sonar::differs_with_place(plan.environment)) program::say() << "; one march for all: this ocean is the same everywhere";
+  program::say() << "; " << ranks << (ranks == 1 ? " process" : " processes") << " of " << threads << " threads\n"
+                 << "written: " << arguments.output << '\n';
   warn(sonar::unmeasured_water(plan));
 }
 

@@ -1,9 +1,11 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <ostream>
 #include <sstream>
 #include <stdexcept>
 
+#include "firmware/host/program/talk.hpp"
 #include "sim/apps/field_modes.hpp"
 #include "sim/apps/progress_bar.hpp"
 #include "sim/ocean/environment_file.hpp"
@@ -20,9 +22,9 @@ void print_check(const ocean::Environment& environment, Radians bearing, const s
     ProgressBar bar("check");
     return sonar::check_grid(environment, environment.source.position, bearing, plan, [&bar](double f) { bar.update(f); });
   }();
-  std::cout << "check:   absorber thicker, grid of " << check.depth_step.value << " m x " << check.range_step.value << " m halved at "
-            << plan.band.high.value << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db
-            << " dB at most (range " << check.range_of_max.value / 1000.0 << " km, depth " << check.depth_of_max.value << " m)\n";
+  program::say() << "check:   absorber thicker, grid of " << check.depth_step.value << " m x " << check.range_step.value << " m halved at "
+                 << plan.band.high.value << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db
+                 << " dB at most (range " << check.range_of_max.value / 1000.0 << " km, depth " << check.depth_of_max.value << " m)\n";
 }
 
 void require_water(const ocean::Environment& environment, Radians bearing, Meters first_range) {
@@ -61,11 +63,11 @@ void write_radial(const FieldArguments& arguments) {
   if (!arguments.plot.empty())
     sonar::plot_field(arguments.plot, field, environment, plan.band, bearing, Decibels{arguments.detection_threshold_db});
 
-  std::cout << "ocean:   " << environment.name << ", source of " << environment.source.frequency.value << " Hz at "
-            << environment.source.depth.value << " m\n"
-            << "field:   " << field.range_m.size() << " ranges to " << field.range_m.back() / 1000.0 << " km, " << field.depth_m.size()
-            << " depths from " << field.depth_m.front() << " to " << field.depth_m.back() << " m\n"
-            << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
+  program::say() << "ocean:   " << environment.name << ", source of " << environment.source.frequency.value << " Hz at "
+                 << environment.source.depth.value << " m\n"
+                 << "field:   " << field.range_m.size() << " ranges to " << field.range_m.back() / 1000.0 << " km, " << field.depth_m.size()
+                 << " depths from " << field.depth_m.front() << " to " << field.depth_m.back() << " m\n"
+                 << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
   warn(sonar::unmeasured_water(environment, environment.source.position, bearing, Meters{field.range_m.back()}));
   if (arguments.check) print_check(environment, bearing, plan);
 }

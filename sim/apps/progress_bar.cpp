@@ -6,11 +6,14 @@
 #include <cstdio>
 #include <utility>
 
+#include "firmware/host/program/talk.hpp"
+
 namespace earshot::apps {
 
 using namespace std::chrono_literals;
 
-ProgressBar::ProgressBar(std::string label) : label_(std::move(label)), terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(std::string label)
+    : label_(std::move(label)), terminal_(isatty(STDERR_FILENO) == 1 && program::talk() != program::Talk::kQuiet) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) std::fputs("\r\033[K", stderr);

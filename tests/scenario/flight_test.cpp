@@ -469,7 +469,7 @@ TEST_F(Flight, GivenAnUnknownOptionOrVerbTheStatusIsTwo) {
   EXPECT_EQ(flight.wait(10s), 2);
   support::Process verb(kBin / "earshot", {"swim"}, folder_ / "text2");
   EXPECT_EQ(verb.wait(10s), 2);
-  EXPECT_EQ(verb.output(), "earshot: there is no verb \"swim\"; see earshot help\n");
+  EXPECT_EQ(verb.output(), "earshot: there is no verb \"swim\"; did you mean sim? (earshot help lists all)\n");
 }
 
 }  // namespace

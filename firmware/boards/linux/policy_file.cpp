@@ -118,7 +118,9 @@ std::unique_ptr<policy::FrozenPolicy> load_policy(const std::filesystem::path& p
   policy::PolicyFault fault = policy::PolicyFault::kNone;
   // The file is taken apart before its signature is checked: parse() is built for hostile bytes, and "damaged" says more than "not signed".
   if (policy::parse(bytes, *parsed, fault) != Status::kOk) throw BadInput(path.string() + ": " + in_words(fault));
-  if (!is_signed_by(key, bytes)) throw BadInput(path.string() + ": is not signed by the trusted key " + public_key.string());
+  if (!is_signed_by(key, bytes))
+    throw BadInput(path.string() + ": is not signed by the trusted key " + public_key.string() +
+                   "; --public-key names the public half of the key that signed it");
   return parsed;
 }
 

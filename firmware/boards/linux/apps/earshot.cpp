@@ -3,13 +3,20 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "firmware/host/file/printable.hpp"
+#include "firmware/host/program/command_line.hpp"
+#include "firmware/host/program/exit_status.hpp"
+#include "firmware/host/program/suggestion.hpp"
 
 namespace {
 
@@ -30,26 +37,69 @@ std::vector<std::string> verbs(const fs::path& folder) {
   return found;
 }
 
+struct Description {
+  std::string_view verb;
+  std::string_view what;
+};
+
+/// Of the verbs that are ours; another program that somebody put beside them has none.
+constexpr std::array kDescriptions{
+    Description{"dbc", "prints the CAN messages as a DBC file"},
+    Description{"evaluate", "flies many searches with policies and baselines, and says how they did"},
+    Description{"explain", "draws what a policy does, and says why it took one decision of a flight"},
+    Description{"field", "computes how loud a source is at every range and depth (NetCDF)"},
+    Description{"fly", "flies one search, from start to report"},
+    Description{"freeze", "freezes and signs a trained policy for the vehicle"},
+    Description{"report", "writes the page about a flight again"},
+    Description{"sim", "the ocean and the vehicle of a flight; earshot fly starts it"},
+    Description{"train", "trains a policy"},
+};
+
+std::string_view description_of(std::string_view verb) {
+  const auto* const found = std::ranges::find(kDescriptions, verb, &Description::verb);
+  return found == kDescriptions.end() ? std::string_view() : found->what;
+}
+
 void print_help(std::ostream& out, const fs::path& folder) {
-  out << "usage: earshot VERB [ARGUMENT...]\n\nVerbs installed here (earshot VERB --help says more):\n";
-  for (const std::string& verb : verbs(folder)) out << "  " << verb << "\n";
+  constexpr int kColumn = 12;
+  out << "usage: earshot VERB [ARGUMENT...]\n       earshot help VERB\n       earshot --version\n\nVerbs installed here:\n";
+  for (const std::string& verb : verbs(folder)) out << "  " << std::left << std::setw(kColumn) << verb << description_of(verb) << "\n";
+}
+
+/// Becomes the verb's program; comes back only when that cannot be.
+int execute(const fs::path& folder, const std::string& verb, std::vector<char*> arguments) {
+  const std::string program = folder / (std::string(kPrefix) + verb);
+  const bool is_name = verb.find('/') == std::string::npos;
+  if (is_name) execv(program.c_str(), arguments.data());
+  if (is_name && errno != ENOENT) {
+    std::cerr << program << ": " << std::strerror(errno) << "\n";
+  } else {
+    std::cerr << "earshot: there is no verb \"" << earshot::host::printable(verb) << "\""
+              << earshot::program::did_you_mean(verb, verbs(folder)) << " (earshot help lists all)\n";
+  }
+  return earshot::program::kBadInput;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   const fs::path folder = own_folder();
-  const std::string_view verb = argc > 1 ? argv[1] : "help";
-  if (verb == "help" || verb == "--help" || verb == "-h") {
+  std::string verb = argc > 1 ? argv[1] : "help";
+  std::vector<char*> arguments(argv + std::min(argc, 1), argv + argc);
+  arguments.push_back(nullptr);
+  if (verb == "--version") {
+    std::cout << earshot::program::version_line("earshot") << "\n";
+    return earshot::program::kDone;
+  }
+  const bool asks_for_help = verb == "help" || verb == "--help" || verb == "-h";
+  if (asks_for_help && argc < 3) {
     print_help(std::cout, folder);
-    return 0;
+    return earshot::program::kDone;
   }
-  const std::string program = folder / (std::string(kPrefix) + std::string(verb));
-  if (verb.find('/') == std::string_view::npos) execv(program.c_str(), argv + 1);
-  if (errno == ENOENT || verb.find('/') != std::string_view::npos) {
-    std::cerr << "earshot: there is no verb \"" << verb << "\"; see earshot help\n";
-  } else {
-    std::cerr << program << ": " << std::strerror(errno) << "\n";
+  if (asks_for_help) {
+    verb = argv[2];
+    std::string help = "--help";
+    return execute(folder, verb, {argv[2], help.data(), nullptr});
   }
-  return 2;
+  return execute(folder, verb, arguments);
 }

@@ -16,6 +16,8 @@
 namespace earshot::board {
 namespace {
 
+constexpr const char* kHint = "; --public-key names the public half of the key that signed it";
+
 class PolicyFile : public testing::Test {
  protected:
   void SetUp() override {
@@ -64,13 +66,13 @@ TEST_F(PolicyFile, IsRefusedForItsChecksumWhenABitInTheMiddleIsFlipped) {
 TEST_F(PolicyFile, IsRefusedWhenItsSignatureIsNotOfItsBytes) {
   std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
   bytes.back() ^= 1U;
-  EXPECT_EQ(complaint(bytes), policy_.string() + ": is not signed by the trusted key " + key_.string());
+  EXPECT_EQ(complaint(bytes), policy_.string() + ": is not signed by the trusted key " + key_.string() + kHint);
 }
 
 TEST_F(PolicyFile, IsRefusedWhenAnotherKeyIsTrusted) {
   std::ofstream(key_) << std::string(64, 'a') << "\n";
   EXPECT_EQ(complaint(support::signed_bytes(support::random_walk_policy())),
-            policy_.string() + ": is not signed by the trusted key " + key_.string());
+            policy_.string() + ": is not signed by the trusted key " + key_.string() + kHint);
 }
 
 TEST_F(PolicyFile, IsRefusedWhenItIsCutAnywhere) {
