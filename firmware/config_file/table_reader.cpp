@@ -97,17 +97,6 @@ struct TableNode {
 
 namespace {
 
-std::string in_words(const Range& range) {
-  std::ostringstream text;
-  const bool low = std::isfinite(range.lowest);
-  const bool high = std::isfinite(range.highest);
-  text << "must be a finite number";
-  if (low) text << (range.lower == Range::Lower::kAbove ? " above " : " of at least ") << range.lowest;
-  if (low && high) text << " and";
-  if (high) text << " at most " << range.highest;
-  return text.str();
-}
-
 std::string in_words(std::int64_t lowest, std::int64_t highest) {
   return "must be a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
 }
@@ -116,11 +105,6 @@ std::string in_words(const std::vector<std::string>& allowed) {
   std::string text = "must be one of";
   for (std::size_t i = 0; i < allowed.size(); ++i) text += (i == 0 ? " \"" : ", \"") + allowed[i] + "\"";
   return text;
-}
-
-bool allows(const Range& range, double x) {
-  const bool low = range.lower == Range::Lower::kAbove ? x > range.lowest : x >= range.lowest;
-  return std::isfinite(x) && low && x <= range.highest;
 }
 
 /// A value inside the range, so that code after a noted problem meets no nonsense.
@@ -148,12 +132,12 @@ bool TableReader::is_noted(std::string_view key) const {
 double TableReader::number(std::string_view key, Range range) {
   const toml::node* node = node_->find(key);
   if (node == nullptr) {
-    node_->note_missing(key, in_words(range));
+    node_->note_missing(key, to_string(range));
     return harmless(range);
   }
   const std::optional<double> value = as_number(*node);
-  if (value && allows(range, *value)) return *value;
-  node_->note_value(key, *node, in_words(range));
+  if (value && range.allows(*value)) return *value;
+  node_->note_value(key, *node, to_string(range));
   return harmless(range);
 }
 
@@ -233,8 +217,8 @@ std::vector<double> TableReader::numbers(std::string_view key, Range range) {
   std::size_t index = 0;
   for (const toml::node& element : *node->as_array()) {
     const std::optional<double> value = as_number(element);
-    if (!value || !allows(range, *value)) node_->note_value(std::string(key) + "[" + std::to_string(index) + "]", element, in_words(range));
-    values.push_back(value && allows(range, *value) ? *value : harmless(range));
+    if (!value || !range.allows(*value)) node_->note_value(std::string(key) + "[" + std::to_string(index) + "]", element, to_string(range));
+    values.push_back(value && range.allows(*value) ? *value : harmless(range));
     ++index;
   }
   return values;

@@ -2,13 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "firmware/config_file/range.hpp"
 #include "firmware/host/file/bad_input.hpp"
 
 namespace earshot::config_file {
@@ -17,18 +17,6 @@ using host::BadInput;
 
 struct Problems;   ///< what the readers of one file have found so far
 struct TableNode;  ///< one TOML table and which of its keys were asked for
-
-/// Bounds of a number, both allowed unless `above` says that the lower one is not.
-struct Range {
-  double lowest = -std::numeric_limits<double>::infinity();
-  double highest = std::numeric_limits<double>::infinity();
-  enum class Lower : std::uint8_t { kAtLeast, kAbove } lower = Lower::kAtLeast;
-
-  static Range at_least(double x) { return {x, std::numeric_limits<double>::infinity(), Lower::kAtLeast}; }
-  static Range above(double x) { return {x, std::numeric_limits<double>::infinity(), Lower::kAbove}; }
-  static Range between(double low, double high) { return {low, high, Lower::kAtLeast}; }
-  static Range above_up_to(double low, double high) { return {low, high, Lower::kAbove}; }
-};
 
 /// Reads the keys of one TOML table. A bad, missing or unknown key is noted, a harmless value is returned, and reading goes on, so that
 /// `File::finish` can report every problem at once. Numbers must be finite. Each key names its unit ("depth_m").

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/file/input_file.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/freeze/keys.hpp"
@@ -66,13 +67,13 @@ freeze::SecretKey new_key(const std::filesystem::path& file) {
 freeze::SecretKey key_of(const Options& options) {
   if (options.new_key) return new_key(options.key);
   if (!std::filesystem::exists(options.key)) throw BadInput(options.key + ": no such key; --new-key makes one");
-  return freeze::secret_key_from(apps::read_whole(options.key), options.key);
+  return freeze::secret_key_from(host::read_text(options.key, host::kKeyFile), options.key);
 }
 
 std::string search_of(const freeze::TrainedActor& actor, const Options& options) {
   if (actor.search && options.search) throw BadInput("carries its own search description; --search is for models that carry none");
   if (actor.search) return *actor.search;
-  if (options.search) return apps::read_whole(*options.search);
+  if (options.search) return host::read_text(*options.search, host::kJsonFile);
   throw BadInput("does not say what it was trained to search: save it with earshot.sb3.save or export_onnx, or give --search");
 }
 
@@ -89,7 +90,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, c
 }
 
 std::unique_ptr<policy::FrozenPolicy> freeze_model(const std::filesystem::path& file, const Options& options) {
-  const std::string bytes = apps::read_whole(file);
+  const std::string bytes = host::read_text(file, host::kModelFile);
   if (freeze::is_foreign_model(bytes, file.string())) return freeze_foreign(bytes, file, options);
   if (options.search) throw BadInput("--search: a checkpoint says itself what it was trained to search");
   return freeze::freeze(ppo::from_text(bytes, file.string()), apps::draw_named(options.draw));

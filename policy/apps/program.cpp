@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -52,14 +51,6 @@ int run_ranked_program(program::CommandLine& line, int argc, char** argv, const 
     std::cerr << line.name() << ": " << e.what() << "\n";
     return program::kBadInput;
   }
-}
-
-std::string read_whole(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw BadInput(path.string() + ": no such file");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path, error)) throw BadInput(path.string() + ": cannot be read");
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 std::filesystem::path data_folder() {

@@ -22,8 +22,6 @@ int run_program(program::CommandLine& line, int argc, char** argv, const std::fu
 /// words of a rank when another has ended.
 int run_ranked_program(program::CommandLine& line, int argc, char** argv, const std::function<void(parallel::RankSession&)>& body);
 
-/// The whole content of a file. Throws config_file::BadInput when it cannot be read.
-[[nodiscard]] std::string read_whole(const std::filesystem::path& path);
 
 /// A file that a program is to write, and the option that names it.
 struct Output {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/version.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/description/crc32_text.hpp"
@@ -19,6 +20,9 @@ namespace earshot::apps {
 namespace {
 
 using config_file::BadInput;
+
+/// Some ten million episodes.
+constexpr host::FileKind kLearningCurve{"a learning curve", std::uint64_t{1} << 30U};
 
 ppo::Continuation::Written written(const std::string& text) {
   return {text.size(), description::crc32_of(text)};
@@ -31,7 +35,7 @@ std::uint32_t settings_crc32(const TrainOptions& options, const ppo::TrainingRun
     if (name != ppo::kDecayStepsName) all << name << " = " << value << '\n';  // how long
   }
   all << environment.file_crc32 << '\n';
-  if (options.run_file) all << read_whole(*options.run_file);
+  if (options.run_file) all << host::read_text(*options.run_file, host::kTomlFile);
   return description::crc32_of(all.str());
 }
 
@@ -47,9 +51,10 @@ std::filesystem::path curve_beside(std::filesystem::path checkpoint) {
 
 /// A curve's file as it was when the checkpoint was written.
 std::string earlier_part(const std::filesystem::path& path, const ppo::Continuation::Written& part) {
-  std::string text = read_whole(path);
+  host::InputFile file(path, kLearningCurve);
+  std::string text(std::min<std::uint64_t>(part.bytes, file.size()), '\0');
+  text.resize(file.read({reinterpret_cast<std::uint8_t*>(text.data()), text.size()}));
   if (text.size() < part.bytes) throw BadInput(path.string() + ": shorter than when the checkpoint was written");
-  text.resize(part.bytes);
   if (description::crc32_of(text) != part.crc32) throw BadInput(path.string() + ": not the learning curve of the checkpoint");
   return text;
 }
@@ -133,7 +138,7 @@ std::string curve_to_record(const TrainingJob& job) {
 TrainingJob job_from(const std::string& file, const TrainOptions& given) {
   TrainingJob job;
   job.resumed_file = file;
-  job.resumed = ppo::from_text(read_whole(file), file);
+  job.resumed = ppo::from_text(host::read_text(file, host::kModelFile), file);
   if (!job.resumed->continuation) throw BadInput(file + ": holds networks alone, from elsewhere: nothing to go on with");
   const ppo::Continuation& continuation = *job.resumed->continuation;
   job.arguments = continuation.arguments;

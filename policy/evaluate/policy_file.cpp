@@ -1,11 +1,11 @@
 #include "policy/evaluate/policy_file.hpp"
 
-#include <fstream>
-#include <iterator>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/file/input_file.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -41,12 +41,7 @@ std::string in_words(policy::PolicyFault fault) {
 }  // namespace
 
 std::unique_ptr<policy::FrozenPolicy> load_policy(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw config_file::BadInput(path.string() + ": no such file");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path, error)) throw config_file::BadInput(path.string() + ": cannot be read");
-  const std::vector<char> text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  const std::vector<std::uint8_t> bytes = host::read_bytes(path, {"a .policy file", policy::max_serialised_size()});
   auto policy = std::make_unique<policy::FrozenPolicy>();
   policy::PolicyFault fault = policy::PolicyFault::kNone;
   if (policy::parse(bytes, *policy, fault) != Status::kOk) throw config_file::BadInput(path.string() + ": policy is " + in_words(fault));

@@ -5,14 +5,13 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/file/input_file.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 #include "policy/python/world.hpp"
 
@@ -215,8 +214,7 @@ class Episodes {
 class FrozenPolicy {
  public:
   explicit FrozenPolicy(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    const std::vector<std::uint8_t> bytes = host::read_bytes(file, {"a .policy file", policy::max_serialised_size()});
     policy::PolicyFault fault{};
     if (policy::parse(bytes, *policy_, fault) == Status::kOk) return;
     throw config_file::BadInput(file.string() + ": not a .policy of this version, or damaged (fault " +

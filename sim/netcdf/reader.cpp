@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <limits>
+#include <sstream>
 #include <utility>
 
+#include "firmware/host/file/input_file.hpp"
 #include "sim/netcdf/classic_size.hpp"
 #include "sim/netcdf/library_exit.hpp"
 
@@ -17,10 +18,14 @@ namespace {
 
 constexpr std::size_t kMostValues = std::size_t{1} << 28;  // 2 GiB of doubles: beyond it stands a corrupt header or a forgotten window
 
-bool is_classic(const std::filesystem::path& path) {
-  std::array<char, 3> magic{};
-  std::ifstream(path, std::ios::binary).read(magic.data(), magic.size());
-  return magic == std::array<char, 3>{'C', 'D', 'F'};
+/// The library opens files by name; what it is given is a regular file that can be read.
+host::InputFile opened(const std::filesystem::path& path) try { return {path, host::kAnySize}; } catch (const host::BadInput& e) {
+  throw FileError(e.what());
+}
+
+bool is_classic(host::InputFile& file) {
+  std::array<std::uint8_t, 3> magic{};
+  return file.read(magic) == magic.size() && magic == std::array<std::uint8_t, 3>{'C', 'D', 'F'};
 }
 
 }  // namespace
@@ -30,12 +35,9 @@ FileError Reader::error(const std::string& variable, const std::string& what) co
 }
 
 Reader::Reader(std::filesystem::path path) : path_(std::move(path)) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path_, ignored)) throw error("", "no such file");
-  if (!std::filesystem::is_regular_file(path_, ignored) || !std::ifstream(path_)) throw error("", "cannot be read");
-  if (is_classic(path_)) {
+  if (host::InputFile file = opened(path_); is_classic(file)) {
     const std::optional<std::uint64_t> needed = classic_size(path_);
-    const std::uintmax_t bytes = std::filesystem::file_size(path_);
+    const std::uint64_t bytes = file.size();
     if (!needed) throw error("", "its NetCDF header is damaged or truncated");
     if (bytes < *needed) {
       throw error("", "truncated: has " + std::to_string(bytes) + " bytes, its header promises " + std::to_string(*needed));
@@ -134,6 +136,29 @@ std::vector<double> Reader::read(const std::string& variable, const Block& block
     x = none ? std::numeric_limits<double>::quiet_NaN() : x * scale + offset;
   }
   return data;
+}
+
+FileError Reader::error(const std::string& variable, const Block& block, std::size_t index, double value, const std::string& what) const {
+  std::string place;
+  for (std::size_t d = block.count.size(); d-- > 0;) {
+    place = std::to_string(block.start[d] + index % block.count[d]) + (place.empty() ? "" : ", ") + place;
+    index /= block.count[d];
+  }
+  std::ostringstream text;
+  text << path_.string() << ": " << variable << (place.empty() ? "" : "[" + place + "]") << " = " << value << ": " << what;
+  return FileError(text.str());
+}
+
+void Reader::require(const std::string& variable, const Block& block, std::span<const double> values, const config_file::Range& allowed,
+                     Missing missing) const {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (allowed.allows(values[i]) || (missing == Missing::kAllowed && std::isnan(values[i]))) continue;
+    throw error(variable, block, i, values[i], to_string(allowed) + (missing == Missing::kAllowed ? ", or missing (_FillValue)" : ""));
+  }
+}
+
+void Reader::require(const std::string& variable, std::span<const double> values, const config_file::Range& allowed) const {
+  require(variable, {.start = {0}, .count = {values.size()}}, values, allowed);
 }
 
 }  // namespace earshot::netcdf

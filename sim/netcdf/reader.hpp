@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "firmware/config_file/range.hpp"
 #include "sim/netcdf/file_error.hpp"
 
 namespace earshot::netcdf {
@@ -15,6 +18,8 @@ struct Block {
   std::vector<std::size_t> start;
   std::vector<std::size_t> count;
 };
+
+enum class Missing : std::uint8_t { kRefused, kAllowed };
 
 /// An open NetCDF file (classic or NetCDF-4). Whatever is missing, truncated or of another shape throws FileError.
 ///
@@ -35,6 +40,17 @@ class Reader {
   /// missing_value). At most 2^28 values.
   [[nodiscard]] std::vector<double> read(const std::string& variable) const;
   [[nodiscard]] std::vector<double> read(const std::string& variable, const Block& block) const;
+
+  /// Throws "FILE: VARIABLE[0, 3, 17] = 1e+30: must be ..." for the first value of a block that is not allowed. A missing one is NaN.
+  /// @param values  of the block, as read() gave them
+  void require(const std::string& variable, const Block& block, std::span<const double> values, const config_file::Range& allowed,
+               Missing missing = Missing::kRefused) const;
+  /// The same of a whole variable of one dimension, or of none.
+  void require(const std::string& variable, std::span<const double> values, const config_file::Range& allowed) const;
+
+  /// An error about one value: "FILE: VARIABLE[0, 3, 17] = 1e+30: reason". @param index  in the block, row by row
+  [[nodiscard]] FileError error(const std::string& variable, const Block& block, std::size_t index, double value,
+                                const std::string& what) const;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 

@@ -24,6 +24,7 @@ struct Field {
 std::vector<double> read_depth(const netcdf::Reader& file) {
   require_units(file, "depth", {"m", "meters", "meter", "metres", "metre"});
   std::vector<double> depth_m = file.read("depth");
+  file.require("depth", depth_m, config_file::Range::between(0.0, kDeepest_m));
   if (depth_m.empty() || depth_m.front() != 0.0) throw file.error("depth", "must begin at 0");
   for (std::size_t i = 1; i < depth_m.size(); ++i) {
     if (!(depth_m[i] > depth_m[i - 1])) throw file.error("depth", "must increase throughout (positive down)");
@@ -31,25 +32,31 @@ std::vector<double> read_depth(const netcdf::Reader& file) {
   return depth_m;
 }
 
+/// "latitude 44.5, longitude -9.5, depth 100 m" of a value.
+std::string place_of(const Field& field, std::size_t i) {
+  const std::size_t columns = field.axes.longitude_deg.size();
+  const std::size_t nodes = field.axes.latitude_deg.size() * columns;
+  std::ostringstream text;
+  text << "latitude " << field.axes.latitude_deg[i % nodes / columns] << ", longitude " << field.axes.longitude_deg[i % columns]
+       << ", depth " << field.depth_m[i / nodes] << " m";
+  return text.str();
+}
+
 /// A column of water has no hole in it: data end at the sea floor and do not begin again.
 void require_no_gaps(const netcdf::Reader& file, const std::string& variable, const Field& field) {
   const std::size_t nodes = field.axes.latitude_deg.size() * field.axes.longitude_deg.size();
   for (std::size_t i = nodes; i < field.values.size(); ++i) {
     if (std::isnan(field.values[i]) || !std::isnan(field.values[i - nodes])) continue;
-    const std::size_t node = i % nodes;
-    std::ostringstream text;
-    text << "gap at latitude " << field.axes.latitude_deg[node / field.axes.longitude_deg.size()] << ", longitude "
-         << field.axes.longitude_deg[node % field.axes.longitude_deg.size()] << ", depth " << field.depth_m[i / nodes - 1]
-         << " m: there are data below it";
-    throw file.error(variable, text.str());
+    throw file.error(variable, "gap at " + place_of(field, i - nodes) + ": there are data below it");
   }
 }
 
 void require_range(const netcdf::Reader& file, const std::string& variable, const Field& field, double lowest, double highest) {
-  for (const double x : field.values) {
+  for (std::size_t i = 0; i < field.values.size(); ++i) {
+    const double x = field.values[i];
     if (std::isnan(x) || (x >= lowest && x <= highest)) continue;
     std::ostringstream text;
-    text << "holds " << x << ", must be from " << lowest << " to " << highest;
+    text << "holds " << x << " at " << place_of(field, i) << ", must be from " << lowest << " to " << highest;
     throw file.error(variable, text.str());
   }
 }

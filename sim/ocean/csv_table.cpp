@@ -4,10 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <utility>
+
+#include "firmware/host/file/input_file.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -37,10 +38,7 @@ std::optional<double> finite_number(const std::string& text) {
 }  // namespace
 
 CsvTable::CsvTable(std::filesystem::path path) : path_(std::move(path)) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path_, ignored)) throw BadInput(path_.string() + ": no such file");
-  std::ifstream stream(path_);
-  if (!stream || std::filesystem::is_directory(path_, ignored)) throw BadInput(path_.string() + ": cannot be read");
+  std::istringstream stream(host::read_text(path_, host::kCsvFile));
   std::size_t line = 0;
   for (std::string text; std::getline(stream, text);) {
     ++line;
@@ -97,16 +95,8 @@ BadInput CsvTable::error(std::size_t row, std::string_view column, const std::st
 
 void CsvTable::check(std::string_view column, config_file::Range allowed) const {
   const std::vector<double>& values = this->column(column);
-  for (std::size_t row = 0; row < values.size(); ++row) {
-    const bool low_enough = values[row] <= allowed.highest;
-    const bool high_enough =
-        allowed.lower == config_file::Range::Lower::kAbove ? values[row] > allowed.lowest : values[row] >= allowed.lowest;
-    if (low_enough && high_enough) continue;
-    std::ostringstream words;
-    words << "must be " << (allowed.lower == config_file::Range::Lower::kAbove ? "above " : "at least ") << allowed.lowest
-          << " and at most " << allowed.highest;
-    throw error(row, column, words.str());
-  }
+  const auto outside = std::find_if(values.begin(), values.end(), [&](double x) { return !allowed.allows(x); });
+  if (outside != values.end()) throw error(static_cast<std::size_t>(outside - values.begin()), column, to_string(allowed));
 }
 
 }  // namespace earshot::ocean

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -17,6 +16,7 @@
 
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/core/crc32.hpp"
+#include "firmware/host/file/file_checksum.hpp"
 #include "sim/ocean/charts.hpp"
 #include "sim/ocean/environment_conditions.hpp"
 #include "sim/ocean/environment_family.hpp"
@@ -61,17 +61,6 @@ struct Keys {
 
   [[nodiscard]] bool is_one_ocean() const { return other_oceans.empty() && !family && field_library.empty() && is_calm(conditions); }
 };
-
-/// Piece by piece: a field library may have 2 GiB. Nothing is added by a file that cannot be read; whoever needs it says so.
-std::uint32_t crc32_of(const std::filesystem::path& path, std::uint32_t previous) {
-  std::ifstream stream(path, std::ios::binary);
-  std::vector<char> piece(1U << 20U);
-  while (stream) {
-    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    previous = crc32({reinterpret_cast<const std::uint8_t*>(piece.data()), static_cast<std::size_t>(stream.gcount())}, previous);
-  }
-  return previous;
-}
 
 /// Another checksum, lowest byte first.
 std::uint32_t crc32_of(std::uint32_t checksum, std::uint32_t previous) {
@@ -199,7 +188,7 @@ void take_water(Environment& environment, Charts& charts, const Keys& keys, std:
     auto stations = read_profile_csv(keys.water.csv, Radians{latitude_deg * std::numbers::pi / 180.0}, keys.water.formula);
     environment.water = stations.front().profile;
     if (stations.size() > 1) environment.water_stations = std::move(stations);
-    crc = crc32_of(keys.water.csv, crc);
+    crc = host::crc32_of_file(keys.water.csv, crc);
   } else if (keys.water.from == WaterSource::kAtlas) {
     charts.climatology = read_world_ocean_atlas(keys.water.atlas, *keys.origin, keys.water.reach);
     charts.formula = keys.water.formula;
@@ -214,7 +203,7 @@ void take_sea_floor(Environment& environment, Charts& charts, const Keys& keys, 
   switch (from.layout) {
     case BathymetryLayout::kSectionCsv:
       environment.sea_floor_stations = read_section_csv(from.file);
-      crc = crc32_of(from.file, crc);
+      crc = host::crc32_of_file(from.file, crc);
       return;
     case BathymetryLayout::kGridCsv:
       charts.bathymetry = read_bathymetry_csv(from.file, *keys.origin);
@@ -259,7 +248,7 @@ void check_against_data(const std::filesystem::path& path, const Environment& en
 
 /// The file's own ocean.
 Environment own_ocean(const std::filesystem::path& path, const Keys& keys) {
-  std::uint32_t crc = crc32_of(path, 0);
+  std::uint32_t crc = host::crc32_of_file(path);
   Environment environment{.name = keys.name,
                           .water = {},
                           .seabed = keys.seabed.seabed,
@@ -288,7 +277,8 @@ Environment load_environment(const std::filesystem::path& path) {
   const Keys keys = read_keys(config_file::File(path));
   Environment environment = own_ocean(path, keys);
   if (keys.family) environment.other_oceans = draw_family(environment, *keys.family);
-  if (!keys.field_library.empty()) environment.file_crc32 = crc32_of(keys.field_library, environment.file_crc32);
+  if (std::filesystem::exists(keys.field_library))  // whoever needs it says when it is not there
+    environment.file_crc32 = host::crc32_of_file(keys.field_library, environment.file_crc32);
   for (const std::filesystem::path& other : keys.other_oceans) {
     const Keys its_keys = read_keys(config_file::File(other));
     if (!its_keys.is_one_ocean()) throw BadInput(path.string() + ": oceans: " + other.string() + ": must be one ocean without conditions");

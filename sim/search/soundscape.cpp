@@ -84,6 +84,8 @@ std::vector<SnrFan> fans_of(const ocean::Environment& environment, Meters vehicl
                     .source_level = source.level,
                     .noise_level = environment.noise_level});
   }
+  if (!std::ranges::any_of(fans, [](const SnrFan& f) { return sonar::has_sound(f.fan); }))
+    throw refused("has no water at the vehicle's depth, " + words(vehicle_depth.value) + " m: all its values there are missing");
   return fans;
 }
 

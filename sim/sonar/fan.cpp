@@ -1,6 +1,7 @@
 #include "sim/sonar/fan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "sim/parallel/ordered_tasks.hpp"
@@ -22,6 +23,10 @@ std::optional<ocean::UnmeasuredWater> unmeasured_water(const ocean::Environment&
     if (here && (!thickest || here->thickness() > thickest->thickness())) thickest = here;
   }
   return thickest;
+}
+
+bool has_sound(const Fan& fan) {
+  return !std::ranges::all_of(fan.transmission_loss_db, [](float loss_db) { return std::isnan(loss_db); });
 }
 
 Fan make_fan(NorthEast centre, const FanPlan& plan) {

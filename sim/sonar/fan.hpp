@@ -70,6 +70,9 @@ inline double Fan::transmission_loss_at(NorthEast position, std::size_t depth) c
   return between(along(j), along(j + 1), fraction);
 }
 
+/// Whether there is water in it: any value that is not NaN.
+[[nodiscard]] bool has_sound(const Fan& fan);
+
 struct FanPlan {
   std::size_t bearings;  ///< >= 1
   RadialPlan radial;

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <sstream>
 
 #include "firmware/config_file/table_reader.hpp"
-#include "firmware/core/crc32.hpp"
+#include "firmware/host/file/file_checksum.hpp"
 #include "sim/ocean/charts.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/ocean/section.hpp"
@@ -23,8 +21,9 @@ constexpr std::size_t kMostPositions = 1'000'000;
 
 std::vector<NorthEast> read_positions(TableReader table) {
   const bool grid = table.choice("layout", {"grid", "list"}) == 0;
-  const std::vector<double> north_m = table.numbers("north_m");
-  const std::vector<double> east_m = table.numbers("east_m");
+  const Range in_plane = Range::between(-kFurthestPosition_m, kFurthestPosition_m);
+  const std::vector<double> north_m = table.numbers("north_m", in_plane);
+  const std::vector<double> east_m = table.numbers("east_m", in_plane);
   std::vector<NorthEast> positions;
   if (!grid) {
     if (north_m.size() != east_m.size()) table.problem("east_m", "must have as many values as north_m");
@@ -80,12 +79,6 @@ std::optional<Band> read_band(TableReader table) {
   return band;
 }
 
-std::uint32_t crc32_of(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), {}};
-  return crc32(bytes, 0);
-}
-
 /// Charts tell only at each position whether a depth has water; without them the sea floor is the same about all.
 void require_depths_in_water(const std::filesystem::path& path, const LibraryPlan& plan) {
   if (differs_with_place(plan.environment)) return;
@@ -128,7 +121,7 @@ LibraryPlan load_library_plan(const std::filesystem::path& path) {
       .positions = read_positions(root.table("positions")),
       .centre = static_cast<Centre>(root.choice_or("centre", 0, {"source", "hydrophone"})),
       .fan = {.bearings = 1, .radial = {.source_depth = {}, .depth_m = {}, .range_step = Meters{1.0}, .ranges = 1, .band = {}}},
-      .file_crc32 = crc32_of(path)};
+      .file_crc32 = host::crc32_of_file(path)};
   const std::filesystem::path environment = file.resolve(root.text("environment"));
   read_all_depths(root, plan.centre, plan.fan.radial);
   read_radials(root.table("radials"), plan.fan);

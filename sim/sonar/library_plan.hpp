@@ -18,6 +18,9 @@ enum class Centre : std::uint8_t {
   kHydrophone,  ///< by reciprocity: one march per radial for every source depth around the hydrophone
 };
 
+/// From the origin, north and east: a plane that reaches further is none on this earth.
+inline constexpr double kFurthestPosition_m = 1e6;
+
 /// Fans around many positions of one region.
 struct LibraryPlan {
   std::string name;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <iomanip>
 #include <iterator>
 #include <span>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/file/input_file.hpp"
 
 namespace earshot::board {
 namespace {
@@ -22,20 +22,8 @@ using config_file::BadInput;
 using Bytes = std::vector<std::uint8_t>;
 using PublicKey = std::array<std::uint8_t, policy::kPublicKeySize>;
 
-Bytes read_file(const std::filesystem::path& path, std::size_t most) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw BadInput(path.string() + ": no such file");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path, error)) throw BadInput(path.string() + ": cannot be read");
-  Bytes bytes(most + 1);
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  if (bytes.size() > most) throw BadInput(path.string() + ": larger than such a file can be (" + std::to_string(most) + " bytes)");
-  return bytes;
-}
-
 PublicKey load_public_key(const std::filesystem::path& path) {
-  const Bytes text = read_file(path, 256);
+  const Bytes text = host::read_bytes(path, host::kKeyFile);
   PublicKey key{};
   std::size_t size = 0;
   const char* rest = nullptr;
@@ -113,7 +101,7 @@ bool is_signed_by(const PublicKey& key, std::span<const std::uint8_t> bytes) {
 std::unique_ptr<policy::FrozenPolicy> load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key) {
   if (sodium_init() < 0) throw BadInput(path.string() + ": libsodium cannot start");
   const PublicKey key = load_public_key(public_key);
-  const Bytes bytes = read_file(path, policy::max_serialised_size());
+  const Bytes bytes = host::read_bytes(path, {"a .policy file", policy::max_serialised_size()});
   auto parsed = std::make_unique<policy::FrozenPolicy>();
   policy::PolicyFault fault = policy::PolicyFault::kNone;
   // The file is taken apart before its signature is checked: parse() is built for hostile bytes, and "damaged" says more than "not signed".

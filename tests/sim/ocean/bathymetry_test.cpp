@@ -98,13 +98,15 @@ TEST_F(BathymetryCsv, NamesTheGapTheDoubleAndTheImpossible) {
   expect_mentions(grid_complaint("42,-9,-100\n42,-7,-200\n43,-9,-300\n"), "gap in the grid: no line for latitude 43, longitude -7");
   expect_mentions(grid_complaint("42,-9,-100\n42,-7,-200\n43,-9,-300\n43,-9,-300\n"),
                   "b.csv:5: longitude_deg = -9: this position was there before");
-  expect_mentions(grid_complaint("42,-9,-13000\n"), "b.csv:2: elevation_m = -13000: must be at least -12000 and at most 10000");
+  expect_mentions(grid_complaint("42,-9,-13000\n"),
+                  "b.csv:2: elevation_m = -13000: must be a finite number of at least -12000 and at most 10000");
   expect_mentions(grid_complaint("42,-9,-100\n"), "must be a grid of at least 2 latitudes and 2 longitudes");
 }
 
 TEST_F(BathymetryCsv, SectionEndsOnTheShoreButDoesNotRiseAboveTheSurface) {
   EXPECT_EQ(section_complaint("0,200\n4000,0\n"), "no error");
-  expect_mentions(section_complaint("0,200\n4000,-10\n"), "s.csv:3: depth_m = -10: must be at least 0 and at most 12000");
+  expect_mentions(section_complaint("0,200\n4000,-10\n"),
+                  "s.csv:3: depth_m = -10: must be a finite number of at least 0 and at most 12000");
   expect_mentions(section_complaint("0,200\n2000,0\n4000,100\n"), "s.csv:3: depth_m = 0: must be above 0 everywhere but in the last");
   expect_mentions(section_complaint("0,200\n2000,150\n2000,100\n"), "s.csv:4: range_m = 2000: must be more than in the line before");
 }

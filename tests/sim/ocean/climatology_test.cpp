@@ -99,7 +99,7 @@ TEST_F(ClimatologyFile, RefusesOtherUnitsDepthsAndValues) {
   expect_mentions(complaint(layout), "woa.nc: depth: must begin at 0");
   layout = warm_sea();
   layout.temperature_c = [](double, double, double) { return 288.0; };
-  expect_mentions(complaint(layout), "woa.nc: t_an: holds 288, must be from -3 to 45");
+  expect_mentions(complaint(layout), "woa.nc: t_an: holds 288 at latitude 41, longitude -9.5, depth 0 m, must be from -3 to 45");
 }
 
 TEST_F(ClimatologyFile, RefusesSeveralMonthsRatherThanTakeTheFirst) {

@@ -47,8 +47,10 @@ TEST_F(WaterProfile, RefusesGapsAndDisorder) {
   expect_complaint("depth_m,sound_speed_mps\n5,1500\n20,1490\n", "w.csv:2: depth_m = 5: a profile must begin at 0");
   expect_complaint("range_m,depth_m,sound_speed_mps\n100,0,1500\n0,0,1490\n", "w.csv:3: range_m = 0: must not decrease");
   expect_complaint("depth_m,temperature_c\n0,10\n", "must have a column salinity_psu, has: depth_m, temperature_c");
-  expect_complaint("depth_m,temperature_c,salinity_psu\n0,283,35\n", "w.csv:2: temperature_c = 283: must be at least -3 and at most 45");
-  expect_complaint("depth_m,sound_speed_mps\n0,5000\n", "w.csv:2: sound_speed_mps = 5000: must be at least 1300 and at most 1700");
+  expect_complaint("depth_m,temperature_c,salinity_psu\n0,283,35\n",
+                   "w.csv:2: temperature_c = 283: must be a finite number of at least -3 and at most 45");
+  expect_complaint("depth_m,sound_speed_mps\n0,5000\n",
+                   "w.csv:2: sound_speed_mps = 5000: must be a finite number of at least 1300 and at most 1700");
 }
 
 }  // namespace

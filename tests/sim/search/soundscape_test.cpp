@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -72,7 +73,8 @@ TEST(SoundscapeOf, RefusesAnOtherOceanWhoseSeaFloorLiesAboveTheVehicle) {
 
 /// An environment whose field library is of one position, two bearings, 100 m and 200 m of range, 100 m and 300 m of depth; the loss is
 /// 100 b + 10 r + d (their indices). Nothing is computed.
-ocean::Environment with_library(const std::filesystem::path& path, double source_depth_m, double frequency_hz) {
+ocean::Environment with_library(const std::filesystem::path& path, double source_depth_m, double frequency_hz,
+                                const std::vector<float>& loss_db = {0.0F, 1.0F, 10.0F, 11.0F, 100.0F, 101.0F, 110.0F, 111.0F}) {
   const sonar::LibraryPlan plan{.name = "one",
                                 .environment = papers_ocean(),
                                 .positions = {{Meters{0.0}, Meters{0.0}}},
@@ -85,7 +87,7 @@ ocean::Environment with_library(const std::filesystem::path& path, double source
                                                    .band = {Hertz{frequency_hz}, Hertz{frequency_hz}}}},
                                 .file_crc32 = 1};
   sonar::LibraryStore store(path, plan);
-  store.write(0, std::vector<float>{0.0F, 1.0F, 10.0F, 11.0F, 100.0F, 101.0F, 110.0F, 111.0F});
+  store.write(0, loss_db);
   store.commit();
   ocean::Environment environment = papers_ocean();
   environment.field_library = path;
@@ -115,6 +117,14 @@ TEST(SoundscapeOf, RefusesALibraryOfASourceAtAnotherDepthOrFrequency) {
   const std::string frequency = complaint_of(with_library(folder / "high.nc", 30.0, 50.0));
   EXPECT_NE(frequency.find("is of sound from 50 to 50 Hz, but source.frequency_hz of the environment is 20"), std::string::npos)
       << frequency;
+}
+
+TEST(SoundscapeOf, RefusesALibraryWithoutWaterAtTheVehiclesDepth) {
+  const tests::TemporaryFolder folder;
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const std::string complaint =
+      complaint_of(with_library(folder / "shelf.nc", 30.0, 20.0, {0.0F, none, 10.0F, none, 100.0F, none, 110.0F, none}));
+  EXPECT_NE(complaint.find("has no water at the vehicle's depth, 300 m: all its values there are missing"), std::string::npos) << complaint;
 }
 
 }  // namespace

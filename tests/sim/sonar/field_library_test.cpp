@@ -2,7 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <netcdf.h>
+
+#include <filesystem>
+#include <functional>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/netcdf/file_error.hpp"
@@ -25,11 +31,35 @@ class FieldLibraryInMemory : public testing::Test {
     return values;
   }
 
-  void write() {
+  /// @param change  what is to be otherwise at the last position
+  void write(const std::function<void(std::vector<float>&)>& change = [](auto&) {}) {
+    std::filesystem::remove(path_);
     LibraryStore store(path_, plan_);
     store.mark(1, PositionState::kNoWater);
-    for (const std::size_t position : {0U, 2U}) store.write(position, loss_db(position));
+    store.write(0, loss_db(0));
+    std::vector<float> last = loss_db(2);
+    change(last);
+    store.write(2, last);
     store.commit();
+  }
+
+  void overwrite(const char* variable, std::size_t index, double value) const {
+    int file = -1;
+    int id = -1;
+    ASSERT_EQ(nc_open(path_.c_str(), NC_WRITE, &file), NC_NOERR);
+    ASSERT_EQ(nc_inq_varid(file, variable, &id), NC_NOERR);
+    ASSERT_EQ(nc_put_var1_double(file, id, &index, &value), NC_NOERR);
+    ASSERT_EQ(nc_close(file), NC_NOERR);
+  }
+
+  /// What is said of the library, without the file's name; empty when it is read.
+  [[nodiscard]] std::string complaint() const {
+    try {
+      const FieldLibrary library(path_);
+    } catch (const netcdf::FileError& e) {
+      return std::string(e.what()).substr(path_.string().size());
+    }
+    return {};
   }
 
   tests::TemporaryFolder folder_;
@@ -72,6 +102,57 @@ TEST_F(FieldLibraryInMemory, RefusesAnUnfinishedLibraryAndOtherFiles) {
   }
   EXPECT_THROW(FieldLibrary(path_.string() + ".partial"), netcdf::FileError);
   EXPECT_THROW(FieldLibrary(folder_ / "none.nc"), netcdf::FileError);
+}
+
+TEST_F(FieldLibraryInMemory, RefusesALossThatCannotBe) {
+  const float infinite = std::numeric_limits<float>::infinity();
+  for (const auto& [loss, said] : {std::pair{infinite, "inf"}, {-infinite, "-inf"}, {1e30F, "1e+30"}, {-61.0F, "-61"}, {301.0F, "301"}}) {
+    write([value = loss](std::vector<float>& at_position_2) { at_position_2[4 * 2 + 2 * 1 + 0] = value; });  // bearing 2, range 1, depth 0
+    EXPECT_EQ(complaint(), ": transmission_loss[2, 2, 1, 0] = " + std::string(said) +
+                               ": must be a finite number of at least -60 and at most 300, or missing (_FillValue)");
+  }
+}
+
+TEST_F(FieldLibraryInMemory, RefusesAMissingValueAboveOneThatIsThere) {
+  write([](std::vector<float>& at_position_2) { at_position_2[4 * 3 + 0] = std::numeric_limits<float>::quiet_NaN(); });
+  EXPECT_EQ(complaint(), ": transmission_loss[2, 3, 0, 0] = nan: must be there, because there is one deeper");
+}
+
+TEST_F(FieldLibraryInMemory, RefusesMissingValuesAlone) {
+  plan_.positions.resize(1);
+  {
+    LibraryStore store(path_, plan_);
+    store.write(0, std::vector<float>(16, std::numeric_limits<float>::quiet_NaN()));
+    store.commit();
+  }
+  EXPECT_EQ(complaint(), ": transmission_loss: all its values are missing");
+}
+
+TEST_F(FieldLibraryInMemory, RefusesAnAxisThatCannotBe) {
+  write();
+  const std::filesystem::path whole = folder_ / "whole.nc";
+  std::filesystem::rename(path_, whole);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  struct Case {
+    const char* variable;
+    std::size_t index;
+    double value;
+    const char* complaint;
+  };
+  for (const Case& c :
+       std::vector<Case>{{"range", 1, 350.0, "range[1] = 350: must be 200"},
+                         {"range", 0, nan, "range[0] = nan: must be a finite number"},
+                         {"range", 0, 0.0, "range[0] = 0: must be a finite number of at least 0.01"},
+                         {"depth", 1, 10.0, "depth: must increase"},
+                         {"depth", 0, -5.0, "depth[0] = -5: must be a finite number above 0 and at most 12000"},
+                         {"position_north", 2, 1e30, "position_north[2] = 1e+30: must be a finite number of at least -1e+06"},
+                         {"position_state", 0, 7.0, "position_state[0] = 7: must be a finite number of at least 0 and at most 2"},
+                         {"position_depth", 0, nan, "position_depth[0] = nan: must be a finite number above 0"},
+                         {"frequency", 0, 0.0, "frequency[0] = 0: must be a finite number of at least 1"}}) {
+    std::filesystem::copy_file(whole, path_, std::filesystem::copy_options::overwrite_existing);
+    overwrite(c.variable, c.index, c.value);
+    EXPECT_NE(complaint().find(std::string(": ") + c.complaint), std::string::npos) << complaint();
+  }
 }
 
 }  // namespace
