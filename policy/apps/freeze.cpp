@@ -56,7 +56,8 @@ freeze::SecretKey new_key(const std::filesystem::path& file) {
   if (file.extension() == ".pub") throw BadInput(file.string() + ": a secret key must not end in .pub, the public key's name");
   if (std::filesystem::exists(file)) throw BadInput(file.string() + ": exists already; --new-key does not replace keys");
   const std::filesystem::path public_file = public_file_of(file);
-  if (std::filesystem::exists(public_file)) (void)freeze::public_key_from(apps::read_whole(public_file), public_file.string());
+  if (std::filesystem::exists(public_file))
+    (void)freeze::public_key_from(host::read_text(public_file, host::kKeyFile), public_file.string());
   const freeze::SecretKey key = freeze::make_key();
   host::write_whole(file, to_text(key), host::Access::kOwnerOnly);
   host::write_whole(public_file, freeze::to_text(freeze::public_key_of(key)));

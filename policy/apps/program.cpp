@@ -1,7 +1,6 @@
 #include "policy/apps/program.hpp"
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>

@@ -22,7 +22,6 @@ int run_program(program::CommandLine& line, int argc, char** argv, const std::fu
 /// words of a rank when another has ended.
 int run_ranked_program(program::CommandLine& line, int argc, char** argv, const std::function<void(parallel::RankSession&)>& body);
 
-
 /// A file that a program is to write, and the option that names it.
 struct Output {
   std::string option;

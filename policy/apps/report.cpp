@@ -1,10 +1,14 @@
 // earshot-report: one page about one flight.
 
 #include <filesystem>
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/file/printable.hpp"
+#include "firmware/host/program/exit_status.hpp"
 #include "policy/apps/program.hpp"
+#include "policy/description/json_fault.hpp"
 #include "policy/report/flight_files.hpp"
 #include "policy/report/page.hpp"
 #include "policy/report/plots.hpp"
@@ -13,14 +17,25 @@ namespace {
 
 using namespace earshot;
 
-void write_report(const std::filesystem::path& folder, host::Replace replace) try {
+/// Says on standard error what the page lacks. @return the exit status
+int say_what_is_missing(const std::filesystem::path& folder, const report::Flight& flight) {
+  for (const std::string& name : flight.missing)
+    std::cerr << host::printable((folder / name).string()) << ": not there; the page is without it\n";
+  if (!flight.journal.is_whole())
+    std::cerr << host::printable((folder / report::kJournalName).string()) << ": " << report::ending_of(flight.journal) << "\n";
+  return flight.is_complete() && flight.journal.is_whole() ? program::kDone : program::kIncomplete;
+}
+
+int write_report(const std::filesystem::path& folder, host::Replace replace) try {
   const std::filesystem::path page = folder / "report.html";
   const report::Flight flight = report::read_flight(folder);
-  const report::Pictures pictures{.map = report::map_svg(flight), .history = report::history_svg(flight)};
+  report::Pictures pictures;
+  if (flight.is_complete()) pictures = {.map = report::map_svg(flight), .history = report::history_svg(flight)};
   host::require_writable(page, host::kHtmlOutput, replace);
   host::write_whole(page, report::page(flight, pictures, report::explain_flight(folder)));
+  return say_what_is_missing(folder, flight);
 } catch (const nlohmann::json::exception& e) {
-  throw config_file::BadInput((folder / "summary.json").string() + ": " + e.what());
+  throw config_file::BadInput((folder / "summary.json").string() + ": " + description::to_string(e));
 }
 
 }  // namespace
@@ -30,10 +45,14 @@ int main(int argc, char** argv) {
       "earshot report",
       "earshot report DIR reads the journal, the policy, track.csv, snr.csv and summary.json that a flight left in DIR and writes\n"
       "DIR/report.html, a page that needs no other file.\n"
-      "Exit status: 0 written, 2 something of the flight cannot be read or the page cannot be made.");
+      "Exit status: 0 written, 1 written of what is there: a file is missing, or the journal is cut or damaged, which standard error "
+      "says,\n"
+      "2 something of the flight cannot be read or the page cannot be made.");
   std::filesystem::path folder;
   bool force = false;
   line.option("DIR", &folder, "folder of the flight").required();
   line.flag("--force", &force, apps::kForceHelp);
-  return apps::run_program(line, argc, argv, [&] { write_report(folder, host::replaced_by(force)); });
+  int status = program::kDone;
+  const int refused = apps::run_program(line, argc, argv, [&] { status = write_report(folder, host::replaced_by(force)); });
+  return refused != program::kDone ? refused : status;
 }

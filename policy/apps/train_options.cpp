@@ -71,7 +71,7 @@ void TrainOptions::add_to(program::CommandLine& line) {
           "train with each of these, 1-5 or 1,2,7, on all processors: FILE.seed1.checkpoint, ...")
       .excludes(one_seed);
   line.option("--threads", &threads, "trainings at a time (all processors)").from(1, 1024);
-  line.option("--environments", &environments, "episodes stepped together (1)").from(1, 65'536);
+  line.option("--environments", &environments, "episodes stepped together (1)").from(1, static_cast<int>(ppo::kMostEnvironments));
   line.flag("--force", &force, kForceHelp);
 }
 
@@ -110,6 +110,9 @@ ppo::TrainingRun settled(const TrainOptions& options) {
   }
   if (options.seed) run.seed = *options.seed;
   if (options.environments) run.hyper.environment_count = *options.environments;
+  if (const ppo::Misfit misfit = ppo::misfit_of(run.hyper); misfit.key != nullptr)
+    throw config_file::BadInput("--environments " + std::to_string(run.hyper.environment_count) + ": ppo." + misfit.key + ": " +
+                                misfit.what);
   if (options.episodes || options.steps) {
     run.episodes = options.episodes.value_or(0);
     run.steps = options.steps.value_or(0);

@@ -1,6 +1,7 @@
 #include "policy/description/search_description.hpp"
 
 #include "firmware/config_file/table_reader.hpp"
+#include "policy/description/json_fault.hpp"
 #include "policy/description/search_json.hpp"
 
 namespace earshot::description {
@@ -47,10 +48,8 @@ SearchDescription from_text(std::string_view text) {
     return checked(Json::parse(text));
   } catch (const BadInput& e) {
     throw BadInput(std::string("search description: ") + e.what());
-  } catch (const Json::parse_error&) {
-    throw BadInput("search description: not JSON, or cut short");
   } catch (const Json::exception& e) {
-    throw BadInput(std::string("search description: ") + e.what());
+    throw BadInput("search description: " + to_string(e));
   }
 }
 

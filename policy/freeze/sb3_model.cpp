@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "policy/description/json_fault.hpp"
 #include "policy/freeze/pickle.hpp"
 #include "policy/freeze/state_dict.hpp"
 #include "policy/freeze/zip_archive.hpp"
@@ -106,10 +107,8 @@ void check_data(const std::string& text) {
     check_policy_arguments(data.at("policy_kwargs"));
     check_spaces(data);
     if (data.at("use_sde") != false) throw BadInput("use_sde: state-dependent exploration cannot be frozen");
-  } catch (const Json::parse_error&) {
-    throw BadInput("data: not JSON, or cut short");
   } catch (const Json::exception& e) {
-    throw BadInput(std::string("data: not a model of Stable-Baselines3: ") + e.what());
+    throw BadInput("data: not a model of Stable-Baselines3: " + description::to_string(e));
   } catch (const BadInput& e) {
     throw BadInput(std::string("data: ") + e.what());
   }

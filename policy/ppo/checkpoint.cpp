@@ -6,6 +6,7 @@
 
 #include "firmware/config_file/table_reader.hpp"
 #include "policy/description/crc32_text.hpp"
+#include "policy/description/json_fault.hpp"
 #include "policy/description/search_json.hpp"
 #include "policy/ppo/training_state_text.hpp"
 
@@ -90,7 +91,7 @@ Checkpoint from_text(std::string_view text, const std::string& file) {
   try {
     return checkpoint_from(Json::parse(checked(text)));
   } catch (const nlohmann::json::exception& e) {
-    throw BadInput(file + ": not a whole checkpoint: " + e.what());
+    throw BadInput(file + ": not a whole checkpoint: " + description::to_string(e));
   } catch (const BadInput& e) {
     throw BadInput(file + ": " + e.what());
   }

@@ -17,6 +17,16 @@ namespace {
 using config_file::Range;
 using config_file::TableReader;
 
+// What a rollout and a batch of it take: under 2 GiB each with the longest observation. The shipped run has 32 768 steps and 2048.
+constexpr std::int64_t kMostRolloutSteps = 1 << 22;
+constexpr std::int64_t kMostBatch = 1 << 18;
+
+constexpr double kFurthest_m = 1e6;  // of a plane
+constexpr double kDeepest_m = 12'000.0;
+const Range kLength_m = Range::above_up_to(0.0, kFurthest_m);
+constexpr double kUnclipped = 1e30;  // a greater norm than any that floats can have
+const Range kReward = Range::between(-1e6, 1e6);
+
 constexpr std::int64_t kMany = std::numeric_limits<std::int64_t>::max();
 
 std::size_t read_size(TableReader& table, std::string_view key, std::size_t fallback, std::int64_t lowest, std::int64_t highest) {
@@ -24,17 +34,17 @@ std::size_t read_size(TableReader& table, std::string_view key, std::size_t fall
 }
 
 Start read_search(TableReader table, search::SearchSettings& s) {
-  const double width = table.number_or("domain_east_m", 25'000.0, Range::above(0.0));
-  const double height = table.number_or("domain_north_m", 25'000.0, Range::above(0.0));
+  const double width = table.number_or("domain_east_m", 25'000.0, kLength_m);
+  const double height = table.number_or("domain_north_m", 25'000.0, kLength_m);
   s.domain = {{Meters{0.0}, Meters{0.0}}, {Meters{height}, Meters{width}}};
   s.placement =
       table.choice_or("source", 0, {"fixed", "changing"}) == 0 ? search::SourcePlacement::kFixed : search::SourcePlacement::kChanging;
   s.direction_count = read_size(table, "directions", s.direction_count, 1, config::kMaxActions);
-  s.step_length = Meters{table.number_or("step_length_m", s.step_length.value, Range::above(0.0))};
+  s.step_length = Meters{table.number_or("step_length_m", s.step_length.value, kLength_m)};
   s.max_steps = static_cast<std::uint32_t>(read_size(table, "max_steps", s.max_steps, 1, 1'000'000));
-  s.detection_threshold = Decibels{table.number_or("detection_threshold_db", s.detection_threshold.value)};
-  s.border_width = Meters{table.number_or("border_width_m", s.border_width.value, Range::above(0.0))};
-  s.border_reward = table.number_or("border_reward", s.border_reward);
+  s.detection_threshold = Decibels{table.number_or("detection_threshold_db", s.detection_threshold.value, Range::between(-200.0, 200.0))};
+  s.border_width = Meters{table.number_or("border_width_m", s.border_width.value, kLength_m)};
+  s.border_reward = table.number_or("border_reward", s.border_reward, kReward);
   const bool everywhere = table.choice_or("start", 0, {"domain", "inside_border"}) == 0;
   s.start_region = everywhere ? s.domain : search::inside_border(s);
   if (!table.has("start_margin_m")) return everywhere ? Start::kRegion : Start::kInsideBorder;
@@ -44,19 +54,19 @@ Start read_search(TableReader table, search::SearchSettings& s) {
 }
 
 void read_hyper_parameters(TableReader table, HyperParameters& h) {
-  h.environment_count = read_size(table, "environments", h.environment_count, 1, 65'536);
-  h.steps_per_rollout = read_size(table, "steps_per_rollout", h.steps_per_rollout, 2, 1 << 24);
-  h.batch_size = read_size(table, "batch_size", h.batch_size, 2, 1 << 24);
+  h.environment_count = read_size(table, "environments", h.environment_count, 1, kMostEnvironments);
+  h.steps_per_rollout = read_size(table, "steps_per_rollout", h.steps_per_rollout, 2, kMostRolloutSteps);
+  h.batch_size = read_size(table, "batch_size", h.batch_size, 2, kMostBatch);
   h.epochs = read_size(table, "epochs", h.epochs, 1, 10'000);
-  h.learning_rate = table.number_or("learning_rate", h.learning_rate, Range::above(0.0));
+  h.learning_rate = table.number_or("learning_rate", h.learning_rate, Range::above_up_to(0.0, 1.0));
   h.discount = table.number_or("discount", h.discount, Range::between(0.0, 1.0));
   h.gae_lambda = table.number_or("gae_lambda", h.gae_lambda, Range::between(0.0, 1.0));
-  h.clip_range = table.number_or("clip_range", h.clip_range, Range::above(0.0));
-  h.value_coefficient = table.number_or("value_coefficient", h.value_coefficient, Range::at_least(0.0));
-  h.entropy_coefficient = table.number_or("entropy_coefficient", h.entropy_coefficient, Range::at_least(0.0));
-  h.max_gradient_norm = table.number_or("max_gradient_norm", h.max_gradient_norm, Range::above(0.0));
-  h.target_kl = table.number_or("target_kl", h.target_kl, Range::at_least(0.0));
-  h.reward_scale = table.number_or("reward_scale", h.reward_scale, Range::above(0.0));
+  h.clip_range = table.number_or("clip_range", h.clip_range, Range::above_up_to(0.0, 10.0));
+  h.value_coefficient = table.number_or("value_coefficient", h.value_coefficient, Range::between(0.0, 1e6));
+  h.entropy_coefficient = table.number_or("entropy_coefficient", h.entropy_coefficient, Range::between(0.0, 1000.0));
+  h.max_gradient_norm = table.number_or("max_gradient_norm", h.max_gradient_norm, Range::above_up_to(0.0, kUnclipped));
+  h.target_kl = table.number_or("target_kl", h.target_kl, Range::between(0.0, 1000.0));
+  h.reward_scale = table.number_or("reward_scale", h.reward_scale, Range::above_up_to(0.0, 1e6));
 }
 
 template <class Value>
@@ -80,19 +90,28 @@ std::string in_text(double value) {
 }
 
 void read_training_reward(TableReader table, HyperParameters& h) {
-  h.found_reward = table.number_or("found", h.found_reward);
-  h.step_reward = table.number_or("step", h.step_reward);
+  h.found_reward = table.number_or("found", h.found_reward, kReward);
+  h.step_reward = table.number_or("step", h.step_reward, kReward);
   h.least_reward = table.number_or("least", h.least_reward, Range::between(-1.0e9, 0.0));
 }
 
 }  // namespace
+
+Misfit misfit_of(const HyperParameters& h) {
+  const std::size_t steps = h.environment_count * h.steps_per_rollout;
+  const std::string rollout = "environments x steps_per_rollout = " + std::to_string(steps);
+  if (steps > static_cast<std::size_t>(kMostRolloutSteps))
+    return {"steps_per_rollout", rollout + ": a rollout must not exceed " + std::to_string(kMostRolloutSteps) + " steps"};
+  if (h.batch_size > steps) return {"batch_size", "must not exceed a rollout, " + rollout};
+  return {};
+}
 
 TrainingRun load_run(const std::filesystem::path& path) {
   const config_file::File file(path);
   TableReader root = file.root();
   TrainingRun run;
   if (root.has("environment")) run.environment = file.resolve(root.text("environment"));
-  run.vehicle_depth = Meters{root.number_or("vehicle_depth_m", run.vehicle_depth.value, Range::above(0.0))};
+  run.vehicle_depth = Meters{root.number_or("vehicle_depth_m", run.vehicle_depth.value, Range::above_up_to(0.0, kDeepest_m))};
   run.state = static_cast<description::State>(root.choice_or("state", 0, {description::kStates.begin(), description::kStates.end()}));
   run.remembered_steps = read_size(root, "remembered_steps", run.remembered_steps, 1, config::kMaxRememberedSteps);
   run.seed = static_cast<std::uint64_t>(root.integer_or("seed", 1, 0, kMany));
@@ -102,6 +121,8 @@ TrainingRun load_run(const std::filesystem::path& path) {
   if (search) run.start = read_search(*search, run.search);
   if (auto table = root.optional_table("ppo")) {
     read_hyper_parameters(*table, run.hyper);
+    const bool are_as_written = !table->is_noted("environments") && !table->is_noted("steps_per_rollout") && !table->is_noted("batch_size");
+    if (const Misfit misfit = misfit_of(run.hyper); are_as_written && misfit.key != nullptr) table->problem(misfit.key, misfit.what);
     run.learning_rate_schedule = static_cast<LearningRateSchedule>(table->choice_or("learning_rate_schedule", 0, {"constant", "linear"}));
   }
   if (auto table = root.optional_table("training_reward")) read_training_reward(*table, run.hyper);

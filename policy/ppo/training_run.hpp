@@ -43,6 +43,18 @@ struct TrainingRun {
   std::uint64_t steps = 0;     ///< training ends with the rollout that reaches it; 0: no limit
 };
 
+/// Episodes stepped together: each has a belief of up to 64 KiB.
+inline constexpr std::int64_t kMostEnvironments = 8192;
+
+/// A setting that is right by itself and does not fit the others.
+struct Misfit {
+  const char* key = nullptr;  ///< null: all fit
+  std::string what = {};      ///< what it must be
+};
+
+/// A rollout must be one that memory can hold, and no smaller than a batch. Oracle: TrainingRun.RefusesABatchLargerThanTheRollout
+[[nodiscard]] Misfit misfit_of(const HyperParameters& hyper);
+
 /// Reads a run file: the keys of `policy/ppo/runs/fixed_source.toml`, all of them optional. Throws config_file::BadInput with every
 /// problem.
 [[nodiscard]] TrainingRun load_run(const std::filesystem::path& path);

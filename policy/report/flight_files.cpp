@@ -3,34 +3,60 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <span>
+#include <sstream>
 #include <string>
-#include <system_error>
 
 #include "earshot/decision_t.hpp"
 #include "firmware/boards/linux/journal_reader.hpp"
 #include "firmware/boards/linux/lcm_codec.hpp"
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/file/input_file.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "policy/description/json_fault.hpp"
 
 namespace earshot::report {
 namespace {
 
 using config_file::BadInput;
 
-std::ifstream open_file(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  if (!stream) throw BadInput(path.string() + ": no such file, or it cannot be read");
-  return stream;
+bool is_number(const nlohmann::json& value) {
+  constexpr double kMost = 1e15;  // a double tells whole numbers apart up to there
+  return value.is_number() && std::abs(value.get<double>()) <= kMost;
+}
+
+bool is_place(const nlohmann::json& value) {
+  return value.is_object() && is_number(value.value("north_m", nlohmann::json())) && is_number(value.value("east_m", nlohmann::json()));
+}
+
+/// Refuses a summary whose keys are missing or do not hold what they should.
+void check_summary(const std::filesystem::path& path, const nlohmann::json& summary) {
+  const auto require = [&](const char* key, bool holds, const char* what) {
+    if (!holds) throw BadInput(path.string() + ": " + key + ": must be " + what);
+  };
+  require("the whole", summary.is_object(), "a table");
+  const auto value = [&](const char* key) { return summary.value(key, nlohmann::json()); };
+  require("found", value("found").is_boolean(), "true or false");
+  for (const char* key : {"steps", "detections"})
+    require(key, value(key).is_number_unsigned() && value(key).get<std::uint64_t>() <= 1'000'000'000, "a whole number, 0 to 1000000000");
+  require("seed", value("seed").is_number_unsigned(), "a whole number from 0");
+  for (const char* key : {"reward", "distance_m", "sim_time_s", "wall_time_s", "detection_threshold_db"})
+    require(key, is_number(value(key)), "a number");
+  for (const char* key : {"end_reason", "environment", "mission"}) require(key, value(key).is_string(), "a text");
+  for (const char* key : {"source", "start"}) require(key, is_place(value(key)), "a place: north_m, east_m");
+  const nlohmann::json area = value("area");
+  const bool is_area =
+      area.is_object() && is_place(area.value("south_west", nlohmann::json())) && is_place(area.value("north_east", nlohmann::json()));
+  require("area", is_area, "two places: south_west, north_east");
 }
 
 nlohmann::json read_summary(const std::filesystem::path& path) {
-  std::ifstream stream = open_file(path);
   try {
-    return nlohmann::json::parse(stream);
+    nlohmann::json summary = nlohmann::json::parse(host::read_text(path, host::kJsonFile));
+    check_summary(path, summary);
+    return summary;
   } catch (const nlohmann::json::exception& e) {
-    throw BadInput(path.string() + ": not JSON: " + e.what());
+    throw BadInput(path.string() + ": " + description::to_string(e));
   }
 }
 
@@ -41,7 +67,7 @@ nlohmann::json read_summary(const std::filesystem::path& path) {
 /// The rows below a table's header. @param read  of one line's text into a row: whether it is one
 template <class Row>
 std::vector<Row> read_rows(const std::filesystem::path& path, bool (*read)(const char* line, Row& row)) {
-  std::ifstream stream = open_file(path);
+  std::istringstream stream(host::read_text(path, host::kCsvFile));
   std::vector<Row> rows;
   std::string line;
   std::getline(stream, line);
@@ -53,7 +79,9 @@ std::vector<Row> read_rows(const std::filesystem::path& path, bool (*read)(const
 
 std::vector<TrackRow> read_track(const std::filesystem::path& path) {
   return read_rows<TrackRow>(path, [](const char* line, TrackRow& row) {
-    return std::sscanf(line, "%lf,%lf,%lf,%*f,%*f,%*f,%lf,%lf", &row.time_s, &row.north_m, &row.east_m, &row.snr_db, &row.range_m) == 5;
+    const bool is_row =
+        std::sscanf(line, "%lf,%lf,%lf,%*f,%*f,%*f,%lf,%lf", &row.time_s, &row.north_m, &row.east_m, &row.snr_db, &row.range_m) == 5;
+    return is_row && std::isfinite(row.time_s + row.north_m + row.east_m + row.snr_db + row.range_m);
   });
 }
 
@@ -74,6 +102,7 @@ std::vector<SnrRow> read_snr(const std::filesystem::path& path) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (const char* const fault = fault_in(rows, i)) refuse_row(path, i + 1, fault);
   }
+  if (rows.size() < 2) throw BadInput(path.string() + ": at least two rows are needed");
   return rows;
 }
 
@@ -98,20 +127,33 @@ explain::RecordedDecision decision_of(const decision_t& m) {
 
 }  // namespace
 
-JournalledSearch read_journal(const std::filesystem::path& path) try {
+JournalledSearch read_journal(const std::filesystem::path& path) {
+  using End = board::JournalReader::End;
   JournalledSearch search;
   board::JournalReader journal(path);
-  board::JournalRecord record;
-  while (journal.next(record)) {
+  for (board::JournalRecord record; journal.next(record); ++search.records) {
     decision_t decision{};
     if (record.channel != wire::kDecisionChannel || board::decode(record.data, decision) != Status::kOk) continue;
     search.decisions.push_back(decision_of(decision));
   }
-  search.is_whole = journal.end() == board::JournalReader::End::kWhole;
-  search.is_journal = search.is_whole || journal.offset() > 0;
+  search.end = journal.end() == End::kWhole ? JournalledSearch::End::kWhole
+               : journal.end() == End::kCut ? JournalledSearch::End::kCut
+                                            : JournalledSearch::End::kDamaged;
+  search.bytes_read = journal.offset();
+  search.bytes = journal.file_size();
   return search;
-} catch (const std::system_error& e) {
-  throw BadInput(e.what());
+}
+
+std::string ending_of(const JournalledSearch& journal) {
+  if (journal.is_whole()) return "";
+  const std::string where = " at byte " + std::to_string(journal.bytes_read) + " of " + std::to_string(journal.bytes) + ", in record " +
+                            std::to_string(journal.records);
+  const std::string read = " Read before it: " + std::to_string(journal.records) + " records, " + std::to_string(journal.decisions.size()) +
+                           " decisions among them";
+  if (journal.end == JournalledSearch::End::kCut)
+    return "The journal ends" + where + ", which is not whole: the runtime was stopped while it wrote." + read + ".";
+  return "The journal is damaged" + where + ", which does not match its checksum or is none." + read +
+         "; what stands after it is not read.";
 }
 
 std::optional<std::filesystem::path> policy_beside(const std::filesystem::path& journal) {
@@ -126,11 +168,15 @@ NorthEast place_in(const nlohmann::json& place) {
 
 Flight read_flight(const std::filesystem::path& folder) {
   Flight flight;
-  flight.summary = read_summary(folder / "summary.json");
-  flight.track = read_track(folder / "track.csv");
-  flight.snr = read_snr(folder / "snr.csv");
-  if (flight.snr.size() < 2) throw BadInput((folder / "snr.csv").string() + ": at least two rows are needed");
   flight.journal = read_journal(folder / kJournalName);
+  const auto is_there = [&](const char* name) {
+    if (std::filesystem::exists(folder / name)) return true;
+    flight.missing.emplace_back(name);
+    return false;
+  };
+  if (is_there("summary.json")) flight.summary = read_summary(folder / "summary.json");
+  if (is_there("track.csv")) flight.track = read_track(folder / "track.csv");
+  if (is_there("snr.csv")) flight.snr = read_snr(folder / "snr.csv");
   return flight;
 }
 

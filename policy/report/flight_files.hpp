@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "policy/explain/recorded_decision.hpp"
@@ -27,15 +29,28 @@ struct SnrRow {
 /// The decisions of one search, as the vehicle journalled them.
 struct JournalledSearch {
   std::vector<explain::RecordedDecision> decisions;
-  bool is_whole = true;    ///< false: it ends in the middle of a record or in damage
-  bool is_journal = true;  ///< false: no record at all where the first should begin
+  enum class End : std::uint8_t { kWhole, kCut, kDamaged } end = End::kWhole;
+  std::uint64_t records = 0;     ///< that were read, decisions and others
+  std::uint64_t bytes_read = 0;  ///< where the cut or damaged record begins
+  std::uint64_t bytes = 0;       ///< of the file
+
+  [[nodiscard]] bool is_whole() const { return end == End::kWhole; }
+  /// False: no record at all where the first should begin.
+  [[nodiscard]] bool is_journal() const { return is_whole() || records > 0; }
 };
 
+/// How a journal ends that is not whole, in a sentence with the byte, the record, and how much of it was read; "" for a whole one.
+[[nodiscard]] std::string ending_of(const JournalledSearch& journal);
+
+/// A flight whose simulator was killed leaves its journal alone; whatever else is not there is empty, and named in `missing`.
 struct Flight {
-  nlohmann::json summary;
+  nlohmann::json summary;  ///< null: none
   std::vector<TrackRow> track;
   JournalledSearch journal;
   std::vector<SnrRow> snr;
+  std::vector<std::string> missing;  ///< names of files
+
+  [[nodiscard]] bool is_complete() const { return missing.empty(); }
 };
 
 inline constexpr const char* kJournalName = "journal.lcmlog";  ///< in a flight's folder
@@ -46,8 +61,8 @@ inline constexpr const char* kJournalName = "journal.lcmlog";  ///< in a flight'
 /// Where a flight keeps the policy that flew it: beside its journal and named after it. Nothing when there is none.
 [[nodiscard]] std::optional<std::filesystem::path> policy_beside(const std::filesystem::path& journal);
 
-/// Reads summary.json, track.csv, snr.csv and the decisions in journal.lcmlog.
-/// @throws config_file::BadInput naming the file that is missing or cannot be read.
+/// Reads the decisions in journal.lcmlog, and of summary.json, track.csv and snr.csv those that are there.
+/// @throws config_file::BadInput naming the journal when it is missing, or the file that cannot be read.
 [[nodiscard]] Flight read_flight(const std::filesystem::path& folder);
 
 /// A place in a summary: {"north_m": ..., "east_m": ...}.

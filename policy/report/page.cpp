@@ -20,6 +20,7 @@ constexpr std::size_t kRowsOfAttribution = 5;
 
 /// The flight's summary counts a step that the source cut short as the others: one count, with a word about the last.
 std::string headline(const nlohmann::json& s) {
+  if (s.is_null()) return "<h1 class=\"missed\">A flight without its end</h1>\n";
   const int steps = s.at("steps");
   const std::string count = std::to_string(steps) + (steps == 1 ? " step" : " steps");
   std::string text = s.at("found").get<bool>() ? "<h1 class=\"found\">Source found after " + count + "</h1>\n"
@@ -30,7 +31,18 @@ std::string headline(const nlohmann::json& s) {
          escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";
 }
 
+/// What the page lacks, and how much of the journal was read.
+std::string shortcomings(const Flight& flight) {
+  std::string text;
+  for (const std::string& name : flight.missing) text += (text.empty() ? "Not there: " : ", ") + name;
+  if (!text.empty())
+    text = "<p class=\"missed\">" + text + ". A simulator that is stopped at sea does not write them; this page is of the rest.</p>\n";
+  if (!flight.journal.is_whole()) text += "<p class=\"missed\">" + ending_of(flight.journal) + "</p>\n";
+  return text;
+}
+
 std::string facts(const nlohmann::json& s) {
+  if (s.is_null()) return "";
   const double sim = s.at("sim_time_s");
   const double wall = s.at("wall_time_s");
   return "<dl>\n" + fact("reward", fixed(s.at("reward"), 1)) +
@@ -111,12 +123,11 @@ FlightExplanation explain_flight(const std::filesystem::path& folder) try {
 }
 
 std::string page(const Flight& flight, const Pictures& pictures, const FlightExplanation& explanation) {
-  std::string text = html_head("Earshot: one search") + headline(flight.summary) + facts(flight.summary);
-  if (!flight.journal.is_whole)
-    text += "<p class=\"missed\">The journal does not end with a whole record: the runtime was stopped while it wrote.</p>\n";
-  text += "<h2>Where it went</h2>\n<p>SNR at the vehicle's depth. Warm colours: the source is heard, " +
-          fixed(flight.summary.at("detection_threshold_db"), 0) + " dB or more.</p>\n<div class=\"chart\">" + pictures.map + "</div>\n";
-  text += "<h2>What it heard</h2>\n<div class=\"chart\">" + pictures.history + "</div>\n";
+  std::string text = html_head("Earshot: one search") + headline(flight.summary) + facts(flight.summary) + shortcomings(flight);
+  if (!pictures.map.empty())
+    text += "<h2>Where it went</h2>\n<p>SNR at the vehicle's depth. Warm colours: the source is heard, " +
+            fixed(flight.summary.at("detection_threshold_db"), 0) + " dB or more.</p>\n<div class=\"chart\">" + pictures.map + "</div>\n";
+  if (!pictures.history.empty()) text += "<h2>What it heard</h2>\n<div class=\"chart\">" + pictures.history + "</div>\n";
   text += "<h2>What it decided, and why</h2>\n" + decisions(flight, explanation);
   return text + std::string(kHtmlEnd);
 }

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "policy/description/json_fault.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/evaluate/policy_file.hpp"
 #include "policy/explain/replay.hpp"
@@ -17,13 +18,13 @@ using config_file::BadInput;
 using explain::RecordedDecision;
 
 std::string how_it_ends(const JournalledSearch& journal) {
-  return journal.is_whole ? "" : "; the journal is cut short or damaged after it";
+  return journal.is_whole() ? "" : "; the journal is cut short or damaged after it";
 }
 
 void require_decisions(const fs::path& path, const JournalledSearch& journal) {
-  if (!journal.is_journal) throw BadInput(path.string() + ": not a journal: no record where the first should begin");
+  if (!journal.is_journal()) throw BadInput(path.string() + ": not a journal: no record where the first should begin");
   if (journal.decisions.empty())
-    throw BadInput(path.string() + ": no decision in it" + (journal.is_whole ? "" : ": the journal is cut short or damaged"));
+    throw BadInput(path.string() + ": no decision in it" + (journal.is_whole() ? "" : ": the journal is cut short or damaged"));
   for (std::size_t i = 0; i < journal.decisions.size(); ++i) {
     if (journal.decisions[i].step != i)
       throw BadInput(path.string() + ": the decision of step " + std::to_string(i) +
@@ -70,7 +71,7 @@ void read_places(const fs::path& path, const nlohmann::json& summary, RecordedFl
   flight.south_west = place_in(summary.at("area").at("south_west"));
   flight.source = place_in(summary.at("source"));
 } catch (const nlohmann::json::exception& e) {
-  throw BadInput(path.string() + ": " + e.what());
+  throw BadInput(path.string() + ": " + description::to_string(e));
 }
 
 /// For a policy without a belief: one made of the SNR that the simulator flew with.
@@ -106,7 +107,7 @@ RecordedFlight open_recording(const fs::path& folder_or_journal, const Recording
   if (options.south_west) flight.south_west = *options.south_west;
   check_against_policy(flight);
   if (policy::needs_belief(flight.policy->observation.spec)) return flight;
-  if (!files)
+  if (!files || files->snr.empty())
     throw BadInput(
         flight.policy_path.string() +
         ": holds no belief, and without the folder of a simulated flight (summary.json, snr.csv) there is no ocean to make one of");

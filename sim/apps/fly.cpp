@@ -159,7 +159,7 @@ bool writes_report(const fs::path& folder) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     report.poll();
   }
-  return report.status() == program::kDone;
+  return report.status() == program::kDone || report.status() == program::kIncomplete;  // the page is written, and says what it lacks
 }
 
 /// A process that we ended because the other refused its input has a status of its own; the refusal is what counts.

@@ -1,10 +1,7 @@
 #include "firmware/boards/linux/journal_reader.hpp"
 
-#include <cerrno>
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 #include <span>
-#include <system_error>
 
 #include "firmware/boards/linux/journal_format.hpp"
 #include "firmware/config/capacities.hpp"
@@ -13,15 +10,27 @@
 
 namespace earshot::board {
 
-JournalReader::JournalReader(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (std::filesystem::is_directory(path)) throw std::system_error(EISDIR, std::generic_category(), path.string());
-  if (!file) throw std::system_error(errno, std::generic_category(), path.string());
-  bytes_.assign(std::istreambuf_iterator<char>(file), {});
+namespace {
+
+constexpr std::size_t kWindow_bytes = std::size_t{1} << 20U;
+static_assert(kWindow_bytes >= kRecordHeaderSize + wire::kMaxChannelLength + config::kLcmMessageBytes, "the largest record fits");
+
+}  // namespace
+
+JournalReader::JournalReader(const std::filesystem::path& path) : file_(path, host::kAnySize), window_(kWindow_bytes) {}
+
+std::span<const std::uint8_t> JournalReader::look_ahead(std::size_t size) {
+  if (filled_ - at_ < size) {
+    std::copy(window_.begin() + static_cast<std::ptrdiff_t>(at_), window_.begin() + static_cast<std::ptrdiff_t>(filled_), window_.begin());
+    filled_ -= at_;
+    at_ = 0;
+    filled_ += file_.read(std::span(window_).subspan(filled_));
+  }
+  return std::span(window_).subspan(at_, std::min(size, filled_ - at_));
 }
 
 bool JournalReader::next(JournalRecord& record) {
-  const std::span<const std::uint8_t> rest = std::span(bytes_).subspan(offset_);
+  std::span<const std::uint8_t> rest = look_ahead(kRecordHeaderSize);
   const auto stop = [this](End end) {
     end_ = end;
     return false;
@@ -33,6 +42,7 @@ bool JournalReader::next(JournalRecord& record) {
   const std::uint64_t data_size = load(rest.subspan(24, 4));
   if (channel_size < 1 || channel_size > wire::kMaxChannelLength || data_size > config::kLcmMessageBytes) return stop(End::kCorrupt);
   const std::uint64_t size = kRecordHeaderSize + channel_size + data_size;
+  rest = look_ahead(size);
   if (rest.size() < size) return stop(End::kCut);
   if (load(rest.subspan(4, 4)) != crc32(rest.subspan(kCheckedFrom, size - kCheckedFrom))) return stop(End::kCorrupt);
 
@@ -42,6 +52,7 @@ bool JournalReader::next(JournalRecord& record) {
   record.time = Time{static_cast<std::int64_t>(load(rest.subspan(12, 8)))};
   record.channel.assign(channel.begin(), channel.end());
   record.data.assign(data.begin(), data.end());
+  at_ += size;
   offset_ += size;
   return true;
 }

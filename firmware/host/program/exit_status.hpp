@@ -3,6 +3,8 @@
 namespace earshot::program {
 
 inline constexpr int kDone = 0;
+/// Done with what there was: something is missing or damaged, which standard error says.
+inline constexpr int kIncomplete = 1;
 /// The command line or a file was refused; nothing was done.
 inline constexpr int kBadInput = 2;
 /// Something went wrong on the way that was not the input's fault: another process, a bus, a file.

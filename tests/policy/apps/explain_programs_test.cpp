@@ -103,7 +103,7 @@ TEST_F(ExplainPrograms, RefuseAFlightWithAnSnrCurveThatStandsStill) {
 
 TEST_F(ExplainPrograms, RefuseAFlightWhoseSummaryDoesNotSayAllAndNameIt) {
   std::ofstream(folder_ / "flight" / "summary.json") << R"({"found": true})";
-  refuses("report flight", {"flight/summary.json: ", "area"});
+  refuses("report flight", {"flight/summary.json: ", "steps: must be a whole number"});
 }
 
 TEST_F(ExplainPrograms, RefuseAMapOfAPolicyThatKnowsNoOceanUntilOneIsNamed) {

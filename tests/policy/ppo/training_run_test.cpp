@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "firmware/config_file/table_reader.hpp"
 
@@ -79,10 +82,41 @@ TEST(TrainingRun, ReportsEveryProblemAtOnceWithItsLine) {
   EXPECT_NE(text.find(path + ":6: search.directions = 33"), std::string::npos) << text;
 }
 
+TEST(TrainingRun, RefusesABatchLargerThanTheRollout) {
+  const std::string path = written("[ppo]\nenvironments = 4\nsteps_per_rollout = 16\nbatch_size = 65\n");
+  EXPECT_EQ(complaint_of(path), path + ":4: ppo.batch_size = 65: must not exceed a rollout, environments x steps_per_rollout = 64");
+  EXPECT_EQ(load_run(written("[ppo]\nenvironments = 4\nsteps_per_rollout = 16\nbatch_size = 64\n")).hyper.batch_size, 64U);
+}
+
+TEST(TrainingRun, RefusesARolloutThatMemoryCannotHoldBeforeItIsMade) {
+  const std::string path = written("[ppo]\nenvironments = 8192\nsteps_per_rollout = 513\n");
+  EXPECT_EQ(complaint_of(path), path +
+                                    ":3: ppo.steps_per_rollout = 513: environments x steps_per_rollout = 4202496: a rollout must not "
+                                    "exceed 4194304 steps");
+  const std::string longer = written("[ppo]\nsteps_per_rollout = 16777216\n");
+  EXPECT_EQ(complaint_of(longer), longer + ":2: ppo.steps_per_rollout = 16777216: must be a whole number from 2 to 4194304");
+}
+
+TEST(TrainingRun, RefusesNumbersThatNoTrainingCanUse) {
+  for (const auto& [key, value, range] :
+       std::vector<std::array<std::string, 3>>{{"ppo.learning_rate", "1000000000.0", "above 0 and at most 1"},
+                                               {"ppo.clip_range", "1e+30", "above 0 and at most 10"},
+                                               {"ppo.reward_scale", "1e+30", "above 0 and at most 1e+06"},
+                                               {"ppo.max_gradient_norm", "0.0", "above 0 and at most 1e+30"},
+                                               {"ppo.value_coefficient", "1e+30", "of at least 0 and at most 1e+06"},
+                                               {"search.domain_north_m", "1e+30", "above 0 and at most 1e+06"},
+                                               {"search.border_reward", "-1e+30", "of at least -1e+06 and at most 1e+06"},
+                                               {"training_reward.found", "1e+30", "of at least -1e+06 and at most 1e+06"}}) {
+    const std::string table = key.substr(0, key.find('.'));
+    const std::string path = written("[" + table + "]\n" + key.substr(table.size() + 1) + " = " + value + "\n");
+    EXPECT_EQ(complaint_of(path), path + ":2: " + key + " = " + value + ": must be a finite number " + range);
+  }
+}
+
 TEST(TrainingRun, SaysOneThingOfADomainThatIsNoNumber) {
   const std::string path = written("[search]\nstart = \"inside_border\"\ndomain_north_m = nan\n");
   const std::string text = complaint_of(path);
-  EXPECT_EQ(text, path + ":3: search.domain_north_m = nan: must be a finite number above 0");
+  EXPECT_EQ(text, path + ":3: search.domain_north_m = nan: must be a finite number above 0 and at most 1e+06");
 }
 
 TEST(TrainingRun, RefusesAStartInTwoWays) {

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "firmware/host/file/bad_input.hpp"
 #include "policy/report/plots.hpp"
 #include "policy/report/sheet.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
@@ -90,6 +92,58 @@ TEST_F(PageTest, OfAFlightWithoutItsPolicyStillListsEveryDecisionAndSaysWhatIsMi
   EXPECT_EQ(count(text, "Not explained: "), 1U);
   EXPECT_EQ(count(text, "class=\"p taken\""), 3U) << "one action taken at each of three decisions";
   EXPECT_EQ(count(text, "<th>N</th><th>NE</th><th>E</th><th>SE</th><th>S</th><th>SW</th><th>W</th><th>NW</th>"), 1U);
+}
+
+TEST_F(PageTest, OfAJournalAloneListsEveryDecisionAndSaysWhatIsMissing) {
+  for (const char* name : {"summary.json", "track.csv", "snr.csv"}) fs::remove(folder_ / name);
+  const FlightExplanation explanation = explain_flight(folder_);
+  EXPECT_EQ(explanation.why_not, "");
+  const std::string text = page(read_flight(folder_), {}, explanation);
+  EXPECT_EQ(count(text, "Not there: summary.json, track.csv, snr.csv."), 1U);
+  EXPECT_EQ(count(text, "<details><summary>why "), 3U);
+}
+
+TEST_F(PageTest, SaysWhereTheJournalIsDamagedAndHowMuchOfItIsRead) {
+  const fs::path journal = folder_ / "journal.lcmlog";
+  const auto size = fs::file_size(journal);
+  ASSERT_EQ(size % 3, 0U) << "three decisions of one length";
+  {
+    std::fstream file(journal, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(static_cast<std::streamoff>(size / 3 + 100));
+    file.put('\x55');
+  }
+  const std::string byte = "at byte " + std::to_string(size / 3) + " of " + std::to_string(size) + ", in record 1";
+  const std::string said = "The journal is damaged " + byte +
+                           ", which does not match its checksum or is none. Read before it: 1 records, 1 decisions among them; what stands "
+                           "after it is not read.";
+  EXPECT_EQ(ending_of(read_journal(journal)), said);
+  EXPECT_EQ(count(page(read_flight(folder_), {}, {}), said), 1U);
+}
+
+TEST_F(PageTest, TellsACutJournalFromADamagedOne) {
+  const fs::path journal = folder_ / "journal.lcmlog";
+  EXPECT_EQ(ending_of(read_journal(journal)), "");
+  fs::resize_file(journal, fs::file_size(journal) - 1);
+  const std::string said = ending_of(read_journal(journal));
+  EXPECT_EQ(said.rfind("The journal ends at byte ", 0), 0U) << said;
+  EXPECT_NE(said.find("in record 2, which is not whole: the runtime was stopped while it wrote. Read before it: 2 records"),
+            std::string::npos)
+      << said;
+}
+
+TEST_F(PageTest, NamesTheKeyOfASummaryThatCannotBe) {
+  const auto complaint = [&](const std::string& summary) {
+    std::ofstream(folder_ / "summary.json") << summary;
+    try {
+      (void)read_flight(folder_);
+    } catch (const host::BadInput& e) {
+      return std::string(e.what()).substr((folder_ / "summary.json").string().size());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint("{\"found\": true, \"steps\": \"ten\"}"), ": steps: must be a whole number, 0 to 1000000000");
+  EXPECT_EQ(complaint("[]"), ": the whole: must be a table");
+  EXPECT_EQ(complaint("{\"found\": "), ": not JSON from byte 11 on, or cut short");
 }
 
 TEST_F(PageTest, SheetSaysTheSameInEveryFormat) {

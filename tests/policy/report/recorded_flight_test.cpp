@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "firmware/config_file/table_reader.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
@@ -110,10 +111,16 @@ TEST_F(RecordedFlightTest, RefusesWhatIsNoJournal) {
 }
 
 TEST_F(RecordedFlightTest, NamesWhatASummaryDoesNotSay) {
-  std::ofstream(folder_ / "summary.json") << "{}";
-  expect_said(refusal(folder_), {"summary.json", "area"});
+  const auto whole = nlohmann::json::parse(std::ifstream(folder_ / "summary.json"));
+  for (const char* key : {"area", "source", "found"}) {
+    auto without = whole;
+    without.erase(key);
+    std::ofstream(folder_ / "summary.json") << without;
+    expect_said(refusal(folder_), {"summary.json", key});
+  }
+  std::ofstream(folder_ / "summary.json") << whole;
   std::ofstream(folder_ / "snr.csv") << "range_m,snr_db\n";
-  expect_said(refusal(folder_), {"snr.csv"});
+  expect_said(refusal(folder_), {"snr.csv", "at least two rows"});
 }
 
 TEST_F(RecordedFlightTest, RefusesAnSnrCurveWhoseRangesDoNotRiseFromZeroByOneStepOrWhoseNumbersAreNone) {

@@ -20,6 +20,7 @@
 #include "firmware/boards/linux/file_descriptor.hpp"
 #include "firmware/boards/linux/journal_reader.hpp"
 #include "firmware/config/capacities.hpp"
+#include "firmware/host/file/bad_input.hpp"
 
 namespace earshot::board {
 namespace {
@@ -249,10 +250,39 @@ TEST_F(JournalTest, NamesAFolderThatIsNoJournal) {
   try {
     const JournalReader reader(folder_);
     FAIL();
-  } catch (const std::system_error& error) {
-    EXPECT_EQ(error.code(), std::errc::is_a_directory);
-    EXPECT_NE(std::string(error.what()).find(folder_.string()), std::string::npos) << error.what();
+  } catch (const host::BadInput& error) {
+    EXPECT_EQ(error.what(), folder_.string() + ": cannot be read: it is a folder");
   }
+}
+
+TEST_F(JournalTest, ReadsAJournalOfManyPiecesInOneMebibyteOfMemory) {
+  constexpr std::size_t kRecord = 28 + 5 + 60'000;
+  {
+    Journal journal(path_);
+    for (std::int64_t i = 0; i < 100; ++i) {
+      ASSERT_EQ(journal.append(Time{i}, "LARGE", Bytes(60'000, static_cast<std::uint8_t>(i))), Status::kOk);
+      ASSERT_EQ(journal.flush(), Status::kOk);
+    }
+  }
+  JournalReader reader(path_);
+  EXPECT_EQ(reader.file_size(), 100 * kRecord);
+  std::size_t count = 0;
+  for (JournalRecord record; reader.next(record); ++count) {
+    ASSERT_EQ(record.data, Bytes(60'000, static_cast<std::uint8_t>(count))) << count;
+    ASSERT_EQ(reader.offset(), (count + 1) * kRecord);
+  }
+  EXPECT_EQ(count, 100U);
+  EXPECT_EQ(reader.end(), JournalReader::End::kWhole);
+}
+
+TEST_F(JournalTest, TakesNoMemoryForAFileOfHolesAndNamesItsFirstByte) {
+  std::ofstream(path_).close();
+  std::filesystem::resize_file(path_, std::uintmax_t{1} << 40U);  // 1 TiB: who reads it into memory has none left
+  JournalReader reader(path_);
+  JournalRecord record;
+  EXPECT_FALSE(reader.next(record));
+  EXPECT_EQ(reader.end(), JournalReader::End::kCorrupt);
+  EXPECT_EQ(reader.offset(), 0U);
 }
 
 TEST_F(JournalTest, DoesNotOverwriteUnlessTold) {
