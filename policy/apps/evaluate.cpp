@@ -1,15 +1,19 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/program/talk.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/apps/world_options.hpp"
 #include "policy/baselines/catalogue.hpp"
 #include "policy/baselines/learned.hpp"
+#include "policy/description/placement.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/evaluate/path_table.hpp"
 #include "policy/evaluate/policy_file.hpp"
@@ -29,7 +33,7 @@ struct Options {
   std::vector<std::string> policies;
   std::vector<std::string> worlds;
   bool suite = false;
-  apps::WorldOptions search{.source = "changing", .start = "inside_border"};
+  apps::WorldOptions search{.start = "inside_border"};
   std::size_t episodes = 300;
   std::optional<std::uint64_t> seed;
   std::optional<std::string> draw;
@@ -53,7 +57,7 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--policies", &o.policies, "more of them, and others by name, separated by commas").separated_by(',');
   line.option("--world", &o.worlds, "world files to search in, such as policy/worlds/noisy_4db.toml (the environment itself)");
   line.flag("--suite", &o.suite, "search in every world of policy/worlds");
-  o.search.add_to(line);
+  o.search.add_to(line, "what the policies were trained with, changing when none says it");
   line.option("--episodes", &o.episodes, "searches to fly in each world").shows_default().from(1, 100'000'000);
   line.option("--seed", &o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
   line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way").one_of({"argmax", "sampled"});
@@ -113,6 +117,37 @@ search::SearchSettings settings_of(const std::vector<Contestant>& contestants) {
     }
   }
   return first == nullptr ? search::SearchSettings{} : evaluate::search_of(*first->learned);
+}
+
+std::optional<search::SourcePlacement> trained_with(const Contestant& c) {
+  if (!c.learned) return std::nullopt;
+  return description::placement_in({c.learned->provenance.begin(), c.learned->provenance.end()});
+}
+
+/// The source that the learned policies were trained with. Throws where they were trained with both kinds: whichever were searched for, the
+/// rows of some would be of a task they never learned.
+search::SourcePlacement placement_of(const std::vector<Contestant>& contestants) {
+  const Contestant* first = nullptr;
+  for (const Contestant& c : contestants) {
+    if (!trained_with(c)) continue;
+    if (first == nullptr) first = &c;
+    if (trained_with(c) != trained_with(*first)) {
+      throw BadInput(first->name + " was trained with a " + std::string(description::name_of(*trained_with(*first))) + " source, " +
+                     c.name + " with a " + std::string(description::name_of(*trained_with(c))) +
+                     " one: say which to search for with --source");
+    }
+  }
+  return first == nullptr ? search::SourcePlacement::kChanging : *trained_with(*first);
+}
+
+/// Policies that are about to be tested on another task than they were trained for.
+void warn_of_another_source(const std::vector<Contestant>& contestants, search::SourcePlacement searched) {
+  for (const Contestant& c : contestants) {
+    const std::optional<search::SourcePlacement> trained = trained_with(c);
+    if (!trained || *trained == searched) continue;
+    std::cerr << "earshot evaluate: warning: " << c.name << " was trained with a " << description::name_of(*trained)
+              << " source and is tested with a " << description::name_of(searched) << " one: it never learned what is asked of it\n";
+  }
 }
 
 std::vector<evaluate::World> worlds_of(const Options& o, const std::filesystem::path& environment, Meters depth) {
@@ -192,7 +227,7 @@ nlohmann::ordered_json as_json(const evaluate::Row& row, evaluate::Timing timing
 
 std::string as_json(const Options& o, const search::SearchSettings& settings, const std::vector<evaluate::World>& worlds,
                     const std::vector<evaluate::Row>& rows, evaluate::Timing timing) {
-  nlohmann::ordered_json json{{"episodes", o.episodes}, {"source", *o.search.source}};
+  nlohmann::ordered_json json{{"episodes", o.episodes}, {"source", description::name_of(settings.placement)}};
   if (o.search.start_margin_m)
     json["start_margin_m"] = *o.search.start_margin_m;
   else
@@ -205,9 +240,10 @@ std::string as_json(const Options& o, const search::SearchSettings& settings, co
 }
 
 /// "300 searches each in munk_flat, source changing"
-std::string title_of(const Options& o, const std::vector<evaluate::World>& worlds) {
+std::string title_of(const Options& o, const search::SearchSettings& settings, const std::vector<evaluate::World>& worlds) {
   return std::to_string(o.episodes) + " searches each in " +
-         (worlds.size() == 1 ? worlds.front().name : std::to_string(worlds.size()) + " worlds") + ", source " + *o.search.source;
+         (worlds.size() == 1 ? worlds.front().name : std::to_string(worlds.size()) + " worlds") + ", source " +
+         std::string(description::name_of(settings.placement));
 }
 
 void write_files(const Options& o, const search::SearchSettings& settings, const std::vector<evaluate::World>& worlds,
@@ -217,7 +253,7 @@ void write_files(const Options& o, const search::SearchSettings& settings, const
   if (o.csv) host::write_whole(*o.csv, evaluate::as_csv(rows, timing));
   if (!o.plot) return;
   try {
-    const std::string title = title_of(o, worlds);
+    const std::string title = title_of(o, settings, worlds);
     sonar::draw(*o.plot, {.title = title, .size = "1400,900", .commands = evaluate::as_plot(rows, title)});
   } catch (const std::runtime_error& e) {
     throw BadInput(e.what());
@@ -238,6 +274,22 @@ void check_files(const Options& o) {
   apps::require_writable(files, host::replaced_by(o.force));
 }
 
+/// "source fixed at 10000 m north, 10000 m east (as fixed.policy was trained); starts inside_border"
+std::string what_is_searched(const Options& o, const search::SearchSettings& settings, const std::vector<Contestant>& contestants) {
+  std::ostringstream text;
+  text << "source " << description::name_of(settings.placement);
+  if (settings.placement == search::SourcePlacement::kFixed)
+    text << " at " << settings.source.north.value << " m north, " << settings.source.east.value << " m east";
+  const auto trained = std::ranges::find_if(contestants, [](const Contestant& c) { return trained_with(c).has_value(); });
+  if (!o.search.source && trained != contestants.end()) text << " (as " << trained->name << " was trained)";
+  text << "; starts ";
+  if (o.search.start_margin_m)
+    text << *o.search.start_margin_m << " m or more from every edge\n";
+  else
+    text << *o.search.start << "\n";
+  return text.str();
+}
+
 void evaluate_policies(const Options& o, parallel::RankSession& session) {
   parallel::Ranks& ranks = session.ranks();
   const bool speaks = ranks.rank() == 0;
@@ -251,10 +303,13 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   const std::vector<evaluate::World> worlds = worlds_of(o, environment_file, depth);
   search::SearchSettings settings = settings_of(contestants);
   settings.source = environment.source.position;
+  if (!o.search.source) settings.placement = placement_of(contestants);
   o.search.apply_to(settings);
   session.all_or_none<BadInput>([&] {
     if (speaks) check_files(o);
   });
+  warn_of_another_source(contestants, settings.placement);
+  if (speaks) program::say() << what_is_searched(o, settings, contestants);
   const sonar::SnrCurve expected = apps::curve_for(environment, depth, settings);
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = apps::draw_named(*o.draw);
@@ -271,8 +326,8 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
       if (speaks) rows.push_back(evaluate::row_of(world.name, contestant.name, flights, world.seed));
     }
     if (speaks) {
-      std::cout << world.name << ": " << world.what << "; " << o.episodes << " searches, seed " << world.seed << "\n"
-                << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
+      program::say() << world.name << ": " << world.what << "; " << o.episodes << " searches, seed " << world.seed << "\n"
+                     << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
     }
   }
   if (speaks) write_files(o, settings, worlds, rows);

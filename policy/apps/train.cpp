@@ -10,6 +10,7 @@
 #include "policy/apps/curve_plot.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/apps/training_job.hpp"
+#include "policy/description/placement.hpp"
 #include "policy/description/state.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
@@ -76,8 +77,7 @@ void print_summary(const Trainings& trainings, double seconds) {
 /// "Reward in training: source changing, state belief, seed 1"
 std::string title_of(const Trainings& trainings) {
   const ppo::TrainingRun& run = trainings.front()->run_settings();
-  const bool changes = run.search.placement == search::SourcePlacement::kChanging;
-  return std::string("Reward in training: source ") + (changes ? "changing" : "fixed") + ", state " +
+  return "Reward in training: source " + std::string(description::name_of(run.search.placement)) + ", state " +
          std::string(description::name_of(run.state)) + ", " +
          (trainings.size() == 1 ? "seed " + std::to_string(run.seed) : std::to_string(trainings.size()) + " seeds");
 }

@@ -1,6 +1,7 @@
 #include "policy/apps/world_options.hpp"
 
 #include "firmware/config_file/table_reader.hpp"
+#include "policy/description/placement.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
@@ -8,14 +9,14 @@ namespace earshot::apps {
 
 using config_file::BadInput;
 
-void WorldOptions::add_to(program::CommandLine& line) {
+void WorldOptions::add_to(program::CommandLine& line, const std::string& source_by_default) {
   line.option("--environment", &environment,
               "environment file (TOML): ocean, source and noise, such as sim/ocean/environments/munk_flat.toml");
   line.option("--vehicle-depth-m", &vehicle_depth_m, "depth of the vehicle, metres (300)").positive();
-  line.option("--source", &source,
-              "source: fixed where the environment puts it, or changing, uniform in the domain anew every episode (" +
-                  source.value_or("fixed") + ")")
-      .one_of({"fixed", "changing"});
+  line.option(
+          "--source", &source,
+          "source: fixed where the environment puts it, or changing, uniform in the domain anew every episode (" + source_by_default + ")")
+      .one_of({description::kPlacements.begin(), description::kPlacements.end()});
   line.option("--start", &start,
               "vehicle starts uniformly in the domain, or inside_border, where the border costs nothing (" + start.value_or("domain") + ")")
       .one_of({"domain", "inside_border"});
@@ -27,7 +28,7 @@ void WorldOptions::add_to(program::CommandLine& line) {
 }
 
 void WorldOptions::apply_to(search::SearchSettings& settings) const {
-  if (source) settings.placement = *source == "fixed" ? search::SourcePlacement::kFixed : search::SourcePlacement::kChanging;
+  if (source) settings.placement = description::placement_named(*source).value_or(settings.placement);
   if (border_width_m) settings.border_width = Meters{*border_width_m};
   if (max_steps) settings.max_steps = *max_steps;
   if (start) settings.start_region = *start == "domain" ? settings.domain : search::inside_border(settings);

@@ -23,7 +23,8 @@ struct WorldOptions {
   std::optional<double> border_width_m = {};
   std::optional<std::uint32_t> max_steps = {};
 
-  void add_to(program::CommandLine& line);
+  /// @param source_by_default  what help says of --source when it is not given
+  void add_to(program::CommandLine& line, const std::string& source_by_default = "fixed");
   /// Throws config_file::BadInput when the settings contradict each other.
   void apply_to(search::SearchSettings& settings) const;
 };

@@ -10,6 +10,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/config_file/table_reader.hpp"
+#include "policy/description/placement.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -145,7 +146,7 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   add("vehicle_depth_m", run.vehicle_depth.value);
   add("state", description::name_of(run.state));
   if (description::remembers(run.state)) add("remembered_steps", run.remembered_steps);
-  add("source", s.placement == search::SourcePlacement::kFixed ? "fixed" : "changing");
+  add("source", description::name_of(s.placement));
   add("start_margin_m", (s.start_region.south_west.north - s.domain.south_west.north).value);
   add("border_width_m", s.border_width.value);
   add("border_reward", s.border_reward);

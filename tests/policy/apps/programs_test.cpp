@@ -1,94 +1,35 @@
 // The commands as a person meets them: what they make, and what they say of bad input.
-#include <gtest/gtest.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iomanip>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "firmware/core/crc32.hpp"
+#include "tests/policy/apps/programs.hpp"
 
+namespace earshot::apps {
 namespace {
 
-namespace fs = std::filesystem;
-
-const std::string kSource = EARSHOT_SOURCE_DIR;
-const std::string kOcean = " --environment " + kSource + "/sim/ocean/environments/munk_flat.toml";
-const std::string kShipped = kSource + "/policy/frozen/fixed_source.policy";
-
-std::string content(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+nlohmann::json parameters_in(const fs::path& checkpoint) {
+  const std::string text = content(checkpoint);
+  return nlohmann::json::parse(text.substr(0, text.find('\n')))["parameters"];
 }
 
-class Programs : public testing::Test {
- protected:
-  Programs() {
-    folder = fs::path(testing::TempDir()) / ("programs_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  ~Programs() override { fs::remove_all(folder); }
+/// Changes what a checkpoint says, and its checksum with it.
+void rewrite(const fs::path& checkpoint, const std::function<void(nlohmann::ordered_json&)>& change) {
+  const std::string text = content(checkpoint);
+  auto json = nlohmann::ordered_json::parse(text.substr(0, text.find('\n')));
+  change(json);
+  const std::string line = json.dump();
+  const std::uint32_t crc = crc32({reinterpret_cast<const std::uint8_t*>(line.data()), line.size()});
+  std::ofstream(checkpoint) << line << "\ncrc32 " << std::hex << std::setw(8) << std::setfill('0') << crc << '\n';
+}
 
-  /// Runs `earshot-<words>` in the test's folder; returns its exit status.
-  int run(const std::string& words, const std::string& launcher = "") {
-    const std::string command = "cd '" + folder.string() + "' && " + launcher + "'" EARSHOT_BIN_DIR "/earshot-" +
-                                words.substr(0, words.find(' ')) + "'" + words.substr(words.find(' ')) + " >out 2>err";
-    const int status = std::system(command.c_str());  // NOLINT: our own programs
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
-  /// Exit status 2, one line on standard error that holds every one of `parts`, and nothing left in the folder.
-  void refuses(const std::string& words, std::initializer_list<std::string> parts) {
-    const auto files_before = files();
-    EXPECT_EQ(run(words), 2) << words;
-    const std::string said = content(folder / "err");
-    EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
-    for (const std::string& part : parts) EXPECT_NE(said.find(part), std::string::npos) << part << " is not in: " << said;
-    EXPECT_EQ(files(), files_before) << "left something behind: " << words;
-  }
-
-  nlohmann::json parameters_in(const std::string& checkpoint) const {
-    const std::string text = content(folder / checkpoint);
-    return nlohmann::json::parse(text.substr(0, text.find('\n')))["parameters"];
-  }
-
-  /// Changes what a checkpoint says, and its checksum with it.
-  void rewrite(const std::string& checkpoint, const std::function<void(nlohmann::ordered_json&)>& change) const {
-    const std::string text = content(folder / checkpoint);
-    auto json = nlohmann::ordered_json::parse(text.substr(0, text.find('\n')));
-    change(json);
-    const std::string line = json.dump();
-    const std::uint32_t crc = earshot::crc32({reinterpret_cast<const std::uint8_t*>(line.data()), line.size()});
-    std::ofstream(folder / checkpoint) << line << "\ncrc32 " << std::hex << std::setw(8) << std::setfill('0') << crc << '\n';
-  }
-
-  /// Makes of a checkpoint one of the programs that did not yet keep where its curve is.
-  void forget_the_curve(const std::string& checkpoint) const {
-    rewrite(checkpoint, [](auto& json) { EXPECT_EQ(json["continuation"].erase("curve"), 1U); });
-  }
-
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      const std::string name = entry.path().filename().string();
-      if (name != "out" && name != "err") names.push_back(name);
-    }
-    std::ranges::sort(names);
-    return names;
-  }
-
-  fs::path folder;
-};
+/// Makes of a checkpoint one of the programs that did not yet keep where its curve is.
+void forget_the_curve(const fs::path& checkpoint) {
+  rewrite(checkpoint, [](auto& json) { EXPECT_EQ(json["continuation"].erase("curve"), 1U); });
+}
 
 TEST_F(Programs, TrainFreezeAndEvaluateMakeAPolicyThatFlies) {
   ASSERT_EQ(run("train" + kOcean + " --episodes 40 --seed 3 -o a.checkpoint"), 0) << content(folder / "err");
@@ -155,13 +96,13 @@ TEST_F(Programs, TrainMakesOfSeveralSeedsAtOnceWhatItMakesOfEach) {
   ASSERT_EQ(run("train" + kOcean + " --steps 4096 --seed 2 -o alone.checkpoint"), 0);
   ASSERT_EQ(run("train" + kOcean + " --steps 4096 --seeds 1-3 -o a.checkpoint --plot a.svg"), 0) << content(folder / "err");
   EXPECT_EQ(content(folder / "a.seed2.csv"), content(folder / "alone.csv"));
-  EXPECT_EQ(parameters_in("a.seed2.checkpoint"), parameters_in("alone.checkpoint"));
-  EXPECT_NE(parameters_in("a.seed1.checkpoint"), parameters_in("alone.checkpoint"));
+  EXPECT_EQ(parameters_in(folder / "a.seed2.checkpoint"), parameters_in(folder / "alone.checkpoint"));
+  EXPECT_NE(parameters_in(folder / "a.seed1.checkpoint"), parameters_in(folder / "alone.checkpoint"));
   EXPECT_NE(content(folder / "out").find("median of 3 trainings"), std::string::npos);
   EXPECT_NE(content(folder / "a.svg").find("<title>Reward in training: source fixed, state simple, 3 seeds</title>"), std::string::npos);
   ASSERT_EQ(run("train --resume a.seed1.checkpoint a.seed2.checkpoint --steps 6144"), 0) << content(folder / "err");
   ASSERT_EQ(run("train --resume alone.checkpoint --steps 6144"), 0) << content(folder / "err");
-  EXPECT_EQ(parameters_in("a.seed2.checkpoint"), parameters_in("alone.checkpoint"));
+  EXPECT_EQ(parameters_in(folder / "a.seed2.checkpoint"), parameters_in(folder / "alone.checkpoint"));
 }
 
 TEST_F(Programs, TrainGivesEverySeedItsOwnFilesWhateverTheOutputIsCalled) {
@@ -210,7 +151,7 @@ TEST_F(Programs, TrainGoesOnFromACheckpointThatDoesNotSayWhereItsCurveIs) {
     ASSERT_EQ(run("train" + kOcean + " --steps 2048 -o a.checkpoint" + curve), 0) << content(folder / "err");
     const fs::path file = folder / (curve.empty() ? "a.csv" : "c.csv");
     const std::string first = content(file);
-    forget_the_curve("a.checkpoint");
+    forget_the_curve(folder / "a.checkpoint");
     ASSERT_EQ(run("train --resume a.checkpoint --steps 4096"), 0) << content(folder / "err");
     EXPECT_EQ(content(file).substr(0, first.size()), first);
     EXPECT_GT(content(file).size(), first.size());
@@ -220,7 +161,7 @@ TEST_F(Programs, TrainGoesOnFromACheckpointThatDoesNotSayWhereItsCurveIs) {
 TEST_F(Programs, TrainThatDivergesSaysSoAndLeavesItsGoodFilesAlone) {
   ASSERT_EQ(run("train --steps 2048 -o a.checkpoint" + kOcean), 0) << content(folder / "err");
   // Settings that are allowed do not diverge at once: weights that are about to overflow do.
-  rewrite("a.checkpoint", [](auto& json) {
+  rewrite(folder / "a.checkpoint", [](auto& json) {
     for (auto& weight : json["parameters"]) weight = 3e38;
   });
   const std::vector<std::string> good{content(folder / "a.checkpoint"), content(folder / "a.csv"), content(folder / "a.updates.csv")};
@@ -258,19 +199,19 @@ TEST_F(Programs, TrainOnTwoMpiRanksIsTheSameEveryTimeAndGoesOn) {
     return WEXITSTATUS(std::system(command.c_str()));  // NOLINT: our own programs
   };
   ASSERT_EQ(train(kOcean + " --steps 12288 --seed 3 -o a.checkpoint"), 0) << content(folder / "err");
-  const auto parameters = parameters_in("a.checkpoint");
+  const auto parameters = parameters_in(folder / "a.checkpoint");
   const std::string curve = content(folder / "a.csv");
   ASSERT_EQ(train(kOcean + " --steps 8192 --seed 3 -o b.checkpoint"), 0) << content(folder / "err");
   EXPECT_EQ(content(folder / "b.csv"), curve.substr(0, content(folder / "b.csv").size()));
   refuses("train --resume b.checkpoint --steps 12288", {"b.checkpoint", "2 ranks"});
   ASSERT_EQ(train("--resume b.checkpoint --steps 12288"), 0) << content(folder / "err");
   EXPECT_EQ(content(folder / "b.csv"), curve);
-  EXPECT_EQ(parameters_in("b.checkpoint"), parameters);
+  EXPECT_EQ(parameters_in(folder / "b.checkpoint"), parameters);
   const std::string updates = content(folder / "a.updates.csv");
   EXPECT_EQ(std::ranges::count(updates, '\n'), 4) << "three rollouts of 2048 steps on each of two ranks";
 
   ASSERT_EQ(run("train" + kOcean + " --steps 12288 --seed 3 -o c.checkpoint"), 0);
-  EXPECT_NE(parameters_in("c.checkpoint"), parameters) << "the second rank had no say";
+  EXPECT_NE(parameters_in(folder / "c.checkpoint"), parameters) << "the second rank had no say";
   EXPECT_EQ(train(kOcean + " --steps 2048 -o nowhere/a.checkpoint"), 2);
   EXPECT_NE(content(folder / "err").find("nowhere/a.checkpoint: cannot be written"), std::string::npos);
 }
@@ -321,28 +262,6 @@ TEST_F(Programs, TrainRefusesBadInputInOneLine) {
   refuses("train start.toml" + kOcean + " -o a.checkpoint", {"start.toml:3", "start_margin_m", "start"});
 }
 
-TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
-  std::string bytes = content(kShipped);
-  std::ofstream(folder / "short.policy", std::ios::binary) << bytes.substr(0, 1'000);
-  bytes[500] = static_cast<char>(bytes[500] ^ 4);
-  std::ofstream(folder / "flipped.policy", std::ios::binary) << bytes;
-  refuses("evaluate none.policy" + kOcean, {"none.policy", "no such file"});
-  refuses("evaluate flipped.policy" + kOcean, {"flipped.policy", "CRC-32"});
-  refuses("evaluate short.policy" + kOcean, {"short.policy"});
-  refuses("evaluate --episodes 3", {"no policy"});
-  refuses("evaluate --policies bayes,swordfish", {"swordfish", "bayes_infogain"});
-  refuses("evaluate --policies oracle --environment none.toml", {"none.toml", "no such file"});
-  refuses("evaluate --policies oracle --world none.toml", {"none.toml", "no such file"});
-  refuses("evaluate --policies oracle --plot a.gif", {"a.gif", ".png or .svg"});
-  refuses("evaluate --policies oracle --csv a --json a", {"--json a, --csv a", "the same file"});
-  refuses("evaluate --policies oracle --world \xC0\xAF.toml", {"the command line holds bytes that are not UTF-8"});
-  std::ofstream(folder / "bad.toml") << "name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"" << kSource
-                                     << "/sim/ocean/environments/munk_flat.toml\"\n[conditions]\nfluctuation_db = -1.0\n";
-  refuses("evaluate --policies oracle --world bad.toml", {"bad.toml:6", "fluctuation_db", "at least 0"});
-  refuses("evaluate " + kShipped + kOcean + " --episodes 0", {"--episodes", "0"});
-  refuses("evaluate " + kShipped + kOcean + " --json nowhere/a.json", {"nowhere/a.json", "cannot be written"});
-}
-
 TEST_F(Programs, LeaveFilesThatAreNoneOfTheirOwnUnlessForced) {
   const std::string notes = "[seabed]\ndepth_m = 3000\n";
   for (const char* name : {"notes.toml", "notes.svg"}) std::ofstream(folder / name) << notes;
@@ -359,73 +278,6 @@ TEST_F(Programs, LeaveFilesThatAreNoneOfTheirOwnUnlessForced) {
   EXPECT_EQ(content(folder / "notes.toml"), notes);
   ASSERT_EQ(run(evaluate + " --force --csv notes.toml"), 0) << content(folder / "err");
   EXPECT_TRUE(content(folder / "notes.toml").starts_with("world,policy,"));
-}
-
-TEST_F(Programs, EvaluateLeavesAPipe) {
-  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
-  refuses("evaluate --policies oracle --episodes 1 --force --csv pipe", {"pipe: cannot be written: it is a pipe"});
-  EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
-}
-
-TEST_F(Programs, EvaluateNeedsNothingButTheNamesOfPolicies) {
-  ASSERT_EQ(run("evaluate --policies shipped,bayes,oracle --episodes 30 --json a.json --csv a.csv --plot a.svg"), 0)
-      << content(folder / "err");
-  const auto json = nlohmann::json::parse(content(folder / "a.json"));
-  EXPECT_EQ(json["source"], "changing");
-  EXPECT_EQ(json["start"], "inside_border");
-  EXPECT_FALSE(json.contains("start_margin_m"));
-  ASSERT_EQ(json["results"].size(), 3U);
-  EXPECT_EQ(json["results"][0]["policy"], "shipped");
-  EXPECT_EQ(json["results"][2]["found_fraction"], 1.0) << "an oracle that heeds no border finds every source";
-  EXPECT_GE(json["results"][2]["path_over_straight"], 1.0);
-  EXPECT_EQ(std::ranges::count(content(folder / "a.csv"), '\n'), 4);
-  EXPECT_EQ(content(folder / "a.svg").substr(0, 5), "<?xml");
-  EXPECT_NE(content(folder / "out").find("us/decision"), std::string::npos);
-}
-
-TEST_F(Programs, EvaluateWritesTheMarginOfItsStartsInPlaceOfTheirRegion) {
-  ASSERT_EQ(run("evaluate --policies random --episodes 3 --start-margin-m 5000 --json \u00E4.json"), 0) << content(folder / "err");
-  const auto json = nlohmann::json::parse(content(folder / "\u00E4.json"));
-  EXPECT_EQ(json["start_margin_m"], 5'000.0);
-  EXPECT_FALSE(json.contains("start"));
-}
-
-TEST_F(Programs, EvaluateFliesTheSameStartsForEveryPolicyInEveryOrder) {
-  ASSERT_EQ(run("evaluate --policies oracle,gradient --episodes 40 --csv a.csv"), 0);
-  ASSERT_EQ(run("evaluate --policies gradient,oracle --episodes 40 --csv b.csv"), 0);
-  const auto lines_of = [&](const char* file) {
-    std::istringstream stream(content(folder / file));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    std::ranges::sort(lines);
-    return lines;
-  };
-  EXPECT_EQ(lines_of("a.csv"), lines_of("b.csv"));
-}
-
-TEST_F(Programs, EvaluateSearchesInWorldsWithTheirOwnSeeds) {
-  const std::string worlds = kSource + "/policy/worlds/";
-  ASSERT_EQ(run("evaluate --policies oracle --episodes 20 --world " + worlds + "noisy_4db.toml " + worlds + "hilly.toml --json a.json"), 0)
-      << content(folder / "err");
-  const auto json = nlohmann::json::parse(content(folder / "a.json"));
-  EXPECT_EQ(json["worlds"][0]["seed"], 1002);
-  ASSERT_EQ(json["results"].size(), 2U);
-  EXPECT_EQ(json["results"][1]["world"], "hilly");
-  EXPECT_GT(json["results"][1]["mean_detections"], 0.0);
-}
-
-TEST_F(Programs, EvaluateWritesTheSameBytesFromTwoRanks) {
-  if (std::string(EARSHOT_MPIEXEC).empty()) GTEST_SKIP() << "built without MPI";
-  const std::string words = "evaluate --policies shipped,bayes,random --episodes 31 --world " + kSource + "/policy/worlds/noisy_4db.toml";
-  // As root runs it in containers; --oversubscribe where there is one core.
-  const std::string launcher = std::string(EARSHOT_MPIEXEC) + " --allow-run-as-root --oversubscribe -n 2 ";
-  ASSERT_EQ(run(words + " --json one.json --csv one.csv"), 0) << content(folder / "err");
-  ASSERT_EQ(run(words + " --json two.json --csv two.csv", launcher), 0) << content(folder / "err");
-  EXPECT_EQ(content(folder / "one.json"), content(folder / "two.json"));
-  EXPECT_EQ(content(folder / "one.csv"), content(folder / "two.csv"));
-  EXPECT_NE(run("evaluate --policies swordfish", launcher), 0);
-  // Only rank 0 writes; that it cannot must end the others too.
-  EXPECT_NE(run("evaluate --policies random --episodes 31 --json nowhere/two.json", launcher), 0);
 }
 
 TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
@@ -482,21 +334,6 @@ TEST_F(Programs, FreezeRefusesModelsItCannotBeSureOfInOneLine) {
   refuses_model(models + "memory.zip --search bad.json", {"memory.zip", "--search"});
 }
 
-TEST_F(Programs, EvaluateNamesTheShippedPolicyWhenItIsMissingRatherThanTakeAnother) {
-  fs::create_directories(folder / "bin");  // an installation
-  const fs::path frozen = folder / "share/earshot/policy/frozen";
-  fs::create_directories(frozen);
-  fs::copy_file(kShipped, frozen / "fixed_source.policy");
-  fs::copy_file(EARSHOT_BIN_DIR "/earshot-evaluate", folder / "bin/earshot-evaluate");
-  const std::string command =
-      "cd '" + folder.string() + "' && bin/earshot-evaluate --policies shipped --episodes 1" + kOcean + " >out 2>err";
-  const int status = std::system(command.c_str());  // NOLINT: our own program
-  EXPECT_EQ(WEXITSTATUS(status), 2);
-  const std::string said = content(folder / "err");
-  EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
-  EXPECT_NE(said.find("shipped.policy: the policy that ships is not there"), std::string::npos) << said;
-}
-
 TEST_F(Programs, HelpExplainsItselfAndEndsWell) {
   for (const std::string verb : {"train", "evaluate", "freeze"}) {
     EXPECT_EQ(run(verb + " --help"), 0);
@@ -505,3 +342,4 @@ TEST_F(Programs, HelpExplainsItselfAndEndsWell) {
 }
 
 }  // namespace
+}  // namespace earshot::apps

@@ -1,0 +1,143 @@
+// earshot evaluate as a person meets it.
+#include <sys/stat.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/policy/apps/programs.hpp"
+
+namespace earshot::apps {
+namespace {
+
+TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
+  std::string bytes = content(kFixedSource);
+  std::ofstream(folder / "short.policy", std::ios::binary) << bytes.substr(0, 1'000);
+  bytes[500] = static_cast<char>(bytes[500] ^ 4);
+  std::ofstream(folder / "flipped.policy", std::ios::binary) << bytes;
+  refuses("evaluate none.policy" + kOcean, {"none.policy", "no such file"});
+  refuses("evaluate flipped.policy" + kOcean, {"flipped.policy", "CRC-32"});
+  refuses("evaluate short.policy" + kOcean, {"short.policy"});
+  refuses("evaluate --episodes 3", {"no policy"});
+  refuses("evaluate --policies bayes,swordfish", {"swordfish", "bayes_infogain"});
+  refuses("evaluate --policies oracle --environment none.toml", {"none.toml", "no such file"});
+  refuses("evaluate --policies oracle --world none.toml", {"none.toml", "no such file"});
+  refuses("evaluate --policies oracle --plot a.gif", {"a.gif", ".png or .svg"});
+  refuses("evaluate --policies oracle --csv a --json a", {"--json a, --csv a", "the same file"});
+  refuses("evaluate --policies oracle --world \xC0\xAF.toml", {"the command line holds bytes that are not UTF-8"});
+  std::ofstream(folder / "bad.toml") << "name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"" << kSource
+                                     << "/sim/ocean/environments/munk_flat.toml\"\n[conditions]\nfluctuation_db = -1.0\n";
+  refuses("evaluate --policies oracle --world bad.toml", {"bad.toml:6", "fluctuation_db", "at least 0"});
+  refuses("evaluate " + kFixedSource + kOcean + " --episodes 0", {"--episodes", "0"});
+  refuses("evaluate " + kFixedSource + kOcean + " --json nowhere/a.json", {"nowhere/a.json", "cannot be written"});
+}
+
+TEST_F(Programs, EvaluateLeavesAPipe) {
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  refuses("evaluate --policies oracle --episodes 1 --force --csv pipe", {"pipe: cannot be written: it is a pipe"});
+  EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
+}
+
+TEST_F(Programs, EvaluateNeedsNothingButTheNamesOfPolicies) {
+  ASSERT_EQ(run("evaluate --policies shipped,bayes,oracle --episodes 30 --json a.json --csv a.csv --plot a.svg"), 0)
+      << content(folder / "err");
+  const auto json = nlohmann::json::parse(content(folder / "a.json"));
+  EXPECT_EQ(json["source"], "changing");
+  EXPECT_EQ(json["start"], "inside_border");
+  EXPECT_FALSE(json.contains("start_margin_m"));
+  ASSERT_EQ(json["results"].size(), 3U);
+  EXPECT_EQ(json["results"][0]["policy"], "shipped");
+  EXPECT_EQ(json["results"][2]["found_fraction"], 1.0) << "an oracle that heeds no border finds every source";
+  EXPECT_GE(json["results"][2]["path_over_straight"], 1.0);
+  EXPECT_EQ(std::ranges::count(content(folder / "a.csv"), '\n'), 4);
+  EXPECT_EQ(content(folder / "a.svg").substr(0, 5), "<?xml");
+  EXPECT_NE(content(folder / "out").find("us/decision"), std::string::npos);
+}
+
+TEST_F(Programs, EvaluateWritesTheMarginOfItsStartsInPlaceOfTheirRegion) {
+  ASSERT_EQ(run("evaluate --policies random --episodes 3 --start-margin-m 5000 --json \u00E4.json"), 0) << content(folder / "err");
+  const auto json = nlohmann::json::parse(content(folder / "\u00E4.json"));
+  EXPECT_EQ(json["start_margin_m"], 5'000.0);
+  EXPECT_FALSE(json.contains("start"));
+}
+
+TEST_F(Programs, EvaluateFliesTheSameStartsForEveryPolicyInEveryOrder) {
+  ASSERT_EQ(run("evaluate --policies oracle,gradient --episodes 40 --csv a.csv"), 0);
+  ASSERT_EQ(run("evaluate --policies gradient,oracle --episodes 40 --csv b.csv"), 0);
+  const auto lines_of = [&](const char* file) {
+    std::istringstream stream(content(folder / file));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    std::ranges::sort(lines);
+    return lines;
+  };
+  EXPECT_EQ(lines_of("a.csv"), lines_of("b.csv"));
+}
+
+TEST_F(Programs, EvaluateSearchesInWorldsWithTheirOwnSeeds) {
+  const std::string worlds = kSource + "/policy/worlds/";
+  ASSERT_EQ(run("evaluate --policies oracle --episodes 20 --world " + worlds + "noisy_4db.toml " + worlds + "hilly.toml --json a.json"), 0)
+      << content(folder / "err");
+  const auto json = nlohmann::json::parse(content(folder / "a.json"));
+  EXPECT_EQ(json["worlds"][0]["seed"], 1002);
+  ASSERT_EQ(json["results"].size(), 2U);
+  EXPECT_EQ(json["results"][1]["world"], "hilly");
+  EXPECT_GT(json["results"][1]["mean_detections"], 0.0);
+}
+
+TEST_F(Programs, EvaluateWritesTheSameBytesFromTwoRanks) {
+  if (std::string(EARSHOT_MPIEXEC).empty()) GTEST_SKIP() << "built without MPI";
+  const std::string words = "evaluate --policies shipped,bayes,random --episodes 31 --world " + kSource + "/policy/worlds/noisy_4db.toml";
+  // As root runs it in containers; --oversubscribe where there is one core.
+  const std::string launcher = std::string(EARSHOT_MPIEXEC) + " --allow-run-as-root --oversubscribe -n 2 ";
+  ASSERT_EQ(run(words + " --json one.json --csv one.csv"), 0) << content(folder / "err");
+  ASSERT_EQ(run(words + " --json two.json --csv two.csv", launcher), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "one.json"), content(folder / "two.json"));
+  EXPECT_EQ(content(folder / "one.csv"), content(folder / "two.csv"));
+  EXPECT_NE(run("evaluate --policies swordfish", launcher), 0);
+  // Only rank 0 writes; that it cannot must end the others too.
+  EXPECT_NE(run("evaluate --policies random --episodes 31 --json nowhere/two.json", launcher), 0);
+}
+
+TEST_F(Programs, EvaluateNamesTheShippedPolicyWhenItIsMissingRatherThanTakeAnother) {
+  fs::create_directories(folder / "bin");  // an installation
+  const fs::path frozen = folder / "share/earshot/policy/frozen";
+  fs::create_directories(frozen);
+  fs::copy_file(kFixedSource, frozen / "fixed_source.policy");
+  fs::copy_file(EARSHOT_BIN_DIR "/earshot-evaluate", folder / "bin/earshot-evaluate");
+  const std::string command =
+      "cd '" + folder.string() + "' && bin/earshot-evaluate --policies shipped --episodes 1" + kOcean + " >out 2>err";
+  const int status = std::system(command.c_str());  // NOLINT: our own program
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  const std::string said = content(folder / "err");
+  EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+  EXPECT_NE(said.find("shipped.policy: the policy that ships is not there"), std::string::npos) << said;
+}
+
+TEST_F(Programs, EvaluateSearchesForTheSourceThatAPolicyWasTrainedWith) {
+  // Of a changing source it finds one in ten.
+  ASSERT_EQ(run("evaluate " + kFixedSource + " --episodes 40 --json fixed.json"), 0) << content(folder / "err");
+  const auto fixed = nlohmann::json::parse(content(folder / "fixed.json"));
+  EXPECT_EQ(fixed["source"], "fixed");
+  EXPECT_GT(fixed["results"][0]["found_fraction"], 0.9);
+  EXPECT_EQ(content(folder / "out").find("source fixed at 10000 m north, 10000 m east (as " + kFixedSource + " was trained)"), 0U);
+  EXPECT_EQ(content(folder / "err"), "");
+  ASSERT_EQ(run("evaluate --policies shipped --episodes 1 --json changing.json"), 0) << content(folder / "err");
+  EXPECT_EQ(nlohmann::json::parse(content(folder / "changing.json"))["source"], "changing");
+}
+
+TEST_F(Programs, EvaluateWarnsWhenToldToTestAnotherSourceThanAPolicyWasTrainedWith) {
+  ASSERT_EQ(run("evaluate " + kFixedSource + " --source changing --episodes 1"), 0);
+  EXPECT_NE(content(folder / "err").find(kFixedSource + " was trained with a fixed source and is tested with a changing one"),
+            std::string::npos)
+      << content(folder / "err");
+}
+
+TEST_F(Programs, EvaluateAsksWhichSourceIsMeantWhenPoliciesWereTrainedWithBothKinds) {
+  refuses("evaluate --policies shipped," + kFixedSource,
+          {"shipped was trained with a changing source", kFixedSource + " with a fixed one", "--source"});
+}
+
+}  // namespace
+}  // namespace earshot::apps
