@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/apps/world_options.hpp"
@@ -94,6 +95,14 @@ Contestant contestant_named(const std::string& name) {
   return {name, evaluate::load_policy(name)};
 }
 
+/// For --verbose.
+void tell_of(const Contestant& contestant) {
+  if (contestant.learned)
+    apps::tell_of_policy(contestant.name, *contestant.learned);
+  else
+    program::detail() << contestant.name << ": goes by what is expected to be heard\n";
+}
+
 std::vector<Contestant> contestants_of(const Options& o) {
   std::vector<Contestant> contestants;
   for (const auto* names : {&o.files, &o.policies}) {
@@ -177,6 +186,8 @@ struct Arena {
 
 std::vector<evaluate::Flight> fly_share(const Contestant& contestant, const Arena& arena, const parallel::Ranks& ranks,
                                         evaluate::PathTable* paths) {
+  std::optional<program::ProgressBar> bar;
+  if (ranks.rank() == 0) bar.emplace(arena.world.name + ", " + contestant.name);
   search::SearchSettings settings = arena.settings;
   if (contestant.learned) settings.direction_count = contestant.learned->actions.size();
   search::SearchWorld world(settings, arena.soundscape, arena.world.environment.conditions);
@@ -188,9 +199,10 @@ std::vector<evaluate::Flight> fly_share(const Contestant& contestant, const Aren
   } else {
     searcher = baselines::make_baseline(contestant.name, briefing);
   }
-  evaluate::Watcher watcher;
-  if (paths != nullptr)
-    watcher = [&](std::size_t number, const search::Episode& episode) { paths->add(arena.world.name, contestant.name, number, episode); };
+  const evaluate::Watcher watcher = [&](std::size_t number, const search::Episode& episode) {
+    if (bar) bar->update(static_cast<double>(number) / static_cast<double>(arena.episodes));
+    if (paths != nullptr) paths->add(arena.world.name, contestant.name, number, episode);
+  };
   return evaluate::fly(*searcher, world, {.end = arena.episodes, .first = ranks.rank(), .stride = ranks.size()}, arena.world.seed, watcher);
 }
 
@@ -309,7 +321,12 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
     if (speaks) check_files(o);
   });
   warn_of_another_source(contestants, settings.placement);
-  if (speaks) program::say() << what_is_searched(o, settings, contestants);
+  if (speaks) {
+    for (const Contestant& c : contestants) tell_of(c);
+    program::detail() << environment_file.string() << ": " << environment.name << "; the vehicle " << depth.value << " m deep\n"
+                      << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
+    program::say() << what_is_searched(o, settings, contestants);
+  }
   const sonar::SnrCurve expected = apps::curve_for(environment, depth, settings);
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = apps::draw_named(*o.draw);

@@ -1,8 +1,9 @@
 // earshot-explain: what a policy does, and why it did it.
 
-#include <iostream>
+#include <ostream>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/program/talk.hpp"
 #include "policy/apps/explain_map.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/report/explanation.hpp"
@@ -27,10 +28,10 @@ struct DecisionOptions {
 program::CommandLine& add_map(program::CommandLine& line, apps::ExplainMapOptions& o) {
   program::CommandLine& map = line.verb("map", "draws where a policy goes all over its area, beside what is heard there");
   map.option("POLICY", &o.policy, "frozen policy (.policy)").required();
-  map.option(
-      "--source", &o.source,
-      "NORTH_M,EAST_M of a source, from the south-west corner of the policy's area: the policy's choice at each place or, where that hangs "
-      "on what it has heard before, its paths from starts all over the area");
+  map.option("--source", &o.source,
+             "NORTH_M,EAST_M of a source (metres; 10km,10km is the same as 10000,10000), from the south-west corner of the policy's area: "
+             "the policy's choice at each place or, where that hangs "
+             "on what it has heard before, its paths from starts all over the area");
   map.option("--flight", &o.flight,
              "folder of a flight with this policy, instead of --source: its choice anywhere with what it believed at --step");
   map.option("--step", &o.step, "step of the flight").shows_default();
@@ -83,11 +84,14 @@ void write_sheet(const DecisionOptions& o) {
   report::RecordingOptions recording{.policy = o.policy, .south_west = std::nullopt};
   if (o.south_west) recording.south_west = apps::north_east_of("--south-west", *o.south_west);
   const report::RecordedFlight flight = report::open_recording(o.flight, recording);
+  apps::tell_of_policy(flight.policy_path.string(), *flight.policy);
+  program::detail() << flight.journal_path.string() << ": " << flight.journal.decisions.size()
+                    << " decisions, each as the policy makes it again\n";
   const report::Sheet sheet = report::make_sheet(flight, report::index_of_step(flight, o.step),
                                                  o.baseline == "here" ? explain::Baseline::kHere : explain::Baseline::kCentre);
   host::write_whole(o.output, in_format_of(o.output, sheet));
-  for (const std::string& sentence : report::sentences(sheet.account)) std::cout << sentence << "\n";
-  std::cout << "Integrated gradients: " << report::completeness_in_words(sheet.account.attribution) << ".\n";
+  for (const std::string& sentence : report::sentences(sheet.account)) program::say() << sentence << "\n";
+  program::say() << "Integrated gradients: " << report::completeness_in_words(sheet.account.attribution) << ".\n";
 }
 
 }  // namespace

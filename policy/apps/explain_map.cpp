@@ -1,9 +1,11 @@
 #include "policy/apps/explain_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/program/talk.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/apps/world_options.hpp"
 #include "policy/evaluate/policy_file.hpp"
@@ -18,6 +20,22 @@ namespace earshot::apps {
 namespace {
 
 using config_file::BadInput;
+
+struct Length {
+  Meters length;
+  bool has_unit;
+};
+
+/// "10000", "10000m" or "10km".
+std::optional<Length> length_in(std::string text) {
+  const auto ends = [&text](std::string_view unit) { return text.ends_with(unit); };
+  const double scale = ends("km") ? 1000.0 : 1.0;
+  const std::size_t unit = ends("km") ? 2 : ends("m") ? 1 : 0;
+  text.resize(text.size() - unit);
+  const std::optional<double> number = program::finite_number(text);
+  if (!number) return std::nullopt;
+  return Length{Meters{scale * *number}, unit > 0};
+}
 
 /// What the policy itself takes for granted, where nobody says otherwise.
 sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const ExplainMapOptions& options) {
@@ -94,12 +112,20 @@ void draw_for_flight(const policy::FrozenPolicy& policy, const ExplainMapOptions
 }  // namespace
 
 NorthEast north_east_of(const std::string& option, const std::string& text) {
-  NorthEast place;
-  char rest = 0;
-  const bool is_read = std::sscanf(text.c_str(), "%lf,%lf%c", &place.north.value, &place.east.value, &rest) == 2;
-  if (!is_read || !std::isfinite(place.north.value) || !std::isfinite(place.east.value))
-    throw BadInput(option + " " + text + ": two numbers are needed, metres north and metres east, such as 10000,10000");
-  return place;
+  const std::size_t comma = text.find(',');
+  const std::optional<Length> north = length_in(text.substr(0, comma));
+  const std::optional<Length> east = comma == std::string::npos ? std::nullopt : length_in(text.substr(comma + 1));
+  if (!north || !east)
+    throw BadInput(option + " " + text + ": two lengths are needed, metres north and metres east, such as 10000,10000 or 10km,10km");
+  constexpr double kLooksLikeKilometres = 100.0;
+  const NorthEast place{north->length, east->length};
+  const double further = std::max(std::abs(place.north.value), std::abs(place.east.value));
+  if (north->has_unit || east->has_unit || further == 0.0 || further >= kLooksLikeKilometres) return place;
+  char meant[160];
+  (void)std::snprintf(meant, sizeof meant, "metres are meant: did you mean %.10g,%.10g (or %.10gkm,%.10gkm)? If not, write %.10gm,%.10gm",
+                      1000.0 * place.north.value, 1000.0 * place.east.value, place.north.value, place.east.value, place.north.value,
+                      place.east.value);
+  throw BadInput(option + " " + text + ": " + meant);
 }
 
 void draw_explanation_map(const ExplainMapOptions& options) {
@@ -108,10 +134,12 @@ void draw_explanation_map(const ExplainMapOptions& options) {
   const std::unique_ptr<policy::FrozenPolicy> policy = evaluate::load_policy(options.policy);
   if (options.source.has_value() == options.flight.has_value())
     throw BadInput("earshot explain map: one of --source NORTH_M,EAST_M and --flight DIR is needed");
+  tell_of_policy(options.policy.string(), *policy);
   if (options.source)
     draw_for_source(*policy, options);
   else
     draw_for_flight(*policy, options);
+  program::say() << options.output.string() << ": " << heard_in(options) << "\n";
 }
 
 }  // namespace earshot::apps

@@ -1,11 +1,12 @@
 #include "policy/freeze/freeze.hpp"
 
 #include <array>
-#include <iostream>
 #include <optional>
+#include <ostream>
 
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/program/talk.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/freeze/keys.hpp"
@@ -61,7 +62,7 @@ freeze::SecretKey new_key(const std::filesystem::path& file) {
   const freeze::SecretKey key = freeze::make_key();
   host::write_whole(file, to_text(key), host::Access::kOwnerOnly);
   host::write_whole(public_file, freeze::to_text(freeze::public_key_of(key)));
-  std::cout << file.string() << " (secret: keep it), " << public_file.string() << "\n";
+  program::say() << file.string() << " (secret: keep it), " << public_file.string() << "\n";
   return key;
 }
 
@@ -110,8 +111,10 @@ void run(const Options& options) {
   if (!options.model) return;
   const std::vector<std::uint8_t> bytes = freeze::sign(*policy, key);
   host::write_whole(*options.output, std::string(bytes.begin(), bytes.end()));
-  std::cout << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " observations, "
-            << policy->actions.size() << " actions, " << options.draw << "\n";
+  apps::tell_of_policy(*options.model, *policy);
+  program::detail() << options.key << ": signed with it; a vehicle trusts " << public_file_of(options.key).string() << "\n";
+  program::say() << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " observations, "
+                 << policy->actions.size() << " actions, " << options.draw << "\n";
 }
 
 }  // namespace

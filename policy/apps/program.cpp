@@ -4,9 +4,12 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/run.hpp"
+#include "firmware/host/program/talk.hpp"
 #include "sim/sonar/gnuplot.hpp"
 
 namespace earshot::apps {
@@ -83,6 +86,15 @@ void check_distinct(std::span<const Output> files) {
 void require_writable(std::span<const Output> files, host::Replace replace) {
   check_distinct(files);
   for (const Output& file : files) host::require_writable(file.path, file.kind, replace);
+}
+
+void tell_of_policy(const std::string& name, const policy::FrozenPolicy& policy) {
+  std::ostream& out = program::detail();
+  out << host::printable(name) << ": " << policy.observation.spec.size() << " observations, " << policy.actions.size()
+      << " actions, steps of " << policy.step_length.value << " m in " << policy.area_size.north.value << " m x "
+      << policy.area_size.east.value << " m\n";
+  std::istringstream provenance(std::string(policy.provenance.begin(), policy.provenance.end()));
+  for (std::string line; std::getline(provenance, line);) out << "  " << host::printable(line) << "\n";
 }
 
 bool is_utf8(std::string_view text) {

@@ -10,6 +10,7 @@
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/program/command_line.hpp"
 #include "firmware/policy/action_draw.hpp"
+#include "firmware/policy/frozen_policy.hpp"
 #include "sim/parallel/rank_session.hpp"
 
 namespace earshot::apps {
@@ -39,6 +40,9 @@ void check_distinct(std::span<const Output> files);
 
 /// The same, and throws now rather than after minutes of work when one of them cannot be written later: see host::require_writable.
 void require_writable(std::span<const Output> files, host::Replace replace);
+
+/// With --verbose: what a policy sees and does, and its provenance line by line.
+void tell_of_policy(const std::string& name, const policy::FrozenPolicy& policy);
 
 /// Whether JSON can hold it.
 [[nodiscard]] bool is_utf8(std::string_view text);

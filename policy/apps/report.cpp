@@ -7,6 +7,7 @@
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/exit_status.hpp"
+#include "firmware/host/program/talk.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/report/flight_files.hpp"
@@ -33,6 +34,9 @@ int write_report(const std::filesystem::path& folder, host::Replace replace) try
   if (flight.is_complete()) pictures = {.map = report::map_svg(flight), .history = report::history_svg(flight)};
   host::require_writable(page, host::kHtmlOutput, replace);
   host::write_whole(page, report::page(flight, pictures, report::explain_flight(folder)));
+  program::detail() << page.string() << "\n"
+                    << folder.string() << ": " << flight.journal.decisions.size() << " decisions in " << flight.journal.records
+                    << " records of the journal, " << flight.track.size() << " rows of track.csv, " << flight.snr.size() << " of snr.csv\n";
   return say_what_is_missing(folder, flight);
 } catch (const nlohmann::json::exception& e) {
   throw config_file::BadInput((folder / "summary.json").string() + ": " + description::to_string(e));

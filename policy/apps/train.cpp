@@ -42,6 +42,18 @@ void run_all(const Trainings& trainings, std::size_t threads, apps::TrainingProg
                          [](std::size_t) {});
 }
 
+/// For --verbose.
+void tell_settings(const Trainings& trainings, std::size_t threads, std::size_t ranks) {
+  program::detail() << trainings.size() << (trainings.size() == 1 ? " training, " : " trainings, ") << std::min(threads, trainings.size())
+                    << " at a time, " << ranks << (ranks == 1 ? " process\n" : " processes\n");
+  for (const auto& training : trainings) {
+    const apps::TrainingJob& job = training->job();
+    program::detail() << job.output.string() << ", " << job.curve.string() << ", " << job.updates.string()
+                      << ":\n  environment = " << training->run_settings().environment.string() << "\n";
+    for (const auto& [name, value] : ppo::describe(training->run_settings())) program::detail() << "  " << name << " = " << value << "\n";
+  }
+}
+
 void print_summary(const Trainings& trainings, double seconds) {
   std::vector<double> medians;
   std::vector<double> found;
@@ -87,10 +99,12 @@ void train(const apps::TrainOptions& options, const std::vector<std::string>& ar
   Trainings trainings;
   session.all_or_none<BadInput>([&] { trainings = prepare(options, arguments, session.ranks()); });
 
+  const std::size_t threads = options.threads.value_or(parallel::available_processors());
+  if (speaks) tell_settings(trainings, threads, session.ranks().size());
   apps::TrainingProgress progress(trainings.size(), speaks && program::talk() != program::Talk::kQuiet
                                                         ? apps::TrainingProgress::Voice::kSpeaks
                                                         : apps::TrainingProgress::Voice::kSilent);
-  run_all(trainings, options.threads.value_or(parallel::available_processors()), progress);
+  run_all(trainings, threads, progress);
   if (!speaks) return;
   progress.finish();
   if (options.plot) {

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "sim/apps/field_modes.hpp"
-#include "sim/apps/progress_bar.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 #include "sim/sonar/detection.hpp"
@@ -54,7 +54,7 @@ void print_check(const ocean::Environment& environment, const sonar::RadialPlan&
   const int bearings = sonar::differs_with_place(environment) ? 4 : 1;
   std::vector<sonar::GridCheck> checks;
   {
-    ProgressBar bar("check");
+    program::ProgressBar bar("check");
     for (int i = 0; i < bearings; ++i)
       checks.push_back(sonar::check_grid(environment, environment.source.position, Radians{0.5 * std::numbers::pi * i}, plan,
                                          [&bar, i, bearings](double f) { bar.update((i + f) / bearings); }));
@@ -95,7 +95,7 @@ void write_fan(const FieldArguments& arguments) {
   require_water(environment, plan);
 
   const sonar::Fan fan = [&] {
-    ProgressBar bar("radials");
+    program::ProgressBar bar("radials");
     return sonar::compute_fan(environment, source, plan, arguments.threads.value_or(parallel::available_processors()),
                               [&bar](double fraction) { bar.update(fraction); });
   }();

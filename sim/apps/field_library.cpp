@@ -2,9 +2,9 @@
 #include <ostream>
 
 #include "firmware/host/file/output_file.hpp"
+#include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "sim/apps/field_modes.hpp"
-#include "sim/apps/progress_bar.hpp"
 #include "sim/sonar/library.hpp"
 #include "sim/sonar/library_plan.hpp"
 
@@ -36,7 +36,7 @@ void write_library(const FieldArguments& arguments, parallel::RankSession& sessi
 
   const std::size_t threads = arguments.threads.value_or(session.processors());
   const auto summary = [&] {
-    ProgressBar bar("library");
+    program::ProgressBar bar("library");
     return sonar::write_library(host::followed(arguments.output), *plan, threads, session.ranks(),
                                 [&bar](double fraction) { bar.update(fraction); });
   }();

@@ -5,9 +5,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "sim/apps/field_modes.hpp"
-#include "sim/apps/progress_bar.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/sonar/field_file.hpp"
 #include "sim/sonar/field_plot.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 void print_check(const ocean::Environment& environment, Radians bearing, const sonar::RadialPlan& plan) {
   const auto check = [&] {
-    ProgressBar bar("check");
+    program::ProgressBar bar("check");
     return sonar::check_grid(environment, environment.source.position, bearing, plan, [&bar](double f) { bar.update(f); });
   }();
   program::say() << "check:   absorber thicker, grid of " << check.depth_step.value << " m x " << check.range_step.value << " m halved at "
@@ -56,7 +56,7 @@ void write_radial(const FieldArguments& arguments) {
   require_water(environment, bearing, plan.range_step);
 
   const auto field = [&] {
-    ProgressBar bar("field");
+    program::ProgressBar bar("field");
     return sonar::compute_sonar_field(environment, bearing, plan, [&bar](double fraction) { bar.update(fraction); });
   }();
   sonar::write_field(arguments.output, field, environment, bearing, plan.band, arguments.history);

@@ -243,6 +243,21 @@ std::vector<std::string> CommandLine::given() const {
   return names;
 }
 
+std::string CommandLine::settings() const {
+  std::string lines;
+  for (const CLI::Option* option : app_->get_options()) {
+    if (is_general(option->get_name())) continue;
+    if (option->count() > 0)
+      lines += "  " + option->get_name() + " " + joined(option->results(), " ") + "\n";
+    else if (!option->get_default_str().empty())
+      lines += "  " + option->get_name() + " " + option->get_default_str() + " (default)\n";
+  }
+  for (const std::unique_ptr<CommandLine>& verb : verbs_) {
+    if (verb->is_chosen()) lines += "  " + verb->name() + "\n" + verb->settings();
+  }
+  return lines;
+}
+
 Talk CommandLine::talk() const {
   if (quiet_) return Talk::kQuiet;
   return verbose_ ? Talk::kVerbose : Talk::kNormal;

@@ -87,6 +87,8 @@ class CommandLine {
 
   /// The options that were given, by their long names, those that every program has apart.
   [[nodiscard]] std::vector<std::string> given() const;
+  /// The options that were given or have a default, those of the chosen verb too, a line each: "  --terms 8 (default)".
+  [[nodiscard]] std::string settings() const;
   [[nodiscard]] Talk talk() const;
   [[nodiscard]] std::string name() const;
 

@@ -1,5 +1,6 @@
 #include "firmware/host/program/run.hpp"
 
+#include <chrono>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -23,7 +24,11 @@ int run(CommandLine& line, int argc, char** argv, const std::function<int()>& wo
       std::cout << *answer;
     } else {
       set_talk(line.talk());
-      if (const int status = work(); status != kDone) return status;
+      detail() << version_line(line.name()) << "\n" << line.settings();
+      const auto began = std::chrono::steady_clock::now();
+      const int status = work();
+      detail() << line.name() << ": took " << std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() << " s\n";
+      if (status != kDone) return status;
     }
     if (is_all_printed()) return kDone;
     std::cerr << line.name() << ": standard output cannot be written\n";

@@ -1,6 +1,9 @@
 // earshot evaluate as a person meets it.
+#include <pty.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -125,6 +128,28 @@ TEST_F(Programs, EvaluateSearchesForTheSourceThatAPolicyWasTrainedWith) {
   EXPECT_EQ(content(folder / "err"), "");
   ASSERT_EQ(run("evaluate --policies shipped --episodes 1 --json changing.json"), 0) << content(folder / "err");
   EXPECT_EQ(nlohmann::json::parse(content(folder / "changing.json"))["source"], "changing");
+}
+
+TEST_F(Programs, EvaluateShowsOnATerminalHowFarItIs) {
+  int terminal = -1;
+  const pid_t id = forkpty(&terminal, nullptr, nullptr, nullptr);
+  ASSERT_GE(id, 0);
+  if (id == 0) {
+    execl(EARSHOT_BIN_DIR "/earshot-evaluate", "earshot-evaluate", "--policies", "bayes", "--episodes", "1000000", nullptr);
+    _exit(127);
+  }
+  std::string shown;
+  char some[256];
+  // The first bar comes after a second of work that takes minutes.
+  while (shown.find("munk_flat, bayes [.....") == std::string::npos) {
+    const ssize_t count = read(terminal, some, sizeof some);
+    if (count <= 0) break;
+    shown.append(some, static_cast<std::size_t>(count));
+  }
+  kill(id, SIGKILL);
+  waitpid(id, nullptr, 0);
+  close(terminal);
+  EXPECT_NE(shown.find("munk_flat, bayes [....."), std::string::npos) << shown;
 }
 
 TEST_F(Programs, EvaluateWarnsWhenToldToTestAnotherSourceThanAPolicyWasTrainedWith) {

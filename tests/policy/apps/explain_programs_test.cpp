@@ -89,11 +89,41 @@ TEST_F(ExplainPrograms, RefuseWhatTheyCannotExplainWithOneLine) {
   refuses("explain map flight/journal.policy --source 1 -o a.png", {"--source 1", "metres north"});
   refuses("explain map flight/journal.policy --source 1e300,1e300 -o a.png", {"--source 1e300,1e300", "0,0 to 25000,25000 m"});
   refuses("explain map flight/journal.policy --source 10000,25001 -o a.png", {"--source 10000,25001", "outside the policy's area"});
-  refuses("explain map flight/journal.policy --source=-1,0 -o a.png", {"--source -1,0", "outside the policy's area"});
+  refuses("explain map flight/journal.policy --source=-100,0 -o a.png", {"--source -100,0", "outside the policy's area"});
   refuses("explain map flight/journal.policy --source 0,0 --world flight/snr.csv -o a.png", {"snr.csv"});
   refuses("explain map flight/journal.policy --source 0,0 --environment flight/snr.csv -o a.png", {"snr.csv"});
   refuses("explain map flight/journal.policy --source 0,0 -o a.pdf", {"a.pdf", ".png"});
   refuses("explain map nothing.policy --source 0,0 -o a.png", {"nothing.policy", "no such file"});
+}
+
+TEST_F(ExplainPrograms, TakePlacesInMetresOrWithAUnitAndAskWhetherKilometresWereMeant) {
+  const std::string map = "explain map flight/journal.policy --arrows 4 -o ";
+  refuses(map + "a.svg --source 10,10",
+          {"--source 10,10: metres are meant: did you mean 10000,10000 (or 10km,10km)? If not, write 10m,10m"});
+  refuses(map + "a.svg --source 99.5,-3", {"did you mean 99500,-3000"});
+  refuses("explain decision flight --step 1 --south-west 12.5,3 -o a.html", {"--south-west 12.5,3: metres are meant"});
+  refuses(map + "a.svg --source 10mm,10", {"--source 10mm,10: two lengths are needed"});
+  refuses(map + "a.svg --source 10km10km", {"two lengths are needed"});
+  refuses(map + "a.svg --source 10nmi,10nmi", {"two lengths are needed"});
+  ASSERT_EQ(run(map + "metres.svg --source 10000,10000"), 0) << content("err");
+  ASSERT_EQ(run(map + "kilometres.svg --source 10km,10km"), 0) << content("err");
+  EXPECT_EQ(content("metres.svg"), content("kilometres.svg"));
+  EXPECT_EQ(run(map + "corner.svg --source 10m,10m"), 0) << content("err");
+  EXPECT_EQ(run(map + "corner.svg --source 0,0"), 0) << content("err");
+}
+
+TEST_F(ExplainPrograms, SayNothingWithQuietAndMoreWithVerbose) {
+  for (const std::string words : {"explain decision flight --step 2 -o sheet.html",
+                                  "explain map flight/journal.policy --source 10000,10000 --arrows 4 -o a.svg", "report flight"}) {
+    ASSERT_EQ(run(words + " --quiet"), 0) << content("err");
+    EXPECT_EQ(content("out") + content("err"), "") << words;
+    ASSERT_EQ(run(words), 0) << content("err");
+    const std::string said = content("out") + content("err");
+    ASSERT_EQ(run(words + " --verbose"), 0) << content("err");
+    EXPECT_GT((content("out") + content("err")).size(), said.size()) << words;
+    const std::string file = words.starts_with("report") ? "flight: 4 decisions" : "flight/journal.policy: ";
+    EXPECT_NE(content("err").find(file), std::string::npos) << content("err");
+  }
 }
 
 TEST_F(ExplainPrograms, RefuseAFlightWithAnSnrCurveThatStandsStill) {

@@ -334,6 +334,31 @@ TEST_F(Programs, FreezeRefusesModelsItCannotBeSureOfInOneLine) {
   refuses_model(models + "memory.zip --search bad.json", {"memory.zip", "--search"});
 }
 
+TEST_F(Programs, SayNothingWithQuietAndMoreWithVerbose) {
+  struct Case {
+    std::string words;
+    std::vector<std::string> only_verbose;
+  };
+  const std::vector<Case> cases{
+      {"train" + kOcean + " --steps 2048 -o a.checkpoint",
+       {"1 training, 1 at a time, 1 process", "munk_flat.toml", "learning_rate = 0.0003"}},
+      {"freeze a.checkpoint -o a.policy --key a.key", {"source = fixed", "a vehicle trusts a.pub", "--draw sampled (default)"}},
+      {"evaluate a.policy --policies oracle --episodes 3", {"source = fixed", "munk_flat.toml", "--policies oracle", "took "}}};
+  ASSERT_EQ(run("freeze --key a.key --new-key --quiet"), 0);
+  EXPECT_EQ(content(folder / "out") + content(folder / "err"), "");
+  for (const Case& c : cases) {
+    ASSERT_EQ(run(c.words + " --quiet"), 0) << content(folder / "err");
+    EXPECT_EQ(content(folder / "out") + content(folder / "err"), "") << c.words;
+    ASSERT_EQ(run(c.words), 0) << content(folder / "err");
+    const std::string said = content(folder / "out") + content(folder / "err");
+    ASSERT_EQ(run(c.words + " --verbose"), 0) << content(folder / "err");
+    for (const std::string& part : c.only_verbose) {
+      EXPECT_EQ(said.find(part), std::string::npos) << part;
+      EXPECT_NE(content(folder / "err").find(part), std::string::npos) << part << " is not in: " << content(folder / "err");
+    }
+  }
+}
+
 TEST_F(Programs, HelpExplainsItselfAndEndsWell) {
   for (const std::string verb : {"train", "evaluate", "freeze"}) {
     EXPECT_EQ(run(verb + " --help"), 0);

@@ -118,6 +118,19 @@ TEST(CommandLine, AnswersHelpAndVersion) {
   for (const char* part : {"Tries.", "--seed", "--quiet", "--verbose", "--version"}) EXPECT_NE(help.find(part), std::string::npos) << part;
 }
 
+TEST(CommandLine, SettingsAreWhatWasGivenAndTheDefaultsThatHelpShows) {
+  Example e;
+  EXPECT_EQ(e.line.read(Words{"a", "--band-hz", "10", "30", "--verbose"}), std::nullopt);
+  EXPECT_EQ(e.line.settings(), "  FILE a\n  --seed 1 (default)\n  --band-hz 10 30\n");
+  CommandLine program("earshot try", "Tries.");
+  double depth_m = 300.0;
+  CommandLine& verb = program.verb("map", "draws");
+  verb.option("--depth-m", &depth_m, "depth").shows_default();
+  program.verb("sheet", "writes").option("--step", &e.seed, "step").shows_default();
+  EXPECT_EQ(program.read(Words{"map"}), std::nullopt);
+  EXPECT_EQ(program.settings(), "  map\n  --depth-m 300 (default)\n");
+}
+
 TEST(CommandLine, TellsHowMuchIsToBeSaid) {
   Example normal;
   Example quiet;

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-namespace earshot::apps {
+namespace earshot::program {
 
 /// A bar with the time left on standard error, when that is a terminal and the work takes longer than a second; else silence.
 class ProgressBar {
@@ -24,4 +24,4 @@ class ProgressBar {
   bool drawn_ = false;
 };
 
-}  // namespace earshot::apps
+}  // namespace earshot::program

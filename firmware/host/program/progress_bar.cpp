@@ -1,4 +1,4 @@
-#include "sim/apps/progress_bar.hpp"
+#include "firmware/host/program/progress_bar.hpp"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 
 #include "firmware/host/program/talk.hpp"
 
-namespace earshot::apps {
+namespace earshot::program {
 
 using namespace std::chrono_literals;
 
@@ -20,8 +20,9 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::update(double fraction) {
+  if (!terminal_) return;
   const auto now = std::chrono::steady_clock::now();
-  if (!terminal_ || now - start_ < 1s || now - last_drawn_ < 100ms || !(fraction > 0.0)) return;
+  if (now - start_ < 1s || now - last_drawn_ < 100ms || !(fraction > 0.0)) return;
   constexpr double kWidth = 30.0;
   const auto filled = static_cast<std::size_t>(kWidth * fraction);
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
@@ -33,4 +34,4 @@ void ProgressBar::update(double fraction) {
   drawn_ = true;
 }
 
-}  // namespace earshot::apps
+}  // namespace earshot::program
