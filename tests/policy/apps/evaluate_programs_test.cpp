@@ -135,12 +135,13 @@ TEST_F(Programs, EvaluateShowsOnATerminalHowFarItIs) {
   const pid_t id = forkpty(&terminal, nullptr, nullptr, nullptr);
   ASSERT_GE(id, 0);
   if (id == 0) {
+    alarm(30);
     execl(EARSHOT_BIN_DIR "/earshot-evaluate", "earshot-evaluate", "--policies", "bayes", "--episodes", "1000000", nullptr);
     _exit(127);
   }
   std::string shown;
   char some[256];
-  // The first bar comes after a second of work that takes minutes.
+  // The first bar comes after a second of work that takes minutes; a program without one is ended by its alarm.
   while (shown.find("munk_flat, bayes [.....") == std::string::npos) {
     const ssize_t count = read(terminal, some, sizeof some);
     if (count <= 0) break;
