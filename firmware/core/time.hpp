@@ -26,4 +26,10 @@ struct Time {
   friend constexpr Time operator+(Time a, Duration d) { return {a.us + d.us}; }
 };
 
+/// Whether a date that a sender gave, any number at all, is not negative and no further than `most` from `now`, before or after.
+/// @param now  not negative
+[[nodiscard]] constexpr bool lies_within(Time date, Time now, Duration most) {
+  return date.us >= 0 && date - now <= most && now - date <= most;
+}
+
 }  // namespace earshot

@@ -8,6 +8,7 @@
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/messages/belief_summary.hpp"
 #include "firmware/policy/heard.hpp"
 
 namespace earshot::policy {
@@ -48,15 +49,6 @@ struct BeliefModel {
 /// 10 km, step and border 1 m to 1000 km, area 1 m to 10 000 km. @param model  of a valid shape
 [[nodiscard]] bool has_valid_numbers(const BeliefModel& model);
 
-/// The belief in a few numbers. Places are relative to the area's south-west corner.
-struct BeliefSummary {
-  NorthEast likeliest;  ///< centre of the likeliest cell
-  NorthEast mean;
-  Meters spread;                 ///< root mean square distance from the mean
-  float likeliest_share = 0.0F;  ///< probability of the likeliest cell
-  float effective_cells = 0.0F;  ///< one over the sum of squared probabilities: how many cells the belief is spread over
-};
-
 /// What one action promises, under the belief.
 struct ActionOutlook {
   float found = 0.0F;  ///< probability that its end lies within step_length of the source
@@ -86,7 +78,8 @@ class Belief {
   /// Takes in what was heard at `position` (relative to the area's south-west corner), where the source was not within step_length.
   void update(const BeliefModel& model, NorthEast position, Heard heard);
 
-  [[nodiscard]] const BeliefSummary& summary() const { return summary_; }
+  /// Places are relative to the area's south-west corner.
+  [[nodiscard]] const messages::BeliefSummary& summary() const { return summary_; }
   /// @param action  below the number of the model's actions
   [[nodiscard]] const ActionOutlook& outlook(std::size_t action) const { return outlooks_[action]; }
   /// Probability that the source lies in a cell, counted from the south and from the west.
@@ -115,7 +108,7 @@ class Belief {
   std::array<float, config::kMaxBeliefRanges> detected_;       ///< probability of a detection at that range
   Cell priors_;                                                ///< of the hypotheses
   Cell hypothesis_shares_;
-  BeliefSummary summary_;
+  messages::BeliefSummary summary_;
   std::array<ActionOutlook, config::kMaxActions> outlooks_;
 };
 

@@ -90,7 +90,7 @@ double SearchMemory::raw(const ObservationModel& model, const ObservationElement
 }
 
 double SearchMemory::of_belief(const BeliefModel& model, const ObservationElement& element) const {
-  const BeliefSummary& summary = belief_.summary();
+  const messages::BeliefSummary& summary = belief_.summary();
   const ActionOutlook& outlook = belief_.outlook(element.age);
   switch (element.feature) {
     case Feature::kLikeliestEast:

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <span>
+#include <variant>
 
 #include "firmware/core/math.hpp"
 #include "firmware/detector/threshold_detector.hpp"
@@ -12,20 +13,20 @@
 namespace earshot::runtime {
 namespace {
 
-bool is_finite_navigation(const Navigation& navigation) {
-  return is_finite(navigation.position.north.value) && is_finite(navigation.position.east.value) && is_finite(navigation.depth.value) &&
-         is_finite(navigation.heading.value) && is_finite(navigation.speed.value);
-}
+using messages::CommandOutcome;
+using messages::EndReason;
+using messages::MissionState;
+using messages::Order;
 
 /// Far beyond anything an ocean does, far within what the observation's floats hold; NaN is not possible either.
 bool is_possible(Decibels snr) {
   return snr >= Decibels{-1000.0} && snr <= Decibels{1000.0};
 }
 
-/// Whether a message dated `time` may follow one dated `last`. One from further ahead than the timeout is refused: its sender's clock is
-/// wrong, and it would pass for fresh long after the sender fell silent.
-bool is_in_order(Time time, Time last, Time now, Duration timeout) {
-  return time.us >= 0 && time >= last && time - now <= timeout;
+/// Whether a message dated `time` may follow one dated `last`. One dated long before its arrival is a recording or comes from a stalled
+/// queue; one from far ahead would pass for fresh long after its sender fell silent.
+bool is_in_order(Time time, Time last, Time arrival, Duration timeout) {
+  return time >= last && lies_within(time, arrival, timeout);
 }
 
 bool fits(const config::Mission& mission, const policy::FrozenPolicy& policy) {
@@ -48,13 +49,6 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
   return Status::kOk;
 }
 
-Outputs Runtime::step(Time now, const Inputs& inputs) {
-  if (inputs.navigation) take(now, *inputs.navigation);
-  if (inputs.snr) take(now, *inputs.snr);
-  if (inputs.command) take(now, *inputs.command);
-  return step(now);
-}
-
 Outputs Runtime::step(Time now) {
   assert(now.us >= 0);
   Outputs outputs;
@@ -62,42 +56,76 @@ Outputs Runtime::step(Time now) {
     begin_search(now);
   if (progress_.state == MissionState::kSearch) search(now, outputs);
   outputs.setpoint = setpoint();
-  outputs.state = progress_.state;
-  outputs.end_reason = progress_.end_reason;
-  outputs.steps_taken = progress_.steps_taken;
-  outputs.counters = progress_.counters;
+  outputs.acknowledgements = progress_.acknowledgements;
+  progress_.acknowledgements.clear();
+  outputs.health = health();
   return outputs;
 }
 
-void Runtime::take(Time now, const Navigation& navigation) {
+void Runtime::take(const messages::Input& input) {
+  assert(input.port < config::kMaxPorts);
+  if (const auto* navigation = std::get_if<messages::Navigation>(&input.value)) take(input.arrival, *navigation);
+  if (const auto* measurement = std::get_if<messages::SnrMeasurement>(&input.value)) take(input.arrival, *measurement);
+  if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) take_command(input.arrival, input.port, *command);
+  if (const auto* report = std::get_if<messages::PortReport>(&input.value)) take(*report);
+}
+
+void Runtime::take(Time arrival, const messages::Navigation& navigation) {
   const Time last = progress_.navigation ? progress_.navigation->time : Time{};
-  if (is_finite_navigation(navigation) && is_in_order(navigation.time, last, now, mission_.navigation_timeout)) {
+  if (is_finite(navigation) && is_in_order(navigation.time, last, arrival, mission_.navigation_timeout)) {
     progress_.navigation = navigation;
   } else {
     ++progress_.counters.navigation_refused;
   }
 }
 
-void Runtime::take(Time now, const SnrEstimate& estimate) {
+void Runtime::take(Time arrival, const messages::SnrMeasurement& measurement) {
   const Time last = progress_.snr ? progress_.snr->time : Time{};
-  if (is_possible(estimate.snr) && is_in_order(estimate.time, last, now, mission_.snr_timeout)) {
-    progress_.snr = estimate;
+  if (is_possible(measurement.snr) && is_in_order(measurement.time, last, arrival, mission_.snr_timeout)) {
+    progress_.snr = measurement;
   } else {
     ++progress_.counters.snr_refused;
   }
 }
 
-void Runtime::take(Time /*now*/, OperatorCommand command) {
-  if (command == OperatorCommand::kAbort) {
-    if (progress_.state != MissionState::kAbort) end(MissionState::kAbort, EndReason::kOperatorAbort);
-  } else if (command == OperatorCommand::kStart && progress_.state == MissionState::kStandby && configured_) {
+void Runtime::take(const messages::PortReport& report) {
+  for (messages::PortReport& known : progress_.ports) {
+    if (known.port == report.port) {
+      known = report;
+      return;
+    }
+  }
+  static_cast<void>(progress_.ports.push_back(report));  // a report of a port that cannot be: there is room for each that can
+}
+
+void Runtime::take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {
+  CommandOutcome outcome = progress_.judge.judge(arrival, command);
+  if (outcome == CommandOutcome::kObeyed) outcome = obey(command.order);
+  if (outcome != CommandOutcome::kObeyed && outcome != CommandOutcome::kRepeated) ++progress_.counters.commands_refused;
+  static_cast<void>(progress_.acknowledgements.push_back({.time = arrival,
+                                                          .port = port,
+                                                          .issuer = command.issuer,
+                                                          .number = command.number,
+                                                          .order = command.order,
+                                                          .outcome = outcome}));  // when full the sender asks again
+}
+
+CommandOutcome Runtime::obey(Order order) {
+  if (order == Order::kAbort) {
+    if (progress_.state == MissionState::kAbort) return CommandOutcome::kRepeated;
+    end(MissionState::kAbort, EndReason::kOperatorAbort);
+    return CommandOutcome::kObeyed;
+  }
+  if (!configured_) return CommandOutcome::kNotConfigured;
+  const MissionState needed = order == Order::kStart ? MissionState::kStandby : MissionState::kSearch;
+  if (progress_.state != needed) return CommandOutcome::kNotInThisState;
+  if (order == Order::kStart) {
     progress_.start_wanted = true;
-  } else if (command == OperatorCommand::kComplete && progress_.state == MissionState::kSearch) {
+  } else {
     if (progress_.leg.length().value > 0.0) ++progress_.steps_taken;  // the step under way ends where the source is
     end(MissionState::kDone, EndReason::kCompleted);
-  } else {
-    ++progress_.counters.commands_refused;
   }
+  return CommandOutcome::kObeyed;
 }
 
 void Runtime::end(MissionState state, EndReason reason) {
@@ -126,11 +154,11 @@ NorthEast Runtime::place_in_area() const {
 }
 
 policy::Heard Runtime::heard() const {
-  return {.snr = progress_.snr->snr, .measured = progress_.snr->measured};
+  return {.snr = progress_.snr->snr, .measured = !progress_.snr->too_faint};
 }
 
-policy::BeliefSummary Runtime::belief() const {
-  policy::BeliefSummary summary = memory_.belief().summary();
+messages::BeliefSummary Runtime::belief() const {
+  messages::BeliefSummary summary = memory_.belief().summary();
   summary.likeliest = summary.likeliest + mission_.operating_area.south_west;
   summary.mean = summary.mean + mission_.operating_area.south_west;
   return summary;
@@ -154,7 +182,7 @@ void Runtime::search(Time now, Outputs& outputs) {
   decide(now, outputs.decision.emplace());
 }
 
-void Runtime::decide(Time now, Decision& decision) {
+void Runtime::decide(Time now, messages::Decision& decision) {
   const NorthEast position = progress_.navigation->position;
   const std::span<float> observation = std::span(decision.observation).first(policy_.observation.spec.size());
   const std::span<float> logits = std::span(decision.logits).first(policy_.actions.size());
@@ -169,8 +197,8 @@ void Runtime::decide(Time now, Decision& decision) {
   decision.time = now;
   decision.position = position;
   decision.snr = progress_.snr->snr;
-  decision.measured = progress_.snr->measured;
-  decision.detected = decision.measured && detector::ThresholdDetector{mission_.detection_threshold}.detects(decision.snr);
+  decision.too_faint = progress_.snr->too_faint;
+  decision.detected = !decision.too_faint && detector::ThresholdDetector{mission_.detection_threshold}.detects(decision.snr);
   decision.action = static_cast<std::uint8_t>(action);
   decision.overridden = safe.overridden;
   decision.waypoint = safe.waypoint;
@@ -179,17 +207,26 @@ void Runtime::decide(Time now, Decision& decision) {
   decision.action_count = static_cast<std::uint8_t>(logits.size());
 }
 
-Setpoint Runtime::setpoint() {
+std::optional<messages::Setpoint> Runtime::setpoint() {
+  if (progress_.state == MissionState::kStandby) return std::nullopt;
   if (!progress_.navigation) return safety::surface({});
   const safety::Pose pose{.position = progress_.navigation->position, .heading = progress_.navigation->heading};
   if (progress_.state != MissionState::kSearch) return safety::surface(pose);
-  const Setpoint wanted{.heading = progress_.leg.heading_to_steer(pose.position),
-                        .speed = mission_.search_speed,
-                        .depth = mission_.search_depth,
-                        .waypoint = progress_.leg.waypoint()};
+  const messages::Setpoint wanted{.heading = progress_.leg.heading_to_steer(pose.position),
+                                  .speed = mission_.search_speed,
+                                  .depth = mission_.search_depth,
+                                  .waypoint = progress_.leg.waypoint()};
   const safety::SafeSetpoint safe = safety::safe_setpoint(mission_, pose, wanted);
   if (safe.limited) ++progress_.counters.setpoints_limited;
   return safe.setpoint;
+}
+
+messages::Health Runtime::health() const {
+  return {.state = progress_.state,
+          .end_reason = progress_.end_reason,
+          .steps_taken = progress_.steps_taken,
+          .counters = progress_.counters,
+          .ports = progress_.ports};
 }
 
 }  // namespace earshot::runtime

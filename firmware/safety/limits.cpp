@@ -42,17 +42,17 @@ SafeWaypoint safe_waypoint(const config::Mission& mission, NorthEast position, N
   return {.waypoint = goes_on ? allowed : inwards(mission, position), .overridden = true};
 }
 
-SafeSetpoint safe_setpoint(const config::Mission& mission, const Pose& pose, const guidance::Setpoint& wanted) {
+SafeSetpoint safe_setpoint(const config::Mission& mission, const Pose& pose, const messages::Setpoint& wanted) {
   const bool finite =
       is_finite(wanted.heading.value) && is_finite(wanted.speed.value) && is_finite(wanted.depth.value) && is_finite_place(wanted.waypoint);
   if (!finite) return {.setpoint = surface(pose), .limited = true};
-  guidance::Setpoint allowed = wanted;
+  messages::Setpoint allowed = wanted;
   allowed.depth = std::clamp(wanted.depth, Meters{0.0}, mission.max_depth);
   allowed.speed = std::clamp(wanted.speed, MetersPerSecond{0.0}, mission.search_speed);
   return {.setpoint = allowed, .limited = !(allowed == wanted)};
 }
 
-guidance::Setpoint surface(const Pose& pose) {
+messages::Setpoint surface(const Pose& pose) {
   return {.heading = wrap_to_pi(pose.heading), .speed = MetersPerSecond{0.0}, .depth = Meters{0.0}, .waypoint = pose.position};
 }
 

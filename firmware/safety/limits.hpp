@@ -3,7 +3,7 @@
 #include "firmware/config/mission.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
-#include "firmware/guidance/setpoint.hpp"
+#include "firmware/messages/setpoint.hpp"
 
 namespace earshot::safety {
 
@@ -27,14 +27,14 @@ struct SafeWaypoint {
 [[nodiscard]] SafeWaypoint safe_waypoint(const config::Mission& mission, NorthEast position, NorthEast wanted);
 
 struct SafeSetpoint {
-  guidance::Setpoint setpoint;
+  messages::Setpoint setpoint;
   bool limited = false;  ///< it is not the one guidance wanted
 };
 
 /// Depth kept within [0, max_depth] and speed within [0, search_speed]; surface() if anything is not finite.
-[[nodiscard]] SafeSetpoint safe_setpoint(const config::Mission& mission, const Pose& pose, const guidance::Setpoint& wanted);
+[[nodiscard]] SafeSetpoint safe_setpoint(const config::Mission& mission, const Pose& pose, const messages::Setpoint& wanted);
 
 /// Stop and come up: no speed, no depth, heading and place kept. What the vehicle is told before and after a search, and on ABORT.
-[[nodiscard]] guidance::Setpoint surface(const Pose& pose);
+[[nodiscard]] messages::Setpoint surface(const Pose& pose);
 
 }  // namespace earshot::safety

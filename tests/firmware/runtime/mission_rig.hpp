@@ -13,6 +13,10 @@
 
 namespace earshot::runtime {
 
+using messages::EndReason;
+using messages::MissionState;
+using messages::Order;
+
 inline NorthEast at(double north, double east) {
   return {.north = Meters{north}, .east = Meters{east}};
 }
@@ -82,39 +86,72 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_believes() {
   return policy;
 }
 
+/// The first command of a ground station: good for as long as anybody may want it.
+inline messages::OperatorCommand command_of(Order order, Time time, std::uint32_t number = 1) {
+  return {.time = time, .expiry = time + Duration::seconds(3600), .issuer = 1, .number = number, .order = order};
+}
+
+/// What arrives in one turn, where it is at most one of each kind.
+struct Arriving {
+  std::optional<messages::Navigation> navigation = std::nullopt;
+  std::optional<messages::SnrMeasurement> snr = std::nullopt;
+  std::optional<Order> order = std::nullopt;
+};
+
 /// A runtime and a vehicle that does at once what it is told: 1 Hz navigation and SNR, no current, no turning circle.
 struct Rig {
   explicit Rig(const policy::FrozenPolicy& policy, const config::Mission& mission = paper_mission()) {
     configured = runtime->configure(mission, policy);
   }
 
-  /// One second passes; `inputs` is what arrives at its end.
-  const Outputs& step(const Inputs& inputs) {
+  /// One second passes; `arriving` is what arrives at its end.
+  const Outputs& step(const Arriving& arriving) {
     now = now + Duration::seconds(1);
-    outputs = runtime->step(now, inputs);
+    return step_again(arriving);
+  }
+
+  /// Another turn at the same moment.
+  const Outputs& step_again(const Arriving& arriving) {
+    if (arriving.navigation) take(*arriving.navigation);
+    if (arriving.snr) take(*arriving.snr);
+    if (arriving.order) give(*arriving.order);
+    outputs = runtime->step(now);
+    if (outputs.setpoint) setpoint = *outputs.setpoint;
     return outputs;
   }
 
+  template <class Value>
+  void take(const Value& value) {
+    runtime->take({.arrival = now, .port = 0, .sequence = sequence++, .value = value});
+  }
+
+  /// A new command of the one ground station.
+  void give(Order order) { take(command_of(order, now, ++commands)); }
+
+  [[nodiscard]] MissionState state() const { return outputs.health.state; }
+  [[nodiscard]] EndReason end_reason() const { return outputs.health.end_reason; }
+  [[nodiscard]] const messages::Counters& counters() const { return outputs.health.counters; }
+
   /// One second passes with navigation and SNR as they should be.
-  const Outputs& sail(std::optional<OperatorCommand> command = std::nullopt) {
-    heading = outputs.setpoint.heading;
-    const double distance = outputs.setpoint.speed.value;
+  const Outputs& sail(std::optional<Order> order = std::nullopt) {
+    heading = setpoint.heading;
+    const double distance = setpoint.speed.value;
     position = position + at(distance * std::cos(heading.value), distance * std::sin(heading.value));
-    depth = outputs.setpoint.depth;
+    depth = setpoint.depth;
     const Time measured = now + Duration::seconds(1);
-    return step({.navigation = navigation_at(measured), .snr = SnrEstimate{.time = measured, .snr = snr}, .command = command});
+    return step({.navigation = navigation_at(measured), .snr = messages::SnrMeasurement{.time = measured, .snr = snr}, .order = order});
   }
 
   /// Sails until the next decision; fails by its caller's expectations when the search ends before.
   const Outputs& sail_to_decision() {
     do {
       sail();
-    } while (outputs.state == MissionState::kSearch && !outputs.decision);
+    } while (state() == MissionState::kSearch && !outputs.decision);
     return outputs;
   }
 
-  [[nodiscard]] Navigation navigation_at(Time time) const {
-    return {.time = time, .position = position, .depth = depth, .heading = heading, .speed = outputs.setpoint.speed};
+  [[nodiscard]] messages::Navigation navigation_at(Time time) const {
+    return {.time = time, .position = position, .depth = depth, .heading = heading, .speed = setpoint.speed};
   }
 
   std::unique_ptr<Runtime> runtime = std::make_unique<Runtime>();
@@ -125,6 +162,9 @@ struct Rig {
   Radians heading{0.25};
   Decibels snr{12};
   Outputs outputs;
+  messages::Setpoint setpoint;  ///< the last that was sent; before the first: stop at the surface
+  std::uint32_t sequence = 0;
+  std::uint32_t commands = 0;
 };
 
 }  // namespace earshot::runtime

@@ -13,24 +13,24 @@ namespace {
 // Whole missions, as a vehicle may meet them: GIVEN a search under way, WHEN something happens, THEN it ends as it should.
 
 void expect_surfacing(const Rig& rig) {
-  EXPECT_EQ(rig.outputs.setpoint.speed, MetersPerSecond{0});
-  EXPECT_EQ(rig.outputs.setpoint.depth, Meters{0});
-  EXPECT_EQ(rig.outputs.setpoint.heading, rig.heading);
+  EXPECT_EQ(rig.setpoint.speed, MetersPerSecond{0});
+  EXPECT_EQ(rig.setpoint.depth, Meters{0});
+  EXPECT_EQ(rig.setpoint.heading, rig.heading);
 }
 
 Rig given_a_search_under_way(std::size_t action = kNorthward) {
   Rig rig(*policy_that_goes(action));
-  rig.sail(OperatorCommand::kStart);
+  rig.sail(Order::kStart);
   for (int i = 0; i < 100; ++i) rig.sail();
-  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
   return rig;
 }
 
 TEST(Mission, EndsDoneWhenTheOperatorSaysTheSourceIsReached) {
   Rig rig = given_a_search_under_way();
-  rig.sail(OperatorCommand::kComplete);
-  EXPECT_EQ(rig.outputs.state, MissionState::kDone);
-  EXPECT_EQ(rig.outputs.end_reason, EndReason::kCompleted);
+  rig.sail(Order::kComplete);
+  EXPECT_EQ(rig.state(), MissionState::kDone);
+  EXPECT_EQ(rig.end_reason(), EndReason::kCompleted);
   expect_surfacing(rig);
 }
 
@@ -38,15 +38,15 @@ TEST(Mission, EndsDoneWhenItsStepsAreUsedUpAndNotOneEarlier) {
   config::Mission mission = paper_mission();
   mission.max_steps = 3;
   Rig rig(*policy_that_goes(kNorthward), mission);
-  rig.sail(OperatorCommand::kStart);
+  rig.sail(Order::kStart);
   rig.sail_to_decision();
   rig.sail_to_decision();
-  EXPECT_EQ(rig.outputs.steps_taken, 2U);
-  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+  EXPECT_EQ(rig.outputs.health.steps_taken, 2U);
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
   rig.sail_to_decision();
-  EXPECT_EQ(rig.outputs.steps_taken, 3U);
-  EXPECT_EQ(rig.outputs.state, MissionState::kDone);
-  EXPECT_EQ(rig.outputs.end_reason, EndReason::kStepsUsedUp);
+  EXPECT_EQ(rig.outputs.health.steps_taken, 3U);
+  EXPECT_EQ(rig.state(), MissionState::kDone);
+  EXPECT_EQ(rig.end_reason(), EndReason::kStepsUsedUp);
   EXPECT_FALSE(rig.outputs.decision);
   expect_surfacing(rig);
 }
@@ -54,24 +54,24 @@ TEST(Mission, EndsDoneWhenItsStepsAreUsedUpAndNotOneEarlier) {
 TEST(Mission, AbortsWhenTheOperatorSaysSoWhateverItIsDoing) {
   for (const bool started : {false, true}) {
     Rig rig(*policy_that_goes(kNorthward));
-    rig.sail(started ? std::optional(OperatorCommand::kStart) : std::nullopt);
-    rig.sail(OperatorCommand::kAbort);
-    EXPECT_EQ(rig.outputs.state, MissionState::kAbort);
-    EXPECT_EQ(rig.outputs.end_reason, EndReason::kOperatorAbort);
+    rig.sail(started ? std::optional(Order::kStart) : std::nullopt);
+    rig.sail(Order::kAbort);
+    EXPECT_EQ(rig.state(), MissionState::kAbort);
+    EXPECT_EQ(rig.end_reason(), EndReason::kOperatorAbort);
     expect_surfacing(rig);
   }
 }
 
 TEST(Mission, AbortsHoweverManyOtherOrdersAreTakenBesideTheAbort) {
-  using enum OperatorCommand;
-  for (const OperatorCommand other : {kStart, kComplete}) {
+  using enum Order;
+  for (const Order other : {kStart, kComplete}) {
     Rig rig(*policy_that_goes(kNorthward));
     rig.sail();
-    for (const OperatorCommand command : {kStart, kAbort, other}) rig.runtime->take(rig.now, command);
+    for (const Order order : {kStart, kAbort, other}) rig.give(order);
     rig.sail();
-    EXPECT_EQ(rig.outputs.state, MissionState::kAbort);
-    EXPECT_EQ(rig.outputs.end_reason, EndReason::kOperatorAbort);
-    EXPECT_EQ(rig.outputs.counters.commands_refused, 1U);
+    EXPECT_EQ(rig.state(), MissionState::kAbort);
+    EXPECT_EQ(rig.end_reason(), EndReason::kOperatorAbort);
+    EXPECT_EQ(rig.counters().commands_refused, 1U);
   }
 }
 
@@ -79,23 +79,23 @@ TEST(Mission, GoesOnWithAGoodFixThoughABadOneIsTakenAfterItInEveryTurn) {
   Rig rig = given_a_search_under_way();
   for (int second = 1; second <= 20; ++second) {
     const Time now = rig.now + Duration::seconds(1);
-    rig.runtime->take(now, rig.navigation_at(now));
-    Navigation bad = rig.navigation_at(now);
+    rig.take(rig.navigation_at(rig.now));
+    messages::Navigation bad = rig.navigation_at(now);
     bad.position.north = Meters{std::nan("")};
-    rig.step({.navigation = bad, .snr = SnrEstimate{.time = now, .snr = rig.snr}});
-    ASSERT_EQ(rig.outputs.state, MissionState::kSearch) << second;
+    rig.step({.navigation = bad, .snr = messages::SnrMeasurement{.time = now, .snr = rig.snr}});
+    ASSERT_EQ(rig.state(), MissionState::kSearch) << second;
   }
-  EXPECT_EQ(rig.outputs.counters.navigation_refused, 20U);
+  EXPECT_EQ(rig.counters().navigation_refused, 20U);
 }
 
 TEST(Mission, AbortsOnceNavigationIsOlderThanItsTimeoutAndNotBefore) {
   Rig rig = given_a_search_under_way();
-  const auto step_without_navigation = [&rig] { rig.step({.snr = SnrEstimate{.time = rig.now, .snr = rig.snr}}); };
+  const auto step_without_navigation = [&rig] { rig.step({.snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}}); };
   for (int second = 1; second <= 5; ++second) step_without_navigation();
-  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
   step_without_navigation();
-  EXPECT_EQ(rig.outputs.state, MissionState::kAbort);
-  EXPECT_EQ(rig.outputs.end_reason, EndReason::kNavigationStale);
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_EQ(rig.end_reason(), EndReason::kNavigationStale);
   expect_surfacing(rig);
 }
 
@@ -103,41 +103,41 @@ TEST(Mission, AbortsWhenNavigationGoesOnSayingNothingButNan) {
   Rig rig = given_a_search_under_way();
   rig.position.north = Meters{std::nan("")};
   for (int second = 1; second <= 6; ++second) {
-    rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = SnrEstimate{.time = rig.now, .snr = rig.snr}});
+    rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
   }
-  EXPECT_EQ(rig.outputs.end_reason, EndReason::kNavigationStale);
-  EXPECT_EQ(rig.outputs.counters.navigation_refused, 6U);
+  EXPECT_EQ(rig.end_reason(), EndReason::kNavigationStale);
+  EXPECT_EQ(rig.counters().navigation_refused, 6U);
 }
 
 TEST(Mission, AbortsOnceTheSnrIsOlderThanItsTimeoutAndNotBefore) {
   Rig rig = given_a_search_under_way();
   const auto step_without_snr = [&rig] { rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1))}); };
   for (int second = 1; second <= 30; ++second) step_without_snr();
-  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
   step_without_snr();
-  EXPECT_EQ(rig.outputs.state, MissionState::kAbort);
-  EXPECT_EQ(rig.outputs.end_reason, EndReason::kSnrStale);
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_EQ(rig.end_reason(), EndReason::kSnrStale);
   expect_surfacing(rig);
 }
 
 TEST(Mission, AbortsWhenACurrentCarriesItOutOfTheOperatingArea) {
   Rig rig = given_a_search_under_way();
   rig.position = at(20000, 12000);  // on the edge, which still belongs to the area
-  rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = SnrEstimate{.time = rig.now, .snr = rig.snr}});
-  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+  rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
   rig.position = at(20000.5, 12000);
-  rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = SnrEstimate{.time = rig.now, .snr = rig.snr}});
-  EXPECT_EQ(rig.outputs.state, MissionState::kAbort);
-  EXPECT_EQ(rig.outputs.end_reason, EndReason::kLeftOperatingArea);
+  rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_EQ(rig.end_reason(), EndReason::kLeftOperatingArea);
   expect_surfacing(rig);
 }
 
 TEST(Mission, AbortsAtOnceWhenStartedOutsideTheOperatingArea) {
   Rig rig(*policy_that_goes(kNorthward));
   rig.position = at(0, 0);  // west of the area
-  rig.sail(OperatorCommand::kStart);
-  EXPECT_EQ(rig.outputs.state, MissionState::kAbort);
-  EXPECT_EQ(rig.outputs.end_reason, EndReason::kLeftOperatingArea);
+  rig.sail(Order::kStart);
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_EQ(rig.end_reason(), EndReason::kLeftOperatingArea);
   EXPECT_FALSE(rig.outputs.decision);
 }
 
@@ -145,34 +145,34 @@ TEST(Mission, AbortsWhenItsTimeIsUsedUpAndNotBefore) {
   config::Mission mission = paper_mission();
   mission.max_time = Duration::seconds(700);
   Rig rig(*policy_that_goes(kNorthward), mission);
-  rig.sail(OperatorCommand::kStart);
+  rig.sail(Order::kStart);
   for (int second = 1; second <= 700; ++second) rig.sail();
-  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
   rig.sail();
-  EXPECT_EQ(rig.outputs.state, MissionState::kAbort);
-  EXPECT_EQ(rig.outputs.end_reason, EndReason::kTimeUsedUp);
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_EQ(rig.end_reason(), EndReason::kTimeUsedUp);
   expect_surfacing(rig);
 }
 
 TEST(Mission, StaysAbortedForTheFirstReasonWhateverComes) {
   Rig rig = given_a_search_under_way();
   for (int second = 1; second <= 40; ++second) rig.step({});
-  ASSERT_EQ(rig.outputs.end_reason, EndReason::kNavigationStale);
-  for (const OperatorCommand command : {OperatorCommand::kStart, OperatorCommand::kComplete, OperatorCommand::kAbort}) {
+  ASSERT_EQ(rig.end_reason(), EndReason::kNavigationStale);
+  for (const Order command : {Order::kStart, Order::kComplete, Order::kAbort}) {
     rig.sail(command);
-    EXPECT_EQ(rig.outputs.state, MissionState::kAbort);
-    EXPECT_EQ(rig.outputs.end_reason, EndReason::kNavigationStale);
+    EXPECT_EQ(rig.state(), MissionState::kAbort);
+    EXPECT_EQ(rig.end_reason(), EndReason::kNavigationStale);
   }
 }
 
 TEST(Mission, IsTurnedBackFromTheEdgeByTheSafetyLayerHoweverLongThePolicyPushes) {
   // GIVEN a policy that only ever goes north
   Rig rig(*policy_that_goes(kNorthward));
-  rig.sail(OperatorCommand::kStart);
+  rig.sail(Order::kStart);
   bool overridden = false;
   int decisions = 1;
   // WHEN it searches until its steps are used up
-  while (rig.sail_to_decision().state == MissionState::kSearch) {
+  while (rig.sail_to_decision().health.state == MissionState::kSearch) {
     overridden = overridden || rig.outputs.decision->overridden;
     ++decisions;
     // THEN the vehicle keeps its margin (with 2 m of overshoot, one second's way), and
@@ -181,22 +181,23 @@ TEST(Mission, IsTurnedBackFromTheEdgeByTheSafetyLayerHoweverLongThePolicyPushes)
   // every step is a real one, at least half a step long, and the overrides are counted.
   EXPECT_TRUE(overridden);
   EXPECT_EQ(decisions, 100);
-  EXPECT_EQ(rig.outputs.end_reason, EndReason::kStepsUsedUp);
+  EXPECT_EQ(rig.end_reason(), EndReason::kStepsUsedUp);
   EXPECT_GE(rig.now - Time{1'000'000'000}, Duration::seconds(100 * 250));
-  EXPECT_GT(rig.outputs.counters.setpoints_limited, 0U);
+  EXPECT_GT(rig.counters().setpoints_limited, 0U);
 }
 
 /// Every field of the outputs, bit by bit.
 void append(std::vector<std::uint64_t>& bits, const Outputs& outputs) {
   const auto add = [&bits](double value) { bits.push_back(std::bit_cast<std::uint64_t>(value)); };
-  bits.push_back(static_cast<std::uint64_t>(outputs.state));
-  bits.push_back(static_cast<std::uint64_t>(outputs.end_reason));
-  bits.push_back(outputs.steps_taken);
-  add(outputs.setpoint.heading.value);
-  add(outputs.setpoint.speed.value);
-  add(outputs.setpoint.depth.value);
-  add(outputs.setpoint.waypoint.north.value);
-  add(outputs.setpoint.waypoint.east.value);
+  bits.push_back(static_cast<std::uint64_t>(outputs.health.state));
+  bits.push_back(static_cast<std::uint64_t>(outputs.health.end_reason));
+  bits.push_back(outputs.health.steps_taken);
+  const messages::Setpoint setpoint = outputs.setpoint.value_or(messages::Setpoint{});
+  add(setpoint.heading.value);
+  add(setpoint.speed.value);
+  add(setpoint.depth.value);
+  add(setpoint.waypoint.north.value);
+  add(setpoint.waypoint.east.value);
   if (!outputs.decision) return;
   for (const float value : outputs.decision->observation) bits.push_back(std::bit_cast<std::uint32_t>(value));
   for (const float value : outputs.decision->logits) bits.push_back(std::bit_cast<std::uint32_t>(value));
@@ -206,12 +207,12 @@ void append(std::vector<std::uint64_t>& bits, const Outputs& outputs) {
 std::vector<std::uint64_t> bits_of_a_whole_mission() {
   std::vector<std::uint64_t> bits;
   Rig rig(*policy_that_wanders());
-  rig.sail(OperatorCommand::kStart);
+  rig.sail(Order::kStart);
   do {
     append(bits, rig.sail());
     rig.snr = Decibels{20.0 - rig.position.north.value * 1e-3};
-  } while (rig.outputs.state == MissionState::kSearch);
-  EXPECT_EQ(rig.outputs.end_reason, EndReason::kStepsUsedUp);
+  } while (rig.state() == MissionState::kSearch);
+  EXPECT_EQ(rig.end_reason(), EndReason::kStepsUsedUp);
   return bits;
 }
 

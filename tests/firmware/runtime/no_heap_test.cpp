@@ -53,12 +53,12 @@ void expect_no_heap_in_a_hundred_steps(const policy::FrozenPolicy& policy) {
   Rig rig(policy);
   trap_is_set = true;
   const Status configured = rig.runtime->configure(paper_mission(), policy);
-  rig.sail(OperatorCommand::kStart);
-  while (rig.sail().state == MissionState::kSearch) {
+  rig.sail(Order::kStart);
+  while (rig.sail().health.state == MissionState::kSearch) {
   }
   trap_is_set = false;
   EXPECT_EQ(configured, Status::kOk);
-  EXPECT_EQ(rig.outputs.steps_taken, 100U);
+  EXPECT_EQ(rig.outputs.health.steps_taken, 100U);
 }
 
 TEST(Runtime, UsesNoHeapFromConfigurationToTheEndOfAHundredSteps) {

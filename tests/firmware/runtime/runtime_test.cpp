@@ -16,7 +16,7 @@ constexpr double kHalfPi = 1.57079632679489661923;
 /// A rig whose search has begun and taken its first decision.
 Rig searching(std::size_t action = kNorthward) {
   Rig rig(*policy_that_goes(action));
-  rig.sail(OperatorCommand::kStart);
+  rig.sail(Order::kStart);
   return rig;
 }
 
@@ -57,50 +57,49 @@ TEST(Configure, RefusesAnEmptyPolicyAndOneWhoseSizesContradictEachOther) {
 TEST(Configure, ForgetsAnEarlierMission) {
   Rig rig = searching();
   ASSERT_EQ(rig.runtime->configure(paper_mission(), *policy_that_goes(kEastward)), Status::kOk);
-  EXPECT_EQ(rig.sail().state, MissionState::kStandby);
-  EXPECT_EQ(rig.sail(OperatorCommand::kStart).decision->action, kEastward);
+  EXPECT_EQ(rig.sail().health.state, MissionState::kStandby);
+  EXPECT_EQ(rig.sail(Order::kStart).decision->action, kEastward);
 }
 
 TEST(Runtime, RefusesToStartBeforeItIsConfigured) {
   Rig rig(*policy_that_goes(kNorthward));
   rig.runtime = std::make_unique<Runtime>();
-  rig.sail(OperatorCommand::kStart);
-  EXPECT_EQ(rig.sail().state, MissionState::kStandby);
-  EXPECT_EQ(rig.outputs.counters.commands_refused, 1U);
+  rig.sail(Order::kStart);
+  EXPECT_EQ(rig.sail().health.state, MissionState::kStandby);
+  EXPECT_EQ(rig.counters().commands_refused, 1U);
 }
 
-TEST(Runtime, WaitsAtTheSurfaceUntilItIsStarted) {
+TEST(Runtime, CommandsNothingUntilItIsStarted) {
   Rig rig(*policy_that_goes(kNorthward));
   for (int i = 0; i < 100; ++i) {
     rig.sail();
-    ASSERT_EQ(rig.outputs.state, MissionState::kStandby);
-    ASSERT_EQ(rig.outputs.setpoint.speed, MetersPerSecond{0});
-    ASSERT_EQ(rig.outputs.setpoint.depth, Meters{0});
+    ASSERT_EQ(rig.state(), MissionState::kStandby);
+    ASSERT_FALSE(rig.outputs.setpoint) << "until the search begins the autopilot is not ours";
     ASSERT_FALSE(rig.outputs.decision);
   }
 }
 
 TEST(Runtime, RemembersTheStartUntilNavigationAndSnrAreThere) {
   Rig rig(*policy_that_goes(kNorthward));
-  EXPECT_EQ(rig.step({.command = OperatorCommand::kStart}).state, MissionState::kStandby);
-  EXPECT_EQ(rig.step({.navigation = rig.navigation_at(rig.now)}).state, MissionState::kStandby);
-  EXPECT_EQ(rig.step({.snr = SnrEstimate{.time = rig.now, .snr = Decibels{0}}}).state, MissionState::kSearch);
+  EXPECT_EQ(rig.step({.order = Order::kStart}).health.state, MissionState::kStandby);
+  EXPECT_EQ(rig.step({.navigation = rig.navigation_at(rig.now)}).health.state, MissionState::kStandby);
+  EXPECT_EQ(rig.step({.snr = messages::SnrMeasurement{.time = rig.now, .snr = Decibels{0}}}).health.state, MissionState::kSearch);
 }
 
 TEST(Runtime, DoesNotStartOnNavigationThatIsStale) {
   Rig rig(*policy_that_goes(kNorthward));
   rig.step({.navigation = rig.navigation_at(rig.now)});
-  for (int i = 0; i < 6; ++i) rig.step({.snr = SnrEstimate{.time = rig.now, .snr = Decibels{0}}});
-  EXPECT_EQ(rig.step({.command = OperatorCommand::kStart}).state, MissionState::kStandby);
-  EXPECT_EQ(rig.sail().state, MissionState::kSearch);
+  for (int i = 0; i < 6; ++i) rig.step({.snr = messages::SnrMeasurement{.time = rig.now, .snr = Decibels{0}}});
+  EXPECT_EQ(rig.step({.order = Order::kStart}).health.state, MissionState::kStandby);
+  EXPECT_EQ(rig.sail().health.state, MissionState::kSearch);
 }
 
 TEST(Runtime, DecidesAtOnceWhenTheSearchBegins) {
   Rig rig(*policy_that_goes(kEastward));
-  rig.sail(OperatorCommand::kStart);
-  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+  rig.sail(Order::kStart);
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
   ASSERT_TRUE(rig.outputs.decision);
-  const Decision& decision = *rig.outputs.decision;
+  const messages::Decision& decision = *rig.outputs.decision;
   EXPECT_EQ(decision.step, 0U);
   EXPECT_EQ(decision.time, rig.now);
   EXPECT_EQ(decision.position, at(7000, 12000));
@@ -123,10 +122,10 @@ TEST(Runtime, ObservesThePlaceRelativeToTheSouthWestCornerOfTheArea) {
 
 TEST(Runtime, CommandsHeadingSpeedDepthAndWaypointOfTheLeg) {
   const Rig rig = searching(kEastward);
-  EXPECT_NEAR(rig.outputs.setpoint.heading.value, kHalfPi, 1e-15);
-  EXPECT_EQ(rig.outputs.setpoint.speed, MetersPerSecond{2});
-  EXPECT_EQ(rig.outputs.setpoint.depth, Meters{300});
-  EXPECT_EQ(rig.outputs.setpoint.waypoint, at(7000, 13000));
+  EXPECT_NEAR(rig.setpoint.heading.value, kHalfPi, 1e-15);
+  EXPECT_EQ(rig.setpoint.speed, MetersPerSecond{2});
+  EXPECT_EQ(rig.setpoint.depth, Meters{300});
+  EXPECT_EQ(rig.setpoint.waypoint, at(7000, 13000));
 }
 
 TEST(Runtime, DecidesAgainAfterOneStepLength) {
@@ -134,7 +133,7 @@ TEST(Runtime, DecidesAgainAfterOneStepLength) {
   const Time began = rig.now;
   rig.snr = Decibels{9};
   rig.sail_to_decision();
-  EXPECT_EQ(rig.outputs.steps_taken, 1U);
+  EXPECT_EQ(rig.outputs.health.steps_taken, 1U);
   EXPECT_EQ(rig.outputs.decision->step, 1U);
   EXPECT_EQ(rig.now - began, Duration::seconds(500));  // 1000 m at 2 m/s
   EXPECT_EQ(rig.outputs.decision->position, at(8000, 12000));
@@ -147,7 +146,7 @@ TEST(Runtime, RemembersStepsAndSnrForAMemoryPolicy) {
   policy->network.observation_size = 6;
   Rig rig(*policy);
   rig.snr = Decibels{40};
-  rig.sail(OperatorCommand::kStart);
+  rig.sail(Order::kStart);
   EXPECT_EQ(rig.outputs.decision->observation[2], 1.0F);  // (40 - 10) / 30
   rig.snr = Decibels{-20};
   rig.sail_to_decision();
@@ -160,20 +159,20 @@ TEST(Runtime, RemembersStepsAndSnrForAMemoryPolicy) {
 TEST(Runtime, TellsWithItsDecisionWhereItBelievesTheSource) {
   Rig rig(*policy_that_believes());
   rig.snr = Decibels{20};
-  rig.sail(OperatorCommand::kStart);
+  rig.sail(Order::kStart);
   ASSERT_TRUE(rig.outputs.decision->belief);
   // The likeliest place lies on the circle of 10 km about the vehicle, in the mission's frame; a cell is 500 m across.
   EXPECT_NEAR(range_between(rig.outputs.decision->belief->likeliest, rig.position).value, 10'000.0, 500.0);
-  EXPECT_FALSE(Rig(*policy_that_goes(kNorthward)).sail(OperatorCommand::kStart).decision->belief) << "a policy that sees none holds none";
+  EXPECT_FALSE(Rig(*policy_that_goes(kNorthward)).sail(Order::kStart).decision->belief) << "a policy that sees none holds none";
 }
 
 TEST(Runtime, TakesASignalTooFaintToMeasureForNoDetectionAndASourceFurtherAway) {
   Rig rig(*policy_that_believes());
   const Time now = rig.now + Duration::seconds(1);
   rig.step({.navigation = rig.navigation_at(now),
-            .snr = SnrEstimate{.time = now, .snr = Decibels{22}, .measured = false},
-            .command = OperatorCommand::kStart});
-  EXPECT_FALSE(rig.outputs.decision->measured);
+            .snr = messages::SnrMeasurement{.time = now, .snr = Decibels{22}, .too_faint = true},
+            .order = Order::kStart});
+  EXPECT_TRUE(rig.outputs.decision->too_faint);
   EXPECT_FALSE(rig.outputs.decision->detected);
   EXPECT_GT(range_between(rig.outputs.decision->belief->likeliest, rig.position).value, 8'000.0);  // 22 dB are heard at 8 km
 }
@@ -181,69 +180,113 @@ TEST(Runtime, TakesASignalTooFaintToMeasureForNoDetectionAndASourceFurtherAway) 
 TEST(Runtime, EndsTheSearchThatBeginsBeyondAnyOcean) {
   Rig rig(*policy_that_believes());
   rig.position = at(1e300, -1e300);
-  rig.sail(OperatorCommand::kStart);
-  EXPECT_EQ(rig.outputs.state, MissionState::kAbort);
-  EXPECT_EQ(rig.outputs.end_reason, EndReason::kLeftOperatingArea);
+  rig.sail(Order::kStart);
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_EQ(rig.end_reason(), EndReason::kLeftOperatingArea);
   EXPECT_FALSE(rig.outputs.decision);
 }
 
 TEST(Runtime, RefusesNavigationThatIsNotFiniteAndKeepsTheLast) {
   Rig rig = searching();
-  const Setpoint before = rig.outputs.setpoint;
+  const messages::Setpoint before = rig.setpoint;
   for (int field = 0; field < 5; ++field) {
-    Navigation bad = rig.navigation_at(rig.now);
+    messages::Navigation bad = rig.navigation_at(rig.now);
     if (field == 0) bad.position.north = Meters{kNan};
     if (field == 1) bad.position.east = Meters{kNan};
     if (field == 2) bad.depth = Meters{kNan};
     if (field == 3) bad.heading = Radians{kNan};
     if (field == 4) bad.speed = MetersPerSecond{kNan};
-    rig.outputs = rig.runtime->step(rig.now, {.navigation = bad});
+    rig.step_again({.navigation = bad});
   }
-  EXPECT_EQ(rig.outputs.counters.navigation_refused, 5U);
-  EXPECT_EQ(rig.outputs.setpoint, before);
-  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+  EXPECT_EQ(rig.counters().navigation_refused, 5U);
+  EXPECT_EQ(rig.setpoint, before);
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
 }
 
 TEST(Runtime, RefusesAnSnrThatNoOceanHas) {
   Rig rig = searching();
   for (const double bad : {kNan, std::numeric_limits<double>::infinity(), 1001.0, -1001.0}) {
-    rig.step({.navigation = rig.navigation_at(rig.now), .snr = SnrEstimate{.time = rig.now, .snr = Decibels{bad}}});
+    rig.step({.navigation = rig.navigation_at(rig.now), .snr = messages::SnrMeasurement{.time = rig.now, .snr = Decibels{bad}}});
   }
-  EXPECT_EQ(rig.outputs.counters.snr_refused, 4U);
+  EXPECT_EQ(rig.counters().snr_refused, 4U);
 }
 
 TEST(Runtime, RefusesWhatIsOlderThanTheLastButTakesItAgain) {
   Rig rig = searching();
   const Time last = rig.now;
-  rig.step({.navigation = rig.navigation_at(last), .snr = SnrEstimate{.time = last, .snr = Decibels{3}}});
-  EXPECT_EQ(rig.outputs.counters.navigation_refused, 0U);
-  EXPECT_EQ(rig.outputs.counters.snr_refused, 0U);
+  rig.step({.navigation = rig.navigation_at(last), .snr = messages::SnrMeasurement{.time = last, .snr = Decibels{3}}});
+  EXPECT_EQ(rig.counters().navigation_refused, 0U);
+  EXPECT_EQ(rig.counters().snr_refused, 0U);
   const Time earlier{last.us - 1};
-  rig.step({.navigation = rig.navigation_at(earlier), .snr = SnrEstimate{.time = earlier, .snr = Decibels{3}}});
-  EXPECT_EQ(rig.outputs.counters.navigation_refused, 1U);
-  EXPECT_EQ(rig.outputs.counters.snr_refused, 1U);
+  rig.step({.navigation = rig.navigation_at(earlier), .snr = messages::SnrMeasurement{.time = earlier, .snr = Decibels{3}}});
+  EXPECT_EQ(rig.counters().navigation_refused, 1U);
+  EXPECT_EQ(rig.counters().snr_refused, 1U);
 }
 
 TEST(Runtime, RefusesTimesNegativeOrFromFurtherAheadThanTheTimeout) {
   Rig rig(*policy_that_goes(kNorthward));
   for (const Time wrong : {Time{-1}, Time{std::numeric_limits<std::int64_t>::min()}, Time{std::numeric_limits<std::int64_t>::max()},
                            rig.now + Duration::seconds(37)}) {
-    rig.step({.navigation = rig.navigation_at(wrong), .snr = SnrEstimate{.time = wrong, .snr = Decibels{3}}});
+    rig.step({.navigation = rig.navigation_at(wrong), .snr = messages::SnrMeasurement{.time = wrong, .snr = Decibels{3}}});
   }
-  EXPECT_EQ(rig.outputs.counters.navigation_refused, 4U);
-  EXPECT_EQ(rig.outputs.counters.snr_refused, 4U);
+  EXPECT_EQ(rig.counters().navigation_refused, 4U);
+  EXPECT_EQ(rig.counters().snr_refused, 4U);
 }
 
 TEST(Runtime, CountsCommandsThatItsStateDoesNotAllow) {
   Rig rig(*policy_that_goes(kNorthward));
-  rig.sail(OperatorCommand::kComplete);
-  EXPECT_EQ(rig.outputs.counters.commands_refused, 1U);
-  rig.sail(OperatorCommand::kStart);
-  rig.sail(OperatorCommand::kStart);
-  EXPECT_EQ(rig.outputs.counters.commands_refused, 2U);
-  rig.sail(static_cast<OperatorCommand>(99));
-  EXPECT_EQ(rig.outputs.counters.commands_refused, 3U);
-  EXPECT_EQ(rig.outputs.state, MissionState::kSearch);
+  rig.sail(Order::kComplete);
+  EXPECT_EQ(rig.counters().commands_refused, 1U);
+  rig.sail(Order::kStart);
+  rig.sail(Order::kStart);
+  EXPECT_EQ(rig.counters().commands_refused, 2U);
+  rig.sail(static_cast<Order>(99));
+  EXPECT_EQ(rig.counters().commands_refused, 3U);
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
+}
+
+TEST(Runtime, AcknowledgesEveryCommandToThePortItCameBy) {
+  Rig rig(*policy_that_goes(kNorthward));
+  rig.runtime->take({.arrival = rig.now, .port = 3, .sequence = 0, .value = command_of(Order::kComplete, rig.now, 41)});
+  rig.runtime->take({.arrival = rig.now, .port = 2, .sequence = 1, .value = command_of(Order::kStart, rig.now, 42)});
+  const Acknowledgements acknowledged = rig.sail().acknowledgements;
+  ASSERT_EQ(acknowledged.size(), 2U);
+  EXPECT_EQ(acknowledged[0].port, 3);
+  EXPECT_EQ(acknowledged[0].number, 41U);
+  EXPECT_EQ(acknowledged[0].outcome, messages::CommandOutcome::kNotInThisState);
+  EXPECT_EQ(acknowledged[1].port, 2);
+  EXPECT_EQ(acknowledged[1].outcome, messages::CommandOutcome::kObeyed);
+  EXPECT_TRUE(rig.sail().acknowledgements.empty()) << "once each";
+}
+
+TEST(Runtime, DoesNotStartOnACommandOutOfAnOldRecording) {
+  Rig rig(*policy_that_goes(kNorthward));
+  rig.take(command_of(Order::kStart, rig.now + Duration::seconds(-3600)));
+  rig.sail();
+  EXPECT_EQ(rig.sail().health.state, MissionState::kStandby);
+  EXPECT_EQ(rig.counters().commands_refused, 1U);
+}
+
+TEST(Runtime, RefusesAStreamWhoseDatesAreOldHoweverSteadilyItRunsOn) {
+  Rig rig(*policy_that_goes(kNorthward));
+  for (int second = 0; second < 100; ++second) {
+    const Time old = rig.now + Duration::seconds(-3600);
+    rig.step({.navigation = rig.navigation_at(old), .snr = messages::SnrMeasurement{.time = old, .snr = Decibels{12}}, .order = Order::kStart});
+  }
+  EXPECT_EQ(rig.state(), MissionState::kStandby);
+  EXPECT_EQ(rig.counters().navigation_refused, 100U);
+  EXPECT_EQ(rig.counters().snr_refused, 100U);
+}
+
+TEST(Runtime, TellsTheNewestReportOfEveryPort) {
+  Rig rig(*policy_that_goes(kNorthward));
+  rig.take(messages::PortReport{.port = 0, .received = 5});
+  rig.take(messages::PortReport{.port = 1, .link_up = false, .lost = 2});
+  rig.take(messages::PortReport{.port = 0, .received = 9});
+  const messages::Health health = rig.sail().health;
+  ASSERT_EQ(health.ports.size(), 2U);
+  EXPECT_EQ(health.ports[0], (messages::PortReport{.port = 0, .received = 9}));
+  EXPECT_EQ(health.ports[1], (messages::PortReport{.port = 1, .link_up = false, .lost = 2}));
 }
 
 TEST(Runtime, DrawsItsActionsFromTheMissionsSeed) {
@@ -251,7 +294,7 @@ TEST(Runtime, DrawsItsActionsFromTheMissionsSeed) {
     config::Mission mission = paper_mission();
     mission.action_seed = seed;
     Rig rig(*policy_that_wanders(), mission);
-    rig.sail(OperatorCommand::kStart);
+    rig.sail(Order::kStart);
     std::vector<int> actions;
     for (int i = 0; i < 12; ++i) {
       actions.push_back(rig.outputs.decision->action);

@@ -33,7 +33,7 @@ config::Mission mission() {
 }
 
 const Pose kPose{.position = at(5000, 5000), .heading = Radians{1.0}};
-const guidance::Setpoint kWanted{.heading = Radians{0.5}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = at(6000, 5000)};
+const messages::Setpoint kWanted{.heading = Radians{0.5}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = at(6000, 5000)};
 
 TEST(SafeWaypoint, LeavesAWaypointInsideTheMarginsAlone) {
   const SafeWaypoint safe = safe_waypoint(mission(), at(8600, 5000), at(9500, 5000));
@@ -85,7 +85,7 @@ TEST(SafeSetpoint, LeavesASetpointWithinItsLimitsAlone) {
 }
 
 TEST(SafeSetpoint, KeepsDepthAndSpeedWithinTheirLimits) {
-  guidance::Setpoint wanted = kWanted;
+  messages::Setpoint wanted = kWanted;
   wanted.depth = Meters{351};
   wanted.speed = MetersPerSecond{2.1};
   SafeSetpoint safe = safe_setpoint(mission(), kPose, wanted);
@@ -103,7 +103,7 @@ TEST(SafeSetpoint, KeepsDepthAndSpeedWithinTheirLimits) {
 TEST(SafeSetpoint, BringsTheVehicleUpWhenAnythingIsNotFinite) {
   for (const double bad : {kNan, kInfinity, -kInfinity}) {
     for (int field = 0; field < 5; ++field) {
-      guidance::Setpoint wanted = kWanted;
+      messages::Setpoint wanted = kWanted;
       if (field == 0) wanted.heading = Radians{bad};
       if (field == 1) wanted.speed = MetersPerSecond{bad};
       if (field == 2) wanted.depth = Meters{bad};
@@ -117,7 +117,7 @@ TEST(SafeSetpoint, BringsTheVehicleUpWhenAnythingIsNotFinite) {
 }
 
 TEST(Surface, StopsAndComesUpWhereTheVehicleIs) {
-  const guidance::Setpoint setpoint = surface({.position = at(1, 2), .heading = Radians{1.5}});
+  const messages::Setpoint setpoint = surface({.position = at(1, 2), .heading = Radians{1.5}});
   EXPECT_EQ(setpoint.speed, MetersPerSecond{0});
   EXPECT_EQ(setpoint.depth, Meters{0});
   EXPECT_EQ(setpoint.heading, Radians{1.5});

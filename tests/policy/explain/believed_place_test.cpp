@@ -48,7 +48,7 @@ TEST(BelievedPlace, AgreesWithTheSummaryThatThePolicySees) {
   belief->update(model, {Meters{5'000.0}, Meters{6'000.0}}, {.snr = Decibels{34.0}});
   belief->update(model, {Meters{9'000.0}, Meters{6'000.0}}, {.snr = Decibels{31.0}});
   const BelievedPlace place = believed_place(*belief, model);
-  const policy::BeliefSummary& summary = belief->summary();
+  const messages::BeliefSummary& summary = belief->summary();
   EXPECT_LE(range_between(place.mean, summary.mean).value, 5.0);  // a float sum over 2500 cells
   EXPECT_NEAR(std::hypot(place.ellipse.semi_major.value, place.ellipse.semi_minor.value), summary.spread.value,
               0.01 * summary.spread.value);

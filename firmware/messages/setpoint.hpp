@@ -3,15 +3,15 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 
-namespace earshot::guidance {
+namespace earshot::messages {
 
 /// What the autopilot is to do.
 struct Setpoint {
-  Radians heading;        ///< clockwise from north, in (-pi, pi]
+  Radians heading;        ///< true, clockwise from north, in (-pi, pi]
   MetersPerSecond speed;  ///< through the water
   Meters depth;           ///< positive down
   NorthEast waypoint;     ///< end of the leg
   friend constexpr bool operator==(const Setpoint&, const Setpoint&) = default;
 };
 
-}  // namespace earshot::guidance
+}  // namespace earshot::messages

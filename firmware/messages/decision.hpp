@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/core/units.hpp"
+#include "firmware/messages/belief_summary.hpp"
+
+namespace earshot::messages {
+
+/// Why the vehicle goes where it goes: one record per action.
+struct Decision {
+  std::uint32_t step = 0;  ///< 0 for the first action
+  Time time;
+  NorthEast position;
+  Decibels snr;
+  bool too_faint = false;  ///< not measured: the signal lies somewhere below `snr`
+  bool detected = false;
+  std::uint8_t action = 0;
+  bool overridden = false;  ///< the safety layer changed the way-point
+  NorthEast waypoint;
+  std::uint8_t observation_size = 0;
+  std::uint8_t action_count = 0;
+  std::array<float, config::kMaxObservation> observation{};
+  std::array<float, config::kMaxActions> logits{};
+  std::optional<BeliefSummary> belief;  ///< in the mission's frame; absent when the policy holds none
+};
+
+}  // namespace earshot::messages

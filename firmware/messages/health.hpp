@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/core/fixed_vector.hpp"
+#include "firmware/messages/port_report.hpp"
+
+namespace earshot::messages {
+
+enum class MissionState : std::uint8_t { kStandby = 0, kSearch = 1, kDone = 2, kAbort = 3 };
+
+enum class EndReason : std::uint8_t {
+  kNone = 0,
+  kCompleted = 1,    ///< operator said the source is reached
+  kStepsUsedUp = 2,  ///< max_steps actions taken
+  kOperatorAbort = 3,
+  kNavigationStale = 4,
+  kSnrStale = 5,
+  kLeftOperatingArea = 6,
+  kTimeUsedUp = 7,
+};
+
+/// Counters of what was refused; they only grow.
+struct Counters {
+  std::uint32_t navigation_refused = 0;  ///< not finite, older than the last, or dated further from its arrival than its timeout
+  std::uint32_t snr_refused = 0;         ///< likewise, or beyond +-1000 dB
+  std::uint32_t commands_refused = 0;    ///< acknowledged with another outcome than obeyed or repeated
+  std::uint32_t setpoints_limited = 0;   ///< way-points and set-points changed by the safety layer
+  friend constexpr bool operator==(const Counters&, const Counters&) = default;
+};
+
+/// State of the runtime and of its ports.
+struct Health {
+  MissionState state = MissionState::kStandby;
+  EndReason end_reason = EndReason::kNone;
+  std::uint32_t steps_taken = 0;
+  Counters counters;
+  FixedVector<PortReport, config::kMaxPorts> ports;  ///< the newest of each port that has reported
+};
+
+}  // namespace earshot::messages

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/core/time.hpp"
+
+namespace earshot::messages {
+
+enum class Order : std::uint8_t {
+  kStart = 1,     ///< STANDBY -> SEARCH
+  kComplete = 2,  ///< SEARCH -> DONE: the source is reached (only an operator or the simulator can know)
+  kAbort = 3,     ///< any -> ABORT
+};
+
+/// An order of a person, or of a simulator in a person's place.
+struct OperatorCommand {
+  Time time;                 ///< when it was given
+  Time expiry;               ///< not to be obeyed after
+  std::uint32_t issuer = 0;  ///< who gave it: a number of its own, best drawn anew whenever the sender starts
+  std::uint32_t number = 0;  ///< among the issuer's commands: rises with every new one; the same again is the same command, sent twice
+  Order order = Order::kAbort;
+  friend constexpr bool operator==(const OperatorCommand&, const OperatorCommand&) = default;
+};
+
+/// What became of a command.
+enum class CommandOutcome : std::uint8_t {
+  kObeyed = 0,
+  kRepeated = 1,        ///< this issuer's last command again, or ABORT after an ABORT: nothing was done again
+  kTooOld = 2,          ///< given longer ago than config::kCommandMaxAge, or dated as far ahead
+  kExpired = 3,         ///< after its own expiry
+  kNotInThisState = 4,  ///< START outside STANDBY, COMPLETE outside SEARCH
+  kUnknownOrder = 5,
+  kNotConfigured = 6,   ///< there is no mission or no policy to fly it
+  kTooManyIssuers = 7,  ///< more than config::kMaxIssuers: whether it is a repetition cannot be known
+  kOutOfOrder = 8,      ///< numbered below this issuer's last
+};
+
+/// Goes back to whoever gave the command.
+struct CommandAcknowledgement {
+  Time time;              ///< when it was judged
+  std::uint8_t port = 0;  ///< it came by, and its acknowledgement leaves by
+  std::uint32_t issuer = 0;
+  std::uint32_t number = 0;
+  Order order = Order::kAbort;
+  CommandOutcome outcome = CommandOutcome::kObeyed;
+  friend constexpr bool operator==(const CommandAcknowledgement&, const CommandAcknowledgement&) = default;
+};
+
+}  // namespace earshot::messages
