@@ -1,6 +1,7 @@
 #include "firmware/config_file/table_reader.hpp"
 
 #include <toml++/toml.h>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -201,6 +202,26 @@ std::size_t TableReader::choice(std::string_view key, const std::vector<std::str
 
 std::size_t TableReader::choice_or(std::string_view key, std::size_t fallback, const std::vector<std::string>& allowed) {
   return node_->find(key) == nullptr ? fallback : choice(key, allowed);
+}
+
+std::vector<std::size_t> TableReader::choices(std::string_view key, const std::vector<std::string>& allowed) {
+  const std::string wanted = in_words(allowed) + ", or several of them in an array, each once";
+  const toml::node* node = node_->find(key);
+  if (node == nullptr) {
+    node_->note_missing(key, wanted);
+    return {0};
+  }
+  std::vector<std::size_t> indices;
+  if (node->is_array()) {
+    for (const toml::node& element : *node->as_array()) {
+      const auto found = std::find(allowed.begin(), allowed.end(), element.is_string() ? *element.value<std::string>() : std::string());
+      const auto index = static_cast<std::size_t>(found - allowed.begin());
+      if (found != allowed.end() && std::find(indices.begin(), indices.end(), index) == indices.end()) indices.push_back(index);
+    }
+    if (!indices.empty() && indices.size() == node->as_array()->size()) return indices;
+  }
+  node_->note_value(key, *node, wanted);
+  return {0};
 }
 
 std::vector<double> TableReader::numbers(std::string_view key, Range range) {

@@ -32,6 +32,8 @@ class TableReader {
   /// One of the allowed words; returns its index.
   [[nodiscard]] std::size_t choice(std::string_view key, const std::vector<std::string>& allowed);
   [[nodiscard]] std::size_t choice_or(std::string_view key, std::size_t fallback, const std::vector<std::string>& allowed);
+  /// An array of allowed words, each at most once and at least one; returns their indices.
+  [[nodiscard]] std::vector<std::size_t> choices(std::string_view key, const std::vector<std::string>& allowed);
   /// An array of numbers, each within `range`.
   [[nodiscard]] std::vector<double> numbers(std::string_view key, Range range = {});
   [[nodiscard]] bool has(std::string_view key) const;

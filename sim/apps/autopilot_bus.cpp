@@ -1,43 +1,52 @@
 #include "sim/apps/autopilot_bus.hpp"
 
-#include <stdexcept>
+#include <poll.h>
 
-#include "earshot/nav_state_t.hpp"
-#include "earshot/setpoint_t.hpp"
+#include <array>
+#include <stdexcept>
+#include <string_view>
+
 #include "firmware/boards/linux/can_socket.hpp"
-#include "firmware/boards/linux/lcm_codec.hpp"
+#include "firmware/boards/linux/clock.hpp"
 #include "firmware/boards/linux/lcm_endpoint.hpp"
-#include "firmware/boards/linux/messages.hpp"
+#include "firmware/boards/linux/port_settings.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
 
 namespace earshot::simulation {
 namespace {
 
-runtime::Navigation navigation_of(Time now, const vehicle::State& state) {
+messages::Navigation navigation_of(Time now, const vehicle::State& state) {
   return {.time = now, .position = state.position, .depth = state.depth, .heading = state.heading, .speed = state.speed};
 }
 
-class LcmAutopilot final : public AutopilotBus {
+vehicle::Command command_of(const messages::Setpoint& setpoint) {
+  return {.heading = setpoint.heading, .speed = setpoint.speed, .depth = setpoint.depth};
+}
+
+class LcmAutopilot final : public AutopilotPort {
  public:
-  explicit LcmAutopilot(const board::MissionFile& mission) : endpoint_(board::parse_lcm_url(mission.lcm_url), {wire::kSetpointChannel}) {}
+  explicit LcmAutopilot(const board::PortSettings& port)
+      : endpoint_(board::parse_lcm_url(port.address), std::array<std::string_view, 1>{wire::kSetpointChannel}) {}
 
   void publish(Time now, const vehicle::State& state) override {
-    if (board::publish(endpoint_, wire::kNavStateChannel, board::to_message(navigation_of(now, state))) != Status::kOk) {
+    if (endpoint_.publish(wire::kNavStateChannel, wire::Encoded(wire::to_message(navigation_of(now, state))).bytes()) != Status::kOk)
       throw std::runtime_error("navigation cannot be put on the LCM bus");
-    }
-    ++navigation_messages_;
   }
 
-  void collect(vehicle::Command& command) override {
+  std::uint64_t collect(vehicle::Command& command) override {
+    std::uint64_t taken = 0;
     endpoint_.collect();
     for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
       setpoint_t setpoint{};
-      if (board::decode(message.data, setpoint) != Status::kOk) continue;
-      ++setpoint_messages_;
-      command = {.heading = Radians{setpoint.heading_rad}, .speed = MetersPerSecond{setpoint.speed_mps}, .depth = Meters{setpoint.depth_m}};
+      if (wire::decode(message.data, setpoint) != Status::kOk) continue;
+      ++taken;
+      command = command_of(wire::from_message(setpoint));
     }
+    return taken;
   }
 
   [[nodiscard]] int file_descriptor() const override { return endpoint_.file_descriptor(); }
@@ -46,28 +55,28 @@ class LcmAutopilot final : public AutopilotBus {
   board::LcmEndpoint endpoint_;
 };
 
-class CanAutopilot final : public AutopilotBus {
+class CanAutopilot final : public AutopilotPort {
  public:
-  explicit CanAutopilot(const board::MissionFile& mission) : socket_(mission.can_interface), plane_(mission.plane) {}
+  CanAutopilot(const board::PortSettings& port, const n2k::LocalPlane& plane) : socket_(port.address), plane_(plane) {}
 
-  void publish(Time /*now*/, const vehicle::State& state) override {
-    const n2k::Navigation fix{.position = state.position, .depth = state.depth, .heading = state.heading, .speed = state.speed};
+  void publish(Time now, const vehicle::State& state) override {
     n2k::NavigationFrames frames;
-    if (n2k::compose_navigation(fix, plane_, n2k::kVehicleAddress, frames) != Status::kOk)
+    if (n2k::compose_navigation(navigation_of(now, state), plane_, n2k::kVehicleAddress, frames) != Status::kOk)
       throw std::runtime_error("navigation does not fit its NMEA 2000 messages");
     for (const n2k::Frame& frame : frames) {
       if (socket_.send(frame) != Status::kOk) throw std::runtime_error("navigation cannot be put on the CAN bus");
     }
-    ++navigation_messages_;
   }
 
-  void collect(vehicle::Command& command) override {
+  std::uint64_t collect(vehicle::Command& command) override {
+    std::uint64_t taken = 0;
     for (n2k::Frame frame; socket_.receive(frame) == Status::kOk;) {
-      n2k::Setpoint setpoint;
+      messages::Setpoint setpoint;
       if (receiver_.accept(frame, setpoint) != Status::kOk) continue;
-      ++setpoint_messages_;
-      command = {.heading = setpoint.heading, .speed = setpoint.speed, .depth = setpoint.depth};
+      ++taken;
+      command = command_of(setpoint);
     }
+    return taken;
   }
 
   [[nodiscard]] int file_descriptor() const override { return socket_.file_descriptor(); }
@@ -78,11 +87,35 @@ class CanAutopilot final : public AutopilotBus {
   n2k::SetpointReceiver receiver_;
 };
 
+std::unique_ptr<AutopilotPort> open_port(const board::PortSettings& port, const n2k::LocalPlane& plane) {
+  if (port.kind == board::PortKind::kCan) return std::make_unique<CanAutopilot>(port, plane);
+  return std::make_unique<LcmAutopilot>(port);
+}
+
 }  // namespace
 
-std::unique_ptr<AutopilotBus> open_autopilot_bus(const board::MissionFile& mission) {
-  if (mission.bus == board::BusKind::kCan) return std::make_unique<CanAutopilot>(mission);
-  return std::make_unique<LcmAutopilot>(mission);
+AutopilotBus::AutopilotBus(const board::MissionFile& mission) {
+  for (const board::PortSettings& port : mission.ports) {
+    if (port.roles.has(board::Role::kNavigation)) sensors_.push_back(open_port(port, mission.plane));
+    if (port.roles.has(board::Role::kAutopilot)) autopilots_.push_back(open_port(port, mission.plane));
+  }
+}
+
+void AutopilotBus::publish(Time now, const vehicle::State& state) {
+  for (const auto& sensor : sensors_) {
+    sensor->publish(now, state);
+    ++navigation_messages_;
+  }
+}
+
+void AutopilotBus::collect(vehicle::Command& command) {
+  for (const auto& autopilot : autopilots_) setpoint_messages_ += autopilot->collect(command);
+}
+
+void AutopilotBus::wait(Duration most) const {
+  std::vector<pollfd> readable;
+  for (const auto& autopilot : autopilots_) readable.push_back({.fd = autopilot->file_descriptor(), .events = POLLIN, .revents = 0});
+  board::wait_for_ports(readable, most);
 }
 
 }  // namespace earshot::simulation

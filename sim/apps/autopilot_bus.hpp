@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/core/time.hpp"
@@ -9,30 +10,44 @@
 
 namespace earshot::simulation {
 
-/// The other side of the vehicle's bus: the sensors that say where the vehicle is, and the autopilot that takes set-points.
-class AutopilotBus {
+/// The other side of one of the vehicle's ports: the sensors that say where the vehicle is, the autopilot that takes set-points, or both.
+class AutopilotPort {
  public:
-  AutopilotBus() = default;
-  virtual ~AutopilotBus() = default;
-  AutopilotBus(const AutopilotBus&) = delete;
-  AutopilotBus& operator=(const AutopilotBus&) = delete;
+  AutopilotPort() = default;
+  virtual ~AutopilotPort() = default;
+  AutopilotPort(const AutopilotPort&) = delete;
+  AutopilotPort& operator=(const AutopilotPort&) = delete;
 
   /// Throws std::runtime_error when the bus cannot carry it.
   virtual void publish(Time now, const vehicle::State& state) = 0;
   /// Takes what has arrived; `command` becomes the newest set-point.
-  virtual void collect(vehicle::Command& command) = 0;
+  /// @return set-points taken
+  virtual std::uint64_t collect(vehicle::Command& command) = 0;
   /// For poll().
   [[nodiscard]] virtual int file_descriptor() const = 0;
+};
+
+/// The other side of all ports of a mission: navigation goes to every port that brings it, set-points come from every port that takes them.
+class AutopilotBus {
+ public:
+  /// @throws std::system_error naming what cannot be opened.
+  explicit AutopilotBus(const board::MissionFile& mission);
+
+  /// Throws std::runtime_error when a bus cannot carry it.
+  void publish(Time now, const vehicle::State& state);
+  /// Takes what has arrived; `command` becomes the newest set-point.
+  void collect(vehicle::Command& command);
+  /// Until collect() has something to take, but no longer than `most`.
+  void wait(Duration most) const;
 
   [[nodiscard]] std::uint64_t navigation_messages() const { return navigation_messages_; }
   [[nodiscard]] std::uint64_t setpoint_messages() const { return setpoint_messages_; }
 
- protected:
+ private:
+  std::vector<std::unique_ptr<AutopilotPort>> sensors_;     ///< ports with the role navigation
+  std::vector<std::unique_ptr<AutopilotPort>> autopilots_;  ///< ports with the role autopilot
   std::uint64_t navigation_messages_ = 0;
   std::uint64_t setpoint_messages_ = 0;
 };
-
-/// The bus that the mission asks for. @throws std::system_error naming what cannot be opened.
-[[nodiscard]] std::unique_ptr<AutopilotBus> open_autopilot_bus(const board::MissionFile& mission);
 
 }  // namespace earshot::simulation

@@ -26,7 +26,7 @@ void cut_to_whole_rows(const std::filesystem::path& path) {
   std::filesystem::resize_file(path, text.rfind('\n') + 1);
 }
 
-const char* name_of(runtime::MissionState state) {
+const char* name_of(messages::MissionState state) {
   constexpr std::array<const char*, 4> kNames{"standby", "search", "done", "abort"};
   return kNames[static_cast<std::size_t>(state) % kNames.size()];
 }

@@ -10,7 +10,7 @@
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/policy/heard.hpp"
-#include "firmware/runtime/runtime.hpp"
+#include "firmware/messages/health.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
@@ -22,7 +22,7 @@ struct TrackPoint {
   vehicle::State vehicle;
   policy::Heard heard;
   Meters range;  ///< horizontal, to the source
-  runtime::MissionState state = runtime::MissionState::kStandby;
+  messages::MissionState state = messages::MissionState::kStandby;
   std::uint32_t steps_taken = 0;  ///< actions completed
 };
 

@@ -20,23 +20,23 @@ constexpr milliseconds kRuntimePatience{
     4000};                                  ///< for an answer: a step takes microseconds, a dead runtime is known after link::kLeaseSeconds
 constexpr milliseconds kBusPatience{2000};  ///< for a set-point that was sent before its answer
 
-const char* word_for(runtime::EndReason reason) {
+const char* word_for(messages::EndReason reason) {
   switch (reason) {
-    case runtime::EndReason::kNone:
+    case messages::EndReason::kNone:
       return "none";
-    case runtime::EndReason::kCompleted:
+    case messages::EndReason::kCompleted:
       return "found";
-    case runtime::EndReason::kStepsUsedUp:
+    case messages::EndReason::kStepsUsedUp:
       return "steps_used_up";
-    case runtime::EndReason::kOperatorAbort:
+    case messages::EndReason::kOperatorAbort:
       return "interrupted";
-    case runtime::EndReason::kNavigationStale:
+    case messages::EndReason::kNavigationStale:
       return "navigation_stale";
-    case runtime::EndReason::kSnrStale:
+    case messages::EndReason::kSnrStale:
       return "snr_stale";
-    case runtime::EndReason::kLeftOperatingArea:
+    case messages::EndReason::kLeftOperatingArea:
       return "left_operating_area";
-    case runtime::EndReason::kTimeUsedUp:
+    case messages::EndReason::kTimeUsedUp:
       return "time_used_up";
   }
   return "unknown";
@@ -126,15 +126,15 @@ class Stepper {
                            .vehicle = vehicle_,
                            .heard = heard,
                            .range = range,
-                           .state = static_cast<runtime::MissionState>(answer.state),
+                           .state = static_cast<messages::MissionState>(answer.state),
                            .steps_taken = answer.steps_taken};
-    record(point, static_cast<runtime::EndReason>(answer.end_reason));
+    record(point, static_cast<messages::EndReason>(answer.end_reason));
   }
 
   [[nodiscard]] std::uint8_t order(bool reached) const {
-    if (stop_) return static_cast<std::uint8_t>(runtime::OperatorCommand::kAbort);
-    if (number_ == 1) return static_cast<std::uint8_t>(runtime::OperatorCommand::kStart);
-    return reached ? static_cast<std::uint8_t>(runtime::OperatorCommand::kComplete) : std::uint8_t{0};
+    if (stop_) return static_cast<std::uint8_t>(messages::Order::kAbort);
+    if (number_ == 1) return static_cast<std::uint8_t>(messages::Order::kStart);
+    return reached ? static_cast<std::uint8_t>(messages::Order::kComplete) : std::uint8_t{0};
   }
 
   [[nodiscard]] bool receive(link::Answer& answer) {
@@ -165,12 +165,12 @@ class Stepper {
     return false;
   }
 
-  void record(const TrackPoint& point, runtime::EndReason reason) {
+  void record(const TrackPoint& point, messages::EndReason reason) {
     flight_.track.add(point);
     flight_.score.add(point);
-    over_ = point.state == runtime::MissionState::kDone || point.state == runtime::MissionState::kAbort;
+    over_ = point.state == messages::MissionState::kDone || point.state == messages::MissionState::kAbort;
     if (!over_) return;
-    result_.found = reason == runtime::EndReason::kCompleted;
+    result_.found = reason == messages::EndReason::kCompleted;
     result_.end_reason = word_for(reason);
   }
 

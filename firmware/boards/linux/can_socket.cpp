@@ -5,6 +5,7 @@
 #include <net/if.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/uio.h>
 
 #include <algorithm>
@@ -23,13 +24,24 @@ namespace {
   throw std::system_error(errno, std::generic_category(), "CAN interface " + interface + ": " + call);
 }
 
-/// How many frames the kernel has dropped on this socket so far, as it says beside every frame; `known` if it does not say.
-std::uint64_t drop_count(msghdr& header, std::uint64_t known) {
+/// What the kernel says beside a frame.
+struct Remarks {
+  std::uint64_t dropped = 0;  ///< frames of this socket so far
+  Time received_utc;
+};
+
+/// @param known  what stays where the kernel says nothing
+Remarks remarks_in(msghdr& header, Remarks known) {
   for (cmsghdr* control = CMSG_FIRSTHDR(&header); control != nullptr; control = CMSG_NXTHDR(&header, control)) {
-    if (control->cmsg_level == SOL_SOCKET && control->cmsg_type == SO_RXQ_OVFL) {
+    if (control->cmsg_level != SOL_SOCKET) continue;
+    if (control->cmsg_type == SO_RXQ_OVFL) {
       std::uint32_t count = 0;
       std::memcpy(&count, CMSG_DATA(control), sizeof count);
-      return count;
+      known.dropped = count;
+    } else if (control->cmsg_type == SCM_TIMESTAMP) {
+      timeval received{};
+      std::memcpy(&received, CMSG_DATA(control), sizeof received);
+      known.received_utc = Time{received.tv_sec * std::int64_t{1'000'000} + received.tv_usec};
     }
   }
   return known;
@@ -46,6 +58,7 @@ CanSocket::CanSocket(const std::string& interface) : socket_(::socket(PF_CAN, SO
   address.can_ifindex = static_cast<int>(index);
   const int on = 1;
   if (::setsockopt(socket_.number(), SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof on) != 0) fail(interface, "SO_RXQ_OVFL");
+  if (::setsockopt(socket_.number(), SOL_SOCKET, SO_TIMESTAMP, &on, sizeof on) != 0) fail(interface, "SO_TIMESTAMP");
   if (::bind(socket_.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) fail(interface, "bind");
 }
 
@@ -64,21 +77,24 @@ Status CanSocket::send(const n2k::Frame& frame) {
 
 Status CanSocket::receive(n2k::Frame& frame) {
   std::size_t budget = config::kCanFramesPerCollect;
-  return receive(frame, budget);
+  Time received_utc;
+  return receive(frame, received_utc, budget);
 }
 
-Status CanSocket::receive(n2k::Frame& frame, std::size_t& budget) {
+Status CanSocket::receive(n2k::Frame& frame, Time& received_utc, std::size_t& budget) {
   for (; budget > 0; --budget) {
     can_frame in{};
     iovec piece{&in, sizeof in};
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(std::uint32_t))> control{};
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(std::uint32_t)) + CMSG_SPACE(sizeof(timeval))> control{};
     msghdr header{};
     header.msg_iov = &piece;
     header.msg_iovlen = 1;
     header.msg_control = control.data();
     header.msg_controllen = control.size();
     if (::recvmsg(socket_.number(), &header, 0) != sizeof in) return Status::kNotReady;
-    counters_.lost_by_kernel = drop_count(header, counters_.lost_by_kernel);
+    const Remarks remarks = remarks_in(header, {.dropped = counters_.lost_by_kernel, .received_utc = {}});
+    counters_.lost_by_kernel = remarks.dropped;
+    received_utc = remarks.received_utc;
     if ((in.can_id & CAN_EFF_FLAG) == 0 || (in.can_id & (CAN_RTR_FLAG | CAN_ERR_FLAG)) != 0 || in.can_dlc > CAN_MAX_DLEN) {
       ++counters_.other_frames;
       continue;

@@ -6,6 +6,7 @@
 
 #include "firmware/boards/linux/file_descriptor.hpp"
 #include "firmware/core/status.hpp"
+#include "firmware/core/time.hpp"
 #include "firmware/wire/n2k/frame.hpp"
 
 namespace earshot::board {
@@ -31,13 +32,17 @@ class CanSocket {
   [[nodiscard]] Status receive(n2k::Frame& frame);
   /// Likewise, and takes every frame read, also of another kind, from `budget`: kNotReady once it is used up, so that a flood cannot hold
   /// the caller.
-  [[nodiscard]] Status receive(n2k::Frame& frame, std::size_t& budget);
+  /// @param received_utc  when the kernel received it
+  [[nodiscard]] Status receive(n2k::Frame& frame, Time& received_utc, std::size_t& budget);
 
+  /// False once the kernel has said of this interface that it is down or gone.
+  [[nodiscard]] bool is_up() const { return is_up_; }
   [[nodiscard]] int file_descriptor() const { return socket_.number(); }
   [[nodiscard]] const CanCounters& counters() const { return counters_; }
 
  private:
   FileDescriptor socket_;
+  bool is_up_ = true;
   CanCounters counters_;
 };
 

@@ -106,7 +106,7 @@ struct LcmEndpoint::Storage {
   std::array<std::uint8_t, wire::kMaxDatagram> datagram;
 };
 
-LcmEndpoint::LcmEndpoint(const LcmUrl& url, std::initializer_list<std::string_view> channels)
+LcmEndpoint::LcmEndpoint(const LcmUrl& url, std::span<const std::string_view> channels)
     : sender_(open_sender(url)), receiver_(open_receiver(url)), self_(local_address(sender_)), storage_(new Storage) {
   if (channels.size() > config::kLcmSubscriptions) {
     throw std::invalid_argument("LCM: more than " + std::to_string(config::kLcmSubscriptions) + " channels");

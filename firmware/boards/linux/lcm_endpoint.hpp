@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -37,7 +36,7 @@ class LcmEndpoint {
  public:
   /// @throws std::system_error naming the call that failed; std::invalid_argument for more than kLcmSubscriptions channels or a name
   /// not 1..63 bytes.
-  LcmEndpoint(const LcmUrl& url, std::initializer_list<std::string_view> channels);
+  LcmEndpoint(const LcmUrl& url, std::span<const std::string_view> channels);
   ~LcmEndpoint();
 
   /// Sends one message. kOutOfRange: LCM cannot carry it. kFull: the kernel refused it; try again or count it as lost.

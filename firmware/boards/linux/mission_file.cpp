@@ -1,11 +1,13 @@
 #include "firmware/boards/linux/mission_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
 
 #include "firmware/boards/linux/lcm_url.hpp"
+#include "firmware/config/capacities.hpp"
 #include "firmware/config_file/table_reader.hpp"
 
 namespace earshot::board {
@@ -46,15 +48,60 @@ void read_limits(TableReader limits, config::Mission& mission) {
   mission.snr_timeout = seconds(limits.number("snr_timeout_s", Range::between(kShortest_s, 3600.0)));
 }
 
-void read_bus(TableReader bus, MissionFile& file) {
-  file.bus = bus.choice("kind", {"lcm", "can"}) == 0 ? BusKind::kLcm : BusKind::kCan;
-  file.lcm_url = bus.text_or("lcm_url", kDefaultLcmUrl);
-  file.can_interface = bus.text_or("can_interface", kDefaultCanInterface);
-  try {
-    (void)parse_lcm_url(file.lcm_url);
-  } catch (const std::invalid_argument& e) {
-    bus.problem("lcm_url", e.what());
+const std::vector<std::string> kRoleWords{"navigation", "snr", "operator", "autopilot", "status"};  // in the order of Role
+
+PortSettings read_port(TableReader table) {
+  PortSettings port;
+  port.name = table.text("name");
+  port.kind = table.choice("kind", {"lcm", "can"}) == 0 ? PortKind::kLcm : PortKind::kCan;
+  for (const std::size_t role : table.choices("roles", kRoleWords)) {
+    port.roles.add(static_cast<Role>(role));
+    if (port.kind == PortKind::kCan && !kCanRoles.has(static_cast<Role>(role)))
+      table.problem("roles", "a CAN port carries \"navigation\" and \"autopilot\" only, not \"" + kRoleWords[role] + "\"");
   }
+  if (port.kind == PortKind::kCan) {
+    port.address = table.text("interface");
+    return port;
+  }
+  port.address = table.text_or("url", kDefaultLcmUrl);
+  try {
+    (void)parse_lcm_url(port.address);
+  } catch (const std::invalid_argument& e) {
+    table.problem("url", e.what());
+  }
+  return port;
+}
+
+void read_ports(TableReader root, MissionFile& file) {
+  for (const TableReader& table : root.tables("port")) file.ports.push_back(read_port(table));
+  if (file.ports.empty()) root.problem("port", "a mission needs at least one [[port]]");
+  if (file.ports.size() + 1 > config::kMaxPorts) root.problem("port", "at most " + std::to_string(config::kMaxPorts - 1) + " ports");
+}
+
+bool has_port_for(const MissionFile& file, Role role) {
+  return std::any_of(file.ports.begin(), file.ports.end(), [role](const PortSettings& port) { return port.roles.has(role); });
+}
+
+/// Every role over LCM.
+PortSettings lcm_port() {
+  return {.name = "lcm",
+          .kind = PortKind::kLcm,
+          .address = std::string(kDefaultLcmUrl),
+          .roles = {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus}};
+}
+
+PortSettings can_port() {
+  return {.name = "can", .kind = PortKind::kCan, .address = kDefaultCanInterface, .roles = kCanRoles};
+}
+
+std::vector<PortSettings> ports_named(const std::string& bus) {
+  if (bus == "lcm") return {lcm_port()};
+  if (bus == "can") return {can_port()};
+  PortSettings sensors = can_port();
+  sensors.roles = {Role::kNavigation};
+  PortSettings rest = lcm_port();
+  rest.roles = {Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus};
+  return {sensors, rest};
 }
 
 void read_origin(TableReader origin, MissionFile& file) {
@@ -93,7 +140,7 @@ MissionFile load_mission(const std::filesystem::path& path) {
   read_area(area, file.mission);
   read_search(root.table("search"), file.mission);
   read_limits(limits, file.mission);
-  read_bus(root.table("bus"), file);
+  read_ports(root, file);
   read_origin(root.table("origin"), file);
   TableReader policy = root.table("policy");
   file.policy = toml.resolve(policy.text("file"));
@@ -103,6 +150,22 @@ MissionFile load_mission(const std::filesystem::path& path) {
   check_together(area, limits, file.mission);
   toml.finish();
   return file;
+}
+
+void override_ports(MissionFile& file, const PortOverride& said) {
+  if (said.bus) file.ports = ports_named(*said.bus);
+  for (PortSettings& port : file.ports) {
+    const std::optional<std::string>& address = port.kind == PortKind::kCan ? said.can_interface : said.lcm_url;
+    if (address) port.address = *address;
+  }
+}
+
+void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path) {
+  for (const Role role : {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot}) {
+    if (has_port_for(file, role)) continue;
+    throw config_file::BadInput(path.string() + ": port: no port has the role \"" + kRoleWords[static_cast<std::size_t>(role)] +
+                                "\", without which a mission cannot be flown at sea");
+  }
 }
 
 }  // namespace earshot::board

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "firmware/boards/linux/port_settings.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
@@ -12,15 +14,11 @@ namespace earshot::board {
 
 inline constexpr const char* kDefaultCanInterface = "can0";  ///< the bus of a vehicle at sea
 
-enum class BusKind : std::uint8_t { kLcm, kCan };
-
 /// A mission file: what the runtime is asked to do, and what this board needs to do it.
 struct MissionFile {
   config::Mission mission;
-  Duration step_period;  ///< between two turns of the loop at sea; in simulation every tick is one turn
-  BusKind bus = BusKind::kLcm;
-  std::string lcm_url;
-  std::string can_interface;
+  Duration step_period;  ///< between two turns of the loop at sea; in lock-step with a simulator every tick is one turn
+  std::vector<PortSettings> ports;
   n2k::LocalPlane plane;  ///< about the mission's geographic origin; CAN speaks latitude and longitude
   std::filesystem::path policy;
   std::filesystem::path public_key;
@@ -28,5 +26,17 @@ struct MissionFile {
 
 /// @throws config_file::BadInput with everything that is wrong with the file.
 [[nodiscard]] MissionFile load_mission(const std::filesystem::path& path);
+
+/// What a command line says about the ports in place of the mission file.
+struct PortOverride {
+  std::optional<std::string> bus;            ///< "lcm", "can" or "mixed" (navigation over CAN, the rest over LCM), whatever ports the file has
+  std::optional<std::string> lcm_url;        ///< of every LCM port
+  std::optional<std::string> can_interface;  ///< of every CAN port
+};
+
+void override_ports(MissionFile& file, const PortOverride& said);
+
+/// @throws config_file::BadInput when a mission on its own, with no simulator, has no port for a role without which it cannot be flown.
+void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path);
 
 }  // namespace earshot::board

@@ -1,48 +1,55 @@
 #include "firmware/boards/linux/mission_turn.hpp"
 
-#include "firmware/boards/linux/lcm_codec.hpp"
-#include "firmware/boards/linux/messages.hpp"
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <variant>
+
+#include "firmware/core/crc32.hpp"
+#include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::board {
 namespace {
 
 template <class Message>
 void append(Journal& journal, Time now, std::string_view channel, const Message& message) {
-  (void)journal.append(now, channel, Encoded(message).bytes());  // the journal counts what it drops
+  (void)journal.append(now, channel, wire::Encoded(message).bytes());  // the journal counts what it drops
 }
 
-const char* in_words(runtime::MissionState state) {
+const char* to_string(messages::MissionState state) {
   switch (state) {
-    case runtime::MissionState::kStandby:
+    case messages::MissionState::kStandby:
       return "STANDBY";
-    case runtime::MissionState::kSearch:
+    case messages::MissionState::kSearch:
       return "SEARCH";
-    case runtime::MissionState::kDone:
+    case messages::MissionState::kDone:
       return "DONE";
-    case runtime::MissionState::kAbort:
+    case messages::MissionState::kAbort:
       return "ABORT";
   }
   return "?";
 }
 
-const char* in_words(runtime::EndReason reason) {
+const char* to_string(messages::EndReason reason) {
   switch (reason) {
-    case runtime::EndReason::kNone:
+    case messages::EndReason::kNone:
       return "not over";
-    case runtime::EndReason::kCompleted:
+    case messages::EndReason::kCompleted:
       return "the source is reached";
-    case runtime::EndReason::kStepsUsedUp:
+    case messages::EndReason::kStepsUsedUp:
       return "all steps are taken";
-    case runtime::EndReason::kOperatorAbort:
+    case messages::EndReason::kOperatorAbort:
       return "an operator aborted it";
-    case runtime::EndReason::kNavigationStale:
+    case messages::EndReason::kNavigationStale:
       return "navigation went silent";
-    case runtime::EndReason::kSnrStale:
+    case messages::EndReason::kSnrStale:
       return "the SNR estimate went silent";
-    case runtime::EndReason::kLeftOperatingArea:
+    case messages::EndReason::kLeftOperatingArea:
       return "the vehicle left its operating area";
-    case runtime::EndReason::kTimeUsedUp:
+    case messages::EndReason::kTimeUsedUp:
       return "its time is used up";
   }
   return "?";
@@ -50,36 +57,48 @@ const char* in_words(runtime::EndReason reason) {
 
 }  // namespace
 
-void MissionTurn::take(Time now, const runtime::Navigation& navigation) {
-  append(journal_, now, wire::kNavStateChannel, to_message(navigation));
-  runtime_.take(now, navigation);
+void MissionTurn::record_mission(const config::Mission& mission, std::span<const std::uint8_t> policy, std::string_view build) {
+  last_ = clock_.now();
+  mission_t m = wire::to_message(mission, last_);
+  m.policy_crc32 = static_cast<std::int32_t>(crc32(policy));
+  std::copy_n(build.begin(), std::min(build.size(), std::size(m.build)), std::begin(m.build));
+  append(journal_, last_, wire::kMissionChannel, m);
+  (void)journal_.append(last_, wire::kPolicyChannel, policy);
 }
 
-void MissionTurn::take(Time now, const runtime::SnrEstimate& estimate) {
-  append(journal_, now, wire::kSnrEstimateChannel, to_message(estimate));
-  runtime_.take(now, estimate);
+Time MissionTurn::now() {
+  last_ = std::max(last_, clock_.now());
+  return last_;
 }
 
-void MissionTurn::take(Time now, runtime::OperatorCommand command) {
-  append(journal_, now, wire::kOperatorCommandChannel, to_message(command, now));
-  runtime_.take(now, command);
+void MissionTurn::take(std::uint8_t port, const Value& value) {
+  const messages::Input input{.arrival = now(), .port = port, .sequence = sequence_++, .value = value};
+  const auto* navigation = std::get_if<messages::Navigation>(&value);
+  if (navigation != nullptr && navigation->time >= Time{}) ++navigation_taken_;
+  const wire::InputRecord record(input);
+  (void)journal_.append(input.arrival, record.channel(), record.data());
+  runtime_.take(input);
 }
 
-runtime::Outputs MissionTurn::operator()(Time now) {
-  const runtime::Outputs outputs = runtime_.step(now);
-  record(now, outputs);
-  bus_.publish(now, outputs);
+runtime::Outputs MissionTurn::operator()() {
+  ports_.report_changes(*this);
+  const Time turn = now();
+  const runtime::Outputs outputs = runtime_.step(turn);
+  record(turn, outputs);
+  ports_.publish(turn, outputs);
   return outputs;
 }
 
 void MissionTurn::record(Time now, const runtime::Outputs& outputs) {
-  append(journal_, now, wire::kSetpointChannel, to_message(outputs.setpoint, now));
-  if (outputs.decision) append(journal_, now, wire::kDecisionChannel, to_message(*outputs.decision));
-  append(journal_, now, wire::kHealthChannel, to_message(outputs, bus_.counters().refused_messages, now));
+  if (outputs.setpoint) append(journal_, now, wire::kSetpointChannel, wire::to_message(*outputs.setpoint, now));
+  if (outputs.decision) append(journal_, now, wire::kDecisionChannel, wire::to_message(*outputs.decision));
+  for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements)
+    append(journal_, now, wire::kAcknowledgementChannel, wire::to_message(acknowledgement));
+  append(journal_, now, wire::kHealthChannel, wire::to_message(outputs.health, now));
 }
 
-std::string in_words(const runtime::Outputs& outputs) {
-  return std::string(in_words(outputs.state)) + ", " + in_words(outputs.end_reason) + ", after " + std::to_string(outputs.steps_taken) +
+std::string to_string(const messages::Health& health) {
+  return std::string(to_string(health.state)) + ", " + to_string(health.end_reason) + ", after " + std::to_string(health.steps_taken) +
          " steps";
 }
 

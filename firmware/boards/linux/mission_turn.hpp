@@ -1,41 +1,60 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 
-#include "firmware/boards/linux/input_sink.hpp"
+#include "firmware/boards/linux/clock.hpp"
 #include "firmware/boards/linux/journal.hpp"
-#include "firmware/boards/linux/vehicle_bus.hpp"
+#include "firmware/boards/linux/port.hpp"
+#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::board {
 
-/// One turn of the decision loop, the same at sea and in simulation: inputs are journalled and given to the runtime in the order in which
-/// they come; the call makes the step, journals what comes out, and puts it on the bus.
+/// One turn of the decision loop: what the ports bring is journalled and given to the runtime in the order in which it comes; the call makes
+/// the step, journals what comes out, and gives it to the ports.
 ///
-/// In the journal a turn is: its inputs, each with the time at which it was taken, then set-point, decision if there is one, health, with
-/// the turn's time. A reader can thus give the runtime the same inputs in the same order at the same times again, and step it at every
-/// set-point.
+/// In the journal a turn is: its inputs, each with its arrival; then set-point, decision and acknowledgements, if there are any; then
+/// health, always, with the turn's time. With the mission and the policy at its beginning the journal thus holds all that the runtime was
+/// ever given: whoever takes the same inputs and steps at every health record gets every output again, bit for bit.
 class MissionTurn final : public InputSink {
  public:
-  /// All three must outlive it.
-  MissionTurn(runtime::Runtime& runtime, VehicleBus& bus, Journal& journal) : runtime_(runtime), bus_(bus), journal_(journal) {}
+  /// All four must outlive it.
+  MissionTurn(runtime::Runtime& runtime, PortSet& ports, Journal& journal, Clock& clock)
+      : runtime_(runtime), ports_(ports), journal_(journal), clock_(clock) {}
 
-  void take(Time now, const runtime::Navigation& navigation) override;
-  void take(Time now, const runtime::SnrEstimate& estimate) override;
-  void take(Time now, runtime::OperatorCommand command) override;
+  /// The journal's first two records: what is flown. Before anything else.
+  /// @param policy  bytes of the .policy file; build  version and commit of this program
+  void record_mission(const config::Mission& mission, std::span<const std::uint8_t> policy, std::string_view build);
 
-  runtime::Outputs operator()(Time now);
+  void take(std::uint8_t port, const Value& value) override;
+
+  runtime::Outputs operator()();
+
+  /// Fixes taken so far, but for those without a date that the clock knows.
+  [[nodiscard]] std::uint64_t navigation_taken() const { return navigation_taken_; }
+  /// Of the last turn or input.
+  [[nodiscard]] Time last() const { return last_; }
 
  private:
+  /// Never goes back, though a clock were read by several.
+  [[nodiscard]] Time now();
   void record(Time now, const runtime::Outputs& outputs);
 
   runtime::Runtime& runtime_;
-  VehicleBus& bus_;
+  PortSet& ports_;
   Journal& journal_;
+  Clock& clock_;
+  Time last_;
+  std::uint32_t sequence_ = 0;
+  std::uint64_t navigation_taken_ = 0;
 };
 
 /// "DONE, the source is reached, after 37 steps"
-[[nodiscard]] std::string in_words(const runtime::Outputs& outputs);
+[[nodiscard]] std::string to_string(const messages::Health& health);
 
 }  // namespace earshot::board

@@ -44,7 +44,7 @@ Result<double> measured(std::uint32_t pgn, std::span<const std::uint8_t> bytes) 
 
 }  // namespace
 
-Status compose_navigation(const Navigation& navigation, const LocalPlane& plane, std::uint8_t source, NavigationFrames& frames) {
+Status compose_navigation(const messages::Navigation& navigation, const LocalPlane& plane, std::uint8_t source, NavigationFrames& frames) {
   const Result<Geographic> place = plane.to_geographic(navigation.position);
   if (!place.ok() || !is_finite(navigation.heading.value)) return Status::kOutOfRange;
   const std::array statuses{
@@ -66,7 +66,7 @@ Status compose_navigation(const Navigation& navigation, const LocalPlane& plane,
   return Status::kOk;
 }
 
-Status NavigationReceiver::accept(const Frame& frame, Time now, Navigation& navigation) {
+Status NavigationReceiver::accept(const Frame& frame, Time now, messages::Navigation& navigation) {
   const Result<Identifier> identifier = parse_identifier(frame.identifier);
   const Message* message = identifier.ok() ? find_message(identifier.value().pgn) : nullptr;
   if (message == nullptr || message->direction != Direction::kToRuntime) {
@@ -88,7 +88,7 @@ Status NavigationReceiver::keep(std::uint32_t pgn, const Frame& frame, Time now)
   return Status::kNotReady;
 }
 
-Status NavigationReceiver::complete(const Frame& frame, Time now, Navigation& navigation) {
+Status NavigationReceiver::complete(const Frame& frame, Time now, messages::Navigation& navigation) {
   const Result<double> latitude = read(kPositionPgn, "Latitude", frame.bytes());
   const Result<double> longitude = read(kPositionPgn, "Longitude", frame.bytes());
   if (!latitude.ok() || !longitude.ok()) return Status::kOutOfRange;
@@ -99,7 +99,11 @@ Status NavigationReceiver::complete(const Frame& frame, Time now, Navigation& na
     return sample.has_value() && now - sample->time <= find_message(pgn)->timeout;
   };
   if (!fresh(heading_, kHeadingPgn) || !fresh(speed_, kSpeedPgn) || !fresh(depth_, kPressurePgn)) return Status::kStale;
-  navigation = {position.value(), Meters{depth_->value}, wrap_to_pi(Radians{heading_->value}), MetersPerSecond{speed_->value}};
+  navigation = {.time = now,
+                .position = position.value(),
+                .depth = Meters{depth_->value},
+                .heading = wrap_to_pi(Radians{heading_->value}),
+                .speed = MetersPerSecond{speed_->value}};
   return Status::kOk;
 }
 

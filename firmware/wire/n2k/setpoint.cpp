@@ -16,7 +16,7 @@ constexpr double kTwoPi = 6.283185307179586;
 
 }  // namespace
 
-Status compose_setpoint(const Setpoint& setpoint, std::uint8_t source, std::uint8_t sequence, SetpointFrames& frames) {
+Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source, std::uint8_t sequence, SetpointFrames& frames) {
   if (!is_finite(setpoint.heading.value)) return Status::kOutOfRange;
   const double heading = wrap_to_pi(setpoint.heading).value;
   Frame speed_depth;
@@ -45,7 +45,7 @@ Status compose_setpoint(const Setpoint& setpoint, std::uint8_t source, std::uint
   return status;
 }
 
-Status SetpointReceiver::accept(const Frame& frame, Setpoint& setpoint) {
+Status SetpointReceiver::accept(const Frame& frame, messages::Setpoint& setpoint) {
   const Result<Identifier> identifier = parse_identifier(frame.identifier);
   if (!identifier.ok()) return identifier.status();
   if (identifier.value().pgn == kSpeedDepthPgn) {
@@ -67,7 +67,7 @@ Status SetpointReceiver::accept(const Frame& frame, Setpoint& setpoint) {
   if (!heading.ok() || !reference.ok()) return Status::kOutOfRange;
   if (reference.value() != kTrueNorth) return Status::kUnsupported;
   if (!speed_depth_) return Status::kNotReady;
-  setpoint = {.heading = wrap_to_pi(Radians{heading.value()}), .speed = speed_depth_->speed, .depth = speed_depth_->depth};
+  setpoint = {.heading = wrap_to_pi(Radians{heading.value()}), .speed = speed_depth_->speed, .depth = speed_depth_->depth, .waypoint = {}};
   return Status::kOk;
 }
 

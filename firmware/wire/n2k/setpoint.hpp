@@ -6,30 +6,25 @@
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/messages/setpoint.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"
 #include "firmware/wire/n2k/frame.hpp"
 
 namespace earshot::n2k {
 
-/// What the autopilot is to do. (NMEA 2000 has no place for a way-point in these messages: the heading leads there.)
-struct Setpoint {
-  Radians heading;        ///< true, clockwise from north
-  MetersPerSecond speed;  ///< through the water
-  Meters depth;           ///< positive down
-};
-
 /// Frames in the order in which they are to be sent: speed and depth (65290), then the fast packet of heading/track control (127237).
 using SetpointFrames = FixedVector<Frame, 1 + kMaxFastPacketFrames>;
 
+/// NMEA 2000 has no place for a way-point in these messages: the heading leads there.
 /// @param sequence  one higher for every set-point
 /// @return kOutOfRange if a value is not finite or does not fit its message.
-[[nodiscard]] Status compose_setpoint(const Setpoint& setpoint, std::uint8_t source, std::uint8_t sequence, SetpointFrames& frames);
+[[nodiscard]] Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source, std::uint8_t sequence, SetpointFrames& frames);
 
-/// The autopilot's side (simulator, tests): every heading completes a set-point with the speed and depth before it.
+/// The autopilot's side (simulator, tests): every heading completes a set-point with the speed and depth before it; its way-point stays empty.
 class SetpointReceiver {
  public:
   /// kOk: `setpoint` is new. kNotReady: kept, or not ours. Otherwise refused.
-  [[nodiscard]] Status accept(const Frame& frame, Setpoint& setpoint);
+  [[nodiscard]] Status accept(const Frame& frame, messages::Setpoint& setpoint);
 
  private:
   struct SpeedDepth {

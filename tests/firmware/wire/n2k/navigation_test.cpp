@@ -13,10 +13,10 @@ constexpr Time kNow{1'000'000'000};
 constexpr std::uint8_t kSource = 7;
 
 const LocalPlane kPlane = LocalPlane::about({46.0, -1.3}).value();
-const Navigation kNavigation{
+const messages::Navigation kNavigation{
     .position = {Meters{12'345.678}, Meters{-321.0}}, .depth = Meters{300.0}, .heading = Radians{-1.5}, .speed = MetersPerSecond{2.0}};
 
-NavigationFrames frames_of(const Navigation& navigation) {
+NavigationFrames frames_of(const messages::Navigation& navigation) {
   NavigationFrames frames;
   EXPECT_EQ(compose_navigation(navigation, kPlane, kSource, frames), Status::kOk);
   return frames;
@@ -27,7 +27,7 @@ class NavigationReceiverTest : public ::testing::Test {
   Status accept(const Frame& frame, Time now = kNow) { return receiver_.accept(frame, now, navigation_); }
 
   NavigationReceiver receiver_{kPlane};
-  Navigation navigation_;
+  messages::Navigation navigation_;
 };
 
 TEST_F(NavigationReceiverTest, GivesBackWhatWasComposedToTheResolutionOfTheFrames) {
@@ -111,7 +111,7 @@ TEST_F(NavigationReceiverTest, PassesOverOtherMessages) {
 TEST(ComposeNavigation, RefusesWhatNoFrameCanCarry) {
   NavigationFrames frames;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  Navigation bad = kNavigation;
+  messages::Navigation bad = kNavigation;
   bad.speed = MetersPerSecond{-1.0};
   EXPECT_EQ(compose_navigation(bad, kPlane, kSource, frames), Status::kOutOfRange);
   bad = kNavigation;

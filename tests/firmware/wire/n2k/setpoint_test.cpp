@@ -9,9 +9,9 @@ namespace earshot::n2k {
 namespace {
 
 constexpr std::uint8_t kSource = 44;
-const Setpoint kSetpoint{.heading = Radians{2.3152}, .speed = MetersPerSecond{2.0}, .depth = Meters{300.0}};
+const messages::Setpoint kSetpoint{.heading = Radians{2.3152}, .speed = MetersPerSecond{2.0}, .depth = Meters{300.0}};
 
-SetpointFrames frames_of(const Setpoint& setpoint) {
+SetpointFrames frames_of(const messages::Setpoint& setpoint) {
   SetpointFrames frames;
   EXPECT_EQ(compose_setpoint(setpoint, kSource, 3, frames), Status::kOk);
   return frames;
@@ -33,7 +33,7 @@ TEST(Setpoint, IsLaidOutByteForByteAsTheStandardSays) {
 TEST(Setpoint, ComesBackToTheResolutionOfTheFrames) {
   for (const double heading : {-3.1, -0.00001, 0.0, 1.2345678, 3.14}) {
     SetpointReceiver receiver;
-    Setpoint received;
+    messages::Setpoint received;
     Status status = Status::kNotReady;
     for (const Frame& frame : frames_of({.heading = Radians{heading}, .speed = MetersPerSecond{1.234}, .depth = Meters{300.007}})) {
       EXPECT_EQ(status, Status::kNotReady);
@@ -51,7 +51,7 @@ TEST(Setpoint, OfAnotherMakersGroupIsNotTaken) {
   SetpointFrames frames = frames_of(kSetpoint);
   frames[0].data[0] = 0x9D;  // manufacturer 1949 + ...: not ours
   SetpointReceiver receiver;
-  Setpoint received;
+  messages::Setpoint received;
   for (const Frame& frame : frames) EXPECT_EQ(receiver.accept(frame, received), Status::kNotReady);
 }
 

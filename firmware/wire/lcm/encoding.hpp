@@ -5,12 +5,10 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <string_view>
 
-#include "firmware/boards/linux/lcm_endpoint.hpp"
 #include "firmware/core/status.hpp"
 
-namespace earshot::board {
+namespace earshot::wire {
 
 inline constexpr std::size_t kEncodedBytes = 1024;  ///< of one message of firmware/wire/lcm; the largest, decision_t, takes 504
 
@@ -38,9 +36,4 @@ template <class Message>
   return size == static_cast<int>(bytes.size()) ? Status::kOk : Status::kMalformed;
 }
 
-template <class Message>
-[[nodiscard]] Status publish(LcmEndpoint& endpoint, std::string_view channel, const Message& message) {
-  return endpoint.publish(channel, Encoded(message).bytes());
-}
-
-}  // namespace earshot::board
+}  // namespace earshot::wire

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/boards/linux/can_socket.hpp"
+#include "firmware/boards/linux/port.hpp"
+#include "firmware/wire/n2k/local_plane.hpp"
+#include "firmware/wire/n2k/navigation.hpp"
+#include "firmware/wire/n2k/setpoint.hpp"
+
+namespace earshot::board {
+
+/// Navigation in and set-points out as NMEA 2000 frames (firmware/wire/n2k). Frames bear no date: the kernel's of their arrival stands for it.
+class CanPort final : public Port {
+ public:
+  /// @throws std::system_error as CanSocket does.
+  CanPort(std::uint8_t index, const PortSettings& settings, const n2k::LocalPlane& plane);
+
+  void collect(Clock& clock, InputSink& sink) override;
+  std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;
+  [[nodiscard]] int file_descriptor() const override { return socket_.file_descriptor(); }
+  [[nodiscard]] messages::PortReport report() const override;
+
+ private:
+  [[nodiscard]] Status send(const messages::Setpoint& setpoint);
+
+  CanSocket socket_;
+  n2k::NavigationReceiver receiver_;
+  std::uint8_t sequence_ = 0;
+};
+
+}  // namespace earshot::board

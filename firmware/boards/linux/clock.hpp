@@ -1,0 +1,64 @@
+#pragma once
+
+#include <poll.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <ctime>
+#include <span>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/runtime/runtime.hpp"
+
+namespace earshot::board {
+
+/// Mission time and when a turn of the loop is due: the host's clocks at sea (host_mission_clock.hpp), a simulator in lock-step
+/// (sim/link/lock_step_clock.hpp). The loop is the same.
+class Clock {
+ public:
+  enum class Wake : std::uint8_t {
+    kPorts,  ///< a port may have brought something, or it is time to look whether to stop
+    kTurn,   ///< a turn is due once the ports have been read
+    kLost,   ///< who drives the clock is gone, or what it announced does not arrive
+  };
+
+  Clock() = default;
+  virtual ~Clock() = default;
+  Clock(const Clock&) = delete;
+  Clock& operator=(const Clock&) = delete;
+
+  /// Never goes back.
+  [[nodiscard]] virtual Time now() = 0;
+  /// A date that a sender gave by its own wall clock, on the mission clock.
+  [[nodiscard]] virtual Time mission_time_of(Time utc) = 0;
+  /// When something arrived that bears no date, on the mission clock. @param utc  when the kernel received it
+  [[nodiscard]] virtual Time arrival_of(Time utc) = 0;
+
+  /// What the loop waits for.
+  struct Awaited {
+    std::span<const pollfd> ports;      ///< readable when a port has something to read
+    Time next_turn;                     ///< when a turn is due by the mission's period
+    std::uint64_t navigation_taken = 0;  ///< fixes that the ports have brought so far
+  };
+  /// Waits no longer than a tenth of a second of the host's time, so that a loop that is told to stop does.
+  [[nodiscard]] virtual Wake wait(const Awaited& awaited) = 0;
+
+  /// A turn has been made and its set-points are on their way. False: nobody waits for another.
+  /// @param setpoints_sent  messages put on the buses so far
+  [[nodiscard]] virtual bool answered(const runtime::Outputs& outputs, std::uint64_t setpoints_sent) = 0;
+};
+
+/// Until one of the ports is readable, but no longer than `most`.
+inline void wait_for_ports(std::span<const pollfd> ports, Duration most) {
+  constexpr std::int64_t kMicrosecondsPerSecond = 1'000'000;
+  std::array<pollfd, config::kMaxPorts> readable{};
+  const std::size_t count = std::min(ports.size(), readable.size());
+  std::copy_n(ports.begin(), count, readable.begin());
+  const timespec timeout{.tv_sec = most.us / kMicrosecondsPerSecond, .tv_nsec = most.us % kMicrosecondsPerSecond * 1000};
+  (void)ppoll(readable.data(), count, &timeout, nullptr);
+}
+
+}  // namespace earshot::board

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/core/time.hpp"
+
+namespace earshot::board {
+
+/// Mission time at sea: UTC as it is when this is made, and after that it only runs on, whatever becomes of the wall clock. A date by the
+/// wall clock is moved by its age: when the wall clock is set, its senders' dates and its own reading move together.
+class HostMissionClock final : public Clock {
+ public:
+  /// @param host   must outlive it
+  /// @param speed  mission seconds per second of the host, > 0: a rehearsal may run faster or slower
+  explicit HostMissionClock(const HostClock& host, double speed = 1.0);
+
+  [[nodiscard]] Time now() override;
+  [[nodiscard]] Time mission_time_of(Time utc) override;
+  [[nodiscard]] Time arrival_of(Time utc) override { return mission_time_of(utc); }
+  [[nodiscard]] Wake wait(const Awaited& awaited) override;
+  /// After DONE or ABORT the autopilot is told to come up until somebody stops the program.
+  [[nodiscard]] bool answered(const runtime::Outputs& /*outputs*/, std::uint64_t /*setpoints_sent*/) override { return true; }
+
+ private:
+  const HostClock& host_;
+  double speed_;
+  Time began_;
+  Duration began_on_host_;
+};
+
+}  // namespace earshot::board

@@ -1,0 +1,86 @@
+#include "firmware/boards/linux/lcm_port.hpp"
+
+#include <vector>
+
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot::board {
+namespace {
+
+std::vector<std::string_view> channels_of(Roles roles) {
+  std::vector<std::string_view> channels;
+  if (roles.has(Role::kNavigation)) channels.push_back(wire::kNavStateChannel);
+  if (roles.has(Role::kSnr)) channels.push_back(wire::kSnrEstimateChannel);
+  if (roles.has(Role::kOperator)) channels.push_back(wire::kOperatorCommandChannel);
+  return channels;
+}
+
+}  // namespace
+
+LcmPort::LcmPort(std::uint8_t index, const PortSettings& settings)
+    : Port(index, settings.roles), endpoint_(parse_lcm_url(settings.address), channels_of(settings.roles)) {}
+
+void LcmPort::collect(Clock& clock, InputSink& sink) {
+  endpoint_.collect();
+  for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) take(clock, message, sink);
+}
+
+void LcmPort::take(Clock& clock, const wire::Lc02Message& message, InputSink& sink) {
+  nav_state_t navigation{};
+  snr_estimate_t measurement{};
+  operator_command_t command{};
+  if (message.channel == wire::kNavStateChannel && wire::decode(message.data, navigation) == Status::kOk) {
+    messages::Navigation value = wire::from_message(navigation);
+    value.time = clock.mission_time_of(value.time);
+    sink.take(index(), value);
+  } else if (message.channel == wire::kSnrEstimateChannel && wire::decode(message.data, measurement) == Status::kOk) {
+    messages::SnrMeasurement value = wire::from_message(measurement);
+    value.time = clock.mission_time_of(value.time);
+    sink.take(index(), value);
+  } else if (message.channel == wire::kOperatorCommandChannel && wire::decode(message.data, command) == Status::kOk) {
+    messages::OperatorCommand value = wire::from_message(command);
+    value.time = clock.mission_time_of(value.time);
+    value.expiry = clock.mission_time_of(value.expiry);
+    sink.take(index(), value);
+  } else {
+    ++report_.malformed;
+    return;
+  }
+  ++report_.received;
+}
+
+template <class Message>
+bool LcmPort::send(std::string_view channel, const Message& message) {
+  const bool sent = endpoint_.publish(channel, wire::Encoded(message).bytes()) == Status::kOk;
+  if (!sent) ++report_.unsent;
+  return sent;
+}
+
+std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
+  std::uint64_t setpoints = 0;
+  if (has(Role::kAutopilot) && outputs.setpoint) {
+    if (send(wire::kSetpointChannel, wire::to_message(*outputs.setpoint, now))) ++setpoints;
+  }
+  if (has(Role::kOperator)) {
+    for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements) {
+      if (acknowledgement.port == index()) (void)send(wire::kAcknowledgementChannel, wire::to_message(acknowledgement));
+    }
+  }
+  if (has(Role::kStatus)) {
+    if (outputs.decision) (void)send(wire::kDecisionChannel, wire::to_message(*outputs.decision));
+    (void)send(wire::kHealthChannel, wire::to_message(outputs.health, now));
+  }
+  return setpoints;
+}
+
+messages::PortReport LcmPort::report() const {
+  messages::PortReport report = report_;
+  const LcmCounters lcm = endpoint_.counters();
+  report.lost += lcm.overwritten + lcm.datagrams.incomplete;
+  report.malformed += lcm.datagrams.malformed + lcm.datagrams.too_large;
+  return report;
+}
+
+}  // namespace earshot::board

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "firmware/boards/linux/lcm_endpoint.hpp"
+#include "firmware/boards/linux/port.hpp"
+
+namespace earshot::board {
+
+/// All that the runtime takes and gives, as LCM messages (firmware/wire/lcm).
+class LcmPort final : public Port {
+ public:
+  /// @throws std::system_error, std::invalid_argument as LcmEndpoint and parse_lcm_url do.
+  LcmPort(std::uint8_t index, const PortSettings& settings);
+
+  void collect(Clock& clock, InputSink& sink) override;
+  std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;
+  [[nodiscard]] int file_descriptor() const override { return endpoint_.file_descriptor(); }
+  [[nodiscard]] messages::PortReport report() const override;
+
+ private:
+  template <class Message>
+  bool send(std::string_view channel, const Message& message);
+  void take(Clock& clock, const wire::Lc02Message& message, InputSink& sink);
+
+  LcmEndpoint endpoint_;
+};
+
+}  // namespace earshot::board

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/port_settings.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/messages/input.hpp"
+#include "firmware/messages/port_report.hpp"
+#include "firmware/runtime/runtime.hpp"
+
+namespace earshot::board {
+
+/// Takes what the ports bring, one by one in the order in which it came.
+class InputSink {
+ public:
+  using Value = decltype(messages::Input::value);
+
+  InputSink() = default;
+  virtual ~InputSink() = default;
+  InputSink(const InputSink&) = delete;
+  InputSink& operator=(const InputSink&) = delete;
+
+  /// @param value  its date on the mission clock
+  virtual void take(std::uint8_t port, const Value& value) = 0;
+};
+
+/// One way in and out of the vehicle computer. After construction nothing allocates and nothing waits.
+/// A port of another kind (a serial line, a shared memory): derive from this, name it in PortKind and open_port.
+class Port {
+ public:
+  Port(std::uint8_t index, Roles roles) : roles_(roles) { report_.port = index; }
+  virtual ~Port() = default;
+  Port(const Port&) = delete;
+  Port& operator=(const Port&) = delete;
+
+  /// Gives `sink` all that has arrived, in order of arrival, at most so much that a flood cannot hold the loop.
+  virtual void collect(Clock& clock, InputSink& sink) = 0;
+  /// Sends what its roles ask for.
+  /// @return set-points put on the bus
+  virtual std::uint64_t publish(Time now, const runtime::Outputs& outputs) = 0;
+  /// Readable when collect() has something to read; -1 while the link is down.
+  [[nodiscard]] virtual int file_descriptor() const = 0;
+  /// Called now and then while the link is down: opens it again if it is back.
+  virtual void reopen() {}
+  /// What it received, lost and could not send so far.
+  [[nodiscard]] virtual messages::PortReport report() const { return report_; }
+
+  [[nodiscard]] std::uint8_t index() const { return report_.port; }
+  [[nodiscard]] bool has(Role role) const { return roles_.has(role); }
+
+ protected:
+  messages::PortReport report_;
+
+ private:
+  Roles roles_;
+};
+
+}  // namespace earshot::board

@@ -1,0 +1,72 @@
+#include "firmware/boards/linux/port_set.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "firmware/boards/linux/can_port.hpp"
+#include "firmware/boards/linux/lcm_port.hpp"
+
+namespace earshot::board {
+
+void PortSet::add(std::unique_ptr<Port> port) {
+  if (ports_.size() + 1 >= config::kMaxPorts) throw std::invalid_argument("more than " + std::to_string(config::kMaxPorts - 1) + " ports");
+  ports_.push_back(std::move(port));
+}
+
+void PortSet::collect(Clock& clock, InputSink& sink) {
+  for (const auto& port : ports_) port->collect(clock, sink);
+}
+
+void PortSet::publish(Time now, const runtime::Outputs& outputs) {
+  for (const auto& port : ports_) setpoints_sent_ += port->publish(now, outputs);
+}
+
+void PortSet::report_changes(InputSink& sink) {
+  for (const auto& port : ports_) {
+    const messages::PortReport report = port->report();
+    messages::PortReport& reported = reported_[port->index()];
+    if (report == reported) continue;
+    reported = report;
+    sink.take(port->index(), report);
+  }
+}
+
+void PortSet::reopen() {
+  for (const auto& port : ports_) {
+    if (!port->report().link_up) port->reopen();
+  }
+}
+
+std::span<const pollfd> PortSet::readable() {
+  std::size_t count = 0;
+  for (const auto& port : ports_) {
+    if (port->file_descriptor() >= 0) readable_[count++] = {.fd = port->file_descriptor(), .events = POLLIN, .revents = 0};
+  }
+  return std::span(readable_).first(count);
+}
+
+messages::PortReport PortSet::sum() const {
+  messages::PortReport sum;
+  for (const auto& port : ports_) {
+    const messages::PortReport report = port->report();
+    sum.link_up = sum.link_up && report.link_up;
+    sum.received += report.received;
+    sum.lost += report.lost;
+    sum.malformed += report.malformed;
+    sum.unsent += report.unsent;
+  }
+  return sum;
+}
+
+void open_ports(const MissionFile& mission, PortSet& ports) {
+  for (const PortSettings& settings : mission.ports) {
+    if (settings.kind == PortKind::kCan) {
+      ports.add(std::make_unique<CanPort>(ports.next_index(), settings, mission.plane));
+    } else {
+      ports.add(std::make_unique<LcmPort>(ports.next_index(), settings));
+    }
+  }
+}
+
+}  // namespace earshot::board

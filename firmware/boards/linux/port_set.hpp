@@ -1,0 +1,54 @@
+#pragma once
+
+#include <poll.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "firmware/boards/linux/mission_file.hpp"
+#include "firmware/boards/linux/port.hpp"
+#include "firmware/config/capacities.hpp"
+
+namespace earshot::board {
+
+/// Port 0 of every input: this computer itself (its stop signal). The mission's ports count from 1.
+inline constexpr std::uint8_t kOwnPort = 0;
+
+/// All ports of a vehicle, polled as one. Nothing allocates once they have been added.
+class PortSet {
+ public:
+  /// @throws std::invalid_argument for more than kMaxPorts - 1.
+  void add(std::unique_ptr<Port> port);
+  /// The index of the port that is added next.
+  [[nodiscard]] std::uint8_t next_index() const { return static_cast<std::uint8_t>(ports_.size() + 1); }
+
+  /// From each port in turn.
+  void collect(Clock& clock, InputSink& sink);
+  void publish(Time now, const runtime::Outputs& outputs);
+  /// Gives `sink` the report of every port that has changed since it was last given.
+  void report_changes(InputSink& sink);
+  /// Tries to open what is down.
+  void reopen();
+
+  /// One for each port whose link is up; valid until the next call of any kind.
+  [[nodiscard]] std::span<const pollfd> readable();
+  [[nodiscard]] std::uint64_t setpoints_sent() const { return setpoints_sent_; }
+  /// Of all ports together.
+  [[nodiscard]] messages::PortReport sum() const;
+
+ private:
+  std::vector<std::unique_ptr<Port>> ports_;
+  std::array<messages::PortReport, config::kMaxPorts> reported_{};
+  std::array<pollfd, config::kMaxPorts> readable_{};
+  std::uint64_t setpoints_sent_ = 0;
+};
+
+/// The ports that the mission describes, in its order.
+/// @throws std::system_error naming what cannot be opened.
+void open_ports(const MissionFile& mission, PortSet& ports);
+
+}  // namespace earshot::board

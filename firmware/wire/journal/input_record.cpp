@@ -1,0 +1,63 @@
+#include "firmware/wire/journal/input_record.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+
+namespace earshot::wire {
+namespace {
+
+using messages::Input;
+
+Encoded encode(const Input& input) {
+  if (const auto* navigation = std::get_if<messages::Navigation>(&input.value)) return Encoded(to_message(*navigation));
+  if (const auto* measurement = std::get_if<messages::SnrMeasurement>(&input.value)) return Encoded(to_message(*measurement));
+  if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) return Encoded(to_message(*command));
+  return Encoded(to_message(*std::get_if<messages::PortReport>(&input.value)));
+}
+
+std::string_view channel_of(const Input& input) {
+  if (std::holds_alternative<messages::Navigation>(input.value)) return kNavStateChannel;
+  if (std::holds_alternative<messages::SnrMeasurement>(input.value)) return kSnrEstimateChannel;
+  if (std::holds_alternative<messages::OperatorCommand>(input.value)) return kOperatorCommandChannel;
+  return kPortReportChannel;
+}
+
+template <class Message>
+Status read(std::span<const std::uint8_t> data, Input& input) {
+  Message message{};
+  if (const Status status = decode(data, message); status != Status::kOk) return status;
+  input.value = from_message(message);
+  return Status::kOk;
+}
+
+}  // namespace
+
+InputRecord::InputRecord(const Input& input) : encoded_(encode(input)) {
+  static_assert(config::kMaxPorts <= 10, "one digit");
+  const std::string_view channel = channel_of(input);
+  const auto end = std::copy(channel.begin(), channel.end(), channel_.begin());
+  end[0] = '.';
+  end[1] = static_cast<char>('0' + input.port);
+  channel_size_ = channel.size() + 2;
+}
+
+Status read_input(std::string_view channel, Time time, std::span<const std::uint8_t> data, std::uint32_t sequence, Input& input) {
+  if (channel.size() < 2 || channel[channel.size() - 2] != '.') return Status::kUnsupported;
+  const int port = channel.back() - '0';
+  if (port < 0 || port >= static_cast<int>(config::kMaxPorts)) return Status::kUnsupported;
+  input.arrival = time;
+  input.port = static_cast<std::uint8_t>(port);
+  input.sequence = sequence;
+  const std::string_view kind = channel.substr(0, channel.size() - 2);
+  if (kind == kNavStateChannel) return read<nav_state_t>(data, input);
+  if (kind == kSnrEstimateChannel) return read<snr_estimate_t>(data, input);
+  if (kind == kOperatorCommandChannel) return read<operator_command_t>(data, input);
+  if (kind == kPortReportChannel) return read<port_report_t>(data, input);
+  return Status::kUnsupported;
+}
+
+}  // namespace earshot::wire

@@ -1,0 +1,188 @@
+#include "firmware/wire/lcm/conversion.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+namespace earshot::wire {
+
+nav_state_t to_message(const messages::Navigation& navigation) {
+  nav_state_t m{};
+  m.utime = navigation.time.us;
+  m.north_m = navigation.position.north.value;
+  m.east_m = navigation.position.east.value;
+  m.depth_m = navigation.depth.value;
+  m.heading_rad = navigation.heading.value;
+  m.speed_mps = navigation.speed.value;
+  return m;
+}
+
+snr_estimate_t to_message(const messages::SnrMeasurement& measurement) {
+  snr_estimate_t m{};
+  m.utime = measurement.time.us;
+  m.snr_db = measurement.snr.value;
+  m.too_faint = measurement.too_faint ? 1 : 0;
+  return m;
+}
+
+operator_command_t to_message(const messages::OperatorCommand& command) {
+  operator_command_t m{};
+  m.utime = command.time.us;
+  m.expiry_utime = command.expiry.us;
+  m.issuer = static_cast<std::int32_t>(command.issuer);
+  m.number = static_cast<std::int32_t>(command.number);
+  m.command = static_cast<std::int8_t>(command.order);
+  return m;
+}
+
+command_acknowledgement_t to_message(const messages::CommandAcknowledgement& acknowledgement) {
+  command_acknowledgement_t m{};
+  m.utime = acknowledgement.time.us;
+  m.issuer = static_cast<std::int32_t>(acknowledgement.issuer);
+  m.number = static_cast<std::int32_t>(acknowledgement.number);
+  m.command = static_cast<std::int8_t>(acknowledgement.order);
+  m.outcome = static_cast<std::int8_t>(acknowledgement.outcome);
+  return m;
+}
+
+port_report_t to_message(const messages::PortReport& report) {
+  port_report_t m{};
+  m.port = static_cast<std::int8_t>(report.port);
+  m.link_up = report.link_up ? 1 : 0;
+  m.received = static_cast<std::int64_t>(report.received);
+  m.lost = static_cast<std::int64_t>(report.lost);
+  m.malformed = static_cast<std::int64_t>(report.malformed);
+  m.unsent = static_cast<std::int64_t>(report.unsent);
+  return m;
+}
+
+setpoint_t to_message(const messages::Setpoint& setpoint, Time now) {
+  setpoint_t m{};
+  m.utime = now.us;
+  m.heading_rad = setpoint.heading.value;
+  m.speed_mps = setpoint.speed.value;
+  m.depth_m = setpoint.depth.value;
+  m.waypoint_north_m = setpoint.waypoint.north.value;
+  m.waypoint_east_m = setpoint.waypoint.east.value;
+  return m;
+}
+
+decision_t to_message(const messages::Decision& decision) {
+  decision_t m{};
+  m.utime = decision.time.us;
+  m.step = static_cast<std::int32_t>(decision.step);
+  m.north_m = decision.position.north.value;
+  m.east_m = decision.position.east.value;
+  m.snr_db = decision.snr.value;
+  m.too_faint = decision.too_faint ? 1 : 0;
+  m.detected = decision.detected ? 1 : 0;
+  m.action = static_cast<std::int8_t>(decision.action);
+  m.overridden = decision.overridden ? 1 : 0;
+  m.waypoint_north_m = decision.waypoint.north.value;
+  m.waypoint_east_m = decision.waypoint.east.value;
+  m.observation_size = static_cast<std::int8_t>(decision.observation_size);
+  m.action_count = static_cast<std::int8_t>(decision.action_count);
+  std::copy(decision.observation.begin(), decision.observation.end(), std::begin(m.observation));
+  std::copy(decision.logits.begin(), decision.logits.end(), std::begin(m.logits));
+  m.believes = decision.belief ? 1 : 0;
+  if (decision.belief) {
+    m.likeliest_north_m = decision.belief->likeliest.north.value;
+    m.likeliest_east_m = decision.belief->likeliest.east.value;
+    m.mean_north_m = decision.belief->mean.north.value;
+    m.mean_east_m = decision.belief->mean.east.value;
+    m.spread_m = decision.belief->spread.value;
+    m.likeliest_share = decision.belief->likeliest_share;
+    m.effective_cells = decision.belief->effective_cells;
+  }
+  return m;
+}
+
+health_t to_message(const messages::Health& health, Time now) {
+  static_assert(std::size(health_t{}.ports) == config::kMaxPorts);
+  health_t m{};
+  m.utime = now.us;
+  m.state = static_cast<std::int8_t>(health.state);
+  m.end_reason = static_cast<std::int8_t>(health.end_reason);
+  m.steps_taken = static_cast<std::int32_t>(health.steps_taken);
+  m.navigation_refused = static_cast<std::int32_t>(health.counters.navigation_refused);
+  m.snr_refused = static_cast<std::int32_t>(health.counters.snr_refused);
+  m.commands_refused = static_cast<std::int32_t>(health.counters.commands_refused);
+  m.setpoints_limited = static_cast<std::int32_t>(health.counters.setpoints_limited);
+  m.port_count = static_cast<std::int8_t>(health.ports.size());
+  for (std::size_t i = 0; i < health.ports.size(); ++i) m.ports[i] = to_message(health.ports[i]);
+  return m;
+}
+
+mission_t to_message(const config::Mission& mission, Time now) {
+  mission_t m{};
+  m.utime = now.us;
+  m.south_m = mission.operating_area.south_west.north.value;
+  m.west_m = mission.operating_area.south_west.east.value;
+  m.north_m = mission.operating_area.north_east.north.value;
+  m.east_m = mission.operating_area.north_east.east.value;
+  m.edge_margin_m = mission.edge_margin.value;
+  m.search_depth_m = mission.search_depth.value;
+  m.max_depth_m = mission.max_depth.value;
+  m.search_speed_mps = mission.search_speed.value;
+  m.step_length_m = mission.step_length.value;
+  m.max_steps = static_cast<std::int32_t>(mission.max_steps);
+  m.max_time_us = mission.max_time.us;
+  m.navigation_timeout_us = mission.navigation_timeout.us;
+  m.snr_timeout_us = mission.snr_timeout.us;
+  m.detection_threshold_db = mission.detection_threshold.value;
+  m.action_seed = static_cast<std::int64_t>(mission.action_seed);
+  return m;
+}
+
+messages::Navigation from_message(const nav_state_t& m) {
+  return {.time = {m.utime},
+          .position = {Meters{m.north_m}, Meters{m.east_m}},
+          .depth = Meters{m.depth_m},
+          .heading = Radians{m.heading_rad},
+          .speed = MetersPerSecond{m.speed_mps}};
+}
+
+messages::SnrMeasurement from_message(const snr_estimate_t& m) {
+  return {.time = {m.utime}, .snr = Decibels{m.snr_db}, .too_faint = m.too_faint != 0};
+}
+
+messages::OperatorCommand from_message(const operator_command_t& m) {
+  return {.time = {m.utime},
+          .expiry = {m.expiry_utime},
+          .issuer = static_cast<std::uint32_t>(m.issuer),
+          .number = static_cast<std::uint32_t>(m.number),
+          .order = static_cast<messages::Order>(m.command)};
+}
+
+messages::Setpoint from_message(const setpoint_t& m) {
+  return {.heading = Radians{m.heading_rad},
+          .speed = MetersPerSecond{m.speed_mps},
+          .depth = Meters{m.depth_m},
+          .waypoint = {Meters{m.waypoint_north_m}, Meters{m.waypoint_east_m}}};
+}
+
+messages::PortReport from_message(const port_report_t& m) {
+  return {.port = static_cast<std::uint8_t>(m.port),
+          .link_up = m.link_up != 0,
+          .received = static_cast<std::uint64_t>(m.received),
+          .lost = static_cast<std::uint64_t>(m.lost),
+          .malformed = static_cast<std::uint64_t>(m.malformed),
+          .unsent = static_cast<std::uint64_t>(m.unsent)};
+}
+
+config::Mission from_message(const mission_t& m) {
+  return {.operating_area = {.south_west = {Meters{m.south_m}, Meters{m.west_m}}, .north_east = {Meters{m.north_m}, Meters{m.east_m}}},
+          .edge_margin = Meters{m.edge_margin_m},
+          .search_depth = Meters{m.search_depth_m},
+          .max_depth = Meters{m.max_depth_m},
+          .search_speed = MetersPerSecond{m.search_speed_mps},
+          .step_length = Meters{m.step_length_m},
+          .max_steps = static_cast<std::uint32_t>(m.max_steps),
+          .max_time = {m.max_time_us},
+          .navigation_timeout = {m.navigation_timeout_us},
+          .snr_timeout = {m.snr_timeout_us},
+          .detection_threshold = Decibels{m.detection_threshold_db},
+          .action_seed = static_cast<std::uint64_t>(m.action_seed)};
+}
+
+}  // namespace earshot::wire

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+#include "earshot/command_acknowledgement_t.hpp"
+#include "earshot/decision_t.hpp"
+#include "earshot/health_t.hpp"
+#include "earshot/mission_t.hpp"
+#include "earshot/nav_state_t.hpp"
+#include "earshot/operator_command_t.hpp"
+#include "earshot/port_report_t.hpp"
+#include "earshot/setpoint_t.hpp"
+#include "earshot/snr_estimate_t.hpp"
+#include "firmware/config/mission.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/messages/decision.hpp"
+#include "firmware/messages/health.hpp"
+#include "firmware/messages/navigation.hpp"
+#include "firmware/messages/operator_command.hpp"
+#include "firmware/messages/port_report.hpp"
+#include "firmware/messages/setpoint.hpp"
+#include "firmware/messages/snr_measurement.hpp"
+
+namespace earshot::wire {
+
+// The runtime's inputs and outputs as LCM messages, as they go over the bus and into the journal, and back.
+// (The generated types live in namespace earshot, where lcm-gen puts them.)
+
+[[nodiscard]] nav_state_t to_message(const messages::Navigation& navigation);
+[[nodiscard]] snr_estimate_t to_message(const messages::SnrMeasurement& measurement);
+[[nodiscard]] operator_command_t to_message(const messages::OperatorCommand& command);
+[[nodiscard]] command_acknowledgement_t to_message(const messages::CommandAcknowledgement& acknowledgement);
+[[nodiscard]] port_report_t to_message(const messages::PortReport& report);
+[[nodiscard]] setpoint_t to_message(const messages::Setpoint& setpoint, Time now);
+[[nodiscard]] decision_t to_message(const messages::Decision& decision);
+[[nodiscard]] health_t to_message(const messages::Health& health, Time now);
+/// Policy and build are left to who knows them.
+[[nodiscard]] mission_t to_message(const config::Mission& mission, Time now);
+
+// Values are as they came: the runtime judges them.
+[[nodiscard]] messages::Navigation from_message(const nav_state_t& message);
+[[nodiscard]] messages::SnrMeasurement from_message(const snr_estimate_t& message);
+[[nodiscard]] messages::OperatorCommand from_message(const operator_command_t& message);
+[[nodiscard]] messages::Setpoint from_message(const setpoint_t& message);
+[[nodiscard]] messages::PortReport from_message(const port_report_t& message);
+[[nodiscard]] config::Mission from_message(const mission_t& message);
+
+}  // namespace earshot::wire

@@ -1,0 +1,63 @@
+#include "sim/link/lock_step_clock.hpp"
+
+namespace earshot::link {
+namespace {
+
+constexpr std::chrono::milliseconds kLookUp{100};          ///< how often a waiting loop looks whether it is to stop
+constexpr std::chrono::milliseconds kPortPatience{2000};   ///< for navigation that was sent before its tick: on one host it is there already
+constexpr std::uint32_t kIssuer = 0x53494d;                ///< "SIM": of the simulator's orders
+
+}  // namespace
+
+board::Clock::Wake LockStepClock::wait(const Awaited& awaited) {
+  if (!is_waiting_) return receive();
+  if (awaited.navigation_taken >= tick_.navigation_messages) {
+    is_waiting_ = false;
+    is_due_ = true;
+    return Wake::kTurn;
+  }
+  if (steady_clock::now() >= deadline_) return Wake::kLost;
+  board::wait_for_ports(awaited.ports, Duration::milliseconds(kLookUp.count()));
+  return Wake::kPorts;
+}
+
+board::Clock::Wake LockStepClock::receive() {
+  Tick tick;
+  const Delivery delivery = link_.receive(tick, kLookUp);
+  if (delivery == Delivery::kLost) return Wake::kLost;
+  if (delivery == Delivery::kNothing) return Wake::kPorts;
+  tick_ = tick;
+  is_waiting_ = true;
+  deadline_ = steady_clock::now() + kPortPatience;
+  return Wake::kPorts;
+}
+
+bool LockStepClock::answered(const runtime::Outputs& outputs, std::uint64_t setpoints_sent) {
+  link_.send({.number = tick_.number,
+              .setpoint_messages = setpoints_sent,
+              .steps_taken = outputs.health.steps_taken,
+              .state = static_cast<std::uint8_t>(outputs.health.state),
+              .end_reason = static_cast<std::uint8_t>(outputs.health.end_reason)});
+  return outputs.health.state != messages::MissionState::kDone && outputs.health.state != messages::MissionState::kAbort;
+}
+
+std::optional<Tick> LockStepClock::take_due() {
+  if (!is_due_) return std::nullopt;
+  is_due_ = false;
+  return tick_;
+}
+
+void LockStepPort::collect(board::Clock& /*clock*/, board::InputSink& sink) {
+  const std::optional<Tick> tick = clock_.take_due();
+  if (!tick) return;
+  if (tick->snr) sink.take(index(), messages::SnrMeasurement{.time = tick->time, .snr = *tick->snr, .too_faint = tick->snr_too_faint});
+  if (tick->command != 0) {
+    sink.take(index(), messages::OperatorCommand{.time = tick->time,
+                                                 .expiry = tick->time,
+                                                 .issuer = kIssuer,
+                                                 .number = ++commands_,
+                                                 .order = static_cast<messages::Order>(tick->command)});
+  }
+}
+
+}  // namespace earshot::link

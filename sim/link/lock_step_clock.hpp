@@ -1,0 +1,56 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/port.hpp"
+#include "sim/link/runtime_end.hpp"
+
+namespace earshot::link {
+
+/// A simulator's clock for the vehicle's loop: a turn is due for every tick, once the navigation that the tick announces has come over the
+/// vehicle's ports. Time stands still between ticks. What is not dated with its tick was meant for another flight and keeps no date.
+class LockStepClock final : public board::Clock {
+ public:
+  /// Throws LinkError.
+  explicit LockStepClock(std::uint32_t domain) : link_(domain) {}
+
+  [[nodiscard]] Time now() override { return tick_.time; }
+  [[nodiscard]] Time mission_time_of(Time utc) override { return utc == tick_.time ? utc : Time{-1}; }
+  [[nodiscard]] Time arrival_of(Time /*utc*/) override { return tick_.time; }
+  [[nodiscard]] Wake wait(const Awaited& awaited) override;
+  [[nodiscard]] bool answered(const runtime::Outputs& outputs, std::uint64_t setpoints_sent) override;
+
+  /// The tick of the turn that is due, once.
+  [[nodiscard]] std::optional<Tick> take_due();
+
+ private:
+  using steady_clock = std::chrono::steady_clock;
+
+  [[nodiscard]] Wake receive();
+
+  RuntimeEnd link_;
+  Tick tick_;
+  bool is_waiting_ = false;  ///< for the navigation that the tick announces
+  bool is_due_ = false;
+  steady_clock::time_point deadline_;
+};
+
+/// What the tick brings, as a port: the modelled SNR, and the orders of who runs the simulation.
+class LockStepPort final : public board::Port {
+ public:
+  LockStepPort(std::uint8_t index, LockStepClock& clock) : Port(index, {board::Role::kSnr, board::Role::kOperator}), clock_(clock) {}
+
+  void collect(board::Clock& clock, board::InputSink& sink) override;
+  std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
+  [[nodiscard]] int file_descriptor() const override { return -1; }
+
+ private:
+  LockStepClock& clock_;
+  std::uint32_t commands_ = 0;
+};
+
+}  // namespace earshot::link
