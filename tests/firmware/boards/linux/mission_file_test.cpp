@@ -52,7 +52,9 @@ TEST(MissionFile, TheShippedMissionIsThePapers) {
   EXPECT_EQ(file.mission.max_steps, 100);
   EXPECT_EQ(file.mission.detection_threshold.value, 10.0);
   EXPECT_EQ(file.step_period, Duration::seconds(1));
-  EXPECT_EQ(file.bus, BusKind::kLcm);
+  ASSERT_EQ(file.ports.size(), 1U);
+  EXPECT_EQ(file.ports[0].kind, PortKind::kLcm);
+  EXPECT_EQ(file.ports[0].roles, (Roles{Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus}));
 }
 
 TEST(MissionFile, FilesItNamesAreRelativeToItsOwnFolder) {
@@ -102,7 +104,7 @@ TEST(MissionFile, RefusesAnAreaWithNoRoomToSearch) {
 }
 
 TEST(MissionFile, RefusesAnLcmAddressThatIsNotMulticast) {
-  EXPECT_NE(complaint("udpm://239.255.76.67:7667", "udpm://10.0.0.1:7667").find("bus.lcm_url"), std::string::npos);
+  EXPECT_NE(complaint("udpm://239.255.76.67:7667", "udpm://10.0.0.1:7667").find("port[0].url"), std::string::npos);
 }
 
 TEST(MissionFile, SaysEverythingThatIsWrongAtOnce) {
