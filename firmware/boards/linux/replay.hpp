@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "firmware/boards/linux/journal_reader.hpp"
+
+namespace earshot::board {
+
+/// What became of a journal that was given to the runtime again.
+struct ReplayResult {
+  std::size_t inputs = 0;
+  std::size_t turns = 0;
+  std::size_t decisions = 0;
+  /// The first record that the runtime does not give again, byte for byte; nothing when it gives them all.
+  struct Difference {
+    std::uint32_t record = 0;  ///< its number
+    std::string channel;
+  };
+  std::optional<Difference> difference;
+  std::optional<std::uint32_t> gap;  ///< number of the record before which some were dropped: what follows was not replayed
+  JournalReader::End end = JournalReader::End::kWhole;
+
+  [[nodiscard]] bool is_same() const { return !difference && !gap; }
+};
+
+/// Gives a fresh runtime the inputs of a journal again and compares every output with what stands in it. The journal alone is needed: it
+/// begins with the mission and the policy.
+/// @throws std::system_error when it cannot be read, config_file::BadInput when it does not begin so or its policy is damaged.
+[[nodiscard]] ReplayResult replay(const std::filesystem::path& journal);
+
+}  // namespace earshot::board
