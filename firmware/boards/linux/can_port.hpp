@@ -18,7 +18,10 @@ class CanPort final : public Port {
 
   void collect(Clock& clock, InputSink& sink) override;
   std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;
-  [[nodiscard]] int file_descriptor() const override { return socket_.file_descriptor(); }
+  [[nodiscard]] int file_descriptor() const override { return socket_.is_up() ? socket_.file_descriptor() : -1; }
+  void tend() override {
+    if (!socket_.is_up()) (void)socket_.reopen();
+  }
   [[nodiscard]] messages::PortReport report() const override;
 
  private:

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "firmware/boards/linux/file_descriptor.hpp"
+#include "firmware/boards/linux/socket_drops.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/wire/n2k/frame.hpp"
@@ -17,7 +18,8 @@ struct CanCounters {
   std::uint64_t send_failed = 0;  ///< the interface's queue was full or it is down
   std::uint64_t received = 0;
   std::uint64_t other_frames = 0;    ///< 11-bit, remote and error frames: not NMEA 2000
-  std::uint64_t lost_by_kernel = 0;  ///< arrived faster than they were taken: the kernel drops the newest and counts
+  std::uint64_t lost_by_kernel = 0;  ///< arrived faster than they were taken: the kernel drops the newest
+  std::uint64_t errors = 0;          ///< what the kernel said instead of giving or taking a frame: the interface is down or gone
 };
 
 /// A raw SocketCAN socket on one interface. Never waits; does not hear its own frames.
@@ -35,15 +37,22 @@ class CanSocket {
   /// @param received_utc  when the kernel received it
   [[nodiscard]] Status receive(n2k::Frame& frame, Time& received_utc, std::size_t& budget);
 
-  /// False once the kernel has said of this interface that it is down or gone.
+  /// False once the kernel has said that the interface is down or gone, until reopen() finds it again.
   [[nodiscard]] bool is_up() const { return is_up_; }
+  /// Tries to be on the interface again. @return is_up()
+  bool reopen();
+
   [[nodiscard]] int file_descriptor() const { return socket_.number(); }
-  [[nodiscard]] const CanCounters& counters() const { return counters_; }
+  [[nodiscard]] CanCounters counters() const;
 
  private:
+  void note_error();
+
+  std::string interface_;
   FileDescriptor socket_;
   bool is_up_ = true;
   CanCounters counters_;
+  SocketDrops drops_;
 };
 
 }  // namespace earshot::board

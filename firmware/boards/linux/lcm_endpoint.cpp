@@ -38,13 +38,6 @@ sockaddr_in address_of(const LcmUrl& url) {
   return address;
 }
 
-/// The interface that the bus is on: loopback when nothing may leave the host, else the routes decide.
-in_addr interface_of(const LcmUrl& url) {
-  in_addr address{};
-  address.s_addr = htonl(url.ttl == 0 ? INADDR_LOOPBACK : INADDR_ANY);
-  return address;
-}
-
 template <class Call>
 int with_address(Call call, const FileDescriptor& socket, const sockaddr_in& address) {
   return call(socket.number(), reinterpret_cast<const sockaddr*>(&address), socklen_t{sizeof address});
@@ -52,24 +45,23 @@ int with_address(Call call, const FileDescriptor& socket, const sockaddr_in& add
 
 FileDescriptor open_sender(const LcmUrl& url) {
   FileDescriptor socket = open_udp();
-  if (url.ttl == 0) set_option(socket, IPPROTO_IP, IP_MULTICAST_IF, interface_of(url), "IP_MULTICAST_IF");
+  in_addr loopback{};
+  loopback.s_addr = htonl(INADDR_LOOPBACK);
+  if (url.ttl == 0) set_option(socket, IPPROTO_IP, IP_MULTICAST_IF, loopback, "IP_MULTICAST_IF");
   set_option(socket, IPPROTO_IP, IP_MULTICAST_TTL, url.ttl, "IP_MULTICAST_TTL");
   set_option(socket, IPPROTO_IP, IP_MULTICAST_LOOP, 1, "IP_MULTICAST_LOOP");
   if (with_address(::connect, socket, address_of(url)) != 0) fail("connect: no route to the multicast group");
   return socket;
 }
 
-FileDescriptor open_receiver(const LcmUrl& url) {
+FileDescriptor open_receiver(const LcmUrl& url, const LcmInterfaces& interfaces) {
   FileDescriptor socket = open_udp();
   set_option(socket, SOL_SOCKET, SO_REUSEADDR, 1, "SO_REUSEADDR");
   if (url.receive_buffer_bytes > 0) set_option(socket, SOL_SOCKET, SO_RCVBUF, url.receive_buffer_bytes, "SO_RCVBUF");
   // Without this Linux also hands over what other sockets of this host joined on other interfaces.
   set_option(socket, IPPROTO_IP, IP_MULTICAST_ALL, 0, "IP_MULTICAST_ALL");
   if (with_address(::bind, socket, address_of(url)) != 0) fail("bind");
-  ip_mreq membership{};
-  membership.imr_multiaddr.s_addr = htonl(url.group);
-  membership.imr_interface = interface_of(url);
-  set_option(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, membership, "IP_ADD_MEMBERSHIP");
+  if (interfaces.join_all(socket.number(), htonl(url.group)) == 0) fail("no interface is up on which the multicast group can be joined");
   return socket;
 }
 
@@ -89,6 +81,7 @@ wire::Sender local_address(const FileDescriptor& socket) {
 struct LcmEndpoint::Storage {
   struct Entry {
     std::uint64_t arrival = 0;
+    bool kept = false;  ///< not to be pushed out
     std::size_t size = 0;
     std::array<std::uint8_t, config::kLcmMessageBytes> data;
   };
@@ -98,6 +91,18 @@ struct LcmEndpoint::Storage {
     std::size_t first = 0;
     std::size_t count = 0;
     std::array<Entry, config::kLcmQueueDepth> entries;
+
+    [[nodiscard]] Entry& at(std::size_t i) { return entries[(first + i) % entries.size()]; }
+    /// Makes room for one more in a full queue; false when everything in it is to be kept.
+    [[nodiscard]] bool push_out_oldest() {
+      std::size_t oldest = 0;
+      while (oldest < count && at(oldest).kept) ++oldest;
+      if (oldest == count) return false;
+      for (; oldest > 0; --oldest) at(oldest) = at(oldest - 1);  // rare: a kept message moves up
+      first = (first + 1) % entries.size();
+      --count;
+      return true;
+    }
   };
   std::array<Queue, config::kLcmSubscriptions> queues;
   std::size_t queue_count = 0;
@@ -106,8 +111,13 @@ struct LcmEndpoint::Storage {
   std::array<std::uint8_t, wire::kMaxDatagram> datagram;
 };
 
-LcmEndpoint::LcmEndpoint(const LcmUrl& url, std::span<const std::string_view> channels)
-    : sender_(open_sender(url)), receiver_(open_receiver(url)), self_(local_address(sender_)), storage_(new Storage) {
+LcmEndpoint::LcmEndpoint(const LcmUrl& url, const std::vector<std::string_view>& channels, MustKeep must_keep)
+    : url_(url),
+      must_keep_(must_keep),
+      sender_(open_sender(url)),
+      receiver_(open_receiver(url, interfaces_)),
+      self_(local_address(sender_)),
+      storage_(new Storage) {
   if (channels.size() > config::kLcmSubscriptions) {
     throw std::invalid_argument("LCM: more than " + std::to_string(config::kLcmSubscriptions) + " channels");
   }
@@ -150,6 +160,10 @@ void LcmEndpoint::collect() {
                                     reinterpret_cast<sockaddr*>(&from), &from_size);
     if (size < 0) return;
     if (sender_of(from) == self_) continue;
+    if (url_.ttl == 0 && !interfaces_.is_own(from.sin_addr.s_addr)) {
+      ++counters_.from_elsewhere;
+      continue;
+    }
     wire::Lc02Message message;
     const std::span<const std::uint8_t> datagram{storage_->datagram.data(), static_cast<std::size_t>(size)};
     if (storage_->reassembly.accept(datagram, sender_of(from), message) == Status::kOk) enqueue(message);
@@ -164,12 +178,12 @@ void LcmEndpoint::enqueue(const wire::Lc02Message& message) {
     return;
   }
   if (queue->count == queue->entries.size()) {
-    queue->first = (queue->first + 1) % queue->entries.size();
-    --queue->count;
     ++counters_.overwritten;
+    if (!queue->push_out_oldest()) return;
   }
   Storage::Entry& entry = queue->entries[(queue->first + queue->count++) % queue->entries.size()];
   entry.arrival = storage_->arrivals++;
+  entry.kept = must_keep_ != nullptr && must_keep_(message.channel, message.data);
   entry.size = message.data.size();
   std::ranges::copy(message.data, entry.data.begin());
   ++counters_.received;
@@ -192,8 +206,14 @@ Status LcmEndpoint::take(wire::Lc02Message& message) {
   return Status::kOk;
 }
 
+void LcmEndpoint::refresh_interfaces() {
+  interfaces_.refresh();
+  (void)interfaces_.join_all(receiver_.number(), htonl(url_.group));
+}
+
 LcmCounters LcmEndpoint::counters() const {
   LcmCounters counters = counters_;
+  counters.lost_by_kernel = drops_.count(receiver_.number());
   counters.datagrams = storage_->reassembly.counters();
   return counters;
 }

@@ -1,5 +1,6 @@
 #include "firmware/boards/linux/lcm_port.hpp"
 
+#include <span>
 #include <vector>
 
 #include "firmware/wire/lcm/channels.hpp"
@@ -17,10 +18,16 @@ std::vector<std::string_view> channels_of(Roles roles) {
   return channels;
 }
 
+/// However many orders follow it before they are taken.
+bool is_abort(std::string_view channel, std::span<const std::uint8_t> data) {
+  operator_command_t command{};
+  return channel == wire::kOperatorCommandChannel && wire::decode(data, command) == Status::kOk && command.command == operator_command_t::ABORT;
+}
+
 }  // namespace
 
 LcmPort::LcmPort(std::uint8_t index, const PortSettings& settings)
-    : Port(index, settings.roles), endpoint_(parse_lcm_url(settings.address), channels_of(settings.roles)) {}
+    : Port(index, settings.roles), endpoint_(parse_lcm_url(settings.address), channels_of(settings.roles), is_abort) {}
 
 void LcmPort::collect(Clock& clock, InputSink& sink) {
   endpoint_.collect();
@@ -78,7 +85,7 @@ std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
 messages::PortReport LcmPort::report() const {
   messages::PortReport report = report_;
   const LcmCounters lcm = endpoint_.counters();
-  report.lost += lcm.overwritten + lcm.datagrams.incomplete;
+  report.lost += lcm.lost_by_kernel + lcm.overwritten + lcm.datagrams.incomplete;
   report.malformed += lcm.datagrams.malformed + lcm.datagrams.too_large;
   return report;
 }

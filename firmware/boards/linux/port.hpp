@@ -42,8 +42,8 @@ class Port {
   virtual std::uint64_t publish(Time now, const runtime::Outputs& outputs) = 0;
   /// Readable when collect() has something to read; -1 while the link is down.
   [[nodiscard]] virtual int file_descriptor() const = 0;
-  /// Called now and then while the link is down: opens it again if it is back.
-  virtual void reopen() {}
+  /// Called about once a second of the host's time: opens again what is down.
+  virtual void tend() {}
   /// What it received, lost and could not send so far.
   [[nodiscard]] virtual messages::PortReport report() const { return report_; }
 

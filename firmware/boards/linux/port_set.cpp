@@ -32,10 +32,11 @@ void PortSet::report_changes(InputSink& sink) {
   }
 }
 
-void PortSet::reopen() {
-  for (const auto& port : ports_) {
-    if (!port->report().link_up) port->reopen();
-  }
+void PortSet::tend() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_tended_ < std::chrono::seconds(1)) return;
+  last_tended_ = now;
+  for (const auto& port : ports_) port->tend();
 }
 
 std::span<const pollfd> PortSet::readable() {

@@ -3,6 +3,7 @@
 #include <poll.h>
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -31,8 +32,8 @@ class PortSet {
   void publish(Time now, const runtime::Outputs& outputs);
   /// Gives `sink` the report of every port that has changed since it was last given.
   void report_changes(InputSink& sink);
-  /// Tries to open what is down.
-  void reopen();
+  /// Looks after every link, once a second of the host's time however often it is called.
+  void tend();
 
   /// One for each port whose link is up; valid until the next call of any kind.
   [[nodiscard]] std::span<const pollfd> readable();
@@ -45,6 +46,7 @@ class PortSet {
   std::array<messages::PortReport, config::kMaxPorts> reported_{};
   std::array<pollfd, config::kMaxPorts> readable_{};
   std::uint64_t setpoints_sent_ = 0;
+  std::chrono::steady_clock::time_point last_tended_ = std::chrono::steady_clock::now();
 };
 
 /// The ports that the mission describes, in its order.

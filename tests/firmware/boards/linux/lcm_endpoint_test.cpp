@@ -16,7 +16,7 @@
 
 #include "earshot/decision_t.hpp"
 #include "earshot/nav_state_t.hpp"
-#include "firmware/boards/linux/lcm_codec.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "tests/support/private_network.hpp"
 
@@ -101,7 +101,7 @@ TEST_F(LiblcmPeer, IsHeardFieldByField) {
   ASSERT_TRUE(receive(endpoint, message));
   EXPECT_EQ(message.channel, wire::kNavStateChannel);
   nav_state_t nav{};
-  ASSERT_EQ(decode(message.data, nav), Status::kOk);
+  ASSERT_EQ(wire::decode(message.data, nav), Status::kOk);
   EXPECT_EQ(nav.utime, sent.utime);
   EXPECT_EQ(nav.north_m, sent.north_m);
   EXPECT_EQ(nav.speed_mps, sent.speed_mps);
@@ -109,12 +109,12 @@ TEST_F(LiblcmPeer, IsHeardFieldByField) {
 
 TEST_F(LiblcmPeer, HearsUsFieldByField) {
   LcmEndpoint endpoint(parse_lcm_url(kUrl), {});
-  ASSERT_EQ(publish(endpoint, wire::kNavStateChannel, some_nav_state()), Status::kOk);
+  ASSERT_EQ(endpoint.publish(wire::kNavStateChannel, wire::Encoded(some_nav_state()).bytes()), Status::kOk);
   ASSERT_EQ(peer_->handleTimeout(kPatience_ms), 1);
   ASSERT_EQ(inbox_.messages.size(), 1U);
   EXPECT_EQ(inbox_.messages[0].first, "EARSHOT_NAV_STATE");
   nav_state_t nav{};
-  ASSERT_EQ(decode(inbox_.messages[0].second, nav), Status::kOk);
+  ASSERT_EQ(wire::decode(inbox_.messages[0].second, nav), Status::kOk);
   EXPECT_EQ(nav.utime, some_nav_state().utime);
   EXPECT_EQ(nav.north_m, some_nav_state().north_m);
   EXPECT_EQ(nav.speed_mps, some_nav_state().speed_mps);
@@ -184,6 +184,93 @@ TEST_F(LcmEndpointTest, KeepsTheNewestOfAFloodAndLosesNothingOfTheOtherChannels)
   EXPECT_EQ(receiver.counters().overwritten, 200U - config::kLcmQueueDepth);
 }
 
+TEST_F(LcmEndpointTest, KeepsWhatMustBeKeptHoweverManyNewerOnesFollowIt) {
+  const auto begins_with_nine = [](std::string_view, std::span<const std::uint8_t> data) { return data[0] == 9; };
+  LcmEndpoint sender(parse_lcm_url(kUrl), {});
+  LcmEndpoint receiver(parse_lcm_url(kUrl), {"EARSHOT_A"}, begins_with_nine);
+  for (const std::uint8_t byte : Bytes{1, 9, 2, 3, 4, 5, 6, 7}) ASSERT_EQ(sender.publish("EARSHOT_A", Bytes{byte}), Status::kOk);
+  receiver.collect();
+  wire::Lc02Message message;
+  for (const std::uint8_t expected : Bytes{9, 5, 6, 7}) {
+    ASSERT_EQ(receiver.take(message), Status::kOk);
+    EXPECT_EQ(message.data[0], expected);
+  }
+  EXPECT_EQ(receiver.take(message), Status::kNotReady);
+  EXPECT_EQ(receiver.counters().overwritten, 4U);
+}
+
+TEST_F(LcmEndpointTest, LosesTheNewestOfAQueueThatHoldsNothingButWhatMustBeKept) {
+  LcmEndpoint sender(parse_lcm_url(kUrl), {});
+  LcmEndpoint receiver(parse_lcm_url(kUrl), {"EARSHOT_A"}, [](std::string_view, std::span<const std::uint8_t>) { return true; });
+  for (const std::uint8_t byte : Bytes{1, 2, 3, 4, 5}) ASSERT_EQ(sender.publish("EARSHOT_A", Bytes{byte}), Status::kOk);
+  receiver.collect();
+  wire::Lc02Message message;
+  for (const std::uint8_t expected : Bytes{1, 2, 3, 4}) {
+    ASSERT_EQ(receiver.take(message), Status::kOk);
+    EXPECT_EQ(message.data[0], expected);
+  }
+  EXPECT_EQ(receiver.counters().overwritten, 1U);
+}
+
+TEST_F(LcmEndpointTest, CountsEveryDatagramThatTheKernelDroppedThoughNoneCameAfterThem) {
+  LcmEndpoint sender(parse_lcm_url(kUrl), {});
+  LcmEndpoint receiver(parse_lcm_url(std::string(kUrl) + "&recv_buf_size=4096"), {});
+  constexpr std::uint64_t kSent = 1000;
+  for (std::uint64_t i = 0; i < kSent; ++i) ASSERT_EQ(sender.publish("EARSHOT_X", {}), Status::kOk);
+  receiver.collect();
+  const LcmCounters counters = receiver.counters();
+  EXPECT_GT(counters.lost_by_kernel, 0U);
+  EXPECT_EQ(counters.lost_by_kernel + counters.other_channels, kSent);
+}
+
+/// A host as hosts are: an Ethernet interface with an address, and every route, multicast's too, leads there.
+class OnAHostWithEthernet : public LcmEndpointTest {
+ protected:
+  void SetUp() override {
+    LcmEndpointTest::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link add eth0 type veth peer name far0 && ip addr add 10.9.8.7/24 dev eth0 &&"
+                          " ip link set eth0 up && ip link set far0 up && ip route del 224.0.0.0/4 dev lo && ip route add default dev eth0"),
+              0);
+  }
+  void TearDown() override {
+    if (!isolated_) return;
+    ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link del eth0; ip route add 224.0.0.0/4 dev lo"), 0);
+  }
+};
+
+TEST_F(OnAHostWithEthernet, HearsAStockPeerWhoseMulticastTakesTheDefaultRoute) {
+  lcm::LCM peer(kUrl);
+  ASSERT_TRUE(peer.good());
+  LcmEndpoint endpoint(parse_lcm_url(kUrl), {wire::kNavStateChannel});
+  EXPECT_EQ(endpoint.interfaces(), "lo, eth0");
+  const nav_state_t sent = some_nav_state();
+  ASSERT_EQ(peer.publish("EARSHOT_NAV_STATE", &sent), 0);
+  wire::Lc02Message message;
+  EXPECT_TRUE(receive(endpoint, message));
+  EXPECT_EQ(endpoint.take(message), Status::kNotReady) << "once, not once an interface";
+}
+
+TEST_F(OnAHostWithEthernet, IsHeardByAStockPeer) {
+  lcm::LCM peer(kUrl);
+  Inbox inbox;
+  peer.subscribe("EARSHOT.*", &Inbox::on_message, &inbox);
+  LcmEndpoint endpoint(parse_lcm_url(kUrl), {});
+  ASSERT_EQ(endpoint.publish(wire::kNavStateChannel, wire::Encoded(some_nav_state()).bytes()), Status::kOk);
+  EXPECT_EQ(peer.handleTimeout(kPatience_ms), 1);
+}
+
+TEST_F(LcmEndpointTest, HearsAnInterfaceThatComesUpAfterIt) {
+  LcmEndpoint endpoint(parse_lcm_url(kUrl), {wire::kNavStateChannel});
+  EXPECT_EQ(endpoint.interfaces(), "lo");
+  ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link add eth1 type veth peer name far1 && ip addr add 10.9.9.7/24 dev eth1 &&"
+                        " ip link set eth1 up"),
+            0);
+  endpoint.refresh_interfaces();
+  EXPECT_EQ(endpoint.interfaces(), "lo, eth1");
+  ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link del eth1"), 0);
+}
+
 TEST_F(LcmEndpointTest, ReadsABoundedNumberOfDatagramsInOneTurn) {
   LcmEndpoint sender(parse_lcm_url(kUrl), {});
   LcmEndpoint receiver(parse_lcm_url(std::string(kUrl) + "&recv_buf_size=1000000"), {});
@@ -236,19 +323,19 @@ TEST_F(LcmEndpointTest, RefusesToPublishWhatLcmCannotCarry) {
 }
 
 TEST_F(LcmEndpointTest, RefusesAMessageOfAnotherTypeOrLength) {
-  const Encoded encoded(some_nav_state());
+  const wire::Encoded encoded(some_nav_state());
   decision_t decision{};
-  EXPECT_EQ(decode(encoded.bytes(), decision), Status::kMalformed);
+  EXPECT_EQ(wire::decode(encoded.bytes(), decision), Status::kMalformed);
   nav_state_t nav{};
-  EXPECT_EQ(decode(encoded.bytes().first(encoded.bytes().size() - 1), nav), Status::kMalformed);
+  EXPECT_EQ(wire::decode(encoded.bytes().first(encoded.bytes().size() - 1), nav), Status::kMalformed);
   Bytes longer(encoded.bytes().begin(), encoded.bytes().end());
   longer.push_back(0);
-  EXPECT_EQ(decode(longer, nav), Status::kMalformed);
-  EXPECT_EQ(decode(Bytes{}, nav), Status::kMalformed);
+  EXPECT_EQ(wire::decode(longer, nav), Status::kMalformed);
+  EXPECT_EQ(wire::decode(Bytes{}, nav), Status::kMalformed);
 }
 
 TEST_F(LcmEndpointTest, HasRoomToEncodeTheLargestMessage) {
-  EXPECT_EQ(Encoded(decision_t{}).bytes().size(), static_cast<std::size_t>(decision_t{}.getEncodedSize()));
+  EXPECT_EQ(wire::Encoded(decision_t{}).bytes().size(), static_cast<std::size_t>(decision_t{}.getEncodedSize()));
 }
 
 }  // namespace
