@@ -16,7 +16,10 @@ board::Clock::Wake LockStepClock::wait(const Awaited& awaited) {
     is_due_ = true;
     return Wake::kTurn;
   }
-  if (steady_clock::now() >= deadline_) return Wake::kLost;
+  if (steady_clock::now() >= deadline_) {
+    lost_ = "the bus: navigation that the simulator sent did not arrive";
+    return Wake::kLost;
+  }
   board::wait_for_ports(awaited.ports, Duration::milliseconds(kLookUp.count()));
   return Wake::kPorts;
 }
@@ -24,12 +27,20 @@ board::Clock::Wake LockStepClock::wait(const Awaited& awaited) {
 board::Clock::Wake LockStepClock::receive() {
   Tick tick;
   const Delivery delivery = link_.receive(tick, kLookUp);
-  if (delivery == Delivery::kLost) return Wake::kLost;
+  if (delivery == Delivery::kLost) {
+    lost_ = "the simulator";
+    return Wake::kLost;
+  }
   if (delivery == Delivery::kNothing) return Wake::kPorts;
   tick_ = tick;
   is_waiting_ = true;
   deadline_ = steady_clock::now() + kPortPatience;
   return Wake::kPorts;
+}
+
+std::string LockStepClock::remark() const {
+  if (link_.strangers() == 0) return {};
+  return std::to_string(link_.strangers()) + " ticks of another simulator in DDS domain " + std::to_string(domain_) + " were ignored";
 }
 
 bool LockStepClock::answered(const runtime::Outputs& outputs, std::uint64_t setpoints_sent) {

@@ -2,8 +2,8 @@
 
 #include <chrono>
 #include <cstdint>
-#include <memory>
 #include <optional>
+#include <string>
 
 #include "firmware/boards/linux/clock.hpp"
 #include "firmware/boards/linux/port.hpp"
@@ -15,8 +15,12 @@ namespace earshot::link {
 /// vehicle's ports. Time stands still between ticks. What is not dated with its tick was meant for another flight and keeps no date.
 class LockStepClock final : public board::Clock {
  public:
-  /// Throws LinkError.
-  explicit LockStepClock(std::uint32_t domain) : link_(domain) {}
+  /// @param run  as RuntimeEnd's. Throws LinkError.
+  LockStepClock(std::uint32_t domain, RunId run) : domain_(domain), link_(domain, run) {}
+
+  [[nodiscard]] bool has_come(std::chrono::milliseconds most) override { return link_.wait_for_simulator(most); }
+  [[nodiscard]] std::string lost() const override { return lost_; }
+  [[nodiscard]] std::string remark() const override;
 
   [[nodiscard]] Time now() override { return tick_.time; }
   [[nodiscard]] Time mission_time_of(Time utc) override { return utc == tick_.time ? utc : Time{-1}; }
@@ -32,7 +36,9 @@ class LockStepClock final : public board::Clock {
 
   [[nodiscard]] Wake receive();
 
+  std::uint32_t domain_;
   RuntimeEnd link_;
+  const char* lost_ = "";
   Tick tick_;
   bool is_waiting_ = false;  ///< for the navigation that the tick announces
   bool is_due_ = false;
@@ -47,6 +53,7 @@ class LockStepPort final : public board::Port {
   void collect(board::Clock& clock, board::InputSink& sink) override;
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
   [[nodiscard]] int file_descriptor() const override { return -1; }
+  [[nodiscard]] std::string description() const override { return "simulation link"; }
 
  private:
   LockStepClock& clock_;

@@ -3,14 +3,15 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <utility>
 
 #include "firmware/boards/linux/simulation_plugin.hpp"
 #include "sim/link/lock_step_clock.hpp"
 
-extern "C" [[gnu::visibility("default")]] earshot::board::Simulation* earshot_open_simulation(std::uint32_t domain, std::uint8_t port, char* error,
-                                                                                             std::size_t error_size) try {
-  auto clock = std::make_unique<earshot::link::LockStepClock>(domain);
-  auto link_port = std::make_unique<earshot::link::LockStepPort>(port, *clock);
+extern "C" [[gnu::visibility("default")]] earshot::board::Simulation* earshot_open_simulation(
+    const earshot::board::SimulationOptions& options, char* error, std::size_t error_size) try {
+  auto clock = std::make_unique<earshot::link::LockStepClock>(options.domain, options.run);
+  auto link_port = std::make_unique<earshot::link::LockStepPort>(options.port, *clock);
   return new earshot::board::Simulation{.clock = std::move(clock), .port = std::move(link_port)};
 } catch (const std::exception& e) {
   (void)std::snprintf(error, error_size, "%s", e.what());

@@ -394,7 +394,7 @@ TEST_F(Flight, GivenItsJournalTheRuntimeDecidesTheSameAgainBitForBit) {
   config::Mission mission = board::load_mission(kMission).mission;
   mission.action_seed = 7;
   auto runtime = std::make_unique<runtime::Runtime>();
-  ASSERT_EQ(runtime->configure(mission, *board::load_policy(folder_ / "walk.policy", folder_ / "walk.pub")), Status::kOk);
+  ASSERT_EQ(runtime->configure(mission, *board::load_policy(folder_ / "walk.policy", folder_ / "walk.pub").policy), Status::kOk);
 
   board::JournalReader journal(folder_ / "out/journal.lcmlog");
   runtime::Outputs outputs;

@@ -6,7 +6,7 @@
 namespace earshot::board {
 
 CanPort::CanPort(std::uint8_t index, const PortSettings& settings, const n2k::LocalPlane& plane)
-    : Port(index, settings.roles), socket_(settings.address), receiver_(plane) {}
+    : Port(index, settings.roles), interface_(settings.address), socket_(settings.address), receiver_(plane) {}
 
 void CanPort::collect(Clock& clock, InputSink& sink) {
   std::size_t budget = config::kCanFramesPerCollect;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "firmware/boards/linux/can_socket.hpp"
 #include "firmware/boards/linux/port.hpp"
@@ -23,10 +24,12 @@ class CanPort final : public Port {
     if (!socket_.is_up()) (void)socket_.reopen();
   }
   [[nodiscard]] messages::PortReport report() const override;
+  [[nodiscard]] std::string description() const override { return "CAN " + interface_; }
 
  private:
   [[nodiscard]] Status send(const messages::Setpoint& setpoint);
 
+  std::string interface_;
   CanSocket socket_;
   n2k::NavigationReceiver receiver_;
   std::uint8_t sequence_ = 0;

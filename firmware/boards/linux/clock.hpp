@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
 #include <span>
+#include <string>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/time.hpp"
@@ -29,6 +31,13 @@ class Clock {
   virtual ~Clock() = default;
   Clock(const Clock&) = delete;
   Clock& operator=(const Clock&) = delete;
+
+  /// True as soon as whoever drives the clock is there.
+  [[nodiscard]] virtual bool has_come(std::chrono::milliseconds /*most*/) { return true; }
+  /// What was lost when wait() said kLost, for a person: "the simulator".
+  [[nodiscard]] virtual std::string lost() const { return {}; }
+  /// What else a person should know at the end; empty when there is nothing.
+  [[nodiscard]] virtual std::string remark() const { return {}; }
 
   /// Never goes back.
   [[nodiscard]] virtual Time now() = 0;

@@ -27,7 +27,7 @@ bool is_abort(std::string_view channel, std::span<const std::uint8_t> data) {
 }  // namespace
 
 LcmPort::LcmPort(std::uint8_t index, const PortSettings& settings)
-    : Port(index, settings.roles), endpoint_(parse_lcm_url(settings.address), channels_of(settings.roles), is_abort) {}
+    : Port(index, settings.roles), address_(settings.address), endpoint_(parse_lcm_url(settings.address), channels_of(settings.roles), is_abort) {}
 
 void LcmPort::collect(Clock& clock, InputSink& sink) {
   endpoint_.collect();

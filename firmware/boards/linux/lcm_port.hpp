@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "firmware/boards/linux/lcm_endpoint.hpp"
@@ -19,12 +20,14 @@ class LcmPort final : public Port {
   [[nodiscard]] int file_descriptor() const override { return endpoint_.file_descriptor(); }
   void tend() override { endpoint_.refresh_interfaces(); }
   [[nodiscard]] messages::PortReport report() const override;
+  [[nodiscard]] std::string description() const override { return "LCM " + address_ + " on " + endpoint_.interfaces(); }
 
  private:
   template <class Message>
   bool send(std::string_view channel, const Message& message);
   void take(Clock& clock, const wire::Lc02Message& message, InputSink& sink);
 
+  std::string address_;
   LcmEndpoint endpoint_;
 };
 

@@ -160,6 +160,14 @@ void override_ports(MissionFile& file, const PortOverride& said) {
   }
 }
 
+std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind) {
+  std::vector<std::string> addresses;
+  for (const PortSettings& port : file.ports) {
+    if (port.kind == kind && std::find(addresses.begin(), addresses.end(), port.address) == addresses.end()) addresses.push_back(port.address);
+  }
+  return addresses;
+}
+
 void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path) {
   for (const Role role : {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot}) {
     if (has_port_for(file, role)) continue;

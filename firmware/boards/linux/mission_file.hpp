@@ -36,6 +36,9 @@ struct PortOverride {
 
 void override_ports(MissionFile& file, const PortOverride& said);
 
+/// The addresses of all ports of one kind, each once.
+[[nodiscard]] std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind);
+
 /// @throws config_file::BadInput when a mission on its own, with no simulator, has no port for a role without which it cannot be flown.
 void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path);
 

@@ -10,6 +10,7 @@
 #include <span>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware/config_file/table_reader.hpp"
@@ -98,10 +99,10 @@ bool is_signed_by(const PublicKey& key, std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-std::unique_ptr<policy::FrozenPolicy> load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key) {
+SignedPolicy load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key) {
   if (sodium_init() < 0) throw BadInput(path.string() + ": libsodium cannot start");
   const PublicKey key = load_public_key(public_key);
-  const Bytes bytes = host::read_bytes(path, {"a .policy file", policy::max_serialised_size()});
+  Bytes bytes = host::read_bytes(path, {"a .policy file", policy::max_serialised_size()});
   auto parsed = std::make_unique<policy::FrozenPolicy>();
   policy::PolicyFault fault = policy::PolicyFault::kNone;
   // The file is taken apart before its signature is checked: parse() is built for hostile bytes, and "damaged" says more than "not signed".
@@ -109,7 +110,7 @@ std::unique_ptr<policy::FrozenPolicy> load_policy(const std::filesystem::path& p
   if (!is_signed_by(key, bytes))
     throw BadInput(path.string() + ": is not signed by the trusted key " + public_key.string() +
                    "; --public-key names the public half of the key that signed it");
-  return parsed;
+  return {.policy = std::move(parsed), .bytes = std::move(bytes)};
 }
 
 void check_fits(const policy::FrozenPolicy& policy, const std::filesystem::path& policy_path, const config::Mission& mission,

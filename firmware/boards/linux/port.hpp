@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <variant>
 
 #include "firmware/boards/linux/clock.hpp"
@@ -46,6 +47,9 @@ class Port {
   virtual void tend() {}
   /// What it received, lost and could not send so far.
   [[nodiscard]] virtual messages::PortReport report() const { return report_; }
+
+  /// Where it listens, for a person: "LCM udpm://... on lo, eth0".
+  [[nodiscard]] virtual std::string description() const = 0;
 
   [[nodiscard]] std::uint8_t index() const { return report_.port; }
   [[nodiscard]] bool has(Role role) const { return roles_.has(role); }

@@ -47,6 +47,12 @@ std::span<const pollfd> PortSet::readable() {
   return std::span(readable_).first(count);
 }
 
+std::string PortSet::description() const {
+  std::string text;
+  for (const auto& port : ports_) text += "  port " + std::to_string(port->index()) + ": " + port->description() + "\n";
+  return text;
+}
+
 messages::PortReport PortSet::sum() const {
   messages::PortReport sum;
   for (const auto& port : ports_) {

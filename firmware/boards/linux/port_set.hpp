@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "firmware/boards/linux/mission_file.hpp"
@@ -38,6 +39,8 @@ class PortSet {
   /// One for each port whose link is up; valid until the next call of any kind.
   [[nodiscard]] std::span<const pollfd> readable();
   [[nodiscard]] std::uint64_t setpoints_sent() const { return setpoints_sent_; }
+  /// Where each port listens, a line each.
+  [[nodiscard]] std::string description() const;
   /// Of all ports together.
   [[nodiscard]] messages::PortReport sum() const;
 

@@ -3,8 +3,10 @@
 #include <dlfcn.h>
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "firmware/config_file/table_reader.hpp"
 
@@ -25,7 +27,7 @@ fs::path library_path() {
 
 }  // namespace
 
-Simulation open_simulation(std::uint32_t domain, std::uint8_t port) {
+Simulation open_simulation(const SimulationOptions& options) {
   const fs::path path = library_path();
   // Never closed: what it made lives to the end of the program.
   void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -33,8 +35,8 @@ Simulation open_simulation(std::uint32_t domain, std::uint8_t port) {
   const auto open = reinterpret_cast<OpenSimulation>(::dlsym(library, kOpenSimulationSymbol));
   if (open == nullptr) throw config_file::BadInput(path.string() + ": is not Earshot's simulation library");
   std::array<char, 256> error{};
-  const std::unique_ptr<Simulation> simulation(open(domain, port, error.data(), error.size()));
-  if (simulation == nullptr) throw config_file::BadInput("--simulation " + std::to_string(domain) + ": " + error.data());
+  const std::unique_ptr<Simulation> simulation(open(options, error.data(), error.size()));
+  if (simulation == nullptr) throw config_file::BadInput("--simulation " + std::to_string(options.domain) + ": " + error.data());
   return {.clock = std::move(simulation->clock), .port = std::move(simulation->port)};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 
 #include "firmware/boards/linux/clock.hpp"
@@ -19,13 +19,19 @@ struct Simulation {
   std::unique_ptr<Port> port;  ///< refers to the clock
 };
 
+/// Which simulator.
+struct SimulationOptions {
+  std::uint32_t domain = 0;  ///< DDS domain in which it is
+  std::uint64_t run = 0;     ///< number of the run that it belongs to; 0: the first simulator that knocks
+  std::uint8_t port = 0;     ///< index of the port that it brings
+};
+
 /// What the shared library exports, under this name. `error` takes the reason when null is returned.
-using OpenSimulation = Simulation* (*)(std::uint32_t domain, std::uint8_t port, char* error, std::size_t error_size);
+using OpenSimulation = Simulation* (*)(const SimulationOptions& options, char* error, std::size_t error_size);
 inline constexpr const char* kOpenSimulationSymbol = "earshot_open_simulation";
 inline constexpr const char* kSimulationLibrary = "libearshot-simulation.so";
 
-/// @param domain  where the simulator is; port  index of the port that it brings
 /// @throws config_file::BadInput when the library is not beside the program (or in ../lib/earshot from there), or cannot be used.
-[[nodiscard]] Simulation open_simulation(std::uint32_t domain, std::uint8_t port);
+[[nodiscard]] Simulation open_simulation(const SimulationOptions& options);
 
 }  // namespace earshot::board

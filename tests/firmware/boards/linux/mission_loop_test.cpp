@@ -113,6 +113,7 @@ class FakePort final : public Port {
     return 1;
   }
   [[nodiscard]] int file_descriptor() const override { return -1; }
+  [[nodiscard]] std::string description() const override { return "a script"; }
 
   [[nodiscard]] const messages::Health& health(std::size_t turn) const { return published.at(turn).health; }
   [[nodiscard]] const messages::Health& last() const { return published.back().health; }
