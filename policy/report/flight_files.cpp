@@ -9,7 +9,7 @@
 
 #include "earshot/decision_t.hpp"
 #include "firmware/boards/linux/journal_reader.hpp"
-#include "firmware/boards/linux/lcm_codec.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -133,7 +133,7 @@ JournalledSearch read_journal(const std::filesystem::path& path) {
   board::JournalReader journal(path);
   for (board::JournalRecord record; journal.next(record); ++search.records) {
     decision_t decision{};
-    if (record.channel != wire::kDecisionChannel || board::decode(record.data, decision) != Status::kOk) continue;
+    if (record.channel != wire::kDecisionChannel || wire::decode(record.data, decision) != Status::kOk) continue;
     search.decisions.push_back(decision_of(decision));
   }
   search.end = journal.end() == End::kWhole ? JournalledSearch::End::kWhole

@@ -30,7 +30,7 @@ vehicle::Command command_of(const messages::Setpoint& setpoint) {
 class LcmAutopilot final : public AutopilotPort {
  public:
   explicit LcmAutopilot(const board::PortSettings& port)
-      : endpoint_(board::parse_lcm_url(port.address), std::array<std::string_view, 1>{wire::kSetpointChannel}) {}
+      : endpoint_(board::parse_lcm_url(port.address), {wire::kSetpointChannel}) {}
 
   void publish(Time now, const vehicle::State& state) override {
     if (endpoint_.publish(wire::kNavStateChannel, wire::Encoded(wire::to_message(navigation_of(now, state))).bytes()) != Status::kOk)

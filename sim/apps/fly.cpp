@@ -67,7 +67,8 @@ void declare(program::CommandLine& line, Options& o) {
       .shows_default();
   line.option("--policy", &o.policy, "policy file instead of the mission's");
   line.option("--public-key", &o.public_key, "file of the public key that signed it, instead of the mission's");
-  line.option("--bus", &o.bus, "bus between autopilot and earshotd instead of the mission's").one_of({"lcm", "can"});
+  line.option("--bus", &o.bus, "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
+      .one_of({"lcm", "can", "mixed"});
   line.option("--lcm-url", &o.lcm_url, "LCM address; default: one that no other flight on this machine uses");
   line.option("--can-interface", &o.can_interface, "CAN interface instead of the mission's; vcan0 stands in for can0, the bus at sea");
   line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
@@ -172,21 +173,28 @@ int exit_status(const ChildProcess& simulator, const ChildProcess& runtime, bool
 /// The LCM address that somebody chose; what a mission at sea uses when nobody did is never a simulation's.
 std::optional<std::string> chosen_url(const Options& o, const board::MissionFile& mission) {
   if (o.lcm_url) return o.lcm_url;
-  return mission.lcm_url == board::kDefaultLcmUrl ? std::nullopt : std::optional(mission.lcm_url);
+  for (const std::string& url : board::addresses_of(mission, board::PortKind::kLcm)) {
+    if (url != board::kDefaultLcmUrl) return url;
+  }
+  return std::nullopt;
 }
 
 /// A simulation puts no frames on the bus that a vehicle has at sea unless somebody says so.
 std::string chosen_can_interface(const Options& o, const board::MissionFile& mission) {
   if (o.can_interface) return *o.can_interface;
-  return mission.can_interface == board::kDefaultCanInterface ? "vcan0" : mission.can_interface;
+  for (const std::string& interface : board::addresses_of(mission, board::PortKind::kCan)) {
+    if (interface != board::kDefaultCanInterface) return interface;
+  }
+  return "vcan0";
 }
 
-/// Holds a bus that somebody chose; a run slot holds its own.
-board::FileDescriptor lock_bus(const Options& o, const board::MissionFile& mission) {
-  const bool over_can = o.bus ? *o.bus == "can" : mission.bus == board::BusKind::kCan;
-  if (over_can) return board::lock_can(chosen_can_interface(o, mission));
+/// Holds the buses that somebody chose; a run slot holds its own.
+std::vector<board::FileDescriptor> lock_buses(const Options& o, const board::MissionFile& mission) {
+  std::vector<board::FileDescriptor> locks;
+  if (!board::addresses_of(mission, board::PortKind::kCan).empty()) locks.push_back(board::lock_can(chosen_can_interface(o, mission)));
   const std::optional<std::string> url = chosen_url(o, mission);
-  return url ? board::lock_lcm(*url) : board::FileDescriptor{};
+  if (url && !board::addresses_of(mission, board::PortKind::kLcm).empty()) locks.push_back(board::lock_lcm(*url));
+  return locks;
 }
 
 /// Reports on a flight that has begun, and keeps it if every file of it is whole. @return false when one is not
@@ -203,8 +211,9 @@ bool conclude(const Options& o, FlightFolder& folder, bool is_whole) {
 int fly(Options o) {
   program::stop_on_signals();
   // Both processes would say the same about a bad file: say it once, before either starts.
-  const board::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
-  const board::FileDescriptor lock = lock_bus(o, mission);
+  board::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
+  board::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
+  const std::vector<board::FileDescriptor> locks = lock_buses(o, mission);
   o.can_interface = chosen_can_interface(o, mission);
   FlightFolder folder(o.out);
   const link::RunSlot slot;

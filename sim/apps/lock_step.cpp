@@ -1,6 +1,5 @@
 #include "sim/apps/lock_step.hpp"
 
-#include <poll.h>
 
 #include <chrono>
 #include <exception>
@@ -151,8 +150,7 @@ class Stepper {
     const auto deadline = steady_clock::now() + kBusPatience;
     while (flight_.bus.setpoint_messages() < answer.setpoint_messages) {
       if (steady_clock::now() >= deadline) return fail("bus_lost", "lost the bus (a set-point that earshotd sent did not arrive)");
-      pollfd readable{.fd = flight_.bus.file_descriptor(), .events = POLLIN, .revents = 0};
-      (void)poll(&readable, 1, static_cast<int>(kLookUp.count()));
+      flight_.bus.wait(Duration::milliseconds(kLookUp.count()));
       flight_.bus.collect(command_);
     }
     return true;

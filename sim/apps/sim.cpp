@@ -47,9 +47,7 @@ struct Options {
   double speed = 0.0;
   std::uint32_t domain = link::kLowestDomain;
   std::optional<link::RunId> run;
-  std::optional<std::string> bus;
-  std::optional<std::string> lcm_url;
-  std::optional<std::string> can_interface;
+  board::PortOverride ports;
   bool ignore_source = false;
 };
 
@@ -71,18 +69,11 @@ void declare(program::CommandLine& line, Options& o) {
       .shows_default();
   line.option("--run", &o.run, "number that tells this run from others in the domain; default: drawn")
       .from(1, std::numeric_limits<std::int64_t>::max());
-  line.option("--bus", &o.bus, "bus instead of the mission's").one_of({"lcm", "can"});
-  line.option("--lcm-url", &o.lcm_url, "LCM address instead of the mission's");
-  line.option("--can-interface", &o.can_interface, "CAN interface instead of the mission's");
+  line.option("--bus", &o.ports.bus, "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
+      .one_of({"lcm", "can", "mixed"});
+  line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port instead of the mission's");
+  line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
   line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
-}
-
-void apply_options(const Options& o, FlightPlan& plan) {
-  board::MissionFile& file = plan.mission;
-  if (o.source == "changing") plan.search.placement = search::SourcePlacement::kChanging;
-  if (o.bus) file.bus = *o.bus == "can" ? board::BusKind::kCan : board::BusKind::kLcm;
-  if (o.lcm_url) file.lcm_url = *o.lcm_url;
-  if (o.can_interface) file.can_interface = *o.can_interface;
 }
 
 /// The furthest that a source can be heard from within the area, and a little more.
@@ -160,7 +151,8 @@ bool succeeds(Work work) {
 
 int simulate(const Options& o) {
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
-  apply_options(o, plan);
+  board::override_ports(plan.mission, o.ports);
+  if (o.source == "changing") plan.search.placement = search::SourcePlacement::kChanging;
   const auto& [file, environment, settings] = plan;
   const search::Soundscape soundscape =
       search::soundscape_of(environment, file.mission.search_depth, longest_range(settings, environment.conditions));
@@ -174,7 +166,7 @@ int simulate(const Options& o) {
                     .seed = o.seed,
                     .speed = o.speed};
 
-  const std::unique_ptr<AutopilotBus> bus = open_autopilot_bus(file);
+  AutopilotBus bus(file);
   program::stop_on_signals();  // up to here nothing is under way that would have to end in order
   link::SimulatorEnd link(o.domain, o.run.value_or(link::new_run()));
   const board::Waited waited = board::wait_for("earshot-sim", "an earshotd in DDS domain " + std::to_string(o.domain), kPatience,
@@ -187,7 +179,7 @@ int simulate(const Options& o) {
   write_curve(o.out / "snr.csv", soundscape.expected());
   TrackFile track(o.out / "track.csv");
   Score score(settings);
-  const FlightResult result = fly({world, *bus, link, track, score}, start, stop_requested);
+  const FlightResult result = fly({world, bus, link, track, score}, start, stop_requested);
   const bool has_track = succeeds([&] { track.finish(); });
   const bool has_summary =
       succeeds([&] { host::write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n"); });

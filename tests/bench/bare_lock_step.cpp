@@ -14,7 +14,7 @@
 #include "earshot/health_t.hpp"
 #include "earshot/nav_state_t.hpp"
 #include "earshot/setpoint_t.hpp"
-#include "firmware/boards/linux/lcm_codec.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/boards/linux/lcm_endpoint.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "sim/link/run_slot.hpp"
@@ -49,8 +49,8 @@ int answer(const link::RunSlot& slot, std::uint64_t ticks) {
   while (tick.number < ticks) {
     if (link.receive(tick, 10s) != link::Delivery::kArrived) return 1;
     take_one(bus, wire::kNavStateChannel);
-    (void)board::publish(bus, wire::kSetpointChannel, setpoint_t{});
-    (void)board::publish(bus, wire::kHealthChannel, health_t{});
+    (void)bus.publish(wire::kSetpointChannel, wire::Encoded(setpoint_t{}).bytes());
+    (void)bus.publish(wire::kHealthChannel, wire::Encoded(health_t{}).bytes());
     link::Answer reply;
     reply.number = tick.number;
     link.send(reply);
@@ -64,7 +64,7 @@ double measure(const link::RunSlot& slot, std::uint64_t ticks) {
   if (!link.wait_for_runtime(10s)) std::exit(1);
   const auto began = std::chrono::steady_clock::now();
   for (std::uint64_t n = 1; n <= ticks; ++n) {
-    (void)board::publish(bus, wire::kNavStateChannel, nav_state_t{});
+    (void)bus.publish(wire::kNavStateChannel, wire::Encoded(nav_state_t{}).bytes());
     link::Tick tick;
     tick.number = n;
     link.send(tick);

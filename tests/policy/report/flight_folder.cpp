@@ -7,7 +7,7 @@
 
 #include "earshot/decision_t.hpp"
 #include "firmware/boards/linux/journal.hpp"
-#include "firmware/boards/linux/lcm_codec.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "tests/support/signed_policy.hpp"
 
@@ -61,7 +61,7 @@ nlohmann::json summary_of(const policy::FrozenPolicy& policy, std::size_t steps,
 void write_journal(const std::filesystem::path& path, const std::vector<explain::RecordedDecision>& decisions) {
   board::Journal journal(path, {.existing = board::JournalOptions::Existing::kReplace});
   for (const explain::RecordedDecision& d : decisions) {
-    const board::Encoded encoded(message_of(d));
+    const wire::Encoded encoded(message_of(d));
     if (journal.append(Time{static_cast<std::int64_t>(d.time_s * 1e6)}, wire::kDecisionChannel, encoded.bytes()) != Status::kOk)
       std::abort();
   }
