@@ -50,7 +50,7 @@ class PolicyFile : public testing::Test {
 
 TEST_F(PolicyFile, IsTakenWhenItIsWholeAndSignedByTheTrustedKey) {
   support::write_bytes(policy_, support::signed_bytes(support::random_walk_policy()));
-  EXPECT_EQ(load_policy(policy_, key_)->actions.size(), 8);
+  EXPECT_EQ(load_policy(policy_, key_).policy->actions.size(), 8);
 }
 
 TEST_F(PolicyFile, IsRefusedAsMissingByName) {

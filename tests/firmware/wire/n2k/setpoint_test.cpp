@@ -9,7 +9,7 @@ namespace earshot::n2k {
 namespace {
 
 constexpr std::uint8_t kSource = 44;
-const messages::Setpoint kSetpoint{.heading = Radians{2.3152}, .speed = MetersPerSecond{2.0}, .depth = Meters{300.0}};
+const messages::Setpoint kSetpoint{.heading = Radians{2.3152}, .speed = MetersPerSecond{2.0}, .depth = Meters{300.0}, .waypoint = {}};
 
 SetpointFrames frames_of(const messages::Setpoint& setpoint) {
   SetpointFrames frames;
@@ -35,7 +35,7 @@ TEST(Setpoint, ComesBackToTheResolutionOfTheFrames) {
     SetpointReceiver receiver;
     messages::Setpoint received;
     Status status = Status::kNotReady;
-    for (const Frame& frame : frames_of({.heading = Radians{heading}, .speed = MetersPerSecond{1.234}, .depth = Meters{300.007}})) {
+    for (const Frame& frame : frames_of({.heading = Radians{heading}, .speed = MetersPerSecond{1.234}, .depth = Meters{300.007}, .waypoint = {}})) {
       EXPECT_EQ(status, Status::kNotReady);
       status = receiver.accept(frame, received);
     }
