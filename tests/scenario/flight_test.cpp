@@ -18,9 +18,14 @@
 #include <thread>
 #include <vector>
 
+#include "earshot/health_t.hpp"
+#include "earshot/nav_state_t.hpp"
 #include "firmware/boards/linux/bus_lock.hpp"
 #include "firmware/boards/linux/journal_reader.hpp"
+#include "firmware/boards/linux/lcm_endpoint.hpp"
 #include "firmware/boards/linux/replay.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "sim/link/run_slot.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
@@ -196,7 +201,7 @@ TEST_F(Flight, GivenASourceReachedInTheMiddleOfAStepJournalSummaryAndConsoleCoun
   board::JournalReader reader(folder_ / "out/journal.lcmlog");
   for (board::JournalRecord record; reader.next(record);) {
     if (record.channel == wire::kDecisionChannel) ++decisions;
-    if (record.channel == wire::kHealthChannel) (void)board::decode(record.data, health);
+    if (record.channel == wire::kHealthChannel) (void)wire::decode(record.data, health);
   }
   EXPECT_EQ(s.at("steps"), decisions);
   EXPECT_EQ(health.steps_taken, decisions);
@@ -268,7 +273,7 @@ TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth
     nav_state_t outside{};  // of the operating area: believed, it would end the mission
     outside.utime = 1 + i;
     outside.north_m = -1e6;
-    ASSERT_EQ(board::publish(other, wire::kNavStateChannel, outside), Status::kOk);
+    ASSERT_EQ(other.publish(wire::kNavStateChannel, wire::Encoded(outside).bytes()), Status::kOk);
     std::this_thread::sleep_for(5ms);
   }
   simulator_->signal(SIGINT);
@@ -277,9 +282,9 @@ TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth
   health_t health{};
   board::JournalReader reader(folder_ / "journal.lcmlog");
   for (board::JournalRecord record; reader.next(record);) {
-    if (record.channel == wire::kHealthChannel) (void)board::decode(record.data, health);
+    if (record.channel == wire::kHealthChannel) (void)wire::decode(record.data, health);
   }
-  EXPECT_EQ(health.bus_refused, 20);
+  EXPECT_EQ(health.navigation_refused, 20);
 }
 
 TEST_F(Flight, GivenItDiedAtSeaItStartsAgainBesideTheJournalThatIsThere) {

@@ -63,11 +63,11 @@ TEST(MissionFile, FilesItNamesAreRelativeToItsOwnFolder) {
 
 TEST(MissionFile, RefusesANegativeDepthWithItsLineAndWhatIsAllowed) {
   EXPECT_EQ(complaint("depth_m = 300.0", "depth_m = -300.0"),
-            "FILE:14: search.depth_m = -300.0: must be a finite number above 0 and at most 11000");
+            "FILE:15: search.depth_m = -300.0: must be a finite number above 0 and at most 11000");
 }
 
 TEST(MissionFile, RefusesAnUnknownKey) {
-  EXPECT_EQ(complaint("speed_mps = 2.0", "speed_mps = 2.0\nspeed_knots = 4.0"), "FILE:16: search.speed_knots: unknown key");
+  EXPECT_EQ(complaint("speed_mps = 2.0", "speed_mps = 2.0\nspeed_knots = 4.0"), "FILE:17: search.speed_knots: unknown key");
 }
 
 TEST(MissionFile, RefusesNan) {

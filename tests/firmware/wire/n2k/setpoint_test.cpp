@@ -58,9 +58,9 @@ TEST(Setpoint, OfAnotherMakersGroupIsNotTaken) {
 TEST(Setpoint, IsRefusedWhenNoFrameCanCarryIt) {
   SetpointFrames frames;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(compose_setpoint({Radians{nan}, MetersPerSecond{2}, Meters{300}}, kSource, 0, frames), Status::kOutOfRange);
-  EXPECT_EQ(compose_setpoint({Radians{0}, MetersPerSecond{-1}, Meters{300}}, kSource, 0, frames), Status::kOutOfRange);
-  EXPECT_EQ(compose_setpoint({Radians{0}, MetersPerSecond{2}, Meters{nan}}, kSource, 0, frames), Status::kOutOfRange);
+  EXPECT_EQ(compose_setpoint({.heading = Radians{nan}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, kSource, 0, frames), Status::kOutOfRange);
+  EXPECT_EQ(compose_setpoint({.heading = Radians{0}, .speed = MetersPerSecond{-1}, .depth = Meters{300}, .waypoint = {}}, kSource, 0, frames), Status::kOutOfRange);
+  EXPECT_EQ(compose_setpoint({.heading = Radians{0}, .speed = MetersPerSecond{2}, .depth = Meters{nan}, .waypoint = {}}, kSource, 0, frames), Status::kOutOfRange);
   EXPECT_TRUE(frames.empty());
 }
 
