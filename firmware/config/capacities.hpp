@@ -26,9 +26,10 @@ inline constexpr std::size_t kRuntimeBytes =
     std::size_t{112} * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights and belief; full: does not compile
 
 // Inputs and commands (firmware/messages, firmware/runtime).
-inline constexpr std::size_t kMaxPorts = 8;    ///< ports of a vehicle (buses, serial lines, the simulation link); full: mission refused
-inline constexpr std::size_t kMaxIssuers = 8;  ///< who may have given commands in one mission; full: a further one is refused, but for ABORT
-inline constexpr std::size_t kMaxAcknowledgements = 8;       ///< commands acknowledged in one turn; full: judged, counted, not acknowledged
+inline constexpr std::size_t kMaxPorts = 8;  ///< ports of a vehicle (buses, serial lines, the simulation link); full: mission refused
+inline constexpr std::size_t kMaxIssuers =
+    8;  ///< who may have given commands in one mission; full: a further one is refused, but for ABORT
+inline constexpr std::size_t kMaxAcknowledgements = 8;  ///< commands acknowledged in one turn; full: judged, counted, not acknowledged
 inline constexpr std::int64_t kCommandMaxAge_us = 30'000'000;  ///< between a command's date and its arrival (a slow link, clocks apart)
 
 // Buses (firmware/wire, firmware/boards/linux).

@@ -6,8 +6,8 @@ namespace earshot::messages {
 
 /// What one port says of itself; counters only grow.
 struct PortReport {
-  std::uint8_t port = 0;  ///< its index
-  bool link_up = true;    ///< false: it cannot be read or written at present
+  std::uint8_t port = 0;        ///< its index
+  bool link_up = true;          ///< false: it cannot be read or written at present
   std::uint64_t received = 0;   ///< messages handed on
   std::uint64_t lost = 0;       ///< arrived faster than they were taken: dropped by the kernel or pushed out of a queue
   std::uint64_t malformed = 0;  ///< bytes that are no message of ours, or do not follow their format

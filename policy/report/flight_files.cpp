@@ -8,11 +8,11 @@
 #include <string>
 
 #include "earshot/decision_t.hpp"
-#include "firmware/boards/linux/journal_reader.hpp"
-#include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "policy/description/json_fault.hpp"
 
 namespace earshot::report {
@@ -128,10 +128,10 @@ explain::RecordedDecision decision_of(const decision_t& m) {
 }  // namespace
 
 JournalledSearch read_journal(const std::filesystem::path& path) {
-  using End = board::JournalReader::End;
+  using End = host::JournalReader::End;
   JournalledSearch search;
-  board::JournalReader journal(path);
-  for (board::JournalRecord record; journal.next(record); ++search.records) {
+  host::JournalReader journal(path);
+  for (host::JournalRecord record; journal.next(record); ++search.records) {
     decision_t decision{};
     if (record.channel != wire::kDecisionChannel || wire::decode(record.data, decision) != Status::kOk) continue;
     search.decisions.push_back(decision_of(decision));

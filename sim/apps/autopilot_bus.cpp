@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "firmware/boards/linux/can_socket.hpp"
 #include "firmware/boards/linux/clock.hpp"
-#include "firmware/boards/linux/lcm_endpoint.hpp"
-#include "firmware/boards/linux/port_settings.hpp"
+#include "firmware/host/mission/port_settings.hpp"
+#include "firmware/host/transport/can_socket.hpp"
+#include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
@@ -29,8 +29,7 @@ vehicle::Command command_of(const messages::Setpoint& setpoint) {
 
 class LcmAutopilot final : public AutopilotPort {
  public:
-  explicit LcmAutopilot(const board::PortSettings& port)
-      : endpoint_(board::parse_lcm_url(port.address), {wire::kSetpointChannel}) {}
+  explicit LcmAutopilot(const host::PortSettings& port) : endpoint_(host::parse_lcm_url(port.address), {wire::kSetpointChannel}) {}
 
   void publish(Time now, const vehicle::State& state) override {
     if (endpoint_.publish(wire::kNavStateChannel, wire::Encoded(wire::to_message(navigation_of(now, state))).bytes()) != Status::kOk)
@@ -52,12 +51,12 @@ class LcmAutopilot final : public AutopilotPort {
   [[nodiscard]] int file_descriptor() const override { return endpoint_.file_descriptor(); }
 
  private:
-  board::LcmEndpoint endpoint_;
+  host::LcmEndpoint endpoint_;
 };
 
 class CanAutopilot final : public AutopilotPort {
  public:
-  CanAutopilot(const board::PortSettings& port, const n2k::LocalPlane& plane) : socket_(port.address), plane_(plane) {}
+  CanAutopilot(const host::PortSettings& port, const n2k::LocalPlane& plane) : socket_(port.address), plane_(plane) {}
 
   void publish(Time now, const vehicle::State& state) override {
     n2k::NavigationFrames frames;
@@ -82,22 +81,22 @@ class CanAutopilot final : public AutopilotPort {
   [[nodiscard]] int file_descriptor() const override { return socket_.file_descriptor(); }
 
  private:
-  board::CanSocket socket_;
+  host::CanSocket socket_;
   n2k::LocalPlane plane_;
   n2k::SetpointReceiver receiver_;
 };
 
-std::unique_ptr<AutopilotPort> open_port(const board::PortSettings& port, const n2k::LocalPlane& plane) {
-  if (port.kind == board::PortKind::kCan) return std::make_unique<CanAutopilot>(port, plane);
+std::unique_ptr<AutopilotPort> open_port(const host::PortSettings& port, const n2k::LocalPlane& plane) {
+  if (port.kind == host::PortKind::kCan) return std::make_unique<CanAutopilot>(port, plane);
   return std::make_unique<LcmAutopilot>(port);
 }
 
 }  // namespace
 
-AutopilotBus::AutopilotBus(const board::MissionFile& mission) {
-  for (const board::PortSettings& port : mission.ports) {
-    if (port.roles.has(board::Role::kNavigation)) sensors_.push_back(open_port(port, mission.plane));
-    if (port.roles.has(board::Role::kAutopilot)) autopilots_.push_back(open_port(port, mission.plane));
+AutopilotBus::AutopilotBus(const host::MissionFile& mission) {
+  for (const host::PortSettings& port : mission.ports) {
+    if (port.roles.has(host::Role::kNavigation)) sensors_.push_back(open_port(port, mission.plane));
+    if (port.roles.has(host::Role::kAutopilot)) autopilots_.push_back(open_port(port, mission.plane));
   }
 }
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/host/mission/mission_file.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
 namespace earshot::simulation {
@@ -31,7 +31,7 @@ class AutopilotPort {
 class AutopilotBus {
  public:
   /// @throws std::system_error naming what cannot be opened.
-  explicit AutopilotBus(const board::MissionFile& mission);
+  explicit AutopilotBus(const host::MissionFile& mission);
 
   /// Throws std::runtime_error when a bus cannot carry it.
   void publish(Time now, const vehicle::State& state);

@@ -34,7 +34,7 @@ void require_depth_in_water(const std::filesystem::path& mission, Meters depth, 
 }  // namespace
 
 FlightPlan load_flight_plan(const std::filesystem::path& mission, const std::filesystem::path& environment) {
-  FlightPlan plan{.mission = board::load_mission(mission), .environment = ocean::load_environment(environment), .search = {}};
+  FlightPlan plan{.mission = host::load_mission(mission), .environment = ocean::load_environment(environment), .search = {}};
   if (!ocean::is_range_independent(plan.environment))
     throw BadInput(environment.string() + ": its ocean changes with range or bearing, and a flight needs one that does not");
   const Meters depth = plan.mission.mission.search_depth;

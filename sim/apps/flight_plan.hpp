@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "firmware/boards/linux/mission_file.hpp"
+#include "firmware/host/mission/mission_file.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/search/settings.hpp"
 
@@ -10,7 +10,7 @@ namespace earshot::simulation {
 
 /// What a flight is made of.
 struct FlightPlan {
-  board::MissionFile mission;
+  host::MissionFile mission;
   ocean::Environment environment;
   search::SearchSettings search;  ///< the paper's search, with the mission's numbers in place of its own
 };

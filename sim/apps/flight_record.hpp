@@ -9,8 +9,8 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
-#include "firmware/policy/heard.hpp"
 #include "firmware/messages/health.hpp"
+#include "firmware/policy/heard.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/vehicle/vehicle.hpp"
 

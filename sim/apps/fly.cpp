@@ -16,11 +16,11 @@
 #include <thread>
 #include <vector>
 
-#include "firmware/boards/linux/bus_lock.hpp"
-#include "firmware/boards/linux/lcm_url.hpp"
-#include "firmware/boards/linux/mission_file.hpp"
+#include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
+#include "firmware/host/transport/bus_lock.hpp"
+#include "firmware/host/transport/lcm_url.hpp"
 #include "sim/apps/child_process.hpp"
 #include "sim/apps/flight_folder.hpp"
 #include "sim/apps/flight_plan.hpp"
@@ -171,29 +171,29 @@ int exit_status(const ChildProcess& simulator, const ChildProcess& runtime, bool
 }
 
 /// The LCM address that somebody chose; what a mission at sea uses when nobody did is never a simulation's.
-std::optional<std::string> chosen_url(const Options& o, const board::MissionFile& mission) {
+std::optional<std::string> chosen_url(const Options& o, const host::MissionFile& mission) {
   if (o.lcm_url) return o.lcm_url;
-  for (const std::string& url : board::addresses_of(mission, board::PortKind::kLcm)) {
-    if (url != board::kDefaultLcmUrl) return url;
+  for (const std::string& url : host::addresses_of(mission, host::PortKind::kLcm)) {
+    if (url != host::kDefaultLcmUrl) return url;
   }
   return std::nullopt;
 }
 
 /// A simulation puts no frames on the bus that a vehicle has at sea unless somebody says so.
-std::string chosen_can_interface(const Options& o, const board::MissionFile& mission) {
+std::string chosen_can_interface(const Options& o, const host::MissionFile& mission) {
   if (o.can_interface) return *o.can_interface;
-  for (const std::string& interface : board::addresses_of(mission, board::PortKind::kCan)) {
-    if (interface != board::kDefaultCanInterface) return interface;
+  for (const std::string& interface : host::addresses_of(mission, host::PortKind::kCan)) {
+    if (interface != host::kDefaultCanInterface) return interface;
   }
   return "vcan0";
 }
 
 /// Holds the buses that somebody chose; a run slot holds its own.
-std::vector<board::FileDescriptor> lock_buses(const Options& o, const board::MissionFile& mission) {
-  std::vector<board::FileDescriptor> locks;
-  if (!board::addresses_of(mission, board::PortKind::kCan).empty()) locks.push_back(board::lock_can(chosen_can_interface(o, mission)));
+std::vector<host::FileDescriptor> lock_buses(const Options& o, const host::MissionFile& mission) {
+  std::vector<host::FileDescriptor> locks;
+  if (!host::addresses_of(mission, host::PortKind::kCan).empty()) locks.push_back(host::lock_can(chosen_can_interface(o, mission)));
   const std::optional<std::string> url = chosen_url(o, mission);
-  if (url && !board::addresses_of(mission, board::PortKind::kLcm).empty()) locks.push_back(board::lock_lcm(*url));
+  if (url && !host::addresses_of(mission, host::PortKind::kLcm).empty()) locks.push_back(host::lock_lcm(*url));
   return locks;
 }
 
@@ -211,9 +211,9 @@ bool conclude(const Options& o, FlightFolder& folder, bool is_whole) {
 int fly(Options o) {
   program::stop_on_signals();
   // Both processes would say the same about a bad file: say it once, before either starts.
-  board::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
-  board::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
-  const std::vector<board::FileDescriptor> locks = lock_buses(o, mission);
+  host::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
+  host::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
+  const std::vector<host::FileDescriptor> locks = lock_buses(o, mission);
   o.can_interface = chosen_can_interface(o, mission);
   FlightFolder folder(o.out);
   const link::RunSlot slot;

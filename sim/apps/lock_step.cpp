@@ -1,6 +1,5 @@
 #include "sim/apps/lock_step.hpp"
 
-
 #include <chrono>
 #include <exception>
 #include <thread>

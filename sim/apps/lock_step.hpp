@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/host/mission/mission_file.hpp"
 #include "sim/apps/autopilot_bus.hpp"
 #include "sim/apps/flight_record.hpp"
 #include "sim/link/simulator_end.hpp"

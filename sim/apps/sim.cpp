@@ -12,10 +12,10 @@
 #include <optional>
 #include <string>
 
-#include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/boards/linux/waiting.hpp"
 #include "firmware/core/random.hpp"
 #include "firmware/host/file/output_file.hpp"
+#include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "sim/apps/autopilot_bus.hpp"
@@ -47,7 +47,7 @@ struct Options {
   double speed = 0.0;
   std::uint32_t domain = link::kLowestDomain;
   std::optional<link::RunId> run;
-  board::PortOverride ports;
+  host::PortOverride ports;
   bool ignore_source = false;
 };
 
@@ -69,7 +69,8 @@ void declare(program::CommandLine& line, Options& o) {
       .shows_default();
   line.option("--run", &o.run, "number that tells this run from others in the domain; default: drawn")
       .from(1, std::numeric_limits<std::int64_t>::max());
-  line.option("--bus", &o.ports.bus, "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
+  line.option("--bus", &o.ports.bus,
+              "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
       .one_of({"lcm", "can", "mixed"});
   line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port instead of the mission's");
   line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
@@ -151,7 +152,7 @@ bool succeeds(Work work) {
 
 int simulate(const Options& o) {
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
-  board::override_ports(plan.mission, o.ports);
+  host::override_ports(plan.mission, o.ports);
   if (o.source == "changing") plan.search.placement = search::SourcePlacement::kChanging;
   const auto& [file, environment, settings] = plan;
   const search::Soundscape soundscape =

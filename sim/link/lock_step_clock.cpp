@@ -3,9 +3,9 @@
 namespace earshot::link {
 namespace {
 
-constexpr std::chrono::milliseconds kLookUp{100};          ///< how often a waiting loop looks whether it is to stop
-constexpr std::chrono::milliseconds kPortPatience{2000};   ///< for navigation that was sent before its tick: on one host it is there already
-constexpr std::uint32_t kIssuer = 0x53494d;                ///< "SIM": of the simulator's orders
+constexpr std::chrono::milliseconds kLookUp{100};         ///< how often a waiting loop looks whether it is to stop
+constexpr std::chrono::milliseconds kPortPatience{2000};  ///< for navigation that was sent before its tick: on one host it is there already
+constexpr std::uint32_t kIssuer = 0x53494d;               ///< "SIM": of the simulator's orders
 
 }  // namespace
 

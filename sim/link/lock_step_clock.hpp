@@ -48,7 +48,7 @@ class LockStepClock final : public board::Clock {
 /// What the tick brings, as a port: the modelled SNR, and the orders of who runs the simulation.
 class LockStepPort final : public board::Port {
  public:
-  LockStepPort(std::uint8_t index, LockStepClock& clock) : Port(index, {board::Role::kSnr, board::Role::kOperator}), clock_(clock) {}
+  LockStepPort(std::uint8_t index, LockStepClock& clock) : Port(index, {host::Role::kSnr, host::Role::kOperator}), clock_(clock) {}
 
   void collect(board::Clock& clock, board::InputSink& sink) override;
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }

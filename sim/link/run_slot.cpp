@@ -1,6 +1,6 @@
 #include "sim/link/run_slot.hpp"
 
-#include "firmware/boards/linux/bus_lock.hpp"
+#include "firmware/host/transport/bus_lock.hpp"
 
 namespace earshot::link {
 namespace {
@@ -13,9 +13,9 @@ constexpr std::uint32_t kLowestPort = 7668;  ///< LCM's customary 7667 is left t
 RunSlot::RunSlot() {
   for (number_ = 0; number_ < kSlots; ++number_) {
     try {
-      lock_ = board::lock_lcm(lcm_url());
+      lock_ = host::lock_lcm(lcm_url());
       return;
-    } catch (const board::BusInUse&) {
+    } catch (const host::BusInUse&) {
       continue;
     }
   }

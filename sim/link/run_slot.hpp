@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "firmware/boards/linux/file_descriptor.hpp"
+#include "firmware/host/file/file_descriptor.hpp"
 #include "sim/link/session.hpp"
 
 namespace earshot::link {
@@ -23,7 +23,7 @@ class RunSlot {
 
  private:
   std::uint32_t number_ = 0;
-  board::FileDescriptor lock_;
+  host::FileDescriptor lock_;
 };
 
 }  // namespace earshot::link

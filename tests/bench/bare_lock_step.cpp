@@ -14,9 +14,9 @@
 #include "earshot/health_t.hpp"
 #include "earshot/nav_state_t.hpp"
 #include "earshot/setpoint_t.hpp"
-#include "firmware/wire/lcm/encoding.hpp"
-#include "firmware/boards/linux/lcm_endpoint.hpp"
+#include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "sim/link/run_slot.hpp"
 #include "sim/link/runtime_end.hpp"
 #include "sim/link/simulator_end.hpp"
@@ -31,7 +31,7 @@ constexpr std::uint64_t kTicks = 50'000;
 constexpr std::uint64_t kTicksWhenBusy = 5'000;
 
 /// Until one message on `channel` has come.
-void take_one(board::LcmEndpoint& bus, std::string_view channel) {
+void take_one(host::LcmEndpoint& bus, std::string_view channel) {
   for (;;) {
     bus.collect();
     for (wire::Lc02Message message; bus.take(message) == Status::kOk;) {
@@ -43,7 +43,7 @@ void take_one(board::LcmEndpoint& bus, std::string_view channel) {
 }
 
 int answer(const link::RunSlot& slot, std::uint64_t ticks) {
-  board::LcmEndpoint bus(board::parse_lcm_url(slot.lcm_url()), {wire::kNavStateChannel});
+  host::LcmEndpoint bus(host::parse_lcm_url(slot.lcm_url()), {wire::kNavStateChannel});
   link::RuntimeEnd link(slot.domain());
   link::Tick tick;
   while (tick.number < ticks) {
@@ -59,7 +59,7 @@ int answer(const link::RunSlot& slot, std::uint64_t ticks) {
 }
 
 double measure(const link::RunSlot& slot, std::uint64_t ticks) {
-  board::LcmEndpoint bus(board::parse_lcm_url(slot.lcm_url()), {wire::kSetpointChannel});
+  host::LcmEndpoint bus(host::parse_lcm_url(slot.lcm_url()), {wire::kSetpointChannel});
   link::SimulatorEnd link(slot.domain());
   if (!link.wait_for_runtime(10s)) std::exit(1);
   const auto began = std::chrono::steady_clock::now();

@@ -20,10 +20,10 @@
 
 #include "earshot/health_t.hpp"
 #include "earshot/nav_state_t.hpp"
-#include "firmware/boards/linux/bus_lock.hpp"
-#include "firmware/boards/linux/journal_reader.hpp"
-#include "firmware/boards/linux/lcm_endpoint.hpp"
 #include "firmware/boards/linux/replay.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/transport/bus_lock.hpp"
+#include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "sim/link/run_slot.hpp"
@@ -106,12 +106,12 @@ class Flight : public testing::Test {
 
   struct Contents {
     std::size_t records = 0;
-    board::JournalReader::End end = board::JournalReader::End::kCorrupt;
+    host::JournalReader::End end = host::JournalReader::End::kCorrupt;
   };
   [[nodiscard]] Contents journal() const {
-    board::JournalReader reader(folder_ / "journal.lcmlog");
+    host::JournalReader reader(folder_ / "journal.lcmlog");
     Contents contents;
-    for (board::JournalRecord record; reader.next(record);) ++contents.records;
+    for (host::JournalRecord record; reader.next(record);) ++contents.records;
     contents.end = reader.end();
     return contents;
   }
@@ -183,7 +183,7 @@ TEST_F(Flight, GivenAWholeMissionItsSummaryAgreesWithItsTrack) {
   // 100 legs of 1 km; each turn adds at most half a turning circle of 19 m radius, and the safety layer may shorten a leg at the edge.
   EXPECT_NEAR(s.at("distance_m").get<double>(), 100e3, 6e3);
   EXPECT_NEAR(s.at("sim_time_s").get<double>(), s.at("distance_m").get<double>() / 2.0, 100.0);
-  EXPECT_EQ(board::JournalReader(folder_ / "out/journal.lcmlog").end(), board::JournalReader::End::kWhole);
+  EXPECT_EQ(host::JournalReader(folder_ / "out/journal.lcmlog").end(), host::JournalReader::End::kWhole);
 }
 
 TEST_F(Flight, GivenASourceReachedInTheMiddleOfAStepJournalSummaryAndConsoleCountThatStepToo) {
@@ -198,8 +198,8 @@ TEST_F(Flight, GivenASourceReachedInTheMiddleOfAStepJournalSummaryAndConsoleCoun
   ASSERT_EQ(s.at("found"), true);
   int decisions = 0;
   health_t health{};
-  board::JournalReader reader(folder_ / "out/journal.lcmlog");
-  for (board::JournalRecord record; reader.next(record);) {
+  host::JournalReader reader(folder_ / "out/journal.lcmlog");
+  for (host::JournalRecord record; reader.next(record);) {
     if (record.channel == wire::kDecisionChannel) ++decisions;
     if (record.channel == wire::kHealthChannel) (void)wire::decode(record.data, health);
   }
@@ -218,7 +218,7 @@ TEST_F(Flight, GivenItsRuntimeIsKilledTheSimulatorSaysSoWithinFiveSecondsAndKeep
   EXPECT_GT(support::read_text(folder_ / "track.csv").size(), 1000);
   // What the killed process had handed to the kernel is there; at most its last record is cut.
   EXPECT_GT(journal().records, 100);
-  EXPECT_NE(journal().end, board::JournalReader::End::kCorrupt);
+  EXPECT_NE(journal().end, host::JournalReader::End::kCorrupt);
 }
 
 TEST_F(Flight, GivenItsSimulatorIsKilledTheRuntimeSaysSoWithinFiveSecondsAndItsJournalIsWhole) {
@@ -228,7 +228,7 @@ TEST_F(Flight, GivenItsSimulatorIsKilledTheRuntimeSaysSoWithinFiveSecondsAndItsJ
   EXPECT_EQ(runtime_->wait(5s), 3);
   EXPECT_NE(runtime_->output().find("lost the simulator"), std::string::npos) << runtime_->output();
   EXPECT_GT(journal().records, 100);
-  EXPECT_EQ(journal().end, board::JournalReader::End::kWhole);
+  EXPECT_EQ(journal().end, host::JournalReader::End::kWhole);
   EXPECT_FALSE(fs::exists(folder_ / "summary.json"));
 }
 
@@ -262,13 +262,13 @@ TEST_F(Flight, GivenCtrlCBothEndInOrderAndTheJournalIsWhole) {
   EXPECT_EQ(flight->wait(5s), 130) << flight->output();
   EXPECT_EQ(summary(".").at("end_reason"), "interrupted");
   EXPECT_NE(flight->output().find("source not found: interrupted"), std::string::npos) << flight->output();
-  EXPECT_EQ(journal().end, board::JournalReader::End::kWhole);
+  EXPECT_EQ(journal().end, host::JournalReader::End::kWhole);
 }
 
 TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth) {
   start_both();
   ASSERT_TRUE(is_under_way()) << runtime_->output() << simulator_->output();
-  board::LcmEndpoint other(board::parse_lcm_url(slot_.lcm_url()), {});
+  host::LcmEndpoint other(host::parse_lcm_url(slot_.lcm_url()), {});
   for (int i = 0; i < 20; ++i) {
     nav_state_t outside{};  // of the operating area: believed, it would end the mission
     outside.utime = 1 + i;
@@ -280,8 +280,8 @@ TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth
   EXPECT_EQ(runtime_->wait(5s), 0);
   EXPECT_NE(runtime_->output().find("ABORT, an operator aborted it"), std::string::npos) << runtime_->output();
   health_t health{};
-  board::JournalReader reader(folder_ / "journal.lcmlog");
-  for (board::JournalRecord record; reader.next(record);) {
+  host::JournalReader reader(folder_ / "journal.lcmlog");
+  for (host::JournalRecord record; reader.next(record);) {
     if (record.channel == wire::kHealthChannel) (void)wire::decode(record.data, health);
   }
   EXPECT_EQ(health.navigation_refused, 20);
@@ -343,7 +343,7 @@ TEST_F(Flight, GivenAFlightOnABusASecondOneThereIsRefusedAndTheFirstGoesOnAsIfAl
 }
 
 TEST_F(Flight, GivenACanInterfaceInUseAFlightThereIsRefused) {
-  const board::FileDescriptor held = board::lock_can("vcan-held");
+  const host::FileDescriptor held = host::lock_can("vcan-held");
   const auto flight = fly("out", {"--bus", "can", "--can-interface", "vcan-held"});
   EXPECT_EQ(flight->wait(10s), 2);
   EXPECT_EQ(flight->output(), "earshot fly: CAN interface vcan-held: another mission or flight on this machine is using it\n");
@@ -364,7 +364,7 @@ TEST_F(Flight, GivenItsJournalAloneTheRuntimeGivesEveryByteAgain) {
   ASSERT_EQ(flight->wait(120s), 0) << flight->output();
   const board::ReplayResult replayed = board::replay(folder_ / "out/journal.lcmlog");
   EXPECT_TRUE(replayed.is_same()) << "record " << (replayed.difference ? replayed.difference->record : replayed.gap.value_or(0));
-  EXPECT_EQ(replayed.end, board::JournalReader::End::kWhole);
+  EXPECT_EQ(replayed.end, host::JournalReader::End::kWhole);
   EXPECT_GT(replayed.turns, 400);
   EXPECT_GT(replayed.decisions, 0);
 }

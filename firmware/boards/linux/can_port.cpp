@@ -5,7 +5,7 @@
 
 namespace earshot::board {
 
-CanPort::CanPort(std::uint8_t index, const PortSettings& settings, const n2k::LocalPlane& plane)
+CanPort::CanPort(std::uint8_t index, const host::PortSettings& settings, const n2k::LocalPlane& plane)
     : Port(index, settings.roles), interface_(settings.address), socket_(settings.address), receiver_(plane) {}
 
 void CanPort::collect(Clock& clock, InputSink& sink) {
@@ -13,14 +13,14 @@ void CanPort::collect(Clock& clock, InputSink& sink) {
   Time received_utc;
   for (n2k::Frame frame; socket_.receive(frame, received_utc, budget) == Status::kOk;) {
     messages::Navigation fix;
-    if (!has(Role::kNavigation) || receiver_.accept(frame, clock.arrival_of(received_utc), fix) != Status::kOk) continue;
+    if (!has(host::Role::kNavigation) || receiver_.accept(frame, clock.arrival_of(received_utc), fix) != Status::kOk) continue;
     ++report_.received;
     sink.take(index(), fix);
   }
 }
 
 std::uint64_t CanPort::publish(Time /*now*/, const runtime::Outputs& outputs) {
-  if (!has(Role::kAutopilot) || !outputs.setpoint) return 0;
+  if (!has(host::Role::kAutopilot) || !outputs.setpoint) return 0;
   if (send(*outputs.setpoint) == Status::kOk) return 1;
   ++report_.unsent;
   return 0;

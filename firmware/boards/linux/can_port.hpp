@@ -3,19 +3,20 @@
 #include <cstdint>
 #include <string>
 
-#include "firmware/boards/linux/can_socket.hpp"
 #include "firmware/boards/linux/port.hpp"
+#include "firmware/host/transport/can_socket.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 #include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
 
 namespace earshot::board {
 
-/// Navigation in and set-points out as NMEA 2000 frames (firmware/wire/n2k). Frames bear no date: the kernel's of their arrival stands for it.
+/// Navigation in and set-points out as NMEA 2000 frames (firmware/wire/n2k). Frames bear no date: the kernel's of their arrival stands for
+/// it.
 class CanPort final : public Port {
  public:
   /// @throws std::system_error as CanSocket does.
-  CanPort(std::uint8_t index, const PortSettings& settings, const n2k::LocalPlane& plane);
+  CanPort(std::uint8_t index, const host::PortSettings& settings, const n2k::LocalPlane& plane);
 
   void collect(Clock& clock, InputSink& sink) override;
   std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;
@@ -30,7 +31,7 @@ class CanPort final : public Port {
   [[nodiscard]] Status send(const messages::Setpoint& setpoint);
 
   std::string interface_;
-  CanSocket socket_;
+  host::CanSocket socket_;
   n2k::NavigationReceiver receiver_;
   std::uint8_t sequence_ = 0;
 };

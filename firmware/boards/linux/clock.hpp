@@ -48,8 +48,8 @@ class Clock {
 
   /// What the loop waits for.
   struct Awaited {
-    std::span<const pollfd> ports;      ///< readable when a port has something to read
-    Time next_turn;                     ///< when a turn is due by the mission's period
+    std::span<const pollfd> ports;       ///< readable when a port has something to read
+    Time next_turn;                      ///< when a turn is due by the mission's period
     std::uint64_t navigation_taken = 0;  ///< fixes that the ports have brought so far
   };
   /// Waits no longer than a tenth of a second of the host's time, so that a loop that is told to stop does.

@@ -10,24 +10,27 @@
 namespace earshot::board {
 namespace {
 
-std::vector<std::string_view> channels_of(Roles roles) {
+std::vector<std::string_view> channels_of(host::Roles roles) {
   std::vector<std::string_view> channels;
-  if (roles.has(Role::kNavigation)) channels.push_back(wire::kNavStateChannel);
-  if (roles.has(Role::kSnr)) channels.push_back(wire::kSnrEstimateChannel);
-  if (roles.has(Role::kOperator)) channels.push_back(wire::kOperatorCommandChannel);
+  if (roles.has(host::Role::kNavigation)) channels.push_back(wire::kNavStateChannel);
+  if (roles.has(host::Role::kSnr)) channels.push_back(wire::kSnrEstimateChannel);
+  if (roles.has(host::Role::kOperator)) channels.push_back(wire::kOperatorCommandChannel);
   return channels;
 }
 
 /// However many orders follow it before they are taken.
 bool is_abort(std::string_view channel, std::span<const std::uint8_t> data) {
   operator_command_t command{};
-  return channel == wire::kOperatorCommandChannel && wire::decode(data, command) == Status::kOk && command.command == operator_command_t::ABORT;
+  return channel == wire::kOperatorCommandChannel && wire::decode(data, command) == Status::kOk &&
+         command.command == operator_command_t::ABORT;
 }
 
 }  // namespace
 
-LcmPort::LcmPort(std::uint8_t index, const PortSettings& settings)
-    : Port(index, settings.roles), address_(settings.address), endpoint_(parse_lcm_url(settings.address), channels_of(settings.roles), is_abort) {}
+LcmPort::LcmPort(std::uint8_t index, const host::PortSettings& settings)
+    : Port(index, settings.roles),
+      address_(settings.address),
+      endpoint_(host::parse_lcm_url(settings.address), channels_of(settings.roles), is_abort) {}
 
 void LcmPort::collect(Clock& clock, InputSink& sink) {
   endpoint_.collect();
@@ -67,15 +70,15 @@ bool LcmPort::send(std::string_view channel, const Message& message) {
 
 std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
   std::uint64_t setpoints = 0;
-  if (has(Role::kAutopilot) && outputs.setpoint) {
+  if (has(host::Role::kAutopilot) && outputs.setpoint) {
     if (send(wire::kSetpointChannel, wire::to_message(*outputs.setpoint, now))) ++setpoints;
   }
-  if (has(Role::kOperator)) {
+  if (has(host::Role::kOperator)) {
     for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements) {
       if (acknowledgement.port == index()) (void)send(wire::kAcknowledgementChannel, wire::to_message(acknowledgement));
     }
   }
-  if (has(Role::kStatus)) {
+  if (has(host::Role::kStatus)) {
     if (outputs.decision) (void)send(wire::kDecisionChannel, wire::to_message(*outputs.decision));
     (void)send(wire::kHealthChannel, wire::to_message(outputs.health, now));
   }
@@ -84,7 +87,7 @@ std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
 
 messages::PortReport LcmPort::report() const {
   messages::PortReport report = report_;
-  const LcmCounters lcm = endpoint_.counters();
+  const host::LcmCounters lcm = endpoint_.counters();
   report.lost += lcm.lost_by_kernel + lcm.overwritten + lcm.datagrams.incomplete;
   report.malformed += lcm.datagrams.malformed + lcm.datagrams.too_large;
   return report;

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "firmware/boards/linux/lcm_endpoint.hpp"
 #include "firmware/boards/linux/port.hpp"
+#include "firmware/host/transport/lcm_endpoint.hpp"
 
 namespace earshot::board {
 
@@ -13,7 +13,7 @@ namespace earshot::board {
 class LcmPort final : public Port {
  public:
   /// @throws std::system_error, std::invalid_argument as LcmEndpoint and parse_lcm_url do.
-  LcmPort(std::uint8_t index, const PortSettings& settings);
+  LcmPort(std::uint8_t index, const host::PortSettings& settings);
 
   void collect(Clock& clock, InputSink& sink) override;
   std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;
@@ -28,7 +28,7 @@ class LcmPort final : public Port {
   void take(Clock& clock, const wire::Lc02Message& message, InputSink& sink);
 
   std::string address_;
-  LcmEndpoint endpoint_;
+  host::LcmEndpoint endpoint_;
 };
 
 }  // namespace earshot::board

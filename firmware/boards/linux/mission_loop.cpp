@@ -29,8 +29,7 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period,
   result.began = clock.now();
   Time next_turn = result.began + period;
   while (!stop) {
-    const Clock::Wake wake =
-        clock.wait({.ports = ports.readable(), .next_turn = next_turn, .navigation_taken = turn.navigation_taken()});
+    const Clock::Wake wake = clock.wait({.ports = ports.readable(), .next_turn = next_turn, .navigation_taken = turn.navigation_taken()});
     if (wake == Clock::Wake::kLost) {
       result.end = LoopEnd::kClockLost;
       return result;

@@ -15,7 +15,7 @@ namespace earshot::board {
 namespace {
 
 template <class Message>
-void append(Journal& journal, Time now, std::string_view channel, const Message& message) {
+void append(host::Journal& journal, Time now, std::string_view channel, const Message& message) {
   (void)journal.append(now, channel, wire::Encoded(message).bytes());  // the journal counts what it drops
 }
 

@@ -6,17 +6,17 @@
 #include <string_view>
 
 #include "firmware/boards/linux/clock.hpp"
-#include "firmware/boards/linux/journal.hpp"
 #include "firmware/boards/linux/port.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/host/journal/journal.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::board {
 
-/// One turn of the decision loop: what the ports bring is journalled and given to the runtime in the order in which it comes; the call makes
-/// the step, journals what comes out, and gives it to the ports.
+/// One turn of the decision loop: what the ports bring is journalled and given to the runtime in the order in which it comes; the call
+/// makes the step, journals what comes out, and gives it to the ports.
 ///
 /// In the journal a turn is: its inputs, each with its arrival; then set-point, decision and acknowledgements, if there are any; then
 /// health, always, with the turn's time. With the mission and the policy at its beginning the journal thus holds all that the runtime was
@@ -24,7 +24,7 @@ namespace earshot::board {
 class MissionTurn final : public InputSink {
  public:
   /// All four must outlive it.
-  MissionTurn(runtime::Runtime& runtime, PortSet& ports, Journal& journal, Clock& clock)
+  MissionTurn(runtime::Runtime& runtime, PortSet& ports, host::Journal& journal, Clock& clock)
       : runtime_(runtime), ports_(ports), journal_(journal), clock_(clock) {}
 
   /// The journal's first two records: what is flown. Before anything else.
@@ -47,7 +47,7 @@ class MissionTurn final : public InputSink {
 
   runtime::Runtime& runtime_;
   PortSet& ports_;
-  Journal& journal_;
+  host::Journal& journal_;
   Clock& clock_;
   Time last_;
   std::uint32_t sequence_ = 0;

@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "firmware/boards/linux/clock.hpp"
-#include "firmware/boards/linux/port_settings.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/host/mission/port_settings.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/messages/port_report.hpp"
 #include "firmware/runtime/runtime.hpp"
@@ -31,7 +31,7 @@ class InputSink {
 /// A port of another kind (a serial line, a shared memory): derive from this, name it in PortKind and open_port.
 class Port {
  public:
-  Port(std::uint8_t index, Roles roles) : roles_(roles) { report_.port = index; }
+  Port(std::uint8_t index, host::Roles roles) : roles_(roles) { report_.port = index; }
   virtual ~Port() = default;
   Port(const Port&) = delete;
   Port& operator=(const Port&) = delete;
@@ -52,13 +52,13 @@ class Port {
   [[nodiscard]] virtual std::string description() const = 0;
 
   [[nodiscard]] std::uint8_t index() const { return report_.port; }
-  [[nodiscard]] bool has(Role role) const { return roles_.has(role); }
+  [[nodiscard]] bool has(host::Role role) const { return roles_.has(role); }
 
  protected:
   messages::PortReport report_;
 
  private:
-  Roles roles_;
+  host::Roles roles_;
 };
 
 }  // namespace earshot::board

@@ -66,9 +66,9 @@ messages::PortReport PortSet::sum() const {
   return sum;
 }
 
-void open_ports(const MissionFile& mission, PortSet& ports) {
-  for (const PortSettings& settings : mission.ports) {
-    if (settings.kind == PortKind::kCan) {
+void open_ports(const host::MissionFile& mission, PortSet& ports) {
+  for (const host::PortSettings& settings : mission.ports) {
+    if (settings.kind == host::PortKind::kCan) {
       ports.add(std::make_unique<CanPort>(ports.next_index(), settings, mission.plane));
     } else {
       ports.add(std::make_unique<LcmPort>(ports.next_index(), settings));

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/boards/linux/port.hpp"
 #include "firmware/config/capacities.hpp"
+#include "firmware/host/mission/mission_file.hpp"
 
 namespace earshot::board {
 
@@ -54,6 +54,6 @@ class PortSet {
 
 /// The ports that the mission describes, in its order.
 /// @throws std::system_error naming what cannot be opened.
-void open_ports(const MissionFile& mission, PortSet& ports);
+void open_ports(const host::MissionFile& mission, PortSet& ports);
 
 }  // namespace earshot::board

@@ -21,14 +21,15 @@ namespace {
 
 using config_file::BadInput;
 
-std::unique_ptr<runtime::Runtime> runtime_at_the_beginning(JournalReader& journal, const std::filesystem::path& path) {
+std::unique_ptr<runtime::Runtime> runtime_at_the_beginning(host::JournalReader& journal, const std::filesystem::path& path) {
   const auto refuse = [&path](const char* what) -> BadInput { return BadInput(path.string() + ": cannot be replayed: " + what); };
-  JournalRecord record;
+  host::JournalRecord record;
   mission_t mission{};
   if (!journal.next(record) || record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk)
     throw refuse("its first record is no mission");
   if (!journal.next(record) || record.channel != wire::kPolicyChannel) throw refuse("its second record is no policy");
-  if (crc32(record.data) != static_cast<std::uint32_t>(mission.policy_crc32)) throw refuse("its policy is not the one that its mission names");
+  if (crc32(record.data) != static_cast<std::uint32_t>(mission.policy_crc32))
+    throw refuse("its policy is not the one that its mission names");
   const auto policy = std::make_unique<policy::FrozenPolicy>();
   policy::PolicyFault fault{};
   if (policy::parse(record.data, *policy, fault) != Status::kOk) throw refuse("its policy is damaged, or of another version");
@@ -52,7 +53,7 @@ class Turn {
   }
 
   [[nodiscard]] bool is_compared() const { return expected_.empty(); }
-  [[nodiscard]] bool takes(const JournalRecord& record) {
+  [[nodiscard]] bool takes(const host::JournalRecord& record) {
     const bool same = !expected_.empty() && expected_.front().first == record.channel &&
                       std::ranges::equal(expected_.front().second.bytes(), record.data);
     if (!expected_.empty()) expected_.pop_front();
@@ -70,12 +71,12 @@ class Turn {
 }  // namespace
 
 ReplayResult replay(const std::filesystem::path& path) {
-  JournalReader journal(path);
+  host::JournalReader journal(path);
   const std::unique_ptr<runtime::Runtime> runtime = runtime_at_the_beginning(journal, path);
   ReplayResult result;
   Turn turn;
   std::uint32_t expected_number = 2;
-  for (JournalRecord record; journal.next(record); ++expected_number) {
+  for (host::JournalRecord record; journal.next(record); ++expected_number) {
     if (record.number != expected_number) {
       result.gap = record.number;
       break;

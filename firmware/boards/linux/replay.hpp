@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "firmware/boards/linux/journal_reader.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
 
 namespace earshot::board {
 
@@ -22,7 +22,7 @@ struct ReplayResult {
   };
   std::optional<Difference> difference;
   std::optional<std::uint32_t> gap;  ///< number of the record before which some were dropped: what follows was not replayed
-  JournalReader::End end = JournalReader::End::kWhole;
+  host::JournalReader::End end = host::JournalReader::End::kWhole;
 
   [[nodiscard]] bool is_same() const { return !difference && !gap; }
 };

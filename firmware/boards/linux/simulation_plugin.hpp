@@ -9,9 +9,9 @@
 
 namespace earshot::board {
 
-// The one seam between the vehicle's program and a simulator: a shared library that only the simulation brings (sim/link) and that is looked
-// for when somebody asks for it on the command line. So the very same program flies and simulates, and what is installed on a vehicle needs
-// no simulation middleware.
+// The one seam between the vehicle's program and a simulator: a shared library that only the simulation brings (sim/link) and that is
+// looked for when somebody asks for it on the command line. So the very same program flies and simulates, and what is installed on a
+// vehicle needs no simulation middleware.
 
 /// What drives the loop in place of the host's clock, and brings what no bus does.
 struct Simulation {

@@ -14,4 +14,8 @@ void stop_on_signals(SecondSignal second) {
   }
 }
 
+void outlive_terminal() {
+  (void)std::signal(SIGHUP, SIG_IGN);
+}
+
 }  // namespace earshot::program

@@ -15,4 +15,7 @@ enum class SecondSignal : std::uint8_t { kIgnored, kEndsAtOnce };
 /// From now on the first SIGINT or SIGTERM sets stop_requested and does nothing else.
 void stop_on_signals(SecondSignal second = SecondSignal::kIgnored);
 
+/// From now on the end of the terminal or of the session that started the program (SIGHUP) does not end it.
+void outlive_terminal();
+
 }  // namespace earshot::program

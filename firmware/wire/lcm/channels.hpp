@@ -12,14 +12,14 @@ inline constexpr std::string_view kSnrEstimateChannel = "EARSHOT_SNR_ESTIMATE"; 
 inline constexpr std::string_view kOperatorCommandChannel = "EARSHOT_OPERATOR_COMMAND";  ///< operator_command_t
 
 // From the runtime.
-inline constexpr std::string_view kSetpointChannel = "EARSHOT_SETPOINT";                               ///< setpoint_t
-inline constexpr std::string_view kDecisionChannel = "EARSHOT_DECISION";                               ///< decision_t
-inline constexpr std::string_view kHealthChannel = "EARSHOT_HEALTH";                                   ///< health_t
-inline constexpr std::string_view kAcknowledgementChannel = "EARSHOT_COMMAND_ACKNOWLEDGEMENT";         ///< command_acknowledgement_t
+inline constexpr std::string_view kSetpointChannel = "EARSHOT_SETPOINT";                        ///< setpoint_t
+inline constexpr std::string_view kDecisionChannel = "EARSHOT_DECISION";                        ///< decision_t
+inline constexpr std::string_view kHealthChannel = "EARSHOT_HEALTH";                            ///< health_t
+inline constexpr std::string_view kAcknowledgementChannel = "EARSHOT_COMMAND_ACKNOWLEDGEMENT";  ///< command_acknowledgement_t
 
 // In journals only.
-inline constexpr std::string_view kMissionChannel = "EARSHOT_MISSION";          ///< mission_t
-inline constexpr std::string_view kPolicyChannel = "EARSHOT_POLICY";            ///< bytes of a .policy file
-inline constexpr std::string_view kPortReportChannel = "EARSHOT_PORT_REPORT";   ///< port_report_t
+inline constexpr std::string_view kMissionChannel = "EARSHOT_MISSION";         ///< mission_t
+inline constexpr std::string_view kPolicyChannel = "EARSHOT_POLICY";           ///< bytes of a .policy file
+inline constexpr std::string_view kPortReportChannel = "EARSHOT_PORT_REPORT";  ///< port_report_t
 
 }  // namespace earshot::wire

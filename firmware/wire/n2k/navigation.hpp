@@ -15,8 +15,8 @@ namespace earshot::n2k {
 /// Frames in the order in which they are to be sent: heading, speed, pressure, position.
 using NavigationFrames = std::array<Frame, 4>;
 
-/// Four messages, without the date, which none of them carries. kOutOfRange if a value is not finite or does not fit its message. Resolution: 1e-7 degree (11 mm), 0.1 Pa (0.01 mm of depth), 1e-4 rad,
-/// 0.01 m/s.
+/// Four messages, without the date, which none of them carries. kOutOfRange if a value is not finite or does not fit its message.
+/// Resolution: 1e-7 degree (11 mm), 0.1 Pa (0.01 mm of depth), 1e-4 rad, 0.01 m/s.
 [[nodiscard]] Status compose_navigation(const messages::Navigation& navigation, const LocalPlane& plane, std::uint8_t source,
                                         NavigationFrames& frames);
 
@@ -34,8 +34,8 @@ class NavigationReceiver {
  public:
   explicit NavigationReceiver(const LocalPlane& plane) : plane_(plane) {}
 
-  /// kOk: `navigation` is new, and dated `now`. kNotReady: kept, or not ours. kOutOfRange, kMalformed: refused and counted. kStale: a position, but the rest
-  /// is missing or old.
+  /// kOk: `navigation` is new, and dated `now`. kNotReady: kept, or not ours. kOutOfRange, kMalformed: refused and counted. kStale: a
+  /// position, but the rest is missing or old.
   [[nodiscard]] Status accept(const Frame& frame, Time now, messages::Navigation& navigation);
 
   [[nodiscard]] const NavigationCounters& counters() const { return counters_; }

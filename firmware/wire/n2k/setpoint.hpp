@@ -18,9 +18,11 @@ using SetpointFrames = FixedVector<Frame, 1 + kMaxFastPacketFrames>;
 /// NMEA 2000 has no place for a way-point in these messages: the heading leads there.
 /// @param sequence  one higher for every set-point
 /// @return kOutOfRange if a value is not finite or does not fit its message.
-[[nodiscard]] Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source, std::uint8_t sequence, SetpointFrames& frames);
+[[nodiscard]] Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source, std::uint8_t sequence,
+                                      SetpointFrames& frames);
 
-/// The autopilot's side (simulator, tests): every heading completes a set-point with the speed and depth before it; its way-point stays empty.
+/// The autopilot's side (simulator, tests): every heading completes a set-point with the speed and depth before it; its way-point stays
+/// empty.
 class SetpointReceiver {
  public:
   /// kOk: `setpoint` is new. kNotReady: kept, or not ours. Otherwise refused.

@@ -103,7 +103,8 @@ TEST(Mission, AbortsWhenNavigationGoesOnSayingNothingButNan) {
   Rig rig = given_a_search_under_way();
   rig.position.north = Meters{std::nan("")};
   for (int second = 1; second <= 6; ++second) {
-    rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
+    rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)),
+              .snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
   }
   EXPECT_EQ(rig.end_reason(), EndReason::kNavigationStale);
   EXPECT_EQ(rig.counters().navigation_refused, 6U);
@@ -123,10 +124,12 @@ TEST(Mission, AbortsOnceTheSnrIsOlderThanItsTimeoutAndNotBefore) {
 TEST(Mission, AbortsWhenACurrentCarriesItOutOfTheOperatingArea) {
   Rig rig = given_a_search_under_way();
   rig.position = at(20000, 12000);  // on the edge, which still belongs to the area
-  rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
+  rig.step(
+      {.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
   EXPECT_EQ(rig.state(), MissionState::kSearch);
   rig.position = at(20000.5, 12000);
-  rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
+  rig.step(
+      {.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
   EXPECT_EQ(rig.state(), MissionState::kAbort);
   EXPECT_EQ(rig.end_reason(), EndReason::kLeftOperatingArea);
   expect_surfacing(rig);

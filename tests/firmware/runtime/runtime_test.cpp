@@ -271,7 +271,8 @@ TEST(Runtime, RefusesAStreamWhoseDatesAreOldHoweverSteadilyItRunsOn) {
   Rig rig(*policy_that_goes(kNorthward));
   for (int second = 0; second < 100; ++second) {
     const Time old = rig.now + Duration::seconds(-3600);
-    rig.step({.navigation = rig.navigation_at(old), .snr = messages::SnrMeasurement{.time = old, .snr = Decibels{12}}, .order = Order::kStart});
+    rig.step(
+        {.navigation = rig.navigation_at(old), .snr = messages::SnrMeasurement{.time = old, .snr = Decibels{12}}, .order = Order::kStart});
   }
   EXPECT_EQ(rig.state(), MissionState::kStandby);
   EXPECT_EQ(rig.counters().navigation_refused, 100U);

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "earshot/decision_t.hpp"
-#include "firmware/boards/linux/journal.hpp"
-#include "firmware/wire/lcm/encoding.hpp"
+#include "firmware/host/journal/journal.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "tests/support/signed_policy.hpp"
 
 namespace earshot::report {
@@ -59,7 +59,7 @@ nlohmann::json summary_of(const policy::FrozenPolicy& policy, std::size_t steps,
 }  // namespace
 
 void write_journal(const std::filesystem::path& path, const std::vector<explain::RecordedDecision>& decisions) {
-  board::Journal journal(path, {.existing = board::JournalOptions::Existing::kReplace});
+  host::Journal journal(path, {.existing = host::JournalOptions::Existing::kReplace});
   for (const explain::RecordedDecision& d : decisions) {
     const wire::Encoded encoded(message_of(d));
     if (journal.append(Time{static_cast<std::int64_t>(d.time_s * 1e6)}, wire::kDecisionChannel, encoded.bytes()) != Status::kOk)

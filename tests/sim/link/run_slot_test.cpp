@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "firmware/boards/linux/bus_lock.hpp"
+#include "firmware/host/transport/bus_lock.hpp"
 
 namespace earshot::link {
 namespace {
@@ -23,7 +23,7 @@ TEST(RunSlot, TwoRunsShareNeitherBusNorDomain) {
 
 TEST(RunSlot, HoldsItsBusAgainstAnybodyWhoNamesIt) {
   const RunSlot slot;
-  EXPECT_THROW((void)board::lock_lcm(slot.lcm_url()), board::BusInUse);
+  EXPECT_THROW((void)host::lock_lcm(slot.lcm_url()), host::BusInUse);
 }
 
 }  // namespace

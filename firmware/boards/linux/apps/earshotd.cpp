@@ -13,21 +13,21 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/boards/linux/bus_lock.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/host_mission_clock.hpp"
-#include "firmware/boards/linux/journal.hpp"
-#include "firmware/boards/linux/mission_file.hpp"
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
-#include "firmware/boards/linux/policy_file.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/boards/linux/simulation_plugin.hpp"
 #include "firmware/boards/linux/waiting.hpp"
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/journal/journal.hpp"
+#include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/version.hpp"
+#include "firmware/host/transport/bus_lock.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace {
@@ -43,7 +43,7 @@ struct Options {
   std::optional<std::filesystem::path> policy;
   std::optional<std::filesystem::path> public_key;
   std::optional<std::uint64_t> seed;
-  board::PortOverride ports;
+  host::PortOverride ports;
   double speed = 1.0;
   std::optional<std::uint32_t> simulation;
   std::uint64_t run = 0;
@@ -60,7 +60,8 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--public-key", &o.public_key, "file of the trusted public key instead of the mission's");
   line.option("--seed", &o.seed, "seed of a policy that draws its actions, instead of the mission's")
       .from(0, std::numeric_limits<std::int64_t>::max());
-  line.option("--bus", &o.ports.bus, "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
+  line.option("--bus", &o.ports.bus,
+              "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
       .one_of({"lcm", "can", "mixed"});
   line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port instead of the mission's");
   line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
@@ -76,19 +77,19 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--wait", &o.wait_s, "in simulation: how many seconds to wait for the simulator").from(1, 86'400).shows_default();
 }
 
-board::MissionFile load(const Options& o) {
-  board::MissionFile file = board::load_mission(o.mission);
+host::MissionFile load(const Options& o) {
+  host::MissionFile file = host::load_mission(o.mission);
   if (o.policy) file.policy = *o.policy;
   if (o.public_key) file.public_key = *o.public_key;
   if (o.seed) file.mission.action_seed = *o.seed;
-  board::override_ports(file, o.ports);
-  if (!o.simulation) board::require_ports_for_sea(file, o.mission);
+  host::override_ports(file, o.ports);
+  if (!o.simulation) host::require_ports_for_sea(file, o.mission);
   return file;
 }
 
-std::unique_ptr<runtime::Runtime> make_runtime(const board::MissionFile& file, const board::SignedPolicy& policy,
+std::unique_ptr<runtime::Runtime> make_runtime(const host::MissionFile& file, const host::SignedPolicy& policy,
                                                const std::string& mission_name) {
-  board::check_fits(*policy.policy, file.policy, file.mission, mission_name);
+  host::check_fits(*policy.policy, file.policy, file.mission, mission_name);
   auto runtime = std::make_unique<runtime::Runtime>();
   if (runtime->configure(file.mission, *policy.policy) != Status::kOk)
     throw config_file::BadInput(mission_name + ": cannot be flown with the policy " + file.policy.string());
@@ -96,16 +97,16 @@ std::unique_ptr<runtime::Runtime> make_runtime(const board::MissionFile& file, c
 }
 
 /// One mission on a bus at a time. In simulation whoever started both processes holds the buses.
-std::vector<board::FileDescriptor> lock_buses(const Options& o, const board::MissionFile& file) {
-  std::vector<board::FileDescriptor> locks;
+std::vector<host::FileDescriptor> lock_buses(const Options& o, const host::MissionFile& file) {
+  std::vector<host::FileDescriptor> locks;
   if (o.simulation) return locks;
-  for (const std::string& address : board::addresses_of(file, board::PortKind::kLcm)) locks.push_back(board::lock_lcm(address));
-  for (const std::string& address : board::addresses_of(file, board::PortKind::kCan)) locks.push_back(board::lock_can(address));
+  for (const std::string& address : host::addresses_of(file, host::PortKind::kLcm)) locks.push_back(host::lock_lcm(address));
+  for (const std::string& address : host::addresses_of(file, host::PortKind::kCan)) locks.push_back(host::lock_can(address));
   return locks;
 }
 
-board::JournalOptions journal_options(const Options& o) {
-  using J = board::JournalOptions;
+host::JournalOptions journal_options(const Options& o) {
+  using J = host::JournalOptions;
   return {.when_full = o.simulation ? J::WhenFull::kWait : J::WhenFull::kDrop,
           .survives = o.simulation ? J::Survives::kProcess : J::Survives::kPowerCut,
           .existing = o.replace ? J::Existing::kReplace : (o.simulation ? J::Existing::kRefuse : J::Existing::kKeep)};
@@ -113,7 +114,7 @@ board::JournalOptions journal_options(const Options& o) {
 
 /// Beside the journal, under its name: what was decided can be explained only with the policy that decided it. A disk that does not take it
 /// is no reason to stay ashore.
-void keep_policy(const board::SignedPolicy& policy, const std::filesystem::path& journal) {
+void keep_policy(const host::SignedPolicy& policy, const std::filesystem::path& journal) {
   const std::filesystem::path kept = std::filesystem::path(journal).replace_extension(".policy");
   std::ofstream stream(kept, std::ios::binary);
   stream.write(reinterpret_cast<const char*>(policy.bytes.data()), static_cast<std::streamsize>(policy.bytes.size()));
@@ -144,8 +145,8 @@ int report(const board::LoopResult& result, const board::Clock& clock, const boa
 /// What the mission is flown with.
 struct Flight {
   const Options& options;
-  const board::MissionFile& file;
-  const board::SignedPolicy& policy;
+  const host::MissionFile& file;
+  const host::SignedPolicy& policy;
   runtime::Runtime& runtime;
   board::PortSet& ports;
   board::Clock& clock;
@@ -154,7 +155,7 @@ struct Flight {
 /// @return exit status
 int fly(const Flight& f) {
   std::filesystem::create_directories(f.options.out);
-  board::Journal journal(f.options.out / "journal.lcmlog", journal_options(f.options));
+  host::Journal journal(f.options.out / "journal.lcmlog", journal_options(f.options));
   keep_policy(f.policy, journal.path());
   board::MissionTurn turn(f.runtime, f.ports, journal, f.clock);
   turn.record_mission(f.file.mission, f.policy.bytes, program::version() + " " + program::build_commit());
@@ -178,10 +179,10 @@ int fly(const Flight& f) {
 }
 
 int fly(const Options& o) {
-  const board::MissionFile file = load(o);
-  const board::SignedPolicy policy = board::load_policy(file.policy, file.public_key);
+  const host::MissionFile file = load(o);
+  const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, policy, o.mission.string());
-  const std::vector<board::FileDescriptor> locks = lock_buses(o, file);
+  const std::vector<host::FileDescriptor> locks = lock_buses(o, file);
   board::PortSet ports;
   board::open_ports(file, ports);
   const board::HostClock host;
@@ -193,6 +194,8 @@ int fly(const Options& o) {
   } else {
     clock = std::make_unique<board::HostMissionClock>(host, o.speed);
   }
+  // A vehicle in mid-search must not be left alone with its last set-point because somebody's terminal closed.
+  if (!o.simulation) program::outlive_terminal();
   program::stop_on_signals();  // up to here nothing is under way that would have to end in order
   // The journal of an earlier flight is not touched before a simulator has come, and that comes when it has judged its own input.
   const board::Waited waited =

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "firmware/boards/linux/host_mission_clock.hpp"
-#include "firmware/boards/linux/journal_reader.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
@@ -135,7 +135,7 @@ class AtSea : public testing::Test {
   void SetUp() override {
     path_ = fs::path(testing::TempDir()) / (std::string("at-sea-") + std::to_string(::getpid()));
     ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::policy_that_goes(runtime::kNorthward)), Status::kOk);
-    journal_ = std::make_unique<Journal>(path_, JournalOptions{.existing = JournalOptions::Existing::kReplace});
+    journal_ = std::make_unique<host::Journal>(path_, host::JournalOptions{.existing = host::JournalOptions::Existing::kReplace});
     auto port = std::make_unique<FakePort>(ports_.next_index(), host_, script_);
     port_ = port.get();
     ports_.add(std::move(port));
@@ -170,7 +170,8 @@ class AtSea : public testing::Test {
     }
   }
   void order(Duration at, Order order) {
-    script_.then(at, [this, order](Clock& clock, InputSink& sink) { sink.take(kPort, runtime::command_of(order, clock.now(), ++commands_)); });
+    script_.then(at,
+                 [this, order](Clock& clock, InputSink& sink) { sink.take(kPort, runtime::command_of(order, clock.now(), ++commands_)); });
   }
   void stop_at(int second) {
     script_.then(seconds(second), [this](Clock&, InputSink&) { stop_ = true; });
@@ -183,9 +184,9 @@ class AtSea : public testing::Test {
 
   std::vector<Order> journalled_orders() {
     (void)journal_->close();
-    JournalReader reader(path_);
+    host::JournalReader reader(path_);
     std::vector<Order> orders;
-    for (JournalRecord record; reader.next(record);) {
+    for (host::JournalRecord record; reader.next(record);) {
       messages::Input input;
       if (wire::read_input(record.channel, record.time, record.data, 0, input) != Status::kOk) continue;
       if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) orders.push_back(command->order);
@@ -201,7 +202,7 @@ class AtSea : public testing::Test {
   FakePort* port_ = nullptr;  ///< of ports_
   std::uint32_t commands_ = 0;
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
-  std::unique_ptr<Journal> journal_;
+  std::unique_ptr<host::Journal> journal_;
   std::atomic<bool> stop_{false};
 };
 
@@ -263,10 +264,10 @@ TEST_F(AtSea, ItsJournalGivesTheSameOutputsAgainBitForBit) {
   ASSERT_EQ(journal_->close(), Status::kOk);
   runtime::Runtime again;
   ASSERT_EQ(again.configure(runtime::paper_mission(), *runtime::policy_that_goes(runtime::kNorthward)), Status::kOk);
-  JournalReader reader(path_);
+  host::JournalReader reader(path_);
   std::size_t turns = 0;
   std::vector<std::vector<std::uint8_t>> outputs;
-  for (JournalRecord record; reader.next(record);) {
+  for (host::JournalRecord record; reader.next(record);) {
     messages::Input input;
     if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
       again.take(input);

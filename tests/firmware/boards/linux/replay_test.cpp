@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/boards/linux/journal.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/core/random.hpp"
+#include "firmware/host/journal/journal.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/signed_policy.hpp"
 
@@ -62,7 +62,7 @@ const std::vector<std::uint8_t>& walk_bytes() {
 class RandomMission {
  public:
   RandomMission(std::uint64_t seed, const fs::path& path)
-      : random_(seed), journal_(path, {.existing = JournalOptions::Existing::kReplace}) {
+      : random_(seed), journal_(path, {.existing = host::JournalOptions::Existing::kReplace}) {
     mission_ = runtime::paper_mission();
     mission_.operating_area = {.south_west = {}, .north_east = walk().area_size};
     mission_.step_length = walk().step_length;
@@ -134,7 +134,7 @@ class RandomMission {
   SetClock clock_;
   PortSet ports_;
   ReportingPort* port_ = nullptr;  ///< of ports_
-  Journal journal_;
+  host::Journal journal_;
   config::Mission mission_;
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
   MissionTurn turn_{*runtime_, ports_, journal_, clock_};
@@ -163,19 +163,19 @@ TEST_F(Replay, GivesEveryByteOfTenThousandJournalsOfRandomInputsAgain) {
 TEST_F(Replay, FindsTheOutputInWhichOneBitDiffers) {
   RandomMission(1, path_).fly(30);
   // The last record is a health record: its byte of the mission's state follows header (28), channel (14), fingerprint (8) and date (8).
-  JournalReader reader(path_);
+  host::JournalReader reader(path_);
   std::size_t last = 0;
   std::uint32_t number = 0;
-  for (JournalRecord record;;) {
+  for (host::JournalRecord record;;) {
     const std::size_t begins = reader.offset();
     if (!reader.next(record)) break;
     last = begins;
     number = record.number;
   }
   const fs::path forged = path_.string() + "-forged";
-  Journal journal(forged, {.existing = JournalOptions::Existing::kReplace});
-  JournalReader again(path_);
-  for (JournalRecord record; again.next(record);) {
+  host::Journal journal(forged, {.existing = host::JournalOptions::Existing::kReplace});
+  host::JournalReader again(path_);
+  for (host::JournalRecord record; again.next(record);) {
     if (record.number == number) record.data[16] ^= 1U;
     ASSERT_EQ(journal.append(record.time, record.channel, record.data), Status::kOk);
   }
@@ -189,7 +189,7 @@ TEST_F(Replay, FindsTheOutputInWhichOneBitDiffers) {
 
 TEST_F(Replay, RefusesAJournalThatDoesNotBeginWithItsMission) {
   {
-    Journal journal(path_, {.existing = JournalOptions::Existing::kReplace});
+    host::Journal journal(path_, {.existing = host::JournalOptions::Existing::kReplace});
     ASSERT_EQ(journal.append(Time{1}, "EARSHOT_HEALTH", std::array<std::uint8_t, 3>{1, 2, 3}), Status::kOk);
   }
   EXPECT_THROW((void)replay(path_), config_file::BadInput);

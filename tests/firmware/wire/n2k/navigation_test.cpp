@@ -13,8 +13,11 @@ constexpr Time kNow{1'000'000'000};
 constexpr std::uint8_t kSource = 7;
 
 const LocalPlane kPlane = LocalPlane::about({46.0, -1.3}).value();
-const messages::Navigation kNavigation{
-    .time = {}, .position = {Meters{12'345.678}, Meters{-321.0}}, .depth = Meters{300.0}, .heading = Radians{-1.5}, .speed = MetersPerSecond{2.0}};
+const messages::Navigation kNavigation{.time = {},
+                                       .position = {Meters{12'345.678}, Meters{-321.0}},
+                                       .depth = Meters{300.0},
+                                       .heading = Radians{-1.5},
+                                       .speed = MetersPerSecond{2.0}};
 
 NavigationFrames frames_of(const messages::Navigation& navigation) {
   NavigationFrames frames;

@@ -35,7 +35,8 @@ TEST(Setpoint, ComesBackToTheResolutionOfTheFrames) {
     SetpointReceiver receiver;
     messages::Setpoint received;
     Status status = Status::kNotReady;
-    for (const Frame& frame : frames_of({.heading = Radians{heading}, .speed = MetersPerSecond{1.234}, .depth = Meters{300.007}, .waypoint = {}})) {
+    for (const Frame& frame :
+         frames_of({.heading = Radians{heading}, .speed = MetersPerSecond{1.234}, .depth = Meters{300.007}, .waypoint = {}})) {
       EXPECT_EQ(status, Status::kNotReady);
       status = receiver.accept(frame, received);
     }
@@ -58,9 +59,15 @@ TEST(Setpoint, OfAnotherMakersGroupIsNotTaken) {
 TEST(Setpoint, IsRefusedWhenNoFrameCanCarryIt) {
   SetpointFrames frames;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(compose_setpoint({.heading = Radians{nan}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, kSource, 0, frames), Status::kOutOfRange);
-  EXPECT_EQ(compose_setpoint({.heading = Radians{0}, .speed = MetersPerSecond{-1}, .depth = Meters{300}, .waypoint = {}}, kSource, 0, frames), Status::kOutOfRange);
-  EXPECT_EQ(compose_setpoint({.heading = Radians{0}, .speed = MetersPerSecond{2}, .depth = Meters{nan}, .waypoint = {}}, kSource, 0, frames), Status::kOutOfRange);
+  EXPECT_EQ(
+      compose_setpoint({.heading = Radians{nan}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = {}}, kSource, 0, frames),
+      Status::kOutOfRange);
+  EXPECT_EQ(
+      compose_setpoint({.heading = Radians{0}, .speed = MetersPerSecond{-1}, .depth = Meters{300}, .waypoint = {}}, kSource, 0, frames),
+      Status::kOutOfRange);
+  EXPECT_EQ(
+      compose_setpoint({.heading = Radians{0}, .speed = MetersPerSecond{2}, .depth = Meters{nan}, .waypoint = {}}, kSource, 0, frames),
+      Status::kOutOfRange);
   EXPECT_TRUE(frames.empty());
 }
 

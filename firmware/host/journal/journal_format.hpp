@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace earshot::host {
+
+// The bytes of a journal record (journal.hpp), shared by writer and reader.
+
+inline constexpr std::uint32_t kRecordSync = 0xEDA1DA01;
+inline constexpr std::size_t kRecordHeaderSize = 28;  ///< sync, checksum, number, time, channel length, data length
+inline constexpr std::size_t kCheckedFrom = 8;        ///< the checksum covers the record from here to its end
+
+inline void store(std::span<std::uint8_t> bytes, std::uint64_t value) {
+  for (std::size_t i = bytes.size(); i-- > 0; value >>= 8U) bytes[i] = static_cast<std::uint8_t>(value);
+}
+
+[[nodiscard]] inline std::uint64_t load(std::span<const std::uint8_t> bytes) {
+  std::uint64_t value = 0;
+  for (const std::uint8_t byte : bytes) value = (value << 8U) | byte;
+  return value;
+}
+
+/// Writes a field of a record header and moves on to the next.
+struct HeaderWriter {
+  std::array<std::uint8_t, kRecordHeaderSize>& header;
+  std::size_t at = 0;
+
+  void field(std::size_t size, std::uint64_t value) {
+    store(std::span(header).subspan(at, size), value);
+    at += size;
+  }
+};
+
+}  // namespace earshot::host

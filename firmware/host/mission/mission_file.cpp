@@ -1,0 +1,180 @@
+#include "firmware/host/mission/mission_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/transport/lcm_url.hpp"
+
+namespace earshot::host {
+namespace {
+
+using config_file::Range;
+using config_file::TableReader;
+
+constexpr double kFarthest_m = 1e6;    // of a local plane
+constexpr double kDeepest_m = 11'000;  // of any ocean
+constexpr double kLongest_s = 1e7;     // four months
+constexpr double kShortest_s = 1e-6;   // less would be rounded to nothing
+
+Duration seconds(double s) {
+  return {std::llround(s * 1e6)};
+}
+
+void read_area(TableReader area, config::Mission& mission) {
+  const Range anywhere = Range::between(-kFarthest_m, kFarthest_m);
+  Rectangle& r = mission.operating_area;
+  r.south_west = {Meters{area.number("south_m", anywhere)}, Meters{area.number("west_m", anywhere)}};
+  r.north_east = {Meters{area.number("north_m", anywhere)}, Meters{area.number("east_m", anywhere)}};
+  mission.edge_margin = Meters{area.number("edge_margin_m", Range::between(0.0, kFarthest_m))};
+}
+
+void read_search(TableReader search, config::Mission& mission) {
+  mission.search_depth = Meters{search.number("depth_m", Range::above_up_to(0.0, kDeepest_m))};
+  mission.search_speed = MetersPerSecond{search.number("speed_mps", Range::above_up_to(0.0, 20.0))};
+  mission.step_length = Meters{search.number("step_length_m", Range::above_up_to(0.0, kFarthest_m))};
+  mission.max_steps = static_cast<std::uint32_t>(search.integer("max_steps", 1, 1'000'000));
+  mission.detection_threshold = Decibels{search.number("detection_threshold_db", Range::between(-200.0, 200.0))};
+}
+
+void read_limits(TableReader limits, config::Mission& mission) {
+  mission.max_depth = Meters{limits.number("max_depth_m", Range::above_up_to(0.0, kDeepest_m))};
+  mission.max_time = seconds(limits.number("max_time_s", Range::between(kShortest_s, kLongest_s)));
+  mission.navigation_timeout = seconds(limits.number("navigation_timeout_s", Range::between(kShortest_s, 3600.0)));
+  mission.snr_timeout = seconds(limits.number("snr_timeout_s", Range::between(kShortest_s, 3600.0)));
+}
+
+const std::vector<std::string> kRoleWords{"navigation", "snr", "operator", "autopilot", "status"};  // in the order of Role
+
+PortSettings read_port(TableReader table) {
+  PortSettings port;
+  port.name = table.text("name");
+  port.kind = table.choice("kind", {"lcm", "can"}) == 0 ? PortKind::kLcm : PortKind::kCan;
+  for (const std::size_t role : table.choices("roles", kRoleWords)) {
+    port.roles.add(static_cast<Role>(role));
+    if (port.kind == PortKind::kCan && !kCanRoles.has(static_cast<Role>(role)))
+      table.problem("roles", "a CAN port carries \"navigation\" and \"autopilot\" only, not \"" + kRoleWords[role] + "\"");
+  }
+  if (port.kind == PortKind::kCan) {
+    port.address = table.text("interface");
+    return port;
+  }
+  port.address = table.text_or("url", kDefaultLcmUrl);
+  try {
+    (void)parse_lcm_url(port.address);
+  } catch (const std::invalid_argument& e) {
+    table.problem("url", e.what());
+  }
+  return port;
+}
+
+void read_ports(TableReader root, MissionFile& file) {
+  for (const TableReader& table : root.tables("port")) file.ports.push_back(read_port(table));
+  if (file.ports.empty()) root.problem("port", "a mission needs at least one [[port]]");
+  if (file.ports.size() + 1 > config::kMaxPorts) root.problem("port", "at most " + std::to_string(config::kMaxPorts - 1) + " ports");
+}
+
+bool has_port_for(const MissionFile& file, Role role) {
+  return std::any_of(file.ports.begin(), file.ports.end(), [role](const PortSettings& port) { return port.roles.has(role); });
+}
+
+/// Every role over LCM.
+PortSettings lcm_port() {
+  return {.name = "lcm",
+          .kind = PortKind::kLcm,
+          .address = std::string(kDefaultLcmUrl),
+          .roles = {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus}};
+}
+
+PortSettings can_port() {
+  return {.name = "can", .kind = PortKind::kCan, .address = kDefaultCanInterface, .roles = kCanRoles};
+}
+
+std::vector<PortSettings> ports_named(const std::string& bus) {
+  if (bus == "lcm") return {lcm_port()};
+  if (bus == "can") return {can_port()};
+  PortSettings sensors = can_port();
+  sensors.roles = {Role::kNavigation};
+  PortSettings rest = lcm_port();
+  rest.roles = {Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus};
+  return {sensors, rest};
+}
+
+void read_origin(TableReader origin, MissionFile& file) {
+  const n2k::Geographic place{.latitude_deg = origin.number("latitude_deg", Range::between(-80.0, 80.0)),
+                              .longitude_deg = origin.number("longitude_deg", Range::between(-180.0, 180.0))};
+  const Result<n2k::LocalPlane> plane = n2k::LocalPlane::about(place);
+  if (plane.ok()) {
+    file.plane = plane.value();
+  } else {
+    origin.problem("latitude_deg", "no local plane about this origin");
+  }
+}
+
+/// How values that are right by themselves must fit each other.
+void check_together(TableReader area, TableReader limits, const config::Mission& mission) {
+  const Rectangle& r = mission.operating_area;
+  const bool is_area = r.north_east.north > r.south_west.north && r.north_east.east > r.south_west.east;
+  if (!(r.north_east.north > r.south_west.north)) area.problem("north_m", "must be greater than south_m");
+  if (!(r.north_east.east > r.south_west.east)) area.problem("east_m", "must be greater than west_m");
+  const bool is_deep_enough = mission.search_depth <= mission.max_depth;
+  if (!is_deep_enough) limits.problem("max_depth_m", "must be at least search.depth_m");
+  if (is_area && is_deep_enough && config::check(mission) != Status::kOk) {
+    area.problem("edge_margin_m", "must leave room for two steps of search.step_length_m each way");
+  }
+}
+
+}  // namespace
+
+MissionFile load_mission(const std::filesystem::path& path) {
+  const config_file::File toml{path};
+  TableReader root = toml.root();
+  MissionFile file;
+  file.step_period = seconds(root.number_or("step_period_s", 1.0, Range::between(0.1, 1.0)));
+  const TableReader area = root.table("area");
+  const TableReader limits = root.table("limits");
+  read_area(area, file.mission);
+  read_search(root.table("search"), file.mission);
+  read_limits(limits, file.mission);
+  read_ports(root, file);
+  read_origin(root.table("origin"), file);
+  TableReader policy = root.table("policy");
+  file.policy = toml.resolve(policy.text("file"));
+  file.public_key = toml.resolve(policy.text("public_key_file"));
+  file.mission.action_seed = static_cast<std::uint64_t>(policy.integer_or("action_seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
+  toml.finish();
+  check_together(area, limits, file.mission);
+  toml.finish();
+  return file;
+}
+
+void override_ports(MissionFile& file, const PortOverride& said) {
+  if (said.bus) file.ports = ports_named(*said.bus);
+  for (PortSettings& port : file.ports) {
+    const std::optional<std::string>& address = port.kind == PortKind::kCan ? said.can_interface : said.lcm_url;
+    if (address) port.address = *address;
+  }
+}
+
+std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind) {
+  std::vector<std::string> addresses;
+  for (const PortSettings& port : file.ports) {
+    if (port.kind == kind && std::find(addresses.begin(), addresses.end(), port.address) == addresses.end())
+      addresses.push_back(port.address);
+  }
+  return addresses;
+}
+
+void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path) {
+  for (const Role role : {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot}) {
+    if (has_port_for(file, role)) continue;
+    throw config_file::BadInput(path.string() + ": port: no port has the role \"" + kRoleWords[static_cast<std::size_t>(role)] +
+                                "\", without which a mission cannot be flown at sea");
+  }
+}
+
+}  // namespace earshot::host

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/config/mission.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/host/mission/port_settings.hpp"
+#include "firmware/wire/n2k/local_plane.hpp"
+
+namespace earshot::host {
+
+inline constexpr const char* kDefaultCanInterface = "can0";  ///< the bus of a vehicle at sea
+
+/// A mission file: what the runtime is asked to do, and what this board needs to do it.
+struct MissionFile {
+  config::Mission mission;
+  Duration step_period;  ///< between two turns of the loop at sea; in lock-step with a simulator every tick is one turn
+  std::vector<PortSettings> ports;
+  n2k::LocalPlane plane;  ///< about the mission's geographic origin; CAN speaks latitude and longitude
+  std::filesystem::path policy;
+  std::filesystem::path public_key;
+};
+
+/// @throws config_file::BadInput with everything that is wrong with the file.
+[[nodiscard]] MissionFile load_mission(const std::filesystem::path& path);
+
+/// What a command line says about the ports in place of the mission file.
+struct PortOverride {
+  std::optional<std::string> bus;      ///< "lcm", "can" or "mixed" (navigation over CAN, the rest over LCM), whatever ports the file has
+  std::optional<std::string> lcm_url;  ///< of every LCM port
+  std::optional<std::string> can_interface;  ///< of every CAN port
+};
+
+void override_ports(MissionFile& file, const PortOverride& said);
+
+/// The addresses of all ports of one kind, each once.
+[[nodiscard]] std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind);
+
+/// @throws config_file::BadInput when a mission on its own, with no simulator, has no port for a role without which it cannot be flown.
+void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path);
+
+}  // namespace earshot::host

@@ -1,0 +1,123 @@
+#include "firmware/host/mission/policy_file.hpp"
+
+#include <sodium.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iomanip>
+#include <iterator>
+#include <span>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/file/input_file.hpp"
+
+namespace earshot::host {
+namespace {
+
+using config_file::BadInput;
+using Bytes = std::vector<std::uint8_t>;
+using PublicKey = std::array<std::uint8_t, policy::kPublicKeySize>;
+
+PublicKey load_public_key(const std::filesystem::path& path) {
+  const Bytes text = host::read_bytes(path, host::kKeyFile);
+  PublicKey key{};
+  std::size_t size = 0;
+  const char* rest = nullptr;
+  const auto* const begin = reinterpret_cast<const char*>(text.data());
+  const int result = sodium_hex2bin(key.data(), key.size(), begin, text.size(), "", &size, &rest);
+  const bool only_space_follows = result == 0 && std::all_of(rest, begin + text.size(), [](char c) { return c == '\n' || c == ' '; });
+  if (!only_space_follows || size != key.size())
+    throw BadInput(path.string() + ": must hold a public key of 64 hexadecimal digits and nothing else");
+  return key;
+}
+
+const char* in_words(policy::PolicyFault fault) {
+  switch (fault) {
+    case policy::PolicyFault::kNone:
+      return "nothing is wrong";
+    case policy::PolicyFault::kTooShort:
+      return "is cut short";
+    case policy::PolicyFault::kBadMagic:
+      return "is not a .policy file";
+    case policy::PolicyFault::kUnknownVersion:
+      return "is of another version of the .policy format than this program's: freeze it again with earshot freeze";
+    case policy::PolicyFault::kBadChecksum:
+      return "its CRC-32 is wrong: the file is damaged";
+    case policy::PolicyFault::kBadShape:
+      return "its shapes do not fit each other or exceed what the runtime holds (firmware/config/capacities.hpp)";
+    case policy::PolicyFault::kUnknownActivation:
+      return "has an activation this program does not know";
+    case policy::PolicyFault::kUnknownFeature:
+      return "observes a feature this program does not know";
+    case policy::PolicyFault::kUnknownDraw:
+      return "draws its actions in a way this program does not know";
+    case policy::PolicyFault::kNotFinite:
+      return "holds a weight, scale or direction that is not finite";
+    case policy::PolicyFault::kGoldenMismatch:
+      return "its network does not give its own golden logits on this machine";
+  }
+  return "is unreadable";
+}
+
+std::string in_words(double value) {
+  std::ostringstream text;
+  text << std::setprecision(10) << value;
+  return text.str();
+}
+
+std::string in_words(NorthEast size) {
+  return in_words(size.north.value) + " m north x " + in_words(size.east.value) + " m east";
+}
+
+/// "KEY = VALUE: must be VALUE" of the mission's number that does not fit; empty when all do.
+std::string complaint_about(const policy::FrozenPolicy& policy, const config::Mission& mission) {
+  const Rectangle& area = mission.operating_area;
+  switch (policy::misfit(policy, mission)) {
+    case policy::Misfit::kNone:
+      break;
+    case policy::Misfit::kStepLength:
+      return "search.step_length_m = " + in_words(mission.step_length.value) + ": must be " + in_words(policy.step_length.value);
+    case policy::Misfit::kAreaSize:
+      return "area is " + in_words(area.north_east - area.south_west) + ": must be " + in_words(policy.area_size);
+    case policy::Misfit::kDetectionThreshold:
+      return "search.detection_threshold_db = " + in_words(mission.detection_threshold.value) + ": must be " +
+             in_words(policy.detection_threshold.value);
+  }
+  return {};
+}
+
+bool is_signed_by(const PublicKey& key, std::span<const std::uint8_t> bytes) {
+  const std::span<const std::uint8_t> message = bytes.first(bytes.size() - policy::kSignatureSize);
+  const std::span<const std::uint8_t> signature = bytes.last(policy::kSignatureSize);
+  return crypto_sign_verify_detached(signature.data(), message.data(), message.size(), key.data()) == 0;
+}
+
+}  // namespace
+
+SignedPolicy load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key) {
+  if (sodium_init() < 0) throw BadInput(path.string() + ": libsodium cannot start");
+  const PublicKey key = load_public_key(public_key);
+  Bytes bytes = host::read_bytes(path, {"a .policy file", policy::max_serialised_size()});
+  auto parsed = std::make_unique<policy::FrozenPolicy>();
+  policy::PolicyFault fault = policy::PolicyFault::kNone;
+  // The file is taken apart before its signature is checked: parse() is built for hostile bytes, and "damaged" says more than "not signed".
+  if (policy::parse(bytes, *parsed, fault) != Status::kOk) throw BadInput(path.string() + ": " + in_words(fault));
+  if (!is_signed_by(key, bytes))
+    throw BadInput(path.string() + ": is not signed by the trusted key " + public_key.string() +
+                   "; --public-key names the public half of the key that signed it");
+  return {.policy = std::move(parsed), .bytes = std::move(bytes)};
+}
+
+void check_fits(const policy::FrozenPolicy& policy, const std::filesystem::path& policy_path, const config::Mission& mission,
+                const std::filesystem::path& mission_path) {
+  const std::string complaint = complaint_about(policy, mission);
+  if (complaint.empty()) return;
+  throw BadInput(mission_path.string() + ": " + complaint + ", which the policy " + policy_path.string() + " was trained with");
+}
+
+}  // namespace earshot::host

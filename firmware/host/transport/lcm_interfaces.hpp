@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "firmware/host/file/file_descriptor.hpp"
+
+namespace earshot::host {
+
+/// The network interfaces of this host that have an IPv4 address and are up. In memory of its own: looking again allocates nothing.
+class LcmInterfaces {
+ public:
+  struct Interface {
+    int index = 0;
+    std::uint32_t address = 0;  ///< network byte order
+    std::array<char, 16> name{};
+  };
+
+  /// @throws std::system_error.
+  LcmInterfaces();
+
+  /// Looks again which there are.
+  void refresh();
+  /// Makes `socket` a member of `group` (network byte order) on every interface on which it is not one yet.
+  /// @return on how many interfaces it is a member now
+  std::size_t join_all(int socket, std::uint32_t group) const;
+  /// Whether a datagram from this address (network byte order) comes from this host.
+  [[nodiscard]] bool is_own(std::uint32_t address) const;
+  /// "lo, eth0"
+  [[nodiscard]] std::string names() const;
+
+ private:
+  static constexpr std::size_t kMost = 32;  ///< addresses looked at; more are passed over
+  FileDescriptor asking_;                   ///< any socket: the kernel answers through one
+  std::array<Interface, kMost> interfaces_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace earshot::host

@@ -1,0 +1,119 @@
+#include "firmware/host/mission/mission_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "firmware/config_file/table_reader.hpp"
+
+namespace earshot::host {
+namespace {
+
+const std::filesystem::path kShipped = std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/fixed_source.toml";
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// What load_mission says about the shipped mission with one piece of text replaced; paths become "FILE".
+std::string complaint(const std::string& from, const std::string& to) {
+  std::string text = text_of(kShipped);
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + std::to_string(getpid()) + ".toml");
+  std::ofstream(path) << text;
+  std::string what;
+  try {
+    (void)load_mission(path);
+  } catch (const config_file::BadInput& e) {
+    what = e.what();
+  }
+  std::filesystem::remove(path);
+  for (std::size_t p = what.find(path.string()); p != std::string::npos; p = what.find(path.string()))
+    what.replace(p, path.string().size(), "FILE");
+  return what;
+}
+
+TEST(MissionFile, TheShippedMissionIsThePapers) {
+  const MissionFile file = load_mission(kShipped);
+  EXPECT_EQ(file.mission.operating_area.north_east.north.value, 25'000.0);
+  EXPECT_EQ(file.mission.operating_area.south_west.east.value, 0.0);
+  EXPECT_EQ(file.mission.search_depth.value, 300.0);
+  EXPECT_EQ(file.mission.search_speed.value, 2.0);
+  EXPECT_EQ(file.mission.step_length.value, 1000.0);
+  EXPECT_EQ(file.mission.max_steps, 100);
+  EXPECT_EQ(file.mission.detection_threshold.value, 10.0);
+  EXPECT_EQ(file.step_period, Duration::seconds(1));
+  ASSERT_EQ(file.ports.size(), 1U);
+  EXPECT_EQ(file.ports[0].kind, PortKind::kLcm);
+  EXPECT_EQ(file.ports[0].roles, (Roles{Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus}));
+}
+
+TEST(MissionFile, FilesItNamesAreRelativeToItsOwnFolder) {
+  EXPECT_EQ(load_mission(kShipped).policy, std::filesystem::path(EARSHOT_SOURCE_DIR) / "policy/frozen/fixed_source.policy");
+}
+
+TEST(MissionFile, RefusesANegativeDepthWithItsLineAndWhatIsAllowed) {
+  EXPECT_EQ(complaint("depth_m = 300.0", "depth_m = -300.0"),
+            "FILE:15: search.depth_m = -300.0: must be a finite number above 0 and at most 11000");
+}
+
+TEST(MissionFile, RefusesAnUnknownKey) {
+  EXPECT_EQ(complaint("speed_mps = 2.0", "speed_mps = 2.0\nspeed_knots = 4.0"), "FILE:17: search.speed_knots: unknown key");
+}
+
+TEST(MissionFile, RefusesNan) {
+  EXPECT_NE(complaint("max_time_s = 60000.0", "max_time_s = nan").find("limits.max_time_s = nan: must be a finite number"),
+            std::string::npos);
+}
+
+TEST(MissionFile, RefusesATimeThatIsLessThanAMicrosecondByItsOwnName) {
+  for (const std::string key : {"max_time_s", "navigation_timeout_s", "snr_timeout_s"}) {
+    const std::string text = text_of(kShipped);
+    const std::size_t at = text.find(key + " = ");
+    ASSERT_NE(at, std::string::npos) << key;
+    const std::string line = text.substr(at, text.find_first_of(" \n", at + key.size() + 3) - at);
+    const std::string what = complaint(line, key + " = 1e-7");
+    EXPECT_NE(what.find("limits." + key + " = "), std::string::npos) << what;
+    EXPECT_NE(what.find("must be a finite number of at least 1e-06"), std::string::npos) << what;
+    EXPECT_EQ(what.find("edge_margin_m"), std::string::npos) << what;
+  }
+}
+
+TEST(MissionFile, RefusesAnAreaWhoseNorthLiesSouthOfItsSouth) {
+  EXPECT_NE(complaint("north_m = 25000.0", "north_m = -1.0").find("area.north_m = -1.0: must be greater than south_m"), std::string::npos);
+}
+
+TEST(MissionFile, RefusesToSearchDeeperThanTheSafetyLayerAllows) {
+  EXPECT_NE(complaint("max_depth_m = 400.0", "max_depth_m = 200.0").find("limits.max_depth_m = 200.0: must be at least search.depth_m"),
+            std::string::npos);
+}
+
+TEST(MissionFile, RefusesAnAreaWithNoRoomToSearch) {
+  EXPECT_NE(
+      complaint("edge_margin_m = 250.0", "edge_margin_m = 12400.0").find("area.edge_margin_m = 12400.0: must leave room for two steps"),
+      std::string::npos);
+}
+
+TEST(MissionFile, RefusesAnLcmAddressThatIsNotMulticast) {
+  EXPECT_NE(complaint("udpm://239.255.76.67:7667", "udpm://10.0.0.1:7667").find("port[0].url"), std::string::npos);
+}
+
+TEST(MissionFile, SaysEverythingThatIsWrongAtOnce) {
+  const std::string all =
+      complaint("max_steps = 100                  # the mission is over after so many actions\ndetection_threshold_db = 10.0",
+                "max_steps = 0\ndetection_threshold_db = \"loud\"");
+  EXPECT_NE(all.find("search.max_steps = 0"), std::string::npos) << all;
+  EXPECT_NE(all.find("search.detection_threshold_db"), std::string::npos) << all;
+}
+
+}  // namespace
+}  // namespace earshot::host

@@ -1,0 +1,119 @@
+#include "firmware/host/mission/policy_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "firmware/config_file/table_reader.hpp"
+#include "firmware/core/crc32.hpp"
+#include "tests/support/signed_policy.hpp"
+
+namespace earshot::host {
+namespace {
+
+constexpr const char* kHint = "; --public-key names the public half of the key that signed it";
+
+class PolicyFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (testing::UnitTest::GetInstance()->current_test_info()->name() + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+    support::write_public_key(key_ = folder_ / "key.pub");
+    policy_ = folder_ / "walk.policy";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// What load_policy says about these bytes; empty when it takes them.
+  std::string complaint(const std::vector<std::uint8_t>& bytes) {
+    support::write_bytes(policy_, bytes);
+    return complaint();
+  }
+  std::string complaint() {
+    try {
+      (void)load_policy(policy_, key_);
+      return "";
+    } catch (const config_file::BadInput& e) {
+      return e.what();
+    }
+  }
+
+  std::filesystem::path folder_;
+  std::filesystem::path key_;
+  std::filesystem::path policy_;
+};
+
+TEST_F(PolicyFile, IsTakenWhenItIsWholeAndSignedByTheTrustedKey) {
+  support::write_bytes(policy_, support::signed_bytes(support::random_walk_policy()));
+  EXPECT_EQ(load_policy(policy_, key_).policy->actions.size(), 8);
+}
+
+TEST_F(PolicyFile, IsRefusedAsMissingByName) {
+  EXPECT_EQ(complaint(), policy_.string() + ": no such file");
+}
+
+TEST_F(PolicyFile, IsRefusedForItsChecksumWhenABitInTheMiddleIsFlipped) {
+  std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
+  bytes[bytes.size() / 2] ^= 1U;
+  EXPECT_NE(complaint(bytes).find("CRC-32 is wrong"), std::string::npos) << complaint(bytes);
+}
+
+TEST_F(PolicyFile, IsRefusedWhenItsSignatureIsNotOfItsBytes) {
+  std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
+  bytes.back() ^= 1U;
+  EXPECT_EQ(complaint(bytes), policy_.string() + ": is not signed by the trusted key " + key_.string() + kHint);
+}
+
+TEST_F(PolicyFile, IsRefusedWhenAnotherKeyIsTrusted) {
+  std::ofstream(key_) << std::string(64, 'a') << "\n";
+  EXPECT_EQ(complaint(support::signed_bytes(support::random_walk_policy())),
+            policy_.string() + ": is not signed by the trusted key " + key_.string() + kHint);
+}
+
+TEST_F(PolicyFile, IsRefusedWhenItIsCutAnywhere) {
+  const std::vector<std::uint8_t> whole = support::signed_bytes(support::random_walk_policy());
+  for (std::size_t size = 0; size < whole.size(); size += 97) {
+    EXPECT_NE(complaint({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}), "") << "cut at " << size;
+  }
+}
+
+/// What check_fits says of the random walk's policy and a mission for which it was trained but for `change`; empty when it fits.
+template <class Change>
+std::string misfit_after(Change change) {
+  config::Mission mission;
+  mission.operating_area = {{Meters{-5'000}, Meters{0}}, {Meters{20'000}, Meters{25'000}}};
+  mission.step_length = Meters{1'000};
+  mission.detection_threshold = Decibels{10};
+  change(mission);
+  try {
+    check_fits(support::random_walk_policy(), "walk.policy", mission, "m.toml");
+    return "";
+  } catch (const config_file::BadInput& e) {
+    return e.what();
+  }
+}
+
+TEST(CheckFits, NamesTheMissionsValueAndThePolicysWhereTheyDiffer) {
+  EXPECT_EQ(misfit_after([](auto&) {}), "");
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.step_length = Meters{1'500.5}; }),
+            "m.toml: search.step_length_m = 1500.5: must be 1000, which the policy walk.policy was trained with");
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.operating_area.north_east.north = Meters{45'000}; }),
+            "m.toml: area is 50000 m north x 25000 m east: must be 25000 m north x 25000 m east, which the policy walk.policy was trained "
+            "with");
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.detection_threshold = Decibels{12}; }),
+            "m.toml: search.detection_threshold_db = 12: must be 10, which the policy walk.policy was trained with");
+}
+
+TEST_F(PolicyFile, NamesTheKeyFileWhenThatIsNotAKey) {
+  std::ofstream(key_) << "12 34\n";
+  EXPECT_EQ(complaint(support::signed_bytes(support::random_walk_policy())),
+            key_.string() + ": must hold a public key of 64 hexadecimal digits and nothing else");
+}
+
+}  // namespace
+}  // namespace earshot::host
