@@ -126,6 +126,12 @@ bool TableReader::has(std::string_view key) const {
   return node_->table != nullptr && node_->table->contains(key);
 }
 
+std::string TableReader::place_of(std::string_view key) const {
+  const toml::node* node = node_->table != nullptr ? node_->table->get(key) : nullptr;
+  const std::size_t line = node != nullptr ? node->source().begin.line : node_->line();
+  return host::printable(node_->problems->path.string()) + ":" + std::to_string(line) + ": " + node_->full(key);
+}
+
 bool TableReader::is_noted(std::string_view key) const {
   return node_->noted.contains(key);
 }

@@ -44,6 +44,9 @@ class TableReader {
   /// Each table of an array of tables.
   [[nodiscard]] std::vector<TableReader> tables(std::string_view key);
 
+  /// Where a key stands that is there, for what turns out wrong after reading: "mission.toml:31: policy.file".
+  [[nodiscard]] std::string place_of(std::string_view key) const;
+
   /// Notes a problem of the caller's own finding about `key` ("must be less than max_depth_m").
   void problem(std::string_view key, std::string_view what);
   /// Whether a problem of this key is noted already: what was read for it is then harmless, but not what the file says, and a complaint

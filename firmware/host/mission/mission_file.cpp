@@ -5,10 +5,12 @@
 #include <limits>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
+#include "firmware/host/file/printable.hpp"
 
 namespace earshot::host {
 namespace {
@@ -128,7 +130,19 @@ void check_together(TableReader area, TableReader limits, const config::Mission&
   }
 }
 
+void require_named(const std::filesystem::path& path, const std::string& named_at, const char* option) {
+  std::error_code error;
+  if (named_at.empty() || std::filesystem::exists(path, error)) return;
+  throw config_file::BadInput(named_at + ": " + printable(std::filesystem::absolute(path).lexically_normal().string()) +
+                              ": no such file; relative paths are relative to the mission's folder, " + option + " names another");
+}
+
 }  // namespace
+
+void require_named_files(const MissionFile& file) {
+  require_named(file.policy, file.policy_named_at, "--policy");
+  require_named(file.public_key, file.public_key_named_at, "--public-key");
+}
 
 MissionFile load_mission(const std::filesystem::path& path) {
   const config_file::File toml{path};
@@ -145,6 +159,8 @@ MissionFile load_mission(const std::filesystem::path& path) {
   TableReader policy = root.table("policy");
   file.policy = toml.resolve(policy.text("file"));
   file.public_key = toml.resolve(policy.text("public_key_file"));
+  file.policy_named_at = policy.place_of("file");
+  file.public_key_named_at = policy.place_of("public_key_file");
   file.mission.action_seed = static_cast<std::uint64_t>(policy.integer_or("action_seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
   toml.finish();
   check_together(area, limits, file.mission);

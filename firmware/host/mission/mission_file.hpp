@@ -22,10 +22,16 @@ struct MissionFile {
   n2k::LocalPlane plane;  ///< about the mission's geographic origin; CAN speaks latitude and longitude
   std::filesystem::path policy;
   std::filesystem::path public_key;
+  std::string policy_named_at;      ///< "search.toml:31: policy.file"; empty: somewhere else
+  std::string public_key_named_at;  ///< the same
 };
 
 /// @throws config_file::BadInput with everything that is wrong with the file.
 [[nodiscard]] MissionFile load_mission(const std::filesystem::path& path);
+
+/// @throws config_file::BadInput with the mission's line and the path that was tried, when the policy or the key is not there that the
+/// mission names. Apart from load_mission, because a command line may name others.
+void require_named_files(const MissionFile& file);
 
 /// What a command line says about the ports in place of the mission file.
 struct PortOverride {

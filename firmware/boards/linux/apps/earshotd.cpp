@@ -79,8 +79,15 @@ void declare(program::CommandLine& line, Options& o) {
 
 host::MissionFile load(const Options& o) {
   host::MissionFile file = host::load_mission(o.mission);
-  if (o.policy) file.policy = *o.policy;
-  if (o.public_key) file.public_key = *o.public_key;
+  if (o.policy) {
+    file.policy = *o.policy;
+    file.policy_named_at.clear();
+  }
+  if (o.public_key) {
+    file.public_key = *o.public_key;
+    file.public_key_named_at.clear();
+  }
+  host::require_named_files(file);
   if (o.seed) file.mission.action_seed = *o.seed;
   host::override_ports(file, o.ports);
   if (!o.simulation) host::require_ports_for_sea(file, o.mission);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 
 #include "firmware/config_file/table_reader.hpp"
@@ -59,6 +60,35 @@ TEST(MissionFile, TheShippedMissionIsThePapers) {
 
 TEST(MissionFile, FilesItNamesAreRelativeToItsOwnFolder) {
   EXPECT_EQ(load_mission(kShipped).policy, std::filesystem::path(EARSHOT_SOURCE_DIR) / "policy/frozen/fixed_source.policy");
+}
+
+TEST(MissionFile, ACopyElsewhereNamesItsLineAndThePathThatWasTried) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("copied_mission_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "mine.toml") << text_of(kShipped);
+  MissionFile file = load_mission(folder / "mine.toml");
+  const auto complaint_about = [&file] {
+    try {
+      require_named_files(file);
+    } catch (const config_file::BadInput& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  std::istringstream lines(text_of(kShipped));
+  std::size_t number = 1;
+  for (std::string line; std::getline(lines, line) && !line.starts_with("file = ");) ++number;
+  EXPECT_EQ(complaint_about(), (folder / "mine.toml").string() + ":" + std::to_string(number) +
+                                   ": policy.file: " + file.policy.lexically_normal().string() +
+                                   ": no such file; relative paths are relative to the mission's folder, --policy names another");
+  // --policy names one that is there.
+  file.policy_named_at.clear();
+  EXPECT_NE(complaint_about().find(":" + std::to_string(number + 1) + ": policy.public_key_file: "), std::string::npos)
+      << complaint_about();
+  EXPECT_NE(complaint_about().find("--public-key names another"), std::string::npos);
+  file.public_key_named_at.clear();
+  EXPECT_EQ(complaint_about(), "");
+  std::filesystem::remove_all(folder);
 }
 
 TEST(MissionFile, RefusesANegativeDepthWithItsLineAndWhatIsAllowed) {
