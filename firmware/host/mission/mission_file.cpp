@@ -9,8 +9,8 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/config_file/table_reader.hpp"
-#include "firmware/host/transport/lcm_url.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/transport/lcm_url.hpp"
 
 namespace earshot::host {
 namespace {
