@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <netcdf.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -12,6 +10,7 @@
 
 #include "sim/netcdf/reader.hpp"
 #include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/support/file_size_limit.hpp"
 
 namespace earshot::netcdf {
 namespace {
@@ -84,29 +83,9 @@ TEST(NetcdfWriter, RefusesAFolderThatIsNotThereAndANumberOfValuesThatDoesNotFit)
   EXPECT_THROW(file.write("range", std::vector<double>(4)), FileError);
 }
 
-/// Stands for a full disk: a file may not grow beyond `bytes` while this lives.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{.rlim_cur = bytes, .rlim_max = before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
-
 /// True when the file was written, false when that was refused.
 bool write_within(const std::filesystem::path& path, std::size_t values, rlim_t bytes) {
-  const FileSizeLimit limit(bytes);
+  const support::FileSizeLimit limit(bytes);
   try {
     Writer file(path);
     fill(file, values);

@@ -1,7 +1,6 @@
 #include "sim/sonar/gnuplot.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 
 #include "sim/sonar/snr_scale.hpp"
 #include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/support/file_size_limit.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -19,9 +19,10 @@ class Picture : public testing::TestWithParam<const char*> {};
 TEST_P(Picture, OfAFullDiskIsNotTakenForAWholeOne) {
   const tests::TemporaryFolder folder;
   const std::filesystem::path path = folder / (std::string("p.") + GetParam());
-  // Where gnuplot writes; it reports success whether or not its bytes found room.
-  std::filesystem::create_symlink("/dev/full", path.string() + ".part" + std::to_string(getpid()));
-  EXPECT_THROW(draw(path, {.title = "a line", .size = "400,300", .commands = "plot x\n"}), std::runtime_error);
+  {
+    const support::FileSizeLimit limit(500);  // gnuplot reports success whether or not its bytes found room
+    EXPECT_THROW(draw(path, {.title = "a line", .size = "400,300", .commands = "plot x\n"}), std::runtime_error);
+  }
   EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(path)));
   EXPECT_NO_THROW(draw(path, {.title = "a line", .size = "400,300", .commands = "plot x\n"}));
   EXPECT_GT(std::filesystem::file_size(path), 1000U);

@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <csignal>
 #include <filesystem>
 #include <string>
 
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
@@ -15,6 +13,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "tests/support/file_size_limit.hpp"
 
 namespace earshot::host {
 namespace {
@@ -144,14 +143,10 @@ TEST_F(OutputFileTest, KeepsASecretFromOthersFromTheFirstByte) {
 
 TEST_F(OutputFileTest, LeavesTheOlderFileAndNothingElseWhereTheDiskIsFull) {
   write_whole(path_, "note: older");
-  (void)std::signal(SIGXFSZ, SIG_IGN);
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  rlimit small = before;
-  small.rlim_cur = 1000;
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string said = refusal([&] { write_whole(path_, std::string(100'000, 'x')); });
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  const std::string said = [&] {
+    const support::FileSizeLimit limit(1000);
+    return refusal([&] { write_whole(path_, std::string(100'000, 'x')); });
+  }();
   EXPECT_EQ(said, path_.string() + ": cannot be written: File too large");
   EXPECT_EQ(content(), "note: older");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
