@@ -5,6 +5,7 @@
 #include <span>
 
 #include "firmware/core/math.hpp"
+#include "firmware/core/wide.hpp"
 #include "firmware/policy/normal_table.hpp"
 
 namespace earshot::policy {
@@ -131,7 +132,7 @@ void Belief::begin_anew(std::size_t cells) {
 }
 
 /// What a search costs that goes straight to a source, by its range, under the hypotheses as likely as they now are.
-void Belief::foresee(const BeliefModel& model) {
+EARSHOT_WIDE void Belief::foresee(const BeliefModel& model) {
   const std::size_t count = model.snr_db.size();
   RangeTable heard{};
   for (std::size_t h = 0; h < model.hypotheses.size(); ++h) {
@@ -162,7 +163,7 @@ void Belief::update(const BeliefModel& model, NorthEast position, Heard heard) {
   look_out(model, position);
 }
 
-void Belief::find_ranges(const BeliefModel& model, NorthEast position) {
+EARSHOT_WIDE void Belief::find_ranges(const BeliefModel& model, NorthEast position) {
   const auto size_north = static_cast<float>(cell_north(model) / model.range_step.value);
   const auto size_east = static_cast<float>(cell_east(model) / model.range_step.value);
   const auto vehicle_north = static_cast<float>(position.north / model.range_step);
@@ -180,7 +181,7 @@ void Belief::find_ranges(const BeliefModel& model, NorthEast position) {
   }
 }
 
-void Belief::weigh(const BeliefModel& model, Heard heard) {
+EARSHOT_WIDE void Belief::weigh(const BeliefModel& model, Heard heard) {
   const std::size_t count = model.snr_db.size();
   const auto cell = static_cast<float>(std::max(cell_north(model), cell_east(model)));
   const auto range_step = static_cast<float>(model.range_step.value);
@@ -204,7 +205,7 @@ void Belief::weigh(const BeliefModel& model, Heard heard) {
   normalise(model, sums);
 }
 
-void Belief::normalise(const BeliefModel& model, const Cell& sums) {
+EARSHOT_WIDE void Belief::normalise(const BeliefModel& model, const Cell& sums) {
   const std::size_t cells = cell_count(model);
   const float total = (sums[0] + sums[1]) + (sums[2] + sums[3]);
   const float forgotten = model.forgotten_share;

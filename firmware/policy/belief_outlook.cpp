@@ -3,6 +3,7 @@
 #include <span>
 
 #include "firmware/core/math.hpp"
+#include "firmware/core/wide.hpp"
 #include "firmware/policy/belief.hpp"
 
 namespace earshot::policy {
@@ -279,7 +280,7 @@ class Ways {
 
 }  // namespace
 
-void Belief::summarise(const BeliefModel& model) {
+EARSHOT_WIDE void Belief::summarise(const BeliefModel& model) {
   const std::size_t rows = model.cells_north;
   const std::size_t columns = model.cells_east;
   std::array<double, 3> north{};  // moments of the place, in cells, that many times
@@ -320,7 +321,7 @@ void Belief::summarise(const BeliefModel& model) {
   summary_.effective_cells = static_cast<float>(1.0 / squares);
 }
 
-void Belief::look_out(const BeliefModel& model, NorthEast position) {
+EARSHOT_WIDE void Belief::look_out(const BeliefModel& model, NorthEast position) {
   const Point vehicle = point_at(position);
   const Inside inside(model);
   const Grid grid(model, std::span(marginal_).first(std::size_t{model.cells_north} * model.cells_east));

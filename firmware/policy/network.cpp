@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "firmware/core/math.hpp"
+#include "firmware/core/wide.hpp"
 
 namespace earshot::policy {
 namespace {
@@ -34,7 +35,7 @@ void apply_tanh(std::span<float> values) {
 
 }  // namespace
 
-void forward(const Network& network, std::span<const float> observation, std::span<float> logits) {
+EARSHOT_WIDE void forward(const Network& network, std::span<const float> observation, std::span<float> logits) {
   assert(observation.size() == network.observation_size && logits.size() == network.action_count);
   std::array<float, Network::kWidth> first_storage{};
   std::array<float, Network::kWidth> second_storage{};

@@ -29,7 +29,9 @@ target_include_directories(earshot_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(earshot_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wimplicit-fallthrough -Werror
   -Wno-restrict  # GCC 12 finds overlaps in std::string that are not there (GCC bug 105651)
-  $<$<BOOL:${EARSHOT_HOST_IS_X86_64_V3}>:-march=x86-64-v3>)
+  # What runs on a vehicle is built for the architecture's baseline (EARSHOT_BASELINE, set for firmware and sim/link): a package built here runs on any
+  # of its computers. The rest is for the machine it is built on.
+  $<$<AND:$<BOOL:${EARSHOT_HOST_IS_X86_64_V3}>,$<NOT:$<BOOL:$<TARGET_PROPERTY:EARSHOT_BASELINE>>>>:-march=x86-64-v3>)
 if(EARSHOT_SANITIZE)
   target_compile_options(earshot_flags INTERFACE -fsanitize=${EARSHOT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(earshot_flags INTERFACE -fsanitize=${EARSHOT_SANITIZE})
@@ -39,6 +41,8 @@ endif()
 add_library(earshot_firmware_flags INTERFACE)
 target_link_libraries(earshot_firmware_flags INTERFACE earshot_flags)
 target_compile_options(earshot_firmware_flags INTERFACE -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics)
+
+define_property(TARGET PROPERTY EARSHOT_BASELINE INITIALIZE_FROM_VARIABLE EARSHOT_BASELINE)
 
 # earshot_library(NAME [FIRMWARE] HEADERS ... [SOURCES ...] [DEPENDS ...])
 #   FIRMWARE  part of the fixed-memory core: its flags, and its objects are checked for heap symbols
