@@ -19,6 +19,7 @@ namespace {
   (void)std::signal(SIGINT, SIG_DFL);
   (void)std::signal(SIGTERM, SIG_DFL);
   (void)setpgid(0, 0);
+  (void)std::signal(SIGTTOU, SIG_IGN);  // a terminal with `stty tostop` would halt it, in its own group, at its first word
   (void)prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(1);  // it has died meanwhile, and no signal will say so
   (void)sigprocmask(SIG_SETMASK, &mask, nullptr);

@@ -1,8 +1,8 @@
 // earshot-fly: one search from start to report: earshot-sim, earshotd, what happened.
 
 #include <algorithm>
-#include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -24,6 +24,7 @@
 #include "sim/apps/child_process.hpp"
 #include "sim/apps/flight_folder.hpp"
 #include "sim/apps/flight_plan.hpp"
+#include "sim/apps/flight_progress.hpp"
 #include "sim/apps/speed_option.hpp"
 #include "sim/link/run_slot.hpp"
 
@@ -101,6 +102,7 @@ std::vector<std::string> simulator_arguments(const Options& o, const Meeting& me
   a.insert(a.end(), {"--environment", o.environment.string(), "--mission", o.mission.string(), "--domain", std::to_string(meeting.domain),
                      "--source", o.source, "--speed", o.speed});
   if (o.ignore_source) a.emplace_back("--ignore-source");
+  if (program::talk() == program::Talk::kQuiet) a.emplace_back("--quiet");
   return a;
 }
 
@@ -134,23 +136,17 @@ void wait_for_both(ChildProcess& simulator, ChildProcess& runtime) {
   }
 }
 
-std::string duration(double s) {
-  const auto minutes = static_cast<long>(s / 60.0);
-  std::array<char, 64> text{};
-  (void)std::snprintf(text.data(), text.size(), "%ld h %02ld min", minutes / 60, minutes % 60);
-  return text.data();
-}
-
 void print_summary(const fs::path& out) {
   if (program::talk() == program::Talk::kQuiet) return;
   std::ifstream stream(out / "summary.json");
   const nlohmann::json s = nlohmann::json::parse(stream);
   const double sim_time_s = s.at("sim_time_s");
+  const Duration at_sea = Duration::milliseconds(std::llround(1e3 * sim_time_s));
   const double wall_time_s = s.at("wall_time_s");
   std::printf("%s\n", s.at("found").get<bool>() ? "source found" : ("source not found: " + s.at("end_reason").get<std::string>()).c_str());
   std::printf("  reward      %.1f\n  steps       %d\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(),
               s.at("steps").get<int>(), s.at("detections").get<int>(), s.at("distance_m").get<double>() / 1e3);
-  std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", duration(sim_time_s).c_str(), wall_time_s,
+  std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", simulation::hours_and_minutes(at_sea).c_str(), wall_time_s,
               sim_time_s / std::max(wall_time_s, 1e-9));
 }
 

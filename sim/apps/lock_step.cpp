@@ -2,9 +2,12 @@
 
 #include <chrono>
 #include <exception>
+#include <optional>
 #include <thread>
 
+#include "firmware/host/program/live_line.hpp"
 #include "firmware/runtime/runtime.hpp"
+#include "sim/apps/flight_progress.hpp"
 
 namespace earshot::simulation {
 namespace {
@@ -127,6 +130,16 @@ class Stepper {
                            .state = static_cast<messages::MissionState>(answer.state),
                            .steps_taken = answer.steps_taken};
     record(point, static_cast<messages::EndReason>(answer.end_reason));
+    if (live_.is_due()) show(point, answer.believed_source);
+  }
+
+  void show(const TrackPoint& point, const std::optional<NorthEast>& believed_source) {
+    const auto range_from_here = [this](NorthEast source) { return range_between(believed().position, source); };
+    live_.draw(to_string({.at_sea = point.time - Time{},
+                          .steps_taken = point.steps_taken,
+                          .max_steps = flight_.world.search.settings.max_steps,
+                          .heard = point.heard,
+                          .believed_range = believed_source ? std::optional(range_from_here(*believed_source)) : std::nullopt}));
   }
 
   [[nodiscard]] std::uint8_t order(bool reached) const {
@@ -188,6 +201,7 @@ class Stepper {
   std::uint64_t number_ = 0;
   bool over_ = false;
   FlightResult result_;
+  program::LiveLine live_;
 };
 
 }  // namespace

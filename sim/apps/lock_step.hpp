@@ -48,7 +48,7 @@ struct Flight {
 
 /// Flies from `start` to the end of the mission. The clock advances only when the runtime has answered a tick and the set-points it
 /// announced have arrived. The source is looked for at every tick, not only at the end of a step: a vehicle that passes within l of it on
-/// its way has found it.
+/// its way has found it. Shows on a terminal how far it is.
 /// Never throws: whatever goes wrong on the way ends the flight, and the result says what.
 /// @param stop  set by a signal handler: the runtime is told to abort
 [[nodiscard]] FlightResult fly(Flight flight, const vehicle::State& start, const std::atomic<bool>& stop);

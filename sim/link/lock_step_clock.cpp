@@ -44,11 +44,13 @@ std::string LockStepClock::remark() const {
 }
 
 bool LockStepClock::answered(const runtime::Outputs& outputs, std::uint64_t setpoints_sent) {
+  if (outputs.decision && outputs.decision->belief) believed_source_ = outputs.decision->belief->likeliest;
   link_.send({.number = tick_.number,
               .setpoint_messages = setpoints_sent,
               .steps_taken = outputs.health.steps_taken,
               .state = static_cast<std::uint8_t>(outputs.health.state),
-              .end_reason = static_cast<std::uint8_t>(outputs.health.end_reason)});
+              .end_reason = static_cast<std::uint8_t>(outputs.health.end_reason),
+              .believed_source = believed_source_});
   return outputs.health.state != messages::MissionState::kDone && outputs.health.state != messages::MissionState::kAbort;
 }
 

@@ -43,6 +43,7 @@ class LockStepClock final : public board::Clock {
   bool is_waiting_ = false;  ///< for the navigation that the tick announces
   bool is_due_ = false;
   steady_clock::time_point deadline_;
+  std::optional<NorthEast> believed_source_;  ///< as of the last decision
 };
 
 /// What the tick brings, as a port: the modelled SNR, and the orders of who runs the simulation.

@@ -26,6 +26,7 @@ struct Answer {
   std::uint32_t steps_taken = 0;
   std::uint8_t state = 0;
   std::uint8_t end_reason = 0;
+  std::optional<NorthEast> believed_source;  ///< where it was likeliest at the last decision
 };
 
 struct GroundTruth {

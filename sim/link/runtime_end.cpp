@@ -23,7 +23,10 @@ earshot_sim_Answer to_wire(const Answer& answer, RunId run) {
           .setpoint_messages = answer.setpoint_messages,
           .steps_taken = answer.steps_taken,
           .state = answer.state,
-          .end_reason = answer.end_reason};
+          .end_reason = answer.end_reason,
+          .source_believed = answer.believed_source.has_value(),
+          .source_north_m = answer.believed_source.value_or(NorthEast{}).north.value,
+          .source_east_m = answer.believed_source.value_or(NorthEast{}).east.value};
 }
 
 }  // namespace

@@ -11,7 +11,9 @@ Answer from_wire(const earshot_sim_Answer& sample) {
           .setpoint_messages = sample.setpoint_messages,
           .steps_taken = sample.steps_taken,
           .state = sample.state,
-          .end_reason = sample.end_reason};
+          .end_reason = sample.end_reason,
+          .believed_source = sample.source_believed ? std::optional(NorthEast{Meters{sample.source_north_m}, Meters{sample.source_east_m}})
+                                                    : std::nullopt};
 }
 
 }  // namespace

@@ -67,6 +67,13 @@ TEST_F(Meeting, GivenNoSimulatorEarshotdSaysWhomItWaitsForAndGivesUpWhenItSaidIt
   EXPECT_EQ(support::read_text(folder_ / "out/journal.lcmlog"), "an earlier flight");
 }
 
+TEST_F(Meeting, GivenQuietEarshotdWaitsWithoutAWordAndSaysOnlyThatItWasInVain) {
+  const std::string domain = std::to_string(slot_.domain());
+  const auto runtime = earshotd({"--simulation", domain, "--lcm-url", slot_.lcm_url(), "--wait", "2", "--quiet"});
+  EXPECT_EQ(runtime->wait(20s), 3);
+  EXPECT_EQ(runtime->output(), "earshotd: a simulator in DDS domain " + domain + " did not come within 2 s\n");
+}
+
 TEST_F(Meeting, GivenSigtermWhileItWaitsEarshotdEndsAtOnceAndHasWrittenNothing) {
   const auto runtime = earshotd({"--simulation", std::to_string(slot_.domain()), "--lcm-url", slot_.lcm_url()});
   ASSERT_TRUE(says(*runtime, ", 60 s at most")) << runtime->output();

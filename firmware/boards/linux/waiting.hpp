@@ -6,12 +6,14 @@
 #include <string>
 
 #include "firmware/host/program/signals.hpp"
+#include "firmware/host/program/talk.hpp"
 
 namespace earshot::board {
 
 enum class Waited { kCame, kStopped, kInVain };
 
-/// Waits for another process. Says on standard error whom for and how long, when that takes more than a second, and when it was in vain.
+/// Waits for another process. Says on standard error whom for and how long, when that takes more than a second and there is no --quiet, and
+/// when it was in vain.
 /// @param program  who waits
 /// @param whom     "a simulator in DDS domain 50"
 /// @param has_come  itself waits for the time that it is given, a tenth of a second
@@ -20,7 +22,7 @@ inline Waited wait_for(const std::string& program, const std::string& whom, std:
   using std::chrono::steady_clock;
   const auto began = steady_clock::now();
   const std::string seconds = std::to_string(limit.count()) + " s";
-  bool is_said = false;
+  bool is_said = program::talk() == program::Talk::kQuiet;
   while (!has_come(std::chrono::milliseconds(100))) {
     if (program::stop_requested) return Waited::kStopped;
     const auto waited = steady_clock::now() - began;

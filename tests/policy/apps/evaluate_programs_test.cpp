@@ -1,15 +1,13 @@
 // earshot evaluate as a person meets it.
-#include <pty.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/policy/apps/programs.hpp"
+#include "tests/support/terminal.hpp"
 
 namespace earshot::apps {
 namespace {
@@ -131,26 +129,11 @@ TEST_F(Programs, EvaluateSearchesForTheSourceThatAPolicyWasTrainedWith) {
 }
 
 TEST_F(Programs, EvaluateShowsOnATerminalHowFarItIs) {
-  int terminal = -1;
-  const pid_t id = forkpty(&terminal, nullptr, nullptr, nullptr);
-  ASSERT_GE(id, 0);
-  if (id == 0) {
-    alarm(30);
-    execl(EARSHOT_BIN_DIR "/earshot-evaluate", "earshot-evaluate", "--policies", "bayes", "--episodes", "1000000", nullptr);
-    _exit(127);
-  }
-  std::string shown;
-  char some[256];
-  // The first bar comes after a second of work that takes minutes; a program without one is ended by its alarm.
-  while (shown.find("munk_flat, bayes [.....") == std::string::npos) {
-    const ssize_t count = read(terminal, some, sizeof some);
-    if (count <= 0) break;
-    shown.append(some, static_cast<std::size_t>(count));
-  }
-  kill(id, SIGKILL);
-  waitpid(id, nullptr, 0);
-  close(terminal);
-  EXPECT_NE(shown.find("munk_flat, bayes [....."), std::string::npos) << shown;
+  // The first bar comes after a second of work that takes minutes.
+  const std::string bar = "munk_flat, bayes [.....";
+  const support::Shown shown =
+      support::shown_on_terminal(EARSHOT_BIN_DIR "/earshot-evaluate", {"--policies", "bayes", "--episodes", "1000000"}, bar);
+  EXPECT_NE(shown.text.find(bar), std::string::npos) << shown.text;
 }
 
 TEST_F(Programs, EvaluateWarnsWhenToldToTestAnotherSourceThanAPolicyWasTrainedWith) {

@@ -59,7 +59,8 @@ void answer_every_tick(std::uint64_t until) {
                .setpoint_messages = tick.navigation_messages + 1,
                .steps_taken = static_cast<std::uint32_t>(tick.time.us / 1'000'000),
                .state = tick.command,
-               .end_reason = static_cast<std::uint8_t>(tick.snr ? tick.snr->value : 99.0)});
+               .end_reason = static_cast<std::uint8_t>(tick.snr ? tick.snr->value : 99.0),
+               .believed_source = tick.snr ? std::optional(NorthEast{Meters{1.5}, Meters{-tick.snr->value}}) : std::nullopt});
   }
 }
 
@@ -81,6 +82,7 @@ TEST(LockStep, EveryTickIsAnsweredInOrderWithWhatItSaid) {
     EXPECT_EQ(answer.steps_taken, n);
     EXPECT_EQ(answer.state, n % 4);
     EXPECT_EQ(answer.end_reason, n % 2 == 0 ? 12 : 99);
+    EXPECT_EQ(answer.believed_source, n % 2 == 0 ? std::optional(NorthEast{Meters{1.5}, Meters{-12.0}}) : std::nullopt);
   }
   int status = 0;
   waitpid(child, &status, 0);

@@ -1,0 +1,89 @@
+// What a flight tells the person who started it.
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+#include <chrono>
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/support/process.hpp"
+#include "tests/support/terminal.hpp"
+
+namespace earshot {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+const fs::path kSource = EARSHOT_SOURCE_DIR;
+const fs::path kFly = fs::path(EARSHOT_BIN_DIR) / "earshot-fly";
+constexpr const char* kErased = "\r\033[K";
+
+class Talk : public testing::Test {
+ protected:
+  Talk() {
+    std::string name = (fs::temp_directory_path() / "earshot-talk-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~Talk() override { fs::remove_all(folder_); }
+
+  /// A flight with the shipped policy, which holds a belief; it finds the source within an hour.
+  [[nodiscard]] std::vector<std::string> arguments(const std::vector<std::string>& more) const {
+    std::vector<std::string> a{"--environment", kSource / "sim/ocean/environments/munk_flat.toml",
+                               "--mission",     kSource / "firmware/boards/linux/missions/search.toml",
+                               "--out",         folder_ / "out",
+                               "--seed",        "3"};
+    a.insert(a.end(), more.begin(), more.end());
+    return a;
+  }
+
+  /// What it tells when nobody sits at a terminal.
+  [[nodiscard]] std::string told(const std::vector<std::string>& more) const {
+    support::Process flight(kFly, arguments(more), folder_ / "text");
+    EXPECT_EQ(flight.wait(60s), 0) << flight.output();
+    return flight.output();
+  }
+
+  fs::path folder_;
+};
+
+/// So fast that the flight takes some seconds of a machine that could do it in a fraction of one.
+const std::vector<std::string> kWatched{"--speed", "800"};
+
+TEST_F(Talk, GivenATerminalALineTellsHowTheFlightGoesAndIsGoneBeforeTheSummary) {
+  const support::Shown shown = support::shown_on_terminal(kFly, arguments(kWatched));
+  EXPECT_EQ(shown.status, 0);
+  const std::regex line(R"(\r0 h [0-9]{2} min at sea, step [1-9] of 100, SNR [0-9]+\.[0-9] dB, source believed [0-9]+\.[0-9] km away)");
+  EXPECT_TRUE(std::regex_search(shown.text, line)) << shown.text;
+  const std::size_t summary = shown.text.find("source found");
+  ASSERT_NE(summary, std::string::npos) << shown.text;
+  const std::string before = shown.text.substr(0, summary);
+  EXPECT_EQ(before.substr(before.size() - 4), kErased) << shown.text;
+  EXPECT_EQ(before.find('\n'), std::string::npos) << "it stays on one line: " << shown.text;
+}
+
+TEST_F(Talk, GivenATerminalAndQuietNothingIsShown) {
+  const support::Shown shown = support::shown_on_terminal(kFly, arguments({"--speed", "800", "--quiet"}));
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_EQ(shown.text, "");
+  EXPECT_TRUE(fs::exists(folder_ / "out/report.html"));
+}
+
+TEST_F(Talk, GivenNoTerminalThereIsTheSummaryAloneHoweverLongTheFlightTakes) {
+  const std::string told_ = told(kWatched);
+  EXPECT_EQ(told_.find('\r'), std::string::npos) << told_;
+  EXPECT_EQ(told_.find("source found\n"), 0) << told_;
+}
+
+TEST_F(Talk, GivenVerboseItAlsoTellsWhatGoesIntoTheFlight) {
+  const std::string told_ = told({"--verbose"});
+  EXPECT_NE(told_.find("--seed 3\n"), std::string::npos) << told_;
+  EXPECT_NE(told_.find("--speed 0 (default)\n"), std::string::npos) << told_;
+  EXPECT_NE(told_.find("source found\n"), std::string::npos) << told_;
+}
+
+}  // namespace
+}  // namespace earshot
