@@ -1,130 +1,23 @@
 // Whole flights: the programs themselves, over real LCM and real DDS.
 
-#include <gtest/gtest.h>
+#include "tests/scenario/flight.hpp"
 
-#include <unistd.h>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
-#include <map>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <sstream>
-#include <string>
-#include <thread>
-#include <vector>
 
 #include "earshot/health_t.hpp"
 #include "earshot/nav_state_t.hpp"
 #include "firmware/boards/linux/replay.hpp"
-#include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
-#include "sim/link/run_slot.hpp"
-#include "tests/support/process.hpp"
-#include "tests/support/signed_policy.hpp"
 
 namespace earshot {
 namespace {
-
-using namespace std::chrono_literals;
-namespace fs = std::filesystem;
-
-const fs::path kSource = EARSHOT_SOURCE_DIR;
-const fs::path kBin = EARSHOT_BIN_DIR;
-const fs::path kMission = kSource / "firmware/boards/linux/missions/fixed_source.toml";
-const fs::path kEnvironment = kSource / "sim/ocean/environments/munk_flat.toml";
-
-class Flight : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("earshot-") + testing::UnitTest::GetInstance()->current_test_info()->name() + "-" + std::to_string(getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    support::write_bytes(folder_ / "walk.policy", support::signed_bytes(support::random_walk_policy()));
-    support::write_public_key(folder_ / "walk.pub");
-  }
-  void TearDown() override {
-    if (!HasFailure()) fs::remove_all(folder_);
-  }
-
-  [[nodiscard]] std::vector<std::string> policy_arguments() const {
-    return {"--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub"};
-  }
-
-  /// A flight by earshot-fly with a policy that walks at random.
-  [[nodiscard]] std::unique_ptr<support::Process> fly(const std::string& out, std::vector<std::string> more,
-                                                      const fs::path& environment = kEnvironment) const {
-    std::vector<std::string> a = policy_arguments();
-    a.insert(a.end(), {"--environment", environment, "--mission", kMission, "--out", folder_ / out, "--no-report"});
-    a.insert(a.end(), more.begin(), more.end());
-    return std::make_unique<support::Process>(kBin / "earshot-fly", a, folder_ / (out + ".txt"));
-  }
-
-  /// Both processes of one flight without earshot-fly between them and the test.
-  void start_both() {
-    const std::string domain = std::to_string(slot_.domain());
-    std::vector<std::string> a = policy_arguments();
-    a.insert(a.end(), {kMission, "--out", folder_, "--simulation", domain, "--lcm-url", slot_.lcm_url()});
-    runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
-    simulator_ = std::make_unique<support::Process>(
-        kBin / "earshot-sim",
-        std::vector<std::string>{"--environment", kEnvironment, "--mission", kMission, "--out", folder_, "--domain", domain, "--lcm-url",
-                                 slot_.lcm_url(), "--ignore-source", "--speed", "500"},
-        folder_ / "earshot-sim.txt");
-  }
-
-  /// Until the journal holds some minutes at sea.
-  [[nodiscard]] bool is_under_way() const {
-    for (const auto deadline = std::chrono::steady_clock::now() + 30s; std::chrono::steady_clock::now() < deadline;) {
-      for (const fs::path& journal : {folder_ / "journal.lcmlog", folder_ / "unfinished-flight/journal.lcmlog"}) {
-        std::error_code error;
-        if (fs::exists(journal) && fs::file_size(journal, error) > 50'000) return true;
-      }
-      std::this_thread::sleep_for(20ms);
-    }
-    return false;
-  }
-
-  /// Until there is a journal, whatever its name: its mission is on the bus.
-  [[nodiscard]] bool has_journal() const {
-    for (const auto deadline = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < deadline;) {
-      for (const auto& file : fs::directory_iterator(folder_)) {
-        if (file.path().extension() == ".lcmlog") return true;
-      }
-      std::this_thread::sleep_for(20ms);
-    }
-    return false;
-  }
-
-  struct Contents {
-    std::size_t records = 0;
-    host::JournalReader::End end = host::JournalReader::End::kCorrupt;
-  };
-  [[nodiscard]] Contents journal() const {
-    host::JournalReader reader(folder_ / "journal.lcmlog");
-    Contents contents;
-    for (host::JournalRecord record; reader.next(record);) ++contents.records;
-    contents.end = reader.end();
-    return contents;
-  }
-
-  [[nodiscard]] nlohmann::json summary(const std::string& out) const {
-    return nlohmann::json::parse(support::read_text(folder_ / out / "summary.json"));
-  }
-
-  fs::path folder_;
-  const link::RunSlot slot_;
-  std::unique_ptr<support::Process> runtime_;
-  std::unique_ptr<support::Process> simulator_;
-};
 
 TEST_F(Flight, GivenOneSeedTwoFlightsGoTheSameWayByteForByte) {
   for (const char* out : {"first", "second"}) {
@@ -208,63 +101,6 @@ TEST_F(Flight, GivenASourceReachedInTheMiddleOfAStepJournalSummaryAndConsoleCoun
   EXPECT_NE(flight->output().find("steps       " + std::to_string(decisions) + "\n"), std::string::npos) << flight->output();
 }
 
-TEST_F(Flight, GivenItsRuntimeIsKilledTheSimulatorSaysSoWithinFiveSecondsAndKeepsTheTrack) {
-  start_both();
-  ASSERT_TRUE(is_under_way()) << runtime_->output() << simulator_->output();
-  runtime_->signal(SIGKILL);
-  EXPECT_EQ(simulator_->wait(5s), 3);
-  EXPECT_NE(simulator_->output().find("lost earshotd"), std::string::npos) << simulator_->output();
-  EXPECT_EQ(nlohmann::json::parse(support::read_text(folder_ / "summary.json")).at("end_reason"), "earshotd_lost");
-  EXPECT_GT(support::read_text(folder_ / "track.csv").size(), 1000);
-  // What the killed process had handed to the kernel is there; at most its last record is cut.
-  EXPECT_GT(journal().records, 100);
-  EXPECT_NE(journal().end, host::JournalReader::End::kCorrupt);
-}
-
-TEST_F(Flight, GivenItsSimulatorIsKilledTheRuntimeSaysSoWithinFiveSecondsAndItsJournalIsWhole) {
-  start_both();
-  ASSERT_TRUE(is_under_way()) << runtime_->output() << simulator_->output();
-  simulator_->signal(SIGKILL);
-  EXPECT_EQ(runtime_->wait(5s), 3);
-  EXPECT_NE(runtime_->output().find("lost the simulator"), std::string::npos) << runtime_->output();
-  EXPECT_GT(journal().records, 100);
-  EXPECT_EQ(journal().end, host::JournalReader::End::kWhole);
-  EXPECT_FALSE(fs::exists(folder_ / "summary.json"));
-}
-
-TEST_F(Flight, GivenAFullDiskTheFlightIsLostWithStatusThreeAndEveryRowThatWasWrittenIsKept) {
-  const std::string domain = std::to_string(slot_.domain());
-  std::vector<std::string> a = policy_arguments();
-  a.insert(a.end(), {kMission, "--out", folder_, "--simulation", domain, "--lcm-url", slot_.lcm_url()});
-  runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
-  // A limit on the size of one file stands for the disk: room for snr.csv (some 60 kB) and for some 2000 of 50 000 rows of the track.
-  simulator_ = std::make_unique<support::Process>(
-      "/bin/bash",
-      std::vector<std::string>{"-c", "trap '' XFSZ; ulimit -f 200; exec \"$@\"", "bash", kBin / "earshot-sim", "--environment",
-                               kEnvironment, "--mission", kMission, "--out", folder_, "--domain", domain, "--lcm-url", slot_.lcm_url(),
-                               "--ignore-source"},
-      folder_ / "earshot-sim.txt");
-  EXPECT_EQ(simulator_->wait(60s), 3) << simulator_->output();
-  EXPECT_NE(simulator_->output().find("track.csv"), std::string::npos) << simulator_->output();
-  EXPECT_EQ(runtime_->wait(10s), 3) << runtime_->output();
-  const nlohmann::json s = nlohmann::json::parse(support::read_text(folder_ / "summary.json"));
-  EXPECT_EQ(s.at("end_reason"), "simulator_failed");
-  EXPECT_FALSE(fs::exists(folder_ / "track.csv.partial"));
-  const std::string track = support::read_text(folder_ / "track.csv");
-  EXPECT_GT(track.size(), 200'000);
-  EXPECT_EQ(track.back(), '\n');
-}
-
-TEST_F(Flight, GivenCtrlCBothEndInOrderAndTheJournalIsWhole) {
-  const auto flight = fly(".", {"--speed", "500", "--ignore-source"});
-  ASSERT_TRUE(is_under_way()) << flight->output();
-  flight->signal(SIGINT);
-  EXPECT_EQ(flight->wait(5s), 130) << flight->output();
-  EXPECT_EQ(summary(".").at("end_reason"), "interrupted");
-  EXPECT_NE(flight->output().find("source not found: interrupted"), std::string::npos) << flight->output();
-  EXPECT_EQ(journal().end, host::JournalReader::End::kWhole);
-}
-
 TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth) {
   start_both();
   ASSERT_TRUE(is_under_way()) << runtime_->output() << simulator_->output();
@@ -285,32 +121,6 @@ TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth
     if (record.channel == wire::kHealthChannel) (void)wire::decode(record.data, health);
   }
   EXPECT_EQ(health.navigation_refused, 20);
-}
-
-TEST_F(Flight, GivenItDiedAtSeaItStartsAgainBesideTheJournalThatIsThere) {
-  // earshotd holds the lock on its address itself, and the slot's is taken: a port that goes with the slot and is none.
-  const std::string url = "udpm://239.255.76.67:" + std::to_string(20'000 + slot_.domain()) + "?ttl=0";
-  const auto start_at_sea = [this, &url](const char* text) {
-    std::vector<std::string> a = policy_arguments();
-    a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", url});
-    runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / text);
-  };
-  const auto wait_for_records = [this](const char* name) {
-    std::error_code error;
-    for (int i = 0; i < 1000 && !(fs::exists(folder_ / name) && fs::file_size(folder_ / name, error) > 0); ++i)
-      std::this_thread::sleep_for(10ms);
-    EXPECT_TRUE(fs::exists(folder_ / name)) << runtime_->output();
-  };
-  start_at_sea("first.txt");
-  wait_for_records("journal.lcmlog");
-  runtime_->signal(SIGKILL);
-  (void)runtime_->wait(5s);
-  start_at_sea("second.txt");
-  wait_for_records("journal-2.lcmlog");
-  runtime_->signal(SIGTERM);
-  EXPECT_EQ(runtime_->wait(5s), 0);
-  EXPECT_NE(runtime_->output().find("journal-2.lcmlog"), std::string::npos) << runtime_->output();
-  EXPECT_GT(journal().records, 0);
 }
 
 TEST_F(Flight, GivenTwoFlightsAtOnceNeitherHearsTheOther) {

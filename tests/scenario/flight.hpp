@@ -1,0 +1,115 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "firmware/host/journal/journal_reader.hpp"
+#include "sim/link/run_slot.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/signed_policy.hpp"
+
+namespace earshot {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+inline const fs::path kSource = EARSHOT_SOURCE_DIR;
+inline const fs::path kBin = EARSHOT_BIN_DIR;
+inline const fs::path kMission = kSource / "firmware/boards/linux/missions/fixed_source.toml";
+inline const fs::path kEnvironment = kSource / "sim/ocean/environments/munk_flat.toml";
+
+/// A folder of its own, in which flights are made with a policy that walks at random.
+class Flight : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("earshot-") + testing::UnitTest::GetInstance()->current_test_info()->name() + "-" + std::to_string(getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    support::write_bytes(folder_ / "walk.policy", support::signed_bytes(support::random_walk_policy()));
+    support::write_public_key(folder_ / "walk.pub");
+  }
+  void TearDown() override {
+    if (!HasFailure()) fs::remove_all(folder_);
+  }
+
+  [[nodiscard]] std::vector<std::string> policy_arguments() const {
+    return {"--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub"};
+  }
+
+  /// A flight by earshot-fly with a policy that walks at random.
+  [[nodiscard]] std::unique_ptr<support::Process> fly(const std::string& out, std::vector<std::string> more,
+                                                      const fs::path& environment = kEnvironment) const {
+    std::vector<std::string> a = policy_arguments();
+    a.insert(a.end(), {"--environment", environment, "--mission", kMission, "--out", folder_ / out, "--no-report"});
+    a.insert(a.end(), more.begin(), more.end());
+    return std::make_unique<support::Process>(kBin / "earshot-fly", a, folder_ / (out + ".txt"));
+  }
+
+  /// Both processes of one flight without earshot-fly between them and the test.
+  void start_both() {
+    const std::string domain = std::to_string(slot_.domain());
+    std::vector<std::string> a = policy_arguments();
+    a.insert(a.end(), {kMission, "--out", folder_, "--simulation", domain, "--lcm-url", slot_.lcm_url()});
+    runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
+    simulator_ = std::make_unique<support::Process>(
+        kBin / "earshot-sim",
+        std::vector<std::string>{"--environment", kEnvironment, "--mission", kMission, "--out", folder_, "--domain", domain, "--lcm-url",
+                                 slot_.lcm_url(), "--ignore-source", "--speed", "500"},
+        folder_ / "earshot-sim.txt");
+  }
+
+  /// Until the journal holds some minutes at sea.
+  [[nodiscard]] bool is_under_way() const {
+    for (const auto deadline = std::chrono::steady_clock::now() + 30s; std::chrono::steady_clock::now() < deadline;) {
+      for (const fs::path& journal : {folder_ / "journal.lcmlog", folder_ / "unfinished-flight/journal.lcmlog"}) {
+        std::error_code error;
+        if (fs::exists(journal) && fs::file_size(journal, error) > 50'000) return true;
+      }
+      std::this_thread::sleep_for(20ms);
+    }
+    return false;
+  }
+
+  /// Until there is a journal, whatever its name: its mission is on the bus.
+  [[nodiscard]] bool has_journal() const {
+    for (const auto deadline = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < deadline;) {
+      for (const auto& file : fs::directory_iterator(folder_)) {
+        if (file.path().extension() == ".lcmlog") return true;
+      }
+      std::this_thread::sleep_for(20ms);
+    }
+    return false;
+  }
+
+  struct Contents {
+    std::size_t records = 0;
+    host::JournalReader::End end = host::JournalReader::End::kCorrupt;
+  };
+  [[nodiscard]] Contents journal() const {
+    host::JournalReader reader(folder_ / "journal.lcmlog");
+    Contents contents;
+    for (host::JournalRecord record; reader.next(record);) ++contents.records;
+    contents.end = reader.end();
+    return contents;
+  }
+
+  [[nodiscard]] nlohmann::json summary(const std::string& out) const {
+    return nlohmann::json::parse(support::read_text(folder_ / out / "summary.json"));
+  }
+
+  fs::path folder_;
+  const link::RunSlot slot_;
+  std::unique_ptr<support::Process> runtime_;
+  std::unique_ptr<support::Process> simulator_;
+};
+
+}  // namespace earshot
