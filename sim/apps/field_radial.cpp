@@ -36,6 +36,15 @@ void require_water(const ocean::Environment& environment, Radians bearing, Meter
   throw std::invalid_argument(text.str());
 }
 
+/// Beyond a shore there is no field: what the numbers that are missing mean.
+void warn_of_land(const ocean::Environment& environment, Radians bearing, Meters last_range) {
+  const auto shore = sonar::shore_before(environment, environment.source.position, bearing, last_range);
+  if (!shore) return;
+  std::ostringstream text;
+  text << "the bearing meets land " << shore->value << " m from the source: from there on the field holds no number";
+  warn(text.str());
+}
+
 }  // namespace
 
 void warn(const std::string& what) {
@@ -69,6 +78,7 @@ void write_radial(const FieldArguments& arguments) {
                  << " depths from " << field.depth_m.front() << " to " << field.depth_m.back() << " m\n"
                  << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
   warn(sonar::unmeasured_water(environment, environment.source.position, bearing, Meters{field.range_m.back()}));
+  warn_of_land(environment, bearing, Meters{field.range_m.back()});
   if (arguments.check) print_check(environment, bearing, plan);
 }
 

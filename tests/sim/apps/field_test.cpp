@@ -175,6 +175,13 @@ TEST_F(FieldProgram, RefusesARadialThatMeetsLandBeforeItsFirstRange) {
   EXPECT_EQ(run(ocean + coarse + " --bearing-deg 270"), 0) << errors();
 }
 
+TEST_F(FieldProgram, SaysFromWhereOnARadialThatMeetsLandHoldsNoNumber) {
+  const std::string ocean = write_hilly_ocean(folder_).string();  // an island 7 km in the east
+  ASSERT_EQ(run(ocean + " -o " + output() + " --max-range-km 16 --output-step-m 1000 --depth-spacing 500 --bearing-deg 90"), 0) << errors();
+  EXPECT_NE(errors().find("warning: the bearing meets land 5"), std::string::npos) << errors();
+  EXPECT_NE(errors().find("from there on the field holds no number"), std::string::npos) << errors();
+}
+
 TEST_F(FieldProgram, WarnsOfBearingsThatMeetLandBeforeTheFirstRange) {
   const std::string ocean = write_hilly_ocean(folder_).string();
   const std::string coarse = ocean + " -o " + output() + " --max-range-km 16 --output-step-m 8000 --receiver-depth-m 300";
