@@ -28,7 +28,7 @@ inline constexpr std::size_t kRuntimeBytes =
 // Inputs and commands (firmware/messages, firmware/runtime).
 inline constexpr std::size_t kMaxPorts = 8;  ///< ports of a vehicle (buses, serial lines, the simulation link); full: mission refused
 inline constexpr std::size_t kMaxIssuers =
-    8;  ///< who may have given commands in one mission; full: a further one is refused, but for ABORT
+    8;  ///< who gave commands, newest first to be known again; full: the one silent for longest gives way
 inline constexpr std::size_t kMaxAcknowledgements = 8;  ///< commands acknowledged in one turn; full: judged, counted, not acknowledged
 inline constexpr std::int64_t kCommandMaxAge_us = 30'000'000;  ///< between a command's date and its arrival (a slow link, clocks apart)
 

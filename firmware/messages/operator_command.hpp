@@ -25,14 +25,13 @@ struct OperatorCommand {
 /// What became of a command.
 enum class CommandOutcome : std::uint8_t {
   kObeyed = 0,
-  kRepeated = 1,        ///< this issuer's last command again, or ABORT after an ABORT: nothing was done again
+  kRepeated = 1,        ///< ABORT after an ABORT: nothing was done again
   kTooOld = 2,          ///< given longer ago than config::kCommandMaxAge, or dated as far ahead
   kExpired = 3,         ///< after its own expiry
   kNotInThisState = 4,  ///< START outside STANDBY, COMPLETE outside SEARCH
   kUnknownOrder = 5,
   kNotConfigured = 6,   ///< there is no mission or no policy to fly it
-  kTooManyIssuers = 7,  ///< more than config::kMaxIssuers: whether it is a repetition cannot be known
-  kOutOfOrder = 8,      ///< numbered below this issuer's last
+  kOutOfOrder = 7,      ///< numbered below this issuer's last
 };
 
 /// Goes back to whoever gave the command.

@@ -21,19 +21,22 @@ CommandOutcome judge_date(Time arrival, const messages::OperatorCommand& command
 
 }  // namespace
 
-CommandOutcome CommandJudge::judge(Time arrival, const messages::OperatorCommand& command) {
-  if (!is_known(command.order)) return CommandOutcome::kUnknownOrder;
-  if (command.order == Order::kAbort) return CommandOutcome::kObeyed;
-  if (const CommandOutcome outcome = judge_date(arrival, command); outcome != CommandOutcome::kObeyed) return outcome;
+CommandJudge::Verdict CommandJudge::judge(Time arrival, const messages::OperatorCommand& command) const {
+  if (!is_known(command.order)) return {.outcome = CommandOutcome::kUnknownOrder};
+  if (command.order == Order::kAbort) return {};
   const auto known = std::find_if(issuers_.begin(), issuers_.end(), [&](const Issuer& i) { return i.issuer == command.issuer; });
-  if (known == issuers_.end()) {
-    const Status kept = issuers_.push_back({.issuer = command.issuer, .last_number = command.number});
-    return kept == Status::kOk ? CommandOutcome::kObeyed : CommandOutcome::kTooManyIssuers;
+  if (known != issuers_.end() && command.number == known->last_number) return {.outcome = known->last_outcome, .is_repetition = true};
+  if (known != issuers_.end() && command.number < known->last_number) return {.outcome = CommandOutcome::kOutOfOrder};
+  return {.outcome = judge_date(arrival, command)};
+}
+
+void CommandJudge::remember(const messages::OperatorCommand& command, CommandOutcome outcome) {
+  auto place = std::find_if(issuers_.begin(), issuers_.end(), [&](const Issuer& i) { return i.issuer == command.issuer; });
+  if (place == issuers_.end()) {
+    static_cast<void>(issuers_.push_back({}));
+    place = std::min_element(issuers_.begin(), issuers_.end(), [](const Issuer& a, const Issuer& b) { return a.last_heard < b.last_heard; });
   }
-  if (command.number <= known->last_number)
-    return command.number == known->last_number ? CommandOutcome::kRepeated : CommandOutcome::kOutOfOrder;
-  known->last_number = command.number;
-  return CommandOutcome::kObeyed;
+  *place = {.issuer = command.issuer, .last_number = command.number, .last_outcome = outcome, .last_heard = ++remembered_};
 }
 
 }  // namespace earshot::runtime

@@ -13,17 +13,28 @@ namespace earshot::runtime {
 /// after a stall, a sender that repeats until it is acknowledged.
 class CommandJudge {
  public:
-  /// kObeyed: nothing speaks against it. Its number is remembered, so that the same command a second time is kRepeated.
-  /// Nothing speaks against an ABORT, ever: stopping once too often costs a search, not stopping may cost the vehicle.
-  [[nodiscard]] messages::CommandOutcome judge(Time arrival, const messages::OperatorCommand& command);
+  struct Verdict {
+    messages::CommandOutcome outcome = messages::CommandOutcome::kObeyed;
+    bool is_repetition = false;  ///< judged before: the outcome is what it was then, and nothing is to be done
+  };
+
+  /// kObeyed: nothing speaks against it; remember() what became of it. Nothing speaks against an ABORT, ever: stopping once too often costs a
+  /// search, not stopping may cost the vehicle.
+  [[nodiscard]] Verdict judge(Time arrival, const messages::OperatorCommand& command) const;
+
+  /// Of the issuers it knows the one that was silent for longest gives way: its old commands are still told by their dates.
+  void remember(const messages::OperatorCommand& command, messages::CommandOutcome outcome);
 
  private:
   struct Issuer {
     std::uint32_t issuer = 0;
     std::uint32_t last_number = 0;
+    messages::CommandOutcome last_outcome = messages::CommandOutcome::kObeyed;
+    std::uint64_t last_heard = 0;  ///< counts what is remembered
   };
 
   FixedVector<Issuer, config::kMaxIssuers> issuers_;
+  std::uint64_t remembered_ = 0;
 };
 
 }  // namespace earshot::runtime

@@ -29,6 +29,12 @@ bool is_in_order(Time time, Time last, Time arrival, Duration timeout) {
   return time >= last && lies_within(time, arrival, timeout);
 }
 
+/// A date ahead of its arrival counts as the arrival: a sender whose clock is fast neither hides those that come after it nor stays fresh
+/// for longer.
+Time effective(Time date, Time arrival) {
+  return date < arrival ? date : arrival;
+}
+
 bool fits(const config::Mission& mission, const policy::FrozenPolicy& policy) {
   const policy::Network& network = policy.network;
   return !policy.observation.spec.empty() && !policy.actions.empty() && network.observation_size == policy.observation.spec.size() &&
@@ -52,7 +58,8 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
 Outputs Runtime::step(Time now) {
   assert(now.us >= 0);
   Outputs outputs;
-  if (progress_.state == MissionState::kStandby && progress_.start_wanted && navigation_is_fresh(now) && snr_is_fresh(now))
+  if (progress_.start_until && now > *progress_.start_until) progress_.start_until.reset();
+  if (progress_.state == MissionState::kStandby && progress_.start_until && navigation_is_fresh(now) && snr_is_fresh(now))
     begin_search(now);
   if (progress_.state == MissionState::kSearch) search(now, outputs);
   outputs.setpoint = setpoint();
@@ -74,6 +81,7 @@ void Runtime::take(Time arrival, const messages::Navigation& navigation) {
   const Time last = progress_.navigation ? progress_.navigation->time : Time{};
   if (is_finite(navigation) && is_in_order(navigation.time, last, arrival, mission_.navigation_timeout)) {
     progress_.navigation = navigation;
+    progress_.navigation->time = effective(navigation.time, arrival);
   } else {
     ++progress_.counters.navigation_refused;
   }
@@ -83,6 +91,7 @@ void Runtime::take(Time arrival, const messages::SnrMeasurement& measurement) {
   const Time last = progress_.snr ? progress_.snr->time : Time{};
   if (is_possible(measurement.snr) && is_in_order(measurement.time, last, arrival, mission_.snr_timeout)) {
     progress_.snr = measurement;
+    progress_.snr->time = effective(measurement.time, arrival);
   } else {
     ++progress_.counters.snr_refused;
   }
@@ -99,18 +108,29 @@ void Runtime::take(const messages::PortReport& report) {
 }
 
 void Runtime::take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {
-  CommandOutcome outcome = progress_.judge.judge(arrival, command);
-  if (outcome == CommandOutcome::kObeyed) outcome = obey(command.order);
-  if (outcome != CommandOutcome::kObeyed && outcome != CommandOutcome::kRepeated) ++progress_.counters.commands_refused;
-  static_cast<void>(progress_.acknowledgements.push_back({.time = arrival,
-                                                          .port = port,
-                                                          .issuer = command.issuer,
-                                                          .number = command.number,
-                                                          .order = command.order,
-                                                          .outcome = outcome}));  // when full the sender asks again
+  const CommandJudge::Verdict verdict = progress_.judge.judge(arrival, command);
+  CommandOutcome outcome = verdict.outcome;
+  if (!verdict.is_repetition) {
+    if (outcome == CommandOutcome::kObeyed) outcome = obey(command);
+    if (outcome != CommandOutcome::kObeyed && outcome != CommandOutcome::kRepeated) ++progress_.counters.commands_refused;
+    if (command.order != Order::kAbort && verdict.outcome == CommandOutcome::kObeyed) progress_.judge.remember(command, outcome);
+  }
+  acknowledge({.time = arrival,
+               .port = port,
+               .issuer = command.issuer,
+               .number = command.number,
+               .order = command.order,
+               .outcome = outcome});
 }
 
-CommandOutcome Runtime::obey(Order order) {
+/// When there is no room its sender asks again; but an ABORT takes the place of the last.
+void Runtime::acknowledge(const messages::CommandAcknowledgement& acknowledgement) {
+  Acknowledgements& waiting = progress_.acknowledgements;
+  if (waiting.push_back(acknowledgement) != Status::kOk && acknowledgement.order == Order::kAbort) waiting[waiting.size() - 1] = acknowledgement;
+}
+
+CommandOutcome Runtime::obey(const messages::OperatorCommand& command) {
+  const Order order = command.order;
   if (order == Order::kAbort) {
     if (progress_.state == MissionState::kAbort) return CommandOutcome::kRepeated;
     end(MissionState::kAbort, EndReason::kOperatorAbort);
@@ -120,7 +140,7 @@ CommandOutcome Runtime::obey(Order order) {
   const MissionState needed = order == Order::kStart ? MissionState::kStandby : MissionState::kSearch;
   if (progress_.state != needed) return CommandOutcome::kNotInThisState;
   if (order == Order::kStart) {
-    progress_.start_wanted = true;
+    progress_.start_until = command.expiry;
   } else {
     if (progress_.leg.length().value > 0.0) ++progress_.steps_taken;  // the step under way ends where the source is
     end(MissionState::kDone, EndReason::kCompleted);
@@ -167,6 +187,7 @@ messages::BeliefSummary Runtime::belief() const {
 void Runtime::begin_search(Time now) {
   progress_.state = MissionState::kSearch;
   progress_.search_began = now;
+  progress_.has_engaged = true;
   memory_.start(policy_.observation, place_in_area(), heard());
 }
 
@@ -208,7 +229,7 @@ void Runtime::decide(Time now, messages::Decision& decision) {
 }
 
 std::optional<messages::Setpoint> Runtime::setpoint() {
-  if (progress_.state == MissionState::kStandby) return std::nullopt;
+  if (!progress_.has_engaged) return std::nullopt;
   if (!progress_.navigation) return safety::surface({});
   const safety::Pose pose{.position = progress_.navigation->position, .heading = progress_.navigation->heading};
   if (progress_.state != MissionState::kSearch) return safety::surface(pose);

@@ -24,7 +24,7 @@ using Acknowledgements = FixedVector<messages::CommandAcknowledgement, config::k
 
 /// What one turn of the loop says.
 struct Outputs {
-  std::optional<messages::Setpoint> setpoint;  ///< none in STANDBY: the autopilot is somebody else's until the search begins
+  std::optional<messages::Setpoint> setpoint;  ///< none until a search begins: the autopilot is somebody else's
   std::optional<messages::Decision> decision;
   Acknowledgements acknowledgements;  ///< of the commands judged since the last turn
   messages::Health health;
@@ -36,7 +36,8 @@ struct Outputs {
 ///   STANDBY -- START, fresh navigation and SNR --> SEARCH -- max_steps, COMPLETE --> DONE
 ///   SEARCH -- navigation or SNR stale, outside the operating area, max_time --> ABORT;   any state -- ABORT --> ABORT
 ///
-/// START is remembered until navigation and SNR are there. In DONE and ABORT the set-point says: stop and come up.
+/// START is remembered until navigation and SNR are there, or it expires. Once a search has begun, the set-point says in DONE and ABORT:
+/// stop and come up; before, nothing is commanded, whatever becomes of the mission.
 class Runtime {
  public:
   /// Takes a copy of both and forgets everything else. kOutOfRange if the mission fails config::check, the policy is empty, or it was
@@ -45,7 +46,8 @@ class Runtime {
 
   /// Judges one input; any number between two steps, in the order in which they came. What is refused changes nothing but its counter, so
   /// that a bad sender does not hide a good one. Of several ports that bring one kind, the latest date counts.
-  /// Navigation and SNR are refused when dated further from their arrival than their timeout, and when older than the last.
+  /// Navigation and SNR are refused when dated further from their arrival than their timeout, and when older than the last; a date ahead
+  /// of its arrival counts as the arrival.
   /// ABORT ends the mission here and now, whatever its date: no order before or after it in the same turn can undo it.
   void take(const messages::Input& input);
 
@@ -57,7 +59,8 @@ class Runtime {
   struct Progress {
     messages::MissionState state = messages::MissionState::kStandby;
     messages::EndReason end_reason = messages::EndReason::kNone;
-    bool start_wanted = false;
+    std::optional<Time> start_until;  ///< START was given, and waits for navigation and SNR until then
+    bool has_engaged = false;         ///< a search has begun: the autopilot is ours
     Time search_began;
     std::uint32_t steps_taken = 0;
     std::optional<messages::Navigation> navigation;
@@ -74,7 +77,8 @@ class Runtime {
   void take(Time arrival, const messages::SnrMeasurement& measurement);
   void take(const messages::PortReport& report);
   void take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command);
-  [[nodiscard]] messages::CommandOutcome obey(messages::Order order);
+  [[nodiscard]] messages::CommandOutcome obey(const messages::OperatorCommand& command);
+  void acknowledge(const messages::CommandAcknowledgement& acknowledgement);
   void end(messages::MissionState state, messages::EndReason reason);
   [[nodiscard]] bool navigation_is_fresh(Time now) const;
   [[nodiscard]] bool snr_is_fresh(Time now) const;

@@ -31,7 +31,8 @@ board::Clock::Wake LockStepClock::receive() {
     lost_ = "the simulator";
     return Wake::kLost;
   }
-  if (delivery == Delivery::kNothing) return Wake::kPorts;
+  // What has come meanwhile belongs to the tick that follows it: it is read when that is here.
+  if (delivery == Delivery::kNothing) return Wake::kNothing;
   tick_ = tick;
   is_waiting_ = true;
   deadline_ = steady_clock::now() + kPortPatience;

@@ -1,6 +1,7 @@
 // How the two halves of a flight find each other, and what they say while they wait.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <unistd.h>
 #include <chrono>
@@ -86,7 +87,7 @@ TEST_F(Meeting, GivenNobodyOnItsBusAtSeaEarshotdSaysWhatItWaitsFor) {
   const std::string url = "udpm://239.255.76.67:" + std::to_string(22'000 + slot_.domain()) + "?ttl=0";
   const auto runtime = earshotd({"--lcm-url", url});
   EXPECT_TRUE(
-      says(*runtime, "waiting for navigation, SNR and an operator's START, as long as it takes, on\n  port 1: LCM " + url + " on lo"))
+      says(*runtime, "waiting for navigation, SNR and an operator's START, as long as it takes, on\n  port 1: vehicle, LCM " + url + " on lo"))
       << runtime->output();
   runtime->signal(SIGTERM);
   EXPECT_EQ(runtime->wait(5s), 0);
@@ -98,6 +99,32 @@ TEST_F(Meeting, GivenItsTerminalIsClosedAtSeaEarshotdGoesOn) {
   ASSERT_TRUE(says(*runtime, "journal.lcmlog")) << runtime->output();
   runtime->signal(SIGHUP);
   EXPECT_EQ(runtime->wait(300ms), -1) << "it ended";
+  runtime->signal(SIGTERM);
+  EXPECT_EQ(runtime->wait(5s), 0);
+}
+
+TEST_F(Meeting, GivenFilesInItsFolderThatAreNotItsOwnEarshotdLeavesThem) {
+  const std::string url = "udpm://239.255.76.67:" + std::to_string(22'000 + slot_.domain()) + "?ttl=0";
+  fs::create_directories(folder_ / "out");
+  std::ofstream(folder_ / "out/journal.policy") << "my notes";
+  std::ofstream(folder_ / "out/journal.lcmlog") << "more notes";
+  const auto refused = earshotd({"--lcm-url", url, "--replace"});
+  EXPECT_EQ(refused->wait(5s), 2) << refused->output();
+  EXPECT_EQ(support::read_text(folder_ / "out/journal.lcmlog"), "more notes");
+  const auto runtime = earshotd({"--lcm-url", url});  // its journal is journal-2.lcmlog, its policy journal-2.policy
+  ASSERT_TRUE(says(*runtime, "journal-2.lcmlog")) << runtime->output();
+  runtime->signal(SIGTERM);
+  EXPECT_EQ(runtime->wait(5s), 0);
+  EXPECT_EQ(support::read_text(folder_ / "out/journal.policy"), "my notes");
+}
+
+TEST_F(Meeting, GivenAPipeWhereItsPolicyIsKeptEarshotdFliesAllTheSame) {
+  const std::string url = "udpm://239.255.76.67:" + std::to_string(22'000 + slot_.domain()) + "?ttl=0";
+  fs::create_directories(folder_ / "out");
+  ASSERT_EQ(mkfifo((folder_ / "out/journal.policy").c_str(), 0600), 0);
+  const auto runtime = earshotd({"--lcm-url", url});
+  EXPECT_TRUE(says(*runtime, "it is a pipe")) << runtime->output();
+  EXPECT_TRUE(says(*runtime, "waiting for navigation")) << runtime->output();
   runtime->signal(SIGTERM);
   EXPECT_EQ(runtime->wait(5s), 0);
 }

@@ -6,7 +6,7 @@
 namespace earshot::board {
 
 CanPort::CanPort(std::uint8_t index, const host::PortSettings& settings, const n2k::LocalPlane& plane)
-    : Port(index, settings.roles), interface_(settings.address), socket_(settings.address), receiver_(plane) {}
+    : Port(index, settings.roles), name_(settings.name), interface_(settings.address), socket_(settings.address), receiver_(plane) {}
 
 void CanPort::collect(Clock& clock, InputSink& sink) {
   std::size_t budget = config::kCanFramesPerCollect;
@@ -41,7 +41,7 @@ messages::PortReport CanPort::report() const {
   messages::PortReport report = report_;
   report.link_up = socket_.is_up();
   report.lost += socket_.counters().lost_by_kernel;
-  report.malformed += receiver_.counters().refused + receiver_.counters().waiting;
+  report.malformed += receiver_.counters().refused;
   return report;
 }
 

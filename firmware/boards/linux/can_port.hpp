@@ -25,11 +25,12 @@ class CanPort final : public Port {
     if (!socket_.is_up()) (void)socket_.reopen();
   }
   [[nodiscard]] messages::PortReport report() const override;
-  [[nodiscard]] std::string description() const override { return "CAN " + interface_; }
+  [[nodiscard]] std::string description() const override { return name_ + ", CAN " + interface_; }
 
  private:
   [[nodiscard]] Status send(const messages::Setpoint& setpoint);
 
+  std::string name_;
   std::string interface_;
   host::CanSocket socket_;
   n2k::NavigationReceiver receiver_;

@@ -22,7 +22,8 @@ namespace earshot::board {
 class Clock {
  public:
   enum class Wake : std::uint8_t {
-    kPorts,  ///< a port may have brought something, or it is time to look whether to stop
+    kNothing,  ///< look whether to stop; what the ports bring is not due yet, because the clock cannot date it
+    kPorts,    ///< a port may have brought something, or it is time to look whether to stop
     kTurn,   ///< a turn is due once the ports have been read
     kLost,   ///< who drives the clock is gone, or what it announced does not arrive
   };

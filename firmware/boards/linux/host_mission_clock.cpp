@@ -26,9 +26,9 @@ Time HostMissionClock::now() {
 
 Time HostMissionClock::mission_time_of(Time utc) {
   constexpr Time kNoDate{-1};
-  constexpr std::int64_t kLatest_us = std::int64_t{1} << 55;  // the year 3111; products and sums with it fit
-  if (utc.us < 0 || utc.us > kLatest_us) return kNoDate;
-  return now() + scaled(utc - host_.utc(), speed_);
+  constexpr Time kLatest{std::int64_t{1} << 55};  // the year 3111, which is never; a hundred times it fits
+  if (utc.us < 0) return kNoDate;
+  return now() + scaled(std::min(utc, kLatest) - host_.utc(), speed_);
 }
 
 Clock::Wake HostMissionClock::wait(const Awaited& awaited) {

@@ -29,6 +29,7 @@ bool is_abort(std::string_view channel, std::span<const std::uint8_t> data) {
 
 LcmPort::LcmPort(std::uint8_t index, const host::PortSettings& settings)
     : Port(index, settings.roles),
+      name_(settings.name),
       address_(settings.address),
       endpoint_(host::parse_lcm_url(settings.address), channels_of(settings.roles), is_abort) {}
 
@@ -88,6 +89,7 @@ std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
 messages::PortReport LcmPort::report() const {
   messages::PortReport report = report_;
   const host::LcmCounters lcm = endpoint_.counters();
+  report.link_up = endpoint_.is_up();
   report.lost += lcm.lost_by_kernel + lcm.overwritten + lcm.datagrams.incomplete;
   report.malformed += lcm.datagrams.malformed + lcm.datagrams.too_large;
   return report;

@@ -20,13 +20,14 @@ class LcmPort final : public Port {
   [[nodiscard]] int file_descriptor() const override { return endpoint_.file_descriptor(); }
   void tend() override { endpoint_.refresh_interfaces(); }
   [[nodiscard]] messages::PortReport report() const override;
-  [[nodiscard]] std::string description() const override { return "LCM " + address_ + " on " + endpoint_.interfaces(); }
+  [[nodiscard]] std::string description() const override { return name_ + ", LCM " + address_ + " on " + endpoint_.interfaces(); }
 
  private:
   template <class Message>
   bool send(std::string_view channel, const Message& message);
   void take(Clock& clock, const wire::Lc02Message& message, InputSink& sink);
 
+  std::string name_;
   std::string address_;
   host::LcmEndpoint endpoint_;
 };

@@ -35,6 +35,7 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period,
       return result;
     }
     if (stop) break;
+    if (wake == Clock::Wake::kNothing) continue;
     ports.collect(clock, turn);
     if (wake != Clock::Wake::kTurn) continue;
     ports.tend();

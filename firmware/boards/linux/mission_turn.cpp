@@ -90,7 +90,7 @@ runtime::Outputs MissionTurn::operator()() {
 }
 
 void MissionTurn::record(Time now, const runtime::Outputs& outputs) {
-  if (outputs.setpoint) append(journal_, now, wire::kSetpointChannel, wire::to_message(*outputs.setpoint, now));
+  if (outputs.setpoint) append(journal_, now, wire::kJournalledSetpointChannel, wire::to_message(*outputs.setpoint, now));
   if (outputs.decision) append(journal_, now, wire::kDecisionChannel, wire::to_message(*outputs.decision));
   for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements)
     append(journal_, now, wire::kAcknowledgementChannel, wire::to_message(acknowledgement));

@@ -48,7 +48,7 @@ class Port {
   /// What it received, lost and could not send so far.
   [[nodiscard]] virtual messages::PortReport report() const { return report_; }
 
-  /// Where it listens, for a person: "LCM udpm://... on lo, eth0".
+  /// Its name and where it listens, for a person: "vehicle, LCM udpm://... on lo, eth0".
   [[nodiscard]] virtual std::string description() const = 0;
 
   [[nodiscard]] std::uint8_t index() const { return report_.port; }

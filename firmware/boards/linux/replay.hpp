@@ -21,7 +21,8 @@ struct ReplayResult {
     std::string channel;
   };
   std::optional<Difference> difference;
-  std::optional<std::uint32_t> gap;  ///< number of the record before which some were dropped: what follows was not replayed
+  /// Number of the record before which some were dropped (what follows was not replayed), or that the last turn lacks.
+  std::optional<std::uint32_t> gap;
   host::JournalReader::End end = host::JournalReader::End::kWhole;
 
   [[nodiscard]] bool is_same() const { return !difference && !gap; }

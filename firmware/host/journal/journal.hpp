@@ -9,6 +9,7 @@
 
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/host/file/output_file.hpp"
 
 namespace earshot::host {
 
@@ -31,6 +32,8 @@ struct JournalOptions {
   } existing = Existing::kRefuse;
 };
 
+inline constexpr OutputKind kJournalOutput{"a journal", {"\xED\xA1\xDA\x01", {}}};  ///< how a journal begins
+
 /// Counters of a journal; they only grow.
 struct JournalCounters {
   std::uint64_t appended = 0;  ///< records taken into the buffer
@@ -51,6 +54,7 @@ struct JournalCounters {
 /// In LCM's terms checksum and number together are the 64-bit event number, which its tools do not interpret.
 class Journal {
  public:
+  /// What is to be replaced may be anything: who has that from a person asks require_writable(path, kJournalOutput, ...) first.
   /// @throws std::system_error naming the file if it cannot be created (or exists: kRefuse).
   explicit Journal(const std::filesystem::path& path, JournalOptions options = {});
   /// close().

@@ -65,9 +65,9 @@ PortSettings read_port(TableReader table) {
     port.address = table.text("interface");
     return port;
   }
-  port.address = table.text_or("url", kDefaultLcmUrl);
+  port.address = table.text("url");
   try {
-    (void)parse_lcm_url(port.address);
+    if (!port.address.empty()) (void)parse_lcm_url(port.address);
   } catch (const std::invalid_argument& e) {
     table.problem("url", e.what());
   }
@@ -75,7 +75,15 @@ PortSettings read_port(TableReader table) {
 }
 
 void read_ports(TableReader root, MissionFile& file) {
-  for (const TableReader& table : root.tables("port")) file.ports.push_back(read_port(table));
+  for (TableReader table : root.tables("port")) {
+    const PortSettings port = read_port(table);
+    for (const PortSettings& other : file.ports) {
+      if (port.name == other.name) table.problem("name", "\"" + port.name + "\" is another port's name, too");
+      if (port.kind == other.kind && port.address == other.address)
+        table.problem(port.kind == PortKind::kCan ? "interface" : "url", "port \"" + other.name + "\" is there already: give it all roles");
+    }
+    file.ports.push_back(port);
+  }
   if (file.ports.empty()) root.problem("port", "a mission needs at least one [[port]]");
   if (file.ports.size() + 1 > config::kMaxPorts) root.problem("port", "at most " + std::to_string(config::kMaxPorts - 1) + " ports");
 }

@@ -55,11 +55,12 @@ FileDescriptor try_to_open(const std::string& interface, const char*& failed) {
   return socket;
 }
 
-/// Whether the interface is there and up, asked through any socket.
-bool is_interface_up(int asking, const std::string& interface) {
+/// Index of the interface if it is there and up, else 0; asked through any socket.
+int index_if_up(int asking, const std::string& interface) {
   ifreq request{};
   interface.copy(request.ifr_name, sizeof request.ifr_name - 1);
-  return ::ioctl(asking, SIOCGIFFLAGS, &request) == 0 && (request.ifr_flags & IFF_UP) != 0;
+  if (::ioctl(asking, SIOCGIFFLAGS, &request) != 0 || (request.ifr_flags & IFF_UP) == 0) return 0;
+  return ::ioctl(asking, SIOCGIFINDEX, &request) == 0 ? request.ifr_ifindex : 0;
 }
 
 bool means_nothing_yet(int error) {
@@ -72,17 +73,20 @@ CanSocket::CanSocket(const std::string& interface) : interface_(interface) {
   const char* failed = nullptr;
   socket_ = try_to_open(interface, failed);
   if (socket_.number() < 0) fail(interface, failed);
+  index_ = static_cast<int>(::if_nametoindex(interface.c_str()));
 }
 
 void CanSocket::note_error() {
   ++counters_.errors;
-  is_up_ = is_interface_up(socket_.number(), interface_);
+  is_up_ = index_if_up(socket_.number(), interface_) == index_;  // another of that name is not the one that the socket is bound to
 }
 
 bool CanSocket::reopen() {
   const char* failed = nullptr;
   FileDescriptor socket = try_to_open(interface_, failed);
-  if (socket.number() < 0 || !is_interface_up(socket.number(), interface_)) return is_up_ = false;
+  const int index = socket.number() < 0 ? 0 : index_if_up(socket.number(), interface_);
+  if (index == 0) return is_up_ = false;
+  index_ = index;
   (void)drops_.count(socket_.number());
   socket_ = std::move(socket);
   drops_.restart();

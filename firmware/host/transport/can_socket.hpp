@@ -50,6 +50,7 @@ class CanSocket {
 
   std::string interface_;
   FileDescriptor socket_;
+  int index_ = 0;  ///< of the interface that the socket is bound to
   bool is_up_ = true;
   CanCounters counters_;
   SocketDrops drops_;

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace earshot::host {
 
@@ -43,6 +44,7 @@ int with_address(Call call, const FileDescriptor& socket, const sockaddr_in& add
   return call(socket.number(), reinterpret_cast<const sockaddr*>(&address), socklen_t{sizeof address});
 }
 
+/// @return no socket, and errno, where there is no route to the group
 FileDescriptor open_sender(const LcmUrl& url) {
   FileDescriptor socket = open_udp();
   in_addr loopback{};
@@ -50,14 +52,25 @@ FileDescriptor open_sender(const LcmUrl& url) {
   if (url.ttl == 0) set_option(socket, IPPROTO_IP, IP_MULTICAST_IF, loopback, "IP_MULTICAST_IF");
   set_option(socket, IPPROTO_IP, IP_MULTICAST_TTL, url.ttl, "IP_MULTICAST_TTL");
   set_option(socket, IPPROTO_IP, IP_MULTICAST_LOOP, 1, "IP_MULTICAST_LOOP");
-  if (with_address(::connect, socket, address_of(url)) != 0) fail("connect: no route to the multicast group");
+  if (with_address(::connect, socket, address_of(url)) != 0) return {};
   return socket;
+}
+
+/// An ABORT behind a burst of other traffic must not be dropped: as much room as the kernel gives us (beyond its limit only to root).
+void widen(const FileDescriptor& socket) {
+  constexpr int kReceiveBytes = 4 * 1024 * 1024;
+  if (::setsockopt(socket.number(), SOL_SOCKET, SO_RCVBUFFORCE, &kReceiveBytes, sizeof kReceiveBytes) == 0) return;
+  (void)::setsockopt(socket.number(), SOL_SOCKET, SO_RCVBUF, &kReceiveBytes, sizeof kReceiveBytes);
 }
 
 FileDescriptor open_receiver(const LcmUrl& url, const LcmInterfaces& interfaces) {
   FileDescriptor socket = open_udp();
   set_option(socket, SOL_SOCKET, SO_REUSEADDR, 1, "SO_REUSEADDR");
-  if (url.receive_buffer_bytes > 0) set_option(socket, SOL_SOCKET, SO_RCVBUF, url.receive_buffer_bytes, "SO_RCVBUF");
+  if (url.receive_buffer_bytes > 0) {
+    set_option(socket, SOL_SOCKET, SO_RCVBUF, url.receive_buffer_bytes, "SO_RCVBUF");
+  } else {
+    widen(socket);
+  }
   // Without this Linux also hands over what other sockets of this host joined on other interfaces.
   set_option(socket, IPPROTO_IP, IP_MULTICAST_ALL, 0, "IP_MULTICAST_ALL");
   if (with_address(::bind, socket, address_of(url)) != 0) fail("bind");
@@ -116,8 +129,9 @@ LcmEndpoint::LcmEndpoint(const LcmUrl& url, const std::vector<std::string_view>&
       must_keep_(must_keep),
       sender_(open_sender(url)),
       receiver_(open_receiver(url, interfaces_)),
-      self_(local_address(sender_)),
       storage_(new Storage) {
+  if (sender_.number() < 0) fail("connect: no route to the multicast group");
+  self_ = local_address(sender_);
   if (channels.size() > config::kLcmSubscriptions) {
     throw std::invalid_argument("LCM: more than " + std::to_string(config::kLcmSubscriptions) + " channels");
   }
@@ -145,6 +159,7 @@ Status LcmEndpoint::publish(std::string_view channel, std::span<const std::uint8
     header.msg_iovlen = pieces.size();
     if (::sendmsg(sender_.number(), &header, 0) < 0) {
       ++counters_.publish_failed;
+      is_up_ = is_up_ && (errno == EAGAIN || errno == ENOBUFS || errno == EINTR);
       return Status::kFull;
     }
   }
@@ -209,6 +224,12 @@ Status LcmEndpoint::take(wire::Lc02Message& message) {
 void LcmEndpoint::refresh_interfaces() {
   interfaces_.refresh();
   (void)interfaces_.join_all(receiver_.number(), htonl(url_.group));
+  if (is_up_) return;
+  FileDescriptor sender = open_sender(url_);
+  if (sender.number() < 0) return;
+  sender_ = std::move(sender);
+  self_ = local_address(sender_);
+  is_up_ = true;
 }
 
 LcmCounters LcmEndpoint::counters() const {

@@ -60,8 +60,10 @@ class LcmEndpoint {
   /// @param message  valid until the next collect()
   [[nodiscard]] Status take(wire::Lc02Message& message);
 
-  /// Listens on interfaces that came up since, too.
+  /// Listens on interfaces that came up since, too, and sends again by the routes that there are now, if it could not.
   void refresh_interfaces();
+  /// False once the kernel had no way for a message, until refresh_interfaces() finds one.
+  [[nodiscard]] bool is_up() const { return is_up_; }
   /// Names of the interfaces that it listens on: "lo, eth0".
   [[nodiscard]] std::string interfaces() const { return interfaces_.names(); }
 
@@ -79,6 +81,7 @@ class LcmEndpoint {
   FileDescriptor sender_;
   FileDescriptor receiver_;
   SocketDrops drops_;
+  bool is_up_ = true;
   wire::Sender self_;
   std::uint32_t sequence_number_ = 0;
   LcmCounters counters_;

@@ -10,7 +10,7 @@ struct LcmUrl {
   std::uint32_t group = 0;  ///< IPv4 multicast address, host byte order
   std::uint16_t port = 0;
   int ttl = 0;                   ///< 0: stays on this host, over the loopback interface only
-  int receive_buffer_bytes = 0;  ///< of the kernel; 0: its default
+  int receive_buffer_bytes = 0;  ///< of the kernel; 0: as much as it gives, up to 4 MiB
 };
 
 inline constexpr std::string_view kDefaultLcmUrl = "udpm://239.255.76.67:7667?ttl=0";

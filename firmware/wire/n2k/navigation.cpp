@@ -96,7 +96,7 @@ Status NavigationReceiver::complete(const Frame& frame, Time now, messages::Navi
   if (!position.ok()) return position.status();
 
   const auto fresh = [now](const std::optional<Sample>& sample, std::uint32_t pgn) {
-    return sample.has_value() && now - sample->time <= find_message(pgn)->timeout;
+    return sample.has_value() && lies_within(sample->time, now, find_message(pgn)->timeout);
   };
   if (!fresh(heading_, kHeadingPgn) || !fresh(speed_, kSpeedPgn) || !fresh(depth_, kPressurePgn)) return Status::kStale;
   navigation = {.time = now,

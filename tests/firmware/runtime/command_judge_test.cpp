@@ -19,52 +19,86 @@ OperatorCommand start(std::uint32_t number, Time time = kNow, std::uint32_t issu
   return {.time = time, .expiry = kFarAhead, .issuer = issuer, .number = number, .order = Order::kStart};
 }
 
-TEST(CommandJudge, ObeysTheSameCommandOnceHoweverOftenItIsSent) {
+/// A judge whose verdicts are acted upon at once.
+struct Court {
   CommandJudge judge;
-  EXPECT_EQ(judge.judge(kNow, start(3)), CommandOutcome::kObeyed);
-  EXPECT_EQ(judge.judge(kNow, start(3)), CommandOutcome::kRepeated);
-  EXPECT_EQ(judge.judge(kNow, start(2)), CommandOutcome::kOutOfOrder);
-  EXPECT_EQ(judge.judge(kNow, start(4)), CommandOutcome::kObeyed);
+  CommandJudge::Verdict last;
+
+  CommandOutcome hear(const OperatorCommand& command, Time arrival = kNow, CommandOutcome done = CommandOutcome::kObeyed) {
+    last = judge.judge(arrival, command);
+    if (last.is_repetition || last.outcome != CommandOutcome::kObeyed) return last.outcome;
+    judge.remember(command, done);
+    return done;
+  }
+};
+
+TEST(CommandJudge, ObeysTheSameCommandOnceHoweverOftenItIsSent) {
+  Court court;
+  EXPECT_EQ(court.hear(start(3)), CommandOutcome::kObeyed);
+  EXPECT_FALSE(court.last.is_repetition);
+  EXPECT_EQ(court.hear(start(3)), CommandOutcome::kObeyed);
+  EXPECT_TRUE(court.last.is_repetition);
+  EXPECT_EQ(court.hear(start(2)), CommandOutcome::kOutOfOrder);
+  EXPECT_EQ(court.hear(start(4)), CommandOutcome::kObeyed);
+  EXPECT_FALSE(court.last.is_repetition);
+}
+
+TEST(CommandJudge, AnswersARepeatedCommandAsItDidTheFirstTime) {
+  Court court;
+  EXPECT_EQ(court.hear(start(3), kNow, CommandOutcome::kNotInThisState), CommandOutcome::kNotInThisState);
+  EXPECT_EQ(court.hear(start(3)), CommandOutcome::kNotInThisState);
+  EXPECT_TRUE(court.last.is_repetition);
 }
 
 TEST(CommandJudge, KnowsOneIssuersNumbersFromAnothers) {
-  CommandJudge judge;
-  EXPECT_EQ(judge.judge(kNow, start(3, kNow, 7)), CommandOutcome::kObeyed);
-  EXPECT_EQ(judge.judge(kNow, start(3, kNow, 8)), CommandOutcome::kObeyed);
+  Court court;
+  EXPECT_EQ(court.hear(start(3, kNow, 7)), CommandOutcome::kObeyed);
+  EXPECT_EQ(court.hear(start(3, kNow, 8)), CommandOutcome::kObeyed);
+  EXPECT_FALSE(court.last.is_repetition);
 }
 
 TEST(CommandJudge, RefusesACommandDatedMoreThanHalfAMinuteFromItsArrival) {
-  CommandJudge judge;
+  Court court;
   const Duration most = Duration::seconds(30);  // kCommandMaxAge_us
-  EXPECT_EQ(judge.judge(kNow, start(1, kNow + Duration{-most.us - 1})), CommandOutcome::kTooOld);
-  EXPECT_EQ(judge.judge(kNow, start(1, kNow + Duration{most.us + 1})), CommandOutcome::kTooOld);
-  EXPECT_EQ(judge.judge(kNow, start(1, Time{std::numeric_limits<std::int64_t>::min()})), CommandOutcome::kTooOld);
-  EXPECT_EQ(judge.judge(kNow, start(1, kFarAhead)), CommandOutcome::kTooOld);
-  EXPECT_EQ(judge.judge(kNow, start(1, kNow + Duration{-most.us})), CommandOutcome::kObeyed);
+  EXPECT_EQ(court.hear(start(1, kNow + Duration{-most.us - 1})), CommandOutcome::kTooOld);
+  EXPECT_EQ(court.hear(start(1, kNow + Duration{most.us + 1})), CommandOutcome::kTooOld);
+  EXPECT_EQ(court.hear(start(1, Time{std::numeric_limits<std::int64_t>::min()})), CommandOutcome::kTooOld);
+  EXPECT_EQ(court.hear(start(1, kFarAhead)), CommandOutcome::kTooOld);
+  EXPECT_EQ(court.hear(start(1, kNow + Duration{-most.us})), CommandOutcome::kObeyed);
 }
 
 TEST(CommandJudge, RefusesACommandAfterItsOwnExpiry) {
-  CommandJudge judge;
+  Court court;
   OperatorCommand command = start(1, kNow + Duration::seconds(-10));
   command.expiry = kNow;
-  EXPECT_EQ(judge.judge(kNow + Duration{1}, command), CommandOutcome::kExpired);
-  EXPECT_EQ(judge.judge(kNow, command), CommandOutcome::kObeyed) << "the refused one was not counted as given";
+  EXPECT_EQ(court.hear(command, kNow + Duration{1}), CommandOutcome::kExpired);
+  EXPECT_EQ(court.hear(command, kNow), CommandOutcome::kObeyed) << "the refused one was not counted as given";
 }
 
 TEST(CommandJudge, ObeysAnAbortOfAnyDateNumberAndIssuer) {
-  CommandJudge judge;
-  for (std::uint32_t issuer = 0; issuer < 20; ++issuer) (void)judge.judge(kNow, start(1, kNow, issuer));
+  Court court;
+  EXPECT_EQ(court.hear(start(9, kNow, 99)), CommandOutcome::kObeyed);
   const OperatorCommand abort{.time = Time{0}, .expiry = Time{0}, .issuer = 99, .number = 0, .order = Order::kAbort};
-  EXPECT_EQ(judge.judge(kNow, abort), CommandOutcome::kObeyed);
+  EXPECT_EQ(court.judge.judge(kNow, abort).outcome, CommandOutcome::kObeyed);
+  EXPECT_FALSE(court.judge.judge(kNow, abort).is_repetition);
 }
 
-TEST(CommandJudge, RefusesANinthIssuerAndAnUnknownOrder) {
-  CommandJudge judge;
-  for (std::uint32_t issuer = 0; issuer < 8; ++issuer) EXPECT_EQ(judge.judge(kNow, start(1, kNow, issuer)), CommandOutcome::kObeyed);
-  EXPECT_EQ(judge.judge(kNow, start(1, kNow, 8)), CommandOutcome::kTooManyIssuers);
-  OperatorCommand strange = start(2, kNow, 0);
+TEST(CommandJudge, ForgetsTheIssuerThatWasSilentForLongestWhenANinthOneComes) {
+  Court court;
+  for (std::uint32_t issuer = 0; issuer < 8; ++issuer) EXPECT_EQ(court.hear(start(1, kNow, issuer)), CommandOutcome::kObeyed);
+  EXPECT_EQ(court.hear(start(2, kNow, 0)), CommandOutcome::kObeyed);  // issuer 1 is the silent one now
+  EXPECT_EQ(court.hear(start(1, kNow, 8)), CommandOutcome::kObeyed);
+  (void)court.hear(start(2, kNow, 0));
+  EXPECT_TRUE(court.last.is_repetition);
+  (void)court.hear(start(1, kNow, 1));
+  EXPECT_FALSE(court.last.is_repetition) << "forgotten";
+}
+
+TEST(CommandJudge, RefusesAnUnknownOrder) {
+  Court court;
+  OperatorCommand strange = start(2);
   strange.order = static_cast<Order>(9);
-  EXPECT_EQ(judge.judge(kNow, strange), CommandOutcome::kUnknownOrder);
+  EXPECT_EQ(court.hear(strange), CommandOutcome::kUnknownOrder);
 }
 
 }  // namespace

@@ -279,6 +279,49 @@ TEST(Runtime, RefusesAStreamWhoseDatesAreOldHoweverSteadilyItRunsOn) {
   EXPECT_EQ(rig.counters().snr_refused, 100U);
 }
 
+TEST(Runtime, ForgetsAStartThatExpiresBeforeNavigationAndSnrCome) {
+  Rig rig(*policy_that_goes(kNorthward));
+  messages::OperatorCommand start = command_of(Order::kStart, rig.now);
+  start.expiry = rig.now + Duration::seconds(10);
+  rig.take(start);
+  rig.now = rig.now + Duration::seconds(10);
+  EXPECT_EQ(rig.sail().health.state, MissionState::kStandby);
+}
+
+TEST(Runtime, CommandsNothingWhenAbortedBeforeASearchBegan) {
+  Rig rig(*policy_that_goes(kNorthward));
+  rig.sail(Order::kAbort);
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_FALSE(rig.outputs.setpoint) << "the autopilot was never ours";
+}
+
+TEST(Runtime, IsNotBlindedByASenderWhoseClockIsFast) {
+  Rig rig = searching();
+  for (int second = 0; second < 60; ++second) {
+    messages::Navigation fast = rig.navigation_at(rig.now + Duration::seconds(5));
+    if (second % 5 == 0) rig.take(fast);
+    rig.sail();
+  }
+  EXPECT_EQ(rig.counters().navigation_refused, 0U);
+}
+
+TEST(Runtime, DoesNotTakeADateAheadForLongerFreshness) {
+  Rig rig = searching();
+  rig.take(rig.navigation_at(rig.now + Duration::seconds(5)));
+  for (int second = 1; second <= 6; ++second) rig.step({.snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
+  EXPECT_EQ(rig.end_reason(), EndReason::kNavigationStale);
+}
+
+TEST(Runtime, AcknowledgesAnAbortHoweverManyOrdersCameBeforeIt) {
+  Rig rig(*policy_that_goes(kNorthward));
+  for (int i = 0; i < 20; ++i) rig.give(Order::kStart);
+  rig.give(Order::kAbort);
+  const Acknowledgements acknowledged = rig.sail().acknowledgements;
+  ASSERT_EQ(acknowledged.size(), config::kMaxAcknowledgements);
+  EXPECT_EQ(acknowledged[config::kMaxAcknowledgements - 1].order, Order::kAbort);
+  EXPECT_EQ(acknowledged[config::kMaxAcknowledgements - 1].outcome, messages::CommandOutcome::kObeyed);
+}
+
 TEST(Runtime, TellsTheNewestReportOfEveryPort) {
   Rig rig(*policy_that_goes(kNorthward));
   rig.take(messages::PortReport{.port = 0, .received = 5});

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -24,6 +23,8 @@
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/output_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/version.hpp"
@@ -66,7 +67,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port instead of the mission's");
   line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
   line.option("--speed", &o.speed, "mission seconds per second of this host's clock, for a rehearsal ashore; not with --simulation")
-      .between(0.001, 1000.0)
+      .between(0.01, 100.0)
       .shows_default();
   line.option("--simulation", &o.simulation,
               "fly in lock-step with a simulator in this DDS domain; without it: at sea, on this host's clock")
@@ -123,9 +124,12 @@ host::JournalOptions journal_options(const Options& o) {
 /// is no reason to stay ashore.
 void keep_policy(const host::SignedPolicy& policy, const std::filesystem::path& journal) {
   const std::filesystem::path kept = std::filesystem::path(journal).replace_extension(".policy");
-  std::ofstream stream(kept, std::ios::binary);
-  stream.write(reinterpret_cast<const char*>(policy.bytes.data()), static_cast<std::streamsize>(policy.bytes.size()));
-  if (!stream.flush()) std::cerr << "earshotd: " << kept.string() << ": the policy cannot be kept there; it is in the journal\n";
+  try {
+    host::require_writable(kept, {"a .policy file", {"EARSHOTP", {}}}, host::Replace::kOwnKind);
+    host::write_whole(kept, {reinterpret_cast<const char*>(policy.bytes.data()), policy.bytes.size()});
+  } catch (const host::BadInput& e) {
+    std::cerr << "earshotd: " << e.what() << "; the policy is in the journal\n";
+  }
 }
 
 /// Exit status: 0 for a mission flown to its end or stopped by a person, 3 when the other side was lost.
@@ -162,7 +166,9 @@ struct Flight {
 /// @return exit status
 int fly(const Flight& f) {
   std::filesystem::create_directories(f.options.out);
-  host::Journal journal(f.options.out / "journal.lcmlog", journal_options(f.options));
+  const std::filesystem::path wanted = f.options.out / "journal.lcmlog";
+  if (f.options.replace) host::require_writable(wanted, host::kJournalOutput, host::Replace::kOwnKind);
+  host::Journal journal(wanted, journal_options(f.options));
   keep_policy(f.policy, journal.path());
   board::MissionTurn turn(f.runtime, f.ports, journal, f.clock);
   turn.record_mission(f.file.mission, f.policy.bytes, program::version() + " " + program::build_commit());

@@ -351,6 +351,14 @@ TEST_F(AtSea, BeingStoppedInMidSearchEndsWithASetPointThatSaysStopAndComeUp) {
   EXPECT_EQ(journalled_orders().back(), Order::kAbort);
 }
 
+TEST_F(AtSea, BeingStoppedBeforeASearchBeganCommandsNothing) {
+  hear(0, 5);
+  stop_at(3);
+  (void)fly();
+  for (const runtime::Outputs& outputs : port_->published) EXPECT_FALSE(outputs.setpoint);
+  EXPECT_EQ(port_->last().state, MissionState::kAbort);
+}
+
 TEST_F(AtSea, BeingStoppedAfterItsEndLeavesTheEndAsItWas) {
   hear(0, 20);
   order(seconds(1.5), Order::kStart);

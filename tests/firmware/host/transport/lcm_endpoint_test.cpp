@@ -261,6 +261,19 @@ TEST_F(OnAHostWithEthernet, IsHeardByAStockPeer) {
   EXPECT_EQ(peer.handleTimeout(kPatience_ms), 1);
 }
 
+TEST_F(OnAHostWithEthernet, SendsAgainWhenTheHostsAddressHasChanged) {
+  constexpr const char* kWide = "udpm://239.255.76.67:7667?ttl=1";
+  LcmEndpoint endpoint(parse_lcm_url(kWide), {});
+  ASSERT_EQ(endpoint.publish("EARSHOT_A", Bytes{1}), Status::kOk);
+  ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip addr del 10.9.8.7/24 dev eth0"), 0);
+  (void)endpoint.publish("EARSHOT_A", Bytes{2});
+  EXPECT_FALSE(endpoint.is_up());
+  ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip addr add 10.9.8.9/24 dev eth0; ip route replace default dev eth0"), 0);
+  endpoint.refresh_interfaces();
+  EXPECT_TRUE(endpoint.is_up());
+  EXPECT_EQ(endpoint.publish("EARSHOT_A", Bytes{3}), Status::kOk);
+}
+
 TEST_F(LcmEndpointTest, HearsAnInterfaceThatComesUpAfterIt) {
   LcmEndpoint endpoint(parse_lcm_url(kUrl), {wire::kNavStateChannel});
   EXPECT_EQ(endpoint.interfaces(), "lo");
