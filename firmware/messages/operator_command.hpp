@@ -30,8 +30,8 @@ enum class CommandOutcome : std::uint8_t {
   kExpired = 3,         ///< after its own expiry
   kNotInThisState = 4,  ///< START outside STANDBY, COMPLETE outside SEARCH
   kUnknownOrder = 5,
-  kNotConfigured = 6,   ///< there is no mission or no policy to fly it
-  kOutOfOrder = 7,      ///< numbered below this issuer's last
+  kNotConfigured = 6,  ///< there is no mission or no policy to fly it
+  kOutOfOrder = 7,     ///< numbered below this issuer's last
 };
 
 /// Goes back to whoever gave the command.

@@ -34,7 +34,8 @@ void CommandJudge::remember(const messages::OperatorCommand& command, CommandOut
   auto place = std::find_if(issuers_.begin(), issuers_.end(), [&](const Issuer& i) { return i.issuer == command.issuer; });
   if (place == issuers_.end()) {
     static_cast<void>(issuers_.push_back({}));
-    place = std::min_element(issuers_.begin(), issuers_.end(), [](const Issuer& a, const Issuer& b) { return a.last_heard < b.last_heard; });
+    place =
+        std::min_element(issuers_.begin(), issuers_.end(), [](const Issuer& a, const Issuer& b) { return a.last_heard < b.last_heard; });
   }
   *place = {.issuer = command.issuer, .last_number = command.number, .last_outcome = outcome, .last_heard = ++remembered_};
 }

@@ -18,8 +18,8 @@ class CommandJudge {
     bool is_repetition = false;  ///< judged before: the outcome is what it was then, and nothing is to be done
   };
 
-  /// kObeyed: nothing speaks against it; remember() what became of it. Nothing speaks against an ABORT, ever: stopping once too often costs a
-  /// search, not stopping may cost the vehicle.
+  /// kObeyed: nothing speaks against it; remember() what became of it. Nothing speaks against an ABORT, ever: stopping once too often costs
+  /// a search, not stopping may cost the vehicle.
   [[nodiscard]] Verdict judge(Time arrival, const messages::OperatorCommand& command) const;
 
   /// Of the issuers it knows the one that was silent for longest gives way: its old commands are still told by their dates.

@@ -115,18 +115,15 @@ void Runtime::take_command(Time arrival, std::uint8_t port, const messages::Oper
     if (outcome != CommandOutcome::kObeyed && outcome != CommandOutcome::kRepeated) ++progress_.counters.commands_refused;
     if (command.order != Order::kAbort && verdict.outcome == CommandOutcome::kObeyed) progress_.judge.remember(command, outcome);
   }
-  acknowledge({.time = arrival,
-               .port = port,
-               .issuer = command.issuer,
-               .number = command.number,
-               .order = command.order,
-               .outcome = outcome});
+  acknowledge(
+      {.time = arrival, .port = port, .issuer = command.issuer, .number = command.number, .order = command.order, .outcome = outcome});
 }
 
 /// When there is no room its sender asks again; but an ABORT takes the place of the last.
 void Runtime::acknowledge(const messages::CommandAcknowledgement& acknowledgement) {
   Acknowledgements& waiting = progress_.acknowledgements;
-  if (waiting.push_back(acknowledgement) != Status::kOk && acknowledgement.order == Order::kAbort) waiting[waiting.size() - 1] = acknowledgement;
+  if (waiting.push_back(acknowledgement) != Status::kOk && acknowledgement.order == Order::kAbort)
+    waiting[waiting.size() - 1] = acknowledgement;
 }
 
 CommandOutcome Runtime::obey(const messages::OperatorCommand& command) {

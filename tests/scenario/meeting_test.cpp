@@ -86,8 +86,8 @@ TEST_F(Meeting, GivenSigtermWhileItWaitsEarshotdEndsAtOnceAndHasWrittenNothing) 
 TEST_F(Meeting, GivenNobodyOnItsBusAtSeaEarshotdSaysWhatItWaitsFor) {
   const std::string url = "udpm://239.255.76.67:" + std::to_string(22'000 + slot_.domain()) + "?ttl=0";
   const auto runtime = earshotd({"--lcm-url", url});
-  EXPECT_TRUE(
-      says(*runtime, "waiting for navigation, SNR and an operator's START, as long as it takes, on\n  port 1: vehicle, LCM " + url + " on lo"))
+  EXPECT_TRUE(says(
+      *runtime, "waiting for navigation, SNR and an operator's START, as long as it takes, on\n  port 1: vehicle, LCM " + url + " on lo"))
       << runtime->output();
   runtime->signal(SIGTERM);
   EXPECT_EQ(runtime->wait(5s), 0);

@@ -24,8 +24,8 @@ class Clock {
   enum class Wake : std::uint8_t {
     kNothing,  ///< look whether to stop; what the ports bring is not due yet, because the clock cannot date it
     kPorts,    ///< a port may have brought something, or it is time to look whether to stop
-    kTurn,   ///< a turn is due once the ports have been read
-    kLost,   ///< who drives the clock is gone, or what it announced does not arrive
+    kTurn,     ///< a turn is due once the ports have been read
+    kLost,     ///< who drives the clock is gone, or what it announced does not arrive
   };
 
   Clock() = default;

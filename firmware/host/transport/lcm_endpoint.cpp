@@ -125,11 +125,7 @@ struct LcmEndpoint::Storage {
 };
 
 LcmEndpoint::LcmEndpoint(const LcmUrl& url, const std::vector<std::string_view>& channels, MustKeep must_keep)
-    : url_(url),
-      must_keep_(must_keep),
-      sender_(open_sender(url)),
-      receiver_(open_receiver(url, interfaces_)),
-      storage_(new Storage) {
+    : url_(url), must_keep_(must_keep), sender_(open_sender(url)), receiver_(open_receiver(url, interfaces_)), storage_(new Storage) {
   if (sender_.number() < 0) fail("connect: no route to the multicast group");
   self_ = local_address(sender_);
   if (channels.size() > config::kLcmSubscriptions) {

@@ -147,7 +147,8 @@ TEST(MissionFile, SaysEverythingThatIsWrongAtOnce) {
 
 TEST(MissionFile, RefusesAnLcmPortWithoutAnAddressAndTwoPortsOfOneAddressOrName) {
   EXPECT_NE(complaint("url = \"udpm://239.255.76.67:7667?ttl=0\"\n", "").find("port[0].url is missing"), std::string::npos);
-  const std::string twice = complaint("[origin]", "[[port]]\nname = \"vehicle\"\nkind = \"lcm\"\nurl = \"udpm://239.255.76.67:7667?ttl=0\"\nroles = [\"snr\"]\n\n[origin]");
+  const std::string twice = complaint(
+      "[origin]", "[[port]]\nname = \"vehicle\"\nkind = \"lcm\"\nurl = \"udpm://239.255.76.67:7667?ttl=0\"\nroles = [\"snr\"]\n\n[origin]");
   EXPECT_NE(twice.find("is another port's name, too"), std::string::npos) << twice;
   EXPECT_NE(twice.find("is there already: give it all roles"), std::string::npos) << twice;
 }
