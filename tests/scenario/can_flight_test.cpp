@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "firmware/boards/linux/replay.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
 
@@ -108,6 +110,18 @@ TEST_F(CanFlight, GivenOneSeedTwoFlightsOverCanGoTheSameWayByteForByte) {
   const std::string track = support::read_text(folder_ / "first/track.csv");
   EXPECT_GT(track.size(), 100'000);
   EXPECT_TRUE(track == support::read_text(folder_ / "second/track.csv"));
+}
+
+TEST_F(CanFlight, GivenNavigationOverCanAndTheRestOverLcmOneSeedGoesTheSameWayTwiceAndItsJournalGivesEveryByteAgain) {
+  fly("first", "mixed");
+  fly("second", "mixed");
+  const std::string track = support::read_text(folder_ / "first/track.csv");
+  EXPECT_GT(track.size(), 100'000);
+  EXPECT_TRUE(track == support::read_text(folder_ / "second/track.csv"));
+  const board::ReplayResult replayed = board::replay(folder_ / "first/journal.lcmlog");
+  EXPECT_TRUE(replayed.is_same()) << "record " << (replayed.difference ? replayed.difference->record : replayed.gap.value_or(0));
+  EXPECT_EQ(replayed.end, host::JournalReader::End::kWhole);
+  EXPECT_EQ(replayed.decisions, 6);
 }
 
 TEST_F(CanFlight, GivenTheSameMissionOverLcmTheTracksPartByNoMoreThanTheFramesResolution) {

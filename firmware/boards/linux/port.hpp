@@ -28,7 +28,7 @@ class InputSink {
 };
 
 /// One way in and out of the vehicle computer. After construction nothing allocates and nothing waits.
-/// A port of another kind (a serial line, a shared memory): derive from this, name it in PortKind and open_port.
+/// A port of another kind (a serial line, a shared memory): connect_your_autopilot.md says how.
 class Port {
  public:
   Port(std::uint8_t index, host::Roles roles) : roles_(roles) { report_.port = index; }

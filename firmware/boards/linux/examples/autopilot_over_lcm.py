@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+"""A vehicle that follows Earshot's set-points over LCM, and starts the search. How to run it: ../connect_your_autopilot.md
+
+usage: autopilot_over_lcm.py LCM_URL
+"""
+
+import math
+import random
+import sys
+import time
+
+import lcm
+from earshot import command_acknowledgement_t, nav_state_t, operator_command_t, setpoint_t
+
+OUTCOMES = ("OBEYED", "REPEATED", "TOO_OLD", "EXPIRED", "NOT_IN_THIS_STATE", "UNKNOWN_ORDER", "NOT_CONFIGURED", "TOO_MANY_ISSUERS", "OUT_OF_ORDER")
+vehicle = nav_state_t()
+vehicle.utime = time.time_ns() // 1000
+vehicle.north_m = vehicle.east_m = 12_500.0  # the middle of the mission's area
+start = operator_command_t()
+start.issuer, start.number, start.command = random.getrandbits(31), 1, operator_command_t.START
+outcome = None
+
+
+def on_setpoint(_channel, data):
+    setpoint = setpoint_t.decode(data)  # this vehicle obeys at once; here an autopilot would steer
+    vehicle.heading_rad, vehicle.speed_mps, vehicle.depth_m = setpoint.heading_rad, setpoint.speed_mps, setpoint.depth_m
+
+
+def on_acknowledgement(_channel, data):
+    global outcome
+    acknowledgement = command_acknowledgement_t.decode(data)
+    if outcome is None and (acknowledgement.issuer, acknowledgement.number) == (start.issuer, start.number):
+        outcome = OUTCOMES[acknowledgement.outcome]
+        print("START:", outcome, flush=True)
+
+
+bus = lcm.LCM(sys.argv[1])
+bus.subscribe("EARSHOT_SETPOINT", on_setpoint)
+bus.subscribe("EARSHOT_COMMAND_ACKNOWLEDGEMENT", on_acknowledgement)
+while True:
+    bus.handle_timeout(100)
+    now = time.time_ns() // 1000
+    travelled_m = vehicle.speed_mps * (now - vehicle.utime) * 1e-6
+    vehicle.north_m += travelled_m * math.cos(vehicle.heading_rad)
+    vehicle.east_m += travelled_m * math.sin(vehicle.heading_rad)
+    vehicle.utime = now
+    bus.publish("EARSHOT_NAV_STATE", vehicle.encode())
+    if outcome is None:  # the same numbers again: obeyed once however often it arrives
+        start.utime, start.expiry_utime = now, now + 10_000_000
+        bus.publish("EARSHOT_OPERATOR_COMMAND", start.encode())

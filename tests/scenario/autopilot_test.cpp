@@ -1,0 +1,270 @@
+// firmware/boards/linux/connect_your_autopilot.md: its examples are the vehicle, earshotd is at sea.
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "earshot/command_acknowledgement_t.hpp"
+#include "earshot/decision_t.hpp"
+#include "earshot/health_t.hpp"
+#include "earshot/operator_command_t.hpp"
+#include "earshot/snr_estimate_t.hpp"
+#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/replay.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/transport/lcm_endpoint.hpp"
+#include "firmware/messages/health.hpp"
+#include "firmware/messages/operator_command.hpp"
+#include "firmware/wire/journal/input_record.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+#include "tests/support/private_network.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/signed_policy.hpp"
+
+namespace earshot {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+using messages::CommandOutcome;
+using messages::MissionState;
+
+const fs::path kBoard = fs::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux";
+const fs::path kBin = EARSHOT_BIN_DIR;
+constexpr std::int32_t kIssuer = 4711;
+
+/// The test's place on the mission's LCM bus: hears what the runtime says, gives orders, and stands in for the hydrophone.
+class Ashore {
+ public:
+  explicit Ashore(const std::string& url)
+      : endpoint_(host::parse_lcm_url(url),
+                  {wire::kHealthChannel, wire::kDecisionChannel, wire::kAcknowledgementChannel, wire::kSetpointChannel}) {}
+
+  /// Listens until `is_true`, doing `meanwhile` ten times a second. @return false when it has not come true in half a minute
+  [[nodiscard]] bool hears(const std::function<bool()>& is_true, const std::function<void()>& meanwhile) {
+    for (const auto deadline = std::chrono::steady_clock::now() + 30s; std::chrono::steady_clock::now() < deadline;) {
+      meanwhile();
+      std::this_thread::sleep_for(100ms);
+      endpoint_.collect();
+      for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) note(message);
+      if (is_true()) return true;
+    }
+    return false;
+  }
+
+  void order(std::int8_t command, std::int32_t number) {
+    operator_command_t order{};
+    order.utime = clock_.utc().us;
+    order.expiry_utime = order.utime + 10'000'000;
+    order.issuer = kIssuer;
+    order.number = number;
+    order.command = command;
+    EXPECT_EQ(endpoint_.publish(wire::kOperatorCommandChannel, wire::Encoded(order).bytes()), Status::kOk);
+  }
+
+  void send_snr() {
+    snr_estimate_t estimate{};
+    estimate.utime = clock_.utc().us;
+    estimate.snr_db = 3.0;
+    EXPECT_EQ(endpoint_.publish(wire::kSnrEstimateChannel, wire::Encoded(estimate).bytes()), Status::kOk);
+  }
+
+  [[nodiscard]] MissionState state() const { return static_cast<MissionState>(health.state); }
+
+  struct Acknowledged {
+    std::int32_t number;
+    CommandOutcome outcome;
+  };
+  health_t health{};
+  std::vector<decision_t> decisions;
+  int setpoints = 0;                           ///< over LCM
+  std::vector<Acknowledged> acknowledgements;  ///< of this issuer
+
+ private:
+  void note(const wire::Lc02Message& message) {
+    decision_t decision{};
+    command_acknowledgement_t acknowledgement{};
+    if (message.channel == wire::kHealthChannel) {
+      EXPECT_EQ(wire::decode(message.data, health), Status::kOk);
+    } else if (message.channel == wire::kSetpointChannel) {
+      ++setpoints;
+    } else if (wire::decode(message.data, decision) == Status::kOk) {
+      decisions.push_back(decision);
+    } else if (wire::decode(message.data, acknowledgement) == Status::kOk && acknowledgement.issuer == kIssuer) {
+      acknowledgements.push_back({.number = acknowledgement.number, .outcome = static_cast<CommandOutcome>(acknowledgement.outcome)});
+    }
+  }
+
+  host::LcmEndpoint endpoint_;
+  board::HostClock clock_;
+};
+
+void replace(std::string& text, std::string_view from, std::string_view to) {
+  const std::size_t at = text.find(from);
+  ASSERT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+}
+
+class Autopilot : public testing::Test {
+ protected:
+  Autopilot() {
+    std::string name = (fs::temp_directory_path() / "earshot-autopilot-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    policy::FrozenPolicy walk = support::random_walk_policy();
+    walk.step_length = Meters{20};
+    support::write_bytes(folder_ / "walk.policy", support::signed_bytes(walk));
+    support::write_public_key(folder_ / "walk.pub");
+  }
+  ~Autopilot() override {
+    if (!HasFailure()) fs::remove_all(folder_);
+  }
+
+  /// One of the missions that ship, with steps of 1 s instead of 500 s and ten turns of the loop a second.
+  void write_mission(const std::string& name) const {
+    std::string mission = support::read_text(kBoard / "missions" / name);
+    replace(mission, "step_length_m = 1000.0", "step_length_m = 20.0");
+    replace(mission, "speed_mps = 2.0", "speed_mps = 20.0");
+    replace(mission, "step_period_s = 1.0", "step_period_s = 0.1");
+    std::ofstream(folder_ / "mission.toml") << mission;
+  }
+
+  void start_earshotd(std::vector<std::string> more) {
+    std::vector<std::string> a{
+        folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out", folder_};
+    a.insert(a.end(), more.begin(), more.end());
+    earshotd_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
+  }
+
+  [[nodiscard]] std::unique_ptr<support::Process> python(const std::string& example, std::vector<std::string> arguments) const {
+    const char* interpreter = std::getenv("EARSHOT_PYTHON");
+    arguments.insert(arguments.begin(), kBoard / "examples" / (example + ".py"));
+    return std::make_unique<support::Process>(interpreter == nullptr ? "" : interpreter, arguments, folder_ / (example + ".txt"));
+  }
+
+  /// Ends the search by an ABORT, the program by SIGTERM, once the vehicle had time to obey.
+  void end(Ashore& ashore, const std::function<void()>& meanwhile) {
+    ashore.order(operator_command_t::ABORT, 9);
+    ASSERT_TRUE(ashore.hears([&] { return ashore.state() == MissionState::kAbort; }, meanwhile));
+    // The set-point that says so was on its bus first; the vehicle looks for one before it sends each fix.
+    const std::int64_t received = ashore.health.ports[0].received;
+    ASSERT_TRUE(ashore.hears([&] { return ashore.health.ports[0].received >= received + 20; }, meanwhile));
+    earshotd_->signal(SIGTERM);
+    EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+    EXPECT_EQ(ashore.health.end_reason, static_cast<std::int8_t>(messages::EndReason::kOperatorAbort));
+    EXPECT_GE(ashore.health.steps_taken, 3) << "a step is over only when the vehicle has sailed it";
+    EXPECT_GE(ashore.decisions.size(), 4);
+    ASSERT_FALSE(ashore.acknowledgements.empty());
+    EXPECT_EQ(ashore.acknowledgements.back().number, 9);
+    EXPECT_EQ(ashore.acknowledgements.back().outcome, CommandOutcome::kObeyed);
+  }
+
+  /// Searched at the mission's depth and speed, and came up and stopped at the end; the journal gives every byte again.
+  void expect_obeyed_vehicle_in_journal() const {
+    const std::vector<messages::Navigation> fixes = navigation_in_journal();
+    ASSERT_FALSE(fixes.empty());
+    const auto is_searching = [](const messages::Navigation& fix) {
+      return std::abs(fix.depth.value - 300.0) < 1e-3 && std::abs(fix.speed.value - 20.0) < 1e-9;  // 1e-3: over CAN 0.1 Pa is 0.01 mm
+    };
+    EXPECT_GT(std::count_if(fixes.begin(), fixes.end(), is_searching), 10);
+    EXPECT_NEAR(fixes.back().depth.value, 0.0, 1e-3);
+    EXPECT_EQ(fixes.back().speed.value, 0.0);
+    const board::ReplayResult replayed = board::replay(folder_ / "journal.lcmlog");
+    EXPECT_TRUE(replayed.is_same()) << "record " << (replayed.difference ? replayed.difference->record : replayed.gap.value_or(0));
+    EXPECT_EQ(replayed.end, host::JournalReader::End::kWhole);
+    EXPECT_GE(replayed.decisions, 4);
+  }
+
+  [[nodiscard]] std::vector<messages::Navigation> navigation_in_journal() const {
+    host::JournalReader reader(folder_ / "journal.lcmlog");
+    std::vector<messages::Navigation> fixes;
+    messages::Input input;
+    for (host::JournalRecord record; reader.next(record);) {
+      if (wire::read_input(record.channel, record.time, record.data, 0, input) != Status::kOk) continue;
+      if (const auto* fix = std::get_if<messages::Navigation>(&input.value)) fixes.push_back(*fix);
+    }
+    return fixes;
+  }
+
+  fs::path folder_;
+  std::unique_ptr<support::Process> earshotd_;
+};
+
+TEST_F(Autopilot, GivenThePageItShowsThePortsOfTheMissionThatItNames) {
+  const std::string page = support::read_text(kBoard / "connect_your_autopilot.md");
+  const std::string mission = support::read_text(kBoard / "missions/search_over_can.toml");
+  const std::size_t begin = mission.find("\n[[port]]") + 1;
+  const std::string ports = mission.substr(begin, mission.find("\n[origin]") - begin);
+  EXPECT_NE(page.find("```toml\n" + ports + "```"), std::string::npos) << ports;
+}
+
+TEST_F(Autopilot, GivenThePythonExampleAsItsVehicleASearchAtSeaOverLcmIsSailedUntilAnAbort) {
+  if (!test::enter_private_network()) {
+    const char* required = std::getenv("LCM_REQUIRED");
+    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
+    GTEST_SKIP() << "this kernel lets only root make a network namespace";
+  }
+  const std::string url(host::kDefaultLcmUrl);
+  Ashore ashore(url);
+  write_mission("search.toml");
+  start_earshotd({});
+  const auto vehicle = python("autopilot_over_lcm", {url});
+  const auto nothing = [] {};
+  ASSERT_TRUE(ashore.hears([&] { return ashore.health.port_count > 0 && ashore.health.ports[0].received > 20; }, nothing))
+      << vehicle->output() << earshotd_->output();
+  EXPECT_EQ(vehicle->output(), "START: OBEYED\n");
+  EXPECT_EQ(ashore.state(), MissionState::kStandby) << "there is no SNR yet";
+  EXPECT_EQ(ashore.setpoints, 0) << "before the search it commands nothing";
+
+  const auto hydrophone = python("hydrophone_over_lcm", {url, "3"});
+  ASSERT_TRUE(ashore.hears([&] { return ashore.health.steps_taken >= 3; }, nothing)) << vehicle->output() << hydrophone->output();
+  EXPECT_EQ(ashore.state(), MissionState::kSearch);
+  EXPECT_GT(ashore.setpoints, 0);
+  end(ashore, nothing);
+  expect_obeyed_vehicle_in_journal();
+  EXPECT_EQ(ashore.health.navigation_refused, 0);
+  EXPECT_EQ(ashore.health.snr_refused, 0);
+  EXPECT_EQ(ashore.health.commands_refused, 0);
+}
+
+TEST_F(Autopilot, GivenTheCppExampleAsItsVehicleASearchOverCanWithTheRestOverLcmIsSailedAndItsJournalGivesEveryByteAgain) {
+  const std::string url = "udpm://239.255.76.67:27499?ttl=0";  // beyond those of flights and other tests
+  Ashore ashore(url);
+  write_mission("search_over_can.toml");
+  start_earshotd({"--lcm-url", url, "--can-interface", "vcan0"});
+  support::Process vehicle(kBin / "autopilot_over_can", {"vcan0"}, folder_ / "vehicle.txt");
+  const auto hydrophone = [&] { ashore.send_snr(); };
+  ASSERT_TRUE(ashore.hears([&] { return ashore.health.port_count > 0 && ashore.health.ports[0].received > 5; }, hydrophone))
+      << vehicle.output() << earshotd_->output();
+  EXPECT_EQ(ashore.state(), MissionState::kStandby);
+
+  ashore.order(operator_command_t::COMPLETE, 1);
+  ashore.order(operator_command_t::START, 2);
+  ASSERT_TRUE(ashore.hears([&] { return ashore.health.steps_taken >= 3; }, hydrophone)) << vehicle.output() << earshotd_->output();
+  ASSERT_EQ(ashore.acknowledgements.size(), 2);
+  EXPECT_EQ(ashore.acknowledgements[0].outcome, CommandOutcome::kNotInThisState) << "COMPLETE in STANDBY";
+  EXPECT_EQ(ashore.acknowledgements[1].outcome, CommandOutcome::kObeyed);
+  EXPECT_EQ(ashore.state(), MissionState::kSearch);
+  end(ashore, hydrophone);
+  expect_obeyed_vehicle_in_journal();
+  EXPECT_EQ(ashore.health.navigation_refused, 0);
+  EXPECT_EQ(ashore.health.snr_refused, 0);
+  EXPECT_EQ(ashore.health.commands_refused, 1);
+}
+
+}  // namespace
+}  // namespace earshot
