@@ -8,6 +8,7 @@
 
 #include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/file/shipped.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "sim/sonar/gnuplot.hpp"
@@ -56,20 +57,11 @@ int run_ranked_program(program::CommandLine& line, int argc, char** argv, const 
 }
 
 std::filesystem::path data_folder() {
-  std::error_code error;
-  const std::filesystem::path bin = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  for (const char* relative : {"../../../policy", "../share/earshot/policy"}) {  // of build/<preset>/bin, of an installation's bin
-    const std::filesystem::path folder = (bin / relative).lexically_normal();
-    if (std::filesystem::is_directory(folder / "frozen", error)) return folder;
-  }
-  throw BadInput(bin.string() + ": the folder policy/ of the source tree is not there: name files instead");
+  return host::shipped("policy");
 }
 
 std::filesystem::path shipped_policy() {
-  const std::filesystem::path shipped = data_folder() / "frozen" / "shipped.policy";
-  std::error_code error;
-  if (!std::filesystem::exists(shipped, error)) throw BadInput(shipped.string() + ": the policy that ships is not there");
-  return shipped;
+  return host::shipped("policy/frozen/shipped.policy");
 }
 
 void check_distinct(std::span<const Output> files) {

@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "firmware/host/file/shipped.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
@@ -54,8 +55,8 @@ struct Options {
 };
 
 void declare(program::CommandLine& line, Options& o) {
-  line.option("--environment", &o.environment, "ocean, source and noise (TOML)").required();
-  line.option("--mission", &o.mission, "area, depth, speed, limits, bus, policy (TOML)").required();
+  line.option("--environment", &o.environment, "ocean, source and noise (TOML); default: the paper's ocean, munk_flat.toml");
+  line.option("--mission", &o.mission, "area, depth, speed, limits, ports, policy (TOML); default: search.toml");
   line.option("--out", &o.out, "folder for journal.lcmlog, track.csv, snr.csv, summary.json and report.html").shows_default();
   line.option("--seed", &o.seed, "where source and vehicle start, and how a policy that draws its actions draws them")
       .from(0, std::numeric_limits<std::int64_t>::max())
@@ -205,6 +206,8 @@ bool conclude(const Options& o, FlightFolder& folder, bool is_whole) {
 }
 
 int fly(Options o) {
+  if (o.environment.empty()) o.environment = host::shipped("sim/ocean/environments/munk_flat.toml");
+  if (o.mission.empty()) o.mission = host::shipped("firmware/boards/linux/missions/search.toml");
   program::stop_on_signals();
   // Both processes would say the same about a bad file: say it once, before either starts.
   host::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;

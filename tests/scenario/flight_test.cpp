@@ -205,6 +205,13 @@ TEST_F(Flight, GivenAMissionBelowTheSeaFloorOneLineNamesFileAndKeyAndNothingIsWr
   }
 }
 
+TEST_F(Flight, GivenNoOceanAndNoMissionItFliesTheOnesThatShip) {
+  support::Process flight(kBin / "earshot-fly", {"--out", folder_ / "out", "--no-report"}, folder_ / "text");
+  ASSERT_EQ(flight.wait(60s), 0) << flight.output();
+  EXPECT_EQ(fs::path(summary("out").at("mission")).filename(), "search.toml");
+  EXPECT_EQ(fs::path(summary("out").at("environment")).filename(), "munk_flat.toml");
+}
+
 TEST_F(Flight, GivenAMissingMissionOneLineSaysSo) {
   support::Process flight(kBin / "earshot-fly", {"--environment", kEnvironment, "--mission", folder_ / "none.toml"}, folder_ / "text");
   EXPECT_EQ(flight.wait(10s), 2);

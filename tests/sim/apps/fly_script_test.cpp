@@ -55,21 +55,9 @@ std::size_t count(const std::string& text, const std::string& what) {
   return n;
 }
 
-TEST_F(FlyScript, GivesTheShippedOceanAndMissionWhereNoneIsNamed) {
-  const std::string arguments = arguments_of("--seed 7");
-  EXPECT_NE(arguments.find("munk_flat.toml\n"), std::string::npos) << arguments;
-  EXPECT_NE(arguments.find("search.toml\n"), std::string::npos) << arguments;
-}
-
-TEST_F(FlyScript, GivesNoSecondMissionOrOceanWhereOneIsNamedInEitherSpelling) {
+TEST_F(FlyScript, HandsItsArgumentsOnWordForWord) {
   EXPECT_EQ(count(arguments_of("--mission a.toml --environment=b.toml"), "--mission"), 1);
-  EXPECT_EQ(count(arguments_of("--mission=a.toml --environment b.toml"), "--environment"), 1);
-}
-
-TEST_F(FlyScript, TakesTheValueOfAnotherOptionForNoOption) {
-  const std::string arguments = arguments_of("--out 'the --mission of --environment b'");
-  EXPECT_NE(arguments.find("munk_flat.toml\n"), std::string::npos) << arguments;
-  EXPECT_NE(arguments.find("search.toml\n"), std::string::npos) << arguments;
+  EXPECT_NE(arguments_of("--out 'the --mission of --environment b'").find("the --mission of --environment b\n"), std::string::npos);
 }
 
 TEST(FlyScriptHelp, NamesEveryOptionOfEarshotFly) {
