@@ -6,6 +6,7 @@ usage: autopilot_over_lcm.py LCM_URL
 
 import math
 import random
+import signal
 import sys
 import time
 
@@ -34,6 +35,7 @@ def on_acknowledgement(_channel, data):
         print("START:", outcome, flush=True)
 
 
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
 bus = lcm.LCM(sys.argv[1])
 bus.subscribe("EARSHOT_SETPOINT", on_setpoint)
 bus.subscribe("EARSHOT_COMMAND_ACKNOWLEDGEMENT", on_acknowledgement)

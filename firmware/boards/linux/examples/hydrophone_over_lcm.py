@@ -4,12 +4,14 @@
 usage: hydrophone_over_lcm.py LCM_URL SNR_DB
 """
 
+import signal
 import sys
 import time
 
 import lcm
 from earshot import snr_estimate_t
 
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
 bus = lcm.LCM(sys.argv[1])
 estimate = snr_estimate_t()
 estimate.snr_db = float(sys.argv[2])
