@@ -47,9 +47,10 @@ struct Options {
 };
 
 std::string names_of_baselines() {
+  constexpr std::size_t kColumn = 20;
   std::string names;
   for (const baselines::Entry& entry : baselines::catalogue())
-    names += "\n  " + std::string(entry.name) + std::string(18 - entry.name.size(), ' ') + std::string(entry.what);
+    names += "\n  " + std::string(entry.name) + std::string(kColumn - entry.name.size(), ' ') + std::string(entry.what);
   return names;
 }
 
@@ -69,7 +70,7 @@ void add_options(program::CommandLine& line, Options& o) {
   line.flag("--timing", &o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
   line.flag("--force", &o.force, apps::kForceHelp);
   line.footer(
-      "By name:\n  shipped           the policy that ships (policy/frozen)" + names_of_baselines() +
+      "By name:\n  shipped             the policy that ships (policy/frozen)" + names_of_baselines() +
       "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what the --environment says is heard, learned "
       "policies by what their file says.\n"
       "mpirun -n N earshot evaluate ... shares the searches out.\n"

@@ -16,8 +16,11 @@
 #include <thread>
 #include <vector>
 
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
@@ -57,7 +60,9 @@ struct Options {
 void declare(program::CommandLine& line, Options& o) {
   line.option("--environment", &o.environment, "ocean, source and noise (TOML); default: the paper's ocean, munk_flat.toml");
   line.option("--mission", &o.mission, "area, depth, speed, limits, ports, policy (TOML); default: search.toml");
-  line.option("--out", &o.out, "folder for journal.lcmlog, track.csv, snr.csv, summary.json and report.html").shows_default();
+  line.option("--out", &o.out, "folder for journal.lcmlog, journal.policy, track.csv, snr.csv, summary.json and report.html")
+      .checked([](const std::string& folder) { return std::string(folder.empty() ? "must name a folder" : ""); })
+      .shows_default();
   line.option("--seed", &o.seed, "where source and vehicle start, and how a policy that draws its actions draws them")
       .from(0, std::numeric_limits<std::int64_t>::max())
       .shows_default();
@@ -137,6 +142,18 @@ void wait_for_both(ChildProcess& simulator, ChildProcess& runtime) {
   }
 }
 
+/// How a flight ended, for a person; summary.json holds the word.
+std::string outcome(const nlohmann::json& s) {
+  if (s.at("found").get<bool>()) return "source found";
+  std::string reason = s.at("end_reason");
+  if (reason == "earshotd_lost") return "the flight was lost: earshotd ended or did not answer";
+  if (reason == "bus_lost") return "the flight was lost: a set-point did not arrive over the bus";
+  if (reason == "simulator_failed") return "the flight was lost: the simulator failed";
+  if (reason == "steps_used_up") return "source not found: all " + std::to_string(s.at("steps").get<int>()) + " steps taken";
+  std::ranges::replace(reason, '_', ' ');
+  return "source not found: " + reason;
+}
+
 void print_summary(const fs::path& out) {
   if (program::talk() == program::Talk::kQuiet) return;
   std::ifstream stream(out / "summary.json");
@@ -144,7 +161,7 @@ void print_summary(const fs::path& out) {
   const double sim_time_s = s.at("sim_time_s");
   const Duration at_sea = Duration::milliseconds(std::llround(1e3 * sim_time_s));
   const double wall_time_s = s.at("wall_time_s");
-  std::printf("%s\n", s.at("found").get<bool>() ? "source found" : ("source not found: " + s.at("end_reason").get<std::string>()).c_str());
+  std::printf("%s\n", outcome(s).c_str());
   std::printf("  reward      %.1f\n  steps       %d\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(),
               s.at("steps").get<int>(), s.at("detections").get<int>(), s.at("distance_m").get<double>() / 1e3);
   std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", simulation::hours_and_minutes(at_sea).c_str(), wall_time_s,
@@ -205,6 +222,20 @@ bool conclude(const Options& o, FlightFolder& folder, bool is_whole) {
   return is_kept;
 }
 
+/// Says when the policy is about to search for another kind of source than its provenance names: it never learned that.
+void warn_of_another_source(const Options& o, const host::MissionFile& mission) try {
+  const fs::path path = o.policy.value_or(mission.policy);
+  const auto [policy, bytes] = host::load_policy(path, o.public_key.value_or(mission.public_key));
+  const std::string lines = "\n" + std::string(policy->provenance.begin(), policy->provenance.end()) + "\n";
+  for (const std::string trained : {"fixed", "changing"}) {
+    if (trained == o.source || lines.find("\nsource = " + trained + "\n") == std::string::npos) continue;
+    std::cerr << "earshot fly: warning: " << host::printable(path.string()) << " was trained with a " << trained << " source; use --source "
+              << trained << "\n";
+  }
+} catch (const host::BadInput&) {
+  // earshotd refuses it, and says why.
+}
+
 int fly(Options o) {
   if (o.environment.empty()) o.environment = host::shipped("sim/ocean/environments/munk_flat.toml");
   if (o.mission.empty()) o.mission = host::shipped("firmware/boards/linux/missions/search.toml");
@@ -212,6 +243,7 @@ int fly(Options o) {
   // Both processes would say the same about a bad file: say it once, before either starts.
   host::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
   host::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
+  warn_of_another_source(o, mission);
   const std::vector<host::FileDescriptor> locks = lock_buses(o, mission);
   o.can_interface = chosen_can_interface(o, mission);
   FlightFolder folder(o.out);

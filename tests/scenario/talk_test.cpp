@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <unistd.h>
+
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <string>
 #include <vector>
@@ -83,6 +86,33 @@ TEST_F(Talk, GivenVerboseItAlsoTellsWhatGoesIntoTheFlight) {
   EXPECT_NE(told_.find("--seed 3\n"), std::string::npos) << told_;
   EXPECT_NE(told_.find("--speed 0 (default)\n"), std::string::npos) << told_;
   EXPECT_NE(told_.find("source found\n"), std::string::npos) << told_;
+}
+
+TEST_F(Talk, GivenAPolicyTrainedForAFixedSourceItWarnsBeforeItLooksForAnother) {
+  const std::string policy = kSource / "policy/frozen/fixed_source.policy";
+  const std::vector<std::string> fixed{"--policy", policy, "--no-report", "--mission",
+                                       kSource / "firmware/boards/linux/missions/fixed_source.toml"};
+  const auto flown = [&](const std::string& source) {
+    std::vector<std::string> a{"--environment", kSource / "sim/ocean/environments/munk_flat.toml", "--out", folder_ / "out", "--source",
+                               source};
+    a.insert(a.end(), fixed.begin(), fixed.end());
+    support::Process flight(kFly, a, folder_ / "text");
+    EXPECT_EQ(flight.wait(60s), 0) << flight.output();
+    return flight.output();
+  };
+  const std::string warning = "earshot fly: warning: " + policy + " was trained with a fixed source; use --source fixed\n";
+  EXPECT_NE(flown("changing").find(warning), std::string::npos);
+  EXPECT_EQ(flown("fixed").find("warning"), std::string::npos);
+}
+
+TEST_F(Talk, GivenAFileForItsFolderItSaysSoInOneSentence) {
+  const fs::path file = folder_ / "README.md";
+  std::ofstream(file) << "ours\n";
+  std::vector<std::string> a = arguments({});
+  *std::ranges::find(a, (folder_ / "out").string()) = file;
+  support::Process refused(kFly, a, folder_ / "refused");
+  EXPECT_EQ(refused.wait(10s), 2);
+  EXPECT_EQ(refused.output(), file.string() + ": cannot be read or written: Not a directory\n");
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #include <chrono>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/talk.hpp"
 
 namespace earshot::program {
@@ -35,10 +37,12 @@ int run(CommandLine& line, int argc, char** argv, const std::function<int()>& wo
     return kLost;
   } catch (const host::BadInput& e) {
     std::cerr << e.what() << "\n";
+  } catch (const std::filesystem::filesystem_error& e) {
+    std::cerr << host::printable(e.path1().string()) << ": cannot be read or written: " << e.code().message() << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << line.name() << ": not enough memory for what was asked\n";
   } catch (const std::exception& e) {
-    std::cerr << line.name() << ": " << e.what() << "\n";
+    std::cerr << line.name() << ": " << host::printable_lines(e.what()) << "\n";
   }
   return kBadInput;
 }
