@@ -46,7 +46,9 @@ std::string html_head(const std::string& title) {
   return R"(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>)" +
-         escaped(title) + "</title><style>" + std::string(kStyle) + "</style></head><body>\n";
+         escaped(title) + "</title><style>" + std::string(kStyle) + "</style></head>" +
+         // What is folded on a screen must stand on paper.
+         "<body onbeforeprint=\"for (const part of document.querySelectorAll('details')) part.open = true\">\n";
 }
 
 std::string fact(std::string_view name, const std::string& value) {

@@ -22,6 +22,11 @@ TEST(Html, CutsNoTableOnPaperAndPrintsItDarkOnLight) {
   EXPECT_EQ(html_head("a page").find("@media (prefers-color-scheme: dark)"), std::string::npos) << "a dark page is for screens alone";
 }
 
+TEST(Html, UnfoldsItsReasonsBeforeItIsPrinted) {
+  EXPECT_NE(html_head("a page").find("<body onbeforeprint=\"for (const part of document.querySelectorAll('details')) part.open = true\">"),
+            std::string::npos);
+}
+
 TEST(Html, TurnsDecisionsIntoAListOfNamedCellsOnANarrowScreen) {
   EXPECT_NE(html_head("a page").find("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"), std::string::npos);
   const std::string narrow = rules_for("screen and (max-width: 40rem)");
