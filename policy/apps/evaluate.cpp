@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/file/shipped.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "policy/apps/program.hpp"
@@ -310,8 +311,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   const std::vector<Contestant> contestants = contestants_of(o);
   const Meters depth{o.search.vehicle_depth_m.value_or(300.0)};
   const std::filesystem::path environment_file =
-      o.search.environment ? std::filesystem::path(*o.search.environment)
-                           : (apps::data_folder() / "../sim/ocean/environments/munk_flat.toml").lexically_normal();
+      o.search.environment ? std::filesystem::path(*o.search.environment) : host::shipped("sim/ocean/environments/munk_flat.toml");
   const ocean::Environment environment = apps::environment_at(environment_file, depth);
   const std::vector<evaluate::World> worlds = worlds_of(o, environment_file, depth);
   search::SearchSettings settings = settings_of(contestants);

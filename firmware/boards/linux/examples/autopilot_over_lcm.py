@@ -13,7 +13,7 @@ import time
 import lcm
 from earshot import command_acknowledgement_t, nav_state_t, operator_command_t, setpoint_t
 
-OUTCOMES = ("OBEYED", "REPEATED", "TOO_OLD", "EXPIRED", "NOT_IN_THIS_STATE", "UNKNOWN_ORDER", "NOT_CONFIGURED", "TOO_MANY_ISSUERS", "OUT_OF_ORDER")
+OUTCOMES = ("OBEYED", "REPEATED", "TOO_OLD", "EXPIRED", "NOT_IN_THIS_STATE", "UNKNOWN_ORDER", "NOT_CONFIGURED", "OUT_OF_ORDER")
 vehicle = nav_state_t()
 vehicle.utime = time.time_ns() // 1000
 vehicle.north_m = vehicle.east_m = 12_500.0  # the middle of the mission's area
