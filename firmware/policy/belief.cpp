@@ -47,7 +47,7 @@ void tabulate_likelihood(const BeliefModel& model, const BeliefHypothesis& hypot
   const float per_spread = 1.0F / hypothesis.spread_db;
   const float level = static_cast<float>(heard.snr.value) - hypothesis.level_offset_db;
   const std::size_t count = model.snr_db.size();
-  if (heard.measured) {
+  if (!heard.too_faint) {
     const float outlier = sounding * model.outlier_share / kOutlierRange;
     const float scale = regular * per_spread;
     for (std::size_t i = 0; i < count; ++i) table[i] = scale * normal_density((level - model.snr_db[i]) * per_spread) + outlier;

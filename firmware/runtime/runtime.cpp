@@ -171,7 +171,7 @@ NorthEast Runtime::place_in_area() const {
 }
 
 policy::Heard Runtime::heard() const {
-  return {.snr = progress_.snr->snr, .measured = !progress_.snr->too_faint};
+  return {.snr = progress_.snr->snr, .too_faint = progress_.snr->too_faint};
 }
 
 messages::BeliefSummary Runtime::belief() const {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/learning_curve.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "sim/sonar/gnuplot.hpp"
@@ -56,7 +56,7 @@ std::vector<CurvePoint> points_of(std::span<const std::string> episodes_csv) {
 
 void draw_curves(const std::filesystem::path& path, const std::string& title, std::span<const std::string> episodes_csv) {
   const std::vector<CurvePoint> points = points_of(episodes_csv);
-  if (points.empty()) throw config_file::BadInput(path.string() + ": no episode has ended in every training, nothing to draw");
+  if (points.empty()) throw host::BadInput(path.string() + ": no episode has ended in every training, nothing to draw");
   std::ostringstream commands;
   commands << "$points << EOD\n";
   for (const CurvePoint& p : points) commands << p.episode << ' ' << p.lower << ' ' << p.median << ' ' << p.upper << '\n';
@@ -71,7 +71,7 @@ void draw_curves(const std::filesystem::path& path, const std::string& title, st
   try {
     sonar::draw(path, {.title = title, .size = "900,500", .commands = commands.str()});
   } catch (const std::runtime_error& e) {
-    throw config_file::BadInput(e.what());
+    throw host::BadInput(e.what());
   }
 }
 

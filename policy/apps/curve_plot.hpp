@@ -8,7 +8,7 @@
 namespace earshot::apps {
 
 /// Draws reward against episodes, as the paper's Fig. 5: median of the last 50 episodes and their quartiles; of several trainings the
-/// median and the quartiles of their medians. Throws config_file::BadInput when it cannot be drawn.
+/// median and the quartiles of their medians. Throws host::BadInput when it cannot be drawn.
 /// @param title         over the curve: what was trained
 /// @param episodes_csv  one a training, as LearningCurve has it
 void draw_curves(const std::filesystem::path& path, const std::string& title, std::span<const std::string> episodes_csv);

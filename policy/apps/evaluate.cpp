@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/apps/world_options.hpp"
 #include "policy/baselines/catalogue.hpp"
@@ -28,7 +28,7 @@
 namespace {
 
 using namespace earshot;
-using config_file::BadInput;
+using host::BadInput;
 
 struct Options {
   std::vector<std::string> files;

@@ -2,8 +2,8 @@
 
 #include <ostream>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/explain_map.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/report/explanation.hpp"
@@ -13,7 +13,7 @@
 namespace {
 
 using namespace earshot;
-using config_file::BadInput;
+using host::BadInput;
 
 struct DecisionOptions {
   std::filesystem::path flight;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/apps/world_options.hpp"
 #include "policy/evaluate/policy_file.hpp"
@@ -19,7 +19,7 @@
 namespace earshot::apps {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 
 struct Length {
   Meters length;

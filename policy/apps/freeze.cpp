@@ -4,9 +4,9 @@
 #include <optional>
 #include <ostream>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/freeze/keys.hpp"
@@ -15,7 +15,7 @@
 namespace {
 
 using namespace earshot;
-using config_file::BadInput;
+using host::BadInput;
 
 struct Options {
   std::optional<std::string> model;

@@ -6,17 +6,17 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/sonar/gnuplot.hpp"
 
 namespace earshot::apps {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 
 void check_command_line(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {

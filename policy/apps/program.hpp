@@ -35,7 +35,7 @@ inline constexpr host::OutputKind kPolicyOutput{"a .policy file", {"EARSHOTP", {
 /// What help says of --force.
 inline constexpr const char* kForceHelp = "replace a file that is there already, of whatever kind it is";
 
-/// Throws config_file::BadInput, naming both options, when two of them are one file: one would silently replace the other.
+/// Throws host::BadInput, naming both options, when two of them are one file: one would silently replace the other.
 void check_distinct(std::span<const Output> files);
 
 /// The same, and throws now rather than after minutes of work when one of them cannot be written later: see host::require_writable.
@@ -50,14 +50,14 @@ void tell_of_policy(const std::string& name, const policy::FrozenPolicy& policy)
 /// @param name  "argmax" or "sampled", which the option's check has made sure of
 [[nodiscard]] policy::ActionDraw draw_named(std::string_view name);
 
-/// Throws config_file::BadInput when a picture of that name, given with `option`, cannot be drawn: it does not end in .png or .svg.
+/// Throws host::BadInput when a picture of that name, given with `option`, cannot be drawn: it does not end in .png or .svg.
 void check_picture_name(const std::string& option, const std::filesystem::path& path);
 
 /// The folder policy/ that belongs to this program: the one of the tree it was built in, or that beside it in an installation.
-/// Throws config_file::BadInput when there is none.
+/// Throws host::BadInput when there is none.
 [[nodiscard]] std::filesystem::path data_folder();
 
-/// The policy that ships. Throws config_file::BadInput when it is not there: no other stands in for it.
+/// The policy that ships. Throws host::BadInput when it is not there: no other stands in for it.
 [[nodiscard]] std::filesystem::path shipped_policy();
 
 }  // namespace earshot::apps

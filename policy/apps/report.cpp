@@ -4,10 +4,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/report/flight_files.hpp"
@@ -39,7 +39,7 @@ int write_report(const std::filesystem::path& folder, host::Replace replace) try
                     << " records of the journal, " << flight.track.size() << " rows of track.csv, " << flight.snr.size() << " of snr.csv\n";
   return say_what_is_missing(folder, flight);
 } catch (const nlohmann::json::exception& e) {
-  throw config_file::BadInput((folder / "summary.json").string() + ": " + description::to_string(e));
+  throw host::BadInput((folder / "summary.json").string() + ": " + description::to_string(e));
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <ostream>
 #include <sstream>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/curve_plot.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/apps/training_job.hpp"
@@ -19,7 +19,7 @@
 namespace {
 
 using namespace earshot;
-using config_file::BadInput;
+using host::BadInput;
 using Trainings = std::vector<std::unique_ptr<apps::Training>>;
 
 Trainings prepare(const apps::TrainOptions& options, const std::vector<std::string>& arguments, parallel::Ranks& ranks) {

@@ -4,13 +4,13 @@
 #include <array>
 #include <charconv>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/program.hpp"
 
 namespace earshot::apps {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 
 constexpr std::uint64_t kMostSeeds = 1'000;
 
@@ -111,8 +111,7 @@ ppo::TrainingRun settled(const TrainOptions& options) {
   if (options.seed) run.seed = *options.seed;
   if (options.environments) run.hyper.environment_count = *options.environments;
   if (const ppo::Misfit misfit = ppo::misfit_of(run.hyper); misfit.key != nullptr)
-    throw config_file::BadInput("--environments " + std::to_string(run.hyper.environment_count) + ": ppo." + misfit.key + ": " +
-                                misfit.what);
+    throw host::BadInput("--environments " + std::to_string(run.hyper.environment_count) + ": ppo." + misfit.key + ": " + misfit.what);
   if (options.episodes || options.steps) {
     run.episodes = options.episodes.value_or(0);
     run.steps = options.steps.value_or(0);

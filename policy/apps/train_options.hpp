@@ -36,13 +36,13 @@ struct TrainOptions {
   void resolve(const std::filesystem::path& directory);
 };
 
-/// Throws config_file::BadInput when `line` was given something that cannot be changed in the middle of a training.
+/// Throws host::BadInput when `line` was given something that cannot be changed in the middle of a training.
 void check_for_resume(const program::CommandLine& line);
 
-/// The options of a command line without the program's name. Throws config_file::BadInput.
+/// The options of a command line without the program's name. Throws host::BadInput.
 [[nodiscard]] TrainOptions options_from(const std::vector<std::string>& arguments);
 
-/// The run file with the options over it. Throws config_file::BadInput.
+/// The run file with the options over it. Throws host::BadInput.
 [[nodiscard]] ppo::TrainingRun settled(const TrainOptions& options);
 
 }  // namespace earshot::apps

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/version.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/ppo/trainer.hpp"
@@ -19,7 +19,7 @@
 namespace earshot::apps {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 
 /// Some ten million episodes.
 constexpr host::FileKind kLearningCurve{"a learning curve", std::uint64_t{1} << 30U};

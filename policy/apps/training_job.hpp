@@ -30,21 +30,21 @@ struct TrainingJob {
   std::optional<ppo::Checkpoint> resumed = {};  ///< its content, whose continuation is not empty
 };
 
-/// The jobs that a command line asks for. Throws config_file::BadInput, also when two of their files are one.
+/// The jobs that a command line asks for. Throws host::BadInput, also when two of their files are one.
 /// @param arguments  the command line without the program's name
 [[nodiscard]] std::vector<TrainingJob> jobs_of(const TrainOptions& options, const std::vector<std::string>& arguments);
 
 /// What stands while a training goes on.
 class Training {
  public:
-  /// Everything that bad input can spoil. Throws config_file::BadInput. @param ranks  outlives this
+  /// Everything that bad input can spoil. Throws host::BadInput. @param ranks  outlives this
   Training(TrainingJob job, parallel::Ranks& ranks);
   ~Training();
   Training(const Training&) = delete;
   Training& operator=(const Training&) = delete;
 
   /// Trains to the end, or to the rollout after which `interrupted` is set (on rank 0), and writes the files (rank 0 does).
-  /// Throws config_file::BadInput, on every rank, when training diverges; the files then stay as they were last written.
+  /// Throws host::BadInput, on every rank, when training diverges; the files then stay as they were last written.
   void run(TrainingProgress& progress, std::size_t number, const std::atomic<bool>& interrupted);
 
   [[nodiscard]] const TrainingJob& job() const;

@@ -1,13 +1,13 @@
 #include "policy/apps/world_options.hpp"
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/placement.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::apps {
 
-using config_file::BadInput;
+using host::BadInput;
 
 void WorldOptions::add_to(program::CommandLine& line, const std::string& source_by_default) {
   line.option("--environment", &environment,

@@ -25,14 +25,14 @@ struct WorldOptions {
 
   /// @param source_by_default  what help says of --source when it is not given
   void add_to(program::CommandLine& line, const std::string& source_by_default = "fixed");
-  /// Throws config_file::BadInput when the settings contradict each other.
+  /// Throws host::BadInput when the settings contradict each other.
   void apply_to(search::SearchSettings& settings) const;
 };
 
-/// Throws config_file::BadInput when there is no environment, or the vehicle's depth is not in its water.
+/// Throws host::BadInput when there is no environment, or the vehicle's depth is not in its water.
 [[nodiscard]] ocean::Environment environment_at(const std::filesystem::path& path, Meters vehicle_depth);
 
-/// Throws config_file::BadInput when the vehicle's depth is not in the water of the environment read from `path`.
+/// Throws host::BadInput when the vehicle's depth is not in the water of the environment read from `path`.
 void check_vehicle_depth(const ocean::Environment& environment, const std::filesystem::path& path, Meters vehicle_depth);
 
 /// SNR against range out to search::furthest_range.

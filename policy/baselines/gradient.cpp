@@ -20,7 +20,7 @@ std::size_t GradientClimb::turned(std::size_t from, std::ptrdiff_t by) const {
 }
 
 std::size_t GradientClimb::choose(const Look& look) {
-  const bool is_fainter = before_.measured && (!look.heard.measured || look.heard.snr < before_.snr);
+  const bool is_fainter = !before_.too_faint && (look.heard.too_faint || look.heard.snr < before_.snr);
   if (!is_first_ && is_fainter) {
     ++turns_;
     const auto by = static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, briefing_.actions.size() / 4) + (turns_ - 1) / 2);

@@ -1,13 +1,13 @@
 #include "policy/description/search_description.hpp"
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/description/search_json.hpp"
 
 namespace earshot::description {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "earshot search 1";

@@ -29,7 +29,7 @@ struct SearchDescription {
 /// JSON on one line. It states that the network saw the observation as it is: nothing normalised it on the way.
 [[nodiscard]] std::string to_text(const SearchDescription& description);
 
-/// Throws config_file::BadInput when the text is cut short, something is missing or out of range, or the observation was normalised on its
+/// Throws host::BadInput when the text is cut short, something is missing or out of range, or the observation was normalised on its
 /// way to the network (or nothing says that it was not).
 [[nodiscard]] SearchDescription from_text(std::string_view text);
 

@@ -4,13 +4,13 @@
 #include <cstdint>
 
 #include "firmware/config/capacities.hpp"
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::description {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 using Json = nlohmann::ordered_json;
 
 /// A whole number in a range; get<>() alone wraps and truncates without a word.

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -44,7 +44,7 @@ std::unique_ptr<policy::FrozenPolicy> load_policy(const std::filesystem::path& p
   const std::vector<std::uint8_t> bytes = host::read_bytes(path, {"a .policy file", policy::max_serialised_size()});
   auto policy = std::make_unique<policy::FrozenPolicy>();
   policy::PolicyFault fault = policy::PolicyFault::kNone;
-  if (policy::parse(bytes, *policy, fault) != Status::kOk) throw config_file::BadInput(path.string() + ": policy is " + in_words(fault));
+  if (policy::parse(bytes, *policy, fault) != Status::kOk) throw host::BadInput(path.string() + ": policy is " + in_words(fault));
   return policy;
 }
 

@@ -7,7 +7,7 @@
 
 namespace earshot::evaluate {
 
-/// Reads a `.policy` file. Throws config_file::BadInput, one line that names the file and the fault. The signature is not checked: a desk
+/// Reads a `.policy` file. Throws host::BadInput, one line that names the file and the fault. The signature is not checked: a desk
 /// tool may look at any policy, a vehicle may not fly it.
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> load_policy(const std::filesystem::path& path);
 

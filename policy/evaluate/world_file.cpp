@@ -4,15 +4,15 @@
 #include <limits>
 #include <optional>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/environment_conditions.hpp"
 #include "sim/ocean/environment_file.hpp"
 
 namespace earshot::evaluate {
 
 World load_world(const std::filesystem::path& path) {
-  const config_file::File file(path);
-  config_file::TableReader root = file.root();
+  const host::TomlFile file(path);
+  host::TableReader root = file.root();
   World world{.name = root.text("name"), .what = root.text("what"), .environment = {}};
   world.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
   const std::filesystem::path environment = file.resolve(root.text("environment"));
@@ -30,7 +30,7 @@ std::vector<std::filesystem::path> worlds_in(const std::filesystem::path& folder
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     if (entry.path().extension() == ".toml") paths.push_back(entry.path());
   }
-  if (paths.empty()) throw config_file::BadInput(folder.string() + ": no worlds (*.toml) there");
+  if (paths.empty()) throw host::BadInput(folder.string() + ": no worlds (*.toml) there");
   std::ranges::sort(paths);
   return paths;
 }

@@ -18,10 +18,10 @@ struct World {
 };
 
 /// Reads a world: keys name, what, seed, environment (a file), and optionally [conditions], which then replace the environment's own.
-/// Throws config_file::BadInput with everything that is wrong.
+/// Throws host::BadInput with everything that is wrong.
 [[nodiscard]] World load_world(const std::filesystem::path& path);
 
-/// The world files of a folder, by name. Throws config_file::BadInput when there are none.
+/// The world files of a folder, by name. Throws host::BadInput when there are none.
 [[nodiscard]] std::vector<std::filesystem::path> worlds_in(const std::filesystem::path& folder);
 
 }  // namespace earshot::evaluate

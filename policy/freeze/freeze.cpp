@@ -6,14 +6,14 @@
 #include <array>
 #include <string>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/ppo/actor_critic.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::freeze {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 using Networks = ppo::ActorCritic<float>;
 
 /// Copies `rows` rows, the first ones, of a column-major layer into firmware's row-major one.

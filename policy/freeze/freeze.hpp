@@ -13,16 +13,16 @@
 namespace earshot::freeze {
 
 /// The policy that flies, from what training left: the actor alone, its directions as a table, its provenance as "name = value" lines.
-/// Throws config_file::BadInput when it does not fit firmware's capacities.
+/// Throws host::BadInput when it does not fit firmware's capacities.
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze(const ppo::Checkpoint& checkpoint, policy::ActionDraw draw);
 
 /// The policy that flies, from an actor trained elsewhere, its weights bit for bit.
-/// Throws config_file::BadInput when the actor does not fit its description or firmware's capacities.
+/// Throws host::BadInput when the actor does not fit its description or firmware's capacities.
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const description::SearchDescription& search,
                                                            policy::ActionDraw draw);
 
 /// The bytes of a `.policy` file, signed: Ed25519 over every byte before the signature.
-/// Throws config_file::BadInput for a policy that a vehicle would refuse.
+/// Throws host::BadInput for a policy that a vehicle would refuse.
 [[nodiscard]] std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const SecretKey& key);
 
 /// Whether the signature at the end of `bytes` was made with the secret half of `key`.

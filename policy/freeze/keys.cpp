@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::freeze {
 namespace {
@@ -26,7 +26,7 @@ Key from_hex(std::string_view text, const std::string& file, const std::string& 
   const char* end = nullptr;
   const bool digits = sodium_hex2bin(key.data(), key.size(), text.data(), text.size(), "\n", &read, &end) == 0;
   if (!digits || read != key.size() || end != text.data() + text.size()) {
-    throw config_file::BadInput(file + ": not a " + kind + " key: must be one line of 64 hexadecimal digits");
+    throw host::BadInput(file + ": not a " + kind + " key: must be one line of 64 hexadecimal digits");
   }
   return key;
 }
@@ -34,7 +34,7 @@ Key from_hex(std::string_view text, const std::string& file, const std::string& 
 }  // namespace
 
 void ready_libsodium() {
-  if (sodium_init() < 0) throw config_file::BadInput("libsodium finds no source of random numbers");
+  if (sodium_init() < 0) throw host::BadInput("libsodium finds no source of random numbers");
 }
 
 SecretKey make_key() {

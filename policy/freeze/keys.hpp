@@ -16,7 +16,7 @@ struct SecretKey {
 };
 using PublicKey = std::array<std::uint8_t, policy::kPublicKeySize>;
 
-/// Readies libsodium, which everything that uses it does first; again costs nothing. Throws config_file::BadInput when it cannot be used.
+/// Readies libsodium, which everything that uses it does first; again costs nothing. Throws host::BadInput when it cannot be used.
 void ready_libsodium();
 
 /// A new key from the system's random source.
@@ -25,7 +25,7 @@ void ready_libsodium();
 
 [[nodiscard]] std::string to_text(const SecretKey& key);
 [[nodiscard]] std::string to_text(const PublicKey& key);
-/// Throw config_file::BadInput, naming `file`, for anything but one line of 64 hexadecimal digits.
+/// Throw host::BadInput, naming `file`, for anything but one line of 64 hexadecimal digits.
 [[nodiscard]] SecretKey secret_key_from(std::string_view text, const std::string& file);
 [[nodiscard]] PublicKey public_key_from(std::string_view text, const std::string& file);
 

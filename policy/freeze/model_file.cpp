@@ -1,13 +1,13 @@
 #include "policy/freeze/model_file.hpp"
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/freeze/onnx_model.hpp"
 #include "policy/freeze/sb3_model.hpp"
 
 namespace earshot::freeze {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 
 constexpr std::size_t kLongestMessage = 300;
 

@@ -10,7 +10,7 @@ namespace earshot::freeze {
 /// Whether the bytes of a file are a model trained elsewhere (a zip archive, or a file called .onnx) rather than a checkpoint.
 [[nodiscard]] bool is_foreign_model(std::string_view bytes, const std::string& file);
 
-/// Reads a zip of Stable-Baselines3, or else an ONNX model. Throws config_file::BadInput, one line that begins with `file`, whatever the
+/// Reads a zip of Stable-Baselines3, or else an ONNX model. Throws host::BadInput, one line that begins with `file`, whatever the
 /// bytes are. Oracle: ModelFuzz.*
 [[nodiscard]] TrainedActor read_model(std::string_view bytes, const std::string& file);
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/freeze/protobuf.hpp"
 
 // Field numbers are those of onnx.proto3 (ONNX 1.16), the schema of every version up to it.
@@ -14,7 +14,7 @@
 namespace earshot::freeze {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 using Wire = ProtobufReader::Wire;
 using Field = ProtobufReader::Field;
 

@@ -5,12 +5,12 @@
 #include <map>
 #include <sstream>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::freeze {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 using Kind = PickleValue::Kind;
 
 constexpr std::size_t kMaxPickleBytes = std::size_t{1024} * 1024;

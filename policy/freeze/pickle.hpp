@@ -48,7 +48,7 @@ struct PickleRules {
 inline constexpr std::string_view kOrderedDict = "collections.OrderedDict";  ///< a call of it without arguments reads as a dictionary
 
 /// Reads protocols 2 to 5, of their opcodes those that describe plain data, classes by name, and the calls that `rules` let through.
-/// Throws config_file::BadInput for any other opcode or name, for a name of over 256 characters or a call with over 8 arguments, for texts
+/// Throws host::BadInput for any other opcode or name, for a name of over 256 characters or a call with over 8 arguments, for texts
 /// and items of over 4 MiB in all, and for bytes that are cut short or go on after the end.
 [[nodiscard]] Pickle read_pickle(std::string_view bytes, const PickleRules& rules);
 

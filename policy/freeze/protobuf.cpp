@@ -1,10 +1,10 @@
 #include "policy/freeze/protobuf.hpp"
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::freeze {
 
-using config_file::BadInput;
+using host::BadInput;
 
 std::optional<ProtobufReader::Field> ProtobufReader::next() {
   if (rest_.empty()) return std::nullopt;

@@ -6,7 +6,7 @@
 
 namespace earshot::freeze {
 
-/// Walks the fields of one protobuf message in its wire format. Throws config_file::BadInput for bytes that are none.
+/// Walks the fields of one protobuf message in its wire format. Throws host::BadInput for bytes that are none.
 /// Source: protobuf.dev, "Encoding". Groups, which no current schema uses, are refused.
 class ProtobufReader {
  public:

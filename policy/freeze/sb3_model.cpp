@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/freeze/pickle.hpp"
 #include "policy/freeze/state_dict.hpp"
@@ -14,7 +14,7 @@
 namespace earshot::freeze {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 using Json = nlohmann::json;
 using Kind = PickleValue::Kind;
 

@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <cstring>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/freeze/pickle.hpp"
 #include "policy/freeze/zip_archive.hpp"
 
 namespace earshot::freeze {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 using Kind = PickleValue::Kind;
 
 constexpr std::string_view kRebuildTensor = "torch._utils._rebuild_tensor_v2";

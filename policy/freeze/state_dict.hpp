@@ -15,7 +15,7 @@ struct Tensor {
 using StateDict = std::map<std::string, Tensor>;
 
 /// Reads a PyTorch state_dict as torch.save writes it since 1.6: a zip archive of a pickle and raw storages. float32 and contiguous only;
-/// nothing in the file is executed. Throws config_file::BadInput for anything else.
+/// nothing in the file is executed. Throws host::BadInput for anything else.
 [[nodiscard]] StateDict read_state_dict(std::string_view bytes);
 
 }  // namespace earshot::freeze

@@ -21,7 +21,7 @@ struct TrainedActor {
   std::optional<std::string> search;  ///< text of the search description that the file carries (policy/description)
 };
 
-/// Throws config_file::BadInput unless each layer's inputs are the outputs of the one before.
+/// Throws host::BadInput unless each layer's inputs are the outputs of the one before.
 void check_chain(const TrainedActor& actor);
 
 }  // namespace earshot::freeze

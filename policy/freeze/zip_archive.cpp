@@ -2,11 +2,11 @@
 
 #include <zip.h>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::freeze {
 
-using config_file::BadInput;
+using host::BadInput;
 
 ZipArchive::ZipArchive(std::string_view bytes) : archive_(nullptr, zip_discard) {
   zip_error_t error;

@@ -11,7 +11,7 @@ struct zip;
 
 namespace earshot::freeze {
 
-/// A zip archive in memory. What it throws is config_file::BadInput.
+/// A zip archive in memory. What it throws is host::BadInput.
 class ZipArchive {
  public:
   /// @param bytes  outlives this. Throws when they are no archive, are cut short, or name one entry twice.

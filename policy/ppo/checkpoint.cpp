@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/description/search_json.hpp"
@@ -13,7 +13,7 @@
 namespace earshot::ppo {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "earshot checkpoint 3";

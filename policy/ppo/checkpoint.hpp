@@ -45,7 +45,7 @@ struct Checkpoint : description::SearchDescription {
 /// The text of a checkpoint file: one line of JSON, in which floats survive exactly, and one with the CRC-32 of the first.
 [[nodiscard]] std::string to_text(const Checkpoint& checkpoint);
 
-/// Reads a checkpoint's text. Throws config_file::BadInput, naming `file`, when it is cut short or damaged, of another
+/// Reads a checkpoint's text. Throws host::BadInput, naming `file`, when it is cut short or damaged, of another
 /// version, or does not fit together.
 [[nodiscard]] Checkpoint from_text(std::string_view text, const std::string& file);
 

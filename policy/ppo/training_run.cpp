@@ -9,14 +9,14 @@
 #include <sstream>
 
 #include "firmware/config/capacities.hpp"
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/placement.hpp"
 
 namespace earshot::ppo {
 namespace {
 
-using config_file::Range;
-using config_file::TableReader;
+using host::Range;
+using host::TableReader;
 
 // What a rollout and a batch of it take: under 2 GiB each with the longest observation. The shipped run has 32 768 steps and 2048.
 constexpr std::int64_t kMostRolloutSteps = 1 << 22;
@@ -108,7 +108,7 @@ Misfit misfit_of(const HyperParameters& h) {
 }
 
 TrainingRun load_run(const std::filesystem::path& path) {
-  const config_file::File file(path);
+  const host::TomlFile file(path);
   TableReader root = file.root();
   TrainingRun run;
   if (root.has("environment")) run.environment = file.resolve(root.text("environment"));

@@ -55,7 +55,7 @@ struct Misfit {
 /// A rollout must be one that memory can hold, and no smaller than a batch. Oracle: TrainingRun.RefusesABatchLargerThanTheRollout
 [[nodiscard]] Misfit misfit_of(const HyperParameters& hyper);
 
-/// Reads a run file: the keys of `policy/ppo/runs/fixed_source.toml`, all of them optional. Throws config_file::BadInput with every
+/// Reads a run file: the keys of `policy/ppo/runs/fixed_source.toml`, all of them optional. Throws host::BadInput with every
 /// problem.
 [[nodiscard]] TrainingRun load_run(const std::filesystem::path& path);
 

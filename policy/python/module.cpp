@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 #include "policy/python/world.hpp"
 
@@ -49,7 +49,7 @@ NorthEast checked_place(const char* name, Place place, const Rectangle& domain) 
 /// Keys of an info, made once: making them would cost as much as the rest of a step.
 struct InfoKeys {
   py::str snr_db{"snr_db"};
-  py::str measured{"measured"};
+  py::str too_faint{"too_faint"};
   py::str position_m{"position_m"};
   py::str source_m{"source_m"};
   py::str found{"found"};
@@ -118,7 +118,7 @@ class Episodes {
     const search::Episode& episode = at(i).episode;
     py::dict info;
     info[keys_.snr_db] = episode.snr().value;
-    info[keys_.measured] = episode.heard().measured;
+    info[keys_.too_faint] = episode.heard().too_faint;
     info[keys_.position_m] = pair_of(episode.position());
     info[keys_.source_m] = pair_of(episode.source());
     const search::EpisodeRecord& record = episode.record();
@@ -132,7 +132,7 @@ class Episodes {
   [[nodiscard]] Place position(std::size_t i) const { return pair_of(at(i).episode.position()); }
   [[nodiscard]] Place source(std::size_t i) const { return pair_of(at(i).episode.source()); }
   [[nodiscard]] double snr_db(std::size_t i) const { return at(i).episode.snr().value; }
-  [[nodiscard]] bool is_measured(std::size_t i) const { return at(i).episode.heard().measured; }
+  [[nodiscard]] bool is_too_faint(std::size_t i) const { return at(i).episode.heard().too_faint; }
   [[nodiscard]] py::dict record(std::size_t i) const { return dictionary_of(at(i).episode.record()); }
 
  private:
@@ -217,8 +217,8 @@ class FrozenPolicy {
     const std::vector<std::uint8_t> bytes = host::read_bytes(file, {"a .policy file", policy::max_serialised_size()});
     policy::PolicyFault fault{};
     if (policy::parse(bytes, *policy_, fault) == Status::kOk) return;
-    throw config_file::BadInput(file.string() + ": not a .policy of this version, or damaged (fault " +
-                                std::to_string(static_cast<int>(fault)) + ")");
+    throw host::BadInput(file.string() + ": not a .policy of this version, or damaged (fault " + std::to_string(static_cast<int>(fault)) +
+                         ")");
   }
 
   [[nodiscard]] Floats logits(const py::array_t<float, py::array::c_style | py::array::forcecast>& observations) const {
@@ -245,7 +245,7 @@ class FrozenPolicy {
 template <class Unsigned>
 Unsigned checked_count(const char* name, std::int64_t value) {
   if (value >= 0 && value <= std::numeric_limits<std::uint32_t>::max()) return static_cast<Unsigned>(value);
-  throw config_file::BadInput(std::string(name) + " = " + std::to_string(value) + ": is no such number");
+  throw host::BadInput(std::string(name) + " = " + std::to_string(value) + ": is no such number");
 }
 
 std::shared_ptr<python::World> make_world(std::filesystem::path environment, std::string state, std::int64_t remembered_steps,
@@ -302,7 +302,7 @@ void add_episodes(py::module_& module) {
       .def("position_m", &Episodes::position, py::arg("index"))
       .def("source_m", &Episodes::source, py::arg("index"))
       .def("snr_db", &Episodes::snr_db, py::arg("index"))
-      .def("is_measured", &Episodes::is_measured, py::arg("index"))
+      .def("is_too_faint", &Episodes::is_too_faint, py::arg("index"))
       .def("info", &Episodes::info, py::arg("index"))
       .def("record", &Episodes::record, py::arg("index"));
 }
@@ -310,7 +310,7 @@ void add_episodes(py::module_& module) {
 }  // namespace
 
 PYBIND11_MODULE(_core, module) {
-  py::register_exception<config_file::BadInput>(module, "BadInput", PyExc_ValueError);
+  py::register_exception<host::BadInput>(module, "BadInput", PyExc_ValueError);
   add_world(module);
   add_episodes(module);
   py::class_<FrozenPolicy>(module, "FrozenPolicy")

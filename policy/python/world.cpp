@@ -1,6 +1,6 @@
 #include "policy/python/world.hpp"
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/description/search_description.hpp"
 #include "policy/description/state.hpp"
@@ -9,7 +9,7 @@
 namespace earshot::python {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 
 /// Which of two words it is: true for the first.
 bool is_first(const char* name, const std::string& word, const char* first, const char* second) {

@@ -29,7 +29,7 @@ struct WorldArguments {
 /// A search with its ocean solved; shared by every episode that runs in it.
 class World {
  public:
-  /// Solves the ocean: a second or so. Throws config_file::BadInput.
+  /// Solves the ocean: a second or so. Throws host::BadInput.
   explicit World(const WorldArguments& arguments);
   World(const World&) = delete;
   World& operator=(const World&) = delete;

@@ -41,7 +41,7 @@ std::string bearing_in_words(NorthEast from, NorthEast to) {
 
 std::string heard_sentence(const DecisionAccount& a) {
   const std::string threshold = fixed(a.detection_threshold.value, 0) + " dB";
-  if (!a.decision.heard.measured)
+  if (a.decision.heard.too_faint)
     return "It heard nothing that could be measured: the signal lies under " + fixed(a.decision.heard.snr.value, 1) + " dB.";
   return "It heard " + fixed(a.decision.heard.snr.value, 1) + " dB, " +
          (a.decision.detected ? "a detection (threshold " + threshold + ")." : "under the threshold of " + threshold + ": no detection.");
@@ -153,7 +153,7 @@ std::string factor_in_words(double part) {
 }
 
 std::string heard_in_words(policy::Heard heard) {
-  return (heard.measured ? "" : "under ") + fixed(heard.snr.value, 1) + " dB";
+  return (heard.too_faint ? "under " : "") + fixed(heard.snr.value, 1) + " dB";
 }
 
 std::string looks_table(std::span<const explain::RecordedDecision> looks) {

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "earshot/decision_t.hpp"
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "policy/description/json_fault.hpp"
@@ -18,7 +18,7 @@
 namespace earshot::report {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 
 bool is_number(const nlohmann::json& value) {
   constexpr double kMost = 1e15;  // a double tells whole numbers apart up to there
@@ -116,7 +116,7 @@ explain::RecordedDecision decision_of(const decision_t& m) {
   return {.step = static_cast<std::uint32_t>(m.step),
           .time_s = static_cast<double>(m.utime) * 1e-6,
           .position = {Meters{m.north_m}, Meters{m.east_m}},
-          .heard = {.snr = Decibels{m.snr_db}, .measured = m.too_faint == 0},
+          .heard = {.snr = Decibels{m.snr_db}, .too_faint = m.too_faint != 0},
           .detected = m.detected != 0,
           .action = static_cast<std::uint8_t>(m.action),
           .overridden = m.overridden != 0,

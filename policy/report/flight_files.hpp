@@ -55,14 +55,14 @@ struct Flight {
 
 inline constexpr const char* kJournalName = "journal.lcmlog";  ///< in a flight's folder
 
-/// @throws config_file::BadInput naming the file when it cannot be read.
+/// @throws host::BadInput naming the file when it cannot be read.
 [[nodiscard]] JournalledSearch read_journal(const std::filesystem::path& path);
 
 /// Where a flight keeps the policy that flew it: beside its journal and named after it. Nothing when there is none.
 [[nodiscard]] std::optional<std::filesystem::path> policy_beside(const std::filesystem::path& journal);
 
 /// Reads the decisions in journal.lcmlog, and of summary.json, track.csv and snr.csv those that are there.
-/// @throws config_file::BadInput naming the journal when it is missing, or the file that cannot be read.
+/// @throws host::BadInput naming the journal when it is missing, or the file that cannot be read.
 [[nodiscard]] Flight read_flight(const std::filesystem::path& folder);
 
 /// A place in a summary: {"north_m": ..., "east_m": ...}.

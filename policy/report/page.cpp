@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/action_draw.hpp"
 #include "policy/explain/wording.hpp"
 #include "policy/report/belief_pictures.hpp"
@@ -70,7 +70,7 @@ std::string cell(std::string_view name, const std::string& value, const char* of
 std::string row(const explain::RecordedDecision& d, const std::vector<std::string>& directions) {
   std::string text = "<tr class=\"step\">" + cell("step", std::to_string(d.step)) + cell("at", duration(d.time_s)) +
                      cell("north (km)", fixed(d.position.north.value / 1e3, 2)) + cell("east (km)", fixed(d.position.east.value / 1e3, 2)) +
-                     cell("SNR (dB)", (d.heard.measured ? "" : "&lt; ") + fixed(d.heard.snr.value, 1) + (d.detected ? " &#9679;" : ""),
+                     cell("SNR (dB)", (d.heard.too_faint ? "&lt; " : "") + fixed(d.heard.snr.value, 1) + (d.detected ? " &#9679;" : ""),
                           d.detected ? "heard" : "");
   const std::vector<double> probabilities = probabilities_of(d);
   for (std::size_t a = 0; a < probabilities.size(); ++a) text += percent_cell(directions[a], probabilities[a], a == d.action);
@@ -118,7 +118,7 @@ FlightExplanation explain_flight(const std::filesystem::path& folder) try {
         {.account = account, .looks = std::span(flight.journal.decisions).first(pictures.size() + 1), .source = flight.source});
   explanation.charts = belief_svgs(pictures);
   return explanation;
-} catch (const config_file::BadInput& e) {
+} catch (const host::BadInput& e) {
   return {.why_not = e.what()};
 }
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/evaluate/policy_file.hpp"
@@ -14,8 +14,8 @@ namespace earshot::report {
 namespace {
 
 namespace fs = std::filesystem;
-using config_file::BadInput;
 using explain::RecordedDecision;
+using host::BadInput;
 
 std::string how_it_ends(const JournalledSearch& journal) {
   return journal.is_whole() ? "" : "; the journal is cut short or damaged after it";

@@ -33,10 +33,10 @@ struct RecordingOptions {
 };
 
 /// Opens the folder of a simulated flight, or a journal alone, and holds every decision against the policy, bit for bit.
-/// @throws config_file::BadInput, one line: no decision in it, a gap, no policy, another policy, or an ocean that is not known.
+/// @throws host::BadInput, one line: no decision in it, a gap, no policy, another policy, or an ocean that is not known.
 [[nodiscard]] RecordedFlight open_recording(const std::filesystem::path& folder_or_journal, const RecordingOptions& options);
 
-/// Index of the decision of a step. @throws config_file::BadInput when the flight has no such step.
+/// Index of the decision of a step. @throws host::BadInput when the flight has no such step.
 [[nodiscard]] std::size_t index_of_step(const RecordedFlight& flight, std::uint32_t step);
 
 }  // namespace earshot::report

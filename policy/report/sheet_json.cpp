@@ -18,7 +18,7 @@ ordered_json look(const explain::RecordedDecision& d) {
           {"time_s", d.time_s},
           {"position", place(d.position)},
           {"snr_db", d.heard.snr.value},
-          {"measured", d.heard.measured},
+          {"too_faint", d.heard.too_faint},
           {"detected", d.detected}};
 }
 

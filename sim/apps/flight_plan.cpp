@@ -3,14 +3,14 @@
 #include <sstream>
 #include <string>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/ocean/section.hpp"
 
 namespace earshot::simulation {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 
 search::SearchSettings settings_of(const config::Mission& mission, const ocean::Environment& environment) {
   search::SearchSettings settings;

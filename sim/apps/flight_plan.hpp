@@ -16,7 +16,7 @@ struct FlightPlan {
 };
 
 /// Reads a mission and an ocean for it, and refuses two files that are right by themselves and do not fit each other.
-/// @throws config_file::BadInput naming file and key.
+/// @throws host::BadInput naming file and key.
 [[nodiscard]] FlightPlan load_flight_plan(const std::filesystem::path& mission, const std::filesystem::path& environment);
 
 }  // namespace earshot::simulation

@@ -23,7 +23,7 @@ std::string hours_and_minutes(Duration duration) {
 
 std::string to_string(const FlightProgress& p) {
   std::string text = hours_and_minutes(p.at_sea) + " at sea, step " + std::to_string(std::min(p.steps_taken + 1, p.max_steps)) + " of " +
-                     std::to_string(p.max_steps) + ", SNR " + (p.heard.measured ? "" : "below ") + with_one_decimal(p.heard.snr.value) +
+                     std::to_string(p.max_steps) + ", SNR " + (p.heard.too_faint ? "below " : "") + with_one_decimal(p.heard.snr.value) +
                      " dB";
   if (p.believed_range) text += ", source believed " + with_one_decimal(p.believed_range->value / 1e3) + " km away";
   return text;

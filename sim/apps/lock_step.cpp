@@ -113,7 +113,7 @@ class Stepper {
                        .time = now_,
                        .navigation_messages = flight_.bus.navigation_messages(),
                        .snr = heard.snr,
-                       .snr_too_faint = !heard.measured,
+                       .snr_too_faint = heard.too_faint,
                        .command = order(reached)});
     flight_.link.observe({.time = now_,
                           .vehicle = vehicle_.position,

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::netcdf {
 
 /// What is wrong with a NetCDF file, one line: "FILE: VARIABLE: reason". Programs treat it as the bad input it is: exit status 2.
-class FileError : public config_file::BadInput {
+class FileError : public host::BadInput {
  public:
-  using config_file::BadInput::BadInput;
+  using host::BadInput::BadInput;
 };
 
 }  // namespace earshot::netcdf

@@ -149,7 +149,7 @@ FileError Reader::error(const std::string& variable, const Block& block, std::si
   return FileError(text.str());
 }
 
-void Reader::require(const std::string& variable, const Block& block, std::span<const double> values, const config_file::Range& allowed,
+void Reader::require(const std::string& variable, const Block& block, std::span<const double> values, const host::Range& allowed,
                      Missing missing) const {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (allowed.allows(values[i]) || (missing == Missing::kAllowed && std::isnan(values[i]))) continue;
@@ -157,7 +157,7 @@ void Reader::require(const std::string& variable, const Block& block, std::span<
   }
 }
 
-void Reader::require(const std::string& variable, std::span<const double> values, const config_file::Range& allowed) const {
+void Reader::require(const std::string& variable, std::span<const double> values, const host::Range& allowed) const {
   require(variable, {.start = {0}, .count = {values.size()}}, values, allowed);
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/config_file/range.hpp"
+#include "firmware/host/toml/range.hpp"
 #include "sim/netcdf/file_error.hpp"
 
 namespace earshot::netcdf {
@@ -43,10 +43,10 @@ class Reader {
 
   /// Throws "FILE: VARIABLE[0, 3, 17] = 1e+30: must be ..." for the first value of a block that is not allowed. A missing one is NaN.
   /// @param values  of the block, as read() gave them
-  void require(const std::string& variable, const Block& block, std::span<const double> values, const config_file::Range& allowed,
+  void require(const std::string& variable, const Block& block, std::span<const double> values, const host::Range& allowed,
                Missing missing = Missing::kRefused) const;
   /// The same of a whole variable of one dimension, or of none.
-  void require(const std::string& variable, std::span<const double> values, const config_file::Range& allowed) const;
+  void require(const std::string& variable, std::span<const double> values, const host::Range& allowed) const;
 
   /// An error about one value: "FILE: VARIABLE[0, 3, 17] = 1e+30: reason". @param index  in the block, row by row
   [[nodiscard]] FileError error(const std::string& variable, const Block& block, std::size_t index, double value,

@@ -11,8 +11,8 @@
 namespace earshot::ocean {
 namespace {
 
-using config_file::BadInput;
-using config_file::Range;
+using host::BadInput;
+using host::Range;
 
 constexpr double kDeepest_m = 12'000.0;
 constexpr double kHighest_m = 10'000.0;

@@ -19,7 +19,7 @@ struct Bathymetry {
 };
 
 /// @return positive down; negative on land
-/// Throws config_file::BadInput where the grid has no value.
+/// Throws host::BadInput where the grid has no value.
 /// Oracle: Bathymetry.IsBilinearBetweenItsNodes
 [[nodiscard]] Meters sea_floor_depth(const Bathymetry& bathymetry, GeoPosition position);
 
@@ -28,11 +28,11 @@ struct Bathymetry {
 [[nodiscard]] Bathymetry read_gebco(const std::filesystem::path& path, GeoPosition centre, Meters reach);
 
 /// Reads a whole grid from a CSV file with the columns latitude_deg, longitude_deg and elevation_m, one line for each node, in any order.
-/// Throws config_file::BadInput when a node is missing or there twice.
+/// Throws host::BadInput when a node is missing or there twice.
 [[nodiscard]] Bathymetry read_bathymetry_csv(const std::filesystem::path& path, GeoPosition centre);
 
 /// Reads a section from a CSV file with the columns range_m (increasing) and depth_m (0 on the shore, which only the last may be).
-/// Throws config_file::BadInput when it is not that.
+/// Throws host::BadInput when it is not that.
 [[nodiscard]] std::vector<SeaFloorStation> read_section_csv(const std::filesystem::path& path);
 
 }  // namespace earshot::ocean

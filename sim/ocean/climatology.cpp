@@ -24,7 +24,7 @@ struct Field {
 std::vector<double> read_depth(const netcdf::Reader& file) {
   require_units(file, "depth", {"m", "meters", "meter", "metres", "metre"});
   std::vector<double> depth_m = file.read("depth");
-  file.require("depth", depth_m, config_file::Range::between(0.0, kDeepest_m));
+  file.require("depth", depth_m, host::Range::between(0.0, kDeepest_m));
   if (depth_m.empty() || depth_m.front() != 0.0) throw file.error("depth", "must begin at 0");
   for (std::size_t i = 1; i < depth_m.size(); ++i) {
     if (!(depth_m[i] > depth_m[i - 1])) throw file.error("depth", "must increase throughout (positive down)");
@@ -112,7 +112,7 @@ std::vector<SeaWater> levels_at(const Climatology& climatology, GeoPosition posi
   std::ostringstream text;
   text << climatology.file << ": no water at latitude " << position.latitude_deg << ", longitude " << position.longitude_deg
        << (cell ? "" : " (outside the file or the reach_km that was read)");
-  throw config_file::BadInput(text.str());
+  throw host::BadInput(text.str());
 }
 
 }  // namespace

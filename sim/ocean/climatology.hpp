@@ -36,7 +36,7 @@ struct WorldOceanAtlas {
 ///
 /// Temperature and salinity are bilinear between the four nodes about it at each depth of the grid; a node that is on land or below the sea
 /// floor there is left out and the others' weights are scaled up. The profile ends where no node has data; from there down to 12 km the
-/// deepest temperature and salinity are kept and pressure alone raises the sound speed. Throws config_file::BadInput where there is no
+/// deepest temperature and salinity are kept and pressure alone raises the sound speed. Throws host::BadInput where there is no
 /// water; data_end_at says where that begins. Oracle: Climatology.*
 [[nodiscard]] TabulatedProfile profile_at(const Climatology& climatology, GeoPosition position, SoundSpeedFormula formula);
 

@@ -13,7 +13,7 @@
 namespace earshot::ocean {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 
 std::string trimmed(const std::string& text) {
   const char* const blank = " \t\r\"";
@@ -93,7 +93,7 @@ BadInput CsvTable::error(std::size_t row, std::string_view column, const std::st
   return BadInput(text.str());
 }
 
-void CsvTable::check(std::string_view column, config_file::Range allowed) const {
+void CsvTable::check(std::string_view column, host::Range allowed) const {
   const std::vector<double>& values = this->column(column);
   const auto outside = std::find_if(values.begin(), values.end(), [&](double x) { return !allowed.allows(x); });
   if (outside != values.end()) throw error(static_cast<std::size_t>(outside - values.begin()), column, to_string(allowed));

@@ -6,8 +6,8 @@
 namespace earshot::ocean {
 namespace {
 
-using config_file::Range;
-using config_file::TableReader;
+using host::Range;
+using host::TableReader;
 
 constexpr double kMostDecibels = 100.0;  // more than any sound in the sea differs from another
 constexpr double kFastest_mps = 20.0;    // of anything that swims

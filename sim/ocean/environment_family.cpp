@@ -8,8 +8,8 @@
 namespace earshot::ocean {
 namespace {
 
-using config_file::Range;
-using config_file::TableReader;
+using host::Range;
+using host::TableReader;
 
 std::optional<Bounds> read_bounds(TableReader& table, std::string_view key, Range range) {
   if (!table.has(key)) return std::nullopt;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/environment.hpp"
 
 namespace earshot::ocean {
@@ -28,7 +28,7 @@ struct Family {
 };
 
 /// The table [family] of an environment file.
-[[nodiscard]] Family read_family(config_file::TableReader table);
+[[nodiscard]] Family read_family(host::TableReader table);
 
 /// The members. @param own  with a Munk profile whose axis is deeper than 0, the same everywhere
 [[nodiscard]] std::vector<Environment> draw_family(const Environment& own, const Family& family);

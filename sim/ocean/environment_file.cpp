@@ -14,9 +14,9 @@
 #include <variant>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/file/file_checksum.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/charts.hpp"
 #include "sim/ocean/environment_conditions.hpp"
 #include "sim/ocean/environment_family.hpp"
@@ -28,9 +28,9 @@
 namespace earshot::ocean {
 namespace {
 
-using config_file::BadInput;
-using config_file::Range;
-using config_file::TableReader;
+using host::BadInput;
+using host::Range;
+using host::TableReader;
 
 constexpr double kMaxDepth_m = 12'000.0;  // deeper than any ocean: whoever exceeds it has mistaken the unit
 
@@ -93,7 +93,7 @@ GeoPosition read_origin(TableReader table) {
           .longitude_deg = table.number("longitude_deg", Range::between(-180.0, 180.0))};
 }
 
-BathymetryKeys read_bathymetry(const config_file::File& file, TableReader table) {
+BathymetryKeys read_bathymetry(const host::TomlFile& file, TableReader table) {
   BathymetryKeys keys{.layout = static_cast<BathymetryLayout>(table.choice("layout", {"section_csv", "grid_csv", "gebco"})),
                       .file = file.resolve(table.text("file")),
                       .reach = {}};
@@ -132,7 +132,7 @@ Family read_own_family(TableReader table, const Keys& keys) {
 }
 
 /// What a search meets besides this one ocean.
-void read_search_keys(const config_file::File& file, TableReader& root, Keys& keys) {
+void read_search_keys(const host::TomlFile& file, TableReader& root, Keys& keys) {
   if (const auto conditions = root.optional_table("conditions")) keys.conditions = read_conditions(*conditions);
   if (const auto family = root.optional_table("family")) keys.family = read_own_family(*family, keys);
   if (root.has("oceans")) {
@@ -144,7 +144,7 @@ void read_search_keys(const config_file::File& file, TableReader& root, Keys& ke
   }
 }
 
-Keys read_keys(const config_file::File& file) {
+Keys read_keys(const host::TomlFile& file) {
   TableReader root = file.root();
   TableReader source = root.table("source");
   TableReader water = root.table("water");
@@ -274,13 +274,13 @@ Environment own_ocean(const std::filesystem::path& path, const Keys& keys) {
 }  // namespace
 
 Environment load_environment(const std::filesystem::path& path) {
-  const Keys keys = read_keys(config_file::File(path));
+  const Keys keys = read_keys(host::TomlFile(path));
   Environment environment = own_ocean(path, keys);
   if (keys.family) environment.other_oceans = draw_family(environment, *keys.family);
   if (std::filesystem::exists(keys.field_library))  // whoever needs it says when it is not there
     environment.file_crc32 = host::crc32_of_file(keys.field_library, environment.file_crc32);
   for (const std::filesystem::path& other : keys.other_oceans) {
-    const Keys its_keys = read_keys(config_file::File(other));
+    const Keys its_keys = read_keys(host::TomlFile(other));
     if (!its_keys.is_one_ocean()) throw BadInput(path.string() + ": oceans: " + other.string() + ": must be one ocean without conditions");
     environment.other_oceans.push_back(own_ocean(other, its_keys));
     environment.file_crc32 = crc32_of(environment.other_oceans.back().file_crc32, environment.file_crc32);

@@ -8,7 +8,7 @@ namespace earshot::ocean {
 
 /// Reads an environment from a TOML file; `sim/ocean/environments/munk_flat.toml` shows and explains every key.
 ///
-/// Throws config_file::BadInput with everything that is wrong with the file, one line each.
+/// Throws host::BadInput with everything that is wrong with the file, one line each.
 /// Oracle: EnvironmentFile.*
 [[nodiscard]] Environment load_environment(const std::filesystem::path& path);
 

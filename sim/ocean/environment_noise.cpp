@@ -9,8 +9,8 @@
 namespace earshot::ocean {
 namespace {
 
-using config_file::Range;
-using config_file::TableReader;
+using host::Range;
+using host::TableReader;
 
 constexpr Range kFrequency_hz = {1.0, 100'000.0, Range::Lower::kAtLeast};
 

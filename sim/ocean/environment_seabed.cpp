@@ -8,8 +8,8 @@
 namespace earshot::ocean {
 namespace {
 
-using config_file::Range;
-using config_file::TableReader;
+using host::Range;
+using host::TableReader;
 
 constexpr double kMaxDepth_m = 12'000.0;  // deeper than any ocean: whoever exceeds it has mistaken the unit
 

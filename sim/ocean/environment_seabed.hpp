@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/environment.hpp"
 
 namespace earshot::ocean {
@@ -15,6 +15,6 @@ struct SeabedKeys {
 };
 
 /// The table [seabed] of an environment file.
-[[nodiscard]] SeabedKeys read_seabed(config_file::TableReader table, SeaFloorDepth depth);
+[[nodiscard]] SeabedKeys read_seabed(host::TableReader table, SeaFloorDepth depth);
 
 }  // namespace earshot::ocean

@@ -9,8 +9,8 @@
 namespace earshot::ocean {
 namespace {
 
-using config_file::Range;
-using config_file::TableReader;
+using host::Range;
+using host::TableReader;
 
 constexpr double kMaxDepth_m = 12'000.0;
 constexpr Range kSoundSpeed = {100.0, 10'000.0, Range::Lower::kAtLeast};
@@ -60,7 +60,7 @@ SoundSpeedFormula read_formula(TableReader& table) {
 
 }  // namespace
 
-WaterKeys read_water(const config_file::File& file, TableReader table) {
+WaterKeys read_water(const host::TomlFile& file, TableReader table) {
   WaterKeys keys;
   switch (table.choice("profile", {"munk", "table", "csv", "woa"})) {
     case 1:

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/climatology.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/ocean/water_profile.hpp"
@@ -24,9 +24,9 @@ struct WaterKeys {
 };
 
 /// The table [water] of an environment file.
-[[nodiscard]] WaterKeys read_water(const config_file::File& file, config_file::TableReader table);
+[[nodiscard]] WaterKeys read_water(const host::TomlFile& file, host::TableReader table);
 
 /// Sound absorption after the table [absorption], dB/km.
-[[nodiscard]] double read_absorption(config_file::TableReader table, Hertz frequency);
+[[nodiscard]] double read_absorption(host::TableReader table, Hertz frequency);
 
 }  // namespace earshot::ocean

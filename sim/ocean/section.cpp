@@ -70,7 +70,7 @@ void take_sea_floor(Section& section, const Bathymetry& chart, const Radial& rad
       std::ostringstream text;
       text << chart.file << ": latitude " << radial.from.latitude_deg << ", longitude " << radial.from.longitude_deg << " is on land, "
            << -depth.value << " m above the sea surface; a radial must begin in the water";
-      throw config_file::BadInput(text.str());
+      throw host::BadInput(text.str());
     }
     const SeaFloorStation& last = section.sea_floor.back();
     section.shore = mix(last.range, range, last.depth / (last.depth - depth));

@@ -60,7 +60,7 @@ struct Section {
 ///
 /// @param bearing    clockwise from north
 /// @param max_range  > 0
-/// Throws config_file::BadInput where a chart has no data, or where `from` is on land.
+/// Throws host::BadInput where a chart has no data, or where `from` is on land.
 /// Oracle: SectionAlong.*
 [[nodiscard]] Section section_along(const Environment& environment, NorthEast from, Radians bearing, Meters max_range);
 

@@ -8,7 +8,7 @@
 namespace earshot::ocean {
 namespace {
 
-using config_file::Range;
+using host::Range;
 
 std::vector<double> read_sound_speed(const CsvTable& table, Radians latitude, SoundSpeedFormula formula) {
   if (table.has("sound_speed_mps")) {

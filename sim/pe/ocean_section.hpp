@@ -12,7 +12,7 @@ namespace earshot::pe {
 [[nodiscard]] Section make_section(const ocean::Section& radial, double water_attenuation_db_per_km);
 
 /// The radial of `bearing` (clockwise from north) from the environment's source.
-/// Throws config_file::BadInput as ocean::section_along does.
+/// Throws host::BadInput as ocean::section_along does.
 [[nodiscard]] Section make_section(const ocean::Environment& environment, Radians bearing, Meters max_range);
 
 }  // namespace earshot::pe

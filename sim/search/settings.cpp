@@ -62,7 +62,7 @@ Status check(const SearchSettings& s) {
 }
 
 bool is_detection(const SearchSettings& s, policy::Heard heard) {
-  return heard.measured && detector::ThresholdDetector{s.detection_threshold}.detects(heard.snr);
+  return !heard.too_faint && detector::ThresholdDetector{s.detection_threshold}.detects(heard.snr);
 }
 
 double step_reward(const SearchSettings& s, NorthEast position, policy::Heard heard) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/sonar/field_library.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
@@ -62,7 +62,7 @@ sonar::Fan fan_of_one_depth(const sonar::Fan& fan, std::size_t depth) {
 
 /// The fans of the environment's library, of the vehicle's depth alone.
 std::vector<SnrFan> fans_of(const ocean::Environment& environment, Meters vehicle_depth, Meters furthest) {
-  const auto refused = [&](const std::string& what) { return config_file::BadInput(environment.field_library.string() + ": " + what); };
+  const auto refused = [&](const std::string& what) { return host::BadInput(environment.field_library.string() + ": " + what); };
   const sonar::FieldLibrary library(environment.field_library);
   if (library.centre() != sonar::Centre::kSource) throw refused("must have the source, not the hydrophone, at its positions");
   const ocean::Source& source = environment.source;

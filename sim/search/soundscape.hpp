@@ -48,7 +48,7 @@ class Soundscape {
 /// The soundscape of an environment: itself and its other oceans, or its field library.
 ///
 /// @param furthest  range that can be looked up
-/// Throws as compute_snr_curve does, also for the other oceans; config_file::BadInput when the library does not reach as far, has no field
+/// Throws as compute_snr_curve does, also for the other oceans; host::BadInput when the library does not reach as far, has no field
 /// at that depth, or is of a source at another depth or frequency than the environment's.
 [[nodiscard]] Soundscape soundscape_of(const ocean::Environment& environment, Meters vehicle_depth, Meters furthest);
 

@@ -90,7 +90,7 @@ policy::Heard Surroundings::listen(const SearchWorld& world, NorthEast vehicle) 
     if (fluctuation_.value > 0.0) snr += normal() * fluctuation_;
     if (!c.calls || has_called(*c.calls, source)) loudest = std::max(loudest, snr);
   }
-  if (c.floor && !(loudest >= *c.floor)) return {.snr = *c.floor, .measured = false};
+  if (c.floor && !(loudest >= *c.floor)) return {.snr = *c.floor, .too_faint = true};
   return {.snr = loudest};
 }
 

@@ -12,7 +12,7 @@
 namespace earshot::sonar {
 namespace {
 
-using config_file::Range;
+using host::Range;
 
 constexpr double kMostBytes = 2147483648.0;
 

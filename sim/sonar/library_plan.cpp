@@ -5,8 +5,8 @@
 #include <functional>
 #include <sstream>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/file_checksum.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/charts.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/ocean/section.hpp"
@@ -14,8 +14,8 @@
 namespace earshot::sonar {
 namespace {
 
-using config_file::Range;
-using config_file::TableReader;
+using host::Range;
+using host::TableReader;
 
 constexpr std::size_t kMostPositions = 1'000'000;
 
@@ -89,7 +89,7 @@ void require_depths_in_water(const std::filesystem::path& path, const LibraryPla
   std::ostringstream text;
   text << path.string() << ": " << (plan.centre == Centre::kSource ? "receiver_depth_m" : "source_depth_m") << " = "
        << radial.depth_m.back() << ": must not exceed the depth of the sea floor, " << floor_m << " m";
-  throw config_file::BadInput(text.str());
+  throw host::BadInput(text.str());
 }
 
 constexpr std::size_t kBearingsLookedAt = 8;
@@ -113,7 +113,7 @@ void require_on_chart(const LibraryPlan& plan, NorthEast position) {
 }  // namespace
 
 LibraryPlan load_library_plan(const std::filesystem::path& path) {
-  const config_file::File file(path);
+  const host::TomlFile file(path);
   TableReader root = file.root();
   LibraryPlan plan{
       .name = root.text("name"),
@@ -142,7 +142,7 @@ std::vector<bool> positions_in_water(const LibraryPlan& plan) {
     if (in_water.back() && differs_with_place(plan.environment)) require_on_chart(plan, position);
   }
   if (std::ranges::find(in_water, true) == in_water.end())
-    throw config_file::BadInput(plan.name + ": every position is on land or too shallow for the depth in its centre");
+    throw host::BadInput(plan.name + ": every position is on land or too shallow for the depth in its centre");
   return in_water;
 }
 

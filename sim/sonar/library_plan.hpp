@@ -33,13 +33,13 @@ struct LibraryPlan {
 
 /// Reads a library's TOML file; README.md lists its keys. The environment that it names is read too.
 ///
-/// Throws config_file::BadInput with what is wrong, one line each.
+/// Throws host::BadInput with what is wrong, one line each.
 /// Oracle: LibraryPlan.*
 [[nodiscard]] LibraryPlan load_library_plan(const std::filesystem::path& path);
 
 /// Whether the march can begin, for each position: not on land, and the sea floor lies below its depth.
 ///
-/// Throws config_file::BadInput for a position off the chart, for one whose radials leave it (looked for on eight bearings), and when no
+/// Throws host::BadInput for a position off the chart, for one whose radials leave it (looked for on eight bearings), and when no
 /// position is in the water.
 [[nodiscard]] std::vector<bool> positions_in_water(const LibraryPlan& plan);
 

@@ -69,7 +69,7 @@ struct RadialLoss {
 
 /// Fills `loss` for the radial of `bearing` (clockwise from north) from `from`. May be called from many threads.
 ///
-/// Throws config_file::BadInput where a chart has no data, std::invalid_argument where the solver cannot serve, std::runtime_error
+/// Throws host::BadInput where a chart has no data, std::invalid_argument where the solver cannot serve, std::runtime_error
 /// where its sound is not a finite number.
 /// Oracle: Radial.*
 void compute_radial(const ocean::Environment& environment, NorthEast from, Radians bearing, const RadialPlan& plan, const RadialLoss& loss,

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/core/crc32.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "firmware/wire/journal/input_record.hpp"
@@ -19,7 +19,7 @@
 namespace earshot::board {
 namespace {
 
-using config_file::BadInput;
+using host::BadInput;
 
 std::unique_ptr<runtime::Runtime> runtime_at_the_beginning(host::JournalReader& journal, const std::filesystem::path& path) {
   const auto refuse = [&path](const char* what) -> BadInput { return BadInput(path.string() + ": cannot be replayed: " + what); };

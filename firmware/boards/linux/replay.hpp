@@ -30,7 +30,7 @@ struct ReplayResult {
 
 /// Gives a fresh runtime the inputs of a journal again and compares every output with what stands in it. The journal alone is needed: it
 /// begins with the mission and the policy.
-/// @throws std::system_error when it cannot be read, config_file::BadInput when it does not begin so or its policy is damaged.
+/// @throws std::system_error when it cannot be read, host::BadInput when it does not begin so or its policy is damaged.
 [[nodiscard]] ReplayResult replay(const std::filesystem::path& journal);
 
 }  // namespace earshot::board

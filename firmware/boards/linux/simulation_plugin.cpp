@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::board {
 namespace {
@@ -21,8 +21,8 @@ fs::path library_path() {
     std::error_code error;
     if (fs::exists(folder / kSimulationLibrary, error)) return folder / kSimulationLibrary;
   }
-  throw config_file::BadInput("--simulation: there is no " + std::string(kSimulationLibrary) + " in " + beside.string() +
-                              " or its ../lib/earshot: the simulation is not installed here");
+  throw host::BadInput("--simulation: there is no " + std::string(kSimulationLibrary) + " in " + beside.string() +
+                       " or its ../lib/earshot: the simulation is not installed here");
 }
 
 }  // namespace
@@ -31,12 +31,12 @@ Simulation open_simulation(const SimulationOptions& options) {
   const fs::path path = library_path();
   // Never closed: what it made lives to the end of the program.
   void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) throw config_file::BadInput(path.string() + ": " + ::dlerror());
+  if (library == nullptr) throw host::BadInput(path.string() + ": " + ::dlerror());
   const auto open = reinterpret_cast<OpenSimulation>(::dlsym(library, kOpenSimulationSymbol));
-  if (open == nullptr) throw config_file::BadInput(path.string() + ": is not Earshot's simulation library");
+  if (open == nullptr) throw host::BadInput(path.string() + ": is not Earshot's simulation library");
   std::array<char, 256> error{};
   const std::unique_ptr<Simulation> simulation(open(options, error.data(), error.size()));
-  if (simulation == nullptr) throw config_file::BadInput("--simulation " + std::to_string(options.domain) + ": " + error.data());
+  if (simulation == nullptr) throw host::BadInput("--simulation " + std::to_string(options.domain) + ": " + error.data());
   return {.clock = std::move(simulation->clock), .port = std::move(simulation->port)};
 }
 

@@ -31,7 +31,7 @@ using OpenSimulation = Simulation* (*)(const SimulationOptions& options, char* e
 inline constexpr const char* kOpenSimulationSymbol = "earshot_open_simulation";
 inline constexpr const char* kSimulationLibrary = "libearshot-simulation.so";
 
-/// @throws config_file::BadInput when the library is not beside the program (or in ../lib/earshot from there), or cannot be used.
+/// @throws host::BadInput when the library is not beside the program (or in ../lib/earshot from there), or cannot be used.
 [[nodiscard]] Simulation open_simulation(const SimulationOptions& options);
 
 }  // namespace earshot::board

@@ -8,15 +8,12 @@
 #include <system_error>
 
 #include "firmware/config/capacities.hpp"
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
 
 namespace earshot::host {
 namespace {
-
-using config_file::Range;
-using config_file::TableReader;
 
 constexpr double kFarthest_m = 1e6;    // of a local plane
 constexpr double kDeepest_m = 11'000;  // of any ocean
@@ -141,8 +138,8 @@ void check_together(TableReader area, TableReader limits, const config::Mission&
 void require_named(const std::filesystem::path& path, const std::string& named_at, const char* option) {
   std::error_code error;
   if (named_at.empty() || std::filesystem::exists(path, error)) return;
-  throw config_file::BadInput(named_at + ": " + printable(std::filesystem::absolute(path).lexically_normal().string()) +
-                              ": no such file; relative paths are relative to the mission's folder, " + option + " names another");
+  throw BadInput(named_at + ": " + printable(std::filesystem::absolute(path).lexically_normal().string()) +
+                 ": no such file; relative paths are relative to the mission's folder, " + option + " names another");
 }
 
 }  // namespace
@@ -153,7 +150,7 @@ void require_named_files(const MissionFile& file) {
 }
 
 MissionFile load_mission(const std::filesystem::path& path) {
-  const config_file::File toml{path};
+  const TomlFile toml{path};
   TableReader root = toml.root();
   MissionFile file;
   file.step_period = seconds(root.number_or("step_period_s", 1.0, Range::between(0.1, 1.0)));
@@ -196,8 +193,8 @@ std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind) {
 void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path) {
   for (const Role role : {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot}) {
     if (has_port_for(file, role)) continue;
-    throw config_file::BadInput(path.string() + ": port: no port has the role \"" + kRoleWords[static_cast<std::size_t>(role)] +
-                                "\", without which a mission cannot be flown at sea");
+    throw BadInput(path.string() + ": port: no port has the role \"" + kRoleWords[static_cast<std::size_t>(role)] +
+                   "\", without which a mission cannot be flown at sea");
   }
 }
 

@@ -26,10 +26,10 @@ struct MissionFile {
   std::string public_key_named_at;  ///< the same
 };
 
-/// @throws config_file::BadInput with everything that is wrong with the file.
+/// @throws host::BadInput with everything that is wrong with the file.
 [[nodiscard]] MissionFile load_mission(const std::filesystem::path& path);
 
-/// @throws config_file::BadInput with the mission's line and the path that was tried, when the policy or the key is not there that the
+/// @throws host::BadInput with the mission's line and the path that was tried, when the policy or the key is not there that the
 /// mission names. Apart from load_mission, because a command line may name others.
 void require_named_files(const MissionFile& file);
 
@@ -45,7 +45,7 @@ void override_ports(MissionFile& file, const PortOverride& said);
 /// The addresses of all ports of one kind, each once.
 [[nodiscard]] std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind);
 
-/// @throws config_file::BadInput when a mission on its own, with no simulator, has no port for a role without which it cannot be flown.
+/// @throws host::BadInput when a mission on its own, with no simulator, has no port for a role without which it cannot be flown.
 void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path);
 
 }  // namespace earshot::host

@@ -13,13 +13,12 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::host {
 namespace {
 
-using config_file::BadInput;
 using Bytes = std::vector<std::uint8_t>;
 using PublicKey = std::array<std::uint8_t, policy::kPublicKeySize>;
 

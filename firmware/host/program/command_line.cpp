@@ -16,8 +16,6 @@
 namespace earshot::program {
 namespace {
 
-using host::BadInput;
-
 std::string joined(const std::vector<std::string>& words, const char* between) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : between) + word;

@@ -11,7 +11,7 @@ Place = tuple[float, float]
 class Info(TypedDict, total=False):
     snr_db: float
     """As heard; where it was too faint to measure, the least that could have been."""
-    measured: bool
+    too_faint: bool
     position_m: Place
     source_m: Place
     found: bool
@@ -86,7 +86,7 @@ class Episodes:
     def source_m(self, index: int) -> Place: ...
     def snr_db(self, index: int) -> float:
         """As heard; where it was too faint to measure, the least that could have been."""
-    def is_measured(self, index: int) -> bool: ...
+    def is_too_faint(self, index: int) -> bool: ...
     def info(self, index: int) -> Info: ...
     def record(self, index: int) -> dict[str, float]:
         """reward (sum so far), steps, detections (steps with SNR at or over the threshold), found"""

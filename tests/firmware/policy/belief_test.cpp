@@ -50,7 +50,7 @@ class BeliefTest : public testing::Test {
  protected:
   void hear(const BeliefModel& model, NorthEast place, double snr_db) { belief->update(model, place, {.snr = Decibels{snr_db}}); }
   void hear_nothing(const BeliefModel& model, NorthEast place, double floor_db) {
-    belief->update(model, place, {.snr = Decibels{floor_db}, .measured = false});
+    belief->update(model, place, {.snr = Decibels{floor_db}, .too_faint = true});
   }
   [[nodiscard]] double probability_at(const BeliefModel& model, NorthEast place) const {
     return double{belief->probability(model, static_cast<std::size_t>(place.north.value / 500.0),
@@ -84,8 +84,8 @@ std::vector<long double> by_hand(const std::vector<std::pair<NorthEast, Heard>>&
         const long double z = (static_cast<long double>(heard.snr.value) - expected) / sigma;
         const long double density = std::exp(-0.5L * z * z) / (sigma * std::sqrt(2.0L * std::numbers::pi_v<long double>));
         const long double below = 0.5L * std::erfc(-z / std::sqrt(2.0L));
-        p *= heard.measured ? (1.0L - silent) * ((1.0L - outlier) * density + outlier / 80.0L)
-                            : silent + (1.0L - silent) * ((1.0L - outlier) * below + outlier * 0.5L);
+        p *= !heard.too_faint ? (1.0L - silent) * ((1.0L - outlier) * density + outlier / 80.0L)
+                              : silent + (1.0L - silent) * ((1.0L - outlier) * below + outlier * 0.5L);
       }
       joint[h * 1600 + i] = p;
       total += p;
@@ -102,7 +102,7 @@ TEST_F(BeliefTest, IsWhatBayesRuleGivesByHand) {
   // From outside the area, so that no look rules a place out by having been there.
   const std::vector<std::pair<NorthEast, Heard>> looks = {{at(-2'000, 3'000), {.snr = Decibels{21.0}}},
                                                           {at(-2'000, 9'000), {.snr = Decibels{17.5}}},
-                                                          {at(5'000, -2'000), {.snr = Decibels{15.0}, .measured = false}},
+                                                          {at(5'000, -2'000), {.snr = Decibels{15.0}, .too_faint = true}},
                                                           {at(21'000, 21'000), {.snr = Decibels{9.0}}}};
   belief->start(model);
   for (const auto& [place, heard] : looks) belief->update(model, place, heard);
@@ -219,7 +219,7 @@ TEST_F(BeliefTest, HasTheSameBitsOnEveryMachine) {
   for (int i = 0; i < 50; ++i) {
     const double north_m = 20'000 * random.uniform_double();  // one after the other: arguments are drawn in any order
     const double east_m = 20'000 * random.uniform_double();
-    belief->update(model, at(north_m, east_m), {.snr = Decibels{30.0 * random.uniform_double()}, .measured = i % 5 != 0});
+    belief->update(model, at(north_m, east_m), {.snr = Decibels{30.0 * random.uniform_double()}, .too_faint = i % 5 == 0});
   }
   std::vector<float> all;
   for (std::size_t i = 0; i < 1600; ++i) all.push_back(belief->probability(model, i / 40, i % 40));

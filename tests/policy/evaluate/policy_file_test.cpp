@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/freeze/freeze.hpp"
 #include "sim/ocean/environment_file.hpp"
@@ -27,7 +27,7 @@ std::string fault_of(const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
   try {
     (void)load_policy(path);
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     return e.what();
   }
   return "accepted";
@@ -49,7 +49,7 @@ TEST(PolicyFile, NamesAMissingFile) {
   try {
     (void)load_policy("/nowhere/a.policy");
     FAIL();
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     EXPECT_STREQ(e.what(), "/nowhere/a.policy: no such file");
   }
 }

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/search/soundscape.hpp"
 
 namespace earshot::evaluate {
@@ -72,7 +72,7 @@ class WorldFile : public testing::Test {
   std::string complaint(const std::string& text) {
     try {
       (void)load(text);
-    } catch (const config_file::BadInput& e) {
+    } catch (const host::BadInput& e) {
       return e.what();
     }
     return "";
@@ -96,7 +96,7 @@ TEST_F(WorldFile, IsRefusedWithWhatIsWrong) {
 }
 
 TEST_F(WorldFile, IsLookedForInAFolderThatHasSome) {
-  EXPECT_THROW((void)worlds_in("/nowhere"), config_file::BadInput);
+  EXPECT_THROW((void)worlds_in("/nowhere"), host::BadInput);
 }
 
 }  // namespace

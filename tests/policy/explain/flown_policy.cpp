@@ -17,7 +17,7 @@ sonar::SnrCurve falling() {
 }
 
 policy::Heard hear(Decibels snr) {
-  return snr < kFloor ? policy::Heard{.snr = kFloor, .measured = false} : policy::Heard{.snr = snr};
+  return snr < kFloor ? policy::Heard{.snr = kFloor, .too_faint = true} : policy::Heard{.snr = snr};
 }
 
 std::unique_ptr<policy::FrozenPolicy> with_random_network(const policy::ObservationModel& observation, std::uint64_t seed) {
@@ -60,7 +60,7 @@ std::vector<RecordedDecision> flown(const policy::FrozenPolicy& policy, std::siz
     d.time_s = 500.0 * static_cast<double>(i);
     d.position = south_west + place;
     d.heard = hear(curve.at(range_between(place, source)));
-    d.detected = d.heard.measured && d.heard.snr >= policy.detection_threshold;
+    d.detected = !d.heard.too_faint && d.heard.snr >= policy.detection_threshold;
     i == 0 ? memory->start(policy.observation, d.position - south_west, d.heard)
            : memory->remember(policy.observation, d.position - south_west, d.heard);
     d.observation.resize(policy.observation.spec.size());

@@ -17,7 +17,7 @@ namespace earshot::freeze::test {
 /// Every entry of a zip archive.
 [[nodiscard]] std::map<std::string, std::string> unzipped(const std::string& archive);
 
-/// What `action` threw, which must be config_file::BadInput; "" when it threw nothing.
+/// What `action` threw, which must be host::BadInput; "" when it threw nothing.
 template <class Action>
 [[nodiscard]] std::string refusal(Action action);
 
@@ -26,14 +26,14 @@ template <class Action>
 
 }  // namespace earshot::freeze::test
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 template <class Action>
 std::string earshot::freeze::test::refusal(Action action) {
   try {
     action();
     return "";
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     return e.what();
   }
 }

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/network.hpp"
 
 namespace earshot::freeze {
@@ -65,7 +65,7 @@ TEST(Freeze, KeepsWhatThePolicySeesDoesAndComesFrom) {
 TEST(Freeze, RefusesProvenanceThatAPolicyCannotHold) {
   ppo::Checkpoint checkpoint = made_up_checkpoint();
   checkpoint.provenance.emplace_back("story", std::string(config::kMaxProvenance, 'x'));
-  EXPECT_THROW((void)freeze(checkpoint, policy::ActionDraw::kSampled), config_file::BadInput);
+  EXPECT_THROW((void)freeze(checkpoint, policy::ActionDraw::kSampled), host::BadInput);
 }
 
 TEST(Sign, MakesBytesThatTheVehicleParses) {
@@ -104,7 +104,7 @@ TEST(Keys, SurviveTheirText) {
 TEST(Keys, AreRefusedUnlessOneLineOfSixtyFourDigits) {
   const std::string whole = to_text(make_key());
   for (const std::string& bad : {std::string(), whole.substr(2), whole + "00", "g" + whole.substr(1), std::string(64, ' ')}) {
-    EXPECT_THROW((void)secret_key_from(bad, "k"), config_file::BadInput) << bad;
+    EXPECT_THROW((void)secret_key_from(bad, "k"), host::BadInput) << bad;
   }
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/core/random.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/search_description.hpp"
 #include "policy/freeze/freeze.hpp"
 #include "policy/freeze/model_file.hpp"
@@ -53,7 +53,7 @@ bool is_frozen(const std::string& bytes, const std::string& file) {
     if (!actor.search) return false;
     (void)freeze(actor, description::from_text(*actor.search), policy::ActionDraw::kArgmax);
     return true;
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     const std::string said = e.what();
     EXPECT_FALSE(said.empty());
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;

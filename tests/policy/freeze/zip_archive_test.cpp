@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "tests/policy/freeze/bytes.hpp"
 
 namespace earshot::freeze {

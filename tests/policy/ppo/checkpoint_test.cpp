@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/core/crc32.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -31,7 +31,7 @@ Checkpoint made_up() {
 std::string refusal(const std::string& text) {
   try {
     (void)from_text(text, "a.checkpoint");
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     return e.what();
   }
   return "accepted";

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -22,7 +22,7 @@ std::string written(const std::string& text) {
 std::string complaint_of(const std::string& path) {
   try {
     (void)load_run(path);
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     return e.what();
   }
   ADD_FAILURE() << path << " was taken";
@@ -147,7 +147,7 @@ TEST(TrainingRun, DescribesNumbersSoThatTheyReadBackTheSame) {
 }
 
 TEST(TrainingRun, RefusesABorderThatLeavesNoRoomToStartIn) {
-  EXPECT_THROW((void)load_run(written("[search]\nstart = \"inside_border\"\nborder_width_m = 12500.0\n")), config_file::BadInput);
+  EXPECT_THROW((void)load_run(written("[search]\nstart = \"inside_border\"\nborder_width_m = 12500.0\n")), host::BadInput);
 }
 
 }  // namespace

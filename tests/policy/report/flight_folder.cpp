@@ -21,7 +21,7 @@ decision_t message_of(const explain::RecordedDecision& d) {
   m.north_m = d.position.north.value;
   m.east_m = d.position.east.value;
   m.snr_db = d.heard.snr.value;
-  m.too_faint = d.heard.measured ? 0 : 1;
+  m.too_faint = d.heard.too_faint ? 1 : 0;
   m.detected = d.detected ? 1 : 0;
   m.action = static_cast<std::int8_t>(d.action);
   m.overridden = d.overridden ? 1 : 0;

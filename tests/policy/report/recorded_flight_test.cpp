@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
 #include "tests/support/signed_policy.hpp"
@@ -31,7 +31,7 @@ class RecordedFlightTest : public testing::Test {
   [[nodiscard]] static std::string refusal(const fs::path& recording, const RecordingOptions& options = {}) {
     try {
       (void)open_recording(recording, options);
-    } catch (const config_file::BadInput& e) {
+    } catch (const host::BadInput& e) {
       EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << "more than one line";
       return e.what();
     }
@@ -84,7 +84,7 @@ TEST_F(RecordedFlightTest, SaysWhereAJournalCutShortEndsAndKeepsWhatIsWhole) {
   try {
     (void)index_of_step(flight, 4);
     FAIL() << "step 4 is cut off";
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     expect_said(e.what(), {"--step 4", "step 3", "cut short"});
   }
 }
@@ -95,7 +95,7 @@ TEST_F(RecordedFlightTest, RefusesAStepBeyondTheFlight) {
   try {
     (void)index_of_step(flight, 5);
     FAIL() << "there is no step 5";
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     expect_said(e.what(), {"--step 5", "ends with the decision of step 4"});
     EXPECT_EQ(std::string(e.what()).find("cut"), std::string::npos);
   }

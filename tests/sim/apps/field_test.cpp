@@ -1,4 +1,4 @@
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "tests/sim/apps/field_program.hpp"
 #include "tests/sim/ocean/chart_files.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"

@@ -18,7 +18,7 @@ TEST(FlightProgress, TellsNoRangeWithoutABeliefAndNoSnrThatWasNotMeasured) {
   const FlightProgress progress{.at_sea = Duration::seconds(65),
                                 .steps_taken = 100,
                                 .max_steps = 100,
-                                .heard = {.snr = Decibels{-5.0}, .measured = false},
+                                .heard = {.snr = Decibels{-5.0}, .too_faint = true},
                                 .believed_range = {}};
   EXPECT_EQ(to_string(progress), "0 h 01 min at sea, step 100 of 100, SNR below -5.0 dB");
 }

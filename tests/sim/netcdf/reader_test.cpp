@@ -48,7 +48,7 @@ void write_packed(const std::filesystem::path& path, int format) {
 std::string message_of(const auto& action) {
   try {
     action();
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     return e.what();
   }
   return "no error";

@@ -99,7 +99,7 @@ template <class Action>
 std::string complaint_of(const Action& action) {
   try {
     action();
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     return e.what();
   }
   return "no error";

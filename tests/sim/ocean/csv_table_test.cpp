@@ -20,7 +20,7 @@ class CsvTableFile : public testing::Test {
   std::string complaint(const std::string& text) {
     try {
       (void)read(text);
-    } catch (const config_file::BadInput& e) {
+    } catch (const host::BadInput& e) {
       return std::string(e.what()).substr(folder_.path().string().size() + 1);
     }
     return "no error";
@@ -50,7 +50,7 @@ TEST_F(CsvTableFile, NamesTheColumnsItHasWhenOneIsMissing) {
   try {
     (void)table.column("depth_m");
     FAIL();
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     EXPECT_NE(std::string(e.what()).find("must have a column depth_m, has: a, b"), std::string::npos) << e.what();
   }
 }

@@ -10,7 +10,7 @@
 #include <string>
 #include <variant>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/environment_file.hpp"
 
 namespace earshot::ocean {
@@ -36,7 +36,7 @@ class EnvironmentConditions : public testing::Test {
   std::string complaint(const std::string& tables) {
     try {
       (void)load(tables);
-    } catch (const config_file::BadInput& e) {
+    } catch (const host::BadInput& e) {
       return e.what();
     }
     return "";
@@ -200,7 +200,7 @@ TEST_F(EnvironmentConditions, RefuseAFamilyThatCannotBeDrawn) {
   try {
     (void)load_environment(folder_ / "surface.toml");
     ADD_FAILURE();
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     EXPECT_NE(std::string(e.what()).find("water.axis_depth_m is above 0"), std::string::npos) << e.what();
   }
   expect_refused("[field_library]\nfile = \"a.nc\"\n[family]\nmembers = 3\n", "field_library");

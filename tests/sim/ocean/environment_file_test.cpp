@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -54,7 +54,7 @@ class EnvironmentFile : public testing::Test {
   std::string complaint(const std::string& what, const std::string& by) {
     try {
       (void)load_changed(what, by);
-    } catch (const config_file::BadInput& e) {
+    } catch (const host::BadInput& e) {
       return e.what();
     }
     return "";
@@ -115,7 +115,7 @@ TEST_F(EnvironmentFile, KeepsTheChecksumOfItsBytes) {
 }
 
 TEST_F(EnvironmentFile, NamesAMissingFile) {
-  EXPECT_THROW((void)load_environment("/nowhere/ocean.toml"), config_file::BadInput);
+  EXPECT_THROW((void)load_environment("/nowhere/ocean.toml"), host::BadInput);
 }
 
 TEST_F(EnvironmentFile, RefusesANegativeFrequencyWithFileKeyValueAndRange) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/environment_file.hpp"
 #include "sim/sonar/library_store.hpp"
 #include "tests/sim/netcdf/temporary_folder.hpp"
@@ -97,7 +97,7 @@ ocean::Environment with_library(const std::filesystem::path& path, double source
 std::string complaint_of(const ocean::Environment& environment) {
   try {
     (void)soundscape_of(environment, Meters{300.0}, Meters{200.0});
-  } catch (const config_file::BadInput& error) {
+  } catch (const host::BadInput& error) {
     return error.what();
   }
   return "";

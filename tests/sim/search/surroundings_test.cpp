@@ -139,9 +139,9 @@ TEST_F(Conditions, FloorTellsOnlyThatTheSignalIsFainter) {
   conditions.floor = Decibels{15.0};
   const SearchWorld w = world();
   episode.start_at(w, kSeesNothing, at(10'000, 24'000), settings.source);  // 16 dB
-  EXPECT_EQ(episode.heard(), (policy::Heard{.snr = Decibels{16.0}, .measured = true}));
+  EXPECT_EQ(episode.heard(), (policy::Heard{.snr = Decibels{16.0}, .too_faint = false}));
   episode.start_at(w, kSeesNothing, at(24'000, 18'000), settings.source);  // 13.9 dB
-  EXPECT_EQ(episode.heard(), (policy::Heard{.snr = Decibels{15.0}, .measured = false}));
+  EXPECT_EQ(episode.heard(), (policy::Heard{.snr = Decibels{15.0}, .too_faint = true}));
 }
 
 TEST_F(Conditions, WhatIsTooFaintToMeasureIsNoDetectionEvenWhenTheFloorLiesAboveTheThreshold) {
@@ -268,8 +268,8 @@ TEST_F(Conditions, CallsAreHeardForTheShareOfTheTimeThatTheyAreThere) {
   int heard = 0;
   for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
     episode.start_at(w, kSeesNothing, at(22'000, 10'000), settings.source, Pcg32(seed));
-    if (episode.heard().measured) ++heard;
-    EXPECT_EQ(episode.snr(), Decibels{episode.heard().measured ? 18.0 : -50.0});
+    if (!episode.heard().too_faint) ++heard;
+    EXPECT_EQ(episode.snr(), Decibels{!episode.heard().too_faint ? 18.0 : -50.0});
   }
   // Calls at 0, 15, ... 585 s of every 900 s; one is in the last minute from 0 to 645 s. Five standard errors: 0.016.
   EXPECT_NEAR(heard / 20'000.0, 645.0 / 900.0, 0.016);
@@ -281,11 +281,11 @@ TEST_F(Conditions, CallsGoOnWhileTheVehicleSteps) {
   const SearchWorld w = world();  // a step takes 500 s: a look in the song is followed by one in the pause
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     episode.start_at(w, kSeesNothing, at(22'000, 22'000), settings.source, Pcg32(seed));
-    bool was_heard = episode.heard().measured;
+    bool was_heard = !episode.heard().too_faint;
     for (int i = 0; i < 6; ++i) {
       episode.step(w, i % 2 == 0 ? 4 : kNorth);
-      EXPECT_FALSE(was_heard && episode.heard().measured);
-      was_heard = episode.heard().measured;
+      EXPECT_FALSE(was_heard && !episode.heard().too_faint);
+      was_heard = !episode.heard().too_faint;
     }
   }
 }

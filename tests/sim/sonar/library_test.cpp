@@ -53,7 +53,7 @@ TEST_F(Library, HoldsTheFanOfEveryPosition) {
 TEST_F(Library, RefusesADepthThatAFlatOceanHasNowhere) {
   const std::string flat = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
   EXPECT_NO_THROW((void)plan("source", "30", "300, 3000", flat));
-  EXPECT_THROW((void)plan("source", "30", "300, 3001", flat), config_file::BadInput);
+  EXPECT_THROW((void)plan("source", "30", "300, 3001", flat), host::BadInput);
   EXPECT_NO_THROW((void)plan("source", "30", "300, 2400"));  // charts: some positions may be deep enough
 }
 

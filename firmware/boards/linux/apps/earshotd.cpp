@@ -19,7 +19,6 @@
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/boards/linux/simulation_plugin.hpp"
 #include "firmware/boards/linux/waiting.hpp"
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/journal/journal.hpp"
@@ -28,6 +27,7 @@
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/version.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
 #include "firmware/runtime/runtime.hpp"
 
@@ -100,7 +100,7 @@ std::unique_ptr<runtime::Runtime> make_runtime(const host::MissionFile& file, co
   host::check_fits(*policy.policy, file.policy, file.mission, mission_name);
   auto runtime = std::make_unique<runtime::Runtime>();
   if (runtime->configure(file.mission, *policy.policy) != Status::kOk)
-    throw config_file::BadInput(mission_name + ": cannot be flown with the policy " + file.policy.string());
+    throw host::BadInput(mission_name + ": cannot be flown with the policy " + file.policy.string());
   return runtime;
 }
 

@@ -15,9 +15,9 @@
 
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/port_set.hpp"
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/core/random.hpp"
 #include "firmware/host/journal/journal.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/signed_policy.hpp"
 
@@ -192,7 +192,7 @@ TEST_F(Replay, RefusesAJournalThatDoesNotBeginWithItsMission) {
     host::Journal journal(path_, {.existing = host::JournalOptions::Existing::kReplace});
     ASSERT_EQ(journal.append(Time{1}, "EARSHOT_HEALTH", std::array<std::uint8_t, 3>{1, 2, 3}), Status::kOk);
   }
-  EXPECT_THROW((void)replay(path_), config_file::BadInput);
+  EXPECT_THROW((void)replay(path_), host::BadInput);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 namespace earshot::host {
 namespace {
@@ -34,7 +34,7 @@ std::string complaint(const std::string& from, const std::string& to) {
   std::string what;
   try {
     (void)load_mission(path);
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     what = e.what();
   }
   std::filesystem::remove(path);
@@ -70,7 +70,7 @@ TEST(MissionFile, ACopyElsewhereNamesItsLineAndThePathThatWasTried) {
   const auto complaint_about = [&file] {
     try {
       require_named_files(file);
-    } catch (const config_file::BadInput& e) {
+    } catch (const host::BadInput& e) {
       return std::string(e.what());
     }
     return std::string();

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "firmware/config_file/table_reader.hpp"
 #include "firmware/core/crc32.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 #include "tests/support/signed_policy.hpp"
 
 namespace earshot::host {
@@ -38,7 +38,7 @@ class PolicyFile : public testing::Test {
     try {
       (void)load_policy(policy_, key_);
       return "";
-    } catch (const config_file::BadInput& e) {
+    } catch (const host::BadInput& e) {
       return e.what();
     }
   }
@@ -93,7 +93,7 @@ std::string misfit_after(Change change) {
   try {
     check_fits(support::random_walk_policy(), "walk.policy", mission, "m.toml");
     return "";
-  } catch (const config_file::BadInput& e) {
+  } catch (const host::BadInput& e) {
     return e.what();
   }
 }

@@ -1,9 +1,9 @@
-#include "firmware/config_file/range.hpp"
+#include "firmware/host/toml/range.hpp"
 
 #include <cmath>
 #include <sstream>
 
-namespace earshot::config_file {
+namespace earshot::host {
 
 bool Range::allows(double x) const {
   const bool low = lower == Lower::kAbove ? x > lowest : x >= lowest;
@@ -21,4 +21,4 @@ std::string to_string(const Range& range) {
   return text.str();
 }
 
-}  // namespace earshot::config_file
+}  // namespace earshot::host

@@ -1,4 +1,4 @@
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 #include <toml++/toml.h>
 #include <algorithm>
@@ -9,11 +9,11 @@
 #include <sstream>
 #include <utility>
 
-#include "firmware/config_file/nesting.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/toml/nesting.hpp"
 
-namespace earshot::config_file {
+namespace earshot::host {
 
 struct Problems {
   static constexpr std::size_t kMostLines = 20;         // a screen
@@ -296,7 +296,7 @@ void TableReader::problem(std::string_view key, std::string_view what) {
   }
 }
 
-File::File(std::filesystem::path path)
+TomlFile::TomlFile(std::filesystem::path path)
     : path_(std::move(path)), problems_(std::make_shared<Problems>()), root_(std::make_shared<TableNode>()) {
   problems_->path = path_;
   const std::string text = host::read_text(path_, host::kTomlFile);
@@ -314,18 +314,18 @@ File::File(std::filesystem::path path)
   root_->table = root_->document.get();
 }
 
-TableReader File::root() const {
+TableReader TomlFile::root() const {
   return TableReader(root_);
 }
 
-std::filesystem::path File::resolve(const std::filesystem::path& relative) const {
+std::filesystem::path TomlFile::resolve(const std::filesystem::path& relative) const {
   return relative.is_absolute() ? relative : (path_.parent_path() / relative).lexically_normal();
 }
 
-void File::finish() const {
+void TomlFile::finish() const {
   root_->note_unknown_keys();
   if (problems_->lines.empty()) return;
   throw BadInput(problems_->told());
 }
 
-}  // namespace earshot::config_file
+}  // namespace earshot::host

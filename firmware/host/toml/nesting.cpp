@@ -1,8 +1,8 @@
-#include "firmware/config_file/nesting.hpp"
+#include "firmware/host/toml/nesting.hpp"
 
 #include <algorithm>
 
-namespace earshot::config_file {
+namespace earshot::host {
 namespace {
 
 /// Where a text goes on after the string that begins it with one quotation mark or with three.
@@ -51,4 +51,4 @@ std::optional<std::size_t> line_nested_too_deep(std::string_view toml) {
   return std::nullopt;
 }
 
-}  // namespace earshot::config_file
+}  // namespace earshot::host

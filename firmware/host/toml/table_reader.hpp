@@ -8,18 +8,16 @@
 #include <string_view>
 #include <vector>
 
-#include "firmware/config_file/range.hpp"
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/toml/range.hpp"
 
-namespace earshot::config_file {
-
-using host::BadInput;
+namespace earshot::host {
 
 struct Problems;   ///< what the readers of one file have found so far
 struct TableNode;  ///< one TOML table and which of its keys were asked for
 
 /// Reads the keys of one TOML table. A bad, missing or unknown key is noted, a harmless value is returned, and reading goes on, so that
-/// `File::finish` can report every problem at once. Numbers must be finite. Each key names its unit ("depth_m").
+/// `TomlFile::finish` can report every problem at once. Numbers must be finite. Each key names its unit ("depth_m").
 class TableReader {
  public:
   [[nodiscard]] double number(std::string_view key, Range range = {});
@@ -54,21 +52,21 @@ class TableReader {
   [[nodiscard]] bool is_noted(std::string_view key) const;
 
  private:
-  friend class File;
+  friend class TomlFile;
   explicit TableReader(std::shared_ptr<TableNode> node);
   std::shared_ptr<TableNode> node_;
 };
 
 /// One TOML file.
 ///
-///     config_file::File file{"mission.toml"};
+///     host::TomlFile file{"mission.toml"};
 ///     TableReader root = file.root();
 ///     mission.depth = Meters{root.number("depth_m", Range::above(0))};
 ///     file.finish();   // throws BadInput with every problem, unknown keys included
-class File {
+class TomlFile {
  public:
   /// Throws BadInput when the file cannot be read or is not TOML.
-  explicit File(std::filesystem::path path);
+  explicit TomlFile(std::filesystem::path path);
   [[nodiscard]] TableReader root() const;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// `relative` as written in this file: relative paths are relative to the file's own folder.
@@ -82,4 +80,4 @@ class File {
   std::shared_ptr<TableNode> root_;
 };
 
-}  // namespace earshot::config_file
+}  // namespace earshot::host

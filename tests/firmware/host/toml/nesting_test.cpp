@@ -1,10 +1,10 @@
-#include "firmware/config_file/nesting.hpp"
+#include "firmware/host/toml/nesting.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace earshot::config_file {
+namespace earshot::host {
 namespace {
 
 std::string repeated(const std::string& text, std::size_t count) {
@@ -50,4 +50,4 @@ TEST(Nesting, SeesTheLineAfterATextThatNeverEnds) {
 }
 
 }  // namespace
-}  // namespace earshot::config_file
+}  // namespace earshot::host

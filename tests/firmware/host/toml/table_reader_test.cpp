@@ -1,4 +1,4 @@
-#include "firmware/config_file/table_reader.hpp"
+#include "firmware/host/toml/table_reader.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-namespace earshot::config_file {
+namespace earshot::host {
 namespace {
 
 using testing::TempDir;
@@ -22,7 +22,7 @@ std::filesystem::path written(const std::string& toml) {
 /// What finish() complains about after `read`, every line without the file's name; empty if nothing.
 template <class Read>
 std::string complaint(const std::string& toml, Read read) {
-  const File file(written(toml));
+  const TomlFile file(written(toml));
   TableReader root = file.root();
   read(root);
   try {
@@ -38,7 +38,7 @@ std::string complaint(const std::string& toml, Read read) {
 }
 
 TEST(TableReader, GivesTheValuesAsWritten) {
-  const File file(written("depth_m = 300.5\nsteps = 100\ndry = true\nname = 'fin'\nkind = 'two'\nat_m = [1, 2.5]\nwhole_m = 3\n"));
+  const TomlFile file(written("depth_m = 300.5\nsteps = 100\ndry = true\nname = 'fin'\nkind = 'two'\nat_m = [1, 2.5]\nwhole_m = 3\n"));
   TableReader root = file.root();
   EXPECT_EQ(root.number("depth_m"), 300.5);
   EXPECT_EQ(root.number("whole_m"), 3.0);
@@ -51,7 +51,7 @@ TEST(TableReader, GivesTheValuesAsWritten) {
 }
 
 TEST(TableReader, FallsBackOnlyWhereTheKeyIsMissing) {
-  const File file(written("present_m = 1.0\n"));
+  const TomlFile file(written("present_m = 1.0\n"));
   TableReader root = file.root();
   EXPECT_EQ(root.number_or("present_m", 7.0), 1.0);
   EXPECT_EQ(root.number_or("absent_m", 7.0), 7.0);
@@ -180,7 +180,7 @@ TEST(TableReader, ReportsEveryProblemAtOnce) {
 }
 
 TEST(TableReader, GivesAHarmlessNumberForABadOne) {
-  const File file(written("a = -1\nb = nan\nc = 5\n"));
+  const TomlFile file(written("a = -1\nb = nan\nc = 5\n"));
   TableReader root = file.root();
   EXPECT_GT(root.number("a", Range::above(0)), 0.0);
   EXPECT_EQ(root.number("b"), 0.0);
@@ -189,39 +189,39 @@ TEST(TableReader, GivesAHarmlessNumberForABadOne) {
 
 std::string refusal(const std::filesystem::path& path) {
   try {
-    const File file(path);
+    const TomlFile file(path);
   } catch (const BadInput& bad) {
     return bad.what();
   }
   return {};
 }
 
-TEST(File, SaysThatThereIsNone) {
+TEST(TomlFile, SaysThatThereIsNone) {
   EXPECT_EQ(refusal("/nowhere/mission.toml"), "/nowhere/mission.toml: no such file");
 }
 
-TEST(File, RefusesAFolder) {
+TEST(TomlFile, RefusesAFolder) {
   EXPECT_NE(refusal(TempDir()).find("cannot be read"), std::string::npos);
 }
 
-TEST(File, NamesTheLineThatIsNotToml) {
+TEST(TomlFile, NamesTheLineThatIsNotToml) {
   const std::filesystem::path path = written("a = 1\nb = = 2\n");
   EXPECT_EQ(refusal(path).rfind(path.string() + ":2: not TOML: ", 0), 0U) << refusal(path);
 }
 
-TEST(File, RefusesAKeyOfFortyThousandDotsBeforeItIsParsed) {
+TEST(TomlFile, RefusesAKeyOfFortyThousandDotsBeforeItIsParsed) {
   std::string key = "a";
   for (int i = 0; i < 40'000; ++i) key += ".a";
   EXPECT_NE(refusal(written(key + "=1\n")).find(":1: tables, arrays or dots of a key stand more than 32 deep"), std::string::npos);
 }
 
-TEST(File, RefusesTomlOfMoreThanFourMebibytes) {
+TEST(TomlFile, RefusesTomlOfMoreThanFourMebibytes) {
   const std::filesystem::path path = written("");
   std::filesystem::resize_file(path, (std::uintmax_t{4} << 20U) + 1);
   EXPECT_NE(refusal(path).find("a TOML file has at most 4194304"), std::string::npos) << refusal(path);
 }
 
-TEST(File, SaysHowManyProblemsThereAreBesidesTheFirstTwenty) {
+TEST(TomlFile, SaysHowManyProblemsThereAreBesidesTheFirstTwenty) {
   std::string toml;
   for (int i = 0; i < 200'000; ++i) toml += "k" + std::to_string(i) + " = 1\n";
   const std::string text = complaint(toml, [](TableReader&) {});
@@ -229,17 +229,17 @@ TEST(File, SaysHowManyProblemsThereAreBesidesTheFirstTwenty) {
   EXPECT_TRUE(text.ends_with(": 199980 more problems")) << text;
 }
 
-TEST(File, SpellsOutControlCharactersOfKeysAndShortensLongOnes) {
+TEST(TomlFile, SpellsOutControlCharactersOfKeysAndShortensLongOnes) {
   EXPECT_EQ(complaint("\"\\u001b[31m\\n\" = 1", [](TableReader&) {}), ":1: \\x1b[31m\\n: unknown key");
   const std::string text = complaint(std::string(100'000, 'k') + " = 1", [](TableReader&) {});
   EXPECT_EQ(text, ":1: " + std::string(1000, 'k') + "...");
 }
 
-TEST(File, ResolvesPathsAgainstItsOwnFolder) {
-  const File file(written(""));
+TEST(TomlFile, ResolvesPathsAgainstItsOwnFolder) {
+  const TomlFile file(written(""));
   EXPECT_EQ(file.resolve("../ocean.toml"), (file.path().parent_path() / "../ocean.toml").lexically_normal());
   EXPECT_EQ(file.resolve("/etc/ocean.toml"), "/etc/ocean.toml");
 }
 
 }  // namespace
-}  // namespace earshot::config_file
+}  // namespace earshot::host

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-namespace earshot::config_file {
+namespace earshot::host {
 
 /// Bounds of a number, both allowed unless `lower` says that the lower one is not.
 struct Range {
@@ -24,4 +24,4 @@ struct Range {
 /// "must be a finite number above 0 and at most 12000".
 [[nodiscard]] std::string to_string(const Range& range);
 
-}  // namespace earshot::config_file
+}  // namespace earshot::host

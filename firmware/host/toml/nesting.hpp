@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace earshot::config_file {
+namespace earshot::host {
 
 /// Deepest that arrays, inline tables and dotted keys may stand in each other; the deepest of ours is 3.
 inline constexpr std::size_t kDeepestNesting = 32;
@@ -16,4 +16,4 @@ inline constexpr std::size_t kDeepestNesting = 32;
 /// Source: TOML 1.0.0, "String" and "Comment": what stands in them does not count.   Oracle: Nesting.*
 [[nodiscard]] std::optional<std::size_t> line_nested_too_deep(std::string_view toml);
 
-}  // namespace earshot::config_file
+}  // namespace earshot::host
