@@ -225,7 +225,7 @@ std::optional<std::string> CommandLine::read(const std::vector<std::string>& arg
     return app_->help();
   } catch (const CLI::ParseError& e) {
     const std::string unknown = complaint_about_unknown();
-    throw BadInput(name() + ": " + (unknown.empty() ? e.what() : unknown) + " (" + name() + " --help lists all)");
+    throw host::BadInput(name() + ": " + (unknown.empty() ? e.what() : unknown) + " (" + name() + " --help lists all)");
   }
 }
 
