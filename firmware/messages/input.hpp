@@ -16,7 +16,7 @@ namespace earshot::messages {
 struct Input {
   Time arrival;                ///< mission clock; never goes back from one input to the next
   std::uint8_t port = 0;       ///< index of the port that brought it
-  std::uint32_t sequence = 0;  ///< counts the inputs of all ports, from 0
+  std::uint64_t sequence = 0;  ///< counts the inputs of all ports, from 0
   std::variant<Navigation, SnrMeasurement, OperatorCommand, PortReport> value;
 };
 

@@ -17,7 +17,7 @@ struct OperatorCommand {
   Time time;                 ///< when it was given
   Time expiry;               ///< not to be obeyed after
   std::uint32_t issuer = 0;  ///< who gave it: a number of its own, best drawn anew whenever the sender starts
-  std::uint32_t number = 0;  ///< among the issuer's commands: rises with every new one; the same again is the same command, sent twice
+  std::uint32_t number = 0;  ///< rises with every new command of the issuer, to 2^32 - 1 at most; the same again is the same command
   Order order = Order::kAbort;
   friend constexpr bool operator==(const OperatorCommand&, const OperatorCommand&) = default;
 };

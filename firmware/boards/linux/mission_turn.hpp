@@ -50,7 +50,7 @@ class MissionTurn final : public InputSink {
   host::Journal& journal_;
   Clock& clock_;
   Time last_;
-  std::uint32_t sequence_ = 0;
+  std::uint64_t sequence_ = 0;
   std::uint64_t navigation_taken_ = 0;
 };
 

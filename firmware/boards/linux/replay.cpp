@@ -82,7 +82,7 @@ ReplayResult replay(const std::filesystem::path& path) {
       break;
     }
     messages::Input input;
-    const Status read = wire::read_input(record.channel, record.time, record.data, static_cast<std::uint32_t>(result.inputs), input);
+    const Status read = wire::read_input(record.channel, record.time, record.data, result.inputs, input);
     if (read == Status::kOk && turn.is_compared()) {
       runtime->take(input);
       ++result.inputs;

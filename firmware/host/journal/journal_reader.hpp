@@ -13,7 +13,7 @@
 namespace earshot::host {
 
 struct JournalRecord {
-  std::uint32_t number = 0;  ///< 0 for the first record; a gap says that records were dropped
+  std::uint32_t number = 0;  ///< 0 for the first record, and again after 2^32 - 1; a gap says that records were dropped
   Time time;
   std::string channel;
   std::vector<std::uint8_t> data;

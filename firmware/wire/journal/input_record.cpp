@@ -45,7 +45,7 @@ InputRecord::InputRecord(const Input& input) : encoded_(encode(input)) {
   channel_size_ = channel.size() + 2;
 }
 
-Status read_input(std::string_view channel, Time time, std::span<const std::uint8_t> data, std::uint32_t sequence, Input& input) {
+Status read_input(std::string_view channel, Time time, std::span<const std::uint8_t> data, std::uint64_t sequence, Input& input) {
   if (channel.size() < 2 || channel[channel.size() - 2] != '.') return Status::kUnsupported;
   const int port = channel.back() - '0';
   if (port < 0 || port >= static_cast<int>(config::kMaxPorts)) return Status::kUnsupported;

@@ -31,7 +31,7 @@ class InputRecord {
 
 /// An input out of its record. kUnsupported: the channel is no input's. kMalformed: the bytes are not of the channel's type.
 /// @param sequence  how many inputs stand before it in the journal
-[[nodiscard]] Status read_input(std::string_view channel, Time time, std::span<const std::uint8_t> data, std::uint32_t sequence,
+[[nodiscard]] Status read_input(std::string_view channel, Time time, std::span<const std::uint8_t> data, std::uint64_t sequence,
                                 messages::Input& input);
 
 }  // namespace earshot::wire

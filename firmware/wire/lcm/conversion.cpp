@@ -104,10 +104,10 @@ health_t to_message(const messages::Health& health, Time now) {
   m.state = static_cast<std::int8_t>(health.state);
   m.end_reason = static_cast<std::int8_t>(health.end_reason);
   m.steps_taken = static_cast<std::int32_t>(health.steps_taken);
-  m.navigation_refused = static_cast<std::int32_t>(health.counters.navigation_refused);
-  m.snr_refused = static_cast<std::int32_t>(health.counters.snr_refused);
-  m.commands_refused = static_cast<std::int32_t>(health.counters.commands_refused);
-  m.setpoints_limited = static_cast<std::int32_t>(health.counters.setpoints_limited);
+  m.navigation_refused = static_cast<std::int64_t>(health.counters.navigation_refused);
+  m.snr_refused = static_cast<std::int64_t>(health.counters.snr_refused);
+  m.commands_refused = static_cast<std::int64_t>(health.counters.commands_refused);
+  m.setpoints_limited = static_cast<std::int64_t>(health.counters.setpoints_limited);
   m.port_count = static_cast<std::int8_t>(health.ports.size());
   for (std::size_t i = 0; i < health.ports.size(); ++i) m.ports[i] = to_message(health.ports[i]);
   return m;

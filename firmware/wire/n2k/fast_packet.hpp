@@ -28,10 +28,10 @@ using FastPacketFrames = FixedVector<Frame, kMaxFastPacketFrames>;
                                          FastPacketFrames& frames);
 
 struct FastPacketCounters {
-  std::uint32_t completed = 0;
-  std::uint32_t abandoned = 0;  ///< a frame was missing or out of order, or a newer message took the slot
-  std::uint32_t stray = 0;      ///< frames that continue nothing
-  std::uint32_t too_large = 0;  ///< said to be over kMaxMessageSize (or under 9 bytes)
+  std::uint64_t completed = 0;
+  std::uint64_t abandoned = 0;  ///< a frame was missing or out of order, or a newer message took the slot
+  std::uint64_t stray = 0;      ///< frames that continue nothing
+  std::uint64_t too_large = 0;  ///< said to be over kMaxMessageSize (or under 9 bytes)
 };
 
 /// Puts frames together. One message per (source, destination, PGN) at a time in one of kFastPacketSlots; frames must come in order, as CAN

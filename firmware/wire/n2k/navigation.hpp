@@ -21,11 +21,11 @@ using NavigationFrames = std::array<Frame, 4>;
                                         NavigationFrames& frames);
 
 struct NavigationCounters {
-  std::uint32_t accepted = 0;  ///< positions that gave a Navigation
-  std::uint32_t refused =
+  std::uint64_t accepted = 0;  ///< positions that gave a Navigation
+  std::uint64_t refused =
       0;  ///< frames of ours that are malformed, out of range, or in a reference we do not take (magnetic heading, air pressure)
-  std::uint32_t waiting = 0;  ///< positions that came while heading, speed or pressure was missing or stale
-  std::uint32_t other = 0;    ///< frames of other PGNs
+  std::uint64_t waiting = 0;  ///< positions that came while heading, speed or pressure was missing or stale
+  std::uint64_t other = 0;    ///< frames of other PGNs
 };
 
 /// Collects heading, speed and pressure; every position completes them to one navigation fix, provided none is older than its message's

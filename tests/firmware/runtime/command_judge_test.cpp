@@ -94,6 +94,22 @@ TEST(CommandJudge, ForgetsTheIssuerThatWasSilentForLongestWhenANinthOneComes) {
   EXPECT_FALSE(court.last.is_repetition) << "forgotten";
 }
 
+TEST(CommandJudge, GoesOnWhereASendersSignedNumbersTurnNegative) {
+  Court court;
+  EXPECT_EQ(court.hear(start(2'147'483'647)), CommandOutcome::kObeyed);
+  EXPECT_EQ(court.hear(start(2'147'483'648)), CommandOutcome::kObeyed);
+  EXPECT_FALSE(court.last.is_repetition);
+}
+
+TEST(CommandJudge, TakesNoNumberAfterTheLastOneButAnAbortAndANewIssuer) {
+  Court court;
+  EXPECT_EQ(court.hear(start(4'294'967'295)), CommandOutcome::kObeyed);
+  EXPECT_EQ(court.hear(start(0)), CommandOutcome::kOutOfOrder);
+  const OperatorCommand abort{.time = kNow, .expiry = kFarAhead, .issuer = 7, .number = 0, .order = Order::kAbort};
+  EXPECT_EQ(court.hear(abort), CommandOutcome::kObeyed);
+  EXPECT_EQ(court.hear(start(0, kNow, 8)), CommandOutcome::kObeyed);
+}
+
 TEST(CommandJudge, RefusesAnUnknownOrder) {
   Court court;
   OperatorCommand strange = start(2);

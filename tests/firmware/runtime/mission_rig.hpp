@@ -163,7 +163,7 @@ struct Rig {
   Decibels snr{12};
   Outputs outputs;
   messages::Setpoint setpoint;  ///< the last that was sent; before the first: stop at the surface
-  std::uint32_t sequence = 0;
+  std::uint64_t sequence = 0;
   std::uint32_t commands = 0;
 };
 

@@ -12,14 +12,17 @@
 #include <fstream>
 #include <iterator>
 #include <lcm/lcm-cpp.hpp>
+#include <span>
 #include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/core/crc32.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/file_descriptor.hpp"
+#include "firmware/host/journal/journal_format.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 
 namespace earshot::host {
@@ -138,6 +141,28 @@ TEST_F(JournalTest, NoticesEveryFlippedBit) {
     ASSERT_LT(count, 3U) << bit;
     ASSERT_NE(reader.end(), JournalReader::End::kWhole) << bit;
   }
+}
+
+TEST_F(JournalTest, ReadsOnWhereItsNumbersBeginAnew) {
+  write_three_records();
+  Bytes bytes = contents();
+  const std::size_t sizes[] = {28 + 1 + 3, 28 + 2, 28 + 3 + 40};
+  std::uint32_t number = 0xFFFFFFFE;
+  auto rest = std::span(bytes);
+  for (const std::size_t size : sizes) {
+    store(rest.subspan(8, 4), number++);
+    store(rest.subspan(4, 4), crc32(rest.subspan(8, size - 8)));
+    rest = rest.subspan(size);
+  }
+  overwrite(bytes);
+  JournalReader reader(path_);
+  JournalRecord record;
+  for (const std::uint32_t expected : {0xFFFFFFFEU, 0xFFFFFFFFU, 0U}) {
+    ASSERT_TRUE(reader.next(record));
+    EXPECT_EQ(record.number, expected);
+  }
+  EXPECT_FALSE(reader.next(record));
+  EXPECT_EQ(reader.end(), JournalReader::End::kWhole);
 }
 
 TEST_F(JournalTest, SaysAtWhichByteItIsCut) {

@@ -135,6 +135,18 @@ TEST_F(Lc02, KeepsTheFragmentsOfTwoSendersApartUnderTheSameNumber) {
   EXPECT_EQ(data(), Bytes(100'000, 0xBB));
 }
 
+TEST_F(Lc02, KeepsMessagesApartWhereTheirNumbersBeginAnew) {
+  const auto last = datagrams_of("A", counting(100'000), 0xFFFFFFFF);
+  const auto first = datagrams_of("B", Bytes(100'000, 0xBB), 0);
+  EXPECT_EQ(Bytes(last[0].begin() + 4, last[0].begin() + 8), Bytes(4, 0xFF));
+  EXPECT_EQ(accept(last[0]), Status::kNotReady);
+  EXPECT_EQ(accept(first[0]), Status::kNotReady);
+  ASSERT_EQ(accept(first[1]), Status::kOk);
+  EXPECT_EQ(data(), Bytes(100'000, 0xBB));
+  ASSERT_EQ(accept(last[1]), Status::kOk);
+  EXPECT_EQ(data(), counting(100'000));
+}
+
 TEST_F(Lc02, GivesUpTheMessageThatWaitedLongestWhenAllSlotsAreTaken) {
   std::vector<std::vector<Bytes>> messages;
   for (std::uint32_t number = 0; number <= config::kLcmReassemblySlots; ++number)

@@ -129,5 +129,19 @@ TEST_F(FastPacket, SurvivesAMillionRandomFrames) {
   EXPECT_GT(assembly_.counters().completed, 0U);
 }
 
+TEST_F(FastPacket, NumbersItsMessagesFromZeroToSevenHoweverManyThereAre) {
+  // The sequence is the three highest bits of a frame's first byte; the frame's own number is below.
+  EXPECT_EQ(frames_of(counting(20), 7)[1].data[0], 0xE1);
+  EXPECT_EQ(frames_of(counting(20), 8)[1].data[0], 0x01);
+  EXPECT_EQ(frames_of(counting(20), 255)[1].data[0], 0xE1);
+  for (unsigned sequence = 250; sequence < 260; ++sequence) {
+    const FastPacketFrames frames = frames_of(counting(20), static_cast<std::uint8_t>(sequence));
+    EXPECT_EQ(accept(frames[0]), Status::kNotReady);
+    EXPECT_EQ(accept(frames[1]), Status::kNotReady);
+    ASSERT_EQ(accept(frames[2]), Status::kOk) << sequence;
+    EXPECT_EQ(bytes(), counting(20));
+  }
+}
+
 }  // namespace
 }  // namespace earshot::n2k

@@ -1,0 +1,50 @@
+#include "firmware/wire/lcm/conversion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot::wire {
+namespace {
+
+/// A message after its way over the bus.
+template <class Message>
+Message carried(const Message& sent) {
+  Message arrived{};
+  EXPECT_EQ(decode(Encoded(sent).bytes(), arrived), Status::kOk);
+  return arrived;
+}
+
+TEST(Conversion, CarriesCountersBeyondThirtyTwoBits) {
+  messages::Health health;
+  health.counters = {.navigation_refused = std::uint64_t{1} << 31U,
+                     .snr_refused = std::uint64_t{1} << 32U,
+                     .commands_refused = std::uint64_t{1} << 40U,
+                     .setpoints_limited = (std::uint64_t{1} << 63U) - 1};
+  const health_t arrived = carried(to_message(health, Time{7}));
+  EXPECT_EQ(arrived.navigation_refused, 2'147'483'648);
+  EXPECT_EQ(arrived.snr_refused, 4'294'967'296);
+  EXPECT_EQ(arrived.commands_refused, 1'099'511'627'776);
+  EXPECT_EQ(arrived.setpoints_limited, 9'223'372'036'854'775'807);
+}
+
+TEST(Conversion, GivesAPortReportBackWhateverItCounted) {
+  const messages::PortReport report{.port = 7,
+                                    .link_up = false,
+                                    .received = 4'294'967'296,
+                                    .lost = 4'294'967'297,
+                                    .malformed = 9'223'372'036'854'775'807,
+                                    .unsent = 2'147'483'648};
+  EXPECT_EQ(from_message(carried(to_message(report))), report);
+}
+
+TEST(Conversion, GivesACommandBackWhateverItsNumber) {
+  const messages::OperatorCommand command{
+      .time = Time{5}, .expiry = Time{6}, .issuer = 4'294'967'295, .number = 2'147'483'648, .order = messages::Order::kStart};
+  EXPECT_EQ(from_message(carried(to_message(command))), command);
+}
+
+}  // namespace
+}  // namespace earshot::wire
