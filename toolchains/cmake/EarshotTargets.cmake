@@ -40,12 +40,21 @@ endif()
 # The decision path gives the same bits everywhere: no fused multiply-add, no exceptions, no run-time type information (design: fixed-memory core).
 add_library(earshot_firmware_flags INTERFACE)
 target_link_libraries(earshot_firmware_flags INTERFACE earshot_flags)
-target_compile_options(earshot_firmware_flags INTERFACE -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics)
+target_compile_options(earshot_firmware_flags INTERFACE -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics -Walloca -Wvla)
 
 define_property(TARGET PROPERTY EARSHOT_BASELINE INITIALIZE_FROM_VARIABLE EARSHOT_BASELINE)
 
+# earshot_record_calls(TARGET): beside each of its objects GCC writes who calls whom and with how much stack (.ci), for core_calls.cmake. Calls at a
+# function's end stay calls, so that a recursion is seen though the optimiser could make a loop of it. Without ccache, which does not keep these files.
+function(earshot_record_calls TARGET)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${TARGET} PRIVATE -fcallgraph-info=su,da -fno-optimize-sibling-calls)
+    set_target_properties(${TARGET} PROPERTIES CXX_COMPILER_LAUNCHER "")
+  endif()
+endfunction()
+
 # earshot_library(NAME [FIRMWARE] HEADERS ... [SOURCES ...] [DEPENDS ...])
-#   FIRMWARE  part of the fixed-memory core: its flags, and its objects are checked for heap symbols
+#   FIRMWARE  part of the fixed-memory core: its flags, and its objects are checked for heap, state, recursion and stack (tests/firmware/runtime)
 #   DEPENDS   public link dependencies
 function(earshot_library NAME)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "FIRMWARE" "" "HEADERS;SOURCES;DEPENDS")
@@ -62,6 +71,9 @@ function(earshot_library NAME)
     set(scope PUBLIC)
     target_link_libraries(${NAME} PRIVATE ${flags} PUBLIC ${ARG_DEPENDS})
     target_include_directories(${NAME} PUBLIC ${PROJECT_SOURCE_DIR})
+    if(ARG_FIRMWARE)
+      earshot_record_calls(${NAME})
+    endif()
   else()
     add_library(${NAME} INTERFACE)
     set(scope INTERFACE)

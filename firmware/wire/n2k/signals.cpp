@@ -11,10 +11,11 @@ using enum Signal::Sign;
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kPi = 3.141592653589793;
 
+// Bare arrays: of a std::array whose type is deduced, GCC 12 makes a variable that could be written.
 // Layouts, scales and ranges. Source: canboat docs/canboat.json 8.0.0-beta3 (Apache-2.0), after NMEA 2000.
 // Oracle: Signals tests on frames recorded from real buses (tests/reference/n2k).
 
-constexpr std::array kHeading{
+constexpr Signal kHeading[]{
     Signal{"SID", 0, 8, kUnsigned, 1.0, 0.0, "", 0, 252},
     Signal{"Heading", 8, 16, kUnsigned, 1e-4, 0.0, "rad", 0, kTwoPi},
     Signal{"Deviation", 24, 16, kSigned, 1e-4, 0.0, "rad", -kPi, kPi},
@@ -22,12 +23,12 @@ constexpr std::array kHeading{
     Signal{"Reference", 56, 2, kUnsigned, 1.0, 0.0, "", 0, 2},
 };
 
-constexpr std::array kPosition{
+constexpr Signal kPosition[]{
     Signal{"Latitude", 0, 32, kSigned, 1e-7, 0.0, "deg", -90, 90},
     Signal{"Longitude", 32, 32, kSigned, 1e-7, 0.0, "deg", -180, 180},
 };
 
-constexpr std::array kSpeed{
+constexpr Signal kSpeed[]{
     Signal{"SID", 0, 8, kUnsigned, 1.0, 0.0, "", 0, 252},
     Signal{"SpeedWaterReferenced", 8, 16, kUnsigned, 0.01, 0.0, "m/s", 0, 655.32},
     Signal{"SpeedGroundReferenced", 24, 16, kUnsigned, 0.01, 0.0, "m/s", 0, 655.32},
@@ -35,14 +36,14 @@ constexpr std::array kSpeed{
     Signal{"SpeedDirection", 48, 4, kUnsigned, 1.0, 0.0, "", 0, 13},
 };
 
-constexpr std::array kPressure{
+constexpr Signal kPressure[]{
     Signal{"SID", 0, 8, kUnsigned, 1.0, 0.0, "", 0, 252},
     Signal{"Instance", 8, 8, kUnsigned, 1.0, 0.0, "", 0, 252},
     Signal{"Source", 16, 8, kUnsigned, 1.0, 0.0, "", 0, 252},
     Signal{"Pressure", 24, 32, kSigned, 0.1, 0.0, "Pa", -214'748'364.7, 214'748'364.4},
 };
 
-constexpr std::array kHeadingControl{
+constexpr Signal kHeadingControl[]{
     Signal{"RudderLimitExceeded", 0, 2, kUnsigned, 1.0, 0.0, "", 0, 2},
     Signal{"OffHeadingLimitExceeded", 2, 2, kUnsigned, 1.0, 0.0, "", 0, 2},
     Signal{"OffTrackLimitExceeded", 4, 2, kUnsigned, 1.0, 0.0, "", 0, 2},
@@ -64,7 +65,7 @@ constexpr std::array kHeadingControl{
 
 // Ours. A proprietary group begins with the maker's code; 2044, the highest that the field can hold, is assigned to nobody known to canboat
 // and must become the vehicle maker's own before it sails with strangers' devices.
-constexpr std::array kSpeedDepth{
+constexpr Signal kSpeedDepth[]{
     Signal{"ManufacturerCode", 0, 11, kUnsigned, 1.0, 0.0, "", 0, 2044},
     Signal{"IndustryGroup", 13, 3, kUnsigned, 1.0, 0.0, "", 0, 6},
     Signal{"CommandedSpeed", 16, 16, kUnsigned, 0.01, 0.0, "m/s", 0, 655.32},
@@ -77,7 +78,7 @@ constexpr Message message_of(std::string_view name, std::uint32_t pgn, std::uint
 }
 
 // Periods: once a second, the pace of navigation and set-points in a mission, where the standard's own default is shorter.
-constexpr std::array kMessages{
+constexpr Message kMessages[]{
     message_of("VesselHeading", kHeadingPgn, 2, 8, Direction::kToRuntime, Duration::seconds(1), kHeading),
     message_of("PositionRapidUpdate", kPositionPgn, 2, 8, Direction::kToRuntime, Duration::seconds(1), kPosition),
     message_of("Speed", kSpeedPgn, 2, 8, Direction::kToRuntime, Duration::seconds(1), kSpeed),

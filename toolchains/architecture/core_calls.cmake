@@ -1,0 +1,35 @@
+# Fails when the fixed-memory core recurses, calls through a pointer, takes stack of a size known at run time only, or needs more than so much
+# stack; and when a source of the core is in no library that is looked at. Prints the deepest stack.
+#   cmake -D AWK=awk "-D OBJECTS=a.cpp.o;b.cpp.o" -D MOST_STACK=<bytes> [-D ROOT=<checkout>] -P core_calls.cmake
+cmake_minimum_required(VERSION 3.25)
+set(graphs "")
+set(looked_at "")
+foreach(object IN LISTS OBJECTS)
+  string(REGEX REPLACE "[.]o$" ".ci" graph "${object}")
+  if(NOT EXISTS ${graph})
+    message(FATAL_ERROR "${object} has no call graph beside it: was it made without earshot_record_calls?")
+  endif()
+  file(STRINGS ${graph} title REGEX "^graph:")
+  string(REGEX REPLACE "^graph: { title: \"(.*)\".*$" "\\1" source "${title}")
+  list(APPEND looked_at "${source}")
+  list(APPEND graphs ${graph})
+endforeach()
+
+# The core is all of firmware but what needs an operating system.
+if(ROOT)
+  file(GLOB_RECURSE sources ${ROOT}/firmware/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "^${ROOT}/firmware/(host|boards)/")
+  if(NOT sources)
+    message(FATAL_ERROR "no source of the core under ${ROOT}")
+  endif()
+  list(REMOVE_ITEM sources ${looked_at})
+  if(sources)
+    message(FATAL_ERROR "of the core, but in no library marked FIRMWARE: ${sources}")
+  endif()
+endif()
+
+execute_process(COMMAND ${AWK} -v most_stack=${MOST_STACK} -f ${CMAKE_CURRENT_LIST_DIR}/core_calls.awk ${graphs} OUTPUT_VARIABLE found RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "the fixed-memory core must not do this:\n${found}")
+endif()
+message("${found}")
