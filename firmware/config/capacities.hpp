@@ -7,23 +7,39 @@ namespace earshot::config {
 
 // Every size of the fixed-memory core, with its unit, its reason and what happens when it is full.
 
+/// What the core is compiled for, by -DEARSHOT_CAPACITY_PROFILE=kMicrocontroller; left out, a vehicle computer.
+enum class Profile : std::uint8_t {
+  kVehicleComputer,  ///< an operating system and megabytes: every policy that can be trained
+  kMicrocontroller,  ///< bare metal; the state in half of a Cortex-M7's 128 KiB of tightly coupled memory, for a coarser belief
+};
+#ifndef EARSHOT_CAPACITY_PROFILE
+#define EARSHOT_CAPACITY_PROFILE kVehicleComputer
+#endif
+inline constexpr Profile kProfile = Profile::EARSHOT_CAPACITY_PROFILE;
+
+/// A size that differs between profiles.
+consteval std::size_t by_profile(std::size_t vehicle_computer, std::size_t microcontroller) {
+  return kProfile == Profile::kVehicleComputer ? vehicle_computer : microcontroller;
+}
+
 inline constexpr std::size_t kMaxObservation =
-    64;                                         ///< elements of an observation (m = 21 remembered steps of 3); full: policy refused at load
-inline constexpr std::size_t kMaxActions = 32;  ///< compass directions (one every 11.25 degrees); full: policy refused at load
+    64;  ///< elements of an observation (m = 21 remembered steps of 3); full: policy refused at load
+inline constexpr std::size_t kMaxActions =
+    by_profile(32, 16);  ///< compass directions (one every 11.25 or 22.5 degrees); full: policy refused at load
 inline constexpr std::size_t kMaxLayerWidth =
     64;  ///< units of a hidden layer (Stable-Baselines3's 64-64 default); full: policy refused at load
 inline constexpr std::size_t kMaxHiddenLayers = 2;      ///< hidden layers; full: policy refused at load
 inline constexpr std::size_t kMaxRememberedSteps = 21;  ///< steps in the memory state; older steps are forgotten
 inline constexpr std::size_t kMaxBeliefCells =
-    2500;  ///< cells of the belief (25 km x 25 km in cells of 500 m); full: policy refused at load
+    by_profile(2500, 625);  ///< cells of the belief (25 km x 25 km in cells of 500 m or 1 km); full: policy refused at load
 inline constexpr std::size_t kMaxBeliefHypotheses = 4;  ///< source levels and spreads believed possible; full: policy refused at load
 inline constexpr std::size_t kMaxBeliefRanges =
-    512;  ///< samples of the SNR against range (51 km in steps of 100 m); full: policy refused at load
-inline constexpr std::size_t kBeliefBytes = std::size_t{64} * 1024;  ///< bytes of the belief about the source; full: does not compile
-inline constexpr std::size_t kGoldenPairs = 8;                       ///< observation -> logits pairs re-checked at boot; exactly this many
-inline constexpr std::size_t kMaxProvenance = 1024;                  ///< bytes of provenance text in a policy; full: refused at freeze
+    by_profile(512, 256);  ///< samples of the SNR against range (51 km in steps of 100 or 200 m); full: policy refused at load
+inline constexpr std::size_t kBeliefBytes = by_profile(64, 20) * 1024;  ///< bytes of the belief about the source; full: does not compile
+inline constexpr std::size_t kGoldenPairs = 8;       ///< observation -> logits pairs re-checked at boot; exactly this many
+inline constexpr std::size_t kMaxProvenance = 1024;  ///< bytes of provenance text in a policy; full: refused at freeze
 inline constexpr std::size_t kRuntimeBytes =
-    std::size_t{112} * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights and belief; full: does not compile
+    by_profile(112, 64) * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights and belief; full: does not compile
 
 // Inputs and commands (firmware/messages, firmware/runtime).
 inline constexpr std::size_t kMaxPorts = 8;  ///< ports of a vehicle (buses, serial lines, the simulation link); full: mission refused

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <iomanip>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/config/capacities.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 
@@ -35,7 +37,15 @@ PublicKey load_public_key(const std::filesystem::path& path) {
   return key;
 }
 
-const char* in_words(policy::PolicyFault fault) {
+std::string bad_shape() {
+  const auto at_most = [](std::size_t count, const char* what) { return std::to_string(count) + " " + what; };
+  return "its shapes do not fit each other or exceed what this program holds: " + at_most(config::kMaxObservation, "observations, ") +
+         at_most(config::kMaxActions, "actions, ") + at_most(config::kMaxLayerWidth, "units in each of two layers, ") +
+         at_most(config::kMaxBeliefCells, "cells, ") + at_most(config::kMaxBeliefHypotheses, "hypotheses and ") +
+         at_most(config::kMaxBeliefRanges, "ranges of a belief, ") + at_most(config::kMaxProvenance, "bytes of provenance");
+}
+
+std::string in_words(policy::PolicyFault fault) {
   switch (fault) {
     case policy::PolicyFault::kNone:
       return "nothing is wrong";
@@ -48,7 +58,7 @@ const char* in_words(policy::PolicyFault fault) {
     case policy::PolicyFault::kBadChecksum:
       return "its CRC-32 is wrong: the file is damaged";
     case policy::PolicyFault::kBadShape:
-      return "its shapes do not fit each other or exceed what the runtime holds (firmware/config/capacities.hpp)";
+      return bad_shape();
     case policy::PolicyFault::kUnknownActivation:
       return "has an activation this program does not know";
     case policy::PolicyFault::kUnknownFeature:

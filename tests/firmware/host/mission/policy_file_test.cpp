@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <unistd.h>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,6 +63,21 @@ TEST_F(PolicyFile, IsRefusedForItsChecksumWhenABitInTheMiddleIsFlipped) {
   std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
   bytes[bytes.size() / 2] ^= 1U;
   EXPECT_NE(complaint(bytes).find("CRC-32 is wrong"), std::string::npos) << complaint(bytes);
+}
+
+TEST_F(PolicyFile, IsRefusedWithTheProgramsLimitsWhenItIsTooLarge) {
+  constexpr std::size_t kActionCountAt = 19;  // magic 8, version 4, length 4, activation 1, draw 1, observation 1
+  std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
+  bytes[kActionCountAt] = 33;
+  const std::size_t checksum_at = bytes.size() - policy::kSignatureSize - 4;
+  const std::uint32_t checksum = crc32(std::span(bytes).first(checksum_at));
+  for (std::size_t i = 0; i < 4; ++i) bytes[checksum_at + i] = static_cast<std::uint8_t>(checksum >> (8U * i));
+  support::sign(bytes);
+  EXPECT_NE(
+      complaint(bytes).find("this program holds: 64 observations, 32 actions, 64 units in each of two layers, 2500 cells, 4 hypotheses "
+                            "and 512 ranges of a belief, 1024 bytes of provenance"),
+      std::string::npos)
+      << complaint(bytes);
 }
 
 TEST_F(PolicyFile, IsRefusedWhenItsSignatureIsNotOfItsBytes) {
