@@ -26,6 +26,7 @@ class CanPort final : public Port {
   }
   [[nodiscard]] messages::PortReport report() const override;
   [[nodiscard]] std::string description() const override { return name_ + ", CAN " + interface_; }
+  [[nodiscard]] std::size_t memory() const override { return sizeof *this; }
 
  private:
   [[nodiscard]] Status send(const messages::Setpoint& setpoint);

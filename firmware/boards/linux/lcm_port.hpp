@@ -21,6 +21,7 @@ class LcmPort final : public Port {
   void tend() override { endpoint_.refresh_interfaces(); }
   [[nodiscard]] messages::PortReport report() const override;
   [[nodiscard]] std::string description() const override { return name_ + ", LCM " + address_ + " on " + endpoint_.interfaces(); }
+  [[nodiscard]] std::size_t memory() const override { return sizeof *this + endpoint_.memory(); }
 
  private:
   template <class Message>

@@ -14,11 +14,16 @@ messages::OperatorCommand abort_of(Time now) {
   return {.time = now, .expiry = now, .issuer = 0, .number = 1, .order = messages::Order::kAbort};
 }
 
+void make_turn(MissionTurn& turn, LoopResult& result) {
+  result.last = turn();
+  result.time = turn.last();
+  ++result.turns;
+}
+
 /// The last turn of a loop that was told to stop.
 LoopResult stopped(LoopResult result, MissionTurn& turn, Clock& clock) {
   if (!is_over(result.last.health)) turn.take(kOwnPort, abort_of(clock.now()));
-  result.last = turn();
-  result.time = turn.last();
+  make_turn(turn, result);
   return result;
 }
 
@@ -39,8 +44,7 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period,
     ports.collect(clock, turn);
     if (wake != Clock::Wake::kTurn) continue;
     ports.tend();
-    result.last = turn();
-    result.time = turn.last();
+    make_turn(turn, result);
     next_turn = std::max(next_turn + period, clock.now());
     if (!clock.answered(result.last, ports.setpoints_sent())) {
       result.end = LoopEnd::kMissionOver;

@@ -23,6 +23,7 @@ struct LoopResult {
   runtime::Outputs last;
   Time began;  ///< when the loop began
   Time time;   ///< of the last turn
+  std::uint64_t turns = 0;
 };
 
 /// The one loop of a mission, at sea and in simulation: takes what the ports bring as it comes, makes a turn when the clock says so, tries

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -50,6 +51,8 @@ class Port {
 
   /// Its name and where it listens, for a person: "vehicle, LCM udpm://... on lo, eth0".
   [[nodiscard]] virtual std::string description() const = 0;
+  /// Bytes of its queues and buffers, if it has any, for the bill of the vehicle's memory.
+  [[nodiscard]] virtual std::size_t memory() const { return 0; }
 
   [[nodiscard]] std::uint8_t index() const { return report_.port; }
   [[nodiscard]] bool has(host::Role role) const { return roles_.has(role); }

@@ -53,6 +53,13 @@ std::string PortSet::description() const {
   return text;
 }
 
+std::vector<PortSet::Held> PortSet::memory() const {
+  std::vector<Held> held;
+  for (const auto& port : ports_)
+    held.push_back({.port = std::to_string(port->index()) + ", " + port->description(), .bytes = port->memory()});
+  return held;
+}
+
 messages::PortReport PortSet::sum() const {
   messages::PortReport sum;
   for (const auto& port : ports_) {

@@ -41,6 +41,12 @@ class PortSet {
   [[nodiscard]] std::uint64_t setpoints_sent() const { return setpoints_sent_; }
   /// Where each port listens, a line each.
   [[nodiscard]] std::string description() const;
+  struct Held {
+    std::string port;  ///< its index and description
+    std::size_t bytes = 0;
+  };
+  /// What each port holds for its queues and buffers.
+  [[nodiscard]] std::vector<Held> memory() const;
   /// Of all ports together.
   [[nodiscard]] messages::PortReport sum() const;
 

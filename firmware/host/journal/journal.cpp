@@ -1,6 +1,7 @@
 #include "firmware/host/journal/journal.hpp"
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -146,6 +147,7 @@ struct Journal::Writer {
   }
 
   void run() {
+    (void)::pthread_setname_np(::pthread_self(), "journal");  // for who looks at the threads of a flight
     std::unique_lock lock(mutex);
     for (;;) {
       while (appended == written && !ending) {

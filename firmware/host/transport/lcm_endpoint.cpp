@@ -228,6 +228,10 @@ void LcmEndpoint::refresh_interfaces() {
   is_up_ = true;
 }
 
+std::size_t LcmEndpoint::memory() const {
+  return sizeof *storage_;
+}
+
 LcmCounters LcmEndpoint::counters() const {
   LcmCounters counters = counters_;
   counters.lost_by_kernel = drops_.count(receiver_.number());

@@ -70,6 +70,8 @@ class LcmEndpoint {
   /// For poll(): readable when collect() has something to read.
   [[nodiscard]] int file_descriptor() const { return receiver_.number(); }
   [[nodiscard]] LcmCounters counters() const;
+  /// Bytes of its queues and of what is put together from datagrams.
+  [[nodiscard]] std::size_t memory() const;
 
  private:
   struct Storage;

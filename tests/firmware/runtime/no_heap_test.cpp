@@ -1,64 +1,24 @@
+// The core's whole mission within the heap's trap, which has tests of its own: tests/firmware/host/memory/heap_trap_test.cpp.
+
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstddef>
-#include <cstdlib>
-
+#include "firmware/host/memory/heap_trap.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
-
-// A trap in place of the heap: while it is set, any allocation of this program ends it with a message.
-
-namespace {
-bool trap_is_set = false;
-
-void spring_if_set() {
-  if (!trap_is_set) return;
-  constexpr char kMessage[] = "heap used while the trap was set\n";
-  static_cast<void>(!write(STDERR_FILENO, kMessage, sizeof(kMessage) - 1));
-  _exit(3);
-}
-}  // namespace
-
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* old, std::size_t size);
-void* malloc(std::size_t size) {
-  spring_if_set();
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  spring_if_set();
-  return __libc_calloc(count, size);
-}
-void* realloc(void* old, std::size_t size) {
-  spring_if_set();
-  return __libc_realloc(old, size);
-}
-}
 
 namespace earshot::runtime {
 namespace {
 
-TEST(HeapTrap, SpringsOnAnAllocation) {
-  const auto allocate_in_the_trap = [] {
-    trap_is_set = true;
-    int* volatile kept = new int(1);  // volatile: the compiler may leave out an allocation that nobody looks at
-    delete kept;
-  };
-  EXPECT_EXIT(allocate_in_the_trap(), testing::ExitedWithCode(3), "heap used while the trap was set");
-}
-
 void expect_no_heap_in_a_hundred_steps(const policy::FrozenPolicy& policy) {
   Rig rig(policy);
-  trap_is_set = true;
+  host::arm_heap_trap();
   const Status configured = rig.runtime->configure(paper_mission(), policy);
   rig.sail(Order::kStart);
   while (rig.sail().health.state == MissionState::kSearch) {
   }
-  trap_is_set = false;
+  host::disarm_heap_trap();
   EXPECT_EQ(configured, Status::kOk);
   EXPECT_EQ(rig.outputs.health.steps_taken, 100U);
+  EXPECT_TRUE(host::heap_uses().empty()) << to_string(host::heap_uses().front());
 }
 
 TEST(Runtime, UsesNoHeapFromConfigurationToTheEndOfAHundredSteps) {

@@ -14,6 +14,7 @@
 
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/host_mission_clock.hpp"
+#include "firmware/boards/linux/memory_proof.hpp"
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/port_set.hpp"
@@ -22,6 +23,8 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/journal/journal.hpp"
+#include "firmware/host/memory/heap_trap.hpp"
+#include "firmware/host/memory/process_memory.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/program/run.hpp"
@@ -50,6 +53,7 @@ struct Options {
   std::uint64_t run = 0;
   std::uint32_t wait_s = 60;
   bool replace = false;
+  bool prove_no_alloc = false;
 };
 
 void declare(program::CommandLine& line, Options& o) {
@@ -76,6 +80,14 @@ void declare(program::CommandLine& line, Options& o) {
       .from(0, std::numeric_limits<std::int64_t>::max())
       .shows_default();
   line.option("--wait", &o.wait_s, "in simulation: how many seconds to wait for the simulator").from(1, 86'400).shows_default();
+  line.flag("--prove-no-alloc", &o.prove_no_alloc,
+            "show that no thread asks for memory from the first turn to the last, and print what memory is spent on; at sea only");
+}
+
+void require_proof_possible(const Options& o) {
+  if (!o.prove_no_alloc) return;
+  if (o.simulation) throw host::BadInput("--prove-no-alloc: not with --simulation, whose middleware allocates as it likes");
+  if (!host::kHeapTrapCounts) throw host::BadInput("--prove-no-alloc: this build has a sanitizer's heap, which cannot be counted");
 }
 
 host::MissionFile load(const Options& o) {
@@ -153,6 +165,20 @@ int report(const board::LoopResult& result, const board::Clock& clock, const boa
   return kLost;
 }
 
+/// In simulation the simulator's middleware does as it likes with memory.
+void settle_memory(const Options& o) {
+  if (o.simulation) return;
+  const std::string remark = board::settle_memory();
+  if (!remark.empty() && program::talk() != program::Talk::kQuiet) std::cerr << "earshotd: " << remark << "\n";
+}
+
+/// @return exit status
+int report(const board::MemoryProof& proof, const board::PortSet& ports) {
+  program::say() << proof.bill(ports);
+  (proof.holds() ? program::say() : std::cerr) << "earshotd: " << proof.verdict() << std::flush;
+  return proof.holds() ? program::kDone : program::kIncomplete;
+}
+
 /// What the mission is flown with.
 struct Flight {
   const Options& options;
@@ -176,26 +202,33 @@ int fly(const Flight& f) {
     std::cerr << "earshotd: waiting for navigation, SNR and an operator's START, as long as it takes, on\n"
               << f.ports.description() << "earshotd: journal " << journal.path().string() << "\n";
   }
+  settle_memory(f.options);
+  board::MemoryProof proof;
   board::LoopResult result;
   try {
+    if (f.options.prove_no_alloc) proof.arm();
     result = board::fly(turn, f.ports, f.clock, f.file.step_period, stop_requested);
+    if (f.options.prove_no_alloc) proof.disarm(result.turns);
   } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
     std::cerr << "earshotd: " << e.what() << "; journal up to then: " << journal.path().string() << "\n";
     return kLost;
   }
   const Status kept = journal.close();
   const int status = report(result, f.clock, f.ports, journal.path());
-  if (kept == Status::kOk && journal.counters().dropped == 0) return status;
+  const int proven = f.options.prove_no_alloc ? report(proof, f.ports) : program::kDone;
+  if (kept == Status::kOk && journal.counters().dropped == 0) return status == program::kDone ? proven : status;
   std::cerr << "earshotd: the journal is not whole: " << journal.counters().dropped << " records dropped, "
             << journal.counters().write_errors << " writes failed\n";
   return kLost;
 }
 
 int fly(const Options& o) {
+  require_proof_possible(o);
   const host::MissionFile file = load(o);
   const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, policy, o.mission.string());
   const std::vector<host::FileDescriptor> locks = lock_buses(o, file);
+  if (!o.simulation) host::set_thread_stack(board::kThreadStackBytes);
   board::PortSet ports;
   board::open_ports(file, ports);
   const board::HostClock host;
@@ -223,8 +256,8 @@ int fly(const Options& o) {
 int main(int argc, char** argv) {
   program::CommandLine line("earshotd",
                             "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
-                            "Exit status: 0 flown or stopped, 2 bad input, 3 the simulator, the bus or the journal was lost,\n"
-                            "130 stopped before the simulator came.");
+                            "Exit status: 0 flown or stopped, 1 --prove-no-alloc found an allocation, 2 bad input,\n"
+                            "3 the simulator, the bus or the journal was lost, 130 stopped before the simulator came.");
   Options options;
   declare(line, options);
   return program::run(line, argc, argv, [&] { return fly(options); });

@@ -1,0 +1,294 @@
+// earshotd --prove-no-alloc: whole missions at sea, and what must be caught.
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "earshot/health_t.hpp"
+#include "earshot/setpoint_t.hpp"
+#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/host/transport/lcm_endpoint.hpp"
+#include "firmware/messages/health.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+#include "tests/support/private_network.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/signed_policy.hpp"
+
+namespace earshot {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+using messages::MissionState;
+using messages::Order;
+
+const fs::path kBoard = fs::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux";
+const fs::path kBin = EARSHOT_BIN_DIR;
+/// Mission seconds in a second.
+constexpr double kSpeed = 10.0;
+
+/// A vehicle on the LCM bus that obeys at once, its hydrophone and its operator.
+class Vehicle {
+ public:
+  explicit Vehicle(const std::string& url) : endpoint_(host::parse_lcm_url(url), {wire::kHealthChannel, wire::kSetpointChannel}) {
+    fix_.position = {.north = Meters{12'500}, .east = Meters{12'500}};  // the middle of the mission's area
+  }
+
+  /// Sails until `is_true`. @return false when it has not come true in a minute
+  [[nodiscard]] bool sails_until(const std::function<bool()>& is_true) {
+    for (const auto deadline = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < deadline;) {
+      listen();
+      if (is_true()) return true;
+      send_measurements();
+      std::this_thread::sleep_for(5ms);
+      move();
+    }
+    return false;
+  }
+
+  void order(Order order) {
+    const Time now = clock_.utc();
+    publish(wire::kOperatorCommandChannel,
+            wire::to_message(messages::OperatorCommand{
+                .time = now, .expiry = now + Duration::seconds(1000), .issuer = 4711, .number = ++orders_, .order = order}));
+  }
+  /// What no port can read.
+  void send_nonsense() {
+    const std::vector<std::uint8_t> nonsense(100'000, 0x5A);  // in several datagrams
+    (void)endpoint_.publish(wire::kNavStateChannel, nonsense);
+    (void)endpoint_.publish("NOBODYS", nonsense);
+  }
+  void take_new_routes() { endpoint_.refresh_interfaces(); }
+
+  [[nodiscard]] MissionState state() const { return static_cast<MissionState>(health.state); }
+  health_t health{};
+  int turns = 0;  ///< health messages heard
+
+ private:
+  template <class Message>
+  void publish(std::string_view channel, const Message& message) {
+    (void)endpoint_.publish(channel, wire::Encoded(message).bytes());  // the network may be down
+  }
+  void listen() {
+    endpoint_.collect();
+    for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
+      setpoint_t setpoint{};
+      if (message.channel == wire::kHealthChannel && wire::decode(message.data, health) == Status::kOk) ++turns;
+      if (message.channel == wire::kSetpointChannel && wire::decode(message.data, setpoint) == Status::kOk) {
+        const messages::Setpoint wanted = wire::from_message(setpoint);
+        fix_.heading = wanted.heading;
+        fix_.speed = wanted.speed;
+        fix_.depth = wanted.depth;
+      }
+    }
+  }
+  void move() {
+    const auto now = std::chrono::steady_clock::now();
+    const double travelled_m = fix_.speed.value * kSpeed * std::chrono::duration<double>(now - moved_).count();
+    moved_ = now;
+    fix_.position.north += Meters{travelled_m * std::cos(fix_.heading.value)};
+    fix_.position.east += Meters{travelled_m * std::sin(fix_.heading.value)};
+  }
+  void send_measurements() {
+    fix_.time = clock_.utc();
+    publish(wire::kNavStateChannel, wire::to_message(fix_));
+    publish(wire::kSnrEstimateChannel, wire::to_message(messages::SnrMeasurement{.time = clock_.utc(), .snr = Decibels{3}}));
+  }
+
+  host::LcmEndpoint endpoint_;
+  board::HostClock clock_;
+  messages::Navigation fix_;
+  std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now();
+  std::uint32_t orders_ = 0;
+};
+
+void replace(std::string& text, std::string_view from, std::string_view to) {
+  const std::size_t at = text.find(from);
+  ASSERT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+}
+
+class NoAllocation : public testing::Test {
+ protected:
+  NoAllocation() {
+    std::string name = (fs::temp_directory_path() / "earshot-no-allocation-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    policy::FrozenPolicy walk = support::random_walk_policy();
+    walk.step_length = Meters{20};
+    support::write_bytes(folder_ / "walk.policy", support::signed_bytes(walk));
+    support::write_public_key(folder_ / "walk.pub");
+  }
+  ~NoAllocation() override {
+    if (!HasFailure()) fs::remove_all(folder_);
+  }
+
+  /// Steps of 1 s, ten turns in each; timeouts that no stall of this computer reaches.
+  void write_mission(const std::string& name, const std::string& steps) const {
+    std::string mission = support::read_text(kBoard / "missions" / name);
+    replace(mission, "step_length_m = 1000.0", "step_length_m = 20.0");
+    replace(mission, "speed_mps = 2.0", "speed_mps = 20.0");
+    replace(mission, "step_period_s = 1.0", "step_period_s = 0.1");
+    replace(mission, "max_steps = 100", "max_steps = " + steps);
+    replace(mission, "navigation_timeout_s = 5.0", "navigation_timeout_s = 300.0");
+    replace(mission, "snr_timeout_s = 5.0", "snr_timeout_s = 300.0");
+    std::ofstream(folder_ / "mission.toml") << mission;
+  }
+
+  void start_earshotd(std::vector<std::string> more) {
+    std::vector<std::string> a{
+        folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out", folder_,
+        "--prove-no-alloc"};
+    a.insert(a.end(), more.begin(), more.end());
+    earshotd_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
+  }
+
+  /// SIGTERM and its end. @return exit status
+  int stop() {
+    earshotd_->signal(SIGTERM);
+    return earshotd_->wait(30s);
+  }
+
+  void expect_said(std::string_view words) const {
+    EXPECT_NE(earshotd_->output().find(words), std::string::npos) << words << "\nin:\n" << earshotd_->output();
+  }
+
+  fs::path folder_;
+  std::unique_ptr<support::Process> earshotd_;
+};
+
+class NoAllocationOverLcm : public NoAllocation {
+ protected:
+  void SetUp() override {
+    if (test::enter_private_network()) return;
+    const char* required = std::getenv("LCM_REQUIRED");
+    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
+    GTEST_SKIP() << "this kernel lets only root make a network namespace";
+  }
+
+  /// A flight that stays in STANDBY for some turns, with a library in it that asks for memory.
+  /// @param in   the system call beside which it does
+  /// @param how  what it does
+  /// @return exit status
+  int stand_by_asking(const std::string& in, const std::string& how) {
+    write_mission("search.toml", "3");
+    Vehicle vehicle{std::string(host::kDefaultLcmUrl)};
+    ::setenv("LD_PRELOAD", EARSHOT_ASKS_FOR_MEMORY, 1);
+    ::setenv("EARSHOT_TEST_ASKS_IN", in.c_str(), 1);
+    ::setenv("EARSHOT_TEST_ASKS_BY", how.c_str(), 1);
+    start_earshotd({});
+    for (const char* name : {"LD_PRELOAD", "EARSHOT_TEST_ASKS_IN", "EARSHOT_TEST_ASKS_BY"}) ::unsetenv(name);
+    EXPECT_TRUE(vehicle.sails_until([&] { return vehicle.turns >= 10; })) << earshotd_->output();
+    return stop();
+  }
+};
+
+TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheBusThereIsNoneAndMemoryStaysAsItWas) {
+  const std::string url(host::kDefaultLcmUrl);
+  write_mission("search.toml", "20");
+  Vehicle vehicle(url);
+  start_earshotd({"--speed", "10"});
+  ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.turns > 20; })) << earshotd_->output();
+  vehicle.order(Order::kComplete);  // refused in STANDBY
+  vehicle.send_nonsense();
+  vehicle.order(Order::kStart);
+  ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.state() != MissionState::kStandby; })) << earshotd_->output();
+  ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.state() != MissionState::kSearch; })) << earshotd_->output();
+  EXPECT_EQ(vehicle.state(), MissionState::kDone);
+  EXPECT_EQ(vehicle.health.steps_taken, 20);
+  EXPECT_EQ(vehicle.health.commands_refused, 1);
+  EXPECT_EQ(stop(), 0);
+  expect_said("\nearshotd: 0 allocations in 2 threads over ");
+  expect_said("  runtime, of 114688 allowed\n");
+  expect_said("     4194304  journal ring\n");
+  expect_said("      262144  stack of thread journal\n");
+  EXPECT_EQ(earshotd_->output().find("has grown"), std::string::npos);
+}
+
+TEST_F(NoAllocationOverLcm, GivenALinkThatGoesDownAndComesBackItIsOpenedAgainWithoutAny) {
+  write_mission("search.toml", "20");
+  Vehicle vehicle{std::string(host::kDefaultLcmUrl)};
+  start_earshotd({});
+  ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.turns > 3; })) << earshotd_->output();
+  for (auto pause = 1s; vehicle.health.ports[0].unsent == 0 && pause <= 16s; pause *= 2) {
+    ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin ip link set lo down"), 0);
+    std::this_thread::sleep_for(pause);  // some turns whose messages have no way
+    ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link set lo up && ip route add 224.0.0.0/4 dev lo"), 0);
+    vehicle.take_new_routes();
+    const int heard = vehicle.turns;
+    ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.turns > heard + 10; })) << earshotd_->output();
+  }
+  EXPECT_GT(vehicle.health.ports[0].unsent, 0);
+  EXPECT_EQ(stop(), 0);
+  expect_said("\nearshotd: 0 allocations in 2 threads over ");
+}
+
+TEST_F(NoAllocationOverLcm, GivenAPortThatAllocatesAsItReadsTheFlightEndsWithOneAndSaysWhere) {
+  EXPECT_EQ(stand_by_asking("recvfrom", "malloc"), 1);
+  expect_said("memory was asked for after arming, in 2 threads over ");
+  expect_said("(earshotd): ");
+  expect_said("asks_for_memory");
+}
+
+TEST_F(NoAllocationOverLcm, GivenAPortThatAllocatesAsItSendsByAlignedNewTheFlightEndsWithOne) {
+  EXPECT_EQ(stand_by_asking("sendmsg", "aligned new"), 1);
+  expect_said("(earshotd): ");
+}
+
+TEST_F(NoAllocationOverLcm, GivenAnAllocationInTheJournalsThreadTheFlightEndsWithOneAndNamesTheThread) {
+  EXPECT_EQ(stand_by_asking("fdatasync", "malloc"), 1);
+  expect_said("(journal): ");
+  EXPECT_EQ(earshotd_->output().find("(earshotd): "), std::string::npos) << earshotd_->output();
+}
+
+TEST_F(NoAllocationOverLcm, GivenAClockThatMapsMemoryTheFlightEndsWithOne) {
+  EXPECT_EQ(stand_by_asking("ppoll", "mmap"), 1);
+  expect_said(": 0 allocations, 0 releases, ");
+}
+
+TEST_F(NoAllocationOverLcm, GivenABareSystemCallThatMapsMemoryTheFlightEndsWithOneBecauseItsAddressSpaceHasGrown) {
+  EXPECT_EQ(stand_by_asking("ppoll", "system call"), 1);
+  expect_said("the memory of the process has grown: address space by ");
+}
+
+TEST_F(NoAllocation, GivenASimulationItIsRefused) {
+  write_mission("search.toml", "3");
+  start_earshotd({"--simulation", "7"});
+  EXPECT_EQ(earshotd_->wait(30s), 2);
+  expect_said("--prove-no-alloc: not with --simulation");
+}
+
+TEST_F(NoAllocation, GivenNavigationAndSetPointsOverCanThereIsNoneInAWholeMission) {
+  const std::string url = "udpm://239.255.76.67:27498?ttl=0";  // beyond those of flights and other tests
+  write_mission("search_over_can.toml", "3");
+  Vehicle payload(url);
+  start_earshotd({"--lcm-url", url, "--can-interface", "vcan0"});
+  const support::Process vehicle(kBin / "autopilot_over_can", {"vcan0"}, folder_ / "vehicle.txt");
+  ASSERT_TRUE(payload.sails_until([&] { return payload.health.port_count > 0 && payload.health.ports[0].received > 5; }))
+      << vehicle.output() << earshotd_->output();
+  if (std::system("ip link set vcan0 down") == 0) {  // only root may
+    ASSERT_TRUE(payload.sails_until([&] { return payload.health.ports[0].link_up == 0; })) << earshotd_->output();
+    ASSERT_EQ(std::system("ip link set vcan0 up"), 0);
+    ASSERT_TRUE(payload.sails_until([&] { return payload.health.ports[0].link_up != 0; })) << earshotd_->output();
+  }
+  payload.order(Order::kStart);
+  ASSERT_TRUE(payload.sails_until([&] { return payload.state() == MissionState::kDone; })) << earshotd_->output();
+  EXPECT_EQ(stop(), 0);
+  expect_said("\nearshotd: 0 allocations in 2 threads over ");
+}
+
+}  // namespace
+}  // namespace earshot
