@@ -56,6 +56,13 @@ inline constexpr std::size_t kLcmQueueDepth = 4;      ///< messages waiting per 
 inline constexpr std::size_t kLcmReassemblySlots = 4;  ///< fragmented messages in the making; full: the least recently fed goes, counted
 inline constexpr std::size_t kLcmDatagramsPerCollect =
     256;  ///< datagrams read in one turn, so that a flood cannot hold the loop; more: next turn
+// Sound (firmware/boards/linux/hydrophone).
+inline constexpr std::size_t kHydrophoneChannels = 8;  ///< of one ADC (a small array); more: block malformed, counted
+inline constexpr std::size_t kHydrophoneRingSamples =
+    2'097'152;  ///< floats between receiving and listening (2.7 s of 96 kHz x 8 channels, 8 MiB); full: the newest block goes, counted
+inline constexpr std::size_t kHydrophoneRingBlocks =
+    4096;  ///< blocks of them (5 s of blocks of 128 samples at 96 kHz); full: the newest block goes, counted
+
 inline constexpr std::size_t kCanFramesPerCollect =
     1024;  ///< frames read in one turn (250 kbit/s carry at most about 2000 in a second, a turn looks ten times in one); more: next turn
 inline constexpr std::size_t kJournalBufferBytes =

@@ -4,7 +4,8 @@
 
 namespace earshot::messages {
 
-/// What one port says of itself; counters only grow.
+/// What one port says of itself; counters only grow. A hydrophone's counts samples of one channel where others count messages handed on
+/// and lost.
 struct PortReport {
   std::uint8_t port = 0;        ///< its index
   bool link_up = true;          ///< false: it cannot be read or written at present

@@ -10,6 +10,7 @@ namespace earshot::wire {
 inline constexpr std::string_view kNavStateChannel = "EARSHOT_NAV_STATE";                ///< nav_state_t
 inline constexpr std::string_view kSnrEstimateChannel = "EARSHOT_SNR_ESTIMATE";          ///< snr_estimate_t
 inline constexpr std::string_view kOperatorCommandChannel = "EARSHOT_OPERATOR_COMMAND";  ///< operator_command_t
+inline constexpr std::string_view kHydrophoneBlockChannel = "EARSHOT_HYDROPHONE_BLOCK";  ///< hydrophone_block_t; beside the runtime
 
 // From the runtime.
 inline constexpr std::string_view kSetpointChannel = "EARSHOT_SETPOINT";                        ///< setpoint_t

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "firmware/core/status.hpp"
+#include "firmware/messages/hydrophone_block.hpp"
+
+namespace earshot::wire {
+
+/// A hydrophone_block_t as it lies in its message.
+struct HydrophoneMessage {
+  messages::HydrophoneBlock block;
+  std::span<const std::uint8_t> samples;  ///< big-endian floats; copy_samples() reads them
+  [[nodiscard]] std::size_t sample_count() const { return samples.size() / sizeof(float); }
+};
+
+/// Reads a hydrophone_block_t where it lies. By hand, because lcm-gen's type takes its samples' memory from the heap.
+/// kMalformed: of another type, of a length that does not fit its counts, or with a field outside the range that its .lcm states.
+/// Samples may be anything, NaN too: what is to become of them the detector says.
+/// Oracle: HydrophoneMessage tests (lcm-gen's own type as the other side)
+[[nodiscard]] Status read_hydrophone_block(std::span<const std::uint8_t> bytes, HydrophoneMessage& message);
+
+/// @param samples  message.sample_count() floats
+void copy_samples(const HydrophoneMessage& message, std::span<float> samples);
+
+}  // namespace earshot::wire
