@@ -243,6 +243,7 @@ int fly(Options o) {
   // Both processes would say the same about a bad file: say it once, before either starts.
   host::MissionFile mission = simulation::load_flight_plan(o.mission, o.environment).mission;
   host::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
+  host::leave_out_hydrophones(mission);
   warn_of_another_source(o, mission);
   const std::vector<host::FileDescriptor> locks = lock_buses(o, mission);
   o.can_interface = chosen_can_interface(o, mission);

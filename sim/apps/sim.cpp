@@ -72,7 +72,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--bus", &o.ports.bus,
               "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
       .one_of({"lcm", "can", "mixed"});
-  line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port instead of the mission's");
+  line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port but a hydrophone's instead of the mission's");
   line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
   line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
 }

@@ -241,6 +241,30 @@ TEST_F(Autopilot, GivenThePythonExampleAsItsVehicleASearchAtSeaOverLcmIsSailedUn
   EXPECT_EQ(ashore.health.commands_refused, 0);
 }
 
+TEST_F(Autopilot, GivenThePythonExampleAsItsHydrophoneOnThePortThatThePageShowsItsSamplesAreHeard) {
+  if (!test::enter_private_network()) {
+    const char* required = std::getenv("LCM_REQUIRED");
+    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
+    GTEST_SKIP() << "this kernel lets only root make a network namespace";
+  }
+  const std::string page = support::read_text(kBoard / "connect_your_autopilot.md");
+  const std::size_t begin = page.find("[[port]]\nname = \"hydrophone\"");
+  ASSERT_NE(begin, std::string::npos);
+  write_mission("search.toml");
+  std::string mission = support::read_text(folder_ / "mission.toml");
+  replace(mission, "[origin]", page.substr(begin, page.find("```", begin) - begin) + "\n[origin]");
+  std::ofstream(folder_ / "mission.toml") << mission;
+  Ashore ashore{std::string(host::kDefaultLcmUrl)};
+  start_earshotd({});
+  const auto hydrophone = python("sound_over_lcm", {"udpm://239.255.76.68:7668?ttl=0", "96000", "8"});
+  ASSERT_TRUE(ashore.hears([&] { return ashore.health.port_count == 2 && ashore.health.ports[1].received > 48'000; }, [] {}))
+      << hydrophone->output() << earshotd_->output();
+  EXPECT_EQ(ashore.health.ports[1].malformed, 0);
+  earshotd_->signal(SIGTERM);
+  EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+  EXPECT_NE(earshotd_->output().find("hydrophone: of each channel "), std::string::npos) << earshotd_->output();
+}
+
 TEST_F(Autopilot, GivenTheCppExampleAsItsVehicleASearchOverCanWithTheRestOverLcmIsSailedAndItsJournalGivesEveryByteAgain) {
   const std::string url = "udpm://239.255.76.67:27499?ttl=0";  // beyond those of flights and other tests
   Ashore ashore(url);

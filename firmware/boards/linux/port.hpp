@@ -53,6 +53,8 @@ class Port {
   [[nodiscard]] virtual std::string description() const = 0;
   /// Bytes of its queues and buffers, if it has any, for the bill of the vehicle's memory.
   [[nodiscard]] virtual std::size_t memory() const { return 0; }
+  /// What else a person should know at the end; empty when there is nothing.
+  [[nodiscard]] virtual std::string remark() const { return {}; }
 
   [[nodiscard]] std::uint8_t index() const { return report_.port; }
   [[nodiscard]] bool has(host::Role role) const { return roles_.has(role); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "firmware/boards/linux/can_port.hpp"
+#include "firmware/boards/linux/hydrophone/hydrophone_port.hpp"
 #include "firmware/boards/linux/lcm_port.hpp"
 
 namespace earshot::board {
@@ -60,9 +61,18 @@ std::vector<PortSet::Held> PortSet::memory() const {
   return held;
 }
 
+std::vector<std::string> PortSet::remarks() const {
+  std::vector<std::string> remarks;
+  for (const auto& port : ports_) {
+    if (std::string remark = port->remark(); !remark.empty()) remarks.push_back(std::move(remark));
+  }
+  return remarks;
+}
+
 messages::PortReport PortSet::sum() const {
   messages::PortReport sum;
   for (const auto& port : ports_) {
+    if (port->has(host::Role::kHydrophone)) continue;
     const messages::PortReport report = port->report();
     sum.link_up = sum.link_up && report.link_up;
     sum.received += report.received;
@@ -77,6 +87,8 @@ void open_ports(const host::MissionFile& mission, PortSet& ports) {
   for (const host::PortSettings& settings : mission.ports) {
     if (settings.kind == host::PortKind::kCan) {
       ports.add(std::make_unique<CanPort>(ports.next_index(), settings, mission.plane));
+    } else if (settings.roles.has(host::Role::kHydrophone)) {
+      ports.add(std::make_unique<HydrophonePort>(ports.next_index(), settings));
     } else {
       ports.add(std::make_unique<LcmPort>(ports.next_index(), settings));
     }

@@ -47,7 +47,9 @@ class PortSet {
   };
   /// What each port holds for its queues and buffers.
   [[nodiscard]] std::vector<Held> memory() const;
-  /// Of all ports together.
+  /// What else a person should know of the ports at the end.
+  [[nodiscard]] std::vector<std::string> remarks() const;
+  /// Of all ports together that carry messages: a hydrophone's counts samples, and has a remark.
   [[nodiscard]] messages::PortReport sum() const;
 
  private:

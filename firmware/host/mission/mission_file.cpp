@@ -47,7 +47,7 @@ void read_limits(TableReader limits, config::Mission& mission) {
   mission.snr_timeout = seconds(limits.number("snr_timeout_s", Range::between(kShortest_s, 3600.0)));
 }
 
-const std::vector<std::string> kRoleWords{"navigation", "snr", "operator", "autopilot", "status"};  // in the order of Role
+const std::vector<std::string> kRoleWords{"navigation", "snr", "operator", "autopilot", "status", "hydrophone"};  // in the order of Role
 
 PortSettings read_port(TableReader table) {
   PortSettings port;
@@ -62,6 +62,8 @@ PortSettings read_port(TableReader table) {
     port.address = table.text("interface");
     return port;
   }
+  if (port.roles.has(Role::kHydrophone) && port.roles != Roles{Role::kHydrophone})
+    table.problem("roles", "\"hydrophone\" needs a port of its own, so that its samples cannot crowd out navigation and orders");
   port.address = table.text("url");
   try {
     if (!port.address.empty()) (void)parse_lcm_url(port.address);
@@ -71,13 +73,36 @@ PortSettings read_port(TableReader table) {
   return port;
 }
 
+/// Of a CAN port, or one whose address is refused anyway: none.
+std::optional<LcmUrl> lcm_url_of(const PortSettings& port) {
+  try {
+    if (port.kind == PortKind::kLcm) return parse_lcm_url(port.address);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// Two LCM ports of which one brings sound, on one group and port: what one is sent, the other must read, too.
+bool is_sound_on_bus(const PortSettings& a, const PortSettings& b) {
+  if (!a.roles.has(Role::kHydrophone) && !b.roles.has(Role::kHydrophone)) return false;
+  const std::optional<LcmUrl> url_a = lcm_url_of(a);
+  const std::optional<LcmUrl> url_b = lcm_url_of(b);
+  return url_a && url_b && url_a->group == url_b->group && url_a->port == url_b->port;
+}
+
+const char* const kSoundOnBus = "a hydrophone needs a group or port of its own, so that its samples cannot crowd out navigation and orders";
+
 void read_ports(TableReader root, MissionFile& file) {
   for (TableReader table : root.tables("port")) {
     const PortSettings port = read_port(table);
     for (const PortSettings& other : file.ports) {
       if (port.name == other.name) table.problem("name", "\"" + port.name + "\" is another port's name, too");
-      if (port.kind == other.kind && port.address == other.address)
+      if (is_sound_on_bus(port, other)) {
+        table.problem("url", "port \"" + other.name + "\" is there already: " + kSoundOnBus);
+      } else if (port.kind == other.kind && port.address == other.address) {
         table.problem(port.kind == PortKind::kCan ? "interface" : "url", "port \"" + other.name + "\" is there already: give it all roles");
+      }
     }
     file.ports.push_back(port);
   }
@@ -177,8 +202,18 @@ void override_ports(MissionFile& file, const PortOverride& said) {
   if (said.bus) file.ports = ports_named(*said.bus);
   for (PortSettings& port : file.ports) {
     const std::optional<std::string>& address = port.kind == PortKind::kCan ? said.can_interface : said.lcm_url;
-    if (address) port.address = *address;
+    if (address && !port.roles.has(Role::kHydrophone)) port.address = *address;
   }
+  for (const PortSettings& port : file.ports) {
+    for (const PortSettings& other : file.ports) {
+      if (&port != &other && is_sound_on_bus(port, other))
+        throw BadInput("--lcm-url \"" + other.address + "\": port \"" + port.name + "\" is there already: " + kSoundOnBus);
+    }
+  }
+}
+
+void leave_out_hydrophones(MissionFile& file) {
+  std::erase_if(file.ports, [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
 }
 
 std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind) {
@@ -193,6 +228,9 @@ std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind) {
 void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path) {
   for (const Role role : {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot}) {
     if (has_port_for(file, role)) continue;
+    if (role == Role::kSnr && has_port_for(file, Role::kHydrophone))
+      throw BadInput(path.string() + ": port: \"hydrophone\" brings sound, and nothing on board makes an SNR of it yet: give a port that " +
+                     "brings an SNR the role \"snr\"");
     throw BadInput(path.string() + ": port: no port has the role \"" + kRoleWords[static_cast<std::size_t>(role)] +
                    "\", without which a mission cannot be flown at sea");
   }

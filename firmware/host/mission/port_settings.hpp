@@ -13,8 +13,9 @@ enum class Role : std::uint8_t {
   kOperator,    ///< brings orders, takes their acknowledgements
   kAutopilot,   ///< takes set-points
   kStatus,      ///< takes decisions and health
+  kHydrophone,  ///< brings sound, on a bus of its own: no role goes with it
 };
-inline constexpr std::size_t kRoleCount = 5;
+inline constexpr std::size_t kRoleCount = 6;
 
 class Roles {
  public:

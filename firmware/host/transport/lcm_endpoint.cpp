@@ -163,13 +163,13 @@ Status LcmEndpoint::publish(std::string_view channel, std::span<const std::uint8
   return Status::kOk;
 }
 
-void LcmEndpoint::collect() {
-  for (std::size_t i = 0; i < config::kLcmDatagramsPerCollect; ++i) {
+std::size_t LcmEndpoint::collect(std::size_t most) {
+  for (std::size_t i = 0; i < most; ++i) {
     sockaddr_in from{};
     socklen_t from_size = sizeof from;
     const ssize_t size = ::recvfrom(receiver_.number(), storage_->datagram.data(), storage_->datagram.size(), 0,
                                     reinterpret_cast<sockaddr*>(&from), &from_size);
-    if (size < 0) return;
+    if (size < 0) return i;
     if (sender_of(from) == self_) continue;
     if (url_.ttl == 0 && !interfaces_.is_own(from.sin_addr.s_addr)) {
       ++counters_.from_elsewhere;
@@ -179,6 +179,7 @@ void LcmEndpoint::collect() {
     const std::span<const std::uint8_t> datagram{storage_->datagram.data(), static_cast<std::size_t>(size)};
     if (storage_->reassembly.accept(datagram, sender_of(from), message) == Status::kOk) enqueue(message);
   }
+  return most;
 }
 
 void LcmEndpoint::enqueue(const wire::Lc02Message& message) {

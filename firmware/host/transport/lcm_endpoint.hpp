@@ -53,8 +53,9 @@ class LcmEndpoint {
   /// Sends one message. kOutOfRange: LCM cannot carry it. kFull: the kernel refused it; try again or count it as lost.
   [[nodiscard]] Status publish(std::string_view channel, std::span<const std::uint8_t> data);
 
-  /// Reads what has arrived, at most kLcmDatagramsPerCollect datagrams, without waiting.
-  void collect();
+  /// Reads what has arrived, at most `most` datagrams, without waiting. Who must not miss one of many reads one at a time, and takes.
+  /// @return how many it read
+  std::size_t collect(std::size_t most = config::kLcmDatagramsPerCollect);
 
   /// The oldest message collected and not yet taken, in order of arrival over all channels; kNotReady if there is none.
   /// @param message  valid until the next collect()

@@ -68,7 +68,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--bus", &o.ports.bus,
               "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
       .one_of({"lcm", "can", "mixed"});
-  line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port instead of the mission's");
+  line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port but a hydrophone's instead of the mission's");
   line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
   line.option("--speed", &o.speed, "mission seconds per second of this host's clock, for a rehearsal ashore; not with --simulation")
       .between(0.01, 100.0)
@@ -103,7 +103,11 @@ host::MissionFile load(const Options& o) {
   host::require_named_files(file);
   if (o.seed) file.mission.action_seed = *o.seed;
   host::override_ports(file, o.ports);
-  if (!o.simulation) host::require_ports_for_sea(file, o.mission);
+  if (o.simulation) {
+    host::leave_out_hydrophones(file);
+  } else {
+    host::require_ports_for_sea(file, o.mission);
+  }
   return file;
 }
 
@@ -149,6 +153,7 @@ int report(const board::LoopResult& result, const board::Clock& clock, const boa
   const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
   if (const messages::PortReport sum = ports.sum(); sum.unsent > 0 || sum.lost > 0)
     std::cerr << "earshotd: " << sum.unsent << " messages could not be put on a bus, " << sum.lost << " were lost on their way in\n";
+  for (const std::string& remark : ports.remarks()) std::cerr << "earshotd: " << remark << "\n";
   if (const std::string remark = clock.remark(); !remark.empty()) std::cerr << "earshotd: " << remark << "\n";
   const bool is_talkative = program::talk() != program::Talk::kQuiet;
   switch (result.end) {

@@ -153,5 +153,59 @@ TEST(MissionFile, RefusesAnLcmPortWithoutAnAddressAndTwoPortsOfOneAddressOrName)
   EXPECT_NE(twice.find("is there already: give it all roles"), std::string::npos) << twice;
 }
 
+/// The shipped mission with a hydrophone, and what is wrong with it.
+std::string complaint_with_hydrophone(const std::string& url, const std::string& roles) {
+  return complaint("[origin]", "[[port]]\nname = \"ears\"\nkind = \"lcm\"\nurl = \"" + url + "\"\nroles = [" + roles + "]\n\n[origin]");
+}
+
+TEST(MissionFile, TakesAHydrophoneOnAGroupOrAPortOfItsOwn) {
+  EXPECT_EQ(complaint_with_hydrophone("udpm://239.255.76.67:7668?ttl=0", "\"hydrophone\""), "");
+  EXPECT_EQ(complaint_with_hydrophone("udpm://239.255.76.68:7667?ttl=0", "\"hydrophone\""), "");
+}
+
+TEST(MissionFile, RefusesAHydrophoneThatSharesItsPortWithOtherRolesOrTheirBus) {
+  const std::string together = complaint_with_hydrophone("udpm://239.255.76.67:7668", "\"hydrophone\", \"snr\"");
+  EXPECT_NE(together.find("port[1].roles: \"hydrophone\" needs a port of its own"), std::string::npos) << together;
+  const std::string shared = complaint_with_hydrophone("udpm://239.255.76.67:7667?ttl=1", "\"hydrophone\"");
+  EXPECT_NE(shared.find("port \"vehicle\" is there already: a hydrophone needs a group or port of its own"), std::string::npos) << shared;
+  EXPECT_EQ(shared.find("give it all roles"), std::string::npos) << shared;
+  EXPECT_NE(complaint_with_hydrophone("udpm://10.0.0.1:7667", "\"hydrophone\"").find("port[1].url"), std::string::npos);
+}
+
+MissionFile mission_with_hydrophone() {
+  MissionFile file = load_mission(kShipped);
+  file.ports.push_back({.name = "ears", .address = "udpm://239.255.76.67:7668", .roles = {Role::kHydrophone}});
+  return file;
+}
+
+TEST(MissionFile, LeavesAHydrophoneItsBusWhenACommandLineNamesAnotherForTheRestAndRefusesTheHydrophonesForThem) {
+  MissionFile file = mission_with_hydrophone();
+  override_ports(file, {.bus = {}, .lcm_url = "udpm://239.255.76.67:7700", .can_interface = {}});
+  EXPECT_EQ(file.ports[0].address, "udpm://239.255.76.67:7700");
+  EXPECT_EQ(file.ports[1].address, "udpm://239.255.76.67:7668");
+  EXPECT_THROW(override_ports(file, {.bus = {}, .lcm_url = "udpm://239.255.76.67:7668?ttl=0", .can_interface = {}}), BadInput);
+}
+
+TEST(MissionFile, HasNoHydrophoneLeftForASimulation) {
+  MissionFile file = mission_with_hydrophone();
+  leave_out_hydrophones(file);
+  ASSERT_EQ(file.ports.size(), 1U);
+  EXPECT_EQ(file.ports[0].name, "vehicle");
+}
+
+TEST(MissionFile, WithAHydrophoneAndNoSnrSaysAtSeaThatNothingMakesOneOfSoundYet) {
+  MissionFile file = mission_with_hydrophone();
+  EXPECT_NO_THROW(require_ports_for_sea(file, "FILE"));
+  file.ports[0].roles = {Role::kNavigation, Role::kOperator, Role::kAutopilot};
+  try {
+    require_ports_for_sea(file, "FILE");
+    FAIL() << "it was taken";
+  } catch (const BadInput& e) {
+    EXPECT_STREQ(e.what(),
+                 "FILE: port: \"hydrophone\" brings sound, and nothing on board makes an SNR of it yet: give a port that brings an SNR the "
+                 "role \"snr\"");
+  }
+}
+
 }  // namespace
 }  // namespace earshot::host

@@ -1,0 +1,30 @@
+#include "firmware/boards/linux/hydrophone/hydrophone_port.hpp"
+
+namespace earshot::board {
+
+HydrophonePort::HydrophonePort(std::uint8_t index, const host::PortSettings& settings)
+    : Port(index, settings.roles), name_(settings.name), address_(settings.address), receiver_(settings.address, meter_) {}
+
+messages::PortReport HydrophonePort::report() const {
+  const HydrophoneReceiver::Counters received = receiver_.counters();
+  const SampleMeter::Reading metered = meter_.read();
+  messages::PortReport report = report_;
+  report.link_up = received.link_up;
+  report.received = metered.samples_heard;
+  report.lost = metered.samples_missing;
+  report.malformed = received.malformed;
+  return report;
+}
+
+std::string HydrophonePort::remark() const {
+  const HydrophoneReceiver::Counters received = receiver_.counters();
+  const SampleMeter::Reading metered = meter_.read();
+  const auto count = [](std::uint64_t n, const char* what) { return std::to_string(n) + what; };
+  return name_ + ": of each channel " + count(metered.samples_heard, " samples heard, ") + count(metered.samples_missing, " lost (") +
+         count(metered.missing_at_sender, " by the sender, ") + count(received.samples_overrun, " because the listener was slow); ") +
+         count(metered.overflows, " clipped, ") + count(metered.gain_changes, " changes of gain, ") +
+         count(metered.beginnings, " beginnings, ") + count(received.malformed, " malformed messages, ") +
+         count(received.datagrams_overrun, " datagrams overrun");
+}
+
+}  // namespace earshot::board

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "firmware/boards/linux/hydrophone/hydrophone_receiver.hpp"
+#include "firmware/boards/linux/hydrophone/sample_meter.hpp"
+#include "firmware/boards/linux/port.hpp"
+
+namespace earshot::board {
+
+/// A hydrophone's samples, taken in threads of its own: none of them enters the loop, which only asks this port how it is.
+/// Its report counts samples of one channel where other ports count messages.
+class HydrophonePort final : public Port {
+ public:
+  /// @throws std::system_error, std::invalid_argument as HydrophoneReceiver does.
+  HydrophonePort(std::uint8_t index, const host::PortSettings& settings);
+
+  void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
+  std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
+  [[nodiscard]] int file_descriptor() const override { return -1; }
+  [[nodiscard]] messages::PortReport report() const override;
+  [[nodiscard]] std::string description() const override {
+    return name_ + ", hydrophone, LCM " + address_ + " on " + receiver_.interfaces();
+  }
+  [[nodiscard]] std::size_t memory() const override { return sizeof *this + receiver_.memory(); }
+  [[nodiscard]] std::string remark() const override;
+
+ private:
+  std::string name_;
+  std::string address_;
+  SampleMeter meter_;
+  HydrophoneReceiver receiver_;  ///< after what it uses
+};
+
+}  // namespace earshot::board

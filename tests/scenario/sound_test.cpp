@@ -1,0 +1,182 @@
+// A hydrophone of 96 kHz x 8 channels beside a mission at sea. EARSHOT_SOUND_SECONDS says how long it sends; 5 without.
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <variant>
+
+#include "earshot/health_t.hpp"
+#include "earshot/operator_command_t.hpp"
+#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/replay.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/transport/lcm_endpoint.hpp"
+#include "firmware/wire/journal/input_record.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+#include "tests/support/hydrophone_driver.hpp"
+#include "tests/support/private_network.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/signed_policy.hpp"
+
+namespace earshot {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+const fs::path kMission = fs::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/search.toml";
+const std::string kSoundUrl = "udpm://239.255.76.68:7668?ttl=0";
+const std::string kHydrophone = "[[port]]\nname = \"ears\"\nkind = \"lcm\"\nurl = \"" + kSoundUrl + "\"\nroles = [\"hydrophone\"]\n\n";
+constexpr std::uint8_t kSoundPort = 2;
+
+std::chrono::milliseconds sound_duration() {
+  const char* const seconds = std::getenv("EARSHOT_SOUND_SECONDS");
+  return std::chrono::seconds(seconds == nullptr ? 5 : std::atoi(seconds));
+}
+
+std::chrono::duration<double> processor_time_of_children() {
+  rusage usage{};
+  (void)::getrusage(RUSAGE_CHILDREN, &usage);
+  const auto of = [](const timeval& time) {
+    return std::chrono::duration<double>(static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec));
+  };
+  return of(usage.ru_utime) + of(usage.ru_stime);
+}
+
+class Sound : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!test::enter_private_network()) {
+      const char* const required = std::getenv("LCM_REQUIRED");
+      ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
+      GTEST_SKIP() << "this kernel lets only root make a network namespace";
+    }
+    std::string name = (fs::temp_directory_path() / "earshot-sound-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    support::write_bytes(folder_ / "walk.policy", support::signed_bytes(support::random_walk_policy()));
+    support::write_public_key(folder_ / "walk.pub");
+    shore_ =
+        std::make_unique<host::LcmEndpoint>(host::parse_lcm_url(host::kDefaultLcmUrl), std::vector<std::string_view>{wire::kHealthChannel});
+  }
+  void TearDown() override {
+    if (!HasFailure() && !folder_.empty()) fs::remove_all(folder_);
+  }
+
+  void start_earshotd_with_hydrophone() {
+    std::string mission = support::read_text(kMission);
+    mission.insert(mission.find("[origin]"), kHydrophone);
+    mission.replace(mission.find("step_period_s = 1.0"), 19, "step_period_s = 0.1");
+    std::ofstream(folder_ / "mission.toml") << mission;
+    earshotd_ = std::make_unique<support::Process>(fs::path(EARSHOT_BIN_DIR) / "earshotd",
+                                                   std::vector<std::string>{folder_ / "mission.toml", "--policy", folder_ / "walk.policy",
+                                                                            "--public-key", folder_ / "walk.pub", "--out", folder_},
+                                                   folder_ / "earshotd.txt");
+  }
+
+  /// Listens ashore until it is true of the runtime's health. @return false when it has not come true in so long
+  bool hears(const std::function<bool(const health_t&)>& is_true, std::chrono::milliseconds patience = 30s) {
+    for (const auto deadline = std::chrono::steady_clock::now() + patience; std::chrono::steady_clock::now() < deadline;) {
+      std::this_thread::sleep_for(20ms);
+      shore_->collect();
+      for (wire::Lc02Message message; shore_->take(message) == Status::kOk;) {
+        health_t health{};
+        if (wire::decode(message.data, health) == Status::kOk && is_true(health)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Until health accounts for every sample that the driver's ADC took; what was lost last shows only when another block comes.
+  bool accounts_for_all(support::HydrophoneDriver& driver) {
+    const auto is_accounted = [&](const health_t& health) {
+      for (const port_report_t& port : health.ports) {
+        if (port.port == kSoundPort) return static_cast<std::uint64_t>(port.received + port.lost) == driver.taken();
+      }
+      return false;
+    };
+    for (int i = 0; i < 15; ++i) {
+      (void)driver.send();
+      if (hears(is_accounted, 2s)) return true;
+    }
+    return false;
+  }
+
+  void order_abort() {
+    operator_command_t order{};
+    order.utime = board::HostClock().utc().us;
+    order.command = operator_command_t::ABORT;
+    EXPECT_EQ(shore_->publish(wire::kOperatorCommandChannel, wire::Encoded(order).bytes()), Status::kOk);
+  }
+
+  /// The last report of the hydrophone's port in the journal.
+  [[nodiscard]] messages::PortReport report_in_journal() const {
+    host::JournalReader reader(folder_ / "journal.lcmlog");
+    messages::PortReport last;
+    messages::Input input;
+    for (host::JournalRecord record; reader.next(record);) {
+      EXPECT_NE(record.channel, wire::kHydrophoneBlockChannel);
+      if (wire::read_input(record.channel, record.time, record.data, 0, input) != Status::kOk) continue;
+      const auto* report = std::get_if<messages::PortReport>(&input.value);
+      if (report != nullptr && report->port == kSoundPort) last = *report;
+    }
+    return last;
+  }
+
+  fs::path folder_;
+  std::unique_ptr<host::LcmEndpoint> shore_;
+  std::unique_ptr<support::Process> earshotd_;
+};
+
+TEST_F(Sound, GivenEightChannelsAtNinetySixKilohertzEverySampleIsHeardOrCountedAndAnAbortIsObeyedMeanwhile) {
+  start_earshotd_with_hydrophone();
+  ASSERT_TRUE(hears([](const health_t& health) { return health.port_count == 2; })) << earshotd_->output();
+  support::HydrophoneDriver driver(kSoundUrl, {});
+  const auto began = std::chrono::steady_clock::now();
+  driver.send_in_time_for(sound_duration() / 2);
+  order_abort();
+  driver.send_in_time_for(sound_duration() / 2);
+  const std::chrono::duration<double> sent_for = std::chrono::steady_clock::now() - began;
+  ASSERT_TRUE(accounts_for_all(driver)) << earshotd_->output();
+  ASSERT_TRUE(hears([](const health_t& health) { return health.state == health_t::ABORT; }));
+  earshotd_->signal(SIGTERM);
+  ASSERT_EQ(earshotd_->wait(30s), 0) << earshotd_->output();
+
+  const messages::PortReport report = report_in_journal();
+  EXPECT_EQ(report.received + report.lost, driver.taken());
+  EXPECT_EQ(report.malformed, 0U);
+  EXPECT_TRUE(board::replay(folder_ / "journal.lcmlog").is_same());
+  EXPECT_LT(fs::file_size(folder_ / "journal.lcmlog"), driver.taken()) << "a byte a sample of one channel of eight, where a sample is four";
+  std::cout << sent_for.count() << " s of 96 kHz x 8 channels: " << report.received << " samples of each channel heard, " << report.lost
+            << " lost; earshotd took " << 100.0 * processor_time_of_children() / sent_for << " % of a processor\n";
+}
+
+TEST_F(Sound, GivenAHydrophoneAndNobodyWhoBringsAnSnrAMissionIsRefused) {
+  std::string mission = support::read_text(kMission);
+  mission.insert(mission.find("[origin]"), kHydrophone);
+  mission.replace(mission.find("\"snr\", "), 7, "");
+  std::ofstream(folder_ / "mission.toml") << mission;
+  support::Process earshotd(
+      fs::path(EARSHOT_BIN_DIR) / "earshotd",
+      {folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out", folder_},
+      folder_ / "earshotd.txt");
+  EXPECT_EQ(earshotd.wait(30s), 2);
+  EXPECT_NE(earshotd.output().find("give a port that brings an SNR the role \"snr\""), std::string::npos) << earshotd.output();
+  EXPECT_FALSE(fs::exists(folder_ / "journal.lcmlog"));
+}
+
+}  // namespace
+}  // namespace earshot
