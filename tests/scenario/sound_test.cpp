@@ -17,12 +17,14 @@
 #include <string>
 #include <thread>
 #include <variant>
+#include <vector>
 
 #include "earshot/health_t.hpp"
 #include "earshot/operator_command_t.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/replay.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/memory/heap_trap.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -81,10 +83,10 @@ class Sound : public testing::Test {
     mission.insert(mission.find("[origin]"), kHydrophone);
     mission.replace(mission.find("step_period_s = 1.0"), 19, "step_period_s = 0.1");
     std::ofstream(folder_ / "mission.toml") << mission;
-    earshotd_ = std::make_unique<support::Process>(fs::path(EARSHOT_BIN_DIR) / "earshotd",
-                                                   std::vector<std::string>{folder_ / "mission.toml", "--policy", folder_ / "walk.policy",
-                                                                            "--public-key", folder_ / "walk.pub", "--out", folder_},
-                                                   folder_ / "earshotd.txt");
+    std::vector<std::string> arguments{
+        folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out", folder_};
+    if (host::kHeapTrapCounts) arguments.emplace_back("--prove-no-alloc");  // of every thread: its exit status says so
+    earshotd_ = std::make_unique<support::Process>(fs::path(EARSHOT_BIN_DIR) / "earshotd", arguments, folder_ / "earshotd.txt");
   }
 
   /// Listens ashore until it is true of the runtime's health. @return false when it has not come true in so long
