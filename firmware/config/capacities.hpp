@@ -66,7 +66,12 @@ inline constexpr std::size_t kHydrophoneRingBlocks =
 inline constexpr std::size_t kCanFramesPerCollect =
     1024;  ///< frames read in one turn (250 kbit/s carry at most about 2000 in a second, a turn looks ten times in one); more: next turn
 inline constexpr std::size_t kJournalBufferBytes =
-    4'194'304;  ///< bytes waiting for the disk (1 s of the largest bus load); full: drop newest, count
+    6'291'456;  ///< bytes waiting for the disk, 4 MiB of them streams (1 s of the largest bus load); full: drop newest, count
+inline constexpr std::size_t kJournalSteeringReserveBytes =
+    1'048'576;  ///< of these, kept from streams for set-points and decisions (10 000 set-points, one a second for nearly 3 h); full: drop
+                ///< newest, count
+inline constexpr std::size_t kJournalOrderReserveBytes =
+    1'048'576;  ///< of these, kept from all but mission, commands and changes of state (12 000 commands); full: drop newest, count
 inline constexpr std::size_t kFastPacketSlots =
     8;  ///< NMEA 2000 fast packets in the making (senders x PGNs); full: the oldest goes, counted
 

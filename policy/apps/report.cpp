@@ -23,7 +23,7 @@ int say_what_is_missing(const std::filesystem::path& folder, const report::Fligh
   for (const std::string& name : flight.missing)
     std::cerr << host::printable((folder / name).string()) << ": not there; the page is without it\n";
   if (!flight.journal.is_whole())
-    std::cerr << host::printable((folder / report::kJournalName).string()) << ": " << report::ending_of(flight.journal) << "\n";
+    std::cerr << host::printable((folder / report::kJournalName).string()) << ": " << report::lack_of(flight.journal) << "\n";
   return flight.is_complete() && flight.journal.is_whole() ? program::kDone : program::kIncomplete;
 }
 

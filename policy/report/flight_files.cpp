@@ -125,13 +125,32 @@ explain::RecordedDecision decision_of(const decision_t& m) {
           .logits = first_of(m.logits, m.action_count)};
 }
 
+/// Where and why a journal ends before its end; "" for one that does not.
+std::string ending_of(const JournalledSearch& journal) {
+  if (journal.end == JournalledSearch::End::kWhole) return "";
+  const std::string where = " at byte " + std::to_string(journal.bytes_read) + " of " + std::to_string(journal.bytes) + ", in record " +
+                            std::to_string(journal.records);
+  const std::string read = " Read before it: " + std::to_string(journal.records) + " records, " + std::to_string(journal.decisions.size()) +
+                           " decisions among them";
+  if (journal.end == JournalledSearch::End::kCut)
+    return "The journal ends" + where + ", which is not whole: the runtime was stopped while it wrote." + read + ".";
+  return "The journal is damaged" + where + ", which does not match its checksum or is none." + read +
+         "; what stands after it is not read.";
+}
+
 }  // namespace
 
 JournalledSearch read_journal(const std::filesystem::path& path) {
   using End = host::JournalReader::End;
   JournalledSearch search;
   host::JournalReader journal(path);
+  std::uint64_t expected_number = 0;
   for (host::JournalRecord record; journal.next(record); ++search.records) {
+    if (record.number > expected_number) {
+      if (search.missing == 0) search.first_missing = expected_number;
+      search.missing += record.number - expected_number;
+    }
+    expected_number = record.number + std::uint64_t{1};
     decision_t decision{};
     if (record.channel != wire::kDecisionChannel || wire::decode(record.data, decision) != Status::kOk) continue;
     search.decisions.push_back(decision_of(decision));
@@ -144,18 +163,15 @@ JournalledSearch read_journal(const std::filesystem::path& path) {
   return search;
 }
 
-std::string ending_of(const JournalledSearch& journal) {
-  if (journal.is_whole()) return "";
-  const std::string where = " at byte " + std::to_string(journal.bytes_read) + " of " + std::to_string(journal.bytes) + ", in record " +
-                            std::to_string(journal.records);
-  const std::string read = " Read before it: " + std::to_string(journal.records) + " records, " + std::to_string(journal.decisions.size()) +
-                           " decisions among them";
-  if (journal.end == JournalledSearch::End::kCut)
-    return "The journal ends" + where + ", which is not whole: the runtime was stopped while it wrote." + read + ".";
-  return "The journal is damaged" + where + ", which does not match its checksum or is none." + read +
-         "; what stands after it is not read.";
+std::string lack_of(const JournalledSearch& journal) {
+  std::string lack;
+  if (journal.missing > 0) {
+    lack = "The journal lacks " + std::to_string(journal.missing) + " records from number " + std::to_string(journal.first_missing) +
+           " on: the disk was full or too slow.";
+  }
+  const std::string ending = ending_of(journal);
+  return lack + (lack.empty() || ending.empty() ? "" : " ") + ending;
 }
-
 std::optional<std::filesystem::path> policy_beside(const std::filesystem::path& journal) {
   std::filesystem::path policy = journal;
   policy.replace_extension(".policy");

@@ -33,14 +33,16 @@ struct JournalledSearch {
   std::uint64_t records = 0;     ///< that were read, decisions and others
   std::uint64_t bytes_read = 0;  ///< where the cut or damaged record begins
   std::uint64_t bytes = 0;       ///< of the file
+  std::uint64_t missing = 0;     ///< records that a full or slow disk did not take, by their numbers
+  std::uint64_t first_missing = 0;
 
-  [[nodiscard]] bool is_whole() const { return end == End::kWhole; }
+  [[nodiscard]] bool is_whole() const { return end == End::kWhole && missing == 0; }
   /// False: no record at all where the first should begin.
-  [[nodiscard]] bool is_journal() const { return is_whole() || records > 0; }
+  [[nodiscard]] bool is_journal() const { return end == End::kWhole || records > 0; }
 };
 
-/// How a journal ends that is not whole, in a sentence with the byte, the record, and how much of it was read; "" for a whole one.
-[[nodiscard]] std::string ending_of(const JournalledSearch& journal);
+/// What a journal lacks that is not whole, in sentences with the byte, the record, and how much of it was read; "" for a whole one.
+[[nodiscard]] std::string lack_of(const JournalledSearch& journal);
 
 /// A flight whose simulator was killed leaves its journal alone; whatever else is not there is empty, and named in `missing`.
 struct Flight {

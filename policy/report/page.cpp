@@ -37,7 +37,7 @@ std::string shortcomings(const Flight& flight) {
   for (const std::string& name : flight.missing) text += (text.empty() ? "Not there: " : ", ") + name;
   if (!text.empty())
     text = "<p class=\"missed\">" + text + ". A simulator that is stopped at sea does not write them; this page is of the rest.</p>\n";
-  if (!flight.journal.is_whole()) text += "<p class=\"missed\">" + ending_of(flight.journal) + "</p>\n";
+  if (!flight.journal.is_whole()) text += "<p class=\"missed\">" + lack_of(flight.journal) + "</p>\n";
   return text;
 }
 

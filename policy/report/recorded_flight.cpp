@@ -18,13 +18,13 @@ using explain::RecordedDecision;
 using host::BadInput;
 
 std::string how_it_ends(const JournalledSearch& journal) {
-  return journal.is_whole() ? "" : "; the journal is cut short or damaged after it";
+  return journal.end == JournalledSearch::End::kWhole ? "" : "; the journal is cut short or damaged after it";
 }
 
 void require_decisions(const fs::path& path, const JournalledSearch& journal) {
   if (!journal.is_journal()) throw BadInput(path.string() + ": not a journal: no record where the first should begin");
   if (journal.decisions.empty())
-    throw BadInput(path.string() + ": no decision in it" + (journal.is_whole() ? "" : ": the journal is cut short or damaged"));
+    throw BadInput(path.string() + ": no decision in it" + (journal.is_whole() ? "" : ": " + lack_of(journal)));
   for (std::size_t i = 0; i < journal.decisions.size(); ++i) {
     if (journal.decisions[i].step != i)
       throw BadInput(path.string() + ": the decision of step " + std::to_string(i) +

@@ -19,7 +19,7 @@ std::string subtitle(const Sheet& sheet) {
 }
 
 std::string notes(const Sheet& sheet) {
-  return sheet.flight.journal.is_whole() ? "" : "The journal is cut short or damaged after its last decision.";
+  return lack_of(sheet.flight.journal);
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ struct Options {
   std::optional<std::string> bus;
   std::optional<std::string> lcm_url;
   std::optional<std::string> can_interface;
+  std::optional<std::string> journal_survives;
   bool ignore_source = false;
   bool no_report = false;
 };
@@ -78,6 +79,9 @@ void declare(program::CommandLine& line, Options& o) {
       .one_of({"lcm", "can", "mixed"});
   line.option("--lcm-url", &o.lcm_url, "LCM address; default: one that no other flight on this machine uses");
   line.option("--can-interface", &o.can_interface, "CAN interface instead of the mission's; vcan0 stands in for can0, the bus at sea");
+  line.option("--journal-survives", &o.journal_survives,
+              "power-cut: the journal is written as at sea; process: it is left to the kernel; default: process")
+      .one_of({"power-cut", "process"});
   line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
   line.flag("--no-report", &o.no_report, "do not write report.html");
 }
@@ -118,6 +122,7 @@ std::vector<std::string> runtime_arguments(const Options& o, const Meeting& meet
   a.insert(a.end(), {o.mission.string(), "--quiet", "--simulation", std::to_string(meeting.domain), "--wait", kWait_s});
   add(a, "--policy", o.policy);
   add(a, "--public-key", o.public_key);
+  add(a, "--journal-survives", o.journal_survives);
   return a;
 }
 

@@ -30,6 +30,15 @@ TEST_F(Flight, GivenOneSeedTwoFlightsGoTheSameWayByteForByte) {
   EXPECT_TRUE(support::read_text(folder_ / "first/journal.lcmlog") == support::read_text(folder_ / "second/journal.lcmlog"));
 }
 
+TEST_F(Flight, GivenAJournalThatSurvivesAPowerCutAsAtSeaTheFlightGoesTheSameWayAndTheJournalIsTheSame) {
+  const auto left_to_the_kernel = fly("process", {"--seed", "1"});
+  ASSERT_EQ(left_to_the_kernel->wait(120s), 0) << left_to_the_kernel->output();
+  const auto as_at_sea = fly("power-cut", {"--seed", "1", "--journal-survives", "power-cut"});
+  ASSERT_EQ(as_at_sea->wait(120s), 0) << as_at_sea->output();
+  for (const char* file : {"track.csv", "journal.lcmlog"})
+    EXPECT_TRUE(support::read_text(folder_ / "process" / file) == support::read_text(folder_ / "power-cut" / file)) << file;
+}
+
 TEST_F(Flight, GivenTwoSeedsTheyStartElsewhere) {
   for (const char* seed : {"7", "8"}) {
     const auto flight = fly(seed, {"--seed", seed});

@@ -56,6 +56,37 @@ TEST_F(Losses, GivenAFullDiskTheFlightIsLostWithStatusThreeAndEveryRowThatWasWri
   EXPECT_EQ(track.back(), '\n');
 }
 
+TEST_F(Losses, GivenAFullDiskUnderItsJournalEarshotdFliesOnAndCountsEveryRecordThatIsNotInTheFile) {
+  const auto fly_with_room_for = [this](const std::string& name, const std::string& kibibytes) {
+    const std::string domain = std::to_string(slot_.domain());
+    std::vector<std::string> a{"-c", "trap '' XFSZ; ulimit -f " + kibibytes + "; exec \"$@\"", "bash", kBin / "earshotd"};
+    for (const std::string& word : policy_arguments()) a.push_back(word);
+    a.insert(a.end(), {kMission, "--out", folder_ / name, "--simulation", domain, "--lcm-url", slot_.lcm_url()});
+    runtime_ = std::make_unique<support::Process>("/bin/bash", a, folder_ / (name + ".txt"));
+    simulator_ = std::make_unique<support::Process>(
+        kBin / "earshot-sim",
+        std::vector<std::string>{"--environment", kEnvironment, "--mission", kMission, "--out", folder_ / (name + "-sim"), "--domain",
+                                 domain, "--lcm-url", slot_.lcm_url(), "--ignore-source"},
+        folder_ / "earshot-sim.txt");
+    EXPECT_EQ(simulator_->wait(120s), 0) << simulator_->output();
+    return runtime_->wait(20s);
+  };
+  const auto records_of = [this](const std::string& name) {
+    host::JournalReader reader(folder_ / name / "journal.lcmlog");
+    std::size_t records = 0;
+    for (host::JournalRecord record; reader.next(record);) ++records;
+    EXPECT_EQ(reader.end(), host::JournalReader::End::kWhole) << name;
+    return records;
+  };
+  ASSERT_EQ(fly_with_room_for("whole", "unlimited"), 0) << runtime_->output();
+  ASSERT_EQ(fly_with_room_for("full", "1000"), 3) << runtime_->output();
+  EXPECT_TRUE(support::read_text(folder_ / "whole-sim/track.csv") == support::read_text(folder_ / "full-sim/track.csv"));
+  const std::size_t lost = records_of("whole") - records_of("full");
+  EXPECT_GT(lost, 10'000);
+  EXPECT_NE(runtime_->output().find("the journal is not whole: " + std::to_string(lost) + " records lost, of these "), std::string::npos)
+      << lost << " " << runtime_->output();
+}
+
 TEST_F(Losses, GivenCtrlCBothEndInOrderAndTheJournalIsWhole) {
   const auto flight = fly(".", {"--speed", "500", "--ignore-source"});
   ASSERT_TRUE(is_under_way()) << flight->output();

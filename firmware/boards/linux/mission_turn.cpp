@@ -14,9 +14,15 @@
 namespace earshot::board {
 namespace {
 
+using host::Weight;
+
 template <class Message>
-void append(host::Journal& journal, Time now, std::string_view channel, const Message& message) {
-  (void)journal.append(now, channel, wire::Encoded(message).bytes());  // the journal counts what it drops
+void append(host::Journal& journal, Time now, std::string_view channel, const Message& message, Weight weight) {
+  (void)journal.append(now, channel, wire::Encoded(message).bytes(), weight);  // the journal counts what it loses
+}
+
+Weight weight_of(const InputSink::Value& value) {
+  return std::holds_alternative<messages::OperatorCommand>(value) ? Weight::kOrder : Weight::kStream;
 }
 
 const char* to_string(messages::MissionState state) {
@@ -62,8 +68,8 @@ void MissionTurn::record_mission(const config::Mission& mission, std::span<const
   mission_t m = wire::to_message(mission, last_);
   m.policy_crc32 = static_cast<std::int32_t>(crc32(policy));
   std::copy_n(build.begin(), std::min(build.size(), std::size(m.build)), std::begin(m.build));
-  append(journal_, last_, wire::kMissionChannel, m);
-  (void)journal_.append(last_, wire::kPolicyChannel, policy);
+  append(journal_, last_, wire::kMissionChannel, m, Weight::kOrder);
+  (void)journal_.append(last_, wire::kPolicyChannel, policy, Weight::kOrder);
 }
 
 Time MissionTurn::now() {
@@ -76,7 +82,7 @@ void MissionTurn::take(std::uint8_t port, const Value& value) {
   const auto* navigation = std::get_if<messages::Navigation>(&value);
   if (navigation != nullptr && navigation->time >= Time{}) ++navigation_taken_;
   const wire::InputRecord record(input);
-  (void)journal_.append(input.arrival, record.channel(), record.data());
+  (void)journal_.append(input.arrival, record.channel(), record.data(), weight_of(value));
   runtime_.take(input);
 }
 
@@ -90,11 +96,14 @@ runtime::Outputs MissionTurn::operator()() {
 }
 
 void MissionTurn::record(Time now, const runtime::Outputs& outputs) {
-  if (outputs.setpoint) append(journal_, now, wire::kJournalledSetpointChannel, wire::to_message(*outputs.setpoint, now));
-  if (outputs.decision) append(journal_, now, wire::kDecisionChannel, wire::to_message(*outputs.decision));
+  if (outputs.setpoint)
+    append(journal_, now, wire::kJournalledSetpointChannel, wire::to_message(*outputs.setpoint, now), Weight::kSteering);
+  if (outputs.decision) append(journal_, now, wire::kDecisionChannel, wire::to_message(*outputs.decision), Weight::kSteering);
   for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements)
-    append(journal_, now, wire::kAcknowledgementChannel, wire::to_message(acknowledgement));
-  append(journal_, now, wire::kHealthChannel, wire::to_message(outputs.health, now));
+    append(journal_, now, wire::kAcknowledgementChannel, wire::to_message(acknowledgement), Weight::kOrder);
+  const bool is_new_state = recorded_state_ != outputs.health.state;
+  recorded_state_ = outputs.health.state;
+  append(journal_, now, wire::kHealthChannel, wire::to_message(outputs.health, now), is_new_state ? Weight::kOrder : Weight::kStream);
 }
 
 std::string to_string(const messages::Health& health) {

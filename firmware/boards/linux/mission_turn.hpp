@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ namespace earshot::board {
 /// In the journal a turn is: its inputs, each with its arrival; then set-point, decision and acknowledgements, if there are any; then
 /// health, always, with the turn's time. With the mission and the policy at its beginning the journal thus holds all that the runtime was
 /// ever given: whoever takes the same inputs and steps at every health record gets every output again, bit for bit.
+/// Commands and what steered the vehicle weigh more than streams: on a full disk they are lost last (host::Weight).
 class MissionTurn final : public InputSink {
  public:
   /// All four must outlive it.
@@ -52,6 +54,7 @@ class MissionTurn final : public InputSink {
   Time last_;
   std::uint64_t sequence_ = 0;
   std::uint64_t navigation_taken_ = 0;
+  std::optional<messages::MissionState> recorded_state_;
 };
 
 /// "DONE, the source is reached, after 37 steps"

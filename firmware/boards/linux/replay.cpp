@@ -78,7 +78,7 @@ ReplayResult replay(const std::filesystem::path& path) {
   std::uint32_t expected_number = 2;
   for (host::JournalRecord record; journal.next(record); ++expected_number) {
     if (record.number != expected_number) {
-      result.gap = record.number;
+      result.gap = expected_number;
       break;
     }
     messages::Input input;

@@ -21,7 +21,8 @@ struct ReplayResult {
     std::string channel;
   };
   std::optional<Difference> difference;
-  /// Number of the record before which some were dropped (what follows was not replayed), or that the last turn lacks.
+  /// Number of the first record that is missing, because the disk was full or too slow: the journal is whole up to it, and what follows was
+  /// not replayed.
   std::optional<std::uint32_t> gap;
   host::JournalReader::End end = host::JournalReader::End::kWhole;
 

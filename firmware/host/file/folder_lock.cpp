@@ -11,6 +11,8 @@
 #include <string>
 #include <system_error>
 
+#include "firmware/host/file/process_name.hpp"
+
 namespace earshot::host {
 namespace {
 
@@ -31,12 +33,11 @@ std::optional<std::string> holder_of(const std::string& inode) {
   return std::nullopt;
 }
 
-/// "earshot-fly (process 4711)"
-std::string name_of(const std::string& process) {
-  std::string name = "a program";
-  std::ifstream comm("/proc/" + process + "/comm");
-  std::getline(comm, name);
-  return name + " (process " + process + ")";
+[[noreturn]] void refuse(const FileDescriptor& file, const std::filesystem::path& path, const char* what) {
+  struct stat status {};
+  if (::fstat(file.number(), &status) != 0) fail(path);
+  const std::optional<std::string> holder = holder_of(std::to_string(status.st_ino));
+  throw FolderInUse(path.string() + ": " + (holder ? name_of_process(*holder) : "another program") + " is writing " + what);
 }
 
 }  // namespace
@@ -46,10 +47,16 @@ FileDescriptor lock_folder(const std::filesystem::path& folder) {
   if (lock.number() < 0) fail(folder);
   if (::flock(lock.number(), LOCK_EX | LOCK_NB) == 0) return lock;
   if (errno != EWOULDBLOCK) fail(folder);
-  struct stat status {};
-  if (::fstat(lock.number(), &status) != 0) fail(folder);
-  const std::optional<std::string> holder = holder_of(std::to_string(status.st_ino));
-  throw FolderInUse(folder.string() + ": " + (holder ? name_of(*holder) : "another program") + " is writing into this folder");
+  refuse(lock, folder, "into this folder");
+}
+
+void mark_as_written(const FileDescriptor& file, const std::filesystem::path& path) {
+  if (::flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse(file, path, "this file");
+}
+
+void require_not_being_written(const std::filesystem::path& path) {
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.number() >= 0) mark_as_written(file, path);
 }
 
 }  // namespace earshot::host

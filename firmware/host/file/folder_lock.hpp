@@ -7,7 +7,7 @@
 
 namespace earshot::host {
 
-/// Another program is writing into the folder; the message says which.
+/// Another program is writing into the folder or the file; the message says which.
 class FolderInUse : public BadInput {
  public:
   using BadInput::BadInput;
@@ -20,5 +20,13 @@ class FolderInUse : public BadInput {
 /// @throws FolderInUse, std::system_error naming the folder
 /// Oracle: FolderLock.*
 [[nodiscard]] FileDescriptor lock_folder(const std::filesystem::path& folder);
+
+/// Likewise a file that is open, as long as it is. Where the file system cannot lock, it is written all the same.
+/// @param path  of the file, for the message
+/// @throws FolderInUse
+void mark_as_written(const FileDescriptor& file, const std::filesystem::path& path);
+
+/// @throws FolderInUse when somebody has marked this file as one that is being written
+void require_not_being_written(const std::filesystem::path& path);
 
 }  // namespace earshot::host

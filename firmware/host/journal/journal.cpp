@@ -1,24 +1,19 @@
 #include "firmware/host/journal/journal.hpp"
 
-#include <fcntl.h>
 #include <pthread.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <string>
-#include <system_error>
+#include <ranges>
 #include <thread>
 #include <utility>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/crc32.hpp"
-#include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/journal/journal_format.hpp"
 #include "firmware/wire/lcm/lc02.hpp"
 
@@ -29,49 +24,6 @@ namespace {
 /// Between two writes: a fast simulation's records are written by the hundred, and waking the writer costs the appender nothing meanwhile.
 constexpr std::chrono::milliseconds kPause{1};
 constexpr std::chrono::milliseconds kRetry{100};  ///< after a write that failed
-constexpr int kMostJournals = 9999;               ///< in one folder
-
-[[noreturn]] void fail(const std::filesystem::path& path) {
-  throw std::system_error(errno, std::generic_category(), path.string());
-}
-
-/// "journal-2.lcmlog" for "journal.lcmlog"
-std::filesystem::path numbered(const std::filesystem::path& path, int number) {
-  std::filesystem::path name = path.stem();
-  name += "-" + std::to_string(number);
-  name += path.extension();
-  return path.parent_path() / name;
-}
-
-struct Created {
-  std::filesystem::path path;
-  FileDescriptor file;
-};
-
-Created create(const std::filesystem::path& wanted, JournalOptions::Existing existing) {
-  using Existing = JournalOptions::Existing;
-  const int mode = existing == Existing::kReplace ? O_TRUNC : O_EXCL;
-  std::filesystem::path path = wanted;
-  for (int number = 2;; ++number) {
-    FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, 0644));
-    if (file.number() >= 0) return {std::move(path), std::move(file)};
-    if (errno != EEXIST || existing != Existing::kKeep || number > kMostJournals) fail(path);
-    path = numbered(wanted, number);
-  }
-}
-
-/// Brings the folder's entry of a new file to the disk.
-void keep_entry(const std::filesystem::path& path) {
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  const FileDescriptor entries(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (entries.number() < 0 || ::fsync(entries.number()) != 0) fail(folder);
-}
-
-Created create(const std::filesystem::path& wanted, const JournalOptions& options) {
-  Created created = create(wanted, options.existing);
-  if (options.survives == JournalOptions::Survives::kPowerCut) keep_entry(created.path);
-  return created;
-}
 
 std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -92,46 +44,47 @@ std::array<std::uint8_t, kRecordHeaderSize> header_of(std::uint32_t number, Time
   return header;
 }
 
+JournalFile create(const std::filesystem::path& wanted, const JournalOptions& options) {
+  JournalFile file(wanted, options.existing);
+  if (options.survives == JournalOptions::Survives::kPowerCut) file.keep_entry();
+  return file;
+}
+
 }  // namespace
 
-/// A byte ring between the thread that appends and the thread that writes. Bytes are copied outside the lock; the lock guards the two
-/// positions only, and is never held over a system call on the file.
+/// A ring between the thread that appends and the thread that writes. Bytes are copied outside the lock; the lock guards the positions
+/// only, and is never held over a system call on the file.
 struct Journal::Writer {
-  std::filesystem::path path;
-  FileDescriptor file;
+  JournalFile file;
   JournalOptions options;
-  std::array<std::uint8_t, config::kJournalBufferBytes> ring;
+  RecordRing ring;
   std::mutex mutex;
   // Two for the writer, so that nobody who appends wakes it from its pause: at some 3 records a tick that cost half of a flight.
-  std::condition_variable more;   ///< for an idle writer: there is something to write, or it is to end
-  std::condition_variable ended;  ///< for a writer that pauses: it is to end
-  std::condition_variable less;   ///< for the appender: something was written
-  std::uint64_t appended = 0;     ///< bytes ever put into the ring
-  std::uint64_t written = 0;      ///< bytes ever taken out of it
-  bool idle = false;              ///< the writer waits for `more`
+  std::condition_variable more;        ///< for an idle writer: there is something to write, or it is to end
+  std::condition_variable ended;       ///< for a writer that pauses: it is to end
+  std::condition_variable less;        ///< for the appender: something was written
+  std::uint64_t appended = 0;          ///< bytes ever put into the ring
+  std::uint64_t appended_records = 0;  ///< likewise records; of the appender until the writer has ended
+  std::uint64_t written = 0;           ///< bytes ever written: the size of the file
+  std::uint64_t whole = 0;             ///< of these, those of whole records; what follows is kept in the ring
+  std::uint64_t whole_records = 0;     ///< likewise records; of the writer until it has ended
+  bool idle = false;                   ///< the writer waits for `more`
   bool ending = false;
   bool failing = false;   ///< the last write took nothing
+  bool is_whole = true;   ///< of who closes: everything in the ring was written
   bool unsynced = false;  ///< the kernel failed to bring something to the disk, and does not try again; of the writer until it has ended
   std::uint32_t next_number = 0;
   JournalCounters counters;  ///< of the appender
   std::atomic<std::uint64_t> write_errors = 0;
   std::thread thread;
 
-  Writer(Created created, JournalOptions chosen)
-      : path(std::move(created.path)), file(std::move(created.file)), options(chosen), thread([this] { run(); }) {}
-
-  void copy_in(std::uint64_t& position, std::span<const std::uint8_t> bytes) {
-    const std::size_t at = position % ring.size();
-    const std::size_t before_end = std::min(bytes.size(), ring.size() - at);
-    std::ranges::copy(bytes.first(before_end), ring.begin() + static_cast<std::ptrdiff_t>(at));
-    std::ranges::copy(bytes.subspan(before_end), ring.begin());
-    position += bytes.size();
-  }
+  Writer(const std::filesystem::path& path, JournalOptions chosen)
+      : file(create(path, chosen)), options(chosen), thread([this] { run(); }) {}
 
   /// Waits, if it may, until `size` bytes fit; not for a disk that takes nothing.
-  bool make_room(std::size_t size) {
+  bool make_room(std::size_t size, Weight weight) {
     std::unique_lock lock(mutex);
-    const auto fits = [&] { return appended + size - written <= ring.size(); };
+    const auto fits = [&] { return appended + size - whole <= RecordRing::limit(weight); };
     if (options.when_full == JournalOptions::WhenFull::kWait) less.wait(lock, [&] { return fits() || failing; });
     return fits();
   }
@@ -156,12 +109,12 @@ struct Journal::Writer {
       }
       idle = false;
       if (appended == written || (ending && failing)) return;
-      const std::size_t at = written % ring.size();
-      const std::size_t size = std::min<std::size_t>(appended - written, ring.size() - at);
+      const std::span<const std::uint8_t> bytes = ring.piece(written, appended);
       lock.unlock();
-      const std::size_t done = write_some(std::span(ring).subspan(at, size));
+      const std::size_t done = write_some(bytes);
       lock.lock();
       written += done;
+      note_whole();
       failing = done == 0;
       if (failing) ++write_errors;
       less.notify_all();
@@ -170,40 +123,118 @@ struct Journal::Writer {
     }
   }
 
+  void note_whole() {
+    while (whole < written && whole + ring.record(whole_records).size() <= written) whole += ring.record(whole_records++).size();
+  }
+
   /// @return how many bytes are in the file now; 0 on failure
   std::size_t write_some(std::span<const std::uint8_t> bytes) {
-    const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
-    if (count <= 0) return 0;
-    if (options.survives == JournalOptions::Survives::kPowerCut && ::fdatasync(file.number()) != 0) {
-      ++write_errors;
-      unsynced = true;
+    const std::size_t count = file.write_some(bytes);
+    if (count > 0) bring_to_disk();
+    return count;
+  }
+
+  void bring_to_disk() {
+    if (options.survives != JournalOptions::Survives::kPowerCut || file.bring_to_disk()) return;
+    ++write_errors;
+    unsynced = true;
+  }
+
+  // After the writer has ended: what the disk did not take.
+
+  /// Writes of the records that are left the heaviest for which there is room, and counts the others as lost.
+  /// @return whether it wrote them all
+  bool write_what_fits() {
+    // What cannot be cut ends in the middle of a record: nothing may follow it.
+    const std::uint64_t room = written == whole || file.cut(whole) ? write_in_order() : 0;
+    const bool is_all = whole + room == appended;
+    if (!is_all) write_by_weight(room > 0 && !file.cut(whole) ? 0 : room);
+    bring_to_disk();
+    return is_all;
+  }
+
+  /// @return how many bytes the disk takes behind the last whole record
+  std::uint64_t write_in_order() {
+    std::uint64_t at = whole;
+    while (at < appended) {
+      const std::size_t done = file.write_some(ring.piece(at, appended));
+      if (done == 0) break;
+      at += done;
     }
-    return static_cast<std::size_t>(count);
+    return at - whole;
+  }
+
+  void write_by_weight(std::uint64_t room) {
+    PerWeight left = shares(room);
+    std::uint64_t at = whole;
+    for (std::uint64_t index = whole_records; index < appended_records; ++index) {
+      const RecordRing::Record record = ring.record(index);
+      std::uint64_t& share = of(left, record.weight());
+      if (record.size() <= share && write_whole(at, at + record.size())) {
+        share -= record.size();
+      } else {
+        share = 0;  // the older before the newer
+        ++of(counters.lost, record.weight());
+      }
+      at += record.size();
+    }
+  }
+
+  /// Gives the room to the weights, the heaviest first.
+  PerWeight shares(std::uint64_t room) {
+    PerWeight shares{};
+    for (std::uint64_t index = whole_records; index < appended_records; ++index) {
+      const RecordRing::Record record = ring.record(index);
+      of(shares, record.weight()) += record.size();
+    }
+    for (std::uint64_t& share : std::views::reverse(shares)) {
+      share = std::min(share, room);
+      room -= share;
+    }
+    return shares;
+  }
+
+  /// Writes one record; when the disk does not take all of it, none of it stays in the file.
+  bool write_whole(std::uint64_t begin, std::uint64_t end) {
+    std::uint64_t at = begin;
+    while (at < end) {
+      const std::size_t done = file.write_some(ring.piece(at, end));
+      if (done == 0) break;
+      at += done;
+    }
+    if (at == end) {
+      whole += end - begin;
+      return true;
+    }
+    if (at > begin) (void)file.cut(whole);
+    return false;
   }
 };
 
-Journal::Journal(const std::filesystem::path& path, JournalOptions options) : writer_(new Writer(create(path, options), options)) {}
+Journal::Journal(const std::filesystem::path& path, JournalOptions options) : writer_(new Writer(path, options)) {}
 
 Journal::~Journal() {
   static_cast<void>(close());
 }
 
-Status Journal::append(Time time, std::string_view channel, std::span<const std::uint8_t> data) {
+Status Journal::append(Time time, std::string_view channel, std::span<const std::uint8_t> data, Weight weight) {
   if (channel.empty() || channel.size() > wire::kMaxChannelLength || data.size() > config::kLcmMessageBytes ||
       !writer_->thread.joinable()) {
     ++writer_->counters.refused;
     return Status::kOutOfRange;
   }
   const std::uint32_t number = writer_->next_number++;
-  if (!writer_->make_room(kRecordHeaderSize + channel.size() + data.size())) {
-    ++writer_->counters.dropped;
+  const std::size_t size = kRecordHeaderSize + channel.size() + data.size();
+  if (!writer_->make_room(size, weight)) {
+    ++of(writer_->counters.lost, weight);
     return Status::kFull;
   }
   const auto header = header_of(number, time, channel, data);
   std::uint64_t position = writer_->appended;
-  writer_->copy_in(position, header);
-  writer_->copy_in(position, bytes_of(channel));
-  writer_->copy_in(position, data);
+  writer_->ring.copy_in(position, header);
+  writer_->ring.copy_in(position, bytes_of(channel));
+  writer_->ring.copy_in(position, data);
+  writer_->ring.record(writer_->appended_records++) = {size, weight};
   writer_->publish(position);
   ++writer_->counters.appended;
   return Status::kOk;
@@ -216,17 +247,19 @@ Status Journal::flush() {
 }
 
 Status Journal::close() {
-  if (writer_->thread.joinable()) {
+  Writer& writer = *writer_;
+  if (writer.thread.joinable()) {
     {
-      const std::lock_guard lock(writer_->mutex);
-      writer_->ending = true;
+      const std::lock_guard lock(writer.mutex);
+      writer.ending = true;
     }
-    writer_->more.notify_one();
-    writer_->ended.notify_one();
-    writer_->thread.join();
-    writer_->file = FileDescriptor();
+    writer.more.notify_one();
+    writer.ended.notify_one();
+    writer.thread.join();
+    writer.is_whole = writer.appended == writer.written || writer.write_what_fits();
+    writer.file.close();
   }
-  return writer_->appended == writer_->written && !writer_->unsynced ? Status::kOk : Status::kNotReady;
+  return writer.is_whole && !writer.unsynced ? Status::kOk : Status::kNotReady;
 }
 
 JournalCounters Journal::counters() const {
@@ -236,7 +269,7 @@ JournalCounters Journal::counters() const {
 }
 
 const std::filesystem::path& Journal::path() const {
-  return writer_->path;
+  return writer_->file.path();
 }
 
 }  // namespace earshot::host

@@ -4,17 +4,20 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <string_view>
 
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/file/output_file.hpp"
+#include "firmware/host/journal/journal_file.hpp"
+#include "firmware/host/journal/record_ring.hpp"
 
 namespace earshot::host {
 
 struct JournalOptions {
-  /// What append() does when the disk lags so far behind that the buffer is full.
+  /// What append() does when the disk lags so far behind that a record's share of the buffer is full.
   enum class WhenFull : std::uint8_t {
     kDrop,  ///< at sea: lose the record, count it, never wait
     kWait,  ///< in simulation: wait for the writer; nothing is lost while the disk takes anything at all
@@ -24,12 +27,7 @@ struct JournalOptions {
     kProcess,   ///< the end of this process; the kernel writes to the disk when it likes
     kPowerCut,  ///< a power cut: the writer calls fdatasync after every batch, and the folder's entry is on the disk before the first
   } survives = Survives::kProcess;
-  /// What becomes of a file of that name.
-  enum class Existing : std::uint8_t {
-    kRefuse,
-    kReplace,
-    kKeep,  ///< at sea: it stays, and this journal is NAME-2, NAME-3, ... so that a process that died can be started again
-  } existing = Existing::kRefuse;
+  ExistingJournal existing = ExistingJournal::kRefuse;
 };
 
 inline constexpr OutputKind kJournalOutput{"a journal", {"\xED\xA1\xDA\x01", {}}};  ///< how a journal begins
@@ -37,11 +35,13 @@ inline constexpr OutputKind kJournalOutput{"a journal", {"\xED\xA1\xDA\x01", {}}
 /// Counters of a journal; they only grow.
 struct JournalCounters {
   std::uint64_t appended = 0;  ///< records taken into the buffer
-  std::uint64_t dropped = 0;   ///< records lost because the buffer was full
+  PerWeight lost{};            ///< records that the buffer had no room for, or that close() could not write
   std::uint64_t refused = 0;   ///< records larger than the format or the buffer allows
   /// Failed write(2), tried again every 100 ms with the buffer filling meanwhile, so that the file has no hole; and failed fdatasync(2)
   /// (kPowerCut), after which what was written may not survive a power cut.
   std::uint64_t write_errors = 0;
+
+  [[nodiscard]] std::uint64_t all_lost() const { return std::accumulate(lost.begin(), lost.end(), std::uint64_t{0}); }
 };
 
 /// A log of everything that goes in and out of the runtime: an LCM event log (lcm-logplayer, lcm-spy and Python's lcm.EventLog read it),
@@ -52,23 +52,29 @@ struct JournalCounters {
 ///   (big-endian)
 ///
 /// In LCM's terms checksum and number together are the 64-bit event number, which its tools do not interpret.
+///
+/// The file is in the order of append(), without a hole in a record. While the disk takes nothing the buffer fills: streams may have the
+/// larger part of it, set-points and decisions a part that streams cannot take, orders a part of their own, so that what steered the
+/// vehicle is kept longest. A record that finds no room is lost and counted; its number is missing in the file, so that a gap in the
+/// numbers says what is missing and where.
 class Journal {
  public:
   /// What is to be replaced may be anything: who has that from a person asks require_writable(path, kJournalOutput, ...) first.
-  /// @throws std::system_error naming the file if it cannot be created (or exists: kRefuse).
+  /// @throws as JournalFile.
   explicit Journal(const std::filesystem::path& path, JournalOptions options = {});
   /// close().
   ~Journal();
 
-  /// Takes a copy of one record. One thread at a time. kFull: dropped. kOutOfRange: empty or overlong channel, or data over
+  /// Takes a copy of one record. One thread at a time. kFull: lost. kOutOfRange: empty or overlong channel, or data over
   /// kLcmMessageBytes.
-  [[nodiscard]] Status append(Time time, std::string_view channel, std::span<const std::uint8_t> data);
+  [[nodiscard]] Status append(Time time, std::string_view channel, std::span<const std::uint8_t> data, Weight weight = Weight::kStream);
 
   /// Waits until everything appended is written. kNotReady if the disk takes nothing.
   [[nodiscard]] Status flush();
 
-  /// Writes what is left, ends the thread and closes the file; nothing can be appended afterwards. kNotReady if not everything could be
-  /// written, or (kPowerCut) brought to the disk.
+  /// Writes what is left, ends the thread and closes the file; nothing can be appended afterwards. Of what does not fit on the disk the
+  /// heaviest records are written, the older before the newer, whole ones only; the others are lost and counted. kNotReady if not
+  /// everything could be written, or (kPowerCut) brought to the disk.
   [[nodiscard]] Status close();
 
   [[nodiscard]] JournalCounters counters() const;

@@ -59,7 +59,7 @@ nlohmann::json summary_of(const policy::FrozenPolicy& policy, std::size_t steps,
 }  // namespace
 
 void write_journal(const std::filesystem::path& path, const std::vector<explain::RecordedDecision>& decisions) {
-  host::Journal journal(path, {.existing = host::JournalOptions::Existing::kReplace});
+  host::Journal journal(path, {.existing = host::ExistingJournal::kReplace});
   for (const explain::RecordedDecision& d : decisions) {
     const wire::Encoded encoded(message_of(d));
     if (journal.append(Time{static_cast<std::int64_t>(d.time_s * 1e6)}, wire::kDecisionChannel, encoded.bytes()) != Status::kOk)

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "firmware/host/file/bad_input.hpp"
@@ -116,19 +117,31 @@ TEST_F(PageTest, SaysWhereTheJournalIsDamagedAndHowMuchOfItIsRead) {
   const std::string said = "The journal is damaged " + byte +
                            ", which does not match its checksum or is none. Read before it: 1 records, 1 decisions among them; what stands "
                            "after it is not read.";
-  EXPECT_EQ(ending_of(read_journal(journal)), said);
+  EXPECT_EQ(lack_of(read_journal(journal)), said);
   EXPECT_EQ(count(page(read_flight(folder_), {}, {}), said), 1U);
 }
 
 TEST_F(PageTest, TellsACutJournalFromADamagedOne) {
   const fs::path journal = folder_ / "journal.lcmlog";
-  EXPECT_EQ(ending_of(read_journal(journal)), "");
+  EXPECT_EQ(lack_of(read_journal(journal)), "");
   fs::resize_file(journal, fs::file_size(journal) - 1);
-  const std::string said = ending_of(read_journal(journal));
+  const std::string said = lack_of(read_journal(journal));
   EXPECT_EQ(said.rfind("The journal ends at byte ", 0), 0U) << said;
   EXPECT_NE(said.find("in record 2, which is not whole: the runtime was stopped while it wrote. Read before it: 2 records"),
             std::string::npos)
       << said;
+}
+
+TEST_F(PageTest, SaysFromWhichNumberOnAJournalLacksWhatAFullDiskDidNotTake) {
+  const fs::path journal = folder_ / "journal.lcmlog";
+  std::ifstream file(journal, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  bytes.erase(bytes.size() / 3, bytes.size() / 3);  // the second of three decisions of one length
+  std::ofstream(journal, std::ios::binary) << bytes;
+  EXPECT_FALSE(read_journal(journal).is_whole());
+  const std::string said = "The journal lacks 1 records from number 1 on: the disk was full or too slow.";
+  EXPECT_EQ(lack_of(read_journal(journal)), said);
+  EXPECT_EQ(count(page(read_flight(folder_), {}, {}), said), 1U);
 }
 
 TEST_F(PageTest, NamesTheKeyOfASummaryThatCannotBe) {

@@ -54,6 +54,7 @@ struct Options {
   std::uint32_t wait_s = 60;
   bool replace = false;
   bool prove_no_alloc = false;
+  std::optional<std::string> journal_survives;
 };
 
 void declare(program::CommandLine& line, Options& o) {
@@ -61,6 +62,11 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--out", &o.out, "folder for journal.lcmlog, made if it is missing").shows_default();
   line.flag("--replace", &o.replace,
             "replace a journal that is there already; without it: refuse to start in simulation, write journal-2.lcmlog and so on at sea");
+  line.option(
+          "--journal-survives", &o.journal_survives,
+          "what a record in the journal survives: power-cut: it is brought to the disk within milliseconds; process: the kernel writes it "
+          "when it likes; default: power-cut at sea, process in simulation")
+      .one_of({"power-cut", "process"});
   line.option("--policy", &o.policy, "policy file instead of the mission's");
   line.option("--public-key", &o.public_key, "file of the trusted public key instead of the mission's");
   line.option("--seed", &o.seed, "seed of a policy that draws its actions, instead of the mission's")
@@ -131,9 +137,11 @@ std::vector<host::FileDescriptor> lock_buses(const Options& o, const host::Missi
 
 host::JournalOptions journal_options(const Options& o) {
   using J = host::JournalOptions;
+  using Existing = host::ExistingJournal;
+  const bool survives_power_cut = o.journal_survives.value_or(o.simulation ? "process" : "power-cut") == "power-cut";
   return {.when_full = o.simulation ? J::WhenFull::kWait : J::WhenFull::kDrop,
-          .survives = o.simulation ? J::Survives::kProcess : J::Survives::kPowerCut,
-          .existing = o.replace ? J::Existing::kReplace : (o.simulation ? J::Existing::kRefuse : J::Existing::kKeep)};
+          .survives = survives_power_cut ? J::Survives::kPowerCut : J::Survives::kProcess,
+          .existing = o.replace ? Existing::kReplace : (o.simulation ? Existing::kRefuse : Existing::kKeep)};
 }
 
 /// Beside the journal, under its name: what was decided can be explained only with the policy that decided it. A disk that does not take it
@@ -221,9 +229,11 @@ int fly(const Flight& f) {
   const Status kept = journal.close();
   const int status = report(result, f.clock, f.ports, journal.path());
   const int proven = f.options.prove_no_alloc ? report(proof, f.ports) : program::kDone;
-  if (kept == Status::kOk && journal.counters().dropped == 0) return status == program::kDone ? proven : status;
-  std::cerr << "earshotd: the journal is not whole: " << journal.counters().dropped << " records dropped, "
-            << journal.counters().write_errors << " writes failed\n";
+  const host::JournalCounters counters = journal.counters();
+  if (kept == Status::kOk && counters.all_lost() == 0) return status == program::kDone ? proven : status;
+  std::cerr << "earshotd: the journal is not whole: " << counters.all_lost() << " records lost, of these "
+            << of(counters.lost, host::Weight::kSteering) << " set-points and decisions and " << of(counters.lost, host::Weight::kOrder)
+            << " commands and changes of state; " << counters.write_errors << " writes failed\n";
   return kLost;
 }
 

@@ -135,7 +135,7 @@ class AtSea : public testing::Test {
   void SetUp() override {
     path_ = fs::path(testing::TempDir()) / (std::string("at-sea-") + std::to_string(::getpid()));
     ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::policy_that_goes(runtime::kNorthward)), Status::kOk);
-    journal_ = std::make_unique<host::Journal>(path_, host::JournalOptions{.existing = host::JournalOptions::Existing::kReplace});
+    journal_ = std::make_unique<host::Journal>(path_, host::JournalOptions{.existing = host::ExistingJournal::kReplace});
     auto port = std::make_unique<FakePort>(ports_.next_index(), host_, script_);
     port_ = port.get();
     ports_.add(std::move(port));

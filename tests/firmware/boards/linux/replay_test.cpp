@@ -61,8 +61,7 @@ const std::vector<std::uint8_t>& walk_bytes() {
 /// A runtime that is given whatever a random number generator makes: good data and bad, any date, any order, any bits.
 class RandomMission {
  public:
-  RandomMission(std::uint64_t seed, const fs::path& path)
-      : random_(seed), journal_(path, {.existing = host::JournalOptions::Existing::kReplace}) {
+  RandomMission(std::uint64_t seed, const fs::path& path) : random_(seed), journal_(path, {.existing = host::ExistingJournal::kReplace}) {
     mission_ = runtime::paper_mission();
     mission_.operating_area = {.south_west = {}, .north_east = walk().area_size};
     mission_.step_length = walk().step_length;
@@ -173,7 +172,7 @@ TEST_F(Replay, FindsTheOutputInWhichOneBitDiffers) {
     number = record.number;
   }
   const fs::path forged = path_.string() + "-forged";
-  host::Journal journal(forged, {.existing = host::JournalOptions::Existing::kReplace});
+  host::Journal journal(forged, {.existing = host::ExistingJournal::kReplace});
   host::JournalReader again(path_);
   for (host::JournalRecord record; again.next(record);) {
     if (record.number == number) record.data[16] ^= 1U;
@@ -189,7 +188,7 @@ TEST_F(Replay, FindsTheOutputInWhichOneBitDiffers) {
 
 TEST_F(Replay, RefusesAJournalThatDoesNotBeginWithItsMission) {
   {
-    host::Journal journal(path_, {.existing = host::JournalOptions::Existing::kReplace});
+    host::Journal journal(path_, {.existing = host::ExistingJournal::kReplace});
     ASSERT_EQ(journal.append(Time{1}, "EARSHOT_HEALTH", std::array<std::uint8_t, 3>{1, 2, 3}), Status::kOk);
   }
   EXPECT_THROW((void)replay(path_), host::BadInput);

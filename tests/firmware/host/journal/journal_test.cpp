@@ -56,7 +56,7 @@ class JournalTest : public ::testing::Test {
     return count;
   }
   void write_three_records() const {
-    Journal journal(path_, {.existing = JournalOptions::Existing::kReplace});
+    Journal journal(path_, {.existing = ExistingJournal::kReplace});
     ASSERT_EQ(journal.append(Time{1}, "A", Bytes{1, 2, 3}), Status::kOk);
     ASSERT_EQ(journal.append(Time{2}, "BB", Bytes{}), Status::kOk);
     ASSERT_EQ(journal.append(Time{3}, "CCC", Bytes(40, 0x55)), Status::kOk);
@@ -188,7 +188,7 @@ TEST_F(JournalTest, LosesNothingOfManyTimesItsBufferWhenItMayWait) {
   std::size_t read = 0;
   for (; reader.next(record); ++read) ASSERT_EQ(record.data, Bytes(1000, static_cast<std::uint8_t>(read)));
   EXPECT_EQ(read, count);
-  EXPECT_EQ(journal.counters().dropped, 0U);
+  EXPECT_EQ(journal.counters().all_lost(), 0U);
 }
 
 /// How often all threads of this process but the calling one have gone to sleep.
@@ -222,31 +222,31 @@ TEST_F(JournalTest, DropsAndCountsInsteadOfWaitingForADiskThatHangs) {
   // A pipe that nobody reads is a disk that hangs after 64 KiB.
   ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
   FileDescriptor reader(::open(path_.c_str(), O_RDONLY | O_NONBLOCK));
-  auto journal = std::make_unique<Journal>(path_, JournalOptions{.existing = JournalOptions::Existing::kReplace});
+  auto journal = std::make_unique<Journal>(path_, JournalOptions{.existing = ExistingJournal::kReplace});
   const Bytes data(100'000);
   std::size_t taken = 0;
   while (journal->append(Time{0}, "CHANNEL", data) == Status::kOk) ++taken;
-  EXPECT_GE(taken, config::kJournalBufferBytes / (data.size() + 64));
+  EXPECT_GE(taken, RecordRing::limit(Weight::kStream) / (data.size() + 64));
   EXPECT_EQ(journal->counters().appended, taken);
-  EXPECT_EQ(journal->counters().dropped, 1U);
+  EXPECT_EQ(journal->counters().all_lost(), 1U);
   ::signal(SIGPIPE, SIG_IGN);
   reader = FileDescriptor();  // the writer's hanging write fails now, and close() can end
 }
 
 TEST_F(JournalTest, ReportsADiskThatIsFull) {
-  Journal journal("/dev/full", {.when_full = JournalOptions::WhenFull::kWait, .existing = JournalOptions::Existing::kReplace});
+  Journal journal("/dev/full", {.when_full = JournalOptions::WhenFull::kWait, .existing = ExistingJournal::kReplace});
   ASSERT_EQ(journal.append(Time{0}, "CHANNEL", Bytes(10)), Status::kOk);
   EXPECT_EQ(journal.flush(), Status::kNotReady);
   while (journal.append(Time{0}, "CHANNEL", Bytes(100'000)) == Status::kOk) {
   }
   EXPECT_GE(journal.counters().write_errors, 1U);
-  EXPECT_EQ(journal.counters().dropped, 1U);
+  EXPECT_EQ(journal.counters().all_lost(), 1U);
   EXPECT_EQ(journal.close(), Status::kNotReady);
 }
 
 TEST_F(JournalTest, SaysThatWhatItWroteDidNotReachTheDisk) {
   // /dev/null takes every byte, and fdatasync(2) of it fails: it is no file on a disk.
-  Journal journal("/dev/null", {.survives = JournalOptions::Survives::kPowerCut, .existing = JournalOptions::Existing::kReplace});
+  Journal journal("/dev/null", {.survives = JournalOptions::Survives::kPowerCut, .existing = ExistingJournal::kReplace});
   ASSERT_EQ(journal.append(Time{0}, "CHANNEL", Bytes(10)), Status::kOk);
   EXPECT_EQ(journal.close(), Status::kNotReady);
   EXPECT_EQ(journal.counters().write_errors, 1U);
@@ -317,7 +317,7 @@ TEST_F(JournalTest, DoesNotOverwriteUnlessTold) {
 }
 
 TEST_F(JournalTest, StartedAgainKeepsTheJournalsThatAreThere) {
-  const JournalOptions at_sea{.survives = JournalOptions::Survives::kPowerCut, .existing = JournalOptions::Existing::kKeep};
+  const JournalOptions at_sea{.survives = JournalOptions::Survives::kPowerCut, .existing = ExistingJournal::kKeep};
   write_three_records();
   const Bytes first = contents();
   EXPECT_EQ(Journal(path_, at_sea).path(), folder_ / "journal-2.lcmlog");

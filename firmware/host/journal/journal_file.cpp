@@ -1,0 +1,68 @@
+#include "firmware/host/journal/journal_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include "firmware/host/file/folder_lock.hpp"
+
+namespace earshot::host {
+namespace {
+
+constexpr int kMostJournals = 9999;  ///< in one folder
+
+[[noreturn]] void fail(const std::filesystem::path& path) {
+  throw std::system_error(errno, std::generic_category(), path.string());
+}
+
+/// "journal-2.lcmlog" for "journal.lcmlog"
+std::filesystem::path numbered(const std::filesystem::path& path, int number) {
+  std::filesystem::path name = path.stem();
+  name += "-" + std::to_string(number);
+  name += path.extension();
+  return path.parent_path() / name;
+}
+
+}  // namespace
+
+JournalFile::JournalFile(const std::filesystem::path& wanted, ExistingJournal existing) : path_(wanted) {
+  // What is replaced is emptied only when nobody writes it.
+  const int mode = existing == ExistingJournal::kReplace ? 0 : O_EXCL;
+  for (int number = 2;; ++number) {
+    file_ = FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, 0644));
+    if (file_.number() >= 0) break;
+    if (errno != EEXIST || existing != ExistingJournal::kKeep || number > kMostJournals) fail(path_);
+    path_ = numbered(wanted, number);
+  }
+  struct stat status {};
+  if (::fstat(file_.number(), &status) != 0) fail(path_);
+  if (!S_ISREG(status.st_mode)) return;
+  mark_as_written(file_, path_);
+  if (::ftruncate(file_.number(), 0) != 0) fail(path_);
+}
+
+void JournalFile::keep_entry() const {
+  const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : ".";
+  const FileDescriptor entries(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (entries.number() < 0 || ::fsync(entries.number()) != 0) fail(folder);
+}
+
+std::size_t JournalFile::write_some(std::span<const std::uint8_t> bytes) {
+  const ssize_t count = ::write(file_.number(), bytes.data(), bytes.size());
+  return count < 0 ? 0 : static_cast<std::size_t>(count);
+}
+
+bool JournalFile::cut(std::uint64_t size) {
+  const auto offset = static_cast<off_t>(size);
+  return ::ftruncate(file_.number(), offset) == 0 && ::lseek(file_.number(), offset, SEEK_SET) == offset;
+}
+
+bool JournalFile::bring_to_disk() {
+  return ::fdatasync(file_.number()) == 0;
+}
+
+}  // namespace earshot::host
