@@ -265,6 +265,48 @@ TEST_F(Autopilot, GivenThePythonExampleAsItsHydrophoneOnThePortThatThePageShowsI
   EXPECT_NE(earshotd_->output().find("hydrophone: of each channel "), std::string::npos) << earshotd_->output();
 }
 
+TEST_F(Autopilot, GivenANetworkThatComesAfterItEarshotdWaitsAndThenHearsNavigation) {
+  if (!test::enter_private_network()) {
+    const char* required = std::getenv("LCM_REQUIRED");
+    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
+    GTEST_SKIP() << "this kernel lets only root make a network namespace";
+  }
+  ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link set lo down"), 0);
+  const std::string url(host::kDefaultLcmUrl);
+  write_mission("search.toml");
+  start_earshotd({});
+  for (int i = 0; i < 300 && earshotd_->output().find("journal.lcmlog") == std::string::npos; ++i) std::this_thread::sleep_for(100ms);
+  EXPECT_NE(earshotd_->output().find("these links are down; tried again once a second:\n  port 1: vehicle, LCM " + url), std::string::npos)
+      << earshotd_->output();
+  ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link set lo up; ip route add 224.0.0.0/4 dev lo"), 0);
+  Ashore ashore(url);
+  const auto vehicle = python("autopilot_over_lcm", {url});
+  EXPECT_TRUE(ashore.hears([&] { return ashore.health.port_count > 0 && ashore.health.ports[0].received > 5; }, [] {}))
+      << earshotd_->output();
+  EXPECT_EQ(ashore.health.ports[0].link_up, 1);
+  earshotd_->signal(SIGTERM);
+  EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+}
+
+TEST_F(Autopilot, GivenACanInterfaceThatComesAfterItEarshotdHearsTheCppExampleOverIt) {
+  const std::string url = "udpm://239.255.76.67:27498?ttl=0";
+  const auto ip = [](const std::string& what) { return std::system(("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link " + what).c_str()); };
+  Ashore ashore(url);
+  write_mission("search_over_can.toml");
+  start_earshotd({"--lcm-url", url, "--can-interface", "vcan79"});
+  const auto nothing = [] {};
+  ASSERT_TRUE(ashore.hears([&] { return ashore.health.port_count > 0; }, nothing)) << earshotd_->output();
+  EXPECT_EQ(ashore.health.ports[0].link_up, 0);
+  ASSERT_EQ(ip("add vcan79 type vcan"), 0);
+  ASSERT_EQ(ip("set vcan79 up"), 0);
+  support::Process vehicle(kBin / "autopilot_over_can", {"vcan79"}, folder_ / "vehicle.txt");
+  EXPECT_TRUE(ashore.hears([&] { return ashore.health.ports[0].received > 5; }, nothing)) << vehicle.output() << earshotd_->output();
+  EXPECT_EQ(ashore.health.ports[0].link_up, 1);
+  earshotd_->signal(SIGTERM);
+  EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+  ASSERT_EQ(ip("del vcan79"), 0);
+}
+
 TEST_F(Autopilot, GivenTheCppExampleAsItsVehicleASearchOverCanWithTheRestOverLcmIsSailedAndItsJournalGivesEveryByteAgain) {
   const std::string url = "udpm://239.255.76.67:27499?ttl=0";  // beyond those of flights and other tests
   Ashore ashore(url);

@@ -16,7 +16,7 @@ namespace earshot::board {
 class CanPort final : public Port {
  public:
   /// @throws std::system_error as CanSocket does.
-  CanPort(std::uint8_t index, const host::PortSettings& settings, const n2k::LocalPlane& plane);
+  CanPort(std::uint8_t index, const host::PortSettings& settings, const n2k::LocalPlane& plane, host::IfMissing if_missing);
 
   void collect(Clock& clock, InputSink& sink) override;
   std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;

@@ -27,11 +27,11 @@ bool is_abort(std::string_view channel, std::span<const std::uint8_t> data) {
 
 }  // namespace
 
-LcmPort::LcmPort(std::uint8_t index, const host::PortSettings& settings)
+LcmPort::LcmPort(std::uint8_t index, const host::PortSettings& settings, host::IfMissing if_missing)
     : Port(index, settings.roles),
       name_(settings.name),
       address_(settings.address),
-      endpoint_(host::parse_lcm_url(settings.address), channels_of(settings.roles), is_abort) {}
+      endpoint_(host::parse_lcm_url(settings.address), channels_of(settings.roles), is_abort, if_missing) {}
 
 void LcmPort::collect(Clock& clock, InputSink& sink) {
   endpoint_.collect();

@@ -9,6 +9,13 @@
 #include "firmware/boards/linux/lcm_port.hpp"
 
 namespace earshot::board {
+namespace {
+
+std::string line_of(const Port& port) {
+  return "  port " + std::to_string(port.index()) + ": " + port.description() + "\n";
+}
+
+}  // namespace
 
 void PortSet::add(std::unique_ptr<Port> port) {
   if (ports_.size() + 1 >= config::kMaxPorts) throw std::invalid_argument("more than " + std::to_string(config::kMaxPorts - 1) + " ports");
@@ -50,7 +57,15 @@ std::span<const pollfd> PortSet::readable() {
 
 std::string PortSet::description() const {
   std::string text;
-  for (const auto& port : ports_) text += "  port " + std::to_string(port->index()) + ": " + port->description() + "\n";
+  for (const auto& port : ports_) text += line_of(*port);
+  return text;
+}
+
+std::string PortSet::down() const {
+  std::string text;
+  for (const auto& port : ports_) {
+    if (!port->report().link_up) text += line_of(*port);
+  }
   return text;
 }
 
@@ -83,14 +98,14 @@ messages::PortReport PortSet::sum() const {
   return sum;
 }
 
-void open_ports(const host::MissionFile& mission, PortSet& ports) {
+void open_ports(const host::MissionFile& mission, host::IfMissing if_missing, PortSet& ports) {
   for (const host::PortSettings& settings : mission.ports) {
     if (settings.kind == host::PortKind::kCan) {
-      ports.add(std::make_unique<CanPort>(ports.next_index(), settings, mission.plane));
+      ports.add(std::make_unique<CanPort>(ports.next_index(), settings, mission.plane, if_missing));
     } else if (settings.roles.has(host::Role::kHydrophone)) {
-      ports.add(std::make_unique<HydrophonePort>(ports.next_index(), settings));
+      ports.add(std::make_unique<HydrophonePort>(ports.next_index(), settings, if_missing));
     } else {
-      ports.add(std::make_unique<LcmPort>(ports.next_index(), settings));
+      ports.add(std::make_unique<LcmPort>(ports.next_index(), settings, if_missing));
     }
   }
 }

@@ -14,6 +14,7 @@
 #include "firmware/boards/linux/port.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/transport/if_missing.hpp"
 
 namespace earshot::board {
 
@@ -39,6 +40,8 @@ class PortSet {
   /// One for each port whose link is up; valid until the next call of any kind.
   [[nodiscard]] std::span<const pollfd> readable();
   [[nodiscard]] std::uint64_t setpoints_sent() const { return setpoints_sent_; }
+  /// The descriptions of the ports whose links are down, a line each; empty when all are up.
+  [[nodiscard]] std::string down() const;
   /// Where each port listens, a line each.
   [[nodiscard]] std::string description() const;
   struct Held {
@@ -61,7 +64,8 @@ class PortSet {
 };
 
 /// The ports that the mission describes, in its order.
+/// @param if_missing  whether a link whose interface is not there is an error, or down until it comes
 /// @throws std::system_error naming what cannot be opened.
-void open_ports(const host::MissionFile& mission, PortSet& ports);
+void open_ports(const host::MissionFile& mission, host::IfMissing if_missing, PortSet& ports);
 
 }  // namespace earshot::board

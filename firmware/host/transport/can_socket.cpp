@@ -36,12 +36,14 @@ Time received_utc_of(msghdr& header) {
   return Time{-1};
 }
 
+constexpr const char* kNotFound = "not found";
+
 /// A socket on the interface; on failure no socket, errno, and the call that failed.
 FileDescriptor try_to_open(const std::string& interface, const char*& failed) {
   FileDescriptor socket(::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW));
   failed = "this kernel has no SocketCAN";
   if (socket.number() < 0) return {};
-  failed = "not found";
+  failed = kNotFound;
   const unsigned index = ::if_nametoindex(interface.c_str());
   if (index == 0) return {};
   sockaddr_can address{};
@@ -69,10 +71,15 @@ bool means_nothing_yet(int error) {
 
 }  // namespace
 
-CanSocket::CanSocket(const std::string& interface) : interface_(interface) {
+CanSocket::CanSocket(const std::string& interface, IfMissing if_missing) : interface_(interface) {
+  if (interface.empty() || interface.size() >= IFNAMSIZ) {
+    errno = EINVAL;
+    fail(interface, "the name must have 1 to 15 bytes");
+  }
   const char* failed = nullptr;
   socket_ = try_to_open(interface, failed);
-  if (socket_.number() < 0) fail(interface, failed);
+  is_up_ = socket_.number() >= 0;
+  if (!is_up_ && (failed != kNotFound || if_missing == IfMissing::kRefuse)) fail(interface, failed);
   index_ = static_cast<int>(::if_nametoindex(interface.c_str()));
 }
 
@@ -100,6 +107,10 @@ CanCounters CanSocket::counters() const {
 }
 
 Status CanSocket::send(const n2k::Frame& frame) {
+  if (socket_.number() < 0) {
+    ++counters_.send_failed;
+    return Status::kFull;
+  }
   can_frame out{};
   out.can_id = (frame.identifier & CAN_EFF_MASK) | CAN_EFF_FLAG;
   out.can_dlc = std::min<std::uint8_t>(frame.size, CAN_MAX_DLEN);
@@ -120,6 +131,7 @@ Status CanSocket::receive(n2k::Frame& frame) {
 }
 
 Status CanSocket::receive(n2k::Frame& frame, Time& received_utc, std::size_t& budget) {
+  if (socket_.number() < 0) return Status::kNotReady;
   for (; budget > 0; --budget) {
     can_frame in{};
     iovec piece{&in, sizeof in};

@@ -7,6 +7,7 @@
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/file/file_descriptor.hpp"
+#include "firmware/host/transport/if_missing.hpp"
 #include "firmware/host/transport/socket_drops.hpp"
 #include "firmware/wire/n2k/frame.hpp"
 
@@ -25,8 +26,9 @@ struct CanCounters {
 /// A raw SocketCAN socket on one interface. Never waits; does not hear its own frames.
 class CanSocket {
  public:
-  /// @throws std::system_error naming the interface and the call that failed.
-  explicit CanSocket(const std::string& interface);
+  /// @throws std::system_error naming the interface and the call that failed: a name that no interface can have and an interface that is no
+  /// CAN bus always, a missing one with kRefuse; with kKeepTrying it is down until reopen() finds it.
+  explicit CanSocket(const std::string& interface, IfMissing if_missing = IfMissing::kRefuse);
 
   /// kFull: the frame was not sent; try again or count it as lost.
   [[nodiscard]] Status send(const n2k::Frame& frame);
@@ -37,9 +39,9 @@ class CanSocket {
   /// @param received_utc  when the kernel received it
   [[nodiscard]] Status receive(n2k::Frame& frame, Time& received_utc, std::size_t& budget);
 
-  /// False once the kernel has said that the interface is down or gone, until reopen() finds it again.
+  /// False while the interface is missing, and once the kernel has said that it is down or gone, until reopen() finds it.
   [[nodiscard]] bool is_up() const { return is_up_; }
-  /// Tries to be on the interface again. @return is_up()
+  /// Tries to be on the interface again; allocates nothing. @return is_up()
   bool reopen();
 
   [[nodiscard]] int file_descriptor() const { return socket_.number(); }

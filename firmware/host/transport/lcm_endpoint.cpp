@@ -44,16 +44,20 @@ int with_address(Call call, const FileDescriptor& socket, const sockaddr_in& add
   return call(socket.number(), reinterpret_cast<const sockaddr*>(&address), socklen_t{sizeof address});
 }
 
-/// @return no socket, and errno, where there is no route to the group
-FileDescriptor open_sender(const LcmUrl& url) {
-  FileDescriptor socket = open_udp();
+template <class Value>
+bool takes_option(const FileDescriptor& socket, int name, const Value& value) {
+  return ::setsockopt(socket.number(), IPPROTO_IP, name, &value, sizeof value) == 0;
+}
+
+/// @return no socket, and errno, where there is no way to the group
+FileDescriptor try_to_open_sender(const LcmUrl& url) {
+  FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   in_addr loopback{};
   loopback.s_addr = htonl(INADDR_LOOPBACK);
-  if (url.ttl == 0) set_option(socket, IPPROTO_IP, IP_MULTICAST_IF, loopback, "IP_MULTICAST_IF");
-  set_option(socket, IPPROTO_IP, IP_MULTICAST_TTL, url.ttl, "IP_MULTICAST_TTL");
-  set_option(socket, IPPROTO_IP, IP_MULTICAST_LOOP, 1, "IP_MULTICAST_LOOP");
-  if (with_address(::connect, socket, address_of(url)) != 0) return {};
-  return socket;
+  const bool is_open = socket.number() >= 0 && (url.ttl > 0 || takes_option(socket, IP_MULTICAST_IF, loopback)) &&
+                       takes_option(socket, IP_MULTICAST_TTL, url.ttl) && takes_option(socket, IP_MULTICAST_LOOP, 1) &&
+                       with_address(::connect, socket, address_of(url)) == 0;
+  return is_open ? std::move(socket) : FileDescriptor();
 }
 
 /// An ABORT behind a burst of other traffic must not be dropped: as much room as the kernel gives us (beyond its limit only to root).
@@ -63,7 +67,7 @@ void widen(const FileDescriptor& socket) {
   (void)::setsockopt(socket.number(), SOL_SOCKET, SO_RCVBUF, &kReceiveBytes, sizeof kReceiveBytes);
 }
 
-FileDescriptor open_receiver(const LcmUrl& url, const LcmInterfaces& interfaces) {
+FileDescriptor open_receiver(const LcmUrl& url) {
   FileDescriptor socket = open_udp();
   set_option(socket, SOL_SOCKET, SO_REUSEADDR, 1, "SO_REUSEADDR");
   if (url.receive_buffer_bytes > 0) {
@@ -74,7 +78,6 @@ FileDescriptor open_receiver(const LcmUrl& url, const LcmInterfaces& interfaces)
   // Without this Linux also hands over what other sockets of this host joined on other interfaces.
   set_option(socket, IPPROTO_IP, IP_MULTICAST_ALL, 0, "IP_MULTICAST_ALL");
   if (with_address(::bind, socket, address_of(url)) != 0) fail("bind");
-  if (interfaces.join_all(socket.number(), htonl(url.group)) == 0) fail("no interface is up on which the multicast group can be joined");
   return socket;
 }
 
@@ -85,7 +88,7 @@ wire::Sender sender_of(const sockaddr_in& address) {
 wire::Sender local_address(const FileDescriptor& socket) {
   sockaddr_in address{};
   socklen_t size = sizeof address;
-  if (::getsockname(socket.number(), reinterpret_cast<sockaddr*>(&address), &size) != 0) fail("getsockname");
+  (void)::getsockname(socket.number(), reinterpret_cast<sockaddr*>(&address), &size);  // fails for nothing that is a socket
   return sender_of(address);
 }
 
@@ -124,10 +127,14 @@ struct LcmEndpoint::Storage {
   std::array<std::uint8_t, wire::kMaxDatagram> datagram;
 };
 
-LcmEndpoint::LcmEndpoint(const LcmUrl& url, const std::vector<std::string_view>& channels, MustKeep must_keep)
-    : url_(url), must_keep_(must_keep), sender_(open_sender(url)), receiver_(open_receiver(url, interfaces_)), storage_(new Storage) {
-  if (sender_.number() < 0) fail("connect: no route to the multicast group");
-  self_ = local_address(sender_);
+LcmEndpoint::LcmEndpoint(const LcmUrl& url, const std::vector<std::string_view>& channels, MustKeep must_keep, IfMissing if_missing)
+    : url_(url), must_keep_(must_keep), receiver_(open_receiver(url)), storage_(new Storage) {
+  const bool is_refused = if_missing == IfMissing::kRefuse;
+  const bool hears = join();
+  if (!hears && is_refused) fail("no interface is up on which the multicast group can be joined");
+  const bool sends = open_sender();
+  if (!sends && is_refused) fail("no route to the multicast group");
+  is_up_ = hears && sends;
   if (channels.size() > config::kLcmSubscriptions) {
     throw std::invalid_argument("LCM: more than " + std::to_string(config::kLcmSubscriptions) + " channels");
   }
@@ -218,15 +225,22 @@ Status LcmEndpoint::take(wire::Lc02Message& message) {
   return Status::kOk;
 }
 
-void LcmEndpoint::refresh_interfaces() {
-  interfaces_.refresh();
-  (void)interfaces_.join_all(receiver_.number(), htonl(url_.group));
-  if (is_up_) return;
-  FileDescriptor sender = open_sender(url_);
-  if (sender.number() < 0) return;
+bool LcmEndpoint::join() {
+  return interfaces_.join_all(receiver_.number(), htonl(url_.group)) > 0;
+}
+
+bool LcmEndpoint::open_sender() {
+  FileDescriptor sender = try_to_open_sender(url_);
+  if (sender.number() < 0) return false;
   sender_ = std::move(sender);
   self_ = local_address(sender_);
-  is_up_ = true;
+  return true;
+}
+
+void LcmEndpoint::refresh_interfaces() {
+  interfaces_.refresh();
+  const bool hears = join();
+  is_up_ = hears && (is_up_ || open_sender());
 }
 
 std::size_t LcmEndpoint::memory() const {

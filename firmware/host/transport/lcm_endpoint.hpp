@@ -12,6 +12,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/host/file/file_descriptor.hpp"
+#include "firmware/host/transport/if_missing.hpp"
 #include "firmware/host/transport/lcm_interfaces.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
 #include "firmware/host/transport/socket_drops.hpp"
@@ -45,9 +46,11 @@ class LcmEndpoint {
   /// Whether a message must not be pushed out by newer ones; as many as fit into its queue are kept.
   using MustKeep = bool (*)(std::string_view channel, std::span<const std::uint8_t> data);
 
+  /// A network that is not there is an error with kRefuse; with kKeepTrying it is down until refresh_interfaces() finds it.
   /// @throws std::system_error naming the call that failed; std::invalid_argument for more than kLcmSubscriptions channels or a name
   /// not 1..63 bytes.
-  LcmEndpoint(const LcmUrl& url, const std::vector<std::string_view>& channels, MustKeep must_keep = nullptr);
+  LcmEndpoint(const LcmUrl& url, const std::vector<std::string_view>& channels, MustKeep must_keep = nullptr,
+              IfMissing if_missing = IfMissing::kRefuse);
   ~LcmEndpoint();
 
   /// Sends one message. kOutOfRange: LCM cannot carry it. kFull: the kernel refused it; try again or count it as lost.
@@ -61,9 +64,9 @@ class LcmEndpoint {
   /// @param message  valid until the next collect()
   [[nodiscard]] Status take(wire::Lc02Message& message);
 
-  /// Listens on interfaces that came up since, too, and sends again by the routes that there are now, if it could not.
+  /// Listens on interfaces that came up since, too, and sends again by the routes that there are now, if it could not. Allocates nothing.
   void refresh_interfaces();
-  /// False once the kernel had no way for a message, until refresh_interfaces() finds one.
+  /// False while there is no interface to listen on, and once the kernel had no way for a message, until refresh_interfaces() finds one.
   [[nodiscard]] bool is_up() const { return is_up_; }
   /// Names of the interfaces that it listens on: "lo, eth0".
   [[nodiscard]] std::string interfaces() const { return interfaces_.names(); }
@@ -76,6 +79,9 @@ class LcmEndpoint {
 
  private:
   struct Storage;
+  /// Joins the group and finds a way to send. False: on no interface; or, with errno, no way.
+  [[nodiscard]] bool join();
+  [[nodiscard]] bool open_sender();
   void enqueue(const wire::Lc02Message& message);
 
   LcmUrl url_;
@@ -84,7 +90,7 @@ class LcmEndpoint {
   FileDescriptor sender_;
   FileDescriptor receiver_;
   SocketDrops drops_;
-  bool is_up_ = true;
+  bool is_up_ = false;
   wire::Sender self_;
   std::uint32_t sequence_number_ = 0;
   LcmCounters counters_;

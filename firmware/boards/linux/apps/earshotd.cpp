@@ -245,7 +245,9 @@ int fly(const Options& o) {
   const std::vector<host::FileDescriptor> locks = lock_buses(o, file);
   if (!o.simulation) host::set_thread_stack(board::kThreadStackBytes);
   board::PortSet ports;
-  board::open_ports(file, ports);
+  // At sea a link may come after the vehicle computer.
+  board::open_ports(file, o.simulation ? host::IfMissing::kRefuse : host::IfMissing::kKeepTrying, ports);
+  if (const std::string down = ports.down(); !down.empty()) std::cerr << "earshotd: these links are down; tried again once a second:\n" << down;
   const board::HostClock host;
   std::unique_ptr<board::Clock> clock;
   if (o.simulation) {

@@ -2,8 +2,8 @@
 
 namespace earshot::board {
 
-HydrophonePort::HydrophonePort(std::uint8_t index, const host::PortSettings& settings)
-    : Port(index, settings.roles), name_(settings.name), address_(settings.address), receiver_(settings.address, meter_) {}
+HydrophonePort::HydrophonePort(std::uint8_t index, const host::PortSettings& settings, host::IfMissing if_missing)
+    : Port(index, settings.roles), name_(settings.name), address_(settings.address), receiver_(settings.address, meter_, if_missing) {}
 
 messages::PortReport HydrophonePort::report() const {
   const HydrophoneReceiver::Counters received = receiver_.counters();

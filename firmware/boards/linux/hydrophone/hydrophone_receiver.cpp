@@ -24,10 +24,11 @@ bool is_ringing(const host::Doorbell& bell) {
 
 }  // namespace
 
-HydrophoneReceiver::HydrophoneReceiver(const std::string& url, SampleListener& listener)
+HydrophoneReceiver::HydrophoneReceiver(const std::string& url, SampleListener& listener, host::IfMissing if_missing)
     : listener_(listener),
-      endpoint_(host::parse_lcm_url(url), {wire::kHydrophoneBlockChannel}),
+      endpoint_(host::parse_lcm_url(url), {wire::kHydrophoneBlockChannel}, nullptr, if_missing),
       interfaces_(endpoint_.interfaces()),
+      link_up_(endpoint_.is_up()),
       listening_([this] { listen(); }),
       receiving_([this] { receive(); }) {}
 

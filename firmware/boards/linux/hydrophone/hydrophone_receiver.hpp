@@ -19,7 +19,7 @@ class HydrophoneReceiver {
  public:
   /// @param listener  must outlive it
   /// @throws std::system_error, std::invalid_argument as LcmEndpoint and parse_lcm_url do.
-  HydrophoneReceiver(const std::string& url, SampleListener& listener);
+  HydrophoneReceiver(const std::string& url, SampleListener& listener, host::IfMissing if_missing = host::IfMissing::kRefuse);
   ~HydrophoneReceiver();
   HydrophoneReceiver(const HydrophoneReceiver&) = delete;
   HydrophoneReceiver& operator=(const HydrophoneReceiver&) = delete;
@@ -57,7 +57,7 @@ class HydrophoneReceiver {
   SharedCounter malformed_blocks_;
   SharedCounter malformed_datagrams_;
   SharedCounter datagrams_overrun_;
-  std::atomic<bool> link_up_{true};
+  std::atomic<bool> link_up_;
   std::thread listening_;
   std::thread receiving_;
 };

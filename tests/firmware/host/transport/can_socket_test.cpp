@@ -165,6 +165,32 @@ TEST_F(CanSocketTest, SaysThatItsInterfaceWentDownAndIsThereAgainWhenItComesBack
   EXPECT_EQ(frame, some_frame(2));
 }
 
+TEST_F(CanSocketTest, IsDownWhileItsInterfaceIsMissingAndOnItOnceItIsThere) {
+  const auto ip = [](const char* what) {
+    return std::system((std::string("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link ") + what).c_str());
+  };
+  CanSocket early("vcan78", IfMissing::kKeepTrying);
+  n2k::Frame frame;
+  EXPECT_FALSE(early.is_up());
+  EXPECT_EQ(early.receive(frame), Status::kNotReady);
+  EXPECT_EQ(early.send(some_frame(1)), Status::kFull);
+  EXPECT_FALSE(early.reopen());
+  ASSERT_EQ(ip("add vcan78 type vcan"), 0);
+  EXPECT_FALSE(early.reopen()) << "it is there, and down";
+  ASSERT_EQ(ip("set vcan78 up"), 0);
+  EXPECT_TRUE(early.reopen());
+  CanSocket late("vcan78");
+  ASSERT_EQ(late.send(some_frame(2)), Status::kOk);
+  ASSERT_TRUE(wait_for(early));
+  ASSERT_EQ(early.receive(frame), Status::kOk);
+  EXPECT_EQ(frame, some_frame(2));
+  ASSERT_EQ(ip("del vcan78"), 0);
+}
+
+TEST_F(CanSocketTest, RefusesAlwaysWhatNoCanInterfaceCanBe) {
+  for (const char* name : {"", "a-name-of-16-byt", "lo"}) EXPECT_THROW(CanSocket(name, IfMissing::kKeepTrying), std::system_error) << name;
+}
+
 TEST_F(CanSocketTest, NamesAnInterfaceThatIsNotThere) {
   try {
     CanSocket socket("vcan77");

@@ -286,6 +286,26 @@ TEST_F(LcmEndpointTest, HearsAnInterfaceThatComesUpAfterIt) {
   ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link del eth1"), 0);
 }
 
+TEST_F(LcmEndpointTest, IsDownWhileThereIsNoNetworkAndHeardAndHeardFromOnceThereIs) {
+  ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link set lo down"), 0);
+  EXPECT_THROW(LcmEndpoint(parse_lcm_url(kUrl), {}), std::system_error);
+  LcmEndpoint early(parse_lcm_url(kUrl), {"EARSHOT_X"}, nullptr, IfMissing::kKeepTrying);
+  EXPECT_FALSE(early.is_up());
+  EXPECT_EQ(early.publish("EARSHOT_X", {}), Status::kFull);
+  early.refresh_interfaces();
+  EXPECT_FALSE(early.is_up());
+  ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link set lo up; ip route add 224.0.0.0/4 dev lo"), 0);
+  early.refresh_interfaces();
+  EXPECT_TRUE(early.is_up());
+  EXPECT_EQ(early.interfaces(), "lo");
+  LcmEndpoint late(parse_lcm_url(kUrl), {"EARSHOT_X"});
+  wire::Lc02Message message;
+  ASSERT_EQ(late.publish("EARSHOT_X", Bytes{1}), Status::kOk);
+  EXPECT_TRUE(receive(early, message));
+  ASSERT_EQ(early.publish("EARSHOT_X", Bytes{2}), Status::kOk);
+  EXPECT_TRUE(receive(late, message));
+}
+
 TEST_F(LcmEndpointTest, ReadsABoundedNumberOfDatagramsInOneTurn) {
   LcmEndpoint sender(parse_lcm_url(kUrl), {});
   LcmEndpoint receiver(parse_lcm_url(std::string(kUrl) + "&recv_buf_size=1000000"), {});
