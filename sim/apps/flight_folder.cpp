@@ -46,6 +46,7 @@ void bring_to_disk(const fs::path& path) {
 FlightFolder::FlightFolder(fs::path folder) : folder_(std::move(folder)), first_made_(topmost_missing(fs::absolute(folder_))) {
   fs::create_directories(folder_);
   lock_ = host::lock_folder(folder_);
+  host::require_not_being_written(folder_ / kFiles.front());
   if (fs::exists(folder_ / "finished-flight")) move_up();
   unfinished_ = free_name(folder_ / "unfinished-flight");
 }
@@ -58,6 +59,7 @@ FlightFolder::~FlightFolder() {
 }
 
 void FlightFolder::keep() {
+  host::require_not_being_written(folder_ / kFiles.front());
   for (const auto& file : fs::directory_iterator(unfinished_)) bring_to_disk(file.path());
   bring_to_disk(unfinished_);
   fs::rename(unfinished_, folder_ / "finished-flight");

@@ -22,7 +22,8 @@ class FlightFolder {
 
   /// Where the flight writes; whoever writes makes it.
   [[nodiscard]] const std::filesystem::path& unfinished() const { return unfinished_; }
-  /// The flight is whole: its files, brought to the disk, take the place of an earlier one's. @throws std::system_error
+  /// The flight is whole: its files, brought to the disk, take the place of an earlier one's.
+  /// @throws host::FolderInUse naming who writes a journal there by now, std::system_error
   void keep();
 
  private:

@@ -208,11 +208,12 @@ std::string chosen_can_interface(const Options& o, const host::MissionFile& miss
 }
 
 /// Holds the buses that somebody chose; a run slot holds its own.
-std::vector<host::FileDescriptor> lock_buses(const Options& o, const host::MissionFile& mission) {
-  std::vector<host::FileDescriptor> locks;
+std::vector<host::BusLock> lock_buses(const Options& o, const host::MissionFile& mission) {
+  std::vector<host::BusLock> locks;
   if (!host::addresses_of(mission, host::PortKind::kCan).empty()) locks.push_back(host::lock_can(chosen_can_interface(o, mission)));
   const std::optional<std::string> url = chosen_url(o, mission);
   if (url && !host::addresses_of(mission, host::PortKind::kLcm).empty()) locks.push_back(host::lock_lcm(*url));
+  for (host::BusLock& lock : locks) lock.leave_to_children();
   return locks;
 }
 
@@ -250,7 +251,7 @@ int fly(Options o) {
   host::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
   host::leave_out_hydrophones(mission);
   warn_of_another_source(o, mission);
-  const std::vector<host::FileDescriptor> locks = lock_buses(o, mission);
+  const std::vector<host::BusLock> locks = lock_buses(o, mission);
   o.can_interface = chosen_can_interface(o, mission);
   FlightFolder folder(o.out);
   const link::RunSlot slot;

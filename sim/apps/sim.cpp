@@ -11,10 +11,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "firmware/boards/linux/waiting.hpp"
 #include "firmware/core/random.hpp"
+#include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/file/output_file.hpp"
+#include "firmware/host/mission/lock_buses.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
@@ -167,6 +170,7 @@ int simulate(const Options& o) {
                     .seed = o.seed,
                     .speed = o.speed};
 
+  const std::vector<host::BusLock> locks = host::lock_buses(file, host::BusPlace::kSimulator);
   AutopilotBus bus(file);
   program::stop_on_signals();  // up to here nothing is under way that would have to end in order
   link::SimulatorEnd link(o.domain, o.run.value_or(link::new_run()));
@@ -176,6 +180,7 @@ int simulate(const Options& o) {
 
   // Only now that both sides have taken their input: a refused policy leaves no half of a flight behind.
   std::filesystem::create_directories(o.out);
+  const host::FileDescriptor folder = host::lock_folder(o.out);
   remove_results(o.out);
   write_curve(o.out / "snr.csv", soundscape.expected());
   TrackFile track(o.out / "track.csv");

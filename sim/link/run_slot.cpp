@@ -1,7 +1,5 @@
 #include "sim/link/run_slot.hpp"
 
-#include "firmware/host/transport/bus_lock.hpp"
-
 namespace earshot::link {
 namespace {
 
@@ -14,6 +12,7 @@ RunSlot::RunSlot() {
   for (number_ = 0; number_ < kSlots; ++number_) {
     try {
       lock_ = host::lock_lcm(lcm_url());
+      lock_.leave_to_children();
       return;
     } catch (const host::BusInUse&) {
       continue;

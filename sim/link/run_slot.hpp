@@ -3,13 +3,13 @@
 #include <cstdint>
 #include <string>
 
-#include "firmware/host/file/file_descriptor.hpp"
+#include "firmware/host/transport/bus_lock.hpp"
 #include "sim/link/session.hpp"
 
 namespace earshot::link {
 
 /// What keeps simulations on one machine apart from each other and from a mission at sea: the lowest number whose LCM bus nobody holds
-/// (firmware/boards/linux/bus_lock.hpp), and the DDS domain that goes with it. A process takes at most one slot.
+/// (firmware/host/transport/bus_lock.hpp), and the DDS domain that goes with it. A process takes at most one slot.
 class RunSlot {
  public:
   /// Throws LinkError when every slot is taken.
@@ -23,7 +23,7 @@ class RunSlot {
 
  private:
   std::uint32_t number_ = 0;
-  host::FileDescriptor lock_;
+  host::BusLock lock_;
 };
 
 }  // namespace earshot::link

@@ -11,6 +11,7 @@
 #include "earshot/health_t.hpp"
 #include "earshot/nav_state_t.hpp"
 #include "firmware/boards/linux/replay.hpp"
+#include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -155,17 +156,17 @@ TEST_F(Flight, GivenAFlightOnABusASecondOneThereIsRefusedAndTheFirstGoesOnAsIfAl
   ASSERT_TRUE(is_under_way()) << first->output();
   const auto second = fly("second", {"--seed", "6", "--lcm-url", url});
   EXPECT_EQ(second->wait(10s), 2);
-  EXPECT_EQ(second->output(), "earshot fly: " + url + ": another mission or flight on this machine is using it\n");
+  EXPECT_EQ(second->output(), "earshot fly: " + url + ": earshot-fly (process " + std::to_string(first->pid()) + ") is using it\n");
   EXPECT_FALSE(fs::exists(folder_ / "second"));
   EXPECT_EQ(first->wait(120s), 0) << first->output();
   EXPECT_TRUE(support::read_text(folder_ / "alone/track.csv") == support::read_text(folder_ / "track.csv"));
 }
 
 TEST_F(Flight, GivenACanInterfaceInUseAFlightThereIsRefused) {
-  const host::FileDescriptor held = host::lock_can("vcan-held");
+  const host::BusLock held = host::lock_can("vcan-held");
   const auto flight = fly("out", {"--bus", "can", "--can-interface", "vcan-held"});
   EXPECT_EQ(flight->wait(10s), 2);
-  EXPECT_EQ(flight->output(), "earshot fly: CAN interface vcan-held: another mission or flight on this machine is using it\n");
+  EXPECT_EQ(flight->output(), "earshot fly: CAN interface vcan-held: flight_test (process " + std::to_string(getpid()) + ") is using it\n");
 }
 
 TEST_F(Flight, GivenAMissionAtSeaAFlightOnItsBusIsRefusedAndOneWithNoBusNamedTakesAnother) {
@@ -176,6 +177,23 @@ TEST_F(Flight, GivenAMissionAtSeaAFlightOnItsBusIsRefusedAndOneWithNoBusNamedTak
   ASSERT_TRUE(has_journal()) << runtime_->output();
   EXPECT_EQ(fly("there", {"--lcm-url", url})->wait(10s), 2);
   EXPECT_EQ(fly("elsewhere", {})->wait(120s), 0);
+}
+
+TEST_F(Flight, GivenHalvesOfAFlightStartedByHandASecondRuntimeOnItsBusAndASecondSimulatorInItsFolderAreRefusedAndTheFlightGoesOn) {
+  start_both();
+  ASSERT_TRUE(is_under_way()) << runtime_->output() << simulator_->output();
+  const std::string domain = std::to_string(slot_.domain() + 1);
+  std::vector<std::string> a = policy_arguments();
+  a.insert(a.end(), {kMission, "--out", folder_ / "other", "--simulation", domain, "--lcm-url", slot_.lcm_url()});
+  support::Process second(kBin / "earshotd", a, folder_ / "second.txt");
+  EXPECT_EQ(second.wait(10s), 2);
+  EXPECT_EQ(second.output(), "earshotd: " + slot_.lcm_url() + ": earshotd (process " + std::to_string(runtime_->pid()) + ") is using it\n");
+  EXPECT_THROW((void)host::lock_folder(folder_), host::FolderInUse) << "the simulator writes there";
+  EXPECT_THROW(host::require_not_being_written(folder_ / "journal.lcmlog"), host::FolderInUse) << "earshotd writes it";
+  runtime_->signal(SIGTERM);
+  EXPECT_EQ(runtime_->wait(20s), 0) << runtime_->output();
+  EXPECT_EQ(simulator_->wait(20s), 0) << "it was told of the ABORT: " << simulator_->output();
+  EXPECT_EQ(nlohmann::json::parse(support::read_text(folder_ / "summary.json")).at("end_reason"), "interrupted");
 }
 
 TEST_F(Flight, GivenItsJournalAloneTheRuntimeGivesEveryByteAgain) {

@@ -20,6 +20,7 @@ class Process {
   void signal(int number) const;
   /// Exit status, or 128 + signal; -1 if it still runs when `timeout` is over.
   [[nodiscard]] int wait(std::chrono::milliseconds timeout);
+  [[nodiscard]] pid_t pid() const { return id_; }
   [[nodiscard]] std::string output() const;
 
  private:

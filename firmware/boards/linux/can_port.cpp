@@ -6,7 +6,11 @@
 namespace earshot::board {
 
 CanPort::CanPort(std::uint8_t index, const host::PortSettings& settings, const n2k::LocalPlane& plane, host::IfMissing if_missing)
-    : Port(index, settings.roles), name_(settings.name), interface_(settings.address), socket_(settings.address, if_missing), receiver_(plane) {}
+    : Port(index, settings.roles),
+      name_(settings.name),
+      interface_(settings.address),
+      socket_(settings.address, if_missing),
+      receiver_(plane) {}
 
 void CanPort::collect(Clock& clock, InputSink& sink) {
   std::size_t budget = config::kCanFramesPerCollect;

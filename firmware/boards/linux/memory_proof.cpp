@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/host/journal/record_ring.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::board {
@@ -60,7 +61,7 @@ std::string MemoryProof::verdict() const {
 std::string MemoryProof::bill(const PortSet& ports) const {
   std::string text = "memory, in bytes:\n";
   text += row("runtime", sizeof(runtime::Runtime), "of " + std::to_string(config::kRuntimeBytes) + " allowed");
-  text += row("journal ring", config::kJournalBufferBytes);
+  text += row("journal ring", sizeof(host::RecordRing));
   for (const PortSet::Held& held : ports.memory()) text += row("port " + held.port, held.bytes);
   text += row("stack of the main thread", kMainStackBytes, "of which " + std::to_string(main_stack_used_) + " used");
   for (std::size_t i = 1; i < threads_.size(); ++i) text += row("stack of thread " + threads_[i], kThreadStackBytes);

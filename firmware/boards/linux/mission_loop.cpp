@@ -1,6 +1,7 @@
 #include "firmware/boards/linux/mission_loop.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 namespace earshot::board {
 namespace {
@@ -20,12 +21,44 @@ void make_turn(MissionTurn& turn, LoopResult& result) {
   ++result.turns;
 }
 
-/// The last turn of a loop that was told to stop.
-LoopResult stopped(LoopResult result, MissionTurn& turn, Clock& clock) {
-  if (!is_over(result.last.health)) turn.take(kOwnPort, abort_of(clock.now()));
-  make_turn(turn, result);
-  return result;
-}
+/// Set-points that say stop and come up, before a loop that was told to stop ends: on a bus that loses messages one may not arrive.
+constexpr int kLastSetpoints = 5;
+/// Of the host's time, for turns that are not due because the clock stands still or is scaled.
+constexpr std::chrono::seconds kStopPatience{10};
+
+/// A loop that was told to stop.
+class Stopping {
+ public:
+  Stopping(LoopResult result, MissionTurn& turn, PortSet& ports, Clock& clock)
+      : result_(result), turn_(turn), ports_(ports), clock_(clock) {}
+
+  /// An ABORT if the mission is not over; then turns until its last set-point has been sent often enough.
+  /// @param said  turns in which it was sent before
+  LoopResult run(Duration period, int said) {
+    if (!is_over(result_.last.health)) turn_.take(kOwnPort, abort_of(clock_.now()));
+    const auto deadline = std::chrono::steady_clock::now() + kStopPatience;
+    Time next_turn = clock_.now();
+    for (bool has_turned = false;;) {
+      const Clock::Wake wake =
+          clock_.wait({.ports = ports_.readable(), .next_turn = next_turn, .navigation_taken = turn_.navigation_taken()});
+      const bool is_last_chance = wake == Clock::Wake::kLost || std::chrono::steady_clock::now() >= deadline;
+      if (wake == Clock::Wake::kPorts || wake == Clock::Wake::kTurn) ports_.collect(clock_, turn_);
+      if (wake == Clock::Wake::kTurn || (is_last_chance && !has_turned)) {
+        make_turn(turn_, result_);
+        has_turned = true;
+        next_turn = next_turn + period;
+        if (!clock_.answered(result_.last, ports_.setpoints_sent()) || !result_.last.setpoint || ++said >= kLastSetpoints) return result_;
+      }
+      if (is_last_chance) return result_;
+    }
+  }
+
+ private:
+  LoopResult result_;
+  MissionTurn& turn_;
+  PortSet& ports_;
+  Clock& clock_;
+};
 
 }  // namespace
 
@@ -33,6 +66,7 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period,
   LoopResult result;
   result.began = clock.now();
   Time next_turn = result.began + period;
+  int said = 0;  // turns since the mission was over
   while (!stop) {
     const Clock::Wake wake = clock.wait({.ports = ports.readable(), .next_turn = next_turn, .navigation_taken = turn.navigation_taken()});
     if (wake == Clock::Wake::kLost) {
@@ -45,13 +79,14 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period,
     if (wake != Clock::Wake::kTurn) continue;
     ports.tend();
     make_turn(turn, result);
+    if (is_over(result.last.health) && said < kLastSetpoints) ++said;
     next_turn = std::max(next_turn + period, clock.now());
     if (!clock.answered(result.last, ports.setpoints_sent())) {
       result.end = LoopEnd::kMissionOver;
       return result;
     }
   }
-  return stopped(result, turn, clock);
+  return Stopping(result, turn, ports, clock).run(period, said);
 }
 
 }  // namespace earshot::board

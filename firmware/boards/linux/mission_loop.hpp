@@ -28,7 +28,9 @@ struct LoopResult {
 
 /// The one loop of a mission, at sea and in simulation: takes what the ports bring as it comes, makes a turn when the clock says so, tries
 /// to open again what is down. Missed turns are not made up for.
-/// Told to stop, it makes a last turn: an ABORT if the mission is not over, so that the autopilot does not go on with the last set-point.
+/// Told to stop, it makes an ABORT if the mission is not over, so that the autopilot does not go on with the last set-point, and then
+/// turns, the first at once, until the set-point that says so was sent five times (a bus may lose one), or as long as somebody waits for
+/// turns.
 /// @param period  between two turns
 /// @param stop    set by a signal handler
 [[nodiscard]] LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period, const std::atomic<bool>& stop);

@@ -28,8 +28,8 @@ using PerWeight = std::array<std::uint64_t, kWeights>;
 }
 
 /// Records that wait for the disk, in fixed memory: their bytes one behind the other as they will stand in the file, and beside them the
-/// size and the weight of each. It keeps no position: the positions (bytes and records ever put in, bytes ever taken out) belong to those who
-/// put in and take out.
+/// size and the weight of each. It keeps no position: the positions (bytes and records ever put in, bytes ever taken out) belong to those
+/// who put in and take out.
 class RecordRing {
  public:
   /// How many bytes may wait when a record of this weight is among the newest.

@@ -7,35 +7,119 @@
 #include <cerrno>
 #include <string>
 #include <system_error>
+#include <utility>
 
+#include "firmware/host/file/process_name.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
 
 namespace earshot::host {
 namespace {
 
-/// @param key  the bus, the same text for all who mean the same bus
-FileDescriptor lock(const std::string& key, const std::string& bus) {
-  const std::string name = "earshot-bus " + key;
+/// A local address in the abstract namespace.
+struct Name {
   sockaddr_un address{.sun_family = AF_UNIX, .sun_path = {}};
-  if (name.size() >= sizeof(address.sun_path)) throw std::system_error(ENAMETOOLONG, std::generic_category(), bus);
-  std::copy(name.begin(), name.end(), address.sun_path + 1);  // a first byte of zero: the abstract namespace
-  FileDescriptor socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  socklen_t length = 0;
+
+  template <class Call>
+  int with(Call call, const FileDescriptor& socket) const {
+    return call(socket.number(), reinterpret_cast<const sockaddr*>(&address), length);
+  }
+};
+
+FileDescriptor open_local(const std::string& bus) {
+  FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (socket.number() < 0) throw std::system_error(errno, std::generic_category(), bus + ": socket");
-  const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
-  if (::bind(socket.number(), reinterpret_cast<const sockaddr*>(&address), length) == 0) return socket;
-  if (errno == EADDRINUSE) throw BusInUse(bus + ": another mission or flight on this machine is using it");
-  throw std::system_error(errno, std::generic_category(), bus + ": bind");
+  return socket;
+}
+
+/// Who listens at the name, as the kernel knows it.
+std::string holder_of(const Name& name, const std::string& bus) {
+  const FileDescriptor asking = open_local(bus);
+  ucred holder{};
+  socklen_t size = sizeof holder;
+  if (name.with(::connect, asking) != 0 || ::getsockopt(asking.number(), SOL_SOCKET, SO_PEERCRED, &holder, &size) != 0 || holder.pid == 0)
+    return "another mission or flight on this machine";
+  return name_of_process(std::to_string(holder.pid));
 }
 
 }  // namespace
 
-FileDescriptor lock_lcm(std::string_view url) {
+/// A bus, and what to call it.
+class BusName {
+ public:
+  /// @param key  the same text for all who mean the same bus
+  BusName(std::string key, std::string bus) : key_(std::move(key)), bus_(std::move(bus)) {}
+
+  [[nodiscard]] BusLock lock() const {
+    BusLock lock;
+    for (const BusPlace place : {BusPlace::kFlight, BusPlace::kVehicle, BusPlace::kSimulator}) take(place, lock);
+    return lock;
+  }
+  [[nodiscard]] BusLock lock(BusPlace place) const {
+    BusLock lock;
+    take(place, lock);
+    return lock;
+  }
+
+ private:
+  void take(BusPlace place, BusLock& lock) const {
+    const Name name = name_of(place);
+    FileDescriptor socket = open_local(bus_);
+    if (name.with(::bind, socket) == 0) {
+      // Nobody is ever answered: who connects learns from the kernel who listens.
+      constexpr int kAsking = 64;
+      if (::listen(socket.number(), kAsking) != 0) throw std::system_error(errno, std::generic_category(), bus_ + ": listen");
+      lock.places_[static_cast<std::size_t>(place)] = std::move(socket);
+      return;
+    }
+    if (errno == EADDRINUSE) throw BusInUse(bus_ + ": " + holder_of(name, bus_) + " is using it");
+    throw std::system_error(errno, std::generic_category(), bus_ + ": bind");
+  }
+
+  [[nodiscard]] Name name_of(BusPlace place) const {
+    const std::string text = "earshot-bus " + key_ + " " + std::to_string(static_cast<int>(place));
+    Name name;
+    if (text.size() >= sizeof(name.address.sun_path)) throw std::system_error(ENAMETOOLONG, std::generic_category(), bus_);
+    std::copy(text.begin(), text.end(), name.address.sun_path + 1);  // a first byte of zero: the abstract namespace
+    name.length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + text.size());
+    return name;
+  }
+
+  std::string key_;
+  std::string bus_;
+};
+
+namespace {
+
+BusName lcm_bus(std::string_view url) {
   const LcmUrl parsed = parse_lcm_url(url);
-  return lock("lcm " + std::to_string(parsed.group) + ":" + std::to_string(parsed.port), std::string(url));
+  return {"lcm " + std::to_string(parsed.group) + ":" + std::to_string(parsed.port), std::string(url)};
 }
 
-FileDescriptor lock_can(std::string_view interface) {
-  return lock("can " + std::string(interface), "CAN interface " + std::string(interface));
+BusName can_bus(std::string_view interface) {
+  return {"can " + std::string(interface), "CAN interface " + std::string(interface)};
+}
+
+}  // namespace
+
+void BusLock::leave_to_children() {
+  for (const BusPlace place : {BusPlace::kVehicle, BusPlace::kSimulator}) places_[static_cast<std::size_t>(place)] = FileDescriptor();
+}
+
+BusLock lock_lcm(std::string_view url) {
+  return lcm_bus(url).lock();
+}
+
+BusLock lock_lcm(std::string_view url, BusPlace place) {
+  return lcm_bus(url).lock(place);
+}
+
+BusLock lock_can(std::string_view interface) {
+  return can_bus(interface).lock();
+}
+
+BusLock lock_can(std::string_view interface, BusPlace place) {
+  return can_bus(interface).lock(place);
 }
 
 }  // namespace earshot::host

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string_view>
 
@@ -7,21 +10,40 @@
 
 namespace earshot::host {
 
-/// Another mission or flight on this machine uses the bus; the message says which bus.
+/// Another mission or flight on this machine uses the bus; the message says which bus, and who.
 class BusInUse : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// A bus carries one mission at a time: two would take each other's navigation and set-points for their own. Whoever flies holds the lock of
-// its bus. It is the name of a local socket in Linux's abstract namespace rather than a file: the kernel frees it with the process however
-// that ends, no other user's left-over file can be in the way, and like the buses themselves it belongs to one network namespace.
+/// Places on a bus. A mission at sea takes all of them; the halves of a simulated flight take one each, and who starts both holds the
+/// third, so that the halves need not know whether they were started by hand.
+enum class BusPlace : std::uint8_t { kFlight, kVehicle, kSimulator };
+inline constexpr std::size_t kBusPlaces = 3;
 
-/// Held as long as the result is kept. URLs of one group and port are one bus, whatever their options.
+// A bus carries one mission at a time: two would take each other's navigation and set-points for their own. Whoever opens a bus holds the
+// lock of it. It is the name of a local socket in Linux's abstract namespace rather than a file: the kernel frees it with the process
+// however that ends, no other user's left-over file can be in the way, and like the buses themselves it belongs to one network namespace.
+
+/// Held as long as it is kept.
+class BusLock {
+ public:
+  /// Leaves vehicle and simulator to the processes that are about to be started, and stays in its own place.
+  void leave_to_children();
+
+ private:
+  friend class BusName;
+  std::array<FileDescriptor, kBusPlaces> places_;
+};
+
+/// All places: nobody is on the bus yet. URLs of one group and port are one bus, whatever their options.
 /// @throws BusInUse, std::invalid_argument as parse_lcm_url does, std::system_error.
-[[nodiscard]] FileDescriptor lock_lcm(std::string_view url);
+[[nodiscard]] BusLock lock_lcm(std::string_view url);
+/// One place.
+[[nodiscard]] BusLock lock_lcm(std::string_view url, BusPlace place);
 
 /// The same for a CAN interface.
-[[nodiscard]] FileDescriptor lock_can(std::string_view interface);
+[[nodiscard]] BusLock lock_can(std::string_view interface);
+[[nodiscard]] BusLock lock_can(std::string_view interface, BusPlace place);
 
 }  // namespace earshot::host

@@ -25,6 +25,7 @@
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/memory/heap_trap.hpp"
 #include "firmware/host/memory/process_memory.hpp"
+#include "firmware/host/mission/lock_buses.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/program/run.hpp"
@@ -124,15 +125,6 @@ std::unique_ptr<runtime::Runtime> make_runtime(const host::MissionFile& file, co
   if (runtime->configure(file.mission, *policy.policy) != Status::kOk)
     throw host::BadInput(mission_name + ": cannot be flown with the policy " + file.policy.string());
   return runtime;
-}
-
-/// One mission on a bus at a time. In simulation whoever started both processes holds the buses.
-std::vector<host::FileDescriptor> lock_buses(const Options& o, const host::MissionFile& file) {
-  std::vector<host::FileDescriptor> locks;
-  if (o.simulation) return locks;
-  for (const std::string& address : host::addresses_of(file, host::PortKind::kLcm)) locks.push_back(host::lock_lcm(address));
-  for (const std::string& address : host::addresses_of(file, host::PortKind::kCan)) locks.push_back(host::lock_can(address));
-  return locks;
 }
 
 host::JournalOptions journal_options(const Options& o) {
@@ -242,12 +234,13 @@ int fly(const Options& o) {
   const host::MissionFile file = load(o);
   const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, policy, o.mission.string());
-  const std::vector<host::FileDescriptor> locks = lock_buses(o, file);
+  const std::vector<host::BusLock> locks = host::lock_buses(file, o.simulation ? std::optional(host::BusPlace::kVehicle) : std::nullopt);
   if (!o.simulation) host::set_thread_stack(board::kThreadStackBytes);
   board::PortSet ports;
   // At sea a link may come after the vehicle computer.
   board::open_ports(file, o.simulation ? host::IfMissing::kRefuse : host::IfMissing::kKeepTrying, ports);
-  if (const std::string down = ports.down(); !down.empty()) std::cerr << "earshotd: these links are down; tried again once a second:\n" << down;
+  if (const std::string down = ports.down(); !down.empty())
+    std::cerr << "earshotd: these links are down; tried again once a second:\n" << down;
   const board::HostClock host;
   std::unique_ptr<board::Clock> clock;
   if (o.simulation) {

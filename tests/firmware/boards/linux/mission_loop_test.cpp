@@ -31,6 +31,7 @@ using messages::EndReason;
 using messages::MissionState;
 using messages::Order;
 
+constexpr std::size_t kStopTurns = 5;  ///< of a loop that was told to stop in a search
 constexpr Duration kPeriod = Duration::seconds(1);
 constexpr Time kUtc{1'795'000'000'000'000};  ///< when a test begins
 
@@ -331,9 +332,9 @@ TEST_F(AtSea, AStalledTurnIsFollowedByOneWithWhatArrivedMeanwhileAndNoneIsMadeUp
   };
   stop_at(40);
   (void)fly();
-  for (std::size_t i = 1; i < port_->published.size() - 1; ++i) EXPECT_EQ(port_->health(i).state, MissionState::kSearch) << i;
+  for (std::size_t i = 1; i < port_->published.size() - kStopTurns; ++i) EXPECT_EQ(port_->health(i).state, MissionState::kSearch) << i;
   EXPECT_EQ(port_->times[10] - port_->times[9], seconds(20.5));
-  for (std::size_t i = 11; i < port_->times.size() - 1; ++i) EXPECT_EQ(port_->times[i] - port_->times[i - 1], kPeriod) << i;
+  for (std::size_t i = 11; i < port_->times.size() - kStopTurns; ++i) EXPECT_EQ(port_->times[i] - port_->times[i - 1], kPeriod) << i;
 }
 
 TEST_F(AtSea, BeingStoppedInMidSearchEndsWithASetPointThatSaysStopAndComeUp) {
@@ -342,9 +343,14 @@ TEST_F(AtSea, BeingStoppedInMidSearchEndsWithASetPointThatSaysStopAndComeUp) {
   stop_at(15);
   const LoopResult result = fly();
   EXPECT_EQ(result.end, LoopEnd::kStopped);
-  EXPECT_EQ(result.time - result.began, Duration::seconds(15));
-  ASSERT_GT(port_->published.size(), 14U);
+  // At once and then once a period: at 15, 16, 17, 18 and 19 s.
+  EXPECT_EQ(result.time - result.began, Duration::seconds(19));
+  ASSERT_EQ(port_->published.size(), 15U + 5U);
   EXPECT_EQ(port_->published[13].setpoint->speed, MetersPerSecond{2});
+  for (std::size_t i = 15; i < 20; ++i) {
+    EXPECT_EQ(port_->published[i].setpoint->speed, MetersPerSecond{0}) << i;
+    EXPECT_EQ(port_->times[i], result.began + Duration::seconds(static_cast<std::int64_t>(i))) << i;
+  }
   EXPECT_EQ(port_->last().state, MissionState::kAbort);
   EXPECT_EQ(port_->published.back().setpoint->speed, MetersPerSecond{0});
   EXPECT_EQ(port_->published.back().setpoint->depth, Meters{0});

@@ -26,29 +26,45 @@ std::string complaint(const std::string& url) {
 }
 
 TEST(BusLock, OneLcmBusIsHeldByOneAtATime) {
-  const FileDescriptor held = lock_lcm(own_url());
-  EXPECT_EQ(complaint(own_url()), own_url() + ": another mission or flight on this machine is using it");
+  const BusLock held = lock_lcm(own_url());
+  EXPECT_EQ(complaint(own_url()), own_url() + ": bus_lock_test (process " + std::to_string(getpid()) + ") is using it");
+}
+
+TEST(BusLock, TheHalvesOfASimulatedFlightShareABusThatOneMissionAtSeaHasAlone) {
+  const BusLock vehicle = lock_lcm(own_url(), BusPlace::kVehicle);
+  const BusLock simulator = lock_lcm(own_url(), BusPlace::kSimulator);
+  EXPECT_THROW((void)lock_lcm(own_url(), BusPlace::kVehicle), BusInUse) << "a second vehicle";
+  EXPECT_THROW((void)lock_lcm(own_url(), BusPlace::kSimulator), BusInUse) << "a second simulator";
+  EXPECT_NE(complaint(own_url()), "") << "a mission at sea";
+}
+
+TEST(BusLock, WhoStartsBothHalvesHoldsTheBusAndLeavesThemTheirPlaces) {
+  BusLock flight = lock_lcm(own_url());
+  EXPECT_THROW((void)lock_lcm(own_url(), BusPlace::kVehicle), BusInUse);
+  flight.leave_to_children();
+  const BusLock vehicle = lock_lcm(own_url(), BusPlace::kVehicle);
+  EXPECT_NE(complaint(own_url()), "") << "a second flight";
 }
 
 TEST(BusLock, OptionsOfAUrlMakeNoOtherBus) {
-  const FileDescriptor held = lock_lcm(own_url("?ttl=0"));
+  const BusLock held = lock_lcm(own_url("?ttl=0"));
   EXPECT_NE(complaint(own_url("?ttl=1&recv_buf_size=65536")), "");
 }
 
 TEST(BusLock, AnotherPortOrGroupIsAnotherBus) {
-  const FileDescriptor held = lock_lcm("udpm://239.255.1.1:" + std::to_string(30'000 + getpid() % 10'000));
+  const BusLock held = lock_lcm("udpm://239.255.1.1:" + std::to_string(30'000 + getpid() % 10'000));
   EXPECT_EQ(complaint(own_url()), "");
-  const FileDescriptor other = lock_lcm(own_url());
+  const BusLock other = lock_lcm(own_url());
   EXPECT_EQ(complaint("udpm://239.255.1.2:" + std::to_string(20'000 + getpid() % 10'000)), "");
 }
 
 TEST(BusLock, OneCanInterfaceIsHeldByOneAtATime) {
-  const FileDescriptor held = lock_can(own_interface());
+  const BusLock held = lock_can(own_interface());
   EXPECT_THROW((void)lock_can(own_interface()), BusInUse);
 }
 
 TEST(BusLock, ABusThatWasLetGoIsFree) {
-  { const FileDescriptor held = lock_lcm(own_url()); }
+  { const BusLock held = lock_lcm(own_url()); }
   EXPECT_EQ(complaint(own_url()), "");
 }
 
