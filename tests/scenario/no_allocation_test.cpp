@@ -213,7 +213,7 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
   EXPECT_EQ(stop(), 0);
   expect_said("\nearshotd: 0 allocations in 2 threads over ");
   expect_said("  runtime, of 114688 allowed\n");
-  expect_said("     4194304  journal ring\n");
+  expect_said("     7159244  journal ring\n");
   expect_said("      262144  stack of thread journal\n");
   EXPECT_EQ(earshotd_->output().find("has grown"), std::string::npos);
 }

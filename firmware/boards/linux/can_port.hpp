@@ -16,7 +16,8 @@ namespace earshot::board {
 class CanPort final : public Port {
  public:
   /// @throws std::system_error as CanSocket does.
-  CanPort(std::uint8_t index, const host::PortSettings& settings, const n2k::LocalPlane& plane, host::IfMissing if_missing);
+  CanPort(std::uint8_t index, const host::PortSettings& settings, const n2k::LocalPlane& plane,
+          host::IfMissing if_missing = host::IfMissing::kRefuse);
 
   void collect(Clock& clock, InputSink& sink) override;
   std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;

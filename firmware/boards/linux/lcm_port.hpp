@@ -13,7 +13,7 @@ namespace earshot::board {
 class LcmPort final : public Port {
  public:
   /// @throws std::system_error, std::invalid_argument as LcmEndpoint and parse_lcm_url do.
-  LcmPort(std::uint8_t index, const host::PortSettings& settings, host::IfMissing if_missing);
+  LcmPort(std::uint8_t index, const host::PortSettings& settings, host::IfMissing if_missing = host::IfMissing::kRefuse);
 
   void collect(Clock& clock, InputSink& sink) override;
   std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;

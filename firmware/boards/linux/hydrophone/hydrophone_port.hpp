@@ -14,7 +14,7 @@ namespace earshot::board {
 class HydrophonePort final : public Port {
  public:
   /// @throws std::system_error, std::invalid_argument as HydrophoneReceiver does.
-  HydrophonePort(std::uint8_t index, const host::PortSettings& settings, host::IfMissing if_missing);
+  HydrophonePort(std::uint8_t index, const host::PortSettings& settings, host::IfMissing if_missing = host::IfMissing::kRefuse);
 
   void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }

@@ -183,8 +183,8 @@ class ProvenLoop : public testing::Test {
   /// Flies to the end of the mission with the trap armed.
   void fly(Mode mode) {
     using J = host::JournalOptions;
-    host::Journal journal(path_, mode == Mode::kAtSea ? J{.survives = J::Survives::kPowerCut, .existing = J::Existing::kReplace}
-                                                      : J{.when_full = J::WhenFull::kWait, .existing = J::Existing::kReplace});
+    host::Journal journal(path_, mode == Mode::kAtSea ? J{.survives = J::Survives::kPowerCut, .existing = host::ExistingJournal::kReplace}
+                                                      : J{.when_full = J::WhenFull::kWait, .existing = host::ExistingJournal::kReplace});
     std::unique_ptr<Clock> clock;
     if (mode == Mode::kAtSea) clock = std::make_unique<AtSeaClock>();
     if (mode == Mode::kInLockStep) clock = std::make_unique<LockStepClock>();
@@ -219,7 +219,7 @@ TEST_F(ProvenLoop, AsksForNoMemoryInAWholeMissionInLockStep) {
 }
 
 TEST_F(ProvenLoop, HasItsRingsInMemoryOnceItIsSettled) {
-  const host::Journal journal(path_, {.existing = host::JournalOptions::Existing::kReplace});
+  const host::Journal journal(path_, {.existing = host::ExistingJournal::kReplace});
   const std::uint64_t before = host::process_memory().anonymous;
   (void)settle_memory();
   // The journal's ring and the LCM port's queues were reserved until now, but for what a constructor wrote.
