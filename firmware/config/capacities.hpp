@@ -36,6 +36,8 @@ inline constexpr std::size_t kMaxBeliefHypotheses = 4;  ///< source levels and s
 inline constexpr std::size_t kMaxBeliefRanges =
     by_profile(512, 256);  ///< samples of the SNR against range (51 km in steps of 100 or 200 m); full: policy refused at load
 inline constexpr std::size_t kBeliefBytes = by_profile(64, 20) * 1024;  ///< bytes of the belief about the source; full: does not compile
+inline constexpr std::size_t kMaxListeningSeconds =
+    120;  ///< seconds that a decision may listen over (a blue whale calls every one or two minutes); full: older looks are forgotten
 inline constexpr std::size_t kGoldenPairs = 8;       ///< observation -> logits pairs re-checked at boot; exactly this many
 inline constexpr std::size_t kMaxProvenance = 1024;  ///< bytes of provenance text in a policy; full: refused at freeze
 inline constexpr std::size_t kRuntimeBytes =

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "firmware/config/listening_window.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
@@ -22,6 +23,8 @@ struct Mission {
   Duration navigation_timeout;    ///< ABORT when navigation is older
   Duration snr_timeout;           ///< ABORT when the SNR estimate is older
   Decibels detection_threshold;   ///< DT: SNR at or above it is a detection
+  /// What an observation hears of the looks on its leg.
+  ListeningWindow listening = {};
   std::uint64_t action_seed = 1;  ///< seeds the generator of a policy that samples its actions
 };
 

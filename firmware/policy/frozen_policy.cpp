@@ -259,6 +259,7 @@ Status read_body(ByteReader& reader, const Shape& shape, FrozenPolicy& policy) {
   Status status = Status::kOk;
   const auto keep_first = [&status](Status next) { status = status == Status::kOk ? next : status; };
   policy.observation.spec.clear();
+  policy.observation.listening = {};
   policy.actions.clear();
   policy.provenance.clear();
   for (std::size_t i = 0; i < shape.observation; ++i) {
@@ -391,6 +392,7 @@ Misfit misfit(const FrozenPolicy& policy, const config::Mission& mission) {
   if (policy.step_length != mission.step_length) return Misfit::kStepLength;
   if (!same_size) return Misfit::kAreaSize;
   if (policy.detection_threshold != mission.detection_threshold) return Misfit::kDetectionThreshold;
+  if (policy.observation.listening != mission.listening) return Misfit::kListening;
   return Misfit::kNone;
 }
 
@@ -406,6 +408,7 @@ Status parse(std::span<const std::uint8_t> bytes, FrozenPolicy& policy, PolicyFa
 Result<std::size_t> serialise(const FrozenPolicy& policy, std::span<const std::uint8_t, kPublicKeySize> public_key,
                               std::span<std::uint8_t> bytes) {
   if (fault_in(policy) != PolicyFault::kNone) return Status::kOutOfRange;
+  if (policy.observation.listening != config::ListeningWindow{}) return Status::kUnsupported;
   const Shape shape = shape_of(policy);
   if (bytes.size() < shape.serialised_size()) return Status::kFull;
   ByteWriter writer(bytes);

@@ -51,7 +51,7 @@ enum class PolicyFault : std::uint8_t {
 };
 
 /// What a mission asks of a policy that was trained for something else.
-enum class Misfit : std::uint8_t { kNone, kStepLength, kAreaSize, kDetectionThreshold };
+enum class Misfit : std::uint8_t { kNone, kStepLength, kAreaSize, kDetectionThreshold, kListening };
 
 /// Corners far from the origin are rounded, and their difference with them; a vehicle does not notice.
 inline constexpr Meters kAreaSizeTolerance{0.001};
@@ -71,7 +71,8 @@ inline constexpr std::size_t kPublicKeySize = 32;
 [[nodiscard]] Status parse(std::span<const std::uint8_t> bytes, FrozenPolicy& policy, PolicyFault& fault);
 
 /// Writes `policy` as the bytes of a `.policy` file, golden pairs recomputed, CRC-32 in place, signature bytes zero (policy/freeze signs).
-/// @return number of bytes written; kFull if `bytes` is too small; kOutOfRange for a policy that parse() would refuse.
+/// @return number of bytes written; kFull if `bytes` is too small; kUnsupported for a listening window, for which version 3 has no place;
+/// kOutOfRange for a policy that parse() would refuse.
 [[nodiscard]] Result<std::size_t> serialise(const FrozenPolicy& policy, std::span<const std::uint8_t, kPublicKeySize> public_key,
                                             std::span<std::uint8_t> bytes);
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/config/listening_window.hpp"
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/status.hpp"
@@ -75,7 +76,8 @@ using ObservationSpec = FixedVector<ObservationElement, config::kMaxObservation>
 /// What a policy sees, and what it takes for granted when it looks.
 struct ObservationModel {
   ObservationSpec spec;
-  BeliefModel belief;  ///< unused, and no time spent on it, when no element of `spec` needs it
+  config::ListeningWindow listening = {};  ///< over which `Heard` is meant
+  BeliefModel belief = {};                 ///< unused, and no time spent on it, when no element of `spec` needs it
 };
 
 /// What the vehicle remembers of its search: where it is and what it heard at the end of each of the last steps.

@@ -88,10 +88,9 @@ void Runtime::take(Time arrival, const messages::Navigation& navigation) {
 }
 
 void Runtime::take(Time arrival, const messages::SnrMeasurement& measurement) {
-  const Time last = progress_.snr ? progress_.snr->time : Time{};
+  const Time last = progress_.listener.newest() ? progress_.listener.newest()->time : Time{};
   if (is_possible(measurement.snr) && is_in_order(measurement.time, last, arrival, mission_.snr_timeout)) {
-    progress_.snr = measurement;
-    progress_.snr->time = effective(measurement.time, arrival);
+    progress_.listener.take({.time = effective(measurement.time, arrival), .snr = measurement.snr, .too_faint = measurement.too_faint});
   } else {
     ++progress_.counters.snr_refused;
   }
@@ -155,7 +154,7 @@ bool Runtime::navigation_is_fresh(Time now) const {
 }
 
 bool Runtime::snr_is_fresh(Time now) const {
-  return progress_.snr && now - progress_.snr->time <= mission_.snr_timeout;
+  return progress_.listener.newest() && now - progress_.listener.newest()->time <= mission_.snr_timeout;
 }
 
 EndReason Runtime::reason_to_abort(Time now) const {
@@ -170,8 +169,9 @@ NorthEast Runtime::place_in_area() const {
   return progress_.navigation->position - mission_.operating_area.south_west;
 }
 
-policy::Heard Runtime::heard() const {
-  return {.snr = progress_.snr->snr, .too_faint = progress_.snr->too_faint};
+policy::Heard Runtime::heard(Time now) const {
+  const detector::WindowHeard heard = progress_.listener.heard(mission_.listening, now);
+  return {.snr = heard.snr, .too_faint = heard.too_faint};
 }
 
 messages::BeliefSummary Runtime::belief() const {
@@ -185,22 +185,25 @@ void Runtime::begin_search(Time now) {
   progress_.state = MissionState::kSearch;
   progress_.search_began = now;
   progress_.has_engaged = true;
-  memory_.start(policy_.observation, place_in_area(), heard());
+  progress_.listener.begin_leg();  // no leg leads to the start: its newest look is all that it hears
+  memory_.start(policy_.observation, place_in_area(), heard(now));
 }
 
 void Runtime::search(Time now, Outputs& outputs) {
   if (const EndReason reason = reason_to_abort(now); reason != EndReason::kNone) return end(MissionState::kAbort, reason);
   const bool has_leg = progress_.leg.length().value > 0.0;
   if (has_leg && !progress_.leg.is_over(progress_.navigation->position)) return;
+  const policy::Heard heard_on_leg = heard(now);
   if (has_leg) {
-    memory_.remember(policy_.observation, place_in_area(), heard());
+    memory_.remember(policy_.observation, place_in_area(), heard_on_leg);
     ++progress_.steps_taken;
     if (progress_.steps_taken >= mission_.max_steps) return end(MissionState::kDone, EndReason::kStepsUsedUp);
   }
-  decide(now, outputs.decision.emplace());
+  decide(now, heard_on_leg, outputs.decision.emplace());
+  progress_.listener.begin_leg();
 }
 
-void Runtime::decide(Time now, messages::Decision& decision) {
+void Runtime::decide(Time now, policy::Heard heard, messages::Decision& decision) {
   const NorthEast position = progress_.navigation->position;
   const std::span<float> observation = std::span(decision.observation).first(policy_.observation.spec.size());
   const std::span<float> logits = std::span(decision.logits).first(policy_.actions.size());
@@ -214,8 +217,8 @@ void Runtime::decide(Time now, messages::Decision& decision) {
   decision.step = progress_.steps_taken;
   decision.time = now;
   decision.position = position;
-  decision.snr = progress_.snr->snr;
-  decision.too_faint = progress_.snr->too_faint;
+  decision.snr = heard.snr;
+  decision.too_faint = heard.too_faint;
   decision.detected = !decision.too_faint && detector::ThresholdDetector{mission_.detection_threshold}.detects(decision.snr);
   decision.action = static_cast<std::uint8_t>(action);
   decision.overridden = safe.overridden;

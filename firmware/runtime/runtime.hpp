@@ -9,6 +9,7 @@
 #include "firmware/core/random.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/detector/listener.hpp"
 #include "firmware/guidance/leg.hpp"
 #include "firmware/messages/decision.hpp"
 #include "firmware/messages/health.hpp"
@@ -64,7 +65,7 @@ class Runtime {
     Time search_began;
     std::uint32_t steps_taken = 0;
     std::optional<messages::Navigation> navigation;
-    std::optional<messages::SnrMeasurement> snr;
+    detector::Listener listener;
     guidance::Leg leg;
     Pcg32 random{0};
     messages::Counters counters;
@@ -84,11 +85,11 @@ class Runtime {
   [[nodiscard]] bool snr_is_fresh(Time now) const;
   [[nodiscard]] messages::EndReason reason_to_abort(Time now) const;
   [[nodiscard]] NorthEast place_in_area() const;
-  [[nodiscard]] policy::Heard heard() const;
+  [[nodiscard]] policy::Heard heard(Time now) const;
   [[nodiscard]] messages::BeliefSummary belief() const;
   void begin_search(Time now);
   void search(Time now, Outputs& outputs);
-  void decide(Time now, messages::Decision& decision);
+  void decide(Time now, policy::Heard heard, messages::Decision& decision);
   [[nodiscard]] std::optional<messages::Setpoint> setpoint();
   [[nodiscard]] messages::Health health() const;
 

@@ -122,8 +122,9 @@ search::SearchSettings settings_of(const std::vector<Contestant>& contestants) {
     if (first == nullptr) first = &c;
     const policy::FrozenPolicy& a = *first->learned;
     const policy::FrozenPolicy& b = *c.learned;
-    if (a.step_length != b.step_length || a.area_size != b.area_size || a.detection_threshold != b.detection_threshold) {
-      throw BadInput(c.name + ": was trained for another area, step length or detection threshold than " + first->name +
+    if (a.step_length != b.step_length || a.area_size != b.area_size || a.detection_threshold != b.detection_threshold ||
+        a.observation.listening != b.observation.listening) {
+      throw BadInput(c.name + ": was trained for another area, step length, detection threshold or listening window than " + first->name +
                      ": evaluate them one by one");
     }
   }

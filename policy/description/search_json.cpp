@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/search/settings.hpp"
 
@@ -39,6 +40,15 @@ policy::ObservationElement element_from(const Json& json) {
 template <class Vector, class Value>
 void append(Vector& vector, const Value& value) {
   if (vector.push_back(value) != Status::kOk) throw BadInput("belief: too many hypotheses or ranges");
+}
+
+config::ListeningWindow listening_from(const Json& json) {
+  try {
+    return host::listening_window(json.at("listening").get<std::string>(),
+                                  integer_from(json, "listening_window_s", 0, config::kMaxListeningSeconds));
+  } catch (const BadInput& e) {
+    throw BadInput(std::string("listening: ") + e.what());
+  }
 }
 
 /// What is not among the description's own numbers.
@@ -107,6 +117,10 @@ void write(const SearchDescription& description, Json& json) {
   json["area_north_m"] = description.area_size.north.value;
   json["area_east_m"] = description.area_size.east.value;
   json["detection_threshold_db"] = description.detection_threshold.value;
+  if (description.observation.listening != config::ListeningWindow{}) {
+    json["listening"] = host::word_for(description.observation.listening.listening);
+    json["listening_window_s"] = host::length_s(description.observation.listening);
+  }
   json["provenance"] = Json::object();
   for (const auto& [name, value] : description.provenance) json["provenance"][name] = value;
 }
@@ -122,6 +136,7 @@ SearchDescription read(const Json& json) {
   description.step_length = Meters{length_from(json, "step_length_m")};
   description.area_size = {Meters{length_from(json, "area_north_m")}, Meters{length_from(json, "area_east_m")}};
   description.detection_threshold = Decibels{json.at("detection_threshold_db").get<double>()};
+  if (json.contains("listening")) description.observation.listening = listening_from(json);
   for (const auto& [name, value] : json.at("provenance").items()) description.provenance.emplace_back(name, value.get<std::string>());
   complete_belief(description);
   return description;

@@ -47,6 +47,7 @@ std::size_t most_remembered(State state) {
 policy::ObservationModel observation_of(State state, std::size_t remembered_steps, const search::SearchSettings& settings,
                                         const sonar::SnrCurve& curve) {
   policy::ObservationModel model;
+  model.listening = settings.listening;
   model.belief = search::belief_model(settings, curve);
   switch (state) {
     case State::kSimple:

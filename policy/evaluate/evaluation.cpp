@@ -72,6 +72,7 @@ search::SearchSettings search_of(const policy::FrozenPolicy& policy) {
   settings.direction_count = policy.actions.size();
   settings.step_length = policy.step_length;
   settings.detection_threshold = policy.detection_threshold;
+  settings.listening = policy.observation.listening;
   return settings;
 }
 

@@ -113,6 +113,8 @@ std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const SecretK
   crypto_sign_seed_keypair(public_key.data(), expanded.data(), key.seed.data());
   std::vector<std::uint8_t> bytes(policy::max_serialised_size());
   const Result<std::size_t> size = policy::serialise(policy, public_key, bytes);
+  if (size.status() == Status::kUnsupported)
+    throw BadInput("the policy listens over a window, for which this version of the format has no place");
   if (!size.ok()) throw BadInput("the policy does not fit the vehicle: a size, weight or scale is out of range");
   bytes.resize(size.value());
   const std::size_t signed_size = bytes.size() - policy::kSignatureSize;

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/placement.hpp"
 
@@ -46,6 +47,7 @@ Start read_search(TableReader table, search::SearchSettings& s) {
   s.detection_threshold = Decibels{table.number_or("detection_threshold_db", s.detection_threshold.value, Range::between(-200.0, 200.0))};
   s.border_width = Meters{table.number_or("border_width_m", s.border_width.value, kLength_m)};
   s.border_reward = table.number_or("border_reward", s.border_reward, kReward);
+  s.listening = host::read_listening(table);
   const bool everywhere = table.choice_or("start", 0, {"domain", "inside_border"}) == 0;
   s.start_region = everywhere ? s.domain : search::inside_border(s);
   if (!table.has("start_margin_m")) return everywhere ? Start::kRegion : Start::kInsideBorder;
@@ -152,6 +154,10 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   add("border_reward", s.border_reward);
   add("max_steps", s.max_steps);
   add("detection_threshold_db", s.detection_threshold.value);
+  if (s.listening != config::ListeningWindow{}) {
+    add("listening", host::word_for(s.listening.listening));
+    add("listening_window_s", host::length_s(s.listening));
+  }
   add("seed", run.seed);
   add("environments", h.environment_count);
   add("steps_per_rollout", h.steps_per_rollout);

@@ -250,7 +250,8 @@ Unsigned checked_count(const char* name, std::int64_t value) {
 
 std::shared_ptr<python::World> make_world(std::filesystem::path environment, std::string state, std::int64_t remembered_steps,
                                           std::string source, std::string start, std::int64_t directions, double vehicle_depth_m,
-                                          double border_width_m, std::int64_t max_steps) {
+                                          double border_width_m, std::int64_t max_steps, std::string listening,
+                                          std::int64_t listening_window_s) {
   const python::WorldArguments arguments{.environment = std::move(environment),
                                          .state = std::move(state),
                                          .remembered_steps = checked_count<std::size_t>("remembered_steps", remembered_steps),
@@ -259,7 +260,9 @@ std::shared_ptr<python::World> make_world(std::filesystem::path environment, std
                                          .direction_count = checked_count<std::size_t>("directions", directions),
                                          .vehicle_depth = Meters{vehicle_depth_m},
                                          .border_width = Meters{border_width_m},
-                                         .max_steps = checked_count<std::uint32_t>("max_steps", max_steps)};
+                                         .max_steps = checked_count<std::uint32_t>("max_steps", max_steps),
+                                         .listening = std::move(listening),
+                                         .listening_window_s = listening_window_s};
   const py::gil_scoped_release others_may_run;
   return std::make_shared<python::World>(arguments);
 }
@@ -280,7 +283,8 @@ Place area_of(const python::World& world) {
 void add_world(py::module_& module) {
   py::class_<python::World, std::shared_ptr<python::World>>(module, "World")
       .def(py::init(&make_world), py::kw_only(), py::arg("environment"), py::arg("state"), py::arg("remembered_steps"), py::arg("source"),
-           py::arg("start"), py::arg("directions"), py::arg("vehicle_depth_m"), py::arg("border_width_m"), py::arg("max_steps"))
+           py::arg("start"), py::arg("directions"), py::arg("vehicle_depth_m"), py::arg("border_width_m"), py::arg("max_steps"),
+           py::arg("listening"), py::arg("listening_window_s"))
       .def_property_readonly("observation_size", [](const python::World& world) { return world.observation().spec.size(); })
       .def_property_readonly("action_count", [](const python::World& world) { return world.search().actions.size(); })
       .def_property_readonly("max_steps", [](const python::World& world) { return world.search().settings.max_steps; })

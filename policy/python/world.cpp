@@ -1,5 +1,6 @@
 #include "policy/python/world.hpp"
 
+#include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/description/search_description.hpp"
@@ -25,6 +26,11 @@ search::SearchSettings settings_of(const WorldArguments& arguments, NorthEast so
   settings.direction_count = arguments.direction_count;
   settings.border_width = arguments.border_width;
   settings.max_steps = arguments.max_steps;
+  try {
+    settings.listening = host::listening_window(arguments.listening, arguments.listening_window_s);
+  } catch (const BadInput& e) {
+    throw BadInput(std::string("listening, listening_window_s: ") + e.what());
+  }
   if (!is_first("start", arguments.start, "domain", "inside_border")) settings.start_region = search::inside_border(settings);
   if (settings.direction_count < 1 || settings.direction_count > config::kMaxActions) {
     throw BadInput("directions = " + std::to_string(settings.direction_count) + ": must be 1 to " + std::to_string(config::kMaxActions));

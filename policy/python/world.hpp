@@ -24,6 +24,8 @@ struct WorldArguments {
   Meters vehicle_depth;
   Meters border_width;
   std::uint32_t max_steps = 0;
+  std::string listening;
+  std::int64_t listening_window_s = 0;
 };
 
 /// A search with its ocean solved; shared by every episode that runs in it.

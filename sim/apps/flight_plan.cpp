@@ -20,6 +20,7 @@ search::SearchSettings settings_of(const config::Mission& mission, const ocean::
   settings.step_length = mission.step_length;
   settings.max_steps = mission.max_steps;
   settings.detection_threshold = mission.detection_threshold;
+  settings.listening = mission.listening;
   return settings;
 }
 

@@ -60,15 +60,21 @@ void TrackFile::finish() {
 void Score::add(const TrackPoint& point) {
   if (last_position_) distance_ += range_between(*last_position_, point.vehicle.position);
   last_position_ = point.vehicle.position;
-  if (point.steps_taken == steps_taken_) return;
+  listener_.take({.time = point.time, .snr = point.heard.snr, .too_faint = point.heard.too_faint});
+  const bool has_begun = !is_searching_ && point.state == messages::MissionState::kSearch;
+  const bool has_stepped = point.steps_taken != steps_taken_;
+  if (has_stepped) end_step(point);
+  if (has_begun || has_stepped) listener_.begin_leg();
+  is_searching_ = is_searching_ || has_begun;
   steps_taken_ = point.steps_taken;
-  end_step(point);
 }
 
 void Score::end_step(const TrackPoint& point) {
   ++steps_;
-  reward_ += search::step_reward(settings_, point.vehicle.position, point.heard);
-  if (search::is_detection(settings_, point.heard)) ++detections_;
+  const detector::WindowHeard window = listener_.heard(settings_.listening, point.time);
+  const policy::Heard heard{.snr = window.snr, .too_faint = window.too_faint};
+  reward_ += search::step_reward(settings_, point.vehicle.position, heard);
+  if (search::is_detection(settings_, heard)) ++detections_;
 }
 
 void remove_results(const std::filesystem::path& folder) {

@@ -9,6 +9,7 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/detector/listener.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/policy/heard.hpp"
 #include "sim/search/settings.hpp"
@@ -47,7 +48,8 @@ class TrackFile {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
-/// What a flight comes to, added up tick by tick.
+/// What a flight comes to, added up tick by tick. What a step heard is made of the ticks of its leg as the runtime makes it of the looks
+/// that it was sent.
 class Score {
  public:
   explicit Score(const search::SearchSettings& settings) : settings_(settings) {}
@@ -64,6 +66,8 @@ class Score {
 
   search::SearchSettings settings_;
   std::optional<NorthEast> last_position_;
+  bool is_searching_ = false;
+  detector::Listener listener_;
   std::uint32_t steps_taken_ = 0;
   double reward_ = 0.0;
   std::uint32_t steps_ = 0;

@@ -23,7 +23,7 @@ struct World {
   Meters found_within;                ///< l: the source is reached at this range
   bool may_be_found = true;           ///< false: fly on to the last step even so (benchmarks)
   vehicle::Limits vehicle;
-  Duration tick = Duration::seconds(1);
+  Duration tick = search::kLookInterval;
   std::uint64_t seed = 1;  ///< of what the conditions draw
   double speed = 0.0;      ///< simulated seconds per second; 0: as fast as it goes
 };

@@ -33,7 +33,8 @@ struct EpisodeRecord {
 /// A source reached with step N counts as found.
 ///
 /// In a world with conditions, truth and belief part: reward, border and finding go by where the vehicle is, observations by where
-/// navigation believes it, and a detection is one of what was heard. Everything is judged at the ends of steps, as in the paper.
+/// navigation believes it, and a detection is one of what was heard. Everything is judged at the ends of steps, as in the paper. What is
+/// heard on the way counts as far as SearchSettings::listening reaches; at the start there is one look.
 class Episode {
  public:
   /// Draws the source (kChanging) and the start. A start within l of the source would end before its first step: the start is drawn
@@ -65,7 +66,9 @@ class Episode {
   [[nodiscard]] const policy::Belief& belief() const { return memory_.belief(); }
 
  private:
-  void move(const SearchWorld& world, NorthEast through_water);
+  void step_and_listen(const SearchWorld& world, NorthEast through_water);
+  void move(const SearchWorld& world, NorthEast through_water, double time_s);
+  [[nodiscard]] policy::Heard listen(const SearchWorld& world);
   [[nodiscard]] NorthEast in_domain(const SearchWorld& world) const { return believed_position() - world.settings.domain.south_west; }
 
   NorthEast position_;

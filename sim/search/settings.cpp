@@ -50,8 +50,14 @@ Meters furthest_range(const SearchSettings& s) {
   return range_between(s.domain.south_west, s.domain.north_east) + s.step_length;
 }
 
+std::size_t looks_on_leg(config::ListeningWindow window, double leg_s) {
+  const double reach_s = std::min(window.length.to_seconds(), leg_s);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(reach_s / kLookInterval.to_seconds()));
+}
+
 Status check(const SearchSettings& s) {
-  const bool sizes = s.direction_count >= 1 && s.direction_count <= config::kMaxActions && s.max_steps >= 1;
+  const bool sizes =
+      s.direction_count >= 1 && s.direction_count <= config::kMaxActions && s.max_steps >= 1 && config::is_valid(s.listening);
   const bool lengths = positive(s.step_length.value) && positive(s.border_width.value);
   const bool levels = is_finite(s.detection_threshold.value) && is_finite(s.border_reward);
   if (!sizes || !lengths || !levels || !is_rectangle(s.domain) || !is_rectangle(s.start_region)) return Status::kOutOfRange;

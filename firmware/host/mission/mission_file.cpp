@@ -9,6 +9,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
 
@@ -38,6 +39,7 @@ void read_search(TableReader search, config::Mission& mission) {
   mission.step_length = Meters{search.number("step_length_m", Range::above_up_to(0.0, kFarthest_m))};
   mission.max_steps = static_cast<std::uint32_t>(search.integer("max_steps", 1, 1'000'000));
   mission.detection_threshold = Decibels{search.number("detection_threshold_db", Range::between(-200.0, 200.0))};
+  mission.listening = read_listening(search);
 }
 
 void read_limits(TableReader limits, config::Mission& mission) {

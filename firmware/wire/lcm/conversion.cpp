@@ -130,6 +130,8 @@ mission_t to_message(const config::Mission& mission, Time now) {
   m.navigation_timeout_us = mission.navigation_timeout.us;
   m.snr_timeout_us = mission.snr_timeout.us;
   m.detection_threshold_db = mission.detection_threshold.value;
+  m.listening = static_cast<std::int8_t>(mission.listening.listening);
+  m.listening_window_us = mission.listening.length.us;
   m.action_seed = static_cast<std::int64_t>(mission.action_seed);
   return m;
 }
@@ -182,6 +184,7 @@ config::Mission from_message(const mission_t& m) {
           .navigation_timeout = {m.navigation_timeout_us},
           .snr_timeout = {m.snr_timeout_us},
           .detection_threshold = Decibels{m.detection_threshold_db},
+          .listening = {.listening = static_cast<config::Listening>(m.listening), .length = {m.listening_window_us}},
           .action_seed = static_cast<std::uint64_t>(m.action_seed)};
 }
 

@@ -36,6 +36,8 @@ class World:
         vehicle_depth_m: float,
         border_width_m: float,
         max_steps: int,
+        listening: str,
+        listening_window_s: int,
     ) -> None: ...
     @property
     def observation_size(self) -> int: ...

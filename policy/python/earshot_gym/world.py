@@ -26,6 +26,8 @@ class WorldOptions(TypedDict, total=False):
     vehicle_depth_m: float
     border_width_m: float
     max_steps: int
+    listening: str
+    listening_window_s: int
 
 
 def make_world(
@@ -39,6 +41,8 @@ def make_world(
     vehicle_depth_m: float = 300.0,
     border_width_m: float = 1_000.0,
     max_steps: int = 100,
+    listening: str = "newest",
+    listening_window_s: int = 0,
 ) -> SearchWorld:
     """A search with its ocean solved; the same choices give the same object, so that many environments solve it once.
 
@@ -52,6 +56,8 @@ def make_world(
     vehicle_depth_m   positive down
     border_width_m    b of the border in which the reward falls to -100
     max_steps         N, after which an episode is truncated
+    listening         what an observation hears of its step: the "newest" look, or the "loudest" or the "mean" of those that were measured in
+                      the last `listening_window_s` seconds (1 to 120; 0 with "newest"), a look a second
 
     Raises FileNotFoundError, or BadInput (a ValueError) that names what is wrong and what is allowed.
     """
@@ -59,11 +65,37 @@ def make_world(
     if not file.is_file():
         raise FileNotFoundError(f"environment: no such file: {file}")
     changed = (file.stat().st_mtime_ns, file.stat().st_size)
-    return _solved(file, changed, state, remembered_steps, source, start, directions, vehicle_depth_m, border_width_m, max_steps)
+    return _solved(
+        file,
+        changed,
+        state,
+        remembered_steps,
+        source,
+        start,
+        directions,
+        vehicle_depth_m,
+        border_width_m,
+        max_steps,
+        listening,
+        listening_window_s,
+    )
 
 
 @functools.lru_cache(maxsize=16)
-def _solved(file, changed, state, remembered_steps, source, start, directions, vehicle_depth_m, border_width_m, max_steps) -> SearchWorld:
+def _solved(
+    file,
+    changed,
+    state,
+    remembered_steps,
+    source,
+    start,
+    directions,
+    vehicle_depth_m,
+    border_width_m,
+    max_steps,
+    listening,
+    listening_window_s,
+) -> SearchWorld:
     return SearchWorld(
         environment=file,
         state=state,
@@ -74,4 +106,6 @@ def _solved(file, changed, state, remembered_steps, source, start, directions, v
         vehicle_depth_m=vehicle_depth_m,
         border_width_m=border_width_m,
         max_steps=max_steps,
+        listening=listening,
+        listening_window_s=listening_window_s,
     )

@@ -62,6 +62,20 @@ TEST(MissionCheck, RefusesWhatMustBePositiveAndIsNot) {
   EXPECT_EQ(checked_with([](Mission& m) { m.snr_timeout = Duration{0}; }), Status::kOutOfRange);
 }
 
+TEST(MissionCheck, RefusesAWindowThatCannotBeListenedOver) {
+  const auto listening = [](Listening what, std::int64_t length_us) {
+    return checked_with([=](Mission& m) { m.listening = {.listening = what, .length = {length_us}}; });
+  };
+  EXPECT_EQ(listening(Listening::kLoudest, 1'000'000), Status::kOk);
+  EXPECT_EQ(listening(Listening::kMean, 120'000'000), Status::kOk);
+  EXPECT_EQ(listening(Listening::kNewest, 1'000'000), Status::kOutOfRange);
+  EXPECT_EQ(listening(Listening::kLoudest, 0), Status::kOutOfRange);
+  EXPECT_EQ(listening(Listening::kLoudest, -1'000'000), Status::kOutOfRange);
+  EXPECT_EQ(listening(Listening::kLoudest, 1'500'000), Status::kOutOfRange);
+  EXPECT_EQ(listening(Listening::kMean, 121'000'000), Status::kOutOfRange);
+  EXPECT_EQ(listening(Listening{3}, 1'000'000), Status::kOutOfRange);
+}
+
 TEST(MissionCheck, AllowsTheVehicleRightUpToTheEdge) {
   EXPECT_EQ(checked_with([](Mission& m) { m.edge_margin = Meters{0}; }), Status::kOk);
 }

@@ -402,6 +402,13 @@ config::Mission fitting_mission() {
   return mission;
 }
 
+TEST(Serialise, RefusesAListeningWindowForWhichTheFormatHasNoPlace) {
+  const auto policy = small_policy();
+  policy->observation.listening = {config::Listening::kLoudest, Duration::seconds(30)};
+  std::vector<std::uint8_t> bytes(max_serialised_size());
+  EXPECT_EQ(serialise(*policy, std::array<std::uint8_t, kPublicKeySize>{}, bytes).status(), Status::kUnsupported);
+}
+
 Misfit misfit_after(const std::function<void(config::Mission&)>& change) {
   config::Mission mission = fitting_mission();
   change(mission);
@@ -419,6 +426,7 @@ TEST(FrozenPolicy, DoesNotFitAMissionOfAnotherStepAreaOrThreshold) {
   EXPECT_EQ(misfit_after([](auto& mission) { mission.operating_area.north_east.east -= Meters{0.1}; }), Misfit::kAreaSize);
   EXPECT_EQ(misfit_after([](auto& mission) { mission.operating_area.south_west.east = Meters{kNan}; }), Misfit::kAreaSize);
   EXPECT_EQ(misfit_after([](auto& mission) { mission.detection_threshold = Decibels{-3.4}; }), Misfit::kDetectionThreshold);
+  EXPECT_EQ(misfit_after([](auto& mission) { mission.listening = {config::Listening::kMean, Duration::seconds(15)}; }), Misfit::kListening);
 }
 
 TEST(Serialise, RefusesAPolicyThatParseWouldRefuse) {

@@ -62,6 +62,15 @@ TEST(Checkpoint, SurvivesItsTextExactly) {
   EXPECT_EQ(read.step_length, written.step_length);
   EXPECT_EQ(read.area_size, written.area_size);
   EXPECT_EQ(read.detection_threshold, written.detection_threshold);
+  EXPECT_EQ(read.observation.listening, config::ListeningWindow{});
+}
+
+TEST(Checkpoint, KeepsTheWindowThatItsPolicyListensOver) {
+  Checkpoint checkpoint = made_up();
+  checkpoint.observation.listening = {config::Listening::kLoudest, Duration::seconds(30)};
+  EXPECT_EQ(from_text(to_text(checkpoint), "a").observation.listening, checkpoint.observation.listening);
+  EXPECT_EQ(to_text(made_up()).find("listening"), std::string::npos) << "of the newest look nothing need be said";
+  EXPECT_NE(refusal_with("listening", "softest").find("listening"), std::string::npos) << refusal_with("listening", "softest");
 }
 
 TEST(Checkpoint, IsRefusedWhenCutShortAnywhere) {

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware/host/toml/table_reader.hpp"
@@ -144,6 +146,21 @@ TEST(TrainingRun, DescribesNumbersSoThatTheyReadBackTheSame) {
   EXPECT_EQ(value_of(run, "clip_range"), "0.12345678");
   EXPECT_EQ(value_of(run, "border_width_m"), "1234.5678");
   EXPECT_EQ(value_of(run, "learning_rate_decay_steps"), "10000000");
+}
+
+TEST(TrainingRun, ListensAsItsFileSaysAndSaysSoInWhatItMakes) {
+  const TrainingRun run = load_run(written("[search]\nlistening = \"loudest\"\nlistening_window_s = 30\n"));
+  const config::ListeningWindow window{config::Listening::kLoudest, Duration::seconds(30)};
+  EXPECT_EQ(run.search.listening, window);
+  const sonar::SnrCurve curve(Meters{1'000.0}, std::vector<float>(40, 0.0F));
+  EXPECT_EQ(observation_of(run, curve).listening, window);
+  using Line = std::pair<std::string, std::string>;
+  const auto lines = describe(run);
+  EXPECT_NE(std::ranges::find(lines, Line("listening", "loudest")), lines.end());
+  EXPECT_NE(std::ranges::find(lines, Line("listening_window_s", "30")), lines.end());
+  for (const auto& [name, value] : describe(TrainingRun{})) EXPECT_FALSE(name.starts_with("listening")) << name;
+  const std::string path = written("[search]\nlistening_window_s = 30\n");
+  EXPECT_EQ(complaint_of(path), path + ":2: search.listening_window_s = 30: \"newest\" goes without a window, not with one of 30 s");
 }
 
 TEST(TrainingRun, RefusesABorderThatLeavesNoRoomToStartIn) {

@@ -95,5 +95,25 @@ TEST(SearchSettingsCheck, RefusesAStartRegionThatLiesWhollyWithinReachOfTheSourc
   EXPECT_EQ(check(s), Status::kOutOfRange);
 }
 
+TEST(LooksOnLeg, AreOneASecondBackFromItsEndAsFarAsWindowAndLegReach) {
+  const auto window = [](std::int64_t length_s) {
+    return config::ListeningWindow{.listening = config::Listening::kLoudest, .length = Duration::seconds(length_s)};
+  };
+  EXPECT_EQ(looks_on_leg({}, 500.0), 1U);
+  EXPECT_EQ(looks_on_leg(window(1), 500.0), 1U);
+  EXPECT_EQ(looks_on_leg(window(15), 500.0), 15U);
+  EXPECT_EQ(looks_on_leg(window(120), 50.0), 50U);
+  EXPECT_EQ(looks_on_leg(window(120), 50.9), 50U);
+  EXPECT_EQ(looks_on_leg(window(120), 0.2), 1U);
+}
+
+TEST(CheckSettings, RefusesAWindowThatCannotBeListenedOver) {
+  SearchSettings settings;
+  settings.listening.length = Duration::seconds(5);  // of the newest
+  EXPECT_EQ(check(settings), Status::kOutOfRange);
+  settings.listening.listening = config::Listening::kLoudest;
+  EXPECT_EQ(check(settings), Status::kOk);
+}
+
 }  // namespace
 }  // namespace earshot::search

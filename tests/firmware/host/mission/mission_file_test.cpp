@@ -91,6 +91,20 @@ TEST(MissionFile, ACopyElsewhereNamesItsLineAndThePathThatWasTried) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(MissionFile, ListensToTheNewestLookUnlessToldOverWhichWindow) {
+  EXPECT_EQ(load_mission(kShipped).mission.listening, config::ListeningWindow{});
+  const std::string threshold = "detection_threshold_db = 10.0";
+  EXPECT_EQ(complaint(threshold, threshold + "\nlistening = \"loudest\"\nlistening_window_s = 30"), "");
+  EXPECT_EQ(complaint(threshold, threshold + "\nlistening = \"loudest\"\nlistening_window_s = 121"),
+            "FILE:21: search.listening_window_s = 121: must be a whole number from 0 to 120");
+  EXPECT_EQ(complaint(threshold, threshold + "\nlistening_window_s = 30"),
+            "FILE:20: search.listening_window_s = 30: \"newest\" goes without a window, not with one of 30 s");
+  const std::string without = complaint(threshold, threshold + "\nlistening = \"mean\"");
+  EXPECT_NE(without.find("search.listening_window_s: \"mean\" needs a window of 1 to 120 s, not 0"), std::string::npos) << without;
+  const std::string softest = complaint(threshold, threshold + "\nlistening = \"softest\"");
+  EXPECT_NE(softest.find("search.listening = 'softest': must be one of \"newest\", \"loudest\", \"mean\""), std::string::npos) << softest;
+}
+
 TEST(MissionFile, RefusesANegativeDepthWithItsLineAndWhatIsAllowed) {
   EXPECT_EQ(complaint("depth_m = 300.0", "depth_m = -300.0"),
             "FILE:15: search.depth_m = -300.0: must be a finite number above 0 and at most 11000");

@@ -124,6 +124,10 @@ TEST(CheckFits, NamesTheMissionsValueAndThePolicysWhereTheyDiffer) {
             "with");
   EXPECT_EQ(misfit_after([](auto& mission) { mission.detection_threshold = Decibels{12}; }),
             "m.toml: search.detection_threshold_db = 12: must be 10, which the policy walk.policy was trained with");
+  EXPECT_EQ(misfit_after([](auto& mission) {
+              mission.listening = {config::Listening::kLoudest, Duration::seconds(30)};
+            }),
+            "m.toml: search.listening = loudest of 30 s: must be newest, which the policy walk.policy was trained with");
 }
 
 TEST_F(PolicyFile, NamesTheKeyFileWhenThatIsNotAKey) {

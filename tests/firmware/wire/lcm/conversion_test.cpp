@@ -46,5 +46,12 @@ TEST(Conversion, GivesACommandBackWhateverItsNumber) {
   EXPECT_EQ(from_message(carried(to_message(command))), command);
 }
 
+TEST(Conversion, GivesAMissionsListeningWindowBack) {
+  config::Mission mission;
+  EXPECT_EQ(from_message(carried(to_message(mission, Time{7}))).listening, config::ListeningWindow{});
+  mission.listening = {.listening = config::Listening::kMean, .length = Duration::seconds(30)};
+  EXPECT_EQ(from_message(carried(to_message(mission, Time{7}))).listening, mission.listening);
+}
+
 }  // namespace
 }  // namespace earshot::wire

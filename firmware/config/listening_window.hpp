@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/core/time.hpp"
+
+namespace earshot::config {
+
+/// What a decision makes of the looks (estimates of the SNR) in its window.
+enum class Listening : std::uint8_t {
+  kNewest,   ///< the look that ends the leg, as in the paper
+  kLoudest,  ///< the loudest of those that were measured; of many looks that fluctuate it is louder than the sound is
+  kMean,     ///< the mean, in dB, of those that were measured: a call among silence counts whole, and fluctuation averages out
+};
+
+/// The words that files and command lines have for them, in that order.
+inline constexpr std::array<std::string_view, 3> kListeningWords{"newest", "loudest", "mean"};
+
+/// Over which window an observation listens and what it makes of what it heard there: the vehicle in flight and the search that it was
+/// trained in go by the same. The window ends with the leg and never reaches back beyond the leg's beginning.
+struct ListeningWindow {
+  Listening listening = Listening::kNewest;
+  Duration length;  ///< whole seconds, 1 to kMaxListeningSeconds; of kNewest none
+  friend constexpr bool operator==(ListeningWindow, ListeningWindow) = default;
+};
+
+/// Whether a window is one that can be listened over.
+[[nodiscard]] constexpr bool is_valid(ListeningWindow window) {
+  if (window.listening == Listening::kNewest) return window.length == Duration{};
+  const bool is_known = window.listening == Listening::kLoudest || window.listening == Listening::kMean;
+  const bool is_whole = window.length.us % Duration::seconds(1).us == 0;
+  return is_known && is_whole && window.length >= Duration::seconds(1) &&
+         window.length <= Duration::seconds(static_cast<std::int64_t>(kMaxListeningSeconds));
+}
+
+}  // namespace earshot::config

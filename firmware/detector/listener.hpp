@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/config/listening_window.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/core/units.hpp"
+#include "firmware/messages/snr_measurement.hpp"
+
+namespace earshot::detector {
+
+/// What the looks of a window came to.
+struct WindowHeard {
+  Decibels snr;                ///< as the window's Listening has it; where none could be measured, the highest of the floors
+  bool too_faint = false;      ///< no look could be measured: the signal lay below `snr` in all of them
+  std::uint32_t looks = 0;     ///< that counted
+  std::uint32_t measured = 0;  ///< of them
+  friend constexpr bool operator==(const WindowHeard&, const WindowHeard&) = default;
+};
+
+/// Remembers the looks of one leg and says what they came to. One object for flight (firmware/runtime) and training (sim/search), in fixed
+/// memory: the looks of one second of the clock are summed up as they come, however many there are, so a window is so many whole
+/// seconds, the last of them the one that has begun.
+///
+///   newest   the last look, whatever the window
+///   loudest  the greatest measured SNR; looks that were too faint to measure say no more than that they were fainter than their floor
+///   mean     sum of the measured SNRs in dB / their number, added up second by second, the oldest first
+///
+/// When no look of the window was measured, all that is known of the loudest, and of the mean, is that it lay below the highest floor.
+/// Looks may come from several senders, in any order within the window: dates decide. Gaps are seconds without looks.
+/// Oracle: Listener.*
+class Listener {
+ public:
+  /// Earlier looks count no more, but for the newest as long as no other follows.
+  void begin_leg();
+
+  /// Takes a look. @param look  its snr is finite. One dated kMaxListeningSeconds or more before the latest is too old to count.
+  void take(const messages::SnrMeasurement& look);
+
+  /// What was heard over a window that ends `now`. A look dated after `now` counts as one of now. The newest look always counts, however
+  /// old: how old it may be is the caller's business. @param window  is_valid(); a look was taken before
+  [[nodiscard]] WindowHeard heard(config::ListeningWindow window, Time now) const;
+
+  /// The look with the latest date, of several the last taken, whatever the leg.
+  [[nodiscard]] const std::optional<messages::SnrMeasurement>& newest() const { return newest_; }
+
+ private:
+  /// The looks of one second of the clock.
+  struct Second {
+    Decibels level;  ///< the loudest of the measured; where none was, the highest floor
+    Decibels sum;    ///< of the measured
+    std::uint32_t looks = 0;
+    std::uint32_t measured = 0;
+    void add(const messages::SnrMeasurement& look);
+  };
+
+  void forget_up_to(std::int64_t second);
+
+  std::array<Second, config::kMaxListeningSeconds> seconds_{};  ///< a ring: second s lies at s modulo its size
+  std::int64_t last_second_ = 0;                                ///< the latest that is in the ring
+  bool is_empty_ = true;                                        ///< no look since the leg began
+  std::optional<messages::SnrMeasurement> newest_;
+};
+
+}  // namespace earshot::detector
