@@ -46,14 +46,17 @@ void tabulate_likelihood(const BeliefModel& model, const BeliefHypothesis& hypot
   const float regular = sounding * (1.0F - model.outlier_share);
   const float per_spread = 1.0F / hypothesis.spread_db;
   const float level = static_cast<float>(heard.snr.value) - hypothesis.level_offset_db;
-  const std::size_t count = model.snr_db.size();
+  const std::span<float> likelihoods = std::span(table).first(model.snr_db.size());
+  for (std::size_t i = 0; i < likelihoods.size(); ++i) likelihoods[i] = (level - model.snr_db[i]) * per_spread;
   if (!heard.too_faint) {
     const float outlier = sounding * model.outlier_share / kOutlierRange;
     const float scale = regular * per_spread;
-    for (std::size_t i = 0; i < count; ++i) table[i] = scale * normal_density((level - model.snr_db[i]) * per_spread) + outlier;
+    to_normal_density(likelihoods);
+    for (float& likelihood : likelihoods) likelihood = scale * likelihood + outlier;
   } else {
     const float outlier = model.silence_share + sounding * model.outlier_share * 0.5F;
-    for (std::size_t i = 0; i < count; ++i) table[i] = regular * normal_cumulative((level - model.snr_db[i]) * per_spread) + outlier;
+    to_normal_cumulative(likelihoods);
+    for (float& likelihood : likelihoods) likelihood = regular * likelihood + outlier;
   }
 }
 
@@ -135,12 +138,15 @@ void Belief::begin_anew(std::size_t cells) {
 EARSHOT_WIDE void Belief::foresee(const BeliefModel& model) {
   const std::size_t count = model.snr_db.size();
   RangeTable heard{};
+  RangeTable detected;  // under one hypothesis
   for (std::size_t h = 0; h < model.hypotheses.size(); ++h) {
     const BeliefHypothesis& hypothesis = model.hypotheses[h];
     const float per_spread = 1.0F / hypothesis.spread_db;
     const float level = hypothesis.level_offset_db - static_cast<float>(model.detection_threshold.value);
     const float share = (1.0F - model.silence_share) * hypothesis_shares_[h];
-    for (std::size_t i = 0; i < count; ++i) heard[i] += share * normal_cumulative((model.snr_db[i] + level) * per_spread);
+    for (std::size_t i = 0; i < count; ++i) detected[i] = (model.snr_db[i] + level) * per_spread;
+    to_normal_cumulative(std::span(detected).first(count));
+    for (std::size_t i = 0; i < count; ++i) heard[i] += share * detected[i];
   }
   smooth(std::span(heard).first(count), half_cell(model), detected_);
   const auto step = std::clamp<std::size_t>(static_cast<std::size_t>(model.step_length / model.range_step + 0.5), 1, count);
