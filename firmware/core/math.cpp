@@ -95,18 +95,6 @@ float exp(float x) {
   return static_cast<float>(exp_in_double(double{x}));
 }
 
-float tanh(float x) {
-  if (x != x) return x;
-  const double size = x < 0.0F ? -double{x} : double{x};
-  if (size >= 10.0) return x < 0.0F ? -1.0F : 1.0F;  // beyond 9.02 the nearest float is one
-  if (size < 0x1.0p-6) {                             // here 1 - 2/(e+1) would cancel; the series' next term is below 1e-12 of the result
-    const double x2 = size * size;
-    return static_cast<float>(double{x} * (1.0 - x2 * (1.0 / 3.0 - x2 * (2.0 / 15.0))));
-  }
-  const double result = 1.0 - 2.0 / (exp_in_double(2.0 * size) + 1.0);
-  return static_cast<float>(x < 0.0F ? -result : result);
-}
-
 double sqrt(double x) {
   return __builtin_sqrt(x);
 }

@@ -22,10 +22,6 @@ namespace earshot {
 /// Error: at most 0.501 ulp (the double it is rounded from is good to 1e-15).   Oracle: Exp.IsWithinHalfAnUlpOfLongDouble
 [[nodiscard]] float exp(float x);
 
-/// Hyperbolic tangent; odd, never beyond +-1.
-/// Error: at most 0.501 ulp.   Oracle: Tanh.IsWithinHalfAnUlpOfLongDouble
-[[nodiscard]] float tanh(float x);
-
 /// Square root by IEEE 754's correctly rounded operation (an instruction on every target, not libm).
 [[nodiscard]] double sqrt(double x);
 

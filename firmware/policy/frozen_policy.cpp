@@ -84,7 +84,12 @@ bool all_finite(std::span<const float> values) {
 
 template <class Layer>
 bool is_finite_layer(const Layer& layer, std::size_t outputs, std::size_t inputs) {
-  return all_finite(std::span(layer.weights).first(outputs * inputs)) && all_finite(std::span(layer.bias).first(outputs));
+  for (std::size_t o = 0; o < outputs; ++o) {
+    for (std::size_t i = 0; i < inputs; ++i) {
+      if (!is_finite(layer.weight(o, i))) return false;
+    }
+  }
+  return all_finite(std::span(layer.bias).first(outputs));
 }
 
 bool is_finite_network(const Network& network) {
@@ -173,13 +178,17 @@ void write(ByteWriter& writer, std::span<const float> values) {
 
 template <class Layer>
 void read_layer(ByteReader& reader, Layer& layer, std::size_t outputs, std::size_t inputs) {
-  read(reader, std::span(layer.weights).first(outputs * inputs));
+  for (std::size_t o = 0; o < outputs; ++o) {
+    for (std::size_t i = 0; i < inputs; ++i) layer.weight(o, i) = reader.f32();
+  }
   read(reader, std::span(layer.bias).first(outputs));
 }
 
 template <class Layer>
 void write_layer(ByteWriter& writer, const Layer& layer, std::size_t outputs, std::size_t inputs) {
-  write(writer, std::span(layer.weights).first(outputs * inputs));
+  for (std::size_t o = 0; o < outputs; ++o) {
+    for (std::size_t i = 0; i < inputs; ++i) writer.f32(layer.weight(o, i));
+  }
   write(writer, std::span(layer.bias).first(outputs));
 }
 

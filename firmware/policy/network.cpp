@@ -1,51 +1,187 @@
 #include "firmware/policy/network.hpp"
 
+#include <algorithm>
 #include <cassert>
 
-#include "firmware/core/math.hpp"
-#include "firmware/core/wide.hpp"
-
+// Sums and products below are each rounded by themselves: this file is built with -ffp-contract=off.
 namespace earshot::policy {
 namespace {
 
-/// Dot product in eight interleaved partial sums, added up pairwise: the order is fixed, and a vector unit of up to eight floats can follow
-/// it.
-float dot(std::span<const float> a, std::span<const float> b) {
-  constexpr std::size_t kLanes = 8;
-  std::array<float, kLanes> sums{};
-  const std::size_t whole = a.size() - a.size() % kLanes;
-  for (std::size_t i = 0; i < whole; i += kLanes) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) sums[lane] += a[i + lane] * b[i + lane];
-  }
-  for (std::size_t i = whole; i < a.size(); ++i) sums[i - whole] += a[i] * b[i];
-  return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+#if defined(__SSE2__) || defined(__aarch64__)
+#define EARSHOT_HAS_128_BITS
+using Float4 [[gnu::vector_size(16), gnu::may_alias]] = float;
+#endif
+#if defined(__x86_64__) && defined(__linux__) && !defined(__clang__)
+#define EARSHOT_HAS_AVX
+using Float8 [[gnu::vector_size(32), gnu::may_alias]] = float;
+using Float16 [[gnu::vector_size(64), gnu::may_alias]] = float;
+#endif
+
+template <class Floats>
+constexpr std::size_t kLanesOf = sizeof(Floats) / sizeof(float);
+
+// tanh x = x P(x^2) / Q(x^2): relative error at most 2.2e-8 up to kSaturation, beyond which tanh rounds to one. Weighted least squares,
+// the weights moved until all the largest errors are equal (Lawson), both constant terms held at one so that tanh x = x for small x.
+constexpr float kP1 = 0.133826792F;
+constexpr float kP2 = 0.00349744875F;
+constexpr float kP3 = 2.06356763e-05F;
+constexpr float kP4 = 1.33840867e-08F;
+constexpr float kQ1 = 0.467160016F;
+constexpr float kQ2 = 0.0258843265F;
+constexpr float kQ3 = 0.000328850292F;
+constexpr float kQ4 = 7.79016602e-07F;
+constexpr float kSaturation = 9.02F;
+
+/// Where x^2 is held at the last place of the fit, x P / Q grows with x, past one. No comparison holds for a NaN, which stays one.
+template <class Floats>
+[[gnu::always_inline]] inline void apply_tanh(Floats& x) {
+  const Floats square = x * x;
+  const Floats t = square < kSaturation * kSaturation ? square : Floats{} + kSaturation * kSaturation;
+  const Floats p = (((t * kP4 + kP3) * t + kP2) * t + kP1) * t + 1.0F;
+  const Floats q = (((t * kQ4 + kQ3) * t + kQ2) * t + kQ1) * t + 1.0F;
+  const Floats ratio = x * p / q;
+  const Floats below = ratio > 1.0F ? Floats{} + 1.0F : ratio;
+  x = below < -1.0F ? Floats{} - 1.0F : below;
 }
 
-/// output[i] = dot(row i of weights, input) + bias[i]
-template <class Layer>
-void apply(const Layer& layer, std::span<const float> input, std::span<float> output) {
-  for (std::size_t i = 0; i < output.size(); ++i) {
-    output[i] = dot(std::span(layer.weights).subspan(i * input.size(), input.size()), input) + layer.bias[i];
+template <class Floats>
+[[gnu::always_inline]] inline const Floats& at(const float* values) {
+  return *reinterpret_cast<const Floats*>(values);
+}
+
+template <class Floats>
+[[gnu::always_inline]] inline Floats& at(float* values) {
+  return *reinterpret_cast<Floats*>(values);
+}
+
+/// What sets two kinds of layers apart.
+struct Hidden {
+  static constexpr std::size_t kSums = 1;  // of a layer that is wide enough to keep a vector unit busy
+  static constexpr bool kTanh = true;
+};
+struct Output {
+  static constexpr std::size_t kSums = 4;  // of few outputs, where one sum would wait for itself
+  static constexpr bool kTanh = false;
+};
+
+/// kBlock vectors of outputs, from `output` on; their sums stay in registers.
+template <class Kind, class Floats, std::size_t kBlock, class Layer>
+[[gnu::always_inline]] inline void apply_block(const Layer& layer, std::size_t output, std::span<const float> input, float* outputs) {
+  constexpr std::size_t kLanes = kLanesOf<Floats>;
+  const float* weights = layer.packed.data() + Layer::place(output, 0);
+  Floats sums[Kind::kSums][kBlock] = {};
+  const auto add = [&](std::size_t sum, float x) __attribute__((always_inline)) {
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < kBlock; ++i) sums[sum][i] += at<Floats>(weights + i * kLanes) * x;
+    weights += Layer::kBlock;
+  };
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < kBlock; ++i) sums[0][i] = at<Floats>(layer.bias.data() + output + i * kLanes);
+  std::size_t j = 0;
+  for (; j + Kind::kSums <= input.size(); j += Kind::kSums) {
+#pragma GCC unroll 4
+    for (std::size_t k = 0; k < Kind::kSums; ++k) add(k, input[j + k]);
+  }
+#pragma GCC unroll 4
+  for (std::size_t k = 0; k + 1 < Kind::kSums; ++k) {
+    if (j + k < input.size()) add(k, input[j + k]);
+  }
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    if constexpr (Kind::kSums == 4) sums[0][i] = (sums[0][i] + sums[1][i]) + (sums[2][i] + sums[3][i]);
+    if constexpr (Kind::kTanh) apply_tanh(sums[0][i]);
+    at<Floats>(outputs + output + i * kLanes) = sums[0][i];
   }
 }
 
-void apply_tanh(std::span<float> values) {
-  for (float& value : values) value = tanh(value);
+/// The first `count` outputs of a layer, and as many more as fill the last block. @param outputs  aligned as Floats
+template <class Kind, class Floats, std::size_t kBlock, class Layer>
+[[gnu::always_inline]] inline void apply(const Layer& layer, std::span<const float> input, std::size_t count, float* outputs) {
+  constexpr std::size_t kOutputs = kBlock * kLanesOf<Floats>;
+  static_assert(Layer::kBlock % kOutputs == 0);
+  for (std::size_t output = 0; output < count; output += kOutputs) {
+    apply_block<Kind, Floats, kBlock>(layer, output, input, outputs);
+  }
 }
+
+/// @param kBlock, kOutputBlock  vectors of hidden units and of actions at a time: as many sums as hide an addition's latency and fit the
+///                              registers
+template <class Floats, std::size_t kBlock, class OutputFloats, std::size_t kOutputBlock>
+[[gnu::always_inline]] inline void compute(const Network& network, std::span<const float> observation, std::span<float> logits) {
+  constexpr std::size_t kAlignment = sizeof(Floats);
+  alignas(kAlignment) float first[Network::kWidth];
+  alignas(kAlignment) float second[Network::kWidth];
+  alignas(kAlignment) float output[config::kMaxActions];
+  apply<Hidden, Floats, kBlock>(network.first, observation, network.hidden_sizes[0], first);
+  apply<Hidden, Floats, kBlock>(network.second, std::span(first).first(network.hidden_sizes[0]), network.hidden_sizes[1], second);
+  apply<Output, OutputFloats, kOutputBlock>(network.output, std::span(second).first(network.hidden_sizes[1]), logits.size(), output);
+  std::copy_n(output, logits.size(), logits.begin());
+}
+
+void compute_float_by_float(const Network& network, std::span<const float> observation, std::span<float> logits) {
+  compute<float, 4, float, 4>(network, observation, logits);
+}
+
+#ifdef EARSHOT_HAS_128_BITS
+void compute_with_128_bits(const Network& network, std::span<const float> observation, std::span<float> logits) {
+  compute<Float4, 8, Float4, 2>(network, observation, logits);
+}
+#endif
+
+#ifdef EARSHOT_HAS_AVX
+[[gnu::target("avx2")]] void compute_with_avx2(const Network& network, std::span<const float> observation, std::span<float> logits) {
+  compute<Float8, 8, Float8, 1>(network, observation, logits);
+}
+
+[[gnu::target("avx512f")]] void compute_with_avx512(const Network& network, std::span<const float> observation, std::span<float> logits) {
+  compute<Float16, 4, Float8, 1>(network, observation, logits);
+}
+#endif
 
 }  // namespace
 
-EARSHOT_WIDE void forward(const Network& network, std::span<const float> observation, std::span<float> logits) {
-  assert(observation.size() == network.observation_size && logits.size() == network.action_count);
-  std::array<float, Network::kWidth> first_storage{};
-  std::array<float, Network::kWidth> second_storage{};
-  const std::span<float> first = std::span(first_storage).first(network.hidden_sizes[0]);
-  const std::span<float> second = std::span(second_storage).first(network.hidden_sizes[1]);
-  apply(network.first, observation, first);
-  apply_tanh(first);
-  apply(network.second, first, second);
-  apply_tanh(second);
-  apply(network.output, second, logits);
+bool has(VectorUnit unit) {
+  switch (unit) {
+    case VectorUnit::kNone:
+      return true;
+#ifdef EARSHOT_HAS_128_BITS
+    case VectorUnit::k128Bits:
+      return true;
+#endif
+#ifdef EARSHOT_HAS_AVX
+    case VectorUnit::kAvx2:
+      return __builtin_cpu_supports("avx2") != 0;
+    case VectorUnit::kAvx512:
+      return __builtin_cpu_supports("avx512f") != 0;
+#endif
+    default:
+      return false;
+  }
+}
+
+void forward_on(VectorUnit unit, const Network& network, std::span<const float> observation, std::span<float> logits) {
+  assert(has(unit) && observation.size() == network.observation_size && logits.size() == network.action_count);
+  switch (unit) {
+#ifdef EARSHOT_HAS_128_BITS
+    case VectorUnit::k128Bits:
+      return compute_with_128_bits(network, observation, logits);
+#endif
+#ifdef EARSHOT_HAS_AVX
+    case VectorUnit::kAvx2:
+      return compute_with_avx2(network, observation, logits);
+    case VectorUnit::kAvx512:
+      return compute_with_avx512(network, observation, logits);
+#endif
+    default:
+      return compute_float_by_float(network, observation, logits);
+  }
+}
+
+void forward(const Network& network, std::span<const float> observation, std::span<float> logits) {
+  for (const VectorUnit unit : {VectorUnit::kAvx512, VectorUnit::kAvx2, VectorUnit::k128Bits}) {
+    if (has(unit)) return forward_on(unit, network, observation, logits);
+  }
+  forward_on(VectorUnit::kNone, network, observation, logits);
 }
 
 }  // namespace earshot::policy

@@ -9,19 +9,19 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// One dense layer as the network packs it: weights row-major [outputs x inputs].
+/// One dense layer of its own size.
+template <class Layer>
 struct Dense {
-  std::span<const float> weights;
-  std::span<const float> bias;
+  const Layer& layer;
   std::size_t inputs;
   std::size_t outputs;
 
-  [[nodiscard]] double weight(std::size_t output, std::size_t input) const { return static_cast<double>(weights[output * inputs + input]); }
+  [[nodiscard]] double weight(std::size_t output, std::size_t input) const { return static_cast<double>(layer.weight(output, input)); }
 
   [[nodiscard]] Values apply(std::span<const double> input) const {
     Values output(outputs);
     for (std::size_t i = 0; i < outputs; ++i) {
-      output[i] = static_cast<double>(bias[i]);
+      output[i] = static_cast<double>(layer.bias[i]);
       for (std::size_t j = 0; j < inputs; ++j) output[i] += weight(i, j) * input[j];
     }
     return output;
@@ -37,23 +37,15 @@ struct Dense {
   }
 };
 
-template <class Layer>
-Dense dense(const Layer& layer, std::size_t inputs, std::size_t outputs) {
-  return {.weights = std::span(layer.weights).first(inputs * outputs),
-          .bias = std::span(layer.bias).first(outputs),
-          .inputs = inputs,
-          .outputs = outputs};
-}
-
 struct Layers {
-  Dense first;
-  Dense second;
-  Dense output;
+  Dense<decltype(policy::Network::first)> first;
+  Dense<decltype(policy::Network::second)> second;
+  Dense<decltype(policy::Network::output)> output;
 
   explicit Layers(const policy::Network& n)
-      : first(dense(n.first, n.observation_size, n.hidden_sizes[0])),
-        second(dense(n.second, n.hidden_sizes[0], n.hidden_sizes[1])),
-        output(dense(n.output, n.hidden_sizes[1], n.action_count)) {}
+      : first{n.first, n.observation_size, n.hidden_sizes[0]},
+        second{n.second, n.hidden_sizes[0], n.hidden_sizes[1]},
+        output{n.output, n.hidden_sizes[1], n.action_count} {}
 };
 
 Values apply_tanh(Values values) {

@@ -16,13 +16,14 @@ namespace {
 using host::BadInput;
 using Networks = ppo::ActorCritic<float>;
 
-/// Copies `rows` rows, the first ones, of a column-major layer into firmware's row-major one.
+/// Copies `rows` rows, the first ones, of a layer.
 template <class Target>
 void copy_layer(const Networks& from, const Networks::Layer& layer, Eigen::Index rows, Target& to) {
   const std::span<const float> flat = from.parameters();
   for (Eigen::Index o = 0; o < rows; ++o) {
     for (Eigen::Index i = 0; i < layer.inputs; ++i) {
-      to.weights[static_cast<std::size_t>(o * layer.inputs + i)] = flat[static_cast<std::size_t>(layer.offset + i * layer.outputs + o)];
+      to.weight(static_cast<std::size_t>(o), static_cast<std::size_t>(i)) =
+          flat[static_cast<std::size_t>(layer.offset + i * layer.outputs + o)];
     }
     to.bias[static_cast<std::size_t>(o)] = flat[static_cast<std::size_t>(layer.bias() + o)];
   }
@@ -80,7 +81,9 @@ void check_fit(const TrainedActor& actor, const description::SearchDescription& 
 
 template <class Target>
 void copy_dense(const DenseLayer& from, Target& to) {
-  std::ranges::copy(from.weights, to.weights.begin());
+  for (std::size_t o = 0; o < from.outputs; ++o) {
+    for (std::size_t i = 0; i < from.inputs; ++i) to.weight(o, i) = from.weights[o * from.inputs + i];
+  }
   std::ranges::copy(from.bias, to.bias.begin());
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "firmware/policy/network.hpp"
+#include "tests/support/layer_weights.hpp"
 
 namespace earshot::tests {
 
@@ -17,11 +18,11 @@ inline std::unique_ptr<policy::Network> hand_computed_network() {
   network->observation_size = 2;
   network->hidden_sizes = {2, 1};
   network->action_count = 2;
-  std::ranges::copy(std::array{1.0F, 2.0F, -3.0F, 0.5F}, network->first.weights.begin());
+  set_weights(network->first, 2, {1.0F, 2.0F, -3.0F, 0.5F});
   std::ranges::copy(std::array{0.25F, -1.0F}, network->first.bias.begin());
-  std::ranges::copy(std::array{2.0F, -1.0F}, network->second.weights.begin());
+  set_weights(network->second, 2, {2.0F, -1.0F});
   network->second.bias[0] = 0.5F;
-  std::ranges::copy(std::array{4.0F, -2.0F}, network->output.weights.begin());
+  set_weights(network->output, 1, {4.0F, -2.0F});
   std::ranges::copy(std::array{1.0F, 0.0F}, network->output.bias.begin());
   return network;
 }

@@ -36,26 +36,6 @@ void for_floats_up_to(float largest, Look look) {
   }
 }
 
-TEST(Tanh, IsWithinHalfAnUlpOfLongDouble) {
-  long double worst = 0.0L;
-  for_floats_up_to(20.0F, [&worst](float x) { worst = std::max(worst, ulps(tanh(x), std::tanh(static_cast<long double>(x)))); });
-  EXPECT_LE(worst, 0.501L);  // measured 0.4999...; one rounding of a double that is good to 1e-14
-}
-
-TEST(Tanh, IsOddAndNeverBeyondOne) {
-  for_floats_up_to(20.0F, [](float x) {
-    EXPECT_EQ(std::bit_cast<std::uint32_t>(tanh(-x)), std::bit_cast<std::uint32_t>(-tanh(x)));
-    EXPECT_LE(std::fabs(tanh(x)), 1.0F);
-  });
-}
-
-TEST(Tanh, OfInfinityIsOneAndOfNanIsNan) {
-  EXPECT_EQ(tanh(kInfinity), 1.0F);
-  EXPECT_EQ(tanh(-kInfinity), -1.0F);
-  EXPECT_EQ(tanh(std::numeric_limits<float>::max()), 1.0F);
-  EXPECT_TRUE(std::isnan(tanh(kNan)));
-}
-
 TEST(Exp, IsWithinHalfAnUlpOfLongDouble) {
   long double worst = 0.0L;
   for_floats_up_to(88.72F, [&worst](float x) { worst = std::max(worst, ulps(exp(x), std::exp(static_cast<long double>(x)))); });
@@ -182,7 +162,6 @@ std::uint32_t checksum_of_many_results() {
   for (int i = 0; i < 20000; ++i) {
     const double x = 16.0 * random.uniform_double() - 8.0;
     const double y = 16.0 * random.uniform_double() - 8.0;
-    add(tanh(static_cast<float>(x)));
     add(exp(static_cast<float>(x)));
     add(sine_cosine(Radians{x}).sine);
     add(sine_cosine(Radians{x}).cosine);
@@ -193,7 +172,7 @@ std::uint32_t checksum_of_many_results() {
 }
 
 TEST(Math, GivesTheSameBitsOnEveryMachine) {
-  EXPECT_EQ(checksum_of_many_results(), 0x31BD1A6DU);  // GCC 12 at -O0 and -O3, x86-64, aarch64 and 32-bit ARM alike
+  EXPECT_EQ(checksum_of_many_results(), 0xB2EFB773U);  // GCC 12 at -O0 and -O3, x86-64, aarch64 and 32-bit ARM alike
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ std::unique_ptr<FrozenPolicy> small_policy() {
   policy->network.action_count = 4;
   Pcg32 random(21);
   const auto fill = [&random](auto& layer, std::size_t outputs, std::size_t inputs) {
-    for (std::size_t i = 0; i < outputs * inputs; ++i) layer.weights[i] = random.uniform_float() - 0.5F;
+    for (std::size_t i = 0; i < outputs * inputs; ++i) layer.weight(i / inputs, i % inputs) = random.uniform_float() - 0.5F;
     for (std::size_t i = 0; i < outputs; ++i) layer.bias[i] = random.uniform_float() - 0.5F;
   };
   fill(policy->network.first, 5, 2);
@@ -147,9 +147,9 @@ TEST(FrozenPolicy, ComesBackFromItsBytesAsItWas) {
   EXPECT_EQ(after->detection_threshold, before->detection_threshold);
   EXPECT_EQ(after->draw, before->draw);
   EXPECT_EQ(after->network.hidden_sizes, before->network.hidden_sizes);
-  EXPECT_EQ(after->network.first.weights, before->network.first.weights);
+  EXPECT_EQ(after->network.first.packed, before->network.first.packed);
   EXPECT_EQ(after->network.second.bias, before->network.second.bias);
-  EXPECT_EQ(after->network.output.weights, before->network.output.weights);
+  EXPECT_EQ(after->network.output.packed, before->network.output.packed);
   EXPECT_EQ(bytes_of(*after), bytes);
 }
 
@@ -443,7 +443,7 @@ TEST(Serialise, RefusesAPolicyThatParseWouldRefuse) {
             Status::kOutOfRange);
   EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.step_length = Meters{-1}; }), Status::kOutOfRange);
   EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.area_size.east = Meters{0}; }), Status::kOutOfRange);
-  EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.network.output.weights.fill(3e38F); }), Status::kOutOfRange);  // logits overflow
+  EXPECT_EQ(refused([](FrozenPolicy& policy) { policy.network.output.packed.fill(3e38F); }), Status::kOutOfRange);  // logits overflow
 }
 
 TEST(Serialise, SaysFullWhenOneByteIsMissing) {

@@ -67,9 +67,9 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_wanders() {
   policy->draw = policy::ActionDraw::kSampled;
   policy->network.observation_size = 6;
   Pcg32 random(77);
-  for (float& weight : policy->network.first.weights) weight = random.uniform_float() - 0.5F;
-  for (float& weight : policy->network.second.weights) weight = random.uniform_float() - 0.5F;
-  for (float& weight : policy->network.output.weights) weight = random.uniform_float() - 0.5F;
+  for (float& weight : policy->network.first.packed) weight = random.uniform_float() - 0.5F;
+  for (float& weight : policy->network.second.packed) weight = random.uniform_float() - 0.5F;
+  for (float& weight : policy->network.output.packed) weight = random.uniform_float() - 0.5F;
   return policy;
 }
 

@@ -6,6 +6,7 @@
 
 #include "policy/explain/network_gradient.hpp"
 #include "tests/policy/explain/random_network.hpp"
+#include "tests/support/layer_weights.hpp"
 
 namespace earshot::explain {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 TEST(IntegratedGradients, AreThoseOfAHandComputedNetwork) {
   Pcg32 random(5);
   const auto network = random_network({3, {1, 4}, 3}, 2.0F, random);
-  std::ranges::copy(std::array{2.0F, -1.0F, 0.0F}, network->first.weights.begin());
+  tests::set_weights(network->first, 3, {2.0F, -1.0F, 0.0F});
   const std::array x{0.75, 0.25, 0.9};
   const std::array baseline{0.25, 0.75, -0.5};
   // w (x - x') = 2 * 0.5, -1 * -0.5, 0: two thirds, one third, nothing.
@@ -43,7 +44,7 @@ TEST(IntegratedGradients, AddUpToTheDifferenceForEveryNetworkAndEveryPairOfObser
 
 TEST(IntegratedGradients, TakeMoreStepsForATighterTolerance) {
   Pcg32 random(7);
-  const auto network = random_network({6, {12, 12}, 4}, 1.5F, random);
+  const auto network = random_network({6, {12, 12}, 4}, 1.0F, random);
   const std::vector<double> x = random_observation(6, random);
   const std::vector<double> baseline(6, 0.0);
   const Comparison comparison{.observation = x, .baseline = baseline};
@@ -59,13 +60,11 @@ TEST(IntegratedGradients, TakeMoreStepsForATighterTolerance) {
 TEST(IntegratedGradients, TakeMoreStepsUntilEachPartIsRightAndNotOnlyTheirSum) {
   Pcg32 random(9);
   const auto network = random_network({2, {2, 2}, 2}, 0.0F, random);
-  network->first.weights[0] = 200.0F;  // [unit x input]
-  network->first.weights[3] = 200.0F;
+  tests::set_weights(network->first, 2, {200.0F, 0.0F, 0.0F, 200.0F});
   network->first.bias[0] = -100.0F;
   network->first.bias[1] = -100.0F;
-  network->second.weights[0] = 1.0F;
-  network->second.weights[1] = -1.0F;
-  network->output.weights[0] = 1.0F;
+  tests::set_weights(network->second, 2, {1.0F, -1.0F});
+  tests::set_weights(network->output, 2, {1.0F});
   const std::array x{1.0, 1.0};
   const std::array baseline{0.0, 0.0};
   const Attribution a = integrated_gradients(*network, {.observation = x, .baseline = baseline}, 0);

@@ -23,7 +23,7 @@ inline std::unique_ptr<policy::Network> random_network(const NetworkSizes& sizes
   network->hidden_sizes = sizes.hidden;
   network->action_count = sizes.actions;
   const auto fill = [&](auto& layer) {
-    for (float& weight : layer.weights) weight = largest * (2.0F * random.uniform_float() - 1.0F);
+    for (float& weight : layer.packed) weight = largest * (2.0F * random.uniform_float() - 1.0F);
     for (float& bias : layer.bias) bias = largest * (2.0F * random.uniform_float() - 1.0F);
   };
   fill(network->first);

@@ -12,6 +12,7 @@
 #include "policy/freeze/model_file.hpp"
 #include "policy/freeze/state_dict.hpp"
 #include "tests/policy/freeze/bytes.hpp"
+#include "tests/support/layer_weights.hpp"
 
 namespace earshot::freeze {
 namespace {
@@ -71,11 +72,11 @@ TEST(Sb3Model, FreezesEveryWeightOfTheActorBitForBit) {
     return std::ranges::equal(from, to.first(from.size()),
                               [](float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); });
   };
-  EXPECT_TRUE(same_bits(state.at("mlp_extractor.policy_net.0.weight").values, network.first.weights));
+  EXPECT_TRUE(same_bits(state.at("mlp_extractor.policy_net.0.weight").values, tests::weights_of(network.first, 64, 6)));
   EXPECT_TRUE(same_bits(state.at("mlp_extractor.policy_net.0.bias").values, network.first.bias));
-  EXPECT_TRUE(same_bits(state.at("mlp_extractor.policy_net.2.weight").values, network.second.weights));
+  EXPECT_TRUE(same_bits(state.at("mlp_extractor.policy_net.2.weight").values, tests::weights_of(network.second, 64, 64)));
   EXPECT_TRUE(same_bits(state.at("mlp_extractor.policy_net.2.bias").values, network.second.bias));
-  EXPECT_TRUE(same_bits(state.at("action_net.weight").values, network.output.weights));
+  EXPECT_TRUE(same_bits(state.at("action_net.weight").values, tests::weights_of(network.output, 8, 64)));
   EXPECT_TRUE(same_bits(state.at("action_net.bias").values, network.output.bias));
 }
 
