@@ -38,8 +38,9 @@ inline constexpr std::size_t kMaxBeliefRanges =
 inline constexpr std::size_t kBeliefBytes = by_profile(64, 20) * 1024;  ///< bytes of the belief about the source; full: does not compile
 inline constexpr std::size_t kMaxListeningSeconds =
     120;  ///< seconds that a decision may listen over (a blue whale calls every one or two minutes); full: older looks are forgotten
-inline constexpr std::size_t kGoldenPairs = 8;       ///< observation -> logits pairs re-checked at boot; exactly this many
-inline constexpr std::size_t kMaxProvenance = 1024;  ///< bytes of provenance text in a policy; full: refused at freeze
+inline constexpr std::size_t kGoldenTrajectories = 2;  ///< searches flown again before a policy is trusted; exactly this many
+inline constexpr std::size_t kGoldenSteps = 6;         ///< steps of each (a belief takes shape, all in 1 ms); exactly this many
+inline constexpr std::size_t kMaxProvenance = 1024;    ///< bytes of provenance text in a policy; full: refused at freeze
 inline constexpr std::size_t kRuntimeBytes =
     by_profile(112, 64) * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights and belief; full: does not compile
 

@@ -1,30 +1,37 @@
 #include "firmware/policy/belief.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <span>
 
+#include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
 #include "firmware/policy/normal_table.hpp"
+#include "firmware/policy/search_bounds.hpp"
 
 namespace earshot::policy {
 namespace {
 
 constexpr float kOutlierRange = 80.0F;  // dB over which an SNR that follows no model is spread
 constexpr float kCovered = 1e-3F;       // share left to a cell within step_length of a place visited: navigation errs, sources move
-constexpr float kLogStepDiscount = -0.105360516F;  // ln kStepDiscount
 
-// Wider than any search, and narrow enough that no float overflows on the way.
-constexpr double kMostLevel = 1e3;  // dB, either side of zero
 constexpr double kLeastSpread = 0.05;
 constexpr double kMostSpread = 100.0;  // dB
 constexpr double kLeastPrior = 1e-6;
 constexpr double kMostPrior = 1e6;
-constexpr double kLeastLength = 1.0;  // m
-constexpr double kMostRangeStep = 1e4;
-constexpr double kMostStep = 1e6;  // of the border too
-constexpr double kMostArea = 1e7;
+constexpr double kMostRangeStep_m = 1e4;
+constexpr double kMostCost = 1e6;
+constexpr double kLeastReach = 1e-3;         // other costs are divided by it
+constexpr double kLeastLogDiscount = -10.0;  // next to no step after the first
+constexpr double kMostLogDiscount = -1e-3;   // a thousand steps: more, and one less the discount is no number to divide by
+
+bool has_valid_numbers(const BeliefCosts& costs) {
+  return is_within(double{costs.step}, 0.0, kMostCost) && is_within(double{costs.log_step_discount}, kLeastLogDiscount, kMostLogDiscount) &&
+         is_within(double{costs.reach}, kLeastReach, kMostCost) && is_within(double{costs.reach_discount}, 0.0, 1.0) &&
+         is_within(double{costs.edge}, 0.0, kMostCost) && is_within(double{costs.most_regret}, 0.0, kMostCost);
+}
 
 std::size_t cell_count(const BeliefModel& model) {
   return std::size_t{model.cells_north} * model.cells_east;
@@ -99,20 +106,19 @@ bool has_valid_shape(const BeliefModel& model) {
 }
 
 bool has_valid_numbers(const BeliefModel& model) {
-  const auto is_within = [](double x, double least, double most) { return x >= least && x <= most; };  // no NaN is
-  const auto is_level = [is_within](float x) { return is_within(double{x}, -kMostLevel, kMostLevel); };
-  const auto is_length = [is_within](Meters x, double most) { return is_within(x.value, kLeastLength, most); };
+  const auto is_level = [](float x) { return is_within(double{x}, -kMostLevel_db, kMostLevel_db); };
+  const auto is_length = [](Meters x, double most) { return is_within(x.value, kLeastLength_m, most); };
   for (const BeliefHypothesis& h : model.hypotheses) {
     if (!is_level(h.level_offset_db) || !is_within(double{h.spread_db}, kLeastSpread, kMostSpread) ||
         !is_within(double{h.prior}, kLeastPrior, kMostPrior))
       return false;
   }
   if (!std::all_of(model.snr_db.begin(), model.snr_db.end(), is_level)) return false;
-  return is_length(model.area_size.north, kMostArea) && is_length(model.area_size.east, kMostArea) &&
-         is_length(model.step_length, kMostStep) && is_length(model.border_width, kMostStep) &&
-         is_length(model.range_step, kMostRangeStep) && is_finite(model.detection_threshold.value) &&
+  return is_length(model.area_size.north, kMostArea_m) && is_length(model.area_size.east, kMostArea_m) &&
+         is_length(model.step_length, kMostStep_m) && is_length(model.border_width, kMostStep_m) &&
+         is_length(model.range_step, kMostRangeStep_m) && is_finite(model.detection_threshold.value) &&
          is_within(double{model.outlier_share}, 0.0, 1.0) && is_within(double{model.silence_share}, 0.0, 1.0) &&
-         is_within(double{model.forgotten_share}, 0.0, 0.5);
+         is_within(double{model.forgotten_share}, 0.0, 0.5) && has_valid_numbers(model.costs);
 }
 
 void Belief::start(const BeliefModel& model) {
@@ -150,15 +156,25 @@ EARSHOT_WIDE void Belief::foresee(const BeliefModel& model) {
   }
   smooth(std::span(heard).first(count), half_cell(model), detected_);
   const auto step = std::clamp<std::size_t>(static_cast<std::size_t>(model.step_length / model.range_step + 0.5), 1, count);
-  const float discount = exp(kLogStepDiscount / static_cast<float>(step));
+  const float discount = exp(model.costs.log_step_discount / static_cast<float>(step));
+  const float discounted_away = 1.0F - exp(model.costs.log_step_discount);
   float discounted = 1.0F;
   RangeTable silent;  // expected steps without detection
   for (std::size_t i = 0; i < count; ++i) {
     const float steps = i <= step ? 0.0F : static_cast<float>(i - step) / static_cast<float>(step);
     silent[i] = i <= step ? 0.0F : (1.0F - detected_[i]) * std::min(1.0F, steps) + silent[i - step];
     if (i > step) discounted *= discount;
-    cost_[i] = silent[i] + kStepCost * (1.0F - discounted) / (1.0F - kStepDiscount);
+    cost_[i] = silent[i] + model.costs.step * (1.0F - discounted) / discounted_away;
   }
+}
+
+std::uint32_t Belief::fingerprint(const BeliefModel& model) const {
+  static_assert(std::endian::native == std::endian::little);
+  const auto bytes_of = [](const auto* first, std::size_t count) {
+    return std::span(reinterpret_cast<const std::uint8_t*>(first), count * sizeof(*first));
+  };
+  const std::uint32_t of_cells = crc32(bytes_of(cells_.data(), cell_count(model)));
+  return crc32(bytes_of(outlooks_.data(), model.actions.size()), of_cells);
 }
 
 void Belief::update(const BeliefModel& model, NorthEast position, Heard heard) {

@@ -21,6 +21,19 @@ struct BeliefHypothesis {
   friend constexpr bool operator==(const BeliefHypothesis&, const BeliefHypothesis&) = default;
 };
 
+/// What a search costs, for the outlook; a step on which nothing is detected costs one. The defaults are the paper's search.
+struct BeliefCosts {
+  float step = 3.0F;  ///< of a step, the first of many, 0 to 1e6
+  /// ln of what each step after it costs of the one before, -10 to -1e-3: a likely source near by is worth more than two half as likely
+  /// further away. The default is ln 0.9.
+  float log_step_discount = -0.105360516F;
+  float reach = 30.0F;           ///< what a reach of one is worth, 1e-3 to 1e6
+  float reach_discount = 0.85F;  ///< of a reach that is one step further away, 0 to 1
+  float edge = 100.0F;           ///< of the border at the edge itself, 0 to 1e6: -p of the paper's reward
+  float most_regret = 10.0F;     ///< no regret counts for more, 0 to 1e6
+  friend constexpr bool operator==(const BeliefCosts&, const BeliefCosts&) = default;
+};
+
 /// What a belief takes for granted; travels in the `.policy` file. Used only by observations that see a belief.
 struct BeliefModel {
   // The search; in a FrozenPolicy the same as its own.
@@ -29,6 +42,7 @@ struct BeliefModel {
   Decibels detection_threshold{10.0};
   FixedVector<UnitNorthEast, config::kMaxActions> actions;
   Meters border_width{1'000.0};  ///< of the edge that a policy had better not enter, > 0
+  BeliefCosts costs;
 
   std::uint16_t cells_north = 50;  ///< cells_north * cells_east <= kMaxBeliefCells
   std::uint16_t cells_east = 50;
@@ -46,28 +60,20 @@ struct BeliefModel {
 /// Whether every size fits its capacity and is not zero.
 [[nodiscard]] bool has_valid_shape(const BeliefModel& model);
 /// Whether every number is in its range: spread 0.05 to 100 dB, offsets and SNRs within 1000 dB, priors 1e-6 to 1e6; range step 1 m to
-/// 10 km, step and border 1 m to 1000 km, area 1 m to 10 000 km. @param model  of a valid shape
+/// 10 km, step and border 1 m to 1000 km, area 1 m to 10 000 km, costs as said at each. @param model  of a valid shape
 [[nodiscard]] bool has_valid_numbers(const BeliefModel& model);
 
 /// What one action promises, under the belief.
 struct ActionOutlook {
   float found = 0.0F;  ///< probability that its end lies within step_length of the source
-  /// The same for the best place within kReachSteps steps of which it is one, a step later counting kReachDiscount less, and the border's
-  /// cost there (kEdgeCost / kReachReward of its depth) taken off; at least 0.
+  /// The same for the best place within kReachSteps steps of which it is one, a step later counting reach_discount less, and the border's
+  /// cost there (edge / reach of its depth) taken off; at least 0.
   float reach = 0.0F;
   float detected = 0.0F;  ///< probability of a detection at its end
   float border = 0.0F;    ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
-  float regret = 0.0F;    ///< expected cost of the search after it, less that after the best action; at most kMostRegret
+  float regret = 0.0F;    ///< expected cost of the search after it, less that after the best action; at most BeliefCosts::most_regret
 };
 
-// What a search costs, for the regret; a step on which nothing is detected costs one.
-inline constexpr float kStepCost = 3.0F;  ///< of a step, the first of many
-inline constexpr float kStepDiscount =
-    0.9F;  ///< of each step after it: a likely source near by is worth more than two half as likely further away
-inline constexpr float kReachReward = 30.0F;  ///< for a reach of one
-inline constexpr float kReachDiscount = 0.85F;
-inline constexpr float kEdgeCost = 100.0F;  ///< of the border at the edge itself
-inline constexpr float kMostRegret = 10.0F;
 inline constexpr std::size_t kReachSteps = 3;  ///< as many as the time of a decision allows
 
 /// Probability of the source's place over a grid, in fixed memory.
@@ -86,6 +92,8 @@ class Belief {
   [[nodiscard]] float probability(const BeliefModel& model, std::size_t north, std::size_t east) const {
     return marginal_[north * model.cells_east + east];
   }
+  /// CRC-32 of all that is believed: the probability of every cell with every hypothesis, and every action's outlook, bit for bit.
+  [[nodiscard]] std::uint32_t fingerprint(const BeliefModel& model) const;
   /// Probability of a hypothesis.
   [[nodiscard]] float probability_of_hypothesis(std::size_t hypothesis) const { return hypothesis_shares_[hypothesis]; }
 

@@ -190,23 +190,28 @@ float at_range(std::span<const float> table, float range_steps) {
 class Reach {
  public:
   Reach(const BeliefModel& model, const Surroundings& surroundings, const Inside& inside)
-      : model_(model), surroundings_(surroundings), inside_(inside), step_(static_cast<float>(model.step_length.value)) {}
+      : model_(model),
+        surroundings_(surroundings),
+        inside_(inside),
+        step_(static_cast<float>(model.step_length.value)),
+        edge_(model.costs.edge / model.costs.reach) {}
 
   /// Raises each action's reach to that of the best place that it can be a step towards. @param outlooks  [actions]
   void look(Point start, std::span<ActionOutlook> outlooks) const {
     static_assert(kReachSteps == 3);
     const std::size_t count = outlooks.size();
+    const float later = model_.costs.reach_discount;
     for (std::size_t a = 0; a < count; ++a) {
       const Point one = after(start, a);
       const float first = worth(one, 1.0F);
       raise(outlooks[a], first);
       for (std::size_t b = a; b < count; ++b) {
         const Point two = after(one, b);
-        const float second = worth(two, kReachDiscount);
+        const float second = worth(two, later);
         raise(outlooks[a], second);
         raise(outlooks[b], second);
         for (std::size_t c = b; c < count; ++c) {
-          const float third = worth(after(two, c), kReachDiscount * kReachDiscount);
+          const float third = worth(after(two, c), later * later);
           raise(outlooks[a], third);
           raise(outlooks[b], third);
           raise(outlooks[c], third);
@@ -224,7 +229,7 @@ class Reach {
   }
 
   [[nodiscard]] float worth(Point place, float discount) const {
-    const float border = inside_.depth(place) * (kEdgeCost / kReachReward);
+    const float border = inside_.depth(place) * edge_;
     return border >= discount ? 0.0F : discount * surroundings_.within(place, step_) - border;
   }
 
@@ -232,6 +237,7 @@ class Reach {
   const Surroundings& surroundings_;
   const Inside& inside_;
   float step_;
+  float edge_;  ///< the border's cost at the edge, as a part of a reach of one
 };
 
 /// What each action's end makes of a part of the belief, side by side for a vector unit.
@@ -346,10 +352,10 @@ EARSHOT_WIDE void Belief::look_out(const BeliefModel& model, NorthEast position)
 
   std::array<float, config::kMaxActions> costs;
   for (std::size_t a = 0; a < outlooks.size(); ++a) {
-    costs[a] = ways.cost(a) + kEdgeCost * outlooks[a].border - kReachReward * outlooks[a].reach;
+    costs[a] = ways.cost(a) + model.costs.edge * outlooks[a].border - model.costs.reach * outlooks[a].reach;
   }
   const float least = *std::min_element(costs.begin(), costs.begin() + static_cast<std::ptrdiff_t>(outlooks.size()));
-  for (std::size_t a = 0; a < outlooks.size(); ++a) outlooks[a].regret = std::min(costs[a] - least, kMostRegret);
+  for (std::size_t a = 0; a < outlooks.size(); ++a) outlooks[a].regret = std::min(costs[a] - least, model.costs.most_regret);
 }
 
 }  // namespace earshot::policy

@@ -8,6 +8,7 @@
 #include "firmware/detector/threshold_detector.hpp"
 #include "firmware/policy/action_draw.hpp"
 #include "firmware/policy/network.hpp"
+#include "firmware/policy/policy_check.hpp"
 #include "firmware/safety/limits.hpp"
 
 namespace earshot::runtime {
@@ -35,19 +36,15 @@ Time effective(Time date, Time arrival) {
   return date < arrival ? date : arrival;
 }
 
-bool fits(const config::Mission& mission, const policy::FrozenPolicy& policy) {
-  const policy::Network& network = policy.network;
-  return !policy.observation.spec.empty() && !policy.actions.empty() && network.observation_size == policy.observation.spec.size() &&
-         network.action_count == policy.actions.size() && policy::misfit(policy, mission) == policy::Misfit::kNone;
-}
-
 }  // namespace
 
 Status Runtime::configure(const config::Mission& mission, const policy::FrozenPolicy& policy) {
   configured_ = false;
   progress_ = Progress{};
   if (const Status status = config::check(mission); status != Status::kOk) return status;
-  if (!fits(mission, policy)) return Status::kOutOfRange;
+  if (const policy::PolicyComplaint complaint = policy::check(policy); !complaint.is_none()) return policy::status_of(complaint.fault);
+  if (policy::misfit(policy, mission) != policy::Misfit::kNone) return Status::kOutOfRange;
+  if (!policy::repeats_golden(policy, memory_)) return Status::kCorrupt;
   mission_ = mission;
   policy_ = policy;
   progress_.random = Pcg32(mission.action_seed);

@@ -41,8 +41,9 @@ struct Outputs {
 /// stop and come up; before, nothing is commanded, whatever becomes of the mission.
 class Runtime {
  public:
-  /// Takes a copy of both and forgets everything else. kOutOfRange if the mission fails config::check, the policy is empty, or it was
-  /// trained for another mission (policy::misfit). Until configured, step() stays in STANDBY and refuses START.
+  /// Takes a copy of both and forgets everything else. kOutOfRange if the mission fails config::check or the policy was trained for another
+  /// (policy::misfit); what policy::check finds wrong with the policy, by status_of; kCorrupt if this build does not repeat the policy's
+  /// golden trajectories: it would not decide as the policy was frozen. Until configured, step() stays in STANDBY and refuses START.
   [[nodiscard]] Status configure(const config::Mission& mission, const policy::FrozenPolicy& policy);
 
   /// Judges one input; any number between two steps, in the order in which they came. What is refused changes nothing but its counter, so

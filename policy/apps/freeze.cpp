@@ -11,6 +11,7 @@
 #include "policy/description/crc32_text.hpp"
 #include "policy/freeze/keys.hpp"
 #include "policy/freeze/model_file.hpp"
+#include "policy/freeze/thaw.hpp"
 
 namespace {
 
@@ -21,7 +22,7 @@ struct Options {
   std::optional<std::string> model;
   std::optional<std::string> output;
   std::optional<std::string> search;
-  std::string draw = "sampled";
+  std::optional<std::string> draw;
   std::string key;
   bool new_key = false;
   bool force = false;
@@ -29,14 +30,15 @@ struct Options {
 
 void add_options(program::CommandLine& line, Options& options) {
   line.option("MODEL", &options.model,
-              "checkpoint of earshot train, model.zip of Stable-Baselines3 (PPO or A2C, MlpPolicy), or an ONNX export");
+              "checkpoint of earshot train, model.zip of Stable-Baselines3 (PPO or A2C, MlpPolicy), an ONNX export, or a .policy to freeze "
+              "again, of this version of the format or of version 3");
   line.option("-o,--output", &options.output, "policy to write (.policy)");
   line.option(
       "--search", &options.search,
       "what a .zip or .onnx was trained to search, when it does not carry that along (JSON: earshot_gym.sb3.describe() in policy/python)");
-  line.option("--draw", &options.draw, "how the vehicle draws its actions: sampled from the softmax, or argmax")
-      .one_of({"argmax", "sampled"})
-      .shows_default();
+  line.option("--draw", &options.draw,
+              "how the vehicle draws its actions: sampled from the softmax, or argmax; without it sampled, of a .policy as it does")
+      .one_of({"argmax", "sampled"});
   line.option("--key", &options.key, "secret key file to sign with; its public half stands beside it as .pub").required();
   line.flag("--new-key", &options.new_key, "make the key and its .pub first; refused when the key exists");
   line.flag("--force", &options.force, apps::kForceHelp);
@@ -79,23 +81,38 @@ std::string search_of(const freeze::TrainedActor& actor, const Options& options)
   throw BadInput("does not say what it was trained to search: save it with earshot.sb3.save or export_onnx, or give --search");
 }
 
+policy::ActionDraw draw_of(const Options& options) {
+  return apps::draw_named(options.draw.value_or("sampled"));
+}
+
 std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, const std::filesystem::path& file, const Options& options) {
   const freeze::TrainedActor actor = freeze::read_model(bytes, file.string());
   try {
     description::SearchDescription search = description::from_text(search_of(actor, options));
     search.provenance.emplace_back("model", file.filename().string());
     search.provenance.emplace_back("model_crc32", description::crc32_text(description::crc32_of(bytes)));
-    return freeze::freeze(actor, search, apps::draw_named(options.draw));
+    return freeze::freeze(actor, search, draw_of(options));
   } catch (const BadInput& e) {
     throw BadInput(file.string() + ": " + freeze::printable(e.what()));
   }
 }
 
+std::unique_ptr<policy::FrozenPolicy> freeze_again(const std::string& text, const std::filesystem::path& file, const Options& options) {
+  if (options.search) throw BadInput("--search: a policy says itself what it was trained to search");
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  std::unique_ptr<policy::FrozenPolicy> policy = freeze::thaw(bytes, file.string());
+  const std::string key = freeze::to_text(freeze::signer_of(bytes));
+  program::detail() << file.string() << ": was signed with the secret half of " << key;
+  if (options.draw) policy->draw = apps::draw_named(*options.draw);
+  return policy;
+}
+
 std::unique_ptr<policy::FrozenPolicy> freeze_model(const std::filesystem::path& file, const Options& options) {
   const std::string bytes = host::read_text(file, host::kModelFile);
+  if (freeze::is_policy(bytes)) return freeze_again(bytes, file, options);
   if (freeze::is_foreign_model(bytes, file.string())) return freeze_foreign(bytes, file, options);
   if (options.search) throw BadInput("--search: a checkpoint says itself what it was trained to search");
-  return freeze::freeze(ppo::from_text(bytes, file.string()), apps::draw_named(options.draw));
+  return freeze::freeze(ppo::from_text(bytes, file.string()), draw_of(options));
 }
 
 void run(const Options& options) {
@@ -114,7 +131,7 @@ void run(const Options& options) {
   apps::tell_of_policy(*options.model, *policy);
   program::detail() << options.key << ": signed with it; a vehicle trusts " << public_file_of(options.key).string() << "\n";
   program::say() << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " observations, "
-                 << policy->actions.size() << " actions, " << options.draw << "\n";
+                 << policy->actions.size() << " actions, " << (policy->draw == policy::ActionDraw::kArgmax ? "argmax" : "sampled") << "\n";
 }
 
 }  // namespace

@@ -51,12 +51,28 @@ config::ListeningWindow listening_from(const Json& json) {
   }
 }
 
-/// What is not among the description's own numbers.
+policy::BeliefCosts costs_from(const Json& json) {
+  return {.step = json.at("step").get<float>(),
+          .log_step_discount = json.at("log_step_discount").get<float>(),
+          .reach = json.at("reach").get<float>(),
+          .reach_discount = json.at("reach_discount").get<float>(),
+          .edge = json.at("edge").get<float>(),
+          .most_regret = json.at("most_regret").get<float>()};
+}
+
+Json costs_to(const policy::BeliefCosts& costs) {
+  return {{"step", costs.step},   {"log_step_discount", costs.log_step_discount},
+          {"reach", costs.reach}, {"reach_discount", costs.reach_discount},
+          {"edge", costs.edge},   {"most_regret", costs.most_regret}};
+}
+
+/// What is not among the description's own numbers. One that says nothing of its costs was written when they could only be the defaults.
 policy::BeliefModel belief_from(const Json& json) {
   policy::BeliefModel model;
   model.cells_north = cells_from(json, "cells_north");
   model.cells_east = cells_from(json, "cells_east");
   model.border_width = Meters{json.at("border_width_m").get<double>()};
+  if (json.contains("costs")) model.costs = costs_from(json.at("costs"));
   model.outlier_share = json.at("outlier_share").get<float>();
   model.silence_share = json.at("silence_share").get<float>();
   model.forgotten_share = json.at("forgotten_share").get<float>();
@@ -75,6 +91,7 @@ Json belief_to(const policy::BeliefModel& model) {
   json["cells_north"] = model.cells_north;
   json["cells_east"] = model.cells_east;
   json["border_width_m"] = model.border_width.value;
+  json["costs"] = costs_to(model.costs);
   json["outlier_share"] = model.outlier_share;
   json["silence_share"] = model.silence_share;
   json["forgotten_share"] = model.forgotten_share;

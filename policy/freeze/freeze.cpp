@@ -6,7 +6,10 @@
 #include <array>
 #include <string>
 
+#include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/policy/policy_check.hpp"
+#include "policy/freeze/golden_search.hpp"
 #include "policy/ppo/actor_critic.hpp"
 #include "sim/search/settings.hpp"
 
@@ -92,6 +95,8 @@ void copy_dense(const DenseLayer& from, Target& to) {
 std::unique_ptr<policy::FrozenPolicy> freeze(const ppo::Checkpoint& checkpoint, policy::ActionDraw draw) {
   auto policy = without_network(checkpoint, draw);
   copy_actor(checkpoint, policy->network);
+  check_flies(*policy, "the policy");
+  fly_golden_searches(*policy);
   return policy;
 }
 
@@ -106,7 +111,14 @@ std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const de
   copy_dense(actor.layers[0], network.first);
   copy_dense(actor.layers[1], network.second);
   copy_dense(actor.layers[2], network.output);
+  check_flies(*policy, "the policy");
+  fly_golden_searches(*policy);
   return policy;
+}
+
+void check_flies(const policy::FrozenPolicy& policy, const std::string& name) {
+  const policy::PolicyComplaint complaint = policy::check(policy);
+  if (!complaint.is_none()) throw BadInput(host::to_string(complaint, name));
 }
 
 std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const SecretKey& key) {

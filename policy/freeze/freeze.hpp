@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
-#include "firmware/policy/frozen_policy.hpp"
+#include "firmware/policy/format/policy_format.hpp"
 #include "policy/description/search_description.hpp"
 #include "policy/freeze/keys.hpp"
 #include "policy/freeze/trained_actor.hpp"
@@ -20,6 +22,10 @@ namespace earshot::freeze {
 /// Throws host::BadInput when the actor does not fit its description or firmware's capacities.
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const description::SearchDescription& search,
                                                            policy::ActionDraw draw);
+
+/// Throws host::BadInput, beginning with `name`, for a policy that a vehicle would refuse: a size, a number, or weights so large that
+/// logits could overflow.
+void check_flies(const policy::FrozenPolicy& policy, const std::string& name);
 
 /// The bytes of a `.policy` file, signed: Ed25519 over every byte before the signature.
 /// Throws host::BadInput for a policy that a vehicle would refuse.

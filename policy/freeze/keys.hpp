@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "firmware/policy/frozen_policy.hpp"
+#include "firmware/policy/format/policy_format.hpp"
 
 namespace earshot::freeze {
 

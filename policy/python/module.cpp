@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "firmware/policy/frozen_policy.hpp"
+#include "firmware/policy/format/policy_format.hpp"
 #include "policy/python/world.hpp"
 
 namespace {
@@ -215,10 +216,7 @@ class FrozenPolicy {
  public:
   explicit FrozenPolicy(const std::filesystem::path& file) {
     const std::vector<std::uint8_t> bytes = host::read_bytes(file, {"a .policy file", policy::max_serialised_size()});
-    policy::PolicyFault fault{};
-    if (policy::parse(bytes, *policy_, fault) == Status::kOk) return;
-    throw host::BadInput(file.string() + ": not a .policy of this version, or damaged (fault " + std::to_string(static_cast<int>(fault)) +
-                         ")");
+    policy_ = host::policy_from(bytes, file);
   }
 
   [[nodiscard]] Floats logits(const py::array_t<float, py::array::c_style | py::array::forcecast>& observations) const {
@@ -239,7 +237,7 @@ class FrozenPolicy {
   [[nodiscard]] std::string provenance() const { return {policy_->provenance.begin(), policy_->provenance.end()}; }
 
  private:
-  std::unique_ptr<policy::FrozenPolicy> policy_ = std::make_unique<policy::FrozenPolicy>();
+  std::unique_ptr<policy::FrozenPolicy> policy_;
 };
 
 template <class Unsigned>

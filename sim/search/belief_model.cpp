@@ -40,6 +40,7 @@ policy::BeliefModel belief_model(const SearchSettings& settings, const sonar::Sn
   model.detection_threshold = settings.detection_threshold;
   model.actions = compass_directions(settings.direction_count);
   model.border_width = settings.border_width;
+  model.costs.edge = static_cast<float>(std::max(0.0, -settings.border_reward));
   choose_grid(model);
   for (const policy::BeliefHypothesis hypothesis :
        {policy::BeliefHypothesis{0.0F, 1.0F, 2.0F}, policy::BeliefHypothesis{0.0F, 4.0F, 2.0F}, policy::BeliefHypothesis{-6.0F, 4.0F, 1.0F},

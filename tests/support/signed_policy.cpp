@@ -5,8 +5,10 @@
 #include <array>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 
 #include "firmware/core/geometry.hpp"
+#include "firmware/policy/format/policy_format.hpp"
 
 namespace earshot::support {
 namespace {
@@ -24,6 +26,10 @@ KeyPair test_keys() {
   KeyPair keys;
   crypto_sign_seed_keypair(keys.open.data(), keys.secret.data(), seed.data());
   return keys;
+}
+
+void record(policy::FrozenPolicy& policy) {
+  policy::record_golden(policy, *std::make_unique<policy::SearchMemory>());
 }
 
 }  // namespace
@@ -48,22 +54,28 @@ policy::FrozenPolicy random_walk_policy() {
   policy.network.observation_size = policy.observation.spec.size();
   policy.network.hidden_sizes = {8, 8};
   policy.network.action_count = kCompass.size();
+  record(policy);
   return policy;
 }
 
 void sign(std::vector<std::uint8_t>& bytes) {
-  const KeyPair keys = test_keys();
+  static const KeyPair keys = test_keys();
   const std::size_t message_size = bytes.size() - policy::kSignatureSize;
   crypto_sign_detached(bytes.data() + message_size, nullptr, bytes.data(), message_size, keys.secret.data());
 }
 
-std::vector<std::uint8_t> signed_bytes(const policy::FrozenPolicy& policy) {
+std::vector<std::uint8_t> signed_bytes(policy::FrozenPolicy policy) {
+  record(policy);
   std::vector<std::uint8_t> bytes(policy::max_serialised_size());
   const Result<std::size_t> size = policy::serialise(policy, test_keys().open, bytes);
   if (!size.ok()) std::abort();
   bytes.resize(size.value());
   sign(bytes);
   return bytes;
+}
+
+std::array<std::uint8_t, policy::kPublicKeySize> public_key() {
+  return test_keys().open;
 }
 
 void write_public_key(const std::filesystem::path& path) {

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "firmware/policy/frozen_policy.hpp"
+#include "firmware/policy/format/policy_format.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -22,7 +23,7 @@ namespace {
 using host::BadInput;
 
 std::unique_ptr<runtime::Runtime> runtime_at_the_beginning(host::JournalReader& journal, const std::filesystem::path& path) {
-  const auto refuse = [&path](const char* what) -> BadInput { return BadInput(path.string() + ": cannot be replayed: " + what); };
+  const auto refuse = [&path](const std::string& what) -> BadInput { return BadInput(path.string() + ": cannot be replayed: " + what); };
   host::JournalRecord record;
   mission_t mission{};
   if (!journal.next(record) || record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk)
@@ -31,10 +32,12 @@ std::unique_ptr<runtime::Runtime> runtime_at_the_beginning(host::JournalReader& 
   if (crc32(record.data) != static_cast<std::uint32_t>(mission.policy_crc32))
     throw refuse("its policy is not the one that its mission names");
   const auto policy = std::make_unique<policy::FrozenPolicy>();
-  policy::PolicyFault fault{};
-  if (policy::parse(record.data, *policy, fault) != Status::kOk) throw refuse("its policy is damaged, or of another version");
+  policy::PolicyComplaint complaint;
+  if (policy::parse(record.data, *policy, complaint) != Status::kOk) throw refuse("its policy " + std::string(to_string(complaint.fault)));
   auto runtime = std::make_unique<runtime::Runtime>();
-  if (runtime->configure(wire::from_message(mission), *policy) != Status::kOk) throw refuse("its mission does not fit its policy");
+  const Status configured = runtime->configure(wire::from_message(mission), *policy);
+  if (configured == Status::kCorrupt) throw refuse("its policy " + std::string(to_string(policy::PolicyFault::kGoldenMismatch)));
+  if (configured != Status::kOk) throw refuse("its mission does not fit its policy");
   return runtime;
 }
 

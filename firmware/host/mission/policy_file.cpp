@@ -3,8 +3,6 @@
 #include <sodium.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <iomanip>
 #include <iterator>
@@ -14,65 +12,16 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/config/capacities.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/listening/listening_words.hpp"
+#include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/policy/format/policy_format.hpp"
 
 namespace earshot::host {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-using PublicKey = std::array<std::uint8_t, policy::kPublicKeySize>;
-
-PublicKey load_public_key(const std::filesystem::path& path) {
-  const Bytes text = host::read_bytes(path, host::kKeyFile);
-  PublicKey key{};
-  std::size_t size = 0;
-  const char* rest = nullptr;
-  const auto* const begin = reinterpret_cast<const char*>(text.data());
-  const int result = sodium_hex2bin(key.data(), key.size(), begin, text.size(), "", &size, &rest);
-  const bool only_space_follows = result == 0 && std::all_of(rest, begin + text.size(), [](char c) { return c == '\n' || c == ' '; });
-  if (!only_space_follows || size != key.size())
-    throw BadInput(path.string() + ": must hold a public key of 64 hexadecimal digits and nothing else");
-  return key;
-}
-
-std::string bad_shape() {
-  const auto at_most = [](std::size_t count, const char* what) { return std::to_string(count) + " " + what; };
-  return "its shapes do not fit each other or exceed what this program holds: " + at_most(config::kMaxObservation, "observations, ") +
-         at_most(config::kMaxActions, "actions, ") + at_most(config::kMaxLayerWidth, "units in each of two layers, ") +
-         at_most(config::kMaxBeliefCells, "cells, ") + at_most(config::kMaxBeliefHypotheses, "hypotheses and ") +
-         at_most(config::kMaxBeliefRanges, "ranges of a belief, ") + at_most(config::kMaxProvenance, "bytes of provenance");
-}
-
-std::string in_words(policy::PolicyFault fault) {
-  switch (fault) {
-    case policy::PolicyFault::kNone:
-      return "nothing is wrong";
-    case policy::PolicyFault::kTooShort:
-      return "is cut short";
-    case policy::PolicyFault::kBadMagic:
-      return "is not a .policy file";
-    case policy::PolicyFault::kUnknownVersion:
-      return "is of another version of the .policy format than this program's: freeze it again with earshot freeze";
-    case policy::PolicyFault::kBadChecksum:
-      return "its CRC-32 is wrong: the file is damaged";
-    case policy::PolicyFault::kBadShape:
-      return bad_shape();
-    case policy::PolicyFault::kUnknownActivation:
-      return "has an activation this program does not know";
-    case policy::PolicyFault::kUnknownFeature:
-      return "observes a feature this program does not know";
-    case policy::PolicyFault::kUnknownDraw:
-      return "draws its actions in a way this program does not know";
-    case policy::PolicyFault::kNotFinite:
-      return "holds a weight, scale or direction that is not finite";
-    case policy::PolicyFault::kGoldenMismatch:
-      return "its network does not give its own golden logits on this machine";
-  }
-  return "is unreadable";
-}
 
 std::string in_words(double value) {
   std::ostringstream text;
@@ -109,26 +58,40 @@ std::string complaint_about(const policy::FrozenPolicy& policy, const config::Mi
   return {};
 }
 
-bool is_signed_by(const PublicKey& key, std::span<const std::uint8_t> bytes) {
+bool is_signed_by(const TrustedKey& trusted, std::span<const std::uint8_t> bytes) {
   const std::span<const std::uint8_t> message = bytes.first(bytes.size() - policy::kSignatureSize);
   const std::span<const std::uint8_t> signature = bytes.last(policy::kSignatureSize);
-  return crypto_sign_verify_detached(signature.data(), message.data(), message.size(), key.data()) == 0;
+  return crypto_sign_verify_detached(signature.data(), message.data(), message.size(), trusted.key.data()) == 0;
 }
 
 }  // namespace
 
-SignedPolicy load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key) {
+TrustedKey load_public_key(const std::filesystem::path& path) {
+  const Bytes text = host::read_bytes(path, host::kKeyFile);
+  TrustedKey trusted{.key = {}, .file = path};
+  std::size_t size = 0;
+  const char* rest = nullptr;
+  const auto* const begin = reinterpret_cast<const char*>(text.data());
+  const int result = sodium_hex2bin(trusted.key.data(), trusted.key.size(), begin, text.size(), "", &size, &rest);
+  const bool only_space_follows = result == 0 && std::all_of(rest, begin + text.size(), [](char c) { return c == '\n' || c == ' '; });
+  if (!only_space_follows || size != trusted.key.size())
+    throw BadInput(path.string() + ": must hold a public key of 64 hexadecimal digits and nothing else");
+  return trusted;
+}
+
+SignedPolicy signed_policy_from(Bytes bytes, const std::filesystem::path& path, const TrustedKey& trusted) {
   if (sodium_init() < 0) throw BadInput(path.string() + ": libsodium cannot start");
-  const PublicKey key = load_public_key(public_key);
-  Bytes bytes = host::read_bytes(path, {"a .policy file", policy::max_serialised_size()});
-  auto parsed = std::make_unique<policy::FrozenPolicy>();
-  policy::PolicyFault fault = policy::PolicyFault::kNone;
   // The file is taken apart before its signature is checked: parse() is built for hostile bytes, and "damaged" says more than "not signed".
-  if (policy::parse(bytes, *parsed, fault) != Status::kOk) throw BadInput(path.string() + ": " + in_words(fault));
-  if (!is_signed_by(key, bytes))
-    throw BadInput(path.string() + ": is not signed by the trusted key " + public_key.string() +
+  std::unique_ptr<policy::FrozenPolicy> parsed = policy_from(bytes, path);
+  if (!is_signed_by(trusted, bytes))
+    throw BadInput(path.string() + ": is not signed by the trusted key " + trusted.file.string() +
                    "; --public-key names the public half of the key that signed it");
   return {.policy = std::move(parsed), .bytes = std::move(bytes)};
+}
+
+SignedPolicy load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key) {
+  const TrustedKey trusted = load_public_key(public_key);
+  return signed_policy_from(host::read_bytes(path, {"a .policy file", policy::max_serialised_size()}), path, trusted);
 }
 
 void check_fits(const policy::FrozenPolicy& policy, const std::filesystem::path& policy_path, const config::Mission& mission,

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <vector>
 
 #include "firmware/config/mission.hpp"
-#include "firmware/policy/frozen_policy.hpp"
+#include "firmware/policy/format/policy_format.hpp"
 
 namespace earshot::host {
 
@@ -16,10 +17,23 @@ struct SignedPolicy {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Reads a `.policy` file, checks that the holder of the trusted key signed it (Ed25519), its CRC-32, its shapes and its golden pairs.
+/// Reads a `.policy` file, checks that the holder of the trusted key signed it (Ed25519), its CRC-32, its sizes and
+/// numbers, and that this machine repeats its golden trajectories.
 /// @param public_key  file of the trusted key: 32 bytes in hexadecimal
 /// @throws host::BadInput naming the file and what is wrong with it.
 [[nodiscard]] SignedPolicy load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key);
+
+/// A key that is trusted, and the file it was read from.
+struct TrustedKey {
+  std::array<std::uint8_t, policy::kPublicKeySize> key{};
+  std::filesystem::path file;
+};
+/// @throws host::BadInput unless the file holds 64 hexadecimal digits and nothing else.
+[[nodiscard]] TrustedKey load_public_key(const std::filesystem::path& path);
+
+/// load_policy() of bytes that have been read from `path`.
+[[nodiscard]] SignedPolicy signed_policy_from(std::vector<std::uint8_t> bytes, const std::filesystem::path& path,
+                                              const TrustedKey& trusted);
 
 /// @throws host::BadInput naming the mission's key and value, the policy and the value it was trained with, when they differ.
 void check_fits(const policy::FrozenPolicy& policy, const std::filesystem::path& policy_path, const config::Mission& mission,

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-#include "firmware/policy/frozen_policy.hpp"
+#include "firmware/policy/format/policy_format.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 
@@ -52,9 +52,10 @@ TEST(CapacitiesOfAMicrocontroller, RefuseThePolicyThatShipsForAVehicleComputersF
   const std::vector<char> text{std::istreambuf_iterator<char>(stream), {}};
   const std::vector<std::uint8_t> bytes(text.begin(), text.end());
   const auto policy = std::make_unique<policy::FrozenPolicy>();
-  policy::PolicyFault fault = policy::PolicyFault::kNone;
-  EXPECT_NE(policy::parse(bytes, *policy, fault), Status::kOk);
-  EXPECT_EQ(fault, policy::PolicyFault::kBadShape);
+  policy::PolicyComplaint complaint;
+  EXPECT_NE(policy::parse(bytes, *policy, complaint), Status::kOk);
+  EXPECT_EQ(complaint.fault, policy::PolicyFault::kBadShape);
+  EXPECT_EQ(complaint.section, policy::kBeliefSection);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "firmware/core/random.hpp"
+#include "firmware/policy/policy_check.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::runtime {
@@ -86,6 +87,13 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_believes() {
   return policy;
 }
 
+/// The policy with what this build makes of its golden trajectories, as a freezer would leave it; one that cannot fly stays as it is.
+inline std::unique_ptr<policy::FrozenPolicy> frozen(const policy::FrozenPolicy& policy) {
+  auto copy = std::make_unique<policy::FrozenPolicy>(policy);
+  if (policy::check(policy).is_none()) policy::record_golden(*copy, *std::make_unique<policy::SearchMemory>());
+  return copy;
+}
+
 /// The first command of a ground station: good for as long as anybody may want it.
 inline messages::OperatorCommand command_of(Order order, Time time, std::uint32_t number = 1) {
   return {.time = time, .expiry = time + Duration::seconds(3600), .issuer = 1, .number = number, .order = order};
@@ -101,7 +109,7 @@ struct Arriving {
 /// A runtime and a vehicle that does at once what it is told: 1 Hz navigation and SNR, no current, no turning circle.
 struct Rig {
   explicit Rig(const policy::FrozenPolicy& policy, const config::Mission& mission = paper_mission()) {
-    configured = runtime->configure(mission, policy);
+    configured = runtime->configure(mission, *frozen(policy));
   }
 
   /// One second passes; `arriving` is what arrives at its end.

@@ -9,9 +9,10 @@ namespace earshot::runtime {
 namespace {
 
 void expect_no_heap_in_a_hundred_steps(const policy::FrozenPolicy& policy) {
+  const auto complete = frozen(policy);
   Rig rig(policy);
   host::arm_heap_trap();
-  const Status configured = rig.runtime->configure(paper_mission(), policy);
+  const Status configured = rig.runtime->configure(paper_mission(), *complete);
   rig.sail(Order::kStart);
   while (rig.sail().health.state == MissionState::kSearch) {
   }

@@ -48,15 +48,33 @@ TEST(Configure, RefusesAnEmptyPolicyAndOneWhoseSizesContradictEachOther) {
   const auto policy = policy_that_goes(kNorthward);
   policy->observation.spec.clear();
   policy->actions.clear();
-  EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
+  EXPECT_EQ(Rig(*policy).configured, Status::kMalformed);
   const auto crooked = policy_that_goes(kNorthward);
   crooked->network.action_count = 5;
-  EXPECT_EQ(Rig(*crooked).configured, Status::kOutOfRange);
+  EXPECT_EQ(Rig(*crooked).configured, Status::kMalformed);
+}
+
+TEST(Configure, RefusesAPolicyOfWeightsThatAreNoNumbersOrCouldOverflow) {
+  const auto policy = policy_that_goes(kNorthward);
+  policy->network.output.bias[1] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
+  policy->network.output.bias[1] = 2e30F;
+  EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
+}
+
+TEST(Configure, RefusesAPolicyWhoseGoldenTrajectoriesItDoesNotRepeatAndStaysInStandby) {
+  const auto policy = frozen(*policy_that_believes());
+  policy->golden[1][5].logits[3] += 1e-6F;
+  Rig rig(*policy_that_goes(kNorthward));
+  EXPECT_EQ(rig.runtime->configure(paper_mission(), *policy), Status::kCorrupt);
+  rig.sail(Order::kStart);
+  EXPECT_EQ(rig.sail().health.state, MissionState::kStandby);
+  EXPECT_EQ(rig.counters().commands_refused, 1U);
 }
 
 TEST(Configure, ForgetsAnEarlierMission) {
   Rig rig = searching();
-  ASSERT_EQ(rig.runtime->configure(paper_mission(), *policy_that_goes(kEastward)), Status::kOk);
+  ASSERT_EQ(rig.runtime->configure(paper_mission(), *frozen(*policy_that_goes(kEastward))), Status::kOk);
   EXPECT_EQ(rig.sail().health.state, MissionState::kStandby);
   EXPECT_EQ(rig.sail(Order::kStart).decision->action, kEastward);
 }

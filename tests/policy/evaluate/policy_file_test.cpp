@@ -39,9 +39,9 @@ TEST(PolicyFile, SaysInOneLineWhatIsWrong) {
   flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 1);
   std::string alien = whole;
   alien[0] = 'X';
-  EXPECT_EQ(fault_of(flipped), testing::TempDir() + "faulty.policy: policy is damaged: its CRC-32 does not match");
-  EXPECT_EQ(fault_of(alien), testing::TempDir() + "faulty.policy: policy is not a .policy file");
-  EXPECT_EQ(fault_of(whole.substr(0, whole.size() - 1)), testing::TempDir() + "faulty.policy: policy is cut short");
+  EXPECT_EQ(fault_of(flipped), testing::TempDir() + "faulty.policy: is damaged: its CRC-32 is wrong");
+  EXPECT_EQ(fault_of(alien), testing::TempDir() + "faulty.policy: is not a .policy file");
+  EXPECT_EQ(fault_of(whole.substr(0, whole.size() - 1)), testing::TempDir() + "faulty.policy: is cut short");
   EXPECT_EQ(fault_of(whole), "accepted");
 }
 

@@ -72,8 +72,8 @@ TEST(Sign, MakesBytesThatTheVehicleParses) {
   const auto frozen = freeze(made_up_checkpoint(), policy::ActionDraw::kSampled);
   const std::vector<std::uint8_t> bytes = sign(*frozen, make_key());
   auto parsed = std::make_unique<policy::FrozenPolicy>();
-  policy::PolicyFault fault{};
-  ASSERT_EQ(policy::parse(bytes, *parsed, fault), Status::kOk);
+  policy::PolicyComplaint complaint;
+  ASSERT_EQ(policy::parse(bytes, *parsed, complaint), Status::kOk);
   EXPECT_EQ(parsed->network.output.bias, frozen->network.output.bias);
 }
 

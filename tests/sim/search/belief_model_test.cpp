@@ -31,5 +31,15 @@ TEST(BeliefModelOf, HasCellsOfFiveHundredMetresAndRangesOfAHundredInThePapersAre
   EXPECT_EQ(model.range_step, Meters{100.0});
 }
 
+TEST(BeliefModelOf, CostsAtTheEdgeWhatTheSearchTakesOffThere) {
+  const sonar::SnrCurve curve(Meters{10.0}, {30.0F, 20.0F});
+  SearchSettings settings;
+  EXPECT_EQ(belief_model(settings, curve).costs.edge, 100.0F) << "the paper's p = -100";
+  settings.border_reward = -40.5;
+  EXPECT_EQ(belief_model(settings, curve).costs.edge, 40.5F);
+  settings.border_reward = 3.0;  // an edge that is rewarded costs nothing
+  EXPECT_EQ(belief_model(settings, curve).costs.edge, 0.0F);
+}
+
 }  // namespace
 }  // namespace earshot::search

@@ -135,7 +135,8 @@ class AtSea : public testing::Test {
 
   void SetUp() override {
     path_ = fs::path(testing::TempDir()) / (std::string("at-sea-") + std::to_string(::getpid()));
-    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::policy_that_goes(runtime::kNorthward)), Status::kOk);
+    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))),
+              Status::kOk);
     journal_ = std::make_unique<host::Journal>(path_, host::JournalOptions{.existing = host::ExistingJournal::kReplace});
     auto port = std::make_unique<FakePort>(ports_.next_index(), host_, script_);
     port_ = port.get();
@@ -264,7 +265,7 @@ TEST_F(AtSea, ItsJournalGivesTheSameOutputsAgainBitForBit) {
   (void)fly();
   ASSERT_EQ(journal_->close(), Status::kOk);
   runtime::Runtime again;
-  ASSERT_EQ(again.configure(runtime::paper_mission(), *runtime::policy_that_goes(runtime::kNorthward)), Status::kOk);
+  ASSERT_EQ(again.configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))), Status::kOk);
   host::JournalReader reader(path_);
   std::size_t turns = 0;
   std::vector<std::vector<std::uint8_t>> outputs;

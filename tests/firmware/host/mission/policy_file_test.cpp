@@ -62,11 +62,11 @@ TEST_F(PolicyFile, IsRefusedAsMissingByName) {
 TEST_F(PolicyFile, IsRefusedForItsChecksumWhenABitInTheMiddleIsFlipped) {
   std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
   bytes[bytes.size() / 2] ^= 1U;
-  EXPECT_NE(complaint(bytes).find("CRC-32 is wrong"), std::string::npos) << complaint(bytes);
+  EXPECT_NE(complaint(bytes).find("is damaged: its CRC-32 is wrong"), std::string::npos) << complaint(bytes);
 }
 
 TEST_F(PolicyFile, IsRefusedWithTheProgramsLimitsWhenItIsTooLarge) {
-  constexpr std::size_t kActionCountAt = 19;  // magic 8, version 4, length 4, activation 1, draw 1, observation 1
+  constexpr std::size_t kActionCountAt = 32;  // header 16, section's tag, version and length 10, activation 1, observation 1, hidden layers 4
   std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
   bytes[kActionCountAt] = 33;
   const std::size_t checksum_at = bytes.size() - policy::kSignatureSize - 4;

@@ -24,6 +24,12 @@ class ByteWriter {
   void f32(float value) { little_endian(std::bit_cast<std::uint32_t>(value), 4); }
   void f64(double value) { little_endian(std::bit_cast<std::uint64_t>(value), 8); }
 
+  /// Writes over four bytes that have been written.
+  void u32_at(std::size_t position, std::uint32_t value) {
+    ByteWriter there(bytes_.first(position_).subspan(position));
+    there.u32(value);
+  }
+
   [[nodiscard]] bool full() const { return full_; }
   [[nodiscard]] std::size_t position() const { return position_; }
 
@@ -52,7 +58,16 @@ class ByteReader {
   float f32() { return std::bit_cast<float>(u32()); }
   double f64() { return std::bit_cast<double>(little_endian(8)); }
 
+  /// The bytes that come next, as a reader of their own; fewer where there are not so many.
+  ByteReader take(std::size_t count) {
+    const std::size_t there = count < remaining() ? count : remaining();
+    past_end_ = past_end_ || there < count;
+    position_ += there;
+    return ByteReader(bytes_.subspan(position_ - there, there));
+  }
+
   [[nodiscard]] bool past_end() const { return past_end_; }
+  [[nodiscard]] std::size_t remaining() const { return bytes_.size() - position_; }
   [[nodiscard]] std::size_t position() const { return position_; }
 
  private:

@@ -1,0 +1,62 @@
+#include "firmware/host/policy/policy_bytes.hpp"
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/host/file/printable.hpp"
+#include "firmware/host/toml/table_reader.hpp"
+#include "firmware/policy/format/policy_format.hpp"
+
+namespace earshot::host {
+namespace {
+
+using policy::PolicyComplaint;
+using policy::PolicyFault;
+
+/// Of an older version of the format than this program's: the versions and the way out.
+std::string complaint_about_version(std::uint32_t version, const std::string& path) {
+  const std::string text = "is of version " + std::to_string(version) + " of the .policy format, this program reads version " +
+                           std::to_string(policy::kFormatVersion);
+  if (version > policy::kFormatVersion) return text + ": it was frozen by a later one";
+  return text + "; freeze it again, its weights as they are: earshot freeze " + path + " -o " + path + " --force --key YOUR.key";
+}
+
+/// The most that this program holds; a microcontroller's holds less.
+std::string capacities() {
+  const auto at_most = [](std::size_t count, const char* what) { return std::to_string(count) + " " + what; };
+  return at_most(config::kMaxObservation, "observations, ") + at_most(config::kMaxActions, "actions, ") +
+         at_most(config::kMaxLayerWidth, "units in each of two layers, ") + at_most(config::kMaxBeliefCells, "cells, ") +
+         at_most(config::kMaxBeliefHypotheses, "hypotheses and ") + at_most(config::kMaxBeliefRanges, "ranges of a belief, ") +
+         at_most(config::kMaxProvenance, "bytes of provenance");
+}
+
+std::string section_of(const PolicyComplaint& complaint) {
+  if (complaint.section == policy::SectionTag{}) return "";
+  const std::string tag(complaint.section.begin(), complaint.section.end());
+  const std::string version =
+      complaint.fault == PolicyFault::kUnknownSectionVersion ? ", version " + std::to_string(complaint.version) + "," : "";
+  return "section " + printable(tag) + version + " ";
+}
+
+}  // namespace
+
+std::unique_ptr<policy::FrozenPolicy> unproven_policy_from(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+  auto policy = std::make_unique<policy::FrozenPolicy>();
+  PolicyComplaint complaint;
+  if (policy::parse(bytes, *policy, complaint) != Status::kOk) throw BadInput(to_string(complaint, path));
+  return policy;
+}
+
+std::unique_ptr<policy::FrozenPolicy> policy_from(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+  std::unique_ptr<policy::FrozenPolicy> policy = unproven_policy_from(bytes, path);
+  const auto memory = std::make_unique<policy::SearchMemory>();
+  if (!policy::repeats_golden(*policy, *memory)) throw BadInput(to_string({.fault = PolicyFault::kGoldenMismatch}, path));
+  return policy;
+}
+
+std::string to_string(const PolicyComplaint& complaint, const std::filesystem::path& path) {
+  const std::string name = path.string() + ": ";
+  if (complaint.fault == PolicyFault::kUnknownVersion) return name + complaint_about_version(complaint.version, path.string());
+  const std::string text = name + section_of(complaint) + std::string(policy::to_string(complaint.fault));
+  return complaint.fault == PolicyFault::kBadShape ? text + ": " + capacities() : text;
+}
+
+}  // namespace earshot::host

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "firmware/policy/frozen_policy.hpp"
+#include "firmware/policy/policy_fault.hpp"
+
+namespace earshot::host {
+
+/// The policy in the bytes of a `.policy` file: whole, of sizes and numbers that can fly, and repeating its golden trajectories here. Its
+/// signature is not looked at: a desk may look at any policy.
+/// @param path  what the message calls it
+/// @throws BadInput in one line: the file, the section and what is wrong with it
+[[nodiscard]] std::unique_ptr<policy::FrozenPolicy> policy_from(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
+
+/// As above; bytes that are a policy, whether it repeats its golden trajectories or not.
+[[nodiscard]] std::unique_ptr<policy::FrozenPolicy> unproven_policy_from(std::span<const std::uint8_t> bytes,
+                                                                         const std::filesystem::path& path);
+
+/// "PATH: section NETW is missing, or not in its place". Of an older version of the format: with the command that writes it again.
+[[nodiscard]] std::string to_string(const policy::PolicyComplaint& complaint, const std::filesystem::path& path);
+
+}  // namespace earshot::host

@@ -1,0 +1,234 @@
+#include <algorithm>
+#include <span>
+
+#include "firmware/core/crc32.hpp"
+#include "firmware/policy/format/byte_stream.hpp"
+#include "firmware/policy/format/policy_format.hpp"
+#include "firmware/policy/format/sections.hpp"
+#include "firmware/policy/policy_check.hpp"
+
+namespace earshot::policy {
+namespace {
+
+using namespace format;
+
+void read(ByteReader& reader, std::span<float> values) {
+  for (float& value : values) value = reader.f32();
+}
+
+NorthEast read_place(ByteReader& reader) {
+  const double north = reader.f64();
+  return {.north = Meters{north}, .east = Meters{reader.f64()}};
+}
+
+template <class Layer>
+void read_layer(ByteReader& reader, Layer& layer, std::size_t outputs, std::size_t inputs) {
+  for (std::size_t o = 0; o < outputs; ++o) {
+    for (std::size_t i = 0; i < inputs; ++i) layer.weight(o, i) = reader.f32();
+  }
+  read(reader, std::span(layer.bias).first(outputs));
+}
+
+bool fits(std::size_t size, std::size_t capacity) {
+  return size >= 1 && size <= capacity;
+}
+
+PolicyFault read_network(ByteReader& reader, FrozenPolicy& policy) {
+  Network& network = policy.network;
+  if (reader.u8() != kTanh) return PolicyFault::kUnknownActivation;
+  network.observation_size = reader.u8();
+  for (std::size_t& size : network.hidden_sizes) size = reader.u16();
+  network.action_count = reader.u8();
+  const auto [first, second] = network.hidden_sizes;
+  if (!fits(network.observation_size, config::kMaxObservation) || !fits(first, Network::kWidth) || !fits(second, Network::kWidth) ||
+      !fits(network.action_count, config::kMaxActions))
+    return PolicyFault::kBadShape;
+  read_layer(reader, network.first, first, network.observation_size);
+  read_layer(reader, network.second, second, first);
+  read_layer(reader, network.output, network.action_count, second);
+  return PolicyFault::kNone;
+}
+
+PolicyFault read_observation(ByteReader& reader, FrozenPolicy& policy) {
+  policy.area_size = read_place(reader);
+  policy.detection_threshold = Decibels{reader.f64()};
+  if (reader.u8() != kNewestLook || reader.u16() != 0) return PolicyFault::kUnknownListening;
+  policy.observation.spec.clear();
+  const std::size_t count = reader.u8();
+  for (std::size_t i = 0; i < count; ++i) {
+    ObservationElement element;
+    element.feature = static_cast<Feature>(reader.u8());
+    element.age = reader.u8();
+    element.offset = reader.f32();
+    element.scale = reader.f32();
+    if (policy.observation.spec.push_back(element) != Status::kOk) return PolicyFault::kBadShape;
+  }
+  return PolicyFault::kNone;
+}
+
+PolicyFault read_actions(ByteReader& reader, FrozenPolicy& policy) {
+  policy.step_length = Meters{reader.f64()};
+  policy.actions.clear();
+  const std::size_t count = reader.u8();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double north = reader.f64();
+    if (policy.actions.push_back({.north = north, .east = reader.f64()}) != Status::kOk) return PolicyFault::kBadShape;
+  }
+  return PolicyFault::kNone;
+}
+
+PolicyFault read_draw(ByteReader& reader, FrozenPolicy& policy) {
+  policy.draw = static_cast<ActionDraw>(reader.u8());
+  return PolicyFault::kNone;
+}
+
+PolicyFault read_hypotheses(ByteReader& reader, BeliefModel& model) {
+  const std::size_t count = reader.u8();
+  for (std::size_t i = 0; i < count; ++i) {
+    BeliefHypothesis hypothesis;
+    hypothesis.level_offset_db = reader.f32();
+    hypothesis.spread_db = reader.f32();
+    hypothesis.prior = reader.f32();
+    if (model.hypotheses.push_back(hypothesis) != Status::kOk) return PolicyFault::kBadShape;
+  }
+  const std::size_t ranges = reader.u16();
+  if (ranges > config::kMaxBeliefRanges) return PolicyFault::kBadShape;
+  for (std::size_t i = 0; i < ranges; ++i) static_cast<void>(model.snr_db.push_back(reader.f32()));
+  return PolicyFault::kNone;
+}
+
+/// What the file says about the belief; the rest is the policy's own.
+PolicyFault read_belief(ByteReader& reader, FrozenPolicy& policy) {
+  BeliefModel& model = policy.observation.belief;
+  model.hypotheses.clear();
+  model.snr_db.clear();
+  model.area_size = policy.area_size;
+  model.step_length = policy.step_length;
+  model.detection_threshold = policy.detection_threshold;
+  model.actions = policy.actions;
+  if (!needs_belief(policy.observation.spec)) return PolicyFault::kNone;
+  model.cells_north = reader.u16();
+  model.cells_east = reader.u16();
+  model.border_width = Meters{reader.f64()};
+  model.range_step = Meters{reader.f64()};
+  for (float* const share : {&model.outlier_share, &model.silence_share, &model.forgotten_share}) *share = reader.f32();
+  BeliefCosts& costs = model.costs;
+  for (float* const cost : {&costs.step, &costs.log_step_discount, &costs.reach, &costs.reach_discount, &costs.edge, &costs.most_regret})
+    *cost = reader.f32();
+  return read_hypotheses(reader, model);
+}
+
+PolicyFault read_provenance(ByteReader& reader, FrozenPolicy& policy) {
+  if (reader.remaining() > config::kMaxProvenance) return PolicyFault::kBadShape;
+  policy.provenance.clear();
+  while (reader.remaining() > 0) static_cast<void>(policy.provenance.push_back(static_cast<char>(reader.u8())));
+  return PolicyFault::kNone;
+}
+
+PolicyFault read_golden_step(ByteReader& reader, const Network& network, GoldenStep& step) {
+  step = GoldenStep{};
+  step.place = read_place(reader);
+  step.heard.snr = Decibels{reader.f64()};
+  const std::uint8_t too_faint = reader.u8();
+  step.heard.too_faint = too_faint == 1;
+  step.belief.likeliest = read_place(reader);
+  step.belief.mean = read_place(reader);
+  step.belief.spread = Meters{reader.f64()};
+  step.belief.likeliest_share = reader.f32();
+  step.belief.effective_cells = reader.f32();
+  step.fingerprint = reader.u32();
+  read(reader, std::span(step.observation).first(network.observation_size));
+  read(reader, std::span(step.logits).first(network.action_count));
+  return too_faint <= 1 ? PolicyFault::kNone : PolicyFault::kOutOfRange;
+}
+
+PolicyFault read_golden(ByteReader& reader, FrozenPolicy& policy) {
+  if (reader.u8() != config::kGoldenTrajectories || reader.u8() != config::kGoldenSteps) return PolicyFault::kBadShape;
+  for (GoldenTrajectory& trajectory : policy.golden) {
+    for (GoldenStep& step : trajectory)
+      if (const PolicyFault fault = read_golden_step(reader, policy.network, step); fault != PolicyFault::kNone) return fault;
+  }
+  return PolicyFault::kNone;
+}
+
+PolicyFault read_content(ByteReader& reader, Content content, FrozenPolicy& policy) {
+  switch (content) {
+    case Content::kNetwork:
+      return read_network(reader, policy);
+    case Content::kObservation:
+      return read_observation(reader, policy);
+    case Content::kActions:
+      return read_actions(reader, policy);
+    case Content::kDraw:
+      return read_draw(reader, policy);
+    case Content::kBelief:
+      return read_belief(reader, policy);
+    case Content::kProvenance:
+      return read_provenance(reader, policy);
+    case Content::kGolden:
+      return read_golden(reader, policy);
+  }
+  return PolicyFault::kUnknownSection;
+}
+
+/// Magic, version, length and checksum: is this a whole `.policy` of our version?
+PolicyComplaint complaint_about_envelope(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < kHeaderSize) return {.fault = PolicyFault::kTooShort};
+  if (!std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) return {.fault = PolicyFault::kBadMagic};
+  ByteReader reader(bytes.subspan(kMagic.size()));
+  const std::uint32_t version = reader.u32();
+  if (version != kFormatVersion) return {.fault = PolicyFault::kUnknownVersion, .version = version};
+  const std::size_t length = reader.u32();
+  if (bytes.size() < length || length < kHeaderSize + kTrailerSize) return {.fault = PolicyFault::kTooShort};
+  if (bytes.size() > length) return {.fault = PolicyFault::kTooLong};
+  const std::size_t covered = length - kSignatureSize - kChecksumSize;
+  ByteReader checksum(bytes.subspan(covered));
+  return {.fault = checksum.u32() == crc32(bytes.first(covered)) ? PolicyFault::kNone : PolicyFault::kBadChecksum};
+}
+
+SectionTag read_tag(ByteReader& reader) {
+  SectionTag tag{};
+  for (char& letter : tag) letter = static_cast<char>(reader.u8());
+  return tag;
+}
+
+/// What a section that is not the next one says about the order. @param next  of the section that is due; all are there: past the last
+PolicyComplaint complaint_about_order(SectionTag tag, std::size_t next) {
+  const auto known = std::find_if(kSections.begin(), kSections.end(), [tag](const Section& section) { return section.tag == tag; });
+  if (known == kSections.end()) return {.fault = PolicyFault::kUnknownSection, .section = tag};
+  if (known - kSections.begin() < static_cast<std::ptrdiff_t>(next)) return {.fault = PolicyFault::kSectionTwice, .section = tag};
+  return {.fault = PolicyFault::kMissingSection, .section = kSections[next].tag};
+}
+
+PolicyComplaint read_section(ByteReader& reader, std::size_t index, FrozenPolicy& policy) {
+  const Section& due = kSections[index];
+  if (reader.remaining() == 0) return {.fault = PolicyFault::kMissingSection, .section = due.tag};
+  const SectionTag tag = read_tag(reader);
+  if (tag != due.tag) return complaint_about_order(tag, index);
+  const std::uint16_t version = reader.u16();
+  if (version != due.version) return {.fault = PolicyFault::kUnknownSectionVersion, .section = tag, .version = version};
+  ByteReader content = reader.take(reader.u32());
+  if (reader.past_end()) return {.fault = PolicyFault::kBadSectionLength, .section = tag};
+  const PolicyFault fault = read_content(content, due.content, policy);
+  if (fault != PolicyFault::kNone) return {.fault = fault, .section = tag};
+  const bool is_used_up = content.remaining() == 0 && !content.past_end();
+  return {.fault = is_used_up ? PolicyFault::kNone : PolicyFault::kBadSectionLength, .section = is_used_up ? SectionTag{} : tag};
+}
+
+PolicyComplaint complaint_about(std::span<const std::uint8_t> bytes, FrozenPolicy& policy) {
+  if (const PolicyComplaint complaint = complaint_about_envelope(bytes); !complaint.is_none()) return complaint;
+  ByteReader reader(bytes.subspan(kHeaderSize, bytes.size() - kHeaderSize - kTrailerSize));
+  for (std::size_t i = 0; i < kSections.size(); ++i)
+    if (const PolicyComplaint complaint = read_section(reader, i, policy); !complaint.is_none()) return complaint;
+  if (reader.remaining() > 0) return complaint_about_order(read_tag(reader), kSections.size());
+  return check(policy);
+}
+
+}  // namespace
+
+Status parse(std::span<const std::uint8_t> bytes, FrozenPolicy& policy, PolicyComplaint& complaint) {
+  complaint = complaint_about(bytes, policy);
+  return status_of(complaint.fault);
+}
+
+}  // namespace earshot::policy

@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <span>
+
+#include "firmware/core/crc32.hpp"
+#include "firmware/policy/format/byte_stream.hpp"
+#include "firmware/policy/format/policy_format.hpp"
+#include "firmware/policy/format/sections.hpp"
+#include "firmware/policy/policy_check.hpp"
+
+namespace earshot::policy {
+namespace {
+
+using namespace format;
+
+void write(ByteWriter& writer, std::span<const float> values) {
+  for (const float value : values) writer.f32(value);
+}
+
+void write(ByteWriter& writer, NorthEast place) {
+  writer.f64(place.north.value);
+  writer.f64(place.east.value);
+}
+
+template <class Layer>
+void write_layer(ByteWriter& writer, const Layer& layer, std::size_t outputs, std::size_t inputs) {
+  for (std::size_t o = 0; o < outputs; ++o) {
+    for (std::size_t i = 0; i < inputs; ++i) writer.f32(layer.weight(o, i));
+  }
+  write(writer, std::span(layer.bias).first(outputs));
+}
+
+void write_network(ByteWriter& writer, const FrozenPolicy& policy) {
+  const Network& network = policy.network;
+  const auto [first, second] = network.hidden_sizes;
+  writer.u8(kTanh);
+  writer.u8(static_cast<std::uint8_t>(network.observation_size));
+  writer.u16(static_cast<std::uint16_t>(first));
+  writer.u16(static_cast<std::uint16_t>(second));
+  writer.u8(static_cast<std::uint8_t>(network.action_count));
+  write_layer(writer, network.first, first, network.observation_size);
+  write_layer(writer, network.second, second, first);
+  write_layer(writer, network.output, network.action_count, second);
+}
+
+void write_observation(ByteWriter& writer, const FrozenPolicy& policy) {
+  write(writer, policy.area_size);
+  writer.f64(policy.detection_threshold.value);
+  writer.u8(kNewestLook);
+  writer.u16(0);
+  writer.u8(static_cast<std::uint8_t>(policy.observation.spec.size()));
+  for (const ObservationElement& element : policy.observation.spec) {
+    writer.u8(static_cast<std::uint8_t>(element.feature));
+    writer.u8(element.age);
+    writer.f32(element.offset);
+    writer.f32(element.scale);
+  }
+}
+
+void write_actions(ByteWriter& writer, const FrozenPolicy& policy) {
+  writer.f64(policy.step_length.value);
+  writer.u8(static_cast<std::uint8_t>(policy.actions.size()));
+  for (const UnitNorthEast& direction : policy.actions) {
+    writer.f64(direction.north);
+    writer.f64(direction.east);
+  }
+}
+
+void write_draw(ByteWriter& writer, const FrozenPolicy& policy) {
+  writer.u8(static_cast<std::uint8_t>(policy.draw));
+}
+
+/// Nothing, when no element of the observation sees a belief.
+void write_belief(ByteWriter& writer, const FrozenPolicy& policy) {
+  if (!needs_belief(policy.observation.spec)) return;
+  const BeliefModel& model = policy.observation.belief;
+  writer.u16(model.cells_north);
+  writer.u16(model.cells_east);
+  writer.f64(model.border_width.value);
+  writer.f64(model.range_step.value);
+  for (const float share : {model.outlier_share, model.silence_share, model.forgotten_share}) writer.f32(share);
+  const BeliefCosts& costs = model.costs;
+  for (const float cost : {costs.step, costs.log_step_discount, costs.reach, costs.reach_discount, costs.edge, costs.most_regret})
+    writer.f32(cost);
+  writer.u8(static_cast<std::uint8_t>(model.hypotheses.size()));
+  for (const BeliefHypothesis& hypothesis : model.hypotheses) {
+    writer.f32(hypothesis.level_offset_db);
+    writer.f32(hypothesis.spread_db);
+    writer.f32(hypothesis.prior);
+  }
+  writer.u16(static_cast<std::uint16_t>(model.snr_db.size()));
+  write(writer, model.snr_db.span());
+}
+
+void write_provenance(ByteWriter& writer, const FrozenPolicy& policy) {
+  for (const char character : policy.provenance) writer.u8(static_cast<std::uint8_t>(character));
+}
+
+void write_golden(ByteWriter& writer, const FrozenPolicy& policy) {
+  writer.u8(static_cast<std::uint8_t>(config::kGoldenTrajectories));
+  writer.u8(static_cast<std::uint8_t>(config::kGoldenSteps));
+  for (const GoldenTrajectory& trajectory : policy.golden) {
+    for (const GoldenStep& step : trajectory) {
+      write(writer, step.place);
+      writer.f64(step.heard.snr.value);
+      writer.u8(step.heard.too_faint ? 1 : 0);
+      write(writer, step.belief.likeliest);
+      write(writer, step.belief.mean);
+      writer.f64(step.belief.spread.value);
+      writer.f32(step.belief.likeliest_share);
+      writer.f32(step.belief.effective_cells);
+      writer.u32(step.fingerprint);
+      write(writer, std::span(step.observation).first(policy.network.observation_size));
+      write(writer, std::span(step.logits).first(policy.network.action_count));
+    }
+  }
+}
+
+void write_content(ByteWriter& writer, const FrozenPolicy& policy, Content content) {
+  switch (content) {
+    case Content::kNetwork:
+      return write_network(writer, policy);
+    case Content::kObservation:
+      return write_observation(writer, policy);
+    case Content::kActions:
+      return write_actions(writer, policy);
+    case Content::kDraw:
+      return write_draw(writer, policy);
+    case Content::kBelief:
+      return write_belief(writer, policy);
+    case Content::kProvenance:
+      return write_provenance(writer, policy);
+    case Content::kGolden:
+      return write_golden(writer, policy);
+  }
+}
+
+void write_section(ByteWriter& writer, const FrozenPolicy& policy, const Section& section) {
+  for (const char letter : section.tag) writer.u8(static_cast<std::uint8_t>(letter));
+  writer.u16(section.version);
+  writer.u32(0);
+  const std::size_t begin = writer.position();
+  write_content(writer, policy, section.content);
+  if (!writer.full()) writer.u32_at(begin - sizeof(std::uint32_t), static_cast<std::uint32_t>(writer.position() - begin));
+}
+
+}  // namespace
+
+std::size_t max_serialised_size() {
+  constexpr std::size_t kObservation = config::kMaxObservation;
+  constexpr std::size_t kActions = config::kMaxActions;
+  constexpr std::size_t kWidth = Network::kWidth;
+  constexpr std::size_t kParameters = (kObservation + 1) * kWidth + (kWidth + 1) * kWidth + (kWidth + 1) * kActions;
+  constexpr std::size_t kNetwork = 7 + 4 * kParameters;
+  constexpr std::size_t kObservationSize = 28 + 10 * kObservation;
+  constexpr std::size_t kActionsSize = 9 + 16 * kActions;
+  constexpr std::size_t kBelief = 59 + 12 * config::kMaxBeliefHypotheses + 4 * config::kMaxBeliefRanges;
+  constexpr std::size_t kGoldenStep = 77 + 4 * (kObservation + kActions);
+  constexpr std::size_t kGolden = 2 + config::kGoldenTrajectories * config::kGoldenSteps * kGoldenStep;
+  return kHeaderSize + kSections.size() * kSectionHeaderSize + kNetwork + kObservationSize + kActionsSize + 1 + kBelief +
+         config::kMaxProvenance + kGolden + kTrailerSize;
+}
+
+Result<std::size_t> serialise(const FrozenPolicy& policy, std::span<const std::uint8_t, kPublicKeySize> public_key,
+                              std::span<std::uint8_t> bytes) {
+  if (!check(policy).is_none()) return Status::kOutOfRange;
+  ByteWriter writer(bytes);
+  for (const std::uint8_t byte : kMagic) writer.u8(byte);
+  writer.u32(kFormatVersion);
+  writer.u32(0);
+  for (const Section& section : kSections) write_section(writer, policy, section);
+  for (const std::uint8_t byte : public_key) writer.u8(byte);
+  const std::size_t covered = writer.position();
+  if (bytes.size() < covered + kChecksumSize + kSignatureSize) return Status::kFull;
+  writer.u32_at(kLengthAt, static_cast<std::uint32_t>(covered + kChecksumSize + kSignatureSize));
+  writer.u32(crc32(bytes.first(covered)));
+  for (std::size_t i = 0; i < kSignatureSize; ++i) writer.u8(0);
+  return writer.position();
+}
+
+}  // namespace earshot::policy

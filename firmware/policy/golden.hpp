@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/core/geometry.hpp"
+#include "firmware/messages/belief_summary.hpp"
+#include "firmware/policy/heard.hpp"
+#include "firmware/policy/observation.hpp"
+
+namespace earshot::policy {
+
+struct FrozenPolicy;
+
+/// One step of a search that was flown when the policy was frozen: what went in, and what the decision was made of, bit for bit.
+struct GoldenStep {
+  NorthEast place;  ///< of the vehicle, relative to the area's south-west corner, in the area
+  Heard heard;
+  messages::BeliefSummary belief;  ///< zero, as is its fingerprint, when no element of the observation sees a belief
+  std::uint32_t fingerprint = 0;   ///< Belief::fingerprint
+  std::array<float, config::kMaxObservation> observation{};
+  std::array<float, config::kMaxActions> logits{};
+};
+
+/// A search from its start.
+using GoldenTrajectory = std::array<GoldenStep, config::kGoldenSteps>;
+using GoldenTrajectories = std::array<GoldenTrajectory, config::kGoldenTrajectories>;
+
+/// Flies the golden trajectories of `policy` along their places and writes down what this build makes of what was heard there.
+/// @param policy  one that check() finds nothing wrong with
+/// @param memory  to work in; what it held is gone
+void record_golden(FrozenPolicy& policy, SearchMemory& memory);
+
+/// Whether this build, flying the golden trajectories again, gives the beliefs, observations and logits that are written there, bit for
+/// bit, and every logit is finite. A build that fuses multiply-adds, or with another tanh, does not.
+/// Oracle: Golden.*, ContractedBuild.*, LibmTanhBuild.*
+[[nodiscard]] bool repeats_golden(const FrozenPolicy& policy, SearchMemory& memory);
+
+}  // namespace earshot::policy

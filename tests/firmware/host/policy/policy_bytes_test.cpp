@@ -1,0 +1,82 @@
+#include "firmware/host/policy/policy_bytes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "firmware/core/crc32.hpp"
+#include "firmware/host/toml/table_reader.hpp"
+#include "firmware/policy/format/policy_format.hpp"
+#include "tests/support/signed_policy.hpp"
+
+namespace earshot::host {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+std::string complaint_about(const Bytes& bytes) {
+  try {
+    (void)policy_from(bytes, "a.policy");
+    return "";
+  } catch (const BadInput& e) {
+    return e.what();
+  }
+}
+
+/// What is said of the random walk after `damage`, its CRC-32 mended.
+std::string complaint_after(const std::function<void(Bytes&)>& damage) {
+  Bytes bytes = support::signed_bytes(support::random_walk_policy());
+  damage(bytes);
+  const std::size_t at = bytes.size() - policy::kSignatureSize - 4;
+  const std::uint32_t crc = crc32(std::span(bytes).first(at));
+  for (unsigned i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::uint8_t>(crc >> (8U * i));
+  return complaint_about(bytes);
+}
+
+TEST(PolicyBytes, AreAPolicyWhenWhole) {
+  EXPECT_EQ(policy_from(support::signed_bytes(support::random_walk_policy()), "a.policy")->actions.size(), 8U);
+}
+
+TEST(PolicyBytes, AreRefusedWithTheSectionThatIsWrong) {
+  constexpr std::size_t kNetworkAt = 16;
+  EXPECT_EQ(complaint_after([](Bytes& bytes) { bytes[kNetworkAt] = 'X'; }),
+            "a.policy: section XETW is a section this program does not know");
+  EXPECT_EQ(complaint_after([](Bytes& bytes) { bytes[kNetworkAt] = 0x1B; }),
+            "a.policy: section \\x1bETW is a section this program does not know");
+  EXPECT_EQ(complaint_after([](Bytes& bytes) { bytes[kNetworkAt + 4] = 7; }),
+            "a.policy: section NETW, version 7, is of a version this program does not know");
+  EXPECT_EQ(complaint_after([](Bytes& bytes) { bytes[kNetworkAt + 6] ^= 1U; }), "a.policy: section NETW is not as long as what it holds");
+  EXPECT_EQ(complaint_about({}), "a.policy: is cut short");
+}
+
+TEST(PolicyBytes, OfALaterVersionSaySo) {
+  EXPECT_EQ(complaint_after([](Bytes& bytes) { bytes[8] = 5; }),
+            "a.policy: is of version 5 of the .policy format, this program reads version 4: it was frozen by a later one");
+}
+
+TEST(PolicyBytes, OfVersion3AreRefusedWithTheCommandThatFreezesThemAgain) {
+  std::ifstream stream(EARSHOT_SOURCE_DIR "/tests/policy/freeze/models/version_3_simple.policy", std::ios::binary);
+  const Bytes bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(
+      complaint_about(bytes),
+      "a.policy: is of version 3 of the .policy format, this program reads version 4; freeze it again, its weights as they are: earshot "
+      "freeze a.policy -o a.policy --force --key YOUR.key");
+}
+
+TEST(PolicyBytes, ThatAnotherBuildsArithmeticFrozeAreRefusedByAllButAFreezer) {
+  policy::FrozenPolicy policy = support::random_walk_policy();
+  policy.golden[1][2].logits[3] = 1e-9F;
+  Bytes bytes(policy::max_serialised_size());
+  const std::array<std::uint8_t, policy::kPublicKeySize> key{};
+  bytes.resize(policy::serialise(policy, key, bytes).value());
+  EXPECT_EQ(complaint_about(bytes),
+            "a.policy: does not repeat its golden trajectories with this program on this machine: the arithmetic differs");
+  EXPECT_EQ(unproven_policy_from(bytes, "a.policy")->actions.size(), 8U);
+}
+
+}  // namespace
+}  // namespace earshot::host

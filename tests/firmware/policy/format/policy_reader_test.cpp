@@ -1,0 +1,202 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <tuple>
+
+#include "tests/firmware/policy/format/policy_bytes.hpp"
+
+namespace earshot::policy {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+bool is(const PolicyComplaint& complaint, PolicyFault fault, std::string_view section) {
+  return complaint.fault == fault && std::string_view(complaint.section.data(), complaint.section.size()) == section;
+}
+
+TEST(Parse, GivesThePolicyBackAsItWas) {
+  const auto before = small_policy();
+  const Bytes bytes = bytes_of(*before);
+  const auto after = std::make_unique<FrozenPolicy>();
+  PolicyComplaint complaint;
+  ASSERT_EQ(parse(bytes, *after, complaint), Status::kOk);
+  EXPECT_TRUE(complaint.is_none());
+  EXPECT_TRUE(std::ranges::equal(after->observation.spec, before->observation.spec));
+  EXPECT_TRUE(std::ranges::equal(after->actions, before->actions));
+  EXPECT_TRUE(std::ranges::equal(after->provenance, before->provenance));
+  EXPECT_EQ(std::tuple(after->step_length, after->area_size, after->detection_threshold, after->draw),
+            std::tuple(before->step_length, before->area_size, before->detection_threshold, before->draw));
+  EXPECT_EQ(after->network.hidden_sizes, before->network.hidden_sizes);
+  EXPECT_EQ(after->network.first.packed, before->network.first.packed);
+  EXPECT_EQ(after->network.second.bias, before->network.second.bias);
+  EXPECT_EQ(after->network.output.packed, before->network.output.packed);
+  EXPECT_TRUE(repeats(*after));
+  EXPECT_EQ(bytes_of(*after), bytes);
+}
+
+TEST(Parse, MayReplaceALargerPolicyInPlace) {
+  const auto policy = believing_policy();
+  policy->observation.spec = memory_state(21, Meters{1000}, Decibels{10}).value();
+  policy->network.observation_size = 63;
+  record(*policy);
+  const Bytes bytes = bytes_of(*small_policy());
+  PolicyComplaint complaint;
+  ASSERT_EQ(parse(bytes, *policy, complaint), Status::kOk);
+  EXPECT_EQ(policy->observation.spec.size(), 2U);
+  EXPECT_TRUE(repeats(*policy));
+  EXPECT_EQ(bytes_of(*policy), bytes);
+}
+
+TEST(Parse, GivesTheBeliefBackWithItsCosts) {
+  const auto before = believing_policy();
+  const Bytes bytes = bytes_of(*before);
+  EXPECT_EQ(bytes.size(), kSizeInAll + 59 + 2 * 12 + 5 * 4);
+  const auto after = std::make_unique<FrozenPolicy>();
+  PolicyComplaint complaint;
+  ASSERT_EQ(parse(bytes, *after, complaint), Status::kOk);
+  const BeliefModel& a = after->observation.belief;
+  const BeliefModel& b = before->observation.belief;
+  EXPECT_EQ(a.costs, b.costs);
+  EXPECT_TRUE(std::ranges::equal(a.hypotheses, b.hypotheses));
+  EXPECT_TRUE(std::ranges::equal(a.snr_db, b.snr_db));
+  EXPECT_TRUE(std::ranges::equal(a.actions, b.actions));
+  EXPECT_EQ(std::tuple(a.cells_north, a.cells_east, a.border_width, a.range_step), std::tuple(49, 51, Meters{700}, Meters{150}));
+  EXPECT_EQ(std::tuple(a.outlier_share, a.silence_share, a.forgotten_share), std::tuple(0.125F, 0.25F, 0.0625F));
+  EXPECT_EQ(std::tuple(a.area_size, a.step_length, a.detection_threshold), std::tuple(b.area_size, b.step_length, b.detection_threshold));
+  EXPECT_TRUE(repeats(*after));
+  EXPECT_EQ(bytes_of(*after), bytes);
+}
+
+TEST(Parse, FindsAFileTooShortWhereverItIsCut) {
+  const Bytes bytes = bytes_of(*small_policy());
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const PolicyComplaint complaint = complaint_about(std::span(bytes).first(size));
+    ASSERT_EQ(complaint.fault, PolicyFault::kTooShort) << size;
+  }
+}
+
+TEST(Parse, RefusesBytesBehindTheEnd) {
+  Bytes bytes = bytes_of(*small_policy());
+  bytes.push_back(0);
+  EXPECT_EQ(complaint_about(bytes).fault, PolicyFault::kTooLong);
+}
+
+TEST(Parse, RefusesAnyBitFlippedBeforeTheSignature) {
+  Bytes bytes = bytes_of(*small_policy());
+  for (std::size_t bit = 0; bit < 8 * (bytes.size() - kSignatureSize); ++bit) {
+    const auto mask = static_cast<std::uint8_t>(1U << (bit % 8));
+    bytes[bit / 8] ^= mask;
+    EXPECT_FALSE(complaint_about(bytes).is_none()) << bit;
+    bytes[bit / 8] ^= mask;
+  }
+}
+
+TEST(Parse, LeavesTheSignatureToTheShell) {
+  Bytes bytes = bytes_of(*small_policy());
+  bytes.back() = 0xAA;
+  EXPECT_TRUE(complaint_about(bytes).is_none());
+}
+
+TEST(Parse, NamesWhatIsWrongAboutTheSections) {
+  EXPECT_EQ(complaint_after([](Bytes& bytes) { bytes[0] = 'e'; }).fault, PolicyFault::kBadMagic);
+  for (const std::uint8_t version : Bytes{3, 5}) {
+    const PolicyComplaint complaint = complaint_after([version](Bytes& bytes) { bytes[kVersionAt] = version; });
+    EXPECT_EQ(complaint.fault, PolicyFault::kUnknownVersion);
+    EXPECT_EQ(complaint.version, version);
+  }
+  Bytes damaged = bytes_of(*small_policy());
+  damaged[kChecksumAt] ^= 1U;
+  EXPECT_EQ(complaint_about(damaged).fault, PolicyFault::kBadChecksum);
+}
+
+/// Moves, copies or drops the bytes [begin, end).
+Bytes piece(const Bytes& bytes, std::size_t begin, std::size_t end) {
+  return {bytes.begin() + static_cast<std::ptrdiff_t>(begin), bytes.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+void insert(Bytes& bytes, std::size_t at, const Bytes& what) {
+  bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(at), what.begin(), what.end());
+}
+void erase(Bytes& bytes, std::size_t begin, std::size_t end) {
+  bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(begin), bytes.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
+TEST(Parse, NamesASectionThatItDoesNotKnow) {
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActionsAt] = 'X'; }), PolicyFault::kUnknownSection, "XCTN"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) {
+                   insert(bytes, kPublicKeyAt, {'E', 'X', 'T', 'R', 1, 0, 0, 0, 0, 0});
+                 }),
+                 PolicyFault::kUnknownSection, "EXTR"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { insert(bytes, kPublicKeyAt, {'N'}); }), PolicyFault::kUnknownSection,
+                 std::string_view("N\0\0\0", 4)));
+}
+
+TEST(Parse, NamesASectionOfAnotherVersion) {
+  const PolicyComplaint complaint = complaint_after([](Bytes& bytes) { bytes[kBeliefAt + 4] = 2; });
+  EXPECT_TRUE(is(complaint, PolicyFault::kUnknownSectionVersion, "BELF"));
+  EXPECT_EQ(complaint.version, 2U);
+}
+
+TEST(Parse, NamesASectionThatIsMissing) {
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { erase(bytes, kDrawSectionAt, kBeliefAt); }), PolicyFault::kMissingSection, "DRAW"));
+  EXPECT_TRUE(
+      is(complaint_after([](Bytes& bytes) { erase(bytes, kGoldenSectionAt, kPublicKeyAt); }), PolicyFault::kMissingSection, "GOLD"));
+}
+
+TEST(Parse, NamesASectionThatIsNotInItsPlace) {
+  const auto swap = [](Bytes& bytes) {
+    const Bytes draw = piece(bytes, kDrawSectionAt, kBeliefAt);
+    erase(bytes, kDrawSectionAt, kBeliefAt);
+    insert(bytes, kActionsAt, draw);
+  };
+  EXPECT_TRUE(is(complaint_after(swap), PolicyFault::kMissingSection, "ACTN"));
+}
+
+TEST(Parse, NamesASectionThatStandsThereTwice) {
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { insert(bytes, kBeliefAt, piece(bytes, kDrawSectionAt, kBeliefAt)); }),
+                 PolicyFault::kSectionTwice, "DRAW"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { insert(bytes, kPublicKeyAt, piece(bytes, kDrawSectionAt, kBeliefAt)); }),
+                 PolicyFault::kSectionTwice, "DRAW"));
+}
+
+TEST(Parse, NamesASectionThatIsNotAsLongAsWhatItHolds) {
+  for (const std::uint32_t length : {0U, 72U, 74U, 2'000U, 0xFFFFFFFFU})
+    EXPECT_TRUE(is(complaint_after([length](Bytes& bytes) { put(bytes, kActionsAt + 6, length); }), PolicyFault::kBadSectionLength, "ACTN"))
+        << length;
+  const auto unseen_belief = [](Bytes& bytes) {
+    put(bytes, kBeliefAt + 6, std::uint32_t{1});
+    insert(bytes, kBeliefAt + 10, {0});
+  };
+  EXPECT_TRUE(is(complaint_after(unseen_belief), PolicyFault::kBadSectionLength, "BELF"));
+}
+
+TEST(Parse, NamesWhatIsWrongInASection) {
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt] = 0; }), PolicyFault::kUnknownActivation, "NETW"));
+  for (const std::uint8_t count : Bytes{0, 5, 33})
+    EXPECT_EQ(complaint_after([count](Bytes& bytes) { bytes[kActionCountAt] = count; }).section, kNetworkSection) << int{count};
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt + 3] = 0xFF; }), PolicyFault::kBadShape, "NETW"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kListeningAt] = 1; }), PolicyFault::kUnknownListening, "OBSV"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kListeningAt + 1] = 1; }), PolicyFault::kUnknownListening, "OBSV"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kElementsAt] = 10; }), PolicyFault::kUnknownFeature, "OBSV"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kElementsAt - 1] = 65; }), PolicyFault::kBadShape, "OBSV"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kElementsAt - 1] = 3; }), PolicyFault::kBadSectionLength, "OBSV"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { put(bytes, kElementsAt + 6, kNan); }), PolicyFault::kNotFinite, "OBSV"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { put(bytes, kStepLengthAt, 0.0); }), PolicyFault::kOutOfRange, "ACTN"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kDrawAt] = 3; }), PolicyFault::kUnknownDraw, "DRAW"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kFirstStepAt + 24] = 2; }), PolicyFault::kOutOfRange, "GOLD"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kFirstStepAt - 1] = 5; }), PolicyFault::kBadShape, "GOLD"));
+  for (std::size_t i = 0; i < kParameters; ++i)
+    EXPECT_TRUE(is(complaint_after([i](Bytes& bytes) { put(bytes, kWeightsAt + 4 * i, kNan); }), PolicyFault::kNotFinite, "NETW")) << i;
+}
+
+TEST(Parse, RefusesProvenanceThatIsTooLong) {
+  const auto longer = [](Bytes& bytes) {
+    put(bytes, kProvenanceSectionAt + 6, std::uint32_t{1025});
+    insert(bytes, kProvenanceAt, Bytes(1001, 'x'));
+  };
+  EXPECT_TRUE(is(complaint_after(longer), PolicyFault::kBadShape, "PROV"));
+}
+
+}  // namespace
+}  // namespace earshot::policy

@@ -1,0 +1,106 @@
+#include "firmware/policy/golden.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "firmware/policy/format/policy_format.hpp"
+#include "tests/firmware/policy/made_up_policy.hpp"
+
+namespace earshot::policy {
+namespace {
+
+bool repeats_after(const std::function<void(FrozenPolicy&)>& damage, const FrozenPolicy& good = *believing_policy()) {
+  const auto policy = std::make_unique<FrozenPolicy>(good);
+  damage(*policy);
+  return repeats(*policy);
+}
+
+void flip(float& value) {
+  value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) ^ 1U);
+}
+
+TEST(Golden, IsRepeatedByTheBuildThatRecordedIt) {
+  EXPECT_TRUE(repeats(*small_policy()));
+  EXPECT_TRUE(repeats(*believing_policy()));
+}
+
+TEST(Golden, HoldsWhatASearchAlongItsPlacesSeesAndDecides) {
+  const auto policy = believing_policy();
+  const auto memory = std::make_unique<SearchMemory>();
+  const GoldenTrajectory& trajectory = policy->golden[1];
+  memory->start(policy->observation, trajectory[0].place, trajectory[0].heard);
+  memory->remember(policy->observation, trajectory[1].place, trajectory[1].heard);
+  std::array<float, 2> observation{};
+  observe(*memory, policy->observation, observation);
+  std::array<float, 4> logits{};
+  forward(policy->network, observation, logits);
+  const GoldenStep& step = trajectory[1];
+  EXPECT_EQ(step.belief.mean, memory->belief().summary().mean);
+  EXPECT_EQ(step.fingerprint, memory->belief().fingerprint(policy->observation.belief));
+  EXPECT_TRUE(std::equal(observation.begin(), observation.end(), step.observation.begin()));
+  EXPECT_TRUE(std::equal(logits.begin(), logits.end(), step.logits.begin()));
+}
+
+TEST(Golden, KnowsNoBeliefWhereThePolicySeesNone) {
+  EXPECT_EQ(small_policy()->golden[0][3].fingerprint, 0U);
+  EXPECT_EQ(small_policy()->golden[0][3].belief.spread, Meters{});
+}
+
+/// The policies that ship were frozen on one machine; every other must come to the same bits.
+TEST(Golden, OfThePoliciesThatShipIsRepeatedOnThisMachine) {
+  for (const char* name : {"shipped.policy", "fixed_source.policy"}) {
+    std::ifstream stream(std::string(EARSHOT_SOURCE_DIR "/policy/frozen/") + name, std::ios::binary);
+    const std::vector<char> text{std::istreambuf_iterator<char>(stream), {}};
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    const auto policy = std::make_unique<FrozenPolicy>();
+    PolicyComplaint complaint;
+    ASSERT_EQ(parse(bytes, *policy, complaint), Status::kOk) << name;
+    EXPECT_TRUE(repeats(*policy)) << name;
+  }
+}
+
+TEST(Golden, IsNotRepeatedWhenABitOfAnyStepDiffers) {
+  for (std::size_t i = 0; i < config::kGoldenSteps; ++i) {
+    EXPECT_FALSE(repeats_after([i](FrozenPolicy& policy) { flip(policy.golden[1][i].logits[3]); })) << i;
+    EXPECT_FALSE(repeats_after([i](FrozenPolicy& policy) { flip(policy.golden[0][i].observation[1]); })) << i;
+    EXPECT_FALSE(repeats_after([i](FrozenPolicy& policy) { policy.golden[0][i].fingerprint ^= 1U; })) << i;
+    EXPECT_FALSE(repeats_after([i](FrozenPolicy& policy) { flip(policy.golden[1][i].belief.effective_cells); })) << i;
+    EXPECT_FALSE(repeats_after([i](FrozenPolicy& policy) { policy.golden[1][i].belief.mean.east += Meters{1e-9}; })) << i;
+  }
+}
+
+TEST(Golden, IsNotRepeatedByOtherWeightsCostsOrSounds) {
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.network.first.weight(0, 0) += 1e-3F; }));
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.observation.belief.costs.edge = 1.0F; }));
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.observation.belief.costs.most_regret = 8.0F; }));
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.golden[0][0].heard.too_faint = true; }));
+}
+
+TEST(Golden, IsNotRepeatedWhenALogitIsNoNumber) {
+  // What check() would refuse, and what no vehicle should trust though its bits be the same.
+  const auto policy = small_policy();
+  policy->network.output.packed.fill(3e38F);
+  policy->network.second.bias.fill(9.0F);
+  record(*policy);
+  EXPECT_FALSE(repeats(*policy));
+}
+
+TEST(Fingerprint, SeesEveryCellAndOutlook) {
+  const auto policy = believing_policy();
+  const BeliefModel& model = policy->observation.belief;
+  const auto belief = std::make_unique<Belief>();
+  belief->start(model);
+  belief->update(model, {Meters{5000}, Meters{5000}}, {.snr = Decibels{1}});
+  const std::uint32_t before = belief->fingerprint(model);
+  belief->update(model, {Meters{5000}, Meters{5000}}, {.snr = Decibels{1}});
+  EXPECT_NE(belief->fingerprint(model), before);
+}
+
+}  // namespace
+}  // namespace earshot::policy

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string_view>
+
+#include "firmware/core/random.hpp"
+#include "firmware/policy/frozen_policy.hpp"
+
+namespace earshot::policy {
+
+inline constexpr std::string_view kProvenance = "command = earshot train\n";
+
+/// What a freezer does last.
+inline void record(FrozenPolicy& policy) {
+  record_golden(policy, *std::make_unique<SearchMemory>());
+}
+
+inline bool repeats(const FrozenPolicy& policy) {
+  return repeats_golden(policy, *std::make_unique<SearchMemory>());
+}
+
+/// A 2-5-3-4 policy with weights from a generator; its golden searches go north-east from (1 km, 2 km) in steps of 1 km.
+inline std::unique_ptr<FrozenPolicy> small_policy() {
+  auto policy = std::make_unique<FrozenPolicy>();
+  policy->observation.spec = simple_state({.north = Meters{25000}, .east = Meters{25000}});
+  for (const UnitNorthEast& direction : {UnitNorthEast{1, 0}, UnitNorthEast{0, 1}, UnitNorthEast{-1, 0}, UnitNorthEast{0.6, -0.8}}) {
+    EXPECT_EQ(policy->actions.push_back(direction), Status::kOk);
+  }
+  policy->step_length = Meters{1000};
+  policy->area_size = {.north = Meters{25000}, .east = Meters{26000}};
+  policy->detection_threshold = Decibels{-3.5};
+  policy->draw = ActionDraw::kSampled;
+  policy->network.observation_size = 2;
+  policy->network.hidden_sizes = {5, 3};
+  policy->network.action_count = 4;
+  Pcg32 random(21);
+  const auto fill = [&random](auto& layer, std::size_t outputs, std::size_t inputs) {
+    for (std::size_t i = 0; i < outputs * inputs; ++i) layer.weight(i / inputs, i % inputs) = random.uniform_float() - 0.5F;
+    for (std::size_t i = 0; i < outputs; ++i) layer.bias[i] = random.uniform_float() - 0.5F;
+  };
+  fill(policy->network.first, 5, 2);
+  fill(policy->network.second, 3, 5);
+  fill(policy->network.output, 4, 3);
+  for (const char character : kProvenance) EXPECT_EQ(policy->provenance.push_back(character), Status::kOk);
+  for (GoldenTrajectory& trajectory : policy->golden) {
+    double along = 1000.0;
+    for (GoldenStep& step : trajectory) {
+      step.place = {.north = Meters{along}, .east = Meters{along + 1000.0}};
+      step.heard = {.snr = Decibels{along / 1000.0}, .too_faint = along > 4000.0};
+      along += 1000.0;
+    }
+  }
+  record(*policy);
+  return policy;
+}
+
+/// small_policy() that sees a belief of two hypotheses and five ranges.
+inline std::unique_ptr<FrozenPolicy> believing_policy() {
+  auto policy = small_policy();
+  BeliefModel& belief = policy->observation.belief;
+  belief.actions = policy->actions;
+  belief.step_length = policy->step_length;
+  belief.area_size = policy->area_size;
+  belief.detection_threshold = policy->detection_threshold;
+  belief.border_width = Meters{700};
+  belief.costs = {.step = 2.5F, .log_step_discount = -0.25F, .reach = 20.0F, .reach_discount = 0.75F, .edge = 50.0F, .most_regret = 9.0F};
+  belief.cells_north = 49;
+  belief.cells_east = 51;
+  belief.outlier_share = 0.125F;
+  belief.silence_share = 0.25F;
+  belief.forgotten_share = 0.0625F;
+  belief.range_step = Meters{150};
+  EXPECT_EQ(belief.hypotheses.push_back({.level_offset_db = -1.0F, .spread_db = 2.0F, .prior = 3.0F}), Status::kOk);
+  EXPECT_EQ(belief.hypotheses.push_back({.level_offset_db = 4.0F, .spread_db = 5.0F, .prior = 6.0F}), Status::kOk);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(belief.snr_db.push_back(static_cast<float>(i) - 1.5F), Status::kOk);
+  policy->observation.spec.clear();
+  EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kPreference, .age = 3}), Status::kOk);
+  EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kHypothesis, .age = 1}), Status::kOk);
+  record(*policy);
+  return policy;
+}
+
+}  // namespace earshot::policy
