@@ -113,6 +113,7 @@ double most_element(const FrozenPolicy& policy) {
 PolicyFault fault_in_observation(const FrozenPolicy& policy) {
   if (!is_length(policy.area_size.north, kMostArea_m) || !is_length(policy.area_size.east, kMostArea_m)) return PolicyFault::kOutOfRange;
   if (!is_within(policy.detection_threshold.value, -kMostLevel_db, kMostLevel_db)) return PolicyFault::kOutOfRange;
+  if (!config::is_valid(policy.observation.listening)) return PolicyFault::kUnknownListening;
   for (const ObservationElement& element : policy.observation.spec) {
     if (!is_known(element.feature)) return PolicyFault::kUnknownFeature;
     if (element.age >= count_of(element.feature, policy)) return PolicyFault::kBadShape;

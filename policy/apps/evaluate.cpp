@@ -114,19 +114,21 @@ std::vector<Contestant> contestants_of(const Options& o) {
   return contestants;
 }
 
-/// The search that the learned policies were trained for, the paper's when there is none.
-search::SearchSettings settings_of(const std::vector<Contestant>& contestants) {
+/// The search that the learned policies were trained for, the paper's when there is none. Policies that listen otherwise than each other
+/// can be compared only over a window that is given to all.
+search::SearchSettings settings_of(const std::vector<Contestant>& contestants, const apps::ListeningOptions& listening) {
   const Contestant* first = nullptr;
   for (const Contestant& c : contestants) {
     if (!c.learned) continue;
     if (first == nullptr) first = &c;
     const policy::FrozenPolicy& a = *first->learned;
     const policy::FrozenPolicy& b = *c.learned;
-    if (a.step_length != b.step_length || a.area_size != b.area_size || a.detection_threshold != b.detection_threshold ||
-        a.observation.listening != b.observation.listening) {
-      throw BadInput(c.name + ": was trained for another area, step length, detection threshold or listening window than " + first->name +
+    if (a.step_length != b.step_length || a.area_size != b.area_size || a.detection_threshold != b.detection_threshold)
+      throw BadInput(c.name + ": was trained for another area, step length or detection threshold than " + first->name +
                      ": evaluate them one by one");
-    }
+    if (a.observation.listening != b.observation.listening && !listening.is_given())
+      throw BadInput(c.name + ": listens over another window than " + first->name +
+                     ": evaluate them one by one, or give both the same window (--listening)");
   }
   return first == nullptr ? search::SearchSettings{} : evaluate::search_of(*first->learned);
 }
@@ -315,7 +317,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
       o.search.environment ? std::filesystem::path(*o.search.environment) : host::shipped("sim/ocean/environments/munk_flat.toml");
   const ocean::Environment environment = apps::environment_at(environment_file, depth);
   const std::vector<evaluate::World> worlds = worlds_of(o, environment_file, depth);
-  search::SearchSettings settings = settings_of(contestants);
+  search::SearchSettings settings = settings_of(contestants, o.search.listening);
   settings.source = environment.source.position;
   if (!o.search.source) settings.placement = placement_of(contestants);
   o.search.apply_to(settings);

@@ -7,6 +7,7 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "policy/apps/listening_options.hpp"
 #include "policy/apps/program.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/freeze/keys.hpp"
@@ -23,6 +24,7 @@ struct Options {
   std::optional<std::string> output;
   std::optional<std::string> search;
   std::optional<std::string> draw;
+  apps::ListeningOptions listening;
   std::string key;
   bool new_key = false;
   bool force = false;
@@ -39,6 +41,7 @@ void add_options(program::CommandLine& line, Options& options) {
   line.option("--draw", &options.draw,
               "how the vehicle draws its actions: sampled from the softmax, or argmax; without it sampled, of a .policy as it does")
       .one_of({"argmax", "sampled"});
+  options.listening.add_to(line);
   line.option("--key", &options.key, "secret key file to sign with; its public half stands beside it as .pub").required();
   line.flag("--new-key", &options.new_key, "make the key and its .pub first; refused when the key exists");
   line.flag("--force", &options.force, apps::kForceHelp);
@@ -122,6 +125,7 @@ void run(const Options& options) {
   if (options.model) {
     check_output(options);
     policy = freeze_model(*options.model, options);
+    if (options.listening.is_given()) freeze::listen_over(*policy, options.listening.applied_to(policy->observation.listening));
     host::require_writable(*options.output, apps::kPolicyOutput, host::replaced_by(options.force));
   }
   const freeze::SecretKey key = key_of(options);

@@ -1,6 +1,5 @@
 #include "policy/apps/world_options.hpp"
 
-#include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/placement.hpp"
 #include "sim/ocean/environment_file.hpp"
@@ -9,23 +8,6 @@
 namespace earshot::apps {
 
 using host::BadInput;
-
-namespace {
-
-/// A word alone takes the length that stands, but for newest, which has none; a length alone the word that stands.
-config::ListeningWindow listening_in(const WorldOptions& o, config::ListeningWindow standing) {
-  const std::string word = o.listening.value_or(std::string(host::word_for(standing.listening)));
-  const bool is_newest = word == host::word_for(config::Listening::kNewest);
-  try {
-    return host::listening_window(word, o.listening_window_s ? std::int64_t{*o.listening_window_s}
-                                        : is_newest          ? 0
-                                                             : host::length_s(standing));
-  } catch (const BadInput& e) {
-    throw BadInput(std::string("--listening, --listening-window-s: ") + e.what());
-  }
-}
-
-}  // namespace
 
 void WorldOptions::add_to(program::CommandLine& line, const std::string& source_by_default) {
   line.option("--environment", &environment,
@@ -43,11 +25,7 @@ void WorldOptions::add_to(program::CommandLine& line, const std::string& source_
       .excludes(line.at("--start"));
   line.option("--border-width-m", &border_width_m, "width b of the border in which the reward falls to -100, metres (1000)").positive();
   line.option("--max-steps", &max_steps, "N, steps after which an episode is cut (100)").from(1, 1'000'000);
-  line.option("--listening", &listening,
-              "what an observation hears of its step: the newest look, or the loudest or mean of those in the window that were measured")
-      .one_of({config::kListeningWords.begin(), config::kListeningWords.end()});
-  line.option("--listening-window-s", &listening_window_s, "window before the end of a step, whole seconds; none for the newest")
-      .from(0, static_cast<int>(config::kMaxListeningSeconds));
+  listening.add_to(line);
 }
 
 void WorldOptions::apply_to(search::SearchSettings& settings) const {
@@ -56,7 +34,7 @@ void WorldOptions::apply_to(search::SearchSettings& settings) const {
   if (max_steps) settings.max_steps = *max_steps;
   if (start) settings.start_region = *start == "domain" ? settings.domain : search::inside_border(settings);
   if (start_margin_m) settings.start_region = settings.domain.moved_in(Meters{*start_margin_m});
-  if (listening || listening_window_s) settings.listening = listening_in(*this, settings.listening);
+  if (listening.is_given()) settings.listening = listening.applied_to(settings.listening);
   if (search::check(settings) != Status::kOk) {
     throw BadInput(
         "--border-width-m, --start, --start-margin-m: nothing of the domain is left to start in, or all of it lies within a step of the "

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "firmware/host/program/command_line.hpp"
+#include "policy/apps/listening_options.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/search/soundscape.hpp"
@@ -22,8 +23,7 @@ struct WorldOptions {
   std::optional<double> start_margin_m = {};
   std::optional<double> border_width_m = {};
   std::optional<std::uint32_t> max_steps = {};
-  std::optional<std::string> listening = {};
-  std::optional<std::uint32_t> listening_window_s = {};
+  ListeningOptions listening = {};
 
   /// @param source_by_default  what help says of --source when it is not given
   void add_to(program::CommandLine& line, const std::string& source_by_default = "fixed");

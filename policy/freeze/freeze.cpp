@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/policy_check.hpp"
@@ -44,6 +45,20 @@ void copy_actor(const ppo::Checkpoint& checkpoint, policy::Network& network) {
   copy_layer(networks, layout.logits, layout.logits.outputs, network.output);
 }
 
+/// Adds a line to the provenance.
+void note(const std::string& name, const std::string& value, policy::FrozenPolicy& policy) {
+  for (const char c : name + " = " + value + "\n") {
+    if (policy.provenance.push_back(c) != Status::kOk)
+      throw BadInput("provenance: longer than the " + std::to_string(config::kMaxProvenance) + " bytes a policy can hold");
+  }
+}
+
+/// "mean of 30 s"
+std::string to_string(config::ListeningWindow window) {
+  const std::string word(host::word_for(window.listening));
+  return window.length > Duration{} ? word + " of " + std::to_string(host::length_s(window)) + " s" : word;
+}
+
 /// Everything but the network.
 std::unique_ptr<policy::FrozenPolicy> without_network(const description::SearchDescription& source, policy::ActionDraw draw) {
   auto policy = std::make_unique<policy::FrozenPolicy>();
@@ -53,13 +68,7 @@ std::unique_ptr<policy::FrozenPolicy> without_network(const description::SearchD
   policy->area_size = source.area_size;
   policy->detection_threshold = source.detection_threshold;
   policy->draw = draw;
-  for (const auto& [name, value] : source.provenance) {
-    for (const char c : name + " = " + value + "\n") {
-      if (policy->provenance.push_back(c) != Status::kOk) {
-        throw BadInput("provenance: longer than the " + std::to_string(config::kMaxProvenance) + " bytes a policy can hold");
-      }
-    }
-  }
+  for (const auto& [name, value] : source.provenance) note(name, value, *policy);
   return policy;
 }
 
@@ -116,6 +125,12 @@ std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const de
   return policy;
 }
 
+void listen_over(policy::FrozenPolicy& policy, config::ListeningWindow window) {
+  if (policy.observation.listening == window) return;
+  note("listening", to_string(window) + " (before: " + to_string(policy.observation.listening) + ")", policy);
+  policy.observation.listening = window;
+}
+
 void check_flies(const policy::FrozenPolicy& policy, const std::string& name) {
   const policy::PolicyComplaint complaint = policy::check(policy);
   if (!complaint.is_none()) throw BadInput(host::to_string(complaint, name));
@@ -128,8 +143,6 @@ std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const SecretK
   crypto_sign_seed_keypair(public_key.data(), expanded.data(), key.seed.data());
   std::vector<std::uint8_t> bytes(policy::max_serialised_size());
   const Result<std::size_t> size = policy::serialise(policy, public_key, bytes);
-  if (size.status() == Status::kUnsupported)
-    throw BadInput("the policy listens over a window, for which this version of the format has no place");
   if (!size.ok()) throw BadInput("the policy does not fit the vehicle: a size, weight or scale is out of range");
   bytes.resize(size.value());
   const std::size_t signed_size = bytes.size() - policy::kSignatureSize;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/config/listening_window.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "policy/description/search_description.hpp"
 #include "policy/freeze/keys.hpp"
@@ -22,6 +23,11 @@ namespace earshot::freeze {
 /// Throws host::BadInput when the actor does not fit its description or firmware's capacities.
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const description::SearchDescription& search,
                                                            policy::ActionDraw draw);
+
+/// Lets the policy listen over another window than it was trained with, and says so in its provenance: measured, the shipped policy finds
+/// more with it (policy/frozen/README.md). The golden searches stay: they begin with what was heard.
+/// Throws host::BadInput when the provenance is full.
+void listen_over(policy::FrozenPolicy& policy, config::ListeningWindow window);
 
 /// Throws host::BadInput, beginning with `name`, for a policy that a vehicle would refuse: a size, a number, or weights so large that
 /// logits could overflow.

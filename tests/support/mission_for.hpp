@@ -18,6 +18,7 @@ namespace earshot::support {
   mission.navigation_timeout = Duration::seconds(5);
   mission.snr_timeout = Duration::seconds(5);
   mission.detection_threshold = policy.detection_threshold;
+  mission.listening = policy.observation.listening;
   return mission;
 }
 

@@ -52,7 +52,10 @@ PolicyFault read_network(ByteReader& reader, FrozenPolicy& policy) {
 PolicyFault read_observation(ByteReader& reader, FrozenPolicy& policy) {
   policy.area_size = read_place(reader);
   policy.detection_threshold = Decibels{reader.f64()};
-  if (reader.u8() != kNewestLook || reader.u16() != 0) return PolicyFault::kUnknownListening;
+  config::ListeningWindow& listening = policy.observation.listening;
+  listening.listening = static_cast<config::Listening>(reader.u8());
+  listening.length = Duration::seconds(reader.u16());
+  if (!config::is_valid(listening)) return PolicyFault::kUnknownListening;
   policy.observation.spec.clear();
   const std::size_t count = reader.u8();
   for (std::size_t i = 0; i < count; ++i) {

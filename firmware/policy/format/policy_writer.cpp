@@ -45,8 +45,9 @@ void write_network(ByteWriter& writer, const FrozenPolicy& policy) {
 void write_observation(ByteWriter& writer, const FrozenPolicy& policy) {
   write(writer, policy.area_size);
   writer.f64(policy.detection_threshold.value);
-  writer.u8(kNewestLook);
-  writer.u16(0);
+  const config::ListeningWindow& listening = policy.observation.listening;
+  writer.u8(static_cast<std::uint8_t>(listening.listening));
+  writer.u16(static_cast<std::uint16_t>(listening.length.us / Duration::seconds(1).us));
   writer.u8(static_cast<std::uint8_t>(policy.observation.spec.size()));
   for (const ObservationElement& element : policy.observation.spec) {
     writer.u8(static_cast<std::uint8_t>(element.feature));

@@ -17,7 +17,6 @@ inline constexpr std::size_t kSectionHeaderSize = 10;  // tag, version, length
 inline constexpr std::size_t kChecksumSize = 4;
 inline constexpr std::size_t kTrailerSize = kPublicKeySize + kChecksumSize + kSignatureSize;
 inline constexpr std::uint8_t kTanh = 1;
-inline constexpr std::uint8_t kNewestLook = 0;
 
 enum class Content : std::uint8_t { kNetwork, kObservation, kActions, kDraw, kBelief, kProvenance, kGolden };
 

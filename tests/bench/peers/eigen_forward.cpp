@@ -1,5 +1,5 @@
-// Peer of the rows network.forward_ns: the shipped policy's shape in Eigen, sizes known to the compiler, any weights. Built for x86-64-v3 with fused
-// multiply-add, and for the architecture's baseline.
+// Peer of the rows network.forward_ns: the shipped policy's shape in Eigen, sizes known to the compiler, any weights. Built for x86-64-v3
+// with fused multiply-add, and for the architecture's baseline.
 #include <Eigen/Dense>
 #include <memory>
 

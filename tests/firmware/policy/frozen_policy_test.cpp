@@ -20,13 +20,6 @@ config::Mission fitting_mission() {
   return mission;
 }
 
-TEST(Serialise, RefusesAListeningWindowForWhichTheFormatHasNoPlace) {
-  const auto policy = small_policy();
-  policy->observation.listening = {config::Listening::kLoudest, Duration::seconds(30)};
-  std::vector<std::uint8_t> bytes(max_serialised_size());
-  EXPECT_EQ(serialise(*policy, std::array<std::uint8_t, kPublicKeySize>{}, bytes).status(), Status::kUnsupported);
-}
-
 Misfit misfit_after(const std::function<void(config::Mission&)>& change) {
   config::Mission mission = fitting_mission();
   change(mission);

@@ -91,8 +91,8 @@ TEST_P(ShippedDecisions, AreThoseOfDoublePrecision) {
     const auto best = static_cast<std::size_t>(std::ranges::max_element(exact) - exact.begin());
     if (chosen == best) continue;
     ++differing;
-    EXPECT_LE(exact[best] - exact[chosen], kTolerance) << "action " << chosen << " with " << exact[chosen] << " instead of " << best
-                                                             << " with " << exact[best];
+    EXPECT_LE(exact[best] - exact[chosen], kTolerance)
+        << "action " << chosen << " with " << exact[chosen] << " instead of " << best << " with " << exact[best];
   }
   EXPECT_LE(largest_error, kTolerance);
   std::printf("%s: %zu observations, largest error of a logit %.3g, %zu other decisions\n", GetParam(), observations.size(), largest_error,

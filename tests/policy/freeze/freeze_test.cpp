@@ -62,6 +62,16 @@ TEST(Freeze, KeepsWhatThePolicySeesDoesAndComesFrom) {
   EXPECT_EQ(std::string(frozen->provenance.begin(), frozen->provenance.end()), "command = earshot-train\nseed = 3\n");
 }
 
+TEST(Freeze, SaysInTheProvenanceThatAPolicyListensOtherwiseThanItWasTrained) {
+  const auto frozen = freeze(made_up_checkpoint(), policy::ActionDraw::kSampled);
+  const std::string trained(frozen->provenance.begin(), frozen->provenance.end());
+  listen_over(*frozen, {config::Listening::kMean, Duration::seconds(30)});
+  EXPECT_EQ(frozen->observation.listening, (config::ListeningWindow{config::Listening::kMean, Duration::seconds(30)}));
+  EXPECT_EQ(std::string(frozen->provenance.begin(), frozen->provenance.end()), trained + "listening = mean of 30 s (before: newest)\n");
+  listen_over(*frozen, {config::Listening::kMean, Duration::seconds(30)});
+  EXPECT_EQ(frozen->provenance.size(), trained.size() + 42) << "said once";
+}
+
 TEST(Freeze, RefusesProvenanceThatAPolicyCannotHold) {
   ppo::Checkpoint checkpoint = made_up_checkpoint();
   checkpoint.provenance.emplace_back("story", std::string(config::kMaxProvenance, 'x'));

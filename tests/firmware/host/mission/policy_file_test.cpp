@@ -66,7 +66,8 @@ TEST_F(PolicyFile, IsRefusedForItsChecksumWhenABitInTheMiddleIsFlipped) {
 }
 
 TEST_F(PolicyFile, IsRefusedWithTheProgramsLimitsWhenItIsTooLarge) {
-  constexpr std::size_t kActionCountAt = 32;  // header 16, section's tag, version and length 10, activation 1, observation 1, hidden layers 4
+  constexpr std::size_t kActionCountAt =
+      32;  // header 16, section's tag, version and length 10, activation 1, observation 1, hidden layers 4
   std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
   bytes[kActionCountAt] = 33;
   const std::size_t checksum_at = bytes.size() - policy::kSignatureSize - 4;

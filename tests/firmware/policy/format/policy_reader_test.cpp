@@ -69,6 +69,15 @@ TEST(Parse, GivesTheBeliefBackWithItsCosts) {
   EXPECT_EQ(bytes_of(*after), bytes);
 }
 
+TEST(Parse, GivesTheListeningWindowBack) {
+  const auto before = small_policy();
+  before->observation.listening = {config::Listening::kMean, Duration::seconds(120)};
+  const auto after = small_policy();
+  PolicyComplaint complaint;
+  ASSERT_EQ(parse(bytes_of(*before), *after, complaint), Status::kOk);
+  EXPECT_EQ(after->observation.listening, before->observation.listening);
+}
+
 TEST(Parse, FindsAFileTooShortWhereverItIsCut) {
   const Bytes bytes = bytes_of(*small_policy());
   for (std::size_t size = 0; size < bytes.size(); ++size) {
@@ -178,6 +187,10 @@ TEST(Parse, NamesWhatIsWrongInASection) {
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt + 3] = 0xFF; }), PolicyFault::kBadShape, "NETW"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kListeningAt] = 1; }), PolicyFault::kUnknownListening, "OBSV"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kListeningAt + 1] = 1; }), PolicyFault::kUnknownListening, "OBSV"));
+  const auto mean_of_121_s = [](Bytes& bytes) { bytes[kListeningAt] = 2, bytes[kListeningAt + 1] = 121; };
+  EXPECT_TRUE(is(complaint_after(mean_of_121_s), PolicyFault::kUnknownListening, "OBSV"));
+  const auto unknown_word = [](Bytes& bytes) { bytes[kListeningAt] = 3, bytes[kListeningAt + 1] = 1; };
+  EXPECT_TRUE(is(complaint_after(unknown_word), PolicyFault::kUnknownListening, "OBSV"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kElementsAt] = 10; }), PolicyFault::kUnknownFeature, "OBSV"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kElementsAt - 1] = 65; }), PolicyFault::kBadShape, "OBSV"));
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kElementsAt - 1] = 3; }), PolicyFault::kBadSectionLength, "OBSV"));

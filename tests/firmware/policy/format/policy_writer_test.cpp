@@ -33,6 +33,14 @@ TEST(Serialise, LaysThePolicyOutAsTheReadmeSays) {
   EXPECT_EQ(bytes[kPublicKeyAt], 1);
 }
 
+TEST(Serialise, WritesTheListeningWindowInSeconds) {
+  const auto policy = small_policy();
+  policy->observation.listening = {config::Listening::kLoudest, Duration::seconds(30)};
+  const Bytes bytes = bytes_of(*policy);
+  EXPECT_EQ(bytes[kListeningAt], 1);
+  EXPECT_EQ(value_at<std::uint16_t>(bytes, kListeningAt + 1), 30);
+}
+
 TEST(Serialise, NamesEverySectionWithItsVersionAndLength) {
   struct Expected {
     std::size_t at;

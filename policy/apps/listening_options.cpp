@@ -1,0 +1,27 @@
+#include "policy/apps/listening_options.hpp"
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/listening/listening_words.hpp"
+
+namespace earshot::apps {
+
+void ListeningOptions::add_to(program::CommandLine& line) {
+  line.option("--listening", &listening,
+              "what an observation hears of its step: the newest look, or the loudest or mean of those in the window that were measured")
+      .one_of({config::kListeningWords.begin(), config::kListeningWords.end()});
+  line.option("--listening-window-s", &listening_window_s, "window before the end of a step, whole seconds; none for the newest")
+      .from(0, static_cast<int>(config::kMaxListeningSeconds));
+}
+
+config::ListeningWindow ListeningOptions::applied_to(config::ListeningWindow standing) const {
+  const std::string word = listening.value_or(std::string(host::word_for(standing.listening)));
+  const std::int64_t standing_s = word == host::word_for(config::Listening::kNewest) ? 0 : host::length_s(standing);
+  try {
+    return host::listening_window(word, listening_window_s ? std::int64_t{*listening_window_s} : standing_s);
+  } catch (const host::BadInput& e) {
+    throw host::BadInput(std::string("--listening, --listening-window-s: ") + e.what());
+  }
+}
+
+}  // namespace earshot::apps
