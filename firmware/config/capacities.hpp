@@ -42,7 +42,7 @@ inline constexpr std::size_t kGoldenTrajectories = 2;  ///< searches flown again
 inline constexpr std::size_t kGoldenSteps = 6;         ///< steps of each (a belief takes shape, all in 1 ms); exactly this many
 inline constexpr std::size_t kMaxProvenance = 1024;    ///< bytes of provenance text in a policy; full: refused at freeze
 inline constexpr std::size_t kRuntimeBytes =
-    by_profile(112, 64) * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights and belief; full: does not compile
+    by_profile(120, 72) * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights and belief; full: does not compile
 
 // Inputs and commands (firmware/messages, firmware/runtime).
 inline constexpr std::size_t kMaxPorts = 8;  ///< ports of a vehicle (buses, serial lines, the simulation link); full: mission refused

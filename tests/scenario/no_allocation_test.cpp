@@ -212,7 +212,7 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
   EXPECT_EQ(vehicle.health.commands_refused, 1);
   EXPECT_EQ(stop(), 0);
   expect_said("\nearshotd: 0 allocations in 2 threads over ");
-  expect_said("  runtime, of 114688 allowed\n");
+  expect_said("  runtime, of 122880 allowed\n");
   expect_said("     7159244  journal ring\n");
   expect_said("      262144  stack of thread journal\n");
   EXPECT_EQ(earshotd_->output().find("has grown"), std::string::npos);
