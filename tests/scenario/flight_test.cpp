@@ -212,7 +212,7 @@ TEST_F(Flight, GivenADamagedPolicyNothingFliesAndTheMessageNamesIt) {
   support::write_bytes(folder_ / "walk.policy", bytes);
   const auto flight = fly("out", {});
   EXPECT_EQ(flight->wait(10s), 2);
-  EXPECT_EQ(flight->output(), (folder_ / "walk.policy").string() + ": its CRC-32 is wrong: the file is damaged\n");
+  EXPECT_EQ(flight->output(), (folder_ / "walk.policy").string() + ": is damaged: its CRC-32 is wrong\n");
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
