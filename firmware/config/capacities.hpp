@@ -36,13 +36,13 @@ inline constexpr std::size_t kMaxBeliefHypotheses = 4;  ///< source levels and s
 inline constexpr std::size_t kMaxBeliefRanges =
     by_profile(512, 256);  ///< samples of the SNR against range (51 km in steps of 100 or 200 m); full: policy refused at load
 inline constexpr std::size_t kBeliefBytes = by_profile(64, 20) * 1024;  ///< bytes of the belief about the source; full: does not compile
-inline constexpr std::size_t kMaxListeningSeconds =
-    120;  ///< seconds that a decision may listen over (a blue whale calls every one or two minutes); full: older looks are forgotten
+inline constexpr std::size_t kMaxListeningSeconds = by_profile(
+    120, 60);  ///< seconds that a decision may listen over (a blue whale calls every one or two minutes); full: policy refused at load
 inline constexpr std::size_t kGoldenTrajectories = 2;  ///< searches flown again before a policy is trusted; exactly this many
 inline constexpr std::size_t kGoldenSteps = 6;         ///< steps of each (a belief takes shape, all in 1 ms); exactly this many
 inline constexpr std::size_t kMaxProvenance = 1024;    ///< bytes of provenance text in a policy; full: refused at freeze
 inline constexpr std::size_t kRuntimeBytes =
-    by_profile(120, 72) * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights and belief; full: does not compile
+    by_profile(120, 64) * 1024;  ///< bytes of the whole on-vehicle state, nearly all policy weights and belief; full: does not compile
 
 // Inputs and commands (firmware/messages, firmware/runtime).
 inline constexpr std::size_t kMaxPorts = 8;  ///< ports of a vehicle (buses, serial lines, the simulation link); full: mission refused
