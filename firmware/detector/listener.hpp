@@ -40,8 +40,8 @@ class Listener {
   /// Takes a look. @param look  its snr is finite. One dated kMaxListeningSeconds or more before the latest is too old to count.
   void take(const messages::SnrMeasurement& look);
 
-  /// What was heard over a window that ends `now`. A look dated after `now` counts as one of now. The newest look always counts, however
-  /// old: how old it may be is the caller's business. @param window  is_valid(); a look was taken before
+  /// What was heard over a window that ends `now`. A look dated after `now` moves the window's end to its own second. The newest look
+  /// always counts, however old: how old it may be is the caller's business. @param window  is_valid(); a look was taken before
   [[nodiscard]] WindowHeard heard(config::ListeningWindow window, Time now) const;
 
   /// The look with the latest date, of several the last taken, whatever the leg.

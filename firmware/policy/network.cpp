@@ -20,7 +20,7 @@ using Float16 [[gnu::vector_size(64), gnu::may_alias]] = float;
 template <class Floats>
 constexpr std::size_t kLanesOf = sizeof(Floats) / sizeof(float);
 
-// tanh x = x P(x^2) / Q(x^2): relative error at most 2.2e-8 up to kSaturation, beyond which tanh rounds to one. Weighted least squares,
+// tanh x = x P(x^2) / Q(x^2): relative error at most 4.6e-8 up to kSaturation, beyond which tanh rounds to one. Weighted least squares,
 // the weights moved until all the largest errors are equal (Lawson), both constant terms held at one so that tanh x = x for small x.
 constexpr float kP1 = 0.133826792F;
 constexpr float kP2 = 0.00349744875F;
