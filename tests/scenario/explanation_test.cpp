@@ -27,11 +27,11 @@ class Explanation : public testing::Test {
   }
   ~Explanation() override { fs::remove_all(folder_); }
 
-  void fly(const fs::path& policy) {
+  void fly(const fs::path& policy, const std::string& mission) {
     support::Process flight(
         kBin / "earshot-fly",
         {"--policy", policy, "--public-key", kFrozen / "earshot.pub", "--environment", kSource / "sim/ocean/environments/munk_flat.toml",
-         "--mission", kSource / "firmware/boards/linux/missions/fixed_source.toml", "--out", folder_ / "out", "--no-report"},
+         "--mission", kSource / "firmware/boards/linux/missions" / mission, "--out", folder_ / "out", "--no-report"},
         folder_ / "fly.txt");
     ASSERT_EQ(flight.wait(120s), 0) << flight.output();
     EXPECT_EQ(support::read_text(folder_ / "out/journal.policy"), support::read_text(policy)) << "the policy stands beside its journal";
@@ -49,14 +49,14 @@ class Explanation : public testing::Test {
 };
 
 TEST_F(Explanation, GivenAFlightOnABeliefItsBeliefIsMadeAgainBitForBitAndTheChoiceIsSharedOutWhole) {
-  ASSERT_NO_FATAL_FAILURE(fly(kFrozen / "shipped.policy"));
+  ASSERT_NO_FATAL_FAILURE(fly(kFrozen / "shipped.policy", "search.toml"));
   const nlohmann::json sheet = explained();
   EXPECT_EQ(sheet["belief"]["whose"], "the policy's");
   EXPECT_TRUE(sheet["attribution"]["complete"].get<bool>());
 }
 
 TEST_F(Explanation, GivenAFlightOnItsPlaceAloneAnObserversBeliefIsShown) {
-  ASSERT_NO_FATAL_FAILURE(fly(kFrozen / "fixed_source.policy"));
+  ASSERT_NO_FATAL_FAILURE(fly(kFrozen / "fixed_source.policy", "fixed_source.toml"));
   const nlohmann::json sheet = explained();
   EXPECT_EQ(sheet["belief"]["whose"], "an observer's");
   EXPECT_TRUE(sheet["attribution"]["complete"].get<bool>());

@@ -142,6 +142,8 @@ class NoAllocation : public testing::Test {
     replace(mission, "step_length_m = 1000.0", "step_length_m = 20.0");
     replace(mission, "speed_mps = 2.0", "speed_mps = 20.0");
     replace(mission, "step_period_s = 1.0", "step_period_s = 0.1");
+    replace(mission, "listening = \"mean\"", "listening = \"newest\"");  // walk.policy's own
+    replace(mission, "listening_window_s = 30", "listening_window_s = 0");
     replace(mission, "max_steps = 100", "max_steps = " + steps);
     replace(mission, "navigation_timeout_s = 5.0", "navigation_timeout_s = 300.0");
     replace(mission, "snr_timeout_s = 5.0", "snr_timeout_s = 300.0");

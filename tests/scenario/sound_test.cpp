@@ -40,7 +40,7 @@ namespace {
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
-const fs::path kMission = fs::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/search.toml";
+const fs::path kMissions = fs::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions";
 const std::string kSoundUrl = "udpm://239.255.76.68:7668?ttl=0";
 const std::string kHydrophone = "[[port]]\nname = \"ears\"\nkind = \"lcm\"\nurl = \"" + kSoundUrl + "\"\nroles = [\"hydrophone\"]\n\n";
 constexpr std::uint8_t kSoundPort = 2;
@@ -79,7 +79,7 @@ class Sound : public testing::Test {
   }
 
   void start_earshotd_with_hydrophone() {
-    std::string mission = support::read_text(kMission);
+    std::string mission = support::read_text(kMissions / "fixed_source.toml");
     mission.insert(mission.find("[origin]"), kHydrophone);
     mission.replace(mission.find("step_period_s = 1.0"), 19, "step_period_s = 0.1");
     std::ofstream(folder_ / "mission.toml") << mission;
@@ -167,7 +167,7 @@ TEST_F(Sound, GivenEightChannelsAtNinetySixKilohertzEverySampleIsHeardOrCountedA
 }
 
 TEST_F(Sound, GivenAHydrophoneAndNobodyWhoBringsAnSnrAMissionIsRefused) {
-  std::string mission = support::read_text(kMission);
+  std::string mission = support::read_text(kMissions / "fixed_source.toml");
   mission.insert(mission.find("[origin]"), kHydrophone);
   mission.replace(mission.find("\"snr\", "), 7, "");
   std::ofstream(folder_ / "mission.toml") << mission;

@@ -82,6 +82,8 @@ void set_thread_stack(std::size_t bytes) {
 }
 
 [[gnu::noinline]] void touch_stack(std::size_t bytes) {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_STACK, &limit) == 0) bytes = std::min<std::size_t>(bytes, limit.rlim_cur / 2);  // the rest is in use, or free
   auto* const low = static_cast<volatile unsigned char*>(__builtin_alloca(bytes));
   for (std::size_t i = 0; i < bytes; ++i) low[i] = kPaint;
   painted_from = reinterpret_cast<std::uintptr_t>(low);

@@ -1,6 +1,7 @@
 #include "policy/ppo/training_run.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@ namespace earshot::ppo {
 namespace {
 
 std::string written(const std::string& text) {
-  const std::string path = testing::TempDir() + "run.toml";
+  const std::string path = testing::TempDir() + "run-" + std::to_string(::getpid()) + ".toml";
   std::ofstream(path) << text;
   return path;
 }

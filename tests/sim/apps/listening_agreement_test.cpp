@@ -61,7 +61,7 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
     mission.step_length = settings.step_length;
     mission.listening = settings.listening;
     std::vector<policy::Heard> heard;
-    for (std::uint64_t seed = 0; seed < kSearches; ++seed) fly(world, *policy, mission, Pcg32(1'000 + seed), heard);
+    for (std::uint64_t seed = 0; seed < kSearches; ++seed) fly(world, *runtime::frozen(*policy), mission, Pcg32(1'000 + seed), heard);
     return heard;
   }
 

@@ -168,7 +168,7 @@ class ProvenLoop : public testing::Test {
       GTEST_SKIP() << "this kernel lets only root make a network namespace";
     }
     path_ = fs::path(testing::TempDir()) / ("memory-proof-" + std::to_string(::getpid()));
-    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::policy_that_wanders()), Status::kOk);
+    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_wanders())), Status::kOk);
     ports_.add(
         std::make_unique<LcmPort>(ports_.next_index(), host::PortSettings{.name = "status",
                                                                           .kind = host::PortKind::kLcm,
