@@ -233,7 +233,7 @@ class LoopThatAsks : public ProvenLoop, public testing::WithParamInterface<Way> 
     if (vehicle_ == nullptr) return;  // skipped
     config::Mission mission = runtime::paper_mission();
     mission.max_steps = 2;
-    ASSERT_EQ(runtime_->configure(mission, *runtime::policy_that_wanders()), Status::kOk);
+    ASSERT_EQ(runtime_->configure(mission, *runtime::frozen(*runtime::policy_that_wanders())), Status::kOk);
     vehicle_->asks = GetParam().go;
   }
 };
