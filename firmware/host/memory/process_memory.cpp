@@ -81,13 +81,21 @@ void set_thread_stack(std::size_t bytes) {
   if (error != 0) throw std::system_error(error, std::generic_category(), "a thread's stack of " + std::to_string(bytes) + " bytes");
 }
 
-[[gnu::noinline]] void touch_stack(std::size_t bytes) {
+/// No more than half of what the system allows the main stack: the rest is in use, or stays free.
+[[gnu::noinline]] static std::size_t that_fits_stack(std::size_t bytes) {
   rlimit limit{};
-  if (::getrlimit(RLIMIT_STACK, &limit) == 0) bytes = std::min<std::size_t>(bytes, limit.rlim_cur / 2);  // the rest is in use, or free
+  return ::getrlimit(RLIMIT_STACK, &limit) == 0 ? std::min<std::size_t>(bytes, limit.rlim_cur / 2) : bytes;
+}
+
+[[gnu::noinline]] static void paint_stack(std::size_t bytes) {
   auto* const low = static_cast<volatile unsigned char*>(__builtin_alloca(bytes));
   for (std::size_t i = 0; i < bytes; ++i) low[i] = kPaint;
   painted_from = reinterpret_cast<std::uintptr_t>(low);
   painted_bytes = bytes;
+}
+
+void touch_stack(std::size_t bytes) {
+  paint_stack(that_fits_stack(bytes));
 }
 
 std::size_t touched_stack_used() {

@@ -14,7 +14,7 @@ namespace earshot::host {
 void set_thread_stack(std::size_t bytes);
 
 /// Writes to the stack of the calling thread, `bytes` below here, so that its pages are there; remembers where.
-void touch_stack(std::size_t bytes);
+void touch_stack(std::size_t bytes);  // of a stack that the system keeps smaller, half of it at most
 /// How many of touch_stack's bytes were used since; all of them: more may have been.
 [[nodiscard]] std::size_t touched_stack_used();
 
