@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "firmware/host/file/shipped.hpp"
+#include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
@@ -259,6 +260,8 @@ std::string as_json(const Options& o, const search::SearchSettings& settings, co
     json["start"] = *o.search.start;
   json["border_width_m"] = settings.border_width.value;
   json["max_steps"] = settings.max_steps;
+  json["listening"] = host::word_for(settings.listening.listening);
+  json["listening_window_s"] = host::length_s(settings.listening);
   for (const evaluate::World& world : worlds) json["worlds"].push_back({{"name", world.name}, {"what", world.what}, {"seed", world.seed}});
   for (const evaluate::Row& row : rows) json["results"].push_back(as_json(row, timing));
   return json.dump(1) + "\n";
@@ -307,6 +310,8 @@ std::string what_is_searched(const Options& o, const search::SearchSettings& set
     text << " at " << settings.source.north.value << " m north, " << settings.source.east.value << " m east";
   const auto trained = std::ranges::find_if(contestants, [](const Contestant& c) { return trained_with(c).has_value(); });
   if (!o.search.source && trained != contestants.end()) text << " (as " << trained->name << " was trained)";
+  if (settings.listening != config::ListeningWindow{})
+    text << "; hears the " << host::word_for(settings.listening.listening) << " of " << host::length_s(settings.listening) << " s";
   text << "; starts ";
   if (o.search.start_margin_m)
     text << *o.search.start_margin_m << " m or more from every edge\n";

@@ -25,6 +25,9 @@ TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
   refuses("evaluate --policies oracle --environment none.toml", {"none.toml", "no such file"});
   refuses("evaluate --policies oracle --world none.toml", {"none.toml", "no such file"});
   refuses("evaluate --policies oracle --plot a.gif", {"a.gif", ".png or .svg"});
+  refuses("evaluate --policies oracle --listening softest", {"--listening", "softest", "loudest"});
+  refuses("evaluate --policies oracle --listening mean", {"--listening-window-s", "\"mean\" needs a window of 1 to 120 s, not 0"});
+  refuses("evaluate --policies oracle --listening-window-s 30", {"--listening-window-s", "\"newest\" goes without a window"});
   refuses("evaluate --policies oracle --csv a --json a", {"--json a, --csv a", "the same file"});
   refuses("evaluate --policies oracle --world \xC0\xAF.toml", {"the command line holds bytes that are not UTF-8"});
   std::ofstream(folder / "bad.toml") << "name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"" << kSource
@@ -85,6 +88,23 @@ TEST_F(Programs, EvaluateSearchesInWorldsWithTheirOwnSeeds) {
   ASSERT_EQ(json["results"].size(), 2U);
   EXPECT_EQ(json["results"][1]["world"], "hilly");
   EXPECT_GT(json["results"][1]["mean_detections"], 0.0);
+}
+
+TEST_F(Programs, EvaluateListensOverTheWindowThatItIsTold) {
+  // A straight line to the source; a pulse every 15 s falls into the last second of a step in one of fifteen, into the last 30 s of every
+  // one.
+  const std::string pulses =
+      "evaluate --policies oracle --episodes 20 --world " + kSource + "/policy/worlds/pulses.toml --json a.json --force";
+  const auto detections_per_step = [&](const std::string& listening) {
+    EXPECT_EQ(run(pulses + listening), 0) << content(folder / "err");
+    const auto json = nlohmann::json::parse(content(folder / "a.json"));
+    EXPECT_EQ(json["listening"], listening.empty() ? "newest" : "loudest");
+    EXPECT_EQ(json["listening_window_s"], listening.empty() ? 0 : 30);
+    return json["results"][0]["mean_detections"].get<double>() / json["results"][0]["mean_steps"].get<double>();
+  };
+  EXPECT_LT(detections_per_step(""), 0.2);
+  EXPECT_GT(detections_per_step(" --listening loudest --listening-window-s 30"), 0.3);
+  EXPECT_NE(content(folder / "out").find("hears the loudest of 30 s"), std::string::npos);
 }
 
 TEST_F(Programs, EvaluateWritesTheSameBytesFromTwoRanks) {

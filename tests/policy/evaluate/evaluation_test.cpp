@@ -68,11 +68,13 @@ TEST(SearchOf, IsInTheAreaAndWithTheThresholdThePolicyWasTrainedWith) {
   const auto policy = goes_north(1.0F);
   policy->area_size = {Meters{40'000.0}, Meters{50'000.0}};
   policy->detection_threshold = Decibels{12.0};
+  policy->observation.listening = {config::Listening::kMean, Duration::seconds(30)};
   const search::SearchSettings settings = search_of(*policy);
   EXPECT_EQ(settings.domain.south_west, (NorthEast{}));
   EXPECT_EQ(settings.domain.north_east, (NorthEast{Meters{40'000.0}, Meters{50'000.0}}));
   EXPECT_EQ(settings.start_region.north_east, settings.domain.north_east);
   EXPECT_EQ(settings.detection_threshold, Decibels{12.0});
+  EXPECT_EQ(settings.listening, policy->observation.listening);
   EXPECT_EQ(settings.direction_count, 4U);
   EXPECT_EQ(search::check(settings), Status::kOk);
 }

@@ -162,6 +162,21 @@ TEST_P(ListeningAgreement, OfFlightAndEnvironmentIsWithinWhatChanceMakesOfBoth) 
   }
 }
 
+using ListeningAgreementOnShortLegs = ListeningAgreement;
+
+TEST_P(ListeningAgreementOnShortLegs, ReachesBackToTheBeginningOfALegAndNoFurther) {
+  constexpr double kLeg_s = 100.0;  // shorter than the window; in flight a second more or less
+  const double share = (885.0 + kLeg_s) / 1'200.0;
+  for (const bool is_flight : {false, true}) {
+    detections = 0;
+    const Distribution d = distribution_of(is_flight ? heard_in_flight() : heard_in_the_environment());
+    EXPECT_NEAR(d.heard_share, share, 5.0 * std::sqrt(share * (1.0 - share) / (kSearches * kSteps)));  // five standard errors
+    EXPECT_EQ(detections, d.detections);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(TwoMinutes, ListeningAgreementOnShortLegs,
+                         testing::Values(config::ListeningWindow{.listening = Listening::kLoudest, .length = Duration::seconds(120)}));
 INSTANTIATE_TEST_SUITE_P(Windows, ListeningAgreement,
                          testing::Values(config::ListeningWindow{},
                                          config::ListeningWindow{.listening = Listening::kLoudest, .length = Duration::seconds(30)},
