@@ -102,6 +102,9 @@ BusName can_bus(std::string_view interface) {
 
 }  // namespace
 
+BusLock::BusLock(BusLock&& other) noexcept = default;
+BusLock& BusLock::operator=(BusLock&& other) noexcept = default;
+
 void BusLock::leave_to_children() {
   for (const BusPlace place : {BusPlace::kVehicle, BusPlace::kSimulator}) places_[static_cast<std::size_t>(place)] = FileDescriptor();
 }

@@ -28,6 +28,14 @@ inline constexpr std::size_t kBusPlaces = 3;
 /// Held as long as it is kept.
 class BusLock {
  public:
+  BusLock() = default;
+  ~BusLock() = default;
+  // Not inline: where it is, GCC 12 at -O3 takes the moved array for one of size zero (-Wstringop-overflow).
+  BusLock(BusLock&& other) noexcept;
+  BusLock& operator=(BusLock&& other) noexcept;
+  BusLock(const BusLock&) = delete;
+  BusLock& operator=(const BusLock&) = delete;
+
   /// Leaves vehicle and simulator to the processes that are about to be started, and stays in its own place.
   void leave_to_children();
 
