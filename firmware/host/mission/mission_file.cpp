@@ -11,6 +11,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/host/transport/interface_name.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
 
 namespace earshot::host {
@@ -62,6 +63,7 @@ PortSettings read_port(TableReader table) {
   }
   if (port.kind == PortKind::kCan) {
     port.address = table.text("interface");
+    if (!table.is_noted("interface") && !is_interface_name(port.address)) table.problem("interface", kInterfaceNameRule);
     return port;
   }
   if (port.roles.has(Role::kHydrophone) && port.roles != Roles{Role::kHydrophone})
@@ -85,28 +87,41 @@ std::optional<LcmUrl> lcm_url_of(const PortSettings& port) {
   return std::nullopt;
 }
 
-/// Two LCM ports of which one brings sound, on one group and port: what one is sent, the other must read, too.
-bool is_sound_on_bus(const PortSettings& a, const PortSettings& b) {
-  if (!a.roles.has(Role::kHydrophone) && !b.roles.has(Role::kHydrophone)) return false;
+/// Whether what one is sent the other must read, too. Options of a URL make no other bus.
+bool are_on_one_bus(const PortSettings& a, const PortSettings& b) {
+  if (a.kind == PortKind::kCan) return b.kind == PortKind::kCan && a.address == b.address;
   const std::optional<LcmUrl> url_a = lcm_url_of(a);
   const std::optional<LcmUrl> url_b = lcm_url_of(b);
   return url_a && url_b && url_a->group == url_b->group && url_a->port == url_b->port;
 }
 
+/// Two ports on one bus of which one brings sound.
+bool is_sound_on_bus(const PortSettings& a, const PortSettings& b) {
+  return (a.roles.has(Role::kHydrophone) || b.roles.has(Role::kHydrophone)) && are_on_one_bus(a, b);
+}
+
 const char* const kSoundOnBus = "a hydrophone needs a group or port of its own, so that its samples cannot crowd out navigation and orders";
 
+/// What is wrong with a port on the bus of another, whose key stands at `place`.
+std::string on_bus_of(const PortSettings& other, const std::string& place, const PortSettings& port) {
+  const std::string there = "port \"" + other.name + "\" is there already: ";
+  if (is_sound_on_bus(port, other)) return there + kSoundOnBus + " (" + place + ")";
+  const char* const why = port.address == other.address ? "" : "; what stands behind the '?' of a URL makes no other bus";
+  return there + "give it all roles (" + place + why + ")";
+}
+
 void read_ports(TableReader root, MissionFile& file) {
+  std::vector<std::string> places;
   for (TableReader table : root.tables("port")) {
     const PortSettings port = read_port(table);
-    for (const PortSettings& other : file.ports) {
+    const char* const key = port.kind == PortKind::kCan ? "interface" : "url";
+    for (std::size_t i = 0; i < file.ports.size(); ++i) {
+      const PortSettings& other = file.ports[i];
       if (port.name == other.name) table.problem("name", "\"" + port.name + "\" is another port's name, too");
-      if (is_sound_on_bus(port, other)) {
-        table.problem("url", "port \"" + other.name + "\" is there already: " + kSoundOnBus);
-      } else if (port.kind == other.kind && port.address == other.address) {
-        table.problem(port.kind == PortKind::kCan ? "interface" : "url", "port \"" + other.name + "\" is there already: give it all roles");
-      }
+      if (are_on_one_bus(port, other)) table.problem(key, on_bus_of(other, places[i], port));
     }
     file.ports.push_back(port);
+    places.push_back(table.place_of(key));
   }
   if (file.ports.empty()) root.problem("port", "a mission needs at least one [[port]]");
   if (file.ports.size() + 1 > config::kMaxPorts) root.problem("port", "at most " + std::to_string(config::kMaxPorts - 1) + " ports");
@@ -201,6 +216,8 @@ MissionFile load_mission(const std::filesystem::path& path) {
 }
 
 void override_ports(MissionFile& file, const PortOverride& said) {
+  if (said.can_interface && !is_interface_name(*said.can_interface))
+    throw BadInput("--can-interface \"" + printable(*said.can_interface) + "\": " + kInterfaceNameRule);
   if (said.bus) file.ports = ports_named(*said.bus);
   for (PortSettings& port : file.ports) {
     const std::optional<std::string>& address = port.kind == PortKind::kCan ? said.can_interface : said.lcm_url;

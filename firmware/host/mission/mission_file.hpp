@@ -40,7 +40,7 @@ struct PortOverride {
   std::optional<std::string> can_interface;  ///< of every CAN port
 };
 
-/// @throws host::BadInput when an LCM port would then share a hydrophone's bus.
+/// @throws host::BadInput when an LCM port would then share a hydrophone's bus, and for a name that no interface can have.
 void override_ports(MissionFile& file, const PortOverride& said);
 
 /// For a simulation: the simulator brings the SNR, and what the hydrophone of a vehicle nearby hears is none of its business.

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/host/transport/interface_name.hpp"
 
 namespace earshot::host {
 
@@ -72,9 +73,9 @@ bool means_nothing_yet(int error) {
 }  // namespace
 
 CanSocket::CanSocket(const std::string& interface, IfMissing if_missing) : interface_(interface) {
-  if (interface.empty() || interface.size() >= IFNAMSIZ) {
+  if (!is_interface_name(interface)) {
     errno = EINVAL;
-    fail(interface, "the name must have 1 to 15 bytes");
+    fail(interface, kInterfaceNameRule);
   }
   const char* failed = nullptr;
   socket_ = try_to_open(interface, failed);

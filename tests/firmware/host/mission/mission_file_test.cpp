@@ -167,6 +167,44 @@ TEST(MissionFile, RefusesAnLcmPortWithoutAnAddressAndTwoPortsOfOneAddressOrName)
   EXPECT_NE(twice.find("is there already: give it all roles"), std::string::npos) << twice;
 }
 
+TEST(MissionFile, RefusesTwoPortsOfOneLcmBusHoweverItsUrlIsSpelledAndSaysWhereTheyStand) {
+  EXPECT_EQ(
+      complaint("[origin]",
+                "[[port]]\nname = \"payload\"\nkind = \"lcm\"\nurl = \"udpm://239.255.76.67:7667?ttl=1\"\nroles = [\"snr\"]\n\n[origin]"),
+      "FILE:37: port[1].url = 'udpm://239.255.76.67:7667?ttl=1': port \"vehicle\" is there already: give it all roles (FILE:31: "
+      "port[0].url; what "
+      "stands behind the '?' of a URL makes no other bus)");
+}
+
+/// The shipped mission with a CAN port, and what is wrong with it.
+std::string complaint_with_interface(const std::string& toml_string) {
+  return complaint("[origin]",
+                   "[[port]]\nname = \"bus\"\nkind = \"can\"\ninterface = " + toml_string + "\nroles = [\"navigation\"]\n\n[origin]");
+}
+
+TEST(MissionFile, RefusesACanInterfaceOfANameThatNoneCanHaveRatherThanWaitForItForEver) {
+  const std::string rule =
+      ": must be 1 to 15 characters without '/', ':' and white space, and neither \".\" nor \"..\", as Linux names interfaces";
+  EXPECT_EQ(complaint_with_interface("\"a/b\""), "FILE:37: port[1].interface = 'a/b'" + rule);
+  for (const char* name : {"\"a b\"", "\".\"", "\"..\"", "\"can0:1\"", "\"x\\n\"", "\"can-front.left_1\"", "\"\""}) {
+    const std::string what = complaint_with_interface(name);
+    EXPECT_TRUE(what.starts_with("FILE:37: port[1].interface")) << name << ": " << what;
+  }
+  EXPECT_EQ(complaint_with_interface("\"can-front.left1\""), "");
+}
+
+TEST(MissionFile, RefusesACommandLinesCanInterfaceOfANameThatNoneCanHave) {
+  MissionFile file = load_mission(kShipped);
+  try {
+    override_ports(file, {.bus = {}, .lcm_url = {}, .can_interface = "x\n"});
+    FAIL() << "it was taken";
+  } catch (const BadInput& e) {
+    EXPECT_STREQ(e.what(),
+                 "--can-interface \"x\\n\": must be 1 to 15 characters without '/', ':' and white space, and neither \".\" nor \"..\", as "
+                 "Linux names interfaces");
+  }
+}
+
 /// The shipped mission with a hydrophone, and what is wrong with it.
 std::string complaint_with_hydrophone(const std::string& url, const std::string& roles) {
   return complaint("[origin]", "[[port]]\nname = \"ears\"\nkind = \"lcm\"\nurl = \"" + url + "\"\nroles = [" + roles + "]\n\n[origin]");

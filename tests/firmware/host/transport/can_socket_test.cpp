@@ -188,7 +188,8 @@ TEST_F(CanSocketTest, IsDownWhileItsInterfaceIsMissingAndOnItOnceItIsThere) {
 }
 
 TEST_F(CanSocketTest, RefusesAlwaysWhatNoCanInterfaceCanBe) {
-  for (const char* name : {"", "a-name-of-16-byt", "lo"}) EXPECT_THROW(CanSocket(name, IfMissing::kKeepTrying), std::system_error) << name;
+  for (const char* name : {"", "a-name-of-16-byt", "a/b", "can0:1", "lo"})
+    EXPECT_THROW(CanSocket(name, IfMissing::kKeepTrying), std::system_error) << name;
 }
 
 TEST_F(CanSocketTest, NamesAnInterfaceThatIsNotThere) {
