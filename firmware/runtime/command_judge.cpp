@@ -21,12 +21,14 @@ CommandOutcome judge_date(Time arrival, const messages::OperatorCommand& command
 
 }  // namespace
 
-CommandJudge::Verdict CommandJudge::judge(Time arrival, const messages::OperatorCommand& command) const {
+CommandJudge::Verdict CommandJudge::judge(Time arrival, const messages::OperatorCommand& command) {
   if (!is_known(command.order)) return {.outcome = CommandOutcome::kUnknownOrder};
   if (command.order == Order::kAbort) return {};
   const auto known = std::find_if(issuers_.begin(), issuers_.end(), [&](const Issuer& i) { return i.issuer == command.issuer; });
-  if (known != issuers_.end() && command.number == known->last_number) return {.outcome = known->last_outcome, .is_repetition = true};
-  if (known != issuers_.end() && command.number < known->last_number) return {.outcome = CommandOutcome::kOutOfOrder};
+  if (known == issuers_.end()) return {.outcome = judge_date(arrival, command)};
+  known->last_heard = ++heard_;
+  if (command.number == known->last_number) return {.outcome = known->last_outcome, .is_repetition = true};
+  if (command.number < known->last_number) return {.outcome = CommandOutcome::kOutOfOrder};
   return {.outcome = judge_date(arrival, command)};
 }
 
@@ -37,7 +39,7 @@ void CommandJudge::remember(const messages::OperatorCommand& command, CommandOut
     place =
         std::min_element(issuers_.begin(), issuers_.end(), [](const Issuer& a, const Issuer& b) { return a.last_heard < b.last_heard; });
   }
-  *place = {.issuer = command.issuer, .last_number = command.number, .last_outcome = outcome, .last_heard = ++remembered_};
+  *place = {.issuer = command.issuer, .last_number = command.number, .last_outcome = outcome, .last_heard = ++heard_};
 }
 
 }  // namespace earshot::runtime

@@ -19,8 +19,8 @@ class CommandJudge {
   };
 
   /// kObeyed: nothing speaks against it; remember() what became of it. Nothing speaks against an ABORT, ever: stopping once too often costs
-  /// a search, not stopping may cost the vehicle.
-  [[nodiscard]] Verdict judge(Time arrival, const messages::OperatorCommand& command) const;
+  /// a search, not stopping may cost the vehicle. An issuer that it knows is heard by whatever it says: a repetition, too.
+  [[nodiscard]] Verdict judge(Time arrival, const messages::OperatorCommand& command);
 
   /// Of the issuers it knows the one that was silent for longest gives way: its old commands are still told by their dates.
   void remember(const messages::OperatorCommand& command, messages::CommandOutcome outcome);
@@ -30,11 +30,11 @@ class CommandJudge {
     std::uint32_t issuer = 0;
     std::uint32_t last_number = 0;
     messages::CommandOutcome last_outcome = messages::CommandOutcome::kObeyed;
-    std::uint64_t last_heard = 0;  ///< counts what is remembered
+    std::uint64_t last_heard = 0;  ///< counts what was heard of those it knows
   };
 
   FixedVector<Issuer, config::kMaxIssuers> issuers_;
-  std::uint64_t remembered_ = 0;
+  std::uint64_t heard_ = 0;
 };
 
 }  // namespace earshot::runtime

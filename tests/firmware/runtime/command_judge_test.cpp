@@ -94,6 +94,21 @@ TEST(CommandJudge, ForgetsTheIssuerThatWasSilentForLongestWhenANinthOneComes) {
   EXPECT_FALSE(court.last.is_repetition) << "forgotten";
 }
 
+TEST(CommandJudge, KeepsAnIssuerThatRepeatsItsCommandWhileOthersAreSilent) {
+  Court court;
+  for (std::uint32_t issuer = 0; issuer < 8; ++issuer) EXPECT_EQ(court.hear(start(1, kNow, issuer)), CommandOutcome::kObeyed);
+  (void)court.hear(start(1, kNow, 0));  // not acknowledged yet, as it thinks
+  EXPECT_TRUE(court.last.is_repetition);
+  (void)court.hear(start(0, kNow, 1));  // out of order, but not silent either
+  EXPECT_EQ(court.hear(start(1, kNow, 8)), CommandOutcome::kObeyed);
+  for (const std::uint32_t kept : {0U, 1U}) {
+    (void)court.hear(start(1, kNow, kept));
+    EXPECT_TRUE(court.last.is_repetition) << kept << " would be obeyed twice";
+  }
+  (void)court.hear(start(1, kNow, 2));
+  EXPECT_FALSE(court.last.is_repetition) << "forgotten";
+}
+
 TEST(CommandJudge, GoesOnWhereASendersSignedNumbersTurnNegative) {
   Court court;
   EXPECT_EQ(court.hear(start(2'147'483'647)), CommandOutcome::kObeyed);
