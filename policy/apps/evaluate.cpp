@@ -115,8 +115,9 @@ std::vector<Contestant> contestants_of(const Options& o) {
   return contestants;
 }
 
-/// The search that the learned policies were trained for, the paper's when there is none.
-search::SearchSettings settings_of(const std::vector<Contestant>& contestants) {
+/// The search that the learned policies were trained for, the paper's when there is none. Policies that listen otherwise than each other
+/// can be compared only over a window that is given to all.
+search::SearchSettings settings_of(const std::vector<Contestant>& contestants, const apps::ListeningOptions& listening) {
   const Contestant* first = nullptr;
   for (const Contestant& c : contestants) {
     if (!c.learned) continue;
@@ -126,20 +127,11 @@ search::SearchSettings settings_of(const std::vector<Contestant>& contestants) {
     if (a.step_length != b.step_length || a.area_size != b.area_size || a.detection_threshold != b.detection_threshold)
       throw BadInput(c.name + ": was trained for another area, step length or detection threshold than " + first->name +
                      ": evaluate them one by one");
-  }
-  return first == nullptr ? search::SearchSettings{} : evaluate::search_of(*first->learned);
-}
-
-/// Policies that listen otherwise than each other can be compared only over a window that is given to all.
-void check_same_listening(const std::vector<Contestant>& contestants) {
-  const Contestant* first = nullptr;
-  for (const Contestant& c : contestants) {
-    if (!c.learned) continue;
-    if (first == nullptr) first = &c;
-    if (c.learned->observation.listening != first->learned->observation.listening)
+    if (a.observation.listening != b.observation.listening && !listening.is_given())
       throw BadInput(c.name + ": listens over another window than " + first->name +
                      ": evaluate them one by one, or give both the same window (--listening)");
   }
+  return first == nullptr ? search::SearchSettings{} : evaluate::search_of(*first->learned);
 }
 
 std::optional<search::SourcePlacement> trained_with(const Contestant& c) {
@@ -310,8 +302,7 @@ std::string what_is_searched(const Options& o, const search::SearchSettings& set
     text << " at " << settings.source.north.value << " m north, " << settings.source.east.value << " m east";
   const auto trained = std::ranges::find_if(contestants, [](const Contestant& c) { return trained_with(c).has_value(); });
   if (!o.search.source && trained != contestants.end()) text << " (as " << trained->name << " was trained)";
-  if (settings.listening != config::ListeningWindow{})
-    text << "; hears the " << host::word_for(settings.listening.listening) << " of " << host::length_s(settings.listening) << " s";
+  if (settings.listening != config::ListeningWindow{}) text << "; hears the " << host::to_string(settings.listening);
   text << "; starts ";
   if (o.search.start_margin_m)
     text << *o.search.start_margin_m << " m or more from every edge\n";
@@ -330,10 +321,11 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
       o.search.environment ? std::filesystem::path(*o.search.environment) : host::shipped("sim/ocean/environments/munk_flat.toml");
   const ocean::Environment environment = apps::environment_at(environment_file, depth);
   const std::vector<evaluate::World> worlds = worlds_of(o, environment_file, depth);
-  search::SearchSettings settings = settings_of(contestants);
+  std::optional<search::SourcePlacement> placement;
+  if (!o.search.source) placement = placement_of(contestants);
+  search::SearchSettings settings = settings_of(contestants, o.search.listening);
   settings.source = environment.source.position;
-  if (!o.search.source) settings.placement = placement_of(contestants);
-  if (!o.search.listening.is_given()) check_same_listening(contestants);
+  if (placement) settings.placement = *placement;
   o.search.apply_to(settings);
   session.all_or_none<BadInput>([&] {
     if (speaks) check_files(o);

@@ -53,12 +53,6 @@ void note(const std::string& name, const std::string& value, policy::FrozenPolic
   }
 }
 
-/// "mean of 30 s"
-std::string to_string(config::ListeningWindow window) {
-  const std::string word(host::word_for(window.listening));
-  return window.length > Duration{} ? word + " of " + std::to_string(host::length_s(window)) + " s" : word;
-}
-
 /// Everything but the network.
 std::unique_ptr<policy::FrozenPolicy> without_network(const description::SearchDescription& source, policy::ActionDraw draw) {
   auto policy = std::make_unique<policy::FrozenPolicy>();
@@ -127,7 +121,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const de
 
 void listen_over(policy::FrozenPolicy& policy, config::ListeningWindow window) {
   if (policy.observation.listening == window) return;
-  note("listening", to_string(window) + " (before: " + to_string(policy.observation.listening) + ")", policy);
+  note("listening", host::to_string(window) + " (before: " + host::to_string(policy.observation.listening) + ")", policy);
   policy.observation.listening = window;
 }
 

@@ -32,6 +32,7 @@
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/scenario/walk_at_sea.hpp"
 #include "tests/support/private_network.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
@@ -114,44 +115,8 @@ class Ashore {
   board::HostClock clock_;
 };
 
-void replace(std::string& text, std::string_view from, std::string_view to) {
-  const std::size_t at = text.find(from);
-  ASSERT_NE(at, std::string::npos) << from;
-  text.replace(at, from.size(), to);
-}
-
-class Autopilot : public testing::Test {
+class Autopilot : public WalkAtSea {
  protected:
-  Autopilot() {
-    std::string name = (fs::temp_directory_path() / "earshot-autopilot-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-    policy::FrozenPolicy walk = support::random_walk_policy();
-    walk.step_length = Meters{20};
-    support::write_bytes(folder_ / "walk.policy", support::signed_bytes(walk));
-    support::write_public_key(folder_ / "walk.pub");
-  }
-  ~Autopilot() override {
-    if (!HasFailure()) fs::remove_all(folder_);
-  }
-
-  /// One of the missions that ship, with steps of 1 s instead of 500 s and ten turns of the loop a second.
-  void write_mission(const std::string& name) const {
-    std::string mission = support::read_text(kBoard / "missions" / name);
-    replace(mission, "step_length_m = 1000.0", "step_length_m = 20.0");
-    replace(mission, "speed_mps = 2.0", "speed_mps = 20.0");
-    replace(mission, "step_period_s = 1.0", "step_period_s = 0.1");
-    replace(mission, "listening = \"mean\"", "listening = \"newest\"");  // walk.policy's own
-    replace(mission, "listening_window_s = 30", "listening_window_s = 0");
-    std::ofstream(folder_ / "mission.toml") << mission;
-  }
-
-  void start_earshotd(std::vector<std::string> more) {
-    std::vector<std::string> a{
-        folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out", folder_};
-    a.insert(a.end(), more.begin(), more.end());
-    earshotd_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
-  }
-
   [[nodiscard]] std::unique_ptr<support::Process> python(const std::string& example, std::vector<std::string> arguments) const {
     const char* interpreter = std::getenv("EARSHOT_PYTHON");
     arguments.insert(arguments.begin(), kBoard / "examples" / (example + ".py"));
@@ -201,9 +166,6 @@ class Autopilot : public testing::Test {
     }
     return fixes;
   }
-
-  fs::path folder_;
-  std::unique_ptr<support::Process> earshotd_;
 };
 
 TEST_F(Autopilot, GivenThePageItShowsThePortsOfTheMissionThatItNames) {
@@ -215,14 +177,10 @@ TEST_F(Autopilot, GivenThePageItShowsThePortsOfTheMissionThatItNames) {
 }
 
 TEST_F(Autopilot, GivenThePythonExampleAsItsVehicleASearchAtSeaOverLcmIsSailedUntilAnAbort) {
-  if (!test::enter_private_network()) {
-    const char* required = std::getenv("LCM_REQUIRED");
-    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
-    GTEST_SKIP() << "this kernel lets only root make a network namespace";
-  }
+  ENTER_PRIVATE_NETWORK_OR_SKIP();
   const std::string url(host::kDefaultLcmUrl);
   Ashore ashore(url);
-  write_mission("search.toml");
+  write_mission(mission_of_short_steps("search.toml"));
   start_earshotd({});
   const auto vehicle = python("autopilot_over_lcm", {url});
   const auto nothing = [] {};
@@ -244,18 +202,13 @@ TEST_F(Autopilot, GivenThePythonExampleAsItsVehicleASearchAtSeaOverLcmIsSailedUn
 }
 
 TEST_F(Autopilot, GivenThePythonExampleAsItsHydrophoneOnThePortThatThePageShowsItsSamplesAreHeard) {
-  if (!test::enter_private_network()) {
-    const char* required = std::getenv("LCM_REQUIRED");
-    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
-    GTEST_SKIP() << "this kernel lets only root make a network namespace";
-  }
+  ENTER_PRIVATE_NETWORK_OR_SKIP();
   const std::string page = support::read_text(kBoard / "connect_your_autopilot.md");
   const std::size_t begin = page.find("[[port]]\nname = \"hydrophone\"");
   ASSERT_NE(begin, std::string::npos);
-  write_mission("search.toml");
-  std::string mission = support::read_text(folder_ / "mission.toml");
+  std::string mission = mission_of_short_steps("search.toml");
   replace(mission, "[origin]", page.substr(begin, page.find("```", begin) - begin) + "\n[origin]");
-  std::ofstream(folder_ / "mission.toml") << mission;
+  write_mission(mission);
   Ashore ashore{std::string(host::kDefaultLcmUrl)};
   start_earshotd({});
   const auto hydrophone = python("sound_over_lcm", {"udpm://239.255.76.68:7668?ttl=0", "96000", "8"});
@@ -268,14 +221,10 @@ TEST_F(Autopilot, GivenThePythonExampleAsItsHydrophoneOnThePortThatThePageShowsI
 }
 
 TEST_F(Autopilot, GivenANetworkThatComesAfterItEarshotdWaitsAndThenHearsNavigation) {
-  if (!test::enter_private_network()) {
-    const char* required = std::getenv("LCM_REQUIRED");
-    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
-    GTEST_SKIP() << "this kernel lets only root make a network namespace";
-  }
+  ENTER_PRIVATE_NETWORK_OR_SKIP();
   ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link set lo down"), 0);
   const std::string url(host::kDefaultLcmUrl);
-  write_mission("search.toml");
+  write_mission(mission_of_short_steps("search.toml"));
   start_earshotd({});
   for (int i = 0; i < 300 && earshotd_->output().find("journal.lcmlog") == std::string::npos; ++i) std::this_thread::sleep_for(100ms);
   EXPECT_NE(earshotd_->output().find("these links are down; tried again once a second:\n  port 1: vehicle, LCM " + url), std::string::npos)
@@ -294,7 +243,7 @@ TEST_F(Autopilot, GivenACanInterfaceThatComesAfterItEarshotdHearsTheCppExampleOv
   const std::string url = "udpm://239.255.76.67:27498?ttl=0";
   const auto ip = [](const std::string& what) { return std::system(("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link " + what).c_str()); };
   Ashore ashore(url);
-  write_mission("search_over_can.toml");
+  write_mission(mission_of_short_steps("search_over_can.toml"));
   start_earshotd({"--lcm-url", url, "--can-interface", "vcan79"});
   const auto nothing = [] {};
   ASSERT_TRUE(ashore.hears([&] { return ashore.health.port_count > 0; }, nothing)) << earshotd_->output();
@@ -312,7 +261,7 @@ TEST_F(Autopilot, GivenACanInterfaceThatComesAfterItEarshotdHearsTheCppExampleOv
 TEST_F(Autopilot, GivenTheCppExampleAsItsVehicleASearchOverCanWithTheRestOverLcmIsSailedAndItsJournalGivesEveryByteAgain) {
   const std::string url = "udpm://239.255.76.67:27499?ttl=0";  // beyond those of flights and other tests
   Ashore ashore(url);
-  write_mission("search_over_can.toml");
+  write_mission(mission_of_short_steps("search_over_can.toml"));
   start_earshotd({"--lcm-url", url, "--can-interface", "vcan0"});
   support::Process vehicle(kBin / "autopilot_over_can", {"vcan0"}, folder_ / "vehicle.txt");
   const auto hydrophone = [&] { ashore.send_snr(); };

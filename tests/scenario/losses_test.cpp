@@ -41,9 +41,8 @@ TEST_F(Losses, GivenAFullDiskTheFlightIsLostWithStatusThreeAndEveryRowThatWasWri
   // A limit on the size of one file stands for the disk: room for snr.csv (some 60 kB) and for some 2000 of 50 000 rows of the track.
   simulator_ = std::make_unique<support::Process>(
       "/bin/bash",
-      std::vector<std::string>{"-c", "trap '' XFSZ; ulimit -f 200; exec \"$@\"", "bash", kBin / "earshot-sim", "--environment",
-                               kEnvironment, "--mission", kMission, "--out", folder_, "--domain", domain, "--lcm-url", slot_.lcm_url(),
-                               "--ignore-source"},
+      std::vector<std::string>{"-c", "ulimit -f 200; exec \"$@\"", "bash", kBin / "earshot-sim", "--environment", kEnvironment, "--mission",
+                               kMission, "--out", folder_, "--domain", domain, "--lcm-url", slot_.lcm_url(), "--ignore-source"},
       folder_ / "earshot-sim.txt");
   EXPECT_EQ(simulator_->wait(60s), 3) << simulator_->output();
   EXPECT_NE(simulator_->output().find("track.csv"), std::string::npos) << simulator_->output();

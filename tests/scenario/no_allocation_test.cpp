@@ -24,6 +24,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/scenario/walk_at_sea.hpp"
 #include "tests/support/private_network.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
@@ -36,7 +37,6 @@ namespace fs = std::filesystem;
 using messages::MissionState;
 using messages::Order;
 
-const fs::path kBoard = fs::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux";
 const fs::path kBin = EARSHOT_BIN_DIR;
 /// Mission seconds in a second.
 constexpr double kSpeed = 10.0;
@@ -116,46 +116,20 @@ class Vehicle {
   std::uint32_t orders_ = 0;
 };
 
-void replace(std::string& text, std::string_view from, std::string_view to) {
-  const std::size_t at = text.find(from);
-  ASSERT_NE(at, std::string::npos) << from;
-  text.replace(at, from.size(), to);
-}
-
-class NoAllocation : public testing::Test {
+class NoAllocation : public WalkAtSea {
  protected:
-  NoAllocation() {
-    std::string name = (fs::temp_directory_path() / "earshot-no-allocation-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-    policy::FrozenPolicy walk = support::random_walk_policy();
-    walk.step_length = Meters{20};
-    support::write_bytes(folder_ / "walk.policy", support::signed_bytes(walk));
-    support::write_public_key(folder_ / "walk.pub");
-  }
-  ~NoAllocation() override {
-    if (!HasFailure()) fs::remove_all(folder_);
-  }
-
-  /// Steps of 1 s, ten turns in each; timeouts that no stall of this computer reaches.
+  /// With timeouts that no stall of this computer reaches.
   void write_mission(const std::string& name, const std::string& steps) const {
-    std::string mission = support::read_text(kBoard / "missions" / name);
-    replace(mission, "step_length_m = 1000.0", "step_length_m = 20.0");
-    replace(mission, "speed_mps = 2.0", "speed_mps = 20.0");
-    replace(mission, "step_period_s = 1.0", "step_period_s = 0.1");
-    replace(mission, "listening = \"mean\"", "listening = \"newest\"");  // walk.policy's own
-    replace(mission, "listening_window_s = 30", "listening_window_s = 0");
+    std::string mission = mission_of_short_steps(name);
     replace(mission, "max_steps = 100", "max_steps = " + steps);
     replace(mission, "navigation_timeout_s = 5.0", "navigation_timeout_s = 300.0");
     replace(mission, "snr_timeout_s = 5.0", "snr_timeout_s = 300.0");
-    std::ofstream(folder_ / "mission.toml") << mission;
+    WalkAtSea::write_mission(mission);
   }
 
-  void start_earshotd(std::vector<std::string> more) {
-    std::vector<std::string> a{
-        folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out", folder_,
-        "--prove-no-alloc"};
-    a.insert(a.end(), more.begin(), more.end());
-    earshotd_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
+  void start_proof(std::vector<std::string> more) {
+    more.emplace_back("--prove-no-alloc");
+    start_earshotd(more);
   }
 
   /// SIGTERM and its end. @return exit status
@@ -167,19 +141,11 @@ class NoAllocation : public testing::Test {
   void expect_said(std::string_view words) const {
     EXPECT_NE(earshotd_->output().find(words), std::string::npos) << words << "\nin:\n" << earshotd_->output();
   }
-
-  fs::path folder_;
-  std::unique_ptr<support::Process> earshotd_;
 };
 
 class NoAllocationOverLcm : public NoAllocation {
  protected:
-  void SetUp() override {
-    if (test::enter_private_network()) return;
-    const char* required = std::getenv("LCM_REQUIRED");
-    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
-    GTEST_SKIP() << "this kernel lets only root make a network namespace";
-  }
+  void SetUp() override { ENTER_PRIVATE_NETWORK_OR_SKIP(); }
 
   /// A flight that stays in STANDBY for some turns, with a library in it that asks for memory.
   /// @param in   the system call beside which it does
@@ -191,7 +157,7 @@ class NoAllocationOverLcm : public NoAllocation {
     ::setenv("LD_PRELOAD", EARSHOT_ASKS_FOR_MEMORY, 1);
     ::setenv("EARSHOT_TEST_ASKS_IN", in.c_str(), 1);
     ::setenv("EARSHOT_TEST_ASKS_BY", how.c_str(), 1);
-    start_earshotd({});
+    start_proof({});
     for (const char* name : {"LD_PRELOAD", "EARSHOT_TEST_ASKS_IN", "EARSHOT_TEST_ASKS_BY"}) ::unsetenv(name);
     EXPECT_TRUE(vehicle.sails_until([&] { return vehicle.turns >= 10; })) << earshotd_->output();
     return stop();
@@ -202,7 +168,7 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
   const std::string url(host::kDefaultLcmUrl);
   write_mission("search.toml", "20");
   Vehicle vehicle(url);
-  start_earshotd({"--speed", "10"});
+  start_proof({"--speed", "10"});
   ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.turns > 20; })) << earshotd_->output();
   vehicle.order(Order::kComplete);  // refused in STANDBY
   vehicle.send_nonsense();
@@ -223,7 +189,7 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
 TEST_F(NoAllocationOverLcm, GivenALinkThatGoesDownAndComesBackItIsOpenedAgainWithoutAny) {
   write_mission("search.toml", "20");
   Vehicle vehicle{std::string(host::kDefaultLcmUrl)};
-  start_earshotd({});
+  start_proof({});
   ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.turns > 3; })) << earshotd_->output();
   for (auto pause = 1s; vehicle.health.ports[0].unsent == 0 && pause <= 16s; pause *= 2) {
     ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin ip link set lo down"), 0);
@@ -268,7 +234,7 @@ TEST_F(NoAllocationOverLcm, GivenABareSystemCallThatMapsMemoryTheFlightEndsWithO
 
 TEST_F(NoAllocation, GivenASimulationItIsRefused) {
   write_mission("search.toml", "3");
-  start_earshotd({"--simulation", "7"});
+  start_proof({"--simulation", "7"});
   EXPECT_EQ(earshotd_->wait(30s), 2);
   expect_said("--prove-no-alloc: not with --simulation");
 }
@@ -277,7 +243,7 @@ TEST_F(NoAllocation, GivenNavigationAndSetPointsOverCanThereIsNoneInAWholeMissio
   const std::string url = "udpm://239.255.76.67:27498?ttl=0";  // beyond those of flights and other tests
   write_mission("search_over_can.toml", "3");
   Vehicle payload(url);
-  start_earshotd({"--lcm-url", url, "--can-interface", "vcan0"});
+  start_proof({"--lcm-url", url, "--can-interface", "vcan0"});
   const support::Process vehicle(kBin / "autopilot_over_can", {"vcan0"}, folder_ / "vehicle.txt");
   ASSERT_TRUE(payload.sails_until([&] { return payload.health.port_count > 0 && payload.health.ports[0].received > 5; }))
       << vehicle.output() << earshotd_->output();

@@ -62,11 +62,7 @@ std::chrono::duration<double> processor_time_of_children() {
 class Sound : public testing::Test {
  protected:
   void SetUp() override {
-    if (!test::enter_private_network()) {
-      const char* const required = std::getenv("LCM_REQUIRED");
-      ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
-      GTEST_SKIP() << "this kernel lets only root make a network namespace";
-    }
+    ENTER_PRIVATE_NETWORK_OR_SKIP();
     std::string name = (fs::temp_directory_path() / "earshot-sound-XXXXXX").string();
     folder_ = ::mkdtemp(name.data());
     support::write_bytes(folder_ / "walk.policy", support::signed_bytes(support::random_walk_policy()));

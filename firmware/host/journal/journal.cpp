@@ -146,22 +146,22 @@ struct Journal::Writer {
   /// @return whether it wrote them all
   bool write_what_fits() {
     // What cannot be cut ends in the middle of a record: nothing may follow it.
-    const std::uint64_t room = written == whole || file.cut(whole) ? write_in_order() : 0;
+    const std::uint64_t room = written == whole || file.cut(whole) ? write_all(whole, appended) : 0;
     const bool is_all = whole + room == appended;
     if (!is_all) write_by_weight(room > 0 && !file.cut(whole) ? 0 : room);
     bring_to_disk();
     return is_all;
   }
 
-  /// @return how many bytes the disk takes behind the last whole record
-  std::uint64_t write_in_order() {
-    std::uint64_t at = whole;
-    while (at < appended) {
-      const std::size_t done = file.write_some(ring.piece(at, appended));
+  /// Writes the ring's bytes from `begin` to `end`. @return how many of them the disk took
+  std::uint64_t write_all(std::uint64_t begin, std::uint64_t end) {
+    std::uint64_t at = begin;
+    while (at < end) {
+      const std::size_t done = file.write_some(ring.piece(at, end));
       if (done == 0) break;
       at += done;
     }
-    return at - whole;
+    return at - begin;
   }
 
   void write_by_weight(std::uint64_t room) {
@@ -196,17 +196,12 @@ struct Journal::Writer {
 
   /// Writes one record; when the disk does not take all of it, none of it stays in the file.
   bool write_whole(std::uint64_t begin, std::uint64_t end) {
-    std::uint64_t at = begin;
-    while (at < end) {
-      const std::size_t done = file.write_some(ring.piece(at, end));
-      if (done == 0) break;
-      at += done;
-    }
-    if (at == end) {
-      whole += end - begin;
+    const std::uint64_t done = write_all(begin, end);
+    if (done == end - begin) {
+      whole += done;
       return true;
     }
-    if (at > begin) (void)file.cut(whole);
+    if (done > 0) (void)file.cut(whole);
     return false;
   }
 };

@@ -15,6 +15,11 @@ std::string_view word_for(config::Listening listening) {
   return config::kListeningWords[static_cast<std::size_t>(listening)];
 }
 
+std::string to_string(config::ListeningWindow window) {
+  const std::string word(word_for(window.listening));
+  return window.listening == config::Listening::kNewest ? word : word + " of " + std::to_string(length_s(window)) + " s";
+}
+
 config::ListeningWindow listening_window(const std::string& word, std::int64_t length_s) {
   const auto* const found = std::ranges::find(config::kListeningWords, word);
   if (found == config::kListeningWords.end()) throw BadInput("\"" + word + R"(": must be "newest", "loudest" or "mean")");

@@ -12,6 +12,9 @@ namespace earshot::host {
 /// "newest", "loudest" or "mean".
 [[nodiscard]] std::string_view word_for(config::Listening listening);
 
+/// "newest", "mean of 30 s".
+[[nodiscard]] std::string to_string(config::ListeningWindow window);
+
 /// The window that a word and a length make.
 /// Throws BadInput, without naming a key, when the word is not known, newest is given a window, or another none of 1 to
 /// kMaxListeningSeconds.

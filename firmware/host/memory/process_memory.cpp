@@ -70,6 +70,19 @@ void touch(std::uintptr_t from, std::uintptr_t to) {
   }
 }
 
+/// No more than half of what the system allows the main stack: the rest is in use, or stays free.
+[[gnu::noinline]] std::size_t that_fits_stack(std::size_t bytes) {
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_STACK, &limit) == 0 ? std::min<std::size_t>(bytes, limit.rlim_cur / 2) : bytes;
+}
+
+[[gnu::noinline]] void paint_stack(std::size_t bytes) {
+  auto* const low = static_cast<volatile unsigned char*>(__builtin_alloca(bytes));
+  for (std::size_t i = 0; i < bytes; ++i) low[i] = kPaint;
+  painted_from = reinterpret_cast<std::uintptr_t>(low);
+  painted_bytes = bytes;
+}
+
 }  // namespace
 
 void set_thread_stack(std::size_t bytes) {
@@ -79,19 +92,6 @@ void set_thread_stack(std::size_t bytes) {
   if (error == 0) error = ::pthread_setattr_default_np(&attributes);
   (void)::pthread_attr_destroy(&attributes);
   if (error != 0) throw std::system_error(error, std::generic_category(), "a thread's stack of " + std::to_string(bytes) + " bytes");
-}
-
-/// No more than half of what the system allows the main stack: the rest is in use, or stays free.
-[[gnu::noinline]] static std::size_t that_fits_stack(std::size_t bytes) {
-  rlimit limit{};
-  return ::getrlimit(RLIMIT_STACK, &limit) == 0 ? std::min<std::size_t>(bytes, limit.rlim_cur / 2) : bytes;
-}
-
-[[gnu::noinline]] static void paint_stack(std::size_t bytes) {
-  auto* const low = static_cast<volatile unsigned char*>(__builtin_alloca(bytes));
-  for (std::size_t i = 0; i < bytes; ++i) low[i] = kPaint;
-  painted_from = reinterpret_cast<std::uintptr_t>(low);
-  painted_bytes = bytes;
 }
 
 void touch_stack(std::size_t bytes) {

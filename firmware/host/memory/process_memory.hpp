@@ -13,8 +13,9 @@ namespace earshot::host {
 /// @throws std::system_error when the system takes no such stack
 void set_thread_stack(std::size_t bytes);
 
-/// Writes to the stack of the calling thread, `bytes` below here, so that its pages are there; remembers where.
-void touch_stack(std::size_t bytes);  // of a stack that the system keeps smaller, half of it at most
+/// Writes to the stack of the main thread, `bytes` below here (but no more than half of what the system allows it), so that its pages are
+/// there; remembers where.
+void touch_stack(std::size_t bytes);
 /// How many of touch_stack's bytes were used since; all of them: more may have been.
 [[nodiscard]] std::size_t touched_stack_used();
 

@@ -33,12 +33,6 @@ std::string in_words(NorthEast size) {
   return in_words(size.north.value) + " m north x " + in_words(size.east.value) + " m east";
 }
 
-/// "newest", or "loudest of 30 s".
-std::string in_words(config::ListeningWindow window) {
-  const std::string word(word_for(window.listening));
-  return window.listening == config::Listening::kNewest ? word : word + " of " + std::to_string(length_s(window)) + " s";
-}
-
 /// "KEY = VALUE: must be VALUE" of the mission's number that does not fit; empty when all do.
 std::string complaint_about(const policy::FrozenPolicy& policy, const config::Mission& mission) {
   const Rectangle& area = mission.operating_area;
@@ -53,7 +47,7 @@ std::string complaint_about(const policy::FrozenPolicy& policy, const config::Mi
       return "search.detection_threshold_db = " + in_words(mission.detection_threshold.value) + ": must be " +
              in_words(policy.detection_threshold.value);
     case policy::Misfit::kListening:
-      return "search.listening = " + in_words(mission.listening) + ": must be " + in_words(policy.observation.listening);
+      return "search.listening = " + to_string(mission.listening) + ": must be " + to_string(policy.observation.listening);
   }
   return {};
 }

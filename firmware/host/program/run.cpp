@@ -1,6 +1,7 @@
 #include "firmware/host/program/run.hpp"
 
 #include <chrono>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -21,6 +22,7 @@ bool is_all_printed() {
 }  // namespace
 
 int run(CommandLine& line, int argc, char** argv, const std::function<int()>& work) {
+  (void)std::signal(SIGXFSZ, SIG_IGN);  // a file over its limit is a full disk: write(2) says so, and nothing is ended in the middle
   try {
     if (const std::optional<std::string> answer = line.read(argc, argv)) {
       std::cout << *answer;

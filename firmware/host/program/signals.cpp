@@ -5,7 +5,6 @@
 namespace earshot::program {
 
 void stop_on_signals(SecondSignal second) {
-  (void)std::signal(SIGXFSZ, SIG_IGN);  // a file over its limit is a full disk: write(2) says so
   for (const int number : {SIGINT, SIGTERM}) {
     struct sigaction action {};
     action.sa_handler = [](int) { stop_requested = true; };

@@ -68,36 +68,6 @@ def make_world(
     return _solved(
         file,
         changed,
-        state,
-        remembered_steps,
-        source,
-        start,
-        directions,
-        vehicle_depth_m,
-        border_width_m,
-        max_steps,
-        listening,
-        listening_window_s,
-    )
-
-
-@functools.lru_cache(maxsize=16)
-def _solved(
-    file,
-    changed,
-    state,
-    remembered_steps,
-    source,
-    start,
-    directions,
-    vehicle_depth_m,
-    border_width_m,
-    max_steps,
-    listening,
-    listening_window_s,
-) -> SearchWorld:
-    return SearchWorld(
-        environment=file,
         state=state,
         remembered_steps=remembered_steps,
         source=source,
@@ -109,3 +79,8 @@ def _solved(
         listening=listening,
         listening_window_s=listening_window_s,
     )
+
+
+@functools.lru_cache(maxsize=16)
+def _solved(file, changed, **settings) -> SearchWorld:
+    return SearchWorld(environment=file, **settings)

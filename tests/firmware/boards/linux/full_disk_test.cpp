@@ -23,6 +23,7 @@
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/signed_policy.hpp"
 #include "tests/support/small_disk.hpp"
@@ -36,17 +37,6 @@ using messages::Order;
 
 constexpr std::uint64_t kSmall_bytes = 256 * 1024;
 constexpr std::uint64_t kLarge_bytes = 64 * 1024 * 1024;
-
-/// Mission time that a test sets.
-class SetClock final : public Clock {
- public:
-  [[nodiscard]] Time now() override { return time; }
-  [[nodiscard]] Time mission_time_of(Time utc) override { return utc; }
-  [[nodiscard]] Time arrival_of(Time utc) override { return utc; }
-  [[nodiscard]] Wake wait(const Awaited& /*awaited*/) override { return Wake::kTurn; }
-  [[nodiscard]] bool answered(const runtime::Outputs& /*outputs*/, std::uint64_t /*sent*/) override { return true; }
-  Time time{1'795'000'000'000'000};
-};
 
 /// What a journal holds.
 struct Contents {

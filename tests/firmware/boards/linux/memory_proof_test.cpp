@@ -162,11 +162,7 @@ enum class Mode { kAtSea, kInLockStep };
 class ProvenLoop : public testing::Test {
  protected:
   void SetUp() override {
-    if (!test::enter_private_network()) {
-      const char* required = std::getenv("LCM_REQUIRED");
-      ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
-      GTEST_SKIP() << "this kernel lets only root make a network namespace";
-    }
+    ENTER_PRIVATE_NETWORK_OR_SKIP();
     path_ = fs::path(testing::TempDir()) / ("memory-proof-" + std::to_string(::getpid()));
     ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_wanders())), Status::kOk);
     ports_.add(

@@ -18,6 +18,7 @@
 #include "firmware/core/random.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/signed_policy.hpp"
 
@@ -25,17 +26,6 @@ namespace earshot::board {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Mission time that a test sets.
-class SetClock final : public Clock {
- public:
-  [[nodiscard]] Time now() override { return time; }
-  [[nodiscard]] Time mission_time_of(Time utc) override { return utc; }
-  [[nodiscard]] Time arrival_of(Time utc) override { return utc; }
-  [[nodiscard]] Wake wait(const Awaited& /*awaited*/) override { return Wake::kTurn; }
-  [[nodiscard]] bool answered(const runtime::Outputs& /*outputs*/, std::uint64_t /*sent*/) override { return true; }
-  Time time{1'795'000'000'000'000};
-};
 
 /// Says of itself whatever a test wants.
 class ReportingPort final : public Port {

@@ -82,6 +82,18 @@ TEST_F(TouchedMemory, OfTheMainStackIsCountedAsUsedFromWhereItWasUsed) {
   EXPECT_LT(touched_stack_used(), 110'000) << "frames of the calls between";
 }
 
+TEST(TouchedStack, LeavesHalfOfASmallOneFree) {
+  const auto touch_with_small_limit = [] {
+    rlimit limit{};
+    ::getrlimit(RLIMIT_STACK, &limit);
+    limit.rlim_cur = 160 * 1024;  // the process is ended as it reaches there
+    ::setrlimit(RLIMIT_STACK, &limit);
+    touch_stack(256 * 1024);
+    ::_exit(0);
+  };
+  EXPECT_EXIT(touch_with_small_limit(), testing::ExitedWithCode(0), "");
+}
+
 TEST(ThreadStack, HasTheSizeThatWasSetForEveryThreadMadeSince) {
   pthread_attr_t before;
   ASSERT_EQ(::pthread_getattr_default_np(&before), 0);

@@ -38,12 +38,10 @@ class LcmEndpointTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     isolated_ = test::enter_private_network();
-    const char* const required = std::getenv("LCM_REQUIRED");
-    const bool may_skip = ::geteuid() != 0 && (required == nullptr || std::string(required) != "1");
-    ASSERT_TRUE(isolated_ || may_skip) << "no network namespace could be made (package iproute2), but this is root or LCM_REQUIRED=1";
+    ASSERT_TRUE(isolated_ || test::may_do_without_private_network()) << test::kNoPrivateNetwork;
   }
   void SetUp() override {
-    if (!isolated_) GTEST_SKIP() << "this kernel lets only root make a network namespace";
+    if (!isolated_) GTEST_SKIP() << test::kOnlyRootMayHavePrivateNetwork;
   }
 
   /// The next message, waiting for it.

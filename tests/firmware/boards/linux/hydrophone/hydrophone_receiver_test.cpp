@@ -36,13 +36,7 @@ bool comes_true(const std::function<bool()>& what) {
 
 class HydrophoneReceiverTest : public testing::Test {
  protected:
-  void SetUp() override {
-    if (test::enter_private_network()) return;
-    const char* const required = std::getenv("LCM_REQUIRED");
-    const bool may_skip = ::geteuid() != 0 && (required == nullptr || std::string(required) != "1");
-    ASSERT_TRUE(may_skip) << "no network namespace could be made (package iproute2), but this is root or LCM_REQUIRED=1";
-    GTEST_SKIP() << "this kernel lets only root make a network namespace";
-  }
+  void SetUp() override { ENTER_PRIVATE_NETWORK_OR_SKIP(); }
 };
 
 /// Hears nothing before it is let go, then everything.
