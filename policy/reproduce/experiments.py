@@ -10,6 +10,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -67,7 +68,10 @@ def clear(folder):
 
 
 class Workshop:
-    """Runs Earshot's programs in one folder. A command whose files are there already, made by the same words, is not run again."""
+    """Runs Earshot's programs in one folder.
+
+    A command whose files are there already, made by the same words, is not run again.
+    """
 
     def __init__(self, folder, programs, jobs):
         self.folder, self.programs, self.jobs = Path(folder), Path(programs), jobs
@@ -75,11 +79,12 @@ class Workshop:
         self.folder.mkdir(parents=True, exist_ok=True)
         (self.folder / MARK).touch()
 
-    def run(self, program, *words, makes):
-        words = [str(word) for word in words]
+    def run(self, program, *arguments, makes):
+        words = [str(argument) for argument in arguments]
         outputs = [self.folder / name for name in makes]
         stamp = outputs[0].with_name(outputs[0].name + ".command")
-        inputs = b"".join((self.folder / w).read_bytes() for w in words if w.endswith((".toml", ".checkpoint", ".policy")) and (self.folder / w).is_file())
+        read = [self.folder / word for word in words if word.endswith((".toml", ".checkpoint", ".policy"))]
+        inputs = b"".join(file.read_bytes() for file in read if file.is_file())
         text = program + " " + " ".join(words) + " # " + hashlib.sha256(inputs).hexdigest()
         if stamp.exists() and all(o.exists() for o in outputs):
             made_by, _, seconds = stamp.read_text().rpartition("\n")
@@ -87,7 +92,8 @@ class Workshop:
                 self.seconds.append(float(seconds))
                 return
         began = time.monotonic()
-        done = subprocess.run([self.programs / f"earshot-{program}", *words], cwd=self.folder, capture_output=True, text=True)
+        command = [str(self.programs / f"earshot-{program}"), *words]
+        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise SystemExit(f"earshot {program} {' '.join(words)}\n{done.stderr.strip()}")
         seconds = time.monotonic() - began
@@ -96,10 +102,10 @@ class Workshop:
 
     def field(self):
         """A section out to 50 km, and a map of 100 km x 100 km at the vehicle's depth: two NetCDF files."""
-        self.run("field", ENVIRONMENT, "-o", "section.nc", "--max-range-km", 50, "--depth-spacing", 10, "--output-step-m", 50,
-                 makes=["section.nc"])  # fmt: skip
-        self.run("field", ENVIRONMENT, "-o", "map.nc", "--max-range-km", 71, "--radials", 8, "--receiver-depth-m", 300, "--map",
-                 "--map-side-km", 100, "--map-intervals", 400, makes=["map.nc"])  # fmt: skip
+        self.run("field", ENVIRONMENT, "-o", "section.nc", "--max-range-km", 50, "--depth-spacing", 10,
+                 "--output-step-m", 50, makes=["section.nc"])  # fmt: skip
+        self.run("field", ENVIRONMENT, "-o", "map.nc", "--max-range-km", 71, "--radials", 8, "--receiver-depth-m", 300,
+                 "--map", "--map-side-km", 100, "--map-intervals", 400, makes=["map.nc"])  # fmt: skip
         return self.folder / "section.nc", self.folder / "map.nc"
 
     def results(self, setting, seeds, episodes):
@@ -115,11 +121,13 @@ class Workshop:
 
     def one_seed(self, setting, k, episodes):
         stem = f"{setting.name}.seed{k}"
-        self.run("freeze", f"{stem}.checkpoint", "-o", f"{stem}.policy", "--draw", "sampled", "--key", KEY, makes=[f"{stem}.policy"])
+        self.run("freeze", f"{stem}.checkpoint", "-o", f"{stem}.policy", "--draw", "sampled", "--key", KEY,
+                 makes=[f"{stem}.policy"])  # fmt: skip
         start = ["--start-margin-m", setting.margin_m] if setting.margin_m else ["--start", setting.start]
         self.run("evaluate", f"{stem}.policy", "--environment", ENVIRONMENT, "--source", setting.source, *start,
                  "--border-width-m", setting.border_m, "--episodes", episodes, "--seed", EVALUATION_SEED + k,
-                 "--json", f"{stem}.json", "--paths", f"{stem}.paths.csv", makes=[f"{stem}.json", f"{stem}.paths.csv"])  # fmt: skip
+                 "--json", f"{stem}.json", "--paths", f"{stem}.paths.csv",
+                 makes=[f"{stem}.json", f"{stem}.paths.csv"])  # fmt: skip
         curve = np.loadtxt(self.folder / f"{stem}.csv", delimiter=",", skiprows=1, ndmin=2)
         evaluation = json.loads((self.folder / f"{stem}.json").read_text())["results"][0]
         paths = read_paths(self.folder / f"{stem}.paths.csv")
@@ -128,11 +136,14 @@ class Workshop:
 
 def read_paths(file):
     """[{east, north, snr, reward, source, state}] of every episode, positions in km."""
-    episodes = {}
+
+    def column(rows, name, unit=1.0):
+        return np.array([float(row[name]) for row in rows]) / unit
+
+    episodes: dict[int, list[dict[str, str]]] = {}
     with open(file, newline="") as stream:
         for row in csv.DictReader(stream):
             episodes.setdefault(int(row["episode"]), []).append(row)
-    column = lambda rows, name, unit=1.0: np.array([float(row[name]) for row in rows]) / unit
     return [
         {
             "east": column(rows, "east_m", 1e3),
@@ -147,7 +158,10 @@ def read_paths(file):
 
 
 def main_settings(quick):
-    """Figures 4 to 9: the three trainings of the paper, the third also in its other reading, as long as in the paper and longer."""
+    """Figures 4 to 9: the three trainings of the paper, the third also in its other reading.
+
+    Returns those that are as long as in the paper, and longer ones.
+    """
     episodes = 20 if quick else 1500
     steps = 4096 if quick else 1_000_000
     paper = [
@@ -157,23 +171,32 @@ def main_settings(quick):
         Setting("changing_position_memory", "position_memory", episodes=episodes),
     ]
     longer = [replace(s, name=s.name + "_long", episodes=0, steps=steps) for s in paper[1:]]
-    # the start region, border and batches with which the memory state of the paper gains what the paper says: policy/ppo/runs/changing_*.toml
-    batches = 'environments = 8\nsteps_per_rollout = 1024\nbatch_size = 512\nlearning_rate = 1e-3\nlearning_rate_schedule = "linear"\n'
-    central = {"margin_m": 7500.0, "border_m": 500.0, "ppo": batches}
+    # The start region, border and batches with which the memory state of the paper gains what the paper says:
+    # policy/ppo/runs/changing_*.toml.
+    batches = (
+        "environments = 8\nsteps_per_rollout = 1024\nbatch_size = 512\n"
+        'learning_rate = 1e-3\nlearning_rate_schedule = "linear"\n'
+    )
+    central: dict[str, Any] = {"margin_m": 7500.0, "border_m": 500.0, "ppo": batches}
     longer += [Setting(f"central_{state}_long", state, steps=2 * steps, **central) for state in ("simple", "memory")]
     return paper, longer
 
 
 def sweep_settings(quick):
-    """What the paper leaves open, one thing changed at a time, the source changing, as long as in the paper: [(what, value, Setting)]."""
+    """What the paper leaves open, one thing changed at a time: [(what, value, Setting)].
+
+    The source changes, and trainings are as long as in the paper.
+    """
+    varied: list[tuple[str, str, dict[str, Any]]]
     varied = [("border width b", f"{b:g} km", {"border_m": 1000.0 * b}) for b in (0.5, 2.0)]
     varied += [("directions n", str(n), {"directions": n}) for n in (4, 16)]
     varied += [("start", "inside the border", {"start": "inside_border"})]
     varied += [("remembered steps m", str(m), {"remembered": m}) for m in (1, 4)]
+    episodes = 20 if quick else 1500
     if quick:
         varied = varied[1:2] + varied[-1:]
     return [
-        (what, value, Setting(f"sweep_{what}_{value}_{state}".replace(" ", "_"), state, episodes=20 if quick else 1500, **change))
+        (what, value, Setting(f"sweep_{what}_{value}_{state}".replace(" ", "_"), state, episodes=episodes, **change))
         for what, value, change in varied
         for state in ("simple", "memory", "position_memory")
         if not (state == "simple" and "remembered" in change)

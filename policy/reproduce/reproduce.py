@@ -1,4 +1,7 @@
-"""Trains and evaluates everything for Figures 2 to 9 of Clark et al. 2022, draws them, and writes them beside the paper's claims."""
+"""Trains and evaluates everything for Figures 2 to 9 of Clark et al. 2022.
+
+Draws the figures, and writes them beside the paper's claims.
+"""
 
 import argparse
 import json
@@ -17,26 +20,38 @@ import page
 from experiments import ENVIRONMENT, ROOT
 
 INTRO = [
-    "Clark, Hunter, Isupova and Donnelly, Exploring the use of AI in marine acoustic sensor management, Proc. Mtgs. Acoust. 47, 070008 (2022): "
-    "a vehicle searches a 25 km × 25 km domain for a source of 20 Hz in steps of 1 km, by policies learned with PPO.",
-    "Earshot's reading unless a row says otherwise: border b = 1 km, n = 8 directions, start anywhere in the domain, m = 2 remembered steps, "
-    "Stable-Baselines3's default settings, sampled actions. {seeds} trainings each; every number is the median of the {seeds} and, in brackets, "
-    "their interquartile range; {episodes} evaluation searches each, from starts that the training did not draw.",
+    "Clark, Hunter, Isupova and Donnelly, Exploring the use of AI in marine acoustic sensor management, "
+    "Proc. Mtgs. Acoust. 47, 070008 (2022): a vehicle searches a 25 km × 25 km domain for a source of 20 Hz "
+    "in steps of 1 km, by policies learned with PPO.",
+    "Earshot's reading unless a row says otherwise: border b = 1 km, n = 8 directions, start anywhere in the domain, "
+    "m = 2 remembered steps, Stable-Baselines3's default settings, sampled actions. {seeds} trainings each; every "
+    "number is the median of the {seeds} and, in brackets, their interquartile range; {episodes} evaluation searches "
+    "each, from starts that the training did not draw.",
 ]
 SWEEP_NOTE = (
-    "One thing changed at a time; source changing, trainings as long as in the paper, seeds 1 to {seeds}: median and interquartile range of their "
-    "evaluations' median rewards. A wider or narrower border also changes what a given path earns, so rows are to be read from left to right: "
-    "what matters is what memory gains over the simple state under the same choice."
+    "One thing changed at a time; source changing, trainings as long as in the paper, seeds 1 to {seeds}: median and "
+    "interquartile range of their evaluations' median rewards. A wider or narrower border also changes what a given "
+    "path earns, so rows are to be read from left to right: what matters is what memory gains over the simple state "
+    "under the same choice."
 )
 
 
 def options():
     parser = argparse.ArgumentParser(prog="policy/reproduce/run", description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="tiny trainings, in seconds: shows that everything works, measures nothing")
-    parser.add_argument("--keep", action="store_true", help="go on with what an interrupted run left in --work instead of beginning anew")
-    parser.add_argument("--out", type=Path, default=ROOT / "policy/reproduce/results", help="folder of the pages and figures (%(default)s)")
-    parser.add_argument("--work", type=Path, default=ROOT / "build/reproduce", help="folder of checkpoints and tables (%(default)s)")
-    parser.add_argument("--bin", type=Path, default=ROOT / "build/release/bin", help="folder of Earshot's programs (%(default)s)")
+    parser.add_argument(
+        "--quick", action="store_true", help="tiny trainings, in seconds: shows that everything works, measures nothing"
+    )
+    parser.add_argument(
+        "--keep",
+        action="store_true",
+        help="go on with what an interrupted run left in --work instead of beginning anew",
+    )
+    for name, folder, what in [
+        ("--out", "policy/reproduce/results", "the pages and figures"),
+        ("--work", "build/reproduce", "checkpoints and tables"),
+        ("--bin", "build/release/bin", "Earshot's programs"),
+    ]:
+        parser.add_argument(name, type=Path, default=ROOT / folder, help=f"folder of {what} (%(default)s)")
     parser.add_argument("--jobs", type=int, default=experiments.processors(), help="processors to use (%(default)s)")
     return parser.parse_args()
 
@@ -46,7 +61,8 @@ def snr_at_vehicle(section_file):
     with netCDF4.Dataset(section_file) as data:
         row = int(np.argmin(np.abs(np.asarray(data["depth"][:]) - figures.VEHICLE_DEPTH_M)))
         loss_db = np.asarray(data["transmission_loss"][:, row])
-        return np.asarray(data["range"][:]) / 1e3, float(data["source_level"][...]) - loss_db - float(data["noise_level"][...])
+        snr_db = float(data["source_level"][...]) - loss_db - float(data["noise_level"][...])
+        return np.asarray(data["range"][:]) / 1e3, snr_db
 
 
 def measure(workshop, settings, seeds, episodes):
@@ -54,14 +70,18 @@ def measure(workshop, settings, seeds, episodes):
     for setting in settings:
         began = time.monotonic()
         results[setting.name] = workshop.results(setting, seeds, episodes)
-        print(f"{setting.name}: median reward {claims.reward(results[setting.name])}  [{time.monotonic() - began:.0f} s]", flush=True)
+        reward, seconds = claims.reward(results[setting.name]), time.monotonic() - began
+        print(f"{setting.name}: median reward {reward}  [{seconds:.0f} s]", flush=True)
     return results
 
 
 def measure_sweep(workshop, settings, seeds, episodes, paper):
     """[((what, value), {state: median rewards})], Earshot's reading first."""
+
+    def medians(of_seeds):
+        return claims.of_evaluations(of_seeds, "median_reward")
+
     results = measure(workshop, [setting for _, _, setting in settings], seeds, episodes)
-    medians = lambda of_seeds: claims.of_evaluations(of_seeds, "median_reward")
     states = ("simple", "memory", "position_memory")
     rows = {("as above", ""): {state: medians(paper[f"changing_{state}"][:seeds]) for state in states}}
     for what, value, setting in settings:
@@ -76,14 +96,17 @@ def training_panels(paper, longer):
 
 
 def draw(folder, ocean, paper, longer, sweep):
+    def first(runs, name):
+        return runs[name][0].paths
+
     section, map_file, snr = ocean
-    first = lambda runs, name: runs[name][0].paths
     best = first(longer, "changing_position_memory_long")
+    shortest = min(len(seed.curve) for seed in paper["fixed_simple"])
     drawn = {
         "figure2": figures.environment_and_profile(ENVIRONMENT, section),
         "figure3": figures.snr_and_detection(map_file),
         "figure4": figures.high_and_low_reward(best, snr),
-        "figure5": figures.training_reward(training_panels(paper, longer), min(len(s.curve) for s in paper["fixed_simple"])),
+        "figure5": figures.training_reward(training_panels(paper, longer), shortest),
         "figure6": figures.example_paths(first(paper, "fixed_simple"), snr, "fixed source, simple state"),
         "figure7": figures.example_paths(first(longer, "changing_simple_long"), snr, "changing source, simple state"),
         "figure8": figures.example_paths(first(longer, "changing_memory_long"), snr, "changing source, memory state"),
@@ -97,16 +120,17 @@ def draw(folder, ocean, paper, longer, sweep):
 
 def provenance(seconds, steps):
     def said(*words):
-        done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True)
+        done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
         return done.stdout.strip() if done.returncode == 0 else ""
 
     words = [word for word in sys.argv[1:] if word != "--keep"]
-    dirty = "-dirty" if said("git", "status", "--porcelain", "--untracked-files=no", "--", ":!policy/reproduce/results") else ""
+    changed = said("git", "status", "--porcelain", "--untracked-files=no", "--", ":!policy/reproduce/results")
     return {
         "command": " ".join(["policy/reproduce/run", *words]),
-        "commit": (said("git", "rev-parse", "--short=12", "HEAD") or "unknown") + dirty,
-        "rest": f"{steps / 1e6:.1f} million steps of training for Figures 4 to 9; {seconds / 60:.0f} minutes of commands, as many at a time as there are processors, for these, "
-        f"the sweep and all evaluations, on {experiments.processors()} processors",
+        "commit": (said("git", "rev-parse", "--short=12", "HEAD") or "unknown") + ("-dirty" if changed else ""),
+        "rest": f"{steps / 1e6:.1f} million steps of training for Figures 4 to 9; {seconds / 60:.0f} minutes of "
+        "commands, as many at a time as there are processors, for these, the sweep and all evaluations, "
+        f"on {experiments.processors()} processors",
     }
 
 

@@ -1,4 +1,6 @@
-"""Wall seconds of `earshot field --library`: 64 sources x 72 radials x 25 km at 20 Hz over charted hills at 0.1 dB, to a file on the disk.
+"""Wall seconds of `earshot field --library`, to a file on the disk.
+
+64 sources x 72 radials x 25 km at 20 Hz over charted hills, at 0.1 dB.
 
 usage: field_library.py PROGRAM
 """
@@ -45,8 +47,10 @@ with tempfile.TemporaryDirectory() as folder:
     for name, text in {"chart.csv": chart(), "ocean.toml": OCEAN.read_text(), "library.toml": LIBRARY}.items():
         (Path(folder) / name).write_text(text)
     start = time.monotonic()
-    subprocess.run([sys.argv[1], "--library", f"{folder}/library.toml", "-o", f"{folder}/library.nc"], check=True, stdout=sys.stderr)
+    command = [sys.argv[1], "--library", f"{folder}/library.toml", "-o", f"{folder}/library.nc"]
+    subprocess.run(command, check=True, stdout=sys.stderr)
     wall_s = time.monotonic() - start
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-print(f"library: {usage.ru_utime:.1f} s of processor time, peak memory {usage.ru_maxrss / 1024:.0f} MiB", file=sys.stderr)
+peak_mib = usage.ru_maxrss / 1024
+print(f"library: {usage.ru_utime:.1f} s of processor time, peak memory {peak_mib:.0f} MiB", file=sys.stderr)
 print(json.dumps({"value": wall_s}))

@@ -1,7 +1,10 @@
-"""Wall seconds of `earshot field`: the paper's ocean to 100 km at 300 depths, 2.4 million values, from the start of the process to its end.
+"""Wall seconds of `earshot field`, from the start of the process to its end.
+
+The paper's ocean to 100 km at 300 depths: 2.4 million values.
 
 usage: field_section.py PROGRAM          the whole command, best of five
-       field_section.py PROGRAM peer     netCDF4-python writes loss and SNR of the same section, zlib 1 and shuffle, at full precision
+       field_section.py PROGRAM peer     netCDF4-python writes loss and SNR of the same section, zlib 1 and shuffle, at
+                                         full precision
 """
 
 import json
@@ -49,7 +52,7 @@ def full_precision_loss(folder: Path) -> np.ndarray:
 def write(path: Path, arrays: dict[str, np.ndarray]) -> float:
     start = time.monotonic()
     with netCDF4.Dataset(path, "w") as data:
-        for name, length in zip(("range", "depth"), arrays["transmission_loss"].shape):
+        for name, length in zip(("range", "depth"), arrays["transmission_loss"].shape, strict=True):
             data.createDimension(name, length)
         for name, values in arrays.items():
             data.createVariable(name, "f4", ("range", "depth"), zlib=True, complevel=1, shuffle=True)[:] = values
@@ -60,7 +63,8 @@ with tempfile.TemporaryDirectory() as name:
     file = Path(name) / "field.nc"
     if sys.argv[2:] == ["peer"]:
         loss_db = full_precision_loss(Path(name))
-        seconds = min(write(file, {"transmission_loss": loss_db, "snr": np.float32(100.0) - loss_db}) for _ in range(RUNS))
+        arrays = {"transmission_loss": loss_db, "snr": np.float32(100.0) - loss_db}
+        seconds = min(write(file, arrays) for _ in range(RUNS))
     else:
         seconds = min(run(OCEAN, "--max-range-km", 100, "--depth-spacing", 10, "-o", file) for _ in range(RUNS))
     print(f"{file.stat().st_size / 1e6:.1f} MB", file=sys.stderr)

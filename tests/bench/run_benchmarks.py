@@ -28,7 +28,14 @@ def row_of(name: str, entry: dict) -> dict:
     value = measure(entry["command"])
     peer_value = measure(entry["peer_command"])
     ratio = value / peer_value if entry["better"] == "higher" else peer_value / value
-    return {"name": name, "value": value, "unit": entry["unit"], "peer": entry["peer"], "peer_value": peer_value, "ratio": ratio}
+    return {
+        "name": name,
+        "value": value,
+        "unit": entry["unit"],
+        "peer": entry["peer"],
+        "peer_value": peer_value,
+        "ratio": ratio,
+    }
 
 
 def cpu_model() -> str:
@@ -45,7 +52,9 @@ def write_whole(path: Path, text: str) -> None:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="tests/bench/run", description="Benchmarks, each beside its named alternative.")
+    parser = argparse.ArgumentParser(
+        prog="tests/bench/run", description="Benchmarks, each beside its named alternative."
+    )
     parser.add_argument("names", nargs="*", metavar="NAME", help='figures to measure; "pe.*" for a family; none: all')
     parser.add_argument("--json", type=Path, metavar="FILE", help="also write the rows there")
     parser.add_argument("--list", action="store_true", help="say what there is and stop")
@@ -53,7 +62,8 @@ def main() -> int:
 
     with (Path(__file__).parent / "benchmarks.toml").open("rb") as stream:
         entries = tomllib.load(stream)
-    wanted = {name: entry for name, entry in entries.items() if not arguments.names or any(fnmatch.fnmatch(name, n) for n in arguments.names)}
+    patterns = arguments.names or ["*"]
+    wanted = {name: entry for name, entry in entries.items() if any(fnmatch.fnmatch(name, p) for p in patterns)}
     unknown = [n for n in arguments.names if not fnmatch.filter(entries, n)]
     if unknown:
         print(f"no benchmark {', '.join(unknown)}; there are: {', '.join(entries)}", file=sys.stderr)
@@ -74,9 +84,11 @@ def main() -> int:
             failed += 1
             continue
         rows.append(row)
-        print(f"{name:<36} {row['value']:>12.5g} {row['unit']:<12} {row['peer_value']:>12.5g} {row['ratio']:>8.3g}x  {row['peer']}", flush=True)
+        measured = f"{name:<36} {row['value']:>12.5g} {row['unit']:<12}"
+        print(f"{measured} {row['peer_value']:>12.5g} {row['ratio']:>8.3g}x  {row['peer']}", flush=True)
     if arguments.json:
-        write_whole(arguments.json, json.dumps({"machine": cpu_model(), "cores": os.cpu_count(), "rows": rows}, indent=1) + "\n")
+        content = {"machine": cpu_model(), "cores": os.cpu_count(), "rows": rows}
+        write_whole(arguments.json, json.dumps(content, indent=1) + "\n")
     return 1 if failed else 0
 
 

@@ -1,7 +1,8 @@
 """The commands of a Markdown file, and what stands in it that no test can run.
 
-The convention: commands stand in blocks fenced with ```sh, Python in ```python; what is neither in ```text, ```cpp or ```toml. Indented blocks are refused,
-because nobody can tell which they are. A comment on the line before a block, which readers do not see, marks it:
+The convention: commands stand in blocks fenced with ```sh, Python in ```python; what is neither in ```text, ```cpp or
+```toml. Indented blocks are refused, because nobody can tell which they are. A comment on the line before a block,
+which readers do not see, marks it:
 
     <!-- test: long -->     takes minutes: run by tests/readme/run --long only
     <!-- test: start -->    does not end by itself: must still run after three seconds, and end on Ctrl-C
@@ -65,13 +66,17 @@ def read(file: Path, text: str) -> Document:
         fence = _FENCE.match(lines[number])
         if fence:
             end = next((i for i in range(number + 1, len(lines)) if lines[i].startswith("```")), len(lines))
-            _read_block(found, file, number, fence.group(1), lines[number + 1 : end], lines[number - 1] if number else "")
+            _read_block(
+                found, file, number, fence.group(1), lines[number + 1 : end], lines[number - 1] if number else ""
+            )
             prose += [""] * (end - number + 1)
             number = end + 1
             continue
         before = prose[-1] if prose else ""
         if _INDENTED.match(lines[number]) and (not before.strip() or before.startswith("#")):
-            found.problems.append(f"{file}:{number + 1}: an indented block: fence it with ```sh if a test shall run it, else with ```text")
+            found.problems.append(
+                f"{file}:{number + 1}: an indented block: fence it with ```sh if a test shall run it, else with ```text"
+            )
         prose.append(lines[number])
         number += 1
     for match in _MENTION.finditer("\n".join(prose)):
@@ -86,11 +91,15 @@ def _read_block(found: Document, file: Path, number: int, language: str, body: l
     for unknown in sorted(marks - set(MARKS)):
         found.problems.append(f"{file}:{number}: no such mark: {unknown}; there are {', '.join(MARKS)}")
     if language not in LANGUAGES:
-        found.problems.append(f"{file}:{number + 1}: a block fenced with ```{language}: must be one of {', '.join(LANGUAGES)}")
+        found.problems.append(
+            f"{file}:{number + 1}: a block fenced with ```{language}: must be one of {', '.join(LANGUAGES)}"
+        )
     elif language in SHOWN:
         for i, line in enumerate(body):
             if _COMMAND_LINE.match(line):
-                found.problems.append(f"{file}:{number + 2 + i}: a command in a block of text, where no test runs it: {line}")
+                found.problems.append(
+                    f"{file}:{number + 2 + i}: a command in a block of text, where no test runs it: {line}"
+                )
     elif language == "python":
         found.commands.append(Command(file, number + 2, "\n".join(body), marks, language))
     else:
@@ -113,10 +122,13 @@ def _commands_of(file: Path, first: int, body: list[str], marks: frozenset[str])
 
 
 def problems_of_mentions(documents: list[Document], tests: list[str]) -> list[str]:
-    """Mentions that nothing runs: a command must be (the beginning or a part of) one that stands in a block; a ctest must choose tests.
+    """Mentions that nothing runs.
 
-    tests: the names of all tests."""
-    run = [" ".join(command.text.split()) for document in documents for command in document.commands if command.language == "sh"]
+    A command must be (the beginning or a part of) one that stands in a block; a ctest must choose some of `tests`, the
+    names of all.
+    """
+    shell = (command for document in documents for command in document.commands if command.language == "sh")
+    run = [" ".join(command.text.split()) for command in shell]
     problems = []
     for mention in (mention for document in documents for mention in document.mentions):
         where = f"{mention.file}:{mention.line}: "

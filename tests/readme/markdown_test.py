@@ -65,7 +65,9 @@ class Reading(unittest.TestCase):
             ("`ctest --preset dev -R 'Munk|Nothing'`", False),
         ]:
             with self.subTest(mention=mention):
-                problems = markdown.problems_of_mentions([read(block + mention + "\n")], ["MunkProfile.IsRight", "Leg.IsStraight"])
+                problems = markdown.problems_of_mentions(
+                    [read(block + mention + "\n")], ["MunkProfile.IsRight", "Leg.IsStraight"]
+                )
                 self.assertEqual(problems == [], is_good, problems)
 
 
@@ -83,7 +85,8 @@ class Running(unittest.TestCase):
         self.assertIn("status 127", failure_of("```sh\nearshoot\n```\n"))
 
     def test_runs_python(self):
-        self.assertIsNone(failure_of("```python\nfor i in range(2):\n    open('made', 'a').write('x')\n```\n```sh\ntest $(cat made) = xx\n```\n"))
+        loop = "```python\nfor i in range(2):\n    open('made', 'a').write('x')\n```\n"
+        self.assertIsNone(failure_of(loop + "```sh\ntest $(cat made) = xx\n```\n"))
         self.assertIn("ZeroDivisionError", failure_of("```python\n1 / 0\n```\n"))
 
     def test_ends_a_command_that_does_not_end_by_itself(self):

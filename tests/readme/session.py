@@ -1,4 +1,7 @@
-"""Runs the commands of one Markdown file as a reader would: one after the other, in one shell, from the root of a copy of the tree."""
+"""Runs the commands of one Markdown file as a reader would.
+
+One after the other, in one shell, from the root of a copy of the tree.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,8 @@ from pathlib import Path
 
 from markdown import Command
 
-# A command that does not end by itself: must still run after three seconds, and end on Ctrl-C, as a shell's foreground job would.
+# A command that does not end by itself: must still run after three seconds, and end on Ctrl-C, as a shell's foreground
+# job would.
 _FUNCTIONS = r"""
 start_and_stop() {
   local job
@@ -20,7 +24,10 @@ start_and_stop() {
   set +m
   for _ in $(seq 30); do
     sleep 0.1
-    kill -0 "$job" 2>/dev/null || { wait "$job"; echo "ended by itself with status $?, though it is marked as one that does not" >&2; return 1; }
+    kill -0 "$job" 2>/dev/null && continue
+    wait "$job"
+    echo "ended by itself with status $?, though it is marked as one that does not" >&2
+    return 1
   done
   kill -INT -- "-$job"
   for _ in $(seq 200); do
@@ -49,7 +56,7 @@ def _script(commands: list[Command]) -> str:
 
 
 def failure_of(commands: list[Command], folder: Path, environment: dict[str, str], limit_s: float) -> str | None:
-    """Runs them until one fails. Returns FILE:LINE: the command and the end of what it printed; None when all went well."""
+    """Runs them until one fails. Returns FILE:LINE: the command and the end of what it printed, or None if none did."""
     read_end, write_end = os.pipe()
     shell = subprocess.Popen(
         ["bash", "-c", f"exec 3>&{write_end} {write_end}>&-\n" + _script(commands)],
@@ -76,4 +83,5 @@ def failure_of(commands: list[Command], folder: Path, environment: dict[str, str
     if shell.returncode == 0 and len(done) == len(commands):
         return None
     failed = commands[min(len(commands) - 1, sum(status == "0" for status in done))]
-    return f"{failed.file}:{failed.line}: {failed.text}\n  {why}; it printed last:\n" + "\n".join("    " + line for line in printed.splitlines()[-15:])
+    last = "\n".join("    " + line for line in printed.splitlines()[-15:])
+    return f"{failed.file}:{failed.line}: {failed.text}\n  {why}; it printed last:\n{last}"

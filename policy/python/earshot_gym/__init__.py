@@ -12,8 +12,8 @@ except ModuleNotFoundError as missing:
     if missing.name != "earshot_gym._core":
         raise
     raise ImportError(
-        f"{__path__[0]} is the package's source, without its compiled part: pip install ./policy/python from the root of the repository, "
-        "and start Python in another folder than policy/python"
+        f"{__path__[0]} is the package's source, without its compiled part: pip install ./policy/python "
+        "from the root of the repository, and start Python in another folder than policy/python"
     ) from None
 from earshot_gym.environment import AcousticSearchEnv
 from earshot_gym.vector import AcousticSearchVectorEnv
@@ -28,4 +28,12 @@ if ID not in _gymnasium.registry:
         vector_entry_point="earshot_gym.vector:AcousticSearchVectorEnv",
     )
 
-__all__ = ["ID", "AcousticSearchEnv", "AcousticSearchVectorEnv", "BadInput", "FrozenPolicy", "SearchWorld", "make_world"]
+__all__ = [
+    "ID",
+    "AcousticSearchEnv",
+    "AcousticSearchVectorEnv",
+    "BadInput",
+    "FrozenPolicy",
+    "SearchWorld",
+    "make_world",
+]

@@ -1,22 +1,16 @@
 """The search in C++. Positions are (north, east), metres from the south-west corner of the search domain."""
 
 import os
-from typing import Optional, TypedDict
+from typing import Any, SupportsIndex
 
 import numpy as np
 from numpy.typing import NDArray
 
 Place = tuple[float, float]
 
-class Info(TypedDict, total=False):
-    snr_db: float
-    """As heard; where it was too faint to measure, the least that could have been."""
-    too_faint: bool
-    position_m: Place
-    source_m: Place
-    found: bool
-    """At the end of an episode only, like detections."""
-    detections: int
+# snr_db (as heard; where it was too faint to measure, the least that could have been), too_faint, position_m, source_m;
+# at the end of an episode also found and detections. A plain dict, as Gymnasium wants it.
+Info = dict[str, Any]
 
 class BadInput(ValueError):
     """An argument or a file is not as it must be; the message names it and says what is allowed."""
@@ -63,13 +57,13 @@ class Episodes:
     """
 
     def __init__(self, world: World, count: int) -> None: ...
-    def start(self, index: int, seed: Optional[int] = None) -> None:
+    def start(self, index: int, seed: int | None = None) -> None:
         """Draws the next search of one episode; a seed restarts its random numbers first."""
     def start_at(self, index: int, position_m: Place, source_m: Place) -> None:
         """Starts one episode at a given place."""
     def observations(self) -> NDArray[np.float32]:
         """[count x observation_size]"""
-    def step_one(self, action: int) -> tuple[NDArray[np.float32], float, bool, bool, Info]:
+    def step_one(self, action: SupportsIndex) -> tuple[NDArray[np.float32], float, bool, bool, Info]:
         """Steps episode 0: observation [observation_size], reward, terminated, truncated, info."""
     def step(
         self, actions: NDArray[np.int64]
@@ -80,10 +74,12 @@ class Episodes:
         NDArray[np.bool_],
         list[tuple[int, NDArray[np.float32], dict[str, float]]],
     ]:
-        """Steps all episodes with actions [count]; one that ends starts anew at once. Any integer dtype will do; TypeError for others.
+        """Steps all episodes with actions [count]; one that ends starts anew at once.
 
-        Returns observations [count x observation_size] to act upon next, rewards [count], terminated [count], truncated [count], and for each
-        episode that ended (index, last observation [observation_size], record)."""
+        Any integer dtype will do; TypeError for others. Returns observations [count x observation_size] to act upon
+        next, rewards [count], terminated [count], truncated [count], and for each episode that ended (index, last
+        observation [observation_size], record).
+        """
     def position_m(self, index: int) -> Place: ...
     def source_m(self, index: int) -> Place: ...
     def snr_db(self, index: int) -> float:
@@ -94,7 +90,10 @@ class Episodes:
         """reward (sum so far), steps, detections (steps with SNR at or over the threshold), found"""
 
 class FrozenPolicy:
-    """A `.policy` file, run with the arithmetic that flies. The signature is not checked. Raises BadInput for a damaged file."""
+    """A `.policy` file, run with the arithmetic that flies. The signature is not checked.
+
+    Raises BadInput for a damaged file.
+    """
 
     def __init__(self, file: os.PathLike[str] | str) -> None: ...
     def logits(self, observations: NDArray[np.float32]) -> NDArray[np.float32]:

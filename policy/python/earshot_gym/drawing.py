@@ -23,8 +23,8 @@ def line(world: World, episodes: Episodes) -> str:
     heard = "detected" if snr_db >= world.detection_threshold_db else "not detected"
     range_km = math.dist((north, east), source) / 1_000.0
     return (
-        f"step {record['steps']:.0f}: {north / 1_000:.1f} km north, {east / 1_000:.1f} km east; SNR {snr_db:.1f} dB, {heard}; "
-        f"source {range_km:.1f} km away; reward {record['reward']:.1f}\n"
+        f"step {record['steps']:.0f}: {north / 1_000:.1f} km north, {east / 1_000:.1f} km east; "
+        f"SNR {snr_db:.1f} dB, {heard}; source {range_km:.1f} km away; reward {record['reward']:.1f}\n"
     )
 
 
@@ -39,7 +39,9 @@ def picture(world: World, path: list[Place], source: Place) -> NDArray[np.uint8]
 
     def dot(place: Place, colour: tuple[int, int, int], radius: int) -> None:
         row, column = int(height - place[0] / metres_per_pixel), int(place[1] / metres_per_pixel)
-        image[max(0, row - radius) : max(0, row + radius + 1), max(0, column - radius) : max(0, column + radius + 1)] = colour
+        rows = slice(max(0, row - radius), max(0, row + radius + 1))
+        columns = slice(max(0, column - radius), max(0, column + radius + 1))
+        image[rows, columns] = colour
 
     for (north_a, east_a), (north_b, east_b) in zip(path, path[1:]):
         for along in np.linspace(0.0, 1.0, 16):

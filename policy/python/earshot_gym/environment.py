@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -25,22 +25,25 @@ def spaces_of(world: SearchWorld) -> tuple[gymnasium.spaces.Box, gymnasium.space
 
 
 class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
-    """One vehicle that takes steps of 1 km in compass directions until it is within 1 km of the source, out of the domain, or out of time.
+    """One vehicle that takes steps of 1 km in compass directions.
+
+    An episode lasts until it is within 1 km of the source, out of the domain, or out of time.
 
     Observation  float32 [observation_size], as `state` says (see `make_world`); the same code makes it at sea
     Action       a compass direction, clockwise, 0 is north
     Reward       0 with a detection, -1 without; down to -100 and below towards and beyond the edge of the domain
     Terminated   source found, or domain left;  truncated after `max_steps`
-    Info         snr_db (dB) and whether it was measured (else it lies somewhere below), position_m and source_m ((north, east) in metres from the south-west corner); the source is not for the policy
-                 to see; at the end of an episode also found and detections
+    Info         snr_db (dB), and too_faint where it was not measured but lies somewhere below; position_m and source_m,
+                 (north, east) in metres from the south-west corner, the source not for the policy to see; at the end of
+                 an episode also found and detections
 
     reset(options={"position_m": (north, east), "source_m": (north, east)}) starts at a given place.
     Keyword arguments are those of `make_world`.
     """
 
-    metadata = {"render_modes": ["ansi", "rgb_array"], "render_fps": 4}
+    metadata: dict[str, Any] = {"render_modes": ["ansi", "rgb_array"], "render_fps": 4}
 
-    def __init__(self, *, render_mode: Optional[str] = None, **options: Unpack[WorldOptions]) -> None:
+    def __init__(self, *, render_mode: str | None = None, **options: Unpack[WorldOptions]) -> None:
         if render_mode is not None and render_mode not in self.metadata["render_modes"]:
             raise ValueError(f"render_mode = {render_mode!r}: must be one of {self.metadata['render_modes']}")
         self.render_mode = render_mode
@@ -56,7 +59,7 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
         return self.world.description
 
     def reset(
-        self, *, seed: Optional[int] = None, options: Optional[dict[str, Any]] = None
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
         super().reset(seed=seed)
         if seed is None and not self._seeded:
@@ -68,14 +71,14 @@ class AcousticSearchEnv(gymnasium.Env[NDArray[np.float32], np.int64]):
         self._path = [self._episodes.position_m(0)]
         return self._episodes.observations()[0], self._episodes.info(0)
 
-    def step(self, action: np.int64) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
+    def step(self, action: int | np.int64) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
         stepped = self._episodes.step_one(action)
         if self.render_mode is not None:
             self._path.append(self._episodes.position_m(0))
         return stepped
 
     def render(self) -> Any:
-        """ "ansi": one line. "rgb_array": uint8 [height x width x 3], north up; what is heard where, the path, the source."""
+        """ "ansi": one line. "rgb_array": uint8 [height x width x 3], north up: where it is heard, path, source."""
         if self.render_mode == "ansi":
             return drawing.line(self.world, self._episodes)
         if self.render_mode == "rgb_array":

@@ -8,7 +8,7 @@ import os
 import time
 import zipfile
 from pathlib import Path
-from typing import Any, Optional, Union
+from typing import Any, Union
 
 import gymnasium
 import numpy as np
@@ -33,14 +33,16 @@ __all__ = ["SearchVecEnv", "describe", "export_onnx", "save"]
 
 Path_ = Union[str, os.PathLike[str]]
 
-# Wrappers that leave observations and actions as they are; a class derived from one may not, nor one that only has its name.
+# Wrappers that leave observations and actions as they are; a class derived from one may not, nor one that only has
+# its name.
 _PLAIN_VECTOR_WRAPPERS = (VecMonitor, VecCheckNan)
 _PLAIN_WRAPPERS = (Monitor, TimeLimit, OrderEnforcing, PassiveEnvChecker, RecordEpisodeStatistics)
 
 
 class SearchVecEnv(VecEnv):
-    """`num_envs` searches stepped together in C++; monitored: info["episode"] holds reward and length of an episode that ended.
+    """`num_envs` searches stepped together in C++.
 
+    Monitored: info["episode"] holds reward and length of an episode that ended.
     Keyword arguments are those of `make_world`.
     """
 
@@ -102,7 +104,10 @@ class SearchVecEnv(VecEnv):
 def _inner(env: gymnasium.Env) -> gymnasium.Env:
     while isinstance(env, gymnasium.Wrapper):
         if type(env) not in _PLAIN_WRAPPERS:
-            raise ValueError(f"{type(env).__name__}: not known to leave observations and actions as they are; this policy cannot be frozen")
+            raise ValueError(
+                f"{type(env).__name__}: not known to leave observations and actions as they are; "
+                "this policy cannot be frozen"
+            )
         env = env.env
     return env
 
@@ -116,22 +121,27 @@ def _searches(env: VecEnv) -> list[Any]:
     searches = [_inner(each) for each in env.envs] if isinstance(env, DummyVecEnv) else [env]
     for search in searches:
         if not isinstance(search, (SearchVecEnv, AcousticSearchEnv)):
-            raise ValueError(f"{type(search).__name__}: not a search of Earshot, or not to be looked into; train in earshot_gym.sb3.SearchVecEnv")
+            raise ValueError(
+                f"{type(search).__name__}: not a search of Earshot, or not to be looked into; "
+                "train in earshot_gym.sb3.SearchVecEnv"
+            )
     return searches
 
 
-def describe(model: BaseAlgorithm, env: Optional[VecEnv] = None) -> str:
+def describe(model: BaseAlgorithm, env: VecEnv | None = None) -> str:
     """What `earshot freeze` must know of the policy besides its weights, one line of JSON.
 
-    Raises ValueError when something between environment and policy changes what it sees (VecNormalize, frame stacks, unknown wrappers, a
-    features extractor), and when its environments are searches that differ.
+    Raises ValueError when something between environment and policy changes what it sees (VecNormalize, frame stacks,
+    unknown wrappers, a features extractor), and when its environments are searches that differ.
     """
     current = env if env is not None else model.get_env()
     if current is None:
         raise ValueError("the model has no environment: give the one it was trained in (env=...)")
     extractor = type(getattr(model.policy, "features_extractor", None))
     if extractor is not FlattenExtractor:
-        raise ValueError(f"features_extractor: {extractor.__name__} changes what the policy sees; this policy cannot be frozen")
+        raise ValueError(
+            f"features_extractor: {extractor.__name__} changes what the policy sees; this policy cannot be frozen"
+        )
     inner, *others = _searches(current)
     if any(other.search_description != inner.search_description for other in others):
         raise ValueError("the model's environments are searches that differ; this policy cannot be frozen")
@@ -144,10 +154,11 @@ def describe(model: BaseAlgorithm, env: Optional[VecEnv] = None) -> str:
     return json.dumps(description)
 
 
-def save(model: BaseAlgorithm, path: Path_, env: Optional[VecEnv] = None) -> Path:
-    """model.save(path), and in the zip what the policy was trained to search: `earshot freeze` reads it. Returns the file.
+def save(model: BaseAlgorithm, path: Path_, env: VecEnv | None = None) -> Path:
+    """model.save(path), and in the zip what the policy was trained to search: `earshot freeze` reads it.
 
-    Stable-Baselines3 loads the file as any other of its own. Raises ValueError as `describe` does; then nothing is written.
+    Stable-Baselines3 loads the file as any other of its own. Returns the file. Raises ValueError as `describe` does;
+    then nothing is written.
     """
     description = describe(model, env)
     file = Path(path) if Path(path).suffix == ".zip" else Path(f"{path}.zip")
@@ -162,9 +173,10 @@ def save(model: BaseAlgorithm, path: Path_, env: Optional[VecEnv] = None) -> Pat
     return file
 
 
-def export_onnx(model: BaseAlgorithm, path: Path_, env: Optional[VecEnv] = None) -> Path:
-    """Writes the actor, observation [batch x observation_size] -> logits [batch x action_count], as ONNX that `earshot freeze` reads.
+def export_onnx(model: BaseAlgorithm, path: Path_, env: VecEnv | None = None) -> Path:
+    """Writes the actor as ONNX that `earshot freeze` reads.
 
+    Shapes  observation [batch x observation_size] -> logits [batch x action_count]
     Raises ValueError as `describe` does; then nothing is written.
     """
     import torch

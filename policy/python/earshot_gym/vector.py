@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence, Union
+from collections.abc import Sequence
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -27,22 +28,27 @@ _IS_GYMNASIUM_1 = int(gymnasium.__version__.split(".")[0]) >= 1
 class AcousticSearchVectorEnv(VectorEnv):
     """`num_envs` searches stepped together; observation, action and reward are those of AcousticSearchEnv.
 
-    Autoreset mode: same step. An episode that ends starts anew within the step: the observation is the new episode's first; the old one's
-    last is in info as `final_obs` (Gymnasium before 1.0: `final_observation`), its reward, steps, detections and found as `final_info`.
+    Autoreset mode: same step. An episode that ends starts anew within the step: the observation is the new episode's
+    first; the old one's last is in info as `final_obs` (Gymnasium before 1.0: `final_observation`), its reward, steps,
+    detections and found as `final_info`.
 
     Environment i after reset(seed=s) runs as AcousticSearchEnv after reset(seed=s + i).
 
-    Shapes  observations float32 [num_envs x observation_size]; actions [num_envs]; rewards float64, terminated, truncated [num_envs]
+    Shapes  observations float32 [num_envs x observation_size]; actions [num_envs];
+            rewards float64, terminated, truncated [num_envs]
     Keyword arguments are those of `make_world`; max_episode_steps is another name of max_steps.
     """
 
-    metadata: dict[str, Any] = {"render_modes": [], "autoreset_mode": _AUTORESET_MODE.SAME_STEP if _AUTORESET_MODE else "SameStep"}
+    metadata: dict[str, Any] = {
+        "render_modes": [],
+        "autoreset_mode": _AUTORESET_MODE.SAME_STEP if _AUTORESET_MODE else "SameStep",
+    }
 
     def __init__(
         self,
         num_envs: int = 1,
         *,
-        max_episode_steps: Optional[int] = None,
+        max_episode_steps: int | None = None,
         render_mode: None = None,
         **options: Unpack[WorldOptions],
     ) -> None:
@@ -66,7 +72,7 @@ class AcousticSearchVectorEnv(VectorEnv):
         return self.world.description
 
     def reset(
-        self, *, seed: Union[int, Sequence[Optional[int]], None] = None, options: Optional[dict[str, Any]] = None
+        self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
         if options:
             raise ValueError(f"options: unknown {sorted(options)}")
@@ -81,7 +87,7 @@ class AcousticSearchVectorEnv(VectorEnv):
         observations, rewards, terminated, truncated, ended = self._episodes.step(np.asarray(actions))
         return observations, rewards, terminated, truncated, self._info(ended) if ended else {}
 
-    def _seeds(self, seed: Union[int, Sequence[Optional[int]], None]) -> list[Optional[int]]:
+    def _seeds(self, seed: int | Sequence[int | None] | None) -> list[int | None]:
         if seed is None and not self._seeded:
             seed = int(np.random.default_rng().integers(2**63))
         if seed is None:
@@ -89,7 +95,9 @@ class AcousticSearchVectorEnv(VectorEnv):
         if isinstance(seed, (int, np.integer)):
             seed = [int(seed) + index for index in range(self.num_envs)]
         if len(seed) != self.num_envs or any(own is not None and own < 0 for own in seed):
-            raise ValueError(f"seed: must be one number, 0 or more, or one for each of the {self.num_envs} environments")
+            raise ValueError(
+                f"seed: must be one number, 0 or more, or one for each of the {self.num_envs} environments"
+            )
         return [None if own is None else own % 2**64 for own in seed]
 
     def _info(self, ended: list[tuple[int, NDArray[np.float32], dict[str, float]]]) -> dict[str, Any]:
@@ -99,7 +107,12 @@ class AcousticSearchVectorEnv(VectorEnv):
         for index, observation, record in ended:
             mask[index], last[index], records[index] = True, observation, record
         if not _IS_GYMNASIUM_1:
-            return {"final_observation": last, "_final_observation": mask, "final_info": records, "_final_info": mask.copy()}
+            return {
+                "final_observation": last,
+                "_final_observation": mask,
+                "final_info": records,
+                "_final_info": mask.copy(),
+            }
         final_info: dict[str, Any] = {}
         for key, like in ended[0][2].items():
             final_info[key] = np.zeros(self.num_envs, dtype=type(like))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import os
 from pathlib import Path
-from typing import TypedDict, Union
+from typing import TypedDict
 
 from earshot_gym._core import World as SearchWorld
 
@@ -17,7 +17,7 @@ PAPER_ENVIRONMENT = Path(__file__).parent / "environments" / "munk_flat.toml"
 class WorldOptions(TypedDict, total=False):
     """Keyword arguments of `make_world`, and of the environments, which pass them on."""
 
-    environment: Union[str, os.PathLike[str]]
+    environment: str | os.PathLike[str]
     state: str
     remembered_steps: int
     source: str
@@ -32,7 +32,7 @@ class WorldOptions(TypedDict, total=False):
 
 def make_world(
     *,
-    environment: Union[str, os.PathLike[str]] = PAPER_ENVIRONMENT,
+    environment: str | os.PathLike[str] = PAPER_ENVIRONMENT,
     state: str = "simple",
     remembered_steps: int = 2,
     source: str = "fixed",
@@ -44,9 +44,9 @@ def make_world(
     listening: str = "newest",
     listening_window_s: int = 0,
 ) -> SearchWorld:
-    """A search with its ocean solved; the same choices give the same object, so that many environments solve it once.
+    """A search with its ocean solved; the same choices give the same object: many environments solve it once.
 
-    environment       TOML file: ocean, source, noise, and the conditions of the search (fluctuation, drift, pauses, ...)
+    environment       TOML file: ocean, source, noise, conditions of the search (fluctuation, drift, pauses, ...)
     state             "simple": (x, y); "memory": (dx, dy, SNR) of each of the last `remembered_steps` steps;
                       "position_memory": both;
                       "belief": distances to the edges, where the source may be, and what each action promises
@@ -56,8 +56,9 @@ def make_world(
     vehicle_depth_m   positive down
     border_width_m    b of the border in which the reward falls to -100
     max_steps         N, after which an episode is truncated
-    listening         what an observation hears of its step: the "newest" look, or the "loudest" or the "mean" of those that were measured in
-                      the last `listening_window_s` seconds (1 to 120; 0 with "newest"), a look a second
+    listening         what an observation hears of its step, a look a second: the "newest" look, or the "loudest" or the
+                      "mean" of those that were measured in the last `listening_window_s` seconds (1 to 120; 0 with
+                      "newest")
 
     Raises FileNotFoundError, or BadInput (a ValueError) that names what is wrong and what is allowed.
     """

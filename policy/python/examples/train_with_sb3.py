@@ -1,6 +1,7 @@
-"""Trains a search policy with Stable-Baselines3's PPO on Earshot's C++ environment, and saves it so that a vehicle can fly it.
+"""Trains a policy with Stable-Baselines3's PPO on Earshot's C++ environment, and saves it so that a vehicle can fly it.
 
-usage: python policy/python/examples/train_with_sb3.py [--steps N] [--state simple|memory|position_memory|belief] [--source fixed|changing] [-o model.zip]
+usage: python policy/python/examples/train_with_sb3.py [--steps N] [--state simple|memory|position_memory|belief]
+                                                       [--source fixed|changing] [-o model.zip]
 
 Then, with the programs built (cmake --preset release && cmake --build --preset release):
 

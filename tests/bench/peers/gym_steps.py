@@ -1,28 +1,30 @@
-"""gym.*: steps of the search as a Gymnasium environment, and steps of Stable-Baselines3's PPO on it; ours, or a plain Python one. One thread.
+"""gym.*: steps of the search as a Gymnasium environment, and steps of Stable-Baselines3's PPO on it. One thread.
 
 usage: python tests/bench/peers/gym_steps.py env|vector|train earshot|python      prints one JSON line, steps a second
 
-Both are the changing source with the memory state, m = 2: one environment stepped alone (env), eight stepped together (vector), 64 trained on together (train). The
-plain Python environment is sb3_ppo.py's, written as a person would; several of it stand in Stable-Baselines3's DummyVecEnv, its default.
+Both our environment and a plain Python one are the changing source with the memory state, m = 2: one environment
+stepped alone (env), eight stepped together (vector), 64 trained on together (train). The plain Python environment is
+sb3_ppo.py's, written as a person would; several of it stand in Stable-Baselines3's DummyVecEnv, its default.
 """
 
 import json
 import sys
 import time
 
+import sb3_without_plots  # noqa: F401
+
 import gymnasium
 import numpy as np
 import torch
-
-import sb3_without_plots  # noqa: F401
 from stable_baselines3 import PPO
 from stable_baselines3.common.monitor import Monitor
 from stable_baselines3.common.vec_env import DummyVecEnv
 
 import earshot_gym.sb3
+from earshot_gym.world import WorldOptions
 from sb3_ppo import AcousticSearch
 
-OPTIONS = {"state": "memory", "source": "changing"}
+OPTIONS: WorldOptions = {"state": "memory", "source": "changing"}
 STEPPED_TOGETHER = 8
 TRAINED_TOGETHER = 64
 
@@ -49,7 +51,10 @@ def vector_steps_per_s(env, steps: int) -> float:
 
 
 def train_steps_per_s(env, steps: int) -> float:
-    """Rollouts of 256 steps each and updates with minibatches of 2048: with small ones the update, the same for both, is nearly all there is."""
+    """Rollouts of 256 steps each and updates with minibatches of 2048.
+
+    With small ones the update, the same for both, is nearly all there is.
+    """
     model = PPO("MlpPolicy", env, n_steps=256, batch_size=2048, seed=1, device="cpu")
     begin = time.perf_counter()
     model.learn(steps)

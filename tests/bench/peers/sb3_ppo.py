@@ -1,9 +1,13 @@
-"""Peer of ppo.steps_per_s: Stable-Baselines3's PPO at its defaults on the same task, written as a plain Python Gymnasium environment; one thread.
+"""Peer of ppo.steps_per_s: Stable-Baselines3's PPO at its defaults on the same task, one thread.
 
-With large_batch, the peer of ppo.large_batch.steps_per_s: minibatches of 2048, the whole rollout. With many_environments, that of
-ppo.many_environments.steps_per_s: 64 environments, 256 steps of each in a rollout, minibatches of 2048.
+The task is written as a plain Python Gymnasium environment.
 
-usage: python tests/bench/peers/sb3_ppo.py [large_batch|many_environments] [STEPS]      prints one JSON line, training steps a second
+With large_batch, the peer of ppo.large_batch.steps_per_s: minibatches of 2048, the whole rollout. With
+many_environments, that of ppo.many_environments.steps_per_s: 64 environments, 256 steps of each in a rollout,
+minibatches of 2048.
+
+usage: python tests/bench/peers/sb3_ppo.py [large_batch|many_environments] [STEPS]
+       prints one JSON line, training steps a second
 """
 
 import json
@@ -11,11 +15,11 @@ import math
 import sys
 import time
 
+import sb3_without_plots  # noqa: F401
+
 import gymnasium
 import numpy as np
 import torch
-
-import sb3_without_plots  # noqa: F401
 from stable_baselines3 import PPO
 from stable_baselines3.common.vec_env import DummyVecEnv
 
@@ -48,7 +52,8 @@ class AcousticSearch(gymnasium.Env):
             if math.hypot(self.north - self.source_north, self.east - self.source_east) > STEP_M:
                 break
         self.steps = 0
-        self.memory = [0.0, 0.0, (self.snr() - THRESHOLD_DB) / 30.0] + [0.0, 0.0, -THRESHOLD_DB / 30.0] * (REMEMBERED - 1)
+        unheard = [0.0, 0.0, -THRESHOLD_DB / 30.0]
+        self.memory = [0.0, 0.0, (self.snr() - THRESHOLD_DB) / 30.0] + unheard * (REMEMBERED - 1)
         return self.observation(), {}
 
     def step(self, action):
@@ -81,7 +86,8 @@ def main() -> None:
     begin = time.perf_counter()
     model.learn(steps)
     elapsed = time.perf_counter() - begin
-    print(json.dumps({"name": f"ppo.{kind}.steps_per_s" if kind else "ppo.steps_per_s", "value": model.num_timesteps / elapsed, "unit": "steps/s"}))
+    name = f"ppo.{kind}.steps_per_s" if kind else "ppo.steps_per_s"
+    print(json.dumps({"name": name, "value": model.num_timesteps / elapsed, "unit": "steps/s"}))
 
 
 if __name__ == "__main__":

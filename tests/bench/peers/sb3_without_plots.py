@@ -1,10 +1,13 @@
-"""Import before stable_baselines3: its logger and monitor import matplotlib and pandas (150 MB) for plots nobody draws here."""
+"""Import before stable_baselines3.
+
+Its logger and monitor import matplotlib and pandas (150 MB) for plots nobody draws here.
+"""
 
 import sys
 import types
 
 for _name in ("matplotlib", "matplotlib.figure", "pandas"):
     sys.modules.setdefault(_name, types.ModuleType(_name))
-sys.modules["matplotlib"].figure = sys.modules["matplotlib.figure"]
-sys.modules["matplotlib.figure"].Figure = object
-sys.modules["pandas"].DataFrame = object
+vars(sys.modules["matplotlib"])["figure"] = sys.modules["matplotlib.figure"]
+vars(sys.modules["matplotlib.figure"])["Figure"] = object
+vars(sys.modules["pandas"])["DataFrame"] = object

@@ -1,4 +1,7 @@
-"""The DBC file as a user of cantools meets it. Expected values are worked out by hand from the frames' bytes (NMEA 2000: little-endian)."""
+"""The DBC file as a user of cantools meets it.
+
+Expected values are worked out by hand from the frames' bytes (NMEA 2000: little-endian).
+"""
 
 import subprocess
 import sys
@@ -6,8 +9,6 @@ import unittest
 from pathlib import Path
 
 DBC = Path(__file__).resolve().parents[3] / "hil" / "bus" / "earshot.dbc"
-
-
 LINES = {
     "heading of the simulated vehicle": "  vcan0  09F11223   [8]  FF 70 5A FF 7F FF 7F FD",
     "set-point of Earshot": "  vcan0  0CFF0A40   [8]  FC 9F C8 00 30 75 00 00",
@@ -21,10 +22,13 @@ def decode(*options: str) -> dict[str, str]:
     """What `candump vcan0 | cantools decode earshot.dbc` prints of each of candump's lines."""
     command = [sys.executable, "-m", "cantools", "decode", "--single-line", *options, str(DBC)]
     done = subprocess.run(command, input="\n".join(LINES.values()) + "\n", capture_output=True, text=True, check=True)
-    return dict(zip(LINES, done.stdout.splitlines()))
+    return dict(zip(LINES, done.stdout.splitlines(), strict=True))
 
 
 class DecodesWithCantools(unittest.TestCase):
+    plain: dict[str, str]
+    masked: dict[str, str]
+
     @classmethod
     def setUpClass(cls):
         cls.plain, cls.masked = decode(), decode("--frame-id-mask", "0x1ffff00")

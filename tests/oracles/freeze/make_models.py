@@ -1,17 +1,19 @@
-"""Writes tests/policy/freeze/models: policies that Stable-Baselines3 2.3.2 trained on Earshot's environment, and what it decides with them.
+"""Writes tests/policy/freeze/models: policies that Stable-Baselines3 2.3.2 trained, and what it decides with them.
 
 usage: python tests/oracles/freeze/make_models.py tests/policy/freeze/models
-needs: stable-baselines3==2.3.2 gymnasium==0.29.1 torch (toolchains/python-environment tests/bench/requirements.txt), and policy/python
+needs: stable-baselines3==2.3.2 gymnasium==0.29.1 torch (toolchains/python-environment tests/bench/requirements.txt),
+       and policy/python, whose environment they were trained on
 
 memory.zip        PPO at its defaults, memory state, saved by earshot_gym.sb3.save
 memory.onnx       the same policy, exported by earshot_gym.sb3.export_onnx
-memory.json       its decisions (predict, deterministic) for 10 000 observations that `uniform` below gives and sb3_model_test.cpp repeats,
-                  one digit each; CRC-32 of every weight's bytes as NumPy has them
+memory.json       its decisions (predict, deterministic) for 10 000 observations that `uniform` below gives and
+                  sb3_model_test.cpp repeats, one digit each; CRC-32 of every weight's bytes as NumPy has them
 named_tanh.zip    activation and layers named in policy_kwargs, hidden layers 32 and 16
 plain_save.zip    saved by Stable-Baselines3 itself: says nothing of the search
 relu.zip, three_layers.zip, named_extractor.zip, own_policy.zip, continuous.zip   what cannot be frozen
 
-Left out of every zip: the optimiser, and what names the machine it was made on (system_info.txt; functions, whose pickles hold file paths).
+Left out of every zip: the optimiser, and what names the machine it was made on (system_info.txt; functions, whose
+pickles hold file paths).
 """
 
 import json
@@ -26,6 +28,7 @@ import torch
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "peers"))
 import sb3_without_plots  # noqa: F401
+
 from stable_baselines3 import PPO
 from stable_baselines3.common.policies import ActorCriticPolicy
 from stable_baselines3.common.torch_layers import FlattenExtractor
@@ -33,6 +36,7 @@ from stable_baselines3.common.torch_layers import FlattenExtractor
 import earshot_gym.sb3
 
 DECISIONS, OBSERVATION_SIZE = 10_000, 6
+FUNCTION = "<class 'function'>"  # as Stable-Baselines3 names the type of what it pickled
 
 
 def uniform(stream: int, i: int) -> float:
@@ -57,7 +61,8 @@ class OwnPolicy(ActorCriticPolicy):
 
 def decisions_of(model: PPO) -> dict:
     observations = np.array(
-        [[3.0 * uniform(element, i) - 1.5 for element in range(OBSERVATION_SIZE)] for i in range(DECISIONS)], dtype=np.float32
+        [[3.0 * uniform(element, i) - 1.5 for element in range(OBSERVATION_SIZE)] for i in range(DECISIONS)],
+        dtype=np.float32,
     )
     actions, _ = model.predict(observations, deterministic=True)
     weights = {name: tensor.numpy() for name, tensor in model.policy.state_dict().items()}
@@ -71,7 +76,9 @@ def slim(file: Path) -> None:
     with zipfile.ZipFile(file) as archive:
         entries = {name: archive.read(name) for name in archive.namelist()}
     data = json.loads(entries["data"])
-    data = {key: value for key, value in data.items() if not (isinstance(value, dict) and value.get(":type:") == "<class 'function'>")}
+    functions = [key for key, value in data.items() if isinstance(value, dict) and value.get(":type:") == FUNCTION]
+    for key in functions:
+        del data[key]
     entries["data"] = json.dumps(data, indent=4).encode()
     with zipfile.ZipFile(file, "w") as archive:
         for name, content in entries.items():
@@ -99,7 +106,8 @@ def main() -> None:
     untrained(net_arch=[4, 4]).save(folder / "plain_save.zip")
     earshot_gym.sb3.save(untrained(net_arch=[4, 4], activation_fn=torch.nn.ReLU), folder / "relu.zip")
     earshot_gym.sb3.save(untrained(net_arch=[4, 4, 4]), folder / "three_layers.zip")
-    earshot_gym.sb3.save(untrained(net_arch=[4, 4], features_extractor_class=FlattenExtractor), folder / "named_extractor.zip")
+    named = untrained(net_arch=[4, 4], features_extractor_class=FlattenExtractor)
+    earshot_gym.sb3.save(named, folder / "named_extractor.zip")
     earshot_gym.sb3.save(untrained(OwnPolicy, net_arch=[4, 4]), folder / "own_policy.zip")
     PPO("MlpPolicy", Continuous(), device="cpu", policy_kwargs={"net_arch": [4, 4]}).save(folder / "continuous.zip")
     for file in folder.glob("*.zip"):

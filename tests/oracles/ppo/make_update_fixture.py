@@ -3,10 +3,11 @@
 usage: python tests/oracles/ppo/make_update_fixture.py > tests/policy/ppo/update.json
 needs: stable-baselines3==2.3.2 gymnasium==0.29.1 torch (toolchains/python-environment tests/bench/requirements.txt)
 
-Inputs come from `uniform` below, an integer hash that learner_test.cpp repeats, so the file holds outputs only: advantages and returns
-[environment][step], and every parameter after the epochs, named and row-major as in PyTorch.
+Inputs come from `uniform` below, an integer hash that learner_test.cpp repeats, so the file holds outputs only:
+advantages and returns [environment][step], and every parameter after the epochs, named and row-major as in PyTorch.
 """
 
+import functools
 import json
 import sys
 from pathlib import Path
@@ -17,13 +18,15 @@ import torch
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "peers"))
 import sb3_without_plots  # noqa: F401
+
 from stable_baselines3 import PPO
 from stable_baselines3.common.logger import Logger
 from stable_baselines3.common.vec_env import DummyVecEnv
 
 OBSERVATION_SIZE, ACTIONS, ENVIRONMENTS, STEPS, BATCH = 6, 8, 2, 40, 32
 SAMPLES = ENVIRONMENTS * STEPS
-STRIDES = [3, 7, 9]  # one epoch each: sample i of epoch e is (i * stride + e) mod SAMPLES; 80 samples give batches of 32, 32, 16
+# One epoch each: sample i of epoch e is (i * stride + e) mod SAMPLES; 80 samples give batches of 32, 32, 16.
+STRIDES = [3, 7, 9]
 
 
 def uniform(stream: int, i: int) -> float:
@@ -50,6 +53,11 @@ class Nowhere(gymnasium.Env):
         return np.zeros(OBSERVATION_SIZE, np.float32), {}
 
 
+def strided(stride: int, epoch: int, n: int) -> np.ndarray:
+    """In place of a random order of n samples."""
+    return np.array([(i * stride + epoch) % n for i in range(n)])
+
+
 def main() -> None:
     torch.set_num_threads(1)
     vector = DummyVecEnv([Nowhere] * ENVIRONMENTS)
@@ -58,7 +66,7 @@ def main() -> None:
 
     names = dict(model.policy.named_parameters())
     with torch.no_grad():
-        for stream, (name, tensor) in enumerate(sorted(names.items())):
+        for stream, (_, tensor) in enumerate(sorted(names.items())):
             tensor.copy_(torch.from_numpy(array(100 + stream, tuple(tensor.shape), 0.5, -0.25)))
 
     # Buffers are [step, environment]; streams count environment * STEPS + step, the order of the flattened buffer.
@@ -81,7 +89,7 @@ def main() -> None:
         "returns": buffer.returns.T.flatten().tolist(),
     }
     for epoch, stride in enumerate(STRIDES):
-        np.random.permutation = lambda n, epoch=epoch, stride=stride: np.array([(i * stride + epoch) % n for i in range(n)])
+        np.random.permutation = functools.partial(strided, stride, epoch)
         model.train()
     out["parameters"] = {name: tensor.detach().numpy().flatten().tolist() for name, tensor in sorted(names.items())}
     rounded = json.loads(json.dumps(out), parse_float=lambda s: float(f"{float(s):.9g}"))

@@ -1,4 +1,7 @@
-"""policy/python as a person meets it: Gymnasium's own checks, seeds, vector against single, bad input. Run by ctest (run in this folder)."""
+"""policy/python as a person meets it: Gymnasium's own checks, seeds, vector against single, bad input.
+
+Run by ctest (run in this folder).
+"""
 
 import subprocess
 import sys
@@ -6,6 +9,7 @@ import tempfile
 import unittest
 import warnings
 from pathlib import Path
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -37,7 +41,8 @@ class Environment(unittest.TestCase):
                 with self.subTest(state=state, source=source), warnings.catch_warnings():
                     warnings.simplefilter("error")
                     warnings.filterwarnings("ignore", message=".*Box observation space m..imum value is -?infinity")
-                    check_env(gymnasium.make(earshot_gym.ID, state=state, source=source, render_mode="rgb_array").unwrapped)
+                    env = gymnasium.make(earshot_gym.ID, state=state, source=source, render_mode="rgb_array")
+                    check_env(env.unwrapped)
 
     def test_repeats_an_episode_from_its_seed(self):
         rng = np.random.default_rng(1)
@@ -55,8 +60,10 @@ class Environment(unittest.TestCase):
 
     def test_finds_a_source_straight_east(self):
         env = earshot_gym.AcousticSearchEnv(state="simple", source="changing")
-        observation, info = env.reset(seed=1, options={"position_m": (12_500.0, 5_000.0), "source_m": (12_500.0, 8_500.0)})
-        np.testing.assert_allclose(observation, [-0.6, 0.0], atol=1e-6)  # (x, y) over half the area's 25 km, from its centre; a float's rounding
+        places = {"position_m": (12_500.0, 5_000.0), "source_m": (12_500.0, 8_500.0)}
+        observation, info = env.reset(seed=1, options=places)
+        # (x, y) over half the area's 25 km, from its centre; a float's rounding.
+        np.testing.assert_allclose(observation, [-0.6, 0.0], atol=1e-6)
         self.assertEqual(info["source_m"], (12_500.0, 8_500.0))
         for step in range(3):  # 3.5 km away, found within 1 km: 3 steps of 1 km
             _, reward, terminated, truncated, info = env.step(EAST)
@@ -85,7 +92,7 @@ class Environment(unittest.TestCase):
         self.assertEqual(tuple(picture[256 - 103, 102]), (235, 80, 60))  # the source, 10 of 25 km north and east
 
     def test_refuses_bad_input_by_name(self):
-        for arguments, error, message in [
+        cases: list[tuple[dict[str, Any], type[Exception], str]] = [
             ({"state": "both"}, ValueError, "state.*simple.*memory.*belief"),
             ({"source": "moving"}, ValueError, "source.*fixed.*changing"),
             ({"start": "anywhere"}, ValueError, "start.*domain.*inside_border"),
@@ -96,7 +103,11 @@ class Environment(unittest.TestCase):
             ({"state": "position_memory", "remembered_steps": 21}, ValueError, "remembered_steps = 21.*1 to 20"),
             ({"max_steps": 0}, ValueError, "max_steps = 0"),
             ({"listening": "all"}, ValueError, "listening.*newest.*loudest.*mean"),
-            ({"listening": "newest", "listening_window_s": 30}, ValueError, "listening_window_s.*newest.*without a window"),
+            (
+                {"listening": "newest", "listening_window_s": 30},
+                ValueError,
+                "listening_window_s.*newest.*without a window",
+            ),
             ({"listening": "loudest"}, ValueError, "listening_window_s.*1 to 120"),
             ({"listening": "mean", "listening_window_s": 121}, ValueError, "listening_window_s.*1 to 120 s, not 121"),
             ({"border_width_m": float("nan")}, ValueError, "border_width_m"),
@@ -104,7 +115,8 @@ class Environment(unittest.TestCase):
             ({"vehicle_depth_m": 3_000.0}, ValueError, "vehicle_depth_m"),
             ({"render_mode": "hologram"}, ValueError, "render_mode"),
             ({"frobnicate": 1}, TypeError, "frobnicate"),
-        ]:
+        ]
+        for arguments, error, message in cases:
             with self.subTest(**arguments):
                 self.assertRaisesRegex(error, message, earshot_gym.AcousticSearchEnv, **arguments)
 
@@ -112,7 +124,8 @@ class Environment(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "ocean.toml"
             file.write_text(earshot_gym.world.PAPER_ENVIRONMENT.read_text() + "\n[sky]\n")
-            self.assertRaisesRegex(earshot_gym.BadInput, "ocean.toml.*sky.*unknown key", earshot_gym.AcousticSearchEnv, environment=file)
+            with self.assertRaisesRegex(earshot_gym.BadInput, "ocean.toml.*sky.*unknown key"):
+                earshot_gym.AcousticSearchEnv(environment=file)
 
     def test_refuses_steps_that_cannot_be_taken(self):
         env = earshot_gym.AcousticSearchEnv()
@@ -144,7 +157,8 @@ class Episodes(unittest.TestCase):
             for index in range(2):
                 episodes.start_at(index, (20_000.0, 20_000.0), (10_000.0, 10_000.0))
             episodes.step(np.array([2, 0], dtype=dtype))  # east, north
-            self.assertEqual((episodes.position_m(0), episodes.position_m(1)), ((20_000.0, 21_000.0), (21_000.0, 20_000.0)), dtype)
+            self.assertEqual(episodes.position_m(0), (20_000.0, 21_000.0), dtype)
+            self.assertEqual(episodes.position_m(1), (21_000.0, 20_000.0), dtype)
         for actions in ([1.9, 0.0], np.array([True, False]), np.array([1.0, 0.0], np.float32), np.array(["1", "0"])):
             self.assertRaisesRegex(TypeError, "actions: must be whole numbers", episodes.step, np.asarray(actions))
         self.assertRaisesRegex(ValueError, "action -1", episodes.step, np.array([2**64 - 1, 0], np.uint64))
@@ -155,14 +169,13 @@ class VectorEnvironment(unittest.TestCase):
 
     def make(self, **options):
         if gymnasium.__version__.startswith("0."):
-            env = gymnasium.make_vec(earshot_gym.ID, num_envs=self.COUNT, vectorization_mode="custom", vector_kwargs=options)
-        else:
-            env = gymnasium.make_vec(earshot_gym.ID, num_envs=self.COUNT, **options)
+            options = {"vectorization_mode": "custom", "vector_kwargs": options}
+        env = gymnasium.make_vec(earshot_gym.ID, num_envs=self.COUNT, **options)
         self.addCleanup(env.close)
         return env
 
     def test_runs_as_so_many_single_ones(self):
-        options = {"state": "memory", "source": "changing"}
+        options: earshot_gym.world.WorldOptions = {"state": "memory", "source": "changing"}
         rng = np.random.default_rng(2)
         vector, singles = self.make(**options), [earshot_gym.AcousticSearchEnv(**options) for _ in range(self.COUNT)]
         observations, _ = vector.reset(seed=9)
@@ -226,13 +239,15 @@ class Package(unittest.TestCase):
 
     def test_stands_beside_the_package_that_lcm_gen_makes(self):
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run(["lcm-gen", "-p", "--ppath", folder, *map(str, (ROOT / "firmware/wire/lcm").glob("*.lcm"))], check=True, capture_output=True)
+            definitions = map(str, (ROOT / "firmware/wire/lcm").glob("*.lcm"))
+            subprocess.run(["lcm-gen", "-p", "--ppath", folder, *definitions], check=True, capture_output=True)
             both = "import earshot, earshot_gym; earshot.nav_state_t; earshot_gym.AcousticSearchEnv"
             done = subprocess.run([sys.executable, "-c", both], cwd=folder, capture_output=True, text=True, check=False)
             self.assertEqual((done.stderr, done.returncode), ("", 0))
 
     def test_says_how_to_install_it_where_only_its_source_is(self):
-        done = subprocess.run([sys.executable, "-c", "import earshot_gym"], cwd=ROOT / "policy/python", capture_output=True, text=True, check=False)
+        command, source = [sys.executable, "-c", "import earshot_gym"], ROOT / "policy/python"
+        done = subprocess.run(command, cwd=source, capture_output=True, text=True, check=False)
         self.assertIn("pip install ./policy/python", done.stderr)
 
     def test_runs_the_block_of_its_readme_pasted_whole(self):

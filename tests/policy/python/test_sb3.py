@@ -1,4 +1,7 @@
-"""Stable-Baselines3 trains on the environment, and what it trained decides the same when frozen. Run by ctest where PyTorch is there."""
+"""Stable-Baselines3 trains on the environment, and what it trained decides the same when frozen.
+
+Run by ctest where PyTorch is there.
+"""
 
 import json
 import os
@@ -15,14 +18,16 @@ import torch
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "peers"))
 import sb3_without_plots  # noqa: F401
+
 from stable_baselines3 import PPO
 from stable_baselines3.common.evaluation import evaluate_policy
 from stable_baselines3.common.torch_layers import FlattenExtractor
 from stable_baselines3.common.vec_env import DummyVecEnv, VecFrameStack, VecNormalize
 
 import earshot_gym.sb3
+from earshot_gym.world import WorldOptions
 
-OPTIONS = {"state": "memory", "source": "changing"}
+OPTIONS: WorldOptions = {"state": "memory", "source": "changing"}
 
 
 def trained(env, steps=4_096):
@@ -45,8 +50,11 @@ class StableBaselines3(unittest.TestCase):
         return subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
 
     def test_frozen_makes_the_ten_thousand_decisions_of_predict(self):
-        """On the observations of the searches it flies, zip and ONNX alike. Sums in another order may turn a tie within a float's rounding:
-        such a decision counts as the same only if its two best logits are that near."""
+        """On the observations of the searches it flies, zip and ONNX alike.
+
+        Sums in another order may turn a tie within a float's rounding: such a decision counts as the same only if its
+        two best logits are that near.
+        """
         env = earshot_gym.sb3.SearchVecEnv(50, **OPTIONS)
         model = trained(env, 25_600)
         env.seed(3)
@@ -57,7 +65,8 @@ class StableBaselines3(unittest.TestCase):
         seen = np.concatenate(seen)
         self.assertEqual(len(seen), 10_000)
         decided, _ = model.predict(seen, deterministic=True)
-        for file in (earshot_gym.sb3.save(model, self.folder / "model"), earshot_gym.sb3.export_onnx(model, self.folder / "model.onnx")):
+        zipped = earshot_gym.sb3.save(model, self.folder / "model")
+        for file in (zipped, earshot_gym.sb3.export_onnx(model, self.folder / "model.onnx")):
             done = self.freeze(file)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             logits = earshot_gym.FrozenPolicy(self.policy).logits(seen)
@@ -87,7 +96,8 @@ class StableBaselines3(unittest.TestCase):
         file = earshot_gym.sb3.save(model, self.folder / "model")
         self.assertEqual(json.loads(zipfile.ZipFile(file).read("earshot.json"))["normalisation"], "none")
         observation = np.zeros((1, 6), np.float32)
-        self.assertEqual(PPO.load(file).predict(observation, deterministic=True)[0], model.predict(observation, deterministic=True)[0])
+        decided, _ = model.predict(observation, deterministic=True)
+        self.assertEqual(PPO.load(file).predict(observation, deterministic=True)[0], decided)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["model.zip"])
 
     def test_refuses_to_save_what_saw_changed_observations(self):
@@ -145,12 +155,13 @@ class StableBaselines3(unittest.TestCase):
         self.assertEqual(self.freeze(self.folder / "plain.zip", "--search", self.folder / "search.json").returncode, 0)
 
     def test_the_vector_environment_tells_of_episodes_as_a_monitor_does(self):
-        env = earshot_gym.sb3.SearchVecEnv(4, max_steps=3, **OPTIONS)
+        options: WorldOptions = {**OPTIONS, "max_steps": 3}
+        env = earshot_gym.sb3.SearchVecEnv(4, **options)
         env.seed(1)
         env.reset()
         for _ in range(3):
             _, _, done, infos = env.step(np.zeros(4, dtype=np.int64))
-        for info in (info for info, over in zip(infos, done) if over):
+        for info in (info for info, over in zip(infos, done, strict=True) if over):
             self.assertEqual(info["episode"]["l"], 3)
             self.assertEqual(info["terminal_observation"].shape, (6,))
         self.assertTrue(done.any())

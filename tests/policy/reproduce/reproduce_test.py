@@ -10,25 +10,29 @@ from pathlib import Path
 
 import numpy as np
 
-REPRODUCE = Path(__file__).resolve().parents[3] / "policy/reproduce"
-sys.path.insert(0, str(REPRODUCE))
-
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "policy/reproduce"))
 import claims
 import experiments
 import figures
 import page
 
+REPRODUCE = Path(__file__).resolve().parents[3] / "policy/reproduce"
 FIGURES = ["figure2", "figure3", "figure4", "figure5", "figure6", "figure7", "figure8", "figure8b", "figure9", "sweep"]
 PROGRAMS = Path(sys.argv.pop())
 
 
 class WholeRun(unittest.TestCase):
+    folder: tempfile.TemporaryDirectory
+    out: Path
+    done: subprocess.CompletedProcess
+
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.out = Path(cls.folder.name) / "out"
-        words = [sys.executable, "-B", REPRODUCE / "reproduce.py", "--quick", "--out", cls.out, "--work", Path(cls.folder.name) / "work"]
-        cls.done = subprocess.run([*words, "--bin", PROGRAMS], capture_output=True, text=True)
+        words = ["--quick", "--out", cls.out, "--work", Path(cls.folder.name) / "work", "--bin", PROGRAMS]
+        command = [sys.executable, "-B", str(REPRODUCE / "reproduce.py"), *map(str, words)]
+        cls.done = subprocess.run(command, capture_output=True, text=True, check=False)
 
     @classmethod
     def tearDownClass(cls):
@@ -87,8 +91,9 @@ class Drawing(unittest.TestCase):
 
     def test_snr_is_drawn_on_the_scale_of_every_map_and_field(self):
         scale = (REPRODUCE.parents[1] / "sim/sonar/snr_scale.cpp").read_text()
-        palette = re.search(r"set palette defined \((.*?)\)", scale).group(1)
-        colours = [(int(db), colour) for db, colour in re.findall(r"(\d+) '(#\w+)'", palette)]
+        palette = re.search(r"set palette defined \((.*?)\)", scale)
+        assert palette
+        colours = [(int(db), colour) for db, colour in re.findall(r"(\d+) '(#\w+)'", palette.group(1))]
         self.assertEqual(figures.SNR_COLOURS, colours)
 
     def test_the_page_can_be_read_on_a_telephone_and_printed_whole(self):
@@ -106,7 +111,8 @@ class Arithmetic(unittest.TestCase):
     def test_training_has_converged_when_the_running_median_stays_up(self):
         rewards = np.concatenate([np.full(100, -50.0), np.full(200, -2.0)])
         seed = experiments.Seed(np.column_stack([rewards, rewards, rewards]), {}, rewards, [])
-        self.assertEqual(claims.first_episode_at(seed, -3.0), 126)  # the 26th good one outweighs the 24 bad ones still in the window
+        # The 26th good one outweighs the 24 bad ones still in the window.
+        self.assertEqual(claims.first_episode_at(seed, -3.0), 126)
         self.assertTrue(np.isnan(claims.first_episode_at(seed, -1.0)))
 
     def test_detection_rings_begin_and_end_at_the_threshold(self):
