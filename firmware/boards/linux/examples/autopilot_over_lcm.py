@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""A vehicle that follows Earshot's set-points over LCM, and starts the search. How to run it: ../connect_your_autopilot.md
+"""A vehicle that follows Earshot's set-points over LCM, and starts the search.
 
+How to run it: ../connect_your_autopilot.md
 usage: autopilot_over_lcm.py LCM_URL
 """
 
@@ -13,13 +14,22 @@ import time
 import lcm
 from earshot import command_acknowledgement_t, nav_state_t, operator_command_t, setpoint_t
 
-OUTCOMES = ("OBEYED", "REPEATED", "TOO_OLD", "EXPIRED", "NOT_IN_THIS_STATE", "UNKNOWN_ORDER", "NOT_CONFIGURED", "OUT_OF_ORDER")
+OUTCOMES = (
+    "OBEYED",
+    "REPEATED",
+    "TOO_OLD",
+    "EXPIRED",
+    "NOT_IN_THIS_STATE",
+    "UNKNOWN_ORDER",
+    "NOT_CONFIGURED",
+    "OUT_OF_ORDER",
+)
 vehicle = nav_state_t()
 vehicle.utime = time.time_ns() // 1000
 vehicle.north_m = vehicle.east_m = 12_500.0  # the middle of the mission's area
 start = operator_command_t()
 start.issuer, start.number, start.command = random.getrandbits(31), 1, operator_command_t.START
-outcome = None
+answers: list[str] = []
 
 
 def on_setpoint(_channel, data):
@@ -28,11 +38,10 @@ def on_setpoint(_channel, data):
 
 
 def on_acknowledgement(_channel, data):
-    global outcome
     acknowledgement = command_acknowledgement_t.decode(data)
-    if outcome is None and (acknowledgement.issuer, acknowledgement.number) == (start.issuer, start.number):
-        outcome = OUTCOMES[acknowledgement.outcome]
-        print("START:", outcome, flush=True)
+    if not answers and (acknowledgement.issuer, acknowledgement.number) == (start.issuer, start.number):
+        answers.append(OUTCOMES[acknowledgement.outcome])
+        print("START:", answers[0], flush=True)
 
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
@@ -47,6 +56,6 @@ while True:
     vehicle.east_m += travelled_m * math.sin(vehicle.heading_rad)
     vehicle.utime = now
     bus.publish("EARSHOT_NAV_STATE", vehicle.encode())
-    if outcome is None:  # the same numbers again: obeyed once however often it arrives
+    if not answers:  # the same numbers again: obeyed once however often it arrives
         start.utime, start.expiry_utime = now, now + 10_000_000
         bus.publish("EARSHOT_OPERATOR_COMMAND", start.encode())
