@@ -52,8 +52,7 @@ class WalkAtSea : public testing::Test {
     std::vector<std::string> a{
         folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out", folder_};
     a.insert(a.end(), more.begin(), more.end());
-    earshotd_ =
-        std::make_unique<support::Process>(std::filesystem::path(EARSHOT_BIN_DIR) / "earshotd", a, folder_ / "earshotd.txt");
+    earshotd_ = std::make_unique<support::Process>(std::filesystem::path(EARSHOT_BIN_DIR) / "earshotd", a, folder_ / "earshotd.txt");
   }
 
   std::filesystem::path folder_;
