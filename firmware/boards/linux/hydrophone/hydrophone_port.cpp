@@ -23,8 +23,8 @@ std::string HydrophonePort::remark() const {
   return name_ + ": of each channel " + count(metered.samples_heard, " samples heard, ") + count(metered.samples_missing, " lost (") +
          count(metered.missing_at_sender, " by the sender, ") + count(received.samples_overrun, " because the listener was slow); ") +
          count(metered.overflows, " clipped, ") + count(metered.gain_changes, " changes of gain, ") +
-         count(metered.beginnings, " beginnings, ") + count(received.malformed, " malformed messages, ") +
-         count(received.datagrams_overrun, " datagrams overrun");
+         count(metered.beginnings, " beginnings, ") + count(metered.jumps, " jumps that no ADC makes, ") +
+         count(received.malformed, " malformed messages, ") + count(received.datagrams_overrun, " datagrams overrun");
 }
 
 }  // namespace earshot::board

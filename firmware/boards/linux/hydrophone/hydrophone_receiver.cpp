@@ -17,11 +17,6 @@ namespace {
 
 constexpr std::chrono::seconds kTendEvery{1};
 
-bool is_ringing(const host::Doorbell& bell) {
-  pollfd waiting{.fd = bell.file_descriptor(), .events = POLLIN, .revents = 0};
-  return ::poll(&waiting, 1, 0) == 1;
-}
-
 }  // namespace
 
 HydrophoneReceiver::HydrophoneReceiver(const std::string& url, SampleListener& listener, host::IfMissing if_missing)
@@ -29,22 +24,15 @@ HydrophoneReceiver::HydrophoneReceiver(const std::string& url, SampleListener& l
       endpoint_(host::parse_lcm_url(url), {wire::kHydrophoneBlockChannel}, nullptr, if_missing),
       interfaces_(endpoint_.interfaces()),
       link_up_(endpoint_.is_up()),
-      listening_([this] { listen(); }),
-      receiving_([this] { receive(); }) {}
+      listening_([this](const std::stop_token& stop) { listen(stop); }),
+      receiving_([this](const std::stop_token& stop) { receive(stop); }) {}
 
-HydrophoneReceiver::~HydrophoneReceiver() {
-  stop_receiving_.ring();
-  receiving_.join();
-  received_all_ = true;
-  put_.ring();
-  listening_.join();
-}
-
-void HydrophoneReceiver::receive() {
+void HydrophoneReceiver::receive(const std::stop_token& stop) {
+  const std::stop_callback waking(stop, [this] { stop_receiving_.ring(); });
   using std::chrono::steady_clock;
   (void)::pthread_setname_np(::pthread_self(), "receive sound");  // for who looks at the threads of a flight
   auto next_tending = steady_clock::now() + kTendEvery;
-  while (!is_ringing(stop_receiving_)) {
+  while (!stop.stop_requested()) {
     std::array<pollfd, 2> waiting{pollfd{.fd = endpoint_.file_descriptor(), .events = POLLIN, .revents = 0},
                                   pollfd{.fd = stop_receiving_.file_descriptor(), .events = POLLIN, .revents = 0}};
     (void)::poll(waiting.data(), waiting.size(), static_cast<int>(std::chrono::milliseconds(kTendEvery).count()));
@@ -88,13 +76,14 @@ void HydrophoneReceiver::note_transport() {
   link_up_ = endpoint_.is_up();
 }
 
-void HydrophoneReceiver::listen() {
+void HydrophoneReceiver::listen(const std::stop_token& stop) {
+  const std::stop_callback waking(stop, [this] { put_.ring(); });
   (void)::pthread_setname_np(::pthread_self(), "hear sound");
   for (bool is_last = false; !is_last;) {
     pollfd waiting{.fd = put_.file_descriptor(), .events = POLLIN, .revents = 0};
     (void)::poll(&waiting, 1, -1);
     put_.answer();
-    is_last = received_all_;  // before the ring is emptied: what was put before it is heard
+    is_last = stop.stop_requested();  // before the ring is emptied: what was put before it is heard
     for (BlockRing::Heard heard; ring_.take(heard); ring_.release()) listener_.hear(heard.block, heard.samples);
   }
 }

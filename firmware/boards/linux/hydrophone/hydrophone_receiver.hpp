@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -20,7 +21,7 @@ class HydrophoneReceiver {
   /// @param listener  must outlive it
   /// @throws std::system_error, std::invalid_argument as LcmEndpoint and parse_lcm_url do.
   HydrophoneReceiver(const std::string& url, SampleListener& listener, host::IfMissing if_missing = host::IfMissing::kRefuse);
-  ~HydrophoneReceiver();
+  ~HydrophoneReceiver() = default;
   HydrophoneReceiver(const HydrophoneReceiver&) = delete;
   HydrophoneReceiver& operator=(const HydrophoneReceiver&) = delete;
 
@@ -39,11 +40,11 @@ class HydrophoneReceiver {
   [[nodiscard]] const std::string& interfaces() const { return interfaces_; }
 
  private:
-  void receive();
+  void receive(const std::stop_token& stop);
   void take_all_that_arrived();
   void put(const wire::Lc02Message& message);
   void note_transport();
-  void listen();
+  void listen(const std::stop_token& stop);
 
   SampleListener& listener_;
   host::LcmEndpoint endpoint_;  ///< of the receiving thread alone
@@ -51,15 +52,16 @@ class HydrophoneReceiver {
   BlockRing ring_;
   host::Doorbell stop_receiving_;
   host::Doorbell put_;  ///< a block, or the end
-  std::atomic<bool> received_all_{false};
   SharedCounter blocks_;
   SharedCounter samples_overrun_;
   SharedCounter malformed_blocks_;
   SharedCounter malformed_datagrams_;
   SharedCounter datagrams_overrun_;
   std::atomic<bool> link_up_;
-  std::thread listening_;
-  std::thread receiving_;
+  // Last, and in this order: each is told to stop and waited for as it goes, also when the next cannot be started; the listener goes after
+  // who fills its ring, so that it hears all that was received.
+  std::jthread listening_;
+  std::jthread receiving_;
 };
 
 }  // namespace earshot::board

@@ -10,7 +10,8 @@ namespace earshot::board {
 /// Keeps account of every sample that a hydrophone's ADC took: heard or missing, wherever it was lost. Can be read in any thread.
 ///
 /// The sample counter tells what is missing, the sequence of blocks where it got lost: on its way, or before it was sent. A counter that
-/// goes back, another sample rate or another number of channels is a sender's new beginning, at which nothing is missing.
+/// goes back, another sample rate or another number of channels is a sender's new beginning, at which nothing is missing. So is a counter
+/// that jumps further than its ADC can have counted meanwhile: a block of nonsense must not spoil the account of a whole mission.
 class SampleMeter final : public SampleListener {
  public:
   struct Reading {
@@ -20,6 +21,7 @@ class SampleMeter final : public SampleListener {
     std::uint64_t overflows = 0;          ///< samples that the ADC clipped, of all channels
     std::uint64_t gain_changes = 0;
     std::uint64_t beginnings = 0;  ///< 1 once a sender was heard
+    std::uint64_t jumps = 0;  ///< of the counter, further than a minute beyond the sender's own dates or than a day: a restart or nonsense
   };
 
   void hear(const messages::HydrophoneBlock& block, std::span<const float> samples) override;
@@ -35,6 +37,7 @@ class SampleMeter final : public SampleListener {
   SharedCounter overflows_;
   SharedCounter gain_changes_;
   SharedCounter beginnings_;
+  SharedCounter jumps_;
 };
 
 }  // namespace earshot::board

@@ -77,7 +77,7 @@ TEST_F(HydrophonePortTest, ReportsSamplesOfOneChannelAndSaysWhereTheyWereLost) {
   EXPECT_EQ(port.remark(),
             "ears: of each channel " + std::to_string(driver.taken() - 137) +
                 " samples heard, 137 lost (37 by the sender, 0 because the listener was slow); 5 clipped, 1 changes of gain, "
-                "1 beginnings, 0 malformed messages, 0 datagrams overrun");
+                "1 beginnings, 0 jumps that no ADC makes, 0 malformed messages, 0 datagrams overrun");
 }
 
 TEST_F(HydrophonePortTest, LetsNoFixAndNoAbortOfTheLoopBeLostOrWaitThoughTwoHundredThousandBlocksPass) {
