@@ -85,6 +85,16 @@ wire::Sender sender_of(const sockaddr_in& address) {
   return {address.sin_addr.s_addr, address.sin_port};
 }
 
+const std::vector<std::string_view>& checked(const std::vector<std::string_view>& channels) {
+  if (channels.size() > config::kLcmSubscriptions)
+    throw std::invalid_argument("LCM: more than " + std::to_string(config::kLcmSubscriptions) + " channels");
+  for (const std::string_view channel : channels) {
+    if (wire::datagram_count({channel, {}}) == 0)
+      throw std::invalid_argument("LCM channel \"" + std::string(channel) + "\": must have 1 to 63 bytes");
+  }
+  return channels;
+}
+
 wire::Sender local_address(const FileDescriptor& socket) {
   sockaddr_in address{};
   socklen_t size = sizeof address;
@@ -120,29 +130,27 @@ struct LcmEndpoint::Storage {
       return true;
     }
   };
-  std::array<Queue, config::kLcmSubscriptions> queues;
-  std::size_t queue_count = 0;
+  explicit Storage(const std::vector<std::string_view>& channels) : queues(new Queue[channels.size()]), count(channels.size()) {
+    for (std::size_t i = 0; i < count; ++i) queues[i].channel = channels[i];
+  }
+  [[nodiscard]] std::span<Queue> all() { return {queues.get(), count}; }
+  [[nodiscard]] std::size_t memory() const { return sizeof *this + count * sizeof(Queue); }
+
+  std::unique_ptr<Queue[]> queues;  ///< of the channels that are listened to
+  std::size_t count;
   std::uint64_t arrivals = 0;
   wire::Reassembly reassembly;
   std::array<std::uint8_t, wire::kMaxDatagram> datagram;
 };
 
 LcmEndpoint::LcmEndpoint(const LcmUrl& url, const std::vector<std::string_view>& channels, MustKeep must_keep, IfMissing if_missing)
-    : url_(url), must_keep_(must_keep), receiver_(open_receiver(url)), storage_(new Storage) {
+    : url_(url), must_keep_(must_keep), receiver_(open_receiver(url)), storage_(new Storage(checked(channels))) {
   const bool is_refused = if_missing == IfMissing::kRefuse;
   const bool hears = join();
   if (!hears && is_refused) fail("no interface is up on which the multicast group can be joined");
   const bool sends = open_sender();
   if (!sends && is_refused) fail("no route to the multicast group");
   is_up_ = hears && sends;
-  if (channels.size() > config::kLcmSubscriptions) {
-    throw std::invalid_argument("LCM: more than " + std::to_string(config::kLcmSubscriptions) + " channels");
-  }
-  for (const std::string_view channel : channels) {
-    if (wire::datagram_count({channel, {}}) == 0)
-      throw std::invalid_argument("LCM channel \"" + std::string(channel) + "\": must have 1 to 63 bytes");
-    storage_->queues[storage_->queue_count++].channel = channel;
-  }
 }
 
 LcmEndpoint::~LcmEndpoint() = default;
@@ -190,9 +198,9 @@ std::size_t LcmEndpoint::collect(std::size_t most) {
 }
 
 void LcmEndpoint::enqueue(const wire::Lc02Message& message) {
-  const auto end = storage_->queues.begin() + static_cast<std::ptrdiff_t>(storage_->queue_count);
-  const auto queue = std::find_if(storage_->queues.begin(), end, [&](const Storage::Queue& q) { return q.channel == message.channel; });
-  if (queue == end) {
+  const std::span<Storage::Queue> queues = storage_->all();
+  const auto queue = std::ranges::find(queues, message.channel, &Storage::Queue::channel);
+  if (queue == queues.end()) {
     ++counters_.other_channels;
     return;
   }
@@ -211,7 +219,7 @@ void LcmEndpoint::enqueue(const wire::Lc02Message& message) {
 Status LcmEndpoint::take(wire::Lc02Message& message) {
   Storage::Queue* oldest = nullptr;
   std::uint64_t arrival = std::numeric_limits<std::uint64_t>::max();
-  for (Storage::Queue& queue : storage_->queues) {
+  for (Storage::Queue& queue : storage_->all()) {
     if (queue.count > 0 && queue.entries[queue.first].arrival < arrival) {
       oldest = &queue;
       arrival = queue.entries[queue.first].arrival;
@@ -244,13 +252,14 @@ void LcmEndpoint::refresh_interfaces() {
 }
 
 std::size_t LcmEndpoint::memory() const {
-  return sizeof *storage_;
+  return storage_->memory();
 }
 
 LcmCounters LcmEndpoint::counters() const {
   LcmCounters counters = counters_;
   counters.lost_by_kernel = drops_.count(receiver_.number());
   counters.datagrams = storage_->reassembly.counters();
+  counters.interfaces_unheard = interfaces_.unheard();
   return counters;
 }
 

@@ -23,12 +23,13 @@ namespace earshot::host {
 /// Counters of an endpoint; they only grow.
 struct LcmCounters {
   std::uint64_t published = 0;
-  std::uint64_t publish_failed = 0;  ///< the kernel refused (buffer full, interface down)
-  std::uint64_t received = 0;        ///< messages put into a queue
-  std::uint64_t overwritten = 0;     ///< messages lost because kLcmQueueDepth newer ones came before they were taken
-  std::uint64_t lost_by_kernel = 0;  ///< datagrams that came faster than collect() read them
-  std::uint64_t from_elsewhere = 0;  ///< datagrams of other hosts, where ttl=0 means this one only
-  std::uint64_t other_channels = 0;  ///< messages on channels not subscribed
+  std::uint64_t publish_failed = 0;      ///< the kernel refused (buffer full, interface down)
+  std::uint64_t received = 0;            ///< messages put into a queue
+  std::uint64_t overwritten = 0;         ///< messages lost because kLcmQueueDepth newer ones came before they were taken
+  std::uint64_t lost_by_kernel = 0;      ///< datagrams that came faster than collect() read them
+  std::uint64_t from_elsewhere = 0;      ///< datagrams of other hosts, where ttl=0 means this one only
+  std::uint64_t other_channels = 0;      ///< messages on channels not subscribed
+  std::uint64_t interfaces_unheard = 0;  ///< at present: interfaces or addresses beyond what it or the kernel allows one socket
   wire::ReceiveCounters datagrams;
 };
 
@@ -68,7 +69,7 @@ class LcmEndpoint {
   void refresh_interfaces();
   /// False while there is no interface to listen on, and once the kernel had no way for a message, until refresh_interfaces() finds one.
   [[nodiscard]] bool is_up() const { return is_up_; }
-  /// Names of the interfaces that it listens on: "lo, eth0".
+  /// Names of the interfaces that it listens on, "lo, eth0", and why not on others, as LcmInterfaces::names() says.
   [[nodiscard]] std::string interfaces() const { return interfaces_.names(); }
 
   /// For poll(): readable when collect() has something to read.
@@ -94,8 +95,7 @@ class LcmEndpoint {
   wire::Sender self_;
   std::uint32_t sequence_number_ = 0;
   LcmCounters counters_;
-  std::unique_ptr<Storage>
-      storage_;  ///< queues and reassembly, about kLcmSubscriptions * kLcmQueueDepth * kLcmMessageBytes of address space
+  std::unique_ptr<Storage> storage_;  ///< reassembly, and a queue of kLcmQueueDepth * kLcmMessageBytes for each channel
 };
 
 }  // namespace earshot::host

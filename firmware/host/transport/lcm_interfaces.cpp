@@ -30,10 +30,13 @@ LcmInterfaces::LcmInterfaces() : asking_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLO
 
 void LcmInterfaces::refresh() {
   std::array<ifreq, kMost> requests{};
-  ifconf list{};
+  ifconf list{};  // without room: the kernel says how much it would take
+  count_ = passed_over_ = 0;
+  if (::ioctl(asking_.number(), SIOCGIFCONF, &list) != 0) return;
+  const std::size_t addresses = static_cast<std::size_t>(list.ifc_len) / sizeof(ifreq);
+  passed_over_ = addresses - std::min(kMost, addresses);
   list.ifc_len = sizeof requests;
   list.ifc_req = requests.data();
-  count_ = 0;
   if (::ioctl(asking_.number(), SIOCGIFCONF, &list) != 0) return;
   const std::size_t found = std::min(kMost, static_cast<std::size_t>(list.ifc_len) / sizeof(ifreq));
   for (ifreq request : std::span(requests).first(found)) {
@@ -45,18 +48,19 @@ void LcmInterfaces::refresh() {
     std::copy_n(request.ifr_name, interface.name.size(), interface.name.begin());
     if (::ioctl(asking_.number(), SIOCGIFINDEX, &request) != 0) continue;
     interface.index = request.ifr_ifindex;
+    interface.is_member = false;
     ++count_;
   }
 }
 
-std::size_t LcmInterfaces::join_all(int socket, std::uint32_t group) const {
+std::size_t LcmInterfaces::join_all(int socket, std::uint32_t group) {
   std::size_t joined = 0;
-  for (const Interface& interface : std::span(interfaces_).first(count_)) {
+  for (Interface& interface : std::span(interfaces_).first(count_)) {
     ip_mreqn membership{};
     membership.imr_multiaddr.s_addr = group;
     membership.imr_ifindex = interface.index;
-    const bool is_member = ::setsockopt(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) == 0 || errno == EADDRINUSE;
-    if (is_member) ++joined;
+    interface.is_member = ::setsockopt(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) == 0 || errno == EADDRINUSE;
+    if (interface.is_member) ++joined;
   }
   return joined;
 }
@@ -68,10 +72,28 @@ bool LcmInterfaces::is_own(std::uint32_t address) const {
   return std::any_of(interfaces_.begin(), end, [address](const Interface& i) { return i.address == address; });
 }
 
-std::string LcmInterfaces::names() const {
+std::size_t LcmInterfaces::unheard() const {
+  const std::span<const Interface> all = std::span(interfaces_).first(count_);
+  return passed_over_ + static_cast<std::size_t>(std::ranges::count(all, false, &Interface::is_member));
+}
+
+std::string LcmInterfaces::names_of(bool members) const {
   std::string names;
-  for (const Interface& interface : std::span(interfaces_).first(count_))
+  int last = 0;  // an interface with several addresses stands there several times, one after the other
+  for (const Interface& interface : std::span(interfaces_).first(count_)) {
+    if (interface.is_member != members || interface.index == last) continue;
     names += (names.empty() ? "" : ", ") + std::string(interface.name.data());
+    last = interface.index;
+  }
+  return names;
+}
+
+std::string LcmInterfaces::names() const {
+  const std::string heard = names_of(true);
+  const std::string refused = names_of(false);
+  std::string names = heard.empty() ? "no interface" : heard;
+  if (!refused.empty()) names += ", but not " + refused + " (sysctl net.ipv4.igmp_max_memberships)";
+  if (passed_over_ > 0) names += ", and not " + std::to_string(passed_over_) + " addresses beyond the first " + std::to_string(kMost);
   return names;
 }
 
