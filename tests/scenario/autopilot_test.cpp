@@ -21,6 +21,7 @@
 #include "earshot/command_acknowledgement_t.hpp"
 #include "earshot/decision_t.hpp"
 #include "earshot/health_t.hpp"
+#include "earshot/nav_state_t.hpp"
 #include "earshot/operator_command_t.hpp"
 #include "earshot/snr_estimate_t.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
@@ -83,6 +84,14 @@ class Ashore {
     estimate.utime = clock_.utc().us;
     estimate.snr_db = 3.0;
     EXPECT_EQ(endpoint_.publish(wire::kSnrEstimateChannel, wire::Encoded(estimate).bytes()), Status::kOk);
+  }
+
+  /// Of a vehicle that lies still in the middle of the mission's area.
+  void send_fix() {
+    nav_state_t fix{};
+    fix.utime = clock_.utc().us;
+    fix.north_m = fix.east_m = 12'500.0;
+    EXPECT_EQ(endpoint_.publish(wire::kNavStateChannel, wire::Encoded(fix).bytes()), Status::kOk);
   }
 
   [[nodiscard]] MissionState state() const { return static_cast<MissionState>(health.state); }
@@ -190,7 +199,7 @@ TEST_F(Autopilot, GivenThePythonExampleAsItsVehicleASearchAtSeaOverLcmIsSailedUn
   EXPECT_EQ(ashore.state(), MissionState::kStandby) << "there is no SNR yet";
   EXPECT_EQ(ashore.setpoints, 0) << "before the search it commands nothing";
 
-  const auto hydrophone = python("hydrophone_over_lcm", {url, "3"});
+  const auto hydrophone = python("snr_over_lcm", {url, "3"});
   ASSERT_TRUE(ashore.hears([&] { return ashore.health.steps_taken >= 3; }, nothing)) << vehicle->output() << hydrophone->output();
   EXPECT_EQ(ashore.state(), MissionState::kSearch);
   EXPECT_GT(ashore.setpoints, 0);
@@ -218,6 +227,38 @@ TEST_F(Autopilot, GivenThePythonExampleAsItsHydrophoneOnThePortThatThePageShowsI
   earshotd_->signal(SIGTERM);
   EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
   EXPECT_NE(earshotd_->output().find("hydrophone: of each channel "), std::string::npos) << earshotd_->output();
+}
+
+TEST_F(Autopilot, GivenThePythonExampleThatOrdersASearchIsStartedAndAbortedAndWhatIsNotObeyedIsSaid) {
+  if (!test::enter_private_network()) {
+    const char* required = std::getenv("LCM_REQUIRED");
+    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
+    GTEST_SKIP() << "this kernel lets only root make a network namespace";
+  }
+  const std::string url(host::kDefaultLcmUrl);
+  Ashore ashore(url);
+  write_mission("search.toml");
+  start_earshotd({});
+  const auto snr = [&] { ashore.send_snr(); };
+  ASSERT_TRUE(ashore.hears([&] { return ashore.health.port_count > 0; }, snr)) << earshotd_->output();
+  const auto gives = [&](const std::string& order, int status, const std::string& says) {
+    const auto operator_ = python("order_over_lcm", {url, order});
+    EXPECT_EQ(operator_->wait(20s), status) << operator_->output();
+    EXPECT_EQ(operator_->output(), says);
+  };
+  gives("COMPLETE", 1, "COMPLETE: NOT_IN_THIS_STATE\n");
+  gives("START", 0, "START: OBEYED\n");
+  const auto sails = [&] {
+    ashore.send_snr();
+    ashore.send_fix();
+  };
+  EXPECT_TRUE(ashore.hears([&] { return ashore.state() == MissionState::kSearch; }, sails)) << earshotd_->output();
+  gives("ABORT", 0, "ABORT: OBEYED\n");
+  EXPECT_TRUE(ashore.hears([&] { return ashore.state() == MissionState::kAbort; }, sails)) << earshotd_->output();
+  EXPECT_EQ(ashore.health.end_reason, static_cast<std::int8_t>(messages::EndReason::kOperatorAbort));
+  gives("ABORT", 0, "ABORT: REPEATED\n");
+  earshotd_->signal(SIGTERM);
+  EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
 }
 
 TEST_F(Autopilot, GivenANetworkThatComesAfterItEarshotdWaitsAndThenHearsNavigation) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Stands in for the hydrophone over LCM: the same SNR every half second. How to run it: ../connect_your_autopilot.md
 
-usage: hydrophone_over_lcm.py LCM_URL SNR_DB
+usage: snr_over_lcm.py LCM_URL SNR_DB
 """
 
 import signal
