@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "firmware/config/capacities.hpp"
@@ -9,6 +10,7 @@
 namespace earshot::messages {
 
 enum class MissionState : std::uint8_t { kStandby = 0, kSearch = 1, kDone = 2, kAbort = 3 };
+inline constexpr std::size_t kMissionStates = 4;
 
 enum class EndReason : std::uint8_t {
   kNone = 0,

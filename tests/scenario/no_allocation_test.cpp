@@ -179,10 +179,17 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
   EXPECT_EQ(vehicle.health.steps_taken, 20);
   EXPECT_EQ(vehicle.health.commands_refused, 1);
   EXPECT_EQ(stop(), 0);
-  expect_said("\nearshotd: 0 allocations in 2 threads over ");
+  expect_said("\nearshotd: 0 allocations in 3 threads over ");
   expect_said("  runtime, of 122880 allowed\n");
   expect_said("     7159244  journal ring\n");
   expect_said("      262144  stack of thread journal\n");
+  expect_said("      262144  stack of thread news\n");
+  for (const char* news : {" UTC: STANDBY\n", " UTC: SEARCH\n", " UTC: DONE, all steps are taken, after 20 steps\n"}) expect_said(news);
+  expect_said("earshotd: stopped by a signal after ");
+  expect_said(" s, in DONE; it ended in DONE, all steps are taken, after 20 steps; journal ");
+  expect_said(" in STANDBY, ");
+  expect_said(" in SEARCH, ");
+  EXPECT_EQ(earshotd_->output().find("warning"), std::string::npos) << earshotd_->output();
   EXPECT_EQ(earshotd_->output().find("has grown"), std::string::npos);
 }
 
@@ -201,12 +208,18 @@ TEST_F(NoAllocationOverLcm, GivenALinkThatGoesDownAndComesBackItIsOpenedAgainWit
   }
   EXPECT_GT(vehicle.health.ports[0].unsent, 0);
   EXPECT_EQ(stop(), 0);
-  expect_said("\nearshotd: 0 allocations in 2 threads over ");
+  const std::string port = " UTC: port 1, vehicle, LCM " + std::string(host::kDefaultLcmUrl) + ": its link is ";
+  expect_said(port + "down; tried again once a second\n");
+  expect_said(port + "up again");
+  expect_said("earshotd: vehicle, LCM " + std::string(host::kDefaultLcmUrl) + ": ");
+  expect_said(" messages could not be sent, because their link was down or its buffer full: look at ");
+  expect_said("earshotd: warning: no SEARCH was flown, so that of a search nothing is proven");
+  expect_said("\nearshotd: 0 allocations in 3 threads over ");
 }
 
 TEST_F(NoAllocationOverLcm, GivenAPortThatAllocatesAsItReadsTheFlightEndsWithOneAndSaysWhere) {
   EXPECT_EQ(stand_by_asking("recvfrom", "malloc"), 1);
-  expect_said("memory was asked for after arming, in 2 threads over ");
+  expect_said("memory was asked for after arming, in 3 threads over ");
   expect_said("(earshotd): ");
   expect_said("asks_for_memory");
 }
@@ -255,7 +268,7 @@ TEST_F(NoAllocation, GivenNavigationAndSetPointsOverCanThereIsNoneInAWholeMissio
   payload.order(Order::kStart);
   ASSERT_TRUE(payload.sails_until([&] { return payload.state() == MissionState::kDone; })) << earshotd_->output();
   EXPECT_EQ(stop(), 0);
-  expect_said("\nearshotd: 0 allocations in 2 threads over ");
+  expect_said("\nearshotd: 0 allocations in 3 threads over ");
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "firmware/boards/linux/can_port.hpp"
 
+#include <cstdint>
+#include <string>
+
 #include "firmware/config/capacities.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
 
@@ -47,6 +50,24 @@ messages::PortReport CanPort::report() const {
   report.lost += socket_.counters().lost_by_kernel;
   report.malformed += receiver_.counters().refused;
   return report;
+}
+
+std::string CanPort::remark() const {
+  const std::uint64_t lost = socket_.counters().lost_by_kernel;
+  std::string text;
+  if (lost > 0) {
+    text =
+        std::to_string(lost) +
+        " frames lost on their way in, because they came faster than they were read and the socket's buffer was full: lighten the bus, or "
+        "raise sysctl net.core.rmem_default";
+  }
+  if (report_.unsent > 0) {
+    text +=
+        (text.empty() ? "" : "; ") + std::to_string(report_.unsent) +
+        " set-points could not be sent, because the interface was down or nobody on the bus took its frames: look at its state (ip -d -s "
+        "link)";
+  }
+  return text.empty() ? text : label() + ": " + text;
 }
 
 }  // namespace earshot::board

@@ -28,6 +28,7 @@ class CanPort final : public Port {
   [[nodiscard]] messages::PortReport report() const override;
   [[nodiscard]] std::string description() const override { return name_ + ", CAN " + interface_; }
   [[nodiscard]] std::size_t memory() const override { return sizeof *this; }
+  [[nodiscard]] std::string remark() const override;
 
  private:
   [[nodiscard]] Status send(const messages::Setpoint& setpoint);

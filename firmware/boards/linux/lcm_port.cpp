@@ -1,8 +1,11 @@
 #include "firmware/boards/linux/lcm_port.hpp"
 
+#include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "firmware/config/capacities.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
@@ -93,6 +96,25 @@ messages::PortReport LcmPort::report() const {
   report.lost += lcm.lost_by_kernel + lcm.overwritten + lcm.datagrams.incomplete;
   report.malformed += lcm.datagrams.malformed + lcm.datagrams.too_large;
   return report;
+}
+
+std::string LcmPort::remark() const {
+  const host::LcmCounters lcm = endpoint_.counters();
+  std::string text;
+  const auto add = [&text](std::uint64_t count, const std::string& what) {
+    if (count > 0) text += (text.empty() ? "" : "; ") + std::to_string(count) + what;
+  };
+  add(lcm.lost_by_kernel,
+      " datagrams lost on their way in, because they came faster than they were read and the socket's buffer was full: send less often, or "
+      "raise sysctl net.core.rmem_max");
+  add(lcm.overwritten, " messages lost on their way in, pushed out by newer ones because more than " +
+                           std::to_string(config::kLcmQueueDepth) + " of one channel came at once: send them less often, or evenly");
+  add(lcm.datagrams.incomplete,
+      " messages lost on their way in, because one of their datagrams never came: send messages of less than 64 kB, or mend the network");
+  add(report_.unsent,
+      " messages could not be sent, because their link was down or its buffer full: look at the interface's errors (ip -s link)");
+  add(lcm.interfaces_unheard, " interfaces or addresses are not heard: it listens on " + endpoint_.interfaces());
+  return text.empty() ? text : label() + ": " + text;
 }
 
 }  // namespace earshot::board

@@ -20,8 +20,10 @@ class LcmPort final : public Port {
   [[nodiscard]] int file_descriptor() const override { return endpoint_.file_descriptor(); }
   void tend() override { endpoint_.refresh_interfaces(); }
   [[nodiscard]] messages::PortReport report() const override;
-  [[nodiscard]] std::string description() const override { return name_ + ", LCM " + address_ + " on " + endpoint_.interfaces(); }
+  [[nodiscard]] std::string label() const override { return name_ + ", LCM " + address_; }
+  [[nodiscard]] std::string description() const override { return label() + " on " + endpoint_.interfaces(); }
   [[nodiscard]] std::size_t memory() const override { return sizeof *this + endpoint_.memory(); }
+  [[nodiscard]] std::string remark() const override;
 
  private:
   template <class Message>

@@ -3,6 +3,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "firmware/boards/linux/news/health_words.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/journal/record_ring.hpp"
 #include "firmware/runtime/runtime.hpp"
@@ -14,6 +15,18 @@ std::string row(const std::string& what, std::uint64_t bytes, const std::string&
   std::ostringstream text;
   text << std::setw(12) << bytes << "  " << what << (remark.empty() ? "" : ", ") << remark << "\n";
   return text.str();
+}
+
+/// "286 turns: 40 in STANDBY, 240 in SEARCH, 6 in ABORT"
+std::string turns_of(const LoopResult& flown) {
+  std::string text = std::to_string(flown.turns) + " turns";
+  const char* between = ": ";
+  for (std::size_t i = 0; i < flown.turns_in.size(); ++i) {
+    if (flown.turns_in[i] == 0) continue;
+    text += between + std::to_string(flown.turns_in[i]) + " in " + to_string(static_cast<messages::MissionState>(i));
+    between = ", ";
+  }
+  return text;
 }
 
 }  // namespace
@@ -29,11 +42,11 @@ void MemoryProof::arm() {
   host::arm_heap_trap();
 }
 
-void MemoryProof::disarm(std::uint64_t turns) {
+void MemoryProof::disarm(const LoopResult& flown) {
   host::disarm_heap_trap();
   after_ = host::process_memory();
   main_stack_used_ = host::touched_stack_used();
-  turns_ = turns;
+  flown_ = flown;
   const auto uses = host::heap_uses();
   uses_.assign(uses.begin(), uses.end());
   threads_ = host::thread_names();
@@ -48,7 +61,7 @@ bool MemoryProof::holds() const {
 }
 
 std::string MemoryProof::verdict() const {
-  const std::string where = " in " + std::to_string(threads_.size()) + " threads over " + std::to_string(turns_) + " turns";
+  const std::string where = " in " + std::to_string(threads_.size()) + " threads over " + turns_of(flown_);
   std::string text;
   for (const host::HeapUse& use : uses_) text += host::to_string(use) + "\n";
   if (has_grown()) {
@@ -56,6 +69,11 @@ std::string MemoryProof::verdict() const {
             " bytes, memory in use by " + std::to_string(after_.anonymous - before_.anonymous) + "\n";
   }
   return text.empty() ? "0 allocations" + where + "\n" : "memory was asked for after arming," + where + ":\n" + text;
+}
+
+std::string MemoryProof::remark() const {
+  if (flown_.turns_in[static_cast<std::size_t>(messages::MissionState::kSearch)] > 0) return {};
+  return "no SEARCH was flown, so that of a search nothing is proven: give it its vehicle, its SNR and a START";
 }
 
 std::string MemoryProof::bill(const PortSet& ports) const {

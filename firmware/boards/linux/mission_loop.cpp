@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 
 namespace earshot::board {
 namespace {
@@ -19,6 +20,7 @@ void make_turn(MissionTurn& turn, LoopResult& result) {
   result.last = turn();
   result.time = turn.last();
   ++result.turns;
+  ++result.turns_in.at(static_cast<std::size_t>(result.last.health.state));
 }
 
 /// Set-points that say stop and come up, before a loop that was told to stop ends: on a bus that loses messages one may not arrive.
@@ -86,6 +88,7 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period,
       return result;
     }
   }
+  result.found_in = result.last.health.state;
   return Stopping(result, turn, ports, clock).run(period, said);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 
@@ -7,6 +8,7 @@
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/messages/health.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::board {
@@ -24,6 +26,8 @@ struct LoopResult {
   Time began;  ///< when the loop began
   Time time;   ///< of the last turn
   std::uint64_t turns = 0;
+  std::array<std::uint64_t, messages::kMissionStates> turns_in{};      ///< of these, those after which the mission was in each state
+  messages::MissionState found_in = messages::MissionState::kStandby;  ///< the state of the last turn before it was told to stop
 };
 
 /// The one loop of a mission, at sea and in simulation: takes what the ports bring as it comes, makes a turn when the clock says so, tries

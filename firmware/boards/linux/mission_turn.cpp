@@ -25,42 +25,6 @@ Weight weight_of(const InputSink::Value& value) {
   return std::holds_alternative<messages::OperatorCommand>(value) ? Weight::kOrder : Weight::kStream;
 }
 
-const char* to_string(messages::MissionState state) {
-  switch (state) {
-    case messages::MissionState::kStandby:
-      return "STANDBY";
-    case messages::MissionState::kSearch:
-      return "SEARCH";
-    case messages::MissionState::kDone:
-      return "DONE";
-    case messages::MissionState::kAbort:
-      return "ABORT";
-  }
-  return "?";
-}
-
-const char* to_string(messages::EndReason reason) {
-  switch (reason) {
-    case messages::EndReason::kNone:
-      return "not over";
-    case messages::EndReason::kCompleted:
-      return "the source is reached";
-    case messages::EndReason::kStepsUsedUp:
-      return "all steps are taken";
-    case messages::EndReason::kOperatorAbort:
-      return "an operator aborted it";
-    case messages::EndReason::kNavigationStale:
-      return "navigation went silent";
-    case messages::EndReason::kSnrStale:
-      return "the SNR estimate went silent";
-    case messages::EndReason::kLeftOperatingArea:
-      return "the vehicle left its operating area";
-    case messages::EndReason::kTimeUsedUp:
-      return "its time is used up";
-  }
-  return "?";
-}
-
 }  // namespace
 
 void MissionTurn::record_mission(const config::Mission& mission, std::span<const std::uint8_t> policy, std::string_view build) {
@@ -92,6 +56,7 @@ runtime::Outputs MissionTurn::operator()() {
   const runtime::Outputs outputs = runtime_.step(turn);
   record(turn, outputs);
   ports_.publish(turn, outputs);
+  if (news_ != nullptr) news_->tell(turn, outputs.health);
   return outputs;
 }
 
@@ -104,11 +69,6 @@ void MissionTurn::record(Time now, const runtime::Outputs& outputs) {
   const bool is_new_state = recorded_state_ != outputs.health.state;
   recorded_state_ = outputs.health.state;
   append(journal_, now, wire::kHealthChannel, wire::to_message(outputs.health, now), is_new_state ? Weight::kOrder : Weight::kStream);
-}
-
-std::string to_string(const messages::Health& health) {
-  return std::string(to_string(health.state)) + ", " + to_string(health.end_reason) + ", after " + std::to_string(health.steps_taken) +
-         " steps";
 }
 
 }  // namespace earshot::board

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/news/flight_news.hpp"
 #include "firmware/boards/linux/port.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/config/mission.hpp"
@@ -33,6 +33,9 @@ class MissionTurn final : public InputSink {
   /// @param policy  bytes of the .policy file; build  version and commit of this program
   void record_mission(const config::Mission& mission, std::span<const std::uint8_t> policy, std::string_view build);
 
+  /// From now on every turn is told to a person, too. @param news  must outlive it
+  void tell(FlightNews& news) { news_ = &news; }
+
   void take(std::uint8_t port, const Value& value) override;
 
   runtime::Outputs operator()();
@@ -55,9 +58,7 @@ class MissionTurn final : public InputSink {
   std::uint64_t sequence_ = 0;
   std::uint64_t navigation_taken_ = 0;
   std::optional<messages::MissionState> recorded_state_;
+  FlightNews* news_ = nullptr;
 };
-
-/// "DONE, the source is reached, after 37 steps"
-[[nodiscard]] std::string to_string(const messages::Health& health);
 
 }  // namespace earshot::board

@@ -51,9 +51,11 @@ class Port {
 
   /// Its name and where it listens, for a person: "vehicle, LCM udpm://... on lo, eth0".
   [[nodiscard]] virtual std::string description() const = 0;
+  /// The same in words that stay true while links come and go: "vehicle, LCM udpm://...".
+  [[nodiscard]] virtual std::string label() const { return description(); }
   /// Bytes of its queues and buffers, if it has any, for the bill of the vehicle's memory.
   [[nodiscard]] virtual std::size_t memory() const { return 0; }
-  /// What else a person should know at the end; empty when there is nothing.
+  /// What else a person should know at the end: what was lost where, and what to do about it; empty when there is nothing.
   [[nodiscard]] virtual std::string remark() const { return {}; }
 
   [[nodiscard]] std::uint8_t index() const { return report_.port; }

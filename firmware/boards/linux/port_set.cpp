@@ -7,6 +7,7 @@
 #include "firmware/boards/linux/can_port.hpp"
 #include "firmware/boards/linux/hydrophone/hydrophone_port.hpp"
 #include "firmware/boards/linux/lcm_port.hpp"
+#include "firmware/host/file/printable.hpp"
 
 namespace earshot::board {
 namespace {
@@ -67,6 +68,16 @@ std::string PortSet::down() const {
     if (!port->report().link_up) text += line_of(*port);
   }
   return text;
+}
+
+std::vector<PortSet::Link> PortSet::links() const {
+  std::vector<Link> links;
+  for (const auto& port : ports_) {
+    links.push_back({.port = port->index(),
+                     .label = "port " + std::to_string(port->index()) + ", " + host::printable(port->label()),
+                     .is_up = port->report().link_up});
+  }
+  return links;
 }
 
 std::vector<PortSet::Held> PortSet::memory() const {

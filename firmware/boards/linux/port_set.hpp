@@ -44,6 +44,12 @@ class PortSet {
   [[nodiscard]] std::string down() const;
   /// Where each port listens, a line each.
   [[nodiscard]] std::string description() const;
+  struct Link {
+    std::uint8_t port = 0;
+    std::string label;  ///< "port 1, vehicle, CAN can0"
+    bool is_up = true;
+  };
+  [[nodiscard]] std::vector<Link> links() const;
   struct Held {
     std::string port;  ///< its index and description
     std::size_t bytes = 0;

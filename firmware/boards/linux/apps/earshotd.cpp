@@ -1,5 +1,7 @@
 // earshotd: the process that flies the vehicle.
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdint>
 #include <exception>
@@ -17,6 +19,9 @@
 #include "firmware/boards/linux/memory_proof.hpp"
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
+#include "firmware/boards/linux/news/flight_news.hpp"
+#include "firmware/boards/linux/news/health_words.hpp"
+#include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/boards/linux/simulation_plugin.hpp"
 #include "firmware/boards/linux/waiting.hpp"
@@ -151,20 +156,21 @@ void keep_policy(const host::SignedPolicy& policy, const std::filesystem::path& 
 /// Exit status: 0 for a mission flown to its end or stopped by a person, 3 when the other side was lost.
 int report(const board::LoopResult& result, const board::Clock& clock, const board::PortSet& ports, const std::filesystem::path& journal) {
   const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
-  if (const messages::PortReport sum = ports.sum(); sum.unsent > 0 || sum.lost > 0)
-    std::cerr << "earshotd: " << sum.unsent << " messages could not be put on a bus, " << sum.lost << " were lost on their way in\n";
+  const std::string state = board::to_string(result.last.health);
   for (const std::string& remark : ports.remarks()) std::cerr << "earshotd: " << remark << "\n";
   if (const std::string remark = clock.remark(); !remark.empty()) std::cerr << "earshotd: " << remark << "\n";
   const bool is_talkative = program::talk() != program::Talk::kQuiet;
   switch (result.end) {
     case board::LoopEnd::kMissionOver:
-      if (is_talkative) std::cerr << "earshotd: " << board::to_string(result.last.health) << "; journal " << journal.string() << "\n";
+      if (is_talkative) std::cerr << "earshotd: " << state << "; journal " << journal.string() << "\n";
       return 0;
     case board::LoopEnd::kStopped:
-      if (is_talkative) std::cerr << "earshotd: stopped" << after << "; journal " << journal.string() << "\n";
+      if (is_talkative)
+        std::cerr << "earshotd: stopped by a signal" << after << ", in " << board::to_string(result.found_in) << "; it ended in " << state
+                  << "; journal " << journal.string() << "\n";
       return 0;
     case board::LoopEnd::kClockLost:
-      std::cerr << "earshotd: lost " << clock.lost() << after << "; journal up to then: " << journal.string() << "\n";
+      std::cerr << "earshotd: lost " << clock.lost() << after << ", in " << state << "; journal up to then: " << journal.string() << "\n";
       return kLost;
   }
   return kLost;
@@ -181,6 +187,7 @@ void settle_memory(const Options& o) {
 int report(const board::MemoryProof& proof, const board::PortSet& ports) {
   program::say() << proof.bill(ports);
   (proof.holds() ? program::say() : std::cerr) << "earshotd: " << proof.verdict() << std::flush;
+  if (const std::string remark = proof.remark(); !remark.empty()) std::cerr << "earshotd: warning: " << remark << "\n";
   return proof.holds() ? program::kDone : program::kIncomplete;
 }
 
@@ -193,6 +200,25 @@ struct Flight {
   board::PortSet& ports;
   board::Clock& clock;
 };
+
+/// Flies, and tells meanwhile what changes; all of it is told when this returns.
+board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryProof& proof) {
+  std::optional<board::LineWriter> writer;
+  std::optional<board::FlightNews> news;
+  if (program::talk() != program::Talk::kQuiet) {
+    writer.emplace(STDERR_FILENO);
+    news.emplace(f.ports, *writer);
+    turn.tell(*news);
+  }
+  settle_memory(f.options);
+  if (f.options.prove_no_alloc) proof.arm();
+  const board::LoopResult result = board::fly(turn, f.ports, f.clock, f.file.step_period, stop_requested);
+  if (f.options.prove_no_alloc) proof.disarm(result);
+  const std::uint64_t left_out = writer ? writer->left_out() : 0;
+  writer.reset();
+  if (left_out > 0) std::cerr << "earshotd: " << left_out << " lines like these were left out, because nobody read them in time\n";
+  return result;
+}
 
 /// @return exit status
 int fly(const Flight& f) {
@@ -207,13 +233,10 @@ int fly(const Flight& f) {
     std::cerr << "earshotd: waiting for navigation, SNR and an operator's START, as long as it takes, on\n"
               << f.ports.description() << "earshotd: journal " << journal.path().string() << "\n";
   }
-  settle_memory(f.options);
   board::MemoryProof proof;
   board::LoopResult result;
   try {
-    if (f.options.prove_no_alloc) proof.arm();
-    result = board::fly(turn, f.ports, f.clock, f.file.step_period, stop_requested);
-    if (f.options.prove_no_alloc) proof.disarm(result.turns);
+    result = fly(f, turn, proof);
   } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
     std::cerr << "earshotd: " << e.what() << "; journal up to then: " << journal.path().string() << "\n";
     return kLost;

@@ -20,9 +20,8 @@ class HydrophonePort final : public Port {
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
   [[nodiscard]] int file_descriptor() const override { return -1; }
   [[nodiscard]] messages::PortReport report() const override;
-  [[nodiscard]] std::string description() const override {
-    return name_ + ", hydrophone, LCM " + address_ + " on " + receiver_.interfaces();
-  }
+  [[nodiscard]] std::string label() const override { return name_ + ", hydrophone, LCM " + address_; }
+  [[nodiscard]] std::string description() const override { return label() + " on " + receiver_.interfaces(); }
   [[nodiscard]] std::size_t memory() const override { return sizeof *this + receiver_.memory(); }
   [[nodiscard]] std::string remark() const override;
 

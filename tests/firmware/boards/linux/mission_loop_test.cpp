@@ -344,6 +344,9 @@ TEST_F(AtSea, BeingStoppedInMidSearchEndsWithASetPointThatSaysStopAndComeUp) {
   stop_at(15);
   const LoopResult result = fly();
   EXPECT_EQ(result.end, LoopEnd::kStopped);
+  EXPECT_EQ(result.found_in, MissionState::kSearch);
+  // START comes after the first turn.
+  EXPECT_EQ(result.turns_in, (std::array<std::uint64_t, 4>{1, 14, 0, 5}));
   // At once and then once a period: at 15, 16, 17, 18 and 19 s.
   EXPECT_EQ(result.time - result.began, Duration::seconds(19));
   ASSERT_EQ(port_->published.size(), 15U + 5U);

@@ -1,0 +1,97 @@
+#include "firmware/boards/linux/news/flight_news.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+
+#include "firmware/boards/linux/news/health_words.hpp"
+
+namespace earshot::board {
+namespace {
+
+/// A line in the making, in memory of its own.
+class Line {
+ public:
+  Line& operator<<(std::string_view text) {
+    const std::size_t count = std::min(text.size(), text_.size() - size_);
+    std::copy_n(text.begin(), count, text_.begin() + static_cast<std::ptrdiff_t>(size_));
+    size_ += count;
+    return *this;
+  }
+  Line& operator<<(std::integral auto number) {
+    std::array<char, 24> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  }
+  Line& two_digits(unsigned number) { return *this << (number < 10 ? "0" : "") << number; }
+  [[nodiscard]] std::string_view text() const { return {text_.data(), size_}; }
+
+ private:
+  std::array<char, LineWriter::kLineBytes> text_{};
+  std::size_t size_ = 0;
+};
+
+/// "2026-11-22 15:04:07 UTC"; "4711 s" of a simulator's clock, which begins at 0.
+void write_time(Line& line, Time time) {
+  using namespace std::chrono;
+  constexpr Time kLongAgo{microseconds(sys_days(year(2000) / January / 1).time_since_epoch()).count()};
+  if (time < kLongAgo) {
+    line << time.us / 1'000'000 << " s";
+    return;
+  }
+  const sys_time<microseconds> utc{microseconds(time.us)};
+  const sys_days day = floor<days>(utc);
+  const year_month_day date{day};
+  const hh_mm_ss clock{floor<seconds>(utc) - day};
+  line << static_cast<int>(date.year()) << "-";
+  line.two_digits(static_cast<unsigned>(date.month())) << "-";
+  line.two_digits(static_cast<unsigned>(date.day())) << " ";
+  line.two_digits(static_cast<unsigned>(clock.hours().count())) << ":";
+  line.two_digits(static_cast<unsigned>(clock.minutes().count())) << ":";
+  line.two_digits(static_cast<unsigned>(clock.seconds().count())) << " UTC";
+}
+
+Line line_at(Time time) {
+  Line line;
+  line << "earshotd: ";
+  write_time(line, time);
+  line << ": ";
+  return line;
+}
+
+}  // namespace
+
+FlightNews::FlightNews(const PortSet& ports, LineWriter& writer) : writer_(writer) {
+  for (const PortSet::Link& link : ports.links())
+    links_.at(link.port) = {.label = link.label, .is_up = link.is_up, .changes = 0, .due = {}};
+}
+
+void FlightNews::tell(Time now, const messages::Health& health) {
+  for (const messages::PortReport& report : health.ports) tell_link(now, report);
+  if (state_ == health.state) return;
+  state_ = health.state;
+  Line line = line_at(now);
+  line << to_string(health.state);
+  if (health.end_reason != messages::EndReason::kNone)
+    line << ", " << to_string(health.end_reason) << ", after " << health.steps_taken << " steps";
+  writer_.say(line.text());
+}
+
+void FlightNews::tell_link(Time now, const messages::PortReport& report) {
+  Link& link = links_.at(report.port);
+  if (report.link_up != link.is_up) ++link.changes;
+  link.is_up = report.link_up;
+  constexpr Duration kMostAhead{(kLinkLinesAtOnce - 1) * kBetweenLinkLines.us};
+  if (link.changes == 0 || link.due - now > kMostAhead) return;
+  Line line = line_at(now);
+  line << link.label << ": its link is " << (link.is_up ? "up again" : "down; tried again once a second");
+  if (link.changes > 1) line << "; it changed " << link.changes << " times since it was last told of";
+  writer_.say(line.text());
+  link.changes = 0;
+  link.due = std::max(link.due, now) + kBetweenLinkLines;
+}
+
+}  // namespace earshot::board

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "firmware/boards/linux/news/line_writer.hpp"
+#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/config/capacities.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/messages/health.hpp"
+
+namespace earshot::board {
+
+/// Tells a person what changes while a flight lasts, a line each: the state of the mission and why, and every link that goes down or comes
+/// back. Nothing allocates or waits after construction.
+///
+///     earshotd: 2026-11-22 15:04:07 UTC: ABORT, navigation went silent, after 12 steps
+///     earshotd: 2026-11-22 15:04:09 UTC: port 1, vehicle, CAN can0: its link is down; tried again once a second
+class FlightNews {
+ public:
+  /// Of one link so many lines at once, then one in so long, so that a link that comes and goes cannot flood: the next line counts the
+  /// changes.
+  static constexpr int kLinkLinesAtOnce = 4;
+  static constexpr Duration kBetweenLinkLines = Duration::seconds(10);
+
+  /// @param ports   what is down already is taken for told
+  /// @param writer  must outlive it
+  FlightNews(const PortSet& ports, LineWriter& writer);
+
+  /// After every turn. @param now  of the turn, on the mission clock: UTC at sea, seconds from 0 in simulation
+  void tell(Time now, const messages::Health& health);
+
+ private:
+  struct Link {
+    std::string label;  ///< "port 1, vehicle, CAN can0"
+    bool is_up = true;
+    std::uint64_t changes = 0;  ///< since it was last told of
+    Time due;                   ///< when its lines would have been told, were there one in kBetweenLinkLines
+  };
+  void tell_link(Time now, const messages::PortReport& report);
+
+  LineWriter& writer_;
+  std::array<Link, config::kMaxPorts> links_;
+  std::optional<messages::MissionState> state_;
+};
+
+}  // namespace earshot::board

@@ -1,0 +1,125 @@
+#include "firmware/boards/linux/news/flight_news.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "firmware/host/file/file_descriptor.hpp"
+
+namespace earshot::board {
+namespace {
+
+using messages::EndReason;
+using messages::Health;
+using messages::MissionState;
+
+constexpr Time kUtc{1'795'000'000'000'000};  // 2026-11-18 11:06:40, as date(1) says
+
+class NamedPort final : public Port {
+ public:
+  NamedPort(std::uint8_t index, std::string name, bool is_up) : Port(index, {}), name_(std::move(name)) { report_.link_up = is_up; }
+  void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
+  std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
+  [[nodiscard]] int file_descriptor() const override { return -1; }
+  [[nodiscard]] std::string description() const override { return name_; }
+
+ private:
+  std::string name_;
+};
+
+class FlightNewsTest : public testing::Test {
+ protected:
+  FlightNewsTest() {
+    ports_.add(std::make_unique<NamedPort>(1, "vehicle, CAN can0", true));
+    ports_.add(std::make_unique<NamedPort>(2, "ev\x1bil", false));
+    std::array<int, 2> ends{};
+    EXPECT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
+    out_ = host::FileDescriptor(ends[0]);
+    in_ = host::FileDescriptor(ends[1]);
+    writer_.emplace(in_.number());
+    news_.emplace(ports_, *writer_);
+  }
+
+  static Health health(MissionState state, EndReason reason = EndReason::kNone, std::uint32_t steps = 0) {
+    Health health;
+    health.state = state;
+    health.end_reason = reason;
+    health.steps_taken = steps;
+    return health;
+  }
+  /// In the same state, with the link of one port up or down.
+  void tell_link(double at_s, std::uint8_t port, bool is_up) {
+    Health h = health(MissionState::kStandby);
+    ASSERT_EQ(h.ports.push_back({.port = port, .link_up = is_up}), Status::kOk);
+    news_->tell(kUtc + Duration{static_cast<std::int64_t>(at_s * 1e6)}, h);
+  }
+  std::string all_told() {
+    writer_.reset();
+    in_ = host::FileDescriptor();
+    std::string text(100'000, '\0');
+    const ssize_t size = ::read(out_.number(), text.data(), text.size());
+    return text.substr(0, static_cast<std::size_t>(size));
+  }
+
+  host::FileDescriptor out_;
+  host::FileDescriptor in_;
+  PortSet ports_;
+  std::optional<LineWriter> writer_;
+  std::optional<FlightNews> news_;
+};
+
+TEST_F(FlightNewsTest, TellsEachStateOnceWithItsTimeAndWhyItIsOver) {
+  news_->tell(kUtc, health(MissionState::kStandby));
+  news_->tell(kUtc + Duration::seconds(1), health(MissionState::kStandby));
+  news_->tell(kUtc + Duration::seconds(20), health(MissionState::kSearch));
+  news_->tell(kUtc + Duration::seconds(21), health(MissionState::kSearch, EndReason::kNone, 1));
+  news_->tell(kUtc + Duration::seconds(86'400), health(MissionState::kAbort, EndReason::kNavigationStale, 12));
+  EXPECT_EQ(all_told(),
+            "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
+            "earshotd: 2026-11-18 11:07:00 UTC: SEARCH\n"
+            "earshotd: 2026-11-19 11:06:40 UTC: ABORT, navigation went silent, after 12 steps\n");
+}
+
+TEST_F(FlightNewsTest, TellsTheSecondsOfASimulatorsClock) {
+  news_->tell(Time{4'711'900'000}, health(MissionState::kDone, EndReason::kCompleted, 37));
+  EXPECT_EQ(all_told(), "earshotd: 4711 s: DONE, the source is reached, after 37 steps\n");
+}
+
+TEST_F(FlightNewsTest, TellsEveryLinkThatGoesDownOrComesBackButNotWhatWasDownAtTheStart) {
+  tell_link(0, 2, false);
+  tell_link(1, 1, true);
+  tell_link(2, 1, false);
+  tell_link(3, 1, false);
+  tell_link(15, 1, true);
+  tell_link(16, 2, true);
+  EXPECT_EQ(all_told(),
+            "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
+            "earshotd: 2026-11-18 11:06:42 UTC: port 1, vehicle, CAN can0: its link is down; tried again once a second\n"
+            "earshotd: 2026-11-18 11:06:55 UTC: port 1, vehicle, CAN can0: its link is up again\n"
+            "earshotd: 2026-11-18 11:06:56 UTC: port 2, ev\\x1bil: its link is up again\n");
+}
+
+TEST_F(FlightNewsTest, TellsALinkThatComesAndGoesFourTimesAndThenOnceInTenSecondsAndHowOftenItChanged) {
+  for (int second = 0; second < 25; ++second) tell_link(second, 1, second % 2 == 1);
+  tell_link(60, 1, false);
+  tell_link(61, 1, true);
+  const std::string link = "port 1, vehicle, CAN can0: its link is ";
+  EXPECT_EQ(all_told(), "earshotd: 2026-11-18 11:06:40 UTC: " + link + "down; tried again once a second\n" +
+                            "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n" + "earshotd: 2026-11-18 11:06:41 UTC: " + link + "up again\n" +
+                            "earshotd: 2026-11-18 11:06:42 UTC: " + link + "down; tried again once a second\n" +
+                            "earshotd: 2026-11-18 11:06:43 UTC: " + link + "up again\n" + "earshotd: 2026-11-18 11:06:50 UTC: " + link +
+                            "down; tried again once a second; it changed 7 times since it was last told of\n" +
+                            "earshotd: 2026-11-18 11:07:00 UTC: " + link +
+                            "down; tried again once a second; it changed 10 times since it was last told of\n" +
+                            "earshotd: 2026-11-18 11:07:40 UTC: " + link +
+                            "down; tried again once a second; it changed 4 times since it was last told of\n" +
+                            "earshotd: 2026-11-18 11:07:41 UTC: " + link + "up again\n");
+}
+
+}  // namespace
+}  // namespace earshot::board
