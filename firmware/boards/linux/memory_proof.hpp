@@ -12,9 +12,9 @@
 
 namespace earshot::board {
 
-/// Bytes of the main thread's stack that are there before the first turn; a mission uses some 10 kB of it. Full: the system adds pages.
+/// Bytes of the main thread's stack that are there before the first turn; a mission uses some 20 kB of it. Full: the system adds pages.
 inline constexpr std::size_t kMainStackBytes = 262'144;
-/// Bytes of every other thread's stack (the journal's writer). Full: the process ends.
+/// Bytes of every other thread's stack (the journal's writer, the news'). Full: the process ends.
 inline constexpr std::size_t kThreadStackBytes = 262'144;
 
 /// Lays out the memory of a flight: the main thread's stack and every page that the process may write are written once, and locked where
@@ -36,7 +36,7 @@ class MemoryProof {
 
   /// No thread used the heap, and neither the address space nor the memory in use has grown.
   [[nodiscard]] bool holds() const;
-  /// "0 allocations in 3 threads over 286 turns: 40 in STANDBY, 240 in SEARCH, 6 in ABORT", or who allocated what.
+  /// "0 allocations in 3 threads over 69 turns: 4 in STANDBY, 60 in SEARCH, 5 in ABORT", or who allocated what.
   [[nodiscard]] std::string verdict() const;
   /// What is not proven, because it was not flown; empty when a search was.
   [[nodiscard]] std::string remark() const;
