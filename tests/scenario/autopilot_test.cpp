@@ -230,14 +230,10 @@ TEST_F(Autopilot, GivenThePythonExampleAsItsHydrophoneOnThePortThatThePageShowsI
 }
 
 TEST_F(Autopilot, GivenThePythonExampleThatOrdersASearchIsStartedAndAbortedAndWhatIsNotObeyedIsSaid) {
-  if (!test::enter_private_network()) {
-    const char* required = std::getenv("LCM_REQUIRED");
-    ASSERT_FALSE(required != nullptr && std::string(required) == "1") << "LCM_REQUIRED=1, but no network namespace can be made";
-    GTEST_SKIP() << "this kernel lets only root make a network namespace";
-  }
+  ENTER_PRIVATE_NETWORK_OR_SKIP();
   const std::string url(host::kDefaultLcmUrl);
   Ashore ashore(url);
-  write_mission("search.toml");
+  write_mission(mission_of_short_steps("search.toml"));
   start_earshotd({});
   const auto snr = [&] { ashore.send_snr(); };
   ASSERT_TRUE(ashore.hears([&] { return ashore.health.port_count > 0; }, snr)) << earshotd_->output();

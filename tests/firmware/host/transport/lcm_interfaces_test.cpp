@@ -17,13 +17,8 @@ namespace {
 class LcmInterfacesTest : public testing::Test {
  protected:
   void SetUp() override {
-    const bool is_private = test::enter_private_network();
+    ENTER_PRIVATE_NETWORK_OR_SKIP();
     socket_ = FileDescriptor(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));  // of that network
-    if (is_private) return;
-    const char* const required = std::getenv("LCM_REQUIRED");
-    const bool may_skip = ::geteuid() != 0 && (required == nullptr || std::string(required) != "1");
-    ASSERT_TRUE(may_skip) << "no network namespace could be made (package iproute2), but this is root or LCM_REQUIRED=1";
-    GTEST_SKIP() << "this kernel lets only root make a network namespace";
   }
   static void ip(const std::string& what) { ASSERT_EQ(std::system(("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip " + what).c_str()), 0) << what; }
   static void allow_memberships(int count) { std::ofstream(std::string("/proc/sys/net/ipv4/igmp_max_memberships")) << count; }
