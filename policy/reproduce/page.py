@@ -53,7 +53,7 @@ def as_markdown(intro, made, claims, sweep_rows, sweep_note):
         return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)
 
     def figure(name):
-        return f"![{CAPTIONS[name]}]({name}.png)\n\n{CAPTIONS[name]} ([SVG]({name}.svg))"
+        return f"![{CAPTIONS[name]}]({name}.png)\n\n{CAPTIONS[name]}"
 
     parts = [f"# {TITLE}", *intro, f"Made by `{made['command']}` at commit `{made['commit']}`, {made['rest']}."]
     parts += ["## Claims", table(CLAIMS_HEADER, claims), "## Figures"]
@@ -74,10 +74,7 @@ def as_html(intro, made, claims, sweep_rows, sweep_note):
 
     def figure(name):
         caption = text(CAPTIONS[name])
-        return (
-            f'<figure><img src="{name}.svg" alt="{caption}"><figcaption>{caption} '
-            f'<a href="{name}.png">PNG</a></figcaption></figure>\n'
-        )
+        return f'<figure><img src="{name}.png" alt="{caption}"><figcaption>{caption}</figcaption></figure>\n'
 
     command, commit, rest = text(made["command"]), text(made["commit"]), text(made["rest"])
     made_line = f'<p class="made">Made by <code>{command}</code> at commit <code>{commit}</code>, {rest}.</p>'
