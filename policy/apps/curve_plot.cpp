@@ -10,7 +10,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/learning_curve.hpp"
 #include "policy/evaluate/evaluation.hpp"
-#include "sim/sonar/gnuplot.hpp"
+#include "sim/plot/gnuplot.hpp"
 
 namespace earshot::apps {
 namespace {
@@ -64,12 +64,12 @@ void draw_curves(const std::filesystem::path& path, const std::string& title, st
   const std::string band =
       several ? "quartiles of " + std::to_string(episodes_csv.size()) + " trainings" : "quartiles of the last 50 episodes";
   const std::string line = several ? "median of their medians of the last 50 episodes" : "median of the last 50 episodes";
-  commands << "EOD\nset title " << sonar::quoted(title) << " noenhanced\nset xlabel 'episodes'\nset ylabel 'reward of an episode'\n"
+  commands << "EOD\nset title " << plot::quoted(title) << " noenhanced\nset xlabel 'episodes'\nset ylabel 'reward of an episode'\n"
            << "set key bottom right reverse Left\nset tics out nomirror\nset grid\nset style fill solid\nset autoscale xfix\n"
-           << "plot $points using 1:2:4 with filledcurves fillcolor rgb '#b0c8e8' title " << sonar::quoted(band)
-           << ", $points using 1:3 with lines linewidth 2 linecolor rgb '#104080' title " << sonar::quoted(line) << "\n";
+           << "plot $points using 1:2:4 with filledcurves fillcolor rgb '#b0c8e8' title " << plot::quoted(band)
+           << ", $points using 1:3 with lines linewidth 2 linecolor rgb '#104080' title " << plot::quoted(line) << "\n";
   try {
-    sonar::draw(path, {.title = title, .size = "900,500", .commands = commands.str()});
+    plot::draw(path, {.title = title, .size = "900,500", .commands = commands.str()});
   } catch (const std::runtime_error& e) {
     throw host::BadInput(e.what());
   }

@@ -23,8 +23,8 @@
 #include "policy/evaluate/table.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "sim/parallel/rank_session.hpp"
+#include "sim/plot/gnuplot.hpp"
 #include "sim/search/soundscape.hpp"
-#include "sim/sonar/gnuplot.hpp"
 
 namespace {
 
@@ -274,7 +274,7 @@ void write_files(const Options& o, const search::SearchSettings& settings, const
   if (!o.plot) return;
   try {
     const std::string title = title_of(o, settings, worlds);
-    sonar::draw(*o.plot, {.title = title, .size = "1400,900", .commands = evaluate::as_plot(rows, title)});
+    plot::draw(*o.plot, {.title = title, .size = "1400,900", .commands = evaluate::as_plot(rows, title)});
   } catch (const std::runtime_error& e) {
     throw BadInput(e.what());
   }

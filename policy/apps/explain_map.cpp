@@ -13,7 +13,7 @@
 #include "policy/explain/replay.hpp"
 #include "policy/report/action_map_plot.hpp"
 #include "policy/report/recorded_flight.hpp"
-#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::apps {

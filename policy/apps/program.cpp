@@ -11,7 +11,7 @@
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "sim/sonar/gnuplot.hpp"
+#include "sim/plot/gnuplot.hpp"
 
 namespace earshot::apps {
 namespace {
@@ -103,7 +103,7 @@ policy::ActionDraw draw_named(std::string_view name) {
 }
 
 void check_picture_name(const std::string& option, const std::filesystem::path& path) {
-  if (!sonar::is_picture_name(path)) throw BadInput(option + " " + path.string() + ": must end in .png or .svg");
+  if (!plot::is_picture_name(path)) throw BadInput(option + " " + path.string() + ": must end in .png or .svg");
 }
 
 }  // namespace earshot::apps

@@ -2,7 +2,7 @@
 
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/placement.hpp"
-#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::apps {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "policy/evaluate/csv.hpp"
-#include "sim/sonar/gnuplot.hpp"
+#include "sim/plot/gnuplot.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -66,7 +66,7 @@ std::string panel(std::span<const Row> rows, const std::string& label, bool is_n
   std::string plot = "set ylabel '" + label + "'\nplot ";
   std::string data;
   for (std::size_t p = 0; p < policies.size(); ++p) {
-    plot += (p == 0 ? "'-'" : ", '-'") + points_of(p) + (is_named ? " title " + sonar::quoted(policies[p]) : " notitle");
+    plot += (p == 0 ? "'-'" : ", '-'") + points_of(p) + (is_named ? " title " + plot::quoted(policies[p]) : " notitle");
     for (const Row& row : rows) {
       if (row.policy != policies[p]) continue;
       const auto world = static_cast<double>(std::ranges::find(worlds, row.world) - worlds.begin());
@@ -83,7 +83,7 @@ std::string panel(std::span<const Row> rows, const std::string& label, bool is_n
 std::string tics_of(const std::vector<std::string>& worlds, bool is_named) {
   std::string tics = worlds.size() > 6 ? "set xtics noenhanced rotate by -35 (" : "set xtics noenhanced norotate (";
   for (std::size_t i = 0; i < worlds.size(); ++i)
-    tics += (i == 0 ? "" : ", ") + sonar::quoted(is_named ? worlds[i] : "") + " " + std::to_string(i);
+    tics += (i == 0 ? "" : ", ") + plot::quoted(is_named ? worlds[i] : "") + " " + std::to_string(i);
   return tics + ")\n";
 }
 
@@ -139,7 +139,7 @@ std::string as_plot(std::span<const Row> all, const std::string& title) {
   }
   const std::vector<std::string> worlds = distinct(rows, &Row::world);
   const bool has_legend = distinct(rows, &Row::policy).size() > 1;
-  const std::string setup = "set multiplot title " + sonar::quoted(title) +
+  const std::string setup = "set multiplot title " + plot::quoted(title) +
                             " noenhanced\nset grid ytics lt 1 lw 0.5 lc rgb '#cccccc'\nset key at screen 0.99,0.93 right top noenhanced "
                             "reverse Left\nset tics out nomirror\nset lmargin at screen 0.07\nset rmargin at screen " +
                             (has_legend ? "0.82" : "0.97") +

@@ -6,7 +6,7 @@
 
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/environment_conditions.hpp"
-#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 
 namespace earshot::evaluate {
 

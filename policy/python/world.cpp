@@ -5,7 +5,7 @@
 #include "policy/description/crc32_text.hpp"
 #include "policy/description/search_description.hpp"
 #include "policy/description/state.hpp"
-#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 
 namespace earshot::python {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "policy/report/gnuplot_svg.hpp"
 #include "policy/report/snr_surface.hpp"
-#include "sim/sonar/gnuplot.hpp"
-#include "sim/sonar/snr_scale.hpp"
+#include "sim/plot/gnuplot.hpp"
+#include "sim/plot/snr_scale.hpp"
 
 namespace earshot::report {
 namespace {
@@ -80,7 +80,7 @@ std::string start_rows(std::span<const FlownPath> paths) {
 /// Margins in shares of the picture, so that both panels are squares of one height whatever stands beside them.
 std::string panel(double left, double right, const std::string& title) {
   std::ostringstream text;
-  text << "set lmargin at screen " << left << "\nset rmargin at screen " << right << "\nset title " << sonar::quoted(title)
+  text << "set lmargin at screen " << left << "\nset rmargin at screen " << right << "\nset title " << plot::quoted(title)
        << " noenhanced\n";
   return text.str();
 }
@@ -92,16 +92,16 @@ void draw_beside_snr(const std::filesystem::path& path, const MapOcean& ocean, c
   const std::string heading = "What " + ocean.policy_name + " does";
   std::string text = blocks + block("snr", snr_rows(ocean.curve, ocean.heard_from, area_of(ocean), kCellsPerSide));
   if (ocean.source) text += block("source", km(*ocean.source) + "\n");
-  text += "set multiplot title " + sonar::quoted(heading) + " noenhanced font ',15'\nset label 1 " + sonar::quoted(sentence) +
+  text += "set multiplot title " + plot::quoted(heading) + " noenhanced font ',15'\nset label 1 " + plot::quoted(sentence) +
           " at screen 0.5,0.035 center noenhanced\n" + km_ranges(area_of(ocean)) +
           "set xlabel 'east (km)'\nset ylabel 'north (km)'\nset size ratio -1\nset tics out\nunset key\nset bmargin at screen 0.165\nset "
           "tmargin "
           "at screen 0.865\n" +
-          panel(0.05, 0.40, ocean.words) + sonar::snr_scale(ocean.policy.detection_threshold) + "plot $snr with image" +
+          panel(0.05, 0.40, ocean.words) + plot::snr_scale(ocean.policy.detection_threshold) + "plot $snr with image" +
           (has_track ? ", $track with linespoints pt 7 ps 0.6 lw 1.6 lc rgb 'black'" : "") +
           (ocean.source ? ", $source with points pt 3 ps 1.8 lw 2 lc rgb 'black'" : "") + "\nunset label 1\n" + right_panel +
           "unset multiplot\n";
-  sonar::draw(path, {.title = heading, .size = "1560,780", .commands = text});
+  plot::draw(path, {.title = heading, .size = "1560,780", .commands = text});
 }
 
 std::string count(const char* what, std::size_t paths) {

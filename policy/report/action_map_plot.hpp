@@ -30,14 +30,14 @@ struct MapFlight {
 
 /// Two panels: the SNR over the policy's area, and the policy's mean direction on a grid, longer where its probabilities agree, over the
 /// probability of the likeliest direction or over a flight's belief.
-/// @param path    .png or .svg. Throws as sonar::draw does.
+/// @param path    .png or .svg. Throws as plot::draw does.
 /// @param arrows  square
 /// @param words   over the arrows
 void draw_arrows(const std::filesystem::path& path, const MapOcean& ocean, const explain::ActionMap& arrows, const std::string& words,
                  const std::optional<MapFlight>& flight = std::nullopt);
 
 /// Two panels: the SNR over the policy's area, and where the policy goes from all over it, coloured by the number of its steps.
-/// @param path   .png or .svg. Throws as sonar::draw does.
+/// @param path   .png or .svg. Throws as plot::draw does.
 /// @param paths  of searches for `ocean.source`, at least one
 void draw_paths(const std::filesystem::path& path, const MapOcean& ocean, std::span<const explain::FlownPath> paths);
 

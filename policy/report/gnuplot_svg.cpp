@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "sim/sonar/gnuplot.hpp"
+#include "sim/plot/gnuplot.hpp"
 
 namespace earshot::report {
 namespace {
@@ -66,13 +66,13 @@ PlotFolder::~PlotFolder() {
 }
 
 std::vector<std::string> svgs_from(const PlotFolder& folder, const std::string& script, const std::vector<SvgOutput>& outputs) {
-  sonar::run_gnuplot("cd " + sonar::quoted(folder.path().string()) + "\n" + script);
+  plot::run_gnuplot("cd " + plot::quoted(folder.path().string()) + "\n" + script);
   std::vector<std::string> svgs;
   for (const SvgOutput& output : outputs) {
     const std::string text = content(folder / output.file);
     const std::size_t root = text.find("<svg");
     if (root == std::string::npos) throw std::runtime_error("gnuplot drew nothing; is the disk full?");
-    svgs.push_back(sonar::with_title(text.substr(root), output.title));
+    svgs.push_back(plot::with_title(text.substr(root), output.title));
     suit_page(svgs.back());
   }
   return svgs;

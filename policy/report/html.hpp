@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/sonar/gnuplot.hpp"
+#include "sim/plot/gnuplot.hpp"
 
 namespace earshot::report {
 
@@ -11,7 +11,7 @@ namespace earshot::report {
 [[nodiscard]] std::string html_head(const std::string& title);
 inline constexpr std::string_view kHtmlEnd = "</body></html>\n";
 
-using sonar::escaped;
+using plot::escaped;
 
 /// "<dt>..<dd>" in a box; belongs into a <dl>.
 [[nodiscard]] std::string fact(std::string_view name, const std::string& value);

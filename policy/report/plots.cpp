@@ -8,7 +8,7 @@
 
 #include "policy/report/gnuplot_svg.hpp"
 #include "policy/report/snr_surface.hpp"
-#include "sim/sonar/snr_scale.hpp"
+#include "sim/plot/snr_scale.hpp"
 
 namespace earshot::report {
 namespace {
@@ -103,7 +103,7 @@ std::string map_svg(const Flight& flight) {
   write_decisions(scratch / "decisions.dat", flight);
   write_marks(scratch / "marks.dat", flight);
   return svg_from(scratch, "SNR at the vehicle's depth and the vehicle's track",
-                  page_style("600,770") + sonar::snr_scale(threshold_of(flight)) + km_ranges(area) + panel(0.203, 0.873) + R"(
+                  page_style("600,770") + plot::snr_scale(threshold_of(flight)) + km_ranges(area) + panel(0.203, 0.873) + R"(
 set output 'plot.svg'
 set size ratio -1
 set lmargin at screen 0.11

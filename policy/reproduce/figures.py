@@ -40,7 +40,7 @@ DASHES = {
 MARKERS = {"fixed_simple": "s", "changing_simple": "o", "changing_memory": "^", "changing_position_memory": "D"}
 MARKS = 8  # along a curve
 PATH_DASHES = ["-", (0, (5, 1.5)), (0, (2, 1)), (0, (6, 1.5, 1.5, 1.5))]
-# The scale of every map and field of Earshot (sim/sonar/snr_scale.cpp): dB above 20 below the threshold, and colour.
+# The scale of every map and field of Earshot (sim/plot/snr_scale.cpp): dB above 20 below the threshold, and colour.
 SNR_COLOURS = [(0, "#081d58"), (20, "#bdd7e7"), (20, "#fff3b0"), (50, "#a63603")]
 PATH_COLOURS = ["#1b6ca8", "#e08a1e", "#2a9d6f", "#b03a6f"]
 

@@ -54,6 +54,11 @@ double pressure_dbar(Meters depth, Radians latitude) {
   return (1.0 - c1 - std::sqrt(squared(1.0 - c1) - 4.0 * c2 * depth.value)) / (2.0 * c2);
 }
 
+MetersPerSecond sound_speed_of(const SeaWater& water, Meters depth, Radians latitude, SoundSpeedFormula formula) {
+  if (formula == SoundSpeedFormula::kMackenzie) return sound_speed_mackenzie(water, depth);
+  return sound_speed_unesco(water, pressure_dbar(depth, latitude));
+}
+
 double absorption_db_per_km(const SeaWater& water, Meters depth, Hertz frequency) {
   const double t = water.temperature_c;
   const double s = water.salinity_psu;

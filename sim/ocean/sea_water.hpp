@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "firmware/core/units.hpp"
 
 namespace earshot::ocean {
@@ -35,6 +37,11 @@ struct SeaWater {
 /// @param depth  0 to 12 km
 /// Source: Saunders, J. Phys. Oceanogr. 11 (1981) 573.   Oracle: SeaWater.PressureGivesSaundersCheckValue
 [[nodiscard]] double pressure_dbar(Meters depth, Radians latitude);
+
+enum class SoundSpeedFormula : std::uint8_t { kUnesco, kMackenzie };
+
+/// @param latitude  enters by pressure: 0.26 % of it between equator and pole, 0.2 m/s at 4000 m
+[[nodiscard]] MetersPerSecond sound_speed_of(const SeaWater& water, Meters depth, Radians latitude, SoundSpeedFormula formula);
 
 /// Absorption of sound, dB/km: boric acid, magnesium sulphate and pure water.
 ///

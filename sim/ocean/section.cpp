@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <sstream>
 
-#include "sim/ocean/charts.hpp"
+#include "sim/ocean/charts/charts.hpp"
 
 namespace earshot::ocean {
 namespace {

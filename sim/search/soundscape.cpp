@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "sim/sonar/field_library.hpp"
+#include "sim/field_library/reader.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::search {
@@ -63,8 +63,8 @@ sonar::Fan fan_of_one_depth(const sonar::Fan& fan, std::size_t depth) {
 /// The fans of the environment's library, of the vehicle's depth alone.
 std::vector<SnrFan> fans_of(const ocean::Environment& environment, Meters vehicle_depth, Meters furthest) {
   const auto refused = [&](const std::string& what) { return host::BadInput(environment.field_library.string() + ": " + what); };
-  const sonar::FieldLibrary library(environment.field_library);
-  if (library.centre() != sonar::Centre::kSource) throw refused("must have the source, not the hydrophone, at its positions");
+  const field_library::FieldLibrary library(environment.field_library);
+  if (library.centre() != field_library::Centre::kSource) throw refused("must have the source, not the hydrophone, at its positions");
   const ocean::Source& source = environment.source;
   if (!(std::abs((library.centre_depth() - source.depth).value) < kSameDepth_m))
     throw refused("has its sources at " + words(library.centre_depth().value) + " m, but source.depth_m of the environment is " +

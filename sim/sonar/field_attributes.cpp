@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/ocean/charts.hpp"
+#include "sim/ocean/charts/charts.hpp"
 
 namespace earshot::sonar {
 

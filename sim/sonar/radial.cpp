@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "sim/ocean/charts.hpp"
+#include "sim/ocean/charts/charts.hpp"
 #include "sim/ocean/section.hpp"
 #include "sim/pe/ocean_section.hpp"
 #include "sim/sonar/sonar_field.hpp"

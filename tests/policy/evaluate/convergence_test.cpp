@@ -7,7 +7,7 @@
 #include "policy/freeze/freeze.hpp"
 #include "policy/ppo/trainer.hpp"
 #include "policy/ppo/training_run.hpp"
-#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::evaluate {

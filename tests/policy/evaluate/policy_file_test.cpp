@@ -9,7 +9,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/freeze/freeze.hpp"
-#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::evaluate {

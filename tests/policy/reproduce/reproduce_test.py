@@ -90,7 +90,7 @@ class Drawing(unittest.TestCase):
             self.assertEqual(len({line.get_marker() for line in axes.lines} - {"None"}), len(figures.LABELS))
 
     def test_snr_is_drawn_on_the_scale_of_every_map_and_field(self):
-        scale = (REPRODUCE.parents[1] / "sim/sonar/snr_scale.cpp").read_text()
+        scale = (REPRODUCE.parents[1] / "sim/plot/snr_scale.cpp").read_text()
         palette = re.search(r"set palette defined \((.*?)\)", scale)
         assert palette
         colours = [(int(db), colour) for db, colour in re.findall(r"(\d+) '(#\w+)'", palette.group(1))]

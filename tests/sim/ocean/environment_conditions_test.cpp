@@ -11,7 +11,7 @@
 #include <variant>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 
 namespace earshot::ocean {
 namespace {

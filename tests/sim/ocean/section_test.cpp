@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "sim/ocean/charts.hpp"
-#include "tests/sim/ocean/chart_files.hpp"
+#include "sim/ocean/charts/charts.hpp"
+#include "tests/sim/ocean/charts/chart_files.hpp"
 
 namespace earshot::ocean {
 namespace {

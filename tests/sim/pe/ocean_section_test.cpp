@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 #include "sim/pe/solver.hpp"
 #include "tests/reference/transmission_loss.hpp"
 #include "tests/sim/netcdf/temporary_folder.hpp"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "sim/ocean/environment_file.hpp"
-#include "sim/sonar/library_store.hpp"
+#include "sim/field_library/store.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 #include "tests/sim/netcdf/temporary_folder.hpp"
 
 namespace earshot::search {
@@ -75,18 +75,18 @@ TEST(SoundscapeOf, RefusesAnOtherOceanWhoseSeaFloorLiesAboveTheVehicle) {
 /// 100 b + 10 r + d (their indices). Nothing is computed.
 ocean::Environment with_library(const std::filesystem::path& path, double source_depth_m, double frequency_hz,
                                 const std::vector<float>& loss_db = {0.0F, 1.0F, 10.0F, 11.0F, 100.0F, 101.0F, 110.0F, 111.0F}) {
-  const sonar::LibraryPlan plan{.name = "one",
-                                .environment = papers_ocean(),
-                                .positions = {{Meters{0.0}, Meters{0.0}}},
-                                .centre = sonar::Centre::kSource,
-                                .fan = {.bearings = 2,
-                                        .radial = {.source_depth = Meters{source_depth_m},
-                                                   .depth_m = {100.0, 300.0},
-                                                   .range_step = Meters{100.0},
-                                                   .ranges = 2,
-                                                   .band = {Hertz{frequency_hz}, Hertz{frequency_hz}}}},
-                                .file_crc32 = 1};
-  sonar::LibraryStore store(path, plan);
+  const field_library::LibraryPlan plan{.name = "one",
+                                        .environment = papers_ocean(),
+                                        .positions = {{Meters{0.0}, Meters{0.0}}},
+                                        .centre = field_library::Centre::kSource,
+                                        .fan = {.bearings = 2,
+                                                .radial = {.source_depth = Meters{source_depth_m},
+                                                           .depth_m = {100.0, 300.0},
+                                                           .range_step = Meters{100.0},
+                                                           .ranges = 2,
+                                                           .band = {Hertz{frequency_hz}, Hertz{frequency_hz}}}},
+                                        .file_crc32 = 1};
+  field_library::LibraryStore store(path, plan);
   store.write(0, loss_db);
   store.commit();
   ocean::Environment environment = papers_ocean();

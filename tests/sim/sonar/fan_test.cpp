@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/horizontal_map.hpp"
 #include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"

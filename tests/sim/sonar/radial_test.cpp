@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/grid_check.hpp"
 
 namespace earshot::sonar {

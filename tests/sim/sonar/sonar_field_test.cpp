@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sim/ocean/environment_file.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 #include "tests/reference/transmission_loss.hpp"
 
 namespace earshot::sonar {

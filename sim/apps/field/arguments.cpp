@@ -1,0 +1,188 @@
+#include "sim/apps/field/arguments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+#include "firmware/host/file/output_file.hpp"
+#include "sim/plot/gnuplot.hpp"
+#include "sim/sonar/fan.hpp"
+
+namespace earshot::field {
+namespace {
+
+std::string picture_name(const std::string& path) {
+  return plot::is_picture_name(path) ? std::string() : path + ": a picture's name must end in .png or .svg";
+}
+
+void describe_place(program::CommandLine& line, FieldArguments& a) {
+  line.option("--max-range-km", &a.max_range_km, "how far from the source").between(0.001, 2000.0).shows_default();
+  line.option("--depth,--receiver-depth-m", &a.depth_m, "receiver depths in m; default: every --depth-spacing down to the sea floor")
+      .between(0.0, 12'000.0);
+  line.option("--depth-spacing", &a.depth_spacing_m, "m between receiver depths").between(0.1, 10000.0).shows_default();
+  line.option("--bearing-deg", &a.bearing_deg, "of the radial, clockwise from north; matters where charts are used")
+      .between(-360.0, 360.0)
+      .shows_default();
+  line.option("--output-step-m", &a.output_step_m,
+              "m between ranges written; default: a sixth of a wavelength, a third with --radials, --range-step if given")
+      .between(0.01, 100000.0);
+}
+
+void describe_fan(program::CommandLine& line, FieldArguments& a) {
+  line.option("--radials", &a.radials, "all around the source on so many bearings, at the depths of --receiver-depth-m").from(1, 100'000);
+  line.flag("--map", &a.map, "also lay SNR and probability of detection on a north-east grid; one receiver depth");
+  line.option("--map-side-km", &a.map_side_km, "side of that square; default: the largest within --max-range-km").between(0.001, 4000.0);
+  line.option("--map-intervals", &a.map_intervals, "grid steps along a side").from(1, 10'000).shows_default();
+  line.option("--detection-threshold-db", &a.detection_threshold_db, "SNR needed for detection; pictures change colour there")
+      .between(-200.0, 200.0)
+      .shows_default();
+  line.option("--fluctuation-db", &a.fluctuation_db, "standard deviation of the SNR in dB; 0: detection is certain or impossible")
+      .between(0.0, 100.0)
+      .shows_default();
+}
+
+void describe_sound(program::CommandLine& line, FieldArguments& a) {
+  line.option("--band-hz", &a.band_hz, "average intensity over the band LOW HIGH instead of the source's one frequency")
+      .takes(2, 2)
+      .between(1.0, 10'000.0);
+  line.option("--frequencies", &a.frequencies, "how many equal parts of the band are computed, at their middles")
+      .from(1, 10'000)
+      .shows_default();
+}
+
+void describe_solver(program::CommandLine& line, FieldArguments& a) {
+  line.option("--accuracy-db", &a.accuracy_db, "of transmission loss, mean over ranges; chooses the solver's grid")
+      .between(0.0001, 10.0)
+      .shows_default();
+  line.option("--range-step,--range-step-m", &a.range_step_m, "m of one step of the solver; default: automatic").between(0.01, 10000.0);
+  line.option("--depth-step,--depth-step-m", &a.depth_step_m, "m of the solver's depth grid; default: automatic").between(0.001, 1000.0);
+  line.option("--terms", &a.terms, "poles of the propagator, 2 to 16; 0: automatic").from(0, 16).shows_default();
+  line.option("--absorber-wavelengths", &a.absorber_wavelengths,
+              "thickness of the absorber below the deepest layer of the seabed; default: after seabed and range")
+      .between(0.5, 10'000.0);
+  line.option("--starter", &a.starter, "self: a point source, exact at all angles; gaussian: a beam, weaker where it is steep")
+      .one_of({"self", "gaussian"})
+      .shows_default();
+  line.flag("--check", &a.check,
+            "also run with both steps of the grid halved and a thicker absorber, and print by how many dB that changes the loss");
+  line.option("--threads", &a.threads, "processors used, default all; the result does not depend on it").from(1, 4096);
+}
+
+/// Options that would be silently ignored are refused.
+void refuse_beside_library(const program::CommandLine& line) {
+  for (const std::string& option : line.given()) {
+    if (option != "--library" && option != "--output" && option != "--threads" && option != "--force")
+      throw std::invalid_argument(option + ": not with --library, whose file says all of it");
+  }
+}
+
+/// `option` says something about `other`.
+void bind(const program::CommandLine& line, const char* option, const char* other) {
+  line.at(option).needs(line.at(other));
+}
+
+sonar::Band band_of(const FieldArguments& arguments, const ocean::Environment& environment) {
+  if (arguments.band_hz.empty()) return {environment.source.frequency, environment.source.frequency};
+  return {Hertz{arguments.band_hz[0]}, Hertz{arguments.band_hz[1]}, arguments.frequencies};
+}
+
+std::vector<double> receiver_depths(const FieldArguments& arguments, Meters sea_floor) {
+  std::vector<double> depths = arguments.depth_m;
+  for (const double depth : depths) {
+    if (depth <= sea_floor.value) continue;
+    std::ostringstream text;
+    text << "--depth = " << depth << ": must be from 0 m to the sea floor, at its deepest " << sea_floor.value << " m";
+    throw std::invalid_argument(text.str());
+  }
+  if (!depths.empty()) return depths;
+  // Multiples, less one that falls on the sea floor but for rounding: a sum of tenths of a metre would miss it by a nanometre.
+  const double spacings = std::max(1.0, std::ceil(sea_floor.value / arguments.depth_spacing_m - 1e-6));
+  for (std::size_t i = 1; i < static_cast<std::size_t>(spacings); ++i) depths.push_back(static_cast<double>(i) * arguments.depth_spacing_m);
+  depths.push_back(sea_floor.value);
+  return depths;
+}
+
+}  // namespace
+
+void describe(program::CommandLine& line, FieldArguments& a) {
+  line.footer(
+      "Examples:\n"
+      "  earshot field sim/ocean/environments/munk_flat.toml -o field.nc --plot field.png\n"
+      "  earshot field OCEAN.toml -o fan.nc --radials 72 --receiver-depth-m 300 --map --fluctuation-db 6 --plot map.png\n"
+      "  mpirun -n 4 earshot-field --library LIBRARY.toml -o library.nc     (started again after an interruption, it goes on)");
+  line.option("ENVIRONMENT", &a.environment, "TOML file that describes the ocean and the source");
+  line.option("--library", &a.library, "TOML file that names an environment and many positions; instead of ENVIRONMENT");
+  line.option("-o,--output", &a.output, "NetCDF file to write").required();
+  line.option("--plot", &a.plot, "also draw the SNR, as .png or .svg").checked(picture_name);
+  line.flag("--force", &a.force, "replace a file that is there already, of whatever kind it is");
+  describe_place(line, a);
+  describe_fan(line, a);
+  describe_sound(line, a);
+  describe_solver(line, a);
+  bind(line, "--map", "--radials");
+  bind(line, "--map-side-km", "--map");
+  bind(line, "--map-intervals", "--map");
+  bind(line, "--fluctuation-db", "--radials");
+  bind(line, "--frequencies", "--band-hz");
+  line.at("--bearing-deg").excludes(line.at("--radials"));
+  line.at("--depth-spacing").excludes(line.at("--depth"));
+}
+
+void require_consistent(const program::CommandLine& line, const FieldArguments& a) {
+  const auto refuse_unless = [](bool holds, const std::string& what) {
+    if (!holds) throw std::invalid_argument(what);
+  };
+  if (!a.library.empty()) refuse_beside_library(line);
+  refuse_unless(a.environment.empty() != a.library.empty(), "ENVIRONMENT or --library is needed");
+  refuse_unless(a.radials == 0 || !a.depth_m.empty(), "--radials needs --receiver-depth-m");
+  refuse_unless(!a.map || a.depth_m.size() == 1, "--map needs one --receiver-depth-m");
+  refuse_unless(a.radials == 0 || a.plot.empty() || a.map, "--plot with --radials needs --map");
+  refuse_unless(std::is_sorted(a.depth_m.begin(), a.depth_m.end(), std::less_equal<>{}), "--depth must increase");
+  refuse_unless(a.band_hz.empty() || a.band_hz[0] < a.band_hz[1],
+                "--band-hz: the low frequency comes first, and must be less than the high one");
+}
+
+void require_writable(const FieldArguments& arguments) {
+  const host::Replace replace = host::replaced_by(arguments.force);
+  host::require_writable(arguments.output, host::kNetcdfOutput, replace);
+  if (!arguments.plot.empty()) host::require_writable(arguments.plot, host::picture_kind(arguments.plot), replace);
+}
+
+sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Environment& environment, double default_step_wavelengths,
+                              Meters deepest_sea_floor) {
+  sonar::RadialPlan plan{.source_depth = environment.source.depth,
+                         .depth_m = receiver_depths(arguments, deepest_sea_floor),
+                         .range_step = {},
+                         .ranges = 1,
+                         .band = band_of(arguments, environment)};
+  constexpr double kSoundSpeed_mps = 1500.0;
+  const double automatic_m = default_step_wavelengths * kSoundSpeed_mps / plan.band.high.value;
+  plan.range_step = Meters{arguments.output_step_m.value_or(arguments.range_step_m.value_or(automatic_m))};
+  plan.ranges = std::max<std::size_t>(1, static_cast<std::size_t>(1000.0 * arguments.max_range_km / plan.range_step.value + 1e-9));
+  const double values = static_cast<double>(std::max<std::size_t>(1, arguments.radials)) * static_cast<double>(plan.ranges) *
+                        static_cast<double>(plan.depth_m.size());
+  if (values > sonar::kMostFanValues) {
+    std::ostringstream text;
+    text << "--output-step-m = " << plan.range_step.value << ": radials x ranges x depths are " << values << " values, must not exceed "
+         << sonar::kMostFanValues << "; take a longer step, fewer depths or a shorter range";
+    throw std::invalid_argument(text.str());
+  }
+  plan.options.terms = arguments.terms;
+  plan.options.absorber_wavelengths = arguments.absorber_wavelengths;
+  plan.options.starter = arguments.starter == "gaussian" ? pe::Starter::kGaussian : pe::Starter::kSelf;
+  plan.options.accuracy = Decibels{arguments.accuracy_db};
+  if (arguments.range_step_m) plan.options.range_step = Meters{*arguments.range_step_m};
+  if (arguments.depth_step_m) plan.options.depth_step = Meters{*arguments.depth_step_m};
+  return plan;
+}
+
+sonar::Detector detector_of(const FieldArguments& arguments, const ocean::Environment& environment) {
+  return {.source_level = environment.source.level,
+          .noise_level = environment.noise_level,
+          .detection_threshold = Decibels{arguments.detection_threshold_db},
+          .fluctuation = Decibels{arguments.fluctuation_db}};
+}
+
+}  // namespace earshot::field

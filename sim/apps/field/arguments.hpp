@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/core/units.hpp"
+#include "firmware/host/program/command_line.hpp"
+#include "sim/ocean/environment.hpp"
+#include "sim/sonar/detection.hpp"
+#include "sim/sonar/radial.hpp"
+
+namespace earshot::field {
+
+/// What the command line of `earshot field` says.
+struct FieldArguments {
+  std::string environment;
+  std::string library;
+  std::string output;
+  std::string plot;
+  std::string history;  ///< the command itself
+  double max_range_km = 25.0;
+  std::vector<double> depth_m;
+  double depth_spacing_m = 10.0;
+  double bearing_deg = 0.0;
+  std::size_t radials = 0;  ///< 0: one radial
+  bool map = false;
+  std::optional<double> map_side_km;
+  std::size_t map_intervals = 200;
+  std::vector<double> band_hz;  ///< low and high, or nothing
+  std::size_t frequencies = 16;
+  std::optional<double> range_step_m;
+  std::optional<double> output_step_m;
+  std::optional<double> depth_step_m;
+  std::size_t terms = 0;
+  std::optional<double> absorber_wavelengths;
+  std::string starter = "self";
+  double accuracy_db = 0.02;
+  bool check = false;
+  bool force = false;  ///< replace files that are of another kind
+  double detection_threshold_db = 10.0;
+  double fluctuation_db = 0.0;
+  std::optional<std::size_t> threads;  ///< default: all processors
+};
+
+void describe(program::CommandLine& line, FieldArguments& arguments);
+
+/// Throws std::invalid_argument for options that contradict each other, or would be ignored.
+void require_consistent(const program::CommandLine& line, const FieldArguments& arguments);
+
+/// Refuses files that cannot be written before the work, not after it. Throws host::BadInput.
+void require_writable(const FieldArguments& arguments);
+
+/// @param default_step_wavelengths  between ranges written where the command line names none
+/// Throws std::invalid_argument naming a depth that no radial has water at, and for more values than kMostFanValues.
+[[nodiscard]] sonar::RadialPlan plan_radial(const FieldArguments& arguments, const ocean::Environment& environment,
+                                            double default_step_wavelengths, Meters deepest_sea_floor);
+
+[[nodiscard]] sonar::Detector detector_of(const FieldArguments& arguments, const ocean::Environment& environment);
+
+}  // namespace earshot::field

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "firmware/host/program/progress_bar.hpp"
+#include "firmware/host/program/talk.hpp"
+#include "sim/apps/field/modes.hpp"
+#include "sim/ocean/file/environment_file.hpp"
+#include "sim/parallel/ordered_tasks.hpp"
+#include "sim/plot/field_plot.hpp"
+#include "sim/sonar/detection.hpp"
+#include "sim/sonar/fan.hpp"
+#include "sim/sonar/fan_file.hpp"
+#include "sim/sonar/grid_check.hpp"
+#include "sim/sonar/horizontal_map.hpp"
+
+namespace earshot::field {
+namespace {
+
+Meters map_side(const FieldArguments& arguments, const sonar::Fan& fan) {
+  return arguments.map_side_km ? Meters{1000.0 * *arguments.map_side_km} : std::numbers::sqrt2 * fan.max_range();
+}
+
+std::optional<sonar::HorizontalMap> map_of(const FieldArguments& arguments, const sonar::Fan& fan, const sonar::Detector& detector) {
+  if (!arguments.map) return std::nullopt;
+  return sonar::make_map(fan, 0, {.side = map_side(arguments, fan), .intervals = arguments.map_intervals}, detector);
+}
+
+void print_detection(const sonar::Fan& fan, const sonar::Detector& detector) {
+  for (std::size_t depth = 0; depth < fan.depth_m.size(); ++depth) {
+    std::vector<double> furthest_km;
+    for (const auto& range : sonar::detection_ranges(fan, depth, detector)) {
+      if (!std::isnan(range.furthest_m)) furthest_km.push_back(range.furthest_m / 1000.0);
+    }
+    program::say() << "heard:   at " << fan.depth_m[depth] << " m ";
+    if (furthest_km.empty()) {
+      program::say() << "nowhere: there is no water at that depth beside the source\n";
+      continue;
+    }
+    const auto [nearest, furthest] = std::minmax_element(furthest_km.begin(), furthest_km.end());
+    program::say() << "last at " << *nearest << " to " << *furthest << " km, by bearing; mean "
+                   << std::accumulate(furthest_km.begin(), furthest_km.end(), 0.0) / static_cast<double>(furthest_km.size()) << " km\n";
+  }
+}
+
+/// The worst of four bearings speaks for all.
+void print_check(const ocean::Environment& environment, const sonar::RadialPlan& plan) {
+  const int bearings = sonar::differs_with_place(environment) ? 4 : 1;
+  std::vector<sonar::GridCheck> checks;
+  {
+    program::ProgressBar bar("check");
+    for (int i = 0; i < bearings; ++i)
+      checks.push_back(sonar::check_grid(environment, environment.source.position, Radians{0.5 * std::numbers::pi * i}, plan,
+                                         [&bar, i, bearings](double f) { bar.update((i + f) / bearings); }));
+  }
+  int degrees = 0;
+  for (const sonar::GridCheck& check : checks) {
+    program::say() << "check:   bearing " << degrees << ": absorber thicker, grid of " << check.depth_step.value << " m x "
+                   << check.range_step.value << " m halved at " << plan.band.high.value << " Hz: loss changes by " << check.mean_db
+                   << " dB in the mean, " << check.max_db << " dB at most (range " << check.range_of_max.value / 1000.0 << " km)\n";
+    degrees += 90;
+  }
+}
+
+/// Throws where no bearing has water as far as the first range; warns where only some have.
+void require_water(const ocean::Environment& environment, const sonar::FanPlan& plan) {
+  std::vector<double> dry_deg;
+  for (std::size_t j = 0; j < (sonar::differs_with_place(environment) ? plan.bearings : 1); ++j) {
+    const Radians bearing = sonar::bearing_of(j, plan.bearings);
+    if (sonar::shore_before(environment, environment.source.position, bearing, plan.radial.range_step))
+      dry_deg.push_back(bearing.value * 180.0 / std::numbers::pi);
+  }
+  if (dry_deg.empty()) return;
+  std::ostringstream text;
+  text << dry_deg.size() << " of " << plan.bearings << " bearings (the first at " << dry_deg.front()
+       << " degrees) meet land nearer than the first range, " << plan.radial.range_step.value << " m: there is no number on them";
+  if (dry_deg.size() == plan.bearings || !sonar::differs_with_place(environment)) throw std::invalid_argument("--radials: " + text.str());
+  warn(text.str());
+}
+
+}  // namespace
+
+void write_fan(const FieldArguments& arguments) {
+  const auto environment = ocean::load_environment(arguments.environment);
+  require_writable(arguments);
+  const NorthEast source = environment.source.position;
+  const Meters deepest = sonar::deepest_sea_floor(environment, source, arguments.radials, Meters{1000.0 * arguments.max_range_km});
+  const sonar::FanPlan plan{.bearings = arguments.radials, .radial = plan_radial(arguments, environment, 1.0 / 3.0, deepest)};
+  require_water(environment, plan);
+
+  const sonar::Fan fan = [&] {
+    program::ProgressBar bar("radials");
+    return sonar::compute_fan(environment, source, plan, arguments.threads.value_or(parallel::available_processors()),
+                              [&bar](double fraction) { bar.update(fraction); });
+  }();
+  const sonar::Detector detector = detector_of(arguments, environment);
+  const auto map = map_of(arguments, fan, detector);
+  sonar::write_fan(arguments.output, fan, map, environment, plan.radial.band, detector, arguments.history);
+  if (!arguments.plot.empty()) plot::plot_map(arguments.plot, fan, environment, plan.radial.band, map_side(arguments, fan), detector);
+
+  program::say() << "ocean:   " << environment.name << ", source at " << environment.source.depth.value << " m\n"
+                 << "fan:     " << fan.bearings << " bearings x " << fan.ranges << " ranges to " << fan.max_range().value / 1000.0 << " km"
+                 << (sonar::differs_with_place(environment) ? "" : ", one march for all: this ocean is the same on every bearing") << '\n';
+  print_detection(fan, detector);
+  program::say() << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
+  warn(sonar::unmeasured_water(environment, source, plan.bearings, fan.max_range()));
+  if (arguments.check) print_check(environment, plan.radial);
+}
+
+}  // namespace earshot::field

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "sim/apps/field/arguments.hpp"
+#include "sim/ocean/section.hpp"
+#include "sim/parallel/rank_session.hpp"
+
+namespace earshot::field {
+
+/// What every rank knows to be wrong; rank 0 says it.
+class BadStart : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Says on standard error what the result leans on and does not hold; nothing where there is nothing to say.
+void warn(const std::optional<ocean::UnmeasuredWater>& water);
+void warn(const std::string& what);
+
+/// Each computes, writes and says in a few lines on standard output what it did; throws what is wrong in one line. Libraries are shared
+/// among ranks; the others are one process's work.
+void write_radial(const FieldArguments& arguments);
+void write_fan(const FieldArguments& arguments);
+void write_library(const FieldArguments& arguments, parallel::RankSession& session);
+
+}  // namespace earshot::field

@@ -1,0 +1,85 @@
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "firmware/host/program/progress_bar.hpp"
+#include "firmware/host/program/talk.hpp"
+#include "sim/apps/field/modes.hpp"
+#include "sim/ocean/file/environment_file.hpp"
+#include "sim/plot/field_plot.hpp"
+#include "sim/sonar/field_file.hpp"
+#include "sim/sonar/grid_check.hpp"
+#include "sim/sonar/sonar_field.hpp"
+
+namespace earshot::field {
+namespace {
+
+void print_check(const ocean::Environment& environment, Radians bearing, const sonar::RadialPlan& plan) {
+  const auto check = [&] {
+    program::ProgressBar bar("check");
+    return sonar::check_grid(environment, environment.source.position, bearing, plan, [&bar](double f) { bar.update(f); });
+  }();
+  program::say() << "check:   absorber thicker, grid of " << check.depth_step.value << " m x " << check.range_step.value << " m halved at "
+                 << plan.band.high.value << " Hz: loss changes by " << check.mean_db << " dB in the mean, " << check.max_db
+                 << " dB at most (range " << check.range_of_max.value / 1000.0 << " km, depth " << check.depth_of_max.value << " m)\n";
+}
+
+void require_water(const ocean::Environment& environment, Radians bearing, Meters first_range) {
+  const auto shore = sonar::shore_before(environment, environment.source.position, bearing, first_range);
+  if (!shore) return;
+  std::ostringstream text;
+  text << "--bearing-deg = " << bearing.value * 180.0 / std::numbers::pi << ": meets land " << shore->value
+       << " m from the source, nearer than the first range of the field, " << first_range.value << " m: there is nothing to compute";
+  throw std::invalid_argument(text.str());
+}
+
+/// Beyond a shore there is no field: what the numbers that are missing mean.
+void warn_of_land(const ocean::Environment& environment, Radians bearing, Meters last_range) {
+  const auto shore = sonar::shore_before(environment, environment.source.position, bearing, last_range);
+  if (!shore) return;
+  std::ostringstream text;
+  text << "the bearing meets land " << shore->value << " m from the source: from there on the field holds no number";
+  warn(text.str());
+}
+
+}  // namespace
+
+void warn(const std::string& what) {
+  std::cerr << "earshot field: warning: " << what << '\n';
+}
+
+void warn(const std::optional<ocean::UnmeasuredWater>& water) {
+  if (water) warn(to_string(*water));
+}
+
+void write_radial(const FieldArguments& arguments) {
+  const auto environment = ocean::load_environment(arguments.environment);
+  require_writable(arguments);
+  const Radians bearing{arguments.bearing_deg * std::numbers::pi / 180.0};
+  const Meters deepest =
+      sonar::deepest_sea_floor(environment, environment.source.position, bearing, Meters{1000.0 * arguments.max_range_km});
+  const sonar::RadialPlan plan = plan_radial(arguments, environment, 1.0 / 6.0, deepest);
+  require_water(environment, bearing, plan.range_step);
+
+  const auto field = [&] {
+    program::ProgressBar bar("field");
+    return sonar::compute_sonar_field(environment, bearing, plan, [&bar](double fraction) { bar.update(fraction); });
+  }();
+  sonar::write_field(arguments.output, field, environment, bearing, plan.band, arguments.history);
+  if (!arguments.plot.empty())
+    plot::plot_field(arguments.plot, field, environment, plan.band, bearing, Decibels{arguments.detection_threshold_db});
+
+  program::say() << "ocean:   " << environment.name << ", source of " << environment.source.frequency.value << " Hz at "
+                 << environment.source.depth.value << " m\n"
+                 << "field:   " << field.range_m.size() << " ranges to " << field.range_m.back() / 1000.0 << " km, " << field.depth_m.size()
+                 << " depths from " << field.depth_m.front() << " to " << field.depth_m.back() << " m\n"
+                 << "written: " << arguments.output << (arguments.plot.empty() ? "" : ", " + arguments.plot) << '\n';
+  warn(sonar::unmeasured_water(environment, environment.source.position, bearing, Meters{field.range_m.back()}));
+  warn_of_land(environment, bearing, Meters{field.range_m.back()});
+  if (arguments.check) print_check(environment, bearing, plan);
+}
+
+}  // namespace earshot::field

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace earshot::fly {
+
+/// A program that stands beside this one, started as a process of its own: in its own process group (a terminal's Ctrl-C then reaches only
+/// this program, which ends the others in order), and ended with this process however that ends.
+class ChildProcess {
+ public:
+  /// @throws std::system_error
+  ChildProcess(std::string program, const std::vector<std::string>& arguments);
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  [[nodiscard]] bool running() const { return status_ < 0; }
+  /// Exit status, or 128 + signal; -1 while it runs.
+  [[nodiscard]] int status() const { return status_; }
+  void poll();
+  void signal(int number);
+  /// Asks it to end, once.
+  void stop();
+  /// Says on standard error what it could not say itself: that a signal which this program did not send has ended it.
+  void report_signal(const std::string& reporter) const;
+
+ private:
+  std::string program_;
+  pid_t id_ = 0;
+  int status_ = -1;
+  bool is_told_ = false;  ///< by signal() to end
+};
+
+}  // namespace earshot::fly

@@ -1,0 +1,82 @@
+#include "sim/apps/fly/flight_folder.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "firmware/host/file/folder_lock.hpp"
+
+namespace earshot::fly {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// All that a flight leaves, in the order in which it moves up; what was there goes in the opposite order. The summary is thus the first to
+/// go and the last to come: nothing without it passes for a whole flight.
+constexpr std::array<const char*, 6> kFiles{"journal.lcmlog", "journal.policy", "track.csv", "snr.csv", "report.html", "summary.json"};
+
+fs::path topmost_missing(fs::path folder) {
+  fs::path missing;
+  for (; !folder.empty() && !fs::exists(folder); folder = folder.parent_path()) missing = folder;
+  return missing;
+}
+
+bool is_free(const fs::path& path) {
+  return !fs::exists(path) || (fs::is_directory(path) && fs::is_empty(path));
+}
+
+fs::path free_name(const fs::path& path) {
+  fs::path name = path;
+  for (int number = 2; !is_free(name); ++number) name = path.string() + "-" + std::to_string(number);
+  return name;
+}
+
+void bring_to_disk(const fs::path& path) {
+  const host::FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0 || ::fsync(file.number()) != 0) throw std::system_error(errno, std::generic_category(), path.string());
+}
+
+}  // namespace
+
+FlightFolder::FlightFolder(fs::path folder) : folder_(std::move(folder)), first_made_(topmost_missing(fs::absolute(folder_))) {
+  fs::create_directories(folder_);
+  lock_ = host::lock_folder(folder_);
+  host::require_not_being_written(folder_ / kFiles.front());
+  if (fs::exists(folder_ / "finished-flight")) move_up();
+  unfinished_ = free_name(folder_ / "unfinished-flight");
+}
+
+FlightFolder::~FlightFolder() {
+  std::error_code not_empty;
+  fs::remove(unfinished_, not_empty);
+  if (first_made_.empty()) return;
+  for (fs::path made = fs::absolute(folder_); fs::remove(made, not_empty) && made != first_made_;) made = made.parent_path();
+}
+
+void FlightFolder::keep() {
+  host::require_not_being_written(folder_ / kFiles.front());
+  for (const auto& file : fs::directory_iterator(unfinished_)) bring_to_disk(file.path());
+  bring_to_disk(unfinished_);
+  fs::rename(unfinished_, folder_ / "finished-flight");
+  bring_to_disk(folder_);
+  move_up();
+}
+
+void FlightFolder::move_up() {
+  const fs::path finished = folder_ / "finished-flight";
+  if (fs::exists(finished / kFiles.front())) {  // nothing has moved yet
+    for (std::size_t i = kFiles.size(); i-- > 0;) fs::remove(folder_ / kFiles[i]);
+  }
+  for (const char* name : kFiles) {
+    if (fs::exists(finished / name)) fs::rename(finished / name, folder_ / name);
+  }
+  fs::remove_all(finished);
+  bring_to_disk(folder_);
+}
+
+}  // namespace earshot::fly

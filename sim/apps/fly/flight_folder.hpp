@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+
+#include "firmware/host/file/file_descriptor.hpp"
+
+namespace earshot::fly {
+
+/// The folder in which people find a flight, held against other flights. A flight writes in a folder within it, and replaces an earlier one
+/// whole or not at all:
+///
+///   FOLDER/unfinished-flight   the flight under way, and what is left of one that was cut off (the next is then unfinished-flight-2)
+///   FOLDER/finished-flight     only while a whole flight's files are moving up, summary.json last; a cut there is made good by the next
+class FlightFolder {
+ public:
+  /// Makes the folder if it is missing. @throws host::FolderInUse naming who writes there, std::system_error
+  explicit FlightFolder(std::filesystem::path folder);
+  /// What it made and nobody has written into is gone again.
+  ~FlightFolder();
+  FlightFolder(const FlightFolder&) = delete;
+  FlightFolder& operator=(const FlightFolder&) = delete;
+
+  /// Where the flight writes; whoever writes makes it.
+  [[nodiscard]] const std::filesystem::path& unfinished() const { return unfinished_; }
+  /// The flight is whole: its files, brought to the disk, take the place of an earlier one's.
+  /// @throws host::FolderInUse naming who writes a journal there by now, std::system_error
+  void keep();
+
+ private:
+  void move_up();
+
+  std::filesystem::path folder_;
+  std::filesystem::path first_made_;  ///< the topmost folder that was missing; empty when none was
+  std::filesystem::path unfinished_;
+  host::FileDescriptor lock_;
+};
+
+}  // namespace earshot::fly

@@ -1,0 +1,32 @@
+#include "sim/apps/fly/flight_progress.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace earshot::fly {
+namespace {
+
+std::string with_one_decimal(double value) {
+  std::array<char, 64> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.1f", value);
+  return text.data();
+}
+
+}  // namespace
+
+std::string hours_and_minutes(Duration duration) {
+  const std::int64_t minutes = duration.us / Duration::seconds(60).us;
+  const std::string past_the_hour = std::to_string(minutes % 60);
+  return std::to_string(minutes / 60) + " h " + (past_the_hour.size() < 2 ? "0" : "") + past_the_hour + " min";
+}
+
+std::string to_string(const FlightProgress& p) {
+  std::string text = hours_and_minutes(p.at_sea) + " at sea, step " + std::to_string(std::min(p.steps_taken + 1, p.max_steps)) + " of " +
+                     std::to_string(p.max_steps) + ", SNR " + (p.heard.too_faint ? "below " : "") + with_one_decimal(p.heard.snr.value) +
+                     " dB";
+  if (p.believed_range) text += ", source believed " + with_one_decimal(p.believed_range->value / 1e3) + " km away";
+  return text;
+}
+
+}  // namespace earshot::fly

@@ -1,0 +1,285 @@
+// earshot-fly: one search from start to report: earshot-sim, earshotd, what happened.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/printable.hpp"
+#include "firmware/host/file/shipped.hpp"
+#include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/program/run.hpp"
+#include "firmware/host/program/signals.hpp"
+#include "firmware/host/transport/bus_lock.hpp"
+#include "firmware/host/transport/lcm_url.hpp"
+#include "sim/apps/fly/child_process.hpp"
+#include "sim/apps/fly/flight_folder.hpp"
+#include "sim/apps/fly/flight_plan.hpp"
+#include "sim/apps/fly/flight_progress.hpp"
+#include "sim/apps/fly/speed_option.hpp"
+#include "sim/link/run_slot.hpp"
+
+namespace {
+
+using namespace earshot;
+namespace fs = std::filesystem;
+
+using fly::ChildProcess;
+using fly::FlightFolder;
+using program::stop_requested;
+
+struct Options {
+  fs::path environment;
+  fs::path mission;
+  fs::path out = "out";
+  std::uint64_t seed = 1;
+  std::string source = "changing";
+  std::string speed = "0";
+  std::optional<fs::path> policy;
+  std::optional<fs::path> public_key;
+  std::optional<std::string> bus;
+  std::optional<std::string> lcm_url;
+  std::optional<std::string> can_interface;
+  std::optional<std::string> journal_survives;
+  bool ignore_source = false;
+  bool no_report = false;
+};
+
+void declare(program::CommandLine& line, Options& o) {
+  line.option("--environment", &o.environment, "ocean, source and noise (TOML); default: the paper's ocean, munk_flat.toml");
+  line.option("--mission", &o.mission, "area, depth, speed, limits, ports, policy (TOML); default: search.toml");
+  line.option("--out", &o.out, "folder for journal.lcmlog, journal.policy, track.csv, snr.csv, summary.json and report.html")
+      .checked([](const std::string& folder) { return std::string(folder.empty() ? "must name a folder" : ""); })
+      .shows_default();
+  line.option("--seed", &o.seed, "where source and vehicle start, and how a policy that draws its actions draws them")
+      .from(0, std::numeric_limits<std::int64_t>::max())
+      .shows_default();
+  line.option("--source", &o.source, "changing: drawn with the seed, uniform in the mission's area; fixed: where the environment has it")
+      .one_of({"changing", "fixed"})
+      .shows_default();
+  line.option("--speed", &o.speed, "simulated seconds per second; 0: as fast as it goes")
+      .checked(fly::speed_complaint, fly::kSpeedsAllowed)
+      .shows_default();
+  line.option("--policy", &o.policy, "policy file instead of the mission's");
+  line.option("--public-key", &o.public_key, "file of the public key that signed it, instead of the mission's");
+  line.option("--bus", &o.bus, "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
+      .one_of({"lcm", "can", "mixed"});
+  line.option("--lcm-url", &o.lcm_url, "LCM address; default: one that no other flight on this machine uses");
+  line.option("--can-interface", &o.can_interface, "CAN interface instead of the mission's; vcan0 stands in for can0, the bus at sea");
+  line.option("--journal-survives", &o.journal_survives,
+              "power-cut: the journal is written as at sea; process: it is left to the kernel; default: process")
+      .one_of({"power-cut", "process"});
+  line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
+  line.flag("--no-report", &o.no_report, "do not write report.html");
+}
+
+/// Where the two processes of a flight find each other, and where they write.
+struct Meeting {
+  std::uint32_t domain = 0;
+  std::string lcm_url;
+  link::RunId run = link::new_run();
+  fs::path folder;
+};
+
+template <class Value>
+void add(std::vector<std::string>& arguments, const char* name, const std::optional<Value>& value) {
+  if (value) arguments.insert(arguments.end(), {name, std::string(*value)});
+}
+
+std::vector<std::string> common_arguments(const Options& o, const Meeting& meeting) {
+  std::vector<std::string> a{"--out",     meeting.folder,  "--seed", std::to_string(o.seed),
+                             "--lcm-url", meeting.lcm_url, "--run",  std::to_string(meeting.run)};
+  add(a, "--bus", o.bus);
+  add(a, "--can-interface", o.can_interface);
+  return a;
+}
+
+std::vector<std::string> simulator_arguments(const Options& o, const Meeting& meeting) {
+  std::vector<std::string> a = common_arguments(o, meeting);
+  a.insert(a.end(), {"--environment", o.environment.string(), "--mission", o.mission.string(), "--domain", std::to_string(meeting.domain),
+                     "--source", o.source, "--speed", o.speed});
+  if (o.ignore_source) a.emplace_back("--ignore-source");
+  if (program::talk() == program::Talk::kQuiet) a.emplace_back("--quiet");
+  return a;
+}
+
+std::vector<std::string> runtime_arguments(const Options& o, const Meeting& meeting) {
+  constexpr const char* kWait_s = "86400";  // this program looks after both
+  std::vector<std::string> a = common_arguments(o, meeting);
+  a.insert(a.end(), {o.mission.string(), "--quiet", "--simulation", std::to_string(meeting.domain), "--wait", kWait_s});
+  add(a, "--policy", o.policy);
+  add(a, "--public-key", o.public_key);
+  add(a, "--journal-survives", o.journal_survives);
+  return a;
+}
+
+/// Waits for both. Ctrl-C goes to the simulator, which tells earshotd to abort; whoever is left when the other has gone is asked to end,
+/// and ended some seconds later.
+void wait_for_both(ChildProcess& simulator, ChildProcess& runtime) {
+  using std::chrono::steady_clock;
+  constexpr auto kGrace = std::chrono::seconds(6);  // longer than either takes to notice by itself that the other is gone
+  std::optional<steady_clock::time_point> deadline;
+  while (simulator.running() || runtime.running()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    simulator.poll();
+    runtime.poll();
+    if (stop_requested) simulator.stop();
+    if (simulator.status() > 0) runtime.stop();
+    if (runtime.status() > 0) simulator.stop();
+    if (!deadline && (stop_requested || !simulator.running() || !runtime.running())) deadline = steady_clock::now() + kGrace;
+    if (deadline && steady_clock::now() > *deadline) {
+      simulator.signal(SIGKILL);
+      runtime.signal(SIGKILL);
+    }
+  }
+}
+
+/// How a flight ended, for a person; summary.json holds the word.
+std::string outcome(const nlohmann::json& s) {
+  if (s.at("found").get<bool>()) return "source found";
+  std::string reason = s.at("end_reason");
+  if (reason == "earshotd_lost") return "the flight was lost: earshotd ended or did not answer";
+  if (reason == "bus_lost") return "the flight was lost: a set-point did not arrive over the bus";
+  if (reason == "simulator_failed") return "the flight was lost: the simulator failed";
+  if (reason == "steps_used_up") return "source not found: all " + std::to_string(s.at("steps").get<int>()) + " steps taken";
+  std::ranges::replace(reason, '_', ' ');
+  return "source not found: " + reason;
+}
+
+void print_summary(const fs::path& out) {
+  if (program::talk() == program::Talk::kQuiet) return;
+  std::ifstream stream(out / "summary.json");
+  const nlohmann::json s = nlohmann::json::parse(stream);
+  const double sim_time_s = s.at("sim_time_s");
+  const Duration at_sea = Duration::milliseconds(std::llround(1e3 * sim_time_s));
+  const double wall_time_s = s.at("wall_time_s");
+  std::printf("%s\n", outcome(s).c_str());
+  std::printf("  reward      %.1f\n  steps       %d\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(),
+              s.at("steps").get<int>(), s.at("detections").get<int>(), s.at("distance_m").get<double>() / 1e3);
+  std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", fly::hours_and_minutes(at_sea).c_str(), wall_time_s,
+              sim_time_s / std::max(wall_time_s, 1e-9));
+}
+
+bool writes_report(const fs::path& folder) {
+  ChildProcess report("earshot-report", {folder});
+  while (report.running()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    report.poll();
+  }
+  return report.status() == program::kDone || report.status() == program::kIncomplete;  // the page is written, and says what it lacks
+}
+
+/// A process that we ended because the other refused its input has a status of its own; the refusal is what counts.
+int exit_status(const ChildProcess& simulator, const ChildProcess& runtime, bool has_flown) {
+  if (stop_requested) return program::kStopped;
+  if (!has_flown && (simulator.status() == program::kBadInput || runtime.status() == program::kBadInput)) return program::kBadInput;
+  return simulator.status() == 0 && runtime.status() == 0 ? program::kDone : program::kLost;
+}
+
+/// The LCM address that somebody chose; what a mission at sea uses when nobody did is never a simulation's.
+std::optional<std::string> chosen_url(const Options& o, const host::MissionFile& mission) {
+  if (o.lcm_url) return o.lcm_url;
+  for (const std::string& url : host::addresses_of(mission, host::PortKind::kLcm)) {
+    if (url != host::kDefaultLcmUrl) return url;
+  }
+  return std::nullopt;
+}
+
+/// A simulation puts no frames on the bus that a vehicle has at sea unless somebody says so.
+std::string chosen_can_interface(const Options& o, const host::MissionFile& mission) {
+  if (o.can_interface) return *o.can_interface;
+  for (const std::string& interface : host::addresses_of(mission, host::PortKind::kCan)) {
+    if (interface != host::kDefaultCanInterface) return interface;
+  }
+  return "vcan0";
+}
+
+/// Holds the buses that somebody chose; a run slot holds its own.
+std::vector<host::BusLock> lock_buses(const Options& o, const host::MissionFile& mission) {
+  std::vector<host::BusLock> locks;
+  if (!host::addresses_of(mission, host::PortKind::kCan).empty()) locks.push_back(host::lock_can(chosen_can_interface(o, mission)));
+  const std::optional<std::string> url = chosen_url(o, mission);
+  if (url && !host::addresses_of(mission, host::PortKind::kLcm).empty()) locks.push_back(host::lock_lcm(*url));
+  for (host::BusLock& lock : locks) lock.leave_to_children();
+  return locks;
+}
+
+/// Reports on a flight that has begun, and keeps it if every file of it is whole. @return false when one is not
+bool conclude(const Options& o, FlightFolder& folder, bool is_whole) {
+  print_summary(folder.unfinished());
+  const bool has_report = !o.no_report && writes_report(folder.unfinished());
+  const bool is_kept = is_whole && (has_report || o.no_report);
+  if (is_kept) folder.keep();
+  const fs::path place = is_kept ? o.out : folder.unfinished();
+  if (has_report && program::talk() != program::Talk::kQuiet) std::printf("  report      %s\n", (place / "report.html").c_str());
+  return is_kept;
+}
+
+/// Says when the policy is about to search for another kind of source than its provenance names: it never learned that.
+void warn_of_another_source(const Options& o, const host::MissionFile& mission) try {
+  const fs::path path = o.policy.value_or(mission.policy);
+  const auto [policy, bytes] = host::load_policy(path, o.public_key.value_or(mission.public_key));
+  const std::string lines = "\n" + std::string(policy->provenance.begin(), policy->provenance.end()) + "\n";
+  for (const std::string trained : {"fixed", "changing"}) {
+    if (trained == o.source || lines.find("\nsource = " + trained + "\n") == std::string::npos) continue;
+    std::cerr << "earshot fly: warning: " << host::printable(path.string()) << " was trained with a " << trained << " source; use --source "
+              << trained << "\n";
+  }
+} catch (const host::BadInput&) {
+  // earshotd refuses it, and says why.
+}
+
+int fly_search(Options o) {
+  if (o.environment.empty()) o.environment = host::shipped("sim/ocean/environments/munk_flat.toml");
+  if (o.mission.empty()) o.mission = host::shipped("firmware/boards/linux/missions/search.toml");
+  program::stop_on_signals();
+  // Both processes would say the same about a bad file: say it once, before either starts.
+  host::MissionFile mission = fly::load_flight_plan(o.mission, o.environment).mission;
+  host::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
+  host::leave_out_hydrophones(mission);
+  warn_of_another_source(o, mission);
+  const std::vector<host::BusLock> locks = lock_buses(o, mission);
+  o.can_interface = chosen_can_interface(o, mission);
+  FlightFolder folder(o.out);
+  const link::RunSlot slot;
+  const Meeting meeting{.domain = slot.domain(), .lcm_url = chosen_url(o, mission).value_or(slot.lcm_url()), .folder = folder.unfinished()};
+  ChildProcess runtime("earshotd", runtime_arguments(o, meeting));
+  ChildProcess simulator("earshot-sim", simulator_arguments(o, meeting));
+  wait_for_both(simulator, runtime);
+  runtime.report_signal("earshot fly");
+  simulator.report_signal("earshot fly");
+
+  const bool has_flown = fs::exists(folder.unfinished() / "summary.json");
+  const int status = exit_status(simulator, runtime, has_flown);
+  const bool is_whole = simulator.status() == 0 && runtime.status() == 0;
+  if (has_flown && conclude(o, folder, is_whole)) return status;
+  if (stop_requested && !has_flown) std::cerr << "earshot fly: stopped before the flight began\n";
+  if (fs::exists(folder.unfinished()))
+    std::cerr << "earshot fly: this flight is not whole; what there is of it is in " << folder.unfinished().string() << "\n";
+  return status == program::kDone ? program::kLost : status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  program::CommandLine line(
+      "earshot fly",
+      "earshot fly plays one search: an ocean with a sound source (earshot-sim) and the vehicle's own software (earshotd) in lock-step.\n"
+      "Exit status: 0 flown (found or not), 2 bad input, 3 a process or a file was lost, 130 Ctrl-C.");
+  Options options;
+  declare(line, options);
+  return program::run(line, argc, argv, [&] { return fly_search(options); });
+}

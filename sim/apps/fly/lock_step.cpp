@@ -1,0 +1,213 @@
+#include "sim/apps/fly/lock_step.hpp"
+
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <thread>
+
+#include "firmware/host/program/live_line.hpp"
+#include "firmware/runtime/runtime.hpp"
+#include "sim/apps/fly/flight_progress.hpp"
+
+namespace earshot::fly {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr std::uint64_t kConditionsStream = 1;  ///< of the seed; the start is drawn from stream 0
+constexpr milliseconds kLookUp{100};            ///< how often a waiting simulator looks at `stop`
+constexpr milliseconds kRuntimePatience{
+    4000};                                  ///< for an answer: a step takes microseconds, a dead runtime is known after link::kLeaseSeconds
+constexpr milliseconds kBusPatience{2000};  ///< for a set-point that was sent before its answer
+
+const char* word_for(messages::EndReason reason) {
+  switch (reason) {
+    case messages::EndReason::kNone:
+      return "none";
+    case messages::EndReason::kCompleted:
+      return "found";
+    case messages::EndReason::kStepsUsedUp:
+      return "steps_used_up";
+    case messages::EndReason::kOperatorAbort:
+      return "interrupted";
+    case messages::EndReason::kNavigationStale:
+      return "navigation_stale";
+    case messages::EndReason::kSnrStale:
+      return "snr_stale";
+    case messages::EndReason::kLeftOperatingArea:
+      return "left_operating_area";
+    case messages::EndReason::kTimeUsedUp:
+      return "time_used_up";
+  }
+  return "unknown";
+}
+
+/// One flight in the making.
+class Stepper {
+ public:
+  Stepper(const Flight& flight, const vehicle::State& start, const std::atomic<bool>& stop)
+      : flight_(flight),
+        vehicle_(start),
+        command_{.heading = start.heading, .speed = start.speed, .depth = start.depth},
+        source_(flight.world.source),
+        stop_(stop) {
+    if (is_calm()) return;
+    surroundings_.start(flight.world.search, start.position, flight.world.source, Pcg32(flight.world.seed, kConditionsStream));
+    source_ = surroundings_.nearest_source(start.position);
+  }
+
+  FlightResult run() {
+    const auto began = steady_clock::now();
+    try {
+      fly(began);
+    } catch (const std::exception& e) {
+      fail("simulator_failed", e.what());
+    }
+    result_.last_tick = now_;
+    result_.wall_time_s = std::chrono::duration<double>(steady_clock::now() - began).count();
+    result_.end = vehicle_;
+    return result_;
+  }
+
+ private:
+  void fly(steady_clock::time_point began) {
+    for (;;) {
+      tick();
+      if (over_) return;
+      advance();
+      now_ = now_ + flight_.world.tick;
+      keep_pace(began);
+    }
+  }
+
+  /// Whether the conditions of the world change anything.
+  [[nodiscard]] bool is_calm() const { return flight_.world.search.soundscape == nullptr; }
+
+  void advance() {
+    const NorthEast before = vehicle_.position;
+    vehicle_ = vehicle::advance_for(vehicle_, command_, flight_.world.vehicle, flight_.world.tick);
+    if (is_calm()) return;
+    vehicle_.position = before + surroundings_.pass(flight_.world.search, vehicle_.position - before, flight_.world.tick.to_seconds());
+    source_ = surroundings_.nearest_source(vehicle_.position);
+  }
+
+  [[nodiscard]] policy::Heard listen(Meters range) {
+    if (is_calm()) return {.snr = flight_.world.search.snr.at(range)};
+    return surroundings_.listen(flight_.world.search, vehicle_.position);
+  }
+
+  /// What navigation tells of the vehicle.
+  [[nodiscard]] vehicle::State believed() const {
+    vehicle::State state = vehicle_;
+    if (!is_calm()) state.position = state.position + surroundings_.navigation_error();
+    return state;
+  }
+
+  void tick() {
+    const Meters range = range_between(vehicle_.position, source_);
+    const policy::Heard heard = listen(range);
+    const bool reached = flight_.world.may_be_found && range <= flight_.world.found_within;
+    flight_.bus.publish(now_, believed());
+    flight_.link.send({.number = ++number_,
+                       .time = now_,
+                       .navigation_messages = flight_.bus.navigation_messages(),
+                       .snr = heard.snr,
+                       .snr_too_faint = heard.too_faint,
+                       .command = order(reached)});
+    flight_.link.observe({.time = now_,
+                          .vehicle = vehicle_.position,
+                          .vehicle_depth = vehicle_.depth,
+                          .vehicle_heading = vehicle_.heading,
+                          .source = source_,
+                          .range = range});
+    link::Answer answer;
+    if (!receive(answer) || !collect(answer)) return;
+    const TrackPoint point{.time = now_,
+                           .vehicle = vehicle_,
+                           .heard = heard,
+                           .range = range,
+                           .state = static_cast<messages::MissionState>(answer.state),
+                           .steps_taken = answer.steps_taken};
+    record(point, static_cast<messages::EndReason>(answer.end_reason));
+    if (live_.is_due()) show(point, answer.believed_source);
+  }
+
+  void show(const TrackPoint& point, const std::optional<NorthEast>& believed_source) {
+    const auto range_from_here = [this](NorthEast source) { return range_between(believed().position, source); };
+    live_.draw(to_string({.at_sea = point.time - Time{},
+                          .steps_taken = point.steps_taken,
+                          .max_steps = flight_.world.search.settings.max_steps,
+                          .heard = point.heard,
+                          .believed_range = believed_source ? std::optional(range_from_here(*believed_source)) : std::nullopt}));
+  }
+
+  [[nodiscard]] std::uint8_t order(bool reached) const {
+    if (stop_) return static_cast<std::uint8_t>(messages::Order::kAbort);
+    if (number_ == 1) return static_cast<std::uint8_t>(messages::Order::kStart);
+    return reached ? static_cast<std::uint8_t>(messages::Order::kComplete) : std::uint8_t{0};
+  }
+
+  [[nodiscard]] bool receive(link::Answer& answer) {
+    for (auto waited = milliseconds{0}; waited < kRuntimePatience; waited += kLookUp) {
+      const link::Delivery delivery = flight_.link.receive(answer, kLookUp);
+      if (delivery == link::Delivery::kLost) return fail("earshotd_lost", "lost earshotd (it left or died)");
+      if (delivery == link::Delivery::kArrived && answer.number == number_) return true;
+    }
+    return fail("earshotd_lost", "lost earshotd (it does not answer)");
+  }
+
+  [[nodiscard]] bool collect(const link::Answer& answer) {
+    flight_.bus.collect(command_);
+    const auto deadline = steady_clock::now() + kBusPatience;
+    while (flight_.bus.setpoint_messages() < answer.setpoint_messages) {
+      if (steady_clock::now() >= deadline) return fail("bus_lost", "lost the bus (a set-point that earshotd sent did not arrive)");
+      flight_.bus.wait(Duration::milliseconds(kLookUp.count()));
+      flight_.bus.collect(command_);
+    }
+    return true;
+  }
+
+  bool fail(const char* reason, const char* what) {
+    over_ = true;
+    result_.end_reason = reason;
+    result_.failure = what;
+    return false;
+  }
+
+  void record(const TrackPoint& point, messages::EndReason reason) {
+    flight_.track.add(point);
+    flight_.score.add(point);
+    over_ = point.state == messages::MissionState::kDone || point.state == messages::MissionState::kAbort;
+    if (!over_) return;
+    result_.found = reason == messages::EndReason::kCompleted;
+    result_.end_reason = word_for(reason);
+  }
+
+  void keep_pace(steady_clock::time_point began) const {
+    if (flight_.world.speed <= 0.0) return;
+    const auto due = began + std::chrono::duration_cast<steady_clock::duration>(
+                                 std::chrono::duration<double>((now_ - Time{}).to_seconds() / flight_.world.speed));
+    while (!stop_ && steady_clock::now() < due) std::this_thread::sleep_until(std::min(due, steady_clock::now() + kLookUp));
+  }
+
+  Flight flight_;
+  vehicle::State vehicle_;
+  vehicle::Command command_;
+  NorthEast source_;
+  search::Surroundings surroundings_;  ///< unused in a calm world
+  const std::atomic<bool>& stop_;
+  Time now_;
+  std::uint64_t number_ = 0;
+  bool over_ = false;
+  FlightResult result_;
+  program::LiveLine live_;
+};
+
+}  // namespace
+
+FlightResult fly_in_lock_step(Flight flight, const vehicle::State& start, const std::atomic<bool>& stop) {
+  return Stepper(flight, start, stop).run();
+}
+
+}  // namespace earshot::fly

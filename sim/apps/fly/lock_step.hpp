@@ -1,0 +1,56 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/host/mission/mission_file.hpp"
+#include "sim/apps/fly/autopilot_bus.hpp"
+#include "sim/apps/fly/flight_record.hpp"
+#include "sim/link/simulator_end.hpp"
+#include "sim/search/surroundings.hpp"
+#include "sim/vehicle/vehicle.hpp"
+
+namespace earshot::fly {
+
+/// The world that a flight goes through.
+struct World {
+  const search::SearchWorld& search;  ///< what is heard, and its conditions
+  NorthEast source;                   ///< where it is at the start
+  Meters found_within;                ///< l: the source is reached at this range
+  bool may_be_found = true;           ///< false: fly on to the last step even so (benchmarks)
+  vehicle::Limits vehicle;
+  Duration tick = search::kLookInterval;
+  std::uint64_t seed = 1;  ///< of what the conditions draw
+  double speed = 0.0;      ///< simulated seconds per second; 0: as fast as it goes
+};
+
+struct FlightResult {
+  bool found = false;
+  std::string end_reason;  ///< one word of summary.json
+  std::string failure;     ///< what went wrong, in words; empty when nothing did
+  Time last_tick;
+  double wall_time_s = 0.0;  ///< from the first tick to the last answer
+  vehicle::State end;
+};
+
+/// Everything that one flight needs; all must outlive it.
+struct Flight {
+  const World& world;
+  AutopilotBus& bus;
+  link::SimulatorEnd& link;
+  TrackFile& track;
+  Score& score;
+};
+
+/// Flies from `start` to the end of the mission. The clock advances only when the runtime has answered a tick and the set-points it
+/// announced have arrived. The source is looked for at every tick, not only at the end of a step: a vehicle that passes within l of it on
+/// its way has found it. Shows on a terminal how far it is.
+/// Never throws: whatever goes wrong on the way ends the flight, and the result says what.
+/// @param stop  set by a signal handler: the runtime is told to abort
+[[nodiscard]] FlightResult fly_in_lock_step(Flight flight, const vehicle::State& start, const std::atomic<bool>& stop);
+
+}  // namespace earshot::fly

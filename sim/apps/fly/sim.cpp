@@ -1,0 +1,211 @@
+// earshot-sim: the ocean, the vehicle and the truth, in lock-step with earshotd.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/boards/linux/waiting.hpp"
+#include "firmware/core/random.hpp"
+#include "firmware/host/file/folder_lock.hpp"
+#include "firmware/host/file/output_file.hpp"
+#include "firmware/host/mission/lock_buses.hpp"
+#include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/program/run.hpp"
+#include "firmware/host/program/signals.hpp"
+#include "sim/apps/fly/autopilot_bus.hpp"
+#include "sim/apps/fly/flight_plan.hpp"
+#include "sim/apps/fly/flight_record.hpp"
+#include "sim/apps/fly/lock_step.hpp"
+#include "sim/apps/fly/speed_option.hpp"
+#include "sim/link/session.hpp"
+#include "sim/link/simulator_end.hpp"
+#include "sim/search/episode.hpp"
+#include "sim/sonar/sonar_field.hpp"
+
+namespace {
+
+using namespace earshot;
+using namespace earshot::fly;
+
+constexpr std::chrono::seconds kPatience{20};
+
+using program::kLost;
+using program::stop_requested;
+
+struct Options {
+  std::filesystem::path environment;
+  std::filesystem::path mission;
+  std::filesystem::path out = "out";
+  std::uint64_t seed = 1;
+  std::string source = "changing";
+  double speed = 0.0;
+  std::uint32_t domain = link::kLowestDomain;
+  std::optional<link::RunId> run;
+  host::PortOverride ports;
+  bool ignore_source = false;
+};
+
+void declare(program::CommandLine& line, Options& o) {
+  line.option("--environment", &o.environment, "ocean, source and noise (TOML)").required();
+  line.option("--mission", &o.mission, "mission file that earshotd flies (TOML): area, depth, speed, bus").required();
+  line.option("--out", &o.out, "folder for track.csv, snr.csv and summary.json, made if it is missing").shows_default();
+  line.option("--seed", &o.seed, "where source and vehicle start, and what the conditions draw")
+      .from(0, std::numeric_limits<std::int64_t>::max())
+      .shows_default();
+  line.option("--source", &o.source, "changing: drawn with the seed, uniform in the mission's area; fixed: where the environment has it")
+      .one_of({"changing", "fixed"})
+      .shows_default();
+  line.option("--speed", &o.speed, "simulated seconds per second; 0: as fast as it goes")
+      .checked(fly::speed_complaint, fly::kSpeedsAllowed)
+      .shows_default();
+  line.option("--domain", &o.domain, "DDS domain in which earshotd listens")
+      .from(link::kLowestDomain, link::kHighestDomain)
+      .shows_default();
+  line.option("--run", &o.run, "number that tells this run from others in the domain; default: drawn")
+      .from(1, std::numeric_limits<std::int64_t>::max());
+  line.option("--bus", &o.ports.bus,
+              "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
+      .one_of({"lcm", "can", "mixed"});
+  line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port but a hydrophone's instead of the mission's");
+  line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
+  line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
+}
+
+/// The furthest that a source can be heard from within the area, and a little more.
+Meters longest_range(const search::SearchSettings& settings, const ocean::Conditions& conditions) {
+  const Rectangle& area = settings.domain;
+  const NorthEast source = settings.source;
+  const bool is_drawn = settings.placement == search::SourcePlacement::kChanging;
+  if (is_drawn || conditions.sources > 1 || conditions.source_speed.value > 0.0)
+    return range_between(area.south_west, area.north_east) + Meters{100.0};
+  const double north = std::max(area.north_east.north.value - source.north.value, source.north.value - area.south_west.north.value);
+  const double east = std::max(area.north_east.east.value - source.east.value, source.east.value - area.south_west.east.value);
+  return length_of({Meters{north}, Meters{east}}) + Meters{100.0};
+}
+
+/// Where a flight begins.
+struct Places {
+  NorthEast source;
+  vehicle::State start;
+};
+
+/// Drawn as an episode of training draws them.
+Places places_of(const search::SearchWorld& world, const config::Mission& mission, std::uint64_t seed) {
+  const search::SearchWorld calm(world.settings, world.snr);  // of the same places; where sources are several it names the first
+  Pcg32 random(seed);
+  search::Episode episode;
+  const policy::ObservationModel sees_nothing;
+  episode.start(calm, sees_nothing, random);
+  return {.source = episode.source(),
+          .start = {.position = episode.position(), .depth = mission.search_depth, .heading = Radians{0.0}, .speed = mission.search_speed}};
+}
+
+void write_curve(const std::filesystem::path& path, const sonar::SnrCurve& snr) {
+  std::string text = "range_m,snr_db\n";
+  for (std::size_t i = 0; i < snr.samples_db().size(); ++i) {
+    text += std::to_string(static_cast<double>(i) * snr.range_step().value) + "," + std::to_string(snr.samples_db()[i]) + "\n";
+  }
+  host::write_whole(path, text);
+}
+
+nlohmann::ordered_json summary_of(const Options& o, const config::Mission& mission, const FlightResult& result, const Score& score,
+                                  const World& world, const vehicle::State& start) {
+  const auto place = [](NorthEast p) { return nlohmann::ordered_json{{"north_m", p.north.value}, {"east_m", p.east.value}}; };
+  const Rectangle& area = mission.operating_area;
+  return {{"found", result.found},
+          {"reward", score.reward()},
+          {"steps", score.steps()},
+          {"distance_m", score.distance().value},
+          {"detections", score.detections()},
+          {"sim_time_s", (result.last_tick - Time{}).to_seconds()},
+          {"wall_time_s", result.wall_time_s},
+          {"seed", o.seed},
+          {"end_reason", result.end_reason},
+          {"environment", o.environment.string()},
+          {"mission", o.mission.string()},
+          {"source", place(world.source)},
+          {"start", place(start.position)},
+          {"end", place(result.end.position)},
+          {"area", {{"south_west", place(area.south_west)}, {"north_east", place(area.north_east)}}},
+          {"depth_m", mission.search_depth.value},
+          {"step_length_m", mission.step_length.value},
+          {"detection_threshold_db", mission.detection_threshold.value}};
+}
+
+/// Each of a flight's files is kept whatever becomes of the others.
+template <class Work>
+bool succeeds(Work work) {
+  try {
+    work();
+    return true;
+  } catch (const std::exception& e) {
+    std::cerr << "earshot-sim: " << e.what() << "\n";
+    return false;
+  }
+}
+
+int simulate(const Options& o) {
+  FlightPlan plan = load_flight_plan(o.mission, o.environment);
+  host::override_ports(plan.mission, o.ports);
+  if (o.source == "changing") plan.search.placement = search::SourcePlacement::kChanging;
+  const auto& [file, environment, settings] = plan;
+  const search::Soundscape soundscape =
+      search::soundscape_of(environment, file.mission.search_depth, longest_range(settings, environment.conditions));
+  const search::SearchWorld searched(settings, soundscape, environment.conditions);
+  const auto [source, start] = places_of(searched, file.mission, o.seed);
+  const World world{.search = searched,
+                    .source = source,
+                    .found_within = settings.step_length,
+                    .may_be_found = !o.ignore_source,
+                    .vehicle = {},
+                    .seed = o.seed,
+                    .speed = o.speed};
+
+  const std::vector<host::BusLock> locks = host::lock_buses(file, host::BusPlace::kSimulator);
+  AutopilotBus bus(file);
+  program::stop_on_signals();  // up to here nothing is under way that would have to end in order
+  link::SimulatorEnd link(o.domain, o.run.value_or(link::new_run()));
+  const board::Waited waited = board::wait_for("earshot-sim", "an earshotd in DDS domain " + std::to_string(o.domain), kPatience,
+                                               [&link](std::chrono::milliseconds most) { return link.wait_for_runtime(most); });
+  if (waited != board::Waited::kCame) return waited == board::Waited::kStopped ? program::kStopped : kLost;
+
+  // Only now that both sides have taken their input: a refused policy leaves no half of a flight behind.
+  std::filesystem::create_directories(o.out);
+  const host::FileDescriptor folder = host::lock_folder(o.out);
+  remove_results(o.out);
+  write_curve(o.out / "snr.csv", soundscape.expected());
+  TrackFile track(o.out / "track.csv");
+  Score score(settings);
+  const FlightResult result = fly_in_lock_step({world, bus, link, track, score}, start, stop_requested);
+  const bool has_track = succeeds([&] { track.finish(); });
+  const bool has_summary =
+      succeeds([&] { host::write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n"); });
+  if (link.strangers() > 0)
+    std::cerr << "earshot-sim: " << link.strangers() << " answers of another earshotd in DDS domain " << o.domain << " were ignored\n";
+  if (result.failure.empty()) return has_track && has_summary ? 0 : kLost;
+  std::cerr << "earshot-sim: " << result.failure << " at " << result.last_tick.us / 1'000'000
+            << " s; track up to then: " << (o.out / "track.csv").string() << "\n";
+  return kLost;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  program::CommandLine line(
+      "earshot-sim",
+      "earshot-sim plays the ocean and the vehicle for one search, in lock-step with an earshotd started with --simulation.\n"
+      "Exit status: 0 flown, 2 bad input, 3 earshotd, the bus or a file was lost, 130 stopped before the start.\n"
+      "(earshot fly starts both.)");
+  Options options;
+  declare(line, options);
+  return program::run(line, argc, argv, [&] { return simulate(options); });
+}

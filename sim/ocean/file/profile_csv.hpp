@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "firmware/core/units.hpp"
+#include "sim/ocean/environment.hpp"
+#include "sim/ocean/sea_water.hpp"
+
+namespace earshot::ocean {
+
+/// Reads profiles from a CSV file with the column depth_m (from 0, increasing) and either sound_speed_mps or both temperature_c and
+/// salinity_psu. With a further column range_m it holds several, one after the other, range increasing; without it, one at range 0.
+/// Throws host::BadInput when it is not that.
+/// Oracle: WaterProfile.*
+[[nodiscard]] std::vector<WaterStation> read_profile_csv(const std::filesystem::path& path, Radians latitude, SoundSpeedFormula formula);
+
+}  // namespace earshot::ocean

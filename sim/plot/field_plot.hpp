@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+
+#include "firmware/core/units.hpp"
+#include "sim/ocean/environment.hpp"
+#include "sim/sonar/detection.hpp"
+#include "sim/sonar/fan.hpp"
+#include "sim/sonar/radial.hpp"
+#include "sim/sonar/sonar_field.hpp"
+
+namespace earshot::plot {
+
+/// Draws the field's SNR against range and depth with gnuplot, as PNG or SVG by the path's extension; renamed into place when whole. The
+/// source, the sea floor and the detection threshold, where the colours change from cold to warm, are marked.
+///
+/// Throws std::invalid_argument for another extension, std::runtime_error when gnuplot is missing or fails.
+void plot_field(const std::filesystem::path& path, const sonar::SonarField& field, const ocean::Environment& environment,
+                const sonar::Band& band, Radians bearing, Decibels detection_threshold);
+
+/// Draws SNR and probability of detection around the source at the fan's first depth, with the assured and the furthest range of
+/// detection on every bearing.
+///
+/// @param side  of the square
+void plot_map(const std::filesystem::path& path, const sonar::Fan& fan, const ocean::Environment& environment, const sonar::Band& band,
+              Meters side, const sonar::Detector& detector);
+
+}  // namespace earshot::plot

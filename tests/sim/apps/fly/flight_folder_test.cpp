@@ -1,0 +1,107 @@
+#include "sim/apps/fly/flight_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "firmware/host/file/folder_lock.hpp"
+#include "tests/support/process.hpp"
+
+namespace earshot::fly {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FlightFolderTest : public testing::Test {
+ protected:
+  FlightFolderTest() {
+    std::string name = (fs::temp_directory_path() / "earshot-flight-XXXXXX").string();
+    root_ = ::mkdtemp(name.data());
+    out_ = root_ / "a/out";
+  }
+  ~FlightFolderTest() override { fs::remove_all(root_); }
+
+  static void write_flight(const fs::path& folder, const std::string& which, bool with_report) {
+    fs::create_directories(folder);
+    for (const char* name : {"journal.lcmlog", "journal.policy", "track.csv", "snr.csv", "summary.json"})
+      std::ofstream(folder / name) << which;
+    if (with_report) std::ofstream(folder / "report.html") << which;
+  }
+
+  [[nodiscard]] std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(out_)) {
+      if (entry.is_regular_file()) all[fs::relative(entry.path(), out_)] = support::read_text(entry.path());
+    }
+    return all;
+  }
+
+  static std::map<std::string, std::string> five_of(const std::string& which) {
+    return {{"journal.lcmlog", which}, {"journal.policy", which}, {"track.csv", which}, {"snr.csv", which}, {"summary.json", which}};
+  }
+
+  fs::path root_;
+  fs::path out_;
+};
+
+TEST_F(FlightFolderTest, AWholeFlightReplacesAllFilesOfAnEarlierOneAndLeavesTheOthersAlone) {
+  write_flight(out_, "earlier", true);
+  std::ofstream(out_ / "notes.txt") << "mine";
+  {
+    FlightFolder folder(out_);
+    write_flight(folder.unfinished(), "new", false);
+    folder.keep();
+  }
+  std::map<std::string, std::string> expected = five_of("new");
+  expected["notes.txt"] = "mine";
+  EXPECT_EQ(files(), expected);
+}
+
+TEST_F(FlightFolderTest, AFlightThatIsNotKeptLeavesTheEarlierOneWholeAndStandsAside) {
+  write_flight(out_, "earlier", true);
+  {
+    FlightFolder folder(out_);
+    fs::create_directories(folder.unfinished());
+    std::ofstream(folder.unfinished() / "journal.lcmlog") << "cut";
+  }
+  std::map<std::string, std::string> expected = five_of("earlier");
+  expected["report.html"] = "earlier";
+  expected["unfinished-flight/journal.lcmlog"] = "cut";
+  EXPECT_EQ(files(), expected);
+  EXPECT_EQ(FlightFolder(out_).unfinished(), out_ / "unfinished-flight-2");
+}
+
+TEST_F(FlightFolderTest, AnExchangeThatWasCutAtAnyFileIsMadeGoodByTheNextFlight) {
+  for (const char* last_moved : {"", "journal.lcmlog", "journal.policy", "track.csv", "snr.csv", "report.html", "summary.json"}) {
+    fs::remove_all(out_);
+    write_flight(out_ / "finished-flight", "new", true);
+    if (*last_moved == '\0') write_flight(out_, "earlier", true);
+    for (const char* name : {"journal.lcmlog", "journal.policy", "track.csv", "snr.csv", "report.html", "summary.json"}) {
+      if (*last_moved == '\0') break;
+      fs::rename(out_ / "finished-flight" / name, out_ / name);
+      if (std::string(name) == last_moved) break;
+    }
+    { const FlightFolder next(out_); }
+    std::map<std::string, std::string> expected = five_of("new");
+    expected["report.html"] = "new";
+    EXPECT_EQ(files(), expected) << "cut after " << last_moved;
+    EXPECT_FALSE(fs::exists(out_ / "finished-flight"));
+  }
+}
+
+TEST_F(FlightFolderTest, LeavesNoFolderBehindWhenNobodyWroteIntoIt) {
+  { const FlightFolder folder(out_); }
+  EXPECT_TRUE(fs::is_empty(root_));
+}
+
+TEST_F(FlightFolderTest, IsRefusedToASecondFlight) {
+  const FlightFolder first(out_);
+  EXPECT_THROW(FlightFolder second(out_), host::FolderInUse);
+}
+
+}  // namespace
+}  // namespace earshot::fly

@@ -1,0 +1,97 @@
+#include "sim/field_library/library.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "sim/field_library/reader.hpp"
+#include "sim/netcdf/reader.hpp"
+#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/sim/sonar/hilly_ocean.hpp"
+
+namespace earshot::field_library {
+namespace {
+
+class Library : public testing::Test {
+ protected:
+  Library() { tests::write_hilly_ocean(folder_.path()); }
+
+  LibraryPlan plan(const std::string& centre, const std::string& source_m, const std::string& receiver_m,
+                   const std::string& environment = "hilly.toml") {
+    std::ofstream(folder_ / "library.toml") << "name = \"test\"\nenvironment = \"" << environment << "\"\ncentre = \"" << centre
+                                            << "\"\nsource_depth_m = [" << source_m << "]\nreceiver_depth_m = [" << receiver_m
+                                            << "]\n[positions]\nlayout = \"list\"\nnorth_m = [0, 1000, 2000]\neast_m = [0, -3000, -6000]\n"
+                                            << "[radials]\ncount = 4\nmax_range_km = 6.0\nrange_step_m = 50.0\naccuracy_db = 0.02\n";
+    return load_library_plan(folder_ / "library.toml");
+  }
+  [[nodiscard]] std::filesystem::path file() const { return folder_ / "library.nc"; }
+
+  tests::TemporaryFolder folder_;
+  parallel::Alone alone_;
+};
+
+bool same(float a, float b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+TEST_F(Library, HoldsTheFanOfEveryPosition) {
+  const LibraryPlan library = plan("source", "30", "100, 300");
+  EXPECT_EQ(write_library(file(), library, 2, alone_).computed, 3U);
+  const sonar::Fan read = read_library_fan(file(), 1);
+  const sonar::Fan fan = sonar::compute_fan(library.environment, {Meters{1000.0}, Meters{-3000.0}}, library.fan, 2);
+  EXPECT_EQ(read.centre, fan.centre);
+  EXPECT_EQ(read.depth_m, fan.depth_m);
+  EXPECT_EQ(read.range_step, fan.range_step);
+  ASSERT_EQ(read.transmission_loss_db.size(), fan.transmission_loss_db.size());
+  for (std::size_t i = 0; i < fan.transmission_loss_db.size(); ++i)
+    ASSERT_TRUE(same(read.transmission_loss_db[i], fan.transmission_loss_db[i])) << i;
+}
+
+TEST_F(Library, RefusesADepthThatAFlatOceanHasNowhere) {
+  const std::string flat = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
+  EXPECT_NO_THROW((void)plan("source", "30", "300, 3000", flat));
+  EXPECT_THROW((void)plan("source", "30", "300, 3001", flat), host::BadInput);
+  EXPECT_NO_THROW((void)plan("source", "30", "300, 2400"));  // charts: some positions may be deep enough
+}
+
+TEST_F(Library, KeepsWhatWasComputedBeforeAnError) {
+  const LibraryPlan library = plan("source", "30", "300");
+  const auto fail_at_the_second = [](double fraction) {
+    if (fraction > 0.5) throw std::runtime_error("power cut");
+  };
+  EXPECT_THROW(write_library(file(), library, 1, alone_, fail_at_the_second), std::runtime_error);
+  EXPECT_FALSE(std::filesystem::exists(file()));
+  const LibrarySummary rest = write_library(file(), library, 1, alone_);
+  EXPECT_EQ(rest.found, 2U);
+  EXPECT_EQ(rest.computed, 1U);
+}
+
+TEST_F(Library, ComputesNothingThatStandsThereFinished) {
+  const LibraryPlan library = plan("source", "30", "300");
+  (void)write_library(file(), library, 2, alone_);
+  EXPECT_EQ(write_library(file(), library, 2, alone_).computed, 0U);
+  EXPECT_THROW(write_library(file(), plan("source", "40", "300"), 2, alone_), netcdf::FileError) << "overwrote another of the same name";
+}
+
+TEST_F(Library, GivesBothDirectionsOfAFlatOceanTheSameLoss) {
+  const std::string flat = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
+  (void)write_library(file(), plan("source", "30", "100, 300", flat), 2, alone_);
+  const sonar::Fan from_source = read_library_fan(file(), 0);
+  (void)write_library(folder_ / "hydrophone.nc", plan("hydrophone", "30", "300", flat), 2, alone_);
+  const sonar::Fan to_hydrophone = read_library_fan(folder_ / "hydrophone.nc", 2);
+  double mean = 0.0;
+  for (std::size_t i = 20; i < 120; ++i) mean += 0.01 * std::abs(static_cast<double>(from_source.at(1, i, 1) - to_hydrophone.at(2, i, 0)));
+  EXPECT_LT(mean, 0.05);  // accuracy 0.02 dB of each
+  EXPECT_EQ(netcdf::Reader(folder_ / "hydrophone.nc").text_attribute("depth", "long_name"), "depth of the source");
+}
+
+TEST_F(Library, RefusesToReadAPositionThatItDoesNotHave) {
+  (void)write_library(file(), plan("source", "30", "300"), 2, alone_);
+  EXPECT_THROW((void)read_library_fan(file(), 3), netcdf::FileError);
+}
+
+}  // namespace
+}  // namespace earshot::field_library

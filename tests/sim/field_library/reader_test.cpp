@@ -1,0 +1,159 @@
+#include "sim/field_library/reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <netcdf.h>
+
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/field_library/store.hpp"
+#include "sim/netcdf/file_error.hpp"
+#include "tests/sim/netcdf/temporary_folder.hpp"
+
+namespace earshot::field_library {
+namespace {
+
+/// Three positions, the middle one on land; four bearings, ranges 100 m and 200 m, depths 10 m and 50 m. Nothing is computed: the loss at
+/// position p, bearing b, range r, depth d is 100 p + 10 b + r + 5 d (their indices).
+class FieldLibraryInMemory : public testing::Test {
+ protected:
+  [[nodiscard]] static std::vector<float> loss_db(std::size_t position) {
+    std::vector<float> values;
+    for (std::size_t b = 0; b < 4; ++b)
+      for (std::size_t r = 0; r < 2; ++r)
+        for (std::size_t d = 0; d < 2; ++d) values.push_back(static_cast<float>(100 * position + 10 * b + r + 5 * d));
+    values.back() = std::numeric_limits<float>::quiet_NaN();  // west, 200 m, 50 m: below the sea floor
+    return values;
+  }
+
+  /// @param change  what is to be otherwise at the last position
+  void write(const std::function<void(std::vector<float>&)>& change = [](auto&) {}) {
+    std::filesystem::remove(path_);
+    LibraryStore store(path_, plan_);
+    store.mark(1, PositionState::kNoWater);
+    store.write(0, loss_db(0));
+    std::vector<float> last = loss_db(2);
+    change(last);
+    store.write(2, last);
+    store.commit();
+  }
+
+  void overwrite(const char* variable, std::size_t index, double value) const {
+    int file = -1;
+    int id = -1;
+    ASSERT_EQ(nc_open(path_.c_str(), NC_WRITE, &file), NC_NOERR);
+    ASSERT_EQ(nc_inq_varid(file, variable, &id), NC_NOERR);
+    ASSERT_EQ(nc_put_var1_double(file, id, &index, &value), NC_NOERR);
+    ASSERT_EQ(nc_close(file), NC_NOERR);
+  }
+
+  /// What is said of the library, without the file's name; empty when it is read.
+  [[nodiscard]] std::string complaint() const {
+    try {
+      const FieldLibrary library(path_);
+    } catch (const netcdf::FileError& e) {
+      return std::string(e.what()).substr(path_.string().size());
+    }
+    return {};
+  }
+
+  tests::TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_ / "library.nc";
+  LibraryPlan plan_{.name = "three",
+                    .environment = {},
+                    .positions = {{Meters{0.0}, Meters{0.0}}, {Meters{0.0}, Meters{1000.0}}, {Meters{5000.0}, Meters{0.0}}},
+                    .centre = Centre::kSource,
+                    .fan = {.bearings = 4,
+                            .radial = {.source_depth = Meters{30.0},
+                                       .depth_m = {10.0, 50.0},
+                                       .range_step = Meters{100.0},
+                                       .ranges = 2,
+                                       .band = {Hertz{20.0}, Hertz{20.0}}}},
+                    .file_crc32 = 1};
+};
+
+TEST_F(FieldLibraryInMemory, HoldsThePositionsInTheWaterOnly) {
+  write();
+  const FieldLibrary library(path_);
+  ASSERT_EQ(library.fans().size(), 2U);
+  EXPECT_EQ(library.fans()[1].centre, (NorthEast{Meters{5000.0}, Meters{0.0}}));
+  EXPECT_EQ(library.fans()[1].depth_m, (std::vector<double>{10.0, 50.0}));
+  EXPECT_EQ(library.centre_depth(), Meters{30.0});
+  EXPECT_EQ(library.frequency_hz().size(), 1U);
+  EXPECT_EQ(library.frequency_hz().front(), 20.0);
+  EXPECT_EQ(library.fans()[1].at(2, 1, 0), 221.0F);  // position 2, bearing 2, range 1, depth 0
+}
+
+TEST_F(FieldLibraryInMemory, KnowsWhatStandsInTheCentre) {
+  plan_.centre = Centre::kHydrophone;
+  write();
+  EXPECT_EQ(FieldLibrary(path_).centre(), Centre::kHydrophone);
+}
+
+TEST_F(FieldLibraryInMemory, RefusesAnUnfinishedLibraryAndOtherFiles) {
+  {
+    LibraryStore store(path_, plan_);
+    store.write(0, loss_db(0));
+  }
+  EXPECT_THROW(FieldLibrary(path_.string() + ".partial"), netcdf::FileError);
+  EXPECT_THROW(FieldLibrary(folder_ / "none.nc"), netcdf::FileError);
+}
+
+TEST_F(FieldLibraryInMemory, RefusesALossThatCannotBe) {
+  const float infinite = std::numeric_limits<float>::infinity();
+  for (const auto& [loss, said] : {std::pair{infinite, "inf"}, {-infinite, "-inf"}, {1e30F, "1e+30"}, {-61.0F, "-61"}, {301.0F, "301"}}) {
+    write([value = loss](std::vector<float>& at_position_2) { at_position_2[4 * 2 + 2 * 1 + 0] = value; });  // bearing 2, range 1, depth 0
+    EXPECT_EQ(complaint(), ": transmission_loss[2, 2, 1, 0] = " + std::string(said) +
+                               ": must be a finite number of at least -60 and at most 300, or missing (_FillValue)");
+  }
+}
+
+TEST_F(FieldLibraryInMemory, RefusesAMissingValueAboveOneThatIsThere) {
+  write([](std::vector<float>& at_position_2) { at_position_2[4 * 3 + 0] = std::numeric_limits<float>::quiet_NaN(); });
+  EXPECT_EQ(complaint(), ": transmission_loss[2, 3, 0, 0] = nan: must be there, because there is one deeper");
+}
+
+TEST_F(FieldLibraryInMemory, RefusesMissingValuesAlone) {
+  plan_.positions.resize(1);
+  {
+    LibraryStore store(path_, plan_);
+    store.write(0, std::vector<float>(16, std::numeric_limits<float>::quiet_NaN()));
+    store.commit();
+  }
+  EXPECT_EQ(complaint(), ": transmission_loss: all its values are missing");
+}
+
+TEST_F(FieldLibraryInMemory, RefusesAnAxisThatCannotBe) {
+  write();
+  const std::filesystem::path whole = folder_ / "whole.nc";
+  std::filesystem::rename(path_, whole);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  struct Case {
+    const char* variable;
+    std::size_t index;
+    double value;
+    const char* complaint;
+  };
+  for (const Case& c :
+       std::vector<Case>{{"range", 1, 350.0, "range[1] = 350: must be 200"},
+                         {"range", 0, nan, "range[0] = nan: must be a finite number"},
+                         {"range", 0, 0.0, "range[0] = 0: must be a finite number of at least 0.01"},
+                         {"depth", 1, 10.0, "depth: must increase"},
+                         {"depth", 0, -5.0, "depth[0] = -5: must be a finite number above 0 and at most 12000"},
+                         {"position_north", 2, 1e30, "position_north[2] = 1e+30: must be a finite number of at least -1e+06"},
+                         {"position_state", 0, 7.0, "position_state[0] = 7: must be a finite number of at least 0 and at most 2"},
+                         {"position_depth", 0, nan, "position_depth[0] = nan: must be a finite number above 0"},
+                         {"frequency", 0, 0.0, "frequency[0] = 0: must be a finite number of at least 1"}}) {
+    std::filesystem::copy_file(whole, path_, std::filesystem::copy_options::overwrite_existing);
+    overwrite(c.variable, c.index, c.value);
+    EXPECT_NE(complaint().find(std::string(": ") + c.complaint), std::string::npos) << complaint();
+  }
+}
+
+}  // namespace
+}  // namespace earshot::field_library

@@ -1,0 +1,78 @@
+#include "sim/ocean/charts/bathymetry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/sim/ocean/charts/chart_files.hpp"
+
+namespace earshot::ocean {
+namespace {
+
+using tests::axis;
+using tests::complaint_of;
+using tests::GebcoFile;
+
+constexpr GeoPosition kCentre{.latitude_deg = 42.0, .longitude_deg = -8.0};
+
+void expect_mentions(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+GebcoFile slope() {
+  return {axis(40, 0.5, 9), axis(-10, 0.5, 9), [](double lat, double lon) { return -1000.0 * (lat - 40.0) - 100.0 * (lon + 10.0) - 10.0; }};
+}
+
+TEST(Bathymetry, IsBilinearBetweenItsNodes) {
+  const tests::TemporaryFolder folder;
+  slope().write(folder / "g.nc");
+  const Bathymetry chart = read_gebco(folder / "g.nc", kCentre, Meters{50'000.0});
+  // A plane in latitude and longitude is what bilinear interpolation leaves alone: 1000 x 1.75 + 100 x 2.125 + 10.
+  EXPECT_NEAR(sea_floor_depth(chart, {.latitude_deg = 41.75, .longitude_deg = -7.875}).value, 1972.5, 1e-9);
+}
+
+TEST(Bathymetry, SaysWhereItHasNoValue) {
+  const tests::TemporaryFolder folder;
+  slope().write(folder / "g.nc");
+  const Bathymetry chart = read_gebco(folder / "g.nc", kCentre, Meters{10'000.0});
+  expect_mentions(complaint_of([&] { (void)sea_floor_depth(chart, {.latitude_deg = 40.1, .longitude_deg = -8.0}); }),
+                  "g.nc: no elevation at latitude 40.1, longitude -8 (outside the file or the reach_km that was read)");
+}
+
+TEST(Bathymetry, RefusesAnotherLayoutOrUnit) {
+  const tests::TemporaryFolder folder;
+  const auto complaint = [&](const GebcoFile& layout) {
+    layout.write(folder / "g.nc");
+    return complaint_of([&] { (void)read_gebco(folder / "g.nc", kCentre, Meters{1000.0}); });
+  };
+  GebcoFile layout = slope();
+  layout.variable = "z";
+  expect_mentions(complaint(layout), "g.nc: elevation: no such variable");
+  layout = slope();
+  layout.units = "feet";
+  expect_mentions(complaint(layout), "g.nc: elevation: units must be m, are feet");
+  layout = slope();
+  layout.transposed = true;
+  expect_mentions(complaint(layout), "g.nc: elevation: must have the dimensions (lat, lon)");
+}
+
+TEST(Bathymetry, RefusesAFillValueThatTheFileDoesNotDeclare) {
+  const tests::TemporaryFolder folder;
+  GebcoFile layout = slope();
+  layout.elevation_m = [](double lat, double lon) { return lat == 42.0 && lon == -8.0 ? -32767.0 : -100.0; };
+  layout.write(folder / "g.nc");
+  expect_mentions(complaint_of([&] { (void)read_gebco(folder / "g.nc", kCentre, Meters{1000.0}); }),
+                  "g.nc: elevation: holds -32767 at latitude 42, longitude -8, must be from -12000 to 10000 m");
+}
+
+TEST(Bathymetry, RefusesATruncatedFile) {
+  const tests::TemporaryFolder folder;
+  slope().write(folder / "g.nc");
+  std::filesystem::resize_file(folder / "g.nc", std::filesystem::file_size(folder / "g.nc") - 100);
+  expect_mentions(complaint_of([&] { (void)read_gebco(folder / "g.nc", kCentre, Meters{1000.0}); }), "g.nc: not a whole NetCDF file");
+}
+
+}  // namespace
+}  // namespace earshot::ocean
