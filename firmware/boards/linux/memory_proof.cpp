@@ -3,9 +3,9 @@
 #include <iomanip>
 #include <sstream>
 
-#include "firmware/boards/linux/news/health_words.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/journal/record_ring.hpp"
+#include "firmware/messages/health_words.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::board {

@@ -62,7 +62,28 @@ class Stopping {
   Clock& clock_;
 };
 
+wire::Ending ending_of(LoopEnd end) {
+  switch (end) {
+    case LoopEnd::kMissionOver:
+      return wire::Ending::kMissionOver;
+    case LoopEnd::kStopped:
+      return wire::Ending::kStopped;
+    case LoopEnd::kClockLost:
+      return wire::Ending::kClockLost;
+  }
+  return wire::Ending::kStopped;
+}
+
 }  // namespace
+
+wire::ClosingRecord closing_record_of(const LoopResult& result) {
+  const messages::Health& health = result.last.health;
+  return {.time = result.time,
+          .ending = ending_of(result.end),
+          .state = health.state,
+          .end_reason = health.end_reason,
+          .steps_taken = health.steps_taken};
+}
 
 LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period, const std::atomic<bool>& stop) {
   LoopResult result;

@@ -10,6 +10,7 @@
 #include "firmware/core/time.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/runtime/runtime.hpp"
+#include "firmware/wire/journal/closing_record.hpp"
 
 namespace earshot::board {
 
@@ -29,6 +30,9 @@ struct LoopResult {
   std::array<std::uint64_t, messages::kMissionStates> turns_in{};      ///< of these, those after which the mission was in each state
   messages::MissionState found_in = messages::MissionState::kStandby;  ///< the state of the last turn before it was told to stop
 };
+
+/// What a journal says last of a flight that ended so.
+[[nodiscard]] wire::ClosingRecord closing_record_of(const LoopResult& result);
 
 /// The one loop of a mission, at sea and in simulation: takes what the ports bring as it comes, makes a turn when the clock says so, tries
 /// to open again what is down. Missed turns are not made up for.

@@ -71,6 +71,14 @@ class Turn {
   std::deque<std::pair<std::string_view, wire::Encoded>> expected_;
 };
 
+/// @return whether the record is the journal's last
+bool note_end(const host::JournalRecord& record, ReplayResult& result) {
+  if (record.channel != wire::kJournalEndChannel) return false;
+  wire::ClosingRecord closing;
+  if (wire::read_closing_record(record.data, closing) == Status::kOk) result.closing = closing;
+  return true;
+}
+
 }  // namespace
 
 ReplayResult replay(const std::filesystem::path& path) {
@@ -80,10 +88,10 @@ ReplayResult replay(const std::filesystem::path& path) {
   Turn turn;
   std::uint32_t expected_number = 2;
   for (host::JournalRecord record; journal.next(record); ++expected_number) {
-    if (record.number != expected_number) {
-      result.gap = expected_number;
-      break;
-    }
+    const bool closes = note_end(record, result);
+    if (!result.is_same()) continue;
+    if (record.number != expected_number) result.gap = expected_number;
+    if (closes || result.gap) continue;
     messages::Input input;
     const Status read = wire::read_input(record.channel, record.time, record.data, result.inputs, input);
     if (read == Status::kOk && turn.is_compared()) {
@@ -92,13 +100,10 @@ ReplayResult replay(const std::filesystem::path& path) {
       continue;
     }
     if (read == Status::kUnsupported && turn.is_compared()) turn.step(*runtime, record.time, result);
-    if (!turn.takes(record)) {
-      result.difference = {.record = record.number, .channel = record.channel};
-      break;
-    }
+    if (!turn.takes(record)) result.difference = {.record = record.number, .channel = record.channel};
   }
   result.end = journal.end();
-  if (!result.difference && !result.gap && !turn.is_compared()) result.gap = expected_number;  // its last turn is not whole
+  if (result.is_same() && !turn.is_compared()) result.gap = expected_number;  // its last turn is not whole
   return result;
 }
 

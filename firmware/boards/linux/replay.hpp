@@ -7,6 +7,7 @@
 #include <string>
 
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/wire/journal/closing_record.hpp"
 
 namespace earshot::board {
 
@@ -22,9 +23,11 @@ struct ReplayResult {
   };
   std::optional<Difference> difference;
   /// Number of the first record that is missing, because the disk was full or too slow: the journal is whole up to it, and what follows was
-  /// not replayed.
+  /// not replayed. One that is missing at the end is found by the closing record behind it.
   std::optional<std::uint32_t> gap;
   host::JournalReader::End end = host::JournalReader::End::kWhole;
+  /// What the journal says last. Nothing: its end is missing, for earshotd was killed or lost its power.
+  std::optional<wire::ClosingRecord> closing;
 
   [[nodiscard]] bool is_same() const { return !difference && !gap; }
 };

@@ -8,13 +8,14 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <ranges>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/journal/journal_format.hpp"
+#include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/lc02.hpp"
 
 namespace earshot::host {
@@ -24,6 +25,10 @@ namespace {
 /// Between two writes: a fast simulation's records are written by the hundred, and waking the writer costs the appender nothing meanwhile.
 constexpr std::chrono::milliseconds kPause{1};
 constexpr std::chrono::milliseconds kRetry{100};  ///< after a write that failed
+
+/// Of the reserve, kept from what steers: for orders that are still to come, and for the closing record.
+constexpr std::uint64_t kReserveForOrders = kJournalReserveBytes / 2;
+constexpr std::size_t kClosingBytes = kRecordHeaderSize + wire::kJournalEndChannel.size() + wire::kClosingRecordBytes;
 
 std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -55,26 +60,33 @@ JournalFile create(const std::filesystem::path& wanted, const JournalOptions& op
 /// A ring between the thread that appends and the thread that writes. Bytes are copied outside the lock; the lock guards the positions
 /// only, and is never held over a system call on the file.
 struct Journal::Writer {
+  /// Between two records: all that were ever put into the ring before it.
+  struct Place {
+    std::uint64_t bytes = 0;
+    std::uint64_t records = 0;
+  };
+
   JournalFile file;
   JournalOptions options;
   RecordRing ring;
   std::mutex mutex;
   // Two for the writer, so that nobody who appends wakes it from its pause: at some 3 records a tick that cost half of a flight.
-  std::condition_variable more;        ///< for an idle writer: there is something to write, or it is to end
-  std::condition_variable ended;       ///< for a writer that pauses: it is to end
-  std::condition_variable less;        ///< for the appender: something was written
-  std::uint64_t appended = 0;          ///< bytes ever put into the ring
-  std::uint64_t appended_records = 0;  ///< likewise records; of the appender until the writer has ended
-  std::uint64_t written = 0;           ///< bytes ever written: the size of the file
-  std::uint64_t whole = 0;             ///< of these, those of whole records; what follows is kept in the ring
-  std::uint64_t whole_records = 0;     ///< likewise records; of the writer until it has ended
-  bool idle = false;                   ///< the writer waits for `more`
+  std::condition_variable more;   ///< for an idle writer: there is something to write, or it is to end
+  std::condition_variable ended;  ///< for a writer that pauses: it is to end
+  std::condition_variable less;   ///< for the appender: the ring has room again
+  Place appended;
+  Place whole;              ///< before it every record is in the file or lost
+  std::uint64_t taken = 0;  ///< bytes: those before `whole`, and what is in the file of the record behind it, which is kept in the ring
+  bool idle = false;        ///< the writer waits for `more`
   bool ending = false;
   bool failing = false;   ///< the last write took nothing
-  bool is_whole = true;   ///< of who closes: everything in the ring was written
+  bool is_whole = true;   ///< of who closes: everything is in the file
   bool unsynced = false;  ///< the kernel failed to bring something to the disk, and does not try again; of the writer until it has ended
   std::uint32_t next_number = 0;
-  JournalCounters counters;  ///< of the appender
+  PerWeight lost{};
+  std::uint64_t accepted = 0;                  ///< of the appender
+  std::uint64_t refused = 0;                   ///< likewise
+  std::optional<wire::ClosingRecord> closing;  ///< likewise
   std::atomic<std::uint64_t> write_errors = 0;
   std::thread thread;
 
@@ -84,16 +96,18 @@ struct Journal::Writer {
   /// Waits, if it may, until `size` bytes fit; not for a disk that takes nothing.
   bool make_room(std::size_t size, Weight weight) {
     std::unique_lock lock(mutex);
-    const auto fits = [&] { return appended + size - whole <= RecordRing::limit(weight); };
+    const auto fits = [&] { return appended.bytes + size - whole.bytes <= RecordRing::limit(weight); };
     if (options.when_full == JournalOptions::WhenFull::kWait) less.wait(lock, [&] { return fits() || failing; });
-    return fits();
+    if (fits()) return true;
+    ++of(lost, weight);
+    return false;
   }
 
-  void publish(std::uint64_t position) {
+  void publish(Place place) {
     bool wake = false;
     {
       const std::lock_guard lock(mutex);
-      appended = position;
+      appended = place;
       wake = std::exchange(idle, false);
     }
     if (wake) more.notify_one();
@@ -103,20 +117,27 @@ struct Journal::Writer {
     (void)::pthread_setname_np(::pthread_self(), "journal");  // for who looks at the threads of a flight
     std::unique_lock lock(mutex);
     for (;;) {
-      while (appended == written && !ending) {
+      while (appended.bytes == taken && !ending) {
         idle = true;
         more.wait(lock);
       }
       idle = false;
-      if (appended == written || (ending && failing)) return;
-      const std::span<const std::uint8_t> bytes = ring.piece(written, appended);
+      if (appended.bytes == taken || (ending && failing)) return;
+      const Place end = appended;
       lock.unlock();
-      const std::size_t done = write_some(bytes);
+      const std::size_t done = write_some(ring.piece(taken, end.bytes));
+      const std::optional<PerWeight> given_up = done == 0 ? write_orders_into_reserve(end) : std::nullopt;
       lock.lock();
-      written += done;
-      note_whole();
       failing = done == 0;
       if (failing) ++write_errors;
+      if (given_up) {
+        whole = end;
+        taken = end.bytes;
+        note_lost(*given_up);
+      } else {
+        taken += done;
+        note_whole();
+      }
       less.notify_all();
       // Bytes that were not taken are tried again, so that the file never has a hole.
       ended.wait_for(lock, failing ? kRetry : kPause, [this] { return ending; });
@@ -124,12 +145,13 @@ struct Journal::Writer {
   }
 
   void note_whole() {
-    while (whole < written && whole + ring.record(whole_records).size() <= written) whole += ring.record(whole_records++).size();
+    while (whole.bytes < taken && whole.bytes + ring.record(whole.records).size() <= taken)
+      whole.bytes += ring.record(whole.records++).size();
   }
 
-  /// @return how many bytes are in the file now; 0 on failure
+  /// @return how many bytes are in the file now; 0 on failure, or when they would take of the reserve
   std::size_t write_some(std::span<const std::uint8_t> bytes) {
-    const std::size_t count = file.write_some(bytes);
+    const std::size_t count = file.write_some(bytes, kJournalReserveBytes);
     if (count > 0) bring_to_disk();
     return count;
   }
@@ -140,69 +162,115 @@ struct Journal::Writer {
     unsynced = true;
   }
 
-  // After the writer has ended: what the disk did not take.
+  // When the disk is full.
 
-  /// Writes of the records that are left the heaviest for which there is room, and counts the others as lost.
-  /// @return whether it wrote them all
-  bool write_what_fits() {
-    // What cannot be cut ends in the middle of a record: nothing may follow it.
-    const std::uint64_t room = written == whole || file.cut(whole) ? write_all(whole, appended) : 0;
-    const bool is_all = whole + room == appended;
-    if (!is_all) write_by_weight(room > 0 && !file.cut(whole) ? 0 : room);
+  /// Once an order waits that fits into the reserve: brings it and what steered before it into the file.
+  /// @return how many of the records that waited it gave up instead; nothing: all of them still wait
+  std::optional<PerWeight> write_orders_into_reserve(const Place& end) {
+    const PerWeight waiting = sizes_until(end);
+    const std::uint64_t begin = end_of_whole_records();
+    const std::uint64_t room = file.room(begin, kClosingBytes);
+    if (of(waiting, Weight::kOrder) == 0 || of(waiting, Weight::kOrder) > room || !file.go_back(begin)) return std::nullopt;
+    const PerWeight given_up = write_by_weight(end, shares_of({0, file.room(begin, kReserveForOrders), room}, waiting));
     bring_to_disk();
-    return is_all;
+    return given_up;
   }
 
-  /// Writes the ring's bytes from `begin` to `end`. @return how many of them the disk took
-  std::uint64_t write_all(std::uint64_t begin, std::uint64_t end) {
-    std::uint64_t at = begin;
-    while (at < end) {
-      const std::size_t done = file.write_some(ring.piece(at, end));
-      if (done == 0) break;
-      at += done;
-    }
-    return at - begin;
+  /// In the file.
+  [[nodiscard]] std::uint64_t end_of_whole_records() const { return file.size() - (taken - whole.bytes); }
+
+  void note_lost(const PerWeight& records) {
+    for (std::size_t i = 0; i < kWeights; ++i) lost[i] += records[i];
   }
 
-  void write_by_weight(std::uint64_t room) {
-    PerWeight left = shares(room);
-    std::uint64_t at = whole;
-    for (std::uint64_t index = whole_records; index < appended_records; ++index) {
+  /// Bytes of the records that wait.
+  PerWeight sizes_until(const Place& end) {
+    PerWeight sizes{};
+    for (std::uint64_t index = whole.records; index < end.records; ++index) {
       const RecordRing::Record record = ring.record(index);
-      std::uint64_t& share = of(left, record.weight());
-      if (record.size() <= share && write_whole(at, at + record.size())) {
-        share -= record.size();
-      } else {
-        share = 0;  // the older before the newer
-        ++of(counters.lost, record.weight());
-      }
-      at += record.size();
+      of(sizes, record.weight()) += record.size();
     }
+    return sizes;
   }
 
   /// Gives the room to the weights, the heaviest first.
-  PerWeight shares(std::uint64_t room) {
+  /// @param room  how many bytes a weight and those above it may take together
+  static PerWeight shares_of(const PerWeight& room, const PerWeight& waiting) {
     PerWeight shares{};
-    for (std::uint64_t index = whole_records; index < appended_records; ++index) {
-      const RecordRing::Record record = ring.record(index);
-      of(shares, record.weight()) += record.size();
-    }
-    for (std::uint64_t& share : std::views::reverse(shares)) {
-      share = std::min(share, room);
-      room -= share;
-    }
+    std::uint64_t given = 0;
+    for (std::size_t i = kWeights; i-- > 0; given += shares[i]) shares[i] = std::min(waiting[i], room[i] > given ? room[i] - given : 0);
     return shares;
+  }
+
+  /// Writes every record for which its weight's share has room, the older before the newer, whole ones only.
+  /// @return how many it left out
+  PerWeight write_by_weight(const Place& end, PerWeight shares) {
+    PerWeight left_out{};
+    std::uint64_t at = whole.bytes;
+    for (std::uint64_t index = whole.records; index < end.records; ++index) {
+      const RecordRing::Record record = ring.record(index);
+      std::uint64_t& share = of(shares, record.weight());
+      if (record.size() <= share && write_whole(at, at + record.size())) {
+        share -= record.size();
+      } else {
+        share = 0;
+        ++of(left_out, record.weight());
+      }
+      at += record.size();
+    }
+    return left_out;
   }
 
   /// Writes one record; when the disk does not take all of it, none of it stays in the file.
   bool write_whole(std::uint64_t begin, std::uint64_t end) {
-    const std::uint64_t done = write_all(begin, end);
-    if (done == end - begin) {
-      whole += done;
-      return true;
-    }
-    if (done > 0) (void)file.cut(whole);
+    const std::uint64_t before = file.size();
+    if (write_all(begin, end)) return true;
+    (void)file.go_back(before);
     return false;
+  }
+
+  /// Writes these bytes of the ring, into the reserve too. False: the disk did not take all of them.
+  bool write_all(std::uint64_t begin, std::uint64_t end) {
+    while (begin < end) {
+      const std::size_t done = file.write_some(ring.piece(begin, end), 0);
+      if (done == 0) return false;
+      begin += done;
+    }
+    return true;
+  }
+
+  // After the writer has ended.
+
+  /// Writes what is left of the records, the heaviest when not all fit, and the closing record.
+  /// @return whether all of them are in the file
+  bool finish() {
+    const std::uint64_t begin = end_of_whole_records();
+    const bool fits = write_all(taken, appended.bytes) && write_closing_record();
+    const bool is_written = fits || finish_by_weight(begin);
+    if (taken < appended.bytes || closing) bring_to_disk();
+    return file.close() && is_written;
+  }
+
+  bool finish_by_weight(std::uint64_t begin) {
+    // What cannot be given up ends in the middle of a record: nothing may follow it.
+    const bool goes_on = file.go_back(begin);
+    const std::uint64_t room = goes_on ? file.room(begin, closing ? kClosingBytes : 0) : 0;
+    const PerWeight given_up = write_by_weight(appended, shares_of({room, room, room}, sizes_until(appended)));
+    note_lost(given_up);
+    return goes_on && write_closing_record() && given_up == PerWeight{};
+  }
+
+  /// True: it is in the file, or there is none.
+  bool write_closing_record() {
+    if (!closing) return true;
+    closing->lost = {.streams = of(lost, Weight::kStream), .steering = of(lost, Weight::kSteering), .orders = of(lost, Weight::kOrder)};
+    const wire::Encoded data = encoded(*closing);
+    const auto header = header_of(next_number, closing->time, wire::kJournalEndChannel, data.bytes());
+    std::array<std::uint8_t, kClosingBytes> record{};
+    auto end = std::ranges::copy(header, record.begin()).out;
+    end = std::ranges::copy(bytes_of(wire::kJournalEndChannel), end).out;
+    std::ranges::copy(data.bytes(), end);
+    return file.write_some(record, 0) == record.size();
   }
 };
 
@@ -215,30 +283,32 @@ Journal::~Journal() {
 Status Journal::append(Time time, std::string_view channel, std::span<const std::uint8_t> data, Weight weight) {
   if (channel.empty() || channel.size() > wire::kMaxChannelLength || data.size() > config::kLcmMessageBytes ||
       !writer_->thread.joinable()) {
-    ++writer_->counters.refused;
+    ++writer_->refused;
     return Status::kOutOfRange;
   }
   const std::uint32_t number = writer_->next_number++;
   const std::size_t size = kRecordHeaderSize + channel.size() + data.size();
-  if (!writer_->make_room(size, weight)) {
-    ++of(writer_->counters.lost, weight);
-    return Status::kFull;
-  }
+  if (!writer_->make_room(size, weight)) return Status::kFull;
   const auto header = header_of(number, time, channel, data);
-  std::uint64_t position = writer_->appended;
-  writer_->ring.copy_in(position, header);
-  writer_->ring.copy_in(position, bytes_of(channel));
-  writer_->ring.copy_in(position, data);
-  writer_->ring.record(writer_->appended_records++) = {size, weight};
-  writer_->publish(position);
-  ++writer_->counters.appended;
+  Writer::Place place = writer_->appended;
+  writer_->ring.copy_in(place.bytes, header);
+  writer_->ring.copy_in(place.bytes, bytes_of(channel));
+  writer_->ring.copy_in(place.bytes, data);
+  writer_->ring.record(place.records++) = {size, weight};
+  writer_->publish(place);
+  ++writer_->accepted;
   return Status::kOk;
+}
+
+void Journal::conclude(const wire::ClosingRecord& closing) {
+  writer_->closing = closing;
 }
 
 Status Journal::flush() {
   std::unique_lock lock(writer_->mutex);
-  writer_->less.wait(lock, [this] { return writer_->appended == writer_->written || writer_->failing; });
-  return writer_->appended == writer_->written ? Status::kOk : Status::kNotReady;
+  const auto is_done = [this] { return writer_->appended.bytes == writer_->taken; };
+  writer_->less.wait(lock, [&] { return is_done() || writer_->failing; });
+  return is_done() ? Status::kOk : Status::kNotReady;
 }
 
 Status Journal::close() {
@@ -251,16 +321,14 @@ Status Journal::close() {
     writer.more.notify_one();
     writer.ended.notify_one();
     writer.thread.join();
-    writer.is_whole = writer.appended == writer.written || writer.write_what_fits();
-    writer.file.close();
+    writer.is_whole = writer.finish();
   }
   return writer.is_whole && !writer.unsynced ? Status::kOk : Status::kNotReady;
 }
 
 JournalCounters Journal::counters() const {
-  JournalCounters counters = writer_->counters;
-  counters.write_errors = writer_->write_errors;
-  return counters;
+  const std::lock_guard lock(writer_->mutex);
+  return {.appended = writer_->accepted, .lost = writer_->lost, .refused = writer_->refused, .write_errors = writer_->write_errors};
 }
 
 const std::filesystem::path& Journal::path() const {

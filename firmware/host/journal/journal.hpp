@@ -13,6 +13,7 @@
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/journal/journal_file.hpp"
 #include "firmware/host/journal/record_ring.hpp"
+#include "firmware/wire/journal/closing_record.hpp"
 
 namespace earshot::host {
 
@@ -35,10 +36,10 @@ inline constexpr OutputKind kJournalOutput{"a journal", {"\xED\xA1\xDA\x01", {}}
 /// Counters of a journal; they only grow.
 struct JournalCounters {
   std::uint64_t appended = 0;  ///< records taken into the buffer
-  PerWeight lost{};            ///< records that the buffer had no room for, or that close() could not write
+  PerWeight lost{};            ///< records that the buffer had no room for, or that were given up on a full disk
   std::uint64_t refused = 0;   ///< records larger than the format or the buffer allows
-  /// Failed write(2), tried again every 100 ms with the buffer filling meanwhile, so that the file has no hole; and failed fdatasync(2)
-  /// (kPowerCut), after which what was written may not survive a power cut.
+  /// Writes that the disk did not take or that would have taken of the reserve, tried again every 100 ms with the buffer filling meanwhile,
+  /// so that the file has no hole; and failed fdatasync(2) (kPowerCut), after which what was written may not survive a power cut.
   std::uint64_t write_errors = 0;
 
   [[nodiscard]] std::uint64_t all_lost() const { return std::accumulate(lost.begin(), lost.end(), std::uint64_t{0}); }
@@ -53,10 +54,13 @@ struct JournalCounters {
 ///
 /// In LCM's terms checksum and number together are the 64-bit event number, which its tools do not interpret.
 ///
-/// The file is in the order of append(), without a hole in a record. While the disk takes nothing the buffer fills: streams may have the
-/// larger part of it, set-points and decisions a part that streams cannot take, orders a part of their own, so that what steered the
-/// vehicle is kept longest. A record that finds no room is lost and counted; its number is missing in the file, so that a gap in the
-/// numbers says what is missing and where.
+/// The file is in the order of append(), without a hole in a record. Ahead of its end space is held on the disk (JournalFile); when no more
+/// of it is to be had, the disk is full, and what comes waits in the buffer: streams may have the larger part of it, set-points and
+/// decisions a part that streams cannot take, orders a part of their own. Once an order is among what waits, the orders and what steered
+/// before them go into the reserve, of which half is kept from what steers, and the streams between them are given up. A record that is
+/// given up or finds no room is lost and counted; its number is missing in the file, so that a gap in the numbers says what is missing and
+/// where. The last record of a journal that was concluded is its closing record (wire::ClosingRecord), for which there is always room in
+/// the reserve: its number, too, shows what is missing before it.
 class Journal {
  public:
   /// What is to be replaced may be anything: who has that from a person asks require_writable(path, kJournalOutput, ...) first.
@@ -69,8 +73,11 @@ class Journal {
   /// kLcmMessageBytes.
   [[nodiscard]] Status append(Time time, std::string_view channel, std::span<const std::uint8_t> data, Weight weight = Weight::kStream);
 
-  /// Waits until everything appended is written. kNotReady if the disk takes nothing.
+  /// Waits until nothing of what was appended waits for the disk. kNotReady if the disk takes nothing.
   [[nodiscard]] Status flush();
+
+  /// From now on close() ends the file with this record; what was lost is filled in by close(). Of the appending thread.
+  void conclude(const wire::ClosingRecord& closing);
 
   /// Writes what is left, ends the thread and closes the file; nothing can be appended afterwards. Of what does not fit on the disk the
   /// heaviest records are written, the older before the newer, whole ones only; the others are lost and counted. kNotReady if not

@@ -1,9 +1,11 @@
 #include "firmware/host/journal/journal_file.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -51,18 +53,48 @@ void JournalFile::keep_entry() const {
   if (entries.number() < 0 || ::fsync(entries.number()) != 0) fail(folder);
 }
 
-std::size_t JournalFile::write_some(std::span<const std::uint8_t> bytes) {
+std::size_t JournalFile::write_some(std::span<const std::uint8_t> bytes, std::uint64_t kept) {
+  if (kept > 0) {
+    while (can_hold_ && room(size_, kept) < bytes.size() && hold_more()) {
+    }
+    if (can_hold_) bytes = bytes.first(std::min<std::size_t>(bytes.size(), room(size_, kept)));
+  }
+  if (bytes.empty()) return 0;
   const ssize_t count = ::write(file_.number(), bytes.data(), bytes.size());
-  return count < 0 ? 0 : static_cast<std::size_t>(count);
+  if (count <= 0) return 0;
+  size_ += static_cast<std::uint64_t>(count);
+  held_ = std::max(held_, size_);
+  return static_cast<std::size_t>(count);
 }
 
-bool JournalFile::cut(std::uint64_t size) {
+bool JournalFile::hold_more() {
+  // Not every file system looks at the limit while the file itself does not grow.
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && held_ + kJournalReserveBytes > limit.rlim_cur) return false;
+  if (::fallocate(file_.number(), FALLOC_FL_KEEP_SIZE, static_cast<off_t>(held_), static_cast<off_t>(kJournalReserveBytes)) == 0) {
+    held_ += kJournalReserveBytes;
+    return true;
+  }
+  can_hold_ = errno == ENOSPC || errno == EDQUOT || errno == EFBIG || errno == EINTR;
+  return false;
+}
+
+bool JournalFile::go_back(std::uint64_t size) {
+  if (size == size_) return true;
   const auto offset = static_cast<off_t>(size);
-  return ::ftruncate(file_.number(), offset) == 0 && ::lseek(file_.number(), offset, SEEK_SET) == offset;
+  if (::lseek(file_.number(), offset, SEEK_SET) != offset) return false;
+  size_ = size;
+  return true;
 }
 
 bool JournalFile::bring_to_disk() {
   return ::fdatasync(file_.number()) == 0;
+}
+
+bool JournalFile::close() {
+  const bool is_cut = held_ == size_ || ::ftruncate(file_.number(), static_cast<off_t>(size_)) == 0;
+  file_ = FileDescriptor();
+  return is_cut;
 }
 
 }  // namespace earshot::host

@@ -24,5 +24,6 @@ inline constexpr std::string_view kPolicyChannel = "EARSHOT_POLICY";    ///< byt
 /// setpoint_t; not kSetpointChannel, so that a journal that is played back to a bus steers no autopilot
 inline constexpr std::string_view kJournalledSetpointChannel = "EARSHOT_SETPOINT.0";
 inline constexpr std::string_view kPortReportChannel = "EARSHOT_PORT_REPORT";  ///< port_report_t
+inline constexpr std::string_view kJournalEndChannel = "EARSHOT_JOURNAL_END";  ///< journal_end_t
 
 }  // namespace earshot::wire

@@ -38,6 +38,7 @@
 #include "firmware/host/program/version.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
+#include "firmware/messages/health_words.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace {
@@ -166,8 +167,8 @@ int report(const board::LoopResult& result, const board::Clock& clock, const boa
       return 0;
     case board::LoopEnd::kStopped:
       if (is_talkative)
-        std::cerr << "earshotd: stopped by a signal" << after << ", in " << board::to_string(result.found_in) << "; it ended in " << state
-                  << "; journal " << journal.string() << "\n";
+        std::cerr << "earshotd: stopped by a signal" << after << ", in " << messages::to_string(result.found_in) << "; it ended in "
+                  << state << "; journal " << journal.string() << "\n";
       return 0;
     case board::LoopEnd::kClockLost:
       std::cerr << "earshotd: lost " << clock.lost() << after << ", in " << state << "; journal up to then: " << journal.string() << "\n";
@@ -241,6 +242,7 @@ int fly(const Flight& f) {
     std::cerr << "earshotd: " << e.what() << "; journal up to then: " << journal.path().string() << "\n";
     return kLost;
   }
+  journal.conclude(board::closing_record_of(result));
   const Status kept = journal.close();
   const int status = report(result, f.clock, f.ports, journal.path());
   const int proven = f.options.prove_no_alloc ? report(proof, f.ports) : program::kDone;

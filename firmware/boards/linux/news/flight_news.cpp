@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "firmware/boards/linux/news/health_words.hpp"
+#include "firmware/messages/health_words.hpp"
 
 namespace earshot::board {
 namespace {

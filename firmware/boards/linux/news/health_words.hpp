@@ -6,10 +6,6 @@
 
 namespace earshot::board {
 
-/// "SEARCH"
-[[nodiscard]] const char* to_string(messages::MissionState state);
-/// "navigation went silent"
-[[nodiscard]] const char* to_string(messages::EndReason reason);
 /// "DONE, the source is reached, after 37 steps"; "SEARCH, after 3 steps"
 [[nodiscard]] std::string to_string(const messages::Health& health);
 

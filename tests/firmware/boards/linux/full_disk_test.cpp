@@ -20,6 +20,7 @@
 #include "firmware/boards/linux/replay.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/wire/journal/closing_record.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
@@ -43,8 +44,10 @@ struct Contents {
   std::uint64_t setpoints = 0;
   std::uint64_t decisions = 0;
   std::uint64_t records = 0;
+  std::uint32_t last = 0;  ///< number
   std::vector<Order> orders;
   std::uint64_t of_orders = 0;  ///< records of that weight
+  std::optional<wire::ClosingRecord> closing;
   std::optional<std::uint32_t> first_missing;
   host::JournalReader::End end = host::JournalReader::End::kCorrupt;
 };
@@ -54,6 +57,7 @@ Contents contents_of(const std::filesystem::path& path) {
   Contents contents;
   int state = -1;
   for (host::JournalRecord record; reader.next(record); ++contents.records) {
+    contents.last = record.number;
     if (record.number != contents.records && !contents.first_missing) contents.first_missing = contents.records;
     if (record.channel == wire::kJournalledSetpointChannel) ++contents.setpoints;
     if (record.channel == wire::kDecisionChannel) ++contents.decisions;
@@ -63,6 +67,10 @@ Contents contents_of(const std::filesystem::path& path) {
     if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk &&
         std::exchange(state, static_cast<int>(health.state)) != health.state)
       ++contents.of_orders;
+    if (wire::ClosingRecord closing; record.channel == wire::kJournalEndChannel) {
+      EXPECT_EQ(wire::read_closing_record(record.data, closing), Status::kOk);
+      contents.closing = closing;
+    }
     messages::Input input;
     if (wire::read_input(record.channel, record.time, record.data, 0, input) != Status::kOk) continue;
     if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) {
@@ -138,6 +146,7 @@ TEST_F(FullDisk, WhenAnAbortComesAndThenRoomTheAbortAndAllSetPointsAreInTheFileA
   for (int i = 0; i < 5; ++i) make_turn(100);
   ASSERT_TRUE(disk_->resize(kLarge_bytes));
   ASSERT_TRUE(is_flushed());
+  journal_->conclude({});
   ASSERT_EQ(journal_->close(), Status::kOk) << "what waited is written";
 
   const Contents contents = contents_of(path_);
@@ -148,28 +157,35 @@ TEST_F(FullDisk, WhenAnAbortComesAndThenRoomTheAbortAndAllSetPointsAreInTheFileA
   EXPECT_GT(of(lost, Weight::kStream), 10'000U);
   EXPECT_EQ(of(lost, Weight::kSteering), 0U);
   EXPECT_EQ(of(lost, Weight::kOrder), 0U);
-  EXPECT_EQ(contents.records, journal_->counters().appended);
+  EXPECT_EQ(contents.records + journal_->counters().all_lost(), contents.last + 1U) << "every record is there or counted";
   const ReplayResult replayed = replay(path_);
   EXPECT_FALSE(replayed.is_same());
   EXPECT_EQ(replayed.gap, contents.first_missing);
   EXPECT_FALSE(replayed.difference) << "what stands before the gap is given again";
 }
 
-TEST_F(FullDisk, WhenItStaysFullToTheEndEveryRecordIsInTheFileOrCountedAsLost) {
+TEST_F(FullDisk, WhenItStaysFullToTheEndEveryOrderIsInTheFileAndTheLastRecordCountsWhatIsNot) {
   order(Order::kAbort);
   for (int i = 0; i < 5; ++i) make_turn(100);
-  const host::JournalCounters before = journal_->counters();
-  EXPECT_EQ(journal_->close(), Status::kNotReady);
+  journal_->conclude({.time = clock_.time, .state = messages::MissionState::kAbort, .end_reason = messages::EndReason::kOperatorAbort});
+  (void)journal_->close();
 
   const Contents contents = contents_of(path_);
   EXPECT_EQ(contents.end, host::JournalReader::End::kWhole);
-  const host::JournalCounters after = journal_->counters();
-  EXPECT_EQ(contents.records + after.all_lost(), before.appended + before.all_lost());
-  EXPECT_EQ(contents.setpoints + contents.decisions + of(after.lost, Weight::kSteering), setpoints_ + decisions_);
+  const PerWeight lost = journal_->counters().lost;
+  EXPECT_EQ(contents.orders, (std::vector{Order::kStart, Order::kAbort}));
+  EXPECT_EQ(contents.setpoints + contents.decisions + of(lost, Weight::kSteering), setpoints_ + decisions_);
   // Mission, policy, two commands with their acknowledgements, three states.
-  EXPECT_EQ(contents.of_orders + of(after.lost, Weight::kOrder), 9U);
-  EXPECT_GT(of(after.lost, Weight::kOrder), 0U);
-  EXPECT_GT(of(after.lost, Weight::kSteering), 100U);
+  EXPECT_EQ(contents.of_orders, 9U);
+  EXPECT_EQ(of(lost, Weight::kOrder), 0U);
+  ASSERT_TRUE(contents.closing);
+  EXPECT_EQ(contents.closing->end_reason, messages::EndReason::kOperatorAbort);
+  EXPECT_EQ(contents.closing->lost, (wire::ClosingRecord::Lost{.streams = lost[0], .steering = lost[1], .orders = lost[2]}));
+  EXPECT_EQ(contents.records + contents.closing->lost.all(), contents.last + 1U) << "every record is there or counted";
+  const ReplayResult replayed = replay(path_);
+  EXPECT_EQ(replayed.gap, contents.first_missing);
+  ASSERT_TRUE(replayed.closing);
+  EXPECT_EQ(replayed.closing->lost, contents.closing->lost);
 }
 
 }  // namespace

@@ -7,8 +7,11 @@
 #include <bit>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,7 +67,7 @@ class RandomMission {
     ports_.add(std::move(port));
   }
 
-  void fly(int turns) {
+  void fly(int turns, const std::optional<wire::ClosingRecord>& closing = std::nullopt) {
     turn_.record_mission(mission_, walk_bytes(), "of a test");
     for (int i = 0; i < turns; ++i) {
       for (std::uint32_t inputs = below(6); inputs > 0; --inputs) input();
@@ -72,6 +75,7 @@ class RandomMission {
       clock_.time = clock_.time + Duration{static_cast<std::int64_t>(below(2'000'000))};
       (void)turn_();
     }
+    if (closing) journal_.conclude(*closing);
     EXPECT_EQ(journal_.close(), Status::kOk);
   }
 
@@ -174,6 +178,40 @@ TEST_F(Replay, FindsTheOutputInWhichOneBitDiffers) {
   ASSERT_TRUE(result.difference) << last;
   EXPECT_EQ(result.difference->record, number);
   EXPECT_EQ(result.difference->channel, "EARSHOT_HEALTH");
+}
+
+TEST_F(Replay, TellsAJournalThatWasEndedInOrderFromOneWhoseEndIsMissing) {
+  RandomMission flight(1, path_);
+  const wire::ClosingRecord said{.time = Time{7}, .ending = wire::Ending::kMissionOver, .steps_taken = 5};
+  flight.fly(30, said);
+  const ReplayResult whole = replay(path_);
+  EXPECT_TRUE(whole.is_same());
+  EXPECT_EQ(whole.closing, said);
+  fs::resize_file(path_, fs::file_size(path_) - 94);  // 28 + 19 + 47: as if it had been killed
+  const ReplayResult killed = replay(path_);
+  EXPECT_TRUE(killed.is_same());
+  EXPECT_EQ(killed.end, host::JournalReader::End::kWhole);
+  EXPECT_EQ(killed.turns, whole.turns);
+  EXPECT_FALSE(killed.closing);
+}
+
+TEST_F(Replay, FindsRecordsThatAreMissingAtTheEndByTheNumberOfTheClosingRecord) {
+  RandomMission(1, path_).fly(30, wire::ClosingRecord{});
+  std::vector<std::uint64_t> begins;
+  host::JournalReader reader(path_);
+  for (host::JournalRecord record;;) {
+    begins.push_back(reader.offset());
+    if (!reader.next(record)) break;
+  }
+  const std::uint64_t closing = begins[begins.size() - 2];
+  const std::uint64_t last_turn = begins[begins.size() - 3];
+  std::ifstream file(path_, std::ios::binary);
+  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+  bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(last_turn), bytes.begin() + static_cast<std::ptrdiff_t>(closing));
+  support::write_bytes(path_, bytes);
+  const ReplayResult result = replay(path_);
+  EXPECT_EQ(result.gap, begins.size() - 3);
+  EXPECT_TRUE(result.closing);
 }
 
 TEST_F(Replay, RefusesAJournalThatDoesNotBeginWithItsMission) {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "firmware/messages/health.hpp"
+
+namespace earshot::messages {
+
+/// "SEARCH"
+[[nodiscard]] constexpr const char* to_string(MissionState state) {
+  switch (state) {
+    case MissionState::kStandby:
+      return "STANDBY";
+    case MissionState::kSearch:
+      return "SEARCH";
+    case MissionState::kDone:
+      return "DONE";
+    case MissionState::kAbort:
+      return "ABORT";
+  }
+  return "?";
+}
+
+/// Why a mission ended: "an operator aborted it".
+[[nodiscard]] constexpr const char* to_string(EndReason reason) {
+  switch (reason) {
+    case EndReason::kNone:
+      return "not over";
+    case EndReason::kCompleted:
+      return "the source is reached";
+    case EndReason::kStepsUsedUp:
+      return "all steps are taken";
+    case EndReason::kOperatorAbort:
+      return "an operator aborted it";
+    case EndReason::kNavigationStale:
+      return "navigation went silent";
+    case EndReason::kSnrStale:
+      return "the SNR estimate went silent";
+    case EndReason::kLeftOperatingArea:
+      return "the vehicle left its operating area";
+    case EndReason::kTimeUsedUp:
+      return "its time is used up";
+  }
+  return "?";
+}
+
+}  // namespace earshot::messages
