@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "firmware/host/file/printable.hpp"
@@ -20,7 +19,7 @@ using host::BadInput;
 
 void check_command_line(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
-    if (!is_utf8(argv[i])) throw BadInput("the command line holds bytes that are not UTF-8");
+    if (!host::is_utf8(argv[i])) throw BadInput("the command line holds bytes that are not UTF-8");
   }
 }
 
@@ -87,15 +86,6 @@ void tell_of_policy(const std::string& name, const policy::FrozenPolicy& policy)
       << policy.area_size.east.value << " m\n";
   std::istringstream provenance(std::string(policy.provenance.begin(), policy.provenance.end()));
   for (std::string line; std::getline(provenance, line);) out << "  " << host::printable(line) << "\n";
-}
-
-bool is_utf8(std::string_view text) {
-  try {
-    (void)nlohmann::json(text).dump();
-    return true;
-  } catch (const nlohmann::json::type_error&) {
-    return false;
-  }
 }
 
 policy::ActionDraw draw_named(std::string_view name) {

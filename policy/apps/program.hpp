@@ -44,9 +44,6 @@ void require_writable(std::span<const Output> files, host::Replace replace);
 /// With --verbose: what a policy sees and does, and its provenance line by line.
 void tell_of_policy(const std::string& name, const policy::FrozenPolicy& policy);
 
-/// Whether JSON can hold it.
-[[nodiscard]] bool is_utf8(std::string_view text);
-
 /// @param name  "argmax" or "sampled", which the option's check has made sure of
 [[nodiscard]] policy::ActionDraw draw_named(std::string_view name);
 

@@ -188,7 +188,7 @@ void check_files(const std::vector<TrainingJob>& jobs, const TrainOptions& given
 std::vector<TrainingJob> jobs_of(const TrainOptions& options, const std::vector<std::string>& arguments) {
   if (options.resume.size() > 1 && (options.output || options.curve))
     throw BadInput("--output, --curve: for one training, not for several");
-  if (!is_utf8(std::filesystem::current_path().string()))
+  if (!host::is_utf8(std::filesystem::current_path().string()))
     throw BadInput("the name of the current folder, which a checkpoint keeps, holds bytes that are not UTF-8");
   std::vector<TrainingJob> jobs;
   if (options.resume.empty()) jobs = new_jobs(options, arguments);

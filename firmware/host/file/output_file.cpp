@@ -51,6 +51,11 @@ std::filesystem::path partial_of(const std::filesystem::path& target) {
   return partial;
 }
 
+/// How the kernel names a file that has none.
+std::string open_file(const FileDescriptor& file) {
+  return "/proc/self/fd/" + std::to_string(file.number());
+}
+
 bool bring_to_disk(const std::filesystem::path& folder) {
   const FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECTORY));
   return file.number() >= 0 && ::fsync(file.number()) == 0;
@@ -85,22 +90,42 @@ OutputFile::OutputFile(const std::filesystem::path& path, Access access)
     : path_(path), target_(followed(path)), partial_(partial_of(target_)) {
   const std::optional<mode_t> older = require_regular(path);
   const mode_t made = access == Access::kOwnerOnly ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
-  // One that a killed process of the same number left.
-  if (std::error_code error; std::filesystem::is_regular_file(std::filesystem::symlink_status(partial_, error)))
-    std::filesystem::remove(partial_, error);
-  file_ = FileDescriptor(::open(partial_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, made));
-  if (file_.number() < 0) {
-    const std::string why = std::strerror(errno);
-    partial_.clear();
-    throw unwritable(path_, why);
-  }
+  make_room_for_partial();
+  if (!open_without_name(made)) open_partial(made);
   // Who may read it stays as it was, where the file system knows of that.
   if (older && access == Access::kEveryone) (void)::fchmod(file_.number(), *older & 0777U);
 }
 
+void OutputFile::make_room_for_partial() const {
+  struct stat status {};
+  if (::lstat(partial_.c_str(), &status) != 0) {
+    if (errno != ENOENT) throw unwritable(path_, std::strerror(errno));
+  } else if (!S_ISREG(status.st_mode) || ::unlink(partial_.c_str()) != 0) {
+    throw unwritable(path_, partial_.filename().string() + " is in the way");
+  }
+}
+
+/// Not every file system can, and giving it a name later takes /proc.
+bool OutputFile::open_without_name(mode_t mode) {
+  file_ = FileDescriptor(::open(target_.parent_path().c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, mode));
+  return file_.number() >= 0 && ::access(open_file(file_).c_str(), F_OK) == 0;
+}
+
+void OutputFile::open_partial(mode_t mode) {
+  file_ = FileDescriptor(::open(partial_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode));
+  has_name_ = file_.number() >= 0;
+  if (!has_name_) throw unwritable(path_, std::strerror(errno));
+}
+
 OutputFile::~OutputFile() {
-  std::error_code ignored;
-  if (!partial_.empty()) std::filesystem::remove(partial_, ignored);
+  if (has_name_) ::unlink(partial_.c_str());
+}
+
+const std::filesystem::path& OutputFile::partial() {
+  if (!has_name_ && ::linkat(AT_FDCWD, open_file(file_).c_str(), AT_FDCWD, partial_.c_str(), AT_SYMLINK_FOLLOW) != 0)
+    throw unwritable(path_, std::strerror(errno));
+  has_name_ = true;
+  return partial_;
 }
 
 void OutputFile::write(std::string_view content) {
@@ -112,19 +137,38 @@ void OutputFile::write(std::string_view content) {
   }
 }
 
+void OutputFile::bring_content_to_disk() const {
+  if (::fsync(file_.number()) != 0) throw unwritable(path_, std::strerror(errno));
+}
+
 void OutputFile::commit(Survives survives) {
-  if (survives == Survives::kPowerCut && ::fsync(file_.number()) != 0) throw unwritable(path_, std::strerror(errno));
+  if (survives == Survives::kPowerCut) bring_content_to_disk();
   require_regular(target_);
-  if (::rename(partial_.c_str(), target_.c_str()) != 0) throw unwritable(path_, std::strerror(errno));
-  partial_.clear();
+  if (::rename(partial().c_str(), target_.c_str()) != 0) throw unwritable(path_, std::strerror(errno));
+  has_name_ = false;
   // Not every file system can; the file is there all the same.
   if (survives == Survives::kPowerCut) (void)bring_to_disk(target_.parent_path());
+}
+
+void OutputFile::commit_as_new() {
+  bring_content_to_disk();
+  const bool is_named = has_name_ ? ::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0
+                                  : ::linkat(AT_FDCWD, open_file(file_).c_str(), AT_FDCWD, target_.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  if (!is_named) throw unwritable(path_, std::strerror(errno));
+  has_name_ = false;
+  (void)bring_to_disk(target_.parent_path());
 }
 
 void write_whole(const std::filesystem::path& path, std::string_view content, Access access) {
   OutputFile file(path, access);
   file.write(content);
   file.commit();
+}
+
+void write_new(const std::filesystem::path& path, std::string_view content, Access access) {
+  OutputFile file(path, access);
+  file.write(content);
+  file.commit_as_new();
 }
 
 }  // namespace earshot::host

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -46,8 +48,9 @@ enum class Access : std::uint8_t { kEveryone, kOwnerOnly };
 /// Oracle: OutputFile.*
 void require_writable(const std::filesystem::path& path, const OutputKind& kind, Replace replace);
 
-/// A file that is either whole or what it was before. It is written beside its place under another name, brought to the disk and renamed. A
-/// symbolic link stays and what it points to is replaced; a pipe, a device, a socket or a folder is refused and stays.
+/// A file that is either whole or what it was before. It is written beside its place, brought to the disk and renamed; until then it has no
+/// name, where the file system can do that, so that a program that is killed leaves nothing of it. A symbolic link stays and what it points
+/// to is replaced; a pipe, a device, a socket or a folder is refused and stays.
 class OutputFile {
  public:
   /// Throws BadInput naming the file.
@@ -57,23 +60,35 @@ class OutputFile {
   /// Unless commit() was called, nothing of it is left.
   ~OutputFile();
 
-  /// Where it stands until commit(), for a library that opens files by name.
-  [[nodiscard]] const std::filesystem::path& partial() const { return partial_; }
+  /// Where it stands until commit(), for a library that opens files by name: from here on it has one. Throws BadInput naming the file.
+  [[nodiscard]] const std::filesystem::path& partial();
   /// Throws BadInput naming the file, such as on a full disk.
   void write(std::string_view content);
 
   enum class Survives : std::uint8_t { kProcess, kPowerCut };
   /// Gives it its name. Throws BadInput naming the file; the older one is then still there.
   void commit(Survives survives = Survives::kPowerCut);
+  /// Gives it its name for good, where nothing has that yet: of two programs one does. Throws BadInput naming the file.
+  void commit_as_new();
 
  private:
-  std::filesystem::path path_;    ///< as a person named it
-  std::filesystem::path target_;  ///< where its links end
-  std::filesystem::path partial_;
+  /// One may be left by a killed process of the same number.
+  void make_room_for_partial() const;
+  [[nodiscard]] bool open_without_name(mode_t mode);
+  void open_partial(mode_t mode);
+  void bring_content_to_disk() const;
+
+  std::filesystem::path path_;     ///< as a person named it
+  std::filesystem::path target_;   ///< where its links end
+  std::filesystem::path partial_;  ///< what it is called, or would be, until it is whole
+  bool has_name_ = false;          ///< and something is there
   FileDescriptor file_;
 };
 
 /// Writes a whole file. Throws BadInput naming the file; the older one is then still there.
 void write_whole(const std::filesystem::path& path, std::string_view content, Access access = Access::kEveryone);
+
+/// Writes a whole file where none is. Throws BadInput naming the file, which then is whole and another's, or is not there.
+void write_new(const std::filesystem::path& path, std::string_view content, Access access = Access::kEveryone);
 
 }  // namespace earshot::host

@@ -69,6 +69,15 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t size = first_of(text).size;
+    if (size == 0) return false;
+    text.remove_prefix(size);
+  }
+  return true;
+}
+
 std::string printable_lines(std::string_view text) {
   std::string shown;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {

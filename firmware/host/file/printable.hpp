@@ -16,4 +16,8 @@ namespace earshot::host {
 /// The same of text that has lines: they stay.
 [[nodiscard]] std::string printable_lines(std::string_view text);
 
+/// Source: RFC 3629.
+/// Oracle: IsUtf8.*
+[[nodiscard]] bool is_utf8(std::string_view text);
+
 }  // namespace earshot::host

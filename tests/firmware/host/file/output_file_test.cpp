@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <sys/socket.h>
@@ -137,7 +138,7 @@ TEST_F(OutputFileTest, KeepsWhoMayReadTheOlderFile) {
 }
 
 TEST_F(OutputFileTest, KeepsASecretFromOthersFromTheFirstByte) {
-  const OutputFile file(path_, Access::kOwnerOnly);
+  OutputFile file(path_, Access::kOwnerOnly);
   EXPECT_EQ(fs::status(file.partial()).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
@@ -158,6 +159,46 @@ TEST_F(OutputFileTest, LeavesNothingOfAFileThatWasNotFinished) {
     file.write("note: half");
   }
   EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(OutputFileTest, HasNoNameThatAKillWouldLeaveUntilItIsWhole) {
+  OutputFile file(path_);
+  file.write("note: half");
+  EXPECT_TRUE(fs::is_empty(folder_));
+  file.commit();
+  EXPECT_EQ(content(), "note: half");
+}
+
+TEST_F(OutputFileTest, KeepsWhatALibraryWroteByName) {
+  OutputFile file(path_);
+  std::ofstream(file.partial()) << "note: by name";
+  file.commit();
+  EXPECT_EQ(content(), "note: by name");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(OutputFileTest, IsNewToOneOfTwoThatMakeIt) {
+  OutputFile first(path_);
+  OutputFile second(path_);
+  first.write("note: first");
+  second.write("note: second");
+  second.commit_as_new();
+  EXPECT_EQ(refusal([&] { first.commit_as_new(); }), path_.string() + ": cannot be written: File exists");
+  EXPECT_EQ(content(), "note: second");
+}
+
+TEST_F(OutputFileTest, IsNewToOneOfTwoWhereItHadAName) {
+  OutputFile file(path_);
+  (void)file.partial();
+  std::ofstream(path_) << "note: other";
+  EXPECT_EQ(refusal([&] { file.commit_as_new(); }), path_.string() + ": cannot be written: File exists");
+  EXPECT_EQ(content(), "note: other");
+}
+
+TEST_F(OutputFileTest, IsRefusedBeforeTheWorkWhereItsNameIsTooLong) {
+  const fs::path longest = folder_ / std::string(255, 'x');
+  EXPECT_EQ(refusal([&] { require_writable(longest, kNotes, Replace::kOwnKind); }),
+            longest.string() + ": cannot be written: File name too long");
 }
 
 TEST_F(OutputFileTest, NamesAFolderThatIsNotThere) {

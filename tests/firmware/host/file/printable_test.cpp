@@ -7,6 +7,15 @@
 namespace earshot::host {
 namespace {
 
+TEST(IsUtf8, TakesWordsOfAnyLanguageAndNoOtherBytes) {
+  for (const char* text : {"", "a\tb\n",
+                           "Gr\xC3\xB6\xC3\x9F"
+                           "e",
+                           "\xF0\x9F\x90\x8B"})
+    EXPECT_TRUE(is_utf8(text)) << text;
+  for (const char* text : {"\xff", "a\xC3", "\xC0\x9B", "\xED\xA0\x80", "\xF4\x90\x80\x80"}) EXPECT_FALSE(is_utf8(text));
+}
+
 TEST(Printable, LeavesWordsOfAnyLanguageAsTheyAre) {
   for (const char* text : {"", "depth_m = 30", "Größe", "鯨", "\xF0\x9F\x90\x8B", "a\\x1b", "/tmp/a b.toml"})
     EXPECT_EQ(printable(text), text);
