@@ -11,12 +11,32 @@ namespace {
 using policy::PolicyComplaint;
 using policy::PolicyFault;
 
-/// Of an older version of the format than this program's: the versions and the way out.
+/// The oldest that `earshot freeze` still reads.
+constexpr std::uint32_t kOldestToFreezeAgain = 3;
+
+/// Of another version of the format than this program's: the versions and the way out.
 std::string complaint_about_version(std::uint32_t version, const std::string& path) {
   const std::string text = "is of version " + std::to_string(version) + " of the .policy format, this program reads version " +
                            std::to_string(policy::kFormatVersion);
+  const std::string written = path + " --force --key YOUR.key";
   if (version > policy::kFormatVersion) return text + ": it was frozen by a later one";
-  return text + "; freeze it again, its weights as they are: earshot freeze " + path + " -o " + path + " --force --key YOUR.key";
+  if (version >= kOldestToFreezeAgain)
+    return text + "; freeze it again, its weights as they are: earshot freeze " + path + " -o " + written;
+  return text + "; no program reads it any more: freeze the model that it was made from, or one trained anew: earshot freeze MODEL -o " +
+         written;
+}
+
+/// The first thing that is wrong with provenance; empty when nothing is.
+std::string complaint_about_provenance(std::string_view text) {
+  if (!is_utf8(text)) return "holds bytes that are not UTF-8";
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return "ends within a line";
+    const std::size_t equals = text.substr(0, end).find(" = ");
+    if (equals == std::string_view::npos || equals == 0) return "holds a line that is not \"key = value\"";
+    text.remove_prefix(end + 1);
+  }
+  return {};
 }
 
 /// The most that this program holds; a microcontroller's holds less.
@@ -42,6 +62,7 @@ std::unique_ptr<policy::FrozenPolicy> unproven_policy_from(std::span<const std::
   auto policy = std::make_unique<policy::FrozenPolicy>();
   PolicyComplaint complaint;
   if (policy::parse(bytes, *policy, complaint) != Status::kOk) throw BadInput(to_string(complaint, path));
+  require_provenance(*policy, path);
   return policy;
 }
 
@@ -50,6 +71,11 @@ std::unique_ptr<policy::FrozenPolicy> policy_from(std::span<const std::uint8_t> 
   const auto memory = std::make_unique<policy::SearchMemory>();
   if (!policy::repeats_golden(*policy, *memory)) throw BadInput(to_string({.fault = PolicyFault::kGoldenMismatch}, path));
   return policy;
+}
+
+void require_provenance(const policy::FrozenPolicy& policy, const std::filesystem::path& path) {
+  const std::string complaint = complaint_about_provenance({policy.provenance.begin(), policy.provenance.end()});
+  if (!complaint.empty()) throw BadInput(path.string() + ": section PROV " + complaint);
 }
 
 std::string to_string(const PolicyComplaint& complaint, const std::filesystem::path& path) {

@@ -21,7 +21,11 @@ namespace earshot::host {
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> unproven_policy_from(std::span<const std::uint8_t> bytes,
                                                                          const std::filesystem::path& path);
 
-/// "PATH: section NETW is missing, or not in its place". Of an older version of the format: with the command that writes it again.
+/// What a person reads of where a policy comes from must be UTF-8, "key = value" line by line; a vehicle does nothing with it.
+/// @throws BadInput as above
+void require_provenance(const policy::FrozenPolicy& policy, const std::filesystem::path& path);
+
+/// "PATH: section NETW is missing, or not in its place". Of an older version of the format: with the command that writes such a file again.
 [[nodiscard]] std::string to_string(const policy::PolicyComplaint& complaint, const std::filesystem::path& path);
 
 }  // namespace earshot::host

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <functional>
+#include <initializer_list>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -65,6 +66,28 @@ TEST(PolicyBytes, OfVersion3AreRefusedWithTheCommandThatFreezesThemAgain) {
       complaint_about(bytes),
       "a.policy: is of version 3 of the .policy format, this program reads version 4; freeze it again, its weights as they are: earshot "
       "freeze a.policy -o a.policy --force --key YOUR.key");
+}
+
+TEST(PolicyBytes, OfVersionsThatNothingReadsAreRefusedWithoutACommandThatWouldNotReadThemEither) {
+  for (const std::uint8_t version : std::initializer_list<std::uint8_t>{0, 1, 2})
+    EXPECT_EQ(complaint_after([version](Bytes& bytes) { bytes[8] = version; }),
+              "a.policy: is of version " + std::to_string(version) +
+                  " of the .policy format, this program reads version 4; no program reads it any more: freeze the model that it was made "
+                  "from, or one trained anew: earshot freeze MODEL -o a.policy --force --key YOUR.key");
+}
+
+TEST(PolicyBytes, AreRefusedUnlessTheirProvenanceIsLinesOfText) {
+  const auto complaint_with = [](const std::string& provenance) {
+    policy::FrozenPolicy policy = support::random_walk_policy();
+    policy.provenance.clear();
+    for (const char c : provenance) (void)policy.provenance.push_back(c);
+    return complaint_about(support::signed_bytes(policy));
+  };
+  for (const char* good : {"", "a = \n", "k\xC3\xBC = a\tb = c\n"}) EXPECT_EQ(complaint_with(good), "");
+  EXPECT_EQ(complaint_with("a = \xff\n"), "a.policy: section PROV holds bytes that are not UTF-8");
+  EXPECT_EQ(complaint_with("a = b\nc = d"), "a.policy: section PROV ends within a line");
+  for (const char* bad : {"\n", "a=b\n", " = b\n", "a\nb = c\n"})
+    EXPECT_EQ(complaint_with(bad), "a.policy: section PROV holds a line that is not \"key = value\"") << bad;
 }
 
 TEST(PolicyBytes, ThatAnotherBuildsArithmeticFrozeAreRefusedByAllButAFreezer) {
