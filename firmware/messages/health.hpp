@@ -26,7 +26,7 @@ enum class EndReason : std::uint8_t {
 /// Counters of what was refused; they only grow. At a million a second 64 bits last for half a million years.
 struct Counters {
   std::uint64_t navigation_refused = 0;  ///< not finite, older than the last, or dated further from its arrival than its timeout
-  std::uint64_t snr_refused = 0;         ///< likewise, or beyond +-1000 dB
+  std::uint64_t snr_refused = 0;         ///< likewise, or beyond kMostSnr
   std::uint64_t commands_refused = 0;    ///< acknowledged with another outcome than obeyed or repeated
   std::uint64_t setpoints_limited = 0;   ///< way-points and set-points changed by the safety layer
   friend constexpr bool operator==(const Counters&, const Counters&) = default;

@@ -59,7 +59,7 @@ struct BeliefModel {
 
 /// Whether every size fits its capacity and is not zero.
 [[nodiscard]] bool has_valid_shape(const BeliefModel& model);
-/// Whether every number is in its range: spread 0.05 to 100 dB, offsets and SNRs within 1000 dB, priors 1e-6 to 1e6; range step 1 m to
+/// Whether every number is in its range: spread 0.05 to 100 dB, offsets and SNRs within kMostSnr, priors 1e-6 to 1e6; range step 1 m to
 /// 10 km, step and border 1 m to 1000 km, area 1 m to 10 000 km, costs as said at each. @param model  of a valid shape
 [[nodiscard]] bool has_valid_numbers(const BeliefModel& model);
 

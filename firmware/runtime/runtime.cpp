@@ -19,11 +19,6 @@ using messages::EndReason;
 using messages::MissionState;
 using messages::Order;
 
-/// Far beyond anything an ocean does, far within what the observation's floats hold; NaN is not possible either.
-bool is_possible(Decibels snr) {
-  return snr >= Decibels{-1000.0} && snr <= Decibels{1000.0};
-}
-
 /// Whether a message dated `time` may follow one dated `last`. One dated long before its arrival is a recording or comes from a stalled
 /// queue; one from far ahead would pass for fresh long after its sender fell silent.
 bool is_in_order(Time time, Time last, Time arrival, Duration timeout) {
@@ -86,7 +81,7 @@ void Runtime::take(Time arrival, const messages::Navigation& navigation) {
 
 void Runtime::take(Time arrival, const messages::SnrMeasurement& measurement) {
   const Time last = progress_.listener.newest() ? progress_.listener.newest()->time : Time{};
-  if (is_possible(measurement.snr) && is_in_order(measurement.time, last, arrival, mission_.snr_timeout)) {
+  if (messages::is_possible_snr(measurement.snr) && is_in_order(measurement.time, last, arrival, mission_.snr_timeout)) {
     progress_.listener.take({.time = effective(measurement.time, arrival), .snr = measurement.snr, .too_faint = measurement.too_faint});
   } else {
     ++progress_.counters.snr_refused;

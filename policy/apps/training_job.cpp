@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/version.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/program.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "firmware/core/geometry.hpp"
-#include "firmware/core/units.hpp"
+#include "firmware/messages/snr_measurement.hpp"
 #include "firmware/policy/observation.hpp"
 
 namespace earshot::explain {
@@ -16,7 +16,7 @@ enum class Baseline : std::uint8_t {
 };
 
 /// A look that says nothing: the signal lies somewhere below a level that no signal reaches.
-inline constexpr policy::Heard kNothingLearnt{.snr = Decibels{1'000.0}, .too_faint = true};
+inline constexpr policy::Heard kNothingLearnt{.snr = messages::kMostSnr, .too_faint = true};
 
 /// What a vehicle sees that has neither moved nor heard anything: no remembered displacement, every remembered SNR at the detection
 /// threshold (a newest look that is neither a detection nor a miss), and a belief that knows only that the source is not within a step,

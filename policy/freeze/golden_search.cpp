@@ -6,6 +6,7 @@
 #include <span>
 
 #include "firmware/core/random.hpp"
+#include "firmware/messages/snr_measurement.hpp"
 
 namespace earshot::freeze {
 namespace {
@@ -57,7 +58,7 @@ void plan_search(const policy::FrozenPolicy& policy, const Plan& plan, Pcg32& ra
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     const double noise = kNoise_db * (2.0 * static_cast<double>(random.uniform_float()) - 1.0);
     const Decibels snr{modelled_snr(policy, range_between(place, plan.source)).value + noise};
-    const policy::Heard heard{.snr = std::clamp(snr, Decibels{-1'000.0}, Decibels{1'000.0}),
+    const policy::Heard heard{.snr = std::clamp(snr, -messages::kMostSnr, messages::kMostSnr),
                               .too_faint = plan.sometimes_too_faint && i % 2 == 0};
     trajectory[i].place = place;
     trajectory[i].heard = heard;

@@ -81,7 +81,7 @@ void require_sound(const policy::FrozenPolicy& policy, const config::Mission& mi
 
 /// What may be heard: mostly what oceans do, sometimes all that the runtime lets in.
 messages::SnrMeasurement sound(Time now, Pcg32& random) {
-  const double span = random.next() % 8 == 0 ? 1'000.0 : 40.0;
+  const double span = random.next() % 8 == 0 ? messages::kMostSnr.value : 40.0;
   return {
       .time = now, .snr = Decibels{span * (2.0 * static_cast<double>(random.uniform_float()) - 1.0)}, .too_faint = random.next() % 4 == 0};
 }

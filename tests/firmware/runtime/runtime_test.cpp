@@ -223,10 +223,12 @@ TEST(Runtime, RefusesNavigationThatIsNotFiniteAndKeepsTheLast) {
 
 TEST(Runtime, RefusesAnSnrThatNoOceanHas) {
   Rig rig = searching();
-  for (const double bad : {kNan, std::numeric_limits<double>::infinity(), 1001.0, -1001.0}) {
+  for (const double bad : {kNan, std::numeric_limits<double>::infinity(), 601.0, -601.0}) {
     rig.step({.navigation = rig.navigation_at(rig.now), .snr = messages::SnrMeasurement{.time = rig.now, .snr = Decibels{bad}}});
   }
   EXPECT_EQ(rig.counters().snr_refused, 4U);
+  rig.step({.navigation = rig.navigation_at(rig.now), .snr = messages::SnrMeasurement{.time = rig.now, .snr = Decibels{-600.0}}});
+  EXPECT_EQ(rig.counters().snr_refused, 4U) << "no source of 0 dB under noise of 300 dB, 300 dB away, is fainter";
 }
 
 TEST(Runtime, RefusesWhatIsOlderThanTheLastButTakesItAgain) {
