@@ -61,7 +61,8 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--policies", &o.policies, "more of them, and others by name, separated by commas").separated_by(',');
   line.option("--world", &o.worlds, "world files to search in, such as policy/worlds/noisy_4db.toml (the environment itself)");
   line.flag("--suite", &o.suite, "search in every world of policy/worlds");
-  o.search.add_to(line, "what the policies were trained with, changing when none says it");
+  o.search.add_to(line, {.source = "what the policies were trained with, changing when none says it",
+                         .listening = "what the .policy files have, newest when none is evaluated"});
   line.option("--episodes", &o.episodes, "searches to fly in each world").shows_default().from(1, 100'000'000);
   line.option("--seed", &o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
   line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way").one_of({"argmax", "sampled"});

@@ -6,12 +6,20 @@
 
 namespace earshot::apps {
 
-void ListeningOptions::add_to(program::CommandLine& line) {
+void ListeningOptions::add_to(program::CommandLine& line, const std::string& otherwise) {
   line.option("--listening", &listening,
-              "what an observation hears of its step: the newest look, or the loudest or mean of those in the window that were measured")
+              "what an observation hears of its step: the newest look, or the loudest or mean of those in the window that were measured (" +
+                  otherwise + ")")
       .one_of({config::kListeningWords.begin(), config::kListeningWords.end()});
-  line.option("--listening-window-s", &listening_window_s, "window before the end of a step, whole seconds; none for the newest")
-      .from(0, static_cast<int>(config::kMaxListeningSeconds));
+  const std::string allowed = "1 to " + std::to_string(config::kMaxListeningSeconds);
+  const auto complaint = [allowed](const std::string& text) {
+    const std::optional<std::int64_t> seconds = program::whole_number(text);
+    if (seconds && *seconds >= 0 && *seconds <= static_cast<std::int64_t>(config::kMaxListeningSeconds)) return std::string();
+    return text + ": must be whole seconds, " + allowed + ", or 0 with newest";
+  };
+  line.option("--listening-window-s", &listening_window_s,
+              "window before the end of a step, whole seconds; 0 with newest (with --listening alone the length stays, but for newest)")
+      .checked(complaint, allowed + ", 0 with newest");
 }
 
 config::ListeningWindow ListeningOptions::applied_to(config::ListeningWindow standing) const {

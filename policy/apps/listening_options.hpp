@@ -14,7 +14,8 @@ struct ListeningOptions {
   std::optional<std::string> listening = {};
   std::optional<std::uint32_t> listening_window_s = {};
 
-  void add_to(program::CommandLine& line);
+  /// @param otherwise  what help says holds when neither is given
+  void add_to(program::CommandLine& line, const std::string& otherwise);
   [[nodiscard]] bool is_given() const { return listening || listening_window_s; }
   /// A word alone takes the length that stands, but for newest, which has none; a length alone the word that stands.
   /// @param standing  what holds where nothing is given

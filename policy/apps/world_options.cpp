@@ -9,13 +9,13 @@ namespace earshot::apps {
 
 using host::BadInput;
 
-void WorldOptions::add_to(program::CommandLine& line, const std::string& source_by_default) {
+void WorldOptions::add_to(program::CommandLine& line, const Otherwise& otherwise) {
   line.option("--environment", &environment,
               "environment file (TOML): ocean, source and noise, such as sim/ocean/environments/munk_flat.toml");
   line.option("--vehicle-depth-m", &vehicle_depth_m, "depth of the vehicle, metres (300)").positive();
   line.option(
           "--source", &source,
-          "source: fixed where the environment puts it, or changing, uniform in the domain anew every episode (" + source_by_default + ")")
+          "source: fixed where the environment puts it, or changing, uniform in the domain anew every episode (" + otherwise.source + ")")
       .one_of({description::kPlacements.begin(), description::kPlacements.end()});
   line.option("--start", &start,
               "vehicle starts uniformly in the domain, or inside_border, where the border costs nothing (" + start.value_or("domain") + ")")
@@ -25,7 +25,7 @@ void WorldOptions::add_to(program::CommandLine& line, const std::string& source_
       .excludes(line.at("--start"));
   line.option("--border-width-m", &border_width_m, "width b of the border in which the reward falls to -100, metres (1000)").positive();
   line.option("--max-steps", &max_steps, "N, steps after which an episode is cut (100)").from(1, 1'000'000);
-  listening.add_to(line);
+  listening.add_to(line, otherwise.listening);
 }
 
 void WorldOptions::apply_to(search::SearchSettings& settings) const {

@@ -25,8 +25,12 @@ struct WorldOptions {
   std::optional<std::uint32_t> max_steps = {};
   ListeningOptions listening = {};
 
-  /// @param source_by_default  what help says of --source when it is not given
-  void add_to(program::CommandLine& line, const std::string& source_by_default = "fixed");
+  /// What help says holds where an option is not given.
+  struct Otherwise {
+    std::string source;
+    std::string listening;
+  };
+  void add_to(program::CommandLine& line, const Otherwise& otherwise);
   /// Throws host::BadInput when the settings contradict each other.
   void apply_to(search::SearchSettings& settings) const;
 };

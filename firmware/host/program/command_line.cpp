@@ -28,7 +28,7 @@ bool is_general(const std::string& option) {
 
 /// CLI11's own takes the greatest there is for one that is greater.
 template <class Value>
-std::optional<Value> whole_number(const std::string& text) {
+std::optional<Value> whole_number_as(const std::string& text) {
   Value value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
@@ -39,7 +39,7 @@ template <class Value>
 void refuse_what_does_not_fit(CLI::Option& option, const Value*) {
   if constexpr (std::is_unsigned_v<Value>) {
     option.check([](const std::string& text) {
-      if (whole_number<Value>(text)) return std::string();
+      if (whole_number_as<Value>(text)) return std::string();
       return text + ": must be a whole number from 0 to " + std::to_string(std::numeric_limits<Value>::max());
     });
   }
@@ -99,7 +99,7 @@ Option& Option::between(double lowest, double highest) {
 Option& Option::from(std::int64_t lowest, std::int64_t highest) {
   const std::string allowed = std::to_string(lowest) + " to " + std::to_string(highest);
   const auto complaint = [lowest, highest, allowed](const std::string& text) {
-    const std::optional<std::int64_t> value = whole_number<std::int64_t>(text);
+    const std::optional<std::int64_t> value = whole_number(text);
     return value && *value >= lowest && *value <= highest ? std::string() : text + ": must be a whole number from " + allowed;
   };
   return checked(complaint, allowed);
@@ -131,7 +131,8 @@ Option& Option::one_of(std::vector<std::string> words) {
 }
 
 Option& Option::checked(std::function<std::string(const std::string&)> complaint, const std::string& allowed) {
-  option_->check(CLI::Validator([complaint = std::move(complaint)](std::string& text) { return complaint(text); }, allowed));
+  // transform() is a check() before the others.
+  option_->transform(CLI::Validator([complaint = std::move(complaint)](std::string& text) { return complaint(text); }, allowed));
   return *this;
 }
 
@@ -273,6 +274,10 @@ std::optional<double> finite_number(std::string text) {
   double value = 0.0;
   if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+std::optional<std::int64_t> whole_number(const std::string& text) {
+  return whole_number_as<std::int64_t>(text);
 }
 
 std::string as_typed(int argc, const char* const* argv) {

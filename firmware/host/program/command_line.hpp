@@ -44,6 +44,7 @@ class Option {
   /// Zero or a number greater than that.
   Option& not_negative();
   Option& one_of(std::vector<std::string> words);
+  /// The last check that is asked for is the first that is made; what the target can hold is checked last: it says least.
   /// @param complaint  what is wrong with a value, in words; empty when nothing is
   /// @param allowed    what help says of its values
   Option& checked(std::function<std::string(const std::string& value)> complaint, const std::string& allowed = {});
@@ -105,6 +106,9 @@ class CommandLine {
 
 /// A number that is neither infinite nor a NaN, written out in `text` and nothing behind it.
 [[nodiscard]] std::optional<double> finite_number(std::string text);
+
+/// A whole number written out in `text` and nothing else.
+[[nodiscard]] std::optional<std::int64_t> whole_number(const std::string& text);
 
 /// The command line as a person would type it again.
 [[nodiscard]] std::string as_typed(int argc, const char* const* argv);

@@ -26,6 +26,9 @@ TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
   refuses("evaluate --policies oracle --world none.toml", {"none.toml", "no such file"});
   refuses("evaluate --policies oracle --plot a.gif", {"a.gif", ".png or .svg"});
   refuses("evaluate --policies oracle --listening softest", {"--listening", "softest", "loudest"});
+  for (const std::string seconds : {"-1", "1.5", "121"})
+    refuses("evaluate --policies oracle --listening mean --listening-window-s " + seconds,
+            {"--listening-window-s: " + seconds + ": must be whole seconds, 1 to 120, or 0 with newest"});
   refuses("evaluate --policies oracle --listening mean", {"--listening-window-s", "\"mean\" needs a window of 1 to 120 s, not 0"});
   refuses("evaluate --policies oracle --listening-window-s 30", {"--listening-window-s", "\"newest\" goes without a window"});
   refuses("evaluate --policies oracle --csv a --json a", {"--json a, --csv a", "the same file"});

@@ -97,6 +97,20 @@ TEST(CommandLine, RefusesAWholeNumberThatDoesNotFitItsTarget) {
   }
 }
 
+TEST(CommandLine, SaysWhatIsAllowedRatherThanWhatItsTargetHolds) {
+  for (const char* value : {"-1", "1.5", "121", "4294967296"}) {
+    std::optional<std::uint32_t> window_s;
+    CommandLine line("earshot try", "");
+    line.option("--window-s", &window_s, "").from(1, 120);
+    try {
+      (void)line.read(Words{"--window-s", value});
+      FAIL() << value;
+    } catch (const host::BadInput& e) {
+      EXPECT_NE(std::string(e.what()).find(std::string(value) + ": must be a whole number from 1 to 120"), std::string::npos) << e.what();
+    }
+  }
+}
+
 TEST(CommandLine, TakesTheGreatestSeed) {
   Example e;
   EXPECT_EQ(e.complaint({"--seed", "9223372036854775807"}), "");
