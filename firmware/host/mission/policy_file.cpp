@@ -92,7 +92,10 @@ void check_fits(const policy::FrozenPolicy& policy, const std::filesystem::path&
                 const std::filesystem::path& mission_path) {
   const std::string complaint = complaint_about(policy, mission);
   if (complaint.empty()) return;
-  throw BadInput(mission_path.string() + ": " + complaint + ", which the policy " + policy_path.string() + " was trained with");
+  // The window is chosen when a policy is frozen; the rest, when it is trained.
+  const bool is_chosen_last = policy::misfit(policy, mission) == policy::Misfit::kListening;
+  throw BadInput(mission_path.string() + ": " + complaint + ", which the policy " + policy_path.string() + " was " +
+                 (is_chosen_last ? "frozen" : "trained") + " with");
 }
 
 }  // namespace earshot::host

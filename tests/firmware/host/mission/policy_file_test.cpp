@@ -128,7 +128,7 @@ TEST(CheckFits, NamesTheMissionsValueAndThePolicysWhereTheyDiffer) {
   EXPECT_EQ(misfit_after([](auto& mission) {
               mission.listening = {config::Listening::kLoudest, Duration::seconds(30)};
             }),
-            "m.toml: search.listening = loudest of 30 s: must be newest, which the policy walk.policy was trained with");
+            "m.toml: search.listening = loudest of 30 s: must be newest, which the policy walk.policy was frozen with");
 }
 
 TEST_F(PolicyFile, NamesTheKeyFileWhenThatIsNotAKey) {
