@@ -41,9 +41,10 @@ void add_options(program::CommandLine& line, Options& options) {
   line.option("--draw", &options.draw,
               "how the vehicle draws its actions: sampled from the softmax, or argmax; without it sampled, of a .policy as it does")
       .one_of({"argmax", "sampled"});
-  options.listening.add_to(line);
+  options.listening.add_to(line, "what MODEL has: what it was trained with, of a .policy what it was last frozen with");
   line.option("--key", &options.key, "secret key file to sign with; its public half stands beside it as .pub").required();
-  line.flag("--new-key", &options.new_key, "make the key and its .pub first; refused when the key exists");
+  line.flag("--new-key", &options.new_key,
+            "make the key and its .pub first; refused when one of them exists (--force replaces a .pub without its key)");
   line.flag("--force", &options.force, apps::kForceHelp);
 }
 
@@ -58,21 +59,25 @@ void check_output(const Options& options) {
   apps::check_distinct(std::array{apps::Output{"the public half of --key", public_file_of(options.key), {}}, output});
 }
 
-freeze::SecretKey new_key(const std::filesystem::path& file) {
+/// Of two programs that make one key, one does: the other finds the secret half there. @param force  a .pub without its secret half goes
+freeze::SecretKey new_key(const std::filesystem::path& file, bool force) {
   if (file.extension() == ".pub") throw BadInput(file.string() + ": a secret key must not end in .pub, the public key's name");
   if (std::filesystem::exists(file)) throw BadInput(file.string() + ": exists already; --new-key does not replace keys");
   const std::filesystem::path public_file = public_file_of(file);
-  if (std::filesystem::exists(public_file))
-    (void)freeze::public_key_from(host::read_text(public_file, host::kKeyFile), public_file.string());
+  const bool replaces = std::filesystem::exists(public_file);
+  if (replaces) (void)freeze::public_key_from(host::read_text(public_file, host::kKeyFile), public_file.string());
+  if (replaces && !force)
+    throw BadInput(public_file.string() + ": is the public half of a key that is not here, which a vehicle may trust; --force replaces it");
   const freeze::SecretKey key = freeze::make_key();
-  host::write_whole(file, to_text(key), host::Access::kOwnerOnly);
-  host::write_whole(public_file, freeze::to_text(freeze::public_key_of(key)));
+  const std::string public_text = freeze::to_text(freeze::public_key_of(key));
+  host::write_new(file, to_text(key), host::Access::kOwnerOnly);
+  replaces ? host::write_whole(public_file, public_text) : host::write_new(public_file, public_text);
   program::say() << file.string() << " (secret: keep it), " << public_file.string() << "\n";
   return key;
 }
 
 freeze::SecretKey key_of(const Options& options) {
-  if (options.new_key) return new_key(options.key);
+  if (options.new_key) return new_key(options.key, options.force);
   if (!std::filesystem::exists(options.key)) throw BadInput(options.key + ": no such key; --new-key makes one");
   return freeze::secret_key_from(host::read_text(options.key, host::kKeyFile), options.key);
 }
@@ -88,16 +93,24 @@ policy::ActionDraw draw_of(const Options& options) {
   return apps::draw_named(options.draw.value_or("sampled"));
 }
 
+/// What is wrong is wrong with the model.
+template <class Work>
+auto naming(const std::filesystem::path& file, Work work) {
+  try {
+    return work();
+  } catch (const BadInput& e) {
+    throw BadInput(file.string() + ": " + freeze::printable(e.what()));
+  }
+}
+
 std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, const std::filesystem::path& file, const Options& options) {
   const freeze::TrainedActor actor = freeze::read_model(bytes, file.string());
-  try {
+  return naming(file, [&] {
     description::SearchDescription search = description::from_text(search_of(actor, options));
     search.provenance.emplace_back("model", file.filename().string());
     search.provenance.emplace_back("model_crc32", description::crc32_text(description::crc32_of(bytes)));
     return freeze::freeze(actor, search, draw_of(options));
-  } catch (const BadInput& e) {
-    throw BadInput(file.string() + ": " + freeze::printable(e.what()));
-  }
+  });
 }
 
 std::unique_ptr<policy::FrozenPolicy> freeze_again(const std::string& text, const std::filesystem::path& file, const Options& options) {
@@ -115,7 +128,16 @@ std::unique_ptr<policy::FrozenPolicy> freeze_model(const std::filesystem::path& 
   if (freeze::is_policy(bytes)) return freeze_again(bytes, file, options);
   if (freeze::is_foreign_model(bytes, file.string())) return freeze_foreign(bytes, file, options);
   if (options.search) throw BadInput("--search: a checkpoint says itself what it was trained to search");
-  return freeze::freeze(ppo::from_text(bytes, file.string()), draw_of(options));
+  const ppo::Checkpoint checkpoint = ppo::from_text(bytes, file.string());
+  return naming(file, [&] { return freeze::freeze(checkpoint, draw_of(options)); });
+}
+
+std::unique_ptr<policy::FrozenPolicy> policy_of(const Options& options) {
+  std::unique_ptr<policy::FrozenPolicy> policy = freeze_model(*options.model, options);
+  if (!options.listening.is_given()) return policy;
+  const config::ListeningWindow window = options.listening.applied_to(policy->observation.listening);
+  naming(*options.model, [&] { freeze::listen_over(*policy, window); });
+  return policy;
 }
 
 void run(const Options& options) {
@@ -124,8 +146,7 @@ void run(const Options& options) {
   std::unique_ptr<policy::FrozenPolicy> policy;
   if (options.model) {
     check_output(options);
-    policy = freeze_model(*options.model, options);
-    if (options.listening.is_given()) freeze::listen_over(*policy, options.listening.applied_to(policy->observation.listening));
+    policy = policy_of(options);
     host::require_writable(*options.output, apps::kPolicyOutput, host::replaced_by(options.force));
   }
   const freeze::SecretKey key = key_of(options);

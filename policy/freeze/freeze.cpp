@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <sstream>
 #include <string>
 
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
@@ -19,6 +22,9 @@ namespace {
 
 using host::BadInput;
 using Networks = ppo::ActorCritic<float>;
+
+const std::string kListening = "listening";
+const std::string kBefore = " (before: ";  // and the window that the policy was trained with
 
 /// Copies `rows` rows, the first ones, of a layer.
 template <class Target>
@@ -45,12 +51,36 @@ void copy_actor(const ppo::Checkpoint& checkpoint, policy::Network& network) {
   copy_layer(networks, layout.logits, layout.logits.outputs, network.output);
 }
 
-/// Adds a line to the provenance.
-void note(const std::string& name, const std::string& value, policy::FrozenPolicy& policy) {
-  for (const char c : name + " = " + value + "\n") {
+void append(const std::string& text, policy::FrozenPolicy& policy) {
+  for (const char c : text) {
     if (policy.provenance.push_back(c) != Status::kOk)
       throw BadInput("provenance: longer than the " + std::to_string(config::kMaxProvenance) + " bytes a policy can hold");
   }
+}
+
+/// Adds a line to the provenance, one whatever stands in a name or value.
+void note(const std::string& name, const std::string& value, policy::FrozenPolicy& policy) {
+  append(host::printable(name) + " = " + host::printable(value) + "\n", policy);
+}
+
+/// Takes out of the provenance what listen_over() noted there.
+/// @return the window that stands in it as the one before; nothing when nothing was noted
+std::optional<std::string> taken_listening_note(policy::FrozenPolicy& policy) {
+  std::optional<std::string> window;
+  std::string rest;
+  std::istringstream lines(std::string(policy.provenance.begin(), policy.provenance.end()));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t before = line.find(kBefore);
+    const bool is_note = line.starts_with(kListening + " = ") && line.ends_with(')') && before != std::string::npos;
+    if (is_note) {
+      window = line.substr(before + kBefore.size(), line.size() - 1 - before - kBefore.size());
+    } else {
+      rest += line + "\n";
+    }
+  }
+  policy.provenance.clear();
+  append(rest, policy);
+  return window;
 }
 
 /// Everything but the network.
@@ -121,13 +151,16 @@ std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const de
 
 void listen_over(policy::FrozenPolicy& policy, config::ListeningWindow window) {
   if (policy.observation.listening == window) return;
-  note("listening", host::to_string(window) + " (before: " + host::to_string(policy.observation.listening) + ")", policy);
+  const std::string listening = host::to_string(window);
+  const std::string trained = taken_listening_note(policy).value_or(host::to_string(policy.observation.listening));
+  if (listening != trained) note(kListening, listening + kBefore + trained + ")", policy);
   policy.observation.listening = window;
 }
 
 void check_flies(const policy::FrozenPolicy& policy, const std::string& name) {
   const policy::PolicyComplaint complaint = policy::check(policy);
   if (!complaint.is_none()) throw BadInput(host::to_string(complaint, name));
+  host::require_provenance(policy, name);
 }
 
 std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const SecretKey& key) {

@@ -24,13 +24,13 @@ namespace earshot::freeze {
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const description::SearchDescription& search,
                                                            policy::ActionDraw draw);
 
-/// Lets the policy listen over another window than it was trained with, and says so in its provenance: measured, the shipped policy finds
-/// more with it (policy/frozen/README.md). The golden searches stay: they begin with what was heard.
-/// Throws host::BadInput when the provenance is full.
+/// Lets the policy listen over another window than it was trained with, and says so in one line of its provenance: measured, the shipped
+/// policy finds more with it (policy/frozen/README.md). The golden searches stay: they begin with what was heard. Throws host::BadInput
+/// when the provenance is full.
 void listen_over(policy::FrozenPolicy& policy, config::ListeningWindow window);
 
-/// Throws host::BadInput, beginning with `name`, for a policy that a vehicle would refuse: a size, a number, or weights so large that
-/// logits could overflow.
+/// Throws host::BadInput, beginning with `name`, for a policy that a vehicle would refuse: a size, a number, weights so large that logits
+/// could overflow, or provenance that is not lines of text.
 void check_flies(const policy::FrozenPolicy& policy, const std::string& name);
 
 /// The bytes of a `.policy` file, signed: Ed25519 over every byte before the signature.

@@ -300,11 +300,37 @@ TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
   EXPECT_EQ(content(folder / "a.key"), key);
 }
 
-TEST_F(Programs, FreezeReplacesThePublicKeyWhoseSecretHalfIsGone) {
+TEST_F(Programs, FreezeMakesOneOfTwoKeysThatAreAskedForAtOnce) {
+  for (int i = 0; i < 10; ++i) {
+    fs::remove(folder / "a.key");
+    fs::remove(folder / "a.pub");
+    const std::string freeze = "'" EARSHOT_BIN_DIR "/earshot-freeze' --key a.key --new-key";
+    const std::string both =
+        "{ (" + freeze + " >/dev/null 2>&1; echo $? >first) & " + freeze + " >/dev/null 2>&1; echo $? >second; wait; }";
+    ASSERT_EQ(std::system(("cd '" + folder.string() + "' && " + both).c_str()), 0);  // NOLINT: our own programs
+    const std::string statuses = content(folder / "first") + content(folder / "second");
+    EXPECT_TRUE(statuses == "0\n2\n" || statuses == "2\n0\n") << statuses;
+    EXPECT_EQ(files(), (std::vector<std::string>{"a.key", "a.pub", "first", "second"}));
+  }
+}
+
+TEST_F(Programs, FreezeNamesTheModelWhoseProvenanceIsTooLong) {
+  const auto long_name = [](char letter) { return std::string(230, letter); };
+  const std::string model = long_name('a') + ".checkpoint";
+  ASSERT_EQ(run("train" + kOcean + " --episodes 1 -o " + model + " --curve " + long_name('b') + ".csv --plot " + long_name('c') + ".svg"),
+            0)
+      << content(folder / "err");
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
+  refuses("freeze " + model + " -o a.policy --key a.key", {model + ": provenance: longer than the 1024 bytes a policy can hold"});
+}
+
+TEST_F(Programs, FreezeReplacesThePublicKeyWhoseSecretHalfIsGoneWhenForced) {
   ASSERT_EQ(run("freeze --key a.key --new-key"), 0) << content(folder / "err");
   const std::string public_key = content(folder / "a.pub");
   fs::remove(folder / "a.key");
-  ASSERT_EQ(run("freeze --key a.key --new-key"), 0) << content(folder / "err");
+  refuses("freeze --key a.key --new-key", {"a.pub", "--force"});
+  EXPECT_EQ(content(folder / "a.pub"), public_key);
+  ASSERT_EQ(run("freeze --key a.key --new-key --force"), 0) << content(folder / "err");
   EXPECT_NE(content(folder / "a.pub"), public_key);
 }
 

@@ -72,9 +72,36 @@ TEST(Freeze, SaysInTheProvenanceThatAPolicyListensOtherwiseThanItWasTrained) {
   EXPECT_EQ(frozen->provenance.size(), trained.size() + 42) << "said once";
 }
 
+TEST(Freeze, SaysInOneLineOverWhichWindowAPolicyListensHoweverOftenThatChanges) {
+  const config::ListeningWindow mean{config::Listening::kMean, Duration::seconds(30)};
+  const config::ListeningWindow loudest{config::Listening::kLoudest, Duration::seconds(20)};
+  ppo::Checkpoint checkpoint = made_up_checkpoint();
+  checkpoint.observation.listening = mean;
+  checkpoint.provenance.emplace_back("listening", "mean");
+  const auto frozen = freeze(checkpoint, policy::ActionDraw::kSampled);
+  const std::string trained(frozen->provenance.begin(), frozen->provenance.end());
+  for (int i = 0; i < 40; ++i) {
+    listen_over(*frozen, {});
+    listen_over(*frozen, loudest);
+  }
+  EXPECT_EQ(std::string(frozen->provenance.begin(), frozen->provenance.end()),
+            trained + "listening = loudest of 20 s (before: mean of 30 s)\n");
+  listen_over(*frozen, mean);
+  EXPECT_EQ(std::string(frozen->provenance.begin(), frozen->provenance.end()), trained) << "as it was trained";
+}
+
+TEST(Freeze, KeepsTheProvenanceInLinesWhateverANameHolds) {
+  ppo::Checkpoint checkpoint = made_up_checkpoint();
+  checkpoint.provenance = {{"command", "earshot-train a\nb.toml"}, {"folder", "\xff"}};
+  const auto frozen = freeze(checkpoint, policy::ActionDraw::kArgmax);
+  EXPECT_EQ(std::string(frozen->provenance.begin(), frozen->provenance.end()), "command = earshot-train a\\nb.toml\nfolder = \\xff\n");
+}
+
 TEST(Freeze, RefusesProvenanceThatAPolicyCannotHold) {
   ppo::Checkpoint checkpoint = made_up_checkpoint();
   checkpoint.provenance.emplace_back("story", std::string(config::kMaxProvenance, 'x'));
+  EXPECT_THROW((void)freeze(checkpoint, policy::ActionDraw::kSampled), host::BadInput);
+  checkpoint.provenance = {{"", "of no name"}};
   EXPECT_THROW((void)freeze(checkpoint, policy::ActionDraw::kSampled), host::BadInput);
 }
 
