@@ -9,6 +9,7 @@
 #include "firmware/policy/action_draw.hpp"
 #include "firmware/policy/network.hpp"
 #include "firmware/policy/policy_check.hpp"
+#include "firmware/runtime/known_steps.hpp"
 #include "firmware/safety/limits.hpp"
 
 namespace earshot::runtime {
@@ -39,7 +40,7 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
   if (const Status status = config::check(mission); status != Status::kOk) return status;
   if (const policy::PolicyComplaint complaint = policy::check(policy); !complaint.is_none()) return policy::status_of(complaint.fault);
   if (policy::misfit(policy, mission) != policy::Misfit::kNone) return Status::kOutOfRange;
-  if (!policy::repeats_golden(policy, memory_)) return Status::kCorrupt;
+  if (!repeats_known_steps() || !policy::repeats_golden(policy, memory_)) return Status::kCorrupt;
   mission_ = mission;
   policy_ = policy;
   progress_.random = Pcg32(mission.action_seed);

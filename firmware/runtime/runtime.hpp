@@ -43,7 +43,8 @@ class Runtime {
  public:
   /// Takes a copy of both and forgets everything else. kOutOfRange if the mission fails config::check or the policy was trained for another
   /// (policy::misfit); what policy::check finds wrong with the policy, by status_of; kCorrupt if this build does not repeat the policy's
-  /// golden trajectories: it would not decide as the policy was frozen. Until configured, step() stays in STANDBY and refuses START.
+  /// golden trajectories or repeats_known_steps(): it would not fly as the policy was frozen. Until configured, step() stays in STANDBY and
+  /// refuses START.
   [[nodiscard]] Status configure(const config::Mission& mission, const policy::FrozenPolicy& policy);
 
   /// Judges one input; any number between two steps, in the order in which they came. What is refused changes nothing but its counter, so
