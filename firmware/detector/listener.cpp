@@ -37,8 +37,9 @@ void Listener::Second::add(const messages::SnrMeasurement& look) {
   ++measured;
 }
 
-void Listener::begin_leg() {
+void Listener::begin_leg(Time now) {
   is_empty_ = true;
+  leg_began_ = now;
 }
 
 void Listener::forget_up_to(std::int64_t second) {
@@ -49,9 +50,10 @@ void Listener::forget_up_to(std::int64_t second) {
 }
 
 void Listener::take(const messages::SnrMeasurement& look) {
+  if (!newest_ || look.time >= newest_->time) newest_ = look;
+  if (leg_began_ && look.time < *leg_began_) return;
   const std::int64_t second = second_of(look.time);
   if (is_empty_ || second > last_second_) forget_up_to(second);
-  if (!newest_ || look.time >= newest_->time) newest_ = look;
   if (second > last_second_ - kRing) seconds_[slot_of(second)].add(look);
 }
 

@@ -34,8 +34,8 @@ struct WindowHeard {
 /// Oracle: Listener.*
 class Listener {
  public:
-  /// Earlier looks count no more, but for the newest as long as no other follows.
-  void begin_leg();
+  /// Looks dated before `now` count no more, whenever they arrive, but for the newest as long as no other follows.
+  void begin_leg(Time now);
 
   /// Takes a look. @param look  its snr is finite. One dated kMaxListeningSeconds or more before the latest is too old to count.
   void take(const messages::SnrMeasurement& look);
@@ -62,6 +62,7 @@ class Listener {
   std::array<Second, config::kMaxListeningSeconds> seconds_{};  ///< a ring: second s lies at s modulo its size
   std::int64_t last_second_ = 0;                                ///< the latest that is in the ring
   bool is_empty_ = true;                                        ///< no look since the leg began
+  std::optional<Time> leg_began_;                               ///< before the first leg: none, and every look counts
   std::optional<messages::SnrMeasurement> newest_;
 };
 

@@ -178,7 +178,7 @@ void Runtime::begin_search(Time now) {
   progress_.state = MissionState::kSearch;
   progress_.search_began = now;
   progress_.has_engaged = true;
-  progress_.listener.begin_leg();  // no leg leads to the start: its newest look is all that it hears
+  progress_.listener.begin_leg(now);  // no leg leads to the start: its newest look is all that it hears
   memory_.start(policy_.observation, place_in_area(), heard(now));
 }
 
@@ -193,7 +193,7 @@ void Runtime::search(Time now, Outputs& outputs) {
     if (progress_.steps_taken >= mission_.max_steps) return end(MissionState::kDone, EndReason::kStepsUsedUp);
   }
   decide(now, heard_on_leg, outputs.decision.emplace());
-  progress_.listener.begin_leg();
+  progress_.listener.begin_leg(now);
 }
 
 void Runtime::decide(Time now, policy::Heard heard, messages::Decision& decision) {

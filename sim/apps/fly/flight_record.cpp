@@ -64,7 +64,7 @@ void Score::add(const TrackPoint& point) {
   const bool has_begun = !is_searching_ && point.state == messages::MissionState::kSearch;
   const bool has_stepped = point.steps_taken != steps_taken_;
   if (has_stepped) end_step(point);
-  if (has_begun || has_stepped) listener_.begin_leg();
+  if (has_begun || has_stepped) listener_.begin_leg(point.time);
   is_searching_ = is_searching_ || has_begun;
   steps_taken_ = point.steps_taken;
 }

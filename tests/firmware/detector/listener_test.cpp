@@ -136,12 +136,23 @@ TEST(Listener, TakesALookFromAheadOfNowForOneOfNow) {
 
 TEST(Listener, HearsNothingOfAnEarlierLeg) {
   Listener listener = after({measured(1, 30), too_faint(2, 28), measured(3, 12)});
-  listener.begin_leg();
+  listener.begin_leg(second(3));
   EXPECT_EQ(listener.heard(loudest_of(60), second(3)), heard(12, 1, 1)) << "until there is another, the newest counts";
   listener.take(measured(4, 9));
   EXPECT_EQ(listener.heard(loudest_of(60), second(4)), heard(9, 1, 1));
   listener.take(too_faint(4.5, 3));
   EXPECT_EQ(listener.heard(loudest_of(60), second(5)), heard(9, 2, 1));
+}
+
+TEST(Listener, HearsNothingOfAnEarlierLegThatArrivesLate) {
+  Listener listener = after({measured(98, 30)});
+  listener.begin_leg(second(100));
+  listener.take(measured(99.8, 20));
+  EXPECT_EQ(listener.heard(loudest_of(30), second(100)), heard(20, 1, 1)) << "until there is another, the newest counts";
+  listener.take(too_faint(100, 3));
+  listener.take(too_faint(101, 4));
+  EXPECT_EQ(listener.heard(loudest_of(30), second(101)).measured, 0U);
+  EXPECT_EQ(listener.heard(loudest_of(30), second(101)).looks, 2U);
 }
 
 TEST(Listener, HearsOnClocksThatBeganBeforeTheirEpoch) {
