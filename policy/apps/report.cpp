@@ -12,7 +12,6 @@
 #include "policy/description/json_fault.hpp"
 #include "policy/report/flight_files.hpp"
 #include "policy/report/page.hpp"
-#include "policy/report/plots.hpp"
 
 namespace {
 
@@ -30,8 +29,7 @@ int say_what_is_missing(const std::filesystem::path& folder, const report::Fligh
 int write_report(const std::filesystem::path& folder, host::Replace replace) try {
   const std::filesystem::path page = folder / "report.html";
   const report::Flight flight = report::read_flight(folder);
-  report::Pictures pictures;
-  if (flight.is_complete()) pictures = {.map = report::map_svg(flight), .history = report::history_svg(flight)};
+  const report::Pictures pictures = report::pictures_of(flight);
   host::require_writable(page, host::kHtmlOutput, replace);
   host::write_whole(page, report::page(flight, pictures, report::explain_flight(folder)));
   program::detail() << page.string() << "\n"
@@ -48,7 +46,7 @@ int main(int argc, char** argv) {
   program::CommandLine line(
       "earshot report",
       "earshot report DIR reads the journal, the policy, track.csv, snr.csv and summary.json that a flight left in DIR and writes\n"
-      "DIR/report.html, a page that needs no other file.\n"
+      "DIR/report.html, a page that needs no other file. A flight at sea leaves its journal and policy alone, and its page is of these.\n"
       "Exit status: 0 written, 1 written of what is there: a file is missing, or the journal is cut or damaged, which standard error "
       "says,\n"
       "2 something of the flight cannot be read or the page cannot be made.");

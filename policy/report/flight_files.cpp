@@ -125,9 +125,17 @@ explain::RecordedDecision decision_of(const decision_t& m) {
           .logits = first_of(m.logits, m.action_count)};
 }
 
+std::string lost_in_words(const wire::ClosingRecord::Lost& lost) {
+  return "Lost were " + std::to_string(lost.streams) + " of navigation, SNR and health, " + std::to_string(lost.steering) +
+         " set-points and decisions, and " + std::to_string(lost.orders) + " commands and changes of state.";
+}
+
 /// Where and why a journal ends before its end; "" for one that does not.
 std::string ending_of(const JournalledSearch& journal) {
-  if (journal.end == JournalledSearch::End::kWhole) return "";
+  if (journal.closing) return "";
+  if (journal.end == JournalledSearch::End::kWhole)
+    return "The journal's end is missing: no closing record stands behind its last record, for the runtime was killed, lost its power, met "
+           "an error, or is of a version that wrote none.";
   const std::string where = " at byte " + std::to_string(journal.bytes_read) + " of " + std::to_string(journal.bytes) + ", in record " +
                             std::to_string(journal.records);
   const std::string read = " Read before it: " + std::to_string(journal.records) + " records, " + std::to_string(journal.decisions.size()) +
@@ -151,6 +159,9 @@ JournalledSearch read_journal(const std::filesystem::path& path) {
       search.missing += record.number - expected_number;
     }
     expected_number = record.number + std::uint64_t{1};
+    if (wire::ClosingRecord closing;
+        record.channel == wire::kJournalEndChannel && wire::read_closing_record(record.data, closing) == Status::kOk)
+      search.closing = closing;
     decision_t decision{};
     if (record.channel != wire::kDecisionChannel || wire::decode(record.data, decision) != Status::kOk) continue;
     search.decisions.push_back(decision_of(decision));
@@ -168,10 +179,12 @@ std::string lack_of(const JournalledSearch& journal) {
   if (journal.missing > 0) {
     lack = "The journal lacks " + std::to_string(journal.missing) + " records from number " + std::to_string(journal.first_missing) +
            " on: the disk was full or too slow.";
+    if (journal.closing && journal.closing->lost.all() > 0) lack += " " + lost_in_words(journal.closing->lost);
   }
   const std::string ending = ending_of(journal);
   return lack + (lack.empty() || ending.empty() ? "" : " ") + ending;
 }
+
 std::optional<std::filesystem::path> policy_beside(const std::filesystem::path& journal) {
   std::filesystem::path policy = journal;
   policy.replace_extension(".policy");
@@ -185,6 +198,8 @@ NorthEast place_in(const nlohmann::json& place) {
 Flight read_flight(const std::filesystem::path& folder) {
   Flight flight;
   flight.journal = read_journal(folder / kJournalName);
+  if (!std::filesystem::exists(folder / "summary.json")) flight.sea = read_sea_flight(folder / kJournalName);
+  if (flight.sea && flight.sea->is_dated()) return flight;
   const auto is_there = [&](const char* name) {
     if (std::filesystem::exists(folder / name)) return true;
     flight.missing.emplace_back(name);

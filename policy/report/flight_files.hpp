@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "firmware/wire/journal/closing_record.hpp"
 #include "policy/explain/recorded_decision.hpp"
+#include "policy/report/sea/sea_flight.hpp"
 
 namespace earshot::report {
 
@@ -35,8 +37,9 @@ struct JournalledSearch {
   std::uint64_t bytes = 0;       ///< of the file
   std::uint64_t missing = 0;     ///< records that a full or slow disk did not take, by their numbers
   std::uint64_t first_missing = 0;
+  std::optional<wire::ClosingRecord> closing;  ///< nothing: the program that wrote it did not end in order
 
-  [[nodiscard]] bool is_whole() const { return end == End::kWhole && missing == 0; }
+  [[nodiscard]] bool is_whole() const { return end == End::kWhole && missing == 0 && closing; }
   /// False: no record at all where the first should begin.
   [[nodiscard]] bool is_journal() const { return end == End::kWhole || records > 0; }
 };
@@ -44,13 +47,14 @@ struct JournalledSearch {
 /// What a journal lacks that is not whole, in sentences with the byte, the record, and how much of it was read; "" for a whole one.
 [[nodiscard]] std::string lack_of(const JournalledSearch& journal);
 
-/// A flight whose simulator was killed leaves its journal alone; whatever else is not there is empty, and named in `missing`.
+/// A flight at sea leaves its journal alone, and so does one whose simulator was killed: whatever else is not there is empty.
 struct Flight {
   nlohmann::json summary;  ///< null: none
   std::vector<TrackRow> track;
   JournalledSearch journal;
   std::vector<SnrRow> snr;
-  std::vector<std::string> missing;  ///< names of files
+  std::optional<SeaFlight> sea;      ///< what the journal tells when there is no summary
+  std::vector<std::string> missing;  ///< names of files that a simulator should have left
 
   [[nodiscard]] bool is_complete() const { return missing.empty(); }
 };

@@ -8,7 +8,10 @@
 #include "policy/report/belief_pictures.hpp"
 #include "policy/report/explanation.hpp"
 #include "policy/report/html.hpp"
+#include "policy/report/plots.hpp"
 #include "policy/report/recorded_flight.hpp"
+#include "policy/report/sea/sea_page.hpp"
+#include "policy/report/sea/sea_plots.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::report {
@@ -19,7 +22,9 @@ using explain::fixed;
 constexpr std::size_t kRowsOfAttribution = 5;
 
 /// The flight's summary counts a step that the source cut short as the others: one count, with a word about the last.
-std::string headline(const nlohmann::json& s) {
+std::string headline(const Flight& flight) {
+  const nlohmann::json& s = flight.summary;
+  if (flight.sea) return sea_headline(*flight.sea, flight.journal);
   if (s.is_null()) return "<h1 class=\"missed\">A flight without its end</h1>\n";
   const int steps = s.at("steps");
   const std::string count = std::to_string(steps) + (steps == 1 ? " step" : " steps");
@@ -41,7 +46,9 @@ std::string shortcomings(const Flight& flight) {
   return text;
 }
 
-std::string facts(const nlohmann::json& s) {
+std::string facts(const Flight& flight) {
+  const nlohmann::json& s = flight.summary;
+  if (flight.sea) return sea_facts(*flight.sea, flight.journal);
   if (s.is_null()) return "";
   const double sim = s.at("sim_time_s");
   const double wall = s.at("wall_time_s");
@@ -67,8 +74,9 @@ std::string cell(std::string_view name, const std::string& value, const char* of
          "</td>";
 }
 
-std::string row(const explain::RecordedDecision& d, const std::vector<std::string>& directions) {
-  std::string text = "<tr class=\"step\">" + cell("step", std::to_string(d.step)) + cell("at", duration(d.time_s)) +
+/// @param began_s  from when the page counts its times
+std::string row(const explain::RecordedDecision& d, double began_s, const std::vector<std::string>& directions) {
+  std::string text = "<tr class=\"step\">" + cell("step", std::to_string(d.step)) + cell("at", duration(d.time_s - began_s)) +
                      cell("north (km)", fixed(d.position.north.value / 1e3, 2)) + cell("east (km)", fixed(d.position.east.value / 1e3, 2)) +
                      cell("SNR (dB)", (d.heard.too_faint ? "&lt; " : "") + fixed(d.heard.snr.value, 1) + (d.detected ? " &#9679;" : ""),
                           d.detected ? "heard" : "");
@@ -100,13 +108,32 @@ std::string decisions(const Flight& flight, const FlightExplanation& explanation
     text += "<th>" + directions.emplace_back(explain::direction_name(direction)) + "</th>";
   text += "<th>safety</th></tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < taken.size(); ++i) {
-    text += row(taken[i], directions);
+    text += row(taken[i], flight.sea ? flight.sea->began_s : 0.0, directions);
     if (i < explanation.accounts.size()) text += reasons(explanation.accounts[i], explanation.charts[i], directions.size() + 6);
   }
   return text + "</tbody></table></div>\n";
 }
 
+std::string map_in_words(const Flight& flight) {
+  if (flight.sea) return "By its own navigation, in kilometres of the mission's plane.";
+  return "SNR at the vehicle's depth. Warm colours: the source is heard, " + fixed(flight.summary.at("detection_threshold_db"), 0) +
+         " dB or more.";
+}
+
+std::string history_in_words(const Flight& flight) {
+  if (!flight.sea) return "";
+  return "<p>Dots: every SNR that came in. Circles: what a decision heard by the mission's way of listening; from the threshold on it is "
+         "the source.</p>\n";
+}
+
 }  // namespace
+
+Pictures pictures_of(const Flight& flight) {
+  if (flight.sea)
+    return {.map = sea_map_svg(*flight.sea, flight.journal.decisions), .history = sea_history_svg(*flight.sea, flight.journal.decisions)};
+  if (flight.is_complete()) return {.map = map_svg(flight), .history = history_svg(flight)};
+  return {};
+}
 
 FlightExplanation explain_flight(const std::filesystem::path& folder) try {
   const RecordedFlight flight = open_recording(folder, {});
@@ -123,11 +150,12 @@ FlightExplanation explain_flight(const std::filesystem::path& folder) try {
 }
 
 std::string page(const Flight& flight, const Pictures& pictures, const FlightExplanation& explanation) {
-  std::string text = html_head("Earshot: one search") + headline(flight.summary) + facts(flight.summary) + shortcomings(flight);
+  std::string text = html_head("Earshot: one search") + headline(flight) + facts(flight) + shortcomings(flight);
+  if (flight.sea) text += "<h2>What happened</h2>\n" + sea_events(*flight.sea);
   if (!pictures.map.empty())
-    text += "<h2>Where it went</h2>\n<p>SNR at the vehicle's depth. Warm colours: the source is heard, " +
-            fixed(flight.summary.at("detection_threshold_db"), 0) + " dB or more.</p>\n<div class=\"chart\">" + pictures.map + "</div>\n";
-  if (!pictures.history.empty()) text += "<h2>What it heard</h2>\n<div class=\"chart\">" + pictures.history + "</div>\n";
+    text += "<h2>Where it went</h2>\n<p>" + map_in_words(flight) + "</p>\n<div class=\"chart\">" + pictures.map + "</div>\n";
+  if (!pictures.history.empty())
+    text += "<h2>What it heard</h2>\n" + history_in_words(flight) + "<div class=\"chart\">" + pictures.history + "</div>\n";
   text += "<h2>What it decided, and why</h2>\n" + decisions(flight, explanation);
   return text + std::string(kHtmlEnd);
 }

@@ -23,6 +23,9 @@ struct Pictures {
   std::string history;  ///< SVG text
 };
 
+/// Of a flight at sea what its journal tells; of a simulated one nothing unless all its files are there.
+[[nodiscard]] Pictures pictures_of(const Flight& flight);
+
 /// A page that needs no other file: what happened, the two pictures, every decision with its reasons to unfold.
 [[nodiscard]] std::string page(const Flight& flight, const Pictures& pictures, const FlightExplanation& explanation);
 

@@ -104,6 +104,9 @@ RecordedFlight open_recording(const fs::path& folder_or_journal, const Recording
   flight.policy_path = policy_for(flight.journal_path, options);
   flight.policy = evaluate::load_policy(flight.policy_path);
   if (files) read_places(folder_or_journal / "summary.json", files->summary, flight);
+  if (!files) {
+    if (const std::optional<SeaFlight> sea = read_sea_flight(flight.journal_path)) flight.south_west = sea->area.south_west;
+  }
   if (options.south_west) flight.south_west = *options.south_west;
   check_against_policy(flight);
   if (policy::needs_belief(flight.policy->observation.spec)) return flight;

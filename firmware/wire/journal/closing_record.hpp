@@ -14,7 +14,7 @@ namespace earshot::wire {
 /// Why the program that wrote a journal ended.
 enum class Ending : std::uint8_t {
   kMissionOver = 0,  ///< DONE or ABORT, and nobody waited for another turn
-  kStopped = 1,      ///< a person asked for it
+  kStopped = 1,      ///< by a signal
   kClockLost = 2,    ///< who drove the clock was gone: a simulator
 };
 

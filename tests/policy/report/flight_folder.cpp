@@ -12,8 +12,6 @@
 #include "tests/support/signed_policy.hpp"
 
 namespace earshot::report {
-namespace {
-
 decision_t message_of(const explain::RecordedDecision& d) {
   decision_t m{};
   m.utime = static_cast<std::int64_t>(d.time_s * 1e6);
@@ -33,6 +31,8 @@ decision_t message_of(const explain::RecordedDecision& d) {
   std::ranges::copy(d.logits, m.logits);
   return m;
 }
+
+namespace {
 
 nlohmann::json place(NorthEast p) {
   return {{"north_m", p.north.value}, {"east_m", p.east.value}};
@@ -65,6 +65,7 @@ void write_journal(const std::filesystem::path& path, const std::vector<explain:
     if (journal.append(Time{static_cast<std::int64_t>(d.time_s * 1e6)}, wire::kDecisionChannel, encoded.bytes()) != Status::kOk)
       std::abort();
   }
+  journal.conclude({});
   if (journal.close() != Status::kOk) std::abort();
 }
 

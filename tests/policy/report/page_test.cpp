@@ -18,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t kClosingBytes = 28 + 19 + 47;  ///< header, channel, journal_end_t: the last record
+
 class PageTest : public testing::Test {
  protected:
   PageTest() {
@@ -107,13 +109,14 @@ TEST_F(PageTest, OfAJournalAloneListsEveryDecisionAndSaysWhatIsMissing) {
 TEST_F(PageTest, SaysWhereTheJournalIsDamagedAndHowMuchOfItIsRead) {
   const fs::path journal = folder_ / "journal.lcmlog";
   const auto size = fs::file_size(journal);
-  ASSERT_EQ(size % 3, 0U) << "three decisions of one length";
+  const auto of_decisions = size - kClosingBytes;
+  ASSERT_EQ(of_decisions % 3, 0U) << "three decisions of one length";
   {
     std::fstream file(journal, std::ios::in | std::ios::out | std::ios::binary);
-    file.seekp(static_cast<std::streamoff>(size / 3 + 100));
+    file.seekp(static_cast<std::streamoff>(of_decisions / 3 + 100));
     file.put('\x55');
   }
-  const std::string byte = "at byte " + std::to_string(size / 3) + " of " + std::to_string(size) + ", in record 1";
+  const std::string byte = "at byte " + std::to_string(of_decisions / 3) + " of " + std::to_string(size) + ", in record 1";
   const std::string said = "The journal is damaged " + byte +
                            ", which does not match its checksum or is none. Read before it: 1 records, 1 decisions among them; what stands "
                            "after it is not read.";
@@ -124,7 +127,7 @@ TEST_F(PageTest, SaysWhereTheJournalIsDamagedAndHowMuchOfItIsRead) {
 TEST_F(PageTest, TellsACutJournalFromADamagedOne) {
   const fs::path journal = folder_ / "journal.lcmlog";
   EXPECT_EQ(lack_of(read_journal(journal)), "");
-  fs::resize_file(journal, fs::file_size(journal) - 1);
+  fs::resize_file(journal, fs::file_size(journal) - kClosingBytes - 1);
   const std::string said = lack_of(read_journal(journal));
   EXPECT_EQ(said.rfind("The journal ends at byte ", 0), 0U) << said;
   EXPECT_NE(said.find("in record 2, which is not whole: the runtime was stopped while it wrote. Read before it: 2 records"),
@@ -136,12 +139,35 @@ TEST_F(PageTest, SaysFromWhichNumberOnAJournalLacksWhatAFullDiskDidNotTake) {
   const fs::path journal = folder_ / "journal.lcmlog";
   std::ifstream file(journal, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  bytes.erase(bytes.size() / 3, bytes.size() / 3);  // the second of three decisions of one length
+  const std::size_t record = (bytes.size() - kClosingBytes) / 3;
+  bytes.erase(record, record);  // the second of three decisions of one length
   std::ofstream(journal, std::ios::binary) << bytes;
   EXPECT_FALSE(read_journal(journal).is_whole());
   const std::string said = "The journal lacks 1 records from number 1 on: the disk was full or too slow.";
   EXPECT_EQ(lack_of(read_journal(journal)), said);
   EXPECT_EQ(count(page(read_flight(folder_), {}, {}), said), 1U);
+}
+
+TEST_F(PageTest, SaysThatTheEndOfAJournalIsMissingThatWasNotEndedInOrder) {
+  const fs::path journal = folder_ / "journal.lcmlog";
+  EXPECT_TRUE(read_journal(journal).is_whole());
+  fs::resize_file(journal, fs::file_size(journal) - kClosingBytes);  // as a kill leaves it
+  EXPECT_FALSE(read_journal(journal).is_whole());
+  const std::string said =
+      "The journal's end is missing: no closing record stands behind its last record, for the runtime was killed, lost its power, met an "
+      "error, or is of a version that wrote none.";
+  EXPECT_EQ(lack_of(read_journal(journal)), said);
+  EXPECT_EQ(count(page(read_flight(folder_), {}, {}), said), 1U);
+}
+
+TEST(LackOf, CountsByWeightWhatTheClosingRecordSaysIsLost) {
+  JournalledSearch journal;
+  journal.missing = 6;
+  journal.first_missing = 3;
+  journal.closing.emplace().lost = {.streams = 3, .steering = 2, .orders = 1};
+  EXPECT_EQ(lack_of(journal),
+            "The journal lacks 6 records from number 3 on: the disk was full or too slow. Lost were 3 of navigation, SNR and health, 2 "
+            "set-points and decisions, and 1 commands and changes of state.");
 }
 
 TEST_F(PageTest, NamesTheKeyOfASummaryThatCannotBe) {

@@ -9,6 +9,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
+#include "tests/policy/report/sea/sea_journal.hpp"
 #include "tests/support/signed_policy.hpp"
 
 namespace earshot::report {
@@ -54,6 +55,18 @@ TEST_F(RecordedFlightTest, HoldsEveryDecisionAgainstThePolicyBesideTheJournal) {
   EXPECT_FALSE(flight.observer);
 }
 
+TEST_F(RecordedFlightTest, OpensTheFolderOfAFlightAtSeaByTheCornerOfItsMission) {
+  fs::remove(folder_ / "summary.json");
+  fs::remove(journal());
+  SeaJournal sea(journal(), kCorner);
+  for (const explain::RecordedDecision& decision : explain::flown(*policy_, 5, kCorner))
+    sea.decision(decision.time_s, message_of(decision));
+  sea.end(wire::Ending::kStopped);
+  const RecordedFlight flight = open_recording(folder_, {});
+  EXPECT_EQ(flight.journal.decisions.size(), 5U);
+  EXPECT_EQ(flight.south_west, kCorner);
+}
+
 TEST_F(RecordedFlightTest, OpensAJournalAloneOnceItKnowsTheCorner) {
   expect_said(refusal(journal()), {"step 0", "--south-west"});
   EXPECT_EQ(open_recording(journal(), {.south_west = kCorner}).journal.decisions.size(), 5U);
@@ -77,7 +90,7 @@ TEST_F(RecordedFlightTest, RefusesAGapInTheDecisions) {
 }
 
 TEST_F(RecordedFlightTest, SaysWhereAJournalCutShortEndsAndKeepsWhatIsWhole) {
-  fs::resize_file(journal(), fs::file_size(journal()) - 10);
+  fs::resize_file(journal(), fs::file_size(journal()) - (28 + 19 + 47) - 10);  // the closing record and a piece of the last decision
   const RecordedFlight flight = open_recording(folder_, {});
   EXPECT_EQ(flight.journal.decisions.size(), 4U);
   EXPECT_EQ(index_of_step(flight, 3), 3U);

@@ -1,0 +1,158 @@
+#include "policy/report/sea/sea_flight.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <variant>
+
+#include "earshot/command_acknowledgement_t.hpp"
+#include "earshot/health_t.hpp"
+#include "earshot/mission_t.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/messages/health_words.hpp"
+#include "firmware/messages/input.hpp"
+#include "firmware/messages/operator_command.hpp"
+#include "firmware/wire/journal/input_record.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot::report {
+namespace {
+
+using messages::CommandOutcome;
+using messages::EndReason;
+using messages::MissionState;
+using messages::Order;
+
+constexpr double kSecondsPerMicrosecond = 1e-6;
+
+const char* to_string(Order order) {
+  switch (order) {
+    case Order::kStart:
+      return "START";
+    case Order::kComplete:
+      return "COMPLETE";
+    case Order::kAbort:
+      return "ABORT";
+  }
+  return "an unknown order";
+}
+
+const char* to_string(CommandOutcome outcome) {
+  switch (outcome) {
+    case CommandOutcome::kObeyed:
+      return "obeyed";
+    case CommandOutcome::kRepeated:
+      return "repeated";
+    case CommandOutcome::kTooOld:
+      return "refused: too old";
+    case CommandOutcome::kExpired:
+      return "refused: expired";
+    case CommandOutcome::kNotInThisState:
+      return "refused: not in this state";
+    case CommandOutcome::kUnknownOrder:
+      return "refused: unknown";
+    case CommandOutcome::kNotConfigured:
+      return "refused: no mission";
+    case CommandOutcome::kOutOfOrder:
+      return "refused: out of order";
+  }
+  return "refused";
+}
+
+bool is_finite(NorthEast place) {
+  return std::isfinite(place.north.value) && std::isfinite(place.east.value);
+}
+
+std::optional<SeaFlight> begun_with(const host::JournalRecord& record) {
+  mission_t mission{};
+  if (record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk) return std::nullopt;
+  SeaFlight flight;
+  flight.began_s = static_cast<double>(record.time.us) * kSecondsPerMicrosecond;
+  flight.area = {{Meters{mission.south_m}, Meters{mission.west_m}}, {Meters{mission.north_m}, Meters{mission.east_m}}};
+  if (!is_finite(flight.area.south_west) || !is_finite(flight.area.north_east)) return std::nullopt;
+  flight.threshold = Decibels{mission.detection_threshold_db};
+  const char* const build = reinterpret_cast<const char*>(mission.build);
+  flight.build.assign(build, ::strnlen(build, std::size(mission.build)));
+  return flight;
+}
+
+void note_health(double time_s, const health_t& health, SeaFlight& flight) {
+  const MissionState before = flight.state;
+  flight.state = static_cast<MissionState>(health.state);
+  flight.end_reason = static_cast<EndReason>(health.end_reason);
+  flight.steps_taken = static_cast<std::uint32_t>(health.steps_taken);
+  flight.counters.navigation_refused = static_cast<std::uint64_t>(health.navigation_refused);
+  flight.counters.snr_refused = static_cast<std::uint64_t>(health.snr_refused);
+  flight.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
+  if (flight.state == before) return;
+  const std::string reason = flight.end_reason == EndReason::kNone ? "" : std::string(": ") + messages::to_string(flight.end_reason);
+  flight.events.push_back({time_s, messages::to_string(flight.state) + reason});
+  if (flight.state == MissionState::kSearch) flight.search_began_s = time_s;
+  if (before == MissionState::kSearch) flight.search_ended_s = time_s;
+}
+
+void note(const host::JournalRecord& record, SeaFlight& flight) {
+  const double time_s = static_cast<double>(record.time.us) * kSecondsPerMicrosecond - flight.began_s;
+  flight.ended_s = std::max(flight.ended_s, time_s);
+  messages::Input input;
+  health_t health{};
+  command_acknowledgement_t acknowledgement{};
+  if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
+    if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_finite(*fix))
+      flight.fixes.push_back({.time_s = time_s, .position = fix->position, .depth = fix->depth});
+    if (const auto* snr = std::get_if<messages::SnrMeasurement>(&input.value); snr != nullptr && std::isfinite(snr->snr.value))
+      flight.heard.push_back({.time_s = time_s, .snr_db = snr->snr.value, .too_faint = snr->too_faint});
+  } else if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
+    note_health(time_s, health, flight);
+  } else if (record.channel == wire::kAcknowledgementChannel && wire::decode(record.data, acknowledgement) == Status::kOk) {
+    flight.events.push_back({time_s, std::string("order ") + to_string(static_cast<Order>(acknowledgement.command)) + ", " +
+                                         to_string(static_cast<CommandOutcome>(acknowledgement.outcome))});
+  }
+}
+
+}  // namespace
+
+bool SeaFlight::is_dated() const {
+  constexpr double kSecondsToTheYear2000 = 946'684'800.0;  // no simulated flight lasts so long
+  return began_s >= kSecondsToTheYear2000;
+}
+
+Meters SeaFlight::distance() const {
+  Meters sum{0.0};
+  const Fix* before = nullptr;
+  for (const Fix& fix : fixes) {
+    if (!search_began_s || fix.time_s < *search_began_s || (search_ended_s && fix.time_s > *search_ended_s)) continue;
+    if (before != nullptr) sum = sum + range_between(before->position, fix.position);
+    before = &fix;
+  }
+  return sum;
+}
+
+std::optional<SeaFlight> read_sea_flight(const std::filesystem::path& journal) {
+  host::JournalReader reader(journal);
+  host::JournalRecord record;
+  if (!reader.next(record)) return std::nullopt;
+  std::optional<SeaFlight> flight = begun_with(record);
+  while (flight && reader.next(record)) note(record, *flight);
+  return flight;
+}
+
+std::string utc(double seconds_since_1970) {
+  using namespace std::chrono;
+  const sys_seconds time{seconds{std::llround(std::floor(seconds_since_1970))}};
+  const sys_days day = std::chrono::floor<days>(time);
+  const year_month_day date{day};
+  const hh_mm_ss clock{time - day};
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%04d-%02u-%02u %02d:%02d:%02d UTC", static_cast<int>(date.year()),
+                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), static_cast<int>(clock.hours().count()),
+                static_cast<int>(clock.minutes().count()), static_cast<int>(clock.seconds().count()));
+  return text.data();
+}
+
+}  // namespace earshot::report

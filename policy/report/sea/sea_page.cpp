@@ -1,0 +1,88 @@
+#include "policy/report/sea/sea_page.hpp"
+
+#include <algorithm>
+
+#include "firmware/messages/health_words.hpp"
+#include "policy/explain/wording.hpp"
+#include "policy/report/html.hpp"
+
+namespace earshot::report {
+namespace {
+
+using explain::fixed;
+using messages::MissionState;
+using wire::Ending;
+
+std::string ending_in_words(const SeaFlight& flight) {
+  const std::string steps = std::to_string(flight.steps_taken) + (flight.steps_taken == 1 ? " step" : " steps");
+  switch (flight.state) {
+    case MissionState::kStandby:
+      return "<h1>A flight without a search: nobody started it</h1>\n";
+    case MissionState::kSearch:
+      return "<h1 class=\"missed\">The journal ends in mid-search, after " + steps + "</h1>\n";
+    case MissionState::kDone:
+    case MissionState::kAbort:
+      break;
+  }
+  const bool is_found = flight.end_reason == messages::EndReason::kCompleted;
+  const std::string what = flight.state == MissionState::kAbort ? "aborted" : "ended";
+  return "<h1 class=\"" + std::string(is_found ? "found" : "missed") + "\">Search " + what + " after " + steps + ": " +
+         messages::to_string(flight.end_reason) + "</h1>\n";
+}
+
+std::string program_in_words(const JournalledSearch& journal) {
+  if (!journal.closing) return "";
+  switch (journal.closing->ending) {
+    case Ending::kMissionOver:
+      return "earshotd ended with its mission.";
+    case Ending::kStopped:
+      return "earshotd was stopped by a signal, and ended in order.";
+    case Ending::kClockLost:
+      return "earshotd lost its simulator.";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string sea_headline(const SeaFlight& flight, const JournalledSearch& journal) {
+  std::string text = ending_in_words(flight) + "<p>";
+  if (flight.is_dated())
+    text += "The journal begins at <b>" + utc(flight.began_s) + "</b>; every time on this page is counted from there. ";
+  text += escaped(program_in_words(journal)) + "</p>\n";
+  if (journal.is_whole()) text += "<p>The journal is whole: it was ended in order, and no record of it was lost.</p>\n";
+  return text + (flight.build.empty() ? "" : "<p>Flown by earshotd " + escaped(flight.build) + "</p>\n");
+}
+
+std::string sea_facts(const SeaFlight& flight, const JournalledSearch& journal) {
+  const auto detections = std::ranges::count_if(journal.decisions, [](const explain::RecordedDecision& d) { return d.detected; });
+  const auto is_fainter = [](const SeaFlight::Heard& a, const SeaFlight::Heard& b) { return a.snr_db < b.snr_db; };
+  std::vector<SeaFlight::Heard> measured = flight.heard;
+  std::erase_if(measured, [](const SeaFlight::Heard& heard) { return heard.too_faint; });
+  const auto loudest = std::ranges::max_element(measured, is_fainter);
+  std::string text = "<dl>\n" + fact("time in the journal", duration(flight.ended_s));
+  if (flight.search_began_s)
+    text += fact("of it searching", duration(flight.search_ended_s.value_or(flight.ended_s) - *flight.search_began_s)) +
+            fact("sailed in the search", fixed(flight.distance().value / 1e3, 1) + " km");
+  text += fact("decisions", std::to_string(journal.decisions.size())) + fact("of these, source heard", std::to_string(detections)) +
+          fact("loudest SNR", loudest == measured.end() ? "-" : fixed(loudest->snr_db, 1) + " dB");
+  return text + fact("fixes", std::to_string(flight.fixes.size())) + fact("SNR measurements", std::to_string(flight.heard.size())) +
+         "</dl>\n";
+}
+
+std::string sea_events(const SeaFlight& flight) {
+  std::string text;
+  if (flight.events.empty()) {
+    text += "<p>No order came, and the mission stayed in STANDBY.</p>\n";
+  } else {
+    text += "<div class=\"table\"><table class=\"events\">\n<thead><tr><th>at</th><th class=\"left\">what</th></tr></thead>\n<tbody>\n";
+    for (const SeaFlight::Event& event : flight.events)
+      text += "<tr><td>" + duration(event.time_s) + "</td><td class=\"left\">" + escaped(event.what) + "</td></tr>\n";
+    text += "</tbody></table></div>\n";
+  }
+  const messages::Counters& refused = flight.counters;
+  return text + "<p>Refused as they came in: fixes " + std::to_string(refused.navigation_refused) + ", SNR " +
+         std::to_string(refused.snr_refused) + ", commands " + std::to_string(refused.commands_refused) + ".</p>\n";
+}
+
+}  // namespace earshot::report

@@ -1,0 +1,74 @@
+#include "policy/report/sea/sea_flight.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tests/policy/report/sea/sea_journal.hpp"
+
+namespace earshot::report {
+namespace {
+
+namespace fs = std::filesystem;
+using messages::CommandOutcome;
+using messages::EndReason;
+using messages::MissionState;
+using messages::Order;
+
+class SeaFlightTest : public testing::Test {
+ protected:
+  void TearDown() override { fs::remove(path_); }
+  fs::path path_ = fs::path(testing::TempDir()) / ("sea-flight-" + std::to_string(::getpid()));
+};
+
+TEST_F(SeaFlightTest, CountsItsTimesFromTheFirstRecordAndKnowsItsDate) {
+  SeaJournal journal(path_);
+  journal.fix(60.5, 3'000, 4'000);
+  journal.snr(61.0, -3.5, true);
+  journal.end(wire::Ending::kStopped);
+  const std::optional<SeaFlight> flight = read_sea_flight(path_);
+  ASSERT_TRUE(flight);
+  EXPECT_TRUE(flight->is_dated());
+  EXPECT_EQ(utc(flight->began_s), "2026-11-18 11:06:40 UTC");
+  EXPECT_EQ(flight->build, "of a test");
+  EXPECT_EQ(flight->area.north_east, (NorthEast{Meters{26'000}, Meters{27'000}}));
+  ASSERT_EQ(flight->fixes.size(), 1U);
+  EXPECT_NEAR(flight->fixes[0].time_s, 60.5, 1e-5) << "seconds since 1970 in a double are exact to a microsecond";
+  EXPECT_EQ(flight->fixes[0].position, (NorthEast{Meters{3'000}, Meters{4'000}}));
+  ASSERT_EQ(flight->heard.size(), 1U);
+  EXPECT_EQ(flight->heard[0].snr_db, -3.5);
+  EXPECT_TRUE(flight->heard[0].too_faint);
+}
+
+TEST_F(SeaFlightTest, TellsItsOrdersAndStatesAndHowFarItSailedInItsSearchAlone) {
+  SeaJournal journal(path_);
+  journal.state(1, MissionState::kStandby, EndReason::kNone, 0);
+  journal.fix(5, 0, 0);
+  journal.acknowledge(10, Order::kStart, CommandOutcome::kObeyed);
+  journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
+  journal.fix(20, 300, 0);
+  journal.fix(30, 300, 400);
+  journal.fix(40, 0, 0);  // 400 m and 500 m after the first in the search
+  journal.state(50, MissionState::kAbort, EndReason::kNavigationStale, 2);
+  journal.fix(60, 9'000, 0);
+  journal.end(wire::Ending::kStopped);
+  const SeaFlight flight = read_sea_flight(path_).value();
+  EXPECT_NEAR(flight.distance().value, 900.0, 1e-9);
+  EXPECT_EQ(flight.steps_taken, 2U);
+  EXPECT_EQ(flight.counters.snr_refused, 4U);
+  ASSERT_EQ(flight.events.size(), 3U);
+  EXPECT_EQ(flight.events[0].what, "order START, obeyed");
+  EXPECT_EQ(flight.events[1].what, "SEARCH");
+  EXPECT_EQ(flight.events[2].what, "ABORT: navigation went silent");
+  EXPECT_NEAR(flight.events[2].time_s, 50.0, 1e-5);
+}
+
+TEST_F(SeaFlightTest, IsNoneWhereTheJournalDoesNotBeginWithAMission) {
+  {
+    host::Journal journal(path_);
+    ASSERT_EQ(journal.append(Time{1}, "EARSHOT_HEALTH", std::array<std::uint8_t, 3>{1, 2, 3}), Status::kOk);
+  }
+  EXPECT_FALSE(read_sea_flight(path_));
+}
+
+}  // namespace
+}  // namespace earshot::report

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "earshot/decision_t.hpp"
+#include "earshot/mission_t.hpp"
+#include "firmware/host/journal/journal.hpp"
+#include "firmware/messages/health.hpp"
+#include "firmware/messages/input.hpp"
+#include "firmware/messages/operator_command.hpp"
+#include "firmware/wire/journal/input_record.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot::report {
+
+/// The journal of a flight at sea, written record by record as earshotd does.
+class SeaJournal {
+ public:
+  static constexpr std::int64_t kBegan_s = 1'795'000'000;  ///< 2026-11-18 11:06:40 UTC by date(1)
+
+  explicit SeaJournal(const std::filesystem::path& path, NorthEast south_west = {Meters{1'000}, Meters{2'000}}) : journal_(path) {
+    mission_t mission{};
+    mission.utime = at(0).us;
+    mission.south_m = south_west.north.value;
+    mission.west_m = south_west.east.value;
+    mission.north_m = south_west.north.value + 25'000.0;
+    mission.east_m = south_west.east.value + 25'000.0;
+    mission.detection_threshold_db = 10.0;
+    for (std::size_t i = 0; i < sizeof("of a test") - 1; ++i) mission.build[i] = static_cast<std::uint8_t>("of a test"[i]);
+    append(0, wire::kMissionChannel, wire::Encoded(mission), host::Weight::kOrder);
+  }
+
+  void fix(double s, double north_m, double east_m) {
+    input(s, messages::Navigation{.time = at(s),
+                                  .position = {Meters{north_m}, Meters{east_m}},
+                                  .depth = Meters{300},
+                                  .heading = Radians{0},
+                                  .speed = MetersPerSecond{2}});
+  }
+  void snr(double s, double db, bool too_faint = false) {
+    input(s, messages::SnrMeasurement{.time = at(s), .snr = Decibels{db}, .too_faint = too_faint});
+  }
+  void state(double s, messages::MissionState state, messages::EndReason reason, std::uint32_t steps) {
+    messages::Health health;
+    health.state = state;
+    health.end_reason = reason;
+    health.steps_taken = steps;
+    health.counters.snr_refused = 4;
+    append(s, wire::kHealthChannel, wire::Encoded(wire::to_message(health, at(s))), host::Weight::kOrder);
+  }
+  void decision(double s, decision_t decision) {
+    decision.utime = at(s).us;
+    append(s, wire::kDecisionChannel, wire::Encoded(decision), host::Weight::kSteering);
+  }
+  void acknowledge(double s, messages::Order order, messages::CommandOutcome outcome) {
+    const messages::CommandAcknowledgement acknowledgement{.time = at(s), .issuer = 1, .number = 1, .order = order, .outcome = outcome};
+    append(s, wire::kAcknowledgementChannel, wire::Encoded(wire::to_message(acknowledgement)), host::Weight::kOrder);
+  }
+  void end(wire::Ending ending) {
+    wire::ClosingRecord closing;
+    closing.ending = ending;
+    journal_.conclude(closing);
+    if (journal_.close() != Status::kOk) std::abort();
+  }
+
+ private:
+  static Time at(double s) { return Time{kBegan_s * 1'000'000 + static_cast<std::int64_t>(s * 1e6)}; }
+  void input(double s,
+             const std::variant<messages::Navigation, messages::SnrMeasurement, messages::OperatorCommand, messages::PortReport>& v) {
+    const wire::InputRecord record({.arrival = at(s), .port = 1, .sequence = 0, .value = v});
+    if (journal_.append(at(s), record.channel(), record.data()) != Status::kOk) std::abort();
+  }
+  void append(double s, std::string_view channel, const wire::Encoded& data, host::Weight weight) {
+    if (journal_.append(at(s), channel, data.bytes(), weight) != Status::kOk) std::abort();
+  }
+
+  host::Journal journal_;
+};
+
+}  // namespace earshot::report

@@ -1,0 +1,75 @@
+#include "policy/report/sea/sea_page.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "policy/report/page.hpp"
+#include "tests/policy/report/sea/sea_journal.hpp"
+
+namespace earshot::report {
+namespace {
+
+namespace fs = std::filesystem;
+using messages::EndReason;
+using messages::MissionState;
+
+class SeaPageTest : public testing::Test {
+ protected:
+  SeaPageTest() {
+    std::string name = (fs::temp_directory_path() / "earshot-sea-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~SeaPageTest() override { fs::remove_all(folder_); }
+
+  void fly_until(MissionState state, EndReason reason) const {
+    SeaJournal journal(folder_ / kJournalName);
+    for (int i = 0; i < 10; ++i) journal.fix(i, 3'000 + 100.0 * i, 4'000);
+    journal.snr(5, 12.0);
+    journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
+    journal.decision(90, {});
+    if (state != MissionState::kSearch) journal.state(600, state, reason, 3);
+    journal.end(wire::Ending::kStopped);
+  }
+  [[nodiscard]] std::string page_of_it() const {
+    const Flight flight = read_flight(folder_);
+    return page(flight, pictures_of(flight), {});
+  }
+  static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+  fs::path folder_;
+};
+
+TEST_F(SeaPageTest, SaysHowAndWhyTheSearchEndedAndWhenTheFlightWas) {
+  fly_until(MissionState::kAbort, EndReason::kOperatorAbort);
+  const std::string text = page_of_it();
+  EXPECT_TRUE(has(text, "Search aborted after 3 steps: an operator aborted it</h1>"));
+  EXPECT_TRUE(has(text, "<b>2026-11-18 11:06:40 UTC</b>"));
+  EXPECT_TRUE(has(text, "<td class=\"left\">ABORT: an operator aborted it</td>"));
+  EXPECT_TRUE(has(text, "<td data-name=\"at\">90 s</td>")) << "the decision's time is the flight's";
+  EXPECT_EQ(text.find("1970"), std::string::npos);
+  EXPECT_TRUE(has(text, "earshotd was stopped by a signal, and ended in order."));
+  EXPECT_TRUE(has(text, "The journal is whole"));
+  EXPECT_FALSE(has(text, "Not there")) << "a simulator's files belong to no flight at sea";
+  EXPECT_FALSE(has(text, "A flight without its end"));
+}
+
+TEST_F(SeaPageTest, DrawsTrackAndSnrOfTheJournal) {
+  fly_until(MissionState::kDone, EndReason::kCompleted);
+  const std::string text = page_of_it();
+  EXPECT_TRUE(has(text, "<h1 class=\"found\">Search ended after 3 steps: the source is reached"));
+  EXPECT_TRUE(has(text, "<title>The vehicle's track by its own navigation</title>"));
+  EXPECT_TRUE(has(text, "<title>SNR against time</title>"));
+  EXPECT_TRUE(has(text, "Refused as they came in: fixes 0, SNR 4, commands 0."));
+}
+
+TEST_F(SeaPageTest, OfAJournalThatEndsInMidSearchSaysThatItsEndIsMissing) {
+  fly_until(MissionState::kSearch, EndReason::kNone);
+  const fs::path journal = folder_ / kJournalName;
+  fs::resize_file(journal, fs::file_size(journal) - (28 + 19 + 47));
+  const std::string text = page_of_it();
+  EXPECT_TRUE(has(text, "The journal ends in mid-search, after 0 steps"));
+  EXPECT_TRUE(has(text, "The journal's end is missing"));
+}
+
+}  // namespace
+}  // namespace earshot::report
