@@ -55,6 +55,25 @@ TEST_F(Losses, GivenAFullDiskTheFlightIsLostWithStatusThreeAndEveryRowThatWasWri
   EXPECT_EQ(track.back(), '\n');
 }
 
+TEST_F(Losses, GivenADiskThatIsFullBeforeTheFirstTickTheFlightIsLostWithStatusThreeAndNotRefused) {
+  // Room for some 8 kB of a file stands for it: snr.csv takes 60.
+  std::vector<std::string> a{"-c",
+                             "trap '' XFSZ; ulimit -f 8; exec \"$@\"",
+                             "bash",
+                             kBin / "earshot-fly",
+                             "--environment",
+                             kEnvironment,
+                             "--mission",
+                             kMission,
+                             "--out",
+                             folder_ / "out",
+                             "--no-report"};
+  for (const std::string& word : policy_arguments()) a.push_back(word);
+  support::Process flight("/bin/bash", a, folder_ / "text");
+  EXPECT_EQ(flight.wait(60s), 3) << flight.output();
+  EXPECT_NE(flight.output().find("snr.csv"), std::string::npos) << flight.output();
+}
+
 TEST_F(Losses, GivenAFullDiskUnderItsJournalEarshotdFliesOnAndCountsEveryRecordThatIsNotInTheFile) {
   const auto fly_with_room_for = [this](const std::string& name, const std::string& kibibytes) {
     const std::string domain = std::to_string(slot_.domain());

@@ -182,11 +182,15 @@ int simulate(const Options& o) {
   std::filesystem::create_directories(o.out);
   const host::FileDescriptor folder = host::lock_folder(o.out);
   remove_results(o.out);
-  write_curve(o.out / "snr.csv", soundscape.expected());
-  TrackFile track(o.out / "track.csv");
+  std::optional<TrackFile> track;
+  const bool has_files = succeeds([&] {
+    write_curve(o.out / "snr.csv", soundscape.expected());
+    track.emplace(o.out / "track.csv");
+  });
+  if (!has_files) return kLost;  // a full disk is not the input's fault
   Score score(settings);
-  const FlightResult result = fly_in_lock_step({world, bus, link, track, score}, start, stop_requested);
-  const bool has_track = succeeds([&] { track.finish(); });
+  const FlightResult result = fly_in_lock_step({world, bus, link, *track, score}, start, stop_requested);
+  const bool has_track = succeeds([&] { track->finish(); });
   const bool has_summary =
       succeeds([&] { host::write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n"); });
   if (link.strangers() > 0)
