@@ -110,6 +110,10 @@ TEST_F(Meeting, GivenFilesInItsFolderThatAreNotItsOwnEarshotdLeavesThem) {
   std::ofstream(folder_ / "out/journal.lcmlog") << "more notes";
   const auto refused = earshotd({"--lcm-url", url, "--replace"});
   EXPECT_EQ(refused->wait(5s), 2) << refused->output();
+  EXPECT_NE(
+      refused->output().find("journal.lcmlog: is there already and is not a journal; move it away, or name another folder with --out\n"),
+      std::string::npos)
+      << refused->output();
   EXPECT_EQ(support::read_text(folder_ / "out/journal.lcmlog"), "more notes");
   const auto runtime = earshotd({"--lcm-url", url});  // its journal is journal-2.lcmlog, its policy journal-2.policy
   ASSERT_TRUE(says(*runtime, "journal-2.lcmlog")) << runtime->output();

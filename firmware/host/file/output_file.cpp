@@ -79,10 +79,10 @@ std::filesystem::path followed(const std::filesystem::path& path) {
   return target;
 }
 
-void require_writable(const std::filesystem::path& path, const OutputKind& kind, Replace replace) {
+void require_writable(const std::filesystem::path& path, const OutputKind& kind, Replace replace, std::string_view instead) {
   const bool exists = require_regular(path).has_value();
   if (exists && replace == Replace::kOwnKind && !is_of_kind(path, kind))
-    throw BadInput(printable(path.string()) + ": is there already and is not " + std::string(kind.name) + "; --force replaces it");
+    throw BadInput(printable(path.string()) + ": is there already and is not " + std::string(kind.name) + "; " + std::string(instead));
   const OutputFile trial(path);
 }
 

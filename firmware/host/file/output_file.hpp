@@ -45,8 +45,10 @@ enum class Access : std::uint8_t { kEveryone, kOwnerOnly };
 
 /// Judges before the work what would be refused after it.
 /// Throws BadInput naming the file when it is not a regular one, is of another kind than is to be written, or cannot be made in its folder.
+/// @param instead  what a person can do about a file of another kind, or what is done
 /// Oracle: OutputFile.*
-void require_writable(const std::filesystem::path& path, const OutputKind& kind, Replace replace);
+void require_writable(const std::filesystem::path& path, const OutputKind& kind, Replace replace,
+                      std::string_view instead = "--force replaces it");
 
 /// A file that is either whole or what it was before. It is written beside its place, brought to the disk and renamed; until then it has no
 /// name, where the file system can do that, so that a program that is killed leaves nothing of it. A symbolic link stays and what it points

@@ -55,6 +55,8 @@ const std::vector<std::string> kRoleWords{"navigation", "snr", "operator", "auto
 PortSettings read_port(TableReader table) {
   PortSettings port;
   port.name = table.text("name");
+  if (!table.is_noted("name") && (port.name.empty() || printable(port.name) != port.name))
+    table.problem("name", "must be at least one character, and none that steers a terminal");
   port.kind = table.choice("kind", {"lcm", "can"}) == 0 ? PortKind::kLcm : PortKind::kCan;
   for (const std::size_t role : table.choices("roles", kRoleWords)) {
     port.roles.add(static_cast<Role>(role));
@@ -117,7 +119,7 @@ void read_ports(TableReader root, MissionFile& file) {
     const char* const key = port.kind == PortKind::kCan ? "interface" : "url";
     for (std::size_t i = 0; i < file.ports.size(); ++i) {
       const PortSettings& other = file.ports[i];
-      if (port.name == other.name) table.problem("name", "\"" + port.name + "\" is another port's name, too");
+      if (port.name == other.name && !table.is_noted("name")) table.problem("name", "\"" + port.name + "\" is another port's name, too");
       if (are_on_one_bus(port, other)) table.problem(key, on_bus_of(other, places[i], port));
     }
     file.ports.push_back(port);

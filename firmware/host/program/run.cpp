@@ -9,6 +9,7 @@
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/program/standard_streams.hpp"
 #include "firmware/host/program/talk.hpp"
 
 namespace earshot::program {
@@ -22,6 +23,7 @@ bool is_all_printed() {
 }  // namespace
 
 int run(CommandLine& line, int argc, char** argv, const std::function<int()>& work) {
+  open_standard_streams();
   (void)std::signal(SIGXFSZ, SIG_IGN);  // a file over its limit is a full disk: write(2) says so, and nothing is ended in the middle
   try {
     if (const std::optional<std::string> answer = line.read(argc, argv)) {
@@ -38,7 +40,7 @@ int run(CommandLine& line, int argc, char** argv, const std::function<int()>& wo
     std::cerr << line.name() << ": standard output cannot be written\n";
     return kLost;
   } catch (const host::BadInput& e) {
-    std::cerr << e.what() << "\n";
+    std::cerr << host::printable_lines(e.what()) << "\n";
   } catch (const std::filesystem::filesystem_error& e) {
     std::cerr << host::printable(e.path1().string()) << ": cannot be read or written: " << e.code().message() << "\n";
   } catch (const std::bad_alloc&) {

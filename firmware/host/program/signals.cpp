@@ -5,7 +5,7 @@
 namespace earshot::program {
 
 void stop_on_signals(SecondSignal second) {
-  for (const int number : {SIGINT, SIGTERM}) {
+  for (const int number : {SIGINT, SIGTERM, SIGQUIT}) {
     struct sigaction action {};
     action.sa_handler = [](int) { stop_requested = true; };
     action.sa_flags = SA_RESTART;
@@ -14,8 +14,11 @@ void stop_on_signals(SecondSignal second) {
   }
 }
 
-void outlive_terminal() {
-  (void)std::signal(SIGHUP, SIG_IGN);
+void outlive_accidents() {
+  for (const int number :
+       {SIGHUP, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGIO, SIGPWR, SIGSTKFLT, SIGXCPU})
+    (void)std::signal(number, SIG_IGN);
+  for (int number = SIGRTMIN; number <= SIGRTMAX; ++number) (void)std::signal(number, SIG_IGN);
 }
 
 }  // namespace earshot::program

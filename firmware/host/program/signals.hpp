@@ -12,10 +12,12 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 enum class SecondSignal : std::uint8_t { kIgnored, kEndsAtOnce };
 
-/// From now on the first SIGINT or SIGTERM sets stop_requested and does nothing else.
+/// From now on the first SIGINT, SIGTERM or SIGQUIT sets stop_requested and does nothing else.
 void stop_on_signals(SecondSignal second = SecondSignal::kIgnored);
 
-/// From now on the end of the terminal or of the session that started the program (SIGHUP) does not end it.
-void outlive_terminal();
+/// From now on nothing ends or halts the program that nobody means to stop it by: the end of the terminal or session that started it
+/// (SIGHUP), a slip of the keys (Ctrl-Z, SIGTSTP), a terminal that keeps background programs from it (SIGTTIN, SIGTTOU), a timer, a limit
+/// of processor time, and signals that mean something to other programs only (SIGUSR1, SIGUSR2 and their like, real-time signals).
+void outlive_accidents();
 
 }  // namespace earshot::program

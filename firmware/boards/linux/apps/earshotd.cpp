@@ -27,6 +27,7 @@
 #include "firmware/boards/linux/waiting.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/output_file.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/memory/heap_trap.hpp"
 #include "firmware/host/memory/process_memory.hpp"
@@ -35,6 +36,7 @@
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
+#include "firmware/host/program/standard_streams.hpp"
 #include "firmware/host/program/version.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
@@ -66,7 +68,9 @@ struct Options {
 
 void declare(program::CommandLine& line, Options& o) {
   line.option("MISSION", &o.mission, "mission file (TOML)").required();
-  line.option("--out", &o.out, "folder for journal.lcmlog, made if it is missing").shows_default();
+  line.option("--out", &o.out, "folder for journal.lcmlog, made if it is missing")
+      .checked([](const std::string& folder) { return folder.empty() ? "names no folder; . is the one that you are in" : ""; })
+      .shows_default();
   line.flag("--replace", &o.replace,
             "replace a journal that is there already; without it: refuse to start in simulation, write journal-2.lcmlog and so on at sea");
   line.option(
@@ -147,10 +151,10 @@ host::JournalOptions journal_options(const Options& o) {
 void keep_policy(const host::SignedPolicy& policy, const std::filesystem::path& journal) {
   const std::filesystem::path kept = std::filesystem::path(journal).replace_extension(".policy");
   try {
-    host::require_writable(kept, {"a .policy file", {"EARSHOTP", {}}}, host::Replace::kOwnKind);
+    host::require_writable(kept, {"a .policy file", {"EARSHOTP", {}}}, host::Replace::kOwnKind, "it stays");
     host::write_whole(kept, {reinterpret_cast<const char*>(policy.bytes.data()), policy.bytes.size()});
   } catch (const host::BadInput& e) {
-    std::cerr << "earshotd: " << e.what() << "; the policy is in the journal\n";
+    std::cerr << "earshotd: " << host::printable(e.what()) << "; the policy is in the journal\n";
   }
 }
 
@@ -158,20 +162,21 @@ void keep_policy(const host::SignedPolicy& policy, const std::filesystem::path& 
 int report(const board::LoopResult& result, const board::Clock& clock, const board::PortSet& ports, const std::filesystem::path& journal) {
   const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
   const std::string state = board::to_string(result.last.health);
+  const std::string kept = host::printable(journal.string());
   for (const std::string& remark : ports.remarks()) std::cerr << "earshotd: " << remark << "\n";
   if (const std::string remark = clock.remark(); !remark.empty()) std::cerr << "earshotd: " << remark << "\n";
   const bool is_talkative = program::talk() != program::Talk::kQuiet;
   switch (result.end) {
     case board::LoopEnd::kMissionOver:
-      if (is_talkative) std::cerr << "earshotd: " << state << "; journal " << journal.string() << "\n";
+      if (is_talkative) std::cerr << "earshotd: " << state << "; journal " << kept << "\n";
       return 0;
     case board::LoopEnd::kStopped:
       if (is_talkative)
         std::cerr << "earshotd: stopped by a signal" << after << ", in " << messages::to_string(result.found_in) << "; it ended in "
-                  << state << "; journal " << journal.string() << "\n";
+                  << state << "; journal " << kept << "\n";
       return 0;
     case board::LoopEnd::kClockLost:
-      std::cerr << "earshotd: lost " << clock.lost() << after << ", in " << state << "; journal up to then: " << journal.string() << "\n";
+      std::cerr << "earshotd: lost " << clock.lost() << after << ", in " << state << "; journal up to then: " << kept << "\n";
       return kLost;
   }
   return kLost;
@@ -225,21 +230,22 @@ board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryPr
 int fly(const Flight& f) {
   std::filesystem::create_directories(f.options.out);
   const std::filesystem::path wanted = f.options.out / "journal.lcmlog";
-  if (f.options.replace) host::require_writable(wanted, host::kJournalOutput, host::Replace::kOwnKind);
+  if (f.options.replace)
+    host::require_writable(wanted, host::kJournalOutput, host::Replace::kOwnKind, "move it away, or name another folder with --out");
   host::Journal journal(wanted, journal_options(f.options));
   keep_policy(f.policy, journal.path());
   board::MissionTurn turn(f.runtime, f.ports, journal, f.clock);
   turn.record_mission(f.file.mission, f.policy.bytes, program::version() + " " + program::build_commit());
   if (!f.options.simulation && program::talk() != program::Talk::kQuiet) {
     std::cerr << "earshotd: waiting for navigation, SNR and an operator's START, as long as it takes, on\n"
-              << f.ports.description() << "earshotd: journal " << journal.path().string() << "\n";
+              << f.ports.description() << "earshotd: journal " << host::printable(journal.path().string()) << "\n";
   }
   board::MemoryProof proof;
   board::LoopResult result;
   try {
     result = fly(f, turn, proof);
   } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
-    std::cerr << "earshotd: " << e.what() << "; journal up to then: " << journal.path().string() << "\n";
+    std::cerr << "earshotd: " << e.what() << "; journal up to then: " << host::printable(journal.path().string()) << "\n";
     return kLost;
   }
   journal.conclude(board::closing_record_of(result));
@@ -275,8 +281,8 @@ int fly(const Options& o) {
   } else {
     clock = std::make_unique<board::HostMissionClock>(host, o.speed);
   }
-  // A vehicle in mid-search must not be left alone with its last set-point because somebody's terminal closed.
-  if (!o.simulation) program::outlive_terminal();
+  // A vehicle in mid-search must not be left alone with its last set-point because somebody's terminal closed or a key slipped.
+  if (!o.simulation) program::outlive_accidents();
   program::stop_on_signals();  // up to here nothing is under way that would have to end in order
   // The journal of an earlier flight is not touched before a simulator has come, and that comes when it has judged its own input.
   const board::Waited waited =
@@ -289,6 +295,7 @@ int fly(const Options& o) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const program::PatientStreams streams;  // a vehicle waits for nobody who reads, and does not end with him
   program::CommandLine line("earshotd",
                             "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
                             "Exit status: 0 flown or stopped, 1 --prove-no-alloc found an allocation, 2 bad input,\n"

@@ -71,12 +71,29 @@ FlightNews::FlightNews(const PortSet& ports, LineWriter& writer) : writer_(write
 
 void FlightNews::tell(Time now, const messages::Health& health) {
   for (const messages::PortReport& report : health.ports) tell_link(now, report);
+  tell_state(now, health);
+  tell_refused(now, "navigation", health.counters.navigation_refused, navigation_);
+  tell_refused(now, "SNR", health.counters.snr_refused, snr_);
+}
+
+void FlightNews::tell_state(Time now, const messages::Health& health) {
   if (state_ == health.state) return;
   state_ = health.state;
+  navigation_.is_told_in_state = snr_.is_told_in_state = false;
   Line line = line_at(now);
   line << to_string(health.state);
   if (health.end_reason != messages::EndReason::kNone)
     line << ", " << to_string(health.end_reason) << ", after " << health.steps_taken << " steps";
+  writer_.say(line.text());
+}
+
+/// Of two ports that bring the same, the slower one's messages are refused for their order as long as the flight lasts: no more lines then.
+void FlightNews::tell_refused(Time now, std::string_view sensor, std::uint64_t count, Refused& refused) {
+  if (count == refused.told || refused.is_told_in_state) return;
+  refused = {.told = count, .is_told_in_state = true};
+  Line line = line_at(now);
+  line << sensor << ": " << count << (count == 1 ? " message" : " messages")
+       << " refused so far, for their date, their order or what is in them; look at the clock of their sender";
   writer_.say(line.text());
 }
 

@@ -167,6 +167,13 @@ TEST(MissionFile, RefusesAnLcmPortWithoutAnAddressAndTwoPortsOfOneAddressOrName)
   EXPECT_NE(twice.find("is there already: give it all roles"), std::string::npos) << twice;
 }
 
+TEST(MissionFile, RefusesAPortWhoseNameIsEmptyOrWouldSteerATerminal) {
+  const std::string rule = ": must be at least one character, and none that steers a terminal";
+  EXPECT_EQ(complaint("name = \"vehicle\"", "name = \"\""), "FILE:29: port[0].name = ''" + rule);
+  EXPECT_EQ(complaint("name = \"vehicle\"", "name = \"a\\u001b[31m\""), "FILE:29: port[0].name = \"a\\u001B[31m\"" + rule);
+  EXPECT_EQ(complaint("name = \"vehicle\"", "name = \"Kiel \u00fc\""), "");
+}
+
 TEST(MissionFile, RefusesTwoPortsOfOneLcmBusHoweverItsUrlIsSpelledAndSaysWhereTheyStand) {
   EXPECT_EQ(
       complaint("[origin]",

@@ -104,6 +104,29 @@ TEST_F(FlightNewsTest, TellsEveryLinkThatGoesDownOrComesBackButNotWhatWasDownAtT
             "earshotd: 2026-11-18 11:06:56 UTC: port 2, ev\\x1bil: its link is up again\n");
 }
 
+TEST_F(FlightNewsTest, TellsInEachStateOnceHowManyMessagesWereRefusedAndWhereToLook) {
+  const auto tell = [this](int second, MissionState state, std::uint64_t navigation, std::uint64_t snr) {
+    Health h = health(state, state == MissionState::kAbort ? EndReason::kNavigationStale : EndReason::kNone, 2);
+    h.counters.navigation_refused = navigation;
+    h.counters.snr_refused = snr;
+    news_->tell(kUtc + Duration::seconds(second), h);
+  };
+  tell(0, MissionState::kStandby, 0, 0);
+  tell(1, MissionState::kStandby, 0, 1);
+  tell(2, MissionState::kStandby, 0, 2);
+  tell(3, MissionState::kSearch, 0, 2);
+  tell(4, MissionState::kSearch, 1, 2);
+  tell(5, MissionState::kSearch, 2, 2);
+  tell(14, MissionState::kAbort, 31, 2);
+  tell(15, MissionState::kAbort, 32, 2);
+  const std::string why = " refused so far, for their date, their order or what is in them; look at the clock of their sender\n";
+  EXPECT_EQ(all_told(), "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\nearshotd: 2026-11-18 11:06:41 UTC: SNR: 1 message" + why +
+                            "earshotd: 2026-11-18 11:06:43 UTC: SEARCH\nearshotd: 2026-11-18 11:06:43 UTC: SNR: 2 messages" + why +
+                            "earshotd: 2026-11-18 11:06:44 UTC: navigation: 1 message" + why +
+                            "earshotd: 2026-11-18 11:06:54 UTC: ABORT, navigation went silent, after 2 steps\n" +
+                            "earshotd: 2026-11-18 11:06:54 UTC: navigation: 31 messages" + why);
+}
+
 TEST_F(FlightNewsTest, TellsALinkThatComesAndGoesFourTimesAndThenOnceInTenSecondsAndHowOftenItChanged) {
   for (int second = 0; second < 25; ++second) tell_link(second, 1, second % 2 == 1);
   tell_link(60, 1, false);

@@ -1,0 +1,83 @@
+#include "firmware/host/program/standard_streams.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <string>
+
+#include "firmware/host/file/file_descriptor.hpp"
+
+namespace earshot::program {
+namespace {
+
+class PatientStreamTest : public testing::Test {
+ protected:
+  PatientStreamTest() {
+    std::array<int, 2> ends{};
+    EXPECT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
+    out_ = host::FileDescriptor(ends[0]);
+    in_ = host::FileDescriptor(ends[1]);
+    patient_.emplace(stream_, in_.number());
+  }
+  [[nodiscard]] std::string read() const {
+    std::string text(200'000, '\0');
+    const ssize_t count = ::read(out_.number(), text.data(), text.size());
+    return text.substr(0, static_cast<std::size_t>(count));
+  }
+  void fill() const {
+    const std::string dots(4096, '.');
+    EXPECT_EQ(::fcntl(in_.number(), F_SETFL, O_NONBLOCK), 0);
+    while (::write(in_.number(), dots.data(), dots.size()) > 0) {
+    }
+    EXPECT_EQ(::fcntl(in_.number(), F_SETFL, 0), 0);
+  }
+
+  host::FileDescriptor out_;
+  host::FileDescriptor in_;
+  std::ostringstream before_;
+  std::ostream stream_{before_.rdbuf()};
+  std::optional<PatientStream> patient_;
+};
+
+TEST_F(PatientStreamTest, SaysEachLineAtOnceAndTheRestWhenItIsToldToOrGoes) {
+  stream_ << "one" << 1 << "\ntwo";
+  EXPECT_EQ(read(), "one1\n");
+  stream_ << std::flush;
+  EXPECT_EQ(read(), "two");
+  stream_ << "three";
+  patient_.reset();
+  EXPECT_EQ(read(), "three");
+  stream_ << "as before";
+  EXPECT_EQ(before_.str(), "as before");
+}
+
+TEST_F(PatientStreamTest, SaysAllOfALineThatIsLongerThanAPipeTakesAtOnce) {
+  const std::string line = std::string(10'000, 'x') + "\n";
+  stream_ << line;
+  EXPECT_EQ(read(), line);
+}
+
+TEST_F(PatientStreamTest, LeavesOutWhatNobodyReadsAndSaysSoToWhoReadsAgain) {
+  fill();
+  stream_ << "never read\nnor this\n";  // would wait for ever
+  EXPECT_TRUE(stream_.good());
+  (void)read();
+  stream_ << "read again\n";
+  EXPECT_EQ(read(), "(2 lines are left out here: nobody read them in time)\nread again\n");
+}
+
+TEST_F(PatientStreamTest, FailsWhenItsReaderIsGone) {
+  (void)std::signal(SIGPIPE, SIG_IGN);
+  out_ = host::FileDescriptor();
+  stream_ << "to nobody\n";
+  EXPECT_FALSE(stream_.good());
+}
+
+}  // namespace
+}  // namespace earshot::program
