@@ -12,10 +12,13 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/apps/program.hpp"
 #include "policy/apps/world_options.hpp"
 #include "policy/baselines/catalogue.hpp"
 #include "policy/baselines/learned.hpp"
+#include "policy/command_line/outputs.hpp"
+#include "policy/command_line/policy_details.hpp"
+#include "policy/command_line/run.hpp"
+#include "policy/description/draw.hpp"
 #include "policy/description/placement.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/evaluate/path_table.hpp"
@@ -65,13 +68,14 @@ void add_options(program::CommandLine& line, Options& o) {
                          .listening = "what the .policy files have, newest when none is evaluated"});
   line.option("--episodes", &o.episodes, "searches to fly in each world").shows_default().from(1, 100'000'000);
   line.option("--seed", &o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
-  line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way").one_of({"argmax", "sampled"});
+  line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way")
+      .one_of({description::kDraws.begin(), description::kDraws.end()});
   line.option("--json", &o.json, "also write the figures there");
   line.option("--csv", &o.csv, "also write the table there");
   line.option("--plot", &o.plot, "also draw it there (.png or .svg)");
   line.option("--paths", &o.paths, "also write there where every search went, step by step (CSV)");
   line.flag("--timing", &o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
-  line.flag("--force", &o.force, apps::kForceHelp);
+  line.flag("--force", &o.force, command_line::kForceHelp);
   line.footer(
       "By name:\n  shipped             the policy that ships (policy/frozen)" + names_of_baselines() +
       "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what the --environment says is heard, learned "
@@ -90,7 +94,7 @@ Contestant contestant_named(const std::string& name) {
   for (const baselines::Entry& entry : baselines::catalogue()) {
     if (entry.name == name) return {name, nullptr};
   }
-  if (name == "shipped") return {name, evaluate::load_policy(apps::shipped_policy())};
+  if (name == "shipped") return {name, evaluate::load_policy(host::shipped("policy/frozen/shipped.policy"))};
   if (name.find_first_of("./") == std::string::npos) {
     std::string known = "shipped";
     for (const baselines::Entry& entry : baselines::catalogue()) known += ", " + std::string(entry.name);
@@ -102,7 +106,7 @@ Contestant contestant_named(const std::string& name) {
 /// For --verbose.
 void tell_of(const Contestant& contestant) {
   if (contestant.learned)
-    apps::tell_of_policy(contestant.name, *contestant.learned);
+    command_line::print_policy_details(contestant.name, *contestant.learned);
   else
     program::detail() << contestant.name << ": goes by what is expected to be heard\n";
 }
@@ -169,7 +173,7 @@ void warn_of_another_source(const std::vector<Contestant>& contestants, search::
 std::vector<evaluate::World> worlds_of(const Options& o, const std::filesystem::path& environment, Meters depth) {
   std::vector<std::filesystem::path> files(o.worlds.begin(), o.worlds.end());
   if (o.suite) {
-    for (const std::filesystem::path& path : evaluate::worlds_in(apps::data_folder() / "worlds")) files.push_back(path);
+    for (const std::filesystem::path& path : evaluate::worlds_in(host::shipped("policy/worlds"))) files.push_back(path);
   }
   std::vector<evaluate::World> worlds;
   for (const std::filesystem::path& file : files) worlds.push_back(evaluate::load_world(file));
@@ -286,13 +290,13 @@ constexpr host::OutputKind kTableOutput{"a table of earshot evaluate (CSV)", {"w
 constexpr host::OutputKind kPathsOutput{"paths of earshot evaluate (CSV)", {"world,policy,episode,step,", {}}};
 
 void check_files(const Options& o) {
-  if (o.plot) apps::check_picture_name("--plot", *o.plot);
-  std::vector<apps::Output> files;
+  if (o.plot) command_line::check_picture_name("--plot", *o.plot);
+  std::vector<command_line::Output> files;
   if (o.json) files.push_back({"--json", *o.json, kFiguresOutput});
   if (o.csv) files.push_back({"--csv", *o.csv, kTableOutput});
   if (o.plot) files.push_back({"--plot", *o.plot, host::picture_kind(*o.plot)});
   if (o.paths) files.push_back({"--paths", *o.paths, kPathsOutput});
-  apps::require_writable(files, host::replaced_by(o.force));
+  command_line::require_writable(files, host::replaced_by(o.force));
 }
 
 /// "source fixed at 10000 m north, 10000 m east (as fixed.policy was trained); starts inside_border"
@@ -340,7 +344,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   }
   const sonar::SnrCurve expected = apps::curve_for(environment, depth, settings);
   std::optional<policy::ActionDraw> draw;
-  if (o.draw) draw = apps::draw_named(*o.draw);
+  if (o.draw) draw = description::draw_named(*o.draw);
 
   std::vector<evaluate::Row> rows;
   evaluate::PathTable paths;
@@ -368,5 +372,5 @@ int main(int argc, char** argv) {
   program::CommandLine line("earshot evaluate", "Flies many simulated searches with policies and baselines and says how they did.");
   Options options;
   add_options(line, options);
-  return apps::run_ranked_program(line, argc, argv, [&](parallel::RankSession& session) { evaluate_policies(options, session); });
+  return command_line::run_ranked(line, argc, argv, [&](parallel::RankSession& session) { evaluate_policies(options, session); });
 }

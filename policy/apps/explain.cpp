@@ -5,7 +5,9 @@
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/explain_map.hpp"
-#include "policy/apps/program.hpp"
+#include "policy/command_line/outputs.hpp"
+#include "policy/command_line/policy_details.hpp"
+#include "policy/command_line/run.hpp"
 #include "policy/report/explanation.hpp"
 #include "policy/report/recorded_flight.hpp"
 #include "policy/report/sheet.hpp"
@@ -44,7 +46,7 @@ program::CommandLine& add_map(program::CommandLine& line, apps::ExplainMapOption
   map.option("--arrows", &o.arrows, "arrows along a side").from(1, 100).shows_default();
   map.option("--starts", &o.starts, "starts of paths along a side").from(1, 50).shows_default();
   map.option("-o,--output", &o.output, "picture to write (.png or .svg)").required();
-  map.flag("--force", &o.force, apps::kForceHelp);
+  map.flag("--force", &o.force, command_line::kForceHelp);
   return map;
 }
 
@@ -62,7 +64,7 @@ void add_decision(program::CommandLine& line, DecisionOptions& o) {
       .one_of({"centre", "here"})
       .shows_default();
   decision.option("-o,--output", &o.output, "sheet to write (.html, .md or .json)").required();
-  decision.flag("--force", &o.force, apps::kForceHelp);
+  decision.flag("--force", &o.force, command_line::kForceHelp);
 }
 
 std::string in_format_of(const std::filesystem::path& output, const report::Sheet& sheet) {
@@ -84,7 +86,7 @@ void write_sheet(const DecisionOptions& o) {
   report::RecordingOptions recording{.policy = o.policy, .south_west = std::nullopt};
   if (o.south_west) recording.south_west = apps::north_east_of("--south-west", *o.south_west);
   const report::RecordedFlight flight = report::open_recording(o.flight, recording);
-  apps::tell_of_policy(flight.policy_path.string(), *flight.policy);
+  command_line::print_policy_details(flight.policy_path.string(), *flight.policy);
   program::detail() << flight.journal_path.string() << ": " << flight.journal.decisions.size()
                     << " decisions, each as the policy makes it again\n";
   const report::Sheet sheet = report::make_sheet(flight, report::index_of_step(flight, o.step),
@@ -107,6 +109,6 @@ int main(int argc, char** argv) {
   DecisionOptions decision_options;
   const program::CommandLine& map = add_map(line, map_options);
   add_decision(line, decision_options);
-  return apps::run_program(line, argc, argv,
+  return command_line::run(line, argc, argv,
                            [&] { map.is_chosen() ? apps::draw_explanation_map(map_options) : write_sheet(decision_options); });
 }

@@ -7,9 +7,12 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/apps/listening_options.hpp"
-#include "policy/apps/program.hpp"
+#include "policy/command_line/listening_options.hpp"
+#include "policy/command_line/outputs.hpp"
+#include "policy/command_line/policy_details.hpp"
+#include "policy/command_line/run.hpp"
 #include "policy/description/crc32_text.hpp"
+#include "policy/description/draw.hpp"
 #include "policy/freeze/keys.hpp"
 #include "policy/freeze/model_file.hpp"
 #include "policy/freeze/thaw.hpp"
@@ -24,7 +27,7 @@ struct Options {
   std::optional<std::string> output;
   std::optional<std::string> search;
   std::optional<std::string> draw;
-  apps::ListeningOptions listening;
+  command_line::ListeningOptions listening;
   std::string key;
   bool new_key = false;
   bool force = false;
@@ -40,12 +43,12 @@ void add_options(program::CommandLine& line, Options& options) {
       "what a .zip or .onnx was trained to search, when it does not carry that along (JSON: earshot_gym.sb3.describe() in policy/python)");
   line.option("--draw", &options.draw,
               "how the vehicle draws its actions: sampled from the softmax, or argmax; without it sampled, of a .policy as it does")
-      .one_of({"argmax", "sampled"});
+      .one_of({description::kDraws.begin(), description::kDraws.end()});
   options.listening.add_to(line, "what MODEL has: what it was trained with, of a .policy what it was last frozen with");
   line.option("--key", &options.key, "secret key file to sign with; its public half stands beside it as .pub").required();
   line.flag("--new-key", &options.new_key,
             "make the key and its .pub first; refused when one of them exists (--force replaces a .pub without its key)");
-  line.flag("--force", &options.force, apps::kForceHelp);
+  line.flag("--force", &options.force, command_line::kForceHelp);
 }
 
 std::filesystem::path public_file_of(std::filesystem::path key_file) {
@@ -54,9 +57,9 @@ std::filesystem::path public_file_of(std::filesystem::path key_file) {
 
 /// A policy must not be written over the key that signs it.
 void check_output(const Options& options) {
-  const apps::Output output{"--output", *options.output, apps::kPolicyOutput};
-  apps::check_distinct(std::array{apps::Output{"--key", options.key, {}}, output});
-  apps::check_distinct(std::array{apps::Output{"the public half of --key", public_file_of(options.key), {}}, output});
+  const command_line::Output output{"--output", *options.output, command_line::kPolicyOutput};
+  command_line::check_distinct(std::array{command_line::Output{"--key", options.key, {}}, output});
+  command_line::check_distinct(std::array{command_line::Output{"the public half of --key", public_file_of(options.key), {}}, output});
 }
 
 /// Of two programs that make one key, one does: the other finds the secret half there. @param force  a .pub without its secret half goes
@@ -90,7 +93,7 @@ std::string search_of(const freeze::TrainedActor& actor, const Options& options)
 }
 
 policy::ActionDraw draw_of(const Options& options) {
-  return apps::draw_named(options.draw.value_or("sampled"));
+  return description::draw_named(options.draw.value_or("sampled")).value();
 }
 
 /// What is wrong is wrong with the model.
@@ -119,7 +122,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze_again(const std::string& text, cons
   std::unique_ptr<policy::FrozenPolicy> policy = freeze::thaw(bytes, file.string());
   const std::string key = freeze::to_text(freeze::signer_of(bytes));
   program::detail() << file.string() << ": was signed with the secret half of " << key;
-  if (options.draw) policy->draw = apps::draw_named(*options.draw);
+  if (options.draw) policy->draw = description::draw_named(*options.draw).value();
   return policy;
 }
 
@@ -147,16 +150,16 @@ void run(const Options& options) {
   if (options.model) {
     check_output(options);
     policy = policy_of(options);
-    host::require_writable(*options.output, apps::kPolicyOutput, host::replaced_by(options.force));
+    host::require_writable(*options.output, command_line::kPolicyOutput, host::replaced_by(options.force));
   }
   const freeze::SecretKey key = key_of(options);
   if (!options.model) return;
   const std::vector<std::uint8_t> bytes = freeze::sign(*policy, key);
   host::write_whole(*options.output, std::string(bytes.begin(), bytes.end()));
-  apps::tell_of_policy(*options.model, *policy);
+  command_line::print_policy_details(*options.model, *policy);
   program::detail() << options.key << ": signed with it; a vehicle trusts " << public_file_of(options.key).string() << "\n";
   program::say() << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " observations, "
-                 << policy->actions.size() << " actions, " << (policy->draw == policy::ActionDraw::kArgmax ? "argmax" : "sampled") << "\n";
+                 << policy->actions.size() << " actions, " << description::name_of(policy->draw) << "\n";
 }
 
 }  // namespace
@@ -166,5 +169,5 @@ int main(int argc, char** argv) {
   line.footer("Example: earshot freeze fixed.checkpoint -o fixed.policy --key earshot.key --new-key");
   Options options;
   add_options(line, options);
-  return apps::run_program(line, argc, argv, [&] { run(options); });
+  return command_line::run(line, argc, argv, [&] { run(options); });
 }

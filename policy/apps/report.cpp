@@ -8,7 +8,8 @@
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/apps/program.hpp"
+#include "policy/command_line/outputs.hpp"
+#include "policy/command_line/run.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/report/flight_files.hpp"
 #include "policy/report/page.hpp"
@@ -53,8 +54,8 @@ int main(int argc, char** argv) {
   std::filesystem::path folder;
   bool force = false;
   line.option("DIR", &folder, "folder of the flight").required();
-  line.flag("--force", &force, apps::kForceHelp);
+  line.flag("--force", &force, command_line::kForceHelp);
   int status = program::kDone;
-  const int refused = apps::run_program(line, argc, argv, [&] { status = write_report(folder, host::replaced_by(force)); });
+  const int refused = command_line::run(line, argc, argv, [&] { status = write_report(folder, host::replaced_by(force)); });
   return refused != program::kDone ? refused : status;
 }

@@ -7,12 +7,13 @@
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/apps/curve_plot.hpp"
-#include "policy/apps/program.hpp"
-#include "policy/apps/training_job.hpp"
+#include "policy/command_line/outputs.hpp"
+#include "policy/command_line/run.hpp"
 #include "policy/description/placement.hpp"
 #include "policy/description/state.hpp"
 #include "policy/evaluate/evaluation.hpp"
+#include "policy/training/curve_plot.hpp"
+#include "policy/training/job.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 #include "sim/parallel/rank_session.hpp"
 
@@ -20,21 +21,21 @@ namespace {
 
 using namespace earshot;
 using host::BadInput;
-using Trainings = std::vector<std::unique_ptr<apps::Training>>;
+using Trainings = std::vector<std::unique_ptr<training::Training>>;
 
-Trainings prepare(const apps::TrainOptions& options, const std::vector<std::string>& arguments, parallel::Ranks& ranks) {
+Trainings prepare(const training::TrainOptions& options, const std::vector<std::string>& arguments, parallel::Ranks& ranks) {
   if (options.plot) {
-    apps::check_picture_name("--plot", *options.plot);
+    command_line::check_picture_name("--plot", *options.plot);
     if (ranks.rank() == 0) host::require_writable(*options.plot, host::picture_kind(*options.plot), host::replaced_by(options.force));
   }
-  std::vector<apps::TrainingJob> jobs = apps::jobs_of(options, arguments);
+  std::vector<training::TrainingJob> jobs = training::jobs_of(options, arguments);
   if (jobs.size() > 1 && ranks.size() > 1) throw BadInput("several trainings at once share no MPI ranks: start mpirun for each");
   Trainings trainings;
-  for (apps::TrainingJob& job : jobs) trainings.push_back(std::make_unique<apps::Training>(std::move(job), ranks));
+  for (training::TrainingJob& job : jobs) trainings.push_back(std::make_unique<training::Training>(std::move(job), ranks));
   return trainings;
 }
 
-void run_all(const Trainings& trainings, std::size_t threads, apps::TrainingProgress& progress) {
+void run_all(const Trainings& trainings, std::size_t threads, training::TrainingProgress& progress) {
   program::stop_on_signals(program::SecondSignal::kEndsAtOnce);
   auto run = [&](std::size_t i) { trainings[i]->run(progress, i, program::stop_requested); };
   if (trainings.size() == 1) return run(0);  // MPI wants the main thread
@@ -47,7 +48,7 @@ void tell_settings(const Trainings& trainings, std::size_t threads, std::size_t 
   program::detail() << trainings.size() << (trainings.size() == 1 ? " training, " : " trainings, ") << std::min(threads, trainings.size())
                     << " at a time, " << ranks << (ranks == 1 ? " process\n" : " processes\n");
   for (const auto& training : trainings) {
-    const apps::TrainingJob& job = training->job();
+    const training::TrainingJob& job = training->job();
     program::detail() << job.output.string() << ", " << job.curve.string() << ", " << job.updates.string()
                       << ":\n  environment = " << training->run_settings().environment.string() << "\n";
     for (const auto& [name, value] : ppo::describe(training->run_settings())) program::detail() << "  " << name << " = " << value << "\n";
@@ -58,7 +59,7 @@ void print_summary(const Trainings& trainings, double seconds) {
   std::vector<double> medians;
   std::vector<double> found;
   for (const auto& training : trainings) {
-    const apps::LearningCurve::Recent last = training->curve().recent();
+    const training::LearningCurve::Recent last = training->curve().recent();
     if (last.episodes > 0) {
       medians.push_back(last.median_reward);
       found.push_back(last.found_fraction);
@@ -94,23 +95,23 @@ std::string title_of(const Trainings& trainings) {
          (trainings.size() == 1 ? "seed " + std::to_string(run.seed) : std::to_string(trainings.size()) + " seeds");
 }
 
-void train(const apps::TrainOptions& options, const std::vector<std::string>& arguments, parallel::RankSession& session) {
+void train(const training::TrainOptions& options, const std::vector<std::string>& arguments, parallel::RankSession& session) {
   const bool speaks = session.ranks().rank() == 0;
   Trainings trainings;
   session.all_or_none<BadInput>([&] { trainings = prepare(options, arguments, session.ranks()); });
 
   const std::size_t threads = options.threads.value_or(parallel::available_processors());
   if (speaks) tell_settings(trainings, threads, session.ranks().size());
-  apps::TrainingProgress progress(trainings.size(), speaks && program::talk() != program::Talk::kQuiet
-                                                        ? apps::TrainingProgress::Voice::kSpeaks
-                                                        : apps::TrainingProgress::Voice::kSilent);
+  training::TrainingProgress progress(trainings.size(), speaks && program::talk() != program::Talk::kQuiet
+                                                            ? training::TrainingProgress::Voice::kSpeaks
+                                                            : training::TrainingProgress::Voice::kSilent);
   run_all(trainings, threads, progress);
   if (!speaks) return;
   progress.finish();
   if (options.plot) {
     std::vector<std::string> curves;
-    for (const auto& training : trainings) curves.push_back(training->curve().episodes_csv());
-    apps::draw_curves(*options.plot, title_of(trainings), curves);
+    for (const auto& each : trainings) curves.push_back(each->curve().episodes_csv());
+    training::draw_curves(*options.plot, title_of(trainings), curves);
   }
   print_summary(trainings, progress.seconds());
 }
@@ -124,10 +125,10 @@ int main(int argc, char** argv) {
       "fixed.checkpoint\n"
       "Ctrl-C writes the checkpoint; earshot train --resume fixed.checkpoint goes on.\n"
       "mpirun -n N earshot-train ... trains one policy with N times the environments and the batch.");
-  apps::TrainOptions options;
+  training::TrainOptions options;
   options.add_to(line);
-  return apps::run_ranked_program(line, argc, argv, [&](parallel::RankSession& session) {
-    if (!options.resume.empty()) apps::check_for_resume(line);
+  return command_line::run_ranked(line, argc, argv, [&](parallel::RankSession& session) {
+    if (!options.resume.empty()) training::check_for_resume(line);
     train(options, std::vector<std::string>(argv + 1, argv + argc), session);
   });
 }

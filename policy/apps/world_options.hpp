@@ -5,7 +5,7 @@
 #include <string>
 
 #include "firmware/host/program/command_line.hpp"
-#include "policy/apps/listening_options.hpp"
+#include "policy/command_line/listening_options.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/search/soundscape.hpp"
@@ -23,7 +23,7 @@ struct WorldOptions {
   std::optional<double> start_margin_m = {};
   std::optional<double> border_width_m = {};
   std::optional<std::uint32_t> max_steps = {};
-  ListeningOptions listening = {};
+  command_line::ListeningOptions listening = {};
 
   /// What help says holds where an option is not given.
   struct Otherwise {

@@ -1,15 +1,15 @@
-#include "policy/apps/learning_curve.hpp"
+#include "policy/training/learning_curve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <vector>
 
-#include "policy/apps/curve_plot.hpp"
+#include "policy/training/curve_plot.hpp"
 #include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/support/process.hpp"
 
-namespace earshot::apps {
+namespace earshot::training {
 namespace {
 
 search::EpisodeRecord episode(double reward, search::EpisodeEnd end) {
@@ -92,4 +92,4 @@ TEST(CurvePlot, OfSeveralTrainingsShowsTheQuartilesOfTheirMedians) {
 }
 
 }  // namespace
-}  // namespace earshot::apps
+}  // namespace earshot::training

@@ -1,10 +1,10 @@
-#include "policy/apps/training_progress.hpp"
+#include "policy/training/progress.hpp"
 
 #include <unistd.h>
 
 #include <cstdio>
 
-namespace earshot::apps {
+namespace earshot::training {
 
 using namespace std::chrono_literals;
 
@@ -55,4 +55,4 @@ void TrainingProgress::show() {
   std::fflush(stderr);
 }
 
-}  // namespace earshot::apps
+}  // namespace earshot::training

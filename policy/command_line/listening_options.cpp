@@ -1,10 +1,10 @@
-#include "policy/apps/listening_options.hpp"
+#include "policy/command_line/listening_options.hpp"
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 
-namespace earshot::apps {
+namespace earshot::command_line {
 
 void ListeningOptions::add_to(program::CommandLine& line, const std::string& otherwise) {
   line.option("--listening", &listening,
@@ -32,4 +32,4 @@ config::ListeningWindow ListeningOptions::applied_to(config::ListeningWindow sta
   }
 }
 
-}  // namespace earshot::apps
+}  // namespace earshot::command_line

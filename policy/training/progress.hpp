@@ -5,9 +5,9 @@
 #include <mutex>
 #include <vector>
 
-#include "policy/apps/learning_curve.hpp"
+#include "policy/training/learning_curve.hpp"
 
-namespace earshot::apps {
+namespace earshot::training {
 
 /// A line on standard error that says how far one training or several have come, at what rate, how well, and how long it will take.
 class TrainingProgress {
@@ -41,4 +41,4 @@ class TrainingProgress {
   Clock::time_point shown_ = start_;
 };
 
-}  // namespace earshot::apps
+}  // namespace earshot::training

@@ -9,7 +9,7 @@
 #include "policy/ppo/learner.hpp"
 #include "sim/search/episode.hpp"
 
-namespace earshot::apps {
+namespace earshot::training {
 
 inline constexpr std::size_t kRecentEpisodes = 50;  ///< that "recent" means: the paper's Fig. 5
 
@@ -66,4 +66,4 @@ bool take_row(std::string_view& csv, EpisodeRow& row);
 
 inline constexpr std::string_view kEpisodesHeader = "episode,steps,reward,found\n";
 
-}  // namespace earshot::apps
+}  // namespace earshot::training

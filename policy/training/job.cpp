@@ -1,4 +1,4 @@
-#include "policy/apps/training_job.hpp"
+#include "policy/training/job.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,12 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/version.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/apps/program.hpp"
+#include "policy/command_line/outputs.hpp"
 #include "policy/description/crc32_text.hpp"
 #include "policy/ppo/trainer.hpp"
 #include "policy/ppo/training_state_text.hpp"
 
-namespace earshot::apps {
+namespace earshot::training {
 namespace {
 
 using host::BadInput;
@@ -174,14 +174,14 @@ constexpr host::OutputKind kLossesOutput{"the losses of a training (CSV)", {"ste
 void check_files(const std::vector<TrainingJob>& jobs, const TrainOptions& given) {
   const std::string checkpoint = given.output || given.resume.empty() ? "--output" : "--resume";
   const std::string curve = given.curve ? "--curve" : "the learning curve of " + checkpoint;
-  std::vector<Output> files;
+  std::vector<command_line::Output> files;
   for (const TrainingJob& job : jobs) {
     files.push_back({checkpoint, job.output, kCheckpointOutput});
     files.push_back({curve, job.curve, kCurveOutput});
     files.push_back({"the losses beside " + curve, job.updates, kLossesOutput});
   }
   if (given.plot) files.push_back({"--plot", *given.plot, host::picture_kind(*given.plot)});
-  check_distinct(files);
+  command_line::check_distinct(files);
 }
 
 }  // namespace
@@ -215,22 +215,22 @@ struct Training::Parts {
       : job(std::move(given)),
         ranks(r),
         run(settled(job.options)),
-        environment(environment_at(run.environment, run.vehicle_depth)),
+        environment(apps::environment_at(run.environment, run.vehicle_depth)),
         soundscape(settle_search()),
         world(run.search, soundscape, environment.conditions),
         model(ppo::observation_of(run, soundscape.expected())),
         trainer(world, model, run.hyper, run.seed, ranks),
         curve(earlier_curve(job)),
-        settings_crc32(apps::settings_crc32(job.options, run, environment)) {}
+        settings_crc32(training::settings_crc32(job.options, run, environment)) {}
 
   search::Soundscape settle_search() {
     run.search.source = environment.source.position;
-    WorldOptions world_options = job.options.world;
+    apps::WorldOptions world_options = job.options.world;
     const bool start_is_given = world_options.start || world_options.start_margin_m;
     if (run.start == ppo::Start::kInsideBorder && !start_is_given)
       world_options.start = "inside_border";  // of whatever width it has by now
     world_options.apply_to(run.search);
-    return soundscape_for(environment, run.vehicle_depth, run.search);
+    return apps::soundscape_for(environment, run.vehicle_depth, run.search);
   }
 
   void resume();
@@ -372,4 +372,4 @@ std::uint64_t Training::steps() const {
   return parts_->trainer.steps();
 }
 
-}  // namespace earshot::apps
+}  // namespace earshot::training

@@ -1,4 +1,4 @@
-#include "policy/apps/curve_plot.hpp"
+#include "policy/training/curve_plot.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/apps/learning_curve.hpp"
 #include "policy/evaluate/evaluation.hpp"
+#include "policy/training/learning_curve.hpp"
 #include "sim/plot/gnuplot.hpp"
 
-namespace earshot::apps {
+namespace earshot::training {
 namespace {
 
 constexpr std::size_t kPoints = 500;  // more than a picture shows
@@ -75,4 +75,4 @@ void draw_curves(const std::filesystem::path& path, const std::string& title, st
   }
 }
 
-}  // namespace earshot::apps
+}  // namespace earshot::training

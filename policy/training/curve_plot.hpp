@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace earshot::apps {
+namespace earshot::training {
 
 /// Draws reward against episodes, as the paper's Fig. 5: median of the last 50 episodes and their quartiles; of several trainings the
 /// median and the quartiles of their medians. Throws host::BadInput when it cannot be drawn.
@@ -22,4 +22,4 @@ struct CurvePoint {
 };
 [[nodiscard]] std::vector<CurvePoint> points_of(std::span<const std::string> episodes_csv);
 
-}  // namespace earshot::apps
+}  // namespace earshot::training

@@ -10,7 +10,7 @@
 #include "policy/apps/world_options.hpp"
 #include "policy/ppo/training_run.hpp"
 
-namespace earshot::apps {
+namespace earshot::training {
 
 /// The command line of `earshot train`.
 struct TrainOptions {
@@ -20,7 +20,7 @@ struct TrainOptions {
   std::optional<std::string> curve;
   std::optional<std::string> plot;
   std::optional<std::uint64_t> checkpoint_every;  ///< steps
-  WorldOptions world;
+  apps::WorldOptions world;
   std::optional<std::string> state;
   std::optional<std::size_t> remembered_steps;
   std::optional<std::uint64_t> episodes;
@@ -45,4 +45,4 @@ void check_for_resume(const program::CommandLine& line);
 /// The run file with the options over it. Throws host::BadInput.
 [[nodiscard]] ppo::TrainingRun settled(const TrainOptions& options);
 
-}  // namespace earshot::apps
+}  // namespace earshot::training

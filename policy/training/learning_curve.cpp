@@ -1,4 +1,4 @@
-#include "policy/apps/learning_curve.hpp"
+#include "policy/training/learning_curve.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "policy/evaluate/evaluation.hpp"
 
-namespace earshot::apps {
+namespace earshot::training {
 namespace {
 
 constexpr std::string_view kUpdatesHeader =
@@ -121,4 +121,4 @@ LearningCurve::Recent LearningCurve::recent() const {
           .found_fraction = static_cast<double>(found) / static_cast<double>(recent_.size())};
 }
 
-}  // namespace earshot::apps
+}  // namespace earshot::training

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "policy/apps/learning_curve.hpp"
-#include "policy/apps/train_options.hpp"
-#include "policy/apps/training_progress.hpp"
 #include "policy/ppo/checkpoint.hpp"
 #include "policy/ppo/training_run.hpp"
+#include "policy/training/learning_curve.hpp"
+#include "policy/training/options.hpp"
+#include "policy/training/progress.hpp"
 #include "sim/parallel/ranks.hpp"
 
-namespace earshot::apps {
+namespace earshot::training {
 
 /// One training from its first step, or from a checkpoint, to its last: a checkpoint and two curves.
 struct TrainingJob {
@@ -57,4 +57,4 @@ class Training {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace earshot::apps
+}  // namespace earshot::training

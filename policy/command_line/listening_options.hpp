@@ -7,7 +7,7 @@
 #include "firmware/config/listening_window.hpp"
 #include "firmware/host/program/command_line.hpp"
 
-namespace earshot::apps {
+namespace earshot::command_line {
 
 /// The part of a command line that says over which window an observation listens.
 struct ListeningOptions {
@@ -23,4 +23,4 @@ struct ListeningOptions {
   [[nodiscard]] config::ListeningWindow applied_to(config::ListeningWindow standing) const;
 };
 
-}  // namespace earshot::apps
+}  // namespace earshot::command_line

@@ -1,13 +1,13 @@
-#include "policy/apps/train_options.hpp"
+#include "policy/training/options.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/apps/program.hpp"
+#include "policy/command_line/outputs.hpp"
 
-namespace earshot::apps {
+namespace earshot::training {
 namespace {
 
 using host::BadInput;
@@ -72,7 +72,7 @@ void TrainOptions::add_to(program::CommandLine& line) {
       .excludes(one_seed);
   line.option("--threads", &threads, "trainings at a time (all processors)").from(1, 1024);
   line.option("--environments", &environments, "episodes stepped together (1)").from(1, static_cast<int>(ppo::kMostEnvironments));
-  line.flag("--force", &force, kForceHelp);
+  line.flag("--force", &force, command_line::kForceHelp);
 }
 
 void check_for_resume(const program::CommandLine& line) {
@@ -125,4 +125,4 @@ ppo::TrainingRun settled(const TrainOptions& options) {
   return run;
 }
 
-}  // namespace earshot::apps
+}  // namespace earshot::training

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "firmware/policy/frozen_policy.hpp"
+
+namespace earshot::command_line {
+
+/// With --verbose: prints what a policy sees and does, and its provenance line by line.
+void print_policy_details(const std::string& name, const policy::FrozenPolicy& policy);
+
+}  // namespace earshot::command_line
