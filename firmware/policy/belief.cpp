@@ -8,34 +8,14 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
+#include "firmware/policy/belief_summary.hpp"
 #include "firmware/policy/normal_table.hpp"
-#include "firmware/policy/search_bounds.hpp"
 
 namespace earshot::policy {
 namespace {
 
 constexpr float kOutlierRange = 80.0F;  // dB over which an SNR that follows no model is spread
 constexpr float kCovered = 1e-3F;       // share left to a cell within step_length of a place visited: navigation errs, sources move
-
-constexpr double kLeastSpread = 0.05;
-constexpr double kMostSpread = 100.0;  // dB
-constexpr double kLeastPrior = 1e-6;
-constexpr double kMostPrior = 1e6;
-constexpr double kMostRangeStep_m = 1e4;
-constexpr double kMostCost = 1e6;
-constexpr double kLeastReach = 1e-3;         // other costs are divided by it
-constexpr double kLeastLogDiscount = -10.0;  // next to no step after the first
-constexpr double kMostLogDiscount = -1e-3;   // a thousand steps: more, and one less the discount is no number to divide by
-
-bool has_valid_numbers(const BeliefCosts& costs) {
-  return is_within(double{costs.step}, 0.0, kMostCost) && is_within(double{costs.log_step_discount}, kLeastLogDiscount, kMostLogDiscount) &&
-         is_within(double{costs.reach}, kLeastReach, kMostCost) && is_within(double{costs.reach_discount}, 0.0, 1.0) &&
-         is_within(double{costs.edge}, 0.0, kMostCost) && is_within(double{costs.most_regret}, 0.0, kMostCost);
-}
-
-std::size_t cell_count(const BeliefModel& model) {
-  return std::size_t{model.cells_north} * model.cells_east;
-}
 
 double cell_north(const BeliefModel& model) {
   return model.area_size.north.value / static_cast<double>(model.cells_north);
@@ -100,27 +80,6 @@ float uncovered(float range, float reach, float cell) {
 
 }  // namespace
 
-bool has_valid_shape(const BeliefModel& model) {
-  return model.cells_north >= 1 && model.cells_east >= 1 && cell_count(model) <= config::kMaxBeliefCells && !model.hypotheses.empty() &&
-         !model.snr_db.empty() && !model.actions.empty();
-}
-
-bool has_valid_numbers(const BeliefModel& model) {
-  const auto is_level = [](float x) { return is_within(double{x}, -kMostLevel_db, kMostLevel_db); };
-  const auto is_length = [](Meters x, double most) { return is_within(x.value, kLeastLength_m, most); };
-  for (const BeliefHypothesis& h : model.hypotheses) {
-    if (!is_level(h.level_offset_db) || !is_within(double{h.spread_db}, kLeastSpread, kMostSpread) ||
-        !is_within(double{h.prior}, kLeastPrior, kMostPrior))
-      return false;
-  }
-  if (!std::all_of(model.snr_db.begin(), model.snr_db.end(), is_level)) return false;
-  return is_length(model.area_size.north, kMostArea_m) && is_length(model.area_size.east, kMostArea_m) &&
-         is_length(model.step_length, kMostStep_m) && is_length(model.border_width, kMostStep_m) &&
-         is_length(model.range_step, kMostRangeStep_m) && is_finite(model.detection_threshold.value) &&
-         is_within(double{model.outlier_share}, 0.0, 1.0) && is_within(double{model.silence_share}, 0.0, 1.0) &&
-         is_within(double{model.forgotten_share}, 0.0, 0.5) && has_valid_numbers(model.costs);
-}
-
 void Belief::start(const BeliefModel& model) {
   const std::size_t cells = cell_count(model);
   const std::size_t hypotheses = model.hypotheses.size();
@@ -164,7 +123,7 @@ EARSHOT_WIDE void Belief::foresee(const BeliefModel& model) {
     const float steps = i <= step ? 0.0F : static_cast<float>(i - step) / static_cast<float>(step);
     silent[i] = i <= step ? 0.0F : (1.0F - detected_[i]) * std::min(1.0F, steps) + silent[i - step];
     if (i > step) discounted *= discount;
-    cost_[i] = silent[i] + model.costs.step * (1.0F - discounted) / discounted_away;
+    search_cost_[i] = silent[i] + model.costs.step * (1.0F - discounted) / discounted_away;
   }
 }
 
@@ -181,8 +140,11 @@ void Belief::update(const BeliefModel& model, NorthEast position, Heard heard) {
   find_ranges(model, position);
   weigh(model, heard);
   foresee(model);
-  summarise(model);
-  look_out(model, position);
+  const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
+  summary_ = summary_of(model, probabilities);
+  const std::size_t ranges = model.snr_db.size();
+  find_outlooks(model, probabilities, {std::span(search_cost_).first(ranges), std::span(detected_).first(ranges)}, position,
+                std::span(outlooks_).first(model.actions.size()));
 }
 
 EARSHOT_WIDE void Belief::find_ranges(const BeliefModel& model, NorthEast position) {

@@ -3,62 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <span>
 #include <vector>
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/random.hpp"
+#include "tests/firmware/policy/belief_rig.hpp"
 
 namespace earshot::policy {
 namespace {
-
-NorthEast at(double north, double east) {
-  return {.north = Meters{north}, .east = Meters{east}};
-}
-
-constexpr std::size_t kNorth = 0;
-constexpr std::size_t kEast = 1;
-constexpr std::size_t kSouth = 2;
-
-/// 20 km x 20 km in cells of 500 m; the SNR falls from 30 dB by 1 dB every kilometre, so that a detection is one within 20 km.
-BeliefModel flat_model(std::initializer_list<BeliefHypothesis> hypotheses) {
-  BeliefModel model;
-  model.area_size = at(20'000, 20'000);
-  model.cells_north = 40;
-  model.cells_east = 40;
-  model.outlier_share = 0.0F;
-  model.forgotten_share = 0.0F;
-  for (const UnitNorthEast direction : {UnitNorthEast{1, 0}, UnitNorthEast{0, 1}, UnitNorthEast{-1, 0}, UnitNorthEast{0, -1}}) {
-    EXPECT_EQ(model.actions.push_back(direction), Status::kOk);
-  }
-  for (const BeliefHypothesis& hypothesis : hypotheses) EXPECT_EQ(model.hypotheses.push_back(hypothesis), Status::kOk);
-  for (int i = 0; i < 300; ++i) EXPECT_EQ(model.snr_db.push_back(static_cast<float>(300 - i) / 10.0F), Status::kOk);
-  return model;
-}
-
-double snr_at(NorthEast place, NorthEast source) {
-  return 30.0 - range_between(place, source).value / 1'000.0;
-}
-
-NorthEast centre(std::size_t north, std::size_t east) {
-  return at((static_cast<double>(north) + 0.5) * 500.0, (static_cast<double>(east) + 0.5) * 500.0);
-}
-
-class BeliefTest : public testing::Test {
- protected:
-  void hear(const BeliefModel& model, NorthEast place, double snr_db) { belief->update(model, place, {.snr = Decibels{snr_db}}); }
-  void hear_nothing(const BeliefModel& model, NorthEast place, double floor_db) {
-    belief->update(model, place, {.snr = Decibels{floor_db}, .too_faint = true});
-  }
-  [[nodiscard]] double probability_at(const BeliefModel& model, NorthEast place) const {
-    return double{belief->probability(model, static_cast<std::size_t>(place.north.value / 500.0),
-                                      static_cast<std::size_t>(place.east.value / 500.0))};
-  }
-
-  std::unique_ptr<Belief> belief = std::make_unique<Belief>();
-};
 
 TEST_F(BeliefTest, StartsWithEveryPlaceAsLikelyAsAnyOther) {
   const BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
@@ -229,63 +183,6 @@ TEST_F(BeliefTest, HasTheSameBitsOnEveryMachine) {
   }
   const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(all.data()), all.size() * sizeof(float));
   EXPECT_EQ(crc32(bytes), 0xF814D605U);  // of x86-64, unoptimised for SSE2 as well as vectorised for AVX2, and of 64-bit ARM
-}
-
-/// A belief that knows the source to the cell, as heard from afar.
-class OutlookTest : public BeliefTest {
- protected:
-  /// Looks at the source from afar, then once from `place`.
-  void know(NorthEast source, NorthEast place) {
-    belief->start(model);
-    for (const NorthEast from : {at(1'000, 10'500), at(19'000, 9'500), at(10'000, 1'000), at(10'000, 19'000), place}) {
-      hear(model, from, snr_at(from, source));
-    }
-  }
-
-  BeliefModel model = flat_model({{0.0F, 0.2F, 1.0F}});
-};
-
-TEST_F(OutlookTest, HasNoRegretForTheStraightWayToTheSource) {
-  know(centre(30, 20), centre(10, 20));
-  EXPECT_EQ(belief->outlook(kNorth).regret, 0.0F);
-  EXPECT_GT(belief->outlook(kEast).regret, 0.1F);
-  EXPECT_GT(belief->outlook(kSouth).regret, belief->outlook(kEast).regret);
-}
-
-TEST_F(OutlookTest, FindsWhereAStepEndsWithinReachOfTheSource) {
-  know(centre(23, 20), centre(20, 20));  // 1500 m north: one step leaves 500 m
-  EXPECT_GT(belief->outlook(kNorth).found, 0.95F);
-  EXPECT_LT(belief->outlook(kSouth).found, 0.05F);
-}
-
-TEST_F(OutlookTest, ReachesInTwoStepsWhatOneDoesNot) {
-  know(centre(23, 23), centre(20, 20));  // 1500 m north and 1500 m east
-  EXPECT_LT(belief->outlook(kNorth).found, 0.2F);
-  EXPECT_NEAR(belief->outlook(kNorth).reach, 0.85F * 0.95F, 0.06F);  // the second step counts 0.85
-  EXPECT_EQ(belief->outlook(kNorth).reach, belief->outlook(kEast).reach);
-}
-
-TEST_F(OutlookTest, GoesAlongTheBorderForASourceBehindIt) {
-  const NorthEast source = centre(30, 39);  // 250 m from the east edge, within the border
-  know(source, at(15'250, 18'500));         // 1250 m west of it: one step east would find it 500 m deep in the border
-  EXPECT_NEAR(belief->outlook(kEast).border, 0.5F, 1e-3F);
-  EXPECT_GT(belief->outlook(kEast).regret, 5.0F);
-}
-
-TEST_F(OutlookTest, ExpectsADetectionWithinTwentyKilometres) {
-  model.detection_threshold = Decibels{25.0};  // within 5 km
-  know(centre(20, 20), at(10'250, 4'250));     // 6 km west
-  EXPECT_GT(belief->outlook(kEast).detected, 0.4F);
-  EXPECT_LT(belief->outlook(kNorth).detected, 0.1F);
-}
-
-TEST_F(BeliefTest, FindsNothingNearAPlaceBeyondWhatAFloatHolds) {
-  const BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
-  belief->start(model);
-  for (const NorthEast place : {at(1e300, 1e300), at(-1e300, 5'000), at(5'000, 1e300)}) {
-    hear(model, place, 20.0);
-    for (std::size_t action = 0; action < 4; ++action) EXPECT_EQ(belief->outlook(action).found, 0.0F);
-  }
 }
 
 }  // namespace

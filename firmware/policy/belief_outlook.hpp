@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "firmware/core/geometry.hpp"
+#include "firmware/policy/belief_model.hpp"
+
+namespace earshot::policy {
+
+/// What one action promises, under the belief b(s) about the source's place s. See find_outlooks().
+struct ActionOutlook {
+  float found = 0.0F;     ///< probability that its end lies within step_length of the source
+  float reach = 0.0F;     ///< the same for the best place within kReachSteps steps of which it is one, discounted; at least 0
+  float detected = 0.0F;  ///< probability of a detection at its end
+  float border = 0.0F;    ///< how deep its end lies in the border: 0 inside, 1 at the edge, more beyond
+  float regret = 0.0F;    ///< expected cost of the search after it, less that after the best action; at most BeliefCosts::most_regret
+};
+
+inline constexpr std::size_t kReachSteps = 3;  ///< as many as the time of a decision allows
+
+/// What depends on the range to a source alone: one value every BeliefModel::range_step, beyond the end as at the end.
+struct RangeOutlook {
+  std::span<const float> search_cost;  ///< C(r): of a search that goes straight to a source at that range
+  std::span<const float> detected;     ///< D(r): probability of a detection
+};
+
+/// Finds what each action promises to a vehicle at x. With l = step_length, x_a the end of action a, and B(y) how deep a place y lies in
+/// the border (0 inside, 1 at the edge):
+///
+///   found_a    = P(|s - x_a| <= l)
+///   detected_a = E[D(|s - x_a|)]
+///   border_a   = B(x_a)
+///   reach_a    = max(0, max over y of  g^(n-1) P(|s - y| <= l) - (e / r) B(y)),   y: the ends of all paths of n = 1 ... kReachSteps
+///                steps of which a is one, in any order
+///   cost_a     = E[C(way(x_a, s))] + e border_a - r reach_a
+///   regret_a   = min(cost_a - min over a' of cost_a', most_regret)
+///
+/// with g, r, e, most_regret = costs.reach_discount, .reach, .edge, .most_regret. The way to a source in the border ends where it is found
+/// without entering the border: way(x, s) = max(|s - x|, |c - x| + l - sqrt(l^2 - |s - c|^2)), c: the place outside the border nearest to
+/// s (the root is 0 where |s - c| > l). P counts a cell by as much of it as lies within l; E takes blocks of 2 x 2 cells as a point each.
+/// The reach is 0 where hardly any of the belief is near.
+/// @param probabilities  b: of the cells of the model's grid, [north x east]
+/// @param position       x, relative to the area's south-west corner
+/// @param outlooks       [actions]; the result
+/// Oracle: OutlookTest.*, BeliefTest.HasTheSameBitsOnEveryMachine
+void find_outlooks(const BeliefModel& model, std::span<const float> probabilities, const RangeOutlook& by_range, NorthEast position,
+                   std::span<ActionOutlook> outlooks);
+
+}  // namespace earshot::policy

@@ -1,0 +1,54 @@
+#include "firmware/policy/belief_summary.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "firmware/core/math.hpp"
+#include "firmware/core/wide.hpp"
+
+namespace earshot::policy {
+
+EARSHOT_WIDE messages::BeliefSummary summary_of(const BeliefModel& model, std::span<const float> probabilities) {
+  const std::size_t rows = model.cells_north;
+  const std::size_t columns = model.cells_east;
+  std::array<double, 3> north{};  // moments of the place, in cells, that many times
+  std::array<double, 3> east{};
+  double squares = 0.0;
+  std::size_t best = 0;
+  for (std::size_t n = 0; n < rows; ++n) {
+    float row = 0.0F;
+    float row_east = 0.0F;
+    float row_east_squared = 0.0F;
+    float row_squares = 0.0F;
+    for (std::size_t e = 0; e < columns; ++e) {
+      const std::size_t i = n * columns + e;
+      const float p = probabilities[i];
+      const auto column = static_cast<float>(static_cast<int>(e));
+      row += p;
+      row_east += p * column;
+      row_east_squared += p * column * column;
+      row_squares += p * p;
+      best = p > probabilities[best] ? i : best;
+    }
+    const auto place = static_cast<double>(n);
+    const auto share = static_cast<double>(row);
+    north = {north[0] + share, north[1] + share * place, north[2] + share * place * place};
+    east = {north[0], east[1] + double{row_east}, east[2] + double{row_east_squared}};
+    squares += double{row_squares};
+  }
+  const Meters size_north = model.area_size.north / static_cast<double>(rows);
+  const Meters size_east = model.area_size.east / static_cast<double>(columns);
+  const double mean_north = north[1] / north[0];
+  const double mean_east = east[1] / north[0];
+  const double variance_north = std::max(0.0, north[2] / north[0] - mean_north * mean_north);
+  const double variance_east = std::max(0.0, east[2] / north[0] - mean_east * mean_east);
+  messages::BeliefSummary summary;
+  summary.likeliest = {(static_cast<double>(best / columns) + 0.5) * size_north, (static_cast<double>(best % columns) + 0.5) * size_east};
+  summary.mean = {(mean_north + 0.5) * size_north, (mean_east + 0.5) * size_east};
+  summary.spread = length_of({sqrt(variance_north) * size_north, sqrt(variance_east) * size_east});
+  summary.likeliest_share = probabilities[best];
+  summary.effective_cells = static_cast<float>(1.0 / squares);
+  return summary;
+}
+
+}  // namespace earshot::policy
