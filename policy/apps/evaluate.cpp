@@ -203,12 +203,12 @@ std::vector<evaluate::Flight> fly_share(const Contestant& contestant, const Aren
   if (contestant.learned) settings.direction_count = contestant.learned->actions.size();
   search::SearchWorld world(settings, arena.soundscape, arena.world.environment.conditions);
   if (contestant.learned) world.actions = contestant.learned->actions;
-  const baselines::Briefing briefing{.settings = settings, .actions = world.actions, .snr = arena.expected};
+  const baselines::PriorKnowledge prior{.settings = settings, .actions = world.actions, .snr = arena.expected};
   std::unique_ptr<baselines::Searcher> searcher;
   if (contestant.learned) {
     searcher = std::make_unique<baselines::Learned>(*contestant.learned, arena.draw.value_or(contestant.learned->draw), settings.domain);
   } else {
-    searcher = baselines::make_baseline(contestant.name, briefing);
+    searcher = baselines::make_baseline(contestant.name, prior);
   }
   const evaluate::Watcher watcher = [&](std::size_t number, const search::Episode& episode) {
     if (bar) bar->update(static_cast<double>(number) / static_cast<double>(arena.episodes));

@@ -51,50 +51,50 @@ double entropy(const Histogram& histogram) {
 
 }  // namespace
 
-Bayes::Bayes(const Briefing& briefing) : briefing_(briefing), model_(search::belief_model(briefing.settings, briefing.snr)) {}
+Bayes::Bayes(const PriorKnowledge& prior) : prior_(prior), model_(search::belief_model(prior.settings, prior.snr)) {}
 
 void Bayes::begin(Pcg32 /*random*/) {
   belief_.start(model_);
 }
 
-void Bayes::hear(const Look& look) {
-  belief_.update(model_, look.position - briefing_.settings.domain.south_west, look.heard);
+void Bayes::hear(const DecisionInput& input) {
+  belief_.update(model_, input.position - prior_.settings.domain.south_west, input.heard);
 }
 
-std::size_t Bayes::choose(const Look& look) {
-  hear(look);
-  return chase(look);
+std::size_t Bayes::choose(const DecisionInput& input) {
+  hear(input);
+  return chase(input);
 }
 
-std::size_t Bayes::chase(const Look& look) const {
-  return warily_toward(briefing_, look.position, briefing_.settings.domain.south_west + belief_.summary().likeliest);
+std::size_t Bayes::chase(const DecisionInput& input) const {
+  return warily_toward(prior_, input.position, prior_.settings.domain.south_west + belief_.summary().likeliest);
 }
 
 NorthEast Bayes::centre_of(std::size_t north, std::size_t east) const {
   const auto middle = [](std::size_t i, std::size_t cells, Meters length) {
     return ((static_cast<double>(i) + 0.5) / static_cast<double>(cells)) * length;
   };
-  return briefing_.settings.domain.south_west +
+  return prior_.settings.domain.south_west +
          NorthEast{middle(north, model_.cells_north, model_.area_size.north), middle(east, model_.cells_east, model_.area_size.east)};
 }
 
-std::size_t BayesLeastRegret::choose(const Look& look) {
-  hear(look);
+std::size_t BayesLeastRegret::choose(const DecisionInput& input) {
+  hear(input);
   const auto regret = [this](std::size_t action) { return belief_.outlook(action).regret; };
   return std::ranges::min(std::views::iota(std::size_t{0}, model_.actions.size()), {}, regret);
 }
 
-std::size_t BayesInformationGain::choose(const Look& look) {
-  hear(look);
+std::size_t BayesInformationGain::choose(const DecisionInput& input) {
+  hear(input);
   const double cells = static_cast<double>(model_.cells_north) * static_cast<double>(model_.cells_east);
   const double cell_area = model_.area_size.north.value * model_.area_size.east.value / cells;
   const double covered = std::numbers::pi * model_.step_length.value * model_.step_length.value / cell_area;
-  if (static_cast<double>(belief_.summary().effective_cells) <= covered) return chase(look);
+  if (static_cast<double>(belief_.summary().effective_cells) <= covered) return chase(input);
   std::size_t best = 0;
   double most = -std::numeric_limits<double>::infinity();
-  for (std::size_t action = 0; action < briefing_.actions.size(); ++action) {
-    const NorthEast end = end_of(briefing_, look.position, action);
-    const double worth = information_at(end) - border_cost(briefing_.settings, end);
+  for (std::size_t action = 0; action < prior_.actions.size(); ++action) {
+    const NorthEast end = end_of(prior_, input.position, action);
+    const double worth = information_at(end) - border_cost(prior_.settings, end);
     if (worth > most) {
       most = worth;
       best = action;
@@ -113,7 +113,7 @@ double BayesInformationGain::information_at(NorthEast place) const {
       if (range <= model_.step_length) {
         found += probability;
       } else {
-        const double bin = (briefing_.snr.at(range).value - kLowest_db) / kBin_db;
+        const double bin = (prior_.snr.at(range).value - kLowest_db) / kBin_db;
         expected[static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(kBins - 1)))] += probability;
       }
     }

@@ -11,16 +11,16 @@
 namespace earshot::baselines {
 namespace {
 
-using Make = std::unique_ptr<Searcher> (*)(const Briefing&);
+using Make = std::unique_ptr<Searcher> (*)(const PriorKnowledge&);
 
 template <class S>
-std::unique_ptr<Searcher> make(const Briefing& briefing) {
-  return std::make_unique<S>(briefing);
+std::unique_ptr<Searcher> make(const PriorKnowledge& prior) {
+  return std::make_unique<S>(prior);
 }
 
 template <Border border>
-std::unique_ptr<Searcher> make_oracle(const Briefing& briefing) {
-  return std::make_unique<Oracle>(briefing, border);
+std::unique_ptr<Searcher> make_oracle(const PriorKnowledge& prior) {
+  return std::make_unique<Oracle>(prior, border);
 }
 
 constexpr std::array kCatalogue{
@@ -33,7 +33,7 @@ constexpr std::array kCatalogue{
     Entry{"bayes", "grid belief, goes to the likeliest cell"},
     Entry{"bayes_least_regret", "grid belief, takes the action that it expects to cost least"},
     Entry{"bayes_infogain", "grid belief, takes the step that is expected to tell most"},
-    Entry{"genetic", "grid belief, path planned by a genetic algorithm anew after every look"},
+    Entry{"genetic", "grid belief, path planned by a genetic algorithm anew after every step"},
 };
 
 constexpr std::array<Make, kCatalogue.size()> kMakers{make_oracle<Border::kIgnored>,
@@ -53,9 +53,9 @@ std::span<const Entry> catalogue() {
   return kCatalogue;
 }
 
-std::unique_ptr<Searcher> make_baseline(std::string_view name, const Briefing& briefing) {
+std::unique_ptr<Searcher> make_baseline(std::string_view name, const PriorKnowledge& prior) {
   for (std::size_t i = 0; i < kCatalogue.size(); ++i) {
-    if (kCatalogue[i].name == name) return kMakers[i](briefing);
+    if (kCatalogue[i].name == name) return kMakers[i](prior);
   }
   return nullptr;
 }

@@ -16,7 +16,7 @@ struct Entry {
 /// Every searcher that is not learned.
 [[nodiscard]] std::span<const Entry> catalogue();
 
-/// The baseline of that name; null when there is none. @param briefing  outlives it
-[[nodiscard]] std::unique_ptr<Searcher> make_baseline(std::string_view name, const Briefing& briefing);
+/// The baseline of that name; null when there is none. @param prior  outlives it
+[[nodiscard]] std::unique_ptr<Searcher> make_baseline(std::string_view name, const PriorKnowledge& prior);
 
 }  // namespace earshot::baselines

@@ -25,7 +25,7 @@ CellRange cells_between(Meters low, Meters high, Meters cell, std::size_t count)
 
 }  // namespace
 
-Genetic::Genetic(const Briefing& briefing) : Bayes(briefing) {
+Genetic::Genetic(const PriorKnowledge& prior) : Bayes(prior) {
   const std::size_t cells = std::size_t{model_.cells_north} * model_.cells_east;
   probability_.resize(cells);
   covered_in_.resize(cells);
@@ -37,20 +37,20 @@ void Genetic::begin(Pcg32 random) {
   has_plan_ = false;
 }
 
-std::size_t Genetic::choose(const Look& look) {
-  hear(look);
+std::size_t Genetic::choose(const DecisionInput& input) {
+  hear(input);
   take_cells();
   population_.clear();
-  population_.push_back(planned(straight_to_likeliest(look.position), look.position));
+  population_.push_back(planned(straight_to_likeliest(input.position), input.position));
   if (has_plan_) {
     std::shift_left(plan_.begin(), plan_.end(), 1);
-    population_.push_back(planned(plan_, look.position));
+    population_.push_back(planned(plan_, input.position));
   }
-  while (population_.size() < kPopulation) population_.push_back(planned(drawn(), look.position));
+  while (population_.size() < kPopulation) population_.push_back(planned(drawn(), input.position));
   for (std::size_t generation = 0; generation < kGenerations; ++generation) {
     std::ranges::sort(population_, {}, &Planned::cost);
     std::vector<Planned> next(population_.begin(), population_.begin() + kElite);
-    while (next.size() < kPopulation) next.push_back(planned(child(), look.position));
+    while (next.size() < kPopulation) next.push_back(planned(child(), input.position));
     population_ = std::move(next);
   }
   plan_ = std::ranges::min_element(population_, {}, &Planned::cost)->path;
@@ -63,21 +63,21 @@ void Genetic::take_cells() {
     for (std::size_t east = 0; east < model_.cells_east; ++east)
       probability_[north * model_.cells_east + east] = static_cast<double>(belief_.probability(model_, north, east));
   }
-  mean_ = briefing_.settings.domain.south_west + belief_.summary().mean;
+  mean_ = prior_.settings.domain.south_west + belief_.summary().mean;
 }
 
 double Genetic::cost_of(const Path& path, NorthEast position) {
   const Meters reach = model_.step_length;
   const Meters cell_north = model_.area_size.north / static_cast<double>(model_.cells_north);
   const Meters cell_east = model_.area_size.east / static_cast<double>(model_.cells_east);
-  const NorthEast corner = briefing_.settings.domain.south_west;
+  const NorthEast corner = prior_.settings.domain.south_west;
   ++paths_;
   double unfound = 1.0;
   double cost = 0.0;
   for (const std::size_t action : path) {
     cost += unfound;
-    position = end_of(briefing_, position, action);
-    cost += unfound * border_cost(briefing_.settings, position);
+    position = end_of(prior_, position, action);
+    cost += unfound * border_cost(prior_.settings, position);
     const NorthEast p = position - corner;
     const CellRange rows = cells_between(p.north - reach, p.north + reach, cell_north, model_.cells_north);
     const CellRange columns = cells_between(p.east - reach, p.east + reach, cell_east, model_.cells_east);
@@ -95,20 +95,20 @@ double Genetic::cost_of(const Path& path, NorthEast position) {
 
 Genetic::Path Genetic::drawn() {
   Path path{};
-  std::size_t action = random_.next() % briefing_.actions.size();
+  std::size_t action = random_.next() % prior_.actions.size();
   for (std::size_t& step : path) {  // long straight legs: a random walk covers little
-    if (random_.next() % 4 == 0) action = random_.next() % briefing_.actions.size();
+    if (random_.next() % 4 == 0) action = random_.next() % prior_.actions.size();
     step = action;
   }
   return path;
 }
 
 Genetic::Path Genetic::straight_to_likeliest(NorthEast position) const {
-  const NorthEast place = briefing_.settings.domain.south_west + belief_.summary().likeliest;
+  const NorthEast place = prior_.settings.domain.south_west + belief_.summary().likeliest;
   Path path{};
   for (std::size_t& action : path) {
-    action = warily_toward(briefing_, position, place);
-    position = end_of(briefing_, position, action);
+    action = warily_toward(prior_, position, place);
+    position = end_of(prior_, position, action);
   }
   return path;
 }
@@ -125,7 +125,7 @@ Genetic::Path Genetic::child() {
   const auto cut = static_cast<std::ptrdiff_t>(random_.next() % kHorizon);
   std::copy(other.begin() + cut, other.end(), path.begin() + cut);
   for (std::size_t& action : path) {
-    if (random_.uniform_double() < kMutation) action = random_.next() % briefing_.actions.size();
+    if (random_.uniform_double() < kMutation) action = random_.next() % prior_.actions.size();
   }
   return path;
 }

@@ -9,7 +9,7 @@
 namespace earshot::baselines {
 
 /// Plans a path with a genetic algorithm over what is believed about the source's place, takes its first step, and plans anew after the
-/// look (receding horizon), beginning with what is left of the last plan.
+/// measurement (receding horizon), beginning with what is left of the last plan.
 ///
 /// A path is a string of actions. It costs what the border takes, one for every step before the source is found, and for what is then still
 /// not found the distance that remains to it. Selection by tournaments of two, crossover at one point, mutation of single actions, the best
@@ -20,9 +20,9 @@ class Genetic : public Bayes {
   static constexpr std::size_t kHorizon = 24;  ///< steps of a path: the domain from side to side
   using Path = std::array<std::size_t, kHorizon>;
 
-  explicit Genetic(const Briefing& briefing);
+  explicit Genetic(const PriorKnowledge& prior);
   void begin(Pcg32 random) override;
-  [[nodiscard]] std::size_t choose(const Look& look) override;
+  [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
 
  private:
   struct Planned {

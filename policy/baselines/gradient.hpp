@@ -10,15 +10,15 @@ namespace earshot::baselines {
 /// on, then further ones; goes straight on through silence. Turns away from the border.
 class GradientClimb : public Searcher {
  public:
-  explicit GradientClimb(const Briefing& briefing) : briefing_(briefing) {}
+  explicit GradientClimb(const PriorKnowledge& prior) : prior_(prior) {}
   void begin(Pcg32 random) override;
-  [[nodiscard]] std::size_t choose(const Look& look) override;
+  [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
 
  private:
   /// The direction `by` actions clockwise of another.
   [[nodiscard]] std::size_t turned(std::size_t from, std::ptrdiff_t by) const;
 
-  const Briefing& briefing_;
+  const PriorKnowledge& prior_;
   Pcg32 random_{0};
   std::size_t heading_ = 0;
   std::size_t louder_ = 0;  ///< heading on which it last grew louder

@@ -10,12 +10,12 @@ void Learned::begin(Pcg32 random) {
   is_first_ = true;
 }
 
-std::size_t Learned::choose(const Look& look) {
-  const NorthEast place = look.position - corner_;
+std::size_t Learned::choose(const DecisionInput& input) {
+  const NorthEast place = input.position - corner_;
   if (is_first_) {
-    memory_.start(policy_.observation, place, look.heard);
+    memory_.start(policy_.observation, place, input.heard);
   } else {
-    memory_.remember(policy_.observation, place, look.heard);
+    memory_.remember(policy_.observation, place, input.heard);
   }
   is_first_ = false;
   std::array<float, config::kMaxObservation> observation{};

@@ -13,7 +13,7 @@ class Learned : public Searcher {
   Learned(const policy::FrozenPolicy& policy, policy::ActionDraw draw, const Rectangle& domain)
       : policy_(policy), draw_(draw), corner_(domain.south_west) {}
   void begin(Pcg32 random) override;
-  [[nodiscard]] std::size_t choose(const Look& look) override;
+  [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
 
  private:
   const policy::FrozenPolicy& policy_;

@@ -7,11 +7,11 @@ namespace {
 
 /// The action of the least cost; the first of equals.
 template <class Cost>
-std::size_t cheapest(const Briefing& briefing, NorthEast position, Cost cost) {
+std::size_t cheapest(const PriorKnowledge& prior, NorthEast position, Cost cost) {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t action = 0; action < briefing.actions.size(); ++action) {
-    const double c = cost(end_of(briefing, position, action));
+  for (std::size_t action = 0; action < prior.actions.size(); ++action) {
+    const double c = cost(end_of(prior, position, action));
     if (c < least) {
       least = c;
       best = action;
@@ -22,22 +22,21 @@ std::size_t cheapest(const Briefing& briefing, NorthEast position, Cost cost) {
 
 }  // namespace
 
-NorthEast end_of(const Briefing& briefing, NorthEast position, std::size_t action) {
-  return position + briefing.settings.step_length * briefing.actions[action];
+NorthEast end_of(const PriorKnowledge& prior, NorthEast position, std::size_t action) {
+  return position + prior.settings.step_length * prior.actions[action];
 }
 
 double border_cost(const search::SearchSettings& settings, NorthEast position) {
   return -search::step_reward(settings, position, settings.detection_threshold);
 }
 
-std::size_t straight_toward(const Briefing& briefing, NorthEast position, NorthEast place) {
-  return cheapest(briefing, position, [place](NorthEast end) { return range_between(end, place).value; });
+std::size_t straight_toward(const PriorKnowledge& prior, NorthEast position, NorthEast place) {
+  return cheapest(prior, position, [place](NorthEast end) { return range_between(end, place).value; });
 }
 
-std::size_t warily_toward(const Briefing& briefing, NorthEast position, NorthEast place) {
-  return cheapest(briefing, position, [&](NorthEast end) {
-    return range_between(end, place) / briefing.settings.step_length + border_cost(briefing.settings, end);
-  });
+std::size_t warily_toward(const PriorKnowledge& prior, NorthEast position, NorthEast place) {
+  return cheapest(prior, position,
+                  [&](NorthEast end) { return range_between(end, place) / prior.settings.step_length + border_cost(prior.settings, end); });
 }
 
 }  // namespace earshot::baselines

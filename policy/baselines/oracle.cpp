@@ -6,9 +6,9 @@ namespace earshot::baselines {
 
 void Oracle::begin(Pcg32 /*random*/) {}
 
-std::size_t Oracle::choose(const Look& look) {
-  return border_ == Border::kIgnored ? straight_toward(briefing_, look.vehicle, look.source)
-                                     : warily_toward(briefing_, look.vehicle, look.source);
+std::size_t Oracle::choose(const DecisionInput& input) {
+  return border_ == Border::kIgnored ? straight_toward(prior_, input.vehicle, input.source)
+                                     : warily_toward(prior_, input.vehicle, input.source);
 }
 
 }  // namespace earshot::baselines

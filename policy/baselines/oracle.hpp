@@ -9,12 +9,12 @@ enum class Border : bool { kIgnored, kSeenOneStepAhead };
 /// Knows where the source is and goes straight to it: what no searcher can be expected to beat by much.
 class Oracle : public Searcher {
  public:
-  Oracle(const Briefing& briefing, Border border) : briefing_(briefing), border_(border) {}
+  Oracle(const PriorKnowledge& prior, Border border) : prior_(prior), border_(border) {}
   void begin(Pcg32 random) override;
-  [[nodiscard]] std::size_t choose(const Look& look) override;
+  [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
 
  private:
-  const Briefing& briefing_;
+  const PriorKnowledge& prior_;
   Border border_;
 };
 

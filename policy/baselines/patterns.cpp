@@ -12,21 +12,21 @@ constexpr double kReached = 1.25;  ///< step lengths from a corner: steps of who
 
 }  // namespace
 
-std::size_t RandomWalk::choose(const Look& look) {
+std::size_t RandomWalk::choose(const DecisionInput& input) {
   FixedVector<std::size_t, config::kMaxActions> free;
-  for (std::size_t action = 0; action < briefing_.actions.size(); ++action) {
-    if (border_cost(briefing_.settings, end_of(briefing_, look.position, action)) > 0.0) continue;
+  for (std::size_t action = 0; action < prior_.actions.size(); ++action) {
+    if (border_cost(prior_.settings, end_of(prior_, input.position, action)) > 0.0) continue;
     [[maybe_unused]] const Status status = free.push_back(action);
   }
-  return free.empty() ? random_.next() % briefing_.actions.size() : free[random_.next() % free.size()];
+  return free.empty() ? random_.next() % prior_.actions.size() : free[random_.next() % free.size()];
 }
 
-Meters assured_detection_range(const Briefing& briefing) {
-  const std::vector<float>& snr = briefing.snr.samples_db();
-  const auto threshold = static_cast<float>(briefing.settings.detection_threshold.value);
+Meters assured_detection_range(const PriorKnowledge& prior) {
+  const std::vector<float>& snr = prior.snr.samples_db();
+  const auto threshold = static_cast<float>(prior.settings.detection_threshold.value);
   const auto first_unheard = std::ranges::find_if(snr, [threshold](float x) { return x < threshold; });
   const auto heard = first_unheard - snr.begin();
-  return static_cast<double>(std::max<std::ptrdiff_t>(heard - 1, 0)) * briefing.snr.range_step();
+  return static_cast<double>(std::max<std::ptrdiff_t>(heard - 1, 0)) * prior.snr.range_step();
 }
 
 std::vector<NorthEast> lawn_mower_corners(const Rectangle& area, Meters spacing, Tracks tracks, NorthEast start) {
@@ -49,8 +49,8 @@ std::vector<NorthEast> lawn_mower_corners(const Rectangle& area, Meters spacing,
   return corners;
 }
 
-LawnMower::LawnMower(const Briefing& briefing)
-    : briefing_(briefing), spacing_(2.0 * std::max(assured_detection_range(briefing), briefing.settings.step_length)) {}
+LawnMower::LawnMower(const PriorKnowledge& prior)
+    : prior_(prior), spacing_(2.0 * std::max(assured_detection_range(prior), prior.settings.step_length)) {}
 
 void LawnMower::begin(Pcg32 /*random*/) {
   corners_.clear();
@@ -58,14 +58,14 @@ void LawnMower::begin(Pcg32 /*random*/) {
   tracks_ = Tracks::kNorthSouth;
 }
 
-std::size_t LawnMower::choose(const Look& look) {
-  if (next_ < corners_.size() && range_between(look.position, corners_[next_]) <= kReached * briefing_.settings.step_length) ++next_;
+std::size_t LawnMower::choose(const DecisionInput& input) {
+  if (next_ < corners_.size() && range_between(input.position, corners_[next_]) <= kReached * prior_.settings.step_length) ++next_;
   if (next_ >= corners_.size()) {
     if (!corners_.empty()) tracks_ = tracks_ == Tracks::kNorthSouth ? Tracks::kEastWest : Tracks::kNorthSouth;
-    corners_ = lawn_mower_corners(search::inside_border(briefing_.settings), spacing_, tracks_, look.position);
+    corners_ = lawn_mower_corners(search::inside_border(prior_.settings), spacing_, tracks_, input.position);
     next_ = 0;
   }
-  return warily_toward(briefing_, look.position, corners_[next_]);
+  return warily_toward(prior_, input.position, corners_[next_]);
 }
 
 void ExpandingSquare::begin(Pcg32 /*random*/) {
@@ -78,11 +78,11 @@ void ExpandingSquare::turn() {
   steps_left_ = 2 * (leg_ / 2 + 1);
 }
 
-std::size_t ExpandingSquare::choose(const Look& look) {
-  const std::size_t quarter = std::max<std::size_t>(briefing_.actions.size() / 4, 1);
+std::size_t ExpandingSquare::choose(const DecisionInput& input) {
+  const std::size_t quarter = std::max<std::size_t>(prior_.actions.size() / 4, 1);
   if (steps_left_ == 0) turn();
-  const auto heading = [&] { return leg_ % 4 * quarter % briefing_.actions.size(); };
-  for (int turns = 0; turns < 4 && border_cost(briefing_.settings, end_of(briefing_, look.position, heading())) > 0.0; ++turns) turn();
+  const auto heading = [&] { return leg_ % 4 * quarter % prior_.actions.size(); };
+  for (int turns = 0; turns < 4 && border_cost(prior_.settings, end_of(prior_, input.position, heading())) > 0.0; ++turns) turn();
   --steps_left_;
   return heading();
 }

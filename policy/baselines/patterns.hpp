@@ -12,17 +12,17 @@ namespace earshot::baselines {
 /// Every action as likely as any other of those that do not end in the border.
 class RandomWalk : public Searcher {
  public:
-  explicit RandomWalk(const Briefing& briefing) : briefing_(briefing) {}
+  explicit RandomWalk(const PriorKnowledge& prior) : prior_(prior) {}
   void begin(Pcg32 random) override { random_ = random; }
-  [[nodiscard]] std::size_t choose(const Look& look) override;
+  [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
 
  private:
-  const Briefing& briefing_;
+  const PriorKnowledge& prior_;
   Pcg32 random_{0};
 };
 
 /// The range up to which the source is expected to be heard without a gap.
-[[nodiscard]] Meters assured_detection_range(const Briefing& briefing);
+[[nodiscard]] Meters assured_detection_range(const PriorKnowledge& prior);
 
 /// Corners of parallel tracks over an area, to be flown in turn: `spacing` apart or less, the outer ones half of it from the sides, from
 /// the corner nearest to `start`.
@@ -33,12 +33,12 @@ enum class Tracks : bool { kNorthSouth, kEastWest };
 /// then the same east and west; and so on.
 class LawnMower : public Searcher {
  public:
-  explicit LawnMower(const Briefing& briefing);
+  explicit LawnMower(const PriorKnowledge& prior);
   void begin(Pcg32 random) override;
-  [[nodiscard]] std::size_t choose(const Look& look) override;
+  [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
 
  private:
-  const Briefing& briefing_;
+  const PriorKnowledge& prior_;
   Meters spacing_;
   std::vector<NorthEast> corners_;
   std::size_t next_ = 0;
@@ -49,14 +49,14 @@ class LawnMower : public Searcher {
 /// 6, 6... step lengths north, east, south, west. A leg that would enter the border is cut short.
 class ExpandingSquare : public Searcher {
  public:
-  explicit ExpandingSquare(const Briefing& briefing) : briefing_(briefing) {}
+  explicit ExpandingSquare(const PriorKnowledge& prior) : prior_(prior) {}
   void begin(Pcg32 random) override;
-  [[nodiscard]] std::size_t choose(const Look& look) override;
+  [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
 
  private:
   void turn();
 
-  const Briefing& briefing_;
+  const PriorKnowledge& prior_;
   std::size_t leg_ = 0;
   std::size_t steps_left_ = 0;
 };

@@ -11,21 +11,21 @@
 namespace earshot::baselines {
 
 /// What a searcher knows before it starts; must outlive it.
-struct Briefing {
+struct PriorKnowledge {
   search::SearchSettings settings;
   search::ActionTable actions;
   const sonar::SnrCurve& snr;  ///< SNR against range as it is expected, which need not be what is heard
 };
 
-/// What there is to go by at the start and after every step.
-struct Look {
+/// What a searcher decides by, at the start and after every step.
+struct DecisionInput {
   NorthEast position;  ///< where navigation believes the vehicle, in the domain's frame
   policy::Heard heard;
   NorthEast vehicle;  ///< the truth; for oracles only
   NorthEast source;   ///< the truth: the nearest source; for oracles only
 };
 
-/// Anything that searches, learned or not: chooses a step after every look. One object flies many searches, one after the other.
+/// Anything that searches, learned or not: chooses a step after every measurement. One object flies many searches, one after the other.
 class Searcher {
  public:
   Searcher() = default;
@@ -35,8 +35,8 @@ class Searcher {
 
   /// A new search begins: forgets everything. @param random  for whatever it draws in this search
   virtual void begin(Pcg32 random) = 0;
-  /// The next step. Called once for every look, the first at the start. @return an action below the number of actions
-  [[nodiscard]] virtual std::size_t choose(const Look& look) = 0;
+  /// The next step. Called at the start and after every step. @return an action below the number of actions
+  [[nodiscard]] virtual std::size_t choose(const DecisionInput& input) = 0;
 };
 
 }  // namespace earshot::baselines

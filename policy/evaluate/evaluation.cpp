@@ -32,10 +32,10 @@ Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, 
   flight.straight_m = (to_source - world.settings.step_length).value;
   while (episode.record().end == search::EpisodeEnd::kRunning) {
     const NorthEast before = episode.position();
-    const baselines::Look look{
+    const baselines::DecisionInput input{
         .position = episode.believed_position(), .heard = episode.heard(), .vehicle = before, .source = episode.source()};
     const steady_clock::time_point began = steady_clock::now();
-    const std::size_t action = searcher.choose(look);
+    const std::size_t action = searcher.choose(input);
     flight.decision_s += std::chrono::duration<double>(steady_clock::now() - began).count();
     episode.step(world, action);
     flight.path_m += range_between(before, episode.position()).value;

@@ -33,61 +33,61 @@ sonar::SnrCurve two_decibels_per_kilometer() {
 class Baselines : public testing::Test {
  protected:
   sonar::SnrCurve curve = two_decibels_per_kilometer();
-  Briefing briefing{.settings = {}, .actions = search::compass_directions(8), .snr = curve};
+  PriorKnowledge prior{.settings = {}, .actions = search::compass_directions(8), .snr = curve};
 };
 
-Look look_at(NorthEast position, NorthEast source, Decibels snr = Decibels{0.0}) {
+DecisionInput input_at(NorthEast position, NorthEast source, Decibels snr = Decibels{0.0}) {
   return {.position = position, .heard = {.snr = snr}, .vehicle = position, .source = source};
 }
 
 /// Where a searcher goes in so many steps when it always hears the same.
-std::vector<NorthEast> track(Searcher& searcher, const Briefing& briefing, NorthEast from, int steps) {
+std::vector<NorthEast> track(Searcher& searcher, const PriorKnowledge& prior, NorthEast from, int steps) {
   std::vector<NorthEast> places{from};
   searcher.begin(Pcg32(3));
-  for (int i = 0; i < steps; ++i) places.push_back(end_of(briefing, places.back(), searcher.choose(look_at(places.back(), {}))));
+  for (int i = 0; i < steps; ++i) places.push_back(end_of(prior, places.back(), searcher.choose(input_at(places.back(), {}))));
   return places;
 }
 
 TEST_F(Baselines, OracleGoesTheWayThatEndsNearestToTheSource) {
-  Oracle oracle(briefing, Border::kIgnored);
+  Oracle oracle(prior, Border::kIgnored);
   oracle.begin(Pcg32(1));
-  EXPECT_EQ(oracle.choose(look_at(at(5'000, 5'000), at(20'000, 6'000))), kNorth);
-  EXPECT_EQ(oracle.choose(look_at(at(5'000, 5'000), at(20'000, 18'000))), kNorthEast);
-  EXPECT_EQ(oracle.choose(look_at(at(5'000, 5'000), at(5'500, 300))), kWest);
+  EXPECT_EQ(oracle.choose(input_at(at(5'000, 5'000), at(20'000, 6'000))), kNorth);
+  EXPECT_EQ(oracle.choose(input_at(at(5'000, 5'000), at(20'000, 18'000))), kNorthEast);
+  EXPECT_EQ(oracle.choose(input_at(at(5'000, 5'000), at(5'500, 300))), kWest);
 }
 
 TEST_F(Baselines, OracleThatLooksAheadGoesAlongTheBorderWhereTheOtherGoesIntoIt) {
-  Oracle heedless(briefing, Border::kIgnored);
-  Oracle wary(briefing, Border::kSeenOneStepAhead);
-  const Look beside_the_border = look_at(at(1'200, 5'000), at(100, 20'000));
-  EXPECT_EQ(heedless.choose(look_at(at(1'200, 5'000), at(100, 6'000))), 3U);  // south-east, into it
+  Oracle heedless(prior, Border::kIgnored);
+  Oracle wary(prior, Border::kSeenOneStepAhead);
+  const DecisionInput beside_the_border = input_at(at(1'200, 5'000), at(100, 20'000));
+  EXPECT_EQ(heedless.choose(input_at(at(1'200, 5'000), at(100, 6'000))), 3U);  // south-east, into it
   EXPECT_EQ(wary.choose(beside_the_border), kEast);
 }
 
 TEST_F(Baselines, OracleGoesByTheTruthAndNotByNavigation) {
-  Oracle oracle(briefing, Border::kIgnored);
-  Look look = look_at(at(5'000, 5'000), at(20'000, 5'000));
-  look.position = at(24'000, 5'000);  // navigation believes the source to be behind
-  EXPECT_EQ(oracle.choose(look), kNorth);
+  Oracle oracle(prior, Border::kIgnored);
+  DecisionInput input = input_at(at(5'000, 5'000), at(20'000, 5'000));
+  input.position = at(24'000, 5'000);  // navigation believes the source to be behind
+  EXPECT_EQ(oracle.choose(input), kNorth);
 }
 
 TEST_F(Baselines, RandomWalkTakesEveryActionButNeverStepsIntoTheBorder) {
-  RandomWalk walk(briefing);
+  RandomWalk walk(prior);
   std::array<int, 8> taken{};
-  const Rectangle inside = search::inside_border(briefing.settings);
+  const Rectangle inside = search::inside_border(prior.settings);
   walk.begin(Pcg32(3));
   NorthEast place = at(12'000, 12'000);
   for (int i = 0; i < 8'000; ++i) {
-    const std::size_t action = walk.choose(look_at(place, {}));
+    const std::size_t action = walk.choose(input_at(place, {}));
     ++taken[action];
-    place = end_of(briefing, place, action);
+    place = end_of(prior, place, action);
     ASSERT_TRUE(inside.contains(place));
   }
   for (const int count : taken) EXPECT_GT(count, 800);  // a thousand each, fewer at the border
 }
 
 TEST_F(Baselines, AssuredDetectionRangeIsWhereTheSnrFirstFallsBelowTheThreshold) {
-  EXPECT_EQ(assured_detection_range(briefing), Meters{10'000.0});  // 10 dB at 10 km still counts as heard
+  EXPECT_EQ(assured_detection_range(prior), Meters{10'000.0});  // 10 dB at 10 km still counts as heard
 }
 
 TEST(LawnMowerCorners, CoverAnAreaInTracksNoFurtherApartThanTheSpacingFromTheNearestCorner) {
@@ -106,7 +106,7 @@ TEST(LawnMowerCorners, RunEastAndWestWhenAskedTo) {
 
 TEST_F(Baselines, LawnMowerLeavesNoPlaceInsideTheBorderFurtherThanHalfATrackSpacingAndTheCornersItCuts) {
   const sonar::SnrCurve short_range(Meters{1'000.0}, {20.0F, 15.0F, 12.0F, 5.0F});  // heard up to 2 km, tracks 4 km apart at most
-  const Briefing near{.settings = {}, .actions = briefing.actions, .snr = short_range};
+  const PriorKnowledge near{.settings = {}, .actions = prior.actions, .snr = short_range};
   LawnMower mower(near);
   const std::vector<NorthEast> places = track(mower, near, at(3'000, 3'000), 170);
   const Rectangle inside = search::inside_border(near.settings);
@@ -121,34 +121,34 @@ TEST_F(Baselines, LawnMowerLeavesNoPlaceInsideTheBorderFurtherThanHalfATrackSpac
 }
 
 TEST_F(Baselines, ExpandingSquareSpiralsInLegsThatGrowByTwoSteps) {
-  ExpandingSquare square(briefing);
+  ExpandingSquare square(prior);
   square.begin(Pcg32(1));
   std::vector<std::size_t> actions;
-  for (int i = 0; i < 16; ++i) actions.push_back(square.choose(look_at(at(12'000, 12'000), {})));
+  for (int i = 0; i < 16; ++i) actions.push_back(square.choose(input_at(at(12'000, 12'000), {})));
   EXPECT_EQ(actions, (std::vector<std::size_t>{kNorth, kNorth, kEast, kEast, kSouth, kSouth, kSouth, kSouth, kWest, kWest, kWest, kWest,
                                                kNorth, kNorth, kNorth, kNorth}));
 }
 
 TEST_F(Baselines, ExpandingSquareTurnsAtTheBorder) {
-  ExpandingSquare square(briefing);
-  const Rectangle inside = search::inside_border(briefing.settings);
-  for (const NorthEast place : track(square, briefing, at(22'500, 20'000), 100)) EXPECT_TRUE(inside.contains(place));
+  ExpandingSquare square(prior);
+  const Rectangle inside = search::inside_border(prior.settings);
+  for (const NorthEast place : track(square, prior, at(22'500, 20'000), 100)) EXPECT_TRUE(inside.contains(place));
 }
 
 TEST_F(Baselines, GradientClimbGoesOnWhileItGrowsLouderAndTurnsWhenItGrowsFainter) {
-  GradientClimb climb(briefing);
+  GradientClimb climb(prior);
   climb.begin(Pcg32(3));
   const NorthEast place = at(12'000, 12'000);
-  const std::size_t first = climb.choose(look_at(place, {}, Decibels{5.0}));
-  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{6.0})), first);
-  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{7.0})), first);
+  const std::size_t first = climb.choose(input_at(place, {}, Decibels{5.0}));
+  EXPECT_EQ(climb.choose(input_at(place, {}, Decibels{6.0})), first);
+  EXPECT_EQ(climb.choose(input_at(place, {}, Decibels{7.0})), first);
   const auto from_first = [first](std::size_t eighths) { return (first + eighths) % 8; };
-  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{4.0})), from_first(2));
-  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{3.0})), from_first(6));  // the other side
-  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{2.0})), from_first(3));
-  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{1.0})), from_first(5));
-  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{4.5})), from_first(5));  // louder: goes on
-  EXPECT_EQ(climb.choose(look_at(place, {}, Decibels{4.0})), from_first(7));  // a quarter turn from there
+  EXPECT_EQ(climb.choose(input_at(place, {}, Decibels{4.0})), from_first(2));
+  EXPECT_EQ(climb.choose(input_at(place, {}, Decibels{3.0})), from_first(6));  // the other side
+  EXPECT_EQ(climb.choose(input_at(place, {}, Decibels{2.0})), from_first(3));
+  EXPECT_EQ(climb.choose(input_at(place, {}, Decibels{1.0})), from_first(5));
+  EXPECT_EQ(climb.choose(input_at(place, {}, Decibels{4.5})), from_first(5));  // louder: goes on
+  EXPECT_EQ(climb.choose(input_at(place, {}, Decibels{4.0})), from_first(7));  // a quarter turn from there
 }
 
 TEST_F(Baselines, GradientClimbFindsASourceWhoseSnrFallsEverywhereWithRange) {
@@ -156,7 +156,7 @@ TEST_F(Baselines, GradientClimbFindsASourceWhoseSnrFallsEverywhereWithRange) {
   settings.placement = search::SourcePlacement::kChanging;
   settings.start_region = search::inside_border(settings);
   const search::SearchWorld world(settings, curve);
-  GradientClimb climb(briefing);
+  GradientClimb climb(prior);
   int found = 0;
   for (const evaluate::Flight& flight : evaluate::fly(climb, world, {.end = 200}, 1))
     found += flight.record.end == search::EpisodeEnd::kFound ? 1 : 0;
@@ -168,13 +168,13 @@ TEST_F(Baselines, EveryNameMakesASearcherThatSearchesTheSameWayAgain) {
   settings.placement = search::SourcePlacement::kChanging;
   const search::SearchWorld world(settings, curve);
   for (const Entry& entry : catalogue()) {
-    const auto searcher = make_baseline(entry.name, briefing);
+    const auto searcher = make_baseline(entry.name, prior);
     ASSERT_NE(searcher, nullptr) << entry.name;
     const auto once = evaluate::fly(*searcher, world, {.end = 3}, 5);
     const auto again = evaluate::fly(*searcher, world, {.end = 3}, 5);
     for (std::size_t i = 0; i < once.size(); ++i) EXPECT_EQ(once[i].record.reward, again[i].record.reward) << entry.name;
   }
-  EXPECT_EQ(make_baseline("swordfish", briefing), nullptr);
+  EXPECT_EQ(make_baseline("swordfish", prior), nullptr);
 }
 
 }  // namespace

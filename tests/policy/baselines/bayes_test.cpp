@@ -16,16 +16,16 @@ constexpr NorthEast at(double north_m, double east_m) {
   return {Meters{north_m}, Meters{east_m}};
 }
 
-Briefing briefing_with(const sonar::SnrCurve& curve) {
+PriorKnowledge prior_with(const sonar::SnrCurve& curve) {
   return {.settings = {}, .actions = search::compass_directions(8), .snr = curve};
 }
 
 TEST(InformationGain, OfALookThatSoundsTheSameEverywhereIsThatOfFindingTheSourceOrNot) {
   const sonar::SnrCurve flat(Meters{1'000.0}, {15.0F});
-  const Briefing briefing = briefing_with(flat);
-  BayesInformationGain bayes(briefing);
+  const PriorKnowledge prior = prior_with(flat);
+  BayesInformationGain bayes(prior);
   bayes.begin(Pcg32(1));
-  // Before any look: 2500 cells of 500 m; the centres of 12 of them lie within 1 km of a corner between cells.
+  // Before any measurement: 2500 cells of 500 m; the centres of 12 of them lie within 1 km of a corner between cells.
   const double p = 12.0 / 2'500.0;
   EXPECT_NEAR(bayes.information_at(at(12'500, 12'500)), -p * std::log(p) - (1.0 - p) * std::log(1.0 - p), 1e-6);  // float probabilities
 }
@@ -34,8 +34,8 @@ TEST(InformationGain, OfALookThatTellsNearFromFarIsThatOfTheTwoShares) {
   std::vector<float> snr_db(8, 40.0F);
   snr_db.insert(snr_db.end(), 40, -40.0F);
   const sonar::SnrCurve near_or_far(Meters{1'000.0}, snr_db);
-  const Briefing briefing = briefing_with(near_or_far);
-  BayesInformationGain bayes(briefing);
+  const PriorKnowledge prior = prior_with(near_or_far);
+  BayesInformationGain bayes(prior);
   bayes.begin(Pcg32(1));
   const double found = 12.0 / 2'500.0;
   // Between 7 and 8 km the curve falls from 40 to -40 dB: its middle parts the two, and the cells on the slope tell more than that.
@@ -60,12 +60,12 @@ TYPED_TEST_SUITE(Believers, AllBelievers);
 
 TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {
   const sonar::SnrCurve curve = one_decibel_per_kilometer();
-  const Briefing briefing = briefing_with(curve);
+  const PriorKnowledge prior = prior_with(curve);
   search::SearchSettings settings;
   settings.placement = search::SourcePlacement::kChanging;
   settings.start_region = search::inside_border(settings);
   const search::SearchWorld world(settings, curve);
-  TypeParam searcher(briefing);
+  TypeParam searcher(prior);
   int found = 0;
   for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 16}, 1))
     found += flight.record.end == search::EpisodeEnd::kFound ? 1 : 0;
@@ -75,13 +75,13 @@ TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {
 TYPED_TEST(Believers, KeepToTheirDomainWhereverItLies) {
   const NorthEast corner = at(100'000, -50'000);
   const sonar::SnrCurve curve = one_decibel_per_kilometer();
-  Briefing briefing = briefing_with(curve);
-  briefing.settings.domain = {corner, corner + at(25'000, 25'000)};
-  search::SearchSettings settings = briefing.settings;
+  PriorKnowledge prior = prior_with(curve);
+  prior.settings.domain = {corner, corner + at(25'000, 25'000)};
+  search::SearchSettings settings = prior.settings;
   settings.placement = search::SourcePlacement::kChanging;
   settings.start_region = search::inside_border(settings);
   const search::SearchWorld world(settings, curve);
-  TypeParam searcher(briefing);
+  TypeParam searcher(prior);
   for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 3}, 1))
     EXPECT_NE(flight.record.end, search::EpisodeEnd::kLeftDomain);
 }

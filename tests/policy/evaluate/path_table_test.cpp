@@ -13,7 +13,7 @@ namespace {
 class GoesEast : public baselines::Searcher {
  public:
   void begin(Pcg32) override {}
-  std::size_t choose(const baselines::Look&) override { return 2; }
+  std::size_t choose(const baselines::DecisionInput&) override { return 2; }
 };
 
 const sonar::SnrCurve kHeardNowhere{Meters{1'000.0}, std::vector<float>(40, -30.0F)};

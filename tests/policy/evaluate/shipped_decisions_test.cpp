@@ -33,11 +33,11 @@ class Recorder : public baselines::Searcher {
     is_first_ = true;
   }
 
-  std::size_t choose(const baselines::Look& look) override {
+  std::size_t choose(const baselines::DecisionInput& input) override {
     if (is_first_) {
-      memory_.start(policy_.observation, look.position, look.heard);
+      memory_.start(policy_.observation, input.position, input.heard);
     } else {
-      memory_.remember(policy_.observation, look.position, look.heard);
+      memory_.remember(policy_.observation, input.position, input.heard);
     }
     is_first_ = false;
     std::vector<float>& seen = observations_.emplace_back(policy_.observation.spec.size());
