@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "policy/ppo/training_reward.hpp"
+
 namespace earshot::ppo {
 
 /// How PPO learns; defaults are Stable-Baselines3's.
@@ -20,10 +22,7 @@ struct HyperParameters {
   double entropy_coefficient = 0.0;      ///< weight of the entropy bonus
   double max_gradient_norm = 0.5;        ///< > 0; actor and critic together
   double target_kl = 0.0;                ///< an update ends early where the policy has moved 1.5 times as far (estimated KL); 0: never
-  double found_reward = 0.0;             ///< added to the reward of the step that finds the source: the paper's does not ask for it
-  double step_reward = 0.0;              ///< added to that of every step
-  double least_reward = -1.0e9;          ///< a step earns no less: a deep border must not drown everything else
-  double reward_scale = 1.0;             ///< rewards are multiplied by it before learning, > 0
+  TrainingReward reward;                 ///< what is learned from, made of the search's own reward
   std::uint64_t decay_steps = 0;         ///< the learning rate falls linearly to zero over so many steps; 0: constant
 };
 

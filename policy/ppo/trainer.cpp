@@ -122,16 +122,10 @@ void Trainer::choose_actions(std::size_t t) {
   }
 }
 
-/// What learning is told, where the world pays `paid`.
-float Trainer::training_reward(float paid, search::EpisodeEnd end) const {
-  const double found = end == search::EpisodeEnd::kFound ? hyper_.found_reward : 0.0;
-  return static_cast<float>(hyper_.reward_scale * (std::max(double{paid}, hyper_.least_reward) + hyper_.step_reward + found));
-}
-
 void Trainer::keep_outcomes(std::size_t t) {
   for (std::size_t e = 0; e < hyper_.environment_count; ++e) {
     const search::EpisodeEnd end = environments_.ended(e).end;
-    float reward = training_reward(environments_.reward(e), end);
+    float reward = hyper_.reward.of(environments_.reward(e), end);
     if (end == search::EpisodeEnd::kTimeLimit) reward += static_cast<float>(hyper_.discount) * value_of(environments_.final_observation(e));
     rollout_.rewards[e * rollout_.steps + t] = reward;
     episode_starts_[e] = end != search::EpisodeEnd::kRunning ? 1 : 0;

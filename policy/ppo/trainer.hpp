@@ -63,7 +63,6 @@ class Trainer {
   void collect(const OnEpisode& on_episode);
   void choose_actions(std::size_t t);
   void keep_outcomes(std::size_t t);
-  [[nodiscard]] float training_reward(float paid, search::EpisodeEnd end) const;
   [[nodiscard]] std::size_t draw(Eigen::Index environment, float& log_probability);
   [[nodiscard]] float value_of(std::span<const float> observation);
   void estimate();

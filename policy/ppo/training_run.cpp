@@ -69,7 +69,7 @@ void read_hyper_parameters(TableReader table, HyperParameters& h) {
   h.entropy_coefficient = table.number_or("entropy_coefficient", h.entropy_coefficient, Range::between(0.0, 1000.0));
   h.max_gradient_norm = table.number_or("max_gradient_norm", h.max_gradient_norm, Range::above_up_to(0.0, kUnclipped));
   h.target_kl = table.number_or("target_kl", h.target_kl, Range::between(0.0, 1000.0));
-  h.reward_scale = table.number_or("reward_scale", h.reward_scale, Range::above_up_to(0.0, 1e6));
+  h.reward.scale = table.number_or("reward_scale", h.reward.scale, Range::above_up_to(0.0, 1e6));
 }
 
 template <class Value>
@@ -90,12 +90,6 @@ std::string in_text(double value) {
     if (std::from_chars(digits.data(), written.ptr, read).ec == std::errc() && read == value) break;
   }
   return std::string(text);
-}
-
-void read_training_reward(TableReader table, HyperParameters& h) {
-  h.found_reward = table.number_or("found", h.found_reward, kReward);
-  h.step_reward = table.number_or("step", h.step_reward, kReward);
-  h.least_reward = table.number_or("least", h.least_reward, Range::between(-1.0e9, 0.0));
 }
 
 }  // namespace
@@ -128,7 +122,7 @@ TrainingRun load_run(const std::filesystem::path& path) {
     if (const Misfit misfit = misfit_of(run.hyper); are_as_written && misfit.key != nullptr) table->problem(misfit.key, misfit.what);
     run.learning_rate_schedule = static_cast<LearningRateSchedule>(table->choice_or("learning_rate_schedule", 0, {"constant", "linear"}));
   }
-  if (auto table = root.optional_table("training_reward")) read_training_reward(*table, run.hyper);
+  if (auto table = root.optional_table("training_reward")) read_training_reward(*table, run.hyper.reward);
   file.finish();
   if (search && search::check(run.search) != Status::kOk)
     search->problem("border_width_m", "must leave room inside the border for the start");
@@ -173,10 +167,7 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   add("entropy_coefficient", h.entropy_coefficient);
   add("max_gradient_norm", h.max_gradient_norm);
   add("target_kl", h.target_kl);
-  add("found_reward", h.found_reward);
-  add("step_reward", h.step_reward);
-  if (h.least_reward > HyperParameters{}.least_reward) add("least_reward", h.least_reward);
-  add("reward_scale", h.reward_scale);
+  for (const auto& [name, value] : describe(h.reward)) add(name, value);
   return lines;
 }
 

@@ -160,10 +160,10 @@ TEST_F(TrainerTest, TellsLearningTheRewardsOfTheRunFileBesideThePapers) {
   settings.max_steps = 100'000;
   settings.source = {Meters{3'500.0}, Meters{3'500.0}};
   settings.start_region = {{Meters{1'000.0}, Meters{1'000.0}}, {Meters{2'000.0}, Meters{2'000.0}}};
-  hyper.found_reward = 10.0;
-  hyper.step_reward = -0.25;
-  hyper.least_reward = -7.0;
-  hyper.reward_scale = 0.5;
+  hyper.reward.found = 10.0;
+  hyper.reward.step = -0.25;
+  hyper.reward.least = -7.0;
+  hyper.reward.scale = 0.5;
   const search::SearchWorld world(settings, curve);
   Trainer trainer(world, simple, hyper, 1);
   trainer.train(1, ignore);
