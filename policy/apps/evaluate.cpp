@@ -104,7 +104,7 @@ Contestant contestant_named(const std::string& name) {
 }
 
 /// For --verbose.
-void tell_of(const Contestant& contestant) {
+void print_details(const Contestant& contestant) {
   if (contestant.learned)
     command_line::print_policy_details(contestant.name, *contestant.learned);
   else
@@ -337,7 +337,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   });
   warn_of_another_source(contestants, settings.placement);
   if (speaks) {
-    for (const Contestant& c : contestants) tell_of(c);
+    for (const Contestant& c : contestants) print_details(c);
     program::detail() << environment_file.string() << ": " << environment.name << "; the vehicle " << depth.value << " m deep\n"
                       << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
     program::say() << what_is_searched(o, settings, contestants);

@@ -44,7 +44,7 @@ void run_all(const Trainings& trainings, std::size_t threads, training::Training
 }
 
 /// For --verbose.
-void tell_settings(const Trainings& trainings, std::size_t threads, std::size_t ranks) {
+void print_settings(const Trainings& trainings, std::size_t threads, std::size_t ranks) {
   program::detail() << trainings.size() << (trainings.size() == 1 ? " training, " : " trainings, ") << std::min(threads, trainings.size())
                     << " at a time, " << ranks << (ranks == 1 ? " process\n" : " processes\n");
   for (const auto& training : trainings) {
@@ -101,7 +101,7 @@ void train(const training::TrainOptions& options, const std::vector<std::string>
   session.all_or_none<BadInput>([&] { trainings = prepare(options, arguments, session.ranks()); });
 
   const std::size_t threads = options.threads.value_or(parallel::available_processors());
-  if (speaks) tell_settings(trainings, threads, session.ranks().size());
+  if (speaks) print_settings(trainings, threads, session.ranks().size());
   training::TrainingProgress progress(trainings.size(), speaks && program::talk() != program::Talk::kQuiet
                                                             ? training::TrainingProgress::Voice::kSpeaks
                                                             : training::TrainingProgress::Voice::kSilent);

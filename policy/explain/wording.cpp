@@ -72,13 +72,13 @@ Subject subject_of(Feature feature) {
   }
 }
 
-std::string_view in_words(Subject subject) {
+std::string_view to_string(Subject subject) {
   constexpr std::array<std::string_view, 5> kWords{"where the vehicle is", "how it moved", "what it heard",
                                                    "where the source is believed to be", "what each direction promises"};
   return kWords[static_cast<std::size_t>(subject)];
 }
 
-std::string degrees_in_words(double degrees) {
+std::string degrees_to_string(double degrees) {
   std::array<char, 16> text{};
   (void)std::snprintf(text.data(), text.size(), "%03.0f\u00B0", std::fmod(std::round(std::fmod(degrees + 360.0, 360.0)), 360.0));
   return text.data();
@@ -91,7 +91,7 @@ std::string direction_name(const UnitNorthEast& direction) {
   const double point = degrees / 22.5;
   const double nearest = std::round(point);
   if (std::abs(point - nearest) < 1e-6) return std::string(kPoints[static_cast<std::size_t>(nearest) % kPoints.size()]);
-  return degrees_in_words(degrees);
+  return degrees_to_string(degrees);
 }
 
 std::string name_of(const policy::ObservationElement& element, const policy::BeliefModel& model,

@@ -20,11 +20,11 @@ enum class Subject : std::uint8_t {
 };
 
 [[nodiscard]] Subject subject_of(policy::Feature feature);
-[[nodiscard]] std::string_view in_words(Subject subject);
+[[nodiscard]] std::string_view to_string(Subject subject);
 
 /// A bearing in whole degrees, "000°" to "359°".
 /// @param degrees  clockwise from north, above -360
-[[nodiscard]] std::string degrees_in_words(double degrees);
+[[nodiscard]] std::string degrees_to_string(double degrees);
 
 /// "N", "NE", "NNE" where a direction is one of the sixteen points of the compass; otherwise degrees, "014°".
 [[nodiscard]] std::string direction_name(const UnitNorthEast& direction);

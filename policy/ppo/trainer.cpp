@@ -56,11 +56,11 @@ Trainer::Trainer(const search::SearchWorld& world, const policy::ObservationMode
 
 void Trainer::train(std::uint64_t steps, const OnEpisode& on_episode) {
   bool goes_on = true;
-  const OnEpisode told = [&](const search::EpisodeRecord& episode, std::uint64_t at) {
+  const OnEpisode on_each = [&](const search::EpisodeRecord& episode, std::uint64_t at) {
     goes_on = on_episode(episode, at) && goes_on;
     return goes_on;
   };
-  while (steps_ < steps && goes_on) advance(told);
+  while (steps_ < steps && goes_on) advance(on_each);
 }
 
 UpdateReport Trainer::advance(const OnEpisode& on_episode) {

@@ -37,7 +37,7 @@ class Trainer {
   /// In one process.
   Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed);
 
-  /// Told of every finished episode of this process and the steps taken so far by all; false ends training with the rollout under way.
+  /// Called with every finished episode of this process and the steps taken so far by all; false ends training with the rollout under way.
   using OnEpisode = std::function<bool(const search::EpisodeRecord& episode, std::uint64_t steps)>;
 
   /// One rollout and one update. What `on_episode` returns does not matter.

@@ -36,7 +36,7 @@ std::string place_in_words(NorthEast place) {
 
 std::string bearing_in_words(NorthEast from, NorthEast to) {
   const NorthEast way = to - from;
-  return explain::degrees_in_words(bearing_of(way.north.value, way.east.value).value * 180.0 / std::numbers::pi);
+  return explain::degrees_to_string(bearing_of(way.north.value, way.east.value).value * 180.0 / std::numbers::pi);
 }
 
 std::string heard_sentence(const DecisionAccount& a) {
@@ -198,7 +198,7 @@ std::string attribution_tables(const DecisionAccount& a, std::size_t rows) {
   text += "</table></div>\n<p>In all";
   const char* separator = ": ";
   for (const explain::SubjectAccount& subject : explain::by_subject(a)) {
-    text += separator + std::string(explain::in_words(subject.subject)) + " " + factor_in_words(subject.part);
+    text += separator + std::string(explain::to_string(subject.subject)) + " " + factor_in_words(subject.part);
     separator = ", ";
   }
   return text + ". Compared with " + baseline_in_words(a.baseline) + ", for which " + a.actions[a.decision.action].name + " had " +

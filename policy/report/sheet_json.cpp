@@ -60,7 +60,7 @@ ordered_json attribution(const explain::DecisionAccount& a) {
   ordered_json parts = ordered_json::array();
   for (const explain::ObservedAccount& o : a.observed)
     parts.push_back(
-        {{"observation", o.name}, {"about", explain::in_words(o.subject)}, {"seen", o.value}, {"baseline", o.baseline}, {"nats", o.part}});
+        {{"observation", o.name}, {"about", explain::to_string(o.subject)}, {"seen", o.value}, {"baseline", o.baseline}, {"nats", o.part}});
   const explain::Attribution& g = a.attribution;
   return {{"method", "integrated gradients of the log-probability of the action taken"},
           {"baseline", baseline_in_words(a.baseline)},

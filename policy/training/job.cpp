@@ -71,18 +71,18 @@ LearningCurve earlier_curve(const TrainingJob& job) {
 }
 
 /// An episode and the steps that all ranks had taken by its end.
-struct Told {
+struct EpisodeAtStep {
   std::uint64_t steps;
   search::EpisodeRecord episode;
 };
 
 /// On rank 0: the episodes of all ranks in the order of their steps, those of one step in order of rank.
-std::vector<Told> gather_episodes(parallel::Ranks& ranks, const std::vector<Told>& mine) {
+std::vector<EpisodeAtStep> gather_episodes(parallel::Ranks& ranks, const std::vector<EpisodeAtStep>& mine) {
   if (ranks.size() == 1) return mine;
-  std::vector<Told> all;
-  for (const std::vector<Told>& theirs : parallel::gather_values(ranks, std::span(mine)))
+  std::vector<EpisodeAtStep> all;
+  for (const std::vector<EpisodeAtStep>& theirs : parallel::gather_values(ranks, std::span(mine)))
     all.insert(all.end(), theirs.begin(), theirs.end());
-  std::ranges::stable_sort(all, {}, &Told::steps);
+  std::ranges::stable_sort(all, {}, &EpisodeAtStep::steps);
   return all;
 }
 
@@ -236,7 +236,7 @@ struct Training::Parts {
   void resume();
   void refuse_divergence() const;
   void write();
-  void tell(const std::vector<Told>& episodes, const ppo::UpdateReport& update);
+  void record(const std::vector<EpisodeAtStep>& episodes, const ppo::UpdateReport& update);
   [[nodiscard]] ppo::Checkpoint checkpoint(ppo::TrainingState state) const;
   [[nodiscard]] bool is_over() const {
     return (run.steps > 0 && trainer.steps() >= run.steps) || (run.episodes > 0 && curve.episodes() >= run.episodes);
@@ -307,8 +307,8 @@ void Training::Parts::write() {
   host::write_whole(job.output, to_text(checkpoint(std::move(state))));
 }
 
-void Training::Parts::tell(const std::vector<Told>& episodes, const ppo::UpdateReport& update) {
-  for (const Told& told : episodes) curve.add(told.episode, told.steps);
+void Training::Parts::record(const std::vector<EpisodeAtStep>& episodes, const ppo::UpdateReport& update) {
+  for (const EpisodeAtStep& each : episodes) curve.add(each.episode, each.steps);
   curve.add(update, trainer.steps());
 }
 
@@ -340,13 +340,13 @@ void Training::run(TrainingProgress& progress, std::size_t number, const std::at
   progress.begin(number, p.progress());
   bool ends = p.is_over();
   while (!ends) {
-    std::vector<Told> episodes;
+    std::vector<EpisodeAtStep> episodes;
     const ppo::UpdateReport update = p.trainer.advance([&episodes](const search::EpisodeRecord& episode, std::uint64_t steps) {
       episodes.push_back({steps, episode});
       return true;
     });
     p.refuse_divergence();
-    p.tell(gather_episodes(p.ranks, episodes), update);
+    p.record(gather_episodes(p.ranks, episodes), update);
     progress.update(number, p.progress());
     std::vector<std::int32_t> rank_0_says{p.is_over() || interrupted ? 1 : 0};
     p.ranks.share(rank_0_says);

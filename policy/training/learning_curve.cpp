@@ -89,7 +89,7 @@ void LearningCurve::add(const ppo::UpdateReport& update, std::uint64_t steps) {
   append(updates_csv_, update.minibatches, '\n');
 }
 
-std::string in_words(const LearningCurve::Recent& recent) {
+std::string to_string(const LearningCurve::Recent& recent) {
   if (recent.episodes == 0) return "median reward -, found - %";
   std::array<char, 80> text{};
   (void)std::snprintf(text.data(), text.size(), "median reward %.1f, found %.0f %%", recent.median_reward, 100.0 * recent.found_fraction);

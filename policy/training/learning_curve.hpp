@@ -50,7 +50,7 @@ class LearningCurve {
 };
 
 /// "median reward -2.5, found 98 %", with "-" for both before the first episode has ended
-[[nodiscard]] std::string in_words(const LearningCurve::Recent& recent);
+[[nodiscard]] std::string to_string(const LearningCurve::Recent& recent);
 
 /// One row of the episodes' file.
 struct EpisodeRow {

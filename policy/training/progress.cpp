@@ -51,7 +51,8 @@ void TrainingProgress::show() {
   const double left = all.fraction > begun ? seconds() * (1.0 - all.fraction) / (all.fraction - begun) : 0.0;
   std::fprintf(stderr, "%s%3.0f %%  %llu episodes  %llu steps  %.0f steps/s  last 50: %s  %.0f s left   %s", terminal_ ? "\r" : "",
                100.0 * all.fraction, static_cast<unsigned long long>(all.episodes), static_cast<unsigned long long>(all.steps),
-               static_cast<double>(taken) / seconds(), in_words(LearningCurve::recent_of_all(recent)).c_str(), left, terminal_ ? "" : "\n");
+               static_cast<double>(taken) / seconds(), to_string(LearningCurve::recent_of_all(recent)).c_str(), left,
+               terminal_ ? "" : "\n");
   std::fflush(stderr);
 }
 

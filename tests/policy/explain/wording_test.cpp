@@ -26,12 +26,12 @@ TEST(DirectionName, IsThePointOfTheCompassWhereItIsOneAndDegreesWhereNot) {
 }
 
 TEST(DegreesInWords, GoFromNorthOnceAroundAndBegin) {
-  EXPECT_EQ(degrees_in_words(0.0), "000\u00B0");
-  EXPECT_EQ(degrees_in_words(14.4), "014\u00B0");
-  EXPECT_EQ(degrees_in_words(359.4), "359\u00B0");
-  EXPECT_EQ(degrees_in_words(359.7), "000\u00B0");
-  EXPECT_EQ(degrees_in_words(-0.3), "000\u00B0");
-  EXPECT_EQ(degrees_in_words(-90.0), "270\u00B0");
+  EXPECT_EQ(degrees_to_string(0.0), "000\u00B0");
+  EXPECT_EQ(degrees_to_string(14.4), "014\u00B0");
+  EXPECT_EQ(degrees_to_string(359.4), "359\u00B0");
+  EXPECT_EQ(degrees_to_string(359.7), "000\u00B0");
+  EXPECT_EQ(degrees_to_string(-0.3), "000\u00B0");
+  EXPECT_EQ(degrees_to_string(-90.0), "270\u00B0");
   const double west_of_north = -0.3 * std::numbers::pi / 180.0;
   EXPECT_EQ(direction_name({std::cos(west_of_north), std::sin(west_of_north)}), "000\u00B0");
 }

@@ -54,8 +54,8 @@ TEST(LearningCurve, OfSeveralTrainingsCountsThoseInWhichAnEpisodeHasEnded) {
   const Recent all = LearningCurve::recent_of_all(trainings);
   EXPECT_EQ(all.median_reward, -3.0);
   EXPECT_EQ(all.found_fraction, 0.75);
-  EXPECT_EQ(in_words(all), "median reward -3.0, found 75 %");
-  EXPECT_EQ(in_words(LearningCurve::recent_of_all(std::vector<Recent>(2))), "median reward -, found - %");
+  EXPECT_EQ(to_string(all), "median reward -3.0, found 75 %");
+  EXPECT_EQ(to_string(LearningCurve::recent_of_all(std::vector<Recent>(2))), "median reward -, found - %");
 }
 
 TEST(LearningCurve, RefusesFilesThatAreNotItsLike) {
