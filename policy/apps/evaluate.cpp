@@ -9,6 +9,7 @@
 
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/listening/listening_words.hpp"
+#include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
@@ -22,7 +23,6 @@
 #include "policy/description/placement.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/evaluate/path_table.hpp"
-#include "policy/evaluate/policy_file.hpp"
 #include "policy/evaluate/table.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "sim/parallel/rank_session.hpp"
@@ -94,13 +94,13 @@ Contestant contestant_named(const std::string& name) {
   for (const baselines::Entry& entry : baselines::catalogue()) {
     if (entry.name == name) return {name, nullptr};
   }
-  if (name == "shipped") return {name, evaluate::load_policy(host::shipped("policy/frozen/shipped.policy"))};
+  if (name == "shipped") return {name, host::load_unverified_policy(host::shipped("policy/frozen/shipped.policy"))};
   if (name.find_first_of("./") == std::string::npos) {
     std::string known = "shipped";
     for (const baselines::Entry& entry : baselines::catalogue()) known += ", " + std::string(entry.name);
     throw BadInput("--policies: " + name + ": neither a .policy file nor one of " + known);
   }
-  return {name, evaluate::load_policy(name)};
+  return {name, host::load_unverified_policy(name)};
 }
 
 /// For --verbose.

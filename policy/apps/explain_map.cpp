@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/world_options.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/policy_details.hpp"
-#include "policy/evaluate/policy_file.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "policy/explain/replay.hpp"
 #include "policy/report/action_map_plot.hpp"
@@ -132,7 +132,7 @@ NorthEast north_east_of(const std::string& option, const std::string& text) {
 void draw_explanation_map(const ExplainMapOptions& options) {
   command_line::check_picture_name("-o", options.output);
   host::require_writable(options.output, host::picture_kind(options.output), host::replaced_by(options.force));
-  const std::unique_ptr<policy::FrozenPolicy> policy = evaluate::load_policy(options.policy);
+  const std::unique_ptr<policy::FrozenPolicy> policy = host::load_unverified_policy(options.policy);
   if (options.source.has_value() == options.flight.has_value())
     throw BadInput("earshot explain map: one of --source NORTH_M,EAST_M and --flight DIR is needed");
   command_line::print_policy_details(options.policy.string(), *policy);

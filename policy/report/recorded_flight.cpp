@@ -2,10 +2,10 @@
 
 #include <span>
 
+#include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/evaluate/evaluation.hpp"
-#include "policy/evaluate/policy_file.hpp"
 #include "policy/explain/replay.hpp"
 #include "sim/search/belief_model.hpp"
 #include "sim/sonar/snr_curve.hpp"
@@ -102,7 +102,7 @@ RecordedFlight open_recording(const fs::path& folder_or_journal, const Recording
   flight.journal = files ? std::move(files->journal) : read_journal(flight.journal_path);
   require_decisions(flight.journal_path, flight.journal);
   flight.policy_path = policy_for(flight.journal_path, options);
-  flight.policy = evaluate::load_policy(flight.policy_path);
+  flight.policy = host::load_unverified_policy(flight.policy_path);
   if (files) read_places(folder_or_journal / "summary.json", files->summary, flight);
   if (!files) {
     if (const std::optional<SeaFlight> sea = read_sea_flight(flight.journal_path)) flight.south_west = sea->area.south_west;

@@ -2,13 +2,13 @@
 #include <array>
 #include <span>
 
+#include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/policy/network.hpp"
-#include "policy/evaluate/policy_file.hpp"
 #include "tests/bench/nanoseconds.hpp"
 
 int main() {
   using namespace earshot;
-  const auto policy = evaluate::load_policy(EARSHOT_SOURCE_DIR "/policy/frozen/shipped.policy");
+  const auto policy = host::load_unverified_policy(EARSHOT_SOURCE_DIR "/policy/frozen/shipped.policy");
   std::array<float, config::kMaxActions> logits{};
   const std::span<float> scores = std::span(logits).first(policy->actions.size());
   bench::print_nanoseconds(policy->observation.spec.size(), [&](std::span<const float> observation) {

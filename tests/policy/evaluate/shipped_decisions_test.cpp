@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/policy/network.hpp"
 #include "policy/evaluate/evaluation.hpp"
-#include "policy/evaluate/policy_file.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "policy/explain/network_gradient.hpp"
 #include "sim/search/soundscape.hpp"
@@ -77,7 +77,7 @@ std::vector<std::vector<float>> observations_of(const policy::FrozenPolicy& poli
 class ShippedDecisions : public testing::TestWithParam<const char*> {};
 
 TEST_P(ShippedDecisions, AreThoseOfDoublePrecision) {
-  const auto policy = load_policy(kSource / "policy/frozen" / GetParam());
+  const auto policy = host::load_unverified_policy(kSource / "policy/frozen" / GetParam());
   double largest_error = 0.0;
   std::size_t differing = 0;
   const std::vector<std::vector<float>> observations = observations_of(*policy);

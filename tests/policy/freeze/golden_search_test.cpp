@@ -7,7 +7,7 @@
 #include <memory>
 #include <set>
 
-#include "policy/evaluate/policy_file.hpp"
+#include "firmware/host/policy/unverified_policy.hpp"
 #include "tests/support/signed_policy.hpp"
 
 namespace earshot::freeze {
@@ -17,7 +17,7 @@ namespace {
 std::vector<std::unique_ptr<policy::FrozenPolicy>> shipped() {
   std::vector<std::unique_ptr<policy::FrozenPolicy>> policies;
   for (const char* name : {"shipped.policy", "fixed_source.policy"})
-    policies.push_back(evaluate::load_policy(std::string(EARSHOT_SOURCE_DIR "/policy/frozen/") + name));
+    policies.push_back(host::load_unverified_policy(std::string(EARSHOT_SOURCE_DIR "/policy/frozen/") + name));
   return policies;
 }
 

@@ -1,12 +1,10 @@
-#include "policy/evaluate/policy_file.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 #include <string>
 
-#include "firmware/host/toml/table_reader.hpp"
+#include "firmware/host/policy/unverified_policy.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/freeze/freeze.hpp"
 #include "sim/ocean/file/environment_file.hpp"
@@ -22,40 +20,8 @@ std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-std::string fault_of(const std::string& bytes) {
-  const std::string path = testing::TempDir() + "faulty.policy";
-  std::ofstream(path, std::ios::binary) << bytes;
-  try {
-    (void)load_policy(path);
-  } catch (const host::BadInput& e) {
-    return e.what();
-  }
-  return "accepted";
-}
-
-TEST(PolicyFile, SaysInOneLineWhatIsWrong) {
-  const std::string whole = bytes_of(kShipped);
-  std::string flipped = whole;
-  flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 1);
-  std::string alien = whole;
-  alien[0] = 'X';
-  EXPECT_EQ(fault_of(flipped), testing::TempDir() + "faulty.policy: is damaged: its CRC-32 is wrong");
-  EXPECT_EQ(fault_of(alien), testing::TempDir() + "faulty.policy: is not a .policy file");
-  EXPECT_EQ(fault_of(whole.substr(0, whole.size() - 1)), testing::TempDir() + "faulty.policy: is cut short");
-  EXPECT_EQ(fault_of(whole), "accepted");
-}
-
-TEST(PolicyFile, NamesAMissingFile) {
-  try {
-    (void)load_policy("/nowhere/a.policy");
-    FAIL();
-  } catch (const host::BadInput& e) {
-    EXPECT_STREQ(e.what(), "/nowhere/a.policy: no such file");
-  }
-}
-
 TEST(ShippedPolicy, FindsTheFixedSourceOfThePapersOceanInNinetyNinePercentOfSearchesWithAMedianOfMinusThreeOrBetter) {
-  const auto policy = load_policy(kShipped);
+  const auto policy = host::load_unverified_policy(kShipped);
   const ocean::Environment environment = ocean::load_environment(EARSHOT_SOURCE_DIR "/sim/ocean/environments/munk_flat.toml");
   const sonar::SnrCurve curve = sonar::compute_snr_curve(environment, Meters{300.0}, Meters{37'000.0});
   search::SearchSettings settings = search_of(*policy);
