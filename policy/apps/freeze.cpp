@@ -4,6 +4,7 @@
 #include <optional>
 #include <ostream>
 
+#include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
@@ -11,7 +12,6 @@
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
-#include "policy/description/crc32_text.hpp"
 #include "policy/description/draw.hpp"
 #include "policy/freeze/keys.hpp"
 #include "policy/freeze/model_file.hpp"
@@ -111,7 +111,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze_foreign(const std::string& bytes, c
   return naming(file, [&] {
     description::SearchDescription search = description::from_text(search_of(actor, options));
     search.provenance.emplace_back("model", file.filename().string());
-    search.provenance.emplace_back("model_crc32", description::crc32_text(description::crc32_of(bytes)));
+    search.provenance.emplace_back("model_crc32", host::crc32_text(host::crc32_of(bytes)));
     return freeze::freeze(actor, search, draw_of(options));
   });
 }

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/description/crc32_text.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/description/search_json.hpp"
 #include "policy/ppo/training_state_text.hpp"
@@ -43,7 +43,7 @@ Continuation continuation_from(const Json& json) {
 }
 
 std::string crc_line(std::string_view json) {
-  return std::string(kCrcLine) + description::crc32_text(description::crc32_of(json)) + "\n";
+  return std::string(kCrcLine) + host::crc32_text(host::crc32_of(json)) + "\n";
 }
 
 /// The first line, when the second holds its CRC-32.

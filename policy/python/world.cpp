@@ -1,8 +1,8 @@
 #include "policy/python/world.hpp"
 
+#include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/description/crc32_text.hpp"
 #include "policy/description/search_description.hpp"
 #include "policy/description/state.hpp"
 #include "sim/ocean/file/environment_file.hpp"
@@ -57,7 +57,7 @@ description::SearchDescription description_of(const WorldArguments& arguments, c
                                               const policy::ObservationModel& observation, std::uint32_t environment_crc32) {
   description::SearchDescription description = description::describe(settings, observation);
   description.provenance = {{"environment", arguments.environment.filename().string()},
-                            {"environment_crc32", description::crc32_text(environment_crc32)},
+                            {"environment_crc32", host::crc32_text(environment_crc32)},
                             {"state", arguments.state},
                             {"source", arguments.source},
                             {"start", arguments.start}};

@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/version.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/command_line/outputs.hpp"
-#include "policy/description/crc32_text.hpp"
 #include "policy/ppo/trainer.hpp"
 #include "policy/ppo/training_state_text.hpp"
 
@@ -26,7 +26,7 @@ using host::BadInput;
 constexpr host::FileKind kLearningCurve{"a learning curve", std::uint64_t{1} << 30U};
 
 ppo::Continuation::Written written(const std::string& text) {
-  return {text.size(), description::crc32_of(text)};
+  return {text.size(), host::crc32_of(text)};
 }
 
 /// Of all that shapes a training but how long it is: a run file as a whole, for what its reader may leave out of describe().
@@ -37,7 +37,7 @@ std::uint32_t settings_crc32(const TrainOptions& options, const ppo::TrainingRun
   }
   all << environment.file_crc32 << '\n';
   if (options.run_file) all << host::read_text(*options.run_file, host::kTomlFile);
-  return description::crc32_of(all.str());
+  return host::crc32_of(all.str());
 }
 
 /// "a.csv" -> "a.updates.csv"
@@ -56,7 +56,7 @@ std::string earlier_part(const std::filesystem::path& path, const ppo::Continuat
   std::string text(std::min<std::uint64_t>(part.bytes, file.size()), '\0');
   text.resize(file.read({reinterpret_cast<std::uint8_t*>(text.data()), text.size()}));
   if (text.size() < part.bytes) throw BadInput(path.string() + ": shorter than when the checkpoint was written");
-  if (description::crc32_of(text) != part.crc32) throw BadInput(path.string() + ": not the learning curve of the checkpoint");
+  if (host::crc32_of(text) != part.crc32) throw BadInput(path.string() + ": not the learning curve of the checkpoint");
   return text;
 }
 
@@ -276,7 +276,7 @@ ppo::Checkpoint Training::Parts::checkpoint(ppo::TrainingState state) const {
   checkpoint.provenance = {{"command", command},
                            {"commit", program::build_commit()},
                            {"environment", run.environment.filename().string()},
-                           {"environment_crc32", description::crc32_text(environment.file_crc32)},
+                           {"environment_crc32", host::crc32_text(environment.file_crc32)},
                            {"steps", std::to_string(trainer.steps())}};
   if (ranks.size() > 1) checkpoint.provenance.emplace_back("ranks", std::to_string(ranks.size()));
   const auto settings = ppo::describe(run);

@@ -1,14 +1,13 @@
 #include "sim/sonar/field_attributes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "sim/ocean/charts/charts.hpp"
+#include "firmware/host/file/checksum_text.hpp"
+#include "sim/ocean/charts.hpp"
 
 namespace earshot::sonar {
 
@@ -16,9 +15,7 @@ using netcdf::Type;
 using netcdf::Writer;
 
 std::string crc32_text(const ocean::Environment& environment) {
-  std::array<char, 11> text{};
-  std::snprintf(text.data(), text.size(), "0x%08x", static_cast<unsigned>(environment.file_crc32));
-  return text.data();
+  return "0x" + host::crc32_text(environment.file_crc32);
 }
 
 void write_provenance(Writer& file, const std::string& title, const ocean::Environment& environment, const std::string& history) {

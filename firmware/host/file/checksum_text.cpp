@@ -1,11 +1,11 @@
-#include "policy/description/crc32_text.hpp"
+#include "firmware/host/file/checksum_text.hpp"
 
 #include <array>
 #include <cstdio>
 
 #include "firmware/core/crc32.hpp"
 
-namespace earshot::description {
+namespace earshot::host {
 
 std::uint32_t crc32_of(std::string_view text, std::uint32_t previous) {
   return crc32({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, previous);  // NOLINT: characters are bytes
@@ -17,4 +17,4 @@ std::string crc32_text(std::uint32_t crc32) {
   return text.data();
 }
 
-}  // namespace earshot::description
+}  // namespace earshot::host
