@@ -99,7 +99,7 @@ void Belief::begin_anew(std::size_t cells) {
   std::fill_n(marginal_.begin(), cells, 1.0F / static_cast<float>(cells));
 }
 
-/// What a search costs that goes straight to a source, by its range, under the hypotheses as likely as they now are.
+/// Tabulates by range the cost of a search that goes straight to a source, under the hypotheses as likely as they now are.
 EARSHOT_WIDE void Belief::foresee(const BeliefModel& model) {
   const std::size_t count = model.snr_db.size();
   RangeTable heard{};

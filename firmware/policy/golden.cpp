@@ -32,7 +32,7 @@ bool is_same(std::span<const float> a, std::span<const float> b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float x, float y) { return is_same(x, y); });
 }
 
-/// What is the same whatever the policy's sizes: elements that it has not are zero in both.
+/// The part that does not depend on the policy's sizes: elements that it has not are zero in both.
 bool is_same(const GoldenStep& a, const GoldenStep& b) {
   return is_same(a.belief, b.belief) && a.fingerprint == b.fingerprint && is_same(a.observation, b.observation) &&
          is_same(a.logits, b.logits);

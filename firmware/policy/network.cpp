@@ -54,7 +54,7 @@ template <class Floats>
   return *reinterpret_cast<Floats*>(values);
 }
 
-/// What sets two kinds of layers apart.
+/// The difference between two kinds of layers.
 struct Hidden {
   static constexpr std::size_t kSums = 1;  // of a layer that is wide enough to keep a vector unit busy
   static constexpr bool kTanh = true;

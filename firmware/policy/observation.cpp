@@ -186,7 +186,7 @@ ObservationSpec belief_state(const BeliefModel& model) {
   add(Feature::kLikeliestShare, 0, 0.0, 1.0);
   for (std::size_t h = 0; h < model.hypotheses.size(); ++h) add(Feature::kHypothesis, h, 0.0, 1.0);
   const double per_step = 1.0 / model.step_length.value;
-  // Of each action as much as there is room for, what matters most first.
+  // As many features of each action as there is room for, those that matter most first.
   for (const Feature feature :
        {Feature::kPreference, Feature::kReach, Feature::kBorder, Feature::kDetected, Feature::kFound, Feature::kApproach}) {
     if (spec.size() + model.actions.size() > spec.capacity()) break;

@@ -17,7 +17,7 @@ namespace earshot::policy {
 
 // The seam that training and flight share: sim/search and firmware/runtime build observations with this very code.
 
-/// What one element of an observation is taken from.
+/// The quantity that an element of an observation shows.
 enum class Feature : std::uint8_t {
   kEast = 1,       ///< x of the vehicle in the operating area, metres east of its south-west corner
   kNorth = 2,      ///< y of the vehicle in the operating area, metres north of its south-west corner
@@ -73,14 +73,14 @@ using ObservationSpec = FixedVector<ObservationElement, config::kMaxObservation>
 /// Whether this build knows the feature.
 [[nodiscard]] bool is_known(Feature feature);
 
-/// What a policy sees, and what it takes for granted when it looks.
+/// The elements that a policy sees, and the model of the search that its belief takes for granted.
 struct ObservationModel {
   ObservationSpec spec;
   config::ListeningWindow listening = {};  ///< over which `Heard` is meant
   BeliefModel belief = {};                 ///< unused, and no time spent on it, when no element of `spec` needs it
 };
 
-/// What the vehicle remembers of its search: where it is and what it heard at the end of each of the last steps.
+/// The vehicle's memory of its search: where it was and what it heard at the end of each of the last steps.
 /// A step not yet taken counts as no displacement and an SNR of zero; the start fills the newest slot with the SNR heard there.
 /// Every call is given the model of the one before.
 class SearchMemory {

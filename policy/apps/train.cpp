@@ -43,7 +43,7 @@ void run_all(const Trainings& trainings, std::size_t threads, training::Training
                          [](std::size_t) {});
 }
 
-/// For --verbose.
+/// Prints the settings of every training, with --verbose.
 void print_settings(const Trainings& trainings, std::size_t threads, std::size_t ranks) {
   program::detail() << trainings.size() << (trainings.size() == 1 ? " training, " : " trainings, ") << std::min(threads, trainings.size())
                     << " at a time, " << ranks << (ranks == 1 ? " process\n" : " processes\n");

@@ -12,12 +12,12 @@
 namespace earshot::baselines {
 namespace {
 
-constexpr double kLowest_db = -60.0;  // what the bins of SNR begin with; what lies beyond either end counts with the last
+constexpr double kLowest_db = -60.0;  // lower edge of the first bin of SNR; values beyond either end count with the last bin there
 constexpr double kBin_db = 2.0;
 constexpr std::size_t kBins = 80;
 using Histogram = std::array<double, kBins>;
 
-/// What fluctuation makes of a histogram of expected SNRs.
+/// A histogram of expected SNRs blurred by fluctuation.
 Histogram blurred(const Histogram& expected, double spread_db) {
   const double spread = std::max(spread_db / kBin_db, 0.3);  // bins; less than a bin's own width would pretend to more than it tells
   const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3.0 * spread));

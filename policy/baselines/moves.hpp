@@ -8,7 +8,7 @@ namespace earshot::baselines {
 
 [[nodiscard]] NorthEast end_of(const PriorKnowledge& prior, NorthEast position, std::size_t action);
 
-/// What the border takes at a place, as a positive number; 0 inside.
+/// The border's penalty at a place, as a positive number; 0 inside.
 [[nodiscard]] double border_cost(const search::SearchSettings& settings, NorthEast position);
 
 /// The action that ends nearest to a place, heedless of the border; the first of equals.

@@ -17,13 +17,13 @@ struct Output {
 
 inline constexpr host::OutputKind kPolicyOutput{"a .policy file", {"EARSHOTP", {}}};
 
-/// What help says of --force.
+/// The description of --force in --help.
 inline constexpr const char* kForceHelp = "replace a file that is there already, of whatever kind it is";
 
 /// Throws host::BadInput, naming both options, when two of them are one file: one would silently replace the other.
 void check_distinct(std::span<const Output> files);
 
-/// The same, and throws now rather than after minutes of work when one of them cannot be written later: see host::require_writable.
+/// check_distinct(), and throws now rather than after minutes of work when one of them cannot be written later: see host::require_writable.
 void require_writable(std::span<const Output> files, host::Replace replace);
 
 /// Throws host::BadInput when a picture of that name, given with `option`, cannot be drawn: it does not end in .png or .svg.

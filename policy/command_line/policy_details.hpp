@@ -6,7 +6,7 @@
 
 namespace earshot::command_line {
 
-/// With --verbose: prints what a policy sees and does, and its provenance line by line.
+/// Prints, with --verbose, what a policy sees and does, and its provenance line by line.
 void print_policy_details(const std::string& name, const policy::FrozenPolicy& policy);
 
 }  // namespace earshot::command_line

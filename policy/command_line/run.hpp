@@ -11,8 +11,8 @@ namespace earshot::command_line {
 /// could not hold it.
 int run(program::CommandLine& line, int argc, char** argv, const std::function<void()>& body);
 
-/// The same of a program that mpirun may have started: rank 0 alone speaks, and the session outlives what it says, because mpirun drops the
-/// words of a rank when another has ended.
+/// Does the same for a program that mpirun may have started. Rank 0 alone prints, and the session outlives its output, because mpirun drops
+/// the output of a rank when another has ended.
 int run_ranked(program::CommandLine& line, int argc, char** argv, const std::function<void(parallel::RankSession&)>& body);
 
 }  // namespace earshot::command_line

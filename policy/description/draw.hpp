@@ -8,7 +8,7 @@
 
 namespace earshot::description {
 
-/// What people call the ways to draw an action, in the order of policy::ActionDraw.
+/// Names of the ways to draw an action, in the order of policy::ActionDraw.
 inline constexpr std::array<std::string_view, 2> kDraws{"argmax", "sampled"};
 [[nodiscard]] std::string_view name_of(policy::ActionDraw draw);
 /// Nothing for a name that is none of kDraws.

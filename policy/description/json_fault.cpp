@@ -12,7 +12,7 @@ namespace {
 constexpr int kOtherType = 302;
 constexpr int kNoSuchKey = 403;
 
-/// What stands between the first `before` and the `after` that ends it.
+/// The text between the first `before` and the `after` that ends it.
 std::optional<std::string_view> between(std::string_view text, std::string_view before, std::string_view after) {
   const std::size_t begin = text.find(before);
   if (begin == std::string_view::npos) return std::nullopt;

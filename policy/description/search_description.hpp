@@ -13,7 +13,7 @@
 
 namespace earshot::description {
 
-/// What a network's weights do not say: what it sees and what its actions do. A policy trained elsewhere carries it along as text.
+/// The meaning of a network's inputs and outputs, which its weights do not hold. A policy trained elsewhere carries it along as text.
 struct SearchDescription {
   policy::ObservationModel observation;
   std::size_t direction_count = 0;  ///< actions: compass directions, clockwise from north
@@ -23,7 +23,7 @@ struct SearchDescription {
   std::vector<std::pair<std::string, std::string>> provenance;  ///< names and values in the order written
 };
 
-/// Of a policy that searches as `settings` say; without provenance.
+/// Describes a policy that searches as `settings` say; without provenance.
 [[nodiscard]] SearchDescription describe(const search::SearchSettings& settings, const policy::ObservationModel& observation);
 
 /// JSON on one line. It states that the network saw the observation as it is: nothing normalised it on the way.

@@ -66,7 +66,8 @@ Json costs_to(const policy::BeliefCosts& costs) {
           {"edge", costs.edge},   {"most_regret", costs.most_regret}};
 }
 
-/// What is not among the description's own numbers. One that says nothing of its costs was written when they could only be the defaults.
+/// The numbers of a belief that the description does not hold elsewhere. A description without costs was written when they could only be
+/// the defaults.
 policy::BeliefModel belief_from(const Json& json) {
   policy::BeliefModel model;
   model.cells_north = cells_from(json, "cells_north");

@@ -12,7 +12,7 @@
 
 namespace earshot::description {
 
-/// What a policy is shown.
+/// The observations that training and Python offer.
 enum class State : std::uint8_t {
   kSimple,          ///< o = (x, y)
   kMemory,          ///< displacement and SNR of each of the last steps
@@ -20,7 +20,7 @@ enum class State : std::uint8_t {
   kPositionMemory,  ///< kSimple and kMemory together
 };
 
-/// What people call them, in the order of State.
+/// Names of the states, in their order.
 inline constexpr std::array<std::string_view, 4> kStates{"simple", "memory", "belief", "position_memory"};
 [[nodiscard]] std::string_view name_of(State state);
 /// Nothing for a name that is none of kStates.
@@ -31,7 +31,7 @@ inline constexpr std::array<std::string_view, 4> kStates{"simple", "memory", "be
 /// The most remembered steps that fit into an observation of that state.
 [[nodiscard]] std::size_t most_remembered(State state);
 
-/// What a policy sees, and what it takes for granted when it looks.
+/// The observation that a state stands for, and the model of the search that a belief takes for granted.
 /// @param remembered_steps  m, 1 to most_remembered(state); ignored where the state shows none
 /// @param curve  SNR that a belief takes for the truth
 [[nodiscard]] policy::ObservationModel observation_of(State state, std::size_t remembered_steps, const search::SearchSettings& settings,

@@ -21,7 +21,7 @@ struct Statistics {
   std::vector<double> path;
 };
 
-/// As quantile(values, 0.5), which sorts all of them.
+/// The median: the same as quantile(values, 0.5), which sorts all of them.
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);

@@ -8,7 +8,7 @@
 
 namespace earshot::evaluate {
 
-/// Where searches went: CSV, a row for every start and for the end of every step.
+/// The paths of searches as CSV: a row for every start and for the end of every step.
 class PathTable {
  public:
   PathTable();

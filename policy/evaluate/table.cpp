@@ -48,7 +48,7 @@ std::vector<std::string> distinct(std::span<const Row> rows, std::string Row::*n
   return names;
 }
 
-/// Where the points of one policy stand, and its mark: colour and shape both tell it from its neighbours.
+/// The place of one policy's points, and its mark: colour and shape both distinguish it from its neighbours.
 std::string points_of(std::size_t policy) {
   constexpr std::array<const char*, 6> kColours{"#1b6ca8", "#d1495b", "#2a9d6f", "#8a5aa8", "#e08a1e", "#4d5b68"};
   constexpr std::array<int, 6> kShapes{7, 5, 9, 13, 11, 15};  // disc, square, triangle, diamond, triangle on its head, pentagon

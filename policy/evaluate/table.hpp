@@ -22,7 +22,7 @@ struct Row {
 /// @param flights  at least one
 [[nodiscard]] Row row_of(const std::string& world, const std::string& policy, std::span<const Flight> flights, std::uint64_t seed);
 
-/// For people: rows of one world as a table with a header line.
+/// The rows of one world as a table with a header line, for people to read.
 [[nodiscard]] std::string as_text(std::span<const Row> rows);
 
 enum class Timing : bool { kLeftOut, kIncluded };

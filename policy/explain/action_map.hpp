@@ -9,7 +9,7 @@
 
 namespace earshot::explain {
 
-/// What a policy would do at one place.
+/// The action that a policy would take at one place.
 struct MapPoint {
   NorthEast place;  ///< relative to the area's south-west corner
   std::vector<double> probabilities;
@@ -24,13 +24,13 @@ using ActionMap = std::vector<MapPoint>;
 /// The centres of per_side x per_side equal cells of an area, in the order of an ActionMap, relative to its south-west corner.
 [[nodiscard]] std::vector<NorthEast> cell_centres(NorthEast area_size, std::size_t per_side);
 
-/// What the policy does after a first look at each place.
+/// The policy's actions after a first measurement at each place.
 /// @param heard  what is heard there
 /// Oracle: ActionMap.*
 [[nodiscard]] ActionMap after_a_first_look(const policy::FrozenPolicy& policy, std::size_t per_side,
                                            const std::function<policy::Heard(NorthEast)>& heard);
 
-/// What the policy would do if, with all that it remembers and believes, the vehicle stood elsewhere and had not found the source there.
+/// The policy's actions if, with all that it remembers and believes, the vehicle stood elsewhere and had not found the source there.
 /// @param memory  of the policy's own observation model
 [[nodiscard]] ActionMap standing_elsewhere(const policy::FrozenPolicy& policy, std::size_t per_side, const policy::SearchMemory& memory);
 

@@ -9,7 +9,7 @@
 
 namespace earshot::explain {
 
-/// What an observation is compared with: a vehicle that has heard nothing yet.
+/// The vehicle that an observation is compared with: it has heard nothing yet.
 enum class Baseline : std::uint8_t {
   kCentre,  ///< in the middle of the area
   kHere,    ///< where the vehicle is: then only what it heard and how it moved can have moved the choice
@@ -18,9 +18,9 @@ enum class Baseline : std::uint8_t {
 /// A look that says nothing: the signal lies somewhere below a level that no signal reaches.
 inline constexpr policy::Heard kNothingLearnt{.snr = messages::kMostSnr, .too_faint = true};
 
-/// What a vehicle sees that has neither moved nor heard anything: no remembered displacement, every remembered SNR at the detection
-/// threshold (a newest look that is neither a detection nor a miss), and a belief that knows only that the source is not within a step,
-/// with its mean for a likeliest place.
+/// The observation of a vehicle that has neither moved nor heard anything: no remembered displacement, every remembered SNR at the
+/// detection threshold (a newest look that is neither a detection nor a miss), and a belief that knows only that the source is not within a
+/// step, with its mean for a likeliest place.
 /// @param place  relative to the area's south-west corner
 [[nodiscard]] std::vector<float> uninformed_observation(const policy::ObservationModel& model, NorthEast place,
                                                         Decibels detection_threshold);

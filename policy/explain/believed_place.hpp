@@ -16,7 +16,7 @@ struct SpreadEllipse {
   Radians bearing;  ///< of the longest direction, clockwise from north, in [0, pi)
 };
 
-/// Where a belief puts the source, in the numbers that a chart needs. Places are relative to the area's south-west corner.
+/// The place where a belief puts the source, in the numbers that a chart needs. Places are relative to the area's south-west corner.
 struct BelievedPlace {
   NorthEast area_size;
   std::size_t cells_north = 0;
@@ -35,7 +35,7 @@ struct BelievedPlace {
 
 [[nodiscard]] BelievedPlace believed_place(const policy::Belief& belief, const policy::BeliefModel& model);
 
-/// What would be heard at a place if the belief were the truth.
+/// The SNR that would be heard at a place if the belief were the truth.
 struct ExpectedHearing {
   Decibels snr;         ///< mean over places and hypotheses
   Decibels spread;      ///< standard deviation over places alone, without what measuring adds

@@ -55,7 +55,7 @@ struct DecisionAccount {
   std::vector<ObservedAccount> observed;  ///< in the order of the observation
 };
 
-/// What is needed beside the decisions themselves.
+/// What explaining needs beside the decisions themselves.
 struct Circumstances {
   const policy::FrozenPolicy& policy;
   const policy::BeliefModel& belief;
@@ -74,7 +74,7 @@ struct Circumstances {
 /// The observed elements that moved the choice most, for or against, first.
 [[nodiscard]] std::vector<ObservedAccount> weightiest(const DecisionAccount& account, std::size_t count);
 
-/// What each subject moved the choice in all, in the order of Subject; subjects that the policy does not see are left out.
+/// The sum of the parts of each subject, in the order of Subject. Subjects that the policy does not see are left out.
 struct SubjectAccount {
   Subject subject;
   double part;

@@ -32,7 +32,8 @@ struct PathSettings {
   std::size_t max_steps = 100;  ///< N of the paper
 };
 
-/// Where the policy goes from all over its area, with the memory and the belief that it flies with, the likeliest action at every step.
+/// The paths of a policy from starts all over its area, with the memory and the belief that it flies with, the likeliest action at every
+/// step.
 /// @param heard  what is heard at a place
 /// @return one path for each start, in the order of an ActionMap
 /// Oracle: FlownPaths.*

@@ -27,7 +27,7 @@ struct Dense {
     return output;
   }
 
-  /// From the derivative by the outputs to the derivative by the inputs.
+  /// Turns the derivative by the outputs into the derivative by the inputs.
   [[nodiscard]] Values transposed(std::span<const double> by_output) const {
     Values by_input(inputs, 0.0);
     for (std::size_t i = 0; i < outputs; ++i) {

@@ -10,7 +10,7 @@
 
 namespace earshot::explain {
 
-/// What an element of an observation is about; the order of a sheet.
+/// The subject of an element of an observation, in the order of a report.
 enum class Subject : std::uint8_t {
   kPlace,     ///< where the vehicle is
   kMoved,     ///< how it moved

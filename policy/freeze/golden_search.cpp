@@ -40,7 +40,7 @@ struct Plan {
   bool sometimes_too_faint;
 };
 
-/// What the policy would do after the steps that `memory` knows of.
+/// The action that the policy would take after the steps that `memory` knows of.
 std::size_t decided(const policy::FrozenPolicy& policy, const policy::SearchMemory& memory, Pcg32& random) {
   std::array<float, config::kMaxObservation> observation{};
   std::array<float, config::kMaxActions> logits{};

@@ -14,7 +14,7 @@ namespace earshot::freeze {
 /// bytes are. Oracle: ModelFuzz.*
 [[nodiscard]] TrainedActor read_model(std::string_view bytes, const std::string& file);
 
-/// One line of printable characters, cut at a few hundred: what is told of bytes that may hold anything.
+/// Bytes that may hold anything as one line of printable characters, cut at a few hundred.
 [[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace earshot::freeze

@@ -9,7 +9,7 @@
 
 namespace earshot::freeze {
 
-/// What a pickle describes, as plain data. Python's unpickler imports and calls what a pickle names; this one only writes the names down.
+/// The content of a pickle as plain data. Python's unpickler imports and calls what a pickle names; this one only writes the names down.
 struct PickleValue {
   enum class Kind : std::uint8_t {
     kNone,
@@ -39,7 +39,7 @@ struct Pickle {
   [[nodiscard]] const PickleValue& top() const { return values[root]; }
 };
 
-/// What a pickle may name. Anything else is refused.
+/// The names that a pickle may hold. Any other is refused.
 struct PickleRules {
   std::function<bool(std::string_view)> may_name;  ///< "module.name" as a value
   std::function<bool(std::string_view)> may_call;  ///< "module.name" with arguments; only written down

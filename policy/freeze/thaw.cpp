@@ -91,7 +91,7 @@ void read_belief(ByteReader& reader, const Shape& shape, policy::BeliefModel& mo
   for (std::size_t i = 0; i < shape.ranges; ++i) append(model.snr_db, reader.f32());
 }
 
-/// What stands between header and trailer.
+/// The bytes between header and trailer.
 void read_body(ByteReader& reader, const Shape& shape, policy::FrozenPolicy& policy) {
   for (std::size_t i = 0; i < shape.observation; ++i) {
     policy::ObservationElement element;

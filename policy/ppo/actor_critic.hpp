@@ -25,7 +25,7 @@ using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 template <class Scalar>
 using Aligned = std::vector<Scalar, Eigen::aligned_allocator<Scalar>>;
 
-/// What a batch leaves in the networks; one column per sample. Sized once, for batches of up to `capacity` samples.
+/// The activations that a batch leaves in the networks; one column per sample. Sized once, for batches of up to `capacity` samples.
 template <class Scalar>
 struct Activations {
   Activations(NetworkShape shape, Eigen::Index capacity)

@@ -17,7 +17,7 @@ class Adam {
  public:
   explicit Adam(std::size_t parameter_count) : state_{0, std::vector<float>(parameter_count), std::vector<float>(parameter_count)} {}
 
-  /// What the steps so far leave for those to come.
+  /// What the next step needs of the steps so far.
   struct State {
     std::uint64_t steps = 0;
     std::vector<float> first_moment;   ///< m

@@ -13,7 +13,7 @@
 
 namespace earshot::ppo {
 
-/// What a program needs to go on with a training that was interrupted.
+/// Everything that a program needs to go on with a training that was interrupted.
 struct Continuation {
   TrainingState state;
   std::vector<std::string> arguments;  ///< command line that began the training, without the program's name
@@ -26,12 +26,12 @@ struct Continuation {
   };
   Written episodes;
   Written updates;
-  /// Where the curve of episodes is, from the checkpoint's folder; empty: beside it, under its name with .csv.
+  /// The path of the curve of episodes, from the checkpoint's folder; empty: beside it, under its name with .csv.
   /// None: written by a program that did not say so.
   std::optional<std::string> curve = {};
 };
 
-/// What training leaves behind: what the networks see and do, and both of them.
+/// The result of training: both networks, and what they see and do.
 struct Checkpoint : description::SearchDescription {
   std::vector<float> parameters;  ///< as ActorCritic::parameters() of shape()
 

@@ -15,7 +15,7 @@
 
 namespace earshot::ppo {
 
-/// What one update did: means over its minibatches.
+/// Figures of one update: means over its minibatches.
 struct UpdateReport {
   double policy_loss = 0.0;
   double value_loss = 0.0;

@@ -19,7 +19,7 @@ struct Samples {
   std::size_t minibatch_size = 0;  ///< samples of the whole minibatch
 };
 
-/// What a minibatch says of the update, means over its samples; of a slice, its part of them.
+/// Figures of a minibatch: means over its samples; of a slice of it, the slice's part of them.
 template <class Scalar>
 struct LossTerms {
   Scalar total{0};           ///< L

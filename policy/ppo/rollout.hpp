@@ -8,7 +8,7 @@
 
 namespace earshot::ppo {
 
-/// What the environments did between two updates. Sample (step t, environment e) stands at index e * steps + t, as Stable-Baselines3
+/// The steps of all environments between two updates. Sample (step t, environment e) stands at index e * steps + t, as Stable-Baselines3
 /// flattens it.
 struct Rollout {
   Rollout(NetworkShape shape, std::size_t environments, std::size_t steps_each)

@@ -89,7 +89,7 @@ bool Trainer::resume(std::span<const float> parameters, const TrainingState& sta
   return true;
 }
 
-/// As Stable-Baselines3's linear schedules: by the steps taken when the update begins.
+/// Falls as Stable-Baselines3's linear schedules do: by the steps taken when the update begins.
 double Trainer::learning_rate() const {
   if (hyper_.decay_steps == 0) return hyper_.learning_rate;
   return hyper_.learning_rate * std::max(0.0, 1.0 - static_cast<double>(steps_) / static_cast<double>(hyper_.decay_steps));

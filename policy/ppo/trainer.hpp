@@ -10,13 +10,13 @@
 
 namespace earshot::ppo {
 
-/// What one process has of a training run between two rollouts.
+/// The part of a training run's state that one process has between two rollouts.
 struct WorkerState {
   Pcg32::State random{};
   std::vector<search::EpisodeScript> episodes;  ///< one an environment
 };
 
-/// A training run between two rollouts: with it goes on bit for bit what was interrupted.
+/// The state of a training run between two rollouts: an interrupted run goes on from it bit for bit.
 struct TrainingState {
   std::uint64_t steps = 0;
   std::uint64_t seed = 0;
@@ -34,19 +34,19 @@ class Trainer {
   /// @param world  outlives this, as `ranks` does
   Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed,
           parallel::Ranks& ranks);
-  /// In one process.
+  /// Trains in one process.
   Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed);
 
   /// Called with every finished episode of this process and the steps taken so far by all; false ends training with the rollout under way.
   using OnEpisode = std::function<bool(const search::EpisodeRecord& episode, std::uint64_t steps)>;
 
-  /// One rollout and one update. What `on_episode` returns does not matter.
+  /// Makes one rollout and one update. What `on_episode` returns does not matter.
   UpdateReport advance(const OnEpisode& on_episode);
-  /// Whole rollouts and updates, as Stable-Baselines3, until at least `steps` steps are taken or `on_episode` returns false. Not for
-  /// several ranks, which have to agree on the end.
+  /// Makes whole rollouts and updates, as Stable-Baselines3 does, until at least `steps` steps are taken or `on_episode` returns false. Not
+  /// for several ranks, which have to agree on the end.
   void train(std::uint64_t steps, const OnEpisode& on_episode);
 
-  /// Between two calls of advance(); of the workers this process's own alone.
+  /// The state between two calls of advance(); of the workers it holds this process's own alone.
   [[nodiscard]] TrainingState state() const;
   /// Goes on from there, bit for bit. False when it does not fit this training; only good for destruction then.
   /// @param parameters  networks().parameters() of then

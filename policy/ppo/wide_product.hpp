@@ -23,7 +23,7 @@ struct WideProduct {
 /// Whether this processor has the 512-bit registers (AVX-512F) that it is written for.
 [[nodiscard]] bool has_wide_product();
 
-/// Only where has_wide_product(). Sums over `inner` in order, each fused.
+/// To be called only where has_wide_product() says so. Sums over `inner` in order, each fused.
 /// Oracle: WideProduct.*   Benchmark: ppo.large_batch.steps_per_s
 void multiply(const WideProduct& product);
 

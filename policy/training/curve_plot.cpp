@@ -28,7 +28,7 @@ std::array<double, 3> quartiles(const std::vector<double>& values) {
   return {evaluate::quantile(values, 0.25), evaluate::quantile(values, 0.5), evaluate::quantile(values, 0.75)};
 }
 
-/// Of the episodes before `end`, the last kRecentEpisodes.
+/// Quartiles of the last kRecentEpisodes before `end`.
 std::array<double, 3> recent_quartiles(const std::vector<double>& rewards, std::size_t end) {
   const auto begin = static_cast<std::ptrdiff_t>(end - std::min(end, kRecentEpisodes));
   return quartiles({rewards.begin() + begin, rewards.begin() + static_cast<std::ptrdiff_t>(end)});

@@ -13,7 +13,7 @@ namespace earshot::training {
 /// @param episodes_csv  one a training, as LearningCurve has it
 void draw_curves(const std::filesystem::path& path, const std::string& title, std::span<const std::string> episodes_csv);
 
-/// What is drawn. Oracle: CurvePlot.*
+/// The points of the curve that draw_curves() draws. Oracle: CurvePlot.*
 struct CurvePoint {
   std::size_t episode;
   double lower;

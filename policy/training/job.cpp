@@ -29,7 +29,8 @@ ppo::Continuation::Written written(const std::string& text) {
   return {text.size(), host::crc32_of(text)};
 }
 
-/// Of all that shapes a training but how long it is: a run file as a whole, for what its reader may leave out of describe().
+/// CRC-32 of everything that shapes a training except its length. The run file counts as a whole, because its reader may leave something
+/// out of describe().
 std::uint32_t settings_crc32(const TrainOptions& options, const ppo::TrainingRun& run, const ocean::Environment& environment) {
   std::ostringstream all;
   for (const auto& [name, value] : ppo::describe(run)) {
@@ -76,7 +77,7 @@ struct EpisodeAtStep {
   search::EpisodeRecord episode;
 };
 
-/// On rank 0: the episodes of all ranks in the order of their steps, those of one step in order of rank.
+/// Gathers, on rank 0, the episodes of all ranks in the order of their steps, those of one step in the order of ranks.
 std::vector<EpisodeAtStep> gather_episodes(parallel::Ranks& ranks, const std::vector<EpisodeAtStep>& mine) {
   if (ranks.size() == 1) return mine;
   std::vector<EpisodeAtStep> all;
@@ -92,7 +93,7 @@ std::filesystem::path with_seed(const std::filesystem::path& path, std::uint64_t
   return result.replace_extension(".seed" + std::to_string(seed) + path.extension().string());
 }
 
-/// Of the command line before a seed is put into it.
+/// The curve that the command line names, before a seed is put into the name.
 std::filesystem::path curve_of(const TrainOptions& options) {
   return options.curve ? std::filesystem::path(*options.curve) : curve_beside(*options.output);
 }
@@ -118,7 +119,7 @@ std::vector<TrainingJob> new_jobs(const TrainOptions& options, const std::vector
   return jobs;
 }
 
-/// Where a checkpoint says that its curve is; one that does not say so has it where its command line put it.
+/// The place of the curve that a checkpoint records; where it records none, the place that its command line named.
 std::filesystem::path recorded_curve(const std::filesystem::path& checkpoint, const TrainingJob& job) {
   const ppo::Continuation& continuation = *job.resumed->continuation;
   if (continuation.curve && !continuation.curve->empty()) return checkpoint.parent_path() / *continuation.curve;
@@ -198,7 +199,7 @@ std::vector<TrainingJob> jobs_of(const TrainOptions& options, const std::vector<
   return jobs;
 }
 
-/// In the order in which they are made: later ones refer to earlier ones.
+/// The members are made in this order: later ones refer to earlier ones.
 struct Training::Parts {
   TrainingJob job;
   parallel::Ranks& ranks;
@@ -258,7 +259,7 @@ void Training::Parts::resume() {
     throw BadInput(job.resumed_file.string() + ": its state does not fit its settings");
 }
 
-/// All ranks have the same parameters and moments, and so the same opinion.
+/// All ranks have the same parameters and moments, and so come to the same verdict.
 void Training::Parts::refuse_divergence() const {
   const ppo::Adam::State& optimiser = trainer.optimiser();
   const auto are_finite = [](std::span<const float> values) {
@@ -293,7 +294,7 @@ ppo::Checkpoint Training::Parts::checkpoint(ppo::TrainingState state) const {
   return checkpoint;
 }
 
-/// The curves first: a checkpoint never tells of more than they hold.
+/// Writes the curves first: a checkpoint never counts more episodes than they hold.
 void Training::Parts::write() {
   ppo::TrainingState state = trainer.state();
   if (ranks.size() > 1) {

@@ -34,7 +34,7 @@ struct TrainingJob {
 /// @param arguments  the command line without the program's name
 [[nodiscard]] std::vector<TrainingJob> jobs_of(const TrainOptions& options, const std::vector<std::string>& arguments);
 
-/// What stands while a training goes on.
+/// A training under way: world, networks, curve and settings of one job.
 class Training {
  public:
   /// Everything that bad input can spoil. Throws host::BadInput. @param ranks  outlives this

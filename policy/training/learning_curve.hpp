@@ -23,7 +23,8 @@ class LearningCurve {
   void add(const search::EpisodeRecord& episode, std::uint64_t steps);
   void add(const ppo::UpdateReport& update, std::uint64_t steps);
 
-  /// Of the last kRecentEpisodes, or as many as there are; without any the figures mean nothing, and the updates' cells for them are empty.
+  /// Figures of the last kRecentEpisodes, or of as many as there are. Without any they mean nothing, and the updates' cells for them are
+  /// empty.
   struct Recent {
     std::size_t episodes = 0;
     double median_reward = 0.0;

@@ -21,7 +21,7 @@ class TrainingProgress {
     std::uint64_t episodes = 0;
     LearningCurve::Recent recent;
   };
-  /// Where a training begins. From any thread, as update().
+  /// Sets the point where a training begins. May be called from any thread, as update() may.
   void begin(std::size_t training, const At& at);
   void update(std::size_t training, const At& at);
   /// Shows the last line for good.
