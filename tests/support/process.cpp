@@ -11,16 +11,38 @@
 
 namespace earshot::support {
 
+namespace {
+
+/// Makes `path` the child's stream `descriptor`.
+void redirect(const std::filesystem::path& path, int descriptor) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  (void)dup2(file, descriptor);
+}
+
+}  // namespace
+
 Process::Process(const std::filesystem::path& program, const std::vector<std::string>& arguments, std::filesystem::path output)
     : output_(std::move(output)) {
+  start(program, arguments, {.folder = {}, .output = output_, .errors = {}});
+}
+
+Process::Process(const std::filesystem::path& program, const std::vector<std::string>& arguments, const Surroundings& surroundings)
+    : output_(surroundings.output) {
+  start(program, arguments, surroundings);
+}
+
+void Process::start(const std::filesystem::path& program, const std::vector<std::string>& arguments, const Surroundings& surroundings) {
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   id_ = fork();
   if (id_ != 0) return;
-  const int file = open(output_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  (void)dup2(file, 1);
-  (void)dup2(file, 2);
+  redirect(surroundings.output, 1);
+  if (surroundings.errors.empty())
+    (void)dup2(1, 2);
+  else
+    redirect(surroundings.errors, 2);
+  if (!surroundings.folder.empty() && chdir(surroundings.folder.c_str()) != 0) _exit(127);
   (void)execv(program.c_str(), argv.data());
   _exit(127);
 }

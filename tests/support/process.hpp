@@ -9,10 +9,20 @@
 
 namespace earshot::support {
 
-/// A child process whose standard output and error go to one file. Killed when this object goes before it ended.
+/// Where a child process runs and what it writes to.
+struct Surroundings {
+  std::filesystem::path folder;  ///< it runs there
+  std::filesystem::path output;  ///< its standard output
+  std::filesystem::path errors;  ///< its standard error
+};
+
+/// A child process. Killed when this object goes before it ended.
 class Process {
  public:
+  /// Standard output and error go to one file.
   Process(const std::filesystem::path& program, const std::vector<std::string>& arguments, std::filesystem::path output);
+  /// @param program  absolute, or from the folder that it runs in
+  Process(const std::filesystem::path& program, const std::vector<std::string>& arguments, const Surroundings& surroundings);
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -24,6 +34,8 @@ class Process {
   [[nodiscard]] std::string output() const;
 
  private:
+  void start(const std::filesystem::path& program, const std::vector<std::string>& arguments, const Surroundings& surroundings);
+
   pid_t id_ = -1;
   int status_ = -1;
   std::filesystem::path output_;

@@ -9,7 +9,7 @@
 #include "tests/policy/apps/programs.hpp"
 #include "tests/support/terminal.hpp"
 
-namespace earshot::apps {
+namespace earshot::policy_programs {
 namespace {
 
 TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
@@ -114,7 +114,7 @@ TEST_F(Programs, EvaluateWritesTheSameBytesFromTwoRanks) {
   if (std::string(EARSHOT_MPIEXEC).empty()) GTEST_SKIP() << "built without MPI";
   const std::string words = "evaluate --policies shipped,bayes,random --episodes 31 --world " + kSource + "/policy/worlds/noisy_4db.toml";
   // As root runs it in containers; --oversubscribe where there is one core.
-  const std::string launcher = std::string(EARSHOT_MPIEXEC) + " --allow-run-as-root --oversubscribe -n 2 ";
+  const std::string launcher = std::string(EARSHOT_MPIEXEC) + " --allow-run-as-root --oversubscribe -n 2";
   ASSERT_EQ(run(words + " --json one.json --csv one.csv"), 0) << content(folder / "err");
   ASSERT_EQ(run(words + " --json two.json --csv two.csv", launcher), 0) << content(folder / "err");
   EXPECT_EQ(content(folder / "one.json"), content(folder / "two.json"));
@@ -130,10 +130,8 @@ TEST_F(Programs, EvaluateNamesTheShippedPolicyWhenItIsMissingRatherThanTakeAnoth
   fs::create_directories(frozen);
   fs::copy_file(kFixedSource, frozen / "fixed_source.policy");
   fs::copy_file(EARSHOT_BIN_DIR "/earshot-evaluate", folder / "bin/earshot-evaluate");
-  const std::string command =
-      "cd '" + folder.string() + "' && bin/earshot-evaluate --policies shipped --episodes 1" + kOcean + " >out 2>err";
-  const int status = std::system(command.c_str());  // NOLINT: our own program
-  EXPECT_EQ(WEXITSTATUS(status), 2);
+  const std::vector<std::string> arguments = split("--policies shipped --episodes 1" + kOcean);
+  EXPECT_EQ(start(folder / "bin/earshot-evaluate", arguments).wait(kPatience), 2);
   const std::string said = content(folder / "err");
   EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
   EXPECT_NE(said.find("policy/frozen/shipped.policy: is neither in the source tree that"), std::string::npos) << said;
@@ -172,4 +170,4 @@ TEST_F(Programs, EvaluateAsksWhichSourceIsMeantWhenPoliciesWereTrainedWithBothKi
 }
 
 }  // namespace
-}  // namespace earshot::apps
+}  // namespace earshot::policy_programs

@@ -1,58 +1,26 @@
 // earshot explain and earshot report as a person meets them.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/policy/apps/programs.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
-#include "tests/support/process.hpp"
 
-namespace earshot {
+namespace earshot::policy_programs {
 namespace {
 
-namespace fs = std::filesystem;
-
-const std::string kOcean = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
-
-class ExplainPrograms : public testing::Test {
+/// With a flight in the test's folder.
+class ExplainPrograms : public Programs {
  protected:
   ExplainPrograms() {
-    std::string name = (fs::temp_directory_path() / "earshot-explain-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
     const auto policy = explain::belief_policy(1);
-    report::write_flight(folder_ / "flight", *policy, explain::flown(*policy, 4, {}), {});
+    report::write_flight(folder / "flight", *policy, explain::flown(*policy, 4, {}), {});
   }
-  ~ExplainPrograms() override { fs::remove_all(folder_); }
-
-  /// Runs `earshot-<words>` in the test's folder; returns its exit status.
-  int run(const std::string& words) {
-    const std::string command = "cd '" + folder_.string() + "' && '" EARSHOT_BIN_DIR "/earshot-" + words.substr(0, words.find(' ')) + "'" +
-                                words.substr(words.find(' ')) + " >out 2>err";
-    const int status = std::system(command.c_str());  // NOLINT: our own programs
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-  [[nodiscard]] std::string content(const std::string& name) const { return support::read_text(folder_ / name); }
-
-  /// Exit status 2, one line on standard error that holds every one of `parts`, and no output written.
-  void refuses(const std::string& words, std::initializer_list<const char*> parts) {
-    EXPECT_EQ(run(words), 2) << words;
-    const std::string said = content("err");
-    EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
-    for (const char* part : parts) EXPECT_NE(said.find(part), std::string::npos) << part << " is not in: " << said;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
-      const std::string name = entry.path().filename();
-      EXPECT_TRUE(name == "out" || name == "err" || name == "flight") << words << " left " << name;
-    }
-  }
-
-  fs::path folder_;
+  [[nodiscard]] std::string content(const std::string& name) const { return support::read_text(folder / name); }
 };
 
 TEST_F(ExplainPrograms, ExplainWritesASheetInEachFormatAndTheReportOfTheFlight) {
@@ -69,8 +37,7 @@ TEST_F(ExplainPrograms, ExplainWritesASheetInEachFormatAndTheReportOfTheFlight) 
 
 TEST_F(ExplainPrograms, ExplainDrawsMapsForASourceAndAlongAFlight) {
   ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6 -o own.png"), 0) << content("err");
-  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6 --environment " + kOcean + " -o paper.svg"), 0)
-      << content("err");
+  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --arrows 6" + kOcean + " -o paper.svg"), 0) << content("err");
   ASSERT_EQ(run("explain map flight/journal.policy --flight flight --step 3 --arrows 6 -o belief.png"), 0) << content("err");
   EXPECT_EQ(content("own.png").substr(1, 3), "PNG");
   EXPECT_NE(content("paper.svg").find("What journal.policy does"), std::string::npos);
@@ -127,21 +94,21 @@ TEST_F(ExplainPrograms, SayNothingWithQuietAndMoreWithVerbose) {
 }
 
 TEST_F(ExplainPrograms, RefuseAFlightWithAnSnrCurveThatStandsStill) {
-  std::ofstream(folder_ / "flight" / "snr.csv") << "range_m,snr_db\n0,30\n0,29\n";
+  std::ofstream(folder / "flight" / "snr.csv") << "range_m,snr_db\n0,30\n0,29\n";
   refuses("report flight", {"snr.csv:3", "same step"});
 }
 
 TEST_F(ExplainPrograms, RefuseAFlightWhoseSummaryDoesNotSayAllAndNameIt) {
-  std::ofstream(folder_ / "flight" / "summary.json") << R"({"found": true})";
+  std::ofstream(folder / "flight" / "summary.json") << R"({"found": true})";
   refuses("report flight", {"flight/summary.json: ", "steps: must be a whole number"});
 }
 
 TEST_F(ExplainPrograms, RefuseAMapOfAPolicyThatKnowsNoOceanUntilOneIsNamed) {
   const auto policy = explain::place_policy(1);
-  report::write_flight(folder_ / "flight", *policy, explain::flown(*policy, 2, {}), {});
+  report::write_flight(folder / "flight", *policy, explain::flown(*policy, 2, {}), {});
   refuses("explain map flight/journal.policy --source 0,0 -o a.png", {"--environment", "journal.policy"});
   refuses("explain map flight/journal.policy --flight flight -o a.png", {"--flight", "no belief"});
 }
 
 }  // namespace
-}  // namespace earshot
+}  // namespace earshot::policy_programs

@@ -1,7 +1,7 @@
 // A policy of another version of the format, from the refusal to the file that flies.
 #include "tests/policy/apps/programs.hpp"
 
-namespace earshot::apps {
+namespace earshot::policy_programs {
 namespace {
 
 const std::string kModels = kSource + "/tests/policy/freeze/models/";
@@ -41,4 +41,4 @@ TEST_F(Programs, FreezeAgainRefusesASearchAndADamagedPolicy) {
 }
 
 }  // namespace
-}  // namespace earshot::apps
+}  // namespace earshot::policy_programs

@@ -1,18 +1,20 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
-namespace earshot::apps {
+#include "tests/support/process.hpp"
+
+namespace earshot::policy_programs {
 
 namespace fs = std::filesystem;
 
@@ -21,8 +23,7 @@ inline const std::string kOcean = " --environment " + kSource + "/sim/ocean/envi
 inline const std::string kFixedSource = kSource + "/policy/frozen/fixed_source.policy";
 
 inline std::string content(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return support::read_text(path);
 }
 
 /// A folder of its own, in which a test runs the commands.
@@ -35,12 +36,22 @@ class Programs : public testing::Test {
   }
   ~Programs() override { fs::remove_all(folder); }
 
-  /// Runs `earshot-<words>` in the test's folder; returns its exit status.
+  /// Starts a program in the test's folder; its standard output and error go to the files `out` and `err` there.
+  support::Process start(const fs::path& program, const std::vector<std::string>& arguments) {
+    return support::Process(program, arguments, {.folder = folder, .output = folder / "out", .errors = folder / "err"});
+  }
+
+  /// Starts `earshot-<words>`; the words are separated by spaces.
+  support::Process start(const std::string& words) {
+    const std::vector<std::string> all = split(words);
+    return start(EARSHOT_BIN_DIR "/earshot-" + all.front(), {all.begin() + 1, all.end()});
+  }
+
+  /// Runs `earshot-<words>`, under a launcher such as mpiexec where there is one. @return its exit status
   int run(const std::string& words, const std::string& launcher = "") {
-    const std::string command = "cd '" + folder.string() + "' && " + launcher + "'" EARSHOT_BIN_DIR "/earshot-" +
-                                words.substr(0, words.find(' ')) + "'" + words.substr(words.find(' ')) + " >out 2>err";
-    const int status = std::system(command.c_str());  // NOLINT: our own programs
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    if (launcher.empty()) return start(words).wait(kPatience);
+    const std::vector<std::string> all = split(launcher + " " EARSHOT_BIN_DIR "/earshot-" + words);
+    return start(all.front(), {all.begin() + 1, all.end()}).wait(kPatience);
   }
 
   /// Exit status 2, one line on standard error that holds every one of `parts`, and nothing left in the folder.
@@ -63,7 +74,13 @@ class Programs : public testing::Test {
     return names;
   }
 
+  static std::vector<std::string> split(const std::string& words) {
+    std::istringstream stream(words);
+    return {std::istream_iterator<std::string>(stream), {}};
+  }
+
+  static constexpr std::chrono::minutes kPatience{10};  // no test takes it: a program that hangs ends the test
   fs::path folder;
 };
 
-}  // namespace earshot::apps
+}  // namespace earshot::policy_programs

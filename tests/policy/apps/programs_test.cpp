@@ -1,15 +1,19 @@
 // The commands as a person meets them: what they make, and what they say of bad input.
+#include <csignal>
 #include <functional>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "firmware/core/crc32.hpp"
 #include "tests/policy/apps/programs.hpp"
 
-namespace earshot::apps {
+namespace earshot::policy_programs {
 namespace {
+
+using namespace std::chrono_literals;
 
 nlohmann::json parameters_in(const fs::path& checkpoint) {
   const std::string text = content(checkpoint);
@@ -68,9 +72,13 @@ TEST_F(Programs, TrainGoesOnWhereACheckpointStandsAndEndsWithTheSameBytes) {
   ASSERT_EQ(run("train" + task), 0) << content(folder / "err");
   const std::vector<std::string> whole{content(folder / "a.checkpoint"), content(folder / "a.csv"), content(folder / "a.updates.csv")};
   fs::remove(folder / "a.checkpoint");
-  const std::string killed = "cd '" + folder.string() + "' && ( '" EARSHOT_BIN_DIR "/earshot-train'" + task +
-                             " >out 2>err & pid=$!; until [ -e a.checkpoint ]; do sleep 0.01; done; kill -9 $pid; wait $pid )";
-  EXPECT_NE(std::system(killed.c_str()), 0) << "it was to be killed before its end";  // NOLINT: our own programs
+  {
+    support::Process train = start("train" + task);
+    while (!fs::exists(folder / "a.checkpoint") && train.wait(10ms) < 0) {
+    }
+    train.signal(SIGKILL);
+    EXPECT_EQ(train.wait(kPatience), 128 + SIGKILL) << "it was to be killed before its end";
+  }
   EXPECT_NE(content(folder / "a.checkpoint"), whole[0]);
   std::ofstream(folder / "a.csv", std::ios::app) << "7,7";  // as if killed between two files: the curve tells of more than the checkpoint
   ASSERT_EQ(run("train --resume a.checkpoint"), 0) << content(folder / "err");
@@ -82,9 +90,10 @@ TEST_F(Programs, TrainGoesOnWhereACheckpointStandsAndEndsWithTheSameBytes) {
 }
 
 TEST_F(Programs, TrainWritesItsCheckpointWhenInterrupted) {
-  const std::string words = "cd '" + folder.string() + "' && ( '" EARSHOT_BIN_DIR "/earshot-train'" + kOcean +
-                            " --steps 100000000 -o a.checkpoint --plot a.svg >out 2>err & pid=$!; sleep 1.5; kill -INT $pid; wait $pid )";
-  EXPECT_EQ(std::system(words.c_str()), 0) << content(folder / "err");  // NOLINT: our own programs
+  support::Process train = start("train" + kOcean + " --steps 100000000 -o a.checkpoint --plot a.svg");
+  std::this_thread::sleep_for(1500ms);
+  train.signal(SIGINT);
+  EXPECT_EQ(train.wait(kPatience), 0) << content(folder / "err");
   EXPECT_NE(content(folder / "out").find("--resume"), std::string::npos);
   EXPECT_EQ(files(), (std::vector<std::string>{"a.checkpoint", "a.csv", "a.svg", "a.updates.csv"}));
   const auto steps = std::ranges::count(content(folder / "a.updates.csv"), '\n') * 2'048;
@@ -193,10 +202,7 @@ TEST_F(Programs, TrainSaysThatNoEpisodeHasEndedRatherThanThatItEarnedNothing) {
 TEST_F(Programs, TrainOnTwoMpiRanksIsTheSameEveryTimeAndGoesOn) {
   if (std::string(EARSHOT_MPIEXEC).empty()) GTEST_SKIP() << "built without MPI";
   auto train = [this](const std::string& words) {
-    const std::string command = "cd '" + folder.string() +
-                                "' && '" EARSHOT_MPIEXEC "' --allow-run-as-root --oversubscribe -n 2 '" EARSHOT_BIN_DIR "/earshot-train' " +
-                                words + " >out 2>err";
-    return WEXITSTATUS(std::system(command.c_str()));  // NOLINT: our own programs
+    return run("train " + words, EARSHOT_MPIEXEC " --allow-run-as-root --oversubscribe -n 2");
   };
   ASSERT_EQ(train(kOcean + " --steps 12288 --seed 3 -o a.checkpoint"), 0) << content(folder / "err");
   const auto parameters = parameters_in(folder / "a.checkpoint");
@@ -393,4 +399,4 @@ TEST_F(Programs, HelpExplainsItselfAndEndsWell) {
 }
 
 }  // namespace
-}  // namespace earshot::apps
+}  // namespace earshot::policy_programs
