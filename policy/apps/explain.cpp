@@ -8,9 +8,9 @@
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
+#include "policy/report/decision_report.hpp"
 #include "policy/report/explanation.hpp"
 #include "policy/report/recorded_flight.hpp"
-#include "policy/report/sheet.hpp"
 
 namespace {
 
@@ -52,7 +52,7 @@ program::CommandLine& add_map(program::CommandLine& line, apps::ExplainMapOption
 
 void add_decision(program::CommandLine& line, DecisionOptions& o) {
   program::CommandLine& decision =
-      line.verb("decision", "writes a sheet about one decision of a flight: heard, believed, chosen, expected, and why");
+      line.verb("decision", "writes a report about one decision of a flight: heard, believed, chosen, expected, and why");
   decision.option("FLIGHT", &o.flight, "folder of a flight, or its journal (.lcmlog)").required();
   decision.option("--step", &o.step, "which decision; the first is 0").required();
   decision.option("--policy", &o.policy, "policy that flew; default: the .policy beside the journal");
@@ -63,37 +63,37 @@ void add_decision(program::CommandLine& line, DecisionOptions& o) {
               "what the observation is compared with: a vehicle that has heard nothing, in the area's centre or here")
       .one_of({"centre", "here"})
       .shows_default();
-  decision.option("-o,--output", &o.output, "sheet to write (.html, .md or .json)").required();
+  decision.option("-o,--output", &o.output, "report to write (.html, .md or .json)").required();
   decision.flag("--force", &o.force, command_line::kForceHelp);
 }
 
-std::string in_format_of(const std::filesystem::path& output, const report::Sheet& sheet) {
-  if (output.extension() == ".html") return report::as_html(sheet);
-  return output.extension() == ".md" ? report::as_markdown(sheet) : report::as_json(sheet);
+std::string in_format_of(const std::filesystem::path& output, const report::DecisionReport& made) {
+  if (output.extension() == ".html") return report::as_html(made);
+  return output.extension() == ".md" ? report::as_markdown(made) : report::as_json(made);
 }
 
-host::OutputKind sheet_kind(const std::string& extension) {
+host::OutputKind report_kind(const std::string& extension) {
   if (extension == ".html") return host::kHtmlOutput;
-  if (extension == ".md") return {"a sheet of earshot explain (Markdown)", {"# Step ", {}}};
-  return {"a sheet of earshot explain (JSON)", {"{\n \"step\"", {}}};
+  if (extension == ".md") return {"a report of earshot explain (Markdown)", {"# Step ", {}}};
+  return {"a report of earshot explain (JSON)", {"{\n \"step\"", {}}};
 }
 
-void write_sheet(const DecisionOptions& o) {
+void write_decision_report(const DecisionOptions& o) {
   const std::string extension = o.output.extension().string();
   if (extension != ".html" && extension != ".md" && extension != ".json")
     throw BadInput("-o " + o.output.string() + ": must end in .html, .md or .json");
-  host::require_writable(o.output, sheet_kind(extension), host::replaced_by(o.force));
+  host::require_writable(o.output, report_kind(extension), host::replaced_by(o.force));
   report::RecordingOptions recording{.policy = o.policy, .south_west = std::nullopt};
   if (o.south_west) recording.south_west = apps::north_east_of("--south-west", *o.south_west);
   const report::RecordedFlight flight = report::open_recording(o.flight, recording);
   command_line::print_policy_details(flight.policy_path.string(), *flight.policy);
   program::detail() << flight.journal_path.string() << ": " << flight.journal.decisions.size()
                     << " decisions, each as the policy makes it again\n";
-  const report::Sheet sheet = report::make_sheet(flight, report::index_of_step(flight, o.step),
-                                                 o.baseline == "here" ? explain::Baseline::kHere : explain::Baseline::kCentre);
-  host::write_whole(o.output, in_format_of(o.output, sheet));
-  for (const std::string& sentence : report::sentences(sheet.account)) program::say() << sentence << "\n";
-  program::say() << "Integrated gradients: " << report::completeness_in_words(sheet.account.attribution) << ".\n";
+  const report::DecisionReport made = report::make_decision_report(
+      flight, report::index_of_step(flight, o.step), o.baseline == "here" ? explain::Baseline::kHere : explain::Baseline::kCentre);
+  host::write_whole(o.output, in_format_of(o.output, made));
+  for (const std::string& sentence : report::sentences(made.account)) program::say() << sentence << "\n";
+  program::say() << "Integrated gradients: " << report::completeness_to_string(made.account.attribution) << ".\n";
 }
 
 }  // namespace
@@ -104,11 +104,11 @@ int main(int argc, char** argv) {
       "Examples:\n"
       "  earshot explain map policy/frozen/fixed_source.policy --source 10000,10000 --environment sim/ocean/environments/munk_flat.toml -o "
       "map.png\n"
-      "  earshot explain decision out --step 4 -o sheet.html");
+      "  earshot explain decision out --step 4 -o decision.html");
   apps::ExplainMapOptions map_options;
   DecisionOptions decision_options;
   const program::CommandLine& map = add_map(line, map_options);
   add_decision(line, decision_options);
   return command_line::run(line, argc, argv,
-                           [&] { map.is_chosen() ? apps::draw_explanation_map(map_options) : write_sheet(decision_options); });
+                           [&] { map.is_chosen() ? apps::draw_explanation_map(map_options) : write_decision_report(decision_options); });
 }

@@ -141,11 +141,11 @@ void draw_paths(const std::filesystem::path& path, const MapOcean& ocean, std::s
           "3 lc "
           "palette, $source with points pt 3 ps 1.8 lw 2 lc rgb 'black'\n";
   draw_beside_snr(path, ocean, block("paths", path_rows(paths)) + block("starts", start_rows(paths)), text.str(),
-                  paths_in_words(paths) + ". Dot: a start; cross: one from which it is not found. Pale: the source (star) is heard.",
+                  paths_to_string(paths) + ". Dot: a start; cross: one from which it is not found. Pale: the source (star) is heard.",
                   false);
 }
 
-std::string paths_in_words(std::span<const FlownPath> paths) {
+std::string paths_to_string(std::span<const FlownPath> paths) {
   std::vector<std::size_t> steps;
   std::size_t left = 0;
   for (const FlownPath& path : paths) {

@@ -42,6 +42,6 @@ void draw_arrows(const std::filesystem::path& path, const MapOcean& ocean, const
 void draw_paths(const std::filesystem::path& path, const MapOcean& ocean, std::span<const explain::FlownPath> paths);
 
 /// "The source is found from 34 of 36 starts, after 3 to 31 steps (median 14); the area is left from 2"
-[[nodiscard]] std::string paths_in_words(std::span<const explain::FlownPath> paths);
+[[nodiscard]] std::string paths_to_string(std::span<const explain::FlownPath> paths);
 
 }  // namespace earshot::report

@@ -30,11 +30,11 @@ std::string square_km(double area) {
   return fixed(area, area < 10.0 ? 1 : 0) + " km\u00B2";
 }
 
-std::string place_in_words(NorthEast place) {
+std::string place_to_string(NorthEast place) {
   return fixed(place.north.value / 1e3, 2) + " km north, " + fixed(place.east.value / 1e3, 2) + " km east";
 }
 
-std::string bearing_in_words(NorthEast from, NorthEast to) {
+std::string bearing_to_string(NorthEast from, NorthEast to) {
   const NorthEast way = to - from;
   return explain::degrees_to_string(bearing_of(way.north.value, way.east.value).value * 180.0 / std::numbers::pi);
 }
@@ -51,7 +51,7 @@ std::string belief_sentence(const DecisionAccount& a) {
   const NorthEast likeliest = a.area.south_west + a.place.likeliest;
   return std::string(a.belief_is_the_policys ? "It believes" : "An observer would believe (this policy holds no belief)") +
          " that the source is most likely " + km(range_between(a.decision.position, likeliest)) + " away, bearing " +
-         bearing_in_words(a.decision.position, likeliest) + "; with 50 % it lies within " + square_km(a.place.smallest_area_km2(0.5)) +
+         bearing_to_string(a.decision.position, likeliest) + "; with 50 % it lies within " + square_km(a.place.smallest_area_km2(0.5)) +
          ", with 95 % within " + square_km(a.place.smallest_area_km2(0.95)) + ".";
 }
 
@@ -73,14 +73,14 @@ std::string safety_sentence(const DecisionAccount& a) {
   if (!a.decision.overridden) return "The safety layer left the way-point as it was.";
   const NorthEast wanted = a.actions[a.decision.action].end;
   return "The safety layer moved the way-point by " + fixed(range_between(wanted, a.decision.waypoint).value, 0) + " m, to " +
-         place_in_words(a.decision.waypoint) + ".";
+         place_to_string(a.decision.waypoint) + ".";
 }
 
 std::string because_sentence(const DecisionAccount& a) {
   std::string text = "What weighed most:";
   const char* separator = " ";
   for (const explain::ObservedAccount& o : explain::weightiest(a, 3)) {
-    text += separator + o.name + " " + o.value + " (" + factor_in_words(o.part) + ")";
+    text += separator + o.name + " " + o.value + " (" + factor_to_string(o.part) + ")";
     separator = ", ";
   }
   return text + ".";
@@ -107,7 +107,7 @@ std::string superscript(int power) {
 /// What a part of the log-probability is: its number, its bar and what it does to the chance.
 std::string part_cells(double part, double largest) {
   return "<td>" + std::string(part >= 0.0 ? "+" : "") + fixed(part, 2) + "</td>" + signed_bar_cell(largest > 0.0 ? part / largest : 0.0) +
-         "<td>" + factor_in_words(part) + "</td>";
+         "<td>" + factor_to_string(part) + "</td>";
 }
 
 std::string observed_row(const explain::ObservedAccount& o, double largest) {
@@ -131,19 +131,19 @@ std::vector<std::string> sentences(const DecisionAccount& a) {
   return {heard_sentence(a), belief_sentence(a), choice_sentence(a), expectation_sentence(a), safety_sentence(a), because_sentence(a)};
 }
 
-std::string baseline_in_words(explain::Baseline baseline) {
+std::string to_string(explain::Baseline baseline) {
   return baseline == explain::Baseline::kCentre ? "a vehicle in the middle of the area that has heard nothing yet"
                                                 : "a vehicle at the same place that has heard nothing yet";
 }
 
-std::string completeness_in_words(const explain::Attribution& a) {
+std::string completeness_to_string(const explain::Attribution& a) {
   return "the parts add up to " + fixed(a.sum(), 4) + " of " + fixed(a.difference(), 4) + " nats after " + std::to_string(a.steps) +
          " steps, " +
          (a.is_complete() ? "complete within " + fixed(a.tolerance, 3)
                           : "NOT complete within " + fixed(a.tolerance, 3) + ": do not trust the parts beyond that gap");
 }
 
-std::string factor_in_words(double part) {
+std::string factor_to_string(double part) {
   const double factor = std::exp(part);
   if (factor >= 0.01 && factor < 100.0) return kTimes + fixed(factor, 2);
   const int power = static_cast<int>(std::floor(std::log10(factor)));
@@ -152,7 +152,7 @@ std::string factor_in_words(double part) {
   return kTimes + (power < 0 ? fixed(factor, 1 - power) : grouped(std::lround(std::round(factor / unit) * unit)));
 }
 
-std::string heard_in_words(policy::Heard heard) {
+std::string to_string(policy::Heard heard) {
   return (heard.too_faint ? "under " : "") + fixed(heard.snr.value, 1) + " dB";
 }
 
@@ -162,8 +162,7 @@ std::string looks_table(std::span<const explain::RecordedDecision> looks) {
     const explain::RecordedDecision& look = looks[i - 1];
     text += "<tr><td>" + std::to_string(look.step) + "</td><td>" + duration(look.time_s - looks.front().time_s) + "</td><td>" +
             fixed(look.position.north.value / 1e3, 2) + "</td><td>" + fixed(look.position.east.value / 1e3, 2) + "</td><td" +
-            (look.detected ? " class=\"heard\"" : "") + ">" + heard_in_words(look.heard) + (look.detected ? " &#9679;" : "") +
-            "</td></tr>\n";
+            (look.detected ? " class=\"heard\"" : "") + ">" + to_string(look.heard) + (look.detected ? " &#9679;" : "") + "</td></tr>\n";
   }
   return text + "</table></div>\n";
 }
@@ -198,11 +197,11 @@ std::string attribution_tables(const DecisionAccount& a, std::size_t rows) {
   text += "</table></div>\n<p>In all";
   const char* separator = ": ";
   for (const explain::SubjectAccount& subject : explain::by_subject(a)) {
-    text += separator + std::string(explain::to_string(subject.subject)) + " " + factor_in_words(subject.part);
+    text += separator + std::string(explain::to_string(subject.subject)) + " " + factor_to_string(subject.part);
     separator = ", ";
   }
-  return text + ". Compared with " + baseline_in_words(a.baseline) + ", for which " + a.actions[a.decision.action].name + " had " +
-         percent(std::exp(a.attribution.at_baseline)) + "; " + completeness_in_words(a.attribution) + ".</p>\n";
+  return text + ". Compared with " + to_string(a.baseline) + ", for which " + a.actions[a.decision.action].name + " had " +
+         percent(std::exp(a.attribution.at_baseline)) + "; " + completeness_to_string(a.attribution) + ".</p>\n";
 }
 
 std::string observation_table(const DecisionAccount& a) {

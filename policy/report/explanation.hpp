@@ -8,22 +8,22 @@
 
 namespace earshot::report {
 
-// One decision in words and tables: what a sheet and a row of a flight's page have in common.
+// One decision in words and tables: what a report and a row of a flight's page have in common.
 
 /// Sentences that a watch officer reads first: heard, believed, chosen, expected, safety, why.
 [[nodiscard]] std::vector<std::string> sentences(const explain::DecisionAccount& account);
 
 /// "a vehicle in the middle of the area that has heard nothing yet"
-[[nodiscard]] std::string baseline_in_words(explain::Baseline baseline);
+[[nodiscard]] std::string to_string(explain::Baseline baseline);
 
 /// "the parts add up to 1.2340 of 1.2344 nats after 64 steps, complete within 0.001"
-[[nodiscard]] std::string completeness_in_words(const explain::Attribution& attribution);
+[[nodiscard]] std::string completeness_to_string(const explain::Attribution& attribution);
 
 /// "× 1.83", "× 20 000", "× 0.0021", "× 3.2·10⁻⁷": what a part of the log-probability does to the probability
-[[nodiscard]] std::string factor_in_words(double part);
+[[nodiscard]] std::string factor_to_string(double part);
 
 /// "9.5 dB", "under 5.0 dB"
-[[nodiscard]] std::string heard_in_words(policy::Heard heard);
+[[nodiscard]] std::string to_string(policy::Heard heard);
 
 /// The last looks at the source, newest first.
 [[nodiscard]] std::string looks_table(std::span<const explain::RecordedDecision> looks);

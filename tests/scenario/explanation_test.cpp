@@ -37,12 +37,12 @@ class Explanation : public testing::Test {
     EXPECT_EQ(support::read_text(folder_ / "out/journal.policy"), support::read_text(policy)) << "the policy stands beside its journal";
   }
 
-  /// The sheet about the second decision.
+  /// The report about the second decision.
   [[nodiscard]] nlohmann::json explained() {
-    support::Process explain(kBin / "earshot-explain", {"decision", folder_ / "out", "--step", "1", "-o", folder_ / "sheet.json"},
+    support::Process explain(kBin / "earshot-explain", {"decision", folder_ / "out", "--step", "1", "-o", folder_ / "decision.json"},
                              folder_ / "explain.txt");
     EXPECT_EQ(explain.wait(60s), 0) << explain.output();
-    return nlohmann::json::parse(support::read_text(folder_ / "sheet.json"));
+    return nlohmann::json::parse(support::read_text(folder_ / "decision.json"));
   }
 
   fs::path folder_;
@@ -50,16 +50,16 @@ class Explanation : public testing::Test {
 
 TEST_F(Explanation, GivenAFlightOnABeliefItsBeliefIsMadeAgainBitForBitAndTheChoiceIsSharedOutWhole) {
   ASSERT_NO_FATAL_FAILURE(fly(kFrozen / "shipped.policy", "search.toml"));
-  const nlohmann::json sheet = explained();
-  EXPECT_EQ(sheet["belief"]["whose"], "the policy's");
-  EXPECT_TRUE(sheet["attribution"]["complete"].get<bool>());
+  const nlohmann::json report = explained();
+  EXPECT_EQ(report["belief"]["whose"], "the policy's");
+  EXPECT_TRUE(report["attribution"]["complete"].get<bool>());
 }
 
 TEST_F(Explanation, GivenAFlightOnItsPlaceAloneAnObserversBeliefIsShown) {
   ASSERT_NO_FATAL_FAILURE(fly(kFrozen / "fixed_source.policy", "fixed_source.toml"));
-  const nlohmann::json sheet = explained();
-  EXPECT_EQ(sheet["belief"]["whose"], "an observer's");
-  EXPECT_TRUE(sheet["attribution"]["complete"].get<bool>());
+  const nlohmann::json report = explained();
+  EXPECT_EQ(report["belief"]["whose"], "an observer's");
+  EXPECT_TRUE(report["attribution"]["complete"].get<bool>());
 }
 
 }  // namespace

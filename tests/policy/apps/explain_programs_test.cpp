@@ -23,14 +23,14 @@ class ExplainPrograms : public Programs {
   [[nodiscard]] std::string content(const std::string& name) const { return support::read_text(folder / name); }
 };
 
-TEST_F(ExplainPrograms, ExplainWritesASheetInEachFormatAndTheReportOfTheFlight) {
-  ASSERT_EQ(run("explain decision flight --step 2 -o sheet.html"), 0) << content("err");
+TEST_F(ExplainPrograms, ExplainWritesAReportInEachFormatAndTheReportOfTheFlight) {
+  ASSERT_EQ(run("explain decision flight --step 2 -o decision.html"), 0) << content("err");
   EXPECT_NE(content("out").find("complete within 0.001"), std::string::npos) << content("out");
-  EXPECT_NE(content("sheet.html").find("<svg"), std::string::npos);
-  ASSERT_EQ(run("explain decision flight/journal.lcmlog --baseline here --step 2 -o sheet.md"), 0) << content("err");
-  EXPECT_NE(content("sheet.md").find("a vehicle at the same place that has heard nothing yet"), std::string::npos);
-  ASSERT_EQ(run("explain decision flight --step 3 -o sheet.json"), 0) << content("err");
-  EXPECT_EQ(nlohmann::json::parse(content("sheet.json"))["step"], 3);
+  EXPECT_NE(content("decision.html").find("<svg"), std::string::npos);
+  ASSERT_EQ(run("explain decision flight/journal.lcmlog --baseline here --step 2 -o decision.md"), 0) << content("err");
+  EXPECT_NE(content("decision.md").find("a vehicle at the same place that has heard nothing yet"), std::string::npos);
+  ASSERT_EQ(run("explain decision flight --step 3 -o decision.json"), 0) << content("err");
+  EXPECT_EQ(nlohmann::json::parse(content("decision.json"))["step"], 3);
   ASSERT_EQ(run("report flight"), 0) << content("err");
   EXPECT_NE(content("flight/report.html").find("<summary>why "), std::string::npos);
 }
@@ -80,7 +80,7 @@ TEST_F(ExplainPrograms, TakePlacesInMetresOrWithAUnitAndAskWhetherKilometresWere
 }
 
 TEST_F(ExplainPrograms, SayNothingWithQuietAndMoreWithVerbose) {
-  for (const std::string words : {"explain decision flight --step 2 -o sheet.html",
+  for (const std::string words : {"explain decision flight --step 2 -o decision.html",
                                   "explain map flight/journal.policy --source 10000,10000 --arrows 4 -o a.svg", "report flight"}) {
     ASSERT_EQ(run(words + " --quiet"), 0) << content("err");
     EXPECT_EQ(content("out") + content("err"), "") << words;

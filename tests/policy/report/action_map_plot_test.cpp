@@ -46,7 +46,7 @@ TEST(PathsInWords, CountWhatBecameOfEachAndTheStepsOfThoseThatFind) {
   const std::vector<FlownPath> paths{path(9, FlownPath::End::kFound), path(3, FlownPath::End::kFound), path(4, FlownPath::End::kFound),
                                      path(2, FlownPath::End::kLeft), path(100, FlownPath::End::kStepLimit)};
   EXPECT_EQ(
-      paths_in_words(paths),
+      paths_to_string(paths),
       "The source is found from 3 of 5 starts, after 3 to 9 steps (median 4); the area is left from 1; it is not found in time from 1");
 }
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "policy/report/decision_report.hpp"
 #include "policy/report/plots.hpp"
-#include "policy/report/sheet.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
 
@@ -80,10 +80,10 @@ TEST_F(PageTest, ShowsSnrOnTheScaleOfEveryFieldUnderATrackThatStandsOutOnAnyColo
 
 TEST_F(PageTest, TellsALookTooFaintToMeasureFromAMeasuredOne) {
   const RecordedFlight flight = open_recording(folder_, {});
-  const std::string first = as_html(make_sheet(flight, 0, explain::Baseline::kCentre));
+  const std::string first = as_html(make_decision_report(flight, 0, explain::Baseline::kCentre));
   EXPECT_EQ(count(first, "It heard nothing that could be measured: the signal lies under 31.0 dB."), 1U);
   EXPECT_EQ(count(first, "under 31.0 dB</td>"), 1U);
-  EXPECT_EQ(count(as_html(make_sheet(flight, 2, explain::Baseline::kCentre)), "a detection (threshold 10 dB)."), 1U);
+  EXPECT_EQ(count(as_html(make_decision_report(flight, 2, explain::Baseline::kCentre)), "a detection (threshold 10 dB)."), 1U);
 }
 
 TEST_F(PageTest, OfAFlightWithoutItsPolicyStillListsEveryDecisionAndSaysWhatIsMissing) {
@@ -185,10 +185,10 @@ TEST_F(PageTest, NamesTheKeyOfASummaryThatCannotBe) {
   EXPECT_EQ(complaint("{\"found\": "), ": not JSON from byte 11 on, or cut short");
 }
 
-TEST_F(PageTest, SheetSaysTheSameInEveryFormat) {
+TEST_F(PageTest, DecisionReportSaysTheSameInEveryFormat) {
   const RecordedFlight flight = open_recording(folder_, {});
-  const Sheet sheet = make_sheet(flight, 2, explain::Baseline::kCentre);
-  const auto json = nlohmann::json::parse(as_json(sheet));
+  const DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
+  const auto json = nlohmann::json::parse(as_json(report));
   EXPECT_EQ(json["step"], 2);
   EXPECT_TRUE(json["attribution"]["complete"].get<bool>());
   EXPECT_EQ(json["actions"].size(), 8U);
@@ -198,8 +198,8 @@ TEST_F(PageTest, SheetSaysTheSameInEveryFormat) {
   const double difference =
       json["attribution"]["log_probability"].get<double>() - json["attribution"]["log_probability_at_baseline"].get<double>();
   EXPECT_NEAR(parts, difference, json["attribution"]["tolerance"].get<double>());
-  const std::string html = as_html(sheet);
-  const std::string markdown = as_markdown(sheet);
+  const std::string html = as_html(report);
+  const std::string markdown = as_markdown(report);
   for (const auto& sentence : json["summary"]) {
     EXPECT_EQ(count(html, sentence.get<std::string>()), 1U) << sentence;
     EXPECT_EQ(count(markdown, sentence.get<std::string>()), 1U) << sentence;

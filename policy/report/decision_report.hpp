@@ -8,7 +8,7 @@
 namespace earshot::report {
 
 /// One decision of one flight, explained.
-struct Sheet {
+struct DecisionReport {
   const RecordedFlight& flight;
   std::size_t index;  ///< of the decision
   explain::DecisionAccount account;
@@ -16,13 +16,13 @@ struct Sheet {
   [[nodiscard]] std::span<const explain::RecordedDecision> looks() const { return std::span(flight.journal.decisions).first(index + 1); }
 };
 
-[[nodiscard]] Sheet make_sheet(const RecordedFlight& flight, std::size_t index, explain::Baseline baseline);
+[[nodiscard]] DecisionReport make_decision_report(const RecordedFlight& flight, std::size_t index, explain::Baseline baseline);
 
 /// "Step 12: why it went NE"
-[[nodiscard]] std::string title_of(const Sheet& sheet);
+[[nodiscard]] std::string title_of(const DecisionReport& report);
 
-[[nodiscard]] std::string as_html(const Sheet& sheet);  ///< a page that needs no other file; draws with gnuplot
-[[nodiscard]] std::string as_markdown(const Sheet& sheet);
-[[nodiscard]] std::string as_json(const Sheet& sheet);
+[[nodiscard]] std::string as_html(const DecisionReport& report);  ///< a page that needs no other file; draws with gnuplot
+[[nodiscard]] std::string as_markdown(const DecisionReport& report);
+[[nodiscard]] std::string as_json(const DecisionReport& report);
 
 }  // namespace earshot::report

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "policy/report/decision_report.hpp"
 #include "policy/report/explanation.hpp"
-#include "policy/report/sheet.hpp"
 
 namespace earshot::report {
 namespace {
@@ -63,7 +63,7 @@ ordered_json attribution(const explain::DecisionAccount& a) {
         {{"observation", o.name}, {"about", explain::to_string(o.subject)}, {"seen", o.value}, {"baseline", o.baseline}, {"nats", o.part}});
   const explain::Attribution& g = a.attribution;
   return {{"method", "integrated gradients of the log-probability of the action taken"},
-          {"baseline", baseline_in_words(a.baseline)},
+          {"baseline", to_string(a.baseline)},
           {"log_probability", g.at_observation},
           {"log_probability_at_baseline", g.at_baseline},
           {"sum_of_parts", g.sum()},
@@ -75,13 +75,13 @@ ordered_json attribution(const explain::DecisionAccount& a) {
 
 }  // namespace
 
-std::string as_json(const Sheet& sheet) {
-  const explain::DecisionAccount& a = sheet.account;
+std::string as_json(const DecisionReport& report) {
+  const explain::DecisionAccount& a = report.account;
   ordered_json looks = ordered_json::array();
-  for (const explain::RecordedDecision& d : sheet.looks()) looks.push_back(look(d));
+  for (const explain::RecordedDecision& d : report.looks()) looks.push_back(look(d));
   ordered_json json{{"step", a.decision.step},
-                    {"journal", sheet.flight.journal_path.string()},
-                    {"policy", sheet.flight.policy_path.string()},
+                    {"journal", report.flight.journal_path.string()},
+                    {"policy", report.flight.policy_path.string()},
                     {"taken", a.actions[a.decision.action].name},
                     {"likeliest", a.actions[a.likeliest_action].name},
                     {"waypoint", place(a.decision.waypoint)},
