@@ -1,0 +1,81 @@
+#include "policy/evaluate/candidates.hpp"
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/shipped.hpp"
+#include "firmware/host/policy/unverified_policy.hpp"
+#include "policy/baselines/catalogue.hpp"
+#include "policy/description/placement.hpp"
+#include "policy/evaluate/evaluation.hpp"
+
+namespace earshot::evaluate {
+namespace {
+
+using host::BadInput;
+
+/// The first learned candidate; null when there is none.
+const Candidate* first_learned(std::span<const Candidate> candidates) {
+  for (const Candidate& c : candidates) {
+    if (c.learned) return &c;
+  }
+  return nullptr;
+}
+
+bool are_of_one_search(const policy::FrozenPolicy& a, const policy::FrozenPolicy& b) {
+  return a.step_length == b.step_length && a.area_size == b.area_size && a.detection_threshold == b.detection_threshold;
+}
+
+}  // namespace
+
+Candidate candidate_named(const std::string& name) {
+  for (const baselines::Entry& entry : baselines::catalogue()) {
+    if (entry.name == name) return {name, nullptr};
+  }
+  if (name == "shipped") return {name, host::load_unverified_policy(host::shipped("policy/frozen/shipped.policy"))};
+  if (name.find_first_of("./") == std::string::npos) {
+    std::string known = "shipped";
+    for (const baselines::Entry& entry : baselines::catalogue()) known += ", " + std::string(entry.name);
+    throw BadInput("--policies: " + name + ": neither a .policy file nor one of " + known);
+  }
+  return {name, host::load_unverified_policy(name)};
+}
+
+search::SearchSettings settings_of(std::span<const Candidate> candidates) {
+  const Candidate* const first = first_learned(candidates);
+  if (first == nullptr) return {};
+  for (const Candidate& c : candidates) {
+    if (c.learned && !are_of_one_search(*c.learned, *first->learned))
+      throw BadInput(c.name + ": was trained for another area, step length or detection threshold than " + first->name +
+                     ": evaluate them one by one");
+  }
+  return search_of(*first->learned);
+}
+
+void check_same_listening(std::span<const Candidate> candidates) {
+  const Candidate* const first = first_learned(candidates);
+  for (const Candidate& c : candidates) {
+    if (c.learned && c.learned->observation.listening != first->learned->observation.listening)
+      throw BadInput(c.name + ": listens over another window than " + first->name +
+                     ": evaluate them one by one, or give both the same window (--listening)");
+  }
+}
+
+std::optional<search::SourcePlacement> trained_placement(const Candidate& candidate) {
+  if (!candidate.learned) return std::nullopt;
+  return description::placement_in({candidate.learned->provenance.begin(), candidate.learned->provenance.end()});
+}
+
+search::SourcePlacement placement_of(std::span<const Candidate> candidates) {
+  const Candidate* first = nullptr;
+  for (const Candidate& c : candidates) {
+    if (!trained_placement(c)) continue;
+    if (first == nullptr) first = &c;
+    if (trained_placement(c) != trained_placement(*first)) {
+      throw BadInput(first->name + " was trained with a " + std::string(description::name_of(*trained_placement(*first))) + " source, " +
+                     c.name + " with a " + std::string(description::name_of(*trained_placement(c))) +
+                     " one: say which to search for with --source");
+    }
+  }
+  return first == nullptr ? search::SourcePlacement::kChanging : *trained_placement(*first);
+}
+
+}  // namespace earshot::evaluate

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "firmware/policy/frozen_policy.hpp"
+#include "sim/search/settings.hpp"
+
+namespace earshot::evaluate {
+
+/// A searcher that is to be evaluated: a learned policy, or the baseline of that name when there is none.
+struct Candidate {
+  std::string name;
+  std::unique_ptr<policy::FrozenPolicy> learned;
+};
+
+/// The candidate of a name: "shipped", a baseline's, or the path of a `.policy` file. Throws host::BadInput when it is none of them.
+[[nodiscard]] Candidate candidate_named(const std::string& name);
+
+/// The search that the learned candidates were trained for; the paper's when there is none. Throws host::BadInput, naming two, when they
+/// were trained for different areas, step lengths or detection thresholds.
+[[nodiscard]] search::SearchSettings settings_of(std::span<const Candidate> candidates);
+
+/// Throws host::BadInput, naming two, when learned candidates listen over different windows: they can be compared only over a window that
+/// is given to all.
+void check_same_listening(std::span<const Candidate> candidates);
+
+/// The source that a candidate was trained with, if its provenance says it.
+[[nodiscard]] std::optional<search::SourcePlacement> trained_placement(const Candidate& candidate);
+
+/// The source that the learned candidates were trained with; a changing one when none says it. Throws host::BadInput, naming two, when they
+/// were trained with both kinds: whichever were searched for, the rows of some would be of a task they never learned.
+[[nodiscard]] search::SourcePlacement placement_of(std::span<const Candidate> candidates);
+
+}  // namespace earshot::evaluate

@@ -1,0 +1,60 @@
+#include "policy/evaluate/figures_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "firmware/host/listening/listening_words.hpp"
+#include "policy/description/placement.hpp"
+
+namespace earshot::evaluate {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json as_json(const Row& row, Timing timing) {
+  const Summary& s = row.summary;
+  const auto interval = [](const Interval& i) { return ordered_json{i.low, i.high}; };
+  ordered_json json{{"world", row.world},
+                    {"policy", row.policy},
+                    {"episodes", s.episodes},
+                    {"mean_reward", s.mean_reward},
+                    {"mean_reward_95", interval(row.intervals.mean_reward)},
+                    {"lower_quartile_reward", s.lower_quartile_reward},
+                    {"median_reward", s.median_reward},
+                    {"median_reward_95", interval(row.intervals.median_reward)},
+                    {"upper_quartile_reward", s.upper_quartile_reward},
+                    {"found_fraction", s.found_fraction},
+                    {"found_fraction_95", interval(row.intervals.found_fraction)},
+                    {"left_domain_fraction", s.left_domain_fraction},
+                    {"path_over_straight", row.path_over_straight},
+                    {"path_over_straight_95", interval(row.intervals.path_over_straight)},
+                    {"mean_steps", s.mean_steps},
+                    {"mean_detections", s.mean_detections}};
+  if (timing == Timing::kIncluded) json["decision_us"] = 1e6 * row.decision_s;
+  return json;
+}
+
+}  // namespace
+
+std::string title_of(const EvaluationSetup& setup) {
+  return std::to_string(setup.episodes) + " searches each in " +
+         (setup.worlds.size() == 1 ? setup.worlds.front().name : std::to_string(setup.worlds.size()) + " worlds") + ", source " +
+         std::string(description::name_of(setup.settings.placement));
+}
+
+std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Timing timing) {
+  const search::SearchSettings& settings = setup.settings;
+  ordered_json json{{"episodes", setup.episodes}, {"source", description::name_of(settings.placement)}};
+  if (setup.start_margin_m)
+    json["start_margin_m"] = *setup.start_margin_m;
+  else
+    json["start"] = setup.start;
+  json["border_width_m"] = settings.border_width.value;
+  json["max_steps"] = settings.max_steps;
+  json["listening"] = host::word_for(settings.listening.listening);
+  json["listening_window_s"] = host::length_s(settings.listening);
+  for (const World& world : setup.worlds) json["worlds"].push_back({{"name", world.name}, {"what", world.what}, {"seed", world.seed}});
+  for (const Row& row : rows) json["results"].push_back(as_json(row, timing));
+  return json.dump(1) + "\n";
+}
+
+}  // namespace earshot::evaluate

@@ -1,0 +1,38 @@
+#include "policy/evaluate/trial.hpp"
+
+#include <memory>
+#include <span>
+
+#include "policy/baselines/catalogue.hpp"
+#include "policy/baselines/learned.hpp"
+
+namespace earshot::evaluate {
+namespace {
+
+/// The flights of this rank: every ranks.size()-th search.
+std::vector<Flight> fly_share(const Candidate& candidate, const Trial& trial, const parallel::Ranks& ranks, const Watcher& watcher) {
+  search::SearchSettings settings = trial.settings;
+  if (candidate.learned) settings.direction_count = candidate.learned->actions.size();
+  search::SearchWorld world(settings, trial.soundscape, trial.world.environment.conditions);
+  if (candidate.learned) world.actions = candidate.learned->actions;
+  const baselines::PriorKnowledge prior{.settings = settings, .actions = world.actions, .snr = trial.expected};
+  std::unique_ptr<baselines::Searcher> searcher;
+  if (candidate.learned) {
+    searcher = std::make_unique<baselines::Learned>(*candidate.learned, trial.draw.value_or(candidate.learned->draw), settings.domain);
+  } else {
+    searcher = baselines::make_baseline(candidate.name, prior);
+  }
+  return fly(*searcher, world, {.end = trial.episodes, .first = ranks.rank(), .stride = ranks.size()}, trial.world.seed, watcher);
+}
+
+}  // namespace
+
+std::vector<Flight> fly(const Candidate& candidate, const Trial& trial, parallel::Ranks& ranks, const Watcher& watcher) {
+  const std::vector<Flight> mine = fly_share(candidate, trial, ranks, watcher);
+  const auto shares = parallel::gather_values(ranks, std::span(mine));
+  std::vector<Flight> all(shares.empty() ? 0 : trial.episodes);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = shares[i % shares.size()][i / shares.size()];
+  return all;
+}
+
+}  // namespace earshot::evaluate

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "policy/evaluate/candidates.hpp"
+#include "policy/evaluate/evaluation.hpp"
+#include "policy/evaluate/world_file.hpp"
+#include "sim/parallel/ranks.hpp"
+#include "sim/search/soundscape.hpp"
+#include "sim/sonar/snr_curve.hpp"
+
+namespace earshot::evaluate {
+
+/// What every candidate meets in one world.
+struct Trial {
+  const World& world;
+  const search::Soundscape& soundscape;
+  const sonar::SnrCurve& expected;  ///< SNR against range that baselines take for granted
+  search::SearchSettings settings;
+  std::size_t episodes;
+  std::optional<policy::ActionDraw> draw;  ///< instead of each learned candidate's own
+};
+
+/// Flies a candidate's searches, shared out among the ranks.
+/// @param watcher  sees those of this rank
+/// @return on rank 0 the flights in the order of their episodes; elsewhere nothing
+[[nodiscard]] std::vector<Flight> fly(const Candidate& candidate, const Trial& trial, parallel::Ranks& ranks, const Watcher& watcher);
+
+}  // namespace earshot::evaluate
