@@ -6,6 +6,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/explain_map.hpp"
 #include "policy/command_line/outputs.hpp"
+#include "policy/command_line/place.hpp"
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
 #include "policy/report/decision_report.hpp"
@@ -84,7 +85,7 @@ void write_decision_report(const DecisionOptions& o) {
     throw BadInput("-o " + o.output.string() + ": must end in .html, .md or .json");
   host::require_writable(o.output, report_kind(extension), host::replaced_by(o.force));
   report::RecordingOptions recording{.policy = o.policy, .south_west = std::nullopt};
-  if (o.south_west) recording.south_west = apps::north_east_of("--south-west", *o.south_west);
+  if (o.south_west) recording.south_west = command_line::north_east_of("--south-west", *o.south_west);
   const report::RecordedFlight flight = report::open_recording(o.flight, recording);
   command_line::print_policy_details(flight.policy_path.string(), *flight.policy);
   program::detail() << flight.journal_path.string() << ": " << flight.journal.decisions.size()

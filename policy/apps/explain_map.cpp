@@ -1,7 +1,5 @@
 #include "policy/apps/explain_map.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "firmware/host/policy/unverified_policy.hpp"
@@ -9,6 +7,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/apps/world_options.hpp"
 #include "policy/command_line/outputs.hpp"
+#include "policy/command_line/place.hpp"
 #include "policy/command_line/policy_details.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "policy/explain/replay.hpp"
@@ -21,22 +20,6 @@ namespace earshot::apps {
 namespace {
 
 using host::BadInput;
-
-struct Length {
-  Meters length;
-  bool has_unit;
-};
-
-/// "10000", "10000m" or "10km".
-std::optional<Length> length_in(std::string text) {
-  const auto ends = [&text](std::string_view unit) { return text.ends_with(unit); };
-  const double scale = ends("km") ? 1000.0 : 1.0;
-  const std::size_t unit = ends("km") ? 2 : ends("m") ? 1 : 0;
-  text.resize(text.size() - unit);
-  const std::optional<double> number = program::finite_number(text);
-  if (!number) return std::nullopt;
-  return Length{Meters{scale * *number}, unit > 0};
-}
 
 /// What the policy itself takes for granted, where nobody says otherwise.
 sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const ExplainMapOptions& options) {
@@ -74,7 +57,7 @@ report::MapOcean ocean_of(const policy::FrozenPolicy& policy, const ExplainMapOp
 }
 
 NorthEast source_in(const policy::FrozenPolicy& policy, const std::string& text) {
-  const NorthEast source = north_east_of("--source", text);
+  const NorthEast source = command_line::north_east_of("--source", text);
   const auto is_within = [](Meters x, Meters most) { return x.value >= 0.0 && x <= most; };
   if (is_within(source.north, policy.area_size.north) && is_within(source.east, policy.area_size.east)) return source;
   char area[80];
@@ -111,23 +94,6 @@ void draw_for_flight(const policy::FrozenPolicy& policy, const ExplainMapOptions
 }
 
 }  // namespace
-
-NorthEast north_east_of(const std::string& option, const std::string& text) {
-  const std::size_t comma = text.find(',');
-  const std::optional<Length> north = length_in(text.substr(0, comma));
-  const std::optional<Length> east = comma == std::string::npos ? std::nullopt : length_in(text.substr(comma + 1));
-  if (!north || !east)
-    throw BadInput(option + " " + text + ": two lengths are needed, metres north and metres east, such as 10000,10000 or 10km,10km");
-  constexpr double kLooksLikeKilometres = 100.0;
-  const NorthEast place{north->length, east->length};
-  const double further = std::max(std::abs(place.north.value), std::abs(place.east.value));
-  if (north->has_unit || east->has_unit || further == 0.0 || further >= kLooksLikeKilometres) return place;
-  char meant[160];
-  (void)std::snprintf(meant, sizeof meant, "metres are meant: did you mean %.10g,%.10g (or %.10gkm,%.10gkm)? If not, write %.10gm,%.10gm",
-                      1000.0 * place.north.value, 1000.0 * place.east.value, place.north.value, place.east.value, place.north.value,
-                      place.east.value);
-  throw BadInput(option + " " + text + ": " + meant);
-}
 
 void draw_explanation_map(const ExplainMapOptions& options) {
   command_line::check_picture_name("-o", options.output);
