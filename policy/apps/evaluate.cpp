@@ -145,7 +145,7 @@ void write_files(const Options& o, const evaluate::EvaluationSetup& setup, const
   if (!o.plot) return;
   try {
     const std::string title = evaluate::title_of(setup);
-    sonar::draw(*o.plot, {.title = title, .size = "1400,900", .commands = evaluate::as_plot(rows, title)});
+    plot::draw(*o.plot, {.title = title, .size = "1400,900", .commands = evaluate::as_plot(rows, title)});
   } catch (const std::runtime_error& e) {
     throw BadInput(e.what());
   }

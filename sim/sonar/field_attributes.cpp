@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "firmware/host/file/checksum_text.hpp"
-#include "sim/ocean/charts.hpp"
+#include "sim/ocean/charts/charts.hpp"
 
 namespace earshot::sonar {
 
