@@ -1,0 +1,90 @@
+// earshot freeze as a person meets it.
+#include <string>
+#include <vector>
+
+#include "tests/policy/apps/programs.hpp"
+
+namespace earshot::policy_programs {
+namespace {
+
+TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
+  ASSERT_EQ(run("train" + kOcean + " --episodes 1 -o a.checkpoint"), 0);
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
+  std::ofstream(folder / "cut.checkpoint") << content(folder / "a.checkpoint").substr(0, 1'000);
+  std::ofstream(folder / "word.key") << "swordfish\n";
+  const std::string key = content(folder / "a.key");
+  refuses("freeze none.checkpoint -o a.policy --key a.key", {"none.checkpoint", "no such file"});
+  refuses("freeze cut.checkpoint -o a.policy --key a.key", {"cut.checkpoint", "cut short"});
+  refuses("freeze a.checkpoint -o a.policy --key none.key", {"none.key", "--new-key"});
+  refuses("freeze a.checkpoint -o a.policy --key word.key", {"word.key", "64 hexadecimal digits"});
+  refuses("freeze a.checkpoint -o a.policy --key a.key --new-key", {"a.key", "exists"});
+  refuses("freeze a.checkpoint -o nowhere/a.policy --key a.key", {"nowhere/a.policy", "cannot be written"});
+  refuses("freeze a.checkpoint --key a.key", {"MODEL", "--output"});
+  refuses("freeze a.checkpoint -o a.policy --key a.key --draw dice", {"--draw", "dice"});
+  refuses("freeze a.checkpoint -o ./a.key --key a.key", {"--key a.key", "--output ./a.key", "the same file"});
+  refuses("freeze a.checkpoint -o a.pub --key a.key", {"--key a.pub", "--output a.pub", "the same file"});
+  refuses("freeze a.checkpoint -o b.key --key b.key --new-key", {"--key b.key", "--output b.key", "the same file"});
+  EXPECT_EQ(content(folder / "a.key"), key);
+}
+
+TEST_F(Programs, FreezeMakesOneOfTwoKeysThatAreAskedForAtOnce) {
+  for (int i = 0; i < 10; ++i) {
+    fs::remove(folder / "a.key");
+    fs::remove(folder / "a.pub");
+    const std::string freeze = "freeze --key a.key --new-key";
+    support::Process first = start(freeze);
+    support::Process second = start(freeze);
+    const int statuses = first.wait(kPatience) + second.wait(kPatience);
+    EXPECT_EQ(statuses, 0 + 2) << "one is refused";
+    EXPECT_EQ(files(), (std::vector<std::string>{"a.key", "a.pub"}));
+  }
+}
+
+TEST_F(Programs, FreezeNamesTheModelWhoseProvenanceIsTooLong) {
+  const auto long_name = [](char letter) { return std::string(230, letter); };
+  const std::string model = long_name('a') + ".checkpoint";
+  ASSERT_EQ(run("train" + kOcean + " --episodes 1 -o " + model + " --curve " + long_name('b') + ".csv --plot " + long_name('c') + ".svg"),
+            0)
+      << content(folder / "err");
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
+  refuses("freeze " + model + " -o a.policy --key a.key", {model + ": provenance: longer than the 1024 bytes a policy can hold"});
+}
+
+TEST_F(Programs, FreezeReplacesThePublicKeyWhoseSecretHalfIsGoneWhenForced) {
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0) << content(folder / "err");
+  const std::string public_key = content(folder / "a.pub");
+  fs::remove(folder / "a.key");
+  refuses("freeze --key a.key --new-key", {"a.pub", "--force"});
+  EXPECT_EQ(content(folder / "a.pub"), public_key);
+  ASSERT_EQ(run("freeze --key a.key --new-key --force"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "a.pub"), public_key);
+}
+
+TEST_F(Programs, FreezeReadsModelsTrainedElsewhere) {
+  const std::string models = kSource + "/tests/policy/freeze/models/";
+  ASSERT_EQ(run("freeze " + models + "memory.zip -o a.policy --key a.key --new-key"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "a.policy").find("trained_by = stable-baselines3 2.3.2 PPO"), std::string::npos);
+  EXPECT_EQ(run("freeze " + models + "memory.onnx -o b.policy --key a.key --draw argmax"), 0) << content(folder / "err");
+  EXPECT_EQ(run("evaluate b.policy" + kOcean + " --episodes 5"), 0) << content(folder / "err");
+}
+
+TEST_F(Programs, FreezeRefusesModelsItCannotBeSureOfInOneLine) {
+  const std::string models = kSource + "/tests/policy/freeze/models/";
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
+  std::ofstream(folder / "cut.zip", std::ios::binary) << content(models + "memory.zip").substr(0, 20'000);
+  std::ofstream(folder / "text.onnx") << "swordfish\n";
+  std::ofstream(folder / "bad.json") << "{}\n";
+  const auto refuses_model = [&](const std::string& words, std::initializer_list<std::string> parts) {
+    refuses("freeze " + words + " -o a.policy --key a.key", parts);
+  };
+  refuses_model("cut.zip", {"cut.zip", "cut short"});
+  refuses_model("text.onnx", {"text.onnx"});
+  refuses_model(models + "relu.zip", {"relu.zip", "activation_fn", "ReLU"});
+  refuses_model(models + "own_policy.zip", {"own_policy.zip", "policy_class"});
+  refuses_model(models + "plain_save.zip", {"plain_save.zip", "--search"});
+  refuses_model(models + "plain_save.zip --search bad.json", {"plain_save.zip", "search description"});
+  refuses_model(models + "memory.zip --search bad.json", {"memory.zip", "--search"});
+}
+
+}  // namespace
+}  // namespace earshot::policy_programs
