@@ -125,7 +125,7 @@ explain::RecordedDecision decision_of(const decision_t& m) {
           .logits = first_of(m.logits, m.action_count)};
 }
 
-std::string lost_in_words(const wire::ClosingRecord::Lost& lost) {
+std::string lost_to_string(const wire::ClosingRecord::Lost& lost) {
   return "Lost were " + std::to_string(lost.streams) + " of navigation, SNR and health, " + std::to_string(lost.steering) +
          " set-points and decisions, and " + std::to_string(lost.orders) + " commands and changes of state.";
 }
@@ -179,7 +179,7 @@ std::string lack_of(const JournalledSearch& journal) {
   if (journal.missing > 0) {
     lack = "The journal lacks " + std::to_string(journal.missing) + " records from number " + std::to_string(journal.first_missing) +
            " on: the disk was full or too slow.";
-    if (journal.closing && journal.closing->lost.all() > 0) lack += " " + lost_in_words(journal.closing->lost);
+    if (journal.closing && journal.closing->lost.all() > 0) lack += " " + lost_to_string(journal.closing->lost);
   }
   const std::string ending = ending_of(journal);
   return lack + (lack.empty() || ending.empty() ? "" : " ") + ending;

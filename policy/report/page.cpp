@@ -114,13 +114,13 @@ std::string decisions(const Flight& flight, const FlightExplanation& explanation
   return text + "</tbody></table></div>\n";
 }
 
-std::string map_in_words(const Flight& flight) {
+std::string map_to_string(const Flight& flight) {
   if (flight.sea) return "By its own navigation, in kilometres of the mission's plane.";
   return "SNR at the vehicle's depth. Warm colours: the source is heard, " + fixed(flight.summary.at("detection_threshold_db"), 0) +
          " dB or more.";
 }
 
-std::string history_in_words(const Flight& flight) {
+std::string history_to_string(const Flight& flight) {
   if (!flight.sea) return "";
   return "<p>Dots: every SNR that came in. Circles: what a decision heard by the mission's way of listening; from the threshold on it is "
          "the source.</p>\n";
@@ -153,9 +153,9 @@ std::string page(const Flight& flight, const Pictures& pictures, const FlightExp
   std::string text = html_head("Earshot: one search") + headline(flight) + facts(flight) + shortcomings(flight);
   if (flight.sea) text += "<h2>What happened</h2>\n" + sea_events(*flight.sea);
   if (!pictures.map.empty())
-    text += "<h2>Where it went</h2>\n<p>" + map_in_words(flight) + "</p>\n<div class=\"chart\">" + pictures.map + "</div>\n";
+    text += "<h2>Where it went</h2>\n<p>" + map_to_string(flight) + "</p>\n<div class=\"chart\">" + pictures.map + "</div>\n";
   if (!pictures.history.empty())
-    text += "<h2>What it heard</h2>\n" + history_in_words(flight) + "<div class=\"chart\">" + pictures.history + "</div>\n";
+    text += "<h2>What it heard</h2>\n" + history_to_string(flight) + "<div class=\"chart\">" + pictures.history + "</div>\n";
   text += "<h2>What it decided, and why</h2>\n" + decisions(flight, explanation);
   return text + std::string(kHtmlEnd);
 }

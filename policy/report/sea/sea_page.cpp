@@ -13,7 +13,7 @@ using explain::fixed;
 using messages::MissionState;
 using wire::Ending;
 
-std::string ending_in_words(const SeaFlight& flight) {
+std::string ending_to_string(const SeaFlight& flight) {
   const std::string steps = std::to_string(flight.steps_taken) + (flight.steps_taken == 1 ? " step" : " steps");
   switch (flight.state) {
     case MissionState::kStandby:
@@ -30,7 +30,7 @@ std::string ending_in_words(const SeaFlight& flight) {
          messages::to_string(flight.end_reason) + "</h1>\n";
 }
 
-std::string program_in_words(const JournalledSearch& journal) {
+std::string program_to_string(const JournalledSearch& journal) {
   if (!journal.closing) return "";
   switch (journal.closing->ending) {
     case Ending::kMissionOver:
@@ -46,10 +46,10 @@ std::string program_in_words(const JournalledSearch& journal) {
 }  // namespace
 
 std::string sea_headline(const SeaFlight& flight, const JournalledSearch& journal) {
-  std::string text = ending_in_words(flight) + "<p>";
+  std::string text = ending_to_string(flight) + "<p>";
   if (flight.is_dated())
     text += "The journal begins at <b>" + utc(flight.began_s) + "</b>; every time on this page is counted from there. ";
-  text += escaped(program_in_words(journal)) + "</p>\n";
+  text += escaped(program_to_string(journal)) + "</p>\n";
   if (journal.is_whole()) text += "<p>The journal is whole: it was ended in order, and no record of it was lost.</p>\n";
   return text + (flight.build.empty() ? "" : "<p>Flown by earshotd " + escaped(flight.build) + "</p>\n");
 }
