@@ -13,7 +13,7 @@ inline constexpr std::string_view kHtmlEnd = "</body></html>\n";
 
 using plot::escaped;
 
-/// "<dt>..<dd>" in a box; belongs into a <dl>.
+/// A `dt` and a `dd` in a box; belongs into a `dl`.
 [[nodiscard]] std::string fact(std::string_view name, const std::string& value);
 
 /// A cell in percent whose background is a bar, as long as the cell where the share is one.

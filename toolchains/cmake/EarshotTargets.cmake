@@ -1,4 +1,4 @@
-# How an Earshot target is made: earshot_firmware_library, earshot_library, earshot_program, earshot_test.
+# How an Earshot target is made: earshot_library (of the fixed-memory core with FIRMWARE), earshot_program. (earshot_test: tests/CMakeLists.txt.)
 # Flags hang on targets through the interface targets below; nothing is set globally except the language standard and the output folders.
 
 set(CMAKE_CXX_STANDARD 20)
@@ -27,8 +27,10 @@ unset(CMAKE_REQUIRED_FLAGS)
 add_library(earshot_flags INTERFACE)
 target_include_directories(earshot_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(earshot_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wimplicit-fallthrough -Werror
-  -Wno-restrict  # GCC 12 finds overlaps in std::string that are not there (GCC bug 105651)
+  # Clang's -Wdouble-promotion minds a float that is stored in a double as well, which loses nothing.
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+  -Wimplicit-fallthrough -Werror
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 finds overlaps in std::string that are not there (GCC bug 105651)
   # What runs on a vehicle is built for the architecture's baseline (EARSHOT_BASELINE, set for firmware and sim/link): a package built here runs on any
   # of its computers. The rest is for the machine it is built on.
   $<$<AND:$<BOOL:${EARSHOT_HOST_IS_X86_64_V3}>,$<NOT:$<BOOL:$<TARGET_PROPERTY:EARSHOT_BASELINE>>>>:-march=x86-64-v3>)

@@ -15,6 +15,7 @@ constexpr double kPi = 3.141592653589793;
 // Layouts, scales and ranges. Source: canboat docs/canboat.json 8.0.0-beta3 (Apache-2.0), after NMEA 2000.
 // Oracle: Signals tests on frames recorded from real buses (tests/reference/n2k).
 
+// Columns: name, first bit, bits, sign, scale, offset, unit, lowest, highest.
 constexpr Signal kHeading[]{
     Signal{"SID", 0, 8, kUnsigned, 1.0, 0.0, "", 0, 252},
     Signal{"Heading", 8, 16, kUnsigned, 1e-4, 0.0, "rad", 0, kTwoPi},
