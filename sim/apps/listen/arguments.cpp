@@ -1,0 +1,118 @@
+#include "sim/apps/listen/arguments.hpp"
+
+#include <array>
+#include <string_view>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/output_file.hpp"
+#include "sim/annotation/selection_table.hpp"
+#include "sim/apps/listen/outputs.hpp"
+#include "sim/plot/gnuplot.hpp"
+
+namespace earshot::listen {
+namespace {
+
+struct Preset {
+  const char* name;
+  detector::SoundSettings (*settings)();
+};
+
+constexpr std::array kPresets{Preset{"fin", detector::fin_whale}, Preset{"blue", detector::blue_whale},
+                              Preset{"antarctic", detector::antarctic_blue_whale}, Preset{"tone", detector::continuous_tone}};
+
+std::string picture_name(const std::string& path) {
+  return plot::is_picture_name(path) ? std::string() : path + ": a picture's name must end in .png or .svg";
+}
+
+void describe_hearing(program::CommandLine& line, Arguments& a) {
+  std::vector<std::string> names;
+  for (const Preset& preset : kPresets) names.emplace_back(preset.name);
+  line.option("--preset", &a.preset,
+              "what is listened for. fin: pulses of 1 s at 15-30 Hz, which finds most calls in that band; blue: A and B calls, 14-17 Hz; "
+              "antarctic: Z calls, 17-29 Hz; tone: one that does not end, 18-22 Hz")
+      .one_of(names)
+      .shows_default();
+  line.option("--band", &a.band_hz, "listen from LOW to HIGH Hz in place of the preset's band").takes(2, 2).between(1.0, 1000.0);
+  line.option("--threshold", &a.threshold_db, "SNR of a detection in dB; default: 10").between(-10.0, 60.0);
+  line.option("--channel", &a.channel, "which of the recording's channels, from 1").from(1, 1024).shows_default();
+  line.option("--calibration", &a.calibration,
+              "TOML file: full_scale_level_db_re_1upa, or sensitivity_db_re_1v_per_upa, gain_db and full_scale_v; default: what the "
+              "recorder wrote into the file");
+  line.option("--full-scale-db", &a.full_scale_level_db,
+              "level of a sample of full scale, dB re 1 uPa peak (a SoundTrap's end-to-end calibration), in place of a file")
+      .between(-100.0, 400.0);
+  line.at("--full-scale-db").excludes(line.at("--calibration"));
+}
+
+void describe_outputs(program::CommandLine& line, Arguments& a) {
+  line.option("--csv", &a.csv, "write the detections, a line each");
+  line.option("--raven", &a.raven, "write them as a Raven selection table");
+  line.option("--json", &a.json, "write them, the settings and the score as JSON");
+  line.option("--spectrogram", &a.spectrogram, "draw the recording with a frame around each detection, as .png or .svg")
+      .checked(picture_name);
+  line.option("--levels", &a.levels, "write third-octave levels over time, means and percentiles, as NetCDF");
+  line.option("--levels-interval-s", &a.levels_interval_s, "of those levels").between(1.0, 86'400.0).shows_default();
+  line.at("--levels-interval-s").needs(line.at("--levels"));
+  line.flag("--force", &a.force, "replace a file that is there already, of whatever kind it is");
+}
+
+void describe_score(program::CommandLine& line, Arguments& a) {
+  line.option("--score", &a.truth, "Raven selection table of what is truly there: prints recall, precision and false alarms per hour");
+  line.option("--tolerance-s", &a.tolerance_s,
+              "a detection and a selection are one if they overlap or lie no further apart; each counts once")
+      .between(0.0, 3600.0)
+      .shows_default();
+  line.option("--roc", &a.roc, "also draw recall against false alarms over thresholds, as .png or .svg").checked(picture_name);
+  line.at("--tolerance-s").needs(line.at("--score"));
+  line.at("--roc").needs(line.at("--score"));
+}
+
+}  // namespace
+
+void describe(program::CommandLine& line, Arguments& a) {
+  line.footer(
+      "Examples:\n"
+      "  earshot listen song.wav --threshold 6 --raven song.txt --spectrogram song.png\n"
+      "  earshot listen 5100.*.wav --full-scale-db 176.1 --csv detections.csv --levels levels.nc\n"
+      "  earshot listen song.flac --score annotations.txt --roc roc.png --json score.json");
+  line.option("FILE", &a.files, "recordings, WAV or FLAC; several of one recorder are one sequence").required().takes(1, -1);
+  describe_hearing(line, a);
+  describe_outputs(line, a);
+  describe_score(line, a);
+}
+
+void require_writable(const Arguments& a) {
+  struct Output {
+    const std::string& path;
+    host::OutputKind kind;
+  };
+  const std::array outputs{Output{a.csv, kCsvOutput},
+                           Output{a.raven, annotation::kSelectionOutput},
+                           Output{a.json, kJsonOutput},
+                           Output{a.spectrogram, host::picture_kind(a.spectrogram)},
+                           Output{a.levels, host::kNetcdfOutput},
+                           Output{a.roc, host::picture_kind(a.roc)}};
+  std::vector<std::filesystem::path> taken;
+  for (const std::string& file : a.files) taken.push_back(std::filesystem::weakly_canonical(file));
+  for (const std::string& file : {a.truth, a.calibration})
+    if (!file.empty()) taken.push_back(std::filesystem::weakly_canonical(file));
+  for (const Output& output : outputs) {
+    if (output.path.empty()) continue;
+    const std::filesystem::path target = std::filesystem::weakly_canonical(host::followed(output.path));
+    for (const std::filesystem::path& other : taken)
+      if (other == target) throw host::BadInput(output.path + ": cannot be written: the same file is read, or written already");
+    taken.push_back(target);
+    host::require_writable(output.path, output.kind, host::replaced_by(a.force));
+  }
+}
+
+detector::SoundSettings settings_of(const Arguments& a) {
+  detector::SoundSettings settings;
+  for (const Preset& preset : kPresets)
+    if (a.preset == preset.name) settings = preset.settings();
+  if (!a.band_hz.empty()) settings.band = {.low = Hertz{a.band_hz[0]}, .high = Hertz{a.band_hz[1]}};
+  if (a.threshold_db) settings.detection_threshold = Decibels{*a.threshold_db};
+  return settings;
+}
+
+}  // namespace earshot::listen

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/core/units.hpp"
+#include "firmware/detector/hydrophone/settings.hpp"
+#include "firmware/host/program/command_line.hpp"
+
+namespace earshot::listen {
+
+/// What the command line of `earshot listen` says.
+struct Arguments {
+  std::vector<std::string> files;
+  std::string preset = "fin";
+  std::vector<double> band_hz;  ///< low and high, or nothing
+  std::optional<double> threshold_db;
+  std::size_t channel = 1;
+  std::string calibration;
+  std::optional<double> full_scale_level_db;
+  std::string csv;
+  std::string raven;
+  std::string json;
+  std::string spectrogram;
+  std::string levels;
+  double levels_interval_s = 60.0;
+  std::string truth;
+  double tolerance_s = 2.0;
+  std::string roc;
+  bool force = false;   ///< replace files that are of another kind
+  std::string history;  ///< the command itself
+};
+
+void describe(program::CommandLine& line, Arguments& arguments);
+
+/// Refuses outputs that cannot be written, are named twice or are one of the recordings, before the work and not after it. Throws
+/// host::BadInput.
+void require_writable(const Arguments& arguments);
+
+/// What the detector is asked for; the band as it was asked for, whatever the recording holds.
+[[nodiscard]] detector::SoundSettings settings_of(const Arguments& arguments);
+
+}  // namespace earshot::listen

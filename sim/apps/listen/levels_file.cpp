@@ -1,0 +1,100 @@
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "sim/apps/listen/outputs.hpp"
+#include "sim/netcdf/writer.hpp"
+
+namespace earshot::listen {
+namespace {
+
+using netcdf::Attributes;
+using netcdf::Type;
+using netcdf::Writer;
+
+void write_axis(Writer& file, const std::string& name, const std::vector<double>& values, const Attributes& attributes) {
+  file.variable(name, Type::kDouble, {name}, attributes);
+  file.write(name, values);
+}
+
+void write_floats(Writer& file, const std::string& name, const std::vector<std::string>& shape, const Attributes& attributes,
+                  std::span<const float> values) {
+  file.variable(name, Type::kFloat, shape, attributes);
+  file.attribute(name, "_FillValue", std::numeric_limits<double>::quiet_NaN());
+  file.compress(name);
+  file.write(name, values);
+}
+
+/// Silence has no level.
+std::vector<float> as_told(std::span<const float> levels_db, Decibels correction) {
+  std::vector<float> told;
+  told.reserve(levels_db.size());
+  for (const float level : levels_db)
+    told.push_back(level > -std::numeric_limits<float>::infinity() ? level + static_cast<float>(correction.value)
+                                                                   : std::numeric_limits<float>::quiet_NaN());
+  return told;
+}
+
+/// The begins of the intervals, in UTC where every file tells when it began.
+void write_time(Writer& file, const recording::Sequence& sequence, std::span<const std::uint64_t> begins) {
+  bool is_dated = true;
+  for (const recording::Part& part : sequence.parts()) is_dated = is_dated && part.notes.start.has_value();
+  std::vector<double> time_s;
+  for (const std::uint64_t begin : begins) {
+    const Time in_sequence = sequence.time_of(begin);
+    time_s.push_back((is_dated ? *sequence.place_of(in_sequence).utc - Time{} : in_sequence - Time{}).to_seconds());
+  }
+  Attributes attributes = {{"long_name", "begin of the interval"}, {"units", is_dated ? "seconds since 1970-01-01T00:00:00Z" : "s"}};
+  if (is_dated) {
+    attributes.emplace_back("standard_name", "time");
+    attributes.emplace_back("calendar", "standard");
+  } else {
+    attributes.emplace_back("comment", "from the start of the file sequence: the recorder told no date");
+  }
+  write_axis(file, "time", time_s, attributes);
+}
+
+void write_bands(Writer& file, std::span<const spectrum::ThirdOctave> bands) {
+  std::vector<double> centre_hz;
+  std::vector<double> edges_hz;
+  for (const spectrum::ThirdOctave& band : bands) {
+    centre_hz.push_back(band.centre.value);
+    edges_hz.insert(edges_hz.end(), {band.low.value, band.high.value});
+  }
+  write_axis(file, "frequency", centre_hz,
+             {{"long_name", "centre of the band, a tenth of a decade wide (IEC 61260-1, base ten)"},
+              {"units", "Hz"},
+              {"bounds", "frequency_bounds"}});
+  file.variable("frequency_bounds", Type::kDouble, {"frequency", "bound"}, {});
+  file.write("frequency_bounds", edges_hz);
+}
+
+}  // namespace
+
+void write_levels(const Result& result, const Arguments& arguments) {
+  const spectrum::BandLevels& levels = *result.heard.levels;
+  const Chain& chain = result.plan.chain;
+  Writer file(arguments.levels);
+  file.attribute("Conventions", "CF-1.8");
+  file.attribute("title", "Third-octave levels: " + result.plan.sequence.parts().front().path.filename().string());
+  file.attribute("source", "Earshot, Hann windows of about one second");
+  file.attribute("history", arguments.history);
+  file.attribute("calibration", chain.is_calibrated() ? chain.from : "uncalibrated: levels are dB re full scale");
+  file.dimension("time", levels.begins().size());
+  file.dimension("frequency", levels.bands().size());
+  file.dimension("percentile", spectrum::kPercentiles.size());
+  file.dimension("bound", 2);
+  write_time(file, result.plan.sequence, levels.begins());
+  write_bands(file, levels.bands());
+  write_axis(file, "percentile", {spectrum::kPercentiles.begin(), spectrum::kPercentiles.end()},
+             {{"long_name", "share of the windows whose level is no higher"}, {"units", "percent"}});
+  const std::string unit = chain.unit();
+  write_floats(file, "level", {"time", "frequency"}, {{"long_name", "level of the mean power in the band, " + unit}, {"units", "dB"}},
+               as_told(levels.mean_level_db(), chain.correction()));
+  write_floats(file, "level_percentile", {"time", "percentile", "frequency"},
+               {{"long_name", "percentiles of the levels of one second, " + unit}, {"units", "dB"}},
+               as_told(levels.percentile_level_db(), chain.correction()));
+  file.commit();
+}
+
+}  // namespace earshot::listen

@@ -1,0 +1,252 @@
+#include "sim/apps/listen/listening.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/program/progress_bar.hpp"
+#include "sim/annotation/selection_table.hpp"
+#include "sim/spectrum/short_time_spectrum.hpp"
+
+namespace earshot::listen {
+namespace {
+
+using detector::Hearing;
+using recording::Piece;
+using recording::Sequence;
+using recording::SequenceReader;
+
+/// What the detector takes for full scale; only differences of level count in it.
+constexpr Decibels kNominalFullScale{180.0};
+/// Thresholds of a curve, dB.
+constexpr int kLowestThreshold_db = 0;
+constexpr int kHighestThreshold_db = 24;
+/// A picture of a short recording is drawn finer.
+constexpr Duration kShort = Duration::seconds(600);
+/// Below it a third octave is not much wider than a spectrum's bin.
+constexpr Hertz kLowestThirdOctave{10.0};
+/// A picture reaches so many times as high as the band.
+constexpr double kPictureOverBand = 3.0;
+
+std::string name_of(const Sequence& sequence) {
+  const std::string first = sequence.parts().front().path.string();
+  return sequence.parts().size() == 1 ? first : first + " and " + std::to_string(sequence.parts().size() - 1) + " more";
+}
+
+host::BadInput unheard(const Sequence& sequence, const std::string& why) {
+  return host::BadInput(name_of(sequence) + ": cannot be listened to: " + why);
+}
+
+std::string band_text(detector::Band band) {
+  std::ostringstream text;
+  text.precision(4);
+  text << band.low.value << " to " << band.high.value << " Hz";
+  return text.str();
+}
+
+void require_audible(const Sequence& sequence, const detector::SoundSettings& settings, detector::Band asked) {
+  std::ostringstream rate;
+  rate << "it is sampled at " << sequence.sample_rate().value << " Hz";
+  if (sequence.sample_rate() > messages::kHighestSampleRate) {
+    rate << ", and the detector takes up to " << messages::kHighestSampleRate.value << " Hz: resample it";
+    throw unheard(sequence, rate.str());
+  }
+  const detector::SettingsFault fault = detector::check(settings);
+  if (fault == detector::SettingsFault::kNone) return;
+  if (settings.band != asked) throw unheard(sequence, rate.str() + ", too slowly for the band of " + band_text(asked));
+  if (fault == detector::SettingsFault::kCalibration)
+    throw unheard(sequence, detector::to_string(detector::check(settings.calibration, Decibels{0.0}, sequence.sample_rate(), settings.band,
+                                                                settings.expected_noise)));
+  throw host::BadInput(detector::to_string(fault));
+}
+
+Chain chain_for(const Arguments& arguments, const Sequence& sequence, std::vector<std::string>& remarks) {
+  if (!arguments.calibration.empty()) return read_calibration(arguments.calibration);
+  if (arguments.full_scale_level_db) return {.full_scale_level = Decibels{*arguments.full_scale_level_db}, .from = "--full-scale-db"};
+  std::string remark;
+  Chain chain = chain_of_recorders(sequence, remark);
+  if (!remark.empty()) remarks.push_back(remark);
+  return chain;
+}
+
+std::vector<annotation::Interval> read_truth(const std::string& path, Duration duration) {
+  std::vector<annotation::Interval> truth;
+  for (const annotation::Selection& selection : annotation::read_selection_table(path).selections) {
+    if (selection.begin_s > duration.to_seconds()) {
+      std::ostringstream text;
+      text << path << ": a selection begins at " << selection.begin_s << " s, the recording ends at " << duration.to_seconds()
+           << " s: is it of other files?";
+      throw host::BadInput(text.str());
+    }
+    truth.push_back({selection.begin_s, selection.end_s});
+  }
+  return truth;
+}
+
+/// Everything that hears at once.
+class Listeners {
+ public:
+  Listeners(const Plan& plan, const Arguments& arguments)
+      : plan_(plan),
+        ear_(plan.settings, plan.sequence.sample_rate()),
+        windows_(plan.sequence.sample_rate(), plan.sequence.duration() < kShort ? 8 : 2) {
+    if (!arguments.roc.empty()) {
+      for (int threshold_db = kLowestThreshold_db; threshold_db <= kHighestThreshold_db; ++threshold_db) {
+        detector::SoundSettings settings = plan.settings;
+        settings.detection_threshold = Decibels{static_cast<double>(threshold_db)};
+        others_.emplace_back(settings, plan.sequence.sample_rate());
+      }
+    }
+    if (!arguments.spectrogram.empty())
+      spectrogram_ = std::make_unique<spectrum::Spectrogram>(plan.sequence.frames(), windows_, kPictureOverBand * plan.settings.band.high);
+    if (!arguments.levels.empty()) levels_ = levels_for(arguments.levels_interval_s);
+  }
+
+  void learn_noise(const Piece& piece) {
+    ear_.learn_noise(piece);
+    for (Ear& ear : others_) ear.learn_noise(piece);
+  }
+
+  void hear(const Piece& piece) {
+    ear_.hear(piece);
+    for (Ear& ear : others_) ear.hear(piece);
+    if (!spectrogram_ && !levels_) return;
+    if (!piece.follows_on) windows_.restart();
+    windows_.take(piece.samples, piece.begin, [this](std::span<const float> psd, std::uint64_t begin) {
+      if (spectrogram_) spectrogram_->take(psd, begin);
+      if (levels_) levels_->take(psd, begin);
+    });
+  }
+
+  void finish() {
+    ear_.finish();
+    for (Ear& ear : others_) ear.finish();
+    if (levels_) levels_->finish();
+  }
+
+  [[nodiscard]] const Ear& ear() const { return ear_; }
+  [[nodiscard]] const std::vector<Ear>& others() const { return others_; }
+  [[nodiscard]] std::unique_ptr<spectrum::Spectrogram> spectrogram() { return std::move(spectrogram_); }
+  [[nodiscard]] std::unique_ptr<spectrum::BandLevels> levels() { return std::move(levels_); }
+
+ private:
+  [[nodiscard]] std::unique_ptr<spectrum::BandLevels> levels_for(double interval_s) const {
+    const Hertz rate = plan_.sequence.sample_rate();
+    const auto interval = static_cast<std::uint64_t>(std::llround(interval_s * rate.value));
+    return std::make_unique<spectrum::BandLevels>(spectrum::third_octaves(kLowestThirdOctave, rate / 2.0), windows_.bin_width(), interval);
+  }
+
+  const Plan& plan_;
+  Ear ear_;
+  std::vector<Ear> others_;
+  spectrum::ShortTimeSpectrum windows_;
+  std::unique_ptr<spectrum::Spectrogram> spectrogram_;
+  std::unique_ptr<spectrum::BandLevels> levels_;
+};
+
+/// Reads the recording twice: its beginning for the noise, then all of it. @return frames that were promised and not there
+std::uint64_t run(const Plan& plan, Listeners& listeners) {
+  program::ProgressBar bar("listening");
+  const Time learnt = Time{} + plan.settings.floor_window;
+  SequenceReader beginning(plan.sequence, plan.channel, plan.chain.divisor);
+  for (std::optional<Piece> piece = beginning.next(); piece && plan.sequence.time_of(piece->begin) < learnt; piece = beginning.next())
+    listeners.learn_noise(*piece);
+  SequenceReader all(plan.sequence, plan.channel, plan.chain.divisor);
+  while (const std::optional<Piece> piece = all.next()) {
+    listeners.hear(*piece);
+    bar.update(static_cast<double>(piece->begin) / static_cast<double>(plan.sequence.frames()));
+  }
+  listeners.finish();
+  return all.missing_frames();
+}
+
+std::vector<Row> rows_of(const Ear& ear, const Plan& plan, Decibels correction) {
+  std::vector<Row> rows;
+  for (const detector::Detection& detection : ear.detections()) {
+    // A call that sounds when the recording begins may be dated a little before it.
+    const Time begin = std::max(detection.begin, Time{});
+    const Time end = detection.begin + detection.duration;
+    rows.push_back({.begin_s = (begin - Time{}).to_seconds(),
+                    .duration_s = (end - begin).to_seconds(),
+                    .peak_s = (detection.peak - Time{}).to_seconds(),
+                    .level_db = (detection.peak_level + correction).value,
+                    .snr_db = detection.peak_snr.value,
+                    .place = plan.sequence.place_of(begin),
+                    .is_clipped = detection.worst == Hearing::kClipped});
+  }
+  return rows;
+}
+
+void require_heard(const Ear& ear, const Plan& plan) {
+  if (ear.listened().us > 0) return;
+  const Hearing obstacle = ear.main_obstacle();
+  if (obstacle == Hearing::kHears || obstacle == Hearing::kFillingUp || obstacle == Hearing::kFloorUnsettled) {
+    std::ostringstream text;
+    text << plan.sequence.duration().to_seconds() << " s of sound are too short to know the noise and measure a call against it: "
+         << "it takes some " << 6.0 * plan.settings.integration_time.to_seconds() << " s";
+    throw unheard(plan.sequence, text.str());
+  }
+  throw unheard(plan.sequence, detector::to_string(obstacle));
+}
+
+}  // namespace
+
+Plan plan_for(const Arguments& arguments) {
+  const std::vector<std::filesystem::path> paths(arguments.files.begin(), arguments.files.end());
+  Plan plan{.sequence = Sequence(paths),
+            .channel = arguments.channel - 1,
+            .chain = {},
+            .settings = settings_of(arguments),
+            .asked = {},
+            .truth = {},
+            .remarks = {}};
+  const Sequence& sequence = plan.sequence;
+  if (plan.channel >= sequence.channels())
+    throw host::BadInput("--channel = " + std::to_string(arguments.channel) + ": " + name_of(sequence) + " has " +
+                         std::to_string(sequence.channels()));
+  plan.remarks = sequence.remarks();
+  plan.chain = chain_for(arguments, sequence, plan.remarks);
+  plan.chain.divisor = divisor_for(sequence);
+  plan.asked = plan.settings.band;
+  plan.settings.band = detector::audible_part(plan.asked, sequence.sample_rate());
+  plan.settings.calibration = {.sensitivity = -kNominalFullScale,
+                               .fixed_gain = Decibels{0.0},
+                               .full_scale_volts = 1.0,
+                               .adc_bits = sequence.parts().front().format.bits,
+                               .high_pass_corner = plan.chain.high_pass_corner};
+  require_audible(sequence, plan.settings, plan.asked);
+  if (!arguments.truth.empty()) plan.truth = read_truth(arguments.truth, sequence.duration());
+  return plan;
+}
+
+Heard listen_to(const Plan& plan, const Arguments& arguments) {
+  Listeners listeners(plan, arguments);
+  Heard heard;
+  heard.missing_frames = run(plan, listeners);
+  const Ear& ear = listeners.ear();
+  require_heard(ear, plan);
+  const Decibels correction = plan.chain.correction() - kNominalFullScale;
+  heard.rows = rows_of(ear, plan, correction);
+  heard.listened_s = ear.listened().to_seconds();
+  heard.noise_db = (ear.mean_floor() + correction).value;
+  for (std::size_t i = 1; i < detector::kHearings; ++i) {
+    const auto hearing = static_cast<Hearing>(i);
+    if (ear.time_of(hearing).us > 0) heard.obstacles.push_back({detector::to_string(hearing), ear.time_of(hearing).to_seconds()});
+  }
+  for (const Ear& other : listeners.others())
+    heard.curve.push_back({.threshold_db = other.settings().detection_threshold.value,
+                           .score = score_of(rows_of(other, plan, correction), plan, arguments.tolerance_s, heard.listened_s)});
+  heard.spectrogram = listeners.spectrogram();
+  heard.levels = listeners.levels();
+  return heard;
+}
+
+annotation::Score score_of(const std::vector<Row>& rows, const Plan& plan, double tolerance_s, double listened_s) {
+  std::vector<annotation::Interval> found;
+  for (const Row& row : rows) found.push_back({row.begin_s, row.begin_s + row.duration_s});
+  return annotation::score(plan.truth, found, tolerance_s, listened_s / 3600.0);
+}
+
+}  // namespace earshot::listen

@@ -1,0 +1,49 @@
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+#include "firmware/host/file/printable.hpp"
+#include "sim/apps/listen/outputs.hpp"
+#include "sim/plot/operating_curve_plot.hpp"
+#include "sim/plot/spectrogram_plot.hpp"
+
+namespace earshot::listen {
+namespace {
+
+std::string title_of(const Plan& plan) {
+  const std::string first = host::printable(plan.sequence.parts().front().path.filename().string());
+  const std::size_t more = plan.sequence.parts().size() - 1;
+  return more == 0 ? first : first + " and " + std::to_string(more) + " more";
+}
+
+std::string settings_text(const Plan& plan, const Arguments& arguments) {
+  std::ostringstream text;
+  text << std::setprecision(4) << arguments.preset << ", " << plan.settings.band.low.value << " to " << plan.settings.band.high.value
+       << " Hz";
+  return text.str();
+}
+
+}  // namespace
+
+void draw_spectrogram(const Result& result, const Arguments& arguments) {
+  std::vector<plot::Mark> marks;
+  for (const Row& row : result.heard.rows)
+    marks.push_back({row.begin_s, row.begin_s + row.duration_s, result.plan.settings.band.low, result.plan.settings.band.high});
+  std::ostringstream subtitle;
+  subtitle << marks.size() << " detections (framed): " << settings_text(result.plan, arguments) << ", SNR of "
+           << result.plan.settings.detection_threshold.value << " dB or more";
+  plot::plot_spectrogram(arguments.spectrogram, *result.heard.spectrogram, result.plan.chain.correction(), marks,
+                         {.title = title_of(result.plan),
+                          .subtitle = subtitle.str(),
+                          .level = result.plan.chain.is_calibrated() ? "dB re 1 µPa²/Hz" : "dB re full scale²/Hz",
+                          .colours_from = 0.5 * result.plan.settings.band.low});
+}
+
+void draw_curve(const Result& result, const Arguments& arguments) {
+  std::ostringstream subtitle;
+  subtitle << settings_text(result.plan, arguments) << "; " << result.plan.truth.size() << " selections, tolerance "
+           << arguments.tolerance_s << " s, " << std::setprecision(3) << result.heard.listened_s / 3600.0 << " h";
+  plot::plot_operating_curve(arguments.roc, result.heard.curve, title_of(result.plan), subtitle.str());
+}
+
+}  // namespace earshot::listen

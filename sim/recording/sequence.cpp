@@ -1,0 +1,154 @@
+#include "sim/recording/sequence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "sim/recording/utc.hpp"
+
+namespace earshot::recording {
+namespace {
+
+/// Of one channel: some megabytes of memory for a file of many channels.
+constexpr std::size_t kPiece_frames = 4096;
+constexpr double kMicroseconds = 1e6;
+
+Duration duration_of(std::uint64_t frames, Hertz rate) {
+  return {static_cast<std::int64_t>(std::llround(static_cast<double>(frames) / rate.value * kMicroseconds))};
+}
+
+Part part_of(const std::filesystem::path& path) {
+  const SoundFile file(path);
+  return {.path = path,
+          .format = file.format(),
+          .notes = notes_of(path, file.texts(), file.format()),
+          .frames = file.frames(),
+          .missing_frames = file.missing_frames()};
+}
+
+void require_alike(const Part& part, const Part& first) {
+  const auto refuse = [&](const char* what, double has, double other) {
+    std::ostringstream text;
+    text << part.path.string() << ": has " << has << ' ' << what << ", " << first.path.string() << " has " << other
+         << ": files of one sequence must be alike; listen to them one by one";
+    throw host::BadInput(text.str());
+  };
+  if (part.format.sample_rate != first.format.sample_rate) refuse("Hz", part.format.sample_rate.value, first.format.sample_rate.value);
+  if (part.format.channels != first.format.channels)
+    refuse("channels", static_cast<double>(part.format.channels), static_cast<double>(first.format.channels));
+}
+
+void require_once(const std::vector<Part>& parts, const Part& part) {
+  for (const Part& other : parts)
+    if (std::filesystem::equivalent(other.path, part.path)) throw host::BadInput(part.path.string() + ": is named twice");
+}
+
+/// From the end of one part to the beginning of the next by the recorder's clock; negative where they overlap.
+std::optional<Duration> gap_between(const Part& before, const Part& after) {
+  if (!before.notes.start || !after.notes.start) return std::nullopt;
+  return *after.notes.start - (*before.notes.start + duration_of(before.frames, before.format.sample_rate));
+}
+
+bool is_within_clock_step(Duration gap) {
+  return gap <= Sequence::kClockStep && Duration{-gap.us} <= Sequence::kClockStep;
+}
+
+std::string seconds_text(Duration duration) {
+  std::ostringstream text;
+  text << std::round(duration.to_seconds() * 1000.0) / 1000.0 << " s";
+  return text.str();
+}
+
+}  // namespace
+
+Sequence::Sequence(const std::vector<std::filesystem::path>& paths) {
+  for (const std::filesystem::path& path : paths) {
+    Part part = part_of(path);
+    require_once(parts_, part);
+    if (!parts_.empty()) require_alike(part, parts_.front());
+    parts_.push_back(std::move(part));
+  }
+  if (parts_.empty()) throw host::BadInput("no sound file is named");
+  if (std::ranges::all_of(parts_, [](const Part& part) { return part.notes.start.has_value(); }))
+    std::ranges::stable_sort(parts_, {}, [](const Part& part) { return *part.notes.start; });
+  for (std::size_t i = 1; i < parts_.size(); ++i) {
+    parts_[i].begin = parts_[i - 1].begin + parts_[i - 1].frames;
+    const std::optional<Duration> gap = gap_between(parts_[i - 1], parts_[i]);
+    parts_[i].follows_on = gap && is_within_clock_step(*gap) && parts_[i - 1].missing_frames == 0;
+  }
+}
+
+Time Sequence::time_of(std::uint64_t frame) const {
+  return Time{} + duration_of(frame, sample_rate());
+}
+
+Sequence::Place Sequence::place_of(Time in_sequence) const {
+  const auto after = std::ranges::upper_bound(parts_, in_sequence, {}, [this](const Part& part) { return time_of(part.begin); });
+  const std::size_t index = after == parts_.begin() ? 0 : static_cast<std::size_t>(after - parts_.begin()) - 1;
+  const Part& part = parts_[index];
+  Place place{.part = index, .offset = std::max(in_sequence - time_of(part.begin), Duration{}), .utc = {}};
+  if (part.notes.start) place.utc = *part.notes.start + place.offset;
+  return place;
+}
+
+std::vector<std::string> Sequence::remarks() const {
+  std::vector<std::string> remarks;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
+    if (part.missing_frames > 0)
+      remarks.push_back(part.path.string() + ": was cut short: its header tells of " +
+                        seconds_text(duration_of(part.missing_frames, part.format.sample_rate)) + " more than it holds");
+    if (i == 0) continue;
+    const std::optional<Duration> gap = gap_between(parts_[i - 1], part);
+    if (!gap) {
+      remarks.push_back(part.path.string() + ": whether it follows without a gap is not known: no time is told");
+    } else if (!is_within_clock_step(*gap)) {
+      const bool is_gap = gap->us > 0;
+      remarks.push_back(part.path.string() + ": begins " + seconds_text(is_gap ? *gap : Duration{-gap->us}) +
+                        (is_gap ? " after the end of " : " before the end of ") + parts_[i - 1].path.filename().string());
+    }
+  }
+  return remarks;
+}
+
+SequenceReader::SequenceReader(const Sequence& sequence, std::size_t channel, double full_scale)
+    : sequence_(&sequence), channel_(channel), scale_(static_cast<float>(1.0 / full_scale)) {
+  interleaved_.resize(kPiece_frames * sequence.channels());
+  samples_.resize(kPiece_frames);
+}
+
+bool SequenceReader::open_next() {
+  if (file_) ++part_;
+  file_.reset();
+  if (part_ == sequence_->parts().size()) return false;
+  const Part& part = sequence_->parts()[part_];
+  file_ = std::make_unique<SoundFile>(part.path);
+  if (file_->format().channels != part.format.channels || file_->frames() != part.frames)
+    throw host::BadInput(part.path.string() + ": has changed while it was listened to");
+  read_ = 0;
+  follows_on_ = part.follows_on && missing_frames_ == 0;
+  return true;
+}
+
+std::optional<Piece> SequenceReader::next() {
+  while (true) {
+    if (!file_ && !open_next()) return std::nullopt;
+    const Part& part = sequence_->parts()[part_];
+    const std::uint64_t left = part.frames - read_;
+    const std::size_t room = static_cast<std::size_t>(std::min<std::uint64_t>(left, kPiece_frames));
+    const std::size_t frames = room == 0 ? 0 : file_->read(std::span(interleaved_).first(room * part.format.channels));
+    if (frames == 0) {
+      missing_frames_ += left;
+      if (!open_next()) return std::nullopt;
+      continue;
+    }
+    for (std::size_t i = 0; i < frames; ++i) samples_[i] = scale_ * interleaved_[i * part.format.channels + channel_];
+    const Piece piece{
+        .begin = part.begin + read_, .part = part_, .follows_on = read_ > 0 || follows_on_, .samples = std::span(samples_).first(frames)};
+    read_ += frames;
+    return piece;
+  }
+}
+
+}  // namespace earshot::recording

@@ -1,0 +1,126 @@
+#include "sim/recording/sound_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sndfile.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "tests/sim/recording/wav_bytes.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::recording {
+namespace {
+
+using support::TemporaryFolder;
+using tests::WavBytes;
+
+std::vector<float> all_of(SoundFile& file) {
+  std::vector<float> samples(1000);
+  samples.resize(file.read(std::span(samples).first(samples.size() / file.format().channels * file.format().channels)) *
+                 file.format().channels);
+  return samples;
+}
+
+std::string refusal_of(const std::filesystem::path& path) {
+  try {
+    const SoundFile file(path);
+    return "taken";
+  } catch (const host::BadInput& e) {
+    return std::string(e.what()).substr(path.string().size());
+  }
+}
+
+TEST(SoundFile, GivesSharesOfFullScale) {
+  const TemporaryFolder folder;
+  tests::write(folder / "a.wav", WavBytes{.samples = tests::int16_samples(std::array{0, 16384, -32768, 32767})}.bytes());
+  SoundFile file(folder / "a.wav");
+  EXPECT_EQ(file.format().sample_rate, Hertz{2000});
+  EXPECT_EQ(file.format().bits, 16);
+  EXPECT_EQ(all_of(file), (std::vector<float>{0.0F, 0.5F, -1.0F, 32767.0F / 32768.0F}));
+}
+
+TEST(SoundFile, Reads24BitsAndSeveralChannels) {
+  const TemporaryFolder folder;
+  const std::string frame = tests::little_endian(0x400000, 3) + tests::little_endian(0xC00000, 3) + tests::little_endian(1, 3);
+  tests::write(folder / "a.wav", WavBytes{.channels = 3, .bits = 24, .samples = frame + frame}.bytes());
+  SoundFile file(folder / "a.wav");
+  EXPECT_EQ(file.format().channels, 3U);
+  EXPECT_EQ(file.format().bits, 24);
+  EXPECT_EQ(file.frames(), 2U);
+  EXPECT_EQ(all_of(file), (std::vector<float>{0.5F, -0.5F, 1.0F / 8388608.0F, 0.5F, -0.5F, 1.0F / 8388608.0F}));
+}
+
+TEST(SoundFile, LeavesFloatingPointAsItStands) {
+  const TemporaryFolder folder;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  tests::write(folder / "a.wav",
+               WavBytes{.bits = 32, .format = 3, .samples = tests::float_samples(std::array{-1522.5F, 0.25F, nan})}.bytes());
+  SoundFile file(folder / "a.wav");
+  const std::vector<float> samples = all_of(file);
+  ASSERT_EQ(samples.size(), 3U);
+  EXPECT_EQ(samples[0], -1522.5F);
+  EXPECT_EQ(samples[1], 0.25F);
+  EXPECT_TRUE(std::isnan(samples[2]));
+  EXPECT_EQ(largest_magnitude(folder / "a.wav"), 1522.5) << "a NaN is not the largest";
+}
+
+/// 16 bit, by libsndfile: FLAC is not written by hand.
+void write_flac(const std::filesystem::path& path, const std::vector<short>& samples) {
+  SF_INFO info{.frames = 0, .samplerate = 2000, .channels = 1, .format = SF_FORMAT_FLAC | SF_FORMAT_PCM_16, .sections = 0, .seekable = 0};
+  SNDFILE* file = sf_open(path.c_str(), SFM_WRITE, &info);
+  ASSERT_NE(file, nullptr);
+  sf_set_string(file, SF_STR_COMMENT, "Recorded at 19:17:30 24/09/2019 (UTC) by AudioMoth 0");
+  sf_write_short(file, samples.data(), static_cast<sf_count_t>(samples.size()));
+  sf_close(file);
+}
+
+TEST(SoundFile, ReadsFlacWithItsComment) {
+  const TemporaryFolder folder;
+  write_flac(folder / "a.flac", {0, 16384, -32768});
+  SoundFile file(folder / "a.flac");
+  EXPECT_EQ(file.texts().comment, "Recorded at 19:17:30 24/09/2019 (UTC) by AudioMoth 0");
+  EXPECT_EQ(all_of(file), (std::vector<float>{0.0F, 0.5F, -1.0F}));
+}
+
+TEST(SoundFile, ReadsTheTextsThatAnIcListenWritesBeforeTheFormat) {
+  const TemporaryFolder folder;
+  const std::string info = tests::info_chunk({{"IART", "Ocean Sonics icListen HF #1234"},
+                                              {"IPRD", "RB9-ETH R8"},
+                                              {"ICRD", "2024-06-01T05:31:14"},
+                                              {"ICMT", "3.000000 V pk, -177 dBV re 1uPa, 32768 = Max Count"}});
+  tests::write(folder / "a.wav", WavBytes{.before_format = info, .samples = tests::int16_samples(std::array{1, 2})}.bytes());
+  const SoundFile file(folder / "a.wav");
+  EXPECT_EQ(file.texts().artist, "Ocean Sonics icListen HF #1234");
+  EXPECT_EQ(file.texts().date, "2024-06-01T05:31:14");
+  EXPECT_EQ(file.texts().comment, "3.000000 V pk, -177 dBV re 1uPa, 32768 = Max Count");
+}
+
+TEST(SoundFile, TellsHowMuchIsMissingOfAFileThatWasCutShort) {
+  const TemporaryFolder folder;
+  tests::write(folder / "a.wav", WavBytes{.samples = tests::int16_samples(std::array{1, 2, 3, 4}), .told_more = 12}.bytes());
+  SoundFile file(folder / "a.wav");
+  EXPECT_EQ(file.frames(), 4U);
+  EXPECT_EQ(file.missing_frames(), 6U);
+  EXPECT_EQ(all_of(file).size(), 4U);
+}
+
+TEST(SoundFile, RefusesWhatIsNoneWithItsName) {
+  const TemporaryFolder folder;
+  tests::write(folder / "text.wav", "a text that somebody called a sound\n");
+  tests::write(folder / "empty.wav", "");
+  tests::write(folder / "silent.wav", WavBytes{}.bytes());
+  tests::write(folder / "law.wav", WavBytes{.bits = 8, .format = 7, .samples = "abcdef"}.bytes());
+  EXPECT_EQ(refusal_of(folder / "text.wav").substr(0, 37), ": is no sound file that can be read: ");
+  EXPECT_EQ(refusal_of(folder / "empty.wav").substr(0, 37), ": is no sound file that can be read: ");
+  EXPECT_EQ(refusal_of(folder / "silent.wav"), ": holds no sample");
+  EXPECT_EQ(refusal_of(folder / "law.wav").substr(0, 38), ": its samples are coded with loss, whi");
+  EXPECT_EQ(refusal_of(folder.path()), ": cannot be read: it is a folder");
+  EXPECT_EQ(refusal_of(folder / "nowhere.wav"), ": no such file");
+}
+
+}  // namespace
+}  // namespace earshot::recording
