@@ -9,25 +9,25 @@
 
 namespace earshot::config {
 
-/// What a decision makes of the looks (estimates of the SNR) in its window.
+/// How a decision sums up the looks (estimates of the SNR) in its window.
 enum class Listening : std::uint8_t {
   kNewest,   ///< the look that ends the leg, as in the paper
   kLoudest,  ///< the loudest of those that were measured; of many looks that fluctuate it is louder than the sound is
   kMean,     ///< the mean, in dB, of those that were measured: a call among silence counts whole, and fluctuation averages out
 };
 
-/// The words that files and command lines have for them, in that order.
+/// The words for these in files and on command lines, in the same order.
 inline constexpr std::array<std::string_view, 3> kListeningWords{"newest", "loudest", "mean"};
 
-/// Over which window an observation listens and what it makes of what it heard there: the vehicle in flight and the search that it was
-/// trained in go by the same. The window ends with the leg and never reaches back beyond the leg's beginning.
+/// The window over which an observation listens, and how it sums up the looks in it. The vehicle in flight and the search that its policy
+/// was trained in have the same. The window ends with the leg and never reaches back beyond the leg's beginning.
 struct ListeningWindow {
   Listening listening = Listening::kNewest;
   Duration length;  ///< whole seconds, 1 to kMaxListeningSeconds; of kNewest none
   friend constexpr bool operator==(ListeningWindow, ListeningWindow) = default;
 };
 
-/// Whether a window is one that can be listened over.
+/// Whether the window's length fits its kind of listening.
 [[nodiscard]] constexpr bool is_valid(ListeningWindow window) {
   if (window.listening == Listening::kNewest) return window.length == Duration{};
   const bool is_known = window.listening == Listening::kLoudest || window.listening == Listening::kMean;

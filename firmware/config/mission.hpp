@@ -11,6 +11,10 @@
 namespace earshot::config {
 
 /// What the vehicle is asked to do and the limits it must keep. Plain data: read from a file on Linux, a constant on bare metal.
+///
+/// A new limit is a field here, its check in mission.cpp, its key in firmware/host/mission/mission_file.cpp, and a field of
+/// firmware/wire/lcm/mission_t.lcm with both its conversions (wire/lcm/conversion.cpp): the journal keeps the mission as that message, and
+/// a replay without it would be one of another mission (Oracle: Conversion.GivesEveryFieldOfAMissionBack).
 struct Mission {
   Rectangle operating_area;       ///< the search domain; leaving it ends the mission (ABORT)
   Meters edge_margin;             ///< no way-point nearer to the edge than this, >= 0
@@ -18,14 +22,15 @@ struct Mission {
   Meters max_depth;               ///< the safety layer never lets a depth set-point exceed it
   MetersPerSecond search_speed;   ///< speed set-point through the water, > 0
   Meters step_length;             ///< l: length of one action, > 0
-  std::uint32_t max_steps = 100;  ///< N: the mission is DONE after so many actions
+  std::uint32_t max_steps = 100;  ///< N: the mission is DONE after this many actions
   Duration max_time;              ///< ABORT when SEARCH lasts longer
   Duration navigation_timeout;    ///< ABORT when navigation is older
   Duration snr_timeout;           ///< ABORT when the SNR estimate is older
   Decibels detection_threshold;   ///< DT: SNR at or above it is a detection
-  /// What an observation hears of the looks on its leg.
+  /// The window of looks that an observation takes on its leg.
   ListeningWindow listening = {};
   std::uint64_t action_seed = 1;  ///< seeds the generator of a policy that samples its actions
+  friend constexpr bool operator==(const Mission&, const Mission&) = default;
 };
 
 /// The operating area less its margins is at least this many step lengths wide and high, so that the safety layer always finds a leg of

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/core/math.hpp"
 #include "firmware/core/units.hpp"
 
 namespace earshot {
@@ -13,6 +14,11 @@ struct NorthEast {
   friend constexpr NorthEast operator-(NorthEast a, NorthEast b) { return {a.north - b.north, a.east - b.east}; }
   friend constexpr bool operator==(NorthEast, NorthEast) = default;
 };
+
+/// Whether neither coordinate is NaN or infinite.   Oracle: NorthEast.IsFiniteWhenBothCoordinatesAre
+[[nodiscard]] constexpr bool is_finite(NorthEast place) {
+  return is_finite(place.north.value) && is_finite(place.east.value);
+}
 
 /// A horizontal direction of length one; compass directions come from a table, not from libm, so that every machine has the same bits.
 struct UnitNorthEast {
@@ -36,6 +42,7 @@ constexpr NorthEast operator*(Meters length, const UnitNorthEast& direction) {
 struct Rectangle {
   NorthEast south_west;
   NorthEast north_east;
+  friend constexpr bool operator==(const Rectangle&, const Rectangle&) = default;
 
   [[nodiscard]] constexpr bool contains(NorthEast p) const {
     return p.north >= south_west.north && p.north <= north_east.north && p.east >= south_west.east && p.east <= north_east.east;

@@ -15,7 +15,7 @@ double power_of_two(int k) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52U);
 }
 
-/// e^x for |x| <= 128: e^x = 2^k e^r with |r| <= ln(2)/2, e^r by its Taylor series (the first term left out is below 5e-18).
+/// e^x for |x| <= 700: e^x = 2^k e^r with |r| <= ln(2)/2, e^r by its Taylor series (the first term left out is below 5e-18).
 double exp_in_double(double x) {
   constexpr double kLog2E = 0x1.71547652b82fep+0;
   constexpr double kLn2High = 0x1.62e42fefp-1;  // 32 bits, so that k * high is exact
@@ -28,6 +28,32 @@ double exp_in_double(double x) {
     sum = sum * r + inverse_factorial;
   }
   return sum * power_of_two(k);
+}
+
+/// ln x for a finite x > 0: x = 2^k m with m from sqrt(1/2) to sqrt(2), ln m = 2 artanh((m - 1) / (m + 1)) by its series (the first term
+/// left out is below 2e-18).
+double log_of_positive(double x) {
+  constexpr double kLn2High = 0x1.62e42fefp-1;  // 32 bits, so that k * high is exact
+  constexpr double kLn2Low = 0x1.473de6af278edp-34;
+  constexpr double kSqrtHalf = 0x1.6a09e667f3bcdp-1;
+  constexpr double kTwoTo54 = 0x1p54;
+  const bool is_subnormal = x < std::numeric_limits<double>::min();
+  const auto bits = std::bit_cast<std::uint64_t>(is_subnormal ? x * kTwoTo54 : x);
+  int k = static_cast<int>(bits >> 52U) - 1022 - (is_subnormal ? 54 : 0);
+  double m = std::bit_cast<double>((bits & 0x000FFFFFFFFFFFFFU) | 0x3FE0000000000000U);  // from 1/2 to 1
+  if (m < kSqrtHalf) {
+    m *= 2.0;
+    --k;
+  }
+  const double s = (m - 1.0) / (m + 1.0);
+  const double s2 = s * s;
+  double sum = 1.0 / 21.0;
+  for (const double coefficient :
+       {1.0 / 19.0, 1.0 / 17.0, 1.0 / 15.0, 1.0 / 13.0, 1.0 / 11.0, 1.0 / 9.0, 1.0 / 7.0, 1.0 / 5.0, 1.0 / 3.0}) {
+    sum = sum * s2 + coefficient;
+  }
+  const double rest = 2.0 * s + (2.0 * s * (s2 * sum) + k * kLn2Low);
+  return k * kLn2High + rest;
 }
 
 /// sin x for |x| <= pi/4, Taylor series (the first term left out is below 1e-19).
@@ -93,6 +119,19 @@ float exp(float x) {
   if (x > 89.0F) return std::numeric_limits<float>::infinity();
   if (x < -104.0F) return 0.0F;
   return static_cast<float>(exp_in_double(double{x}));
+}
+
+double exp(double x) {
+  if (x != x) return x;
+  if (x > 700.0) return std::numeric_limits<double>::infinity();
+  if (x < -700.0) return 0.0;
+  return exp_in_double(x);
+}
+
+double log(double x) {
+  if (!(x > 0.0)) return x == 0.0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
+  if (!is_finite(x)) return x;
+  return log_of_positive(x);
 }
 
 double sqrt(double x) {

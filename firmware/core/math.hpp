@@ -22,6 +22,14 @@ namespace earshot {
 /// Error: at most 0.501 ulp (the double it is rounded from is good to 1e-15).   Oracle: Exp.IsWithinHalfAnUlpOfLongDouble
 [[nodiscard]] float exp(float x);
 
+/// e^x; 0 below -700 and +infinity above 700.
+/// Error: at most 1e-15 of the result.   Oracle: ExpOfDouble.IsWithinTenToTheMinusFifteenOfLongDouble
+[[nodiscard]] double exp(double x);
+
+/// Natural logarithm; -infinity of zero, NaN of a negative number.
+/// Error: at most 1e-15 of the result, or 1e-16 where it is smaller than a tenth.   Oracle: Log.IsWithinTenToTheMinusFifteenOfLongDouble
+[[nodiscard]] double log(double x);
+
 /// Square root by IEEE 754's correctly rounded operation (an instruction on every target, not libm).
 [[nodiscard]] double sqrt(double x);
 

@@ -1,8 +1,8 @@
 #pragma once
 
 // EARSHOT_WIDE before a function: on x86-64 Linux it is compiled twice, for the architecture's baseline and for AVX2, and the wider one
-// runs where the processor has it; chosen once, when the program is loaded. The core is built without fused multiply-add and keeps its
-// order of operations, so that both give the same bits. Worth it for loops over many cells or weights only.
+// runs where the processor has AVX2; the choice is made once, when the program is loaded. The core is built without fused multiply-add and
+// keeps its order of operations, so that both give the same bits. It pays only for loops over many cells or weights.
 #if defined(__x86_64__) && defined(__linux__) && !defined(__AVX2__) && !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
 #define EARSHOT_WIDE __attribute__((target_clones("avx2", "default"), flatten))
 #else

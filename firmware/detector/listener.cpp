@@ -21,7 +21,7 @@ std::size_t slot_of(std::int64_t second) {
   return static_cast<std::size_t>(rest < 0 ? rest + kRing : rest);
 }
 
-WindowHeard alone(const messages::SnrMeasurement& look) {
+WindowReception alone(const messages::SnrMeasurement& look) {
   return {.snr = look.snr, .too_faint = look.too_faint, .looks = 1, .measured = look.too_faint ? 0U : 1U};
 }
 
@@ -57,26 +57,27 @@ void Listener::take(const messages::SnrMeasurement& look) {
   if (second > last_second_ - kRing) seconds_[slot_of(second)].add(look);
 }
 
-WindowHeard Listener::heard(config::ListeningWindow window, Time now) const {
+WindowReception Listener::reception(config::ListeningWindow window, Time now) const {
   assert(newest_ && config::is_valid(window));
   if (window.listening == config::Listening::kNewest || is_empty_) return alone(*newest_);
   const std::int64_t last = std::max(second_of(now), last_second_);
   const std::int64_t first = last - window.length.us / Duration::seconds(1).us + 1;  // no earlier than the ring reaches
-  WindowHeard heard;
+  WindowReception reception;
   Decibels sum;
   for (std::int64_t s = first; s <= last_second_; ++s) {
     const Second& second = seconds_[slot_of(s)];
     if (second.looks == 0) continue;
-    const bool is_first = heard.looks == 0 || (heard.measured == 0 && second.measured > 0);
-    if (is_first || (second.measured > 0) == (heard.measured > 0)) heard.snr = is_first ? second.level : std::max(heard.snr, second.level);
+    const bool is_first = reception.looks == 0 || (reception.measured == 0 && second.measured > 0);
+    if (is_first || (second.measured > 0) == (reception.measured > 0))
+      reception.snr = is_first ? second.level : std::max(reception.snr, second.level);
     sum += second.sum;
-    heard.looks += second.looks;
-    heard.measured += second.measured;
+    reception.looks += second.looks;
+    reception.measured += second.measured;
   }
-  if (heard.looks == 0) return alone(*newest_);
-  heard.too_faint = heard.measured == 0;
-  if (!heard.too_faint && window.listening == config::Listening::kMean) heard.snr = sum / static_cast<double>(heard.measured);
-  return heard;
+  if (reception.looks == 0) return alone(*newest_);
+  reception.too_faint = reception.measured == 0;
+  if (!reception.too_faint && window.listening == config::Listening::kMean) reception.snr = sum / static_cast<double>(reception.measured);
+  return reception;
 }
 
 }  // namespace earshot::detector

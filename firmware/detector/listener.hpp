@@ -12,18 +12,18 @@
 
 namespace earshot::detector {
 
-/// What the looks of a window came to.
-struct WindowHeard {
+/// What was received over a window of looks.
+struct WindowReception {
   Decibels snr;                ///< as the window's Listening has it; where none could be measured, the highest of the floors
   bool too_faint = false;      ///< no look could be measured: the signal lay below `snr` in all of them
   std::uint32_t looks = 0;     ///< that counted
   std::uint32_t measured = 0;  ///< of them
-  friend constexpr bool operator==(const WindowHeard&, const WindowHeard&) = default;
+  friend constexpr bool operator==(const WindowReception&, const WindowReception&) = default;
 };
 
-/// Remembers the looks of one leg and says what they came to. One object for flight (firmware/runtime) and training (sim/search), in fixed
-/// memory: the looks of one second of the clock are summed up as they come, however many there are, so a window is so many whole
-/// seconds, the last of them the one that has begun.
+/// Remembers the looks of one leg and says what was received over a window of them. One object for flight (firmware/runtime) and training
+/// (sim/search), in fixed memory: the looks of one second of the clock are summed up as they come, however many there are, so a window is
+/// so many whole seconds, the last of them the one that has begun.
 ///
 ///   newest   the last look, whatever the window
 ///   loudest  the greatest measured SNR; looks that were too faint to measure say no more than that they were fainter than their floor
@@ -42,7 +42,7 @@ class Listener {
 
   /// What was heard over a window that ends `now`. A look dated after `now` moves the window's end to its own second. The newest look
   /// always counts, however old: how old it may be is the caller's business. @param window  is_valid(); a look was taken before
-  [[nodiscard]] WindowHeard heard(config::ListeningWindow window, Time now) const;
+  [[nodiscard]] WindowReception reception(config::ListeningWindow window, Time now) const;
 
   /// The look with the latest date, of several the last taken, whatever the leg.
   [[nodiscard]] const std::optional<messages::SnrMeasurement>& newest() const { return newest_; }

@@ -18,9 +18,8 @@ struct Navigation {
 };
 
 [[nodiscard]] inline bool is_finite(const Navigation& navigation) {
-  return earshot::is_finite(navigation.position.north.value) && earshot::is_finite(navigation.position.east.value) &&
-         earshot::is_finite(navigation.depth.value) && earshot::is_finite(navigation.heading.value) &&
-         earshot::is_finite(navigation.speed.value);
+  return earshot::is_finite(navigation.position) && earshot::is_finite(navigation.depth.value) &&
+         earshot::is_finite(navigation.heading.value) && earshot::is_finite(navigation.speed.value);
 }
 
 }  // namespace earshot::messages

@@ -22,7 +22,7 @@ struct OperatorCommand {
   friend constexpr bool operator==(const OperatorCommand&, const OperatorCommand&) = default;
 };
 
-/// What became of a command.
+/// How a command was judged.
 enum class CommandOutcome : std::uint8_t {
   kObeyed = 0,
   kRepeated = 1,        ///< ABORT after an ABORT: nothing was done again

@@ -5,7 +5,7 @@
 
 namespace earshot::messages {
 
-/// What the autopilot is to do.
+/// What the autopilot is asked to do.
 struct Setpoint {
   Radians heading;        ///< true, clockwise from north, in (-pi, pi]
   MetersPerSecond speed;  ///< through the water

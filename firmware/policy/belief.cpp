@@ -14,8 +14,10 @@
 namespace earshot::policy {
 namespace {
 
-constexpr float kOutlierRange = 80.0F;  // dB over which an SNR that follows no model is spread
-constexpr float kCovered = 1e-3F;       // share left to a cell within step_length of a place visited: navigation errs, sources move
+/// Decibels over which an SNR that follows no model is spread.
+constexpr float kOutlierRange_db = 80.0F;
+/// Share of its probability that a cell within step_length of a place visited keeps: navigation errs, sources move.
+constexpr float kCovered = 1e-3F;
 
 double cell_north(const BeliefModel& model) {
   return model.area_size.north.value / static_cast<double>(model.cells_north);
@@ -28,15 +30,15 @@ double cell_east(const BeliefModel& model) {
 using RangeTable = std::array<float, config::kMaxBeliefRanges>;
 
 /// Likelihood of what was heard, were the source at each range, under one hypothesis.
-void tabulate_likelihood(const BeliefModel& model, const BeliefHypothesis& hypothesis, Heard heard, RangeTable& table) {
+void tabulate_likelihood(const BeliefModel& model, const BeliefHypothesis& hypothesis, Reception reception, RangeTable& table) {
   const float sounding = 1.0F - model.silence_share;
   const float regular = sounding * (1.0F - model.outlier_share);
   const float per_spread = 1.0F / hypothesis.spread_db;
-  const float level = static_cast<float>(heard.snr.value) - hypothesis.level_offset_db;
+  const float level = static_cast<float>(reception.snr.value) - hypothesis.level_offset_db;
   const std::span<float> likelihoods = std::span(table).first(model.snr_db.size());
   for (std::size_t i = 0; i < likelihoods.size(); ++i) likelihoods[i] = (level - model.snr_db[i]) * per_spread;
-  if (!heard.too_faint) {
-    const float outlier = sounding * model.outlier_share / kOutlierRange;
+  if (!reception.too_faint) {
+    const float outlier = sounding * model.outlier_share / kOutlierRange_db;
     const float scale = regular * per_spread;
     to_normal_density(likelihoods);
     for (float& likelihood : likelihoods) likelihood = scale * likelihood + outlier;
@@ -102,7 +104,7 @@ void Belief::begin_anew(std::size_t cells) {
 /// Tabulates by range the cost of a search that goes straight to a source, under the hypotheses as likely as they now are.
 EARSHOT_WIDE void Belief::foresee(const BeliefModel& model) {
   const std::size_t count = model.snr_db.size();
-  RangeTable heard{};
+  RangeTable over_all{};
   RangeTable detected;  // under one hypothesis
   for (std::size_t h = 0; h < model.hypotheses.size(); ++h) {
     const BeliefHypothesis& hypothesis = model.hypotheses[h];
@@ -111,9 +113,9 @@ EARSHOT_WIDE void Belief::foresee(const BeliefModel& model) {
     const float share = (1.0F - model.silence_share) * hypothesis_shares_[h];
     for (std::size_t i = 0; i < count; ++i) detected[i] = (model.snr_db[i] + level) * per_spread;
     to_normal_cumulative(std::span(detected).first(count));
-    for (std::size_t i = 0; i < count; ++i) heard[i] += share * detected[i];
+    for (std::size_t i = 0; i < count; ++i) over_all[i] += share * detected[i];
   }
-  smooth(std::span(heard).first(count), half_cell(model), detected_);
+  smooth(std::span(over_all).first(count), half_cell(model), detected_);
   const auto step = std::clamp<std::size_t>(static_cast<std::size_t>(model.step_length / model.range_step + 0.5), 1, count);
   const float discount = exp(model.costs.log_step_discount / static_cast<float>(step));
   const float discounted_away = 1.0F - exp(model.costs.log_step_discount);
@@ -136,9 +138,9 @@ std::uint32_t Belief::fingerprint(const BeliefModel& model) const {
   return crc32(bytes_of(outlooks_.data(), model.actions.size()), of_cells);
 }
 
-void Belief::update(const BeliefModel& model, NorthEast position, Heard heard) {
+void Belief::update(const BeliefModel& model, NorthEast position, Reception reception) {
   find_ranges(model, position);
-  weigh(model, heard);
+  weigh(model, reception);
   foresee(model);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   summary_ = summary_of(model, probabilities);
@@ -165,7 +167,7 @@ EARSHOT_WIDE void Belief::find_ranges(const BeliefModel& model, NorthEast positi
   }
 }
 
-EARSHOT_WIDE void Belief::weigh(const BeliefModel& model, Heard heard) {
+EARSHOT_WIDE void Belief::weigh(const BeliefModel& model, Reception reception) {
   const std::size_t count = model.snr_db.size();
   const auto cell = static_cast<float>(std::max(cell_north(model), cell_east(model)));
   const auto range_step = static_cast<float>(model.range_step.value);
@@ -174,7 +176,7 @@ EARSHOT_WIDE void Belief::weigh(const BeliefModel& model, Heard heard) {
   RangeTable exact;
   RangeTable seen;
   for (std::size_t h = 0; h < model.hypotheses.size(); ++h) {
-    tabulate_likelihood(model, model.hypotheses[h], heard, exact);
+    tabulate_likelihood(model, model.hypotheses[h], reception, exact);
     smooth(std::span(exact).first(count), half_cell(model), seen);
     for (std::size_t i = 0; i < count; ++i) tables[i][h] = seen[i] * uncovered(static_cast<float>(i) * range_step, reach, cell);
   }

@@ -10,7 +10,7 @@
 #include "firmware/messages/belief_summary.hpp"
 #include "firmware/policy/belief_model.hpp"
 #include "firmware/policy/belief_outlook.hpp"
-#include "firmware/policy/heard.hpp"
+#include "firmware/policy/reception.hpp"
 
 namespace earshot::policy {
 
@@ -20,7 +20,7 @@ class Belief {
   /// Forgets everything: every place is as likely as any other.
   void start(const BeliefModel& model);
   /// Takes in what was heard at `position` (relative to the area's south-west corner), where the source was not within step_length.
-  void update(const BeliefModel& model, NorthEast position, Heard heard);
+  void update(const BeliefModel& model, NorthEast position, Reception reception);
 
   /// Places are relative to the area's south-west corner.
   [[nodiscard]] const messages::BeliefSummary& summary() const { return summary_; }
@@ -42,7 +42,7 @@ class Belief {
   void begin_anew(std::size_t cells);
   void foresee(const BeliefModel& model);
   void find_ranges(const BeliefModel& model, NorthEast position);
-  void weigh(const BeliefModel& model, Heard heard);
+  void weigh(const BeliefModel& model, Reception reception);
   void normalise(const BeliefModel& model, const Cell& sums);
 
   std::array<Cell, config::kMaxBeliefCells> cells_;            ///< [north x east]; hypotheses that the model has not are zero

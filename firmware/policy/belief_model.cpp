@@ -8,15 +8,18 @@
 namespace earshot::policy {
 namespace {
 
-constexpr double kLeastSpread = 0.05;
-constexpr double kMostSpread = 100.0;  // dB
+constexpr double kLeastSpread_db = 0.05;
+constexpr double kMostSpread_db = 100.0;
 constexpr double kLeastPrior = 1e-6;
 constexpr double kMostPrior = 1e6;
 constexpr double kMostRangeStep_m = 1e4;
 constexpr double kMostCost = 1e6;
-constexpr double kLeastReach = 1e-3;         // other costs are divided by it
-constexpr double kLeastLogDiscount = -10.0;  // next to no step after the first
-constexpr double kMostLogDiscount = -1e-3;   // a thousand steps: more, and one less the discount is no number to divide by
+/// Other costs are divided by the cost of a reach.
+constexpr double kLeastReach = 1e-3;
+/// Next to no step after the first counts.
+constexpr double kLeastLogDiscount = -10.0;
+/// A thousand steps count: with more, one less the discount is no number to divide by.
+constexpr double kMostLogDiscount = -1e-3;
 
 bool has_valid_numbers(const BeliefCosts& costs) {
   return is_within(double{costs.step}, 0.0, kMostCost) && is_within(double{costs.log_step_discount}, kLeastLogDiscount, kMostLogDiscount) &&
@@ -35,7 +38,7 @@ bool has_valid_numbers(const BeliefModel& model) {
   const auto is_level = [](float x) { return is_within(double{x}, -kMostLevel_db, kMostLevel_db); };
   const auto is_length = [](Meters x, double most) { return is_within(x.value, kLeastLength_m, most); };
   for (const BeliefHypothesis& h : model.hypotheses) {
-    if (!is_level(h.level_offset_db) || !is_within(double{h.spread_db}, kLeastSpread, kMostSpread) ||
+    if (!is_level(h.level_offset_db) || !is_within(double{h.spread_db}, kLeastSpread_db, kMostSpread_db) ||
         !is_within(double{h.prior}, kLeastPrior, kMostPrior))
       return false;
   }

@@ -44,14 +44,16 @@ struct BeliefModel {
   std::uint16_t cells_north = 50;  ///< cells_north * cells_east <= kMaxBeliefCells
   std::uint16_t cells_east = 50;
   FixedVector<BeliefHypothesis, config::kMaxBeliefHypotheses> hypotheses;
-  float outlier_share = 0.02F;  ///< of SNRs that follow no model, 0 to 1
-  float silence_share = 0.0F;   ///< of the looks that meet a pause in the call, when nothing is heard at any range, 0 to 1
-  float forgotten_share =
-      1e-4F;  ///< of the belief that is spread over the whole area between two looks, 0 to 0.5: the source may have moved
+  /// Share of SNRs that follow no model, 0 to 1.
+  float outlier_share = 0.02F;
+  /// Share of the looks that meet a pause in the call, when nothing is heard at any range, 0 to 1.
+  float silence_share = 0.0F;
+  /// Share of the belief that is spread over the whole area between two looks, 0 to 0.5: the source may have moved.
+  float forgotten_share = 1e-4F;
 
   Meters range_step{100.0};  ///< > 0
-  FixedVector<float, config::kMaxBeliefRanges>
-      snr_db;  ///< SNR at the vehicle's depth at range i * range_step; beyond its end as at its end
+  /// SNR at the vehicle's depth at range i * range_step; beyond its end as at its end.
+  FixedVector<float, config::kMaxBeliefRanges> snr_db;
 };
 
 /// Cells of the belief's grid.

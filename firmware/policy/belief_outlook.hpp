@@ -17,9 +17,10 @@ struct ActionOutlook {
   float regret = 0.0F;    ///< expected cost of the search after it, less that after the best action; at most BeliefCosts::most_regret
 };
 
-inline constexpr std::size_t kReachSteps = 3;  ///< as many as the time of a decision allows
+/// Steps that the reach looks ahead: as many as the time of a decision allows.
+inline constexpr std::size_t kReachSteps = 3;
 
-/// What depends on the range to a source alone: one value every BeliefModel::range_step, beyond the end as at the end.
+/// Tables of what depends on the range to a source alone: one value every BeliefModel::range_step, beyond the end as at the end.
 struct RangeOutlook {
   std::span<const float> search_cost;  ///< C(r): of a search that goes straight to a source at that range
   std::span<const float> detected;     ///< D(r): probability of a detection

@@ -10,14 +10,14 @@ bool is_within_tolerance(Meters a, Meters b) {
 
 }  // namespace
 
-Misfit misfit(const FrozenPolicy& policy, const config::Mission& mission) {
+Mismatch mismatch(const FrozenPolicy& policy, const config::Mission& mission) {
   const NorthEast size = mission.operating_area.north_east - mission.operating_area.south_west;
   const bool same_size = is_within_tolerance(policy.area_size.north, size.north) && is_within_tolerance(policy.area_size.east, size.east);
-  if (policy.step_length != mission.step_length) return Misfit::kStepLength;
-  if (!same_size) return Misfit::kAreaSize;
-  if (policy.detection_threshold != mission.detection_threshold) return Misfit::kDetectionThreshold;
-  if (policy.observation.listening != mission.listening) return Misfit::kListening;
-  return Misfit::kNone;
+  if (policy.step_length != mission.step_length) return Mismatch::kStepLength;
+  if (!same_size) return Mismatch::kAreaSize;
+  if (policy.detection_threshold != mission.detection_threshold) return Mismatch::kDetectionThreshold;
+  if (policy.observation.listening != mission.listening) return Mismatch::kListening;
+  return Mismatch::kNone;
 }
 
 }  // namespace earshot::policy

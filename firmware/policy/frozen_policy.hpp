@@ -27,14 +27,14 @@ struct FrozenPolicy {
   FixedVector<char, config::kMaxProvenance> provenance;  ///< UTF-8 "key = value" lines: training command, commit, environment hash
 };
 
-/// What a mission asks of a policy that was trained, or frozen, for something else.
-enum class Misfit : std::uint8_t { kNone, kStepLength, kAreaSize, kDetectionThreshold, kListening };
+/// Which of a mission's numbers is not the one that a policy was trained, or frozen, with.
+enum class Mismatch : std::uint8_t { kNone, kStepLength, kAreaSize, kDetectionThreshold, kListening };
 
 /// Corners far from the origin are rounded, and their difference with them; a vehicle does not notice.
 inline constexpr Meters kAreaSizeTolerance{0.001};
 
 /// The first of the mission's numbers that `policy` was not trained with; its window: frozen with. Where the area lies does not matter,
 /// only its size.
-[[nodiscard]] Misfit misfit(const FrozenPolicy& policy, const config::Mission& mission);
+[[nodiscard]] Mismatch mismatch(const FrozenPolicy& policy, const config::Mission& mission);
 
 }  // namespace earshot::policy

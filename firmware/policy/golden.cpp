@@ -41,10 +41,10 @@ bool is_same(const GoldenStep& a, const GoldenStep& b) {
 /// The step as this build flies it, the one before being the last that `memory` knows of.
 GoldenStep flown(const FrozenPolicy& policy, const GoldenStep& step, bool is_first, SearchMemory& memory) {
   const ObservationModel& model = policy.observation;
-  is_first ? memory.start(model, step.place, step.heard) : memory.remember(model, step.place, step.heard);
+  is_first ? memory.start(model, step.place, step.reception) : memory.remember(model, step.place, step.reception);
   GoldenStep again;
   again.place = step.place;
-  again.heard = step.heard;
+  again.reception = step.reception;
   if (needs_belief(model.spec)) {
     again.belief = memory.belief().summary();
     again.fingerprint = memory.belief().fingerprint(model.belief);

@@ -6,8 +6,8 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/messages/belief_summary.hpp"
-#include "firmware/policy/heard.hpp"
 #include "firmware/policy/observation.hpp"
+#include "firmware/policy/reception.hpp"
 
 namespace earshot::policy {
 
@@ -16,7 +16,7 @@ struct FrozenPolicy;
 /// One step of a search that was flown when the policy was frozen: what went in, and what the decision was made of, bit for bit.
 struct GoldenStep {
   NorthEast place;  ///< of the vehicle, relative to the area's south-west corner, in the area
-  Heard heard;
+  Reception reception;
   messages::BeliefSummary belief;  ///< zero, as is its fingerprint, when no element of the observation sees a belief
   std::uint32_t fingerprint = 0;   ///< Belief::fingerprint
   std::array<float, config::kMaxObservation> observation{};
@@ -27,7 +27,7 @@ struct GoldenStep {
 using GoldenTrajectory = std::array<GoldenStep, config::kGoldenSteps>;
 using GoldenTrajectories = std::array<GoldenTrajectory, config::kGoldenTrajectories>;
 
-/// Flies the golden trajectories of `policy` along their places and writes down what this build makes of what was heard there.
+/// Flies the golden trajectories of `policy` along their places and writes down what this build computes from the receptions there.
 /// @param policy  one that check() finds nothing wrong with
 /// @param memory  to work in; what it held is gone
 void record_golden(FrozenPolicy& policy, SearchMemory& memory);

@@ -50,20 +50,20 @@ bool needs_area(const ObservationSpec& spec) {
   });
 }
 
-void SearchMemory::start(const ObservationModel& model, NorthEast position, Heard heard) {
+void SearchMemory::start(const ObservationModel& model, NorthEast position, Reception reception) {
   position_ = position;
   steps_ = {};
-  steps_[0].snr = heard.snr;
+  steps_[0].snr = reception.snr;
   if (!needs_belief(model.spec)) return;
   belief_.start(model.belief);
-  belief_.update(model.belief, position, heard);
+  belief_.update(model.belief, position, reception);
 }
 
-void SearchMemory::remember(const ObservationModel& model, NorthEast position, Heard heard) {
+void SearchMemory::remember(const ObservationModel& model, NorthEast position, Reception reception) {
   std::copy_backward(steps_.begin(), steps_.end() - 1, steps_.end());
-  steps_[0] = {.displacement = position - position_, .snr = heard.snr};
+  steps_[0] = {.displacement = position - position_, .snr = reception.snr};
   position_ = position;
-  if (needs_belief(model.spec)) belief_.update(model.belief, position, heard);
+  if (needs_belief(model.spec)) belief_.update(model.belief, position, reception);
 }
 
 double SearchMemory::raw(const ObservationModel& model, const ObservationElement& element) const {

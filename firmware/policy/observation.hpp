@@ -11,13 +11,18 @@
 #include "firmware/core/status.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/policy/belief.hpp"
-#include "firmware/policy/heard.hpp"
+#include "firmware/policy/reception.hpp"
 
 namespace earshot::policy {
 
 // The seam that training and flight share: sim/search and firmware/runtime build observations with this very code.
 
-/// The quantity that an element of an observation shows.
+/// The quantity that an element of an observation shows. The numbers stand in policies: none may change, and their ranges say what a
+/// feature needs (32 and above: the belief, one element for each action).
+///
+/// A new one also needs its value (raw(), is_known() and needs_belief() in observation.cpp), the bound that a policy is judged by
+/// (most_raw() in check/policy_check.cpp), its words (policy/explain/wording.cpp) and what it is explained against
+/// (policy/explain/baseline.cpp).
 enum class Feature : std::uint8_t {
   kEast = 1,       ///< x of the vehicle in the operating area, metres east of its south-west corner
   kNorth = 2,      ///< y of the vehicle in the operating area, metres north of its south-west corner
@@ -76,7 +81,7 @@ using ObservationSpec = FixedVector<ObservationElement, config::kMaxObservation>
 /// The elements that a policy sees, and the model of the search that its belief takes for granted.
 struct ObservationModel {
   ObservationSpec spec;
-  config::ListeningWindow listening = {};  ///< over which `Heard` is meant
+  config::ListeningWindow listening = {};  ///< over which a `Reception` is taken
   BeliefModel belief = {};                 ///< unused, and no time spent on it, when no element of `spec` needs it
 };
 
@@ -85,10 +90,10 @@ struct ObservationModel {
 /// Every call is given the model of the one before.
 class SearchMemory {
  public:
-  /// Forgets everything; the vehicle stands at `position` (relative to the area's south-west corner) and hears `heard`.
-  void start(const ObservationModel& model, NorthEast position, Heard heard);
-  /// One step is over: the vehicle now stands at `position` and hears `heard`.
-  void remember(const ObservationModel& model, NorthEast position, Heard heard);
+  /// Forgets everything; the vehicle stands at `position` (relative to the area's south-west corner); `reception` is what it hears there.
+  void start(const ObservationModel& model, NorthEast position, Reception reception);
+  /// One step is over: the vehicle now stands at `position`; `reception` is what it hears there.
+  void remember(const ObservationModel& model, NorthEast position, Reception reception);
 
   /// Raw value of one element.
   [[nodiscard]] double raw(const ObservationModel& model, const ObservationElement& element) const;

@@ -22,7 +22,8 @@ class CommandJudge {
   /// a search, not stopping may cost the vehicle. An issuer that it knows is heard by whatever it says: a repetition, too.
   [[nodiscard]] Verdict judge(Time arrival, const messages::OperatorCommand& command);
 
-  /// Of the issuers it knows the one that was silent for longest gives way: its old commands are still told by their dates.
+  /// When there is no room for another issuer, the one that was silent for longest is forgotten; its old commands are still recognised by
+  /// their dates.
   void remember(const messages::OperatorCommand& command, messages::CommandOutcome outcome);
 
  private:

@@ -65,7 +65,7 @@ double known_mean(Pcg32& random) {
     now = now + Duration::seconds(1);
     listener.take({.time = now, .snr = Decibels{40.0 * random.uniform_double() - 20.0}, .too_faint = look == 2});
   }
-  return listener.heard({config::Listening::kMean, Duration::seconds(30)}, now).snr.value;
+  return listener.reception({config::Listening::kMean, Duration::seconds(30)}, now).snr.value;
 }
 
 std::size_t known_action(Pcg32& random, Fingerprint& fingerprint) {

@@ -7,8 +7,8 @@
 #include "firmware/core/math.hpp"
 #include "firmware/detector/threshold_detector.hpp"
 #include "firmware/policy/action_draw.hpp"
+#include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/network.hpp"
-#include "firmware/policy/policy_check.hpp"
 #include "firmware/runtime/known_steps.hpp"
 #include "firmware/safety/limits.hpp"
 
@@ -39,7 +39,7 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
   progress_ = Progress{};
   if (const Status status = config::check(mission); status != Status::kOk) return status;
   if (const policy::PolicyComplaint complaint = policy::check(policy); !complaint.is_none()) return policy::status_of(complaint.fault);
-  if (policy::misfit(policy, mission) != policy::Misfit::kNone) return Status::kOutOfRange;
+  if (policy::mismatch(policy, mission) != policy::Mismatch::kNone) return Status::kOutOfRange;
   if (!repeats_known_steps() || !policy::repeats_golden(policy, memory_)) return Status::kCorrupt;
   mission_ = mission;
   policy_ = policy;
@@ -162,9 +162,9 @@ NorthEast Runtime::place_in_area() const {
   return progress_.navigation->position - mission_.operating_area.south_west;
 }
 
-policy::Heard Runtime::heard(Time now) const {
-  const detector::WindowHeard heard = progress_.listener.heard(mission_.listening, now);
-  return {.snr = heard.snr, .too_faint = heard.too_faint};
+policy::Reception Runtime::reception(Time now) const {
+  const detector::WindowReception window = progress_.listener.reception(mission_.listening, now);
+  return {.snr = window.snr, .too_faint = window.too_faint};
 }
 
 messages::BeliefSummary Runtime::belief() const {
@@ -179,24 +179,24 @@ void Runtime::begin_search(Time now) {
   progress_.search_began = now;
   progress_.has_engaged = true;
   progress_.listener.begin_leg(now);  // no leg leads to the start: its newest look is all that it hears
-  memory_.start(policy_.observation, place_in_area(), heard(now));
+  memory_.start(policy_.observation, place_in_area(), reception(now));
 }
 
 void Runtime::search(Time now, Outputs& outputs) {
   if (const EndReason reason = reason_to_abort(now); reason != EndReason::kNone) return end(MissionState::kAbort, reason);
   const bool has_leg = progress_.leg.length().value > 0.0;
   if (has_leg && !progress_.leg.is_over(progress_.navigation->position)) return;
-  const policy::Heard heard_on_leg = heard(now);
+  const policy::Reception reception_on_leg = reception(now);
   if (has_leg) {
-    memory_.remember(policy_.observation, place_in_area(), heard_on_leg);
+    memory_.remember(policy_.observation, place_in_area(), reception_on_leg);
     ++progress_.steps_taken;
     if (progress_.steps_taken >= mission_.max_steps) return end(MissionState::kDone, EndReason::kStepsUsedUp);
   }
-  decide(now, heard_on_leg, outputs.decision.emplace());
+  decide(now, reception_on_leg, outputs.decision.emplace());
   progress_.listener.begin_leg(now);
 }
 
-void Runtime::decide(Time now, policy::Heard heard, messages::Decision& decision) {
+void Runtime::decide(Time now, policy::Reception reception, messages::Decision& decision) {
   const NorthEast position = progress_.navigation->position;
   const std::span<float> observation = std::span(decision.observation).first(policy_.observation.spec.size());
   const std::span<float> logits = std::span(decision.logits).first(policy_.actions.size());
@@ -210,8 +210,8 @@ void Runtime::decide(Time now, policy::Heard heard, messages::Decision& decision
   decision.step = progress_.steps_taken;
   decision.time = now;
   decision.position = position;
-  decision.snr = heard.snr;
-  decision.too_faint = heard.too_faint;
+  decision.snr = reception.snr;
+  decision.too_faint = reception.too_faint;
   decision.detected = !decision.too_faint && detector::ThresholdDetector{mission_.detection_threshold}.detects(decision.snr);
   decision.action = static_cast<std::uint8_t>(action);
   decision.overridden = safe.overridden;

@@ -23,7 +23,7 @@ namespace earshot::runtime {
 
 using Acknowledgements = FixedVector<messages::CommandAcknowledgement, config::kMaxAcknowledgements>;
 
-/// What one turn of the loop says.
+/// The outputs of one turn of the loop.
 struct Outputs {
   std::optional<messages::Setpoint> setpoint;  ///< none until a search begins: the autopilot is somebody else's
   std::optional<messages::Decision> decision;
@@ -42,7 +42,7 @@ struct Outputs {
 class Runtime {
  public:
   /// Takes a copy of both and forgets everything else. kOutOfRange if the mission fails config::check or the policy was trained for another
-  /// (policy::misfit); what policy::check finds wrong with the policy, by status_of; kCorrupt if this build does not repeat the policy's
+  /// (policy::mismatch); what policy::check finds wrong with the policy, by status_of; kCorrupt if this build does not repeat the policy's
   /// golden trajectories or repeats_known_steps(): it would not fly as the policy was frozen. Until configured, step() stays in STANDBY and
   /// refuses START.
   [[nodiscard]] Status configure(const config::Mission& mission, const policy::FrozenPolicy& policy);
@@ -87,11 +87,11 @@ class Runtime {
   [[nodiscard]] bool snr_is_fresh(Time now) const;
   [[nodiscard]] messages::EndReason reason_to_abort(Time now) const;
   [[nodiscard]] NorthEast place_in_area() const;
-  [[nodiscard]] policy::Heard heard(Time now) const;
+  [[nodiscard]] policy::Reception reception(Time now) const;
   [[nodiscard]] messages::BeliefSummary belief() const;
   void begin_search(Time now);
   void search(Time now, Outputs& outputs);
-  void decide(Time now, policy::Heard heard, messages::Decision& decision);
+  void decide(Time now, policy::Reception reception, messages::Decision& decision);
   [[nodiscard]] std::optional<messages::Setpoint> setpoint();
   [[nodiscard]] messages::Health health() const;
 

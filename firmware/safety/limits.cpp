@@ -7,18 +7,9 @@
 namespace earshot::safety {
 namespace {
 
-bool is_finite_place(NorthEast place) {
-  return is_finite(place.north.value) && is_finite(place.east.value);
-}
-
 NorthEast clamped_into(const Rectangle& area, NorthEast place) {
   return {.north = std::clamp(place.north, area.south_west.north, area.north_east.north),
           .east = std::clamp(place.east, area.south_west.east, area.north_east.east)};
-}
-
-Rectangle without_margins(const config::Mission& mission) {
-  const NorthEast margin{.north = mission.edge_margin, .east = mission.edge_margin};
-  return {.south_west = mission.operating_area.south_west + margin, .north_east = mission.operating_area.north_east - margin};
 }
 
 /// One step towards the middle of the area, or the middle itself when it is nearer.
@@ -35,8 +26,8 @@ NorthEast inwards(const config::Mission& mission, NorthEast position) {
 }  // namespace
 
 SafeWaypoint safe_waypoint(const config::Mission& mission, NorthEast position, NorthEast wanted) {
-  if (!is_finite_place(wanted)) return {.waypoint = inwards(mission, position), .overridden = true};
-  const NorthEast allowed = clamped_into(without_margins(mission), wanted);
+  if (!is_finite(wanted)) return {.waypoint = inwards(mission, position), .overridden = true};
+  const NorthEast allowed = clamped_into(mission.operating_area.moved_in(mission.edge_margin), wanted);
   if (allowed == wanted) return {.waypoint = wanted, .overridden = false};
   const bool goes_on = range_between(position, allowed) >= 0.5 * mission.step_length;
   return {.waypoint = goes_on ? allowed : inwards(mission, position), .overridden = true};
@@ -44,7 +35,7 @@ SafeWaypoint safe_waypoint(const config::Mission& mission, NorthEast position, N
 
 SafeSetpoint safe_setpoint(const config::Mission& mission, const Pose& pose, const messages::Setpoint& wanted) {
   const bool finite =
-      is_finite(wanted.heading.value) && is_finite(wanted.speed.value) && is_finite(wanted.depth.value) && is_finite_place(wanted.waypoint);
+      is_finite(wanted.heading.value) && is_finite(wanted.speed.value) && is_finite(wanted.depth.value) && is_finite(wanted.waypoint);
   if (!finite) return {.setpoint = surface(pose), .limited = true};
   messages::Setpoint allowed = wanted;
   allowed.depth = std::clamp(wanted.depth, Meters{0.0}, mission.max_depth);

@@ -34,7 +34,8 @@ struct SafeSetpoint {
 /// Depth kept within [0, max_depth] and speed within [0, search_speed]; surface() if anything is not finite.
 [[nodiscard]] SafeSetpoint safe_setpoint(const config::Mission& mission, const Pose& pose, const messages::Setpoint& wanted);
 
-/// Stop and come up: no speed, no depth, heading and place kept. What the vehicle is told before and after a search, and on ABORT.
+/// The set-point that says stop and come up: no speed, no depth, heading and place kept. It is sent in DONE and ABORT, and in place of
+/// one that is not finite.
 [[nodiscard]] messages::Setpoint surface(const Pose& pose);
 
 }  // namespace earshot::safety

@@ -11,11 +11,11 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/apps/world_options.hpp"
 #include "policy/baselines/catalogue.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
+#include "policy/command_line/scenario_options.hpp"
 #include "policy/description/draw.hpp"
 #include "policy/description/placement.hpp"
 #include "policy/evaluate/candidates.hpp"
@@ -27,7 +27,8 @@
 #include "policy/evaluate/world_file.hpp"
 #include "sim/parallel/rank_session.hpp"
 #include "sim/plot/gnuplot.hpp"
-#include "sim/search/soundscape.hpp"
+#include "sim/search/scenario/placement.hpp"
+#include "sim/search/scenario/world.hpp"
 
 namespace {
 
@@ -39,7 +40,7 @@ struct Options {
   std::vector<std::string> policies;
   std::vector<std::string> worlds;
   bool suite = false;
-  apps::WorldOptions search{.start = "inside_border"};
+  command_line::ScenarioOptions search{.start = "inside_border"};
   std::size_t episodes = 300;
   std::optional<std::uint64_t> seed;
   std::optional<std::string> draw;
@@ -106,23 +107,23 @@ void warn_of_another_source(const std::vector<evaluate::Candidate>& candidates, 
   for (const evaluate::Candidate& c : candidates) {
     const std::optional<search::SourcePlacement> trained = evaluate::trained_placement(c);
     if (!trained || *trained == searched) continue;
-    std::cerr << "earshot evaluate: warning: " << c.name << " was trained with a " << description::name_of(*trained)
-              << " source and is tested with a " << description::name_of(searched) << " one: it never learned what is asked of it\n";
+    std::cerr << "earshot evaluate: warning: " << c.name << " was trained with a " << search::name_of(*trained)
+              << " source and is tested with a " << search::name_of(searched) << " one: it never learned what is asked of it\n";
   }
 }
 
-std::vector<evaluate::World> worlds_of(const Options& o, const std::filesystem::path& environment, Meters depth) {
+std::vector<evaluate::WorldFile> worlds_of(const Options& o, const std::filesystem::path& environment, Meters depth) {
   std::vector<std::filesystem::path> files(o.worlds.begin(), o.worlds.end());
   if (o.suite) {
     for (const std::filesystem::path& path : evaluate::worlds_in(host::shipped("policy/worlds"))) files.push_back(path);
   }
-  std::vector<evaluate::World> worlds;
+  std::vector<evaluate::WorldFile> worlds;
   for (const std::filesystem::path& file : files) worlds.push_back(evaluate::load_world(file));
   if (worlds.empty()) {
-    ocean::Environment own = apps::environment_at(environment, depth);
-    worlds.push_back({.name = environment.stem().string(), .what = own.name, .seed = 1, .environment = std::move(own)});
+    search::Scenario own = command_line::scenario_at(environment, depth);
+    worlds.push_back({.name = environment.stem().string(), .what = own.environment.name, .seed = 1, .scenario = std::move(own)});
   }
-  for (evaluate::World& world : worlds) world.seed = o.seed.value_or(world.seed);
+  for (evaluate::WorldFile& world : worlds) world.seed = o.seed.value_or(world.seed);
   return worlds;
 }
 
@@ -130,10 +131,10 @@ std::vector<evaluate::World> worlds_of(const Options& o, const std::filesystem::
 std::vector<evaluate::Flight> fly(const evaluate::Candidate& candidate, const evaluate::Trial& trial, parallel::Ranks& ranks,
                                   evaluate::PathTable* paths) {
   std::optional<program::ProgressBar> bar;
-  if (ranks.rank() == 0) bar.emplace(trial.world.name + ", " + candidate.name);
+  if (ranks.rank() == 0) bar.emplace(trial.file.name + ", " + candidate.name);
   const evaluate::Watcher watcher = [&](std::size_t number, const search::Episode& episode) {
     if (bar) bar->update(static_cast<double>(number) / static_cast<double>(trial.episodes));
-    if (paths != nullptr) paths->add(trial.world.name, candidate.name, number, episode);
+    if (paths != nullptr) paths->add(trial.file.name, candidate.name, number, episode);
   };
   return evaluate::fly(candidate, trial, ranks, watcher);
 }
@@ -168,7 +169,7 @@ void check_files(const Options& o) {
 /// "source fixed at 10000 m north, 10000 m east (as fixed.policy was trained); starts inside_border"
 std::string what_is_searched(const Options& o, const search::SearchSettings& settings, const std::vector<evaluate::Candidate>& candidates) {
   std::ostringstream text;
-  text << "source " << description::name_of(settings.placement);
+  text << "source " << search::name_of(settings.placement);
   if (settings.placement == search::SourcePlacement::kFixed)
     text << " at " << settings.source.north.value << " m north, " << settings.source.east.value << " m east";
   const auto trained =
@@ -193,13 +194,13 @@ struct Common {
 };
 
 /// Flies every candidate in every world, and prints the table of each world. @return on rank 0 the rows; elsewhere nothing
-std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::World> worlds, std::span<const evaluate::Candidate> candidates,
+std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> worlds, std::span<const evaluate::Candidate> candidates,
                                       const Common& common, parallel::Ranks& ranks, evaluate::PathTable& paths) {
   const Options& o = common.options;
   std::vector<evaluate::Row> rows;
-  for (const evaluate::World& world : worlds) {
-    const search::Soundscape soundscape = apps::soundscape_for(world.environment, common.depth, common.settings);
-    const evaluate::Trial trial{world, soundscape, common.expected, common.settings, o.episodes, common.draw};
+  for (const evaluate::WorldFile& world : worlds) {
+    const search::World assembled = search::assemble(world.scenario, common.settings, common.depth);
+    const evaluate::Trial trial{world, assembled, common.expected, o.episodes, common.draw};
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {
       const std::vector<evaluate::Flight> flights = fly(candidate, trial, ranks, o.paths ? &paths : nullptr);
@@ -220,8 +221,8 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   const Meters depth{o.search.vehicle_depth_m.value_or(300.0)};
   const std::filesystem::path environment_file =
       o.search.environment ? std::filesystem::path(*o.search.environment) : host::shipped("sim/ocean/environments/munk_flat.toml");
-  const ocean::Environment environment = apps::environment_at(environment_file, depth);
-  const std::vector<evaluate::World> worlds = worlds_of(o, environment_file, depth);
+  const ocean::Environment environment = command_line::scenario_at(environment_file, depth).environment;
+  const std::vector<evaluate::WorldFile> worlds = worlds_of(o, environment_file, depth);
   std::optional<search::SourcePlacement> placement;
   if (!o.search.source) placement = evaluate::placement_of(candidates);
   search::SearchSettings settings = evaluate::settings_of(candidates);
@@ -239,7 +240,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
                       << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
     program::say() << what_is_searched(o, settings, candidates);
   }
-  const sonar::SnrCurve expected = apps::curve_for(environment, depth, settings);
+  const sonar::SnrCurve expected = command_line::curve_for(environment, depth, settings);
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);
 

@@ -4,13 +4,13 @@
 
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/apps/explain_map.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/place.hpp"
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
 #include "policy/report/decision_report.hpp"
 #include "policy/report/explanation.hpp"
+#include "policy/report/map/policy_map.hpp"
 #include "policy/report/recorded_flight.hpp"
 
 namespace {
@@ -28,7 +28,7 @@ struct DecisionOptions {
   bool force = false;
 };
 
-program::CommandLine& add_map(program::CommandLine& line, apps::ExplainMapOptions& o) {
+program::CommandLine& add_map(program::CommandLine& line, report::PolicyMapOptions& o) {
   program::CommandLine& map = line.verb("map", "draws where a policy goes all over its area, beside what is heard there");
   map.option("POLICY", &o.policy, "frozen policy (.policy)").required();
   map.option("--source", &o.source,
@@ -106,10 +106,10 @@ int main(int argc, char** argv) {
       "  earshot explain map policy/frozen/fixed_source.policy --source 10000,10000 --environment sim/ocean/environments/munk_flat.toml -o "
       "map.png\n"
       "  earshot explain decision out --step 4 -o decision.html");
-  apps::ExplainMapOptions map_options;
+  report::PolicyMapOptions map_options;
   DecisionOptions decision_options;
   const program::CommandLine& map = add_map(line, map_options);
   add_decision(line, decision_options);
   return command_line::run(line, argc, argv,
-                           [&] { map.is_chosen() ? apps::draw_explanation_map(map_options) : write_decision_report(decision_options); });
+                           [&] { map.is_chosen() ? report::draw_policy_map(map_options) : write_decision_report(decision_options); });
 }

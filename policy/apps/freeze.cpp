@@ -30,6 +30,7 @@ struct Options {
   command_line::ListeningOptions listening;
   std::string key;
   bool new_key = false;
+  bool public_key = false;
   bool force = false;
 };
 
@@ -48,6 +49,7 @@ void add_options(program::CommandLine& line, Options& options) {
   line.option("--key", &options.key, "secret key file to sign with; its public half stands beside it as .pub").required();
   line.flag("--new-key", &options.new_key,
             "make the key and its .pub first; refused when one of them exists (--force replaces a .pub without its key)");
+  line.flag("--public-key", &options.public_key, "write the .pub of a key that has lost it");
   line.flag("--force", &options.force, command_line::kForceHelp);
 }
 
@@ -64,7 +66,6 @@ void check_output(const Options& options) {
 
 /// Of two programs that make one key, one does: the other finds the secret half there. @param force  a .pub without its secret half goes
 freeze::SecretKey new_key(const std::filesystem::path& file, bool force) {
-  if (file.extension() == ".pub") throw BadInput(file.string() + ": a secret key must not end in .pub, the public key's name");
   if (std::filesystem::exists(file)) throw BadInput(file.string() + ": exists already; --new-key does not replace keys");
   const std::filesystem::path public_file = public_file_of(file);
   const bool replaces = std::filesystem::exists(public_file);
@@ -79,10 +80,27 @@ freeze::SecretKey new_key(const std::filesystem::path& file, bool force) {
   return key;
 }
 
+/// A policy signed with one key and shipped with another's public half would be refused at sea.
+void check_public_half(const std::filesystem::path& public_file, const freeze::SecretKey& key, const std::string& key_file) {
+  const freeze::PublicKey beside = freeze::public_key_from(host::read_text(public_file, host::kKeyFile), public_file.string());
+  if (beside != freeze::public_key_of(key)) throw BadInput(public_file.string() + ": is not the public half of " + key_file);
+}
+
 freeze::SecretKey key_of(const Options& options) {
+  const std::filesystem::path public_file = public_file_of(options.key);
+  if (public_file == options.key) throw BadInput(options.key + ": a secret key must not end in .pub, the public key's name");
   if (options.new_key) return new_key(options.key, options.force);
   if (!std::filesystem::exists(options.key)) throw BadInput(options.key + ": no such key; --new-key makes one");
-  return freeze::secret_key_from(host::read_text(options.key, host::kKeyFile), options.key);
+  const freeze::SecretKey key = freeze::secret_key_from(host::read_text(options.key, host::kKeyFile), options.key);
+  if (std::filesystem::exists(public_file)) {
+    check_public_half(public_file, key, options.key);
+  } else if (options.public_key) {
+    host::write_new(public_file, freeze::to_text(freeze::public_key_of(key)));
+    program::say() << public_file.string() << "\n";
+  } else {
+    program::say() << public_file.string() << ": the public half, which a vehicle needs, is missing; --public-key writes it\n";
+  }
+  return key;
 }
 
 std::string search_of(const freeze::TrainedActor& actor, const Options& options) {
@@ -145,7 +163,8 @@ std::unique_ptr<policy::FrozenPolicy> policy_of(const Options& options) {
 
 void run(const Options& options) {
   if (options.model.has_value() != options.output.has_value()) throw BadInput("earshot freeze: MODEL and --output go together");
-  if (!options.model && !options.new_key) throw BadInput("earshot freeze: nothing to do: no MODEL and no --new-key");
+  if (!options.model && !options.new_key && !options.public_key)
+    throw BadInput("earshot freeze: nothing to do: no MODEL, no --new-key and no --public-key");
   std::unique_ptr<policy::FrozenPolicy> policy;
   if (options.model) {
     check_output(options);
@@ -158,7 +177,7 @@ void run(const Options& options) {
   host::write_whole(*options.output, std::string(bytes.begin(), bytes.end()));
   command_line::print_policy_details(*options.model, *policy);
   program::detail() << options.key << ": signed with it; a vehicle trusts " << public_file_of(options.key).string() << "\n";
-  program::say() << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " observations, "
+  program::say() << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " elements of observation, "
                  << policy->actions.size() << " actions, " << description::name_of(policy->draw) << "\n";
 }
 

@@ -9,13 +9,14 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/run.hpp"
-#include "policy/description/placement.hpp"
 #include "policy/description/state.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/training/curve_plot.hpp"
 #include "policy/training/job.hpp"
+#include "policy/training/training.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 #include "sim/parallel/rank_session.hpp"
+#include "sim/search/scenario/placement.hpp"
 
 namespace {
 
@@ -90,7 +91,7 @@ void print_summary(const Trainings& trainings, double seconds) {
 /// "Reward in training: source changing, state belief, seed 1"
 std::string title_of(const Trainings& trainings) {
   const ppo::TrainingRun& run = trainings.front()->run_settings();
-  return "Reward in training: source " + std::string(description::name_of(run.search.placement)) + ", state " +
+  return "Reward in training: source " + std::string(search::name_of(run.search.placement)) + ", state " +
          std::string(description::name_of(run.state)) + ", " +
          (trainings.size() == 1 ? "seed " + std::to_string(run.seed) : std::to_string(trainings.size()) + " seeds");
 }

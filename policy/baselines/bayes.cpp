@@ -58,7 +58,7 @@ void Bayes::begin(Pcg32 /*random*/) {
 }
 
 void Bayes::hear(const DecisionInput& input) {
-  belief_.update(model_, input.position - prior_.settings.domain.south_west, input.heard);
+  belief_.update(model_, input.position - prior_.settings.domain.south_west, input.reception);
 }
 
 std::size_t Bayes::choose(const DecisionInput& input) {

@@ -20,7 +20,7 @@ std::size_t GradientClimb::turned(std::size_t from, std::ptrdiff_t by) const {
 }
 
 std::size_t GradientClimb::choose(const DecisionInput& input) {
-  const bool is_fainter = !before_.too_faint && (input.heard.too_faint || input.heard.snr < before_.snr);
+  const bool is_fainter = !before_.too_faint && (input.reception.too_faint || input.reception.snr < before_.snr);
   if (!is_first_ && is_fainter) {
     ++turns_;
     const auto by = static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, prior_.actions.size() / 4) + (turns_ - 1) / 2);
@@ -33,7 +33,7 @@ std::size_t GradientClimb::choose(const DecisionInput& input) {
     heading_ = turned(heading_, 1);
   }
   is_first_ = false;
-  before_ = input.heard;
+  before_ = input.reception;
   return heading_;
 }
 

@@ -24,7 +24,7 @@ class GradientClimb : public Searcher {
   std::size_t louder_ = 0;  ///< heading on which it last grew louder
   std::size_t turns_ = 0;   ///< since it last grew louder
   bool is_first_ = true;
-  policy::Heard before_;
+  policy::Reception before_;
 };
 
 }  // namespace earshot::baselines

@@ -13,9 +13,9 @@ void Learned::begin(Pcg32 random) {
 std::size_t Learned::choose(const DecisionInput& input) {
   const NorthEast place = input.position - corner_;
   if (is_first_) {
-    memory_.start(policy_.observation, place, input.heard);
+    memory_.start(policy_.observation, place, input.reception);
   } else {
-    memory_.remember(policy_.observation, place, input.heard);
+    memory_.remember(policy_.observation, place, input.reception);
   }
   is_first_ = false;
   std::array<float, config::kMaxObservation> observation{};

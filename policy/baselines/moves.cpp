@@ -1,4 +1,5 @@
 #include "policy/baselines/moves.hpp"
+#include "sim/search/reward/step_reward.hpp"
 
 #include <limits>
 

@@ -4,7 +4,8 @@
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/random.hpp"
-#include "firmware/policy/heard.hpp"
+#include "firmware/policy/reception.hpp"
+#include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/sonar/snr_curve.hpp"
 
@@ -20,7 +21,7 @@ struct PriorKnowledge {
 /// What a searcher decides by, at the start and after every step.
 struct DecisionInput {
   NorthEast position;  ///< where navigation believes the vehicle, in the domain's frame
-  policy::Heard heard;
+  policy::Reception reception;
   NorthEast vehicle;  ///< the truth; for oracles only
   NorthEast source;   ///< the truth: the nearest source; for oracles only
 };

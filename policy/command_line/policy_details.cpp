@@ -10,7 +10,7 @@ namespace earshot::command_line {
 
 void print_policy_details(const std::string& name, const policy::FrozenPolicy& policy) {
   std::ostream& out = program::detail();
-  out << host::printable(name) << ": " << policy.observation.spec.size() << " observations, " << policy.actions.size()
+  out << host::printable(name) << ": " << policy.observation.spec.size() << " elements of observation, " << policy.actions.size()
       << " actions, steps of " << policy.step_length.value << " m in " << policy.area_size.north.value << " m x "
       << policy.area_size.east.value << " m\n";
   std::istringstream provenance(std::string(policy.provenance.begin(), policy.provenance.end()));

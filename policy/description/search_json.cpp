@@ -6,6 +6,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::description {

@@ -6,6 +6,7 @@
 #include "policy/baselines/catalogue.hpp"
 #include "policy/description/placement.hpp"
 #include "policy/evaluate/evaluation.hpp"
+#include "sim/search/scenario/placement.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -70,8 +71,8 @@ search::SourcePlacement placement_of(std::span<const Candidate> candidates) {
     if (!trained_placement(c)) continue;
     if (first == nullptr) first = &c;
     if (trained_placement(c) != trained_placement(*first)) {
-      throw BadInput(first->name + " was trained with a " + std::string(description::name_of(*trained_placement(*first))) + " source, " +
-                     c.name + " with a " + std::string(description::name_of(*trained_placement(c))) +
+      throw BadInput(first->name + " was trained with a " + std::string(search::name_of(*trained_placement(*first))) + " source, " +
+                     c.name + " with a " + std::string(search::name_of(*trained_placement(c))) +
                      " one: say which to search for with --source");
     }
   }

@@ -21,7 +21,7 @@ struct Turn {
   Pcg32 actions;
 };
 
-Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, const Turn& turn, search::Episode& episode,
+Flight fly_one(baselines::Searcher& searcher, const search::World& world, const Turn& turn, search::Episode& episode,
                const Watcher& watcher) {
   Flight flight;
   Pcg32 starts = turn.starts;
@@ -33,7 +33,7 @@ Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, 
   while (episode.record().end == search::EpisodeEnd::kRunning) {
     const NorthEast before = episode.position();
     const baselines::DecisionInput input{
-        .position = episode.believed_position(), .heard = episode.heard(), .vehicle = before, .source = episode.source()};
+        .position = episode.believed_position(), .reception = episode.reception(), .vehicle = before, .source = episode.source()};
     const steady_clock::time_point began = steady_clock::now();
     const std::size_t action = searcher.choose(input);
     flight.decision_s += std::chrono::duration<double>(steady_clock::now() - began).count();
@@ -47,7 +47,7 @@ Flight fly_one(baselines::Searcher& searcher, const search::SearchWorld& world, 
 
 }  // namespace
 
-std::vector<Flight> fly(baselines::Searcher& searcher, const search::SearchWorld& world, Episodes episodes, std::uint64_t seed,
+std::vector<Flight> fly(baselines::Searcher& searcher, const search::World& world, Episodes episodes, std::uint64_t seed,
                         const Watcher& watcher) {
   std::vector<Flight> flights;
   search::Episode episode;
@@ -56,7 +56,7 @@ std::vector<Flight> fly(baselines::Searcher& searcher, const search::SearchWorld
   return flights;
 }
 
-std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, policy::ActionDraw draw, const search::SearchWorld& world,
+std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, policy::ActionDraw draw, const search::World& world,
                                             std::size_t episodes, std::uint64_t seed) {
   assert(world.actions.size() == policy.actions.size());
   baselines::Learned learned(policy, draw, world.settings.domain);
@@ -76,9 +76,9 @@ search::SearchSettings search_of(const policy::FrozenPolicy& policy) {
   return settings;
 }
 
-search::SearchWorld world_of(const policy::FrozenPolicy& policy, const search::SearchSettings& settings, const sonar::SnrCurve& curve) {
+search::World world_of(const policy::FrozenPolicy& policy, const search::SearchSettings& settings, const sonar::SnrCurve& curve) {
   assert(settings.direction_count == policy.actions.size());
-  search::SearchWorld world(settings, curve);
+  search::World world(settings, curve);
   world.actions = policy.actions;
   return world;
 }

@@ -32,12 +32,12 @@ using Watcher = std::function<void(std::size_t number, const search::Episode& ep
 
 /// Episode i draws its start, its sources and all that its world's conditions ask for from stream 2i of the seed, what the searcher draws
 /// from stream 2i + 1: the same starts for every searcher.
-[[nodiscard]] std::vector<Flight> fly(baselines::Searcher& searcher, const search::SearchWorld& world, Episodes episodes,
-                                      std::uint64_t seed, const Watcher& watcher = {});
+[[nodiscard]] std::vector<Flight> fly(baselines::Searcher& searcher, const search::World& world, Episodes episodes, std::uint64_t seed,
+                                      const Watcher& watcher = {});
 
 /// Flies `episodes` searches with the arithmetic that flies at sea (firmware/policy); `world.actions` are the policy's.
 [[nodiscard]] std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, policy::ActionDraw draw,
-                                                          const search::SearchWorld& world, std::size_t episodes, std::uint64_t seed);
+                                                          const search::World& world, std::size_t episodes, std::uint64_t seed);
 
 /// The search a policy was trained for: a domain of its area's size with the south-west corner at the origin, its step length, number of
 /// directions and detection threshold; starts anywhere in the domain, the rest as the paper has it.
@@ -45,8 +45,8 @@ using Watcher = std::function<void(std::size_t number, const search::Episode& ep
 
 /// The world a policy is evaluated in: `settings` with the policy's own directions.
 /// @param settings  settings.direction_count is the number of the policy's actions
-[[nodiscard]] search::SearchWorld world_of(const policy::FrozenPolicy& policy, const search::SearchSettings& settings,
-                                           const sonar::SnrCurve& curve);
+[[nodiscard]] search::World world_of(const policy::FrozenPolicy& policy, const search::SearchSettings& settings,
+                                     const sonar::SnrCurve& curve);
 
 struct Summary {
   std::size_t episodes = 0;

@@ -4,6 +4,7 @@
 
 #include "firmware/host/listening/listening_words.hpp"
 #include "policy/description/placement.hpp"
+#include "sim/search/scenario/placement.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -38,12 +39,12 @@ ordered_json as_json(const Row& row, Timing timing) {
 std::string title_of(const EvaluationSetup& setup) {
   return std::to_string(setup.episodes) + " searches each in " +
          (setup.worlds.size() == 1 ? setup.worlds.front().name : std::to_string(setup.worlds.size()) + " worlds") + ", source " +
-         std::string(description::name_of(setup.settings.placement));
+         std::string(search::name_of(setup.settings.placement));
 }
 
 std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Timing timing) {
   const search::SearchSettings& settings = setup.settings;
-  ordered_json json{{"episodes", setup.episodes}, {"source", description::name_of(settings.placement)}};
+  ordered_json json{{"episodes", setup.episodes}, {"source", search::name_of(settings.placement)}};
   if (setup.start_margin_m)
     json["start_margin_m"] = *setup.start_margin_m;
   else
@@ -52,7 +53,7 @@ std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Tim
   json["max_steps"] = settings.max_steps;
   json["listening"] = host::word_for(settings.listening.listening);
   json["listening_window_s"] = host::length_s(settings.listening);
-  for (const World& world : setup.worlds) json["worlds"].push_back({{"name", world.name}, {"what", world.what}, {"seed", world.seed}});
+  for (const WorldFile& world : setup.worlds) json["worlds"].push_back({{"name", world.name}, {"what", world.what}, {"seed", world.seed}});
   for (const Row& row : rows) json["results"].push_back(as_json(row, timing));
   return json.dump(1) + "\n";
 }

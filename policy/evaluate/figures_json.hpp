@@ -17,7 +17,7 @@ struct EvaluationSetup {
   std::optional<double> start_margin_m;  ///< of the starts from every edge
   std::string start;                     ///< name of the region of the starts; where there is no margin
   const search::SearchSettings& settings;
-  std::span<const World> worlds;
+  std::span<const WorldFile> worlds;
 };
 
 /// "300 searches each in munk_flat, source changing"

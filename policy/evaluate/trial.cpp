@@ -11,9 +11,9 @@ namespace {
 
 /// The flights of this rank: every ranks.size()-th search.
 std::vector<Flight> fly_share(const Candidate& candidate, const Trial& trial, const parallel::Ranks& ranks, const Watcher& watcher) {
-  search::SearchSettings settings = trial.settings;
+  search::SearchSettings settings = trial.world.settings;
   if (candidate.learned) settings.direction_count = candidate.learned->actions.size();
-  search::SearchWorld world(settings, trial.soundscape, trial.world.environment.conditions);
+  search::World world(settings, trial.world.soundscape, trial.world.conditions);
   if (candidate.learned) world.actions = candidate.learned->actions;
   const baselines::PriorKnowledge prior{.settings = settings, .actions = world.actions, .snr = trial.expected};
   std::unique_ptr<baselines::Searcher> searcher;
@@ -22,7 +22,7 @@ std::vector<Flight> fly_share(const Candidate& candidate, const Trial& trial, co
   } else {
     searcher = baselines::make_baseline(candidate.name, prior);
   }
-  return fly(*searcher, world, {.end = trial.episodes, .first = ranks.rank(), .stride = ranks.size()}, trial.world.seed, watcher);
+  return fly(*searcher, world, {.end = trial.episodes, .first = ranks.rank(), .stride = ranks.size()}, trial.file.seed, watcher);
 }
 
 }  // namespace

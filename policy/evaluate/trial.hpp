@@ -8,17 +8,16 @@
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "sim/parallel/ranks.hpp"
-#include "sim/search/soundscape.hpp"
+#include "sim/search/scenario/world.hpp"
 #include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::evaluate {
 
 /// What every candidate meets in one world.
 struct Trial {
-  const World& world;
-  const search::Soundscape& soundscape;
+  const WorldFile& file;
+  const search::World& world;       ///< assembled of the file's scenario
   const sonar::SnrCurve& expected;  ///< SNR against range that baselines take for granted
-  search::SearchSettings settings;
   std::size_t episodes;
   std::optional<policy::ActionDraw> draw;  ///< instead of each learned candidate's own
 };

@@ -5,22 +5,22 @@
 #include <optional>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "sim/ocean/environment_conditions.hpp"
-#include "sim/ocean/file/environment_file.hpp"
+#include "sim/search/scenario/conditions_table.hpp"
+#include "sim/search/scenario/scenario_file.hpp"
 
 namespace earshot::evaluate {
 
-World load_world(const std::filesystem::path& path) {
+WorldFile load_world(const std::filesystem::path& path) {
   const host::TomlFile file(path);
   host::TableReader root = file.root();
-  World world{.name = root.text("name"), .what = root.text("what"), .environment = {}};
+  WorldFile world{.name = root.text("name"), .what = root.text("what"), .scenario = {}};
   world.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
   const std::filesystem::path environment = file.resolve(root.text("environment"));
-  std::optional<ocean::Conditions> conditions;
-  if (const auto table = root.optional_table("conditions")) conditions = ocean::read_conditions(*table);
+  std::optional<search::Conditions> conditions;
+  if (const auto table = root.optional_table("conditions")) conditions = search::read_conditions(*table);
   file.finish();
-  world.environment = ocean::load_environment(environment);
-  if (conditions) world.environment.conditions = *conditions;
+  world.scenario = search::load_scenario(environment);
+  if (conditions) world.scenario.conditions = *conditions;
   return world;
 }
 

@@ -5,21 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "sim/ocean/environment.hpp"
+#include "sim/search/scenario/scenario.hpp"
 
 namespace earshot::evaluate {
 
-/// A world to test policies in.
-struct World {
+/// What a world file says: a scenario to test policies in.
+struct WorldFile {
   std::string name;
   std::string what;  ///< in one line
   std::uint64_t seed = 1;
-  ocean::Environment environment;
+  search::Scenario scenario;
 };
 
 /// Reads a world: keys name, what, seed, environment (a file), and optionally [conditions], which then replace the environment's own.
 /// Throws host::BadInput with everything that is wrong.
-[[nodiscard]] World load_world(const std::filesystem::path& path);
+[[nodiscard]] WorldFile load_world(const std::filesystem::path& path);
 
 /// The world files of a folder, by name. Throws host::BadInput when there are none.
 [[nodiscard]] std::vector<std::filesystem::path> worlds_in(const std::filesystem::path& folder);

@@ -63,10 +63,11 @@ std::vector<NorthEast> cell_centres(NorthEast area_size, std::size_t per_side) {
   return centres;
 }
 
-ActionMap after_a_first_look(const FrozenPolicy& policy, std::size_t per_side, const std::function<policy::Heard(NorthEast)>& heard) {
+ActionMap after_a_first_look(const FrozenPolicy& policy, std::size_t per_side,
+                             const std::function<policy::Reception(NorthEast)>& reception_at) {
   const auto memory = std::make_unique<SearchMemory>();
   return map_of(policy, per_side, [&](NorthEast place) {
-    memory->start(policy.observation, place, heard(place));
+    memory->start(policy.observation, place, reception_at(place));
     std::vector<float> observation(policy.observation.spec.size());
     policy::observe(*memory, policy.observation, observation);
     return observation;

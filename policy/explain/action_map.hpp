@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "firmware/policy/frozen_policy.hpp"
-#include "firmware/policy/heard.hpp"
+#include "firmware/policy/reception.hpp"
 
 namespace earshot::explain {
 
@@ -28,7 +28,7 @@ using ActionMap = std::vector<MapPoint>;
 /// @param heard  what is heard there
 /// Oracle: ActionMap.*
 [[nodiscard]] ActionMap after_a_first_look(const policy::FrozenPolicy& policy, std::size_t per_side,
-                                           const std::function<policy::Heard(NorthEast)>& heard);
+                                           const std::function<policy::Reception(NorthEast)>& reception_at);
 
 /// The policy's actions if, with all that it remembers and believes, the vehicle stood elsewhere and had not found the source there.
 /// @param memory  of the policy's own observation model

@@ -16,7 +16,7 @@ enum class Baseline : std::uint8_t {
 };
 
 /// A look that says nothing: the signal lies somewhere below a level that no signal reaches.
-inline constexpr policy::Heard kNothingLearnt{.snr = messages::kMostSnr, .too_faint = true};
+inline constexpr policy::Reception kNothingLearnt{.snr = messages::kMostSnr, .too_faint = true};
 
 /// The observation of a vehicle that has neither moved nor heard anything: no remembered displacement, every remembered SNR at the
 /// detection threshold (a newest look that is neither a detection nor a miss), and a belief that knows only that the source is not within a

@@ -78,7 +78,7 @@ std::vector<DecisionAccount> accounts_of(const Circumstances& c, std::span<const
   belief->start(c.belief);
   std::vector<DecisionAccount> accounts;
   for (const RecordedDecision& decision : decisions) {
-    belief->update(c.belief, decision.position - c.south_west, decision.heard);
+    belief->update(c.belief, decision.position - c.south_west, decision.reception);
     accounts.push_back(account_with(c, decision, *belief));
   }
   return accounts;
@@ -88,7 +88,7 @@ DecisionAccount account_of(const Circumstances& c, std::span<const RecordedDecis
   assert(!decisions.empty());
   const auto belief = std::make_unique<policy::Belief>();
   belief->start(c.belief);
-  for (const RecordedDecision& decision : decisions) belief->update(c.belief, decision.position - c.south_west, decision.heard);
+  for (const RecordedDecision& decision : decisions) belief->update(c.belief, decision.position - c.south_west, decision.reception);
   return account_with(c, decisions.back(), *belief);
 }
 

@@ -68,7 +68,7 @@ struct Circumstances {
 /// @param decisions  from step 0 on without a gap, at least one; replayed with remembered_at
 [[nodiscard]] DecisionAccount account_of(const Circumstances& circumstances, std::span<const RecordedDecision> decisions);
 
-/// Explains each of them: what the belief comes to is followed once.
+/// Explains each of the decisions; the belief is followed through all of them once.
 [[nodiscard]] std::vector<DecisionAccount> accounts_of(const Circumstances& circumstances, std::span<const RecordedDecision> decisions);
 
 /// The observed elements that moved the choice most, for or against, first.

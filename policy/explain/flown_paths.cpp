@@ -21,16 +21,16 @@ std::size_t likeliest_action(const FrozenPolicy& policy, const SearchMemory& mem
 }
 
 FlownPath flown_from(const FrozenPolicy& policy, NorthEast start, NorthEast source, std::size_t max_steps,
-                     const std::function<policy::Heard(NorthEast)>& heard) {
+                     const std::function<policy::Reception(NorthEast)>& reception_at) {
   const Rectangle area{{}, policy.area_size};
   const auto memory = std::make_unique<SearchMemory>();
-  memory->start(policy.observation, start, heard(start));
+  memory->start(policy.observation, start, reception_at(start));
   FlownPath path{.places = {start}};
   for (NorthEast place = start; range_between(place, source) > policy.step_length; path.places.push_back(place)) {
     if (!area.contains(place)) path.end = FlownPath::End::kLeft;
     if (path.end == FlownPath::End::kLeft || path.steps() == max_steps) return path;
     place = place + policy.step_length * policy.actions[likeliest_action(policy, *memory)];
-    memory->remember(policy.observation, place, heard(place));
+    memory->remember(policy.observation, place, reception_at(place));
   }
   path.end = FlownPath::End::kFound;
   return path;
@@ -44,10 +44,10 @@ bool sees_place_alone(const FrozenPolicy& policy) {
 }
 
 std::vector<FlownPath> flown_from_all_over(const FrozenPolicy& policy, NorthEast source, const PathSettings& settings,
-                                           const std::function<policy::Heard(NorthEast)>& heard) {
+                                           const std::function<policy::Reception(NorthEast)>& reception_at) {
   std::vector<FlownPath> paths;
   for (const NorthEast start : cell_centres(policy.area_size, settings.per_side))
-    paths.push_back(flown_from(policy, start, source, settings.max_steps, heard));
+    paths.push_back(flown_from(policy, start, source, settings.max_steps, reception_at));
   return paths;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "firmware/policy/frozen_policy.hpp"
-#include "firmware/policy/heard.hpp"
+#include "firmware/policy/reception.hpp"
 
 namespace earshot::explain {
 
@@ -38,6 +38,6 @@ struct PathSettings {
 /// @return one path for each start, in the order of an ActionMap
 /// Oracle: FlownPaths.*
 [[nodiscard]] std::vector<FlownPath> flown_from_all_over(const policy::FrozenPolicy& policy, NorthEast source, const PathSettings& settings,
-                                                         const std::function<policy::Heard(NorthEast)>& heard);
+                                                         const std::function<policy::Reception(NorthEast)>& reception_at);
 
 }  // namespace earshot::explain

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "firmware/core/geometry.hpp"
-#include "firmware/policy/heard.hpp"
+#include "firmware/policy/reception.hpp"
 
 namespace earshot::explain {
 
@@ -14,7 +14,7 @@ struct RecordedDecision {
   std::uint32_t step = 0;  ///< 0 for the first action
   double time_s = 0.0;
   NorthEast position;  ///< in the mission's plane
-  policy::Heard heard;
+  policy::Reception reception;
   bool detected = false;
   std::size_t action = 0;
   bool overridden = false;  ///< the safety layer changed the way-point

@@ -9,8 +9,8 @@ std::unique_ptr<policy::SearchMemory> remembered_at(const policy::ObservationMod
                                                     NorthEast south_west) {
   assert(!decisions.empty());
   auto memory = std::make_unique<policy::SearchMemory>();
-  memory->start(model, decisions.front().position - south_west, decisions.front().heard);
-  for (const RecordedDecision& decision : decisions.subspan(1)) memory->remember(model, decision.position - south_west, decision.heard);
+  memory->start(model, decisions.front().position - south_west, decisions.front().reception);
+  for (const RecordedDecision& decision : decisions.subspan(1)) memory->remember(model, decision.position - south_west, decision.reception);
   return memory;
 }
 

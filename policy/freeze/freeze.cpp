@@ -12,9 +12,10 @@
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "firmware/policy/policy_check.hpp"
+#include "firmware/policy/check/policy_check.hpp"
 #include "policy/freeze/golden_search.hpp"
 #include "policy/ppo/actor_critic.hpp"
+#include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::freeze {

@@ -11,7 +11,7 @@
 #include "policy/description/search_description.hpp"
 #include "policy/freeze/keys.hpp"
 #include "policy/freeze/trained_actor.hpp"
-#include "policy/ppo/checkpoint.hpp"
+#include "policy/ppo/checkpoint/checkpoint.hpp"
 
 namespace earshot::freeze {
 

@@ -5,9 +5,9 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/format/byte_stream.hpp"
 #include "firmware/policy/format/policy_format.hpp"
-#include "firmware/policy/policy_check.hpp"
 #include "policy/freeze/freeze.hpp"
 #include "policy/freeze/golden_search.hpp"
 

@@ -34,10 +34,10 @@ double explained_variance(const Rollout& rollout) {
 
 }  // namespace
 
-Trainer::Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed)
+Trainer::Trainer(const search::World& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed)
     : Trainer(world, model, hyper, seed, one_process()) {}
 
-Trainer::Trainer(const search::SearchWorld& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed,
+Trainer::Trainer(const search::World& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed,
                  parallel::Ranks& ranks)
     : hyper_(hyper),
       seed_(seed),

@@ -13,8 +13,9 @@ namespace earshot::ppo {
 ///
 ///   r' = scale (max(r, least) + step + found [the step finds the source])
 ///
-/// A new term of it goes here: as a member, into of(), read_training_reward() and describe().
-/// Oracle: TrainingReward.*, TrainerTest.TellsLearningTheRewardsOfTheRunFileBesideThePapers
+/// A new term of it goes here: as a member, into of(), read_training_reward() and describe(); its key into the run file that names every
+/// key (runs/fixed_source.toml). A term on more than reward and end (turning, distance) needs what it looks at from the caller,
+/// trainer.cpp. Oracle: TrainingReward.*, TrainerTest.TellsLearningTheRewardsOfTheRunFileBesideThePapers
 struct TrainingReward {
   double found = 0.0;     ///< added to the reward of the step that finds the source: the paper's reward has no such term
   double step = 0.0;      ///< added to the reward of every step

@@ -11,7 +11,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "policy/description/placement.hpp"
+#include "sim/search/scenario/placement.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -40,7 +40,7 @@ Start read_search(TableReader table, search::SearchSettings& s) {
   const double height = table.number_or("domain_north_m", 25'000.0, kLength_m);
   s.domain = {{Meters{0.0}, Meters{0.0}}, {Meters{height}, Meters{width}}};
   s.placement =
-      table.choice_or("source", 0, {"fixed", "changing"}) == 0 ? search::SourcePlacement::kFixed : search::SourcePlacement::kChanging;
+      static_cast<search::SourcePlacement>(table.choice_or("source", 0, {search::kPlacements.begin(), search::kPlacements.end()}));
   s.direction_count = read_size(table, "directions", s.direction_count, 1, config::kMaxActions);
   s.step_length = Meters{table.number_or("step_length_m", s.step_length.value, kLength_m)};
   s.max_steps = static_cast<std::uint32_t>(read_size(table, "max_steps", s.max_steps, 1, 1'000'000));
@@ -48,9 +48,10 @@ Start read_search(TableReader table, search::SearchSettings& s) {
   s.border_width = Meters{table.number_or("border_width_m", s.border_width.value, kLength_m)};
   s.border_reward = table.number_or("border_reward", s.border_reward, kReward);
   s.listening = host::read_listening(table);
-  const bool everywhere = table.choice_or("start", 0, {"domain", "inside_border"}) == 0;
-  s.start_region = everywhere ? s.domain : search::inside_border(s);
-  if (!table.has("start_margin_m")) return everywhere ? Start::kRegion : Start::kInsideBorder;
+  const auto start =
+      static_cast<search::StartPlacement>(table.choice_or("start", 0, {search::kStartPlacements.begin(), search::kStartPlacements.end()}));
+  s.start_region = search::start_region_of(s, start);
+  if (!table.has("start_margin_m")) return start == search::StartPlacement::kDomain ? Start::kRegion : Start::kInsideBorder;
   if (table.has("start")) table.problem("start_margin_m", "takes the place of start: give one of the two");
   s.start_region = s.domain.moved_in(Meters{table.number("start_margin_m", Range::at_least(0.0))});
   return Start::kRegion;
@@ -94,7 +95,7 @@ std::string in_text(double value) {
 
 }  // namespace
 
-Misfit misfit_of(const HyperParameters& h) {
+Mismatch mismatch_of(const HyperParameters& h) {
   const std::size_t steps = h.environment_count * h.steps_per_rollout;
   const std::string rollout = "environments x steps_per_rollout = " + std::to_string(steps);
   if (steps > static_cast<std::size_t>(kMostRolloutSteps))
@@ -119,7 +120,8 @@ TrainingRun load_run(const std::filesystem::path& path) {
   if (auto table = root.optional_table("ppo")) {
     read_hyper_parameters(*table, run.hyper);
     const bool are_as_written = !table->is_noted("environments") && !table->is_noted("steps_per_rollout") && !table->is_noted("batch_size");
-    if (const Misfit misfit = misfit_of(run.hyper); are_as_written && misfit.key != nullptr) table->problem(misfit.key, misfit.what);
+    if (const Mismatch mismatch = mismatch_of(run.hyper); are_as_written && mismatch.key != nullptr)
+      table->problem(mismatch.key, mismatch.what);
     run.learning_rate_schedule = static_cast<LearningRateSchedule>(table->choice_or("learning_rate_schedule", 0, {"constant", "linear"}));
   }
   if (auto table = root.optional_table("training_reward")) read_training_reward(*table, run.hyper.reward);
@@ -142,7 +144,7 @@ std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run
   add("vehicle_depth_m", run.vehicle_depth.value);
   add("state", description::name_of(run.state));
   if (description::remembers(run.state)) add("remembered_steps", run.remembered_steps);
-  add("source", description::name_of(s.placement));
+  add("source", search::name_of(s.placement));
   add("start_margin_m", (s.start_region.south_west.north - s.domain.south_west.north).value);
   add("border_width_m", s.border_width.value);
   add("border_reward", s.border_reward);

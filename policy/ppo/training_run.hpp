@@ -47,13 +47,13 @@ struct TrainingRun {
 inline constexpr std::int64_t kMostEnvironments = 8192;
 
 /// A setting that is right by itself and does not fit the others.
-struct Misfit {
+struct Mismatch {
   const char* key = nullptr;  ///< null: all fit
   std::string what = {};      ///< what it must be
 };
 
 /// A rollout must be one that memory can hold, and no smaller than a batch. Oracle: TrainingRun.RefusesABatchLargerThanTheRollout
-[[nodiscard]] Misfit misfit_of(const HyperParameters& hyper);
+[[nodiscard]] Mismatch mismatch_of(const HyperParameters& hyper);
 
 /// Reads a run file: the keys of `policy/ppo/runs/fixed_source.toml`, all of them optional. Throws host::BadInput with every
 /// problem.

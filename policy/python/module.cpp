@@ -14,7 +14,7 @@
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/format/policy_format.hpp"
-#include "policy/python/world.hpp"
+#include "policy/python/search_problem.hpp"
 
 namespace {
 
@@ -60,7 +60,7 @@ struct InfoKeys {
 /// Episodes stepped together, each with its random numbers.
 class Episodes {
  public:
-  Episodes(std::shared_ptr<const python::World> world, std::size_t count) : world_(std::move(world)), running_(count) {
+  Episodes(std::shared_ptr<const python::SearchProblem> problem, std::size_t count) : problem_(std::move(problem)), running_(count) {
     if (count < 1) throw py::value_error("count: must be 1 or more");
     for (std::size_t i = 0; i < count; ++i) running_[i].random = Pcg32(0, i);
   }
@@ -69,19 +69,19 @@ class Episodes {
   void start(std::size_t i, std::optional<std::uint64_t> seed) {
     Running& running = at(i);
     if (seed) running.random = Pcg32(*seed);
-    running.episode.start(world_->search(), world_->observation(), running.random);
+    running.episode.start(problem_->world(), problem_->observation(), running.random);
     running.started = true;
   }
 
   void start_at(std::size_t i, Place position, Place source) {
-    const Rectangle& domain = world_->search().settings.domain;
+    const Rectangle& domain = problem_->world().settings.domain;
     const NorthEast from = checked_place("position_m", position, domain);
     const NorthEast to = checked_place("source_m", source, domain);
-    if (range_between(from, to) <= world_->search().settings.step_length) {
+    if (range_between(from, to) <= problem_->world().settings.step_length) {
       throw py::value_error("position_m, source_m: within a step of each other the search would be over before it begins");
     }
     Running& running = at(i);
-    running.episode.start_at(world_->search(), world_->observation(), from, to, running.random);
+    running.episode.start_at(problem_->world(), problem_->observation(), from, to, running.random);
     running.started = true;
   }
 
@@ -95,10 +95,10 @@ class Episodes {
   /// Steps episode 0.
   py::tuple step_one(std::int64_t action) {
     check_all_run();
-    const std::size_t checked = checked_action(action, world_->search().actions.size());
-    const double reward = running_[0].episode.step(world_->search(), checked);
+    const std::size_t checked = checked_action(action, problem_->world().actions.size());
+    const double reward = running_[0].episode.step(problem_->world(), checked);
     const EpisodeEnd end = running_[0].episode.record().end;
-    Floats observation(static_cast<py::ssize_t>(world_->observation().spec.size()));
+    Floats observation(static_cast<py::ssize_t>(problem_->observation().spec.size()));
     running_[0].episode.observe(span_of(observation));
     return py::make_tuple(std::move(observation), reward, is_terminated(end), end == EpisodeEnd::kTimeLimit, info(0));
   }
@@ -110,7 +110,7 @@ class Episodes {
     if (actions.ndim() != 1 || static_cast<std::size_t>(actions.size()) != running_.size()) {
       throw py::value_error("actions: must be one for each of the " + std::to_string(running_.size()) + " environments");
     }
-    for (const std::int64_t action : std::span(actions.data(), running_.size())) checked_action(action, world_->search().actions.size());
+    for (const std::int64_t action : std::span(actions.data(), running_.size())) checked_action(action, problem_->world().actions.size());
     return step_checked(std::span(actions.data(), running_.size()));
   }
 
@@ -119,7 +119,7 @@ class Episodes {
     const search::Episode& episode = at(i).episode;
     py::dict info;
     info[keys_.snr_db] = episode.snr().value;
-    info[keys_.too_faint] = episode.heard().too_faint;
+    info[keys_.too_faint] = episode.reception().too_faint;
     info[keys_.position_m] = pair_of(episode.position());
     info[keys_.source_m] = pair_of(episode.source());
     const search::EpisodeRecord& record = episode.record();
@@ -133,7 +133,7 @@ class Episodes {
   [[nodiscard]] Place position(std::size_t i) const { return pair_of(at(i).episode.position()); }
   [[nodiscard]] Place source(std::size_t i) const { return pair_of(at(i).episode.source()); }
   [[nodiscard]] double snr_db(std::size_t i) const { return at(i).episode.snr().value; }
-  [[nodiscard]] bool is_too_faint(std::size_t i) const { return at(i).episode.heard().too_faint; }
+  [[nodiscard]] bool is_too_faint(std::size_t i) const { return at(i).episode.reception().too_faint; }
   [[nodiscard]] py::dict record(std::size_t i) const { return dictionary_of(at(i).episode.record()); }
 
  private:
@@ -155,7 +155,7 @@ class Episodes {
   }
 
   [[nodiscard]] std::vector<py::ssize_t> shape() const {
-    return {static_cast<py::ssize_t>(running_.size()), static_cast<py::ssize_t>(world_->observation().spec.size())};
+    return {static_cast<py::ssize_t>(running_.size()), static_cast<py::ssize_t>(problem_->observation().spec.size())};
   }
   const Running& at(std::size_t i) const {
     if (i >= running_.size()) throw py::index_error("no environment " + std::to_string(i));
@@ -166,7 +166,7 @@ class Episodes {
     return running_[i];
   }
   void observe(std::size_t i, Floats& all) const {
-    const std::size_t size = world_->observation().spec.size();
+    const std::size_t size = problem_->observation().spec.size();
     running_[i].episode.observe(span_of(all).subspan(i * size, size));
   }
   void check_all_started(const char* call) const {
@@ -191,22 +191,22 @@ class Episodes {
     for (std::size_t i = 0; i < running_.size(); ++i) {
       Running& running = running_[i];
       const auto index = static_cast<py::ssize_t>(i);
-      rewards.mutable_at(index) = running.episode.step(world_->search(), static_cast<std::size_t>(actions[i]));
+      rewards.mutable_at(index) = running.episode.step(problem_->world(), static_cast<std::size_t>(actions[i]));
       const search::EpisodeRecord record = running.episode.record();
       terminated.mutable_at(index) = is_terminated(record.end);
       truncated.mutable_at(index) = record.end == EpisodeEnd::kTimeLimit;
       if (record.end != EpisodeEnd::kRunning) {
-        Floats last(static_cast<py::ssize_t>(world_->observation().spec.size()));
+        Floats last(static_cast<py::ssize_t>(problem_->observation().spec.size()));
         running.episode.observe(span_of(last));
         ended.append(py::make_tuple(i, std::move(last), dictionary_of(record)));
-        running.episode.start(world_->search(), world_->observation(), running.random);
+        running.episode.start(problem_->world(), problem_->observation(), running.random);
       }
       observe(i, observations);
     }
     return py::make_tuple(std::move(observations), std::move(rewards), std::move(terminated), std::move(truncated), std::move(ended));
   }
 
-  std::shared_ptr<const python::World> world_;
+  std::shared_ptr<const python::SearchProblem> problem_;
   std::vector<Running> running_;
   InfoKeys keys_;
 };
@@ -246,56 +246,57 @@ Unsigned checked_count(const char* name, std::int64_t value) {
   throw host::BadInput(std::string(name) + " = " + std::to_string(value) + ": is no such number");
 }
 
-std::shared_ptr<python::World> make_world(std::filesystem::path environment, std::string state, std::int64_t remembered_steps,
-                                          std::string source, std::string start, std::int64_t directions, double vehicle_depth_m,
-                                          double border_width_m, std::int64_t max_steps, std::string listening,
-                                          std::int64_t listening_window_s) {
-  const python::WorldArguments arguments{.environment = std::move(environment),
-                                         .state = std::move(state),
-                                         .remembered_steps = checked_count<std::size_t>("remembered_steps", remembered_steps),
-                                         .source = std::move(source),
-                                         .start = std::move(start),
-                                         .direction_count = checked_count<std::size_t>("directions", directions),
-                                         .vehicle_depth = Meters{vehicle_depth_m},
-                                         .border_width = Meters{border_width_m},
-                                         .max_steps = checked_count<std::uint32_t>("max_steps", max_steps),
-                                         .listening = std::move(listening),
-                                         .listening_window_s = listening_window_s};
+std::shared_ptr<python::SearchProblem> make_world(std::filesystem::path environment, std::string state, std::int64_t remembered_steps,
+                                                  std::string source, std::string start, std::int64_t directions, double vehicle_depth_m,
+                                                  double border_width_m, std::int64_t max_steps, std::string listening,
+                                                  std::int64_t listening_window_s) {
+  const python::SearchProblemArguments arguments{.environment = std::move(environment),
+                                                 .state = std::move(state),
+                                                 .remembered_steps = checked_count<std::size_t>("remembered_steps", remembered_steps),
+                                                 .source = std::move(source),
+                                                 .start = std::move(start),
+                                                 .direction_count = checked_count<std::size_t>("directions", directions),
+                                                 .vehicle_depth = Meters{vehicle_depth_m},
+                                                 .border_width = Meters{border_width_m},
+                                                 .max_steps = checked_count<std::uint32_t>("max_steps", max_steps),
+                                                 .listening = std::move(listening),
+                                                 .listening_window_s = listening_window_s};
   const py::gil_scoped_release others_may_run;
-  return std::make_shared<python::World>(arguments);
+  return std::make_shared<python::SearchProblem>(arguments);
 }
 
-py::array_t<double> snr_against_range(const python::World& world,
+py::array_t<double> snr_against_range(const python::SearchProblem& problem,
                                       const py::array_t<double, py::array::c_style | py::array::forcecast>& range_m) {
   py::array_t<double> snr_db(std::vector<py::ssize_t>(range_m.shape(), range_m.shape() + range_m.ndim()));
-  for (py::ssize_t i = 0; i < range_m.size(); ++i) snr_db.mutable_data()[i] = world.search().snr.at(Meters{range_m.data()[i]}).value;
+  for (py::ssize_t i = 0; i < range_m.size(); ++i)
+    snr_db.mutable_data()[i] = problem.world().expected().at(Meters{range_m.data()[i]}).value;
   return snr_db;
 }
 
-Place area_of(const python::World& world) {
-  const Rectangle& domain = world.search().settings.domain;
+Place area_of(const python::SearchProblem& problem) {
+  const Rectangle& domain = problem.world().settings.domain;
   const NorthEast size = domain.north_east - domain.south_west;
   return {size.north.value, size.east.value};
 }
 
 void add_world(py::module_& module) {
-  py::class_<python::World, std::shared_ptr<python::World>>(module, "World")
+  py::class_<python::SearchProblem, std::shared_ptr<python::SearchProblem>>(module, "World")
       .def(py::init(&make_world), py::kw_only(), py::arg("environment"), py::arg("state"), py::arg("remembered_steps"), py::arg("source"),
            py::arg("start"), py::arg("directions"), py::arg("vehicle_depth_m"), py::arg("border_width_m"), py::arg("max_steps"),
            py::arg("listening"), py::arg("listening_window_s"))
-      .def_property_readonly("observation_size", [](const python::World& world) { return world.observation().spec.size(); })
-      .def_property_readonly("action_count", [](const python::World& world) { return world.search().actions.size(); })
-      .def_property_readonly("max_steps", [](const python::World& world) { return world.search().settings.max_steps; })
+      .def_property_readonly("observation_size", [](const python::SearchProblem& problem) { return problem.observation().spec.size(); })
+      .def_property_readonly("action_count", [](const python::SearchProblem& problem) { return problem.world().actions.size(); })
+      .def_property_readonly("max_steps", [](const python::SearchProblem& problem) { return problem.world().settings.max_steps; })
       .def_property_readonly("detection_threshold_db",
-                             [](const python::World& world) { return world.search().settings.detection_threshold.value; })
+                             [](const python::SearchProblem& problem) { return problem.world().settings.detection_threshold.value; })
       .def_property_readonly("area_m", &area_of)
-      .def_property_readonly("description", &python::World::description)
+      .def_property_readonly("description", &python::SearchProblem::description)
       .def("snr_db", &snr_against_range, py::arg("range_m"));
 }
 
 void add_episodes(py::module_& module) {
   py::class_<Episodes>(module, "Episodes")
-      .def(py::init<std::shared_ptr<python::World>, std::size_t>(), py::arg("world"), py::arg("count"))
+      .def(py::init<std::shared_ptr<python::SearchProblem>, std::size_t>(), py::arg("world"), py::arg("count"))
       .def("start", &Episodes::start, py::arg("index"), py::arg("seed") = std::nullopt)
       .def("start_at", &Episodes::start_at, py::arg("index"), py::arg("position_m"), py::arg("source_m"))
       .def("observations", &Episodes::observations)

@@ -72,7 +72,7 @@ std::string as_markdown(const DecisionReport& report) {
   text += "\n| step | north (km) | east (km) | heard |\n|---|---|---|---|\n";
   for (const explain::RecordedDecision& look : report.looks())
     text += "| " + std::to_string(look.step) + " | " + fixed(look.position.north.value / 1e3, 2) + " | " +
-            fixed(look.position.east.value / 1e3, 2) + " | " + to_string(look.heard) + (look.detected ? ", a detection" : "") + " |\n";
+            fixed(look.position.east.value / 1e3, 2) + " | " + to_string(look.reception) + (look.detected ? ", a detection" : "") + " |\n";
   return text;
 }
 

@@ -17,8 +17,8 @@ ordered_json look(const explain::RecordedDecision& d) {
   return {{"step", d.step},
           {"time_s", d.time_s},
           {"position", place(d.position)},
-          {"snr_db", d.heard.snr.value},
-          {"too_faint", d.heard.too_faint},
+          {"snr_db", d.reception.snr.value},
+          {"too_faint", d.reception.too_faint},
           {"detected", d.detected}};
 }
 

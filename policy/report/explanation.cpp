@@ -41,9 +41,9 @@ std::string bearing_to_string(NorthEast from, NorthEast to) {
 
 std::string heard_sentence(const DecisionAccount& a) {
   const std::string threshold = fixed(a.detection_threshold.value, 0) + " dB";
-  if (a.decision.heard.too_faint)
-    return "It heard nothing that could be measured: the signal lies under " + fixed(a.decision.heard.snr.value, 1) + " dB.";
-  return "It heard " + fixed(a.decision.heard.snr.value, 1) + " dB, " +
+  if (a.decision.reception.too_faint)
+    return "It heard nothing that could be measured: the signal lies under " + fixed(a.decision.reception.snr.value, 1) + " dB.";
+  return "It heard " + fixed(a.decision.reception.snr.value, 1) + " dB, " +
          (a.decision.detected ? "a detection (threshold " + threshold + ")." : "under the threshold of " + threshold + ": no detection.");
 }
 
@@ -152,8 +152,8 @@ std::string factor_to_string(double part) {
   return kTimes + (power < 0 ? fixed(factor, 1 - power) : grouped(std::lround(std::round(factor / unit) * unit)));
 }
 
-std::string to_string(policy::Heard heard) {
-  return (heard.too_faint ? "under " : "") + fixed(heard.snr.value, 1) + " dB";
+std::string to_string(policy::Reception reception) {
+  return (reception.too_faint ? "under " : "") + fixed(reception.snr.value, 1) + " dB";
 }
 
 std::string looks_table(std::span<const explain::RecordedDecision> looks) {
@@ -162,7 +162,8 @@ std::string looks_table(std::span<const explain::RecordedDecision> looks) {
     const explain::RecordedDecision& look = looks[i - 1];
     text += "<tr><td>" + std::to_string(look.step) + "</td><td>" + duration(look.time_s - looks.front().time_s) + "</td><td>" +
             fixed(look.position.north.value / 1e3, 2) + "</td><td>" + fixed(look.position.east.value / 1e3, 2) + "</td><td" +
-            (look.detected ? " class=\"heard\"" : "") + ">" + to_string(look.heard) + (look.detected ? " &#9679;" : "") + "</td></tr>\n";
+            (look.detected ? " class=\"heard\"" : "") + ">" + to_string(look.reception) + (look.detected ? " &#9679;" : "") +
+            "</td></tr>\n";
   }
   return text + "</table></div>\n";
 }

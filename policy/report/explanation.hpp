@@ -23,7 +23,7 @@ namespace earshot::report {
 [[nodiscard]] std::string factor_to_string(double part);
 
 /// "9.5 dB", "under 5.0 dB"
-[[nodiscard]] std::string to_string(policy::Heard heard);
+[[nodiscard]] std::string to_string(policy::Reception reception);
 
 /// The last looks at the source, newest first.
 [[nodiscard]] std::string looks_table(std::span<const explain::RecordedDecision> looks);

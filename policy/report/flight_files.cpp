@@ -116,7 +116,7 @@ explain::RecordedDecision decision_of(const decision_t& m) {
   return {.step = static_cast<std::uint32_t>(m.step),
           .time_s = static_cast<double>(m.utime) * 1e-6,
           .position = {Meters{m.north_m}, Meters{m.east_m}},
-          .heard = {.snr = Decibels{m.snr_db}, .too_faint = m.too_faint != 0},
+          .reception = {.snr = Decibels{m.snr_db}, .too_faint = m.too_faint != 0},
           .detected = m.detected != 0,
           .action = static_cast<std::uint8_t>(m.action),
           .overridden = m.overridden != 0,

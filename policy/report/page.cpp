@@ -12,6 +12,7 @@
 #include "policy/report/recorded_flight.hpp"
 #include "policy/report/sea/sea_page.hpp"
 #include "policy/report/sea/sea_plots.hpp"
+#include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::report {
@@ -76,10 +77,11 @@ std::string cell(std::string_view name, const std::string& value, const char* of
 
 /// @param began_s  from when the page counts its times
 std::string row(const explain::RecordedDecision& d, double began_s, const std::vector<std::string>& directions) {
-  std::string text = "<tr class=\"step\">" + cell("step", std::to_string(d.step)) + cell("at", duration(d.time_s - began_s)) +
-                     cell("north (km)", fixed(d.position.north.value / 1e3, 2)) + cell("east (km)", fixed(d.position.east.value / 1e3, 2)) +
-                     cell("SNR (dB)", (d.heard.too_faint ? "&lt; " : "") + fixed(d.heard.snr.value, 1) + (d.detected ? " &#9679;" : ""),
-                          d.detected ? "heard" : "");
+  std::string text =
+      "<tr class=\"step\">" + cell("step", std::to_string(d.step)) + cell("at", duration(d.time_s - began_s)) +
+      cell("north (km)", fixed(d.position.north.value / 1e3, 2)) + cell("east (km)", fixed(d.position.east.value / 1e3, 2)) +
+      cell("SNR (dB)", (d.reception.too_faint ? "&lt; " : "") + fixed(d.reception.snr.value, 1) + (d.detected ? " &#9679;" : ""),
+           d.detected ? "heard" : "");
   const std::vector<double> probabilities = probabilities_of(d);
   for (std::size_t a = 0; a < probabilities.size(); ++a) text += percent_cell(directions[a], probabilities[a], a == d.action);
   return text + "<td>" + (d.overridden ? "way-point moved" : "") + "</td></tr>\n";

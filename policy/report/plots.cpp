@@ -54,7 +54,7 @@ void write_decisions(const fs::path& path, const Flight& flight) {
   std::ofstream out(path);
   for (const explain::RecordedDecision& d : flight.journal.decisions) {
     out << d.position.east.value / 1e3 << ' ' << d.position.north.value / 1e3 << ' ' << (d.detected ? 1 : 0) << ' ' << d.time_s / 3600
-        << ' ' << d.heard.snr.value << '\n';
+        << ' ' << d.reception.snr.value << '\n';
   }
 }
 

@@ -59,9 +59,9 @@ void check_against_policy(const RecordedFlight& flight) {
   for (const RecordedDecision& decision : flight.journal.decisions) {
     const NorthEast place = decision.position - flight.south_west;
     if (decision.step == 0)
-      memory->start(model, place, decision.heard);
+      memory->start(model, place, decision.reception);
     else
-      memory->remember(model, place, decision.heard);
+      memory->remember(model, place, decision.reception);
     const explain::Contradiction found = explain::contradiction(*flight.policy, decision, *memory);
     if (found != explain::Contradiction::kNone) refuse(flight, decision, found);
   }

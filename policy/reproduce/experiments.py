@@ -49,7 +49,7 @@ class Setting:
 
 @dataclass
 class Seed:
-    """What one training came to."""
+    """The outcome of one training."""
 
     curve: np.ndarray  # [episode x (reward, found, steps so far)]
     evaluation: dict  # of earshot evaluate --json

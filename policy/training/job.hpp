@@ -1,21 +1,19 @@
 #pragma once
 
-#include <atomic>
-#include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "policy/ppo/checkpoint.hpp"
-#include "policy/ppo/training_run.hpp"
-#include "policy/training/learning_curve.hpp"
+#include "firmware/host/file/output_file.hpp"
+#include "policy/ppo/checkpoint/checkpoint.hpp"
 #include "policy/training/options.hpp"
-#include "policy/training/progress.hpp"
-#include "sim/parallel/ranks.hpp"
 
 namespace earshot::training {
+
+inline constexpr host::OutputKind kCheckpointOutput{"a checkpoint of earshot train", {R"({"format":"earshot checkpoint)", {}}};
+inline constexpr host::OutputKind kCurveOutput{"a learning curve (CSV)", {"episode,", {}}};
+inline constexpr host::OutputKind kLossesOutput{"the losses of a training (CSV)", {"steps,episodes,", {}}};
 
 /// One training from its first step, or from a checkpoint, to its last: a checkpoint and two curves.
 struct TrainingJob {
@@ -33,28 +31,5 @@ struct TrainingJob {
 /// The jobs that a command line asks for. Throws host::BadInput, also when two of their files are one.
 /// @param arguments  the command line without the program's name
 [[nodiscard]] std::vector<TrainingJob> jobs_of(const TrainOptions& options, const std::vector<std::string>& arguments);
-
-/// A training under way: world, networks, curve and settings of one job.
-class Training {
- public:
-  /// Everything that bad input can spoil. Throws host::BadInput. @param ranks  outlives this
-  Training(TrainingJob job, parallel::Ranks& ranks);
-  ~Training();
-  Training(const Training&) = delete;
-  Training& operator=(const Training&) = delete;
-
-  /// Trains to the end, or to the rollout after which `interrupted` is set (on rank 0), and writes the files (rank 0 does).
-  /// Throws host::BadInput, on every rank, when training diverges; the files then stay as they were last written.
-  void run(TrainingProgress& progress, std::size_t number, const std::atomic<bool>& interrupted);
-
-  [[nodiscard]] const TrainingJob& job() const;
-  [[nodiscard]] const ppo::TrainingRun& run_settings() const;
-  [[nodiscard]] const LearningCurve& curve() const;
-  [[nodiscard]] std::uint64_t steps() const;
-
- private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
-};
 
 }  // namespace earshot::training

@@ -110,8 +110,8 @@ ppo::TrainingRun settled(const TrainOptions& options) {
   }
   if (options.seed) run.seed = *options.seed;
   if (options.environments) run.hyper.environment_count = *options.environments;
-  if (const ppo::Misfit misfit = ppo::misfit_of(run.hyper); misfit.key != nullptr)
-    throw host::BadInput("--environments " + std::to_string(run.hyper.environment_count) + ": ppo." + misfit.key + ": " + misfit.what);
+  if (const ppo::Mismatch mismatch = ppo::mismatch_of(run.hyper); mismatch.key != nullptr)
+    throw host::BadInput("--environments " + std::to_string(run.hyper.environment_count) + ": ppo." + mismatch.key + ": " + mismatch.what);
   if (options.episodes || options.steps) {
     run.episodes = options.episodes.value_or(0);
     run.steps = options.steps.value_or(0);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "firmware/host/program/command_line.hpp"
-#include "policy/apps/world_options.hpp"
+#include "policy/command_line/scenario_options.hpp"
 #include "policy/ppo/training_run.hpp"
 
 namespace earshot::training {
@@ -20,7 +20,7 @@ struct TrainOptions {
   std::optional<std::string> curve;
   std::optional<std::string> plot;
   std::optional<std::uint64_t> checkpoint_every;  ///< steps
-  apps::WorldOptions world;
+  command_line::ScenarioOptions world;
   std::optional<std::string> state;
   std::optional<std::size_t> remembered_steps;
   std::optional<std::uint64_t> episodes;

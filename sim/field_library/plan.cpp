@@ -8,8 +8,7 @@
 #include "firmware/host/file/file_checksum.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "sim/ocean/charts/charts.hpp"
-#include "sim/ocean/file/environment_file.hpp"
-#include "sim/ocean/section.hpp"
+#include "sim/ocean/section_along.hpp"
 
 namespace earshot::field_library {
 namespace {
@@ -72,8 +71,8 @@ void read_radials(TableReader table, sonar::FanPlan& fan) {
     table.problem("range_step_m", "radials x ranges x depths of one position must not exceed 64 million values");
 }
 
-std::optional<sonar::Band> read_band(TableReader table) {
-  const sonar::Band band{.low = Hertz{table.number("low_hz", Range::between(1.0, 10'000.0))},
+std::optional<ocean::Band> read_band(TableReader table) {
+  const ocean::Band band{.low = Hertz{table.number("low_hz", Range::between(1.0, 10'000.0))},
                          .high = Hertz{table.number("high_hz", Range::between(1.0, 10'000.0))},
                          .count = static_cast<std::size_t>(table.integer("frequencies", 1, 10'000))};
   if (!(band.low < band.high)) table.problem("high_hz", "must be more than low_hz");
@@ -113,7 +112,7 @@ void require_on_chart(const LibraryPlan& plan, NorthEast position) {
 
 }  // namespace
 
-LibraryPlan load_library_plan(const std::filesystem::path& path) {
+LibraryPlan load_library_plan(const std::filesystem::path& path, const EnvironmentReader& read_environment) {
   const host::TomlFile file(path);
   TableReader root = file.root();
   LibraryPlan plan{
@@ -126,12 +125,12 @@ LibraryPlan load_library_plan(const std::filesystem::path& path) {
   const std::filesystem::path environment = file.resolve(root.text("environment"));
   read_all_depths(root, plan.centre, plan.fan.radial);
   read_radials(root.table("radials"), plan.fan);
-  std::optional<sonar::Band> band;
+  std::optional<ocean::Band> band;
   if (const auto table = root.optional_table("band")) band = read_band(*table);
   file.finish();
-  plan.environment = ocean::load_environment(environment);
+  plan.environment = read_environment(environment);
   const Hertz frequency = plan.environment.source.frequency;
-  plan.fan.radial.band = band.value_or(sonar::Band{frequency, frequency});
+  plan.fan.radial.band = band.value_or(ocean::Band{frequency, frequency});
   require_depths_in_water(path, plan);
   return plan;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,11 +32,14 @@ struct LibraryPlan {
   std::uint32_t file_crc32;  ///< of the file it was read from
 };
 
+/// Who reads the environment file that a library names: `ocean::load_environment`, or a reader of files that say more than the ocean.
+using EnvironmentReader = std::function<ocean::Environment(const std::filesystem::path&)>;
+
 /// Reads a library's TOML file; README.md lists its keys. The environment that it names is read too.
 ///
 /// Throws host::BadInput with what is wrong, one line each.
 /// Oracle: LibraryPlan.*
-[[nodiscard]] LibraryPlan load_library_plan(const std::filesystem::path& path);
+[[nodiscard]] LibraryPlan load_library_plan(const std::filesystem::path& path, const EnvironmentReader& read_environment);
 
 /// Whether the march can begin, for each position: not on land, and the sea floor lies below its depth.
 ///

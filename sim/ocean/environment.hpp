@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,7 +8,6 @@
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
-#include "sim/ocean/conditions.hpp"
 #include "sim/ocean/sound_speed.hpp"
 
 namespace earshot::ocean {
@@ -70,12 +68,9 @@ struct Environment {
   std::vector<SeaFloorStation> sea_floor_stations = {};  ///< empty: `seabed.depth` at every range
   std::vector<SedimentStation> sediment_stations = {};   ///< empty: `seabed.layers` at every range
   std::shared_ptr<const Charts> charts = {};             ///< null: none
-  /// CRC-32 of the file this was read from and of all it names (data files, what was read of charts, other oceans, field library), for
-  /// provenance; 0: none.
+  /// CRC-32 of the file this was read from and of all it names (data files, what was read of charts; of a scenario also its other oceans
+  /// and its field library), for provenance; 0: none.
   std::uint32_t file_crc32 = 0;
-  Conditions conditions = {};                  ///< of a search in it
-  std::vector<Environment> other_oceans = {};  ///< a search is in this one or one of these, each as likely as another
-  std::filesystem::path field_library = {};    ///< transmission loss computed beforehand, instead of this ocean's own; empty: none
 };
 
 }  // namespace earshot::ocean

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "firmware/core/units.hpp"
+#include "sim/ocean/band.hpp"
 
 namespace earshot::ocean {
 
@@ -38,12 +39,6 @@ struct NoiseTable {
 
 /// @return dB re 1 uPa^2/Hz
 [[nodiscard]] Decibels spectral_density(const NoiseTable& table, Hertz frequency);
-
-/// A frequency band.
-struct Band {
-  Hertz low;   ///< > 0
-  Hertz high;  ///< > low
-};
 
 /// Level of the noise in a band, what an ideal band-pass filter lets through.
 ///

@@ -25,13 +25,14 @@ struct UnmeasuredWater {
 
 /// The ocean in the vertical plane along one radial: what a propagation model marches through.
 ///
-/// Sound speed and sea floor are linear in range between stations and constant beyond the first and the last. So are thickness, sound
-/// speed, density and attenuation of each sediment layer; every station has the same number of layers, and they follow the sea floor.
+/// Sound speed and sea floor are linear in range between stations and constant beyond the last. The sediment is a station's from its range
+/// to the next one's, in steps; its layers follow the sea floor. A propagation model needs the first station of each at range 0.
 struct Section {
   std::vector<WaterStation> water;         ///< at least one, range strictly increasing
   std::vector<SeaFloorStation> sea_floor;  ///< at least one, range strictly increasing
   std::vector<SedimentStation> sediment;   ///< at least one, range strictly increasing
-  std::optional<Meters> shore;             ///< where the radial meets land and the section ends, if it does
+  double absorption_db_per_km = 0.0;       ///< of the water, >= 0
+  std::optional<Meters> shore = {};        ///< where the radial meets land and the section ends, if it does
   /// Where most water lies below the measurements, if at any station the sea floor is deeper than they are by more than a tenth: levels
   /// of an atlas lie that far apart.
   std::optional<UnmeasuredWater> unmeasured = {};
@@ -44,24 +45,7 @@ struct Section {
 /// @return positive down; 0 on the shore
 [[nodiscard]] Meters sea_floor_depth(const Section& section, Meters range);
 
-/// From the sea floor down.
-[[nodiscard]] const std::vector<SedimentLayer>& sediment_layers(const Section& section, Meters range);
-
-[[nodiscard]] bool is_range_independent(const Section& section);
-
-/// Whether every section of the environment is alike and range-independent: `water` and `seabed` tell all of it.
-[[nodiscard]] bool is_range_independent(const Environment& environment);
-
-/// The radial of `bearing` from `from`, as far as `max_range` or the shore.
-///
-/// Range is true distance along a geodesic where the environment has a geographic origin; the bearing is that of the local plane, in which
-/// the geodesic ends at `from` + `max_range` in this direction. Stations stand half a grid cell of the charts apart, which bilinear charts
-/// lose nothing but the curvature inside a cell by. What the environment gives against range (not charts) starts anew at `from`.
-///
-/// @param bearing    clockwise from north
-/// @param max_range  > 0
-/// Throws host::BadInput where a chart has no data, or where `from` is on land.
-/// Oracle: SectionAlong.*
-[[nodiscard]] Section section_along(const Environment& environment, NorthEast from, Radians bearing, Meters max_range);
+/// The station whose sediment is there: the last that begins at or before the range, or the first.
+[[nodiscard]] const SedimentStation& sediment_at(const Section& section, Meters range);
 
 }  // namespace earshot::ocean

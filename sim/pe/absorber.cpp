@@ -17,8 +17,8 @@ constexpr double kLongestPhase = 6.0;   // of the most grazing wave over the las
 constexpr double kTurn = 0.03;          // radians that a wave turns by, against the grazing one, within the range: less is nothing
 
 /// Vertical wavenumber of the most grazing wave that matters.
-double most_grazing(const SedimentPoint& half_space, Hertz frequency, Meters max_range) {
-  const double k = 2.0 * kPi * frequency.value / half_space.sound_speed_mps;
+double most_grazing(const ocean::SedimentLayer& half_space, Hertz frequency, Meters max_range) {
+  const double k = 2.0 * kPi * frequency.value / half_space.sound_speed.value;
   const double loss_tangent = half_space.attenuation_db_per_wavelength / (40.0 * kPi * std::numbers::log10e);
   return std::min(k, std::max(k * std::sqrt(2.0 * loss_tangent), std::sqrt(2.0 * kTurn * k / max_range.value)));
 }
@@ -42,14 +42,14 @@ double Absorber::thickness_m() const {
   return shortest_m * (std::pow(growth, static_cast<double>(elements)) - 1.0) / (growth - 1.0);
 }
 
-Absorber choose_absorber(const Section& section, Hertz frequency, Meters max_range, std::optional<double> wavelengths) {
-  double slowest = section.sediment.front().points.back().sound_speed_mps;
+Absorber choose_absorber(const ocean::Section& section, Hertz frequency, Meters max_range, std::optional<double> wavelengths) {
+  double slowest = section.sediment.front().layers.back().sound_speed.value;
   double fastest = slowest;
   double grazing = 1e9;
-  for (const SedimentColumn& column : section.sediment) {
-    const SedimentPoint& half_space = column.points.back();
-    slowest = std::min(slowest, half_space.sound_speed_mps);
-    fastest = std::max(fastest, half_space.sound_speed_mps);
+  for (const ocean::SedimentStation& station : section.sediment) {
+    const ocean::SedimentLayer& half_space = station.layers.back();
+    slowest = std::min(slowest, half_space.sound_speed.value);
+    fastest = std::max(fastest, half_space.sound_speed.value);
     grazing = std::min(grazing, most_grazing(half_space, frequency, max_range));
   }
   Absorber absorber{.shortest_m = kShortestPhase * slowest / (2.0 * kPi * frequency.value), .growth = kGrowth, .elements = 1};
@@ -61,12 +61,12 @@ Absorber choose_absorber(const Section& section, Hertz frequency, Meters max_ran
   return absorber;
 }
 
-double largest_reflection(const Absorber& absorber, const Section& section, Hertz frequency, Meters max_range) {
+double largest_reflection(const Absorber& absorber, const ocean::Section& section, Hertz frequency, Meters max_range) {
   constexpr int kAngles = 60;
   double largest = 0.0;
-  for (const SedimentColumn& column : section.sediment) {
-    const SedimentPoint& half_space = column.points.back();
-    const double k = 2.0 * kPi * frequency.value / half_space.sound_speed_mps;
+  for (const ocean::SedimentStation& station : section.sediment) {
+    const ocean::SedimentLayer& half_space = station.layers.back();
+    const double k = 2.0 * kPi * frequency.value / half_space.sound_speed.value;
     const double grazing = most_grazing(half_space, frequency, max_range);
     for (int i = 0; i <= kAngles; ++i)
       largest = std::max(largest, absorber.reflection(grazing * std::pow(k / grazing, static_cast<double>(i) / kAngles)));

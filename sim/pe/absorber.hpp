@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "firmware/core/units.hpp"
-#include "sim/pe/section.hpp"
+#include "sim/ocean/section.hpp"
 
 namespace earshot::pe {
 
@@ -37,9 +37,9 @@ struct Absorber {
 ///
 /// @param max_range    > 0
 /// @param wavelengths  its thickness in wavelengths of the fastest half-space, > 0; empty: as above
-[[nodiscard]] Absorber choose_absorber(const Section& section, Hertz frequency, Meters max_range, std::optional<double> wavelengths);
+[[nodiscard]] Absorber choose_absorber(const ocean::Section& section, Hertz frequency, Meters max_range, std::optional<double> wavelengths);
 
 /// The largest |R| over the waves that matter, in any of the half-spaces.
-[[nodiscard]] double largest_reflection(const Absorber& absorber, const Section& section, Hertz frequency, Meters max_range);
+[[nodiscard]] double largest_reflection(const Absorber& absorber, const ocean::Section& section, Hertz frequency, Meters max_range);
 
 }  // namespace earshot::pe

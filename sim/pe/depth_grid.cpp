@@ -6,6 +6,8 @@
 #include <numbers>
 #include <variant>
 
+#include "sim/pe/sediment_points.hpp"
+
 namespace earshot::pe {
 
 namespace {
@@ -97,28 +99,29 @@ DepthTap across(const Nodes& own, const Nodes& other, double interface, double p
 
 }  // namespace
 
-SoundSpeedBounds sound_speed_bounds(const Section& section) {
+SoundSpeedBounds sound_speed_bounds(const ocean::Section& section) {
   SoundSpeedBounds bounds{1e9, 0.0};
   double deepest = 0.0;
-  for (const FloorPoint& point : section.floor) deepest = std::max(deepest, point.depth_m);
-  for (const WaterColumn& column : section.water) {
+  for (const ocean::SeaFloorStation& station : section.sea_floor) deepest = std::max(deepest, station.depth.value);
+  for (const ocean::WaterStation& station : section.water) {
     constexpr int kSamples = 200;
-    for (int i = 0; i <= kSamples; ++i) widen(bounds, ocean::sound_speed(column.profile, Meters{deepest * i / kSamples}).value);
-    if (const auto* table = std::get_if<ocean::TabulatedProfile>(&column.profile)) {
+    for (int i = 0; i <= kSamples; ++i) widen(bounds, ocean::sound_speed(station.profile, Meters{deepest * i / kSamples}).value);
+    if (const auto* table = std::get_if<ocean::TabulatedProfile>(&station.profile)) {
       for (std::size_t i = 0; i < table->depth_m.size(); ++i)
         if (table->depth_m[i] <= deepest) widen(bounds, table->sound_speed_mps[i]);
     }
   }
-  for (const SedimentColumn& column : section.sediment)
-    for (const SedimentPoint& point : column.points) widen(bounds, point.sound_speed_mps);
+  for (const ocean::SedimentStation& station : section.sediment)
+    for (const SedimentPoint& point : sediment_points(station.layers)) widen(bounds, point.sound_speed_mps);
   return bounds;
 }
 
-DepthGrid make_depth_grid(const Section& section, Hertz frequency, Meters step, const Absorber& absorber) {
+DepthGrid make_depth_grid(const ocean::Section& section, Hertz frequency, Meters step, const Absorber& absorber) {
   double floor = 0.0;
-  for (const FloorPoint& point : section.floor) floor = std::max(floor, point.depth_m);
+  for (const ocean::SeaFloorStation& station : section.sea_floor) floor = std::max(floor, station.depth.value);
   double layers = 0.0;
-  for (const SedimentColumn& column : section.sediment) layers = std::max(layers, column.points.back().depth_below_floor_m);
+  for (const ocean::SedimentStation& station : section.sediment)
+    layers = std::max(layers, sediment_points(station.layers).back().depth_below_floor_m);
   const auto above_absorber = static_cast<std::size_t>(std::ceil((floor + layers) / step.value)) + kStepsToAbsorber;
   return {.step_m = step.value,
           .intervals = above_absorber + absorber.elements,

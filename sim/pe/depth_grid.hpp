@@ -5,8 +5,8 @@
 #include <span>
 
 #include "firmware/core/units.hpp"
+#include "sim/ocean/section.hpp"
 #include "sim/pe/absorber.hpp"
-#include "sim/pe/section.hpp"
 
 namespace earshot::pe {
 
@@ -22,14 +22,14 @@ struct DepthGrid {
   [[nodiscard]] std::size_t absorber_node() const { return intervals - absorber.elements; }
 };
 
-[[nodiscard]] DepthGrid make_depth_grid(const Section& section, Hertz frequency, Meters step, const Absorber& absorber);
+[[nodiscard]] DepthGrid make_depth_grid(const ocean::Section& section, Hertz frequency, Meters step, const Absorber& absorber);
 
 /// Lowest and highest sound speed of a section, water and sediment.
 struct SoundSpeedBounds {
   double lowest_mps;
   double highest_mps;
 };
-[[nodiscard]] SoundSpeedBounds sound_speed_bounds(const Section& section);
+[[nodiscard]] SoundSpeedBounds sound_speed_bounds(const ocean::Section& section);
 
 /// Where density jumps: the slope of pressure against depth jumps with it, dp/dz / density does not.
 struct Interface {

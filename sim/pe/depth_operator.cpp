@@ -30,24 +30,25 @@ constexpr double kThinnest = 1e-6;  // of an element: thinner slices of a medium
 
 }  // namespace
 
-DepthOperator::DepthOperator(const Section& section, Hertz frequency, const DepthGrid& grid)
+DepthOperator::DepthOperator(const ocean::Section& section, Hertz frequency, const DepthGrid& grid)
     : section_(section), angular_frequency_(2.0 * kPi * frequency.value), grid_(grid), water_potential_(grid.intervals + 1) {
-  for (const WaterColumn& column : section_.water)
-    sound_speed_.push_back(water_samples(column.profile, Meters{grid_.step_m}, grid_.intervals));
+  for (const ocean::WaterStation& station : section_.water)
+    sound_speed_.push_back(water_samples(station.profile, Meters{grid_.step_m}, grid_.intervals));
   for (Tridiagonal* matrix : {&mass_, &g_}) {
     matrix->diagonal.assign(grid_.intervals + 1, 0.0);
     matrix->off.assign(grid_.intervals + 1, 0.0);
   }
-  sediment_ = &section_.sediment_at(0.0);
+  for (const ocean::SedimentStation& station : section_.sediment) sediment_of_.push_back(sediment_points(station.layers));
+  sediment_ = &sediment_at(0.0);
   floor_depth_m_ = floor_at(0.0);
-  for (const SedimentColumn& column : section_.sediment) interfaces_.reserve(std::max(interfaces_.capacity(), column.points.size()));
+  for (const std::vector<SedimentPoint>& points : sediment_of_) interfaces_.reserve(std::max(interfaces_.capacity(), points.size()));
   find_interfaces();
   sample_water(0.0);
   assemble(0, grid_.intervals - 1);
 }
 
 void DepthOperator::find_interfaces() {
-  const std::vector<SedimentPoint>& points = sediment_->points;
+  const std::vector<SedimentPoint>& points = *sediment_;
   interfaces_.assign(1, {floor_depth_m_, 1.0, points.front().density_g_per_cm3});
   for (std::size_t i = 1; i < points.size(); ++i) {
     const SedimentPoint& above = points[i - 1];
@@ -58,7 +59,11 @@ void DepthOperator::find_interfaces() {
 }
 
 double DepthOperator::floor_at(double range_m) const {
-  return std::max(section_.floor_depth_m(range_m), kThinnest * grid_.step_m);
+  return std::max(ocean::sea_floor_depth(section_, Meters{range_m}).value, kThinnest * grid_.step_m);
+}
+
+const std::vector<SedimentPoint>& DepthOperator::sediment_at(double range_m) const {
+  return sediment_of_[static_cast<std::size_t>(&ocean::sediment_at(section_, Meters{range_m}) - section_.sediment.data())];
 }
 
 std::size_t DepthOperator::element_of(double depth_m) const {
@@ -67,11 +72,11 @@ std::size_t DepthOperator::element_of(double depth_m) const {
 
 RowRange DepthOperator::rows_changed_by(double range_m) const {
   const double floor = floor_at(range_m);
-  const SedimentColumn& sediment = section_.sediment_at(range_m);
-  const bool same_water = !section_.water_varies() || range_m == range_m_;
+  const std::vector<SedimentPoint>& sediment = sediment_at(range_m);
+  const bool same_water = !water_varies() || range_m == range_m_;
   const bool same_sediment = &sediment == sediment_;
   if (floor == floor_depth_m_ && same_water && same_sediment) return {};
-  const double layers = std::max(sediment.points.back().depth_below_floor_m, sediment_->points.back().depth_below_floor_m);
+  const double layers = std::max(sediment.back().depth_below_floor_m, sediment_->back().depth_below_floor_m);
   const std::size_t first = same_water ? element_of(std::min(floor, floor_depth_m_)) : 0;
   const std::size_t last = same_sediment ? element_of(std::max(floor, floor_depth_m_) + layers) : grid_.intervals - 1;
   return {std::max<std::size_t>(first, 1), std::min(last + 1, grid_.intervals - 1)};
@@ -79,21 +84,22 @@ RowRange DepthOperator::rows_changed_by(double range_m) const {
 
 void DepthOperator::move_to(double range_m) {
   const RowRange changed = rows_changed_by(range_m);
-  if (section_.water_varies() && range_m != range_m_) sample_water(range_m);
+  if (water_varies() && range_m != range_m_) sample_water(range_m);
   range_m_ = range_m;
   floor_depth_m_ = floor_at(range_m);
-  sediment_ = &section_.sediment_at(range_m);
+  sediment_ = &sediment_at(range_m);
   find_interfaces();
   if (!changed.empty()) assemble(changed.first - 1, changed.last);
 }
 
 void DepthOperator::sample_water(double range_m) {
   std::size_t here = 0;
-  while (here + 1 < section_.water.size() && section_.water[here + 1].range_m <= range_m) ++here;
+  while (here + 1 < section_.water.size() && section_.water[here + 1].range.value <= range_m) ++here;
   const std::size_t next = std::min(here + 1, section_.water.size() - 1);
   const double share =
-      next == here ? 0.0 : (range_m - section_.water[here].range_m) / (section_.water[next].range_m - section_.water[here].range_m);
-  const double loss_per_m = section_.water_attenuation_db_per_km / (20.0 * std::numbers::log10e * 1000.0);
+      next == here ? 0.0
+                   : (range_m - section_.water[here].range.value) / (section_.water[next].range.value - section_.water[here].range.value);
+  const double loss_per_m = section_.absorption_db_per_km / (20.0 * std::numbers::log10e * 1000.0);
   for (std::size_t node = 0; node <= grid_.intervals; ++node) {
     const double speed = sound_speed_[here][node] + share * (sound_speed_[next][node] - sound_speed_[here][node]);
     const Complex ratio = Complex(angular_frequency_ / speed, loss_per_m) / grid_.reference_wavenumber_per_m;
@@ -164,7 +170,7 @@ Complex DepthOperator::potential_of(const SedimentPoint& p) const {
 }
 
 DepthOperator::Element DepthOperator::absorber_element(std::size_t index) const {
-  const SedimentPoint& half_space = sediment_->points.back();
+  const SedimentPoint& half_space = sediment_->back();
   const Complex potential = potential_of(half_space);
   const double phase = grid_.reference_wavenumber_per_m * grid_.step_m;
   const Complex inverse_density = (1.0 + potential * phase * phase / 12.0) / half_space.density_g_per_cm3;
@@ -183,7 +189,7 @@ void DepthOperator::visit_slices(double top_m, double bottom_m, const Visitor& v
     const double end = bottom_m - floor_depth_m_ > thinnest ? floor_depth_m_ : bottom_m;
     visit(Slice{water_potential(top_m), water_potential(end), end - top_m, 1.0});
   }
-  const std::vector<SedimentPoint>& points = sediment_->points;
+  const std::vector<SedimentPoint>& points = *sediment_;
   double reached = std::max(0.0, top_m - floor_depth_m_);
   const double to = bottom_m - floor_depth_m_;
   const auto visit_to = [&](const SedimentPoint& top, const SedimentPoint& bottom) {

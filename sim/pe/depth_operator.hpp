@@ -5,8 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "sim/ocean/section.hpp"
 #include "sim/pe/depth_grid.hpp"
-#include "sim/pe/section.hpp"
+#include "sim/pe/sediment_points.hpp"
 
 namespace earshot::pe {
 
@@ -35,7 +36,7 @@ struct RowRange {
 ///   stiffness (k cot kh, -k / sin kh).   Oracle: DepthOperator.*
 class DepthOperator {
  public:
-  DepthOperator(const Section& section, Hertz frequency, const DepthGrid& grid);
+  DepthOperator(const ocean::Section& section, Hertz frequency, const DepthGrid& grid);
 
   /// Rows that differ between here and another range.
   [[nodiscard]] RowRange rows_changed_by(double range_m) const;
@@ -75,16 +76,19 @@ class DepthOperator {
   void sample_water(double range_m);
   void assemble(std::size_t first_element, std::size_t last_element);
   [[nodiscard]] double floor_at(double range_m) const;
+  [[nodiscard]] const std::vector<SedimentPoint>& sediment_at(double range_m) const;
+  [[nodiscard]] bool water_varies() const { return section_.water.size() > 1; }
   [[nodiscard]] std::size_t element_of(double depth_m) const;
 
-  const Section section_;
+  const ocean::Section section_;
   double angular_frequency_;
   DepthGrid grid_;
   double range_m_ = 0.0;
   double floor_depth_m_ = 0.0;
-  const SedimentColumn* sediment_ = nullptr;
-  std::vector<std::vector<double>> sound_speed_;  // [water column][node]
-  std::vector<Complex> water_potential_;          // [node]
+  std::vector<std::vector<SedimentPoint>> sediment_of_;   // [sediment station]
+  const std::vector<SedimentPoint>* sediment_ = nullptr;  // the one here
+  std::vector<std::vector<double>> sound_speed_;          // [water column][node]
+  std::vector<Complex> water_potential_;                  // [node]
   std::vector<Interface> interfaces_;
   Tridiagonal mass_, g_;
 };

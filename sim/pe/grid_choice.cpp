@@ -63,28 +63,28 @@ struct Slopes {
 };
 
 /// @param shallowest_m  water that is no deeper counts as this deep
-Slopes slopes_of(const Section& section, double max_range_m, double shallowest_m) {
+Slopes slopes_of(const ocean::Section& section, double max_range_m, double shallowest_m) {
   Slopes sum{0.0, 0.0};
-  for (std::size_t i = 1; i < section.floor.size(); ++i) {
-    const FloorPoint& a = section.floor[i - 1];
-    const FloorPoint& b = section.floor[i];
-    const double used = std::min(b.range_m, max_range_m) - std::min(a.range_m, max_range_m);
-    const double slope = (b.depth_m - a.depth_m) / (b.range_m - a.range_m);
+  for (std::size_t i = 1; i < section.sea_floor.size(); ++i) {
+    const ocean::SeaFloorStation& a = section.sea_floor[i - 1];
+    const ocean::SeaFloorStation& b = section.sea_floor[i];
+    const double used = std::min(b.range.value, max_range_m) - std::min(a.range.value, max_range_m);
+    const double slope = (b.depth.value - a.depth.value) / (b.range.value - a.range.value);
     sum.mean_square += slope * slope * used / max_range_m;
-    sum.corners += slope * slope * used / std::max(shallowest_m, 0.5 * (a.depth_m + b.depth_m));
+    sum.corners += slope * slope * used / std::max(shallowest_m, 0.5 * (a.depth.value + b.depth.value));
   }
   return sum;
 }
 
-double thin_water_m(const Section& section, double max_range_m) {
+double thin_water_m(const ocean::Section& section, double max_range_m) {
   constexpr int kSamples = 100;
   std::vector<double> depth_m;
-  for (int i = 0; i < kSamples; ++i) depth_m.push_back(section.floor_depth_m(max_range_m * (i + 0.5) / kSamples));
+  for (int i = 0; i < kSamples; ++i) depth_m.push_back(ocean::sea_floor_depth(section, Meters{max_range_m * (i + 0.5) / kSamples}).value);
   std::ranges::sort(depth_m);
-  return std::min(section.floor_depth_m(0.0), depth_m[static_cast<std::size_t>(kThinShare * kSamples)]);
+  return std::min(ocean::sea_floor_depth(section, Meters{}).value, depth_m[static_cast<std::size_t>(kThinShare * kSamples)]);
 }
 
-Scales scales_of(const Section& section, Hertz frequency, Meters max_range) {
+Scales scales_of(const ocean::Section& section, Hertz frequency, Meters max_range) {
   const SoundSpeedBounds bounds = sound_speed_bounds(section);
   const double wavelength = bounds.lowest_mps / frequency.value;
   const double trapped_angle = std::min(kSteepest, std::acos(bounds.lowest_mps / bounds.highest_mps));
@@ -95,7 +95,7 @@ Scales scales_of(const Section& section, Hertz frequency, Meters max_range) {
           .slope = std::sqrt(slopes.mean_square),
           .corners = slopes.corners,
           .max_range_m = max_range.value,
-          .deepest_m = std::ranges::max(section.floor, {}, &FloorPoint::depth_m).depth_m,
+          .deepest_m = std::ranges::max(section.sea_floor, {}, &ocean::SeaFloorStation::depth).depth.value,
           .thin_m = std::max(1e-3 * wavelength, thin_water_m(section, max_range.value))};
 }
 
@@ -145,11 +145,11 @@ std::size_t choose_terms(const Scales& s, double step_m, double allowed_db) {
 
 }  // namespace
 
-double predicted_error_db(const Section& section, Hertz frequency, Meters max_range, Meters depth_step, Meters range_step) {
+double predicted_error_db(const ocean::Section& section, Hertz frequency, Meters max_range, Meters depth_step, Meters range_step) {
   return error_db(scales_of(section, frequency, max_range), depth_step.value, range_step.value);
 }
 
-GridChoice choose_grid(const Section& section, Hertz frequency, Meters max_range, Decibels accuracy) {
+GridChoice choose_grid(const ocean::Section& section, Hertz frequency, Meters max_range, Decibels accuracy) {
   const Scales s = scales_of(section, frequency, max_range);
   const double unit = s.wavelength_m / kDepthPoints;
   const double depth_step = unit * std::pow(kDepthShare * accuracy.value / depth_error_db(s, unit), 0.25);  // fourth order

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "firmware/core/units.hpp"
-#include "sim/pe/section.hpp"
+#include "sim/ocean/section.hpp"
 
 namespace earshot::pe {
 
@@ -15,7 +15,7 @@ struct GridChoice {
   double predicted_error_db;  ///< mean |dTL| against the limit of a fine grid
 };
 
-/// The coarsest grid that keeps a mean error of transmission loss, from the errors measured on some thirty oceans (README.md):
+/// The coarsest grid that keeps a mean error of transmission loss, from the errors measured on some thirty oceans (measurements.md):
 ///
 ///   depth step   0.028 dB (15 h / lambda)^4 max(1, H / 40 lambda)^0.75 + 0.85 dB r (k_v^2 / k_h) (k_v h)^4 / 480
 ///                  lambda the shortest wavelength; k_v, k_h of the steepest wave that the sea floor keeps in
@@ -29,9 +29,10 @@ struct GridChoice {
 /// @param accuracy   of the mean over ranges, dB, > 0
 /// @param max_range  > 0
 /// Oracle: GridChoice.*, AutomaticGrid.*
-[[nodiscard]] GridChoice choose_grid(const Section& section, Hertz frequency, Meters max_range, Decibels accuracy);
+[[nodiscard]] GridChoice choose_grid(const ocean::Section& section, Hertz frequency, Meters max_range, Decibels accuracy);
 
 /// What `choose_grid` expects of a given grid.
-[[nodiscard]] double predicted_error_db(const Section& section, Hertz frequency, Meters max_range, Meters depth_step, Meters range_step);
+[[nodiscard]] double predicted_error_db(const ocean::Section& section, Hertz frequency, Meters max_range, Meters depth_step,
+                                        Meters range_step);
 
 }  // namespace earshot::pe

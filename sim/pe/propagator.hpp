@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/pe/rational.hpp"
+#include "sim/pe/rational/rational.hpp"
 
 namespace earshot::pe {
 

@@ -12,6 +12,7 @@
 #include "sim/pe/grid_choice.hpp"
 #include "sim/pe/propagator.hpp"
 #include "sim/pe/sweep.hpp"
+#include "sim/pe/valid_section.hpp"
 
 namespace earshot::pe {
 
@@ -76,7 +77,7 @@ Stepping choose_stepping(const Options& options, const GridChoice& choice, doubl
 }
 
 /// Highest eigenvalue of Numerov's second difference is 6 / h^2: the most evanescent wave the grid holds.
-Spectrum spectrum_of(const Section& section, const DepthGrid& grid, Hertz frequency) {
+Spectrum spectrum_of(const ocean::Section& section, const DepthGrid& grid, Hertz frequency) {
   const double phase = grid.reference_wavenumber_per_m * grid.step_m;
   const double slowest = 2.0 * kPi * frequency.value / grid.reference_wavenumber_per_m;
   const double ratio = slowest / sound_speed_bounds(section).highest_mps;
@@ -87,7 +88,8 @@ Spectrum spectrum_of(const Section& section, const DepthGrid& grid, Hertz freque
 }
 
 /// Of the step, and of the rows that lie in it.
-Propagator propagator_of(const Section& section, const DepthGrid& grid, Hertz frequency, const Stepping& stepping, std::size_t terms) {
+Propagator propagator_of(const ocean::Section& section, const DepthGrid& grid, Hertz frequency, const Stepping& stepping,
+                         std::size_t terms) {
   std::vector<double> offset;
   for (std::size_t i = 1; i <= stepping.rows_per_step; ++i)
     offset.push_back(stepping.step_m * static_cast<double>(i) / static_cast<double>(stepping.rows_per_step));
@@ -123,10 +125,10 @@ void require_serves(const Propagator& propagator, std::size_t terms, double step
 /// One march: the field at every receiver within a step from the solutions of that step.
 class March {
  public:
-  March(const Section& section, const PointSource& source, const DepthGrid& grid, const Stepping& stepping, const Propagator& propagator,
-        Starter starter, std::span<const double> receiver_depth_m)
+  March(const ocean::Section& section, const PointSource& source, const DepthGrid& grid, const Stepping& stepping,
+        const Propagator& propagator, Starter starter, std::span<const double> receiver_depth_m)
       : stepping_(stepping),
-        varies_(section.floor.size() > 1 || section.water_varies() || section.sediment.size() > 1),
+        varies_(section.sea_floor.size() > 1 || section.water.size() > 1 || section.sediment.size() > 1),
         operator_(section, source.frequency, grid),
         sweep_(grid.intervals, propagator.step.pole.size()),
         depth_m_(receiver_depth_m),
@@ -143,7 +145,7 @@ class March {
 
     operator_.move_to(0.5 * stepping.step_m);
     sweep_.take(operator_, {1, grid.intervals - 1}, meeting_row());
-    const double speed_mps = section.water_sound_speed_mps(0.0, source.depth.value);
+    const double speed_mps = ocean::sound_speed(section, Meters{}, source.depth).value;
     const std::vector<Complex> u = make_starter(
         starter, operator_, {.depth_m = source.depth.value, .wavenumber_per_m = 2.0 * kPi * source.frequency.value / speed_mps});
     for (std::size_t node = 0; node < u.size(); ++node) sweep_.set_field(node, u[node]);
@@ -212,7 +214,7 @@ class March {
 
 }  // namespace
 
-Field solve(const Section& section, const PointSource& source, const Options& options, std::span<const double> receiver_depth_m,
+Field solve(const ocean::Section& section, const PointSource& source, const Options& options, std::span<const double> receiver_depth_m,
             Meters max_range, const Progress& progress) {
   require_valid(options);
   require(inside(source.frequency.value, 0.1, 1e5), "frequency in Hz", source.frequency.value, "0.1 to 100000");
@@ -250,12 +252,6 @@ Field solve(const Section& section, const PointSource& source, const Options& op
   }
   if (progress) progress(1.0);
   return field;
-}
-
-Field solve(const ocean::Environment& environment, const Options& options, std::span<const double> receiver_depth_m, Meters max_range,
-            const Progress& progress) {
-  return solve(make_section(environment), {environment.source.frequency, environment.source.depth}, options, receiver_depth_m, max_range,
-               progress);
 }
 
 }  // namespace earshot::pe

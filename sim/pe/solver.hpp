@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "firmware/core/units.hpp"
-#include "sim/ocean/environment.hpp"
-#include "sim/pe/section.hpp"
+#include "sim/ocean/section.hpp"
 #include "sim/pe/starter.hpp"
 
 namespace earshot::pe {
@@ -30,8 +29,8 @@ struct Options {
 struct Field {
   Meters range_step;  ///< between rows
   std::vector<double> depth_m;
-  Eigen::Array<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-      pressure;  ///< [n_range x n_depth], row i at (i + 1) range_step
+  /// [n_range x n_depth], row i at (i + 1) range_step.
+  Eigen::Array<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> pressure;
 };
 
 struct PointSource {
@@ -54,11 +53,7 @@ using Progress = std::function<void(double fraction)>;
 /// would be off by more than 3 dB at `max_range`, or grow.
 /// Source: Collins, J. Acoust. Soc. Am. 93 (1993) 1736; energy-conserving form: Collins & Westwood, J. Acoust. Soc. Am. 89 (1991) 1068.
 /// Oracle: Solver.*
-[[nodiscard]] Field solve(const Section& section, const PointSource& source, const Options& options,
+[[nodiscard]] Field solve(const ocean::Section& section, const PointSource& source, const Options& options,
                           std::span<const double> receiver_depth_m, Meters max_range, const Progress& progress = {});
-
-/// The same of `environment.source`, over a flat sea floor.
-[[nodiscard]] Field solve(const ocean::Environment& environment, const Options& options, std::span<const double> receiver_depth_m,
-                          Meters max_range, const Progress& progress = {});
 
 }  // namespace earshot::pe

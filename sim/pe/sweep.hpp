@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/pe/depth_operator.hpp"
-#include "sim/pe/rational.hpp"
+#include "sim/pe/rational/rational.hpp"
 
 namespace earshot::pe {
 

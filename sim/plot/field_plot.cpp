@@ -55,7 +55,7 @@ constexpr const char* kProbabilityColours =
     "set cblabel 'probability of detection' offset 1,0\nset cbrange [0:1]\nset cbtics 0.2\n"
     "set palette defined (0 '#081d58', 0.5 '#bdd7e7', 0.5 '#fff3b0', 1 '#a63603')\n";
 
-std::string sound_words(const ocean::Environment& environment, const sonar::Band& band) {
+std::string sound_words(const ocean::Environment& environment, const ocean::Band& band) {
   std::ostringstream text;
   text << band.low.value;
   if (band.high > band.low) text << " to " << band.high.value;
@@ -115,7 +115,7 @@ std::string map_picture(const std::string& values) {
 }  // namespace
 
 void plot_field(const std::filesystem::path& path, const sonar::SonarField& field, const ocean::Environment& environment,
-                const sonar::Band& band, Radians bearing, Decibels detection_threshold) {
+                const ocean::Band& band, Radians bearing, Decibels detection_threshold) {
   const float deepest_m = *std::max_element(field.sea_floor_depth_m.begin(), field.sea_floor_depth_m.end());
   const double bottom_m = std::max(1.03 * static_cast<double>(deepest_m), field.depth_m.back());
   std::ostringstream subtitle;
@@ -134,7 +134,7 @@ void plot_field(const std::filesystem::path& path, const sonar::SonarField& fiel
   draw(path, {.title = "SNR against range and depth: " + environment.name, .size = "1200,640", .commands = text.str()});
 }
 
-void plot_map(const std::filesystem::path& path, const sonar::Fan& fan, const ocean::Environment& environment, const sonar::Band& band,
+void plot_map(const std::filesystem::path& path, const sonar::Fan& fan, const ocean::Environment& environment, const ocean::Band& band,
               Meters side, const sonar::Detector& detector) {
   const sonar::HorizontalMap map = sonar::make_map(fan, 0, {.side = side, .intervals = kMaxPoints}, detector);
   std::ostringstream subtitle;

@@ -16,13 +16,13 @@ namespace earshot::plot {
 ///
 /// Throws std::invalid_argument for another extension, std::runtime_error when gnuplot is missing or fails.
 void plot_field(const std::filesystem::path& path, const sonar::SonarField& field, const ocean::Environment& environment,
-                const sonar::Band& band, Radians bearing, Decibels detection_threshold);
+                const ocean::Band& band, Radians bearing, Decibels detection_threshold);
 
 /// Draws SNR and probability of detection around the source at the fan's first depth, with the assured and the furthest range of
 /// detection on every bearing.
 ///
 /// @param side  of the square
-void plot_map(const std::filesystem::path& path, const sonar::Fan& fan, const ocean::Environment& environment, const sonar::Band& band,
+void plot_map(const std::filesystem::path& path, const sonar::Fan& fan, const ocean::Environment& environment, const ocean::Band& band,
               Meters side, const sonar::Detector& detector);
 
 }  // namespace earshot::plot

@@ -1,4 +1,5 @@
 #include "sim/search/belief_model.hpp"
+#include "sim/search/actions/compass_directions.hpp"
 
 #include <algorithm>
 #include <cassert>

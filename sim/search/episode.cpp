@@ -3,9 +3,10 @@
 #include <cassert>
 
 #include "firmware/detector/listener.hpp"
+#include "sim/search/reward/step_reward.hpp"
 
 namespace earshot::search {
-void Episode::start(const SearchWorld& world, const policy::ObservationModel& model, Pcg32& random) {
+void Episode::start(const World& world, const policy::ObservationModel& model, Pcg32& random) {
   const SearchSettings& s = world.settings;
   NorthEast source = s.source;
   NorthEast position;
@@ -13,37 +14,28 @@ void Episode::start(const SearchWorld& world, const policy::ObservationModel& mo
     if (s.placement == SourcePlacement::kChanging) source = uniform_in(s.domain, random);
     position = uniform_in(s.start_region, random);
   } while (range_between(position, source) <= s.step_length);
-  if (world.soundscape == nullptr) return start_at(world, model, position, source);
-  const std::uint64_t high = random.next();
-  const std::uint64_t seed = (high << 32U) | random.next();
-  start_at(world, model, position, source, Pcg32(seed));
+  start_at(world, model, position, source, Surroundings::stream_from(world, random));
 }
 
-void Episode::start_at(const SearchWorld& world, const policy::ObservationModel& model, NorthEast position, NorthEast source,
-                       Pcg32 conditions) {
+void Episode::start_at(const World& world, const policy::ObservationModel& model, NorthEast position, NorthEast source, Pcg32 conditions) {
   position_ = position;
-  source_ = source;
   navigation_error_ = {};
   record_ = {};
   model_ = &model;
-  if (world.soundscape == nullptr) {
-    heard_ = listen(world);
-  } else {
-    surroundings_.start(world, position, source, conditions);
-    heard_ = listen(world);
-    source_ = surroundings_.nearest_source(position_);
-  }
-  memory_.start(model, in_domain(world), heard_);
+  surroundings_.start(world, position, source, conditions);
+  reception_ = surroundings_.listen(world, position_);
+  source_ = surroundings_.nearest_source(position_);
+  memory_.start(model, in_domain(world), reception_);
 }
 
 /// The whole step at once up to the first look that counts, then look by look.
-void Episode::step_and_listen(const SearchWorld& world, NorthEast through_water) {
+void Episode::step_and_listen(const World& world, NorthEast through_water) {
   const SearchSettings& s = world.settings;
   const double leg_s = s.step_length.value / world.conditions.vehicle_speed.value;
   const std::size_t looks = looks_on_leg(s.listening, leg_s);
   if (looks == 1) {
     move(world, through_water, leg_s);
-    heard_ = listen(world);
+    reception_ = surroundings_.listen(world, position_);
     return;
   }
   const double look_s = kLookInterval.to_seconds();
@@ -55,38 +47,29 @@ void Episode::step_and_listen(const SearchWorld& world, NorthEast through_water)
     const double share = time_s / leg_s;
     move(world, {share * through_water.north, share * through_water.east}, time_s);
     now = now + kLookInterval;
-    const policy::Heard look = listen(world);
+    const policy::Reception look = surroundings_.listen(world, position_);
     listener.take({.time = now, .snr = look.snr, .too_faint = look.too_faint});
   }
-  const detector::WindowHeard heard = listener.heard(s.listening, now);
-  heard_ = {.snr = heard.snr, .too_faint = heard.too_faint};
+  const detector::WindowReception window = listener.reception(s.listening, now);
+  reception_ = {.snr = window.snr, .too_faint = window.too_faint};
 }
 
-void Episode::move(const SearchWorld& world, NorthEast through_water, double time_s) {
-  if (world.soundscape == nullptr) {
-    position_ = position_ + through_water;
-    return;
-  }
+void Episode::move(const World& world, NorthEast through_water, double time_s) {
   position_ = position_ + surroundings_.pass(world, through_water, time_s);
   source_ = surroundings_.nearest_source(position_);
   navigation_error_ = surroundings_.navigation_error();
 }
 
-policy::Heard Episode::listen(const SearchWorld& world) {
-  if (world.soundscape == nullptr) return {.snr = world.snr.at(range_between(position_, source_))};
-  return surroundings_.listen(world, position_);
-}
-
-double Episode::step(const SearchWorld& world, std::size_t action) {
+double Episode::step(const World& world, std::size_t action) {
   assert(record_.end == EpisodeEnd::kRunning);
   const SearchSettings& s = world.settings;
   step_and_listen(world, s.step_length * world.actions[action]);
-  memory_.remember(*model_, in_domain(world), heard_);
+  memory_.remember(*model_, in_domain(world), reception_);
 
-  const double reward = step_reward(s, position_, heard_);
+  const double reward = step_reward(s, position_, reception_);
   record_.reward += reward;
   record_.steps += 1;
-  record_.detections += is_detection(s, heard_) ? 1U : 0U;
+  record_.detections += is_detection(s, reception_) ? 1U : 0U;
   if (range_between(position_, source_) <= s.step_length) {
     record_.end = EpisodeEnd::kFound;
   } else if (!s.domain.contains(position_)) {

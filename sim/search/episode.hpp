@@ -8,8 +8,8 @@
 #include "firmware/core/random.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/policy/observation.hpp"
-#include "sim/search/surroundings.hpp"
-#include "sim/search/world.hpp"
+#include "sim/search/scenario/surroundings.hpp"
+#include "sim/search/scenario/world.hpp"
 
 namespace earshot::search {
 
@@ -21,7 +21,7 @@ enum class EpisodeEnd : std::uint8_t {
   kTimeLimit,   ///< N steps taken: truncated, not terminated
 };
 
-/// What an episode came to so far.
+/// The score of an episode so far.
 struct EpisodeRecord {
   double reward = 0.0;  ///< undiscounted sum
   std::uint32_t steps = 0;
@@ -41,13 +41,13 @@ class Episode {
   /// again; a changing source is drawn again with it, so that no source position is without a start. Start and source are those of a calm
   /// world for the same `random`.
   /// @param model  what is remembered and seen; must outlive the episode
-  void start(const SearchWorld& world, const policy::ObservationModel& model, Pcg32& random);
+  void start(const World& world, const policy::ObservationModel& model, Pcg32& random);
   /// Starts at a given place. @param conditions  for what the world's conditions draw
-  void start_at(const SearchWorld& world, const policy::ObservationModel& model, NorthEast position, NorthEast source,
+  void start_at(const World& world, const policy::ObservationModel& model, NorthEast position, NorthEast source,
                 Pcg32 conditions = Pcg32(0));
 
   /// Takes one step; returns its reward. @param action below the size of world.actions; the episode is running.
-  double step(const SearchWorld& world, std::size_t action);
+  double step(const World& world, std::size_t action);
 
   /// @param observation  [model.spec.size()]
   void observe(std::span<float> observation) const { policy::observe(memory_, *model_, observation); }
@@ -59,23 +59,22 @@ class Episode {
   [[nodiscard]] NorthEast believed_position() const { return position_ + navigation_error_; }
   /// The source, the nearest of several.
   [[nodiscard]] NorthEast source() const { return source_; }
-  [[nodiscard]] policy::Heard heard() const { return heard_; }
-  /// As heard; where it was too faint to measure, the least that could have been.
-  [[nodiscard]] Decibels snr() const { return heard_.snr; }
+  [[nodiscard]] policy::Reception reception() const { return reception_; }
+  /// The SNR of the reception; where it was too faint to measure, the least that could have been measured.
+  [[nodiscard]] Decibels snr() const { return reception_.snr; }
   /// What is believed about the source; meaningful only when the model's spec needs it.
   [[nodiscard]] const policy::Belief& belief() const { return memory_.belief(); }
 
  private:
-  void step_and_listen(const SearchWorld& world, NorthEast through_water);
-  void move(const SearchWorld& world, NorthEast through_water, double time_s);
-  [[nodiscard]] policy::Heard listen(const SearchWorld& world);
-  [[nodiscard]] NorthEast in_domain(const SearchWorld& world) const { return believed_position() - world.settings.domain.south_west; }
+  void step_and_listen(const World& world, NorthEast through_water);
+  void move(const World& world, NorthEast through_water, double time_s);
+  [[nodiscard]] NorthEast in_domain(const World& world) const { return believed_position() - world.settings.domain.south_west; }
 
   NorthEast position_;
   NorthEast source_;
   NorthEast navigation_error_;
-  policy::Heard heard_;
-  Surroundings surroundings_;  ///< unused in a calm world of one ocean
+  policy::Reception reception_;
+  Surroundings surroundings_;
   const policy::ObservationModel* model_ = nullptr;
   policy::SearchMemory memory_;
   EpisodeRecord record_;

@@ -1,19 +1,15 @@
 #include "sim/search/settings.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cassert>
-#include <numbers>
 
 #include "firmware/core/math.hpp"
-#include "firmware/detector/threshold_detector.hpp"
 
 namespace earshot::search {
 namespace {
 
 bool is_rectangle(const Rectangle& r) {
-  return is_finite(r.south_west.north.value) && is_finite(r.south_west.east.value) && is_finite(r.north_east.north.value) &&
-         is_finite(r.north_east.east.value) && r.south_west.north < r.north_east.north && r.south_west.east < r.north_east.east;
+  return is_finite(r.south_west) && is_finite(r.north_east) && r.south_west.north < r.north_east.north &&
+         r.south_west.east < r.north_east.east;
 }
 
 /// The region's corner furthest from the source is as far as any start can be.
@@ -33,11 +29,6 @@ bool has_room_for_a_search(const SearchSettings& s) {
 
 bool positive(double x) {
   return is_finite(x) && x > 0.0;
-}
-
-/// Which quarter of the compass a direction falls on exactly, 0 north, 1 east; 4 when on none.
-std::size_t cardinal(std::size_t i, std::size_t count) {
-  return (4 * i) % count == 0 ? 4 * i / count : 4;
 }
 
 }  // namespace
@@ -63,23 +54,8 @@ Status check(const SearchSettings& s) {
   if (!sizes || !lengths || !levels || !is_rectangle(s.domain) || !is_rectangle(s.start_region)) return Status::kOutOfRange;
   if (!s.domain.contains(s.start_region.south_west) || !s.domain.contains(s.start_region.north_east)) return Status::kOutOfRange;
   if (s.placement == SourcePlacement::kChanging) return has_room_for_a_search(s) ? Status::kOk : Status::kOutOfRange;
-  if (!is_finite(s.source.north.value) || !is_finite(s.source.east.value) || !can_start_out_of_reach(s)) return Status::kOutOfRange;
+  if (!is_finite(s.source) || !can_start_out_of_reach(s)) return Status::kOutOfRange;
   return Status::kOk;
-}
-
-bool is_detection(const SearchSettings& s, policy::Heard heard) {
-  return !heard.too_faint && detector::ThresholdDetector{s.detection_threshold}.detects(heard.snr);
-}
-
-double step_reward(const SearchSettings& s, NorthEast position, policy::Heard heard) {
-  const double reward = is_detection(s, heard) ? 0.0 : -1.0;
-  const Meters to_edge = s.domain.distance_to_edge(position);
-  if (to_edge >= s.border_width) return reward;
-  return reward + s.border_reward * ((s.border_width - to_edge) / s.border_width);
-}
-
-double step_reward(const SearchSettings& s, NorthEast position, Decibels snr) {
-  return step_reward(s, position, policy::Heard{.snr = snr});
 }
 
 NorthEast uniform_in(const Rectangle& area, Pcg32& random) {
@@ -87,20 +63,6 @@ NorthEast uniform_in(const Rectangle& area, Pcg32& random) {
   const double east = random.uniform_double();
   return {area.south_west.north + north * (area.north_east.north - area.south_west.north),
           area.south_west.east + east * (area.north_east.east - area.south_west.east)};
-}
-
-ActionTable compass_directions(std::size_t count) {
-  static constexpr std::array<UnitNorthEast, 4> kCardinals{{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}};
-  assert(count >= 1 && count <= config::kMaxActions);
-  ActionTable table;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double turn = static_cast<double>(i) / static_cast<double>(count);
-    const SineCosine bearing = sine_cosine(Radians{2.0 * std::numbers::pi * turn});
-    const std::size_t quarter = cardinal(i, count);
-    const UnitNorthEast direction = quarter < 4 ? kCardinals[quarter] : UnitNorthEast{bearing.cosine, bearing.sine};
-    if (table.push_back(direction) != Status::kOk) break;
-  }
-  return table;
 }
 
 }  // namespace earshot::search

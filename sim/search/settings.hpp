@@ -5,13 +5,11 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/config/listening_window.hpp"
-#include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/random.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
-#include "firmware/policy/heard.hpp"
 
 namespace earshot::search {
 
@@ -25,8 +23,8 @@ enum class SourcePlacement : std::uint8_t {
 /// Source: Clark et al. 2022 (domain, source position, l, N, DT, p); border_width b is not given there.
 struct SearchSettings {
   Rectangle domain{{Meters{0.0}, Meters{0.0}}, {Meters{25'000.0}, Meters{25'000.0}}};
-  Rectangle start_region{{Meters{0.0}, Meters{0.0}},
-                         {Meters{25'000.0}, Meters{25'000.0}}};  ///< vehicle starts uniform in it; inside the domain
+  /// The vehicle starts uniform in it; inside the domain.
+  Rectangle start_region{{Meters{0.0}, Meters{0.0}}, {Meters{25'000.0}, Meters{25'000.0}}};
   SourcePlacement placement = SourcePlacement::kFixed;
   NorthEast source{Meters{10'000.0}, Meters{10'000.0}};  ///< used when placement is kFixed
   std::size_t direction_count = 8;                       ///< n compass directions, 1 to config::kMaxActions
@@ -57,25 +55,7 @@ inline constexpr Duration kLookInterval = Duration::seconds(1);
 /// every start is within l of the source (fixed source), or of every place where it may be (changing source).
 [[nodiscard]] Status check(const SearchSettings& settings);
 
-/// Reward of one step that ends at `position`, where `snr` is heard.
-///
-///   r = (0 if SNR >= DT else -1) + (p (b - d_e) / b if d_e < b)
-///
-/// @param position  in the domain's frame; d_e, the distance to the nearest edge, is negative outside, where the penalty grows beyond p
-/// Source: Clark et al. 2022, reward.   Oracle: StepReward.*
-[[nodiscard]] double step_reward(const SearchSettings& settings, NorthEast position, Decibels snr);
-
-/// Whether what was heard is a detection: measured, and SNR >= DT.
-[[nodiscard]] bool is_detection(const SearchSettings& settings, policy::Heard heard);
-/// As above: what was too faint to measure is no detection, wherever the floor lies.
-[[nodiscard]] double step_reward(const SearchSettings& settings, NorthEast position, policy::Heard heard);
-
 /// Takes two numbers from `random`.
 [[nodiscard]] NorthEast uniform_in(const Rectangle& area, Pcg32& random);
-
-using ActionTable = FixedVector<UnitNorthEast, config::kMaxActions>;
-
-/// `count` compass directions (1 to config::kMaxActions), clockwise, action 0 north. Cardinal directions are exact.
-[[nodiscard]] ActionTable compass_directions(std::size_t count);
 
 }  // namespace earshot::search

@@ -10,8 +10,8 @@ constexpr std::size_t kExpectedSteps = 1'024;  // of an episode; the list of a l
 
 }  // namespace
 
-VectorSearch::VectorSearch(const SearchWorld& world, const policy::ObservationModel& model, std::size_t environment_count,
-                           std::uint64_t seed, std::uint64_t first_stream)
+VectorSearch::VectorSearch(const World& world, const policy::ObservationModel& model, std::size_t environment_count, std::uint64_t seed,
+                           std::uint64_t first_stream)
     : world_(world),
       model_(model),
       episodes_(environment_count),

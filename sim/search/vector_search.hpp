@@ -24,7 +24,7 @@ class VectorSearch {
  public:
   /// @param world  outlives this; check(world.settings) is kOk
   /// @param first_stream  of the seed, that of environment 0: other processes have those before and after
-  VectorSearch(const SearchWorld& world, const policy::ObservationModel& model, std::size_t environment_count, std::uint64_t seed,
+  VectorSearch(const World& world, const policy::ObservationModel& model, std::size_t environment_count, std::uint64_t seed,
                std::uint64_t first_stream = 0);
 
   VectorSearch(const VectorSearch&) = delete;  // its episodes point to its model
@@ -56,7 +56,7 @@ class VectorSearch {
   double take(std::size_t environment, std::size_t action);
   [[nodiscard]] std::span<float> slot(std::vector<float>& all, std::size_t environment) const;
 
-  const SearchWorld& world_;
+  const World& world_;
   policy::ObservationModel model_;
   std::vector<Episode> episodes_;
   std::vector<Pcg32> random_;

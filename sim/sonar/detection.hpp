@@ -5,6 +5,7 @@
 
 #include "firmware/core/units.hpp"
 #include "sim/sonar/fan.hpp"
+#include "sim/sonar/sonar_equation.hpp"
 
 namespace earshot::sonar {
 
@@ -15,7 +16,7 @@ struct Detector {
   Decibels detection_threshold;  ///< DT: the SNR that is needed
   Decibels fluctuation;          ///< sigma >= 0: standard deviation of the SNR, normal in dB; 0: none
 
-  [[nodiscard]] Decibels snr(Decibels transmission_loss) const { return source_level - transmission_loss - noise_level; }
+  [[nodiscard]] Decibels snr(Decibels transmission_loss) const { return signal_to_noise(source_level, transmission_loss, noise_level); }
 };
 
 /// Probability that a fluctuating SNR is at or above the threshold.

@@ -90,7 +90,7 @@ void write_map(Writer& file, const HorizontalMap& map, const ocean::Environment&
 }  // namespace
 
 void write_fan(const std::filesystem::path& path, const Fan& fan, const std::optional<HorizontalMap>& map,
-               const ocean::Environment& environment, const Band& band, const Detector& detector, const std::string& history) {
+               const ocean::Environment& environment, const ocean::Band& band, const Detector& detector, const std::string& history) {
   Writer file(path);
   write_provenance(file, "Sound around one source", environment, history);
   write_unmeasured(file, unmeasured_water(environment, fan.centre, fan.bearings, fan.max_range()));

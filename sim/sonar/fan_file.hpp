@@ -17,6 +17,6 @@ namespace earshot::sonar {
 /// @param history  the command that made it
 /// Throws netcdf::FileError; nothing is left behind then. Oracle: FanFile.*
 void write_fan(const std::filesystem::path& path, const Fan& fan, const std::optional<HorizontalMap>& map,
-               const ocean::Environment& environment, const Band& band, const Detector& detector, const std::string& history);
+               const ocean::Environment& environment, const ocean::Band& band, const Detector& detector, const std::string& history);
 
 }  // namespace earshot::sonar

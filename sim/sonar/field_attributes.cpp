@@ -52,7 +52,7 @@ void write_transmission_loss(Writer& file, const std::vector<std::string>& dimen
   file.write(name, rounded);
 }
 
-void write_scene(Writer& file, const ocean::Environment& environment, const Band& band) {
+void write_scene(Writer& file, const ocean::Environment& environment, const ocean::Band& band) {
   const auto& source = environment.source;
   if (band.high > band.low) {
     const std::vector<double> frequency = frequencies_hz(band);

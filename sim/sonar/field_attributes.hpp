@@ -35,7 +35,7 @@ void write_transmission_loss(netcdf::Writer& file, const std::vector<std::string
                              std::span<const float> loss_db);
 
 /// Source, noise and frequency band as scalar variables.
-void write_scene(netcdf::Writer& file, const ocean::Environment& environment, const Band& band);
+void write_scene(netcdf::Writer& file, const ocean::Environment& environment, const ocean::Band& band);
 
 /// The local plane as a CF grid mapping named "local_plane". @return false where the environment has no geographic origin
 bool write_grid_mapping(netcdf::Writer& file, const ocean::Environment& environment);

@@ -34,7 +34,7 @@ void write_sea_floor(Writer& file, const SonarField& field) {
 }  // namespace
 
 void write_field(const std::filesystem::path& path, const SonarField& field, const ocean::Environment& environment, Radians bearing,
-                 const Band& band, const std::string& history) {
+                 const ocean::Band& band, const std::string& history) {
   Writer file(path);
   write_provenance(file, "Sound field of one source", environment, history);
   write_unmeasured(file, unmeasured_water(environment, environment.source.position, bearing, Meters{field.range_m.back()}));

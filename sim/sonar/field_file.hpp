@@ -16,6 +16,6 @@ namespace earshot::sonar {
 /// Throws netcdf::FileError, which is a std::runtime_error, with the file's name and the cause; nothing is left behind then.
 /// Oracle: FieldFile.*
 void write_field(const std::filesystem::path& path, const SonarField& field, const ocean::Environment& environment, Radians bearing,
-                 const Band& band, const std::string& history);
+                 const ocean::Band& band, const std::string& history);
 
 }  // namespace earshot::sonar

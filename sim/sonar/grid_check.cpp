@@ -5,26 +5,25 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/ocean/section.hpp"
+#include "sim/ocean/section_along.hpp"
 #include "sim/pe/absorber.hpp"
 #include "sim/pe/depth_grid.hpp"
 #include "sim/pe/grid_choice.hpp"
-#include "sim/pe/ocean_section.hpp"
 
 namespace earshot::sonar {
 namespace {
 
-double absorber_wavelengths(const pe::Section& section, Hertz frequency, Meters max_range, const pe::Options& options) {
+double absorber_wavelengths(const ocean::Section& section, Hertz frequency, Meters max_range, const pe::Options& options) {
   if (options.absorber_wavelengths) return *options.absorber_wavelengths;
   const double fastest =
-      std::ranges::max(section.sediment, {}, [](const pe::SedimentColumn& column) { return column.points.back().sound_speed_mps; })
-          .points.back()
-          .sound_speed_mps;
+      std::ranges::max(section.sediment, {}, [](const ocean::SedimentStation& station) { return station.layers.back().sound_speed; })
+          .layers.back()
+          .sound_speed.value;
   return pe::choose_absorber(section, frequency, max_range, {}).thickness_m() * frequency.value / fastest * (1.0 - 1e-9);
 }
 
 /// The solver's own steps made explicit: several rows of the result to a range step, or several steps to a row.
-pe::Options explicit_grid(const pe::Section& section, const RadialPlan& plan) {
+pe::Options explicit_grid(const ocean::Section& section, const RadialPlan& plan) {
   const Meters max_range = static_cast<double>(plan.ranges) * plan.range_step;
   const pe::GridChoice choice = pe::choose_grid(section, plan.band.high, max_range, plan.options.accuracy);
   const Meters longest = plan.options.range_step.value_or(choice.range_step);
@@ -63,8 +62,7 @@ RadialPlan finer(RadialPlan plan) {
 GridCheck check_grid(const ocean::Environment& environment, NorthEast from, Radians bearing, const RadialPlan& plan,
                      const pe::Progress& progress) {
   const Meters max_range = static_cast<double>(plan.ranges) * plan.range_step;
-  const pe::Section section =
-      pe::make_section(ocean::section_along(environment, from, bearing, max_range), environment.absorption_db_per_km);
+  const ocean::Section section = ocean::section_along(environment, from, bearing, max_range);
   RadialPlan coarse = plan;
   coarse.band = {plan.band.high, plan.band.high};
   coarse.options = explicit_grid(section, plan);

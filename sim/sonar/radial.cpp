@@ -8,8 +8,7 @@
 #include <stdexcept>
 
 #include "sim/ocean/charts/charts.hpp"
-#include "sim/ocean/section.hpp"
-#include "sim/pe/ocean_section.hpp"
+#include "sim/ocean/section_along.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::sonar {
@@ -35,7 +34,7 @@ std::vector<double> wet_depths(const std::vector<double>& depth_m, std::span<con
 using Intensities = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Mean of |p|^2 over the band, [n_range x n_wet_depth].
-Intensities mean_intensity(const pe::Section& section, const RadialPlan& plan, const std::vector<double>& depth_m, Meters max_range,
+Intensities mean_intensity(const ocean::Section& section, const RadialPlan& plan, const std::vector<double>& depth_m, Meters max_range,
                            const pe::Progress& progress) {
   pe::Options options = plan.options;
   options.output_step = plan.range_step;
@@ -66,7 +65,7 @@ Intensities mean_intensity(const pe::Section& section, const RadialPlan& plan, c
 
 }  // namespace
 
-std::vector<double> frequencies_hz(const Band& band) {
+std::vector<double> frequencies_hz(const ocean::Band& band) {
   if (!(band.high > band.low)) return {band.low.value};
   std::vector<double> frequency;
   for (std::size_t i = 0; i < band.count; ++i)
@@ -102,13 +101,14 @@ void compute_radial(const ocean::Environment& environment, NorthEast from, Radia
   const std::size_t depths = plan.depth_m.size();
   assert(loss.transmission_loss_db.size() == plan.ranges * depths && loss.sea_floor_depth_m.size() == plan.ranges);
   const Meters max_range = static_cast<double>(plan.ranges) * plan.range_step;
-  const ocean::Section radial = ocean::section_along(environment, from, bearing, max_range);
-  const pe::Section section = pe::make_section(radial, environment.absorption_db_per_km);
-  const Meters end = radial.shore ? std::min(*radial.shore, max_range) : max_range;
+  const ocean::Section section = ocean::section_along(environment, from, bearing, max_range);
+  const Meters end = section.shore ? std::min(*section.shore, max_range) : max_range;
 
   for (std::size_t i = 0; i < plan.ranges; ++i) {
     const double range_m = static_cast<double>(i + 1) * plan.range_step.value;
-    loss.sea_floor_depth_m[i] = radial.shore && range_m >= radial.shore->value ? 0.0F : static_cast<float>(section.floor_depth_m(range_m));
+    loss.sea_floor_depth_m[i] = section.shore && range_m >= section.shore->value
+                                    ? 0.0F
+                                    : static_cast<float>(ocean::sea_floor_depth(section, Meters{range_m}).value);
   }
   std::fill(loss.transmission_loss_db.begin(), loss.transmission_loss_db.end(), kNowhere);
   const std::vector<double> wet_m = wet_depths(plan.depth_m, loss.sea_floor_depth_m);

@@ -8,22 +8,16 @@
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
+#include "sim/ocean/band.hpp"
 #include "sim/ocean/environment.hpp"
 #include "sim/ocean/section.hpp"
-#include "sim/pe/section.hpp"
 #include "sim/pe/solver.hpp"
 
 namespace earshot::sonar {
 
-/// Frequencies over which intensity is averaged: the middles of `count` equal parts of the band; the low one alone when it has no width.
-struct Band {
-  Hertz low;   ///< > 0
-  Hertz high;  ///< >= low
-  std::size_t count = 1;
-};
-
-/// Every frequency of a band, increasing.
-[[nodiscard]] std::vector<double> frequencies_hz(const Band& band);
+/// The frequencies of a band over which intensity is averaged, increasing: the middles of its parts; the low one alone when it has no
+/// width.
+[[nodiscard]] std::vector<double> frequencies_hz(const ocean::Band& band);
 
 /// Where on a radial transmission loss is wanted, and of which sound.
 ///
@@ -34,7 +28,7 @@ struct RadialPlan {
   std::vector<double> depth_m;  ///< each >= 0
   Meters range_step;            ///< of the result, > 0
   std::size_t ranges;           ///< >= 1; the first at range_step
-  Band band;
+  ocean::Band band;
   pe::Options options = {};  ///< its output_step is not used
 };
 

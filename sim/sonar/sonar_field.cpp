@@ -20,7 +20,7 @@ Decibels transmission_loss(double squared_pressure) {
 float SonarField::snr_db(Eigen::Index range, Eigen::Index depth) const {
   const float loss_db = transmission_loss_db(range, depth);
   if (std::isnan(loss_db)) return loss_db;  // no water
-  return static_cast<float>(signal_to_noise(source_level, Decibels{static_cast<double>(loss_db)}, noise_level).value().value);
+  return static_cast<float>(signal_to_noise(source_level, Decibels{static_cast<double>(loss_db)}, noise_level).value);
 }
 
 SonarField compute_sonar_field(const ocean::Environment& environment, Radians bearing, const RadialPlan& plan,
@@ -67,7 +67,7 @@ SnrCurve compute_snr_curve(const ocean::Environment& environment, Meters receive
                         .ranges = std::max<std::size_t>(1, static_cast<std::size_t>(max_range / kStep + 1e-9)),
                         .band = {environment.source.frequency, environment.source.frequency}};
   const SonarField field = compute_sonar_field(environment, Radians{}, plan);
-  const auto silence = static_cast<float>((environment.source.level - kMaxTransmissionLoss - environment.noise_level).value);
+  const auto silence = static_cast<float>(signal_to_noise(environment.source.level, kMaxTransmissionLoss, environment.noise_level).value);
   std::vector<float> snr_db{0.0F};
   for (Eigen::Index row = 0; row < field.transmission_loss_db.rows(); ++row) {
     const float snr = field.snr_db(row, 0);

@@ -22,13 +22,13 @@ constexpr int kDecisions = 25;  // of each, about what a search takes
 class PlainBayes {
  public:
   void start() { cells_.assign(2500, 1.0 / 2500.0); }
-  std::size_t decide(const policy::BeliefModel& model, NorthEast place, policy::Heard heard) {
+  std::size_t decide(const policy::BeliefModel& model, NorthEast place, policy::Reception reception) {
     double total = 0.0;
     std::size_t best = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const double range = std::hypot(centre(i).north.value - place.north.value, centre(i).east.value - place.east.value);
       const std::size_t at = std::min(static_cast<std::size_t>(range / model.range_step.value), model.snr_db.size() - 1);
-      const double z = (heard.snr.value - double{model.snr_db[at]}) / 4.0;
+      const double z = (reception.snr.value - double{model.snr_db[at]}) / 4.0;
       cells_[i] *= range < model.step_length.value ? 1e-3 : 0.98 * std::exp(-0.5 * z * z) + 0.02;
       total += cells_[i];
       if (cells_[i] > cells_[best]) best = i;
@@ -56,11 +56,11 @@ class Shipped {
  public:
   explicit Shipped(const policy::FrozenPolicy& policy) : policy_(policy) {}
   void start() { fresh_ = true; }
-  std::size_t decide(const policy::BeliefModel&, NorthEast place, policy::Heard heard) {
+  std::size_t decide(const policy::BeliefModel&, NorthEast place, policy::Reception reception) {
     if (fresh_) {
-      memory_->start(policy_.observation, place, heard);
+      memory_->start(policy_.observation, place, reception);
     } else {
-      memory_->remember(policy_.observation, place, heard);
+      memory_->remember(policy_.observation, place, reception);
     }
     fresh_ = false;
     std::array<float, config::kMaxObservation> observation{};
@@ -79,7 +79,7 @@ class Shipped {
   bool fresh_ = true;
 };
 
-policy::Heard heard(const policy::BeliefModel& model, NorthEast place, NorthEast source) {
+policy::Reception reception_at(const policy::BeliefModel& model, NorthEast place, NorthEast source) {
   const auto at = static_cast<std::size_t>(range_between(place, source) / model.range_step);
   return {.snr = Decibels{double{model.snr_db[std::min(at, model.snr_db.size() - 1)]}}};
 }
@@ -97,7 +97,7 @@ double median_us(Decider decider, const policy::BeliefModel& model) {
     NorthEast place = anywhere();
     decider.start();
     for (int i = 0; i < kDecisions; ++i) {
-      const policy::Heard look = heard(model, place, source);
+      const policy::Reception look = reception_at(model, place, source);
       const auto began = std::chrono::steady_clock::now();
       const std::size_t action = decider.decide(model, place, look);
       spent_us.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - began).count());

@@ -6,7 +6,6 @@ usage: field_library.py PROGRAM
 """
 
 import json
-import math
 import resource
 import subprocess
 import sys
@@ -14,7 +13,11 @@ import tempfile
 import time
 from pathlib import Path
 
-OCEAN = Path(__file__).parents[1] / "sim/sonar/hilly.toml"
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "policy/worlds/oceans"))
+from hills import depth_m  # noqa: E402
+
+OCEAN = ROOT / "tests/sim/sonar/hilly.toml"
 
 LIBRARY = """name = "64 sources"
 environment = "ocean.toml"
@@ -33,13 +36,11 @@ accuracy_db = 0.1
 
 
 def chart() -> str:
-    """Hills of 300 m, 19 km from crest to crest, on hills of 150 m: slopes up to 14 percent; a node every 1.1 km."""
+    """The hills of the world hilly, a node every 1.1 km."""
     lines = ["latitude_deg,longitude_deg,elevation_m"]
     for i in range(-50, 51):
         for j in range(-50, 51):
-            north, east = i * 1.112, j * 1.179
-            depth = 2500 + 300 * math.sin(east / 3 + 0.5 * math.sin(north / 7)) + 150 * math.sin(north / 1.8)
-            lines.append(f"{0.01 * i:.4f},{0.0106 * j:.4f},{-depth:.1f}")
+            lines.append(f"{0.01 * i:.4f},{0.0106 * j:.4f},{-depth_m(i * 1.112, j * 1.179):.1f}")
     return "\n".join(lines) + "\n"
 
 

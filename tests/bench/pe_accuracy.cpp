@@ -37,7 +37,7 @@ double order_in_range(const Ocean& ocean, double wavelength_m) {
 }
 
 bool is_uniform(const Ocean& ocean) {
-  return ocean.section.floor.size() == 1 && !ocean.section.water_varies();
+  return ocean.section.floor.size() == 1 && ocean.section.water.size() == 1;
 }
 
 void print_row(const Ocean& ocean, Decibels accuracy) {
@@ -45,7 +45,7 @@ void print_row(const Ocean& ocean, Decibels accuracy) {
   const double finer_range_step_m = choice.range_step.value / (is_uniform(ocean) ? 2.0 : 8.0);
   const double measured_db = tests::mean_difference_db(tests::solve_automatically(ocean, accuracy),
                                                        tests::solve_on(ocean, choice.depth_step.value / 2.5, finer_range_step_m, 16));
-  const double wavelength_m = sound_speed_bounds(ocean.section).lowest_mps / ocean.frequency_hz;
+  const double wavelength_m = sound_speed_bounds(tests::section_of(ocean.section)).lowest_mps / ocean.frequency_hz;
   std::cout << "| " << ocean.name << " | " << std::fixed << std::setprecision(2) << choice.depth_step.value << " | " << std::setprecision(1)
             << choice.range_step.value << " | " << choice.terms << " | " << std::setprecision(4) << choice.predicted_error_db << " | "
             << measured_db << " | " << std::setprecision(1) << order_in_depth(ocean, wavelength_m) << " | ";

@@ -8,6 +8,7 @@
 
 #include "sim/pe/solver.hpp"
 #include "tests/reference/transmission_loss.hpp"
+#include "tests/sim/pe/short_section.hpp"
 
 namespace {
 
@@ -15,16 +16,16 @@ using namespace earshot;
 
 constexpr double kRange = 25'000.0;
 
-pe::Section papers_ocean() {
-  return {.floor = {{0.0, 3000.0}},
-          .water = {{0.0, ocean::MunkProfile{MetersPerSecond{1500.0}, Meters{1300.0}, Meters{1300.0}, 0.00737}}},
-          .sediment = {{0.0, {{0.0, 1505.0, 1.5, 0.5}}}}};
+ocean::Section papers_ocean() {
+  return pe::tests::section_of({.floor = {{0.0, 3000.0}},
+                                .water = {{0.0, ocean::MunkProfile{MetersPerSecond{1500.0}, Meters{1300.0}, Meters{1300.0}, 0.00737}}},
+                                .sediment = {{0.0, {{0.0, 1505.0, 1.5, 0.5}}}}});
 }
 
-pe::Section upslope() {
-  pe::Section section = papers_ocean();
-  section.floor = {{0.0, 3000.0}, {5'000.0, 3000.0}, {25'000.0, 1000.0}, {35'000.0, 1000.0}};
-  section.sediment = {{0.0, {{0.0, 1600.0, 1.8, 0.5}}}};
+ocean::Section upslope() {
+  ocean::Section section = papers_ocean();
+  section.sea_floor = pe::tests::sea_floor({{0.0, 3000.0}, {5'000.0, 3000.0}, {25'000.0, 1000.0}, {35'000.0, 1000.0}});
+  section.sediment = {{.range = Meters{}, .layers = pe::tests::layers_between({{0.0, 1600.0, 1.8, 0.5}})}};
   return section;
 }
 
@@ -46,7 +47,7 @@ double best_of_three(const Work& work) {
   return best;
 }
 
-pe::Field run(const pe::Section& section, const pe::Options& options, double source_depth_m, double range_m) {
+pe::Field run(const ocean::Section& section, const pe::Options& options, double source_depth_m, double range_m) {
   return pe::solve(section, {Hertz{20.0}, Meters{source_depth_m}}, options, std::vector<double>{300.0}, Meters{range_m});
 }
 

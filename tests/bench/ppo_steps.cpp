@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   const sonar::SnrCurve curve = spherical_spreading();
   search::SearchSettings settings;
   settings.placement = search::SourcePlacement::kChanging;
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   const policy::ObservationModel model{.spec = policy::memory_state(2, settings.step_length, settings.detection_threshold).value(),
                                        .belief = {}};
   const auto begin = std::chrono::steady_clock::now();

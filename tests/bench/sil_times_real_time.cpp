@@ -15,6 +15,7 @@
 #include "tests/bench/busy_loops.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 int main(int argc, char** argv) {
   using namespace earshot;
@@ -26,14 +27,13 @@ int main(int argc, char** argv) {
     others.emplace();
   }
   const fs::path source = EARSHOT_SOURCE_DIR;
-  const fs::path folder = fs::temp_directory_path() / ("earshot-bench-" + std::to_string(getpid()));
-  fs::create_directories(folder);
+  const support::TemporaryFolder folder;
   support::write_bytes(folder / "walk.policy", support::signed_bytes(support::random_walk_policy()));
   support::write_public_key(folder / "walk.pub");
   support::Process flight(fs::path(EARSHOT_BIN_DIR) / "earshot-fly",
                           {"--environment", source / "sim/ocean/environments/munk_flat.toml", "--mission",
                            source / "firmware/boards/linux/missions/fixed_source.toml", "--policy", folder / "walk.policy", "--public-key",
-                           folder / "walk.pub", "--seed", "1", "--out", folder, "--ignore-source", "--no-report"},
+                           folder / "walk.pub", "--seed", "1", "--out", folder.path(), "--ignore-source", "--no-report"},
                           folder / "output.txt");
   const int status = flight.wait(std::chrono::minutes(5));
   if (status != 0) {
@@ -41,7 +41,6 @@ int main(int argc, char** argv) {
     return 1;
   }
   const nlohmann::json summary = nlohmann::json::parse(support::read_text(folder / "summary.json"));
-  fs::remove_all(folder);
   const double value = summary.at("sim_time_s").get<double>() / summary.at("wall_time_s").get<double>();
   std::cout << nlohmann::ordered_json{{"name", is_busy ? "sil.busy.times_real_time" : "sil.times_real_time"},
                                       {"unit", "x"},

@@ -14,8 +14,8 @@
 #include "firmware/core/math.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/format/policy_format.hpp"
-#include "firmware/policy/policy_check.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "tests/fuzz/mutation.hpp"
 #include "tests/support/mission_for.hpp"
@@ -61,12 +61,8 @@ void require(bool holds, const char* what) {
   if (!holds) throw std::logic_error(what);
 }
 
-bool is_finite(NorthEast place) {
-  return earshot::is_finite(place.north.value) && earshot::is_finite(place.east.value);
-}
-
 void require_within_limits(const config::Mission& mission, const messages::Setpoint& setpoint) {
-  require(is_finite(setpoint.waypoint) && earshot::is_finite(setpoint.heading.value), "a set-point is not finite");
+  require(is_finite(setpoint.waypoint) && is_finite(setpoint.heading.value), "a set-point is not finite");
   require(setpoint.speed.value >= 0.0 && setpoint.speed <= mission.search_speed, "a set-point's speed is out of its limits");
   require(setpoint.depth.value >= 0.0 && setpoint.depth <= mission.max_depth, "a set-point's depth is out of its limits");
 }
@@ -75,8 +71,8 @@ void require_sound(const policy::FrozenPolicy& policy, const config::Mission& mi
   require(decision.action < policy.actions.size(), "an action is none of the policy's");
   require(mission.operating_area.contains(decision.waypoint), "a way-point lies outside the area");
   for (std::size_t i = 0; i < policy.observation.spec.size(); ++i)
-    require(earshot::is_finite(decision.observation[i]), "an observation is no number");
-  for (std::size_t i = 0; i < policy.actions.size(); ++i) require(earshot::is_finite(decision.logits[i]), "a logit is no number");
+    require(is_finite(decision.observation[i]), "an observation is no number");
+  for (std::size_t i = 0; i < policy.actions.size(); ++i) require(is_finite(decision.logits[i]), "a logit is no number");
 }
 
 /// What may be heard: mostly what oceans do, sometimes all that the runtime lets in.

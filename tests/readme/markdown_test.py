@@ -7,6 +7,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import links
 import markdown
 import session
 
@@ -69,6 +70,40 @@ class Reading(unittest.TestCase):
                     [read(block + mention + "\n")], ["MunkProfile.IsRight", "Leg.IsStraight"]
                 )
                 self.assertEqual(problems == [], is_good, problems)
+
+
+class Links(unittest.TestCase):
+    def problems(self, text: str):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            (root / "sim").mkdir()
+            (root / "sim/README.md").write_text("# sim\n## What it does, and how\n```sh\n# no heading\n```\n")
+            (root / "sim/a.md").write_text(text)
+            return links.problems_of("sim/a.md", root)
+
+    def test_lets_be_what_leads_somewhere(self):
+        for link in [
+            "[a](README.md)",
+            "[a](../sim)",
+            "[`a`](../sim/README.md#what-it-does-and-how)",
+            "# Here it is\n[a](#here-it-is)",
+            "[a](https://nowhere.invalid/x.md)",
+            "`[a](none.md)`",
+            "```text\n[a](none.md)\n```",
+        ]:
+            with self.subTest(link=link):
+                self.assertEqual(self.problems(link + "\n"), [])
+
+    def test_finds_by_file_and_line_what_leads_nowhere(self):
+        for link, what in [
+            ("[a](none.md)", "none.md: there is no such file"),
+            ("[`a`](sim/README.md)", "sim/README.md: there is no such file"),
+            ("[a](README.md#what)", "README.md#what: there is no such heading"),
+            ("[a](README.md#no-heading)", "README.md#no-heading: there is no such heading"),
+            ("![picture](none.png)", "none.png: there is no such file"),
+        ]:
+            with self.subTest(link=link):
+                self.assertEqual(self.problems("```sh\na\n```\nSee " + link + "\n"), ["sim/a.md:4: " + what])
 
 
 class Running(unittest.TestCase):

@@ -110,7 +110,7 @@ TEST_F(Accidents, GivenClosedStandardStreamsItsWordsGoIntoNoneOfItsOwnFiles) {
                                    "--public-key",
                                    folder_ / "walk.pub",
                                    "--out",
-                                   folder_};
+                                   folder_.path()};
   support::Process runtime("/bin/bash", a, folder_ / "text");
   ASSERT_TRUE(has_begun());
   for (const char* number : {"0", "1", "2"})

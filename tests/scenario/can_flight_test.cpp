@@ -18,6 +18,7 @@
 #include "firmware/host/journal/journal_reader.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot {
 namespace {
@@ -77,10 +78,6 @@ Parting compare(const std::vector<Row>& lcm, const std::vector<Row>& can) {
 class CanFlight : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              ("earshot-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "-" + std::to_string(getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     support::write_bytes(folder_ / "walk.policy", support::signed_bytes(support::random_walk_policy()));
     support::write_public_key(folder_ / "walk.pub");
     std::string mission = support::read_text(fs::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/fixed_source.toml");
@@ -89,7 +86,7 @@ class CanFlight : public testing::Test {
     std::ofstream(folder_ / "short.toml") << mission.replace(at, 15, "max_steps = 6");
   }
   void TearDown() override {
-    if (!HasFailure()) fs::remove_all(folder_);
+    if (HasFailure()) folder_.keep();
   }
 
   void fly(const std::string& out, const std::string& bus) const {
@@ -101,7 +98,7 @@ class CanFlight : public testing::Test {
     ASSERT_EQ(flight.wait(240s), 0) << flight.output();
   }
 
-  fs::path folder_;
+  support::TemporaryFolder folder_;
 };
 
 TEST_F(CanFlight, GivenOneSeedTwoFlightsOverCanGoTheSameWayByteForByte) {

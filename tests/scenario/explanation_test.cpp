@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot {
 namespace {
@@ -21,12 +22,6 @@ const fs::path kFrozen = kSource / "policy/frozen";
 
 class Explanation : public testing::Test {
  protected:
-  Explanation() {
-    std::string name = (fs::temp_directory_path() / "earshot-explanation-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~Explanation() override { fs::remove_all(folder_); }
-
   void fly(const fs::path& policy, const std::string& mission) {
     support::Process flight(
         kBin / "earshot-fly",
@@ -45,7 +40,7 @@ class Explanation : public testing::Test {
     return nlohmann::json::parse(support::read_text(folder_ / "decision.json"));
   }
 
-  fs::path folder_;
+  const support::TemporaryFolder folder_;
 };
 
 TEST_F(Explanation, GivenAFlightOnABeliefItsBeliefIsMadeAgainBitForBitAndTheChoiceIsSharedOutWhole) {

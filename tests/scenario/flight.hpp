@@ -15,6 +15,7 @@
 #include "sim/link/run_slot.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot {
 
@@ -30,15 +31,11 @@ inline const fs::path kEnvironment = kSource / "sim/ocean/environments/munk_flat
 class Flight : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("earshot-") + testing::UnitTest::GetInstance()->current_test_info()->name() + "-" + std::to_string(getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     support::write_bytes(folder_ / "walk.policy", support::signed_bytes(support::random_walk_policy()));
     support::write_public_key(folder_ / "walk.pub");
   }
   void TearDown() override {
-    if (!HasFailure()) fs::remove_all(folder_);
+    if (HasFailure()) folder_.keep();
   }
 
   [[nodiscard]] std::vector<std::string> policy_arguments() const {
@@ -58,12 +55,12 @@ class Flight : public testing::Test {
   void start_both() {
     const std::string domain = std::to_string(slot_.domain());
     std::vector<std::string> a = policy_arguments();
-    a.insert(a.end(), {kMission, "--out", folder_, "--simulation", domain, "--lcm-url", slot_.lcm_url()});
+    a.insert(a.end(), {kMission, "--out", folder_.path(), "--simulation", domain, "--lcm-url", slot_.lcm_url()});
     runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
     simulator_ = std::make_unique<support::Process>(
         kBin / "earshot-sim",
-        std::vector<std::string>{"--environment", kEnvironment, "--mission", kMission, "--out", folder_, "--domain", domain, "--lcm-url",
-                                 slot_.lcm_url(), "--ignore-source", "--speed", "500"},
+        std::vector<std::string>{"--environment", kEnvironment, "--mission", kMission, "--out", folder_.path(), "--domain", domain,
+                                 "--lcm-url", slot_.lcm_url(), "--ignore-source", "--speed", "500"},
         folder_ / "earshot-sim.txt");
   }
 
@@ -106,7 +103,7 @@ class Flight : public testing::Test {
     return nlohmann::json::parse(support::read_text(folder_ / out / "summary.json"));
   }
 
-  fs::path folder_;
+  support::TemporaryFolder folder_;
   const link::RunSlot slot_;
   std::unique_ptr<support::Process> runtime_;
   std::unique_ptr<support::Process> simulator_;

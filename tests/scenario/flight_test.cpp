@@ -172,7 +172,7 @@ TEST_F(Flight, GivenACanInterfaceInUseAFlightThereIsRefused) {
 TEST_F(Flight, GivenAMissionAtSeaAFlightOnItsBusIsRefusedAndOneWithNoBusNamedTakesAnother) {
   const std::string url = own_url(slot_);
   std::vector<std::string> a = policy_arguments();
-  a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", url});
+  a.insert(a.end(), {kMission, "--out", folder_.path(), "--lcm-url", url});
   runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
   ASSERT_TRUE(has_journal()) << runtime_->output();
   EXPECT_EQ(fly("there", {"--lcm-url", url})->wait(10s), 2);

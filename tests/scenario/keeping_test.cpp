@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot {
 namespace {
@@ -32,14 +33,11 @@ constexpr const char* kUnfinished = "unfinished-flight";
 class Keeping : public testing::Test {
  protected:
   Keeping() {
-    std::string name = (fs::temp_directory_path() / "earshot-keeping-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
     fs::create_directories(out_());
     for (const char* file : {"journal.lcmlog", "journal.policy", "track.csv", "snr.csv", "summary.json", "report.html"})
       std::ofstream(out_() / file) << "earlier";
     earlier_ = files();
   }
-  ~Keeping() override { fs::remove_all(folder_); }
 
   [[nodiscard]] fs::path out_() const { return folder_ / "out"; }
 
@@ -95,7 +93,7 @@ class Keeping : public testing::Test {
     }
   }
 
-  fs::path folder_;
+  const support::TemporaryFolder folder_;
   std::map<fs::path, std::string> earlier_;
 };
 

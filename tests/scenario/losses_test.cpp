@@ -36,13 +36,13 @@ TEST_F(Losses, GivenItsSimulatorIsKilledTheRuntimeSaysSoWithinFiveSecondsAndItsJ
 TEST_F(Losses, GivenAFullDiskTheFlightIsLostWithStatusThreeAndEveryRowThatWasWrittenIsKept) {
   const std::string domain = std::to_string(slot_.domain());
   std::vector<std::string> a = policy_arguments();
-  a.insert(a.end(), {kMission, "--out", folder_, "--simulation", domain, "--lcm-url", slot_.lcm_url()});
+  a.insert(a.end(), {kMission, "--out", folder_.path(), "--simulation", domain, "--lcm-url", slot_.lcm_url()});
   runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / "earshotd.txt");
   // A limit on the size of one file stands for the disk: room for snr.csv (some 60 kB) and for some 2000 of 50 000 rows of the track.
   simulator_ = std::make_unique<support::Process>(
       "/bin/bash",
       std::vector<std::string>{"-c", "ulimit -f 200; exec \"$@\"", "bash", kBin / "earshot-sim", "--environment", kEnvironment, "--mission",
-                               kMission, "--out", folder_, "--domain", domain, "--lcm-url", slot_.lcm_url(), "--ignore-source"},
+                               kMission, "--out", folder_.path(), "--domain", domain, "--lcm-url", slot_.lcm_url(), "--ignore-source"},
       folder_ / "earshot-sim.txt");
   EXPECT_EQ(simulator_->wait(60s), 3) << simulator_->output();
   EXPECT_NE(simulator_->output().find("track.csv"), std::string::npos) << simulator_->output();
@@ -120,7 +120,7 @@ TEST_F(Losses, GivenItDiedAtSeaItStartsAgainBesideTheJournalThatIsThere) {
   const std::string url = "udpm://239.255.76.67:" + std::to_string(20'000 + slot_.domain()) + "?ttl=0";
   const auto start_at_sea = [this, &url](const char* text) {
     std::vector<std::string> a = policy_arguments();
-    a.insert(a.end(), {kMission, "--out", folder_, "--lcm-url", url});
+    a.insert(a.end(), {kMission, "--out", folder_.path(), "--lcm-url", url});
     runtime_ = std::make_unique<support::Process>(kBin / "earshotd", a, folder_ / text);
   };
   const auto wait_for_records = [this](const char* name) {

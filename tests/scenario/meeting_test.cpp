@@ -16,6 +16,7 @@
 #include "sim/link/run_slot.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot {
 namespace {
@@ -30,12 +31,9 @@ const fs::path kMission = kSource / "firmware/boards/linux/missions/fixed_source
 class Meeting : public testing::Test {
  protected:
   Meeting() {
-    std::string name = (fs::temp_directory_path() / "earshot-meeting-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
     support::write_bytes(folder_ / "walk.policy", support::signed_bytes(support::random_walk_policy()));
     support::write_public_key(folder_ / "walk.pub");
   }
-  ~Meeting() override { fs::remove_all(folder_); }
 
   [[nodiscard]] std::unique_ptr<support::Process> earshotd(const std::vector<std::string>& more) const {
     std::vector<std::string> a{kMission, "--policy",     folder_ / "walk.policy", "--public-key", folder_ / "walk.pub",
@@ -53,7 +51,7 @@ class Meeting : public testing::Test {
     return false;
   }
 
-  fs::path folder_;
+  const support::TemporaryFolder folder_;
   const link::RunSlot slot_;
 };
 

@@ -33,6 +33,7 @@
 #include "tests/support/private_network.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot {
 namespace {
@@ -63,15 +64,13 @@ class Sound : public testing::Test {
  protected:
   void SetUp() override {
     ENTER_PRIVATE_NETWORK_OR_SKIP();
-    std::string name = (fs::temp_directory_path() / "earshot-sound-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
     support::write_bytes(folder_ / "walk.policy", support::signed_bytes(support::random_walk_policy()));
     support::write_public_key(folder_ / "walk.pub");
     shore_ =
         std::make_unique<host::LcmEndpoint>(host::parse_lcm_url(host::kDefaultLcmUrl), std::vector<std::string_view>{wire::kHealthChannel});
   }
   void TearDown() override {
-    if (!HasFailure() && !folder_.empty()) fs::remove_all(folder_);
+    if (HasFailure()) folder_.keep();
   }
 
   void start_earshotd_with_hydrophone() {
@@ -79,8 +78,8 @@ class Sound : public testing::Test {
     mission.insert(mission.find("[origin]"), kHydrophone);
     mission.replace(mission.find("step_period_s = 1.0"), 19, "step_period_s = 0.1");
     std::ofstream(folder_ / "mission.toml") << mission;
-    std::vector<std::string> arguments{
-        folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out", folder_};
+    std::vector<std::string> arguments{folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key",
+                                       folder_ / "walk.pub",     "--out",    folder_.path()};
     if (host::kHeapTrapCounts) arguments.emplace_back("--prove-no-alloc");  // of every thread: its exit status says so
     earshotd_ = std::make_unique<support::Process>(fs::path(EARSHOT_BIN_DIR) / "earshotd", arguments, folder_ / "earshotd.txt");
   }
@@ -134,7 +133,7 @@ class Sound : public testing::Test {
     return last;
   }
 
-  fs::path folder_;
+  support::TemporaryFolder folder_;
   std::unique_ptr<host::LcmEndpoint> shore_;
   std::unique_ptr<support::Process> earshotd_;
 };
@@ -169,7 +168,7 @@ TEST_F(Sound, GivenAHydrophoneAndNobodyWhoBringsAnSnrAMissionIsRefused) {
   std::ofstream(folder_ / "mission.toml") << mission;
   support::Process earshotd(
       fs::path(EARSHOT_BIN_DIR) / "earshotd",
-      {folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out", folder_},
+      {folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out", folder_.path()},
       folder_ / "earshotd.txt");
   EXPECT_EQ(earshotd.wait(30s), 2);
   EXPECT_NE(earshotd.output().find("give a port that brings an SNR the role \"snr\""), std::string::npos) << earshotd.output();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/support/terminal.hpp"
 
 namespace earshot {
@@ -27,12 +28,6 @@ constexpr const char* kErased = "\r\033[K";
 
 class Talk : public testing::Test {
  protected:
-  Talk() {
-    std::string name = (fs::temp_directory_path() / "earshot-talk-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~Talk() override { fs::remove_all(folder_); }
-
   /// A flight with the shipped policy, which holds a belief; it finds the source within an hour.
   [[nodiscard]] std::vector<std::string> arguments(const std::vector<std::string>& more) const {
     std::vector<std::string> a{"--environment", kSource / "sim/ocean/environments/munk_flat.toml",
@@ -50,7 +45,7 @@ class Talk : public testing::Test {
     return flight.output();
   }
 
-  fs::path folder_;
+  const support::TemporaryFolder folder_;
 };
 
 /// So fast that the flight takes some seconds of a machine that could do it in a fraction of one.

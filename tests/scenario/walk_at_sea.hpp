@@ -11,6 +11,7 @@
 
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot {
 
@@ -18,15 +19,13 @@ namespace earshot {
 class WalkAtSea : public testing::Test {
  protected:
   WalkAtSea() {
-    std::string name = (std::filesystem::temp_directory_path() / "earshot-at-sea-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
     policy::FrozenPolicy walk = support::random_walk_policy();
     walk.step_length = Meters{20};
     support::write_bytes(folder_ / "walk.policy", support::signed_bytes(walk));
     support::write_public_key(folder_ / "walk.pub");
   }
   ~WalkAtSea() override {
-    if (!HasFailure()) std::filesystem::remove_all(folder_);
+    if (HasFailure()) folder_.keep();
   }
 
   static void replace(std::string& text, std::string_view from, std::string_view to) {
@@ -49,13 +48,13 @@ class WalkAtSea : public testing::Test {
   void write_mission(const std::string& mission) const { std::ofstream(folder_ / "mission.toml") << mission; }
 
   void start_earshotd(const std::vector<std::string>& more) {
-    std::vector<std::string> a{
-        folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key", folder_ / "walk.pub", "--out", folder_};
+    std::vector<std::string> a{folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key",
+                               folder_ / "walk.pub",     "--out",    folder_.path()};
     a.insert(a.end(), more.begin(), more.end());
     earshotd_ = std::make_unique<support::Process>(std::filesystem::path(EARSHOT_BIN_DIR) / "earshotd", a, folder_ / "earshotd.txt");
   }
 
-  std::filesystem::path folder_;
+  support::TemporaryFolder folder_;
   std::unique_ptr<support::Process> earshotd_;
 };
 

@@ -33,18 +33,18 @@ class Clock {
   Clock(const Clock&) = delete;
   Clock& operator=(const Clock&) = delete;
 
-  /// True as soon as whoever drives the clock is there.
+  /// Whether whoever drives the clock is there by now.
   [[nodiscard]] virtual bool has_come(std::chrono::milliseconds /*most*/) { return true; }
   /// What was lost when wait() said kLost, for a person: "the simulator".
   [[nodiscard]] virtual std::string lost() const { return {}; }
   /// What else a person should know at the end; empty when there is nothing.
   [[nodiscard]] virtual std::string remark() const { return {}; }
 
-  /// Never goes back.
+  /// The time on the mission clock, which never goes back.
   [[nodiscard]] virtual Time now() = 0;
-  /// A date that a sender gave by its own wall clock, on the mission clock.
+  /// Converts a date that a sender gave by its own wall clock to the mission clock.
   [[nodiscard]] virtual Time mission_time_of(Time utc) = 0;
-  /// When something arrived that bears no date, on the mission clock. @param utc  when the kernel received it
+  /// Converts the arrival of something that bears no date to the mission clock. @param utc  when the kernel received it
   [[nodiscard]] virtual Time arrival_of(Time utc) = 0;
 
   /// What the loop waits for.
@@ -53,7 +53,7 @@ class Clock {
     Time next_turn;                      ///< when a turn is due by the mission's period
     std::uint64_t navigation_taken = 0;  ///< fixes that the ports have brought so far
   };
-  /// Waits no longer than a tenth of a second of the host's time, so that a loop that is told to stop does.
+  /// Waits no longer than a tenth of a second of the host's time, so that a loop stops soon after it is told to.
   [[nodiscard]] virtual Wake wait(const Awaited& awaited) = 0;
 
   /// A turn has been made and its set-points are on their way. False: nobody waits for another.

@@ -23,7 +23,8 @@ void make_turn(MissionTurn& turn, LoopResult& result) {
   ++result.turns_in.at(static_cast<std::size_t>(result.last.health.state));
 }
 
-/// Set-points that say stop and come up, before a loop that was told to stop ends: on a bus that loses messages one may not arrive.
+/// Set-points that say stop and come up and that a loop that was told to stop sends before it ends: on a bus that loses messages one may
+/// not arrive.
 constexpr int kLastSetpoints = 5;
 /// Of the host's time, for turns that are not due because the clock stands still or is scaled.
 constexpr std::chrono::seconds kStopPatience{10};

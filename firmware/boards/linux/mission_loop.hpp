@@ -31,14 +31,14 @@ struct LoopResult {
   messages::MissionState found_in = messages::MissionState::kStandby;  ///< the state of the last turn before it was told to stop
 };
 
-/// What a journal says last of a flight that ended so.
+/// The record that ends the journal of a flight that ended so.
 [[nodiscard]] wire::ClosingRecord closing_record_of(const LoopResult& result);
 
 /// The one loop of a mission, at sea and in simulation: takes what the ports bring as it comes, makes a turn when the clock says so, tries
 /// to open again what is down. Missed turns are not made up for.
-/// Told to stop, it makes an ABORT if the mission is not over, so that the autopilot does not go on with the last set-point, and then
-/// turns, the first at once, until the set-point that says so was sent five times (a bus may lose one), or as long as somebody waits for
-/// turns.
+/// When it is told to stop and the mission is not over, it makes an ABORT, so that the autopilot does not go on with the last set-point,
+/// and then turns, the first at once, until the set-point that says so was sent five times (a bus may lose one), or as long as somebody
+/// waits for turns.
 /// @param period  between two turns
 /// @param stop    set by a signal handler
 [[nodiscard]] LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period, const std::atomic<bool>& stop);

@@ -29,7 +29,7 @@ class MissionTurn final : public InputSink {
   MissionTurn(runtime::Runtime& runtime, PortSet& ports, host::Journal& journal, Clock& clock)
       : runtime_(runtime), ports_(ports), journal_(journal), clock_(clock) {}
 
-  /// The journal's first two records: what is flown. Before anything else.
+  /// Writes the journal's first two records, which say what is flown. To be called before anything else.
   /// @param policy  bytes of the .policy file; build  version and commit of this program
   void record_mission(const config::Mission& mission, std::span<const std::uint8_t> policy, std::string_view build);
 
@@ -42,11 +42,11 @@ class MissionTurn final : public InputSink {
 
   /// Fixes taken so far, but for those without a date that the clock knows.
   [[nodiscard]] std::uint64_t navigation_taken() const { return navigation_taken_; }
-  /// Of the last turn or input.
+  /// The time of the last turn or input.
   [[nodiscard]] Time last() const { return last_; }
 
  private:
-  /// Never goes back, though a clock were read by several.
+  /// The mission clock's time; it never goes back, though a clock were read by several.
   [[nodiscard]] Time now();
   void record(Time now, const runtime::Outputs& outputs);
 

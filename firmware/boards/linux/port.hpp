@@ -46,7 +46,7 @@ class Port {
   [[nodiscard]] virtual int file_descriptor() const = 0;
   /// Called about once a second of the host's time: opens again what is down.
   virtual void tend() {}
-  /// What it received, lost and could not send so far.
+  /// Counts what it received, lost and could not send so far.
   [[nodiscard]] virtual messages::PortReport report() const { return report_; }
 
   /// Its name and where it listens, for a person: "vehicle, LCM udpm://... on lo, eth0".

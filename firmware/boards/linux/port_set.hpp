@@ -42,7 +42,7 @@ class PortSet {
   [[nodiscard]] std::uint64_t setpoints_sent() const { return setpoints_sent_; }
   /// The descriptions of the ports whose links are down, a line each; empty when all are up.
   [[nodiscard]] std::string down() const;
-  /// Where each port listens, a line each.
+  /// Says where each port listens, a line each.
   [[nodiscard]] std::string description() const;
   struct Link {
     std::uint8_t port = 0;
@@ -54,11 +54,11 @@ class PortSet {
     std::string port;  ///< its index and description
     std::size_t bytes = 0;
   };
-  /// What each port holds for its queues and buffers.
+  /// The memory that each port holds for its queues and buffers.
   [[nodiscard]] std::vector<Held> memory() const;
-  /// What else a person should know of the ports at the end.
+  /// Remarks for a person at the end of a flight, such as losses.
   [[nodiscard]] std::vector<std::string> remarks() const;
-  /// Of all ports together that carry messages: a hydrophone's counts samples, and has a remark.
+  /// The sum of the reports of all ports that carry messages; a hydrophone's report counts samples and is left out.
   [[nodiscard]] messages::PortReport sum() const;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace earshot::board {
 
-/// What became of a journal that was given to the runtime again.
+/// The outcome of giving a journal to the runtime again.
 struct ReplayResult {
   std::size_t inputs = 0;
   std::size_t turns = 0;
@@ -26,7 +26,7 @@ struct ReplayResult {
   /// not replayed. One that is missing at the end is found by the closing record behind it.
   std::optional<std::uint32_t> gap;
   host::JournalReader::End end = host::JournalReader::End::kWhole;
-  /// What the journal says last. Nothing: its end is missing, for earshotd was killed or lost its power.
+  /// The journal's last record; nothing when its end is missing, because earshotd was killed or lost its power.
   std::optional<wire::ClosingRecord> closing;
 
   [[nodiscard]] bool is_same() const { return !difference && !gap; }

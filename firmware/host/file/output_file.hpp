@@ -11,7 +11,7 @@
 
 namespace earshot::host {
 
-/// What a program writes, told by how such a file begins.
+/// A kind of file that a program writes; it is recognised by its first bytes.
 struct OutputKind {
   std::string_view name;  ///< with its article: "a NetCDF file"
   std::array<std::string_view, 2> beginnings;
@@ -22,7 +22,7 @@ inline constexpr OutputKind kPngOutput{"a PNG picture", {"\x89PNG\r\n\x1a\n", {}
 inline constexpr OutputKind kSvgOutput{"an SVG picture", {"<?xml", "<svg"}};
 inline constexpr OutputKind kHtmlOutput{"an HTML page", {"<!DOCTYPE html>", {}}};
 
-/// By the end of its name: .png is a PNG picture, anything else an SVG one.
+/// The kind that the end of the name asks for: .png is a PNG picture, anything else an SVG one.
 [[nodiscard]] OutputKind picture_kind(const std::filesystem::path& path);
 
 /// Which files may be replaced.
@@ -31,7 +31,7 @@ enum class Replace : std::uint8_t {
   kAny,      ///< any regular file: --force
 };
 
-/// What --force means.
+/// Which files --force, or its absence, lets a program replace.
 [[nodiscard]] constexpr Replace replaced_by(bool force) {
   return force ? Replace::kAny : Replace::kOwnKind;
 }

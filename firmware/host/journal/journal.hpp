@@ -85,7 +85,7 @@ class Journal {
   [[nodiscard]] Status close();
 
   [[nodiscard]] JournalCounters counters() const;
-  /// Of the file that is written.
+  /// The file that is written.
   [[nodiscard]] const std::filesystem::path& path() const;
 
  private:

@@ -9,7 +9,7 @@ namespace earshot::host {
 
 // The memory of this process, laid out before a flight so that nothing has to be fetched during it.
 
-/// Every thread that is made from now on gets a stack of so many bytes, its guard page among them.
+/// Gives every thread that is made from now on a stack of this size in bytes, which includes its guard page.
 /// @throws std::system_error when the system takes no such stack
 void set_thread_stack(std::size_t bytes);
 

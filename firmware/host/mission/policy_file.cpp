@@ -21,32 +21,33 @@
 namespace earshot::host {
 namespace {
 
+using host::to_string;  // beside the two here
 using Bytes = std::vector<std::uint8_t>;
 
-std::string in_words(double value) {
+std::string to_string(double value) {
   std::ostringstream text;
   text << std::setprecision(10) << value;
   return text.str();
 }
 
-std::string in_words(NorthEast size) {
-  return in_words(size.north.value) + " m north x " + in_words(size.east.value) + " m east";
+std::string to_string(NorthEast size) {
+  return to_string(size.north.value) + " m north x " + to_string(size.east.value) + " m east";
 }
 
 /// "KEY = VALUE: must be VALUE" of the mission's number that does not fit; empty when all do.
 std::string complaint_about(const policy::FrozenPolicy& policy, const config::Mission& mission) {
   const Rectangle& area = mission.operating_area;
-  switch (policy::misfit(policy, mission)) {
-    case policy::Misfit::kNone:
+  switch (policy::mismatch(policy, mission)) {
+    case policy::Mismatch::kNone:
       break;
-    case policy::Misfit::kStepLength:
-      return "search.step_length_m = " + in_words(mission.step_length.value) + ": must be " + in_words(policy.step_length.value);
-    case policy::Misfit::kAreaSize:
-      return "area is " + in_words(area.north_east - area.south_west) + ": must be " + in_words(policy.area_size);
-    case policy::Misfit::kDetectionThreshold:
-      return "search.detection_threshold_db = " + in_words(mission.detection_threshold.value) + ": must be " +
-             in_words(policy.detection_threshold.value);
-    case policy::Misfit::kListening:
+    case policy::Mismatch::kStepLength:
+      return "search.step_length_m = " + to_string(mission.step_length.value) + ": must be " + to_string(policy.step_length.value);
+    case policy::Mismatch::kAreaSize:
+      return "area is " + to_string(area.north_east - area.south_west) + ": must be " + to_string(policy.area_size);
+    case policy::Mismatch::kDetectionThreshold:
+      return "search.detection_threshold_db = " + to_string(mission.detection_threshold.value) + ": must be " +
+             to_string(policy.detection_threshold.value);
+    case policy::Mismatch::kListening:
       return "search.listening = " + to_string(mission.listening) + ": must be " + to_string(policy.observation.listening);
   }
   return {};
@@ -93,7 +94,7 @@ void check_fits(const policy::FrozenPolicy& policy, const std::filesystem::path&
   const std::string complaint = complaint_about(policy, mission);
   if (complaint.empty()) return;
   // The window is chosen when a policy is frozen; the rest, when it is trained.
-  const bool is_chosen_last = policy::misfit(policy, mission) == policy::Misfit::kListening;
+  const bool is_chosen_last = policy::mismatch(policy, mission) == policy::Mismatch::kListening;
   throw BadInput(mission_path.string() + ": " + complaint + ", which the policy " + policy_path.string() + " was " +
                  (is_chosen_last ? "frozen" : "trained") + " with");
 }

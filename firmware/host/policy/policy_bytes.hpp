@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
+#include "firmware/policy/check/policy_fault.hpp"
 #include "firmware/policy/frozen_policy.hpp"
-#include "firmware/policy/policy_fault.hpp"
 
 namespace earshot::host {
 

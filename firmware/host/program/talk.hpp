@@ -14,7 +14,7 @@ void set_talk(Talk talk);
 /// Where a program says what it did: standard output; nowhere with --quiet.
 [[nodiscard]] std::ostream& say();
 
-/// Where it says what only --verbose wants to know: standard error, or nowhere.
+/// Where a program says what only --verbose shows: standard error; nowhere otherwise.
 [[nodiscard]] std::ostream& detail();
 
 }  // namespace earshot::program

@@ -98,11 +98,11 @@ struct TableNode {
 
 namespace {
 
-std::string in_words(std::int64_t lowest, std::int64_t highest) {
+std::string requirement(std::int64_t lowest, std::int64_t highest) {
   return "must be a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
 }
 
-std::string in_words(const std::vector<std::string>& allowed) {
+std::string requirement(const std::vector<std::string>& allowed) {
   std::string text = "must be one of";
   for (std::size_t i = 0; i < allowed.size(); ++i) text += (i == 0 ? " \"" : ", \"") + allowed[i] + "\"";
   return text;
@@ -155,12 +155,12 @@ double TableReader::number_or(std::string_view key, double fallback, Range range
 std::int64_t TableReader::integer(std::string_view key, std::int64_t lowest, std::int64_t highest) {
   const toml::node* node = node_->find(key);
   if (node == nullptr) {
-    node_->note_missing(key, in_words(lowest, highest));
+    node_->note_missing(key, requirement(lowest, highest));
     return lowest;
   }
   const std::optional<std::int64_t> value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
   if (value && *value >= lowest && *value <= highest) return *value;
-  node_->note_value(key, *node, in_words(lowest, highest));
+  node_->note_value(key, *node, requirement(lowest, highest));
   return lowest;
 }
 
@@ -194,7 +194,7 @@ std::string TableReader::text_or(std::string_view key, std::string_view fallback
 std::size_t TableReader::choice(std::string_view key, const std::vector<std::string>& allowed) {
   const toml::node* node = node_->find(key);
   if (node == nullptr) {
-    node_->note_missing(key, in_words(allowed));
+    node_->note_missing(key, requirement(allowed));
     return 0;
   }
   if (node->is_string()) {
@@ -202,7 +202,7 @@ std::size_t TableReader::choice(std::string_view key, const std::vector<std::str
       if (*node->value<std::string>() == allowed[i]) return i;
     }
   }
-  node_->note_value(key, *node, in_words(allowed));
+  node_->note_value(key, *node, requirement(allowed));
   return 0;
 }
 
@@ -211,7 +211,7 @@ std::size_t TableReader::choice_or(std::string_view key, std::size_t fallback, c
 }
 
 std::vector<std::size_t> TableReader::choices(std::string_view key, const std::vector<std::string>& allowed) {
-  const std::string wanted = in_words(allowed) + ", or several of them in an array, each once";
+  const std::string wanted = requirement(allowed) + ", or several of them in an array, each once";
   const toml::node* node = node_->find(key);
   if (node == nullptr) {
     node_->note_missing(key, wanted);

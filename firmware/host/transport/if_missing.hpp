@@ -4,7 +4,7 @@
 
 namespace earshot::host {
 
-/// What it means that the interface or network of a link is not there when the link is opened.
+/// How to open a link whose interface or network is not there.
 enum class IfMissing : std::uint8_t {
   kRefuse,     ///< an error at once: in simulation, and for tools
   kKeepTrying  ///< at sea: the link is down, and may be there later

@@ -4,7 +4,7 @@
 
 namespace earshot::host {
 
-/// What Linux asks of the name of a network interface, as the end of a complaint: "CAN interface \"a/b\": " + this.
+/// The rule of Linux for the name of a network interface, worded as the end of a complaint: "CAN interface \"a/b\": " + this.
 inline constexpr const char* kInterfaceNameRule =
     "must be 1 to 15 characters without '/', ':' and white space, and neither \".\" nor \"..\", as Linux names interfaces";
 

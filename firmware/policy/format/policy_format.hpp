@@ -5,8 +5,8 @@
 #include <span>
 
 #include "firmware/core/status.hpp"
+#include "firmware/policy/check/policy_fault.hpp"
 #include "firmware/policy/frozen_policy.hpp"
-#include "firmware/policy/policy_fault.hpp"
 
 namespace earshot::policy {
 

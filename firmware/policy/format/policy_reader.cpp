@@ -2,10 +2,10 @@
 #include <span>
 
 #include "firmware/core/crc32.hpp"
+#include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/format/byte_stream.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "firmware/policy/format/sections.hpp"
-#include "firmware/policy/policy_check.hpp"
 
 namespace earshot::policy {
 namespace {
@@ -131,9 +131,9 @@ PolicyFault read_provenance(ByteReader& reader, FrozenPolicy& policy) {
 PolicyFault read_golden_step(ByteReader& reader, const Network& network, GoldenStep& step) {
   step = GoldenStep{};
   step.place = read_place(reader);
-  step.heard.snr = Decibels{reader.f64()};
+  step.reception.snr = Decibels{reader.f64()};
   const std::uint8_t too_faint = reader.u8();
-  step.heard.too_faint = too_faint == 1;
+  step.reception.too_faint = too_faint == 1;
   step.belief.likeliest = read_place(reader);
   step.belief.mean = read_place(reader);
   step.belief.spread = Meters{reader.f64()};

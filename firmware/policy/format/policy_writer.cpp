@@ -2,10 +2,10 @@
 #include <span>
 
 #include "firmware/core/crc32.hpp"
+#include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/format/byte_stream.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "firmware/policy/format/sections.hpp"
-#include "firmware/policy/policy_check.hpp"
 
 namespace earshot::policy {
 namespace {
@@ -102,8 +102,8 @@ void write_golden(ByteWriter& writer, const FrozenPolicy& policy) {
   for (const GoldenTrajectory& trajectory : policy.golden) {
     for (const GoldenStep& step : trajectory) {
       write(writer, step.place);
-      writer.f64(step.heard.snr.value);
-      writer.u8(step.heard.too_faint ? 1 : 0);
+      writer.f64(step.reception.snr.value);
+      writer.u8(step.reception.too_faint ? 1 : 0);
       write(writer, step.belief.likeliest);
       write(writer, step.belief.mean);
       writer.f64(step.belief.spread.value);

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "firmware/policy/check/policy_fault.hpp"
 #include "firmware/policy/format/policy_format.hpp"
-#include "firmware/policy/policy_fault.hpp"
 
-// What reader and writer have in common; README.md of this folder has it as a table.
+// Layout that reader and writer share; README.md of this folder shows it as a table.
 namespace earshot::policy::format {
 
 inline constexpr std::array<std::uint8_t, 8> kMagic = {'E', 'A', 'R', 'S', 'H', 'O', 'T', 'P'};

@@ -53,7 +53,7 @@ Result<NorthEast> LocalPlane::to_local(const Geographic& place) const {
 }
 
 Result<Geographic> LocalPlane::to_geographic(const NorthEast& position) const {
-  if (!is_finite(position.north.value) || !is_finite(position.east.value)) return Status::kOutOfRange;
+  if (!is_finite(position)) return Status::kOutOfRange;
   // The scale hangs on the mid latitude, that is on the answer: a fixed point that gains at least two digits a turn within two degrees.
   double d_latitude = 0.0;
   for (int turn = 0; turn < 8; ++turn) {

@@ -22,8 +22,8 @@ using NavigationFrames = std::array<Frame, 4>;
 
 struct NavigationCounters {
   std::uint64_t accepted = 0;  ///< positions that gave a Navigation
-  std::uint64_t refused =
-      0;  ///< frames of ours that are malformed, out of range, or in a reference we do not take (magnetic heading, air pressure)
+  /// Frames of ours that are malformed, out of range, or in a reference we do not take (magnetic heading, air pressure).
+  std::uint64_t refused = 0;
   std::uint64_t waiting = 0;  ///< positions that came while heading, speed or pressure was missing or stale
   std::uint64_t other = 0;    ///< frames of other PGNs
 };

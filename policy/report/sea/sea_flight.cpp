@@ -64,10 +64,6 @@ const char* to_string(CommandOutcome outcome) {
   return "refused";
 }
 
-bool is_finite(NorthEast place) {
-  return std::isfinite(place.north.value) && std::isfinite(place.east.value);
-}
-
 std::optional<SeaFlight> begun_with(const host::JournalRecord& record) {
   mission_t mission{};
   if (record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk) return std::nullopt;
@@ -106,7 +102,7 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
     if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_finite(*fix))
       flight.fixes.push_back({.time_s = time_s, .position = fix->position, .depth = fix->depth});
     if (const auto* snr = std::get_if<messages::SnrMeasurement>(&input.value); snr != nullptr && std::isfinite(snr->snr.value))
-      flight.heard.push_back({.time_s = time_s, .snr_db = snr->snr.value, .too_faint = snr->too_faint});
+      flight.measurements.push_back({.time_s = time_s, .snr_db = snr->snr.value, .too_faint = snr->too_faint});
   } else if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
     note_health(time_s, health, flight);
   } else if (record.channel == wire::kAcknowledgementChannel && wire::decode(record.data, acknowledgement) == Status::kOk) {

@@ -27,12 +27,12 @@ struct SeaFlight {
   };
   std::vector<Fix> fixes;
 
-  struct Heard {
+  struct Measurement {
     double time_s = 0.0;
     double snr_db = 0.0;
     bool too_faint = false;  ///< not measured: it lies somewhere below
   };
-  std::vector<Heard> heard;
+  std::vector<Measurement> measurements;
 
   /// An order that came, or a state that the mission went into.
   struct Event {

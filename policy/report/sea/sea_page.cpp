@@ -56,9 +56,9 @@ std::string sea_headline(const SeaFlight& flight, const JournalledSearch& journa
 
 std::string sea_facts(const SeaFlight& flight, const JournalledSearch& journal) {
   const auto detections = std::ranges::count_if(journal.decisions, [](const explain::RecordedDecision& d) { return d.detected; });
-  const auto is_fainter = [](const SeaFlight::Heard& a, const SeaFlight::Heard& b) { return a.snr_db < b.snr_db; };
-  std::vector<SeaFlight::Heard> measured = flight.heard;
-  std::erase_if(measured, [](const SeaFlight::Heard& heard) { return heard.too_faint; });
+  const auto is_fainter = [](const SeaFlight::Measurement& a, const SeaFlight::Measurement& b) { return a.snr_db < b.snr_db; };
+  std::vector<SeaFlight::Measurement> measured = flight.measurements;
+  std::erase_if(measured, [](const SeaFlight::Measurement& one) { return one.too_faint; });
   const auto loudest = std::ranges::max_element(measured, is_fainter);
   std::string text = "<dl>\n" + fact("time in the journal", duration(flight.ended_s));
   if (flight.search_began_s)
@@ -66,7 +66,7 @@ std::string sea_facts(const SeaFlight& flight, const JournalledSearch& journal) 
             fact("sailed in the search", fixed(flight.distance().value / 1e3, 1) + " km");
   text += fact("decisions", std::to_string(journal.decisions.size())) + fact("of these, source heard", std::to_string(detections)) +
           fact("loudest SNR", loudest == measured.end() ? "-" : fixed(loudest->snr_db, 1) + " dB");
-  return text + fact("fixes", std::to_string(flight.fixes.size())) + fact("SNR measurements", std::to_string(flight.heard.size())) +
+  return text + fact("fixes", std::to_string(flight.fixes.size())) + fact("SNR measurements", std::to_string(flight.measurements.size())) +
          "</dl>\n";
 }
 

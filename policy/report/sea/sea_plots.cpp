@@ -26,18 +26,19 @@ void write_decisions(const fs::path& path, const SeaFlight& flight, const std::v
                      double unit_s) {
   std::ofstream out(path);
   for (const explain::RecordedDecision& d : decisions)
-    out << km(d.position) << ' ' << (d.detected ? 1 : 0) << ' ' << (d.time_s - flight.began_s) / unit_s << ' ' << d.heard.snr.value << '\n';
+    out << km(d.position) << ' ' << (d.detected ? 1 : 0) << ' ' << (d.time_s - flight.began_s) / unit_s << ' ' << d.reception.snr.value
+        << '\n';
 }
 
 /// The loudest of each group when there are more than the picture has points across: a call between two of them is not left out.
 void write_heard(const fs::path& path, const SeaFlight& flight, double unit_s) {
   std::ofstream out(path);
-  const std::size_t group = flight.heard.size() / kMostPoints + 1;
-  const auto is_fainter = [](const SeaFlight::Heard& a, const SeaFlight::Heard& b) { return a.snr_db < b.snr_db; };
-  for (std::size_t i = 0; i < flight.heard.size(); i += group) {
-    const auto begin = flight.heard.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto end = flight.heard.begin() + static_cast<std::ptrdiff_t>(std::min(i + group, flight.heard.size()));
-    const SeaFlight::Heard& loudest = *std::max_element(begin, end, is_fainter);
+  const std::size_t group = flight.measurements.size() / kMostPoints + 1;
+  const auto is_fainter = [](const SeaFlight::Measurement& a, const SeaFlight::Measurement& b) { return a.snr_db < b.snr_db; };
+  for (std::size_t i = 0; i < flight.measurements.size(); i += group) {
+    const auto begin = flight.measurements.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto end = flight.measurements.begin() + static_cast<std::ptrdiff_t>(std::min(i + group, flight.measurements.size()));
+    const SeaFlight::Measurement& loudest = *std::max_element(begin, end, is_fainter);
     out << loudest.time_s / unit_s << ' ' << loudest.snr_db << ' ' << (loudest.too_faint ? 1 : 0) << '\n';
   }
 }
@@ -120,7 +121,7 @@ plot 'area.dat' using 1:2 with lines lw 1.6 dt (6,4) lc )" +
 }
 
 std::string sea_history_svg(const SeaFlight& flight, const std::vector<explain::RecordedDecision>& decisions) {
-  if (flight.heard.empty()) return "";
+  if (flight.measurements.empty()) return "";
   const TimeUnit unit = unit_for(flight.ended_s);
   const PlotFolder scratch;
   write_heard(scratch / "heard.dat", flight, unit.s);

@@ -83,7 +83,7 @@ void bind(const program::CommandLine& line, const char* option, const char* othe
   line.at(option).needs(line.at(other));
 }
 
-sonar::Band band_of(const FieldArguments& arguments, const ocean::Environment& environment) {
+ocean::Band band_of(const FieldArguments& arguments, const ocean::Environment& environment) {
   if (arguments.band_hz.empty()) return {environment.source.frequency, environment.source.frequency};
   return {Hertz{arguments.band_hz[0]}, Hertz{arguments.band_hz[1]}, arguments.frequencies};
 }

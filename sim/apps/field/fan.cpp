@@ -11,7 +11,6 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "sim/apps/field/modes.hpp"
-#include "sim/ocean/file/environment_file.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
 #include "sim/plot/field_plot.hpp"
 #include "sim/sonar/detection.hpp"
@@ -87,7 +86,7 @@ void require_water(const ocean::Environment& environment, const sonar::FanPlan& 
 }  // namespace
 
 void write_fan(const FieldArguments& arguments) {
-  const auto environment = ocean::load_environment(arguments.environment);
+  const auto environment = environment_in(arguments.environment);
   require_writable(arguments);
   const NorthEast source = environment.source.position;
   const Meters deepest = sonar::deepest_sea_floor(environment, source, arguments.radials, Meters{1000.0 * arguments.max_range_km});

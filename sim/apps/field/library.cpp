@@ -30,7 +30,7 @@ void print_summary(const FieldArguments& arguments, const field_library::Library
 void write_library(const FieldArguments& arguments, parallel::RankSession& session) {
   std::optional<field_library::LibraryPlan> plan;
   session.all_or_none<BadStart, std::exception>([&] {
-    plan = field_library::load_library_plan(arguments.library);
+    plan = field_library::load_library_plan(arguments.library, environment_in);
     if (session.ranks().rank() == 0) require_writable(arguments);
   });
 

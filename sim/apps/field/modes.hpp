@@ -1,10 +1,12 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "sim/apps/field/arguments.hpp"
+#include "sim/ocean/environment.hpp"
 #include "sim/ocean/section.hpp"
 #include "sim/parallel/rank_session.hpp"
 
@@ -15,6 +17,10 @@ class BadStart : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// The ocean of an environment file. What the file says of a search is read too and left out: one file serves all programs, and a mistake
+/// in it is told by each.
+[[nodiscard]] ocean::Environment environment_in(const std::filesystem::path& path);
 
 /// Says on standard error what the result leans on and does not hold; nothing where there is nothing to say.
 void warn(const std::optional<ocean::UnmeasuredWater>& water);

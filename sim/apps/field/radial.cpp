@@ -8,8 +8,8 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "sim/apps/field/modes.hpp"
-#include "sim/ocean/file/environment_file.hpp"
 #include "sim/plot/field_plot.hpp"
+#include "sim/search/scenario/scenario_file.hpp"
 #include "sim/sonar/field_file.hpp"
 #include "sim/sonar/grid_check.hpp"
 #include "sim/sonar/sonar_field.hpp"
@@ -47,6 +47,10 @@ void warn_of_land(const ocean::Environment& environment, Radians bearing, Meters
 
 }  // namespace
 
+ocean::Environment environment_in(const std::filesystem::path& path) {
+  return search::load_scenario(path).environment;
+}
+
 void warn(const std::string& what) {
   std::cerr << "earshot field: warning: " << what << '\n';
 }
@@ -56,7 +60,7 @@ void warn(const std::optional<ocean::UnmeasuredWater>& water) {
 }
 
 void write_radial(const FieldArguments& arguments) {
-  const auto environment = ocean::load_environment(arguments.environment);
+  const auto environment = environment_in(arguments.environment);
   require_writable(arguments);
   const Radians bearing{arguments.bearing_deg * std::numbers::pi / 180.0};
   const Meters deepest =

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "sim/ocean/file/environment_file.hpp"
-#include "sim/ocean/section.hpp"
+#include "sim/ocean/section_along.hpp"
+#include "sim/search/scenario/scenario_file.hpp"
 
 namespace earshot::fly {
 namespace {
@@ -35,15 +35,15 @@ void require_depth_in_water(const std::filesystem::path& mission, Meters depth, 
 }  // namespace
 
 FlightPlan load_flight_plan(const std::filesystem::path& mission, const std::filesystem::path& environment) {
-  FlightPlan plan{.mission = host::load_mission(mission), .environment = ocean::load_environment(environment), .search = {}};
-  if (!ocean::is_range_independent(plan.environment))
+  FlightPlan plan{.mission = host::load_mission(mission), .scenario = search::load_scenario(environment), .search = {}};
+  if (!ocean::is_range_independent(plan.scenario.environment))
     throw BadInput(environment.string() + ": its ocean changes with range or bearing, and a flight needs one that does not");
   const Meters depth = plan.mission.mission.search_depth;
-  require_depth_in_water(mission, depth, plan.environment.seabed.depth, "the seabed.depth_m of " + environment.string());
-  for (const ocean::Environment& other : plan.environment.other_oceans)
+  require_depth_in_water(mission, depth, plan.scenario.environment.seabed.depth, "the seabed.depth_m of " + environment.string());
+  for (const ocean::Environment& other : plan.scenario.other_oceans)
     require_depth_in_water(mission, depth, other.seabed.depth,
                            "the sea floor of " + other.name + " among the other oceans of " + environment.string());
-  plan.search = settings_of(plan.mission.mission, plan.environment);
+  plan.search = settings_of(plan.mission.mission, plan.scenario.environment);
   if (search::check(plan.search) != Status::kOk)
     throw BadInput(mission.string() + ": area: no start is further than search.step_length_m from the source");
   return plan;

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "firmware/host/mission/mission_file.hpp"
-#include "sim/ocean/environment.hpp"
+#include "sim/search/scenario/scenario.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::fly {
@@ -11,7 +11,7 @@ namespace earshot::fly {
 /// What a flight is made of.
 struct FlightPlan {
   host::MissionFile mission;
-  ocean::Environment environment;
+  search::Scenario scenario;
   search::SearchSettings search;  ///< the paper's search, with the mission's numbers in place of its own
 };
 

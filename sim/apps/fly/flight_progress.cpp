@@ -16,15 +16,15 @@ std::string with_one_decimal(double value) {
 }  // namespace
 
 std::string hours_and_minutes(Duration duration) {
-  const std::int64_t minutes = duration.us / Duration::seconds(60).us;
+  const std::int64_t minutes = (duration.us + Duration::seconds(30).us) / Duration::seconds(60).us;  // rounded, as on the report's page
   const std::string past_the_hour = std::to_string(minutes % 60);
   return std::to_string(minutes / 60) + " h " + (past_the_hour.size() < 2 ? "0" : "") + past_the_hour + " min";
 }
 
 std::string to_string(const FlightProgress& p) {
   std::string text = hours_and_minutes(p.at_sea) + " at sea, step " + std::to_string(std::min(p.steps_taken + 1, p.max_steps)) + " of " +
-                     std::to_string(p.max_steps) + ", SNR " + (p.heard.too_faint ? "below " : "") + with_one_decimal(p.heard.snr.value) +
-                     " dB";
+                     std::to_string(p.max_steps) + ", SNR " + (p.reception.too_faint ? "below " : "") +
+                     with_one_decimal(p.reception.snr.value) + " dB";
   if (p.believed_range) text += ", source believed " + with_one_decimal(p.believed_range->value / 1e3) + " km away";
   return text;
 }

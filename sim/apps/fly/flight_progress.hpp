@@ -6,7 +6,7 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
-#include "firmware/policy/heard.hpp"
+#include "firmware/policy/reception.hpp"
 
 namespace earshot::fly {
 
@@ -15,7 +15,7 @@ struct FlightProgress {
   Duration at_sea;
   std::uint32_t steps_taken = 0;
   std::uint32_t max_steps = 0;
-  policy::Heard heard;
+  policy::Reception reception;
   std::optional<Meters> believed_range;  ///< from the vehicle to where the policy believes the source; none when it holds no belief
 };
 

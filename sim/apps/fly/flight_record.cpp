@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "firmware/core/geometry.hpp"
+#include "sim/search/reward/step_reward.hpp"
 
 namespace earshot::fly {
 namespace {
@@ -42,7 +43,7 @@ TrackFile::TrackFile(const std::filesystem::path& path)
 void TrackFile::add(const TrackPoint& p) {
   const int written = std::fprintf(file_.get(), "%.3f,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%s,%u\n", (p.time - Time{}).to_seconds(),
                                    p.vehicle.position.north.value, p.vehicle.position.east.value, p.vehicle.depth.value,
-                                   p.vehicle.heading.value * 180.0 / std::numbers::pi, p.vehicle.speed.value, p.heard.snr.value,
+                                   p.vehicle.heading.value * 180.0 / std::numbers::pi, p.vehicle.speed.value, p.reception.snr.value,
                                    p.range.value, name_of(p.state), p.steps_taken);
   if (written >= 0) return;
   is_cut_ = true;
@@ -60,7 +61,7 @@ void TrackFile::finish() {
 void Score::add(const TrackPoint& point) {
   if (last_position_) distance_ += range_between(*last_position_, point.vehicle.position);
   last_position_ = point.vehicle.position;
-  listener_.take({.time = point.time, .snr = point.heard.snr, .too_faint = point.heard.too_faint});
+  listener_.take({.time = point.time, .snr = point.reception.snr, .too_faint = point.reception.too_faint});
   const bool has_begun = !is_searching_ && point.state == messages::MissionState::kSearch;
   const bool has_stepped = point.steps_taken != steps_taken_;
   if (has_stepped) end_step(point);
@@ -71,10 +72,10 @@ void Score::add(const TrackPoint& point) {
 
 void Score::end_step(const TrackPoint& point) {
   ++steps_;
-  const detector::WindowHeard window = listener_.heard(settings_.listening, point.time);
-  const policy::Heard heard{.snr = window.snr, .too_faint = window.too_faint};
-  reward_ += search::step_reward(settings_, point.vehicle.position, heard);
-  if (search::is_detection(settings_, heard)) ++detections_;
+  const detector::WindowReception window = listener_.reception(settings_.listening, point.time);
+  const policy::Reception reception{.snr = window.snr, .too_faint = window.too_faint};
+  reward_ += search::step_reward(settings_, point.vehicle.position, reception);
+  if (search::is_detection(settings_, reception)) ++detections_;
 }
 
 void remove_results(const std::filesystem::path& folder) {

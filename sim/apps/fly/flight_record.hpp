@@ -11,7 +11,7 @@
 #include "firmware/core/units.hpp"
 #include "firmware/detector/listener.hpp"
 #include "firmware/messages/health.hpp"
-#include "firmware/policy/heard.hpp"
+#include "firmware/policy/reception.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
@@ -21,7 +21,7 @@ namespace earshot::fly {
 struct TrackPoint {
   Time time;
   vehicle::State vehicle;
-  policy::Heard heard;
+  policy::Reception reception;
   Meters range;  ///< horizontal, to the source
   messages::MissionState state = messages::MissionState::kStandby;
   std::uint32_t steps_taken = 0;  ///< actions completed
@@ -48,8 +48,8 @@ class TrackFile {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
-/// What a flight comes to, added up tick by tick. What a step heard is made of the ticks of its leg as the runtime makes it of the looks
-/// that it was sent.
+/// The score of a flight, added up tick by tick. The reception of a step is made of the ticks of its leg in the way in which the runtime
+/// makes it of the looks that it was sent.
 class Score {
  public:
   explicit Score(const search::SearchSettings& settings) : settings_(settings) {}

@@ -15,11 +15,14 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr std::uint64_t kConditionsStream = 1;  ///< of the seed; the start is drawn from stream 0
-constexpr milliseconds kLookUp{100};            ///< how often a waiting simulator looks at `stop`
-constexpr milliseconds kRuntimePatience{
-    4000};                                  ///< for an answer: a step takes microseconds, a dead runtime is known after link::kLeaseSeconds
-constexpr milliseconds kBusPatience{2000};  ///< for a set-point that was sent before its answer
+/// Of the seed; the start is drawn from stream 0.
+constexpr std::uint64_t kConditionsStream = 1;
+/// How often a waiting simulator looks at `stop`.
+constexpr milliseconds kLookUp{100};
+/// For an answer: a step takes microseconds, a dead runtime is known after link::kLeaseSeconds.
+constexpr milliseconds kRuntimePatience{4000};
+/// For a set-point that was sent before its answer.
+constexpr milliseconds kBusPatience{2000};
 
 const char* word_for(messages::EndReason reason) {
   switch (reason) {
@@ -47,13 +50,8 @@ const char* word_for(messages::EndReason reason) {
 class Stepper {
  public:
   Stepper(const Flight& flight, const vehicle::State& start, const std::atomic<bool>& stop)
-      : flight_(flight),
-        vehicle_(start),
-        command_{.heading = start.heading, .speed = start.speed, .depth = start.depth},
-        source_(flight.world.source),
-        stop_(stop) {
-    if (is_calm()) return;
-    surroundings_.start(flight.world.search, start.position, flight.world.source, Pcg32(flight.world.seed, kConditionsStream));
+      : flight_(flight), vehicle_(start), command_{.heading = start.heading, .speed = start.speed, .depth = start.depth}, stop_(stop) {
+    surroundings_.start(flight.setup.world, start.position, flight.setup.source, Pcg32(flight.setup.seed, kConditionsStream));
     source_ = surroundings_.nearest_source(start.position);
   }
 
@@ -76,44 +74,35 @@ class Stepper {
       tick();
       if (over_) return;
       advance();
-      now_ = now_ + flight_.world.tick;
+      now_ = now_ + flight_.setup.tick;
       keep_pace(began);
     }
   }
 
-  /// Whether the conditions of the world change anything.
-  [[nodiscard]] bool is_calm() const { return flight_.world.search.soundscape == nullptr; }
-
   void advance() {
     const NorthEast before = vehicle_.position;
-    vehicle_ = vehicle::advance_for(vehicle_, command_, flight_.world.vehicle, flight_.world.tick);
-    if (is_calm()) return;
-    vehicle_.position = before + surroundings_.pass(flight_.world.search, vehicle_.position - before, flight_.world.tick.to_seconds());
+    vehicle_ = vehicle::advance_for(vehicle_, command_, flight_.setup.vehicle, flight_.setup.tick);
+    vehicle_.position = surroundings_.carry(flight_.setup.world, before, vehicle_.position, flight_.setup.tick.to_seconds());
     source_ = surroundings_.nearest_source(vehicle_.position);
-  }
-
-  [[nodiscard]] policy::Heard listen(Meters range) {
-    if (is_calm()) return {.snr = flight_.world.search.snr.at(range)};
-    return surroundings_.listen(flight_.world.search, vehicle_.position);
   }
 
   /// What navigation tells of the vehicle.
   [[nodiscard]] vehicle::State believed() const {
     vehicle::State state = vehicle_;
-    if (!is_calm()) state.position = state.position + surroundings_.navigation_error();
+    state.position = state.position + surroundings_.navigation_error();
     return state;
   }
 
   void tick() {
     const Meters range = range_between(vehicle_.position, source_);
-    const policy::Heard heard = listen(range);
-    const bool reached = flight_.world.may_be_found && range <= flight_.world.found_within;
+    const policy::Reception reception = surroundings_.listen(flight_.setup.world, vehicle_.position);
+    const bool reached = flight_.setup.may_be_found && range <= flight_.setup.found_within;
     flight_.bus.publish(now_, believed());
     flight_.link.send({.number = ++number_,
                        .time = now_,
                        .navigation_messages = flight_.bus.navigation_messages(),
-                       .snr = heard.snr,
-                       .snr_too_faint = heard.too_faint,
+                       .snr = reception.snr,
+                       .snr_too_faint = reception.too_faint,
                        .command = order(reached)});
     flight_.link.observe({.time = now_,
                           .vehicle = vehicle_.position,
@@ -125,7 +114,7 @@ class Stepper {
     if (!receive(answer) || !collect(answer)) return;
     const TrackPoint point{.time = now_,
                            .vehicle = vehicle_,
-                           .heard = heard,
+                           .reception = reception,
                            .range = range,
                            .state = static_cast<messages::MissionState>(answer.state),
                            .steps_taken = answer.steps_taken};
@@ -137,8 +126,8 @@ class Stepper {
     const auto range_from_here = [this](NorthEast source) { return range_between(believed().position, source); };
     live_.draw(to_string({.at_sea = point.time - Time{},
                           .steps_taken = point.steps_taken,
-                          .max_steps = flight_.world.search.settings.max_steps,
-                          .heard = point.heard,
+                          .max_steps = flight_.setup.world.settings.max_steps,
+                          .reception = point.reception,
                           .believed_range = believed_source ? std::optional(range_from_here(*believed_source)) : std::nullopt}));
   }
 
@@ -185,9 +174,9 @@ class Stepper {
   }
 
   void keep_pace(steady_clock::time_point began) const {
-    if (flight_.world.speed <= 0.0) return;
+    if (flight_.setup.speed <= 0.0) return;
     const auto due = began + std::chrono::duration_cast<steady_clock::duration>(
-                                 std::chrono::duration<double>((now_ - Time{}).to_seconds() / flight_.world.speed));
+                                 std::chrono::duration<double>((now_ - Time{}).to_seconds() / flight_.setup.speed));
     while (!stop_ && steady_clock::now() < due) std::this_thread::sleep_until(std::min(due, steady_clock::now() + kLookUp));
   }
 
@@ -195,7 +184,7 @@ class Stepper {
   vehicle::State vehicle_;
   vehicle::Command command_;
   NorthEast source_;
-  search::Surroundings surroundings_;  ///< unused in a calm world
+  search::Surroundings surroundings_;
   const std::atomic<bool>& stop_;
   Time now_;
   std::uint64_t number_ = 0;

@@ -11,17 +11,17 @@
 #include "sim/apps/fly/autopilot_bus.hpp"
 #include "sim/apps/fly/flight_record.hpp"
 #include "sim/link/simulator_end.hpp"
-#include "sim/search/surroundings.hpp"
+#include "sim/search/scenario/surroundings.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
 namespace earshot::fly {
 
-/// The world that a flight goes through.
-struct World {
-  const search::SearchWorld& search;  ///< what is heard, and its conditions
-  NorthEast source;                   ///< where it is at the start
-  Meters found_within;                ///< l: the source is reached at this range
-  bool may_be_found = true;           ///< false: fly on to the last step even so (benchmarks)
+/// What a flight goes through, and how.
+struct FlightSetup {
+  const search::World& world;  ///< what is heard, and its conditions
+  NorthEast source;            ///< where it is at the start
+  Meters found_within;         ///< l: the source is reached at this range
+  bool may_be_found = true;    ///< false: fly on to the last step even so (benchmarks)
   vehicle::Limits vehicle;
   Duration tick = search::kLookInterval;
   std::uint64_t seed = 1;  ///< of what the conditions draw
@@ -39,7 +39,7 @@ struct FlightResult {
 
 /// Everything that one flight needs; all must outlive it.
 struct Flight {
-  const World& world;
+  const FlightSetup& setup;
   AutopilotBus& bus;
   link::SimulatorEnd& link;
   TrackFile& track;

@@ -29,6 +29,8 @@
 #include "sim/link/session.hpp"
 #include "sim/link/simulator_end.hpp"
 #include "sim/search/episode.hpp"
+#include "sim/search/scenario/placement.hpp"
+#include "sim/search/scenario/world.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace {
@@ -81,7 +83,7 @@ void declare(program::CommandLine& line, Options& o) {
 }
 
 /// The furthest that a source can be heard from within the area, and a little more.
-Meters longest_range(const search::SearchSettings& settings, const ocean::Conditions& conditions) {
+Meters longest_range(const search::SearchSettings& settings, const search::Conditions& conditions) {
   const Rectangle& area = settings.domain;
   const NorthEast source = settings.source;
   const bool is_drawn = settings.placement == search::SourcePlacement::kChanging;
@@ -99,8 +101,8 @@ struct Places {
 };
 
 /// Drawn as an episode of training draws them.
-Places places_of(const search::SearchWorld& world, const config::Mission& mission, std::uint64_t seed) {
-  const search::SearchWorld calm(world.settings, world.snr);  // of the same places; where sources are several it names the first
+Places places_of(const search::World& world, const config::Mission& mission, std::uint64_t seed) {
+  const search::World calm(world.settings, world.expected());  // of the same places; where sources are several it names the first
   Pcg32 random(seed);
   search::Episode episode;
   const policy::ObservationModel sees_nothing;
@@ -118,7 +120,7 @@ void write_curve(const std::filesystem::path& path, const sonar::SnrCurve& snr) 
 }
 
 nlohmann::ordered_json summary_of(const Options& o, const config::Mission& mission, const FlightResult& result, const Score& score,
-                                  const World& world, const vehicle::State& start) {
+                                  NorthEast source, const vehicle::State& start) {
   const auto place = [](NorthEast p) { return nlohmann::ordered_json{{"north_m", p.north.value}, {"east_m", p.east.value}}; };
   const Rectangle& area = mission.operating_area;
   return {{"found", result.found},
@@ -132,7 +134,7 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
           {"end_reason", result.end_reason},
           {"environment", o.environment.string()},
           {"mission", o.mission.string()},
-          {"source", place(world.source)},
+          {"source", place(source)},
           {"start", place(start.position)},
           {"end", place(result.end.position)},
           {"area", {{"south_west", place(area.south_west)}, {"north_east", place(area.north_east)}}},
@@ -156,19 +158,17 @@ bool succeeds(Work work) {
 int simulate(const Options& o) {
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
   host::override_ports(plan.mission, o.ports);
-  if (o.source == "changing") plan.search.placement = search::SourcePlacement::kChanging;
-  const auto& [file, environment, settings] = plan;
-  const search::Soundscape soundscape =
-      search::soundscape_of(environment, file.mission.search_depth, longest_range(settings, environment.conditions));
-  const search::SearchWorld searched(settings, soundscape, environment.conditions);
-  const auto [source, start] = places_of(searched, file.mission, o.seed);
-  const World world{.search = searched,
-                    .source = source,
-                    .found_within = settings.step_length,
-                    .may_be_found = !o.ignore_source,
-                    .vehicle = {},
-                    .seed = o.seed,
-                    .speed = o.speed};
+  plan.search.placement = search::placement_named(o.source).value_or(plan.search.placement);
+  const auto& [file, scenario, settings] = plan;
+  const search::World world = search::assemble(scenario, settings, file.mission.search_depth, longest_range(settings, scenario.conditions));
+  const auto [source, start] = places_of(world, file.mission, o.seed);
+  const FlightSetup setup{.world = world,
+                          .source = source,
+                          .found_within = settings.step_length,
+                          .may_be_found = !o.ignore_source,
+                          .vehicle = {},
+                          .seed = o.seed,
+                          .speed = o.speed};
 
   const std::vector<host::BusLock> locks = host::lock_buses(file, host::BusPlace::kSimulator);
   AutopilotBus bus(file);
@@ -184,15 +184,15 @@ int simulate(const Options& o) {
   remove_results(o.out);
   std::optional<TrackFile> track;
   const bool has_files = succeeds([&] {
-    write_curve(o.out / "snr.csv", soundscape.expected());
+    write_curve(o.out / "snr.csv", world.expected());
     track.emplace(o.out / "track.csv");
   });
   if (!has_files) return kLost;  // a full disk is not the input's fault
   Score score(settings);
-  const FlightResult result = fly_in_lock_step({world, bus, link, *track, score}, start, stop_requested);
+  const FlightResult result = fly_in_lock_step({setup, bus, link, *track, score}, start, stop_requested);
   const bool has_track = succeeds([&] { track->finish(); });
-  const bool has_summary =
-      succeeds([&] { host::write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, world, start).dump(2) + "\n"); });
+  const bool has_summary = succeeds(
+      [&] { host::write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, source, start).dump(2) + "\n"); });
   if (link.strangers() > 0)
     std::cerr << "earshot-sim: " << link.strangers() << " answers of another earshotd in DDS domain " << o.domain << " were ignored\n";
   if (result.failure.empty()) return has_track && has_summary ? 0 : kLost;

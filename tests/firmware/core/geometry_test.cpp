@@ -17,6 +17,16 @@ TEST(LengthOf, IsTheHypotenuse) {
   EXPECT_FALSE(length_of(at(std::numeric_limits<double>::quiet_NaN(), 0)) >= Meters{0});
 }
 
+TEST(NorthEast, IsFiniteWhenBothCoordinatesAre) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(is_finite(at(1e308, -1e308)));
+  for (const double wrong : {kNan, kInfinity, -kInfinity}) {
+    EXPECT_FALSE(is_finite(at(wrong, 0))) << wrong;
+    EXPECT_FALSE(is_finite(at(0, wrong))) << wrong;
+  }
+}
+
 TEST(RangeBetween, IsTheSameFromEitherEnd) {
   EXPECT_EQ(range_between(at(100, 200), at(-20, 250)), Meters{130});
   EXPECT_EQ(range_between(at(-20, 250), at(100, 200)), Meters{130});

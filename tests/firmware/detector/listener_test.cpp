@@ -32,7 +32,7 @@ constexpr messages::SnrMeasurement measured(double time_s, double snr_db) {
 constexpr messages::SnrMeasurement too_faint(double time_s, double floor_db) {
   return {.time = second(time_s), .snr = Decibels{floor_db}, .too_faint = true};
 }
-constexpr WindowHeard heard(double snr_db, std::uint32_t looks, std::uint32_t measured) {
+constexpr WindowReception reception(double snr_db, std::uint32_t looks, std::uint32_t measured) {
   return {.snr = Decibels{snr_db}, .too_faint = measured == 0, .looks = looks, .measured = measured};
 }
 
@@ -44,48 +44,49 @@ Listener after(const std::vector<messages::SnrMeasurement>& looks) {
 
 TEST(Listener, TellsTheNewestLookAloneUnlessAskedForAWindow) {
   const Listener listener = after({measured(1, 30), measured(2, 12)});
-  EXPECT_EQ(listener.heard(kNewest, second(2)), heard(12, 1, 1));
-  EXPECT_EQ(after({measured(1, 30), too_faint(2, 3)}).heard(kNewest, second(2)), heard(3, 1, 0));
+  EXPECT_EQ(listener.reception(kNewest, second(2)), reception(12, 1, 1));
+  EXPECT_EQ(after({measured(1, 30), too_faint(2, 3)}).reception(kNewest, second(2)), reception(3, 1, 0));
 }
 
 TEST(Listener, CountsAsManySecondsAsTheWindowIsLong) {
   std::vector<messages::SnrMeasurement> looks;
   for (int s = 1; s <= 40; ++s) looks.push_back(measured(s, 100.0 - s));  // ever softer
   const Listener listener = after(looks);
-  EXPECT_EQ(listener.heard(loudest_of(1), second(40)), heard(60, 1, 1));
-  EXPECT_EQ(listener.heard(loudest_of(15), second(40)), heard(74, 15, 15));  // seconds 26 to 40
-  EXPECT_EQ(listener.heard(mean_of(15), second(40)), heard(67, 15, 15));     // of 60 to 74
-  EXPECT_EQ(listener.heard(loudest_of(120), second(40)), heard(99, 40, 40));
+  EXPECT_EQ(listener.reception(loudest_of(1), second(40)), reception(60, 1, 1));
+  EXPECT_EQ(listener.reception(loudest_of(15), second(40)), reception(74, 15, 15));  // seconds 26 to 40
+  EXPECT_EQ(listener.reception(mean_of(15), second(40)), reception(67, 15, 15));     // of 60 to 74
+  EXPECT_EQ(listener.reception(loudest_of(120), second(40)), reception(99, 40, 40));
 }
 
 TEST(Listener, HearsAPulseThatComesOnceInItsWindowWhereverItFalls) {
   for (int pulse = 1; pulse <= 15; ++pulse) {
     Listener listener;
     for (int s = 1; s <= 15; ++s) listener.take(s == pulse ? measured(s, 21) : too_faint(s, 3));
-    EXPECT_EQ(listener.heard(loudest_of(15), second(15)), heard(21, 15, 1)) << pulse;
-    EXPECT_EQ(listener.heard(mean_of(15), second(15)), heard(21, 15, 1)) << pulse;
-    EXPECT_EQ(listener.heard(kNewest, second(15)).too_faint, pulse != 15);
+    EXPECT_EQ(listener.reception(loudest_of(15), second(15)), reception(21, 15, 1)) << pulse;
+    EXPECT_EQ(listener.reception(mean_of(15), second(15)), reception(21, 15, 1)) << pulse;
+    EXPECT_EQ(listener.reception(kNewest, second(15)).too_faint, pulse != 15);
   }
 }
 
 TEST(Listener, TellsTheHighestFloorWhenNothingCouldBeMeasured) {
   const Listener listener = after({too_faint(1, 5), too_faint(2, 8), too_faint(3, 4)});
-  EXPECT_EQ(listener.heard(loudest_of(10), second(3)), heard(8, 3, 0));
-  EXPECT_EQ(listener.heard(mean_of(10), second(3)), heard(8, 3, 0));
-  EXPECT_EQ(listener.heard(loudest_of(1), second(3)), heard(4, 1, 0));
-  EXPECT_EQ(after({too_faint(1.2, -5), too_faint(1.4, -8)}).heard(loudest_of(2), second(1.5)), heard(-5, 2, 0));  // within a second, too
+  EXPECT_EQ(listener.reception(loudest_of(10), second(3)), reception(8, 3, 0));
+  EXPECT_EQ(listener.reception(mean_of(10), second(3)), reception(8, 3, 0));
+  EXPECT_EQ(listener.reception(loudest_of(1), second(3)), reception(4, 1, 0));
+  EXPECT_EQ(after({too_faint(1.2, -5), too_faint(1.4, -8)}).reception(loudest_of(2), second(1.5)),
+            reception(-5, 2, 0));  // within a second, too
 }
 
 TEST(Listener, TakesWhatWasMeasuredBeforeAFloorThatIsHigher) {
   const Listener listener = after({measured(1, 4), too_faint(2, 12), measured(3, 6)});
-  EXPECT_EQ(listener.heard(loudest_of(3), second(3)), heard(6, 3, 2));
-  EXPECT_EQ(listener.heard(mean_of(3), second(3)), heard(5, 3, 2));
+  EXPECT_EQ(listener.reception(loudest_of(3), second(3)), reception(6, 3, 2));
+  EXPECT_EQ(listener.reception(mean_of(3), second(3)), reception(5, 3, 2));
 }
 
 TEST(Listener, HearsLevelsBelowZeroAsTheyAre) {
   const Listener listener = after({measured(1, -20), measured(1.5, -30), measured(3, -40)});
-  EXPECT_EQ(listener.heard(loudest_of(3), second(3)), heard(-20, 3, 3));
-  EXPECT_EQ(listener.heard(mean_of(3), second(3)), heard(-30, 3, 3));
+  EXPECT_EQ(listener.reception(loudest_of(3), second(3)), reception(-20, 3, 3));
+  EXPECT_EQ(listener.reception(mean_of(3), second(3)), reception(-30, 3, 3));
 }
 
 TEST(Listener, TakesTenLooksASecondFromEachOfFourSendersForTwoMinutes) {
@@ -94,76 +95,76 @@ TEST(Listener, TakesTenLooksASecondFromEachOfFourSendersForTwoMinutes) {
     for (int sender = 0; sender < 4; ++sender)
       listener.take(measured(0.1 * tenth + 0.01 * sender, tenth == 7 && sender == 2 ? 25 : sender));
   }
-  EXPECT_EQ(listener.heard(loudest_of(120), second(119.99)), heard(25, 4'800, 4'800));
-  EXPECT_EQ(listener.heard(loudest_of(119), second(119.99)), heard(3, 4'760, 4'760));
+  EXPECT_EQ(listener.reception(loudest_of(120), second(119.99)), reception(25, 4'800, 4'800));
+  EXPECT_EQ(listener.reception(loudest_of(119), second(119.99)), reception(3, 4'760, 4'760));
 }
 
 TEST(Listener, CountsALookThatComesLateWhereItsDateBelongs) {
   Listener listener = after({measured(10, 5), measured(20, 6), measured(12, 30)});
-  EXPECT_EQ(listener.heard(loudest_of(9), second(20)), heard(30, 2, 2));  // seconds 12 to 20
-  EXPECT_EQ(listener.heard(loudest_of(8), second(20)), heard(6, 1, 1));
-  EXPECT_EQ(listener.heard(kNewest, second(20)), heard(6, 1, 1));
+  EXPECT_EQ(listener.reception(loudest_of(9), second(20)), reception(30, 2, 2));  // seconds 12 to 20
+  EXPECT_EQ(listener.reception(loudest_of(8), second(20)), reception(6, 1, 1));
+  EXPECT_EQ(listener.reception(kNewest, second(20)), reception(6, 1, 1));
 }
 
 TEST(Listener, ForgetsWhatIsOlderThanAnyWindow) {
   Listener listener = after({measured(200, 5), measured(80, 30)});  // 120 s older
-  EXPECT_EQ(listener.heard(loudest_of(120), second(200)), heard(5, 1, 1));
+  EXPECT_EQ(listener.reception(loudest_of(120), second(200)), reception(5, 1, 1));
   listener.take(measured(81, 20));
-  EXPECT_EQ(listener.heard(loudest_of(120), second(200)), heard(20, 2, 2));
+  EXPECT_EQ(listener.reception(loudest_of(120), second(200)), reception(20, 2, 2));
 }
 
 TEST(Listener, HearsNothingOfBeforeAGap) {
   for (const double gap_s : {119.0, 120.0, 121.0, 1e6}) {
     const Listener listener = after({measured(1, 30), measured(2, 29), measured(2 + gap_s, 7)});
-    EXPECT_EQ(listener.heard(loudest_of(60), second(2 + gap_s)), heard(7, 1, 1)) << gap_s;
-    const WindowHeard widest = listener.heard(loudest_of(120), second(2 + gap_s));
-    EXPECT_EQ(widest, gap_s < 120.0 ? heard(29, 2, 2) : heard(7, 1, 1)) << gap_s;
+    EXPECT_EQ(listener.reception(loudest_of(60), second(2 + gap_s)), reception(7, 1, 1)) << gap_s;
+    const WindowReception widest = listener.reception(loudest_of(120), second(2 + gap_s));
+    EXPECT_EQ(widest, gap_s < 120.0 ? reception(29, 2, 2) : reception(7, 1, 1)) << gap_s;
   }
 }
 
 TEST(Listener, HearsTheNewestLookHoweverOld) {
   const Listener listener = after({measured(1, 30), measured(2, 12)});
-  EXPECT_EQ(listener.heard(loudest_of(3), second(4)), heard(12, 1, 1));
-  EXPECT_EQ(listener.heard(loudest_of(3), second(5)), heard(12, 1, 1));
-  EXPECT_EQ(listener.heard(loudest_of(120), second(1e9)), heard(12, 1, 1));
+  EXPECT_EQ(listener.reception(loudest_of(3), second(4)), reception(12, 1, 1));
+  EXPECT_EQ(listener.reception(loudest_of(3), second(5)), reception(12, 1, 1));
+  EXPECT_EQ(listener.reception(loudest_of(120), second(1e9)), reception(12, 1, 1));
 }
 
 TEST(Listener, TakesALookFromAheadOfNowForOneOfNow) {
   const Listener listener = after({measured(10, 5), measured(13, 4)});
-  EXPECT_EQ(listener.heard(loudest_of(3), second(11)), heard(4, 1, 1));
-  EXPECT_EQ(listener.heard(loudest_of(4), second(11)), heard(5, 2, 2));
+  EXPECT_EQ(listener.reception(loudest_of(3), second(11)), reception(4, 1, 1));
+  EXPECT_EQ(listener.reception(loudest_of(4), second(11)), reception(5, 2, 2));
 }
 
 TEST(Listener, HearsNothingOfAnEarlierLeg) {
   Listener listener = after({measured(1, 30), too_faint(2, 28), measured(3, 12)});
   listener.begin_leg(second(3));
-  EXPECT_EQ(listener.heard(loudest_of(60), second(3)), heard(12, 1, 1)) << "until there is another, the newest counts";
+  EXPECT_EQ(listener.reception(loudest_of(60), second(3)), reception(12, 1, 1)) << "until there is another, the newest counts";
   listener.take(measured(4, 9));
-  EXPECT_EQ(listener.heard(loudest_of(60), second(4)), heard(9, 1, 1));
+  EXPECT_EQ(listener.reception(loudest_of(60), second(4)), reception(9, 1, 1));
   listener.take(too_faint(4.5, 3));
-  EXPECT_EQ(listener.heard(loudest_of(60), second(5)), heard(9, 2, 1));
+  EXPECT_EQ(listener.reception(loudest_of(60), second(5)), reception(9, 2, 1));
 }
 
 TEST(Listener, HearsNothingOfAnEarlierLegThatArrivesLate) {
   Listener listener = after({measured(98, 30)});
   listener.begin_leg(second(100));
   listener.take(measured(99.8, 20));
-  EXPECT_EQ(listener.heard(loudest_of(30), second(100)), heard(20, 1, 1)) << "until there is another, the newest counts";
+  EXPECT_EQ(listener.reception(loudest_of(30), second(100)), reception(20, 1, 1)) << "until there is another, the newest counts";
   listener.take(too_faint(100, 3));
   listener.take(too_faint(101, 4));
-  EXPECT_EQ(listener.heard(loudest_of(30), second(101)).measured, 0U);
-  EXPECT_EQ(listener.heard(loudest_of(30), second(101)).looks, 2U);
+  EXPECT_EQ(listener.reception(loudest_of(30), second(101)).measured, 0U);
+  EXPECT_EQ(listener.reception(loudest_of(30), second(101)).looks, 2U);
 }
 
 TEST(Listener, HearsOnClocksThatBeganBeforeTheirEpoch) {
   const Listener listener = after({measured(-2.5, 8), measured(-0.5, 7), measured(0.5, 6)});
-  EXPECT_EQ(listener.heard(loudest_of(4), second(0.5)), heard(8, 3, 3));
-  EXPECT_EQ(listener.heard(loudest_of(2), second(0.5)), heard(7, 2, 2));  // the seconds from -1 and from 0
-  EXPECT_EQ(listener.heard(loudest_of(1), second(0.5)), heard(6, 1, 1));
+  EXPECT_EQ(listener.reception(loudest_of(4), second(0.5)), reception(8, 3, 3));
+  EXPECT_EQ(listener.reception(loudest_of(2), second(0.5)), reception(7, 2, 2));  // the seconds from -1 and from 0
+  EXPECT_EQ(listener.reception(loudest_of(1), second(0.5)), reception(6, 1, 1));
 }
 
 /// What a listener with room for every look says.
-WindowHeard by_hand(const std::vector<messages::SnrMeasurement>& looks, ListeningWindow window, Time now) {
+WindowReception by_hand(const std::vector<messages::SnrMeasurement>& looks, ListeningWindow window, Time now) {
   const std::int64_t last = now.us / 1'000'000;
   std::vector<double> levels;
   std::vector<double> floors;
@@ -171,8 +172,8 @@ WindowHeard by_hand(const std::vector<messages::SnrMeasurement>& looks, Listenin
     if (look.time.us / 1'000'000 + window.length.us / 1'000'000 > last) (look.too_faint ? floors : levels).push_back(look.snr.value);
   }
   const auto count = static_cast<std::uint32_t>(levels.size() + floors.size());
-  if (levels.empty()) return heard(std::ranges::max(floors), count, 0);
-  return heard(std::ranges::max(levels), count, static_cast<std::uint32_t>(levels.size()));
+  if (levels.empty()) return reception(std::ranges::max(floors), count, 0);
+  return reception(std::ranges::max(levels), count, static_cast<std::uint32_t>(levels.size()));
 }
 
 TEST(Listener, SaysWhatOneSaysThatRemembersEverything) {
@@ -188,7 +189,7 @@ TEST(Listener, SaysWhatOneSaysThatRemembersEverything) {
       looks.push_back(random.uniform_double() < 0.7 ? too_faint(now_s - late_s, level) : measured(now_s - late_s, level));
       listener.take(looks.back());
       const auto window = loudest_of(6 + random.next() % 115);  // no shorter than a look is late, so that there is one
-      ASSERT_EQ(listener.heard(window, second(now_s)), by_hand(looks, window, second(now_s))) << flight << " " << i;
+      ASSERT_EQ(listener.reception(window, second(now_s)), by_hand(looks, window, second(now_s))) << flight << " " << i;
     }
   }
 }

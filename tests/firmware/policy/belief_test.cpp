@@ -23,7 +23,7 @@ TEST_F(BeliefTest, StartsWithEveryPlaceAsLikelyAsAnyOther) {
 }
 
 /// Bayes' rule with every factor written out, in long double, over places beyond reach.
-std::vector<long double> by_hand(const std::vector<std::pair<NorthEast, Heard>>& looks, const BeliefModel& model) {
+std::vector<long double> by_hand(const std::vector<std::pair<NorthEast, Reception>>& looks, const BeliefModel& model) {
   std::vector<long double> joint(std::size_t{40} * 40 * model.hypotheses.size());
   long double total = 0.0L;
   for (std::size_t h = 0; h < model.hypotheses.size(); ++h) {
@@ -32,14 +32,14 @@ std::vector<long double> by_hand(const std::vector<std::pair<NorthEast, Heard>>&
     const auto silent = static_cast<long double>(model.silence_share);
     for (std::size_t i = 0; i < 1600; ++i) {
       long double p = static_cast<long double>(model.hypotheses[h].prior);
-      for (const auto& [place, heard] : looks) {
+      for (const auto& [place, reception] : looks) {
         const long double expected =
             static_cast<long double>(snr_at(place, centre(i / 40, i % 40)) + double{model.hypotheses[h].level_offset_db});
-        const long double z = (static_cast<long double>(heard.snr.value) - expected) / sigma;
+        const long double z = (static_cast<long double>(reception.snr.value) - expected) / sigma;
         const long double density = std::exp(-0.5L * z * z) / (sigma * std::sqrt(2.0L * std::numbers::pi_v<long double>));
         const long double below = 0.5L * std::erfc(-z / std::sqrt(2.0L));
-        p *= !heard.too_faint ? (1.0L - silent) * ((1.0L - outlier) * density + outlier / 80.0L)
-                              : silent + (1.0L - silent) * ((1.0L - outlier) * below + outlier * 0.5L);
+        p *= !reception.too_faint ? (1.0L - silent) * ((1.0L - outlier) * density + outlier / 80.0L)
+                                  : silent + (1.0L - silent) * ((1.0L - outlier) * below + outlier * 0.5L);
       }
       joint[h * 1600 + i] = p;
       total += p;
@@ -54,12 +54,12 @@ TEST_F(BeliefTest, IsWhatBayesRuleGivesByHand) {
   model.outlier_share = 0.05F;
   model.silence_share = 0.1F;
   // From outside the area, so that no look rules a place out by having been there.
-  const std::vector<std::pair<NorthEast, Heard>> looks = {{at(-2'000, 3'000), {.snr = Decibels{21.0}}},
-                                                          {at(-2'000, 9'000), {.snr = Decibels{17.5}}},
-                                                          {at(5'000, -2'000), {.snr = Decibels{15.0}, .too_faint = true}},
-                                                          {at(21'000, 21'000), {.snr = Decibels{9.0}}}};
+  const std::vector<std::pair<NorthEast, Reception>> looks = {{at(-2'000, 3'000), {.snr = Decibels{21.0}}},
+                                                              {at(-2'000, 9'000), {.snr = Decibels{17.5}}},
+                                                              {at(5'000, -2'000), {.snr = Decibels{15.0}, .too_faint = true}},
+                                                              {at(21'000, 21'000), {.snr = Decibels{9.0}}}};
   belief->start(model);
-  for (const auto& [place, heard] : looks) belief->update(model, place, heard);
+  for (const auto& [place, reception] : looks) belief->update(model, place, reception);
 
   const std::vector<long double> expected = by_hand(looks, model);
   for (std::size_t i = 0; i < 1600; ++i) {

@@ -20,24 +20,27 @@ config::Mission fitting_mission() {
   return mission;
 }
 
-Misfit misfit_after(const std::function<void(config::Mission&)>& change) {
+Mismatch mismatch_after(const std::function<void(config::Mission&)>& change) {
   config::Mission mission = fitting_mission();
   change(mission);
-  return misfit(*small_policy(), mission);
+  return mismatch(*small_policy(), mission);
 }
 
 TEST(FrozenPolicy, FitsAMissionWhereverItsAreaLies) {
-  EXPECT_EQ(misfit(*small_policy(), fitting_mission()), Misfit::kNone);
+  EXPECT_EQ(mismatch(*small_policy(), fitting_mission()), Mismatch::kNone);
 }
 
 TEST(FrozenPolicy, DoesNotFitAMissionOfAnotherStepAreaOrThreshold) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(misfit_after([](auto& mission) { mission.step_length = Meters{999}; }), Misfit::kStepLength);
-  EXPECT_EQ(misfit_after([](auto& mission) { mission.operating_area.north_east.north += Meters{0.1}; }), Misfit::kAreaSize);
-  EXPECT_EQ(misfit_after([](auto& mission) { mission.operating_area.north_east.east -= Meters{0.1}; }), Misfit::kAreaSize);
-  EXPECT_EQ(misfit_after([](auto& mission) { mission.operating_area.south_west.east = Meters{kNan}; }), Misfit::kAreaSize);
-  EXPECT_EQ(misfit_after([](auto& mission) { mission.detection_threshold = Decibels{-3.4}; }), Misfit::kDetectionThreshold);
-  EXPECT_EQ(misfit_after([](auto& mission) { mission.listening = {config::Listening::kMean, Duration::seconds(15)}; }), Misfit::kListening);
+  EXPECT_EQ(mismatch_after([](auto& mission) { mission.step_length = Meters{999}; }), Mismatch::kStepLength);
+  EXPECT_EQ(mismatch_after([](auto& mission) { mission.operating_area.north_east.north += Meters{0.1}; }), Mismatch::kAreaSize);
+  EXPECT_EQ(mismatch_after([](auto& mission) { mission.operating_area.north_east.east -= Meters{0.1}; }), Mismatch::kAreaSize);
+  EXPECT_EQ(mismatch_after([](auto& mission) { mission.operating_area.south_west.east = Meters{kNan}; }), Mismatch::kAreaSize);
+  EXPECT_EQ(mismatch_after([](auto& mission) { mission.detection_threshold = Decibels{-3.4}; }), Mismatch::kDetectionThreshold);
+  EXPECT_EQ(mismatch_after([](auto& mission) {
+              mission.listening = {config::Listening::kMean, Duration::seconds(15)};
+            }),
+            Mismatch::kListening);
 }
 
 }  // namespace

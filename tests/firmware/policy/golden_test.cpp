@@ -34,8 +34,8 @@ TEST(Golden, HoldsWhatASearchAlongItsPlacesSeesAndDecides) {
   const auto policy = believing_policy();
   const auto memory = std::make_unique<SearchMemory>();
   const GoldenTrajectory& trajectory = policy->golden[1];
-  memory->start(policy->observation, trajectory[0].place, trajectory[0].heard);
-  memory->remember(policy->observation, trajectory[1].place, trajectory[1].heard);
+  memory->start(policy->observation, trajectory[0].place, trajectory[0].reception);
+  memory->remember(policy->observation, trajectory[1].place, trajectory[1].reception);
   std::array<float, 2> observation{};
   observe(*memory, policy->observation, observation);
   std::array<float, 4> logits{};
@@ -79,7 +79,7 @@ TEST(Golden, IsNotRepeatedByOtherWeightsCostsOrSounds) {
   EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.network.first.weight(0, 0) += 1e-3F; }));
   EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.observation.belief.costs.edge = 1.0F; }));
   EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.observation.belief.costs.most_regret = 8.0F; }));
-  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.golden[0][0].heard.too_faint = true; }));
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.golden[0][0].reception.too_faint = true; }));
 }
 
 TEST(Golden, IsNotRepeatedWhenALogitIsNoNumber) {

@@ -48,7 +48,7 @@ inline std::unique_ptr<FrozenPolicy> small_policy() {
     double along = 1000.0;
     for (GoldenStep& step : trajectory) {
       step.place = {.north = Meters{along}, .east = Meters{along + 1000.0}};
-      step.heard = {.snr = Decibels{along / 1000.0}, .too_faint = along > 4000.0};
+      step.reception = {.snr = Decibels{along / 1000.0}, .too_faint = along > 4000.0};
       along += 1000.0;
     }
   }

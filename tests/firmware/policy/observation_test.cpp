@@ -111,7 +111,9 @@ ObservationModel believing_model() {
 TEST(BeliefState, SeesTheSourceFromTheVehicleAndTheBestAction) {
   const ObservationModel model = believing_model();
   const NorthEast source = at(6250, 8250);
-  const auto heard_at = [source](NorthEast place) { return Heard{.snr = Decibels{30.0 - range_between(place, source).value / 1000.0}}; };
+  const auto heard_at = [source](NorthEast place) {
+    return Reception{.snr = Decibels{30.0 - range_between(place, source).value / 1000.0}};
+  };
   SearchMemory memory;
   memory.start(model, at(1250, 2250), heard_at(at(1250, 2250)));
   for (const NorthEast place : {at(9000, 1000), at(500, 8000), at(6250, 2250)}) memory.remember(model, place, heard_at(place));

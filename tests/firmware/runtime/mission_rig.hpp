@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "firmware/core/random.hpp"
-#include "firmware/policy/policy_check.hpp"
+#include "firmware/policy/check/policy_check.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::runtime {

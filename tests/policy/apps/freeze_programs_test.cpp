@@ -60,6 +60,28 @@ TEST_F(Programs, FreezeReplacesThePublicKeyWhoseSecretHalfIsGoneWhenForced) {
   EXPECT_NE(content(folder / "a.pub"), public_key);
 }
 
+TEST_F(Programs, FreezeSignsWithNoPublicKeyAndNotBesideAnothersPublicHalf) {
+  const std::string models = kSource + "/tests/policy/freeze/models/";
+  const std::string freeze = "freeze " + models + "memory.onnx -o a.policy --key ";
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0) << content(folder / "err");
+  ASSERT_EQ(run("freeze --key b.key --new-key"), 0) << content(folder / "err");
+  refuses(freeze + "a.pub", {"a.pub", "a secret key must not end in .pub"});
+  fs::copy_file(folder / "b.pub", folder / "a.pub", fs::copy_options::overwrite_existing);
+  refuses(freeze + "a.key", {"a.pub", "is not the public half of a.key"});
+  EXPECT_FALSE(fs::exists(folder / "a.policy"));
+}
+
+TEST_F(Programs, FreezeWritesTheLostPublicHalfOfAKeyAgain) {
+  const std::string models = kSource + "/tests/policy/freeze/models/";
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0) << content(folder / "err");
+  const std::string public_key = content(folder / "a.pub");
+  fs::remove(folder / "a.pub");
+  ASSERT_EQ(run("freeze " + models + "memory.onnx -o a.policy --key a.key"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "out").find("a.pub: the public half, which a vehicle needs, is missing"), std::string::npos);
+  ASSERT_EQ(run("freeze --key a.key --public-key"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "a.pub"), public_key);
+}
+
 TEST_F(Programs, FreezeReadsModelsTrainedElsewhere) {
   const std::string models = kSource + "/tests/policy/freeze/models/";
   ASSERT_EQ(run("freeze " + models + "memory.zip -o a.policy --key a.key --new-key"), 0) << content(folder / "err");

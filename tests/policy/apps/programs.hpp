@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::policy_programs {
 
@@ -29,13 +30,6 @@ inline std::string content(const fs::path& path) {
 /// A folder of its own, in which a test runs the commands.
 class Programs : public testing::Test {
  protected:
-  Programs() {
-    folder = fs::path(testing::TempDir()) / ("programs_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  ~Programs() override { fs::remove_all(folder); }
-
   /// Starts a program in the test's folder; its standard output and error go to the files `out` and `err` there.
   support::Process start(const fs::path& program, const std::vector<std::string>& arguments) {
     return support::Process(program, arguments, {.folder = folder, .output = folder / "out", .errors = folder / "err"});
@@ -80,7 +74,7 @@ class Programs : public testing::Test {
   }
 
   static constexpr std::chrono::minutes kPatience{10};  // no test takes it: a program that hangs ends the test
-  fs::path folder;
+  const support::TemporaryFolder folder;
 };
 
 }  // namespace earshot::policy_programs

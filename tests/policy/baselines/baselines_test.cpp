@@ -9,6 +9,7 @@
 #include "policy/baselines/oracle.hpp"
 #include "policy/baselines/patterns.hpp"
 #include "policy/evaluate/evaluation.hpp"
+#include "sim/search/actions/compass_directions.hpp"
 
 namespace earshot::baselines {
 namespace {
@@ -37,7 +38,7 @@ class Baselines : public testing::Test {
 };
 
 DecisionInput input_at(NorthEast position, NorthEast source, Decibels snr = Decibels{0.0}) {
-  return {.position = position, .heard = {.snr = snr}, .vehicle = position, .source = source};
+  return {.position = position, .reception = {.snr = snr}, .vehicle = position, .source = source};
 }
 
 /// Where a searcher goes in so many steps when it always hears the same.
@@ -155,7 +156,7 @@ TEST_F(Baselines, GradientClimbFindsASourceWhoseSnrFallsEverywhereWithRange) {
   search::SearchSettings settings;
   settings.placement = search::SourcePlacement::kChanging;
   settings.start_region = search::inside_border(settings);
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   GradientClimb climb(prior);
   int found = 0;
   for (const evaluate::Flight& flight : evaluate::fly(climb, world, {.end = 200}, 1))
@@ -166,7 +167,7 @@ TEST_F(Baselines, GradientClimbFindsASourceWhoseSnrFallsEverywhereWithRange) {
 TEST_F(Baselines, EveryNameMakesASearcherThatSearchesTheSameWayAgain) {
   search::SearchSettings settings;
   settings.placement = search::SourcePlacement::kChanging;
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   for (const Entry& entry : catalogue()) {
     const auto searcher = make_baseline(entry.name, prior);
     ASSERT_NE(searcher, nullptr) << entry.name;

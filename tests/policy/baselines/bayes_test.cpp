@@ -8,6 +8,7 @@
 #include "policy/baselines/genetic.hpp"
 #include "policy/baselines/moves.hpp"
 #include "policy/evaluate/evaluation.hpp"
+#include "sim/search/actions/compass_directions.hpp"
 
 namespace earshot::baselines {
 namespace {
@@ -64,7 +65,7 @@ TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {
   search::SearchSettings settings;
   settings.placement = search::SourcePlacement::kChanging;
   settings.start_region = search::inside_border(settings);
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   TypeParam searcher(prior);
   int found = 0;
   for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 16}, 1))
@@ -80,7 +81,7 @@ TYPED_TEST(Believers, KeepToTheirDomainWhereverItLies) {
   search::SearchSettings settings = prior.settings;
   settings.placement = search::SourcePlacement::kChanging;
   settings.start_region = search::inside_border(settings);
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   TypeParam searcher(prior);
   for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 3}, 1))
     EXPECT_NE(flight.record.end, search::EpisodeEnd::kLeftDomain);

@@ -18,10 +18,5 @@ TEST(Placement, IsNotGuessedWhereTheProvenanceDoesNotSay) {
   EXPECT_EQ(placement_in("source = drifting\n"), std::nullopt);
 }
 
-TEST(Placement, HasOneNameBothWays) {
-  EXPECT_EQ(placement_named(name_of(SourcePlacement::kFixed)), SourcePlacement::kFixed);
-  EXPECT_EQ(placement_named(name_of(SourcePlacement::kChanging)), SourcePlacement::kChanging);
-}
-
 }  // namespace
 }  // namespace earshot::description

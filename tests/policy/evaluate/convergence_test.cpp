@@ -19,7 +19,7 @@ TEST_P(FixedSource, IsFoundInNinetyNinePercentOfSearchesAfterFifteenHundredEpiso
   const ocean::Environment environment = ocean::load_environment(EARSHOT_SOURCE_DIR "/sim/ocean/environments/munk_flat.toml");
   const sonar::SnrCurve curve = sonar::compute_snr_curve(environment, Meters{300.0}, Meters{37'000.0});
   const ppo::TrainingRun paper;
-  const search::SearchWorld world(paper.search, curve);
+  const search::World world(paper.search, curve);
   const policy::ObservationModel model = ppo::observation_of(paper, curve);
 
   ppo::Trainer trainer(world, model, paper.hyper, GetParam());

@@ -1,4 +1,5 @@
 #include "policy/evaluate/evaluation.hpp"
+#include "sim/search/actions/compass_directions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@ namespace {
 class FiguresJson : public testing::Test {
  protected:
   FiguresJson() {
-    worlds_.push_back({.name = "paper", .what = "nothing differs", .seed = 7, .environment = {}});
+    worlds_.push_back({.name = "paper", .what = "nothing differs", .seed = 7, .scenario = {}});
     row_.world = "paper";
     row_.policy = "oracle";
     row_.summary.mean_reward = -2.5;
@@ -22,7 +22,7 @@ class FiguresJson : public testing::Test {
   }
 
   search::SearchSettings settings_;
-  std::vector<World> worlds_;
+  std::vector<WorldFile> worlds_;
   Row row_;
 };
 

@@ -28,7 +28,7 @@ search::SearchSettings lost_in_the_east() {
 
 TEST(PathTable, HoldsTheStartAndTheEndOfEveryStepInOrder) {
   GoesEast searcher;
-  const search::SearchWorld world(lost_in_the_east(), kHeardNowhere);
+  const search::World world(lost_in_the_east(), kHeardNowhere);
   PathTable table;
   const auto watch = [&](std::size_t number, const search::Episode& episode) { table.add("calm", "east", number, episode); };
   const std::vector<Flight> flights = fly(searcher, world, {.end = 1}, 1, watch);
@@ -44,7 +44,7 @@ TEST(PathTable, HoldsTheStartAndTheEndOfEveryStepInOrder) {
 
 TEST(PathTable, KeepsNamesWithCommasAndQuotesInTheirCells) {
   GoesEast searcher;
-  const search::SearchWorld world(lost_in_the_east(), kHeardNowhere);
+  const search::World world(lost_in_the_east(), kHeardNowhere);
   PathTable table;
   (void)fly(searcher, world, {.end = 1}, 1,
             [&](std::size_t number, const search::Episode& episode) { table.add("deep, cold", R"(a"b)", number, episode); });
@@ -55,7 +55,7 @@ TEST(PathTable, WatchingChangesNothing) {
   GoesEast searcher;
   search::SearchSettings settings;
   settings.placement = search::SourcePlacement::kChanging;
-  const search::SearchWorld world(settings, kHeardNowhere);
+  const search::World world(settings, kHeardNowhere);
   std::size_t shown = 0;
   const std::vector<Flight> watched = fly(searcher, world, {.end = 20}, 7, [&](std::size_t, const search::Episode&) { ++shown; });
   const std::vector<Flight> unwatched = fly(searcher, world, {.end = 20}, 7);

@@ -13,7 +13,7 @@
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "policy/explain/network_gradient.hpp"
-#include "sim/search/soundscape.hpp"
+#include "sim/search/scenario/world.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -35,9 +35,9 @@ class Recorder : public baselines::Searcher {
 
   std::size_t choose(const baselines::DecisionInput& input) override {
     if (is_first_) {
-      memory_.start(policy_.observation, input.position, input.heard);
+      memory_.start(policy_.observation, input.position, input.reception);
     } else {
-      memory_.remember(policy_.observation, input.position, input.heard);
+      memory_.remember(policy_.observation, input.position, input.reception);
     }
     is_first_ = false;
     std::vector<float>& seen = observations_.emplace_back(policy_.observation.spec.size());
@@ -62,10 +62,9 @@ std::vector<std::vector<float>> observations_of(const policy::FrozenPolicy& poli
   Recorder recorder(policy);
   const std::array worlds{"paper", "noisy_4db", "duty_cycle", "all_at_once"};
   for (std::size_t w = 0; w < worlds.size(); ++w) {
-    const World world = load_world(kSource / "policy/worlds" / (std::string(worlds[w]) + ".toml"));
+    const WorldFile world = load_world(kSource / "policy/worlds" / (std::string(worlds[w]) + ".toml"));
     const search::SearchSettings settings = search_of(policy);
-    const search::Soundscape sounds = search::soundscape_of(world.environment, Meters{300.0}, search::furthest_range(settings));
-    search::SearchWorld place(settings, sounds, world.environment.conditions);
+    search::World place = search::assemble(world.scenario, settings, Meters{300.0});
     place.actions = policy.actions;
     for (std::size_t i = 0; recorder.observations().size() < kObservations * (w + 1) / worlds.size(); ++i) {
       static_cast<void>(fly(recorder, place, {.end = i + 1, .first = i}, world.seed));

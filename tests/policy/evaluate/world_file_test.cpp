@@ -9,7 +9,8 @@
 #include <string>
 
 #include "firmware/host/toml/table_reader.hpp"
-#include "sim/search/soundscape.hpp"
+#include "sim/search/scenario/soundscape.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -21,7 +22,7 @@ const std::string kMunk = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environm
 TEST(Worlds, BearTheNamesOfTheirFilesAndEachASeedOfItsOwn) {
   std::set<std::uint64_t> seeds;
   for (const fs::path& path : worlds_in(kPolicy / "worlds")) {
-    const World world = load_world(path);
+    const WorldFile world = load_world(path);
     EXPECT_EQ(world.name, path.stem().string());
     EXPECT_TRUE(seeds.insert(world.seed).second) << path << ": its seed is another's too";
     EXPECT_NE(world.seed, 1U) << path << ": training begins with seed 1";
@@ -47,8 +48,8 @@ TEST(Worlds, AreNamedByNoTrainingRun) {
 }
 
 TEST(Worlds, HillyHearsAnotherSnrInEveryDirection) {
-  const World world = load_world(kPolicy / "worlds" / "hilly.toml");
-  const search::Soundscape sounds = search::soundscape_of(world.environment, Meters{300.0}, Meters{36'400.0});
+  const WorldFile world = load_world(kPolicy / "worlds" / "hilly.toml");
+  const search::Soundscape sounds = search::soundscape_of(world.scenario, Meters{300.0}, Meters{36'400.0});
   EXPECT_EQ(sounds.ocean_count(), 1U);
   EXPECT_FALSE(sounds.is_one_curve());
   const NorthEast source{Meters{12'500.0}, Meters{12'500.0}};
@@ -60,12 +61,9 @@ TEST(Worlds, HillyHearsAnotherSnrInEveryDirection) {
   EXPECT_TRUE(north_db > -20.0 && north_db < 40.0) << north_db;
 }
 
-class WorldFile : public testing::Test {
+class LoadWorld : public testing::Test {
  protected:
-  WorldFile()
-      : path_(fs::path(testing::TempDir()) / (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".toml")) {}
-  ~WorldFile() override { fs::remove(path_); }
-  World load(const std::string& text) {
+  WorldFile load(const std::string& text) {
     std::ofstream(path_) << text;
     return load_world(path_);
   }
@@ -77,17 +75,19 @@ class WorldFile : public testing::Test {
     }
     return "";
   }
-  const fs::path path_;
+  const support::TemporaryFolder folder_;
+  const fs::path path_ = folder_ / "world.toml";
 };
 
-TEST_F(WorldFile, GivesItsConditionsToItsEnvironment) {
-  const World world = load("name = \"a\"\nwhat = \"b\"\nseed = 5\nenvironment = \"" + kMunk + "\"\n[conditions]\nfluctuation_db = 3.0\n");
+TEST_F(LoadWorld, GivesItsConditionsToItsEnvironment) {
+  const WorldFile world =
+      load("name = \"a\"\nwhat = \"b\"\nseed = 5\nenvironment = \"" + kMunk + "\"\n[conditions]\nfluctuation_db = 3.0\n");
   EXPECT_EQ(world.seed, 5U);
-  EXPECT_EQ(world.environment.conditions.fluctuation, Decibels{3.0});
-  EXPECT_EQ(world.environment.source.level, Decibels{190.0});
+  EXPECT_EQ(world.scenario.conditions.fluctuation, Decibels{3.0});
+  EXPECT_EQ(world.scenario.environment.source.level, Decibels{190.0});
 }
 
-TEST_F(WorldFile, IsRefusedWithWhatIsWrong) {
+TEST_F(LoadWorld, IsRefusedWithWhatIsWrong) {
   EXPECT_NE(complaint("name = \"a\"\nwhat = \"b\"\nenvironment = \"" + kMunk + "\"\n").find("seed is missing"), std::string::npos);
   EXPECT_NE(complaint("name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"none.toml\"\n").find("none.toml: no such file"),
             std::string::npos);
@@ -95,7 +95,7 @@ TEST_F(WorldFile, IsRefusedWithWhatIsWrong) {
             std::string::npos);
 }
 
-TEST_F(WorldFile, IsLookedForInAFolderThatHasSome) {
+TEST_F(LoadWorld, IsLookedForInAFolderThatHasSome) {
   EXPECT_THROW((void)worlds_in("/nowhere"), host::BadInput);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using End = FlownPath::End;
 
-policy::Heard nothing(NorthEast) {
+policy::Reception nothing(NorthEast) {
   return {.snr = Decibels{0.0}};
 }
 
@@ -50,15 +50,17 @@ TEST(FlownPaths, OfAVehicleThatStandsAtTheSourceHaveNoStep) {
 TEST(FlownPaths, OfABeliefAreThoseThatTheCodeOfTheVehicleFlies) {
   const auto policy = belief_policy(3);
   const NorthEast source{Meters{12'000.0}, Meters{15'000.0}};
-  const auto heard = [source](NorthEast place) { return policy::Heard{.snr = Decibels{40.0 - range_between(place, source).value / 1e3}}; };
-  const std::vector<FlownPath> paths = flown_from_all_over(*policy, source, {.per_side = 2, .max_steps = 12}, heard);
+  const auto reception_at = [source](NorthEast place) {
+    return policy::Reception{.snr = Decibels{40.0 - range_between(place, source).value / 1e3}};
+  };
+  const std::vector<FlownPath> paths = flown_from_all_over(*policy, source, {.per_side = 2, .max_steps = 12}, reception_at);
   ASSERT_EQ(paths.size(), 4U);
   baselines::Learned vehicle(*policy, policy::ActionDraw::kArgmax, {.south_west = {}, .north_east = policy->area_size});
   for (const FlownPath& path : paths) {
     vehicle.begin(Pcg32(1));
     NorthEast place = path.places.front();
     for (std::size_t i = 0; i < path.steps(); ++i) {
-      const std::size_t action = vehicle.choose({.position = place, .heard = heard(place), .vehicle = place, .source = source});
+      const std::size_t action = vehicle.choose({.position = place, .reception = reception_at(place), .vehicle = place, .source = source});
       place = place + policy->step_length * policy->actions[action];
       EXPECT_EQ(place, path.places[i + 1]) << "step " << i;
     }

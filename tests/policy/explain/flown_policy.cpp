@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/belief_model.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/sonar/snr_curve.hpp"
@@ -16,8 +17,8 @@ sonar::SnrCurve falling() {
   return {Meters{1'000.0}, std::move(snr_db)};
 }
 
-policy::Heard hear(Decibels snr) {
-  return snr < kFloor ? policy::Heard{.snr = kFloor, .too_faint = true} : policy::Heard{.snr = snr};
+policy::Reception hear(Decibels snr) {
+  return snr < kFloor ? policy::Reception{.snr = kFloor, .too_faint = true} : policy::Reception{.snr = snr};
 }
 
 std::unique_ptr<policy::FrozenPolicy> with_random_network(const policy::ObservationModel& observation, std::uint64_t seed) {
@@ -59,10 +60,10 @@ std::vector<RecordedDecision> flown(const policy::FrozenPolicy& policy, std::siz
     d.step = static_cast<std::uint32_t>(i);
     d.time_s = 500.0 * static_cast<double>(i);
     d.position = south_west + place;
-    d.heard = hear(curve.at(range_between(place, source)));
-    d.detected = !d.heard.too_faint && d.heard.snr >= policy.detection_threshold;
-    i == 0 ? memory->start(policy.observation, d.position - south_west, d.heard)
-           : memory->remember(policy.observation, d.position - south_west, d.heard);
+    d.reception = hear(curve.at(range_between(place, source)));
+    d.detected = !d.reception.too_faint && d.reception.snr >= policy.detection_threshold;
+    i == 0 ? memory->start(policy.observation, d.position - south_west, d.reception)
+           : memory->remember(policy.observation, d.position - south_west, d.reception);
     d.observation.resize(policy.observation.spec.size());
     d.logits.resize(policy.actions.size());
     policy::observe(*memory, policy.observation, d.observation);

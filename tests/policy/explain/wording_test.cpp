@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/settings.hpp"
 
 namespace earshot::explain {

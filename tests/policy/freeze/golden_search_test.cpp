@@ -31,7 +31,7 @@ auto all_steps(const policy::FrozenPolicy& policy, Value value) {
 
 TEST(GoldenSearch, HearsWhatIsMeasuredAndWhatIsTooFaint) {
   for (const auto& policy : shipped()) {
-    const auto too_faint = all_steps(*policy, [](const policy::GoldenStep& step) { return step.heard.too_faint; });
+    const auto too_faint = all_steps(*policy, [](const policy::GoldenStep& step) { return step.reception.too_faint; });
     EXPECT_EQ(std::ranges::count(too_faint, true), 3);
     EXPECT_EQ(std::ranges::count(too_faint, false), 9);
   }

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "tests/policy/freeze/bytes.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::freeze {
 namespace {
@@ -57,8 +58,8 @@ TEST(Pickle, OnlyWritesDownWhatItNames) {
 }
 
 TEST(Pickle, RefusesACallThatPythonWouldMake) {
-  const std::filesystem::path proof = std::filesystem::path(testing::TempDir()) / "executed";
-  std::filesystem::remove(proof);
+  const support::TemporaryFolder folder;
+  const std::filesystem::path proof = folder / "executed";
   const std::string command = "touch " + proof.string();
   const std::string attack =
       "\x80\x02"

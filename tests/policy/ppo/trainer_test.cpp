@@ -1,4 +1,5 @@
 #include "policy/ppo/trainer.hpp"
+#include "sim/search/reward/step_reward.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ class TrainerTest : public testing::Test {
   }
 
   std::vector<float> trained(std::uint64_t seed) {
-    const search::SearchWorld world(settings, curve);
+    const search::World world(settings, curve);
     Trainer trainer(world, simple, hyper, seed);
     trainer.train(1'000, [this](const search::EpisodeRecord& episode, std::uint64_t) {
       episodes.push_back(episode);
@@ -56,7 +57,7 @@ TEST_F(TrainerTest, TellsOfEveryFinishedEpisodeOnce) {
 }
 
 TEST_F(TrainerTest, StopsWithTheRolloutInWhichItIsTold) {
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   Trainer trainer(world, simple, hyper, 1);
   int told = 0;
   trainer.train(1'000'000, [&told](const search::EpisodeRecord&, std::uint64_t) { return ++told != 2; });
@@ -70,7 +71,7 @@ bool ignore(const search::EpisodeRecord&, std::uint64_t) {
 
 TEST_F(TrainerTest, GoesOnFromItsStateAsIfNothingHadHappened) {
   hyper.decay_steps = 3'000;
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   const policy::ObservationModel model{.spec = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value(), .belief = {}};
   Trainer uninterrupted(world, model, hyper, 5);
   uninterrupted.train(1'200, ignore);
@@ -90,7 +91,7 @@ TEST_F(TrainerTest, GoesOnFromItsStateAsIfNothingHadHappened) {
 }
 
 TEST_F(TrainerTest, RefusesTheStateOfAnotherTraining) {
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   const Trainer other(world, simple, hyper, 5);
   const std::span<const float> parameters = other.networks().parameters();
   auto refuses = [&](const TrainingState& state, std::span<const float> p) { return !Trainer(world, simple, hyper, 5).resume(p, state); };
@@ -117,14 +118,14 @@ TEST_F(TrainerTest, RefusesTheStateOfAnotherTraining) {
 
 TEST_F(TrainerTest, LowersTheLearningRateWithTheStepsTaken) {
   hyper.decay_steps = 2'400;
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   Trainer trainer(world, simple, hyper, 1);
   EXPECT_DOUBLE_EQ(trainer.advance(ignore).learning_rate, 3e-4 * 0.75);  // 600 of 2400 steps, as Stable-Baselines3 counts
   EXPECT_DOUBLE_EQ(trainer.advance(ignore).learning_rate, 3e-4 * 0.5);
 }
 
 TEST_F(TrainerTest, EndsAnUpdateEarlyWhereThePolicyHasMovedFarEnough) {
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   EXPECT_EQ(Trainer(world, simple, hyper, 1).advance(ignore).minibatches, 100U);  // 10 epochs of 600 samples by 64
   hyper.target_kl = 1e-9;
   const std::size_t minibatches = Trainer(world, simple, hyper, 1).advance(ignore).minibatches;
@@ -138,7 +139,7 @@ TEST_F(TrainerTest, AddsTheDiscountedValueOfTheLastObservationWhereTheTimeLimitC
   settings.source = {Meters{1'000.0}, Meters{1'000.0}};
   settings.start_region = {{Meters{10'000.0}, Meters{10'000.0}}, {Meters{20'000.0}, Meters{20'000.0}}};
   hyper.environment_count = 1;
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   const Trainer untrained(world, simple, hyper, 1);  // values are those before the update
   Trainer trainer(world, simple, hyper, 1);
   trainer.train(1, ignore);
@@ -164,7 +165,7 @@ TEST_F(TrainerTest, TellsLearningTheRewardsOfTheRunFileBesideThePapers) {
   hyper.reward.step = -0.25;
   hyper.reward.least = -7.0;
   hyper.reward.scale = 0.5;
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   Trainer trainer(world, simple, hyper, 1);
   trainer.train(1, ignore);
 
@@ -190,7 +191,7 @@ TEST_F(TrainerTest, LearnsToStayClearOfAnEdgeThatCosts) {
   settings.max_steps = 20;
   hyper.steps_per_rollout = 2'048;
   hyper.environment_count = 1;
-  const search::SearchWorld world(settings, curve);
+  const search::World world(settings, curve);
   Trainer trainer(world, simple, hyper, 1);
   std::vector<bool> left;
   trainer.train(40'000, [&left](const search::EpisodeRecord& episode, std::uint64_t) {

@@ -11,12 +11,14 @@
 #include <vector>
 
 #include "firmware/host/toml/table_reader.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::ppo {
 namespace {
 
 std::string written(const std::string& text) {
-  const std::string path = testing::TempDir() + "run-" + std::to_string(::getpid()) + ".toml";
+  static const support::TemporaryFolder folder;
+  const std::string path = folder / "run.toml";
   std::ofstream(path) << text;
   return path;
 }

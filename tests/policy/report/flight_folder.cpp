@@ -18,8 +18,8 @@ decision_t message_of(const explain::RecordedDecision& d) {
   m.step = static_cast<std::int32_t>(d.step);
   m.north_m = d.position.north.value;
   m.east_m = d.position.east.value;
-  m.snr_db = d.heard.snr.value;
-  m.too_faint = d.heard.too_faint ? 1 : 0;
+  m.snr_db = d.reception.snr.value;
+  m.too_faint = d.reception.too_faint ? 1 : 0;
   m.detected = d.detected ? 1 : 0;
   m.action = static_cast<std::int8_t>(d.action);
   m.overridden = d.overridden ? 1 : 0;
@@ -81,7 +81,7 @@ void write_flight(const std::filesystem::path& folder, const policy::FrozenPolic
   std::ofstream track(folder / "track.csv");
   track << "time_s,north_m,east_m,depth_m,heading_deg,speed_mps,snr_db,range_m,state,steps_taken\n";
   for (const explain::RecordedDecision& d : decisions)
-    track << d.time_s << ',' << d.position.north.value << ',' << d.position.east.value << ",300,0,2," << d.heard.snr.value
+    track << d.time_s << ',' << d.position.north.value << ',' << d.position.east.value << ",300,0,2," << d.reception.snr.value
           << ",9000,search," << d.step << '\n';
 }
 

@@ -1,10 +1,11 @@
 #include "policy/report/gnuplot_svg.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <stdexcept>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::report {
 namespace {
@@ -15,8 +16,6 @@ namespace fs = std::filesystem;
 class GnuplotSvg : public testing::Test {
  protected:
   GnuplotSvg() {
-    std::string name = (fs::temp_directory_path() / "earshot-gnuplot-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
     const char* const before = std::getenv("TMPDIR");
     before_ = before == nullptr ? "" : before;
     use(folder_ / "it's ';touch ran;'`touch ran`");
@@ -25,14 +24,13 @@ class GnuplotSvg : public testing::Test {
   ~GnuplotSvg() override {
     fs::current_path("/");
     before_.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", before_.c_str(), 1);
-    fs::remove_all(folder_);
   }
   static void use(const fs::path& temporary) {
     fs::create_directories(temporary);
     ::setenv("TMPDIR", temporary.c_str(), 1);
   }
 
-  fs::path folder_;
+  support::TemporaryFolder folder_;
   std::string before_;
 };
 

@@ -1,7 +1,6 @@
 #include "policy/report/page.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -12,6 +11,7 @@
 #include "policy/report/plots.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::report {
 namespace {
@@ -23,13 +23,10 @@ constexpr std::uintmax_t kClosingBytes = 28 + 19 + 47;  ///< header, channel, jo
 class PageTest : public testing::Test {
  protected:
   PageTest() {
-    std::string name = (fs::temp_directory_path() / "earshot-page-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
     std::vector<explain::RecordedDecision> taken = explain::flown(*policy_, 3, {});
     taken[1].overridden = true;
     write_flight(folder_, *policy_, taken, {});
   }
-  ~PageTest() override { fs::remove_all(folder_); }
 
   static std::size_t count(const std::string& text, const std::string& part) {
     std::size_t found = 0;
@@ -37,7 +34,7 @@ class PageTest : public testing::Test {
     return found;
   }
 
-  fs::path folder_;
+  support::TemporaryFolder folder_;
   std::unique_ptr<policy::FrozenPolicy> policy_ = explain::belief_policy(1);
 };
 

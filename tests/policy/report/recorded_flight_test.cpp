@@ -1,7 +1,6 @@
 #include "policy/report/recorded_flight.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 #include "tests/policy/report/flight_folder.hpp"
 #include "tests/policy/report/sea/sea_journal.hpp"
 #include "tests/support/signed_policy.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::report {
 namespace {
@@ -21,12 +21,7 @@ constexpr NorthEast kCorner{Meters{-3'000.0}, Meters{750.0}};
 
 class RecordedFlightTest : public testing::Test {
  protected:
-  RecordedFlightTest() {
-    std::string name = (fs::temp_directory_path() / "earshot-recording-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-    write_flight(folder_, *policy_, explain::flown(*policy_, 5, kCorner), kCorner);
-  }
-  ~RecordedFlightTest() override { fs::remove_all(folder_); }
+  RecordedFlightTest() { write_flight(folder_, *policy_, explain::flown(*policy_, 5, kCorner), kCorner); }
 
   /// What open_recording says when it refuses.
   [[nodiscard]] static std::string refusal(const fs::path& recording, const RecordingOptions& options = {}) {
@@ -43,7 +38,7 @@ class RecordedFlightTest : public testing::Test {
   }
   [[nodiscard]] fs::path journal() const { return folder_ / "journal.lcmlog"; }
 
-  fs::path folder_;
+  support::TemporaryFolder folder_;
   std::unique_ptr<policy::FrozenPolicy> policy_ = explain::belief_policy(1);
 };
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "policy/training/curve_plot.hpp"
-#include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::training {
 namespace {
@@ -68,7 +68,7 @@ TEST(LearningCurve, RefusesFilesThatAreNotItsLike) {
 TEST(CurvePlot, SaysWhatWasTrained) {
   LearningCurve curve;
   for (int i = 0; i < 3; ++i) curve.add(episode(-i, search::EpisodeEnd::kTimeLimit), 1);
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   draw_curves(folder / "curve.svg", "source fixed, state fixed_simple", std::vector<std::string>{curve.episodes_csv()});
   const std::string svg = support::read_text(folder / "curve.svg");
   EXPECT_NE(svg.find("<title>source fixed, state fixed_simple</title>"), std::string::npos);

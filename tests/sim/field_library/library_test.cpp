@@ -9,8 +9,9 @@
 
 #include "sim/field_library/reader.hpp"
 #include "sim/netcdf/reader.hpp"
-#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "sim/ocean/file/environment_file.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::field_library {
 namespace {
@@ -25,11 +26,11 @@ class Library : public testing::Test {
                                             << "\"\nsource_depth_m = [" << source_m << "]\nreceiver_depth_m = [" << receiver_m
                                             << "]\n[positions]\nlayout = \"list\"\nnorth_m = [0, 1000, 2000]\neast_m = [0, -3000, -6000]\n"
                                             << "[radials]\ncount = 4\nmax_range_km = 6.0\nrange_step_m = 50.0\naccuracy_db = 0.02\n";
-    return load_library_plan(folder_ / "library.toml");
+    return load_library_plan(folder_ / "library.toml", ocean::load_environment);
   }
   [[nodiscard]] std::filesystem::path file() const { return folder_ / "library.nc"; }
 
-  tests::TemporaryFolder folder_;
+  support::TemporaryFolder folder_;
   parallel::Alone alone_;
 };
 

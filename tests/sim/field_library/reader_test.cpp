@@ -13,7 +13,7 @@
 
 #include "sim/field_library/store.hpp"
 #include "sim/netcdf/file_error.hpp"
-#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::field_library {
 namespace {
@@ -62,7 +62,7 @@ class FieldLibraryInMemory : public testing::Test {
     return {};
   }
 
-  tests::TemporaryFolder folder_;
+  support::TemporaryFolder folder_;
   std::filesystem::path path_ = folder_ / "library.nc";
   LibraryPlan plan_{.name = "three",
                     .environment = {},

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/netcdf/library_exit.hpp"
-#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::netcdf {
 namespace {
@@ -41,7 +41,7 @@ void write_classic(const std::filesystem::path& path, int format, int record_var
 }
 
 TEST(ClassicSize, IsTheSizeOfTheFileThatTheLibraryWritesButForItsPadding) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA}) {
     for (const int record_variables : {0, 1, 2}) {
       const auto path = folder / "classic.nc";

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "sim/netcdf/library_exit.hpp"
-#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::netcdf {
 namespace {
@@ -55,7 +55,7 @@ std::string message_of(const auto& action) {
 }
 
 TEST(NetcdfReader, UnpacksValuesAndTurnsMissingOnesIntoNan) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   for (const int format : {0, NC_NETCDF4}) {
     write_packed(folder / "v.nc", format);
     const Reader file(folder / "v.nc");
@@ -70,7 +70,7 @@ TEST(NetcdfReader, UnpacksValuesAndTurnsMissingOnesIntoNan) {
 }
 
 TEST(NetcdfReader, NamesFileAndVariableInItsErrors) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const std::string path = (folder / "v.nc").string();
   write_packed(path, NC_NETCDF4);
   const Reader file(path);
@@ -80,7 +80,7 @@ TEST(NetcdfReader, NamesFileAndVariableInItsErrors) {
 }
 
 TEST(NetcdfReader, RefusesWhatIsMissingOrNoNetcdf) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   EXPECT_NE(message_of([&] { const Reader file(folder / "none.nc"); }).find("none.nc: no such file"), std::string::npos);
   EXPECT_NE(message_of([&] { const Reader file(folder.path()); }).find("cannot be read"), std::string::npos);
   std::ofstream(folder / "text.nc") << "lat,lon,elevation\n1,2,3\n";
@@ -88,7 +88,7 @@ TEST(NetcdfReader, RefusesWhatIsMissingOrNoNetcdf) {
 }
 
 TEST(NetcdfReader, RefusesEveryTruncation) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4}) {
     write_packed(folder / "whole.nc", format);
     const auto size = std::filesystem::file_size(folder / "whole.nc");
@@ -101,7 +101,7 @@ TEST(NetcdfReader, RefusesEveryTruncation) {
 }
 
 TEST(NetcdfReader, RefusesALongClassicFileCutWhereTheLibraryReadsZeros) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const std::vector<float> ones(20'000, 1.0F);
   leave_hdf5_alone_at_exit();
   int file = -1;
@@ -124,7 +124,7 @@ TEST(NetcdfReader, SurvivesADamagedHeader) {
 #ifdef __SANITIZE_ADDRESS__
   const __lsan::ScopedDisabler the_library_leaks_what_it_read_of_a_header_it_refuses;
 #endif
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   for (const int format : {0, NC_NETCDF4}) {
     write_packed(folder / "whole.nc", format);
     std::ifstream whole(folder / "whole.nc", std::ios::binary);

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::netcdf {
 namespace {
@@ -44,7 +44,7 @@ std::string complaint(const std::filesystem::path& path, const Layout& wanted) {
 }
 
 TEST(ResumableFile, HoldsFillValuesWhereNothingWasWritten) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   ResumableFile file(folder / "f.nc", layout());
   put(file, 2, 80.5);
   EXPECT_EQ(file.read("done"), (std::vector<double>{0, 0, 1, 0}));
@@ -53,7 +53,7 @@ TEST(ResumableFile, HoldsFillValuesWhereNothingWasWritten) {
 }
 
 TEST(ResumableFile, EndsWithTheSameBytesHoweverItWasWritten) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   {
     ResumableFile file(folder / "one.nc", layout());
     for (std::size_t x = 0; x < 4; ++x) put(file, x, static_cast<double>(x));
@@ -80,7 +80,7 @@ std::string complaint_about_finished(const std::filesystem::path& path, const La
 }
 
 TEST(ResumableFile, RefusesANameThatSomethingElseHas) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   {
     ResumableFile file(folder / "f.nc", layout("first", 1000));
     file.commit();
@@ -97,7 +97,7 @@ TEST(ResumableFile, RefusesANameThatSomethingElseHas) {
 }
 
 TEST(ResumableFile, HasItsWholeSizeFromTheBeginning) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   ResumableFile file(folder / "f.nc", layout("first", 10'000));
   const auto size = std::filesystem::file_size(folder / "f.nc.partial");
   EXPECT_GT(size, 80'000U);
@@ -107,7 +107,7 @@ TEST(ResumableFile, HasItsWholeSizeFromTheBeginning) {
 }
 
 TEST(ResumableFile, RefusesToGoOnWithWhatWasBegunForAnotherPurposeOrShape) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   { const ResumableFile file(folder / "f.nc", layout()); }
   EXPECT_NE(complaint(folder / "f.nc", layout("second")).find("f.nc.partial: purpose: it was begun with another"), std::string::npos);
   EXPECT_NE(complaint(folder / "f.nc", layout("first", 5)).find("f.nc.partial: x: it was begun with another"), std::string::npos);
@@ -115,13 +115,13 @@ TEST(ResumableFile, RefusesToGoOnWithWhatWasBegunForAnotherPurposeOrShape) {
 }
 
 TEST(ResumableFile, RefusesASecondWriter) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const ResumableFile file(folder / "f.nc", layout());
   EXPECT_NE(complaint(folder / "f.nc", layout()).find("is writing it"), std::string::npos);
 }
 
 TEST(ResumableFile, RefusesASecondWriterWhileTheFirstStillFillsItsDraft) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const std::filesystem::path draft = folder / "f.nc.partial.new";
   const int other = open(draft.c_str(), O_RDWR | O_CREAT, 0666);
   struct flock whole {};
@@ -134,7 +134,7 @@ TEST(ResumableFile, RefusesASecondWriterWhileTheFirstStillFillsItsDraft) {
 }
 
 TEST(ResumableFile, RefusesATruncatedFileAndANameInNoFolder) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   { const ResumableFile file(folder / "f.nc", layout("first", 1000)); }
   std::filesystem::resize_file(folder / "f.nc.partial", 2000);
   EXPECT_NE(complaint(folder / "f.nc", layout("first", 1000)).find("truncated"), std::string::npos);

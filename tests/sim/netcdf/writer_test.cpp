@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sim/netcdf/reader.hpp"
-#include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/support/file_size_limit.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::netcdf {
 namespace {
@@ -25,7 +25,7 @@ void fill(Writer& file, std::size_t values) {
 }
 
 TEST(NetcdfWriter, WritesWhatTheReaderReads) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   Writer file(folder / "f.nc");
   fill(file, 5);
   file.write("range", Block{.start = {1}, .count = {2}}, std::vector<double>{7.0, -1.0});
@@ -38,7 +38,7 @@ TEST(NetcdfWriter, WritesWhatTheReaderReads) {
 
 /// Lengths of a compressed variable's chunks, from the library itself.
 std::vector<std::size_t> chunks_of(const std::vector<std::size_t>& lengths) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   Writer file(folder / "f.nc");
   std::vector<std::string> names;
   for (const std::size_t length : lengths) file.dimension(names.emplace_back("d" + std::to_string(names.size())), length);
@@ -62,7 +62,7 @@ TEST(NetcdfWriter, CompressesInChunksOf64KibibytesThatHoldWholeRows) {
 }
 
 TEST(NetcdfWriter, LeavesTheOldFileAndNothingElseWhenNotCommitted) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   std::ofstream(folder / "f.nc") << "old";
   {
     Writer file(folder / "f.nc");
@@ -75,7 +75,7 @@ TEST(NetcdfWriter, LeavesTheOldFileAndNothingElseWhenNotCommitted) {
 }
 
 TEST(NetcdfWriter, RefusesAFolderThatIsNotThereAndANumberOfValuesThatDoesNotFit) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   EXPECT_THROW(Writer(folder / "none/f.nc"), host::BadInput);
   Writer file(folder / "f.nc");
   file.dimension("range", 5);
@@ -97,7 +97,7 @@ bool write_within(const std::filesystem::path& path, std::size_t values, rlim_t 
 }
 
 TEST(NetcdfWriter, SaysThatTheDiskIsFullAndLeavesNothingBehindWhereverItFills) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   for (const std::size_t values : {10U, 20'000U}) {
     int written = 0;
     int refused = 0;
@@ -117,7 +117,7 @@ TEST(NetcdfWriter, SaysThatTheDiskIsFullAndLeavesNothingBehindWhereverItFills) {
 }
 
 TEST(NetcdfWriter, LetsAProgramEndInPeaceAfterAFullDisk) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   testing::FLAGS_gtest_death_test_style = "threadsafe";  // a process of its own, in which the library has not been used yet
   EXPECT_EXIT(
       {
@@ -128,7 +128,7 @@ TEST(NetcdfWriter, LetsAProgramEndInPeaceAfterAFullDisk) {
 }
 
 TEST(NetcdfWriter, SaysThatItCannotTakeItsNameAndLeavesNothingBehind) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   std::filesystem::create_directories(folder / "f.nc/in the way");
   EXPECT_THROW(Writer(folder / "f.nc"), host::BadInput);
   {

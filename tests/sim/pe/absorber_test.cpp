@@ -1,4 +1,5 @@
 #include "sim/pe/absorber.hpp"
+#include "tests/sim/pe/short_section.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,16 +11,16 @@ namespace {
 constexpr Hertz kFrequency{100.0};
 constexpr Meters kRange{10'000.0};
 
-Section over(double sound_speed_mps, double attenuation) {
-  return {.floor = {{0.0, 100.0}},
-          .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
-          .sediment = {{0.0, {{0.0, sound_speed_mps, 1.5, attenuation}}}}};
+ocean::Section over(double sound_speed_mps, double attenuation) {
+  return tests::section_of({.floor = {{0.0, 100.0}},
+                            .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+                            .sediment = {{0.0, {{0.0, sound_speed_mps, 1.5, attenuation}}}}});
 }
 
 TEST(Absorber, ReflectsLessThanATenThousandthOfAnyWaveThatMatters) {
   for (const double speed : {1450.0, 1500.0, 1700.0, 3000.0}) {
     for (const double attenuation : {0.0, 0.02, 0.5}) {
-      const Section section = over(speed, attenuation);
+      const ocean::Section section = over(speed, attenuation);
       EXPECT_LT(largest_reflection(choose_absorber(section, kFrequency, kRange, {}), section, kFrequency, kRange), 1e-4)
           << speed << attenuation;
     }

@@ -15,7 +15,7 @@ inline double row_m(const Ocean& ocean) {
 }
 
 inline Field solve_with(const Ocean& ocean, const Options& options) {
-  return solve(ocean.section, {Hertz{ocean.frequency_hz}, Meters{ocean.source_depth_m}}, options, ocean.receiver_depth_m,
+  return solve(section_of(ocean.section), {Hertz{ocean.frequency_hz}, Meters{ocean.source_depth_m}}, options, ocean.receiver_depth_m,
                Meters{ocean.max_range_m});
 }
 
@@ -27,7 +27,7 @@ inline Field solve_on(const Ocean& ocean, double depth_step_m, double range_step
 }
 
 inline GridChoice automatic_grid(const Ocean& ocean, Decibels accuracy) {
-  return choose_grid(ocean.section, Hertz{ocean.frequency_hz}, Meters{ocean.max_range_m}, accuracy);
+  return choose_grid(section_of(ocean.section), Hertz{ocean.frequency_hz}, Meters{ocean.max_range_m}, accuracy);
 }
 
 inline Field solve_automatically(const Ocean& ocean, Decibels accuracy) {

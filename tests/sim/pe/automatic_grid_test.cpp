@@ -30,7 +30,7 @@ class AutomaticGrid : public testing::TestWithParam<Ocean> {};
 TEST_P(AutomaticGrid, IsOffByAtMostTwiceThePredictedError) {
   const Decibels accuracy{0.02};
   const GridChoice choice = tests::automatic_grid(GetParam(), accuracy);
-  const bool uniform = GetParam().section.floor.size() == 1 && !GetParam().section.water_varies();
+  const bool uniform = GetParam().section.floor.size() == 1 && GetParam().section.water.size() == 1;
   const Field finer = tests::solve_on(GetParam(), choice.depth_step.value / 1.8,             // a tenth of the error in depth,
                                       choice.range_step.value / (uniform ? 2.0 : 4.0), 16);  // a sixteenth in range
   const double error_db = tests::mean_difference_db(tests::solve_automatically(GetParam(), accuracy), finer);

@@ -1,4 +1,5 @@
 #include "sim/pe/depth_operator.hpp"
+#include "tests/sim/pe/short_section.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +13,14 @@ namespace {
 
 constexpr Hertz kFrequency{100.0};
 
-Section waveguide(double depth_m) {
-  return {.floor = {{0.0, depth_m}},
-          .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
-          .sediment = {{0.0, {{0.0, 1700.0, 1.5, 0.5}}}}};
+ocean::Section waveguide(double depth_m) {
+  return tests::section_of({.floor = {{0.0, depth_m}},
+                            .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+                            .sediment = {{0.0, {{0.0, 1700.0, 1.5, 0.5}}}}});
 }
 
 /// Horizontal wavenumbers of the modes that decay least.
-std::vector<std::complex<double>> modes(const Section& section, double step_m, std::size_t count) {
+std::vector<std::complex<double>> modes(const ocean::Section& section, double step_m, std::size_t count) {
   const DepthGrid grid = make_depth_grid(section, kFrequency, Meters{step_m}, choose_absorber(section, kFrequency, Meters{20'000.0}, {}));
   const DepthOperator op(section, kFrequency, grid);
   const auto n = static_cast<Eigen::Index>(grid.intervals) - 1;
@@ -65,8 +66,8 @@ TEST(DepthOperator, LetsTheSeaFloorLieBetweenNodes) {
 }
 
 TEST(DepthOperator, ChangesOnlyRowsAtTheSeaFloorWhenOnlyTheFloorMoves) {
-  Section section = waveguide(100.0);
-  section.floor.push_back({1'000.0, 80.0});
+  ocean::Section section = waveguide(100.0);
+  section.sea_floor.push_back({.range = Meters{1'000.0}, .depth = Meters{80.0}});
   const DepthGrid grid = make_depth_grid(section, kFrequency, Meters{1.0}, choose_absorber(section, kFrequency, Meters{1'000.0}, {}));
   DepthOperator moved(section, kFrequency, grid);
   const DepthOperator before = moved;

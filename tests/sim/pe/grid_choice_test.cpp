@@ -1,4 +1,5 @@
 #include "sim/pe/grid_choice.hpp"
+#include "tests/sim/pe/short_section.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +8,10 @@
 namespace earshot::pe {
 namespace {
 
-Section ocean_with_floor(std::vector<FloorPoint> floor) {
-  return {.floor = std::move(floor),
-          .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
-          .sediment = {{0.0, {{0.0, 1600.0, 1.8, 0.5}}}}};
+ocean::Section ocean_with_floor(std::vector<std::pair<double, double>> floor) {
+  return tests::section_of({.floor = std::move(floor),
+                            .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+                            .sediment = {{0.0, {{0.0, 1600.0, 1.8, 0.5}}}}});
 }
 
 TEST(GridChoice, StaysWithinTheErrorItIsAskedFor) {
@@ -23,14 +24,14 @@ TEST(GridChoice, StaysWithinTheErrorItIsAskedFor) {
 }
 
 TEST(GridChoice, OwnsUpToTheErrorOfASlopeThatNoGridTakesAway) {
-  const Section slope = ocean_with_floor({{0.0, 1000.0}, {5'000.0, 500.0}});
+  const ocean::Section slope = ocean_with_floor({{0.0, 1000.0}, {5'000.0, 500.0}});
   const auto finest = choose_grid(slope, Hertz{20.0}, Meters{5'000.0}, Decibels{0.001});
   EXPECT_GT(finest.predicted_error_db, 0.2 * 0.1 * std::log(2.0) * 0.95);  // 0.2 dB integral of slope^2 / depth, by hand; depth in the mean
   EXPECT_LT(finest.predicted_error_db, 0.2 * 0.1 * std::log(2.0) + 0.001);
 }
 
 TEST(GridChoice, ScalesWithTheWavelength) {
-  const Section section = ocean_with_floor({{0.0, 1000.0}});
+  const ocean::Section section = ocean_with_floor({{0.0, 1000.0}});
   const auto low = choose_grid(section, Hertz{10.0}, Meters{30'000.0}, Decibels{0.02});
   const auto high = choose_grid(section, Hertz{40.0}, Meters{7'500.0}, Decibels{0.02});  // as many wavelengths
   EXPECT_NEAR(low.depth_step / high.depth_step, 4.0, 1e-9);

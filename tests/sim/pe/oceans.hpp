@@ -7,14 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "sim/pe/section.hpp"
+#include "tests/sim/pe/short_section.hpp"
 
 namespace earshot::pe::tests {
 
 /// An ocean that the automatic grid must serve.
 struct Ocean {
   std::string name;
-  Section section;
+  ShortSection section;
   double frequency_hz;
   double source_depth_m;
   std::vector<double> receiver_depth_m;
@@ -26,13 +26,13 @@ inline void PrintTo(const Ocean& ocean, std::ostream* stream) {
   *stream << ocean.name;
 }
 
-inline WaterColumn isovelocity() {
+inline std::pair<double, ocean::SoundSpeedProfile> isovelocity() {
   return {0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}};
 }
-inline WaterColumn munk(double range_m = 0.0, double axis_m = 1300.0) {
+inline std::pair<double, ocean::SoundSpeedProfile> munk(double range_m = 0.0, double axis_m = 1300.0) {
   return {range_m, ocean::MunkProfile{MetersPerSecond{1500.0}, Meters{axis_m}, Meters{1300.0}, 0.00737}};
 }
-inline SedimentColumn bottom(double sound_speed_mps, double density, double attenuation) {
+inline std::pair<double, std::vector<SedimentPoint>> bottom(double sound_speed_mps, double density, double attenuation) {
   return {0.0, {{0.0, sound_speed_mps, density, attenuation}}};
 }
 
@@ -87,7 +87,7 @@ inline std::vector<Ocean> reference_oceans() {
 /// Oceans without a full-wave reference: other slopes, both ways; water that changes with range; slow, layered and hard bottoms.
 inline std::vector<Ocean> further_oceans() {
   const Ocean deep = reference_oceans()[3];
-  const auto deep_with = [&deep](std::string name, std::vector<FloorPoint> floor, double max_range_m) {
+  const auto deep_with = [&deep](std::string name, std::vector<std::pair<double, double>> floor, double max_range_m) {
     Ocean ocean = deep;
     ocean.name = std::move(name);
     ocean.section.floor = std::move(floor);

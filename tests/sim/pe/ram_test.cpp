@@ -7,6 +7,7 @@
 
 #include "sim/pe/solver.hpp"
 #include "tests/reference/transmission_loss.hpp"
+#include "tests/sim/pe/short_section.hpp"
 
 namespace earshot::pe {
 namespace {
@@ -65,9 +66,9 @@ TEST(RamOracle, IsFurtherFromTheFullWaveOnTheWedgeThanTheSolverOnACoarserGrid) {
   const double ram_error = reference::compare(ram, truth, 500, 3'900, skip).mean_db;
   EXPECT_NEAR(ram_error, 0.1793, 0.03);  // as the case lists it for RAM
 
-  const Section wedge{.floor = {{0.0, 200.0}, {4'000.0, 0.0}},
-                      .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
-                      .sediment = {{0.0, {{0.0, 1700.0, 1.5, 0.5}}}}};
+  const ocean::Section wedge = tests::section_of({.floor = {{0.0, 200.0}, {4'000.0, 0.0}},
+                                                  .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+                                                  .sediment = {{0.0, {{0.0, 1700.0, 1.5, 0.5}}}}});
   const Field field =
       solve(wedge, {Hertz{25.0}, Meters{100.0}}, {.depth_step = Meters{4.0}, .range_step = Meters{20.0}, .output_step = Meters{10.0}},
             std::vector<double>{150.0}, Meters{3'900.0});

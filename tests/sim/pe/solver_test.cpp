@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/reference/transmission_loss.hpp"
+#include "tests/sim/pe/short_section.hpp"
 
 namespace earshot::pe {
 namespace {
@@ -46,8 +47,16 @@ reference::TransmissionLoss loss_of(const Field& field, Eigen::Index column = 0)
   return loss;
 }
 
+ocean::Section flat_section(const ocean::Environment& environment) {
+  return {.water = {{.range = Meters{}, .profile = environment.water}},
+          .sea_floor = {{.range = Meters{}, .depth = environment.seabed.depth}},
+          .sediment = {{.range = Meters{}, .layers = environment.seabed.layers}},
+          .absorption_db_per_km = environment.absorption_db_per_km};
+}
+
 Field solve_at(const ocean::Environment& environment, double depth_m, double max_range_m, const Options& options) {
-  return solve(environment, options, std::vector<double>{depth_m}, Meters{max_range_m});
+  return solve(flat_section(environment), {environment.source.frequency, environment.source.depth}, options, std::vector<double>{depth_m},
+               Meters{max_range_m});
 }
 
 TEST(Solver, FollowsTheFullWaveReferenceOfThePapersOcean) {
@@ -73,16 +82,16 @@ ocean::SoundSpeedProfile munk() {
   return papers_ocean().water;
 }
 
-Section asa_wedge() {
-  return {.floor = {{0.0, 200.0}, {4'000.0, 0.0}},
-          .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
-          .sediment = {{0.0, {{0.0, 1700.0, 1.5, 0.5}}}}};
+ocean::Section asa_wedge() {
+  return tests::section_of({.floor = {{0.0, 200.0}, {4'000.0, 0.0}},
+                            .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+                            .sediment = {{0.0, {{0.0, 1700.0, 1.5, 0.5}}}}});
 }
 
-Section upslope() {
-  return {.floor = {{0.0, 3000.0}, {5'000.0, 3000.0}, {25'000.0, 1000.0}, {35'000.0, 1000.0}},
-          .water = {{0.0, munk()}},
-          .sediment = {{0.0, {{0.0, 1600.0, 1.8, 0.5}}}}};
+ocean::Section upslope() {
+  return tests::section_of({.floor = {{0.0, 3000.0}, {5'000.0, 3000.0}, {25'000.0, 1000.0}, {35'000.0, 1000.0}},
+                            .water = {{0.0, munk()}},
+                            .sediment = {{0.0, {{0.0, 1600.0, 1.8, 0.5}}}}});
 }
 
 Options every(double output_step_m) {
@@ -135,11 +144,10 @@ TEST(Solver, PredictsItsErrorOnASlope) {
 }
 
 TEST(Solver, FindsTheSamePressureInsideALongStepAsAtTheEndOfShortOnes) {
-  const std::vector<double> depth{300.0};
   const Options in_long_steps{.depth_step = Meters{5.0}, .range_step = Meters{200.0}, .terms = 16, .output_step = Meters{25.0}};
   const Options in_short_steps{.depth_step = Meters{5.0}, .range_step = Meters{25.0}, .terms = 16, .output_step = Meters{25.0}};
-  const Field a = solve(papers_ocean(), in_long_steps, depth, Meters{10'000.0});
-  const Field b = solve(papers_ocean(), in_short_steps, depth, Meters{10'000.0});
+  const Field a = solve_at(papers_ocean(), 300.0, 10'000.0, in_long_steps);
+  const Field b = solve_at(papers_ocean(), 300.0, 10'000.0, in_short_steps);
   ASSERT_EQ(a.pressure.rows(), b.pressure.rows());
   const double scale = b.pressure.abs().bottomRows(360).mean();
   EXPECT_LT((a.pressure - b.pressure).abs().bottomRows(360).mean(), 1e-3 * scale);  // 400 steps of 1e-6, steep waves more
@@ -147,8 +155,9 @@ TEST(Solver, FindsTheSamePressureInsideALongStepAsAtTheEndOfShortOnes) {
 
 TEST(Solver, KeepsTheEnergyOfALosslessChannel) {
   // Energy flux of trapped waves, int |p|^2 / rho r dz x k_r, over a hard, lossless floor; modes beat in depth, not in the integral.
-  const Section section{
-      .floor = {{0.0, 200.0}}, .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}}, .sediment = {{0.0, {{0.0, 1600.0, 1.5, 0.0}}}}};
+  const ocean::Section section = tests::section_of({.floor = {{0.0, 200.0}},
+                                                    .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+                                                    .sediment = {{0.0, {{0.0, 1600.0, 1.5, 0.0}}}}});
   std::vector<double> depth;
   for (double z = 2.0; z < 200.0; z += 2.0) depth.push_back(z);
   const Field field = solve(section, {Hertz{50.0}, Meters{100.0}}, every(500.0), depth, Meters{100'000.0});
@@ -163,9 +172,9 @@ TEST(Solver, KeepsTheEnergyOfALosslessChannel) {
 TEST(Solver, IsReciprocalOverASlopeWithinItsOneWayLimit) {
   // Source and receiver change places, and the slope its direction: 200 m deep here, 120 m there.
   const auto section = [](double near_m, double far_m) {
-    return Section{.floor = {{0.0, near_m}, {5'000.0, far_m}},
-                   .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
-                   .sediment = {{0.0, {{0.0, 1700.0, 1.5, 0.5}}}}};
+    return tests::section_of({.floor = {{0.0, near_m}, {5'000.0, far_m}},
+                              .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+                              .sediment = {{0.0, {{0.0, 1700.0, 1.5, 0.5}}}}});
   };
   Options options = every(5'000.0);
   options.accuracy = Decibels{0.01};
@@ -188,10 +197,10 @@ TEST(Solver, ConvergesWithTheSecondPowerOfTheRangeStepOnASlope) {
 }
 
 TEST(Solver, FollowsASectionThatEndsBeforeTheRangeDoes) {
-  Section flat = asa_wedge();
-  flat.floor = {{0.0, 200.0}, {100.0, 200.0}};
-  Section same = asa_wedge();
-  same.floor = {{0.0, 200.0}};
+  ocean::Section flat = asa_wedge();
+  flat.sea_floor = tests::sea_floor({{0.0, 200.0}, {100.0, 200.0}});
+  ocean::Section same = asa_wedge();
+  same.sea_floor = tests::sea_floor({{0.0, 200.0}});
   const auto a = solve(flat, {Hertz{25.0}, Meters{100.0}}, every(50.0), std::vector<double>{50.0}, Meters{3'000.0});
   const auto b = solve(same, {Hertz{25.0}, Meters{100.0}}, every(50.0), std::vector<double>{50.0}, Meters{3'000.0});
   EXPECT_LT((a.pressure - b.pressure).abs().maxCoeff(), 1e-9 * b.pressure.abs().maxCoeff());  // only the order of elimination differs

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "sim/pe/solver.hpp"
+#include "tests/sim/pe/short_section.hpp"
 
 namespace earshot::pe {
 namespace {
 
 /// The floor is transparent: a half-space of water under a pressure-release surface.
-const Section kBottomless{
-    .floor = {{0.0, 500.0}}, .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}}, .sediment = {{0.0, {{0.0, 1500.0, 1.0, 0.0}}}}};
+const ocean::Section kBottomless = tests::section_of(
+    {.floor = {{0.0, 500.0}}, .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}}, .sediment = {{0.0, {{0.0, 1500.0, 1.0, 0.0}}}}});
 
 Field in_bottomless(Starter starter, double source_m, const std::vector<double>& depth) {
   const Options options{.output_step = Meters{100.0}, .accuracy = Decibels{0.002}, .starter = starter};
@@ -52,9 +53,10 @@ TEST(Starter, SelfRadiatesAsAPointSourceAtEveryAngle) {
 }
 
 TEST(Starter, GaussianIsAsMuchQuieterThanSelfFarOffAsTheAnglesOfTrappedWavesSay) {
-  const Section papers_ocean{.floor = {{0.0, 3000.0}},
-                             .water = {{0.0, ocean::MunkProfile{MetersPerSecond{1500.0}, Meters{1300.0}, Meters{1300.0}, 0.00737}}},
-                             .sediment = {{0.0, {{0.0, 1505.0, 1.5, 0.5}}}}};
+  const ocean::Section papers_ocean =
+      tests::section_of({.floor = {{0.0, 3000.0}},
+                         .water = {{0.0, ocean::MunkProfile{MetersPerSecond{1500.0}, Meters{1300.0}, Meters{1300.0}, 0.00737}}},
+                         .sediment = {{0.0, {{0.0, 1505.0, 1.5, 0.5}}}}});
   const auto intensity = [&](Starter starter) {
     const Options options{.output_step = Meters{50.0}, .starter = starter};
     const Field field = solve(papers_ocean, {Hertz{20.0}, Meters{1'000.0}}, options, std::vector<double>{1'000.0}, Meters{100'000.0});

@@ -1,4 +1,5 @@
 #include "sim/pe/sweep.hpp"
+#include "tests/sim/pe/short_section.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +11,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-const Section kSlope{.floor = {{0.0, 60.0}, {1'000.0, 40.0}},
-                     .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
-                     .sediment = {{0.0, {{0.0, 1600.0, 1.5, 0.5}, {10.0, 1650.0, 1.6, 0.5}, {10.0, 1800.0, 2.0, 0.5}}}}};
+const ocean::Section kSlope =
+    tests::section_of({.floor = {{0.0, 60.0}, {1'000.0, 40.0}},
+                       .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+                       .sediment = {{0.0, {{0.0, 1600.0, 1.5, 0.5}, {10.0, 1650.0, 1.6, 0.5}, {10.0, 1800.0, 2.0, 0.5}}}}});
 constexpr Hertz kFrequency{100.0};
 
 Eigen::MatrixXcd dense(const Tridiagonal& t) {

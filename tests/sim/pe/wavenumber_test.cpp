@@ -13,6 +13,7 @@
 #include "sim/pe/solver.hpp"
 #include "tests/oracles/wavenumber/wavenumber.hpp"
 #include "tests/reference/transmission_loss.hpp"
+#include "tests/sim/pe/short_section.hpp"
 
 namespace earshot::pe {
 namespace {
@@ -82,7 +83,8 @@ std::vector<double> loss_db(const std::vector<std::complex<double>>& pressure) {
 
 std::vector<double> solved_loss_db(const Case& c, Options options) {
   options.output_step = Meters{c.max_range_m / kRows};
-  const Section section{.floor = {{0.0, c.floor_m}}, .water = {{0.0, c.water}}, .sediment = {{0.0, c.sediment}}};
+  const ocean::Section section =
+      tests::section_of({.floor = {{0.0, c.floor_m}}, .water = {{0.0, c.water}}, .sediment = {{0.0, c.sediment}}});
   const Field field =
       solve(section, {Hertz{c.frequency_hz}, Meters{c.source_m}}, options, std::vector<double>{c.receiver_m}, Meters{c.max_range_m});
   return loss_db({field.pressure.data(), field.pressure.data() + field.pressure.size()});

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <string>
 
-#include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/support/file_size_limit.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::plot {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 class Picture : public testing::TestWithParam<const char*> {};
 
 TEST_P(Picture, OfAFullDiskIsNotTakenForAWholeOne) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const std::filesystem::path path = folder / (std::string("p.") + GetParam());
   {
     const support::FileSizeLimit limit(500);  // gnuplot reports success whether or not its bytes found room
@@ -31,7 +31,7 @@ TEST_P(Picture, OfAFullDiskIsNotTakenForAWholeOne) {
 INSTANTIATE_TEST_SUITE_P(Both, Picture, testing::Values("png", "svg"));
 
 TEST(Gnuplot, GivesAnSvgTheTitleOfItsPictureInPlaceOfItsOwn) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   draw(folder / "p.svg", {.title = "depth < 3 km & range", .size = "400,300", .commands = "plot x\n"});
   std::ifstream stream(folder / "p.svg");
   const std::string svg{std::istreambuf_iterator<char>(stream), {}};
@@ -48,7 +48,7 @@ TEST(Gnuplot, IsGivenNoTextOfTwoLinesForTheSecondWouldBeACommand) {
 }
 
 TEST(Gnuplot, TakesANameThatLooksLikeACommandForAName) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const std::filesystem::path before = std::filesystem::current_path();
   std::filesystem::current_path((folder / "x").parent_path());
   EXPECT_NO_THROW(draw("|touch owned;.svg", {.title = "a line", .size = "400,300", .commands = "plot x\n"}));

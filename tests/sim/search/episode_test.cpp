@@ -32,7 +32,7 @@ class EpisodeTest : public testing::Test {
 };
 
 TEST_F(EpisodeTest, MovesOneStepLengthAlongTheActionsDirection) {
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   episode.start_at(world, model, at(5'000, 7'000), settings.source);
   episode.step(world, kEast);
   EXPECT_EQ(episode.position(), at(5'000, 8'000));
@@ -42,7 +42,7 @@ TEST_F(EpisodeTest, MovesOneStepLengthAlongTheActionsDirection) {
 }
 
 TEST_F(EpisodeTest, EndsWhenItComesWithinAStepLengthOfTheSource) {
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   episode.start_at(world, model, at(10'000, 12'500), settings.source);
   EXPECT_EQ(episode.step(world, kWest), 0.0);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning);  // 1500 m away
@@ -52,14 +52,14 @@ TEST_F(EpisodeTest, EndsWhenItComesWithinAStepLengthOfTheSource) {
 }
 
 TEST_F(EpisodeTest, FindsTheSourceFromExactlyOneStepLength) {
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   episode.start_at(world, model, at(10'000, 12'000), settings.source);
   episode.step(world, kWest);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
 }
 
 TEST_F(EpisodeTest, EndsOutsideTheDomainWithThePenaltyOfWhereItCameOut) {
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   episode.start_at(world, model, at(24'500, 10'000), settings.source);
   // Half a kilometre beyond the edge: -100 (1 + 0.5); 15.5 km from the source it is heard.
   EXPECT_EQ(episode.step(world, kNorth), -150.0);
@@ -68,14 +68,14 @@ TEST_F(EpisodeTest, EndsOutsideTheDomainWithThePenaltyOfWhereItCameOut) {
 
 TEST_F(EpisodeTest, CountsASourceReachedJustOutsideTheDomainAsFound) {
   settings.source = at(24'900, 10'000);
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   episode.start_at(world, model, at(24'600, 11'100), settings.source);
   episode.step(world, 7);  // north-west, to 25 307 m north, 10 393 m east: 566 m away
   EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
 }
 
 TEST_F(EpisodeTest, IsCutByTheTimeLimitAfterNSteps) {
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   episode.start_at(world, model, at(15'000, 15'000), settings.source);
   for (int i = 0; i < 99; ++i) episode.step(world, i % 2 == 0 ? kNorth : kSouth);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning);
@@ -86,14 +86,14 @@ TEST_F(EpisodeTest, IsCutByTheTimeLimitAfterNSteps) {
 
 TEST_F(EpisodeTest, PrefersFoundOverTheTimeLimitOnTheLastStep) {
   settings.max_steps = 1;
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   episode.start_at(world, model, at(10'000, 12'000), settings.source);
   episode.step(world, kWest);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
 }
 
 TEST_F(EpisodeTest, AddsUpItsRewards) {
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   episode.start_at(world, model, at(2'000, 20'500), at(24'000, 2'000));  // 28.7 km away: not heard
   double sum = 0.0;
   for (int i = 0; i < 4; ++i) sum += episode.step(world, kEast);
@@ -103,7 +103,7 @@ TEST_F(EpisodeTest, AddsUpItsRewards) {
 }
 
 TEST_F(EpisodeTest, SeesTheMemoryStateOfItsLastStepsNewestFirst) {
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   model.spec = policy::memory_state(2, settings.step_length, settings.detection_threshold).value();
   std::array<float, 6> seen{};
   episode.start_at(world, model, at(10'000, 15'000), settings.source);
@@ -125,7 +125,7 @@ TEST_F(EpisodeTest, SeesTheSimpleStateRelativeToTheDomainsSouthWestCorner) {
   const NorthEast corner = at(100'000, -50'000);
   settings.domain = {corner, corner + at(25'000, 25'000)};
   settings.start_region = settings.domain;
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   model.spec = policy::simple_state(at(25'000, 25'000));
   std::array<float, 2> seen{};
   episode.start_at(world, model, corner + at(25'000, 12'500), corner + at(1'000, 1'000));
@@ -136,7 +136,7 @@ TEST_F(EpisodeTest, SeesTheSimpleStateRelativeToTheDomainsSouthWestCorner) {
 
 TEST_F(EpisodeTest, NeverStartsWithinReachOfTheSource) {
   settings.start_region = {at(8'500, 8'500), at(11'500, 11'500)};  // a third of it lies within 1 km of the source
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   Pcg32 random(7);
   for (int i = 0; i < 1'000; ++i) {
     episode.start(world, model, random);
@@ -148,7 +148,7 @@ TEST_F(EpisodeTest, NeverStartsWithinReachOfTheSource) {
 TEST_F(EpisodeTest, StartsUniformlyInItsRegionAndPlacesAChangingSourceUniformlyInTheDomain) {
   settings.placement = SourcePlacement::kChanging;
   settings.start_region = {at(1'000, 1'000), at(24'000, 24'000)};
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   Pcg32 random(7);
   constexpr int kEpisodes = 20'000;
   double start_north = 0.0;

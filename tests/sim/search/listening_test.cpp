@@ -32,11 +32,11 @@ class ListeningEpisode : public testing::Test {
   void listen(Listening listening, std::int64_t seconds) {
     settings.listening = {.listening = listening, .length = Duration::seconds(seconds)};
   }
-  [[nodiscard]] SearchWorld world() const { return SearchWorld(settings, soundscape, conditions); }
+  [[nodiscard]] World world() const { return World(settings, soundscape, conditions); }
 
   Soundscape soundscape{std::vector{one_decibel_per_kilometer()}};
   SearchSettings settings;
-  ocean::Conditions conditions;
+  Conditions conditions;
   Episode episode;
 };
 
@@ -44,7 +44,7 @@ TEST_F(ListeningEpisode, HearsTheLoudestLookOnItsWayWhereItWasTaken) {
   // A step of 500 s ends 7 km north of the source, and comes from 6 km. At 2 m/s the first of 60 looks was 118 m nearer.
   for (const auto& [listening, nearer_m] : {std::pair{Listening::kLoudest, 118.0}, std::pair{Listening::kMean, 59.0}}) {
     listen(listening, 60);
-    const SearchWorld calm = world();
+    const World calm = world();
     episode.start_at(calm, kSeesNothing, at(16'000, 10'000), settings.source);
     EXPECT_NEAR(episode.snr().value, 24.0, 1e-6) << "the start has one look";
     episode.step(calm, kNorth);
@@ -57,7 +57,7 @@ TEST_F(ListeningEpisode, CountsADetectionAnywhereInItsWindow) {
   // DT = 10 dB is 20 km away, which the vehicle passes 100 m, or 50 s, before the step's end.
   for (const auto& [seconds, detections] : {std::pair{40, 0U}, std::pair{60, 1U}}) {
     listen(Listening::kLoudest, seconds);
-    const SearchWorld calm = world();
+    const World calm = world();
     settings.source = at(1'000, 1'000);
     episode.start_at(calm, kSeesNothing, at(1'000, 20'100), at(1'000, 1'000));
     EXPECT_EQ(episode.step(calm, kEast), detections == 1 ? 0.0 : -1.0);
@@ -68,7 +68,7 @@ TEST_F(ListeningEpisode, CountsADetectionAnywhereInItsWindow) {
 TEST_F(ListeningEpisode, NeverReachesBackBeyondItsStep) {
   settings.step_length = Meters{100.0};  // 50 s
   listen(Listening::kLoudest, 120);
-  const SearchWorld calm = world();
+  const World calm = world();
   episode.start_at(calm, kSeesNothing, at(16'000, 10'000), settings.source);
   episode.step(calm, kNorth);
   episode.step(calm, kNorth);
@@ -76,11 +76,11 @@ TEST_F(ListeningEpisode, NeverReachesBackBeyondItsStep) {
 }
 
 TEST_F(ListeningEpisode, MovesDriftsAndSwimsAsFarAsWithoutAWindow) {
-  conditions.current = ocean::Current{.speed = MetersPerSecond{0.2}, .toward = Radians{0.0}};
+  conditions.current = Current{.speed = MetersPerSecond{0.2}, .toward = Radians{0.0}};
   conditions.source_speed = MetersPerSecond{0.5};
-  const SearchWorld newest = world();
+  const World newest = world();
   listen(Listening::kLoudest, 30);
-  const SearchWorld loudest = world();
+  const World loudest = world();
   Episode other;
   episode.start_at(newest, kSeesNothing, at(5'000, 5'000), at(15'000, 15'000), Pcg32(4));
   other.start_at(loudest, kSeesNothing, at(5'000, 5'000), at(15'000, 15'000), Pcg32(4));
@@ -101,7 +101,7 @@ TEST_F(ListeningEpisode, FluctuatesByTheLargestOrTheMeanOfAsManyDraws) {
                                                       // (mean); Tippett, Biometrika 17 (1925) 364 (standard deviation)
                                                       std::tuple{Listening::kLoudest, 20.0 + 4.0 * 1.53875, 4.0 * 0.58681}}) {
     listen(listening, 10);
-    const SearchWorld noisy = world();
+    const World noisy = world();
     double sum = 0.0;
     double squares = 0.0;
     for (int i = 0; i < kSteps; ++i) {
@@ -117,16 +117,16 @@ TEST_F(ListeningEpisode, FluctuatesByTheLargestOrTheMeanOfAsManyDraws) {
 
 TEST_F(ListeningEpisode, DrawsNothingMoreWhenItListensToTheNewestAlone) {
   conditions.fluctuation = Decibels{4.0};
-  const SearchWorld newest = world();
+  const World newest = world();
   listen(Listening::kLoudest, 1);
-  const SearchWorld one_second = world();
+  const World one_second = world();
   Episode other;
   episode.start_at(newest, kSeesNothing, at(5'000, 5'000), settings.source, Pcg32(4));
   other.start_at(one_second, kSeesNothing, at(5'000, 5'000), settings.source, Pcg32(4));
   for (int i = 0; i < 5; ++i) {
     episode.step(newest, kNorth);
     other.step(one_second, kNorth);
-    EXPECT_EQ(episode.heard(), other.heard());
+    EXPECT_EQ(episode.reception(), other.reception());
   }
 }
 

@@ -11,52 +11,6 @@ namespace {
 constexpr NorthEast at(double north_m, double east_m) {
   return {Meters{north_m}, Meters{east_m}};
 }
-constexpr Decibels kHeard{10.0};  // the threshold itself counts as detected
-constexpr Decibels kUnheard{9.99};
-
-TEST(StepReward, IsZeroOnADetectionAndMinusOneWithoutInTheInterior) {
-  const SearchSettings paper;
-  EXPECT_EQ(step_reward(paper, at(12'000, 12'000), kHeard), 0.0);
-  EXPECT_EQ(step_reward(paper, at(12'000, 12'000), kUnheard), -1.0);
-}
-
-TEST(StepReward, TakesAHundredAtTheEdgeAndHalfOfItHalfwayThroughTheBorder) {
-  const SearchSettings paper;
-  EXPECT_EQ(step_reward(paper, at(12'000, 0), kHeard), -100.0);
-  EXPECT_EQ(step_reward(paper, at(24'500, 12'000), kHeard), -50.0);
-  EXPECT_EQ(step_reward(paper, at(24'500, 12'000), kUnheard), -51.0);
-}
-
-TEST(StepReward, IsFreeOfPenaltyExactlyAtTheInnerEdgeOfTheBorder) {
-  EXPECT_EQ(step_reward({}, at(1'000, 12'000), kHeard), 0.0);
-}
-
-TEST(StepReward, GrowsBeyondTheEdgePenaltyOutside) {
-  EXPECT_EQ(step_reward({}, at(25'500, 12'000), kUnheard), -151.0);
-}
-
-TEST(StepReward, CountsANearCornerOnceByItsNearestEdge) {
-  EXPECT_EQ(step_reward({}, at(250, 500), kHeard), -75.0);
-}
-
-TEST(CompassDirections, RunClockwiseFromNorthWithExactCardinals) {
-  const ActionTable table = compass_directions(8);
-  ASSERT_EQ(table.size(), 8U);
-  EXPECT_EQ(table[0], (UnitNorthEast{1.0, 0.0}));
-  EXPECT_EQ(table[2], (UnitNorthEast{0.0, 1.0}));
-  EXPECT_EQ(table[4], (UnitNorthEast{-1.0, 0.0}));
-  EXPECT_EQ(table[6], (UnitNorthEast{0.0, -1.0}));
-  const double half = std::sqrt(0.5);
-  EXPECT_NEAR(table[3].north, -half, 1e-12);  // south-east; core's sine is good to 1e-12
-  EXPECT_NEAR(table[3].east, half, 1e-12);
-}
-
-TEST(CompassDirections, AreOfLengthOneForEveryCount) {
-  for (std::size_t count = 1; count <= config::kMaxActions; ++count) {
-    for (const UnitNorthEast& d : compass_directions(count)) EXPECT_NEAR(d.north * d.north + d.east * d.east, 1.0, 1e-12);  // as above
-  }
-}
-
 TEST(SearchSettingsCheck, AcceptsThePapersProblem) {
   EXPECT_EQ(check({}), Status::kOk);
 }

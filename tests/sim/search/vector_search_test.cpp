@@ -38,7 +38,7 @@ class VectorSearchTest : public testing::Test {
 };
 
 TEST_F(VectorSearchTest, AllocatesNothingWhileStepping) {
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   VectorSearch search(world, model, 16, 1);
   std::array<std::size_t, 16> actions{};
   Pcg32 random(3);
@@ -53,7 +53,7 @@ TEST_F(VectorSearchTest, AllocatesNothingWhileStepping) {
 }
 
 TEST_F(VectorSearchTest, GivesTheSameEpisodesForTheSameSeedAndOthersForAnother) {
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   auto fly = [&](std::uint64_t seed) {
     VectorSearch search(world, model, 3, seed);
     std::vector<float> seen;
@@ -71,7 +71,7 @@ TEST_F(VectorSearchTest, GivesTheSameEpisodesForTheSameSeedAndOthersForAnother) 
 }
 
 TEST_F(VectorSearchTest, FliesAnEnvironmentsEpisodesAlikeHoweverManyOthersRunBesideIt) {
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   VectorSearch alone(world, model, 1, 9);
   VectorSearch among(world, model, 4, 9);
   for (std::size_t i = 0; i < 500; ++i) {
@@ -87,7 +87,7 @@ TEST_F(VectorSearchTest, StartsAnewInTheStepThatEndsAnEpisodeAndKeepsItsLastObse
   settings.start_region = {{Meters{5'000.0}, Meters{5'000.0}}, {Meters{20'000.0}, Meters{20'000.0}}};
   settings.placement = SourcePlacement::kFixed;
   settings.source = {Meters{1'000.0}, Meters{1'000.0}};
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   VectorSearch search(world, model, 1, 1);
   const std::array<std::size_t, 1> north{0};
   search.step(north);
@@ -105,7 +105,7 @@ TEST_F(VectorSearchTest, StartsAnewInTheStepThatEndsAnEpisodeAndKeepsItsLastObse
 
 TEST_F(VectorSearchTest, GoesOnFromItsScriptsAsIfNothingHadHappened) {
   settings.max_steps = 7;  // some episodes have just begun, others not
-  const SearchWorld world(settings, curve);
+  const World world(settings, curve);
   VectorSearch uninterrupted(world, model, 5, 3);
   std::vector<std::size_t> actions(5);
   auto step = [&actions](VectorSearch& environments, std::size_t t) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/netcdf/reader.hpp"
-#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -35,7 +35,7 @@ Fan fan() {
 }
 
 TEST(FanFile, ReadsBackLossProbabilityAndDetectionRanges) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   write_fan(folder / "fan.nc", fan(), std::nullopt, environment(), {Hertz{20.0}, Hertz{20.0}}, kDetector, "by hand");
   const netcdf::Reader file(folder / "fan.nc");
   EXPECT_EQ(file.dimensions_of("transmission_loss"), (std::vector<std::string>{"bearing", "range", "depth"}));
@@ -51,7 +51,7 @@ TEST(FanFile, ReadsBackLossProbabilityAndDetectionRanges) {
 }
 
 TEST(FanFile, HoldsTheMapBesideTheFan) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const HorizontalMap map = make_map(fan(), 0, {.side = Meters{200.0}, .intervals = 2}, kDetector);
   write_fan(folder / "fan.nc", fan(), map, environment(), {Hertz{15.0}, Hertz{30.0}, 3}, kDetector, "by hand");
   const netcdf::Reader file(folder / "fan.nc");

@@ -10,8 +10,8 @@
 
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/horizontal_map.hpp"
-#include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -87,7 +87,7 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
 }
 
 TEST(Fan, IsTheSameBitForBitForEveryNumberOfThreads) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const auto environment = ocean::load_environment(tests::write_hilly_ocean(folder.path()));
   const Fan one = compute_fan(environment, {}, plan(8), 1);
   EXPECT_TRUE(same_bits(one.transmission_loss_db, compute_fan(environment, {}, plan(8), 2).transmission_loss_db));
@@ -103,7 +103,7 @@ TEST(Fan, HasOneLossOnEveryBearingOfAnOceanThatDoesNotDifferWithPlace) {
 }
 
 TEST(Fan, LooksEastAlongItsBearingOfNinetyDegrees) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const auto environment = ocean::load_environment(tests::write_hilly_ocean(folder.path()));
   const Fan fan = compute_fan(environment, {}, plan(4), 2);
   const auto floor = [&](std::size_t bearing, std::size_t range) { return fan.sea_floor_depth_m[bearing * fan.ranges + range]; };
@@ -115,7 +115,7 @@ TEST(Fan, LooksEastAlongItsBearingOfNinetyDegrees) {
 }
 
 TEST(Fan, MirrorsAnOceanThatIsMirrored) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const auto environment = ocean::load_environment(tests::write_hilly_ocean(folder.path()));  // symmetric about the equator
   const Fan fan = compute_fan(environment, {}, plan(8), 2);
   for (std::size_t i = 0; i < fan.ranges; ++i) {

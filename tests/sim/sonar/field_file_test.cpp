@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sim/netcdf/reader.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -31,12 +32,9 @@ SonarField small_field() {
 class FieldFile : public testing::Test {
  protected:
   FieldFile() {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     environment_.name = "small";
     environment_.file_crc32 = 0x1234ABCDU;
   }
-  ~FieldFile() override { std::filesystem::remove_all(folder_); }
 
   [[nodiscard]] std::size_t files() const {
     std::size_t count = 0;
@@ -44,14 +42,13 @@ class FieldFile : public testing::Test {
     return count;
   }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / (std::string("field_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::TemporaryFolder folder_;
   ocean::Environment environment_;
 };
 
 TEST_F(FieldFile, ReadsBackWhatWasWrittenWithDepthRunningFastest) {
   const auto path = folder_ / "field.nc";
-  write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
+  write_field(path, small_field(), environment_, Radians{}, ocean::Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
   int id = 0;
   ASSERT_EQ(nc_open(path.c_str(), NC_NOWRITE, &id), NC_NOERR);
   int variable = 0;
@@ -69,7 +66,7 @@ TEST_F(FieldFile, ReadsBackWhatWasWrittenWithDepthRunningFastest) {
 
 TEST_F(FieldFile, NamesItsConventionsUnitsAndProvenance) {
   const auto path = folder_ / "field.nc";
-  write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
+  write_field(path, small_field(), environment_, Radians{}, ocean::Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
   int id = 0;
   ASSERT_EQ(nc_open(path.c_str(), NC_NOWRITE, &id), NC_NOERR);
   const auto text = [id](const char* variable, const char* attribute) {
@@ -100,7 +97,7 @@ SonarField odd_field() {
 
 TEST_F(FieldFile, HoldsTheLossWithinHalfOf1To256Decibel) {
   const SonarField field = odd_field();
-  write_field(folder_ / "field.nc", field, environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
+  write_field(folder_ / "field.nc", field, environment_, Radians{}, ocean::Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
   const std::vector<double> loss = netcdf::Reader(folder_ / "field.nc").read("transmission_loss");
   ASSERT_EQ(loss.size(), 6U);
   for (std::size_t i = 0; i < 5; ++i) {
@@ -114,7 +111,7 @@ TEST_F(FieldFile, HasWhatSnrIsMadeOfInOneFile) {
   const SonarField field = odd_field();
   environment_.source.level = field.source_level;
   environment_.noise_level = field.noise_level;
-  write_field(folder_ / "field.nc", field, environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
+  write_field(folder_ / "field.nc", field, environment_, Radians{}, ocean::Band{Hertz{20.0}, Hertz{20.0}}, "by hand");
   const netcdf::Reader file(folder_ / "field.nc");
   const double snr_db = file.read("source_level").at(0) - file.read("transmission_loss").at(1) - file.read("noise_level").at(0);
   EXPECT_NEAR(snr_db, 190.0 - 71.37 - 90.0, 1.0 / 512.0 + 1e-5);  // rounding of the file, and of a float
@@ -124,15 +121,15 @@ TEST_F(FieldFile, HasWhatSnrIsMadeOfInOneFile) {
 
 TEST_F(FieldFile, ReplacesAnOldFileAndLeavesNothingBeside) {
   const auto path = folder_ / "field.nc";
-  write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "first");
-  write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "second");
+  write_field(path, small_field(), environment_, Radians{}, ocean::Band{Hertz{20.0}, Hertz{20.0}}, "first");
+  write_field(path, small_field(), environment_, Radians{}, ocean::Band{Hertz{20.0}, Hertz{20.0}}, "second");
   EXPECT_EQ(files(), 1U);
 }
 
 TEST_F(FieldFile, NamesAFileThatCannotBeWritten) {
   const auto path = folder_ / "no" / "folder" / "field.nc";
   try {
-    write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, "");
+    write_field(path, small_field(), environment_, Radians{}, ocean::Band{Hertz{20.0}, Hertz{20.0}}, "");
     FAIL();
   } catch (const std::runtime_error& e) {
     EXPECT_NE(std::string(e.what()).find(path.string()), std::string::npos) << e.what();
@@ -142,7 +139,7 @@ TEST_F(FieldFile, NamesAFileThatCannotBeWritten) {
 TEST_F(FieldFile, LeavesNothingHalfWrittenWhenItCannotTakeItsName) {
   const auto path = folder_ / "field.nc";
   std::filesystem::create_directories(path / "in the way");
-  EXPECT_THROW(write_field(path, small_field(), environment_, Radians{}, Band{Hertz{20.0}, Hertz{20.0}}, ""), std::runtime_error);
+  EXPECT_THROW(write_field(path, small_field(), environment_, Radians{}, ocean::Band{Hertz{20.0}, Hertz{20.0}}, ""), std::runtime_error);
   EXPECT_EQ(files(), 1U);
 }
 

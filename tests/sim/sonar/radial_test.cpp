@@ -16,7 +16,7 @@ ocean::Environment papers_ocean() {
   return ocean::load_environment(std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml");
 }
 
-RadialPlan plan(double source_depth_m, std::vector<double> depth_m, Band band = {Hertz{20.0}, Hertz{20.0}}) {
+RadialPlan plan(double source_depth_m, std::vector<double> depth_m, ocean::Band band = {Hertz{20.0}, Hertz{20.0}}) {
   return {.source_depth = Meters{source_depth_m}, .depth_m = std::move(depth_m), .range_step = Meters{25.0}, .ranges = 400, .band = band};
 }
 

@@ -22,11 +22,11 @@ void BlockRing::put(const messages::HydrophoneBlock& block) {
   put_.store(number + 1, std::memory_order_release);
 }
 
-bool BlockRing::take(Heard& heard) const {
+bool BlockRing::take(SampledBlock& oldest) const {
   const std::uint64_t number = taken_.load(std::memory_order_relaxed);
   if (put_.load(std::memory_order_acquire) == number) return false;
   const Entry& entry = (*entries_)[number % entries_->size()];
-  heard = {.block = entry.block, .samples = std::span(*samples_).subspan(entry.begin % samples_->size(), entry.end - entry.begin)};
+  oldest = {.block = entry.block, .samples = std::span(*samples_).subspan(entry.begin % samples_->size(), entry.end - entry.begin)};
   return true;
 }
 

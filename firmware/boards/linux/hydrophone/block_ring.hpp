@@ -25,12 +25,12 @@ class BlockRing {
   /// The block whose samples were written into the room given last.
   void put(const messages::HydrophoneBlock& block);
 
-  struct Heard {
+  struct SampledBlock {
     messages::HydrophoneBlock block;
     std::span<const float> samples;
   };
   /// The oldest block; false if there is none. Its samples stay until release().
-  [[nodiscard]] bool take(Heard& heard) const;
+  [[nodiscard]] bool take(SampledBlock& oldest) const;
   /// Gives back the room of the block taken.
   void release();
 

@@ -84,7 +84,7 @@ void HydrophoneReceiver::listen(const std::stop_token& stop) {
     (void)::poll(&waiting, 1, -1);
     put_.answer();
     is_last = stop.stop_requested();  // before the ring is emptied: what was put before it is heard
-    for (BlockRing::Heard heard; ring_.take(heard); ring_.release()) listener_.hear(heard.block, heard.samples);
+    for (BlockRing::SampledBlock oldest; ring_.take(oldest); ring_.release()) listener_.hear(oldest.block, oldest.samples);
   }
 }
 

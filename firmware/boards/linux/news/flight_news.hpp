@@ -23,16 +23,17 @@ namespace earshot::board {
 ///     earshotd: 2026-11-22 15:04:09 UTC: port 1, vehicle, CAN can0: its link is down; tried again once a second
 class FlightNews {
  public:
-  /// Of one link so many lines at once, then one in so long, so that a link that comes and goes cannot flood: the next line counts the
-  /// changes.
+  /// A link may have kLinkLinesAtOnce lines at once and after them one every kBetweenLinkLines, which counts the changes since the last: a
+  /// link that comes and goes cannot flood.
   static constexpr int kLinkLinesAtOnce = 4;
   static constexpr Duration kBetweenLinkLines = Duration::seconds(10);
 
-  /// @param ports   what is down already is taken for told
+  /// @param ports   a link that is down already has no line of its own
   /// @param writer  must outlive it
   FlightNews(const PortSet& ports, LineWriter& writer);
 
-  /// After every turn. @param now  of the turn, on the mission clock: UTC at sea, seconds from 0 in simulation
+  /// Tells what the turn changed; to be called after every turn. @param now  of the turn, on the mission clock: UTC at sea, seconds from 0
+  /// in simulation
   void tell(Time now, const messages::Health& health);
 
  private:
@@ -42,7 +43,7 @@ class FlightNews {
     std::uint64_t changes = 0;  ///< since it was last told of
     Time due;                   ///< when its lines would have been told, were there one in kBetweenLinkLines
   };
-  /// What a sensor sent that the runtime did not take.
+  /// How many messages of a sensor the runtime refused, as far as a person knows.
   struct Refused {
     std::uint64_t told = 0;
     bool is_told_in_state = false;

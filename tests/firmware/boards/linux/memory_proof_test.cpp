@@ -24,6 +24,7 @@
 #include "firmware/host/transport/lcm_url.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/private_network.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::board {
 namespace {
@@ -163,7 +164,6 @@ class ProvenLoop : public testing::Test {
  protected:
   void SetUp() override {
     ENTER_PRIVATE_NETWORK_OR_SKIP();
-    path_ = fs::path(testing::TempDir()) / ("memory-proof-" + std::to_string(::getpid()));
     ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_wanders())), Status::kOk);
     ports_.add(
         std::make_unique<LcmPort>(ports_.next_index(), host::PortSettings{.name = "status",
@@ -174,7 +174,6 @@ class ProvenLoop : public testing::Test {
     vehicle_ = vehicle.get();
     ports_.add(std::move(vehicle));
   }
-  void TearDown() override { fs::remove(path_); }
 
   /// Flies to the end of the mission with the trap armed.
   void fly(Mode mode) {
@@ -191,7 +190,8 @@ class ProvenLoop : public testing::Test {
     proof_.disarm(result_);
   }
 
-  fs::path path_;
+  const support::TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "journal";
   std::atomic<bool> stop_{false};
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
   PortSet ports_;

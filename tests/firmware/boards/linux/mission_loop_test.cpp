@@ -22,6 +22,7 @@
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::board {
 namespace {
@@ -134,7 +135,6 @@ class AtSea : public testing::Test {
   static constexpr std::uint8_t kPort = 1;
 
   void SetUp() override {
-    path_ = fs::path(testing::TempDir()) / (std::string("at-sea-") + std::to_string(::getpid()));
     ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))),
               Status::kOk);
     journal_ = std::make_unique<host::Journal>(path_, host::JournalOptions{.existing = host::ExistingJournal::kReplace});
@@ -142,10 +142,7 @@ class AtSea : public testing::Test {
     port_ = port.get();
     ports_.add(std::move(port));
   }
-  void TearDown() override {
-    (void)journal_->close();
-    fs::remove(path_);
-  }
+  void TearDown() override { (void)journal_->close(); }
 
   /// A message as its sender makes it, whose wall clock is this host's; the port moves its date.
   template <class Value>
@@ -196,7 +193,8 @@ class AtSea : public testing::Test {
     return orders;
   }
 
-  fs::path path_;
+  const support::TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "journal";
   FakeHost host_;
   Script script_;
   FakeClock clock_{host_, script_};

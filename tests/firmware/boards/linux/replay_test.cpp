@@ -1,7 +1,6 @@
 #include "firmware/boards/linux/replay.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <bit>
@@ -24,6 +23,7 @@
 #include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/signed_policy.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::board {
 namespace {
@@ -137,8 +137,8 @@ class RandomMission {
 
 class Replay : public testing::Test {
  protected:
-  void TearDown() override { fs::remove(path_); }
-  fs::path path_ = fs::path(testing::TempDir()) / ("replay-" + std::to_string(::getpid()));
+  const support::TemporaryFolder folder_;
+  const fs::path path_ = folder_ / "journal";
 };
 
 TEST_F(Replay, GivesEveryByteOfTenThousandJournalsOfRandomInputsAgain) {

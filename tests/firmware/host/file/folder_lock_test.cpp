@@ -11,6 +11,8 @@
 #include <string>
 #include <system_error>
 
+#include "tests/support/temporary_folder.hpp"
+
 namespace earshot::host {
 namespace {
 
@@ -18,13 +20,7 @@ namespace fs = std::filesystem;
 
 class FolderLock : public testing::Test {
  protected:
-  FolderLock() {
-    std::string name = (fs::temp_directory_path() / "earshot-folder-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~FolderLock() override { fs::remove_all(folder_); }
-
-  fs::path folder_;
+  const support::TemporaryFolder folder_;
 };
 
 TEST_F(FolderLock, RefusesASecondWriterAndNamesTheFirst) {
@@ -34,7 +30,7 @@ TEST_F(FolderLock, RefusesASecondWriterAndNamesTheFirst) {
     FAIL() << "two hold the lock";
   } catch (const FolderInUse& e) {
     EXPECT_EQ(std::string(e.what()),
-              folder_.string() + ": host_file_test (process " + std::to_string(::getpid()) + ") is writing into this folder");
+              folder_.path().string() + ": host_file_test (process " + std::to_string(::getpid()) + ") is writing into this folder");
   }
 }
 

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
 namespace {
@@ -25,13 +26,6 @@ constexpr FileKind kFourBytes{"a test", 4};
 
 class InputFileTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = testing::TempDir() + "earshot-input-XXXXXX";
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path written(const std::string& content) {
     const fs::path path = folder_ / "file";
     std::ofstream(path, std::ios::binary) << content;
@@ -47,7 +41,7 @@ class InputFileTest : public testing::Test {
     return {};
   }
 
-  fs::path folder_;
+  const support::TemporaryFolder folder_;
 };
 
 TEST_F(InputFileTest, GivesTheWholeContent) {
@@ -109,7 +103,7 @@ TEST_F(InputFileTest, RefusesASocket) {
 }
 
 TEST_F(InputFileTest, RefusesAFolder) {
-  EXPECT_EQ(refusal(folder_), folder_.string() + ": cannot be read: it is a folder");
+  EXPECT_EQ(refusal(folder_), folder_.path().string() + ": cannot be read: it is a folder");
 }
 
 TEST_F(InputFileTest, SaysThatThereIsNone) {

@@ -15,6 +15,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "tests/support/file_size_limit.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
 namespace {
@@ -25,14 +26,6 @@ constexpr OutputKind kNotes{"a file of notes", {"note:", {}}};
 
 class OutputFileTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = testing::TempDir() + "earshot-output-XXXXXX";
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    path_ = folder_ / "file";
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   template <class Work>
   static std::string refusal(Work work) {
     try {
@@ -56,8 +49,8 @@ class OutputFileTest : public testing::Test {
 
   [[nodiscard]] std::string content() const { return read_text(path_, kAnySize); }
 
-  fs::path folder_;
-  fs::path path_;
+  const support::TemporaryFolder folder_;
+  const fs::path path_ = folder_ / "file";
 };
 
 TEST_F(OutputFileTest, ReplacesAFileOfItsKindWhole) {

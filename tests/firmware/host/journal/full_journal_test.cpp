@@ -18,6 +18,7 @@
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/closing_record.hpp"
 #include "tests/support/file_size_limit.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
 namespace {
@@ -26,13 +27,6 @@ constexpr std::size_t kHeader_bytes = 28;  ///< journal.hpp prints it: 4 + 4 + 4
 
 class FullJournal : public ::testing::Test {
  protected:
-  FullJournal() {
-    std::string name = (std::filesystem::temp_directory_path() / "earshot-full-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-    path_ = folder_ / "journal.lcmlog";
-  }
-  ~FullJournal() override { std::filesystem::remove_all(folder_); }
-
   /// A record that takes so many bytes of the file.
   [[nodiscard]] static Status append(Journal& journal, std::size_t bytes, Weight weight) {
     return journal.append(Time{0}, "A", std::vector<std::uint8_t>(bytes - kHeader_bytes - 1), weight);
@@ -63,8 +57,8 @@ class FullJournal : public ::testing::Test {
     return closing;
   }
 
-  std::filesystem::path folder_;
-  std::filesystem::path path_;
+  const support::TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "journal.lcmlog";
 };
 
 TEST_F(FullJournal, KeepsRoomForWhatSteersAndMoreForOrdersAndCountsEveryRecordThatIsLost) {

@@ -24,6 +24,7 @@
 #include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/journal/journal_format.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
 namespace {
@@ -32,13 +33,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 class JournalTest : public ::testing::Test {
  protected:
-  JournalTest() {
-    std::string name = (std::filesystem::temp_directory_path() / "earshot-journal-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-    path_ = folder_ / "journal.lcmlog";
-  }
-  ~JournalTest() override { std::filesystem::remove_all(folder_); }
-
   [[nodiscard]] Bytes contents() const {
     std::ifstream file(path_, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -63,8 +57,8 @@ class JournalTest : public ::testing::Test {
     ASSERT_EQ(journal.close(), Status::kOk);
   }
 
-  std::filesystem::path folder_;
-  std::filesystem::path path_;
+  const support::TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "journal.lcmlog";
 };
 
 TEST_F(JournalTest, WritesARecordByteForByteAsItsHeaderPrintsIt) {
@@ -276,7 +270,7 @@ TEST_F(JournalTest, NamesAFolderThatIsNoJournal) {
     const JournalReader reader(folder_);
     FAIL();
   } catch (const host::BadInput& error) {
-    EXPECT_EQ(error.what(), folder_.string() + ": cannot be read: it is a folder");
+    EXPECT_EQ(error.what(), folder_.path().string() + ": cannot be read: it is a folder");
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "firmware/host/toml/table_reader.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
 namespace {
@@ -27,9 +27,8 @@ std::string complaint(const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
-  const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + std::to_string(getpid()) + ".toml");
+  const support::TemporaryFolder folder;
+  const std::filesystem::path path = folder / "mission.toml";
   std::ofstream(path) << text;
   std::string what;
   try {
@@ -37,7 +36,6 @@ std::string complaint(const std::string& from, const std::string& to) {
   } catch (const host::BadInput& e) {
     what = e.what();
   }
-  std::filesystem::remove(path);
   for (std::size_t p = what.find(path.string()); p != std::string::npos; p = what.find(path.string()))
     what.replace(p, path.string().size(), "FILE");
   return what;
@@ -63,8 +61,7 @@ TEST(MissionFile, FilesItNamesAreRelativeToItsOwnFolder) {
 }
 
 TEST(MissionFile, ACopyElsewhereNamesItsLineAndThePathThatWasTried) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("copied_mission_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
+  const support::TemporaryFolder folder;
   std::ofstream(folder / "mine.toml") << text_of(kShipped);
   MissionFile file = load_mission(folder / "mine.toml");
   const auto complaint_about = [&file] {
@@ -88,7 +85,6 @@ TEST(MissionFile, ACopyElsewhereNamesItsLineAndThePathThatWasTried) {
   EXPECT_NE(complaint_about().find("--public-key names another"), std::string::npos);
   file.public_key_named_at.clear();
   EXPECT_EQ(complaint_about(), "");
-  std::filesystem::remove_all(folder);
 }
 
 TEST(MissionFile, ListensToTheNewestLookUnlessToldOverWhichWindow) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "tests/support/signed_policy.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
 namespace {
@@ -23,13 +23,9 @@ constexpr const char* kHint = "; --public-key names the public half of the key t
 class PolicyFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              (testing::UnitTest::GetInstance()->current_test_info()->name() + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
     support::write_public_key(key_ = folder_ / "key.pub");
     policy_ = folder_ / "walk.policy";
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   /// What load_policy says about these bytes; empty when it takes them.
   std::string complaint(const std::vector<std::uint8_t>& bytes) {
@@ -45,7 +41,7 @@ class PolicyFile : public testing::Test {
     }
   }
 
-  std::filesystem::path folder_;
+  const support::TemporaryFolder folder_;
   std::filesystem::path key_;
   std::filesystem::path policy_;
 };
@@ -66,8 +62,8 @@ TEST_F(PolicyFile, IsRefusedForItsChecksumWhenABitInTheMiddleIsFlipped) {
 }
 
 TEST_F(PolicyFile, IsRefusedWithTheProgramsLimitsWhenItIsTooLarge) {
-  constexpr std::size_t kActionCountAt =
-      32;  // header 16, section's tag, version and length 10, activation 1, observation 1, hidden layers 4
+  // Header 16, section's tag, version and length 10, activation 1, observation 1, hidden layers 4.
+  constexpr std::size_t kActionCountAt = 32;
   std::vector<std::uint8_t> bytes = support::signed_bytes(support::random_walk_policy());
   bytes[kActionCountAt] = 33;
   const std::size_t checksum_at = bytes.size() - policy::kSignatureSize - 4;
@@ -102,7 +98,7 @@ TEST_F(PolicyFile, IsRefusedWhenItIsCutAnywhere) {
 
 /// What check_fits says of the random walk's policy and a mission for which it was trained but for `change`; empty when it fits.
 template <class Change>
-std::string misfit_after(Change change) {
+std::string mismatch_after(Change change) {
   config::Mission mission;
   mission.operating_area = {{Meters{-5'000}, Meters{0}}, {Meters{20'000}, Meters{25'000}}};
   mission.step_length = Meters{1'000};
@@ -117,15 +113,15 @@ std::string misfit_after(Change change) {
 }
 
 TEST(CheckFits, NamesTheMissionsValueAndThePolicysWhereTheyDiffer) {
-  EXPECT_EQ(misfit_after([](auto&) {}), "");
-  EXPECT_EQ(misfit_after([](auto& mission) { mission.step_length = Meters{1'500.5}; }),
+  EXPECT_EQ(mismatch_after([](auto&) {}), "");
+  EXPECT_EQ(mismatch_after([](auto& mission) { mission.step_length = Meters{1'500.5}; }),
             "m.toml: search.step_length_m = 1500.5: must be 1000, which the policy walk.policy was trained with");
-  EXPECT_EQ(misfit_after([](auto& mission) { mission.operating_area.north_east.north = Meters{45'000}; }),
+  EXPECT_EQ(mismatch_after([](auto& mission) { mission.operating_area.north_east.north = Meters{45'000}; }),
             "m.toml: area is 50000 m north x 25000 m east: must be 25000 m north x 25000 m east, which the policy walk.policy was trained "
             "with");
-  EXPECT_EQ(misfit_after([](auto& mission) { mission.detection_threshold = Decibels{12}; }),
+  EXPECT_EQ(mismatch_after([](auto& mission) { mission.detection_threshold = Decibels{12}; }),
             "m.toml: search.detection_threshold_db = 12: must be 10, which the policy walk.policy was trained with");
-  EXPECT_EQ(misfit_after([](auto& mission) {
+  EXPECT_EQ(mismatch_after([](auto& mission) {
               mission.listening = {config::Listening::kLoudest, Duration::seconds(30)};
             }),
             "m.toml: search.listening = loudest of 30 s: must be newest, which the policy walk.policy was frozen with");

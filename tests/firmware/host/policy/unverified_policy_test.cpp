@@ -7,6 +7,7 @@
 #include <string>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
 namespace {
@@ -18,13 +19,16 @@ std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+/// What load_unverified_policy says of a file with these bytes, without the file's name.
 std::string fault_of(const std::string& bytes) {
-  const std::string path = testing::TempDir() + "faulty.policy";
+  const support::TemporaryFolder folder;
+  const std::string path = folder / "faulty.policy";
   std::ofstream(path, std::ios::binary) << bytes;
   try {
     (void)load_unverified_policy(path);
   } catch (const BadInput& e) {
-    return e.what();
+    EXPECT_TRUE(std::string(e.what()).starts_with(path + ": ")) << e.what();
+    return std::string(e.what()).substr(path.size() + 2);
   }
   return "accepted";
 }
@@ -35,9 +39,9 @@ TEST(UnverifiedPolicy, SaysInOneLineWhatIsWrong) {
   flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 1);
   std::string alien = whole;
   alien[0] = 'X';
-  EXPECT_EQ(fault_of(flipped), testing::TempDir() + "faulty.policy: is damaged: its CRC-32 is wrong");
-  EXPECT_EQ(fault_of(alien), testing::TempDir() + "faulty.policy: is not a .policy file");
-  EXPECT_EQ(fault_of(whole.substr(0, whole.size() - 1)), testing::TempDir() + "faulty.policy: is cut short");
+  EXPECT_EQ(fault_of(flipped), "is damaged: its CRC-32 is wrong");
+  EXPECT_EQ(fault_of(alien), "is not a .policy file");
+  EXPECT_EQ(fault_of(whole.substr(0, whole.size() - 1)), "is cut short");
   EXPECT_EQ(fault_of(whole), "accepted");
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot {
 namespace {
@@ -19,8 +20,8 @@ struct Answer {
 };
 
 Answer answer_to(const std::vector<std::string>& words, const std::string& program = "earshot") {
-  support::Process process(std::filesystem::path(EARSHOT_BIN_DIR) / program, words,
-                           std::filesystem::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::TemporaryFolder folder;
+  support::Process process(std::filesystem::path(EARSHOT_BIN_DIR) / program, words, folder / "said");
   const int status = process.wait(10s);
   return {status, process.output()};
 }

@@ -6,15 +6,19 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
 namespace {
 
-using testing::TempDir;
+/// A folder of this program, for the files of its tests.
+const std::filesystem::path& folder() {
+  static const support::TemporaryFolder folder;
+  return folder;
+}
 
 std::filesystem::path written(const std::string& toml) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::filesystem::path path = std::filesystem::path(TempDir()) / (std::string(test->name()) + ".toml");
+  const std::filesystem::path path = folder() / "written.toml";
   std::ofstream(path) << toml;
   return path;
 }
@@ -201,7 +205,7 @@ TEST(TomlFile, SaysThatThereIsNone) {
 }
 
 TEST(TomlFile, RefusesAFolder) {
-  EXPECT_NE(refusal(TempDir()).find("cannot be read"), std::string::npos);
+  EXPECT_NE(refusal(folder()).find("cannot be read"), std::string::npos);
 }
 
 TEST(TomlFile, NamesTheLineThatIsNotToml) {

@@ -46,11 +46,26 @@ TEST(Conversion, GivesACommandBackWhateverItsNumber) {
   EXPECT_EQ(from_message(carried(to_message(command))), command);
 }
 
-TEST(Conversion, GivesAMissionsListeningWindowBack) {
-  config::Mission mission;
-  EXPECT_EQ(from_message(carried(to_message(mission, Time{7}))).listening, config::ListeningWindow{});
-  mission.listening = {.listening = config::Listening::kMean, .length = Duration::seconds(30)};
-  EXPECT_EQ(from_message(carried(to_message(mission, Time{7}))).listening, mission.listening);
+TEST(Conversion, GivesEveryFieldOfAMissionBack) {
+  const config::Mission mission{
+      .operating_area = {.south_west = {Meters{1.0}, Meters{2.0}}, .north_east = {Meters{3.0}, Meters{4.0}}},
+      .edge_margin = Meters{5.0},
+      .search_depth = Meters{6.0},
+      .max_depth = Meters{7.0},
+      .search_speed = MetersPerSecond{8.0},
+      .step_length = Meters{9.0},
+      .max_steps = 10,
+      .max_time = Duration::seconds(11),
+      .navigation_timeout = Duration::seconds(12),
+      .snr_timeout = Duration::seconds(13),
+      .detection_threshold = Decibels{14.0},
+      .listening = {.listening = config::Listening::kMean, .length = Duration::seconds(15)},
+      .action_seed = (std::uint64_t{1} << 63U) + 16,
+  };
+  // A field more does not compile here: give it a value above that is not its default.
+  const auto& [area, margin, depth, max_depth, speed, step, steps, time, navigation, snr, threshold, listening, seed] = mission;
+  EXPECT_EQ(seed, (std::uint64_t{1} << 63U) + 16);
+  EXPECT_EQ(from_message(carried(to_message(mission, Time{7}))), mission);
 }
 
 }  // namespace

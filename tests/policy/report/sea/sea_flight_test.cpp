@@ -1,14 +1,13 @@
 #include "policy/report/sea/sea_flight.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "tests/policy/report/sea/sea_journal.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::report {
 namespace {
 
-namespace fs = std::filesystem;
 using messages::CommandOutcome;
 using messages::EndReason;
 using messages::MissionState;
@@ -16,8 +15,8 @@ using messages::Order;
 
 class SeaFlightTest : public testing::Test {
  protected:
-  void TearDown() override { fs::remove(path_); }
-  fs::path path_ = fs::path(testing::TempDir()) / ("sea-flight-" + std::to_string(::getpid()));
+  const support::TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "journal";
 };
 
 TEST_F(SeaFlightTest, CountsItsTimesFromTheFirstRecordAndKnowsItsDate) {
@@ -34,9 +33,9 @@ TEST_F(SeaFlightTest, CountsItsTimesFromTheFirstRecordAndKnowsItsDate) {
   ASSERT_EQ(flight->fixes.size(), 1U);
   EXPECT_NEAR(flight->fixes[0].time_s, 60.5, 1e-5) << "seconds since 1970 in a double are exact to a microsecond";
   EXPECT_EQ(flight->fixes[0].position, (NorthEast{Meters{3'000}, Meters{4'000}}));
-  ASSERT_EQ(flight->heard.size(), 1U);
-  EXPECT_EQ(flight->heard[0].snr_db, -3.5);
-  EXPECT_TRUE(flight->heard[0].too_faint);
+  ASSERT_EQ(flight->measurements.size(), 1U);
+  EXPECT_EQ(flight->measurements[0].snr_db, -3.5);
+  EXPECT_TRUE(flight->measurements[0].too_faint);
 }
 
 TEST_F(SeaFlightTest, TellsItsOrdersAndStatesAndHowFarItSailedInItsSearchAlone) {

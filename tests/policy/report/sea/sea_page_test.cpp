@@ -1,10 +1,10 @@
 #include "policy/report/sea/sea_page.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "policy/report/page.hpp"
 #include "tests/policy/report/sea/sea_journal.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::report {
 namespace {
@@ -15,12 +15,6 @@ using messages::MissionState;
 
 class SeaPageTest : public testing::Test {
  protected:
-  SeaPageTest() {
-    std::string name = (fs::temp_directory_path() / "earshot-sea-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~SeaPageTest() override { fs::remove_all(folder_); }
-
   void fly_until(MissionState state, EndReason reason) const {
     SeaJournal journal(folder_ / kJournalName);
     for (int i = 0; i < 10; ++i) journal.fix(i, 3'000 + 100.0 * i, 4'000);
@@ -36,7 +30,7 @@ class SeaPageTest : public testing::Test {
   }
   static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-  fs::path folder_;
+  support::TemporaryFolder folder_;
 };
 
 TEST_F(SeaPageTest, SaysHowAndWhyTheSearchEndedAndWhenTheFlightWas) {

@@ -9,6 +9,8 @@
 #include <iterator>
 #include <string>
 
+#include "tests/support/temporary_folder.hpp"
+
 namespace earshot::tests {
 
 inline const std::string kMunk = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
@@ -20,11 +22,7 @@ inline std::string read(const std::filesystem::path& path) {
 
 class FieldProgram : public testing::Test {
  protected:
-  FieldProgram() {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_ / "out");
-  }
-  ~FieldProgram() override { std::filesystem::remove_all(folder_); }
+  FieldProgram() { std::filesystem::create_directories(folder_ / "out"); }
 
   /// @param launcher  stands before the program
   int run(const std::string& arguments, const std::string& launcher = "") {
@@ -52,8 +50,7 @@ class FieldProgram : public testing::Test {
     EXPECT_TRUE(nothing_written());
   }
 
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) /
-                                        (std::string("field_program_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::TemporaryFolder folder_;
 };
 
 }  // namespace earshot::tests

@@ -92,7 +92,7 @@ TEST_F(FieldProgram, LeavesAPipeAndFollowsASymbolicLink) {
 }
 
 TEST_F(FieldProgram, RefusesAPictureOfAnUnknownKindBeforeTheWork) {
-  expect_refused(kMunk + " -o " + output() + " --max-range-km 1 --plot " + folder_.string() + "/out/field.jpeg",
+  expect_refused(kMunk + " -o " + output() + " --max-range-km 1 --plot " + folder_.path().string() + "/out/field.jpeg",
                  "must end in .png or .svg");
 }
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -10,6 +9,7 @@
 
 #include "firmware/host/file/folder_lock.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::fly {
 namespace {
@@ -18,13 +18,6 @@ namespace fs = std::filesystem;
 
 class FlightFolderTest : public testing::Test {
  protected:
-  FlightFolderTest() {
-    std::string name = (fs::temp_directory_path() / "earshot-flight-XXXXXX").string();
-    root_ = ::mkdtemp(name.data());
-    out_ = root_ / "a/out";
-  }
-  ~FlightFolderTest() override { fs::remove_all(root_); }
-
   static void write_flight(const fs::path& folder, const std::string& which, bool with_report) {
     fs::create_directories(folder);
     for (const char* name : {"journal.lcmlog", "journal.policy", "track.csv", "snr.csv", "summary.json"})
@@ -44,8 +37,8 @@ class FlightFolderTest : public testing::Test {
     return {{"journal.lcmlog", which}, {"journal.policy", which}, {"track.csv", which}, {"snr.csv", which}, {"summary.json", which}};
   }
 
-  fs::path root_;
-  fs::path out_;
+  const support::TemporaryFolder root_;
+  const fs::path out_ = root_ / "a/out";
 };
 
 TEST_F(FlightFolderTest, AWholeFlightReplacesAllFilesOfAnEarlierOneAndLeavesTheOthersAlone) {

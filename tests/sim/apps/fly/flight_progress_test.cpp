@@ -9,16 +9,16 @@ TEST(FlightProgress, TellsTimeStepUnderWaySnrAndTheRangeBelieved) {
   const FlightProgress progress{.at_sea = Duration::seconds(72 * 60 + 59),
                                 .steps_taken = 8,
                                 .max_steps = 100,
-                                .heard = {.snr = Decibels{14.24}},
+                                .reception = {.snr = Decibels{14.24}},
                                 .believed_range = Meters{6'260.0}};
-  EXPECT_EQ(to_string(progress), "1 h 12 min at sea, step 9 of 100, SNR 14.2 dB, source believed 6.3 km away");
+  EXPECT_EQ(to_string(progress), "1 h 13 min at sea, step 9 of 100, SNR 14.2 dB, source believed 6.3 km away");
 }
 
 TEST(FlightProgress, TellsNoRangeWithoutABeliefAndNoSnrThatWasNotMeasured) {
   const FlightProgress progress{.at_sea = Duration::seconds(65),
                                 .steps_taken = 100,
                                 .max_steps = 100,
-                                .heard = {.snr = Decibels{-5.0}, .too_faint = true},
+                                .reception = {.snr = Decibels{-5.0}, .too_faint = true},
                                 .believed_range = {}};
   EXPECT_EQ(to_string(progress), "0 h 01 min at sea, step 100 of 100, SNR below -5.0 dB");
 }

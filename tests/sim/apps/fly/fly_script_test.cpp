@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot {
 namespace {
@@ -21,7 +22,6 @@ namespace fs = std::filesystem;
 class FlyScript : public testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(root_);
     for (const char* folder : {"sim", "toolchains", "build/release/bin", "bin"}) fs::create_directories(root_ / folder);
     fs::copy_file(fs::path(EARSHOT_SOURCE_DIR) / "sim/fly", root_ / "sim/fly");
     write_program("toolchains/setup", "");
@@ -29,7 +29,6 @@ class FlyScript : public testing::Test {
     write_program("bin/cmake", "");
     write_program("build/release/bin/earshot-fly", "printf '%s\\n' \"$@\"");
   }
-  void TearDown() override { fs::remove_all(root_); }
 
   [[nodiscard]] std::string arguments_of(const std::string& command_line) const {
     const std::string command = "PATH=" + (root_ / "bin").string() + ":$PATH " + (root_ / "sim/fly").string() + " " + command_line;
@@ -45,8 +44,7 @@ class FlyScript : public testing::Test {
   }
 
  protected:
-  const fs::path root_ =
-      fs::path(testing::TempDir()) / (std::string("fly-script-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::TemporaryFolder root_;
 };
 
 std::size_t count(const std::string& text, const std::string& what) {
@@ -61,10 +59,10 @@ TEST_F(FlyScript, HandsItsArgumentsOnWordForWord) {
 }
 
 TEST(FlyScriptHelp, NamesEveryOptionOfEarshotFly) {
-  const fs::path text = fs::path(testing::TempDir()) / "fly-script-help";
-  support::Process program(fs::path(EARSHOT_BIN_DIR) / "earshot-fly", {"--help"}, text.string() + "-program");
+  const support::TemporaryFolder folder;
+  support::Process program(fs::path(EARSHOT_BIN_DIR) / "earshot-fly", {"--help"}, folder / "program");
   ASSERT_EQ(program.wait(10s), 0);
-  support::Process script(fs::path(EARSHOT_SOURCE_DIR) / "sim/fly", {"--help"}, text.string() + "-script");
+  support::Process script(fs::path(EARSHOT_SOURCE_DIR) / "sim/fly", {"--help"}, folder / "script");
   ASSERT_EQ(script.wait(10s), 0);
   const std::string options = program.output();
   const std::string help = script.output();

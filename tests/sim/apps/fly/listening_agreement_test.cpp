@@ -31,28 +31,28 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
     settings.listening = GetParam();
     conditions.fluctuation = Decibels{kFluctuation_db};
     conditions.floor = Decibels{-50.0};
-    conditions.calls = ocean::CallPattern{.interval_s = 15.0, .song_s = 900.0, .pause_s = 300.0, .listening_s = 1.0};
+    conditions.calls = search::CallPattern{.interval_s = 15.0, .song_s = 900.0, .pause_s = 300.0, .listening_s = 1.0};
   }
 
-  [[nodiscard]] std::vector<policy::Heard> heard_in_the_environment() {
-    const search::SearchWorld world(settings, soundscape, conditions);
+  [[nodiscard]] std::vector<policy::Reception> receptions_in_the_environment() {
+    const search::World world(settings, soundscape, conditions);
     const policy::ObservationModel sees_nothing;
-    std::vector<policy::Heard> heard;
+    std::vector<policy::Reception> receptions;
     search::Episode episode;
     for (std::uint64_t seed = 0; seed < kSearches; ++seed) {
       episode.start_at(world, sees_nothing, at(2'000, 2'000), settings.source, Pcg32(seed));
       for (std::size_t i = 0; i < kSteps; ++i) {
         episode.step(world, 0);
-        heard.push_back(episode.heard());
+        receptions.push_back(episode.reception());
       }
       detections += episode.record().detections;
     }
-    return heard;
+    return receptions;
   }
 
   /// The runtime that flies, the simulator's vehicle and its looks, second by second, as lock_step has them.
-  [[nodiscard]] std::vector<policy::Heard> heard_in_flight() {
-    const search::SearchWorld world(settings, soundscape, conditions);
+  [[nodiscard]] std::vector<policy::Reception> receptions_in_flight() {
+    const search::World world(settings, soundscape, conditions);
     const auto policy = runtime::policy_that_goes(runtime::kNorthward);
     policy->step_length = settings.step_length;
     policy->observation.listening = settings.listening;
@@ -60,13 +60,13 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
     mission.operating_area = settings.domain;
     mission.step_length = settings.step_length;
     mission.listening = settings.listening;
-    std::vector<policy::Heard> heard;
-    for (std::uint64_t seed = 0; seed < kSearches; ++seed) fly(world, *runtime::frozen(*policy), mission, Pcg32(1'000 + seed), heard);
-    return heard;
+    std::vector<policy::Reception> receptions;
+    for (std::uint64_t seed = 0; seed < kSearches; ++seed) fly(world, *runtime::frozen(*policy), mission, Pcg32(1'000 + seed), receptions);
+    return receptions;
   }
 
-  void fly(const search::SearchWorld& world, const policy::FrozenPolicy& policy, const config::Mission& mission, Pcg32 random,
-           std::vector<policy::Heard>& heard) {
+  void fly(const search::World& world, const policy::FrozenPolicy& policy, const config::Mission& mission, Pcg32 random,
+           std::vector<policy::Reception>& receptions) {
     auto runtime = std::make_unique<runtime::Runtime>();
     ASSERT_EQ(runtime->configure(mission, policy), Status::kOk);
     vehicle::State vehicle{
@@ -76,7 +76,7 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
     Score score(settings);
     std::size_t decisions = 0;
     for (Time now; decisions <= kSteps; now = now + search::kLookInterval) {
-      const policy::Heard look = surroundings.listen(world, vehicle.position);
+      const policy::Reception look = surroundings.listen(world, vehicle.position);
       if (now == Time{}) runtime->take({.arrival = now, .port = 0, .sequence = 0, .value = runtime::command_of(Order::kStart, now)});
       runtime->take(
           {.arrival = now,
@@ -89,10 +89,11 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
                      .sequence = 0,
                      .value = messages::SnrMeasurement{.time = now, .snr = look.snr, .too_faint = look.too_faint}});
       const runtime::Outputs outputs = runtime->step(now);
-      if (outputs.decision && decisions++ > 0) heard.push_back({.snr = outputs.decision->snr, .too_faint = outputs.decision->too_faint});
+      if (outputs.decision && decisions++ > 0)
+        receptions.push_back({.snr = outputs.decision->snr, .too_faint = outputs.decision->too_faint});
       score.add({.time = now,
                  .vehicle = vehicle,
-                 .heard = look,
+                 .reception = look,
                  .range = {},
                  .state = outputs.health.state,
                  .steps_taken = outputs.health.steps_taken});
@@ -106,7 +107,7 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
   }
 
   search::SearchSettings settings;
-  ocean::Conditions conditions;
+  search::Conditions conditions;
   search::Soundscape soundscape{std::vector{sonar::SnrCurve(Meters{1'000.0}, {18.0F})}};
   std::uint32_t detections = 0;
 };
@@ -118,19 +119,19 @@ struct Distribution {
   double detections = 0.0;
 };
 
-Distribution distribution_of(const std::vector<policy::Heard>& heard) {
+Distribution distribution_of(const std::vector<policy::Reception>& receptions) {
   Distribution d;
   double count = 0.0;
   double sum = 0.0;
   double squares = 0.0;
-  for (const policy::Heard& h : heard) {
+  for (const policy::Reception& h : receptions) {
     if (h.too_faint) continue;
     count += 1.0;
     sum += h.snr.value;
     squares += h.snr.value * h.snr.value;
     if (h.snr.value >= 10.0) d.detections += 1.0;
   }
-  d.heard_share = count / static_cast<double>(heard.size());
+  d.heard_share = count / static_cast<double>(receptions.size());
   d.mean_db = sum / count;
   d.spread_db = std::sqrt(squares / count - d.mean_db * d.mean_db);
   return d;
@@ -149,13 +150,13 @@ TEST_P(ListeningAgreement, OfFlightAndEnvironmentIsWithinWhatChanceMakesOfBoth) 
 
   for (const bool is_flight : {false, true}) {
     detections = 0;
-    const std::vector<policy::Heard> heard = is_flight ? heard_in_flight() : heard_in_the_environment();
-    ASSERT_EQ(heard.size(), kSearches * kSteps);
-    const Distribution d = distribution_of(heard);
-    const double count = share * static_cast<double>(heard.size());
+    const std::vector<policy::Reception> receptions = is_flight ? receptions_in_flight() : receptions_in_the_environment();
+    ASSERT_EQ(receptions.size(), kSearches * kSteps);
+    const Distribution d = distribution_of(receptions);
+    const double count = share * static_cast<double>(receptions.size());
     const auto* const where = is_flight ? "in flight" : "in the environment";
     // Five standard errors each; the searches cover their songs evenly, so the share's is smaller than this.
-    EXPECT_NEAR(d.heard_share, share, 5.0 * std::sqrt(share * (1.0 - share) / static_cast<double>(heard.size()))) << where;
+    EXPECT_NEAR(d.heard_share, share, 5.0 * std::sqrt(share * (1.0 - share) / static_cast<double>(receptions.size()))) << where;
     EXPECT_NEAR(d.mean_db, 18.0 + kFluctuation_db * mean, 5.0 * kFluctuation_db * spread / std::sqrt(count)) << where;
     EXPECT_NEAR(d.spread_db, kFluctuation_db * spread, 5.0 * kFluctuation_db * spread / std::sqrt(2.0 * count)) << where;
     EXPECT_EQ(detections, d.detections) << where << ": what is scored is what was decided by";
@@ -169,7 +170,7 @@ TEST_P(ListeningAgreementOnShortLegs, ReachesBackToTheBeginningOfALegAndNoFurthe
   const double share = (885.0 + kLeg_s) / 1'200.0;
   for (const bool is_flight : {false, true}) {
     detections = 0;
-    const Distribution d = distribution_of(is_flight ? heard_in_flight() : heard_in_the_environment());
+    const Distribution d = distribution_of(is_flight ? receptions_in_flight() : receptions_in_the_environment());
     EXPECT_NEAR(d.heard_share, share, 5.0 * std::sqrt(share * (1.0 - share) / (kSearches * kSteps)));  // five standard errors
     EXPECT_EQ(detections, d.detections);
   }

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/sim/ocean/charts/chart_files.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -26,7 +26,7 @@ GebcoFile slope() {
 }
 
 TEST(Bathymetry, IsBilinearBetweenItsNodes) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   slope().write(folder / "g.nc");
   const Bathymetry chart = read_gebco(folder / "g.nc", kCentre, Meters{50'000.0});
   // A plane in latitude and longitude is what bilinear interpolation leaves alone: 1000 x 1.75 + 100 x 2.125 + 10.
@@ -34,7 +34,7 @@ TEST(Bathymetry, IsBilinearBetweenItsNodes) {
 }
 
 TEST(Bathymetry, SaysWhereItHasNoValue) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   slope().write(folder / "g.nc");
   const Bathymetry chart = read_gebco(folder / "g.nc", kCentre, Meters{10'000.0});
   expect_mentions(complaint_of([&] { (void)sea_floor_depth(chart, {.latitude_deg = 40.1, .longitude_deg = -8.0}); }),
@@ -42,7 +42,7 @@ TEST(Bathymetry, SaysWhereItHasNoValue) {
 }
 
 TEST(Bathymetry, RefusesAnotherLayoutOrUnit) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const auto complaint = [&](const GebcoFile& layout) {
     layout.write(folder / "g.nc");
     return complaint_of([&] { (void)read_gebco(folder / "g.nc", kCentre, Meters{1000.0}); });
@@ -59,7 +59,7 @@ TEST(Bathymetry, RefusesAnotherLayoutOrUnit) {
 }
 
 TEST(Bathymetry, RefusesAFillValueThatTheFileDoesNotDeclare) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   GebcoFile layout = slope();
   layout.elevation_m = [](double lat, double lon) { return lat == 42.0 && lon == -8.0 ? -32767.0 : -100.0; };
   layout.write(folder / "g.nc");
@@ -68,7 +68,7 @@ TEST(Bathymetry, RefusesAFillValueThatTheFileDoesNotDeclare) {
 }
 
 TEST(Bathymetry, RefusesATruncatedFile) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   slope().write(folder / "g.nc");
   std::filesystem::resize_file(folder / "g.nc", std::filesystem::file_size(folder / "g.nc") - 100);
   expect_mentions(complaint_of([&] { (void)read_gebco(folder / "g.nc", kCentre, Meters{1000.0}); }), "g.nc: not a whole NetCDF file");

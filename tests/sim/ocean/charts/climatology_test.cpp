@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/sim/ocean/charts/chart_files.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -39,7 +39,7 @@ class ClimatologyFile : public testing::Test {
   std::string complaint(const AtlasFile& layout) {
     return complaint_of([&] { (void)read(layout); });
   }
-  tests::TemporaryFolder folder_;
+  support::TemporaryFolder folder_;
 };
 
 void expect_mentions(const std::string& text, const std::string& part) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/sim/ocean/charts/chart_files.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -32,7 +32,7 @@ double label(double latitude_deg, double longitude_deg) {
 }
 
 void expect_window_shows_labels(const GebcoFile& layout, GeoPosition centre) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   layout.write(folder / "g.nc");
   const netcdf::Reader file(folder / "g.nc");
   const GeoWindow window(file, centre, Meters{500'000.0});
@@ -77,7 +77,7 @@ TEST(GeoWindow, ReadsARegionWhoseLongitudesJumpAtTheDateLine) {
 }
 
 TEST(GeoWindow, RefusesAPlaceThatTheFileDoesNotCover) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   GebcoFile{axis(40, 1, 5), axis(-10, 1, 5), label}.write(folder / "g.nc");
   const netcdf::Reader file(folder / "g.nc");
   EXPECT_NE(complaint_of([&] {
@@ -89,7 +89,7 @@ TEST(GeoWindow, RefusesAPlaceThatTheFileDoesNotCover) {
 }
 
 TEST(GeoWindow, RefusesAxesThatAreNotLatitudeAndLongitude) {
-  const tests::TemporaryFolder folder;
+  const support::TemporaryFolder folder;
   const GeoPosition centre{.latitude_deg = 42.0, .longitude_deg = -8.0};
   const auto complaint = [&](const GebcoFile& layout) {
     layout.write(folder / "g.nc");

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <string>
 
-#include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/sim/ocean/charts/chart_files.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -29,7 +29,7 @@ class BathymetryCsv : public testing::Test {
     std::ofstream(folder_ / "s.csv") << "range_m,depth_m\n" << lines;
     return complaint_of([&] { (void)read_section_csv(folder_ / "s.csv"); });
   }
-  tests::TemporaryFolder folder_;
+  support::TemporaryFolder folder_;
 };
 
 TEST_F(BathymetryCsv, IsReadInAnyOrderOfLinesAndEitherSenseOfLongitude) {

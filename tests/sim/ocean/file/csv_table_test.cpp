@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -25,7 +25,7 @@ class CsvTableFile : public testing::Test {
     }
     return "no error";
   }
-  tests::TemporaryFolder folder_;
+  support::TemporaryFolder folder_;
 };
 
 TEST_F(CsvTableFile, ReadsWhatSpreadsheetsWrite) {

@@ -5,9 +5,9 @@
 
 #include "sim/ocean/charts/charts.hpp"
 #include "sim/ocean/file/environment_file.hpp"
-#include "sim/ocean/section.hpp"
-#include "tests/sim/netcdf/temporary_folder.hpp"
+#include "sim/ocean/section_along.hpp"
 #include "tests/sim/ocean/charts/chart_files.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -29,7 +29,7 @@ class EnvironmentData : public testing::Test {
     tests::GebcoFile{axis(44, 0.25, 9), axis(-8, 0.25, 9), [=](double, double) { return -depth_m; }}.write(folder_ / "g.nc");
   }
 
-  tests::TemporaryFolder folder_;
+  support::TemporaryFolder folder_;
   std::string source =
       "[source]\nfrequency_hz = 20.0\nlevel_db_re_1upa_at_1m = 190.0\ndepth_m = 30.0\nnorth_m = 10000.0\neast_m = 10000.0\n";
   std::string noise = "[noise]\nlevel_db_re_1upa = 90.0\n";
@@ -100,8 +100,8 @@ TEST_F(EnvironmentData, TakesSedimentThatChangesWithRange) {
       "[[seabed.stations]]\nrange_m = 0.0\n[[seabed.stations.layers]]\nsound_speed_mps = 1600.0\n"
       "[[seabed.stations]]\nrange_m = 8000.0\n[[seabed.stations.layers]]\nsound_speed_mps = 1700.0\n";
   const Section section = section_along(load(), {}, Radians{}, Meters{9000.0});
-  EXPECT_EQ(sediment_layers(section, Meters{2000.0})[0].sound_speed, MetersPerSecond{1600.0});
-  EXPECT_EQ(sediment_layers(section, Meters{8500.0})[0].sound_speed, MetersPerSecond{1700.0});
+  EXPECT_EQ(sediment_at(section, Meters{2000.0}).layers[0].sound_speed, MetersPerSecond{1600.0});
+  EXPECT_EQ(sediment_at(section, Meters{8500.0}).layers[0].sound_speed, MetersPerSecond{1700.0});
 }
 
 TEST_F(EnvironmentData, TakesNoiseFromWenzCurvesOrATableOverTheBand) {

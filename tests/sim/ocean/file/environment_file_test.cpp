@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "firmware/host/toml/table_reader.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -59,11 +60,9 @@ class EnvironmentFile : public testing::Test {
     }
     return "";
   }
-  ~EnvironmentFile() override { std::filesystem::remove(path_); }
 
-  const std::filesystem::path path_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("environment_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml");
+  const support::TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "environment.toml";
 };
 
 void expect_mentions(const std::string& text, const std::string& part) {

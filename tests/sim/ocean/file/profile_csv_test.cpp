@@ -6,8 +6,8 @@
 #include <string>
 #include <variant>
 
-#include "tests/sim/netcdf/temporary_folder.hpp"
 #include "tests/sim/ocean/charts/chart_files.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -24,7 +24,7 @@ class WaterProfile : public testing::Test {
     const std::string complaint = tests::complaint_of([&] { (void)read(text); });
     EXPECT_NE(complaint.find(part), std::string::npos) << complaint;
   }
-  tests::TemporaryFolder folder_;
+  support::TemporaryFolder folder_;
 };
 
 TEST_F(WaterProfile, TurnsTemperatureAndSalinityIntoSoundSpeed) {

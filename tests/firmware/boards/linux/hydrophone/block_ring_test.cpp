@@ -25,11 +25,11 @@ bool put(BlockRing& ring, std::int64_t number, std::size_t samples) {
 
 /// Takes the next block, which must be this one, whole.
 void expect_next(BlockRing& ring, std::int64_t number, std::size_t samples) {
-  BlockRing::Heard heard;
-  ASSERT_TRUE(ring.take(heard));
-  ASSERT_EQ(heard.block.sequence, number);
-  ASSERT_EQ(heard.samples.size(), samples);
-  ASSERT_TRUE(std::ranges::all_of(heard.samples, [number](float sample) { return sample == static_cast<float>(number); }));
+  BlockRing::SampledBlock oldest;
+  ASSERT_TRUE(ring.take(oldest));
+  ASSERT_EQ(oldest.block.sequence, number);
+  ASSERT_EQ(oldest.samples.size(), samples);
+  ASSERT_TRUE(std::ranges::all_of(oldest.samples, [number](float sample) { return sample == static_cast<float>(number); }));
   ring.release();
 }
 
@@ -43,8 +43,8 @@ TEST(BlockRing, GivesBlocksInTheirOrderEachInOnePieceRoundItsEnd) {
       for (int i = 0; i < 3; ++i) expect_next(ring, ++last, kSamples);
     }
   }
-  BlockRing::Heard heard;
-  EXPECT_FALSE(ring.take(heard));
+  BlockRing::SampledBlock oldest;
+  EXPECT_FALSE(ring.take(oldest));
 }
 
 TEST(BlockRing, HoldsTwoSecondsOfEightChannelsAtNinetySixKilohertzAndRefusesTheNewestBeyond) {
@@ -84,13 +84,13 @@ TEST(BlockRing, GivesEveryBlockThatItTookWholeAndInOrderBetweenTwoThreads) {
   });
   std::int64_t wrong = 0;
   for (std::int64_t number = 0; number < kBlocks;) {
-    BlockRing::Heard heard;
-    if (!ring.take(heard)) {
+    BlockRing::SampledBlock oldest;
+    if (!ring.take(oldest)) {
       std::this_thread::yield();
       continue;
     }
-    const bool is_whole = heard.block.sequence == number && heard.samples.size() == size_of(number) &&
-                          std::ranges::all_of(heard.samples, [number](float sample) { return sample == static_cast<float>(number); });
+    const bool is_whole = oldest.block.sequence == number && oldest.samples.size() == size_of(number) &&
+                          std::ranges::all_of(oldest.samples, [number](float sample) { return sample == static_cast<float>(number); });
     if (!is_whole) ++wrong;
     ring.release();
     ++number;

@@ -1,0 +1,192 @@
+#include "firmware/policy/check/policy_check.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "firmware/core/math.hpp"
+#include "firmware/policy/search_bounds.hpp"
+
+namespace earshot::policy {
+namespace {
+
+// A direction written with 10 digits is a direction; a forgotten normalisation is not.
+constexpr double kUnitLengthTolerance = 1e-9;
+
+double absolute(double x) {
+  return x < 0.0 ? -x : x;
+}
+
+bool is_length(Meters length, double most) {
+  return is_within(length.value, kLeastLength_m, most);
+}
+
+bool is_unit(const UnitNorthEast& direction) {
+  return absolute(direction.north * direction.north + direction.east * direction.east - 1.0) <= kUnitLengthTolerance;
+}
+
+bool all_finite(std::span<const float> values) {
+  return std::all_of(values.begin(), values.end(), [](float value) { return is_finite(value); });
+}
+
+PolicyFault fault_in_shape(const FrozenPolicy& policy) {
+  const auto fits = [](std::size_t size, std::size_t capacity) { return size >= 1 && size <= capacity; };
+  const Network& network = policy.network;
+  const bool fit = fits(network.observation_size, config::kMaxObservation) && fits(network.action_count, config::kMaxActions) &&
+                   fits(network.hidden_sizes[0], Network::kWidth) && fits(network.hidden_sizes[1], Network::kWidth);
+  const bool agree = network.observation_size == policy.observation.spec.size() && network.action_count == policy.actions.size();
+  return fit && agree ? PolicyFault::kNone : PolicyFault::kBadShape;
+}
+
+/// The most that a layer can give when no input is greater than `most_input`, either side of zero.
+template <class Layer>
+double most_output(const Layer& layer, std::size_t outputs, std::size_t inputs, double most_input) {
+  double most = 0.0;
+  for (std::size_t o = 0; o < outputs; ++o) {
+    double sum = absolute(double{layer.bias[o]});
+    for (std::size_t i = 0; i < inputs; ++i) sum += absolute(double{layer.weight(o, i)}) * most_input;
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+template <class Layer>
+bool is_finite_layer(const Layer& layer, std::size_t outputs, std::size_t inputs) {
+  for (std::size_t o = 0; o < outputs; ++o) {
+    for (std::size_t i = 0; i < inputs; ++i) {
+      if (!is_finite(layer.weight(o, i))) return false;
+    }
+  }
+  return all_finite(std::span(layer.bias).first(outputs));
+}
+
+PolicyFault fault_in_network(const Network& network, double most_element) {
+  const auto [first, second] = network.hidden_sizes;
+  if (!is_finite_layer(network.first, first, network.observation_size) || !is_finite_layer(network.second, second, first) ||
+      !is_finite_layer(network.output, network.action_count, second))
+    return PolicyFault::kNotFinite;
+  const bool bounded = most_output(network.first, first, network.observation_size, most_element) <= kMostLogit &&
+                       most_output(network.second, second, first, 1.0) <= kMostLogit &&
+                       most_output(network.output, network.action_count, second, 1.0) <= kMostLogit;
+  return bounded ? PolicyFault::kNone : PolicyFault::kUnbounded;
+}
+
+/// How many `age`s a feature of this policy may have.
+std::size_t count_of(Feature feature, const FrozenPolicy& policy) {
+  if (feature >= Feature::kStepEast && feature <= Feature::kStepSnr) return config::kMaxRememberedSteps;
+  if (feature == Feature::kHypothesis) return policy.observation.belief.hypotheses.size();
+  if (feature >= Feature::kFound) return policy.actions.size();
+  return 1;
+}
+
+/// No raw value of the feature is greater than that, either side of zero, while the vehicle is in its area.
+double most_raw(Feature feature, const FrozenPolicy& policy) {
+  const BeliefModel& belief = policy.observation.belief;
+  switch (feature) {
+    case Feature::kStepSnr:
+      return kMostLevel_db;
+    case Feature::kEffectiveCells:
+      return 2.0 * static_cast<double>(config::kMaxBeliefCells);
+    case Feature::kLikeliestShare:
+    case Feature::kHypothesis:
+    case Feature::kFound:
+    case Feature::kReach:
+    case Feature::kDetected:
+    case Feature::kPreference:
+      return 2.0;  // a probability, rounded
+    case Feature::kBorder:
+      return 1.0 + policy.step_length / belief.border_width;
+    case Feature::kRegret:
+      return double{belief.costs.most_regret};
+    case Feature::kEast:
+    case Feature::kNorth:
+    case Feature::kStepEast:
+    case Feature::kStepNorth:
+    case Feature::kToSouthEdge:
+    case Feature::kToNorthEdge:
+    case Feature::kToWestEdge:
+    case Feature::kToEastEdge:
+    case Feature::kLikeliestEast:
+    case Feature::kLikeliestNorth:
+    case Feature::kMeanEast:
+    case Feature::kMeanNorth:
+    case Feature::kSpread:
+    case Feature::kApproach:
+      break;  // a length
+  }
+  return (2.0 * (policy.area_size.north + policy.area_size.east) + policy.step_length).value;
+}
+
+double most_element(const FrozenPolicy& policy) {
+  double most = 0.0;
+  for (const ObservationElement& e : policy.observation.spec)
+    most = std::max(most, (most_raw(e.feature, policy) + absolute(double{e.offset})) * absolute(double{e.scale}));
+  return most;
+}
+
+PolicyFault fault_in_observation(const FrozenPolicy& policy) {
+  if (!is_length(policy.area_size.north, kMostArea_m) || !is_length(policy.area_size.east, kMostArea_m)) return PolicyFault::kOutOfRange;
+  if (!is_within(policy.detection_threshold.value, -kMostLevel_db, kMostLevel_db)) return PolicyFault::kOutOfRange;
+  if (!config::is_valid(policy.observation.listening)) return PolicyFault::kUnknownListening;
+  for (const ObservationElement& element : policy.observation.spec) {
+    if (!is_known(element.feature)) return PolicyFault::kUnknownFeature;
+    if (element.age >= count_of(element.feature, policy)) return PolicyFault::kBadShape;
+    if (!is_finite(element.offset) || !is_finite(element.scale)) return PolicyFault::kNotFinite;
+  }
+  if (needs_area(policy.observation.spec) && policy.observation.belief.area_size != policy.area_size) return PolicyFault::kBadShape;
+  return PolicyFault::kNone;
+}
+
+PolicyFault fault_in_actions(const FrozenPolicy& policy) {
+  if (!is_length(policy.step_length, kMostStep_m)) return PolicyFault::kOutOfRange;
+  return std::all_of(policy.actions.begin(), policy.actions.end(), is_unit) ? PolicyFault::kNone : PolicyFault::kNotFinite;
+}
+
+PolicyFault fault_in_draw(ActionDraw draw) {
+  return draw == ActionDraw::kArgmax || draw == ActionDraw::kSampled ? PolicyFault::kNone : PolicyFault::kUnknownDraw;
+}
+
+/// Whether the belief is about the search that the policy is for.
+bool agrees(const BeliefModel& model, const FrozenPolicy& policy) {
+  return model.area_size == policy.area_size && model.step_length == policy.step_length &&
+         model.detection_threshold == policy.detection_threshold &&
+         std::equal(model.actions.begin(), model.actions.end(), policy.actions.begin(), policy.actions.end());
+}
+
+PolicyFault fault_in_belief(const FrozenPolicy& policy) {
+  const BeliefModel& model = policy.observation.belief;
+  if (!needs_belief(policy.observation.spec)) return PolicyFault::kNone;
+  if (!has_valid_shape(model) || !agrees(model, policy)) return PolicyFault::kBadShape;
+  return has_valid_numbers(model) ? PolicyFault::kNone : PolicyFault::kOutOfRange;
+}
+
+/// Places and sounds alone; a vehicle makes the rest itself.
+PolicyFault fault_in_golden(const FrozenPolicy& policy) {
+  const auto is_possible = [&policy](const GoldenStep& step) {
+    return is_within(step.place.north.value, 0.0, policy.area_size.north.value) &&
+           is_within(step.place.east.value, 0.0, policy.area_size.east.value) &&
+           is_within(step.reception.snr.value, -kMostLevel_db, kMostLevel_db);
+  };
+  for (const GoldenTrajectory& trajectory : policy.golden)
+    if (!std::all_of(trajectory.begin(), trajectory.end(), is_possible)) return PolicyFault::kOutOfRange;
+  return PolicyFault::kNone;
+}
+
+}  // namespace
+
+PolicyComplaint check(const FrozenPolicy& policy) {
+  const auto complaint = [](PolicyFault fault, SectionTag section) { return PolicyComplaint{.fault = fault, .section = section}; };
+  if (const PolicyFault fault = fault_in_shape(policy); fault != PolicyFault::kNone) return complaint(fault, kNetworkSection);
+  if (const PolicyFault fault = fault_in_observation(policy); fault != PolicyFault::kNone) return complaint(fault, kObservationSection);
+  if (const PolicyFault fault = fault_in_actions(policy); fault != PolicyFault::kNone) return complaint(fault, kActionsSection);
+  if (const PolicyFault fault = fault_in_draw(policy.draw); fault != PolicyFault::kNone) return complaint(fault, kDrawSection);
+  if (const PolicyFault fault = fault_in_belief(policy); fault != PolicyFault::kNone) return complaint(fault, kBeliefSection);
+  if (const PolicyFault fault = fault_in_golden(policy); fault != PolicyFault::kNone) return complaint(fault, kGoldenSection);
+  const double most = most_element(policy);
+  if (!(most <= kMostElement)) return complaint(PolicyFault::kUnbounded, kObservationSection);
+  if (const PolicyFault fault = fault_in_network(policy.network, most); fault != PolicyFault::kNone)
+    return complaint(fault, kNetworkSection);
+  return {};
+}
+
+}  // namespace earshot::policy

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "firmware/host/program/command_line.hpp"
+#include "policy/command_line/listening_options.hpp"
+#include "sim/ocean/environment.hpp"
+#include "sim/search/scenario/scenario.hpp"
+#include "sim/search/settings.hpp"
+#include "sim/sonar/snr_curve.hpp"
+
+namespace earshot::command_line {
+
+/// The part of a command line that says where a policy searches; what is not given leaves the settings as they are. What is given before
+/// add_to() is its default.
+struct ScenarioOptions {
+  std::optional<std::string> environment = {};
+  std::optional<double> vehicle_depth_m = {};
+  std::optional<std::string> source = {};
+  std::optional<std::string> start = {};
+  std::optional<double> start_margin_m = {};
+  std::optional<double> border_width_m = {};
+  std::optional<std::uint32_t> max_steps = {};
+  ListeningOptions listening = {};
+
+  /// What help says holds where an option is not given.
+  struct Otherwise {
+    std::string source;
+    std::string listening;
+  };
+  void add_to(program::CommandLine& line, const Otherwise& otherwise);
+  /// Throws host::BadInput when the settings contradict each other.
+  void apply_to(search::SearchSettings& settings) const;
+};
+
+/// Throws host::BadInput when there is no environment file, or the vehicle's depth is not in its water.
+[[nodiscard]] search::Scenario scenario_at(const std::filesystem::path& path, Meters vehicle_depth);
+
+/// Throws host::BadInput when the vehicle's depth is not in the water of the environment read from `path`.
+void check_vehicle_depth(const ocean::Environment& environment, const std::filesystem::path& path, Meters vehicle_depth);
+
+/// SNR against range out to search::furthest_range.
+[[nodiscard]] sonar::SnrCurve curve_for(const ocean::Environment& environment, Meters vehicle_depth,
+                                        const search::SearchSettings& settings);
+
+}  // namespace earshot::command_line

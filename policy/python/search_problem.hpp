@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "firmware/core/units.hpp"
+#include "firmware/policy/observation.hpp"
+#include "sim/search/episode.hpp"
+#include "sim/search/scenario/world.hpp"
+
+namespace earshot::python {
+
+/// What a person may choose about the search; the defaults stand in earshot_gym/environment.py.
+struct SearchProblemArguments {
+  std::filesystem::path environment;
+  std::string state;
+  std::size_t remembered_steps = 0;
+  std::string source;
+  std::string start;
+  std::size_t direction_count = 0;
+  Meters vehicle_depth;
+  Meters border_width;
+  std::uint32_t max_steps = 0;
+  std::string listening;
+  std::int64_t listening_window_s = 0;
+};
+
+/// A search with its ocean solved; shared by every episode that runs in it.
+class SearchProblem {
+ public:
+  /// Solves the ocean: a second or so. Throws host::BadInput.
+  explicit SearchProblem(const SearchProblemArguments& arguments);
+  SearchProblem(const SearchProblem&) = delete;
+  SearchProblem& operator=(const SearchProblem&) = delete;
+
+  [[nodiscard]] const search::World& world() const { return *world_; }
+  [[nodiscard]] const policy::ObservationModel& observation() const { return observation_; }
+  /// Text of the search description (policy/description) that travels with a policy's weights.
+  [[nodiscard]] const std::string& description() const { return description_; }
+
+ private:
+  std::unique_ptr<search::World> world_;
+  policy::ObservationModel observation_;
+  std::string description_;
+};
+
+}  // namespace earshot::python

@@ -1,0 +1,112 @@
+#include "policy/report/map/policy_map.hpp"
+
+#include <cstdio>
+
+#include "firmware/host/policy/unverified_policy.hpp"
+#include "firmware/host/program/talk.hpp"
+#include "firmware/host/toml/table_reader.hpp"
+#include "policy/command_line/outputs.hpp"
+#include "policy/command_line/place.hpp"
+#include "policy/command_line/policy_details.hpp"
+#include "policy/command_line/scenario_options.hpp"
+#include "policy/evaluate/world_file.hpp"
+#include "policy/explain/replay.hpp"
+#include "policy/report/map/action_map_plot.hpp"
+#include "policy/report/recorded_flight.hpp"
+#include "sim/search/scenario/scenario_file.hpp"
+#include "sim/sonar/sonar_field.hpp"
+
+namespace earshot::report {
+namespace {
+
+using host::BadInput;
+
+/// What the policy itself takes for granted, where nobody says otherwise.
+sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const PolicyMapOptions& options) {
+  if (!options.world && !options.environment) {
+    const policy::BeliefModel& model = policy.observation.belief;
+    if (!policy::needs_belief(policy.observation.spec))
+      throw BadInput("--environment: " + options.policy.string() + " holds no ocean of its own: name an environment file (TOML)");
+    return {model.range_step, std::vector<float>(model.snr_db.begin(), model.snr_db.end())};
+  }
+  const std::filesystem::path& file = options.world ? *options.world : *options.environment;
+  const ocean::Environment environment = (options.world ? evaluate::load_world(file).scenario : search::load_scenario(file)).environment;
+  const Meters depth{options.vehicle_depth_m};
+  command_line::check_vehicle_depth(environment, file, depth);
+  try {
+    return sonar::compute_snr_curve(environment, depth, length_of(policy.area_size));
+  } catch (const std::invalid_argument& e) {
+    throw BadInput(file.string() + ": " + e.what());
+  }
+}
+
+std::string heard_in(const PolicyMapOptions& options) {
+  if (options.world) return "what is heard in " + options.world->filename().string();
+  if (options.environment) return "what is heard in " + options.environment->filename().string();
+  return "what is heard in the ocean that the policy takes for granted";
+}
+
+MapOcean ocean_of(const policy::FrozenPolicy& policy, const PolicyMapOptions& options, const sonar::SnrCurve& curve, NorthEast heard_from,
+                  std::optional<NorthEast> source) {
+  return {.policy = policy,
+          .policy_name = options.policy.filename().string(),
+          .curve = curve,
+          .heard_from = heard_from,
+          .words = heard_in(options),
+          .source = source};
+}
+
+NorthEast source_in(const policy::FrozenPolicy& policy, const std::string& text) {
+  const NorthEast source = command_line::north_east_of("--source", text);
+  const auto is_within = [](Meters x, Meters most) { return x.value >= 0.0 && x <= most; };
+  if (is_within(source.north, policy.area_size.north) && is_within(source.east, policy.area_size.east)) return source;
+  char area[80];
+  (void)std::snprintf(area, sizeof area, "0,0 to %.10g,%.10g m", policy.area_size.north.value, policy.area_size.east.value);
+  throw BadInput("--source " + text + ": outside the policy's area, " + area);
+}
+
+void draw_for_source(const policy::FrozenPolicy& policy, const PolicyMapOptions& options) {
+  const NorthEast source = source_in(policy, *options.source);
+  const sonar::SnrCurve curve = curve_of(policy, options);
+  const auto reception_at = [&](NorthEast place) { return policy::Reception{.snr = curve.at(range_between(place, source))}; };
+  const MapOcean ocean = ocean_of(policy, options, curve, source, source);
+  if (explain::sees_place_alone(policy)) {
+    draw_arrows(options.output, ocean, explain::after_a_first_look(policy, options.arrows, reception_at), "where it goes");
+  } else {
+    const auto paths = explain::flown_from_all_over(policy, source, {.per_side = options.starts}, reception_at);
+    draw_paths(options.output, ocean, paths);
+  }
+}
+
+void draw_for_flight(const policy::FrozenPolicy& policy, const PolicyMapOptions& options) {
+  const RecordedFlight flight = open_recording(*options.flight, {.policy = options.policy});
+  if (!policy::needs_belief(policy.observation.spec))
+    throw BadInput("--flight: " + options.policy.string() + " holds no belief that could be followed along a flight");
+  const auto taken = std::span(flight.journal.decisions).first(index_of_step(flight, options.step) + 1);
+  const explain::ActionMap map =
+      explain::standing_elsewhere(policy, options.arrows, *explain::remembered_at(policy.observation, taken, flight.south_west));
+  const explain::DecisionAccount account = explain::account_of(flight.circumstances(explain::Baseline::kCentre), taken);
+  const sonar::SnrCurve curve = curve_of(policy, options);
+  const std::optional<NorthEast> source = flight.source ? std::optional(*flight.source - flight.south_west) : std::nullopt;
+  const MapOcean ocean = ocean_of(policy, options, curve, source.value_or(account.place.likeliest), source);
+  draw_arrows(options.output, ocean, map, "where it would go with what it believes at step " + std::to_string(options.step),
+              MapFlight{.belief = account, .track = taken});
+}
+
+}  // namespace
+
+void draw_policy_map(const PolicyMapOptions& options) {
+  command_line::check_picture_name("-o", options.output);
+  host::require_writable(options.output, host::picture_kind(options.output), host::replaced_by(options.force));
+  const std::unique_ptr<policy::FrozenPolicy> policy = host::load_unverified_policy(options.policy);
+  if (options.source.has_value() == options.flight.has_value())
+    throw BadInput("earshot explain map: one of --source NORTH_M,EAST_M and --flight DIR is needed");
+  command_line::print_policy_details(options.policy.string(), *policy);
+  if (options.source)
+    draw_for_source(*policy, options);
+  else
+    draw_for_flight(*policy, options);
+  program::say() << options.output.string() << ": " << heard_in(options) << "\n";
+}
+
+}  // namespace earshot::report

@@ -1,0 +1,85 @@
+#include "sim/ocean/file/environment_keys.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "sim/ocean/file/environment_noise.hpp"
+
+namespace earshot::ocean {
+namespace {
+
+using host::Range;
+using host::TableReader;
+
+constexpr double kMaxDepth_m = 12'000.0;  // deeper than any ocean: whoever exceeds it has mistaken the unit
+constexpr double kFurthest_m = 1e6;       // from the origin: a plane further out than that is none on this earth
+
+Source read_source(TableReader& table) {
+  const Range in_plane = Range::between(-kFurthest_m, kFurthest_m);
+  return {.frequency = Hertz{table.number("frequency_hz", Range::between(1.0, 10'000.0))},
+          .level = Decibels{table.number("level_db_re_1upa_at_1m", Range::between(0.0, 300.0))},
+          .depth = Meters{table.number("depth_m", Range::above_up_to(0.0, kMaxDepth_m))},
+          .position = {.north = Meters{table.number("north_m", in_plane)}, .east = Meters{table.number("east_m", in_plane)}}};
+}
+
+GeoPosition read_origin(TableReader table) {
+  return {.latitude_deg = table.number("latitude_deg", Range::between(-90.0, 90.0)),
+          .longitude_deg = table.number("longitude_deg", Range::between(-180.0, 180.0))};
+}
+
+BathymetryKeys read_bathymetry(const host::TomlFile& file, TableReader table) {
+  BathymetryKeys keys{.layout = static_cast<BathymetryLayout>(table.choice("layout", {"section_csv", "grid_csv", "gebco"})),
+                      .file = file.resolve(table.text("file")),
+                      .reach = {}};
+  if (keys.layout == BathymetryLayout::kGebco) {
+    keys.reach = Meters{1000.0 * table.number_or("reach_km", 150.0, Range::above_up_to(0.0, 5000.0))};
+  }
+  return keys;
+}
+
+/// Tables of depths reach as deep as a flat sea floor.
+void check_reach(TableReader& water, const EnvironmentKeys& keys) {
+  const auto is_short = [&](const SoundSpeedProfile& profile) {
+    const auto* table = std::get_if<TabulatedProfile>(&profile);
+    return table != nullptr && !table->depth_m.empty() && table->depth_m.back() < keys.seabed.seabed.depth.value;
+  };
+  const auto& stations = keys.water.stations;
+  if (is_short(keys.water.profile) || std::any_of(stations.begin(), stations.end(), [&](const auto& s) { return is_short(s.profile); })) {
+    water.problem("depth_m", "must reach from 0 to seabed.depth_m");
+  }
+}
+
+}  // namespace
+
+EnvironmentKeys read_environment_keys(const host::TomlFile& file, const FurtherTables& further) {
+  TableReader root = file.root();
+  TableReader source = root.table("source");
+  TableReader water = root.table("water");
+  EnvironmentKeys keys{.name = root.text("name"),
+                       .source = read_source(source),
+                       .noise_level = read_noise(root.table("noise")),
+                       .origin = {},
+                       .water = read_water(file, water),
+                       .seabed = {},
+                       .bathymetry = {}};
+  if (const auto origin = root.optional_table("origin")) keys.origin = read_origin(*origin);
+  if (const auto absorption = root.optional_table("absorption")) {
+    keys.absorption_db_per_km = read_absorption(*absorption, keys.source.frequency);
+  }
+  if (const auto bathymetry = root.optional_table("bathymetry")) keys.bathymetry = read_bathymetry(file, *bathymetry);
+  keys.seabed = read_seabed(root.table("seabed"), keys.bathymetry ? SeaFloorDepth::kGivenByBathymetry : SeaFloorDepth::kGivenHere);
+  if (further) further(file, root, keys);
+  const bool chart = keys.bathymetry && keys.bathymetry->layout != BathymetryLayout::kSectionCsv;
+  if (!keys.origin && (chart || keys.water.from == WaterSource::kAtlas)) {
+    root.problem("origin", "must be there, with latitude_deg and longitude_deg: where north_m = 0, east_m = 0 lies on the charts");
+  }
+  file.finish();
+  if (!keys.bathymetry) {  // how values that are right by themselves fit each other
+    check_reach(water, keys);
+    if (!(keys.source.depth < keys.seabed.seabed.depth)) source.problem("depth_m", "must be less than seabed.depth_m");
+  }
+  file.finish();
+  return keys;
+}
+
+}  // namespace earshot::ocean

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "firmware/host/toml/table_reader.hpp"
+#include "sim/ocean/charts/geography.hpp"
+#include "sim/ocean/environment.hpp"
+#include "sim/ocean/file/environment_seabed.hpp"
+#include "sim/ocean/file/environment_water.hpp"
+
+namespace earshot::ocean {
+
+enum class BathymetryLayout : std::uint8_t { kSectionCsv, kGridCsv, kGebco };
+
+struct BathymetryKeys {
+  BathymetryLayout layout;
+  std::filesystem::path file;
+  Meters reach;
+};
+
+/// What an environment file itself says of its ocean, before the data files it names are read.
+struct EnvironmentKeys {
+  std::string name;
+  Source source;
+  Decibels noise_level;
+  double absorption_db_per_km = 0.0;
+  std::optional<GeoPosition> origin;
+  WaterKeys water;
+  SeabedKeys seabed;
+  std::optional<BathymetryKeys> bathymetry;
+};
+
+/// Reads tables of the same file that are not the ocean's, such as those of a search in it. Its problems are reported with the others.
+using FurtherTables = std::function<void(const host::TomlFile& file, host::TableReader& root, const EnvironmentKeys& keys)>;
+
+/// @param further  empty: the file may hold no tables but the ocean's
+/// Throws host::BadInput with everything that is wrong with the file, one line each.
+[[nodiscard]] EnvironmentKeys read_environment_keys(const host::TomlFile& file, const FurtherTables& further = {});
+
+}  // namespace earshot::ocean

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "firmware/core/units.hpp"
+
+namespace earshot::search {
+
+inline constexpr std::size_t kMaxSources = 8;  ///< sources of one search
+
+/// A source that sings and falls silent: calls every `interval_s` for `song_s`, then none for `pause_s`, and so on. A look hears a call
+/// that fell in the `listening_s` before it. Where in its song a source is when the search begins is drawn anew for every search.
+struct CallPattern {
+  double interval_s = 15.0;   ///< > 0
+  double song_s = 900.0;      ///< > 0
+  double pause_s = 300.0;     ///< >= 0
+  double listening_s = 60.0;  ///< > 0
+};
+
+/// Water that carries the vehicle while it steers as if it stood still.
+struct Current {
+  MetersPerSecond speed;          ///< >= 0
+  std::optional<Radians> toward;  ///< clockwise from north; absent: drawn anew for every search
+  enum class Navigation : bool { kDoesNotSeeIt, kSeesIt } navigation = Navigation::kSeesIt;  ///< e.g. a Doppler log on the sea floor
+};
+
+/// How a search departs from one where every look gives the modelled SNR and nothing but the vehicle moves. Everything is off by default.
+struct Conditions {
+  Decibels fluctuation;  ///< sigma >= 0 of the SNR, normal in dB, drawn anew at every look
+  std::optional<Decibels>
+      least_fluctuation;             ///< sigma is uniform between this and `fluctuation`, drawn for every search; absent: it is that
+  std::optional<Decibels> floor;     ///< the least SNR that can be measured
+  Decibels source_level_spread;      ///< >= 0: the true level lies uniformly within so much of the environment's, drawn for every search
+  double drift_m_per_sqrt_km = 0.0;  ///< >= 0: standard deviation of navigation's error, each of north and east, after 1 km; a random walk
+  MetersPerSecond source_speed;      ///< >= 0; on a straight course, drawn for every search, reflected at the domain's edges
+  std::size_t sources = 1;           ///< 1 to kMaxSources; the loudest is heard, any may be found. All but the first are drawn uniformly
+  std::optional<Current> current;    ///< absent: none
+  std::optional<CallPattern> calls;  ///< absent: always heard; needs `floor`, which is what silence says of the SNR
+  MetersPerSecond vehicle_speed{2.0};  ///< > 0: how long a step takes
+};
+
+/// True when nothing departs.
+[[nodiscard]] inline bool is_calm(const Conditions& c) {
+  return c.fluctuation.value == 0.0 && !c.floor && c.source_level_spread.value == 0.0 && c.drift_m_per_sqrt_km == 0.0 &&
+         c.source_speed.value == 0.0 && c.sources == 1 && !c.current && !c.calls;
+}
+
+}  // namespace earshot::search

@@ -1,0 +1,53 @@
+#include "sim/search/scenario/conditions_table.hpp"
+
+#include <cstdint>
+#include <numbers>
+
+namespace earshot::search {
+namespace {
+
+using host::Range;
+using host::TableReader;
+
+constexpr double kMostDecibels = 100.0;  // more than any sound in the sea differs from another
+constexpr double kFastest_mps = 20.0;    // of anything that swims
+constexpr double kMostSeconds = 1.0e6;   // eleven days: a search lasts half a day
+
+Current read_current(TableReader table) {
+  Current current{.speed = MetersPerSecond{table.number("speed_mps", Range::between(0.0, kFastest_mps))}, .toward = {}};
+  if (table.has("toward_deg")) {
+    current.toward = Radians{table.number("toward_deg", Range::between(0.0, 360.0)) * std::numbers::pi / 180.0};
+  }
+  current.navigation = table.boolean_or("seen_by_navigation", true) ? Current::Navigation::kSeesIt : Current::Navigation::kDoesNotSeeIt;
+  return current;
+}
+
+CallPattern read_calls(TableReader table) {
+  return {.interval_s = table.number("interval_s", Range::above_up_to(0.0, kMostSeconds)),
+          .song_s = table.number("song_s", Range::above_up_to(0.0, kMostSeconds)),
+          .pause_s = table.number("pause_s", Range::between(0.0, kMostSeconds)),
+          .listening_s = table.number("listening_s", Range::above_up_to(0.0, kMostSeconds))};
+}
+
+}  // namespace
+
+Conditions read_conditions(TableReader table) {
+  Conditions c;
+  c.fluctuation = Decibels{table.number_or("fluctuation_db", 0.0, Range::between(0.0, kMostDecibels))};
+  if (table.has("least_fluctuation_db"))
+    c.least_fluctuation = Decibels{table.number("least_fluctuation_db", Range::between(0.0, c.fluctuation.value))};
+  if (table.has("floor_db")) c.floor = Decibels{table.number("floor_db", Range::between(-kMostDecibels, kMostDecibels))};
+  c.source_level_spread = Decibels{table.number_or("source_level_spread_db", 0.0, Range::between(0.0, kMostDecibels))};
+  c.drift_m_per_sqrt_km = table.number_or("navigation_drift_m_per_sqrt_km", 0.0, Range::between(0.0, 10'000.0));
+  c.source_speed = MetersPerSecond{table.number_or("source_speed_mps", 0.0, Range::between(0.0, kFastest_mps))};
+  c.sources = static_cast<std::size_t>(table.integer_or("sources", 1, 1, static_cast<std::int64_t>(kMaxSources)));
+  c.vehicle_speed = MetersPerSecond{table.number_or("vehicle_speed_mps", c.vehicle_speed.value, Range::above_up_to(0.0, kFastest_mps))};
+  if (const auto current = table.optional_table("current")) c.current = read_current(*current);
+  if (const auto calls = table.optional_table("calls")) c.calls = read_calls(*calls);
+  if (c.calls && !table.has("floor_db")) {
+    table.problem("calls", "need floor_db, the least SNR that can be measured: all that a silent look says is that it was below");
+  }
+  return c;
+}
+
+}  // namespace earshot::search

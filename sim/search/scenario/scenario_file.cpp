@@ -1,0 +1,106 @@
+#include "sim/search/scenario/scenario_file.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "firmware/core/crc32.hpp"
+#include "firmware/host/file/file_checksum.hpp"
+#include "sim/ocean/file/environment_file.hpp"
+#include "sim/search/scenario/conditions_table.hpp"
+#include "sim/search/scenario/family.hpp"
+
+namespace earshot::search {
+namespace {
+
+using host::BadInput;
+using host::TableReader;
+
+/// The tables of a search, before the files they name are read.
+struct ScenarioKeys {
+  Conditions conditions;
+  std::vector<std::filesystem::path> other_oceans;
+  std::optional<Family> family;
+  std::filesystem::path field_library;
+
+  [[nodiscard]] bool is_one_ocean() const { return other_oceans.empty() && !family && field_library.empty() && is_calm(conditions); }
+};
+
+struct FileKeys {
+  ocean::EnvironmentKeys environment;
+  ScenarioKeys scenario;
+};
+
+/// Another checksum, lowest byte first.
+std::uint32_t crc32_of(std::uint32_t checksum, std::uint32_t previous) {
+  std::array<std::uint8_t, 4> bytes{};
+  for (std::uint8_t& byte : bytes) {
+    byte = static_cast<std::uint8_t>(checksum);
+    checksum >>= 8U;
+  }
+  return crc32(bytes, previous);
+}
+
+/// The family is drawn from the file's own ocean, which must have the numbers that are drawn.
+Family read_own_family(TableReader table, const ocean::EnvironmentKeys& keys) {
+  Family family = read_family(table);
+  const bool plain = keys.water.from == ocean::WaterSource::kKeys && std::holds_alternative<ocean::MunkProfile>(keys.water.profile) &&
+                     !keys.bathymetry && keys.seabed.stations.empty();
+  if (!plain)
+    table.problem("members", "are drawn from an ocean with a Munk profile, flat and the same everywhere; list others as [[oceans]]");
+  if (plain && !(std::get<ocean::MunkProfile>(keys.water.profile).axis_depth.value > 0.0)) {
+    table.problem("members", "are drawn from an ocean whose water.axis_depth_m is above 0: their scale keeps its ratio to it");
+  }
+  if (family.sea_floor_depth_m && !(family.sea_floor_depth_m->lowest > keys.source.depth.value)) {
+    table.problem("sea_floor_depth_m", "must be more than source.depth_m");
+  }
+  return family;
+}
+
+ScenarioKeys read_scenario_keys(const host::TomlFile& file, TableReader& root, const ocean::EnvironmentKeys& environment) {
+  ScenarioKeys keys;
+  if (const auto conditions = root.optional_table("conditions")) keys.conditions = read_conditions(*conditions);
+  if (const auto family = root.optional_table("family")) keys.family = read_own_family(*family, environment);
+  if (root.has("oceans")) {
+    for (TableReader& ocean : root.tables("oceans")) keys.other_oceans.push_back(file.resolve(ocean.text("environment")));
+  }
+  if (auto library = root.optional_table("field_library")) keys.field_library = file.resolve(library->text("file"));
+  if (!keys.field_library.empty() && (keys.family || !keys.other_oceans.empty())) {
+    root.problem("field_library", "cannot be there with family or oceans");
+  }
+  return keys;
+}
+
+FileKeys read_keys(const std::filesystem::path& path) {
+  FileKeys keys;
+  const auto further = [&keys](const host::TomlFile& file, TableReader& root, const ocean::EnvironmentKeys& environment) {
+    keys.scenario = read_scenario_keys(file, root, environment);
+  };
+  keys.environment = ocean::read_environment_keys(host::TomlFile(path), further);
+  return keys;
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::filesystem::path& path) {
+  const FileKeys keys = read_keys(path);
+  Scenario scenario{.environment = ocean::environment_of(path, keys.environment),
+                    .field_library = keys.scenario.field_library,
+                    .conditions = keys.scenario.conditions};
+  std::uint32_t& crc = scenario.environment.file_crc32;
+  if (keys.scenario.family) scenario.other_oceans = draw_family(scenario.environment, *keys.scenario.family);
+  if (std::filesystem::exists(scenario.field_library))  // whoever needs it says when it is not there
+    crc = host::crc32_of_file(scenario.field_library, crc);
+  for (const std::filesystem::path& other : keys.scenario.other_oceans) {
+    const FileKeys its_keys = read_keys(other);
+    if (!its_keys.scenario.is_one_ocean())
+      throw BadInput(path.string() + ": oceans: " + other.string() + ": must be one ocean without conditions");
+    scenario.other_oceans.push_back(ocean::environment_of(other, its_keys.environment));
+    crc = crc32_of(scenario.other_oceans.back().file_crc32, crc);
+  }
+  return scenario;
+}
+
+}  // namespace earshot::search

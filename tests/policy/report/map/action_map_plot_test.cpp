@@ -1,0 +1,54 @@
+#include "policy/report/map/action_map_plot.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/policy/explain/flown_policy.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::report {
+namespace {
+
+using explain::FlownPath;
+
+class ActionMapPlot : public testing::Test {
+ protected:
+  void has(std::initializer_list<const char*> parts) const {
+    const std::string svg = support::read_text(folder_ / "map.svg");
+    for (const char* part : parts) EXPECT_NE(svg.find(part), std::string::npos) << part;
+  }
+
+  support::TemporaryFolder folder_;
+  sonar::SnrCurve curve_{Meters{40'000.0}, {40.0F, 0.0F}};
+  NorthEast source_{Meters{10'000.0}, Meters{10'000.0}};
+};
+
+TEST_F(ActionMapPlot, NamesThePolicyAndSaysWhatAnArrowIsBesideSnrOnTheScaleOfEveryField) {
+  const auto policy = explain::place_policy(1);
+  const MapOcean ocean{*policy, "fixed_source.policy", curve_, source_, "heard in a test", source_};
+  draw_arrows(folder_ / "map.svg", ocean, explain::after_a_first_look(*policy, 4, [](NorthEast) { return policy::Reception{}; }),
+              "where it goes");
+  has({"<title>What fixed_source.policy does</title>", ">What fixed_source.policy does<", ">heard in a test<", ">where it goes<",
+       "Arrow: the mean of the directions, each weighted by its probability", ">-10<", "> 40<"});
+}
+
+TEST_F(ActionMapPlot, NamesThePolicyAndSaysHowManyPathsFindTheSource) {
+  const auto policy = explain::belief_policy(1);
+  const MapOcean ocean{*policy, "shipped.policy", curve_, source_, "heard in a test", source_};
+  const std::vector<FlownPath> paths{{{{Meters{0.0}, Meters{0.0}}, {Meters{700.0}, Meters{700.0}}}, FlownPath::End::kFound}};
+  draw_paths(folder_ / "map.svg", ocean, paths);
+  has({">What shipped.policy does<", "searches without noise, the likeliest action at every step",
+       "The source is found from 1 of 1 starts, after 1 to 1 steps (median 1). Dot: a start; cross: one from which it is not found."});
+}
+
+TEST(PathsInWords, CountWhatBecameOfEachAndTheStepsOfThoseThatFind) {
+  const auto path = [](std::size_t steps, FlownPath::End end) { return FlownPath{std::vector<NorthEast>(steps + 1), end}; };
+  const std::vector<FlownPath> paths{path(9, FlownPath::End::kFound), path(3, FlownPath::End::kFound), path(4, FlownPath::End::kFound),
+                                     path(2, FlownPath::End::kLeft), path(100, FlownPath::End::kStepLimit)};
+  EXPECT_EQ(
+      paths_to_string(paths),
+      "The source is found from 3 of 5 starts, after 3 to 9 steps (median 4); the area is left from 1; it is not found in time from 1");
+}
+
+}  // namespace
+}  // namespace earshot::report

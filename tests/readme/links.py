@@ -1,0 +1,64 @@
+#!/usr/bin/python3 -B
+"""Whether every relative link of every Markdown file leads to something that is there. Run by ctest (readme.links).
+
+usage: tests/readme/links.py
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+_BLOCK = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+_CODE = re.compile(r"`[^`\n]*`")
+_LINK = re.compile(r"\[[^\[\]]*\]\(([^()\s]+)\)")
+_HEADING = re.compile(r"^#+ +(.*)$", re.MULTILINE)
+
+
+def blank(text: str, what: re.Pattern[str]) -> str:
+    """The text with spaces for what matches; its lines keep their numbers."""
+    return what.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
+
+
+def anchors_of(text: str) -> set[str]:
+    """What a link may name behind a #: the headings in small letters, with - for a space, without punctuation."""
+    return {
+        re.sub(r"[^\w\- ]", "", heading).strip().lower().replace(" ", "-")
+        for heading in _HEADING.findall(blank(text, _BLOCK))
+    }
+
+
+def problems_of(name: str, root: Path) -> list[str]:
+    """The links of the file `name` below `root` that lead nowhere, as FILE:LINE: what is wrong."""
+    text = (root / name).read_text()
+    # A link may have code for its text, so that only whole pieces of code that hold a link are none.
+    prose = _CODE.sub(lambda code: re.sub(r"[\[\]()]", " ", code.group()), blank(text, _BLOCK))
+    problems = []
+    for link in _LINK.finditer(prose):
+        target, _, anchor = link.group(1).partition("#")
+        if re.match(r"[a-z]+:", target):
+            continue
+        place = Path(os.path.normpath(root / Path(name).parent / target)) if target else root / name
+        where = f"{name}:{prose.count(chr(10), 0, link.start()) + 1}: "
+        if not place.exists():
+            problems.append(f"{where}{link.group(1)}: there is no such file")
+        elif anchor and anchor not in anchors_of(place.read_text()):
+            problems.append(f"{where}{link.group(1)}: there is no such heading")
+    return problems
+
+
+def main() -> int:
+    command = ["git", "ls-files", "-z", "-co", "--exclude-standard", "*.md"]
+    listed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    names = sorted(name for name in listed.split("\0") if name and (ROOT / name).is_file())
+    problems = [problem for name in names for problem in problems_of(name, ROOT)]
+    print("".join(problem + "\n" for problem in problems) + f"{len(names)} files, {len(problems)} links lead nowhere")
+    return 0 if names and not problems else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

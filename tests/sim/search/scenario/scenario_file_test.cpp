@@ -1,0 +1,206 @@
+#include "sim/search/scenario/conditions_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <string>
+#include <variant>
+
+#include "firmware/host/toml/table_reader.hpp"
+#include "sim/search/scenario/scenario_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::search {
+namespace {
+
+namespace fs = std::filesystem;
+const std::string kMunk = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
+
+/// The paper's ocean with more tables behind it.
+class ScenarioFile : public testing::Test {
+ protected:
+  Scenario load(const std::string& tables, const std::string& file = "ocean.toml") {
+    std::ifstream munk(kMunk);
+    std::ofstream(folder_ / file) << std::string(std::istreambuf_iterator<char>(munk), {}) << tables;
+    return load_scenario(folder_ / file);
+  }
+  std::string complaint(const std::string& tables) {
+    try {
+      (void)load(tables);
+    } catch (const host::BadInput& e) {
+      return e.what();
+    }
+    return "";
+  }
+  void expect_refused(const std::string& tables, const std::string& part) {
+    const std::string text = complaint(tables);
+    EXPECT_NE(text.find(part), std::string::npos) << tables << " gives: " << text;
+  }
+
+  const support::TemporaryFolder folder_;
+};
+
+TEST_F(ScenarioFile, IsCalmWhereItSaysNothing) {
+  const Scenario scenario = load_scenario(kMunk);
+  EXPECT_TRUE(is_calm(scenario.conditions));
+  EXPECT_TRUE(scenario.other_oceans.empty());
+  EXPECT_TRUE(scenario.field_library.empty());
+}
+
+TEST_F(ScenarioFile, HasEveryKeyRead) {
+  const Conditions c = load(R"(
+[conditions]
+fluctuation_db = 4.0
+least_fluctuation_db = 1.0
+floor_db = 5.0
+source_level_spread_db = 6.0
+navigation_drift_m_per_sqrt_km = 50.0
+source_speed_mps = 0.5
+sources = 2
+vehicle_speed_mps = 1.5
+[conditions.current]
+speed_mps = 0.25
+toward_deg = 90.0
+seen_by_navigation = false
+[conditions.calls]
+interval_s = 15.0
+song_s = 600.0
+pause_s = 120.0
+listening_s = 30.0
+)")
+                           .conditions;
+  EXPECT_FALSE(is_calm(c));
+  EXPECT_EQ(c.fluctuation, Decibels{4.0});
+  EXPECT_EQ(c.least_fluctuation, Decibels{1.0});
+  EXPECT_EQ(c.floor, Decibels{5.0});
+  EXPECT_EQ(c.source_level_spread, Decibels{6.0});
+  EXPECT_EQ(c.drift_m_per_sqrt_km, 50.0);
+  EXPECT_EQ(c.source_speed, MetersPerSecond{0.5});
+  EXPECT_EQ(c.sources, 2U);
+  EXPECT_EQ(c.vehicle_speed, MetersPerSecond{1.5});
+  EXPECT_EQ(c.current->speed, MetersPerSecond{0.25});
+  EXPECT_EQ(c.current->toward, Radians{std::numbers::pi / 2.0});
+  EXPECT_EQ(c.current->navigation, Current::Navigation::kDoesNotSeeIt);
+  EXPECT_EQ(c.calls->interval_s, 15.0);
+  EXPECT_EQ(c.calls->song_s, 600.0);
+  EXPECT_EQ(c.calls->pause_s, 120.0);
+  EXPECT_EQ(c.calls->listening_s, 30.0);
+}
+
+TEST_F(ScenarioFile, IsRefusedForAKeyOutsideItsRange) {
+  expect_refused("[conditions]\nfluctuation_db = -1.0\n", "conditions.fluctuation_db = -1.0: must be a finite number of at least 0");
+  expect_refused("[conditions]\nfluctuation_db = 2.0\nleast_fluctuation_db = 3.0\n", "conditions.least_fluctuation_db = 3.0");
+  expect_refused("[conditions]\nfloor_db = inf\n", "conditions.floor_db = inf: must be a finite number");
+  expect_refused("[conditions]\nsources = 9\n", "conditions.sources = 9");
+  expect_refused("[conditions]\nvehicle_speed_mps = 0.0\n", "conditions.vehicle_speed_mps = 0.0: must be a finite number above 0");
+  expect_refused("[conditions]\nwind = 3\n", "conditions.wind: unknown key");
+  expect_refused("[conditions.current]\ntoward_deg = 10.0\n", "conditions.current.speed_mps is missing");
+  expect_refused("[conditions.current]\nspeed_mps = 0.1\ntoward_deg = 400.0\n", "conditions.current.toward_deg = 400.0");
+}
+
+TEST_F(ScenarioFile, NeedsAFloorWhereCallsComeAndGo) {
+  expect_refused("[conditions.calls]\ninterval_s = 15.0\nsong_s = 600.0\npause_s = 120.0\nlistening_s = 30.0\n", "need floor_db");
+}
+
+TEST_F(ScenarioFile, ListsOtherOceansRelativeToTheFile) {
+  load("", "other.toml");
+  const Scenario scenario = load("[[oceans]]\nenvironment = \"other.toml\"\n[[oceans]]\nenvironment = \"" + kMunk + "\"\n");
+  EXPECT_EQ(scenario.other_oceans.size(), 2U);
+  EXPECT_NE(scenario.environment.file_crc32, load("[[oceans]]\nenvironment = \"other.toml\"\n").environment.file_crc32)
+      << "the checksum covers what the file names";
+}
+
+TEST_F(ScenarioFile, ChangesTheChecksumWithADataFileOfAnotherOcean) {
+  const std::string text = R"(name = "other"
+[source]
+frequency_hz = 20.0
+level_db_re_1upa_at_1m = 190.0
+depth_m = 30.0
+north_m = 0.0
+east_m = 0.0
+[noise]
+level_db_re_1upa = 90.0
+[water]
+profile = "csv"
+file = "cast.csv"
+[seabed]
+depth_m = 1000.0
+[[seabed.layers]]
+sound_speed_mps = 1600.0
+)";
+  std::ofstream(folder_ / "other.toml") << text;
+  const auto checksum_with = [&](const std::string& deepest_mps) {
+    std::ofstream(folder_ / "cast.csv") << "depth_m,sound_speed_mps\n0,1500\n1000," << deepest_mps << "\n";
+    return load("[[oceans]]\nenvironment = \"other.toml\"\n").environment.file_crc32;
+  };
+  const std::uint32_t before = checksum_with("1510");
+  EXPECT_NE(checksum_with("1511"), before);
+  EXPECT_EQ(checksum_with("1510"), before);
+}
+
+TEST_F(ScenarioFile, ChangesTheChecksumWithTheFieldLibrary) {
+  const auto checksum_with = [&](const std::string& bytes) {
+    std::ofstream(folder_ / "library.nc") << bytes;
+    return load("[field_library]\nfile = \"library.nc\"\n").environment.file_crc32;
+  };
+  const std::string large(3U << 20U, 'a');  // more than is read at once
+  EXPECT_NE(checksum_with(large + "b"), checksum_with(large + "c"));
+}
+
+TEST_F(ScenarioFile, RefusesAnOceanThatListsOthersOrHasConditions) {
+  expect_refused("[[oceans]]\nenvironment = \"ocean.toml\"\n", "must be one ocean");  // itself
+  load("[conditions]\nfluctuation_db = 1.0\n", "noisy.toml");
+  expect_refused("[[oceans]]\nenvironment = \"noisy.toml\"\n", "must be one ocean");
+  expect_refused("[[oceans]]\nenvironment = \"none.toml\"\n", "none.toml: no such file");
+}
+
+TEST_F(ScenarioFile, DrawsAFamilyBetweenItsBoundsAndTheSameFromTheSameSeed) {
+  const std::string table = R"(
+[family]
+members = 50
+seed = 3
+sea_floor_depth_m = [2000.0, 4000.0]
+sediment_sound_speed_mps = [1450.0, 1650.0]
+)";
+  const auto members = load(table).other_oceans;
+  ASSERT_EQ(members.size(), 50U);
+  double shallowest = 1e9;
+  double deepest = 0.0;
+  for (const ocean::Environment& member : members) {
+    shallowest = std::min(shallowest, member.seabed.depth.value);
+    deepest = std::max(deepest, member.seabed.depth.value);
+    EXPECT_EQ(std::get<ocean::MunkProfile>(member.water).axis_depth, Meters{1300.0}) << "has no bounds";
+    EXPECT_EQ(member.noise_level, Decibels{90.0}) << "has no bounds";
+    const double speed_mps = member.seabed.layers.back().sound_speed.value;
+    EXPECT_TRUE(speed_mps >= 1450.0 && speed_mps <= 1650.0) << speed_mps;
+  }
+  // Of 50 uniform numbers the least lies in the lowest tenth but for a chance of 0.9^50 = 0.5 %; the seed is fixed.
+  EXPECT_TRUE(shallowest >= 2000.0 && shallowest < 2200.0) << shallowest;
+  EXPECT_TRUE(deepest <= 4000.0 && deepest > 3800.0) << deepest;
+  EXPECT_EQ(load(table).other_oceans[7].seabed.depth, members[7].seabed.depth);
+}
+
+TEST_F(ScenarioFile, RefusesAFamilyThatCannotBeDrawn) {
+  expect_refused("[family]\nsea_floor_depth_m = [2000.0, 4000.0]\n", "family.members is missing");
+  expect_refused("[family]\nmembers = 3\nsea_floor_depth_m = [4000.0, 2000.0]\n", "must be [lowest, highest]");
+  expect_refused("[family]\nmembers = 3\nsea_floor_depth_m = [20.0, 2000.0]\n", "must be more than source.depth_m");
+  load("");  // the paper's ocean, its axis at the surface
+  std::ifstream munk(folder_ / "ocean.toml");
+  std::string text{std::istreambuf_iterator<char>(munk), {}};
+  text.replace(text.find("axis_depth_m = 1300.0"), 21, "axis_depth_m = 0.0");
+  std::ofstream(folder_ / "surface.toml") << text << "[family]\nmembers = 3\n";
+  try {
+    (void)load_scenario(folder_ / "surface.toml");
+    ADD_FAILURE();
+  } catch (const host::BadInput& e) {
+    EXPECT_NE(std::string(e.what()).find("water.axis_depth_m is above 0"), std::string::npos) << e.what();
+  }
+  expect_refused("[field_library]\nfile = \"a.nc\"\n[family]\nmembers = 3\n", "field_library");
+}
+
+}  // namespace
+}  // namespace earshot::search
