@@ -64,6 +64,13 @@ void answer_every_tick(std::uint64_t until) {
   }
 }
 
+/// Passes over answers to knocks: on a busy machine a second knock goes out before the first is answered.
+Delivery receive_behind_knocks(SimulatorEnd& link, Answer& answer) {
+  Delivery delivery = link.receive(answer, 5000ms);
+  while (delivery == Delivery::kArrived && answer.number == 0) delivery = link.receive(answer, 5000ms);
+  return delivery;
+}
+
 TEST(LockStep, EveryTickIsAnsweredInOrderWithWhatItSaid) {
   constexpr std::uint64_t kTicks = 2000;
   const pid_t child = in_another_process([] { answer_every_tick(kTicks); });
@@ -76,7 +83,7 @@ TEST(LockStep, EveryTickIsAnsweredInOrderWithWhatItSaid) {
                .snr = n % 2 == 0 ? std::optional(Decibels{12.0}) : std::nullopt,
                .command = static_cast<std::uint8_t>(n % 4)});
     Answer answer;
-    ASSERT_EQ(link.receive(answer, 5000ms), Delivery::kArrived) << "tick " << n;
+    ASSERT_EQ(receive_behind_knocks(link, answer), Delivery::kArrived) << "tick " << n;
     EXPECT_EQ(answer.number, n);
     EXPECT_EQ(answer.setpoint_messages, 3 * n + 1);
     EXPECT_EQ(answer.steps_taken, n);
@@ -96,7 +103,7 @@ TEST(LockStep, TheFirstTickIsAnsweredHoweverEarlyItIsSent) {
     ASSERT_TRUE(link.wait_for_runtime(10s));
     link.send(tick_number(1));
     Answer answer;
-    ASSERT_EQ(link.receive(answer, 5000ms), Delivery::kArrived) << "attempt " << attempt;
+    ASSERT_EQ(receive_behind_knocks(link, answer), Delivery::kArrived) << "attempt " << attempt;
     EXPECT_EQ(answer.number, 1);
     waitpid(child, nullptr, 0);
   }
@@ -108,7 +115,7 @@ TEST(LockStep, ASimulatorLearnsThatItsRuntimeWasKilled) {
   ASSERT_TRUE(link.wait_for_runtime(10s));
   link.send(tick_number(1));
   Answer answer;
-  ASSERT_EQ(link.receive(answer, 5000ms), Delivery::kArrived);
+  ASSERT_EQ(receive_behind_knocks(link, answer), Delivery::kArrived);
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
   // The bar allows 5 s; the lease runs out after 3 s.
@@ -130,7 +137,7 @@ TEST(LockStep, ARuntimeStillGetsTheLastTickOfASimulatorThatHasLeft) {
     ASSERT_TRUE(link.wait_for_runtime(10s));
     link.send(tick_number(1));
     Answer answer;
-    ASSERT_EQ(link.receive(answer, 5000ms), Delivery::kArrived);
+    ASSERT_EQ(receive_behind_knocks(link, answer), Delivery::kArrived);
     link.send(tick_number(2));
   }
   int status = 0;
@@ -163,7 +170,7 @@ class Word {
 Answer exchange(SimulatorEnd& link, std::uint64_t number) {
   link.send(tick_number(number));
   Answer answer;
-  EXPECT_EQ(link.receive(answer, 5000ms), Delivery::kArrived) << "tick " << number;
+  EXPECT_EQ(receive_behind_knocks(link, answer), Delivery::kArrived) << "tick " << number;
   EXPECT_EQ(answer.number, number);
   return answer;
 }
