@@ -4,20 +4,23 @@ namespace earshot::link {
 namespace {
 
 constexpr std::chrono::milliseconds kLookUp{100};         ///< how often a waiting loop looks whether it is to stop
-constexpr std::chrono::milliseconds kPortPatience{2000};  ///< for navigation that was sent before its tick: on one host it is there already
+constexpr std::chrono::milliseconds kPortPatience{2000};  ///< for what was sent before its tick: on one host it is there already
 constexpr std::uint32_t kIssuer = 0x53494d;               ///< "SIM": of the simulator's orders
 
 }  // namespace
 
 board::Clock::Wake LockStepClock::wait(const Awaited& awaited) {
   if (!is_waiting_) return receive();
-  if (awaited.navigation_taken >= tick_.navigation_messages) {
+  const bool has_navigation = awaited.navigation_taken >= tick_.navigation_messages;
+  const bool has_sound = awaited.blocks_heard >= tick_.hydrophone_blocks;
+  if (has_navigation && has_sound) {
     is_waiting_ = false;
     is_due_ = true;
     return Wake::kTurn;
   }
   if (steady_clock::now() >= deadline_) {
-    lost_ = "the bus: navigation that the simulator sent did not arrive";
+    lost_ = has_navigation ? "the hydrophone's bus: sound that the simulator sent was not heard (earshotd listens to it with --hear)"
+                           : "the bus: navigation that the simulator sent did not arrive";
     return Wake::kLost;
   }
   board::wait_for_ports(awaited.ports, Duration::milliseconds(kLookUp.count()));
@@ -37,6 +40,11 @@ board::Clock::Wake LockStepClock::receive() {
   is_waiting_ = true;
   deadline_ = steady_clock::now() + kPortPatience;
   return Wake::kPorts;
+}
+
+Time LockStepClock::time_heard(Time utc) {
+  const bool is_of_this_flight = utc >= Time{} && utc <= tick_.time;
+  return is_of_this_flight ? utc : Time{-1};
 }
 
 std::string LockStepClock::remark() const {

@@ -12,7 +12,9 @@
 namespace earshot::link {
 
 /// A simulator's clock for the vehicle's loop: a turn is due for every tick, once the navigation that the tick announces has come over the
-/// vehicle's ports. Time stands still between ticks. What is not dated with its tick was meant for another flight and keeps no date.
+/// vehicle's ports and the sound that it announces has been heard. Time stands still between ticks. What is not dated with its tick was
+/// meant for another flight and keeps no date; only what was heard is dated before it, when the sound ended by the dates of its blocks,
+/// which are simulation time. All that was heard is taken in the turn itself, so that it does not depend on how fast the ports are.
 class LockStepClock final : public board::Clock {
  public:
   /// @param run  as RuntimeEnd's. Throws LinkError.
@@ -25,6 +27,8 @@ class LockStepClock final : public board::Clock {
   [[nodiscard]] Time now() override { return tick_.time; }
   [[nodiscard]] Time mission_time_of(Time utc) override { return utc == tick_.time ? utc : Time{-1}; }
   [[nodiscard]] Time arrival_of(Time /*utc*/) override { return tick_.time; }
+  [[nodiscard]] Time time_heard(Time utc) override;
+  [[nodiscard]] bool takes_sound_now() const override { return is_due_; }
   [[nodiscard]] Wake wait(const Awaited& awaited) override;
   [[nodiscard]] bool answered(const runtime::Outputs& outputs, std::uint64_t setpoints_sent) override;
 
@@ -40,7 +44,7 @@ class LockStepClock final : public board::Clock {
   RuntimeEnd link_;
   const char* lost_ = "";
   Tick tick_;
-  bool is_waiting_ = false;  ///< for the navigation that the tick announces
+  bool is_waiting_ = false;  ///< for the navigation and the sound that the tick announces
   bool is_due_ = false;
   steady_clock::time_point deadline_;
   std::optional<NorthEast> believed_source_;  ///< as of the last decision

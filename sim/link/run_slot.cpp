@@ -21,6 +21,10 @@ RunSlot::RunSlot() {
   throw LinkError("simulation link: " + std::to_string(kSlots) + " flights are under way on this machine, and there is no room for more");
 }
 
+std::string RunSlot::hydrophone_url() const {
+  return "udpm://239.255.76.69:" + std::to_string(kLowestPort + number_) + "?ttl=0";
+}
+
 std::string RunSlot::lcm_url() const {
   return "udpm://239.255.76.67:" + std::to_string(kLowestPort + number_) + "?ttl=0";
 }

@@ -20,6 +20,8 @@ class RunSlot {
   [[nodiscard]] std::uint32_t domain() const { return kLowestDomain + number_; }
   /// LCM's customary group; 7668 for the first run, the next ports for others; never 7667, which missions at sea use.
   [[nodiscard]] std::string lcm_url() const;
+  /// The run's bus for sound, in a group that no mission at sea uses by custom; it goes with the slot, and is not locked by it.
+  [[nodiscard]] std::string hydrophone_url() const;
 
  private:
   std::uint32_t number_ = 0;

@@ -50,6 +50,7 @@ void SimulatorEnd::send(const Tick& tick) {
                                 .number = tick.number,
                                 .time_us = tick.time.us,
                                 .navigation_messages = tick.navigation_messages,
+                                .hydrophone_blocks = tick.hydrophone_blocks,
                                 .snr_valid = tick.snr.has_value(),
                                 .command = tick.command,
                                 .snr_db = tick.snr.value_or(Decibels{}).value,

@@ -44,6 +44,11 @@ class Clock {
   [[nodiscard]] virtual Time now() = 0;
   /// Converts a date that a sender gave by its own wall clock to the mission clock.
   [[nodiscard]] virtual Time mission_time_of(Time utc) = 0;
+  /// Converts the end of something heard, as the hydrophone's blocks are dated, to the mission clock. It lies before what is newest: the
+  /// detector's filters take their time.
+  [[nodiscard]] virtual Time time_heard(Time utc) { return mission_time_of(utc); }
+  /// Whether what was heard may be taken at this moment, or must wait for the turn.
+  [[nodiscard]] virtual bool takes_sound_now() const { return true; }
   /// Converts the arrival of something that bears no date to the mission clock. @param utc  when the kernel received it
   [[nodiscard]] virtual Time arrival_of(Time utc) = 0;
 
@@ -52,6 +57,7 @@ class Clock {
     std::span<const pollfd> ports;       ///< readable when a port has something to read
     Time next_turn;                      ///< when a turn is due by the mission's period
     std::uint64_t navigation_taken = 0;  ///< fixes that the ports have brought so far
+    std::uint64_t blocks_heard = 0;      ///< blocks of sound whose SNR, if they gave any, can be collected
   };
   /// Waits no longer than a tenth of a second of the host's time, so that a loop stops soon after it is told to.
   [[nodiscard]] virtual Wake wait(const Awaited& awaited) = 0;

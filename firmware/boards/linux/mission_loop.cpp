@@ -23,6 +23,11 @@ void make_turn(MissionTurn& turn, LoopResult& result) {
   ++result.turns_in.at(static_cast<std::size_t>(result.last.health.state));
 }
 
+Clock::Awaited awaited(PortSet& ports, Time next_turn, const MissionTurn& turn) {
+  return {
+      .ports = ports.readable(), .next_turn = next_turn, .navigation_taken = turn.navigation_taken(), .blocks_heard = ports.blocks_heard()};
+}
+
 /// Set-points that say stop and come up and that a loop that was told to stop sends before it ends: on a bus that loses messages one may
 /// not arrive.
 constexpr int kLastSetpoints = 5;
@@ -42,8 +47,7 @@ class Stopping {
     const auto deadline = std::chrono::steady_clock::now() + kStopPatience;
     Time next_turn = clock_.now();
     for (bool has_turned = false;;) {
-      const Clock::Wake wake =
-          clock_.wait({.ports = ports_.readable(), .next_turn = next_turn, .navigation_taken = turn_.navigation_taken()});
+      const Clock::Wake wake = clock_.wait(awaited(ports_, next_turn, turn_));
       const bool is_last_chance = wake == Clock::Wake::kLost || std::chrono::steady_clock::now() >= deadline;
       if (wake == Clock::Wake::kPorts || wake == Clock::Wake::kTurn) ports_.collect(clock_, turn_);
       if (wake == Clock::Wake::kTurn || (is_last_chance && !has_turned)) {
@@ -92,7 +96,7 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period,
   Time next_turn = result.began + period;
   int said = 0;  // turns since the mission was over
   while (!stop) {
-    const Clock::Wake wake = clock.wait({.ports = ports.readable(), .next_turn = next_turn, .navigation_taken = turn.navigation_taken()});
+    const Clock::Wake wake = clock.wait(awaited(ports, next_turn, turn));
     if (wake == Clock::Wake::kLost) {
       result.end = LoopEnd::kClockLost;
       return result;

@@ -44,6 +44,8 @@ class Port {
   virtual std::uint64_t publish(Time now, const runtime::Outputs& outputs) = 0;
   /// Readable when collect() has something to read; -1 while the link is down.
   [[nodiscard]] virtual int file_descriptor() const = 0;
+  /// Blocks of sound that it has listened to so far, and whose SNR, if they gave any, collect() has or can give.
+  [[nodiscard]] virtual std::uint64_t blocks_heard() const { return 0; }
   /// Called about once a second of the host's time: opens again what is down.
   virtual void tend() {}
   /// Counts what it received, lost and could not send so far.

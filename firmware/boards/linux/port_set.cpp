@@ -56,6 +56,12 @@ std::span<const pollfd> PortSet::readable() {
   return std::span(readable_).first(count);
 }
 
+std::uint64_t PortSet::blocks_heard() const {
+  std::uint64_t sum = 0;
+  for (const auto& port : ports_) sum += port->blocks_heard();
+  return sum;
+}
+
 std::string PortSet::description() const {
   std::string text;
   for (const auto& port : ports_) text += line_of(*port);
@@ -109,12 +115,12 @@ messages::PortReport PortSet::sum() const {
   return sum;
 }
 
-void open_ports(const host::MissionFile& mission, host::IfMissing if_missing, PortSet& ports) {
+void open_ports(const host::MissionFile& mission, host::IfMissing if_missing, WakesFor wakes, PortSet& ports) {
   for (const host::PortSettings& settings : mission.ports) {
     if (settings.kind == host::PortKind::kCan) {
       ports.add(std::make_unique<CanPort>(ports.next_index(), settings, mission.plane, if_missing));
     } else if (settings.roles.has(host::Role::kHydrophone)) {
-      ports.add(std::make_unique<HydrophonePort>(ports.next_index(), settings, if_missing));
+      ports.add(std::make_unique<HydrophonePort>(ports.next_index(), settings, wakes, if_missing));
     } else {
       ports.add(std::make_unique<LcmPort>(ports.next_index(), settings, if_missing));
     }

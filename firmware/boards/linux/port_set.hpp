@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/boards/linux/hydrophone/ear.hpp"
 #include "firmware/boards/linux/port.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/mission/mission_file.hpp"
@@ -40,6 +41,8 @@ class PortSet {
   /// One for each port whose link is up; valid until the next call of any kind.
   [[nodiscard]] std::span<const pollfd> readable();
   [[nodiscard]] std::uint64_t setpoints_sent() const { return setpoints_sent_; }
+  /// Of all hydrophones.
+  [[nodiscard]] std::uint64_t blocks_heard() const;
   /// The descriptions of the ports whose links are down, a line each; empty when all are up.
   [[nodiscard]] std::string down() const;
   /// Says where each port listens, a line each.
@@ -70,8 +73,9 @@ class PortSet {
 };
 
 /// The ports that the mission describes, in its order.
+/// @param wakes       how often a hydrophone's port wakes the loop
 /// @param if_missing  whether a link whose interface is not there is an error, or down until it comes
 /// @throws std::system_error naming what cannot be opened.
-void open_ports(const host::MissionFile& mission, host::IfMissing if_missing, PortSet& ports);
+void open_ports(const host::MissionFile& mission, host::IfMissing if_missing, WakesFor wakes, PortSet& ports);
 
 }  // namespace earshot::board

@@ -222,19 +222,26 @@ void override_ports(MissionFile& file, const PortOverride& said) {
     throw BadInput("--can-interface \"" + printable(*said.can_interface) + "\": " + kInterfaceNameRule);
   if (said.bus) file.ports = ports_named(*said.bus);
   for (PortSettings& port : file.ports) {
-    const std::optional<std::string>& address = port.kind == PortKind::kCan ? said.can_interface : said.lcm_url;
-    if (address && !port.roles.has(Role::kHydrophone)) port.address = *address;
+    const std::optional<std::string>& over_lcm = port.roles.has(Role::kHydrophone) ? said.hydrophone_url : said.lcm_url;
+    const std::optional<std::string>& address = port.kind == PortKind::kCan ? said.can_interface : over_lcm;
+    if (address) port.address = *address;
   }
+  const char* const option = said.hydrophone_url ? "--hydrophone-url" : "--lcm-url";
   for (const PortSettings& port : file.ports) {
     for (const PortSettings& other : file.ports) {
       if (&port != &other && is_sound_on_bus(port, other))
-        throw BadInput("--lcm-url \"" + other.address + "\": port \"" + port.name + "\" is there already: " + kSoundOnBus);
+        throw BadInput(std::string(option) + " \"" + other.address + "\": port \"" + port.name + "\" is there already: " + kSoundOnBus);
     }
   }
 }
 
 void leave_out_hydrophones(MissionFile& file) {
   std::erase_if(file.ports, [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
+}
+
+void require_hydrophone(const MissionFile& file, const std::filesystem::path& path) {
+  if (has_port_for(file, Role::kHydrophone)) return;
+  throw BadInput("--hear: " + path.string() + ": port: no port has the role \"hydrophone\", over which sound would come");
 }
 
 std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind) {

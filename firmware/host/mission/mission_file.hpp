@@ -37,14 +37,19 @@ void require_named_files(const MissionFile& file);
 struct PortOverride {
   std::optional<std::string> bus;      ///< "lcm", "can" or "mixed" (navigation over CAN, the rest over LCM), whatever ports the file has
   std::optional<std::string> lcm_url;  ///< of every LCM port but a hydrophone's, which has a bus of its own
-  std::optional<std::string> can_interface;  ///< of every CAN port
+  std::optional<std::string> hydrophone_url = std::nullopt;  ///< of the hydrophone's port
+  std::optional<std::string> can_interface;                  ///< of every CAN port
 };
 
 /// @throws host::BadInput when an LCM port would then share a hydrophone's bus, and for a name that no interface can have.
 void override_ports(MissionFile& file, const PortOverride& said);
 
-/// For a simulation: the simulator brings the SNR, and what the hydrophone of a vehicle nearby hears is none of its business.
+/// For a simulation that brings the SNR itself: what the hydrophone of a vehicle nearby hears is none of its business.
 void leave_out_hydrophones(MissionFile& file);
+
+/// For a simulation that brings sound.
+/// @throws host::BadInput when the mission has no hydrophone's port.
+void require_hydrophone(const MissionFile& file, const std::filesystem::path& path);
 
 /// The addresses of all ports of one kind, each once.
 [[nodiscard]] std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind);

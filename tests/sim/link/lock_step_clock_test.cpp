@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <thread>
 
@@ -20,9 +21,9 @@ using board::Clock;
 constexpr Time kFirstTick{7'000'000};
 constexpr auto kDelay = 400ms;  ///< of the first tick, four looks of the loop
 
-/// A simulator in a process of its own (Cyclone DDS does not survive a fork, so fork before any DDS): it announces one fix with a tick that
-/// is late.
-pid_t simulate(std::uint32_t domain, RunId run) {
+/// A simulator in a process of its own (Cyclone DDS does not survive a fork, so fork before any DDS): it announces one fix and so many
+/// blocks of sound with a tick that is late.
+pid_t simulate(std::uint32_t domain, RunId run, std::uint64_t hydrophone_blocks = 0) {
   const pid_t child = fork();
   if (child != 0) return child;
   try {
@@ -34,6 +35,7 @@ pid_t simulate(std::uint32_t domain, RunId run) {
     tick.number = 1;
     tick.time = kFirstTick;
     tick.navigation_messages = 1;
+    tick.hydrophone_blocks = hydrophone_blocks;
     simulator.send(tick);
     Answer answer;
     (void)simulator.receive(answer, 5000ms);
@@ -43,6 +45,25 @@ pid_t simulate(std::uint32_t domain, RunId run) {
   std::_Exit(0);
 }
 
+/// What the ports have brought.
+Clock::Awaited so_far(std::uint64_t navigation_taken, std::uint64_t blocks_heard) {
+  return {.ports = {}, .next_turn = {}, .navigation_taken = navigation_taken, .blocks_heard = blocks_heard};
+}
+
+runtime::Outputs done() {
+  runtime::Outputs outputs;
+  outputs.health.state = messages::MissionState::kDone;
+  return outputs;
+}
+
+/// Until the first tick is here.
+void wait_for_tick(LockStepClock& clock) {
+  while (!clock.has_come(100ms)) {
+  }
+  while (clock.wait(so_far(0, 0)) == Clock::Wake::kNothing) {
+  }
+}
+
 TEST(LockStepClock, LetsNothingBeReadThatMayBelongToATickThatIsNotHereYet) {
   const RunSlot slot;
   const RunId run = new_run();
@@ -50,7 +71,7 @@ TEST(LockStepClock, LetsNothingBeReadThatMayBelongToATickThatIsNotHereYet) {
   LockStepClock clock(slot.domain(), run);
   while (!clock.has_come(100ms)) {
   }
-  const Clock::Awaited none{.ports = {}, .next_turn = {}, .navigation_taken = 0};
+  const Clock::Awaited none = so_far(0, 0);
   int looks = 0;
   Clock::Wake wake = clock.wait(none);
   for (; wake == Clock::Wake::kNothing; wake = clock.wait(none)) ++looks;
@@ -58,13 +79,55 @@ TEST(LockStepClock, LetsNothingBeReadThatMayBelongToATickThatIsNotHereYet) {
   EXPECT_EQ(wake, Clock::Wake::kPorts);
   EXPECT_EQ(clock.now(), kFirstTick);
   EXPECT_EQ(clock.mission_time_of(kFirstTick), kFirstTick) << "what is dated with the tick may be read now";
-  EXPECT_EQ(clock.wait({.ports = {}, .next_turn = {}, .navigation_taken = 1}), Clock::Wake::kTurn);
-  runtime::Outputs done;
-  done.health.state = messages::MissionState::kDone;
-  EXPECT_FALSE(clock.answered(done, 1));
+  EXPECT_EQ(clock.wait(so_far(1, 0)), Clock::Wake::kTurn);
+  EXPECT_FALSE(clock.answered(done(), 1));
   int status = 0;
   ASSERT_EQ(waitpid(simulator, &status, 0), simulator);
   EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST(LockStepClock, MakesNoTurnBeforeTheFixAndEveryBlockOfSoundIsThereThatTheTickAnnounced) {
+  const RunSlot slot;
+  const RunId run = new_run();
+  const pid_t simulator = simulate(slot.domain(), run, 3);
+  LockStepClock clock(slot.domain(), run);
+  wait_for_tick(clock);
+  EXPECT_EQ(clock.wait(so_far(1, 2)), Clock::Wake::kPorts);
+  EXPECT_FALSE(clock.takes_sound_now()) << "what was heard of two of three blocks waits, however fast they were";
+  EXPECT_EQ(clock.wait(so_far(0, 3)), Clock::Wake::kPorts);
+  EXPECT_EQ(clock.wait(so_far(1, 3)), Clock::Wake::kTurn);
+  EXPECT_TRUE(clock.takes_sound_now());
+  EXPECT_FALSE(clock.answered(done(), 1));
+  waitpid(simulator, nullptr, 0);
+}
+
+TEST(LockStepClock, NamesTheHydrophonesBusWhenSoundDoesNotCome) {
+  const RunSlot slot;
+  const RunId run = new_run();
+  const pid_t simulator = simulate(slot.domain(), run, 3);
+  LockStepClock clock(slot.domain(), run);
+  wait_for_tick(clock);
+  while (clock.wait(so_far(1, 2)) == Clock::Wake::kPorts) {
+  }
+  EXPECT_EQ(clock.lost(), "the hydrophone's bus: sound that the simulator sent was not heard (earshotd listens to it with --hear)");
+  kill(simulator, SIGKILL);
+  waitpid(simulator, nullptr, 0);
+}
+
+TEST(LockStepClock, DatesWhatWasHeardByItsBlocksUpToTheTickAndNothingAfterIt) {
+  const RunSlot slot;
+  const RunId run = new_run();
+  const pid_t simulator = simulate(slot.domain(), run);
+  LockStepClock clock(slot.domain(), run);
+  wait_for_tick(clock);
+  EXPECT_EQ(clock.time_heard(kFirstTick), kFirstTick);
+  EXPECT_EQ(clock.time_heard(Time{6'760'000}), Time{6'760'000}) << "filters that take 0.24 s";
+  EXPECT_EQ(clock.time_heard(Time{}), Time{});
+  EXPECT_EQ(clock.time_heard(kFirstTick + Duration{1}), Time{-1});
+  EXPECT_EQ(clock.time_heard(Time{-2}), Time{-1});
+  EXPECT_EQ(clock.mission_time_of(Time{6'760'000}), Time{-1}) << "a fix or an order of another time stays one of another flight";
+  kill(simulator, SIGKILL);
+  waitpid(simulator, nullptr, 0);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ void answer_every_tick(std::uint64_t until) {
   Tick tick;
   while (tick.number != until && link.receive(tick, 5000ms) == Delivery::kArrived) {
     link.send({.number = tick.number,
-               .setpoint_messages = tick.navigation_messages + 1,
+               .setpoint_messages = tick.navigation_messages + 1 + 1000 * tick.hydrophone_blocks,
                .steps_taken = static_cast<std::uint32_t>(tick.time.us / 1'000'000),
                .state = tick.command,
                .end_reason = static_cast<std::uint8_t>(tick.snr ? tick.snr->value : 99.0),
@@ -80,12 +80,13 @@ TEST(LockStep, EveryTickIsAnsweredInOrderWithWhatItSaid) {
     link.send({.number = n,
                .time = {static_cast<std::int64_t>(n) * 1'000'000},
                .navigation_messages = 3 * n,
+               .hydrophone_blocks = 5 * n,
                .snr = n % 2 == 0 ? std::optional(Decibels{12.0}) : std::nullopt,
                .command = static_cast<std::uint8_t>(n % 4)});
     Answer answer;
     ASSERT_EQ(receive_behind_knocks(link, answer), Delivery::kArrived) << "tick " << n;
     EXPECT_EQ(answer.number, n);
-    EXPECT_EQ(answer.setpoint_messages, 3 * n + 1);
+    EXPECT_EQ(answer.setpoint_messages, 5003 * n + 1) << "3 fixes and 5 blocks of sound for each tick";
     EXPECT_EQ(answer.steps_taken, n);
     EXPECT_EQ(answer.state, n % 4);
     EXPECT_EQ(answer.end_reason, n % 2 == 0 ? 12 : 99);

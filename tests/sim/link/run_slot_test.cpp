@@ -18,6 +18,8 @@ TEST(RunSlot, TwoRunsShareNeitherBusNorDomain) {
   const RunSlot one;
   const RunSlot other;
   EXPECT_NE(one.lcm_url(), other.lcm_url());
+  EXPECT_NE(one.hydrophone_url(), other.hydrophone_url());
+  EXPECT_NE(one.hydrophone_url(), one.lcm_url());
   EXPECT_NE(one.domain(), other.domain());
 }
 

@@ -61,6 +61,7 @@ struct Options {
   std::optional<std::uint32_t> simulation;
   std::uint64_t run = 0;
   std::uint32_t wait_s = 60;
+  bool hear = false;
   bool replace = false;
   bool prove_no_alloc = false;
   std::optional<std::string> journal_survives;
@@ -86,6 +87,7 @@ void declare(program::CommandLine& line, Options& o) {
               "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
       .one_of({"lcm", "can", "mixed"});
   line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port but a hydrophone's instead of the mission's");
+  line.option("--hydrophone-url", &o.ports.hydrophone_url, "address of the hydrophone's port instead of the mission's");
   line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
   line.option("--speed", &o.speed, "mission seconds per second of this host's clock, for a rehearsal ashore; not with --simulation")
       .between(0.01, 100.0)
@@ -97,8 +99,15 @@ void declare(program::CommandLine& line, Options& o) {
       .from(0, std::numeric_limits<std::int64_t>::max())
       .shows_default();
   line.option("--wait", &o.wait_s, "in simulation: how many seconds to wait for the simulator").from(1, 86'400).shows_default();
+  line.flag("--hear", &o.hear,
+            "in simulation: measure the SNR in the sound that the simulator puts on the hydrophone's bus, instead of being told it; at sea "
+            "the hydrophone is heard in any case");
   line.flag("--prove-no-alloc", &o.prove_no_alloc,
             "show that no thread asks for memory from the first turn to the last, and print what memory is spent on; at sea only");
+}
+
+void require_hearing_possible(const Options& o) {
+  if (o.hear && !o.simulation) throw host::BadInput("--hear: only with --simulation; at sea the mission's hydrophone is heard in any case");
 }
 
 void require_proof_possible(const Options& o) {
@@ -120,7 +129,9 @@ host::MissionFile load(const Options& o) {
   host::require_named_files(file);
   if (o.seed) file.mission.action_seed = *o.seed;
   host::override_ports(file, o.ports);
-  if (o.simulation) {
+  if (o.simulation && o.hear) {
+    host::require_hydrophone(file, o.mission);
+  } else if (o.simulation) {
     host::leave_out_hydrophones(file);
   } else {
     host::require_ports_for_sea(file, o.mission);
@@ -261,6 +272,7 @@ int fly(const Flight& f) {
 }
 
 int fly(const Options& o) {
+  require_hearing_possible(o);
   require_proof_possible(o);
   const host::MissionFile file = load(o);
   const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
@@ -269,7 +281,11 @@ int fly(const Options& o) {
   if (!o.simulation) host::set_thread_stack(board::kThreadStackBytes);
   board::PortSet ports;
   // At sea a link may come after the vehicle computer.
-  board::open_ports(file, o.simulation ? host::IfMissing::kRefuse : host::IfMissing::kKeepTrying, ports);
+  if (o.simulation) {
+    board::open_ports(file, host::IfMissing::kRefuse, board::WakesFor::kBlocks, ports);
+  } else {
+    board::open_ports(file, host::IfMissing::kKeepTrying, board::WakesFor::kLooks, ports);
+  }
   if (const std::string down = ports.down(); !down.empty())
     std::cerr << "earshotd: these links are down; tried again once a second:\n" << down;
   const board::HostClock host;

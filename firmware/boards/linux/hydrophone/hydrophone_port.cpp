@@ -2,12 +2,20 @@
 
 namespace earshot::board {
 
-HydrophonePort::HydrophonePort(std::uint8_t index, const host::PortSettings& settings, host::IfMissing if_missing)
-    : Port(index, settings.roles), name_(settings.name), address_(settings.address), receiver_(settings.address, meter_, if_missing) {}
+HydrophonePort::HydrophonePort(std::uint8_t index, const host::PortSettings& settings, WakesFor wakes, host::IfMissing if_missing)
+    : Port(index, settings.roles),
+      name_(settings.name),
+      address_(settings.address),
+      ear_(wakes),
+      receiver_(settings.address, ear_, if_missing) {}
+
+void HydrophonePort::collect(Clock& /*clock*/, InputSink& /*sink*/) {
+  ear_.answer();
+}
 
 messages::PortReport HydrophonePort::report() const {
   const HydrophoneReceiver::Counters received = receiver_.counters();
-  const SampleMeter::Reading metered = meter_.read();
+  const SampleMeter::Reading metered = ear_.account();
   messages::PortReport report = report_;
   report.link_up = received.link_up;
   report.received = metered.samples_heard;
@@ -18,7 +26,7 @@ messages::PortReport HydrophonePort::report() const {
 
 std::string HydrophonePort::remark() const {
   const HydrophoneReceiver::Counters received = receiver_.counters();
-  const SampleMeter::Reading metered = meter_.read();
+  const SampleMeter::Reading metered = ear_.account();
   const auto count = [](std::uint64_t n, const char* what) { return std::to_string(n) + what; };
   return name_ + ": of each channel " + count(metered.samples_heard, " samples heard, ") + count(metered.samples_missing, " lost (") +
          count(metered.missing_at_sender, " by the sender, ") + count(received.samples_overrun, " because the listener was slow); ") +

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "firmware/boards/linux/hydrophone/ear.hpp"
 #include "firmware/boards/linux/hydrophone/hydrophone_receiver.hpp"
-#include "firmware/boards/linux/hydrophone/sample_meter.hpp"
 #include "firmware/boards/linux/port.hpp"
 
 namespace earshot::board {
@@ -14,11 +14,13 @@ namespace earshot::board {
 class HydrophonePort final : public Port {
  public:
   /// @throws std::system_error, std::invalid_argument as HydrophoneReceiver does.
-  HydrophonePort(std::uint8_t index, const host::PortSettings& settings, host::IfMissing if_missing = host::IfMissing::kRefuse);
+  HydrophonePort(std::uint8_t index, const host::PortSettings& settings, WakesFor wakes,
+                 host::IfMissing if_missing = host::IfMissing::kRefuse);
 
-  void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
+  void collect(Clock& clock, InputSink& sink) override;
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
-  [[nodiscard]] int file_descriptor() const override { return -1; }
+  [[nodiscard]] int file_descriptor() const override { return ear_.file_descriptor(); }
+  [[nodiscard]] std::uint64_t blocks_heard() const override { return ear_.blocks_heard(); }
   [[nodiscard]] messages::PortReport report() const override;
   [[nodiscard]] std::string label() const override { return name_ + ", hydrophone, LCM " + address_; }
   [[nodiscard]] std::string description() const override { return label() + " on " + receiver_.interfaces(); }
@@ -28,7 +30,7 @@ class HydrophonePort final : public Port {
  private:
   std::string name_;
   std::string address_;
-  SampleMeter meter_;
+  Ear ear_;
   HydrophoneReceiver receiver_;  ///< after what it uses
 };
 

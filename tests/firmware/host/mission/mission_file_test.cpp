@@ -241,6 +241,30 @@ TEST(MissionFile, LeavesAHydrophoneItsBusWhenACommandLineNamesAnotherForTheRestA
   EXPECT_THROW(override_ports(file, {.bus = {}, .lcm_url = "udpm://239.255.76.67:7668?ttl=0", .can_interface = {}}), BadInput);
 }
 
+TEST(MissionFile, GivesAHydrophoneTheAddressThatACommandLineNamesForItAloneAndRefusesTheRestsBus) {
+  MissionFile file = mission_with_hydrophone();
+  const std::string vehicle = file.ports[0].address;
+  override_ports(file, {.bus = {}, .lcm_url = {}, .hydrophone_url = "udpm://239.255.76.69:7668?ttl=0", .can_interface = {}});
+  EXPECT_EQ(file.ports[0].address, vehicle);
+  EXPECT_EQ(file.ports[1].address, "udpm://239.255.76.69:7668?ttl=0");
+  try {
+    override_ports(file, {.bus = {}, .lcm_url = {}, .hydrophone_url = vehicle, .can_interface = {}});
+    FAIL() << "it was taken";
+  } catch (const BadInput& e) {
+    EXPECT_EQ(std::string(e.what()).find("--hydrophone-url \""), 0U) << e.what();
+  }
+}
+
+TEST(MissionFile, WithoutAHydrophonesPortHasNothingToHearASimulationsSoundWith) {
+  EXPECT_NO_THROW(require_hydrophone(mission_with_hydrophone(), "FILE"));
+  try {
+    require_hydrophone(load_mission(kShipped), "FILE");
+    FAIL() << "it was taken";
+  } catch (const BadInput& e) {
+    EXPECT_STREQ(e.what(), "--hear: FILE: port: no port has the role \"hydrophone\", over which sound would come");
+  }
+}
+
 TEST(MissionFile, HasNoHydrophoneLeftForASimulation) {
   MissionFile file = mission_with_hydrophone();
   leave_out_hydrophones(file);

@@ -46,7 +46,7 @@ class HydrophonePortTest : public testing::Test {
   void SetUp() override { ENTER_PRIVATE_NETWORK_OR_SKIP(); }
 
   static HydrophonePort hydrophone() {
-    return {2, {.name = "ears", .kind = host::PortKind::kLcm, .address = kSoundUrl, .roles = {Role::kHydrophone}}};
+    return {2, {.name = "ears", .kind = host::PortKind::kLcm, .address = kSoundUrl, .roles = {Role::kHydrophone}}, WakesFor::kLooks};
   }
 
   /// Sends until all that the driver's ADC took is reported, for half a minute at most.
