@@ -64,6 +64,23 @@ void check_output(const Options& options) {
   command_line::check_distinct(std::array{command_line::Output{"the public half of --key", public_file_of(options.key), {}}, output});
 }
 
+/// Both halves or none: they are written before either has its name, and the secret one goes again when the public one cannot have its own.
+void write_pair(const std::filesystem::path& file, const std::string& secret_text, const std::filesystem::path& public_file,
+                const std::string& public_text, bool replaces) {
+  host::OutputFile secret_half(file, host::Access::kOwnerOnly);
+  host::OutputFile public_half(public_file);
+  secret_half.write(secret_text);
+  public_half.write(public_text);
+  secret_half.commit_as_new();
+  try {
+    replaces ? public_half.commit() : public_half.commit_as_new();
+  } catch (const BadInput&) {
+    std::error_code gone_already;
+    std::filesystem::remove(host::followed(file), gone_already);
+    throw;
+  }
+}
+
 /// Of two programs that make one key, one does: the other finds the secret half there. @param force  a .pub without its secret half goes
 freeze::SecretKey new_key(const std::filesystem::path& file, bool force) {
   if (std::filesystem::exists(file)) throw BadInput(file.string() + ": exists already; --new-key does not replace keys");
@@ -74,8 +91,7 @@ freeze::SecretKey new_key(const std::filesystem::path& file, bool force) {
     throw BadInput(public_file.string() + ": is the public half of a key that is not here, which a vehicle may trust; --force replaces it");
   const freeze::SecretKey key = freeze::make_key();
   const std::string public_text = freeze::to_text(freeze::public_key_of(key));
-  host::write_new(file, to_text(key), host::Access::kOwnerOnly);
-  replaces ? host::write_whole(public_file, public_text) : host::write_new(public_file, public_text);
+  write_pair(file, to_text(key), public_file, public_text, replaces);
   program::say() << file.string() << " (secret: keep it), " << public_file.string() << "\n";
   return key;
 }
@@ -144,8 +160,16 @@ std::unique_ptr<policy::FrozenPolicy> freeze_again(const std::string& text, cons
   return policy;
 }
 
+/// Nor over what it is made of, unless that is a policy whose owner says so: one of an older format is made anew in its place.
+void check_model_stays(const Options& options, bool is_policy) {
+  if (is_policy && options.force) return;
+  command_line::check_distinct(
+      std::array{command_line::Output{"MODEL", *options.model, {}}, command_line::Output{"--output", *options.output, {}}});
+}
+
 std::unique_ptr<policy::FrozenPolicy> freeze_model(const std::filesystem::path& file, const Options& options) {
   const std::string bytes = host::read_text(file, host::kModelFile);
+  check_model_stays(options, freeze::is_policy(bytes));
   if (freeze::is_policy(bytes)) return freeze_again(bytes, file, options);
   if (freeze::is_foreign_model(bytes, file.string())) return freeze_foreign(bytes, file, options);
   if (options.search) throw BadInput("--search: a checkpoint says itself what it was trained to search");

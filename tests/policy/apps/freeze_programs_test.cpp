@@ -27,6 +27,31 @@ TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
   EXPECT_EQ(content(folder / "a.key"), key);
 }
 
+TEST_F(Programs, FreezeRefusesToReplaceTheModelThatItReadsAlsoByALink) {
+  fs::copy_file(kFixedSource, folder / "a.policy");
+  fs::create_symlink("a.policy", folder / "link.policy");
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
+  const std::string model = content(folder / "a.policy");
+  refuses("freeze a.policy -o ./a.policy --key a.key", {"MODEL a.policy", "--output ./a.policy", "the same file"});
+  refuses("freeze link.policy -o a.policy --key a.key", {"MODEL link.policy", "--output a.policy", "the same file"});
+  refuses("freeze a.policy -o link.policy --key a.key", {"MODEL a.policy", "--output link.policy", "the same file"});
+  EXPECT_EQ(content(folder / "a.policy"), model);
+  fs::copy_file(kSource + "/tests/policy/freeze/models/memory.zip", folder / "a.zip");
+  refuses("freeze a.zip -o a.zip --key a.key --force", {"MODEL a.zip", "--output a.zip", "the same file"});
+}
+
+TEST_F(Programs, FreezeMakesAPolicyAnewInItsPlaceWhenForced) {
+  fs::copy_file(kSource + "/tests/policy/freeze/models/version_3_simple.policy", folder / "old.policy");
+  ASSERT_EQ(run("freeze old.policy -o old.policy --force --key a.key --new-key"), 0) << content(folder / "err");
+  ASSERT_EQ(run("freeze old.policy -o kept.policy --key a.key"), 0) << content(folder / "err");
+}
+
+TEST_F(Programs, FreezeLeavesNoSecretHalfWhosePublicHalfCannotBeWritten) {
+  fs::create_symlink("nowhere/a.pub", folder / "a.pub");  // not there, so that nothing seems to be replaced
+  refuses("freeze --key a.key --new-key", {"a.pub", "cannot be written"});
+  EXPECT_EQ(files(), (std::vector<std::string>{"a.pub"}));
+}
+
 TEST_F(Programs, FreezeMakesOneOfTwoKeysThatAreAskedForAtOnce) {
   for (int i = 0; i < 10; ++i) {
     fs::remove(folder / "a.key");
