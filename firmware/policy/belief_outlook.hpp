@@ -40,7 +40,7 @@ struct RangeOutlook {
 /// with g, r, e, most_regret = costs.reach_discount, .reach, .edge, .most_regret. The way to a source in the border ends where it is found
 /// without entering the border: way(x, s) = max(|s - x|, |c - x| + l - sqrt(l^2 - |s - c|^2)), c: the place outside the border nearest to
 /// s (the root is 0 where |s - c| > l). P counts a cell by as much of it as lies within l; E takes blocks of 2 x 2 cells as a point each.
-/// The reach is 0 where hardly any of the belief is near.
+/// The reach is 0 where hardly any of the belief is near. Unlikely cells and blocks are left out: README.md says what that costs.
 /// @param probabilities  b: of the cells of the model's grid, [north x east]
 /// @param position       x, relative to the area's south-west corner
 /// @param outlooks       [actions]; the result

@@ -21,7 +21,7 @@ struct Spectrum {
 ///   step(x)    = exp(i k0 dr (sqrt(1 + x) - 1))
 ///   pressure_m = exp(i k0 s_m (sqrt(1 + x) - 1)) (1 + x)^(-1/4),   0 < s_m <= dr
 ///
-/// The march carries u = (k0 (1 + X))^(1/4) p, in which a point source is a delta function and the energy flux is the plain square: the
+/// The march carries u = (1 + X)^(1/4) p, in which a point source is a delta function and the energy flux is the plain square: the
 /// starter and the conservation of energy on a slope cost nothing, and the pressure at any number of ranges inside the step comes from the
 /// same solutions.
 struct Propagator {

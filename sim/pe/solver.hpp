@@ -43,7 +43,7 @@ using Progress = std::function<void(double fraction)>;
 
 /// Sound of a point source against range and depth by the parabolic equation, as far as `max_range` and one row at least.
 ///
-///   u(r + dr) = exp(i k0 dr (sqrt(1 + X) - 1)) u(r),   u = (k0 (1 + X))^(1/4) p,   u(0) from starter.hpp
+///   u(r + dr) = exp(i k0 dr (sqrt(1 + X) - 1)) u(r),   u = (1 + X)^(1/4) p,   u(0) from starter.hpp
 ///
 /// One way, cylindrical spreading; density, attenuation and layers of the sediment, bathymetry and water against range. The march allocates
 /// nothing. X is that of the middle of a step; where it changes, pressure and velocity are matched in the mean (sweep.hpp).

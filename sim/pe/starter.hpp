@@ -20,7 +20,7 @@ struct StartingSource {
   double wavenumber_per_m;  ///< k_s, of the water around it
 };
 
-/// u at every node at range 0; u = (k0 (1 + X))^(1/4) p as in propagator.hpp, without its constant factor.
+/// u at every node at range 0; u = (1 + X)^(1/4) p as in propagator.hpp, up to a constant factor.
 ///
 ///   self      u = delta(z - z_s)
 ///   Gaussian  u = k_s / sqrt(2 pi) (exp(-(k_s (z - z_s))^2 / 2) - exp(-(k_s (z + z_s))^2 / 2))
