@@ -55,8 +55,7 @@ const std::vector<std::string> kRoleWords{"navigation", "snr", "operator", "auto
 PortSettings read_port(TableReader table) {
   PortSettings port;
   port.name = table.text("name");
-  if (!table.is_noted("name") && (port.name.empty() || printable(port.name) != port.name))
-    table.problem("name", "must be at least one character, and none that steers a terminal");
+  if (printable(port.name) != port.name) table.problem("name", "must have no character that steers a terminal");
   port.kind = table.choice("kind", {"lcm", "can"}) == 0 ? PortKind::kLcm : PortKind::kCan;
   for (const std::size_t role : table.choices("roles", kRoleWords)) {
     port.roles.add(static_cast<Role>(role));

@@ -98,6 +98,8 @@ struct TableNode {
 
 namespace {
 
+constexpr const char* kText = "must be a text of at least one character";
+
 std::string requirement(std::int64_t lowest, std::int64_t highest) {
   return "must be a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
 }
@@ -179,11 +181,11 @@ bool TableReader::boolean_or(std::string_view key, bool fallback) {
 std::string TableReader::text(std::string_view key) {
   const toml::node* node = node_->find(key);
   if (node == nullptr) {
-    node_->note_missing(key, "must be a text");
+    node_->note_missing(key, kText);
     return {};
   }
-  if (node->is_string()) return *node->value<std::string>();
-  node_->note_value(key, *node, "must be a text");
+  if (node->is_string() && !node->value<std::string>()->empty()) return *node->value<std::string>();
+  node_->note_value(key, *node, kText);
   return {};
 }
 

@@ -25,7 +25,7 @@ class TableReader {
   [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t lowest, std::int64_t highest);
   [[nodiscard]] std::int64_t integer_or(std::string_view key, std::int64_t fallback, std::int64_t lowest, std::int64_t highest);
   [[nodiscard]] bool boolean_or(std::string_view key, bool fallback);
-  [[nodiscard]] std::string text(std::string_view key);
+  [[nodiscard]] std::string text(std::string_view key);  ///< at least one character
   [[nodiscard]] std::string text_or(std::string_view key, std::string_view fallback);
   /// One of the allowed words; returns its index.
   [[nodiscard]] std::size_t choice(std::string_view key, const std::vector<std::string>& allowed);

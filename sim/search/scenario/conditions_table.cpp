@@ -11,6 +11,8 @@ using host::TableReader;
 
 constexpr double kMostDecibels = 100.0;  // more than any sound in the sea differs from another
 constexpr double kFastest_mps = 20.0;    // of anything that swims
+constexpr double kSlowest_mps = 0.01;    // of a vehicle: slower, a kilometre takes more than a day
+constexpr double kLeastSeconds = 0.01;   // shorter than any call
 constexpr double kMostSeconds = 1.0e6;   // eleven days: a search lasts half a day
 
 Current read_current(TableReader table) {
@@ -23,10 +25,10 @@ Current read_current(TableReader table) {
 }
 
 CallPattern read_calls(TableReader table) {
-  return {.interval_s = table.number("interval_s", Range::above_up_to(0.0, kMostSeconds)),
-          .song_s = table.number("song_s", Range::above_up_to(0.0, kMostSeconds)),
+  return {.interval_s = table.number("interval_s", Range::between(kLeastSeconds, kMostSeconds)),
+          .song_s = table.number("song_s", Range::between(kLeastSeconds, kMostSeconds)),
           .pause_s = table.number("pause_s", Range::between(0.0, kMostSeconds)),
-          .listening_s = table.number("listening_s", Range::above_up_to(0.0, kMostSeconds))};
+          .listening_s = table.number("listening_s", Range::between(kLeastSeconds, kMostSeconds))};
 }
 
 }  // namespace
@@ -41,7 +43,8 @@ Conditions read_conditions(TableReader table) {
   c.drift_m_per_sqrt_km = table.number_or("navigation_drift_m_per_sqrt_km", 0.0, Range::between(0.0, 10'000.0));
   c.source_speed = MetersPerSecond{table.number_or("source_speed_mps", 0.0, Range::between(0.0, kFastest_mps))};
   c.sources = static_cast<std::size_t>(table.integer_or("sources", 1, 1, static_cast<std::int64_t>(kMaxSources)));
-  c.vehicle_speed = MetersPerSecond{table.number_or("vehicle_speed_mps", c.vehicle_speed.value, Range::above_up_to(0.0, kFastest_mps))};
+  c.vehicle_speed =
+      MetersPerSecond{table.number_or("vehicle_speed_mps", c.vehicle_speed.value, Range::between(kSlowest_mps, kFastest_mps))};
   if (const auto current = table.optional_table("current")) c.current = read_current(*current);
   if (const auto calls = table.optional_table("calls")) c.calls = read_calls(*calls);
   if (c.calls && !table.has("floor_db")) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -18,10 +19,16 @@ namespace {
 using host::BadInput;
 using host::TableReader;
 
+/// Another environment that may be the true one, and where the file names it: "ocean.toml:31: oceans[0].environment".
+struct OtherOcean {
+  std::string place;
+  std::filesystem::path file;
+};
+
 /// The tables of a search, before the files they name are read.
 struct ScenarioKeys {
   Conditions conditions;
-  std::vector<std::filesystem::path> other_oceans;
+  std::vector<OtherOcean> other_oceans;
   std::optional<Family> family;
   std::filesystem::path field_library;
 
@@ -64,7 +71,8 @@ ScenarioKeys read_scenario_keys(const host::TomlFile& file, TableReader& root, c
   if (const auto conditions = root.optional_table("conditions")) keys.conditions = read_conditions(*conditions);
   if (const auto family = root.optional_table("family")) keys.family = read_own_family(*family, environment);
   if (root.has("oceans")) {
-    for (TableReader& ocean : root.tables("oceans")) keys.other_oceans.push_back(file.resolve(ocean.text("environment")));
+    for (TableReader& ocean : root.tables("oceans"))
+      keys.other_oceans.push_back({.place = ocean.place_of("environment"), .file = file.resolve(ocean.text("environment"))});
   }
   if (auto library = root.optional_table("field_library")) keys.field_library = file.resolve(library->text("file"));
   if (!keys.field_library.empty() && (keys.family || !keys.other_oceans.empty())) {
@@ -82,6 +90,17 @@ FileKeys read_keys(const std::filesystem::path& path) {
   return keys;
 }
 
+/// What is wrong with it is wrong with the file that names it, too.
+ocean::Environment load_other_ocean(const OtherOcean& other) {
+  try {
+    const FileKeys keys = read_keys(other.file);
+    if (!keys.scenario.is_one_ocean()) throw BadInput(other.file.string() + ": must be one ocean without conditions");
+    return ocean::environment_of(other.file, keys.environment);
+  } catch (const BadInput& bad) {
+    throw BadInput(other.place + ": " + bad.what());
+  }
+}
+
 }  // namespace
 
 Scenario load_scenario(const std::filesystem::path& path) {
@@ -93,11 +112,8 @@ Scenario load_scenario(const std::filesystem::path& path) {
   if (keys.scenario.family) scenario.other_oceans = draw_family(scenario.environment, *keys.scenario.family);
   if (std::filesystem::exists(scenario.field_library))  // whoever needs it says when it is not there
     crc = host::crc32_of_file(scenario.field_library, crc);
-  for (const std::filesystem::path& other : keys.scenario.other_oceans) {
-    const FileKeys its_keys = read_keys(other);
-    if (!its_keys.scenario.is_one_ocean())
-      throw BadInput(path.string() + ": oceans: " + other.string() + ": must be one ocean without conditions");
-    scenario.other_oceans.push_back(ocean::environment_of(other, its_keys.environment));
+  for (const OtherOcean& other : keys.scenario.other_oceans) {
+    scenario.other_oceans.push_back(load_other_ocean(other));
     crc = crc32_of(scenario.other_oceans.back().file_crc32, crc);
   }
   return scenario;

@@ -94,6 +94,12 @@ TEST(TableReader, RefusesAFractionOrATextWhereAWholeNumberBelongs) {
   EXPECT_EQ(complaint("n = 10", read), ":1: n = 10: must be a whole number from 1 to 9");
 }
 
+TEST(TableReader, RefusesAnEmptyTextAndANumberWhereATextBelongs) {
+  const auto read = [](TableReader& root) { static_cast<void>(root.text("file")); };
+  EXPECT_EQ(complaint("\nfile = ''", read), ":2: file = '': must be a text of at least one character");
+  EXPECT_EQ(complaint("file = 3", read), ":1: file = 3: must be a text of at least one character");
+}
+
 TEST(TableReader, ListsTheWordsThatAreAllowed) {
   const auto read = [](TableReader& root) { static_cast<void>(root.choice("bus", {"lcm", "can"})); };
   EXPECT_EQ(complaint("bus = 'usb'", read), ":1: bus = 'usb': must be one of \"lcm\", \"can\"");

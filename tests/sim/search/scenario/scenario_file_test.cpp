@@ -96,10 +96,28 @@ TEST_F(ScenarioFile, IsRefusedForAKeyOutsideItsRange) {
   expect_refused("[conditions]\nfluctuation_db = 2.0\nleast_fluctuation_db = 3.0\n", "conditions.least_fluctuation_db = 3.0");
   expect_refused("[conditions]\nfloor_db = inf\n", "conditions.floor_db = inf: must be a finite number");
   expect_refused("[conditions]\nsources = 9\n", "conditions.sources = 9");
-  expect_refused("[conditions]\nvehicle_speed_mps = 0.0\n", "conditions.vehicle_speed_mps = 0.0: must be a finite number above 0");
+  expect_refused("[conditions]\nvehicle_speed_mps = 0.0078125\n",
+                 "conditions.vehicle_speed_mps = 0.0078125: must be a finite number of at least 0.01 and at most 20");
   expect_refused("[conditions]\nwind = 3\n", "conditions.wind: unknown key");
   expect_refused("[conditions.current]\ntoward_deg = 10.0\n", "conditions.current.speed_mps is missing");
   expect_refused("[conditions.current]\nspeed_mps = 0.1\ntoward_deg = 400.0\n", "conditions.current.toward_deg = 400.0");
+}
+
+TEST_F(ScenarioFile, RefusesTimesOfCallsBelowAHundredthOfASecond) {
+  const auto calls = [](const std::string& values) { return "[conditions]\nfloor_db = 5.0\n[conditions.calls]\n" + values; };
+  const std::string rule = ": must be a finite number of at least 0.01 and at most 1e+06";
+  expect_refused(calls("interval_s = 0.0078125\nsong_s = 600.0\npause_s = 0.0\nlistening_s = 1.0\n"),
+                 "conditions.calls.interval_s = 0.0078125" + rule);
+  expect_refused(calls("interval_s = 15.0\nsong_s = 1e-300\npause_s = 0.0\nlistening_s = 1.0\n"),
+                 "conditions.calls.song_s = 1e-300" + rule);
+  expect_refused(calls("interval_s = 15.0\nsong_s = 600.0\npause_s = 0.0\nlistening_s = 2e6\n"),
+                 "conditions.calls.listening_s = 2000000.0" + rule);
+  EXPECT_EQ(complaint(calls("interval_s = 0.01\nsong_s = 0.01\npause_s = 0.0\nlistening_s = 0.01\n")), "");
+}
+
+TEST_F(ScenarioFile, IsRefusedForAnEmptyFileName) {
+  expect_refused("[[oceans]]\nenvironment = \"\"\n", "oceans[0].environment = '': must be a text of at least one character");
+  expect_refused("[field_library]\nfile = \"\"\n", "field_library.file = '': must be a text of at least one character");
 }
 
 TEST_F(ScenarioFile, NeedsAFloorWhereCallsComeAndGo) {
@@ -156,6 +174,9 @@ TEST_F(ScenarioFile, RefusesAnOceanThatListsOthersOrHasConditions) {
   load("[conditions]\nfluctuation_db = 1.0\n", "noisy.toml");
   expect_refused("[[oceans]]\nenvironment = \"noisy.toml\"\n", "must be one ocean");
   expect_refused("[[oceans]]\nenvironment = \"none.toml\"\n", "none.toml: no such file");
+  const std::string named = complaint("\n[[oceans]]\nenvironment = \"none.toml\"\n");
+  EXPECT_TRUE(named.starts_with((folder_ / "ocean.toml").string() + ":")) << named;
+  EXPECT_NE(named.find(": oceans[0].environment: " + (folder_ / "none.toml").string() + ": no such file"), std::string::npos) << named;
 }
 
 TEST_F(ScenarioFile, DrawsAFamilyBetweenItsBoundsAndTheSameFromTheSameSeed) {
