@@ -13,9 +13,15 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-_BLOCK = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+_BLOCK = re.compile(r"^[ \t]*(```|~~~).*?^[ \t]*\1", re.MULTILINE | re.DOTALL)
 _CODE = re.compile(r"`[^`\n]*`")
-_LINK = re.compile(r"\[[^\[\]]*\]\(([^()\s]+)\)")
+# [text](target), [name]: target, <a href="target">, <img src="target">
+_LINK = re.compile(
+    r"\[[^\[\]]*\]\(([^()\s]+)[^()]*\)"
+    r"|^ {0,3}\[[^\[\]]+\]:[ \t]+(\S+)"
+    r"""|<[a-z]+\s[^<>]*?\b(?:href|src)=["']([^"']+)["']""",
+    re.MULTILINE,
+)
 _HEADING = re.compile(r"^#+ +(.*)$", re.MULTILINE)
 
 
@@ -32,6 +38,12 @@ def anchors_of(text: str) -> set[str]:
     }
 
 
+def anchors_at(place: Path) -> set[str]:
+    """The anchors of a Markdown file, or of the README.md that a folder shows; anything else has none."""
+    page = place / "README.md" if place.is_dir() else place
+    return anchors_of(page.read_text()) if page.suffix == ".md" and page.is_file() else set()
+
+
 def problems_of(name: str, root: Path) -> list[str]:
     """The links of the file `name` below `root` that lead nowhere, as FILE:LINE: what is wrong."""
     text = (root / name).read_text()
@@ -39,15 +51,16 @@ def problems_of(name: str, root: Path) -> list[str]:
     prose = _CODE.sub(lambda code: re.sub(r"[\[\]()]", " ", code.group()), blank(text, _BLOCK))
     problems = []
     for link in _LINK.finditer(prose):
-        target, _, anchor = link.group(1).partition("#")
+        written = link.group(1) or link.group(2) or link.group(3)
+        target, _, anchor = written.partition("#")
         if re.match(r"[a-z]+:", target):
             continue
         place = Path(os.path.normpath(root / Path(name).parent / target)) if target else root / name
         where = f"{name}:{prose.count(chr(10), 0, link.start()) + 1}: "
         if not place.exists():
-            problems.append(f"{where}{link.group(1)}: there is no such file")
-        elif anchor and anchor not in anchors_of(place.read_text()):
-            problems.append(f"{where}{link.group(1)}: there is no such heading")
+            problems.append(f"{where}{written}: there is no such file")
+        elif anchor and anchor not in anchors_at(place):
+            problems.append(f"{where}{written}: there is no such heading")
     return problems
 
 

@@ -19,6 +19,7 @@ SHOWN = ("text", "cpp", "toml")  # and not run
 LANGUAGES = ("sh", "python", *SHOWN)
 
 _FENCE = re.compile(r"^```(.*)$")
+_UNREAD_FENCE = re.compile(r"^(?:[ \t]+```|[ \t]*~~~)")  # a reader sees a block, this module would not
 _MARK = re.compile(r"^<!-- test: (.*) -->$")
 _INDENTED = re.compile(r"^(?: {4}|\t)\s*\S")
 _PROGRAM = (
@@ -72,6 +73,8 @@ def read(file: Path, text: str) -> Document:
             prose += [""] * (end - number + 1)
             number = end + 1
             continue
+        if _UNREAD_FENCE.match(lines[number]):
+            found.problems.append(f"{file}:{number + 1}: a fence must be ``` and begin its line")
         before = prose[-1] if prose else ""
         if _INDENTED.match(lines[number]) and (not before.strip() or before.startswith("#")):
             found.problems.append(

@@ -33,6 +33,11 @@ class Reading(unittest.TestCase):
         (command,) = read("```python\nimport os\n\nos.getcwd()\n```\n").commands
         self.assertEqual((command.language, command.text), ("python", "import os\n\nos.getcwd()"))
 
+    def test_refuses_fences_that_it_would_not_read(self):
+        for text in ["- a\n  ```sh\n  b\n  ```\n", "~~~sh\nb\n~~~\n"]:
+            with self.subTest(text=text):
+                self.assertTrue(read(text).problems[0].endswith(": a fence must be ``` and begin its line"))
+
     def test_reads_the_marks_of_a_block(self):
         found = read("<!-- test: long, start -->\n```sh\na\n```\n```sh\nb\n```\n")
         self.assertEqual([c.marks for c in found.commands], [{"long", "start"}, set()])
@@ -78,6 +83,7 @@ class Links(unittest.TestCase):
             root = Path(folder)
             (root / "sim").mkdir()
             (root / "sim/README.md").write_text("# sim\n## What it does, and how\n```sh\n# no heading\n```\n")
+            (root / "sim/picture.png").write_bytes(b"\x89PNG\xff")
             (root / "sim/a.md").write_text(text)
             return links.problems_of("sim/a.md", root)
 
@@ -90,6 +96,11 @@ class Links(unittest.TestCase):
             "[a](https://nowhere.invalid/x.md)",
             "`[a](none.md)`",
             "```text\n[a](none.md)\n```",
+            "- entry\n  ```text\n  [a](none.md)\n  ```",
+            "~~~\n[a](none.md)\n~~~",
+            "[a](../sim#sim)",
+            "[a][b]\n\n[b]: README.md#sim",
+            '<a href="README.md">a</a>',
         ]:
             with self.subTest(link=link):
                 self.assertEqual(self.problems(link + "\n"), [])
@@ -101,9 +112,17 @@ class Links(unittest.TestCase):
             ("[a](README.md#what)", "README.md#what: there is no such heading"),
             ("[a](README.md#no-heading)", "README.md#no-heading: there is no such heading"),
             ("![picture](none.png)", "none.png: there is no such file"),
+            ("[a](../sim#none)", "../sim#none: there is no such heading"),
+            ("[a](picture.png#none)", "picture.png#none: there is no such heading"),
+            ('[a](none.md "title")', "none.md: there is no such file"),
+            ('<a href="none.md">a</a>', "none.md: there is no such file"),
+            ("<img width='3' src='none.png'>", "none.png: there is no such file"),
         ]:
             with self.subTest(link=link):
                 self.assertEqual(self.problems("```sh\na\n```\nSee " + link + "\n"), ["sim/a.md:4: " + what])
+
+    def test_finds_where_the_definition_of_a_link_leads_nowhere(self):
+        self.assertEqual(self.problems("[a][b]\n\n[b]: none.md\n"), ["sim/a.md:3: none.md: there is no such file"])
 
 
 class Running(unittest.TestCase):
