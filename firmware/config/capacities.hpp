@@ -81,6 +81,11 @@ inline constexpr std::size_t kHydrophoneRingSamples = 2'097'152;
 /// Blocks of them (5 s of blocks of 128 samples at 96 kHz); full: the newest block goes, counted.
 inline constexpr std::size_t kHydrophoneRingBlocks = 4096;
 
+/// Looks between listening and the loop (25 s of the shortest integration time); full: the newest goes, counted.
+inline constexpr std::size_t kHydrophoneLooks = 256;
+/// Detections between listening and the loop (one lasts a quarter of a second at least); full: the newest goes, counted.
+inline constexpr std::size_t kHydrophoneDetections = 64;
+
 // CAN and NMEA 2000 (firmware/wire/n2k, firmware/boards/linux).
 /// CAN frames read in one turn (250 kbit/s carry at most about 2000 in a second, which has ten turns); full: the rest waits for the
 /// next turn.

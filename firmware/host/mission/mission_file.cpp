@@ -10,6 +10,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/listening/listening_words.hpp"
+#include "firmware/host/mission/hydrophone_table.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/transport/interface_name.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
@@ -165,6 +166,14 @@ void read_origin(TableReader origin, MissionFile& file) {
   }
 }
 
+void read_hearing(TableReader hydrophone, const TableReader& search, MissionFile& file) {
+  file.hearing = read_hydrophone(hydrophone, search, file.mission.detection_threshold);
+  const auto hydrophones = std::ranges::count_if(file.ports, [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
+  if (hydrophones != 1)
+    hydrophone.problem("preset",
+                       "a mission that listens needs one [[port]] with the role \"hydrophone\", and not " + std::to_string(hydrophones));
+}
+
 /// How values that are right by themselves must fit each other.
 void check_together(TableReader area, TableReader limits, const config::Mission& mission) {
   const Rectangle& r = mission.operating_area;
@@ -176,6 +185,17 @@ void check_together(TableReader area, TableReader limits, const config::Mission&
   if (is_area && is_deep_enough && config::check(mission) != Status::kOk) {
     area.problem("edge_margin_m", "must leave room for two steps of search.step_length_m each way");
   }
+}
+
+/// A vehicle that listens itself must not give up its search because of one lost block.
+void check_patience(TableReader limits, const MissionFile& file) {
+  if (!file.hearing) return;
+  const Duration silence = longest_silence_of(*file.hearing) + file.step_period;
+  const auto least_s = static_cast<std::int64_t>(std::ceil(silence.to_seconds()));
+  if (file.mission.snr_timeout >= Duration::seconds(least_s)) return;
+  limits.problem("snr_timeout_s",
+                 "must be at least " + std::to_string(least_s) +
+                     " where the hydrophone is listened to: for nearly so long no SNR comes after one lost block of sound");
 }
 
 void require_named(const std::filesystem::path& path, const std::string& named_at, const char* option) {
@@ -200,9 +220,11 @@ MissionFile load_mission(const std::filesystem::path& path) {
   const TableReader area = root.table("area");
   const TableReader limits = root.table("limits");
   read_area(area, file.mission);
-  read_search(root.table("search"), file.mission);
+  const TableReader search = root.table("search");
+  read_search(search, file.mission);
   read_limits(limits, file.mission);
   read_ports(root, file);
+  if (const std::optional<TableReader> hydrophone = root.optional_table("hydrophone")) read_hearing(*hydrophone, search, file);
   read_origin(root.table("origin"), file);
   TableReader policy = root.table("policy");
   file.policy = toml.resolve(policy.text("file"));
@@ -212,6 +234,7 @@ MissionFile load_mission(const std::filesystem::path& path) {
   file.mission.action_seed = static_cast<std::uint64_t>(policy.integer_or("action_seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
   toml.finish();
   check_together(area, limits, file.mission);
+  check_patience(limits, file);
   toml.finish();
   return file;
 }
@@ -239,8 +262,9 @@ void leave_out_hydrophones(MissionFile& file) {
 }
 
 void require_hydrophone(const MissionFile& file, const std::filesystem::path& path) {
-  if (has_port_for(file, Role::kHydrophone)) return;
-  throw BadInput("--hear: " + path.string() + ": port: no port has the role \"hydrophone\", over which sound would come");
+  if (!has_port_for(file, Role::kHydrophone))
+    throw BadInput("--hear: " + path.string() + ": port: no port has the role \"hydrophone\", over which sound would come");
+  if (!file.hearing) throw BadInput("--hear: " + path.string() + ": hydrophone: no table [hydrophone] says what is listened for");
 }
 
 std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind) {
@@ -255,9 +279,12 @@ std::vector<std::string> addresses_of(const MissionFile& file, PortKind kind) {
 void require_ports_for_sea(const MissionFile& file, const std::filesystem::path& path) {
   for (const Role role : {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot}) {
     if (has_port_for(file, role)) continue;
-    if (role == Role::kSnr && has_port_for(file, Role::kHydrophone))
-      throw BadInput(path.string() + ": port: \"hydrophone\" brings sound, and nothing on board makes an SNR of it yet: give a port that " +
-                     "brings an SNR the role \"snr\"");
+    const bool has_sound = role == Role::kSnr && has_port_for(file, Role::kHydrophone);
+    if (has_sound && file.hearing) continue;
+    if (has_sound)
+      throw BadInput(path.string() +
+                     ": port: \"hydrophone\" brings sound, and no table [hydrophone] says how to measure an SNR in it: write " +
+                     "one, or give a port that brings an SNR the role \"snr\"");
     throw BadInput(path.string() + ": port: no port has the role \"" + kRoleWords[static_cast<std::size_t>(role)] +
                    "\", without which a mission cannot be flown at sea");
   }

@@ -7,6 +7,7 @@
 
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/detector/hydrophone/settings.hpp"
 #include "firmware/host/mission/port_settings.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 
@@ -19,7 +20,8 @@ struct MissionFile {
   config::Mission mission;
   Duration step_period;  ///< between two turns of the loop at sea; in lock-step with a simulator every tick is one turn
   std::vector<PortSettings> ports;
-  n2k::LocalPlane plane;  ///< about the mission's geographic origin; CAN speaks latitude and longitude
+  std::optional<detector::SoundSettings> hearing;  ///< what the hydrophone's port listens for; none: it counts samples only
+  n2k::LocalPlane plane;                           ///< about the mission's geographic origin; CAN speaks latitude and longitude
   std::filesystem::path policy;
   std::filesystem::path public_key;
   std::string policy_named_at;      ///< "search.toml:31: policy.file"; empty: somewhere else
@@ -48,7 +50,7 @@ void override_ports(MissionFile& file, const PortOverride& said);
 void leave_out_hydrophones(MissionFile& file);
 
 /// For a simulation that brings sound.
-/// @throws host::BadInput when the mission has no hydrophone's port.
+/// @throws host::BadInput when the mission has no hydrophone's port, or does not say what is listened for.
 void require_hydrophone(const MissionFile& file, const std::filesystem::path& path);
 
 /// The addresses of all ports of one kind, each once.

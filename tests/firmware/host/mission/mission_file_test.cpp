@@ -256,7 +256,10 @@ TEST(MissionFile, GivesAHydrophoneTheAddressThatACommandLineNamesForItAloneAndRe
 }
 
 TEST(MissionFile, WithoutAHydrophonesPortHasNothingToHearASimulationsSoundWith) {
-  EXPECT_NO_THROW(require_hydrophone(mission_with_hydrophone(), "FILE"));
+  MissionFile counting = mission_with_hydrophone();
+  EXPECT_THROW(require_hydrophone(counting, "FILE"), BadInput) << "no table says what is listened for";
+  counting.hearing.emplace();
+  EXPECT_NO_THROW(require_hydrophone(counting, "FILE"));
   try {
     require_hydrophone(load_mission(kShipped), "FILE");
     FAIL() << "it was taken";
@@ -272,7 +275,7 @@ TEST(MissionFile, HasNoHydrophoneLeftForASimulation) {
   EXPECT_EQ(file.ports[0].name, "vehicle");
 }
 
-TEST(MissionFile, WithAHydrophoneAndNoSnrSaysAtSeaThatNothingMakesOneOfSoundYet) {
+TEST(MissionFile, WithAHydrophoneAndNoSnrSaysAtSeaThatNoTableSaysHowToMeasureOne) {
   MissionFile file = mission_with_hydrophone();
   EXPECT_NO_THROW(require_ports_for_sea(file, "FILE"));
   file.ports[0].roles = {Role::kNavigation, Role::kOperator, Role::kAutopilot};
@@ -280,9 +283,10 @@ TEST(MissionFile, WithAHydrophoneAndNoSnrSaysAtSeaThatNothingMakesOneOfSoundYet)
     require_ports_for_sea(file, "FILE");
     FAIL() << "it was taken";
   } catch (const BadInput& e) {
-    EXPECT_STREQ(e.what(),
-                 "FILE: port: \"hydrophone\" brings sound, and nothing on board makes an SNR of it yet: give a port that brings an SNR the "
-                 "role \"snr\"");
+    EXPECT_STREQ(
+        e.what(),
+        "FILE: port: \"hydrophone\" brings sound, and no table [hydrophone] says how to measure an SNR in it: write one, or give a "
+        "port that brings an SNR the role \"snr\"");
   }
 }
 

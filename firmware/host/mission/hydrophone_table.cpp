@@ -1,0 +1,158 @@
+#include "firmware/host/mission/hydrophone_table.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/detector/hydrophone/listening_plan.hpp"
+
+namespace earshot::host {
+namespace {
+
+using detector::SettingsFault;
+using detector::SoundSettings;
+
+constexpr const char* kPreset = "preset";
+constexpr const char* kSensitivity = "sensitivity_db_re_1v_per_upa";
+constexpr const char* kHighPassCorner = "high_pass_corner_hz";
+constexpr const char* kBandLow = "band_low_hz";
+constexpr const char* kBandHigh = "band_high_hz";
+constexpr const char* kIntegrationTime = "integration_time_s";
+constexpr const char* kFloorWindow = "floor_window_s";
+constexpr const char* kLongestPause = "longest_pause_s";
+constexpr const char* kM = "detection_m";
+constexpr const char* kN = "detection_n";
+constexpr const char* kExpectedNoise = "expected_noise_db_re_1upa";
+constexpr const char* kSelfNoiseSpeed = "self_noise_speed_mps";
+constexpr const char* kChannels = "channels";
+constexpr const char* kThreshold = "detection_threshold_db";
+constexpr std::array kJudgedKeys{kPreset,  kSensitivity,   "gain_db",        "full_scale_v", "adc_bits",    kHighPassCorner,
+                                 kBandLow, kBandHigh,      kIntegrationTime, kFloorWindow,   kLongestPause, kM,
+                                 kN,       kExpectedNoise, kSelfNoiseSpeed,  kChannels};
+
+SoundSettings preset_named_by(TableReader& table) {
+  switch (table.choice(kPreset, {"fin_whale", "blue_whale", "antarctic_blue_whale", "continuous_tone"})) {
+    case 1:
+      return detector::blue_whale();
+    case 2:
+      return detector::antarctic_blue_whale();
+    case 3:
+      return detector::continuous_tone();
+    default:
+      return detector::fin_whale();
+  }
+}
+
+detector::Calibration read_calibration(TableReader& table) {
+  return {.sensitivity = Decibels{table.number(kSensitivity, Range::between(-260.0, -100.0))},
+          .fixed_gain = Decibels{table.number_or("gain_db", 0.0, Range::between(-200.0, 200.0))},
+          .full_scale_volts = table.number("full_scale_v", Range::between(1e-6, 1e3)),
+          .adc_bits = static_cast<int>(table.integer("adc_bits", 8, 32)),
+          .high_pass_corner = Hertz{table.number_or(kHighPassCorner, 0.0, Range::between(0.0, 1000.0))}};
+}
+
+Duration duration_or(TableReader& table, const char* key, Duration fallback, Range range) {
+  return {std::llround(1e6 * table.number_or(key, fallback.to_seconds(), range))};
+}
+
+void read_overrides(TableReader& table, SoundSettings& settings) {
+  const Range audible = Range::between(1.0, 1000.0);
+  settings.band = {.low = Hertz{table.number_or(kBandLow, settings.band.low.value, audible)},
+                   .high = Hertz{table.number_or(kBandHigh, settings.band.high.value, audible)}};
+  settings.integration_time = duration_or(table, kIntegrationTime, settings.integration_time, Range::between(0.1, 60.0));
+  settings.floor_window = duration_or(table, kFloorWindow, settings.floor_window, Range::between(1.6, 30'720.0));
+  settings.longest_pause = duration_or(table, kLongestPause, settings.longest_pause, Range::between(0.0, 60.0));
+  settings.m_of_n = {.m = static_cast<std::uint8_t>(table.integer_or(kM, settings.m_of_n.m, 1, 32)),
+                     .n = static_cast<std::uint8_t>(table.integer_or(kN, settings.m_of_n.n, 1, 32))};
+  if (table.has(kExpectedNoise)) settings.expected_noise = Decibels{table.number(kExpectedNoise, Range::between(-100.0, 300.0))};
+  if (table.has(kSelfNoiseSpeed)) settings.gate.speed = MetersPerSecond{table.number(kSelfNoiseSpeed, Range::above_up_to(0.0, 20.0))};
+}
+
+void read_channels(TableReader& table, SoundSettings& settings) {
+  if (!table.has(kChannels)) return;
+  constexpr auto kMost = static_cast<double>(config::kHydrophoneChannels);
+  settings.channels = 0;
+  for (const double channel : table.numbers(kChannels, Range::between(1.0, kMost))) {
+    const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(channel - 1.0));
+    const bool is_new_and_whole = channel == std::floor(channel) && (settings.channels & bit) == 0;
+    if (!is_new_and_whole && !table.is_noted(kChannels)) table.problem(kChannels, "must be whole numbers from 1 to 8, each once");
+    settings.channels = static_cast<std::uint8_t>(settings.channels | bit);
+  }
+}
+
+/// The key that a fault is complained of at.
+const char* key_of(SettingsFault fault) {
+  switch (fault) {
+    case SettingsFault::kFlanks:
+      return kBandHigh;
+    case SettingsFault::kIntegrationTime:
+      return kIntegrationTime;
+    case SettingsFault::kFloorWindow:
+      return kFloorWindow;
+    case SettingsFault::kMOfN:
+      return kM;
+    case SettingsFault::kPause:
+      return kLongestPause;
+    case SettingsFault::kExpectedNoise:
+      return kExpectedNoise;
+    case SettingsFault::kGate:
+      return kSelfNoiseSpeed;
+    case SettingsFault::kChannels:
+      return kChannels;
+    case SettingsFault::kCalibration:
+      return kHighPassCorner;
+    case SettingsFault::kNone:
+    case SettingsFault::kBand:
+    case SettingsFault::kThreshold:
+      break;
+  }
+  return kBandLow;
+}
+
+/// The chain's own fault where it is that: nothing is known before the first block of its gain and sample rate.
+std::string reason_of(SettingsFault fault, const SoundSettings& settings) {
+  if (fault != SettingsFault::kCalibration) return to_string(fault);
+  const Decibels not_known{std::numeric_limits<double>::quiet_NaN()};
+  return to_string(check(settings.calibration, Decibels{}, settings.band.high, settings.band, not_known));
+}
+
+bool is_anything_noted(const TableReader& table) {
+  for (const char* const key : kJudgedKeys) {
+    if (table.is_noted(key)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+SoundSettings read_hydrophone(TableReader hydrophone, TableReader search, Decibels detection_threshold) {
+  SoundSettings settings = preset_named_by(hydrophone);
+  settings.calibration = read_calibration(hydrophone);
+  read_overrides(hydrophone, settings);
+  read_channels(hydrophone, settings);
+  settings.detection_threshold = detection_threshold;
+  if (is_anything_noted(hydrophone) || search.is_noted(kThreshold)) return settings;
+  const SettingsFault fault = check(settings);
+  if (fault == SettingsFault::kThreshold) {
+    search.problem(kThreshold, to_string(fault));
+  } else if (fault != SettingsFault::kNone) {
+    hydrophone.problem(key_of(fault), reason_of(fault, settings));
+  }
+  return settings;
+}
+
+Duration longest_silence_of(const SoundSettings& settings) {
+  constexpr Hertz kAnyRate{12'000};  // the filters' times hardly depend on it
+  detector::ListeningPlan plan;
+  if (make_plan(settings, kAnyRate, plan) != Status::kOk) return {};
+  const double quarter_s = static_cast<double>(plan.quarter) / plan.low_rate.value;
+  const auto quarters = static_cast<double>(plan.settling_quarters + 2 * detector::kQuarters);
+  return {std::llround(1e6 * (plan.delay_s + quarters * quarter_s))};
+}
+
+}  // namespace earshot::host
