@@ -44,6 +44,10 @@ namespace fs = std::filesystem;
 const fs::path kMissions = fs::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions";
 const std::string kSoundUrl = "udpm://239.255.76.68:7668?ttl=0";
 const std::string kHydrophone = "[[port]]\nname = \"ears\"\nkind = \"lcm\"\nurl = \"" + kSoundUrl + "\"\nroles = [\"hydrophone\"]\n\n";
+/// Integration times so short that the noise is known and looks come within seconds.
+const std::string kHearing =
+    "[hydrophone]\npreset = \"fin_whale\"\nsensitivity_db_re_1v_per_upa = -170.0\nfull_scale_v = 1.0\nadc_bits = 24\n"
+    "integration_time_s = 0.2\nfloor_window_s = 3.2\n\n";
 constexpr std::uint8_t kSoundPort = 2;
 
 std::chrono::milliseconds sound_duration() {
@@ -75,8 +79,9 @@ class Sound : public testing::Test {
 
   void start_earshotd_with_hydrophone() {
     std::string mission = support::read_text(kMissions / "fixed_source.toml");
-    mission.insert(mission.find("[origin]"), kHydrophone);
+    mission.insert(mission.find("[origin]"), kHydrophone + kHearing);
     mission.replace(mission.find("step_period_s = 1.0"), 19, "step_period_s = 0.1");
+    mission.replace(mission.find("\"snr\", "), 7, "");
     std::ofstream(folder_ / "mission.toml") << mission;
     std::vector<std::string> arguments{folder_ / "mission.toml", "--policy", folder_ / "walk.policy", "--public-key",
                                        folder_ / "walk.pub",     "--out",    folder_.path()};
@@ -119,18 +124,23 @@ class Sound : public testing::Test {
     EXPECT_EQ(shore_->publish(wire::kOperatorCommandChannel, wire::Encoded(order).bytes()), Status::kOk);
   }
 
-  /// The last report of the hydrophone's port in the journal.
-  [[nodiscard]] messages::PortReport report_in_journal() const {
+  /// What the hydrophone's port brought, by the journal.
+  struct Heard {
+    messages::PortReport report;  ///< the last
+    std::uint64_t looks = 0;
+  };
+  [[nodiscard]] Heard heard_by_journal() const {
     host::JournalReader reader(folder_ / "journal.lcmlog");
-    messages::PortReport last;
+    Heard heard;
     messages::Input input;
     for (host::JournalRecord record; reader.next(record);) {
       EXPECT_NE(record.channel, wire::kHydrophoneBlockChannel);
       if (wire::read_input(record.channel, record.time, record.data, 0, input) != Status::kOk) continue;
       const auto* report = std::get_if<messages::PortReport>(&input.value);
-      if (report != nullptr && report->port == kSoundPort) last = *report;
+      if (report != nullptr && report->port == kSoundPort) heard.report = *report;
+      if (std::holds_alternative<messages::SnrMeasurement>(input.value) && input.port == kSoundPort) ++heard.looks;
     }
-    return last;
+    return heard;
   }
 
   support::TemporaryFolder folder_;
@@ -142,6 +152,7 @@ TEST_F(Sound, GivenEightChannelsAtNinetySixKilohertzEverySampleIsHeardOrCountedA
   start_earshotd_with_hydrophone();
   ASSERT_TRUE(hears([](const health_t& health) { return health.port_count == 2; })) << earshotd_->output();
   support::HydrophoneDriver driver(kSoundUrl, {});
+  driver.block().utime = board::HostClock().utc().us;
   const auto began = std::chrono::steady_clock::now();
   driver.send_in_time_for(sound_duration() / 2);
   order_abort();
@@ -152,16 +163,17 @@ TEST_F(Sound, GivenEightChannelsAtNinetySixKilohertzEverySampleIsHeardOrCountedA
   earshotd_->signal(SIGTERM);
   ASSERT_EQ(earshotd_->wait(30s), 0) << earshotd_->output();
 
-  const messages::PortReport report = report_in_journal();
+  const auto [report, looks] = heard_by_journal();
   EXPECT_EQ(report.received + report.lost, driver.taken());
   EXPECT_EQ(report.malformed, 0U);
+  EXPECT_GT(looks, 0U) << earshotd_->output();
   EXPECT_TRUE(board::replay(folder_ / "journal.lcmlog").is_same());
   EXPECT_LT(fs::file_size(folder_ / "journal.lcmlog"), driver.taken()) << "a byte a sample of one channel of eight, where a sample is four";
   std::cout << sent_for.count() << " s of 96 kHz x 8 channels: " << report.received << " samples of each channel heard, " << report.lost
-            << " lost; earshotd took " << 100.0 * processor_time_of_children() / sent_for << " % of a processor\n";
+            << " lost, " << looks << " looks; earshotd took " << 100.0 * processor_time_of_children() / sent_for << " % of a processor\n";
 }
 
-TEST_F(Sound, GivenAHydrophoneAndNobodyWhoBringsAnSnrAMissionIsRefused) {
+TEST_F(Sound, GivenAHydrophoneThatNobodyListensToAndNobodyWhoBringsAnSnrAMissionIsRefused) {
   std::string mission = support::read_text(kMissions / "fixed_source.toml");
   mission.insert(mission.find("[origin]"), kHydrophone);
   mission.replace(mission.find("\"snr\", "), 7, "");
@@ -173,6 +185,19 @@ TEST_F(Sound, GivenAHydrophoneAndNobodyWhoBringsAnSnrAMissionIsRefused) {
   EXPECT_EQ(earshotd.wait(30s), 2);
   EXPECT_NE(earshotd.output().find("give a port that brings an SNR the role \"snr\""), std::string::npos) << earshotd.output();
   EXPECT_FALSE(fs::exists(folder_ / "journal.lcmlog"));
+}
+
+TEST_F(Sound, GivenAMissionWithoutAHydrophoneNobodyCanFlyItBySimulatedSoundNorAtSeaWithHear) {
+  const auto said = [&](std::vector<std::string> arguments) {
+    support::Process earshotd(fs::path(EARSHOT_BIN_DIR) / "earshotd", std::move(arguments), folder_ / "earshotd.txt");
+    EXPECT_EQ(earshotd.wait(30s), 2);
+    return earshotd.output();
+  };
+  const std::string mission = kMissions / "fixed_source.toml";
+  const std::string without = said({mission, "--simulation", "77", "--hear", "--out", folder_.path()});
+  EXPECT_NE(without.find("no port has the role \"hydrophone\""), std::string::npos) << without;
+  const std::string at_sea = said({mission, "--hear", "--out", folder_.path()});
+  EXPECT_NE(at_sea.find("--hear: only with --simulation"), std::string::npos) << at_sea;
 }
 
 }  // namespace

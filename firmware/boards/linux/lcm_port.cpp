@@ -89,6 +89,10 @@ std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
   return setpoints;
 }
 
+void LcmPort::publish_detection(const messages::SoundDetection& detection) {
+  if (has(host::Role::kStatus)) (void)send(wire::kDetectionChannel, wire::to_message(detection));
+}
+
 messages::PortReport LcmPort::report() const {
   messages::PortReport report = report_;
   const host::LcmCounters lcm = endpoint_.counters();

@@ -17,6 +17,7 @@ class LcmPort final : public Port {
 
   void collect(Clock& clock, InputSink& sink) override;
   std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;
+  void publish_detection(const messages::SoundDetection& detection) override;
   [[nodiscard]] int file_descriptor() const override { return endpoint_.file_descriptor(); }
   void tend() override { endpoint_.refresh_interfaces(); }
   [[nodiscard]] messages::PortReport report() const override;

@@ -44,10 +44,20 @@ Time MissionTurn::now() {
 void MissionTurn::take(std::uint8_t port, const Value& value) {
   const messages::Input input{.arrival = now(), .port = port, .sequence = sequence_++, .value = value};
   const auto* navigation = std::get_if<messages::Navigation>(&value);
+  if (navigation != nullptr) speed_ = navigation->speed;
   if (navigation != nullptr && navigation->time >= Time{}) ++navigation_taken_;
   const wire::InputRecord record(input);
   (void)journal_.append(input.arrival, record.channel(), record.data(), weight_of(value));
   runtime_.take(input);
+}
+
+void MissionTurn::tell_detection(std::uint8_t port, const messages::SoundDetection& detection) {
+  ports_.publish_detection(detection);
+  if (news_ != nullptr) news_->tell(now(), port, detection);
+}
+
+void MissionTurn::tell_chain(std::uint8_t port, const HeardChain& chain) {
+  if (news_ != nullptr) news_->tell(port, chain);
 }
 
 runtime::Outputs MissionTurn::operator()() {
@@ -55,6 +65,7 @@ runtime::Outputs MissionTurn::operator()() {
   const Time turn = now();
   const runtime::Outputs outputs = runtime_.step(turn);
   record(turn, outputs);
+  ports_.note_speed(speed_);
   ports_.publish(turn, outputs);
   if (news_ != nullptr) news_->tell(turn, outputs.health);
   return outputs;

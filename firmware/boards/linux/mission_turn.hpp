@@ -37,6 +37,8 @@ class MissionTurn final : public InputSink {
   void tell(FlightNews& news) { news_ = &news; }
 
   void take(std::uint8_t port, const Value& value) override;
+  void tell_detection(std::uint8_t port, const messages::SoundDetection& detection) override;
+  void tell_chain(std::uint8_t port, const HeardChain& chain) override;
 
   runtime::Outputs operator()();
 
@@ -58,6 +60,7 @@ class MissionTurn final : public InputSink {
   std::uint64_t sequence_ = 0;
   std::uint64_t navigation_taken_ = 0;
   std::optional<messages::MissionState> recorded_state_;
+  MetersPerSecond speed_;  ///< through the water, by the navigation taken last
   FlightNews* news_ = nullptr;
 };
 

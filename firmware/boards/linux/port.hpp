@@ -6,10 +6,12 @@
 #include <variant>
 
 #include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/hydrophone/heard_chain.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/mission/port_settings.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/messages/port_report.hpp"
+#include "firmware/messages/sound_detection.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::board {
@@ -26,6 +28,10 @@ class InputSink {
 
   /// @param value  its date on the mission clock
   virtual void take(std::uint8_t port, const Value& value) = 0;
+  /// A sound heard from its beginning to its end. It is told, and steers nothing.
+  virtual void tell_detection(std::uint8_t /*port*/, const messages::SoundDetection& /*detection*/) {}
+  /// With what chain sound is heard from now on, or why it is not.
+  virtual void tell_chain(std::uint8_t /*port*/, const HeardChain& /*chain*/) {}
 };
 
 /// One way in and out of the vehicle computer. After construction nothing allocates and nothing waits.
@@ -42,6 +48,10 @@ class Port {
   /// Sends what its roles ask for.
   /// @return set-points put on the bus
   virtual std::uint64_t publish(Time now, const runtime::Outputs& outputs) = 0;
+  /// Sends a detection if its roles ask for that.
+  virtual void publish_detection(const messages::SoundDetection& /*detection*/) {}
+  /// How fast the vehicle moves through the water, once a turn, before its publish(): a hydrophone may then hear nothing but the vehicle.
+  virtual void note_speed(MetersPerSecond /*speed*/) {}
   /// Readable when collect() has something to read; -1 while the link is down.
   [[nodiscard]] virtual int file_descriptor() const = 0;
   /// Blocks of sound that it has listened to so far, and whose SNR, if they gave any, collect() has or can give.

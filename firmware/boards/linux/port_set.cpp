@@ -31,6 +31,14 @@ void PortSet::publish(Time now, const runtime::Outputs& outputs) {
   for (const auto& port : ports_) setpoints_sent_ += port->publish(now, outputs);
 }
 
+void PortSet::publish_detection(const messages::SoundDetection& detection) {
+  for (const auto& port : ports_) port->publish_detection(detection);
+}
+
+void PortSet::note_speed(MetersPerSecond speed) {
+  for (const auto& port : ports_) port->note_speed(speed);
+}
+
 void PortSet::report_changes(InputSink& sink) {
   for (const auto& port : ports_) {
     const messages::PortReport report = port->report();
@@ -120,7 +128,7 @@ void open_ports(const host::MissionFile& mission, host::IfMissing if_missing, Wa
     if (settings.kind == host::PortKind::kCan) {
       ports.add(std::make_unique<CanPort>(ports.next_index(), settings, mission.plane, if_missing));
     } else if (settings.roles.has(host::Role::kHydrophone)) {
-      ports.add(std::make_unique<HydrophonePort>(ports.next_index(), settings, wakes, if_missing));
+      ports.add(std::make_unique<HydrophonePort>(ports.next_index(), settings, mission.hearing, wakes, if_missing));
     } else {
       ports.add(std::make_unique<LcmPort>(ports.next_index(), settings, if_missing));
     }

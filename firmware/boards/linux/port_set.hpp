@@ -33,6 +33,8 @@ class PortSet {
   /// From each port in turn.
   void collect(Clock& clock, InputSink& sink);
   void publish(Time now, const runtime::Outputs& outputs);
+  void publish_detection(const messages::SoundDetection& detection);
+  void note_speed(MetersPerSecond speed);
   /// Gives `sink` the report of every port that has changed since it was last given.
   void report_changes(InputSink& sink);
   /// Looks after every link, once a second of the host's time however often it is called.

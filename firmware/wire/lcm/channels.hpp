@@ -17,6 +17,7 @@ inline constexpr std::string_view kSetpointChannel = "EARSHOT_SETPOINT";        
 inline constexpr std::string_view kDecisionChannel = "EARSHOT_DECISION";                        ///< decision_t
 inline constexpr std::string_view kHealthChannel = "EARSHOT_HEALTH";                            ///< health_t
 inline constexpr std::string_view kAcknowledgementChannel = "EARSHOT_COMMAND_ACKNOWLEDGEMENT";  ///< command_acknowledgement_t
+inline constexpr std::string_view kDetectionChannel = "EARSHOT_DETECTION";                      ///< detection_t; in no journal
 
 // In journals only.
 inline constexpr std::string_view kMissionChannel = "EARSHOT_MISSION";  ///< mission_t

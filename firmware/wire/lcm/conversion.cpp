@@ -25,6 +25,16 @@ snr_estimate_t to_message(const messages::SnrMeasurement& measurement) {
   return m;
 }
 
+detection_t to_message(const messages::SoundDetection& detection) {
+  detection_t m{};
+  m.utime = detection.begin.us;
+  m.duration_us = detection.duration.us;
+  m.level_db_re_1upa = detection.level.value;
+  m.snr_db = detection.snr.value;
+  m.clipped = detection.is_clipped ? 1 : 0;
+  return m;
+}
+
 operator_command_t to_message(const messages::OperatorCommand& command) {
   operator_command_t m{};
   m.utime = command.time.us;

@@ -4,6 +4,7 @@
 
 #include "earshot/command_acknowledgement_t.hpp"
 #include "earshot/decision_t.hpp"
+#include "earshot/detection_t.hpp"
 #include "earshot/health_t.hpp"
 #include "earshot/mission_t.hpp"
 #include "earshot/nav_state_t.hpp"
@@ -20,6 +21,7 @@
 #include "firmware/messages/port_report.hpp"
 #include "firmware/messages/setpoint.hpp"
 #include "firmware/messages/snr_measurement.hpp"
+#include "firmware/messages/sound_detection.hpp"
 
 namespace earshot::wire {
 
@@ -33,6 +35,7 @@ namespace earshot::wire {
 [[nodiscard]] port_report_t to_message(const messages::PortReport& report);
 [[nodiscard]] setpoint_t to_message(const messages::Setpoint& setpoint, Time now);
 [[nodiscard]] decision_t to_message(const messages::Decision& decision);
+[[nodiscard]] detection_t to_message(const messages::SoundDetection& detection);
 [[nodiscard]] health_t to_message(const messages::Health& health, Time now);
 /// Policy and build are left to who knows them.
 [[nodiscard]] mission_t to_message(const config::Mission& mission, Time now);

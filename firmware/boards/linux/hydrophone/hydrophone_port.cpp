@@ -1,16 +1,34 @@
 #include "firmware/boards/linux/hydrophone/hydrophone_port.hpp"
 
+#include "firmware/boards/linux/hydrophone/hearing_words.hpp"
+
 namespace earshot::board {
 
-HydrophonePort::HydrophonePort(std::uint8_t index, const host::PortSettings& settings, WakesFor wakes, host::IfMissing if_missing)
+HydrophonePort::HydrophonePort(std::uint8_t index, const host::PortSettings& settings,
+                               const std::optional<detector::SoundSettings>& hearing, WakesFor wakes, host::IfMissing if_missing)
     : Port(index, settings.roles),
       name_(settings.name),
       address_(settings.address),
-      ear_(wakes),
+      hears_(hearing ? to_string(*hearing) : std::string()),
+      ear_(hearing, wakes),
       receiver_(settings.address, ear_, if_missing) {}
 
-void HydrophonePort::collect(Clock& /*clock*/, InputSink& /*sink*/) {
+void HydrophonePort::collect(Clock& clock, InputSink& sink) {
   ear_.answer();
+  if (!clock.takes_sound_now()) return;
+  for (HeardChain chain; ear_.take(chain);) sink.tell_chain(index(), chain);
+  for (messages::SnrMeasurement look; ear_.take(look);) {
+    look.time = clock.time_heard(look.time);
+    sink.take(index(), look);
+  }
+  for (messages::SoundDetection detection; ear_.take(detection);) {
+    detection.begin = clock.time_heard(detection.begin);
+    sink.tell_detection(index(), detection);
+  }
+}
+
+std::string HydrophonePort::description() const {
+  return label() + " on " + receiver_.interfaces() + (hears_.empty() ? "" : ": " + hears_);
 }
 
 messages::PortReport HydrophonePort::report() const {
@@ -32,7 +50,8 @@ std::string HydrophonePort::remark() const {
          count(metered.missing_at_sender, " by the sender, ") + count(received.samples_overrun, " because the listener was slow); ") +
          count(metered.overflows, " clipped, ") + count(metered.gain_changes, " changes of gain, ") +
          count(metered.beginnings, " beginnings, ") + count(metered.jumps, " jumps that no ADC makes, ") +
-         count(received.malformed, " malformed messages, ") + count(received.datagrams_overrun, " datagrams overrun");
+         count(received.malformed, " malformed messages, ") + count(received.datagrams_overrun, " datagrams overrun") +
+         (hears_.empty() ? std::string() : "; " + to_string(ear_.heard()));
 }
 
 }  // namespace earshot::board

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "firmware/boards/linux/hydrophone/ear.hpp"
@@ -9,13 +10,14 @@
 
 namespace earshot::board {
 
-/// A hydrophone's samples, taken in threads of its own: none of them enters the loop, which only asks this port how it is.
+/// A hydrophone's samples, taken and listened to in threads of its own: none of them enters the loop, which takes what was heard.
 /// Its report counts samples of one channel where other ports count messages.
 class HydrophonePort final : public Port {
  public:
+  /// @param hearing  what is listened for; none: samples are counted only
   /// @throws std::system_error, std::invalid_argument as HydrophoneReceiver does.
-  HydrophonePort(std::uint8_t index, const host::PortSettings& settings, WakesFor wakes,
-                 host::IfMissing if_missing = host::IfMissing::kRefuse);
+  HydrophonePort(std::uint8_t index, const host::PortSettings& settings, const std::optional<detector::SoundSettings>& hearing,
+                 WakesFor wakes, host::IfMissing if_missing = host::IfMissing::kRefuse);
 
   void collect(Clock& clock, InputSink& sink) override;
   std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override { return 0; }
@@ -23,13 +25,15 @@ class HydrophonePort final : public Port {
   [[nodiscard]] std::uint64_t blocks_heard() const override { return ear_.blocks_heard(); }
   [[nodiscard]] messages::PortReport report() const override;
   [[nodiscard]] std::string label() const override { return name_ + ", hydrophone, LCM " + address_; }
-  [[nodiscard]] std::string description() const override { return label() + " on " + receiver_.interfaces(); }
+  [[nodiscard]] std::string description() const override;
+  void note_speed(MetersPerSecond speed) override { ear_.note_speed(speed); }
   [[nodiscard]] std::size_t memory() const override { return sizeof *this + receiver_.memory(); }
   [[nodiscard]] std::string remark() const override;
 
  private:
   std::string name_;
   std::string address_;
+  std::string hears_;  ///< in words; empty: nothing
   Ear ear_;
   HydrophoneReceiver receiver_;  ///< after what it uses
 };

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <string_view>
+#include <system_error>
 
 #include "firmware/messages/health_words.hpp"
 
@@ -25,6 +26,11 @@ class Line {
     std::array<char, 24> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
     return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  }
+  Line& decimal(double number, int places) {
+    std::array<char, 32> digits{};
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed, places);
+    return *this << (error == std::errc{} ? std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())) : "?");
   }
   Line& two_digits(unsigned number) { return *this << (number < 10 ? "0" : "") << number; }
   [[nodiscard]] std::string_view text() const { return {text_.data(), size_}; }
@@ -54,6 +60,27 @@ void write_time(Line& line, Time time) {
   line.two_digits(static_cast<unsigned>(clock.seconds().count())) << " UTC";
 }
 
+/// "hears 15.0 to 30.0 Hz of 8 channels at 96000.0 Hz: full scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; looks lag by 0.24 s"
+void write_chain(Line& line, const HeardChain& chain) {
+  if (chain.heard == HeardChain::Heard::kImpossibleChain) {
+    line << "hears nothing: " << detector::to_string(chain.fault);
+    return;
+  }
+  if (chain.heard == HeardChain::Heard::kRateTooLow) {
+    line << "hears nothing: a sample rate of ";
+    line.decimal(chain.sample_rate.value, 1) << " Hz is too low for a band up to ";
+    line.decimal(chain.band.high.value, 1) << " Hz";
+    return;
+  }
+  line << "hears ";
+  line.decimal(chain.band.low.value, 1) << " to ";
+  line.decimal(chain.band.high.value, 1) << " Hz of " << chain.channels << (chain.channels == 1 ? " channel" : " channels") << " at ";
+  line.decimal(chain.sample_rate.value, 1) << " Hz: full scale ";
+  line.decimal(chain.full_scale_level.value, 1) << ", the ADC's own noise ";
+  line.decimal(chain.adc_noise_level.value, 1) << " dB re 1 uPa; looks lag by ";
+  line.decimal(chain.delay_s, 2) << " s";
+}
+
 Line line_at(Time time) {
   Line line;
   line << "earshotd: ";
@@ -71,9 +98,43 @@ FlightNews::FlightNews(const PortSet& ports, LineWriter& writer) : writer_(write
 
 void FlightNews::tell(Time now, const messages::Health& health) {
   for (const messages::PortReport& report : health.ports) tell_link(now, report);
+  for (std::size_t port = 0; port < sounds_.size(); ++port) tell_chain(now, port);
   tell_state(now, health);
   tell_refused(now, "navigation", health.counters.navigation_refused, navigation_);
   tell_refused(now, "SNR", health.counters.snr_refused, snr_);
+}
+
+void FlightNews::tell(Time now, std::uint8_t port, const messages::SoundDetection& detection) {
+  Sound& sound = sounds_.at(port);
+  ++sound.detections;
+  if (now < sound.detection_due) return;
+  Line line = line_at(now);
+  line << "heard for ";
+  line.decimal(detection.duration.to_seconds(), 1) << " s from ";
+  write_time(line, detection.begin);
+  line << ": level ";
+  line.decimal(detection.level.value, 1) << " dB re 1 uPa, SNR ";
+  line.decimal(detection.snr.value, 1) << " dB";
+  if (detection.is_clipped) line << ", clipped";
+  if (sound.detections > 1) line << "; " << sound.detections << " detections since it was last told of one";
+  writer_.say(line.text());
+  sound.detections = 0;
+  sound.detection_due = now + kBetweenDetectionLines;
+}
+
+void FlightNews::tell(std::uint8_t port, const HeardChain& chain) {
+  sounds_.at(port).chain = chain;
+}
+
+void FlightNews::tell_chain(Time now, std::size_t port) {
+  Sound& sound = sounds_.at(port);
+  if (!sound.chain || now < sound.chain_due) return;
+  Line line = line_at(now);
+  line << links_.at(port).label << ": ";
+  write_chain(line, *sound.chain);
+  writer_.say(line.text());
+  sound.chain.reset();
+  sound.chain_due = now + kBetweenLinkLines;
 }
 
 void FlightNews::tell_state(Time now, const messages::Health& health) {

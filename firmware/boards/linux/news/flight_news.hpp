@@ -1,16 +1,19 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "firmware/boards/linux/hydrophone/heard_chain.hpp"
 #include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/messages/health.hpp"
+#include "firmware/messages/sound_detection.hpp"
 
 namespace earshot::board {
 
@@ -20,6 +23,9 @@ namespace earshot::board {
 ///     earshotd: 2026-11-22 15:04:07 UTC: ABORT, navigation went silent, after 12 steps
 ///     earshotd: 2026-11-22 15:04:07 UTC: navigation: 31 messages refused so far, for their date, their order or what is in them; look at
 ///     the clock of their sender
+///     earshotd: 2026-11-22 15:01:12 UTC: port 2, ears, hydrophone, LCM udpm://...: hears 15.0 to 30.0 Hz of 1 channel at 96000.0 Hz: full
+///     scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; looks lag by 0.24 s
+///     earshotd: 2026-11-22 15:03:40 UTC: heard for 1.2 s from 2026-11-22 15:03:38 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB
 ///     earshotd: 2026-11-22 15:04:09 UTC: port 1, vehicle, CAN can0: its link is down; tried again once a second
 class FlightNews {
  public:
@@ -27,6 +33,7 @@ class FlightNews {
   /// link that comes and goes cannot flood.
   static constexpr int kLinkLinesAtOnce = 4;
   static constexpr Duration kBetweenLinkLines = Duration::seconds(10);
+  static constexpr Duration kBetweenDetectionLines = Duration::seconds(60);
 
   /// @param ports   a link that is down already has no line of its own
   /// @param writer  must outlive it
@@ -35,6 +42,10 @@ class FlightNews {
   /// Tells what the turn changed; to be called after every turn. @param now  of the turn, on the mission clock: UTC at sea, seconds from 0
   /// in simulation
   void tell(Time now, const messages::Health& health);
+  /// A sound that was heard; of many within kBetweenDetectionLines the first, and how many since.
+  void tell(Time now, std::uint8_t port, const messages::SoundDetection& detection);
+  /// With what chain a hydrophone is heard from now on, at the next turn.
+  void tell(std::uint8_t port, const HeardChain& chain);
 
  private:
   struct Link {
@@ -48,6 +59,14 @@ class FlightNews {
     std::uint64_t told = 0;
     bool is_told_in_state = false;
   };
+  /// What a hydrophone hears, as far as a person knows.
+  struct Sound {
+    std::optional<HeardChain> chain;  ///< not told of yet
+    Time chain_due;
+    std::uint64_t detections = 0;  ///< since the last that was told of
+    Time detection_due;
+  };
+  void tell_chain(Time now, std::size_t port);
   void tell_link(Time now, const messages::PortReport& report);
   void tell_state(Time now, const messages::Health& health);
   void tell_refused(Time now, std::string_view sensor, std::uint64_t count, Refused& refused);
@@ -57,6 +76,7 @@ class FlightNews {
   std::optional<messages::MissionState> state_;
   Refused navigation_;
   Refused snr_;
+  std::array<Sound, config::kMaxPorts> sounds_;
 };
 
 }  // namespace earshot::board

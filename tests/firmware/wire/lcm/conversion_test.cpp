@@ -40,6 +40,16 @@ TEST(Conversion, GivesAPortReportBackWhateverItCounted) {
   EXPECT_EQ(from_message(carried(to_message(report))), report);
 }
 
+TEST(Conversion, TellsEveryFieldOfADetection) {
+  const detection_t arrived = carried(to_message(messages::SoundDetection{
+      .begin = Time{5}, .duration = Duration{6}, .level = Decibels{104.5}, .snr = Decibels{-2.5}, .is_clipped = true}));
+  EXPECT_EQ(arrived.utime, 5);
+  EXPECT_EQ(arrived.duration_us, 6);
+  EXPECT_EQ(arrived.level_db_re_1upa, 104.5);
+  EXPECT_EQ(arrived.snr_db, -2.5);
+  EXPECT_EQ(arrived.clipped, 1);
+}
+
 TEST(Conversion, GivesACommandBackWhateverItsNumber) {
   const messages::OperatorCommand command{
       .time = Time{5}, .expiry = Time{6}, .issuer = 4'294'967'295, .number = 2'147'483'648, .order = messages::Order::kStart};

@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <optional>
 #include <string>
 #include <thread>
 #include <variant>
+#include <vector>
 
 #include "earshot/nav_state_t.hpp"
 #include "earshot/operator_command_t.hpp"
@@ -17,6 +19,7 @@
 #include "firmware/boards/linux/lcm_port.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/support/gaussian_noise.hpp"
 #include "tests/support/hydrophone_driver.hpp"
 #include "tests/support/private_network.hpp"
 
@@ -45,8 +48,9 @@ class HydrophonePortTest : public testing::Test {
  protected:
   void SetUp() override { ENTER_PRIVATE_NETWORK_OR_SKIP(); }
 
-  static HydrophonePort hydrophone() {
-    return {2, {.name = "ears", .kind = host::PortKind::kLcm, .address = kSoundUrl, .roles = {Role::kHydrophone}}, WakesFor::kLooks};
+  static HydrophonePort hydrophone(const std::optional<detector::SoundSettings>& hearing = std::nullopt) {
+    return {
+        2, {.name = "ears", .kind = host::PortKind::kLcm, .address = kSoundUrl, .roles = {Role::kHydrophone}}, hearing, WakesFor::kLooks};
   }
 
   /// Sends until all that the driver's ADC took is reported, for half a minute at most.
@@ -78,6 +82,58 @@ TEST_F(HydrophonePortTest, ReportsSamplesOfOneChannelAndSaysWhereTheyWereLost) {
             "ears: of each channel " + std::to_string(driver.taken() - 137) +
                 " samples heard, 137 lost (37 by the sender, 0 because the listener was slow); 5 clipped, 1 changes of gain, "
                 "1 beginnings, 0 jumps that no ADC makes, 0 malformed messages, 0 datagrams overrun");
+}
+
+/// Keeps what the loop would be given.
+class KeepingSink final : public InputSink {
+ public:
+  void take(std::uint8_t port, const Value& value) override {
+    EXPECT_EQ(port, 2);
+    if (const auto* look = std::get_if<messages::SnrMeasurement>(&value)) looks.push_back(*look);
+  }
+  void tell_chain(std::uint8_t /*port*/, const HeardChain& chain) override { chains.push_back(chain); }
+  std::vector<messages::SnrMeasurement> looks;
+  std::vector<HeardChain> chains;
+};
+
+/// A mission clock that is an hour ahead of the blocks' dates, and takes sound when it is told to.
+class HourAhead final : public Clock {
+ public:
+  static constexpr Duration kHour = Duration::seconds(3600);
+  [[nodiscard]] Time now() override { return {}; }
+  [[nodiscard]] Time mission_time_of(Time utc) override { return utc + kHour; }
+  [[nodiscard]] Time arrival_of(Time utc) override { return utc; }
+  [[nodiscard]] bool takes_sound_now() const override { return takes_sound; }
+  [[nodiscard]] Wake wait(const Awaited& /*awaited*/) override { return Wake::kNothing; }
+  [[nodiscard]] bool answered(const runtime::Outputs& /*outputs*/, std::uint64_t /*setpoints_sent*/) override { return true; }
+  bool takes_sound = false;
+};
+
+TEST_F(HydrophonePortTest, BringsTheLoopLooksDatedOnTheMissionClockWhenThatTakesThem) {
+  detector::SoundSettings hearing;
+  hearing.floor_window = Duration::seconds(32);  // known after 8 s
+  HydrophonePort port = hydrophone(hearing);
+  support::HydrophoneDriver driver(kSoundUrl, {.sample_rate_hz = 250, .channels = 1, .samples_per_block = 250});
+  support::GaussianNoise noise(3);
+  const std::int64_t began_us = driver.block().utime;
+  for (std::uint64_t block = 1; block <= 20; ++block) {
+    for (float& sample : driver.block().samples) sample = 0.01F * noise();
+    ASSERT_TRUE(driver.send());
+    for (int i = 0; i < 3000 && port.blocks_heard() < block; ++i) std::this_thread::sleep_for(10ms);
+    ASSERT_EQ(port.blocks_heard(), block);
+  }
+  HourAhead clock;
+  KeepingSink sink;
+  port.collect(clock, sink);
+  EXPECT_TRUE(sink.looks.empty());
+  EXPECT_TRUE(sink.chains.empty());
+  clock.takes_sound = true;
+  port.collect(clock, sink);
+  ASSERT_GE(sink.looks.size(), 5U);
+  ASSERT_EQ(sink.chains.size(), 1U);
+  EXPECT_LE(sink.looks.back().time, (Time{began_us} + HourAhead::kHour + Duration::seconds(20)));
+  EXPECT_GE(sink.looks.back().time, (Time{began_us} + HourAhead::kHour + Duration::seconds(18)));
+  EXPECT_NE(port.remark().find("of 20 s of sound: " + std::to_string(sink.looks.size()) + " looks"), std::string::npos) << port.remark();
 }
 
 TEST_F(HydrophonePortTest, LetsNoFixAndNoAbortOfTheLoopBeLostOrWaitThoughTwoHundredThousandBlocksPass) {

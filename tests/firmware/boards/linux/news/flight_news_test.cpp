@@ -144,5 +144,51 @@ TEST_F(FlightNewsTest, TellsALinkThatComesAndGoesFourTimesAndThenOnceInTenSecond
                             "earshotd: 2026-11-18 11:07:41 UTC: " + link + "up again\n");
 }
 
+TEST_F(FlightNewsTest, TellsASoundThatWasHeardAndThenOnceAMinuteHowManySince) {
+  messages::SoundDetection detection{
+      .begin = kUtc, .duration = Duration::milliseconds(1250), .level = Decibels{104.24}, .snr = Decibels{14.06}, .is_clipped = true};
+  news_->tell(kUtc + Duration::seconds(3), 1, detection);
+  detection.is_clipped = false;
+  news_->tell(kUtc + Duration::seconds(18), 1, detection);
+  news_->tell(kUtc + Duration::seconds(64), 1, detection);
+  EXPECT_EQ(
+      all_told(),
+      "earshotd: 2026-11-18 11:06:43 UTC: heard for 1.2 s from 2026-11-18 11:06:40 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB, clipped\n"
+      "earshotd: 2026-11-18 11:07:44 UTC: heard for 1.2 s from 2026-11-18 11:06:40 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB; 2 "
+      "detections since it was last told of one\n");
+}
+
+TEST_F(FlightNewsTest, TellsAtTheNextTurnWithWhatChainAHydrophoneIsHeardAndNotMoreThanOnceInTenSeconds) {
+  HeardChain chain{.band = {},
+                   .sample_rate = Hertz{96'000},
+                   .channels = 8,
+                   .full_scale_level = Decibels{180},
+                   .adc_noise_level = Decibels{-10.34},
+                   .delay_s = 0.241};
+  const Health standby = health(MissionState::kStandby);
+  news_->tell(kUtc, standby);
+  news_->tell(1, chain);
+  news_->tell(kUtc, standby);
+  chain.channels = 1;
+  news_->tell(1, chain);
+  news_->tell(kUtc + Duration::seconds(9), standby);
+  chain.heard = HeardChain::Heard::kRateTooLow;
+  chain.sample_rate = Hertz{50};
+  news_->tell(1, chain);
+  news_->tell(kUtc + Duration::seconds(10), standby);
+  chain.heard = HeardChain::Heard::kImpossibleChain;
+  chain.fault = detector::CalibrationFault::kBits;
+  news_->tell(1, chain);
+  news_->tell(kUtc + Duration::seconds(20), standby);
+  EXPECT_EQ(
+      all_told(),
+      "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
+      "earshotd: 2026-11-18 11:06:40 UTC: port 1, vehicle, CAN can0: hears 15.0 to 30.0 Hz of 8 channels at 96000.0 Hz: full scale "
+      "180.0, the ADC's own noise -10.3 dB re 1 uPa; looks lag by 0.24 s\n"
+      "earshotd: 2026-11-18 11:06:50 UTC: port 1, vehicle, CAN can0: hears nothing: a sample rate of 50.0 Hz is too low for a band up to "
+      "30.0 Hz\n"
+      "earshotd: 2026-11-18 11:07:00 UTC: port 1, vehicle, CAN can0: hears nothing: the ADC must have 8 to 32 bits\n");
+}
+
 }  // namespace
 }  // namespace earshot::board
