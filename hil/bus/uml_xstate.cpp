@@ -1,8 +1,8 @@
 // Preloaded into user-mode Linux by with-can, where the processor has AMX.
 //
-// User-mode Linux 6.1 (Debian 12) keeps 2696 bytes of a process's extended state, all that there was up to AVX-512. With AMX there are 11008,
-// the host's kernel takes back nothing but the whole, and user-mode Linux hangs for ever as it starts its first process. Here the rest of
-// what it gives back is filled up with zeros: state components that the header calls unused.
+// User-mode Linux 6.1 (Debian 12) keeps 2696 bytes of a process's extended state, all that there was up to AVX-512. With AMX there are
+// 11008, the host's kernel takes back nothing but the whole, and user-mode Linux hangs for ever as it starts its first process. Here the
+// rest of what it gives back is filled up with zeros: state components that the header calls unused.
 
 #include <dlfcn.h>
 #include <elf.h>
