@@ -208,6 +208,8 @@ Flight read_flight(const std::filesystem::path& folder) {
   if (is_there("summary.json")) flight.summary = read_summary(folder / "summary.json");
   if (is_there("track.csv")) flight.track = read_track(folder / "track.csv");
   if (is_there("snr.csv")) flight.snr = read_snr(folder / "snr.csv");
+  const bool has_heard = flight.summary.is_object() && flight.summary.contains("hearing");
+  if (has_heard && is_there(kHearingName) && is_there(kSpectrogramName)) flight.sound = read_heard_sound(folder);
   return flight;
 }
 

@@ -10,6 +10,7 @@
 #include "firmware/wire/journal/closing_record.hpp"
 #include "policy/explain/recorded_decision.hpp"
 #include "policy/report/sea/sea_flight.hpp"
+#include "policy/report/sound/heard_sound.hpp"
 
 namespace earshot::report {
 
@@ -53,6 +54,7 @@ struct Flight {
   std::vector<TrackRow> track;
   JournalledSearch journal;
   std::vector<SnrRow> snr;
+  HeardSound sound;                  ///< of a flight that heard
   std::optional<SeaFlight> sea;      ///< what the journal tells when there is no summary
   std::vector<std::string> missing;  ///< names of files that a simulator should have left
 
@@ -67,7 +69,8 @@ inline constexpr const char* kJournalName = "journal.lcmlog";  ///< in a flight'
 /// Where a flight keeps the policy that flew it: beside its journal and named after it. Nothing when there is none.
 [[nodiscard]] std::optional<std::filesystem::path> policy_beside(const std::filesystem::path& journal);
 
-/// Reads the decisions in journal.lcmlog, and of summary.json, track.csv and snr.csv those that are there.
+/// Reads the decisions in journal.lcmlog, and of summary.json, track.csv and snr.csv those that are there; hearing.csv and
+/// spectrogram.csv when the summary says that it heard.
 /// @throws host::BadInput naming the journal when it is missing, or the file that cannot be read.
 [[nodiscard]] Flight read_flight(const std::filesystem::path& folder);
 

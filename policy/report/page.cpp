@@ -12,6 +12,7 @@
 #include "policy/report/recorded_flight.hpp"
 #include "policy/report/sea/sea_page.hpp"
 #include "policy/report/sea/sea_plots.hpp"
+#include "policy/report/sound/sound_plots.hpp"
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/settings.hpp"
 
@@ -128,13 +129,26 @@ std::string history_to_string(const Flight& flight) {
          "the source.</p>\n";
 }
 
+std::string sound_to_string() {
+  return "The vehicle measured the SNR in sound. Above: each SNR that it measured, beside the one that the simulator modelled there. "
+         "Below: the "
+         "spectrogram of the sound at its hydrophone; a mark over it where a measured SNR reached the threshold. It lay at its start until "
+         "it "
+         "knew the noise of the sea.";
+}
+
 }  // namespace
 
 Pictures pictures_of(const Flight& flight) {
   if (flight.sea)
     return {.map = sea_map_svg(*flight.sea, flight.journal.decisions), .history = sea_history_svg(*flight.sea, flight.journal.decisions)};
-  if (flight.is_complete()) return {.map = map_svg(flight), .history = history_svg(flight)};
-  return {};
+  if (!flight.is_complete()) return {};
+  Pictures pictures{.map = map_svg(flight), .history = history_svg(flight)};
+  if (flight.sound.is_there()) {
+    const Decibels threshold{flight.summary.at("detection_threshold_db").get<double>()};
+    pictures.sound = sound_svg(flight.sound, threshold, flight.journal.decisions);
+  }
+  return pictures;
 }
 
 FlightExplanation explain_flight(const std::filesystem::path& folder) try {
@@ -158,6 +172,8 @@ std::string page(const Flight& flight, const Pictures& pictures, const FlightExp
     text += "<h2>Where it went</h2>\n<p>" + map_to_string(flight) + "</p>\n<div class=\"chart\">" + pictures.map + "</div>\n";
   if (!pictures.history.empty())
     text += "<h2>What it heard</h2>\n" + history_to_string(flight) + "<div class=\"chart\">" + pictures.history + "</div>\n";
+  if (!pictures.sound.empty())
+    text += "<h2>The sound itself</h2>\n<p>" + sound_to_string() + "</p>\n<div class=\"chart\">" + pictures.sound + "</div>\n";
   text += "<h2>What it decided, and why</h2>\n" + decisions(flight, explanation);
   return text + std::string(kHtmlEnd);
 }

@@ -19,8 +19,9 @@ struct FlightExplanation {
 [[nodiscard]] FlightExplanation explain_flight(const std::filesystem::path& folder);
 
 struct Pictures {
-  std::string map;      ///< SVG text
-  std::string history;  ///< SVG text
+  std::string map;         ///< SVG text
+  std::string history;     ///< SVG text
+  std::string sound = {};  ///< SVG text; of a flight that heard
 };
 
 /// Of a flight at sea what its journal tells; of a simulated one nothing unless all its files are there.

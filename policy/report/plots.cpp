@@ -133,8 +133,9 @@ set format x ''
 set key at screen 0.53,0.99 center top vertical maxrows 2
 set autoscale xfix
 )" + panel(0.41, 0.89) +
-                      "plot 'track.dat' using 3:4 with lines lw 1.8 lc rgb '#3f8fc5' title 'SNR', \\\n" + threshold +
-                      " with lines lw 1.6 dt (6,4) lc " + kInk + R"( title 'detection threshold', \
+                      "plot 'track.dat' using 3:4 with lines lw 1.8 lc rgb '#3f8fc5' title '" +
+                      (flight.sound.is_there() ? "SNR, modelled" : "SNR") + "', \\\n" + threshold + " with lines lw 1.6 dt (6,4) lc " +
+                      kInk + R"( title 'detection threshold', \
  'decisions.dat' using 4:($3==0?$5:1/0) with points pt 6 ps 0.65 lw 2 lc rgb '#c2127a' title 'decision, nothing heard', \
  'decisions.dat' using 4:($3==1?$5:1/0) with points pt 7 ps 0.65 lc rgb '#c2127a' title 'decision, source heard'
 set ylabel 'range (km)'

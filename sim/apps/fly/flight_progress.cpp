@@ -22,6 +22,7 @@ std::string hours_and_minutes(Duration duration) {
 }
 
 std::string to_string(const FlightProgress& p) {
+  if (p.is_learning_noise) return hours_and_minutes(p.at_sea) + " at sea, learning the noise of the sea before the search begins";
   std::string text = hours_and_minutes(p.at_sea) + " at sea, step " + std::to_string(std::min(p.steps_taken + 1, p.max_steps)) + " of " +
                      std::to_string(p.max_steps) + ", SNR " + (p.reception.too_faint ? "below " : "") +
                      with_one_decimal(p.reception.snr.value) + " dB";

@@ -16,10 +16,12 @@ struct FlightProgress {
   std::uint32_t steps_taken = 0;
   std::uint32_t max_steps = 0;
   policy::Reception reception;
+  bool is_learning_noise = false;        ///< the vehicle does not know the noise of the sea yet, and has not started
   std::optional<Meters> believed_range;  ///< from the vehicle to where the policy believes the source; none when it holds no belief
 };
 
 /// For the person who watches: "1 h 12 min at sea, step 9 of 100, SNR 14.2 dB, source believed 6.3 km away". The step is the one under way.
+/// "0 h 01 min at sea, learning the noise of the sea before the search begins"
 [[nodiscard]] std::string to_string(const FlightProgress& progress);
 
 /// Whole minutes that have passed: "1 h 12 min".

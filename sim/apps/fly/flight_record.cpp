@@ -61,7 +61,6 @@ void TrackFile::finish() {
 void Score::add(const TrackPoint& point) {
   if (last_position_) distance_ += range_between(*last_position_, point.vehicle.position);
   last_position_ = point.vehicle.position;
-  listener_.take({.time = point.time, .snr = point.reception.snr, .too_faint = point.reception.too_faint});
   const bool has_begun = !is_searching_ && point.state == messages::MissionState::kSearch;
   const bool has_stepped = point.steps_taken != steps_taken_;
   if (has_stepped) end_step(point);
@@ -79,7 +78,8 @@ void Score::end_step(const TrackPoint& point) {
 }
 
 void remove_results(const std::filesystem::path& folder) {
-  for (const char* name : {"summary.json", "track.csv", "report.html"}) std::filesystem::remove(folder / name);
+  for (const char* name : {"summary.json", "track.csv", "hearing.csv", "spectrogram.csv", "report.html"})
+    std::filesystem::remove(folder / name);
 }
 
 }  // namespace earshot::fly

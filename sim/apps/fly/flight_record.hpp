@@ -21,8 +21,8 @@ namespace earshot::fly {
 struct TrackPoint {
   Time time;
   vehicle::State vehicle;
-  policy::Reception reception;
-  Meters range;  ///< horizontal, to the source
+  policy::Reception reception;  ///< modelled
+  Meters range;                 ///< horizontal, to the source
   messages::MissionState state = messages::MissionState::kStandby;
   std::uint32_t steps_taken = 0;  ///< actions completed
 };
@@ -48,12 +48,14 @@ class TrackFile {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
-/// The score of a flight, added up tick by tick. The reception of a step is made of the ticks of its leg in the way in which the runtime
-/// makes it of the looks that it was sent.
+/// The score of a flight, added up tick by tick. The reception of a step is made of the looks on its leg in the way in which the runtime
+/// makes it of them.
 class Score {
  public:
   explicit Score(const search::SearchSettings& settings) : settings_(settings) {}
 
+  /// What the vehicle heard since the last tick, before that tick is added.
+  void hear(const messages::SnrMeasurement& look) { listener_.take(look); }
   void add(const TrackPoint& point);
 
   [[nodiscard]] double reward() const { return reward_; }

@@ -29,8 +29,11 @@
 #include "sim/apps/fly/flight_folder.hpp"
 #include "sim/apps/fly/flight_plan.hpp"
 #include "sim/apps/fly/flight_progress.hpp"
+#include "sim/apps/fly/hearing/hear_option.hpp"
+#include "sim/apps/fly/hearing/sound.hpp"
 #include "sim/apps/fly/speed_option.hpp"
 #include "sim/link/run_slot.hpp"
+#include "sim/search/scenario/scenario_file.hpp"
 
 namespace {
 
@@ -54,14 +57,19 @@ struct Options {
   std::optional<std::string> lcm_url;
   std::optional<std::string> can_interface;
   std::optional<std::string> journal_survives;
+  std::optional<std::string> hear;
   bool ignore_source = false;
   bool no_report = false;
 };
 
 void declare(program::CommandLine& line, Options& o) {
   line.option("--environment", &o.environment, "ocean, source and noise (TOML); default: the paper's ocean, munk_flat.toml");
-  line.option("--mission", &o.mission, "area, depth, speed, limits, ports, policy (TOML); default: search.toml");
-  line.option("--out", &o.out, "folder for journal.lcmlog, journal.policy, track.csv, snr.csv, summary.json and report.html")
+  line.option("--mission", &o.mission,
+              "area, depth, speed, limits, ports, policy (TOML); default: search.toml; with --hear hear_tone.toml, or "
+              "hear_calls.toml for calls with pauses and recorded ones");
+  line.option("--out", &o.out,
+              "folder for journal.lcmlog, journal.policy, track.csv, snr.csv, summary.json, report.html and, "
+              "with --hear, hearing.csv and spectrogram.csv")
       .checked([](const std::string& folder) { return std::string(folder.empty() ? "must name a folder" : ""); })
       .shows_default();
   line.option("--seed", &o.seed, "where source and vehicle start, and how a policy that draws its actions draws them")
@@ -70,6 +78,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--source", &o.source, "changing: drawn with the seed, uniform in the mission's area; fixed: where the environment has it")
       .one_of({"changing", "fixed"})
       .shows_default();
+  line.option("--hear", &o.hear, fly::kHearHelp).checked(fly::hear_complaint, fly::kHearsAllowed);
   line.option("--speed", &o.speed, "simulated seconds per second; 0: as fast as it goes")
       .checked(fly::speed_complaint, fly::kSpeedsAllowed)
       .shows_default();
@@ -90,6 +99,7 @@ void declare(program::CommandLine& line, Options& o) {
 struct Meeting {
   std::uint32_t domain = 0;
   std::string lcm_url;
+  std::string hydrophone_url;
   link::RunId run = link::new_run();
   fs::path folder;
 };
@@ -104,6 +114,7 @@ std::vector<std::string> common_arguments(const Options& o, const Meeting& meeti
                              "--lcm-url", meeting.lcm_url, "--run",  std::to_string(meeting.run)};
   add(a, "--bus", o.bus);
   add(a, "--can-interface", o.can_interface);
+  if (o.hear) a.insert(a.end(), {"--hydrophone-url", meeting.hydrophone_url});
   return a;
 }
 
@@ -111,6 +122,7 @@ std::vector<std::string> simulator_arguments(const Options& o, const Meeting& me
   std::vector<std::string> a = common_arguments(o, meeting);
   a.insert(a.end(), {"--environment", o.environment.string(), "--mission", o.mission.string(), "--domain", std::to_string(meeting.domain),
                      "--source", o.source, "--speed", o.speed});
+  add(a, "--hear", o.hear);
   if (o.ignore_source) a.emplace_back("--ignore-source");
   if (program::talk() == program::Talk::kQuiet) a.emplace_back("--quiet");
   return a;
@@ -123,6 +135,7 @@ std::vector<std::string> runtime_arguments(const Options& o, const Meeting& meet
   add(a, "--policy", o.policy);
   add(a, "--public-key", o.public_key);
   add(a, "--journal-survives", o.journal_survives);
+  if (o.hear) a.emplace_back("--hear");
   return a;
 }
 
@@ -153,10 +166,20 @@ std::string outcome(const nlohmann::json& s) {
   std::string reason = s.at("end_reason");
   if (reason == "earshotd_lost") return "the flight was lost: earshotd ended or did not answer";
   if (reason == "bus_lost") return "the flight was lost: a set-point did not arrive over the bus";
+  if (reason == "nothing_heard") return "the flight was lost: the vehicle's detector gave no SNR";
   if (reason == "simulator_failed") return "the flight was lost: the simulator failed";
   if (reason == "steps_used_up") return "source not found: all " + std::to_string(s.at("steps").get<int>()) + " steps taken";
   std::ranges::replace(reason, '_', ' ');
   return "source not found: " + reason;
+}
+
+/// What a person should know of a flight that heard: its first minutes went by before the search.
+void print_hearing(const nlohmann::json& hearing) {
+  std::printf("  heard       %s: %llu SNRs measured, %llu of them too faint; the first %.0f s at rest, to learn the noise of the sea\n",
+              hearing.at("sound") == fly::kSynthetic ? "synthetic sound" : "recorded sound",
+              static_cast<unsigned long long>(hearing.at("looks").get<std::uint64_t>()),
+              static_cast<unsigned long long>(hearing.at("looks_too_faint").get<std::uint64_t>()),
+              hearing.at("search_began_s").get<double>());
 }
 
 void print_summary(const fs::path& out) {
@@ -171,6 +194,7 @@ void print_summary(const fs::path& out) {
               s.at("steps").get<int>(), s.at("detections").get<int>(), s.at("distance_m").get<double>() / 1e3);
   std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", fly::hours_and_minutes(at_sea).c_str(), wall_time_s,
               sim_time_s / std::max(wall_time_s, 1e-9));
+  if (s.contains("hearing")) print_hearing(s.at("hearing"));
 }
 
 bool writes_report(const fs::path& folder) {
@@ -242,20 +266,40 @@ void warn_of_another_source(const Options& o, const host::MissionFile& mission) 
   // earshotd refuses it, and says why.
 }
 
+/// Recorded calls and songs have pauses in which the noise is heard alone; a tone has none.
+const char* default_mission(const Options& o) {
+  if (!o.hear) return "firmware/boards/linux/missions/search.toml";
+  const bool is_tone = fly::recording_of(*o.hear).empty() && !search::load_scenario(o.environment).conditions.calls;
+  return is_tone ? "firmware/boards/linux/missions/hear_tone.toml" : "firmware/boards/linux/missions/hear_calls.toml";
+}
+
+/// Both processes would say the same about a bad file: say it once, before either starts.
+host::MissionFile checked_mission(const Options& o) {
+  const fly::FlightPlan plan = fly::load_flight_plan(o.mission, o.environment);
+  host::MissionFile mission = plan.mission;
+  host::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
+  if (o.hear) {
+    host::require_hydrophone(mission, o.mission);
+    (void)fly::calls_of(fly::recording_of(*o.hear), plan.scenario.conditions, plan.scenario.environment.source.frequency, *mission.hearing);
+  }
+  host::leave_out_hydrophones(mission);
+  return mission;
+}
+
 int fly_search(Options o) {
   if (o.environment.empty()) o.environment = host::shipped("sim/ocean/environments/munk_flat.toml");
-  if (o.mission.empty()) o.mission = host::shipped("firmware/boards/linux/missions/search.toml");
+  if (o.mission.empty()) o.mission = host::shipped(default_mission(o));
   program::stop_on_signals();
-  // Both processes would say the same about a bad file: say it once, before either starts.
-  host::MissionFile mission = fly::load_flight_plan(o.mission, o.environment).mission;
-  host::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
-  host::leave_out_hydrophones(mission);
+  const host::MissionFile mission = checked_mission(o);
   warn_of_another_source(o, mission);
   const std::vector<host::BusLock> locks = lock_buses(o, mission);
   o.can_interface = chosen_can_interface(o, mission);
   FlightFolder folder(o.out);
   const link::RunSlot slot;
-  const Meeting meeting{.domain = slot.domain(), .lcm_url = chosen_url(o, mission).value_or(slot.lcm_url()), .folder = folder.unfinished()};
+  const Meeting meeting{.domain = slot.domain(),
+                        .lcm_url = chosen_url(o, mission).value_or(slot.lcm_url()),
+                        .hydrophone_url = slot.hydrophone_url(),
+                        .folder = folder.unfinished()};
   ChildProcess runtime("earshotd", runtime_arguments(o, meeting));
   ChildProcess simulator("earshot-sim", simulator_arguments(o, meeting));
   wait_for_both(simulator, runtime);

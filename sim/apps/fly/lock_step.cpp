@@ -2,8 +2,11 @@
 
 #include <chrono>
 #include <exception>
+#include <memory>
 #include <optional>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "firmware/host/program/live_line.hpp"
 #include "firmware/runtime/runtime.hpp"
@@ -52,6 +55,7 @@ class Stepper {
   Stepper(const Flight& flight, const vehicle::State& start, const std::atomic<bool>& stop)
       : flight_(flight), vehicle_(start), command_{.heading = start.heading, .speed = start.speed, .depth = start.depth}, stop_(stop) {
     surroundings_.start(flight.setup.world, start.position, flight.setup.source, Pcg32(flight.setup.seed, kConditionsStream));
+    if (flight.sound != nullptr) sound_ = std::make_unique<Sound>(*flight.sound, surroundings_, flight.setup.tick);
     source_ = surroundings_.nearest_source(start.position);
   }
 
@@ -65,7 +69,8 @@ class Stepper {
     result_.last_tick = now_;
     result_.wall_time_s = std::chrono::duration<double>(steady_clock::now() - began).count();
     result_.end = vehicle_;
-    return result_;
+    result_.sound = std::move(sound_);
+    return std::move(result_);
   }
 
  private:
@@ -95,14 +100,15 @@ class Stepper {
 
   void tick() {
     const Meters range = range_between(vehicle_.position, source_);
-    const policy::Reception reception = surroundings_.listen(flight_.setup.world, vehicle_.position);
+    const policy::Reception reception = listen();
     const bool reached = flight_.setup.may_be_found && range <= flight_.setup.found_within;
     flight_.bus.publish(now_, believed());
     flight_.link.send({.number = ++number_,
                        .time = now_,
                        .navigation_messages = flight_.bus.navigation_messages(),
-                       .snr = reception.snr,
-                       .snr_too_faint = reception.too_faint,
+                       .hydrophone_blocks = sound_ ? sound_->blocks() : 0,
+                       .snr = sound_ ? std::nullopt : std::optional(reception.snr),
+                       .snr_too_faint = !sound_ && reception.too_faint,
                        .command = order(reached)});
     flight_.link.observe({.time = now_,
                           .vehicle = vehicle_.position,
@@ -119,7 +125,26 @@ class Stepper {
                            .state = static_cast<messages::MissionState>(answer.state),
                            .steps_taken = answer.steps_taken};
     record(point, static_cast<messages::EndReason>(answer.end_reason));
+    if (sound_) sound_->note_motion(vehicle_.speed);
     if (live_.is_due()) show(point, answer.believed_source);
+  }
+
+  /// The modelled reception; in a flight that hears its sound has gone over the bus.
+  policy::Reception listen() {
+    const search::World& world = flight_.setup.world;
+    if (!sound_) {
+      const policy::Reception reception = surroundings_.listen(world, vehicle_.position);
+      flight_.score.hear({.time = now_, .snr = reception.snr, .too_faint = reception.too_faint});
+      return heard_ = reception;
+    }
+    const search::Arrivals arrivals = surroundings_.arrivals(world, vehicle_.position);
+    const policy::Reception modelled = surroundings_.reception_of(world, arrivals);
+    sound_->pass(now_, arrivals, modelled, vehicle_.speed);
+    for (const messages::SnrMeasurement& look : sound_->looks()) {
+      flight_.score.hear(look);
+      heard_ = {.snr = look.snr, .too_faint = look.too_faint};
+    }
+    return modelled;
   }
 
   void show(const TrackPoint& point, const std::optional<NorthEast>& believed_source) {
@@ -127,13 +152,15 @@ class Stepper {
     live_.draw(to_string({.at_sea = point.time - Time{},
                           .steps_taken = point.steps_taken,
                           .max_steps = flight_.setup.world.settings.max_steps,
-                          .reception = point.reception,
+                          .reception = heard_,
+                          .is_learning_noise = sound_ && !sound_->has_heard(),
                           .believed_range = believed_source ? std::optional(range_from_here(*believed_source)) : std::nullopt}));
   }
 
   [[nodiscard]] std::uint8_t order(bool reached) const {
     if (stop_) return static_cast<std::uint8_t>(messages::Order::kAbort);
-    if (number_ == 1) return static_cast<std::uint8_t>(messages::Order::kStart);
+    if (state_ == messages::MissionState::kStandby && (!sound_ || sound_->has_heard()))
+      return static_cast<std::uint8_t>(messages::Order::kStart);
     return reached ? static_cast<std::uint8_t>(messages::Order::kComplete) : std::uint8_t{0};
   }
 
@@ -157,7 +184,7 @@ class Stepper {
     return true;
   }
 
-  bool fail(const char* reason, const char* what) {
+  bool fail(const char* reason, const std::string& what) {
     over_ = true;
     result_.end_reason = reason;
     result_.failure = what;
@@ -167,10 +194,17 @@ class Stepper {
   void record(const TrackPoint& point, messages::EndReason reason) {
     flight_.track.add(point);
     flight_.score.add(point);
+    if (state_ == messages::MissionState::kStandby) result_.search_began = point.time;
+    state_ = point.state;
     over_ = point.state == messages::MissionState::kDone || point.state == messages::MissionState::kAbort;
-    if (!over_) return;
+    if (!over_) return fail_when_nothing_is_heard();
     result_.found = reason == messages::EndReason::kCompleted;
     result_.end_reason = word_for(reason);
+  }
+
+  void fail_when_nothing_is_heard() {
+    if (!sound_ || sound_->has_heard() || now_ - Time{} <= sound_->patience()) return;
+    fail("nothing_heard", std::string("the vehicle's detector gave no SNR: ") + sound_->in_the_way());
   }
 
   void keep_pace(steady_clock::time_point began) const {
@@ -185,6 +219,9 @@ class Stepper {
   vehicle::Command command_;
   NorthEast source_;
   search::Surroundings surroundings_;
+  std::unique_ptr<Sound> sound_;
+  policy::Reception heard_;                                          ///< by the vehicle: the newest look
+  messages::MissionState state_ = messages::MissionState::kStandby;  ///< by the last answer
   const std::atomic<bool>& stop_;
   Time now_;
   std::uint64_t number_ = 0;

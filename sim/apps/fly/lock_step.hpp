@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "firmware/host/mission/mission_file.hpp"
 #include "sim/apps/fly/autopilot_bus.hpp"
 #include "sim/apps/fly/flight_record.hpp"
+#include "sim/apps/fly/hearing/sound.hpp"
 #include "sim/link/simulator_end.hpp"
 #include "sim/search/scenario/surroundings.hpp"
 #include "sim/vehicle/vehicle.hpp"
@@ -35,6 +37,8 @@ struct FlightResult {
   Time last_tick;
   double wall_time_s = 0.0;  ///< from the first tick to the last answer
   vehicle::State end;
+  Time search_began;             ///< when START was said
+  std::unique_ptr<Sound> sound;  ///< of a flight that hears
 };
 
 /// Everything that one flight needs; all must outlive it.
@@ -44,12 +48,14 @@ struct Flight {
   link::SimulatorEnd& link;
   TrackFile& track;
   Score& score;
+  const SoundSetup* sound = nullptr;  ///< what the vehicle hears; none: it is told the modelled SNR
 };
 
 /// Flies from `start` to the end of the mission. The clock advances only when the runtime has answered a tick and the set-points it
-/// announced have arrived. The source is looked for at every tick, not only at the end of a step: a vehicle that passes within l of it on
-/// its way has found it. Shows on a terminal how far it is.
-/// Never throws: whatever goes wrong on the way ends the flight, and the result says what.
+/// announced have arrived. A vehicle that hears is told to START as soon as its detector knows the noise of the sea and has given a look;
+/// until then it does what `start` says. The source is looked for at every tick, not only at the end of a step: a vehicle that passes
+/// within l of it on its way has found it. Shows on a terminal how far it is. Never throws: whatever goes wrong on the way ends the flight,
+/// and the result says what.
 /// @param stop  set by a signal handler: the runtime is told to abort
 [[nodiscard]] FlightResult fly_in_lock_step(Flight flight, const vehicle::State& start, const std::atomic<bool>& stop);
 

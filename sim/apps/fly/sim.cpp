@@ -24,6 +24,8 @@
 #include "sim/apps/fly/autopilot_bus.hpp"
 #include "sim/apps/fly/flight_plan.hpp"
 #include "sim/apps/fly/flight_record.hpp"
+#include "sim/apps/fly/hearing/hear_option.hpp"
+#include "sim/apps/fly/hearing/hydrophone_bus.hpp"
 #include "sim/apps/fly/lock_step.hpp"
 #include "sim/apps/fly/speed_option.hpp"
 #include "sim/link/session.hpp"
@@ -54,6 +56,7 @@ struct Options {
   std::optional<link::RunId> run;
   host::PortOverride ports;
   bool ignore_source = false;
+  std::optional<std::string> hear;
 };
 
 void declare(program::CommandLine& line, Options& o) {
@@ -78,6 +81,8 @@ void declare(program::CommandLine& line, Options& o) {
               "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
       .one_of({"lcm", "can", "mixed"});
   line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port but a hydrophone's instead of the mission's");
+  line.option("--hydrophone-url", &o.ports.hydrophone_url, "address of the hydrophone's port instead of the mission's");
+  line.option("--hear", &o.hear, fly::kHearHelp).checked(fly::hear_complaint, fly::kHearsAllowed);
   line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
   line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
 }
@@ -119,28 +124,65 @@ void write_curve(const std::filesystem::path& path, const sonar::SnrCurve& snr) 
   host::write_whole(path, text);
 }
 
+/// The hydrophone's bus and what goes over it, in a flight that hears.
+struct Hearing {
+  HydrophoneBus bus;
+  SoundSetup setup;
+
+  Hearing(const Options& o, const FlightPlan& plan)
+      : bus(hydrophone_url(plan.mission)),
+        setup{.listening = *plan.mission.hearing,
+              .calls = calls_of(recording_of(*o.hear), plan.scenario.conditions, plan.scenario.environment.source.frequency,
+                                *plan.mission.hearing),
+              .noise_levels = {plan.scenario.environment.noise_level},
+              .conditions = plan.scenario.conditions.sound,
+              .bus = bus,
+              .seed = o.seed} {
+    for (const ocean::Environment& other : plan.scenario.other_oceans) setup.noise_levels.push_back(other.noise_level);
+  }
+  Hearing(const Hearing&) = delete;
+  Hearing& operator=(const Hearing&) = delete;
+
+ private:
+  static std::string hydrophone_url(const host::MissionFile& mission) {
+    const auto port = std::ranges::find_if(mission.ports, [](const host::PortSettings& p) { return p.roles.has(host::Role::kHydrophone); });
+    return port->address;
+  }
+};
+
+nlohmann::ordered_json hearing_of(const Options& o, const FlightResult& result) {
+  const HearingRecord& record = result.sound->record();
+  return {{"sound", *o.hear},
+          {"search_began_s", (result.search_began - Time{}).to_seconds()},
+          {"looks", record.looks()},
+          {"looks_too_faint", record.too_faint()},
+          {"blocks_lost", result.sound->lost_blocks()}};
+}
+
 nlohmann::ordered_json summary_of(const Options& o, const config::Mission& mission, const FlightResult& result, const Score& score,
                                   NorthEast source, const vehicle::State& start) {
   const auto place = [](NorthEast p) { return nlohmann::ordered_json{{"north_m", p.north.value}, {"east_m", p.east.value}}; };
   const Rectangle& area = mission.operating_area;
-  return {{"found", result.found},
-          {"reward", score.reward()},
-          {"steps", score.steps()},
-          {"distance_m", score.distance().value},
-          {"detections", score.detections()},
-          {"sim_time_s", (result.last_tick - Time{}).to_seconds()},
-          {"wall_time_s", result.wall_time_s},
-          {"seed", o.seed},
-          {"end_reason", result.end_reason},
-          {"environment", o.environment.string()},
-          {"mission", o.mission.string()},
-          {"source", place(source)},
-          {"start", place(start.position)},
-          {"end", place(result.end.position)},
-          {"area", {{"south_west", place(area.south_west)}, {"north_east", place(area.north_east)}}},
-          {"depth_m", mission.search_depth.value},
-          {"step_length_m", mission.step_length.value},
-          {"detection_threshold_db", mission.detection_threshold.value}};
+  nlohmann::ordered_json summary{{"found", result.found},
+                                 {"reward", score.reward()},
+                                 {"steps", score.steps()},
+                                 {"distance_m", score.distance().value},
+                                 {"detections", score.detections()},
+                                 {"sim_time_s", (result.last_tick - Time{}).to_seconds()},
+                                 {"wall_time_s", result.wall_time_s},
+                                 {"seed", o.seed},
+                                 {"end_reason", result.end_reason},
+                                 {"environment", o.environment.string()},
+                                 {"mission", o.mission.string()},
+                                 {"source", place(source)},
+                                 {"start", place(start.position)},
+                                 {"end", place(result.end.position)},
+                                 {"area", {{"south_west", place(area.south_west)}, {"north_east", place(area.north_east)}}},
+                                 {"depth_m", mission.search_depth.value},
+                                 {"step_length_m", mission.step_length.value},
+                                 {"detection_threshold_db", mission.detection_threshold.value}};
+  if (result.sound) summary["hearing"] = hearing_of(o, result);
+  return summary;
 }
 
 /// Each of a flight's files is kept whatever becomes of the others.
@@ -158,10 +200,12 @@ bool succeeds(Work work) {
 int simulate(const Options& o) {
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
   host::override_ports(plan.mission, o.ports);
+  if (o.hear) host::require_hydrophone(plan.mission, o.mission);
   plan.search.placement = search::placement_named(o.source).value_or(plan.search.placement);
   const auto& [file, scenario, settings] = plan;
   const search::World world = search::assemble(scenario, settings, file.mission.search_depth, longest_range(settings, scenario.conditions));
-  const auto [source, start] = places_of(world, file.mission, o.seed);
+  auto [source, start] = places_of(world, file.mission, o.seed);
+  if (o.hear) start.speed = {};  // it lies there and listens until it knows the noise
   const FlightSetup setup{.world = world,
                           .source = source,
                           .found_within = settings.step_length,
@@ -172,6 +216,8 @@ int simulate(const Options& o) {
 
   const std::vector<host::BusLock> locks = host::lock_buses(file, host::BusPlace::kSimulator);
   AutopilotBus bus(file);
+  std::optional<Hearing> hearing;
+  if (o.hear) hearing.emplace(o, plan);
   program::stop_on_signals();  // up to here nothing is under way that would have to end in order
   link::SimulatorEnd link(o.domain, o.run.value_or(link::new_run()));
   const board::Waited waited = board::wait_for("earshot-sim", "an earshotd in DDS domain " + std::to_string(o.domain), kPatience,
@@ -189,8 +235,12 @@ int simulate(const Options& o) {
   });
   if (!has_files) return kLost;  // a full disk is not the input's fault
   Score score(settings);
-  const FlightResult result = fly_in_lock_step({setup, bus, link, *track, score}, start, stop_requested);
-  const bool has_track = succeeds([&] { track->finish(); });
+  const FlightResult result =
+      fly_in_lock_step({setup, bus, link, *track, score, hearing ? &hearing->setup : nullptr}, start, stop_requested);
+  const bool has_track = succeeds([&] {
+    track->finish();
+    if (result.sound) result.sound->record().write(o.out);
+  });
   const bool has_summary = succeeds(
       [&] { host::write_whole(o.out / "summary.json", summary_of(o, file.mission, result, score, source, start).dump(2) + "\n"); });
   if (link.strangers() > 0)

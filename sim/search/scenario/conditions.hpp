@@ -25,6 +25,12 @@ struct Current {
   enum class Navigation : bool { kDoesNotSeeIt, kSeesIt } navigation = Navigation::kSeesIt;  ///< e.g. a Doppler log on the sea floor
 };
 
+/// What a hydrophone suffers from in a flight that hears sound; a modelled SNR knows nothing of it.
+struct SoundConditions {
+  double lost_blocks = 0.0;   ///< share of the blocks of sound that are lost between ADC and bus, 0 to 1
+  Decibels self_noise{65.0};  ///< of the vehicle's way through the water at 2 m/s, in the detector's band, dB re 1 uPa
+};
+
 /// How a search departs from one where every look gives the modelled SNR and nothing but the vehicle moves. Everything is off by default.
 struct Conditions {
   Decibels fluctuation;  ///< sigma >= 0 of the SNR, normal in dB, drawn anew at every look
@@ -38,6 +44,7 @@ struct Conditions {
   std::optional<Current> current;    ///< absent: none
   std::optional<CallPattern> calls;  ///< absent: always heard; needs `floor`, which is what silence says of the SNR
   MetersPerSecond vehicle_speed{2.0};  ///< > 0: how long a step takes
+  SoundConditions sound;
 };
 
 /// True when nothing departs.

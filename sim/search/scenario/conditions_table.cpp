@@ -31,6 +31,13 @@ CallPattern read_calls(TableReader table) {
           .listening_s = table.number("listening_s", Range::between(kLeastSeconds, kMostSeconds))};
 }
 
+SoundConditions read_sound(TableReader table) {
+  SoundConditions sound;
+  sound.lost_blocks = table.number_or("lost_blocks", sound.lost_blocks, Range::between(0.0, 1.0));
+  sound.self_noise = Decibels{table.number_or("self_noise_db_re_1upa_at_2mps", sound.self_noise.value, Range::between(-100.0, 300.0))};
+  return sound;
+}
+
 }  // namespace
 
 Conditions read_conditions(TableReader table) {
@@ -47,6 +54,7 @@ Conditions read_conditions(TableReader table) {
       MetersPerSecond{table.number_or("vehicle_speed_mps", c.vehicle_speed.value, Range::between(kSlowest_mps, kFastest_mps))};
   if (const auto current = table.optional_table("current")) c.current = read_current(*current);
   if (const auto calls = table.optional_table("calls")) c.calls = read_calls(*calls);
+  if (const auto sound = table.optional_table("sound")) c.sound = read_sound(*sound);
   if (c.calls && !table.has("floor_db")) {
     table.problem("calls", "need floor_db, the least SNR that can be measured: all that a silent look says is that it was below");
   }

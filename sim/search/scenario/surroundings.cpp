@@ -31,6 +31,13 @@ void reflect(Meters& x, double& course, Meters low, Meters high) {
   }
 }
 
+constexpr Decibels kSilence{-std::numeric_limits<double>::infinity()};
+
+policy::Reception measured(const Conditions& conditions, Decibels loudest) {
+  if (conditions.floor && !(loudest >= *conditions.floor)) return {.snr = *conditions.floor, .too_faint = true};
+  return {.snr = loudest};
+}
+
 }  // namespace
 
 Pcg32 Surroundings::stream_from(const World& world, Pcg32& random) {
@@ -100,17 +107,43 @@ void Surroundings::swim(const World& world, Source& source, double time_s) {
   source.field = world.soundscape->field_of(ocean_, source.position);
 }
 
+Decibels Surroundings::draw_snr(const World& world, const Source& source, NorthEast vehicle) {
+  Decibels snr = world.soundscape->snr(source.field, source.position, vehicle) + level_offset_;
+  if (fluctuation_.value > 0.0) snr += normal() * fluctuation_;
+  return snr;
+}
+
 policy::Reception Surroundings::listen(const World& world, NorthEast vehicle) {
   if (is_calm_) return {.snr = world.expected().at(range_between(vehicle, sources_[0].position))};
   const Conditions& c = world.conditions;
-  Decibels loudest{-std::numeric_limits<double>::infinity()};
+  Decibels loudest = kSilence;
   for (const Source& source : sources_) {
-    Decibels snr = world.soundscape->snr(source.field, source.position, vehicle) + level_offset_;
-    if (fluctuation_.value > 0.0) snr += normal() * fluctuation_;
+    const Decibels snr = draw_snr(world, source, vehicle);
     if (!c.calls || has_called(*c.calls, source)) loudest = std::max(loudest, snr);
   }
-  if (c.floor && !(loudest >= *c.floor)) return {.snr = *c.floor, .too_faint = true};
-  return {.snr = loudest};
+  return measured(c, loudest);
+}
+
+Arrivals Surroundings::arrivals(const World& world, NorthEast vehicle) {
+  const auto& calls = world.conditions.calls;
+  Arrivals arrivals;
+  for (const Source& source : sources_) {
+    [[maybe_unused]] const Status status = arrivals.push_back({.range = range_between(vehicle, source.position),
+                                                               .snr = draw_snr(world, source, vehicle),
+                                                               .has_called = !calls || has_called(*calls, source),
+                                                               .sung_s = source.sung_s});
+    assert(status == Status::kOk);
+  }
+  return arrivals;
+}
+
+policy::Reception Surroundings::reception_of(const World& world, const Arrivals& arrivals) const {
+  if (is_calm_) return {.snr = arrivals[0].snr};
+  Decibels loudest = kSilence;
+  for (const Arrival& arrival : arrivals) {
+    if (arrival.has_called) loudest = std::max(loudest, arrival.snr);
+  }
+  return measured(world.conditions, loudest);
 }
 
 bool Surroundings::has_called(const CallPattern& calls, const Source& source) const {

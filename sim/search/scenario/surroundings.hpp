@@ -11,6 +11,15 @@
 
 namespace earshot::search {
 
+/// How one source is received at the vehicle.
+struct Arrival {
+  Meters range;
+  Decibels snr;            ///< as a call would be received now, fluctuation included
+  bool has_called = true;  ///< within the listening time of its pattern
+  double sung_s = 0.0;     ///< its own time when the search began
+};
+using Arrivals = FixedVector<Arrival, kMaxSources>;
+
 /// What stands around the vehicle in one search: drawn at its start, changed by every step. In a calm world that is one source at rest,
 /// and nothing is drawn. Trivially copyable.
 class Surroundings {
@@ -34,6 +43,13 @@ class Surroundings {
   /// Oracle: Surroundings.*
   [[nodiscard]] policy::Reception listen(const World& world, NorthEast vehicle);
 
+  /// What listen() makes one reception of, source by source: for who hears the sound itself. Draws what listen() draws.
+  [[nodiscard]] Arrivals arrivals(const World& world, NorthEast vehicle);
+  /// What listen() would have returned.
+  [[nodiscard]] policy::Reception reception_of(const World& world, const Arrivals& arrivals) const;
+
+  /// The ocean that it is in, of the soundscape's.
+  [[nodiscard]] std::size_t ocean() const { return ocean_; }
   /// Where navigation believes the vehicle, less where it is.
   [[nodiscard]] NorthEast navigation_error() const { return drift_ - unseen_current_; }
   /// Of the source nearest to the vehicle.
@@ -50,6 +66,7 @@ class Surroundings {
   void add_source(const World& world, NorthEast position);
   void put(const Source& source);
   void swim(const World& world, Source& source, double time_s);
+  [[nodiscard]] Decibels draw_snr(const World& world, const Source& source, NorthEast vehicle);
   [[nodiscard]] bool has_called(const CallPattern& calls, const Source& source) const;
   [[nodiscard]] double normal();
 

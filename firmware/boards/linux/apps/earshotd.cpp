@@ -174,9 +174,11 @@ int report(const board::LoopResult& result, const board::Clock& clock, const boa
   const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
   const std::string state = board::to_string(result.last.health);
   const std::string kept = host::printable(journal.string());
-  for (const std::string& remark : ports.remarks()) std::cerr << "earshotd: " << remark << "\n";
-  if (const std::string remark = clock.remark(); !remark.empty()) std::cerr << "earshotd: " << remark << "\n";
   const bool is_talkative = program::talk() != program::Talk::kQuiet;
+  for (const std::string& remark : ports.remarks()) {
+    if (is_talkative) std::cerr << "earshotd: " << remark << "\n";
+  }
+  if (const std::string remark = clock.remark(); !remark.empty()) std::cerr << "earshotd: " << remark << "\n";
   switch (result.end) {
     case board::LoopEnd::kMissionOver:
       if (is_talkative) std::cerr << "earshotd: " << state << "; journal " << kept << "\n";

@@ -54,6 +54,17 @@ TEST_F(FlightFolderTest, AWholeFlightReplacesAllFilesOfAnEarlierOneAndLeavesTheO
   EXPECT_EQ(files(), expected);
 }
 
+TEST_F(FlightFolderTest, OfAnEarlierFlightThatHeardNothingStaysThatTheNewOneDidNotHear) {
+  write_flight(out_, "earlier", true);
+  for (const char* name : {"hearing.csv", "spectrogram.csv"}) std::ofstream(out_ / name) << "earlier";
+  {
+    FlightFolder folder(out_);
+    write_flight(folder.unfinished(), "new", false);
+    folder.keep();
+  }
+  EXPECT_EQ(files(), five_of("new"));
+}
+
 TEST_F(FlightFolderTest, AFlightThatIsNotKeptLeavesTheEarlierOneWholeAndStandsAside) {
   write_flight(out_, "earlier", true);
   {

@@ -23,5 +23,11 @@ TEST(FlightProgress, TellsNoRangeWithoutABeliefAndNoSnrThatWasNotMeasured) {
   EXPECT_EQ(to_string(progress), "0 h 01 min at sea, step 100 of 100, SNR below -5.0 dB");
 }
 
+TEST(FlightProgress, TellsOfAVehicleThatLearnsTheNoiseThatItHasHeardNothingYet) {
+  const FlightProgress progress{
+      .at_sea = Duration::seconds(65), .max_steps = 100, .reception = {}, .is_learning_noise = true, .believed_range = {}};
+  EXPECT_EQ(to_string(progress), "0 h 01 min at sea, learning the noise of the sea before the search begins");
+}
+
 }  // namespace
 }  // namespace earshot::fly

@@ -91,6 +91,7 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
       const runtime::Outputs outputs = runtime->step(now);
       if (outputs.decision && decisions++ > 0)
         receptions.push_back({.snr = outputs.decision->snr, .too_faint = outputs.decision->too_faint});
+      score.hear({.time = now, .snr = look.snr, .too_faint = look.too_faint});
       score.add({.time = now,
                  .vehicle = vehicle,
                  .reception = look,

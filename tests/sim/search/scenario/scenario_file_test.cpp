@@ -62,6 +62,9 @@ navigation_drift_m_per_sqrt_km = 50.0
 source_speed_mps = 0.5
 sources = 2
 vehicle_speed_mps = 1.5
+[conditions.sound]
+lost_blocks = 0.02
+self_noise_db_re_1upa_at_2mps = 70.0
 [conditions.current]
 speed_mps = 0.25
 toward_deg = 90.0
@@ -82,6 +85,8 @@ listening_s = 30.0
   EXPECT_EQ(c.source_speed, MetersPerSecond{0.5});
   EXPECT_EQ(c.sources, 2U);
   EXPECT_EQ(c.vehicle_speed, MetersPerSecond{1.5});
+  EXPECT_EQ(c.sound.lost_blocks, 0.02);
+  EXPECT_EQ(c.sound.self_noise, Decibels{70.0});
   EXPECT_EQ(c.current->speed, MetersPerSecond{0.25});
   EXPECT_EQ(c.current->toward, Radians{std::numbers::pi / 2.0});
   EXPECT_EQ(c.current->navigation, Current::Navigation::kDoesNotSeeIt);
@@ -95,6 +100,7 @@ TEST_F(ScenarioFile, IsRefusedForAKeyOutsideItsRange) {
   expect_refused("[conditions]\nfluctuation_db = -1.0\n", "conditions.fluctuation_db = -1.0: must be a finite number of at least 0");
   expect_refused("[conditions]\nfluctuation_db = 2.0\nleast_fluctuation_db = 3.0\n", "conditions.least_fluctuation_db = 3.0");
   expect_refused("[conditions]\nfloor_db = inf\n", "conditions.floor_db = inf: must be a finite number");
+  expect_refused("[conditions.sound]\nlost_blocks = 1.5\n", "conditions.sound.lost_blocks = 1.5");
   expect_refused("[conditions]\nsources = 9\n", "conditions.sources = 9");
   expect_refused("[conditions]\nvehicle_speed_mps = 0.0078125\n",
                  "conditions.vehicle_speed_mps = 0.0078125: must be a finite number of at least 0.01 and at most 20");

@@ -291,6 +291,44 @@ TEST_F(Conditions, CallsGoOnWhileTheVehicleSteps) {
   }
 }
 
+TEST_F(Conditions, ArrivalsTellOfEverySourceAndMakeTheReceptionThatListeningGives) {
+  conditions.fluctuation = Decibels{4.0};
+  conditions.floor = Decibels{5.0};
+  conditions.sources = 3;
+  conditions.source_speed = MetersPerSecond{1.0};
+  conditions.calls = CallPattern{.interval_s = 15.0, .song_s = 600.0, .pause_s = 300.0, .listening_s = 5.0};
+  const World w = world();
+  int faint = 0;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    Surroundings by_one;
+    by_one.start(w, at(22'000, 10'000), settings.source, Pcg32(seed));
+    Surroundings by_all = by_one;
+    for (int look = 0; look < 20; ++look) {
+      const policy::Reception reception = by_one.listen(w, at(22'000, 10'000));
+      const Arrivals arrivals = by_all.arrivals(w, at(22'000, 10'000));
+      ASSERT_EQ(arrivals.size(), 3U);
+      EXPECT_EQ(by_all.reception_of(w, arrivals).snr, reception.snr);
+      EXPECT_EQ(by_all.reception_of(w, arrivals).too_faint, reception.too_faint);
+      faint += reception.too_faint ? 1 : 0;
+      (void)by_one.pass(w, {}, 7.0);
+      (void)by_all.pass(w, {}, 7.0);
+    }
+  }
+  EXPECT_GT(faint, 100);  // both are met: of some 1000 looks
+  EXPECT_LT(faint, 900);
+}
+
+TEST_F(Conditions, ArrivalOfACalmWorldsSourceIsItsRangeAndItsModelledSnr) {
+  const World w = world();
+  Surroundings surroundings;
+  surroundings.start(w, at(22'000, 10'000), settings.source, Pcg32(1));
+  const Arrivals arrivals = surroundings.arrivals(w, at(22'000, 10'000));
+  ASSERT_EQ(arrivals.size(), 1U);
+  EXPECT_EQ(arrivals[0].range, Meters{12'000.0});
+  EXPECT_EQ(arrivals[0].snr, Decibels{18.0});
+  EXPECT_EQ(surroundings.reception_of(w, arrivals).snr, Decibels{18.0});
+}
+
 TEST_F(Conditions, EverySearchIsInOneOfTheOceans) {
   soundscape = Soundscape({sonar::SnrCurve(Meters{1'000.0}, {20.0F}), sonar::SnrCurve(Meters{1'000.0}, {10.0F})});
   const std::vector<double> snr_db = heard_in_searches(2'000);
