@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
@@ -242,7 +243,11 @@ MissionFile load_mission(const std::filesystem::path& path) {
 void override_ports(MissionFile& file, const PortOverride& said) {
   if (said.can_interface && !is_interface_name(*said.can_interface))
     throw BadInput("--can-interface \"" + printable(*said.can_interface) + "\": " + kInterfaceNameRule);
-  if (said.bus) file.ports = ports_named(*said.bus);
+  if (said.bus) {
+    std::vector<PortSettings> ports = ports_named(*said.bus);
+    std::ranges::copy_if(file.ports, std::back_inserter(ports), [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
+    file.ports = std::move(ports);
+  }
   for (PortSettings& port : file.ports) {
     const std::optional<std::string>& over_lcm = port.roles.has(Role::kHydrophone) ? said.hydrophone_url : said.lcm_url;
     const std::optional<std::string>& address = port.kind == PortKind::kCan ? said.can_interface : over_lcm;

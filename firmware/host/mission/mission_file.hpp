@@ -37,8 +37,9 @@ void require_named_files(const MissionFile& file);
 
 /// What a command line says about the ports in place of the mission file.
 struct PortOverride {
-  std::optional<std::string> bus;      ///< "lcm", "can" or "mixed" (navigation over CAN, the rest over LCM), whatever ports the file has
-  std::optional<std::string> lcm_url;  ///< of every LCM port but a hydrophone's, which has a bus of its own
+  std::optional<std::string>
+      bus;  ///< "lcm", "can" or "mixed" (navigation over CAN, the rest over LCM), whatever ports the file has but a hydrophone's
+  std::optional<std::string> lcm_url;                        ///< of every LCM port but a hydrophone's, which has a bus of its own
   std::optional<std::string> hydrophone_url = std::nullopt;  ///< of the hydrophone's port
   std::optional<std::string> can_interface;                  ///< of every CAN port
 };

@@ -84,7 +84,9 @@ void declare(program::CommandLine& line, Options& o) {
       .shows_default();
   line.option("--policy", &o.policy, "policy file instead of the mission's");
   line.option("--public-key", &o.public_key, "file of the public key that signed it, instead of the mission's");
-  line.option("--bus", &o.bus, "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
+  line.option(
+          "--bus", &o.bus,
+          "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM; not a hydrophone's")
       .one_of({"lcm", "can", "mixed"});
   line.option("--lcm-url", &o.lcm_url, "LCM address; default: one that no other flight on this machine uses");
   line.option("--can-interface", &o.can_interface, "CAN interface instead of the mission's; vcan0 stands in for can0, the bus at sea");

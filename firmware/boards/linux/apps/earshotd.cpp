@@ -83,8 +83,9 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--public-key", &o.public_key, "file of the trusted public key instead of the mission's");
   line.option("--seed", &o.seed, "seed of a policy that draws its actions, instead of the mission's")
       .from(0, std::numeric_limits<std::int64_t>::max());
-  line.option("--bus", &o.ports.bus,
-              "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM")
+  line.option(
+          "--bus", &o.ports.bus,
+          "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM; not a hydrophone's")
       .one_of({"lcm", "can", "mixed"});
   line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port but a hydrophone's instead of the mission's");
   line.option("--hydrophone-url", &o.ports.hydrophone_url, "address of the hydrophone's port instead of the mission's");

@@ -241,6 +241,16 @@ TEST(MissionFile, LeavesAHydrophoneItsBusWhenACommandLineNamesAnotherForTheRestA
   EXPECT_THROW(override_ports(file, {.bus = {}, .lcm_url = "udpm://239.255.76.67:7668?ttl=0", .can_interface = {}}), BadInput);
 }
 
+TEST(MissionFile, LeavesAHydrophoneWhereItIsWhenACommandLineNamesTheBusOfTheRest) {
+  for (const char* bus : {"lcm", "can", "mixed"}) {
+    MissionFile file = mission_with_hydrophone();
+    override_ports(file, {.bus = bus, .lcm_url = {}, .can_interface = {}});
+    EXPECT_EQ(file.ports.back().address, "udpm://239.255.76.67:7668") << bus;
+    EXPECT_TRUE(file.ports.back().roles.has(Role::kHydrophone)) << bus;
+    EXPECT_FALSE(file.ports.front().roles.has(Role::kHydrophone)) << bus;
+  }
+}
+
 TEST(MissionFile, GivesAHydrophoneTheAddressThatACommandLineNamesForItAloneAndRefusesTheRestsBus) {
   MissionFile file = mission_with_hydrophone();
   const std::string vehicle = file.ports[0].address;
