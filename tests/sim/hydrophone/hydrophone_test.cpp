@@ -21,10 +21,11 @@ void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size)) return memory;  // NOLINT: the counting allocator itself
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept {
+// Not inlined: GCC 12 at -O3 would see free() take what `new` gave, and refuse.
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
   std::free(memory);
 }  // NOLINT
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }  // NOLINT
 
