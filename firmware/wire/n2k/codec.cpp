@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "firmware/wire/n2k/text.hpp"
+
 namespace earshot::n2k {
 
 namespace {
@@ -15,25 +17,59 @@ const Message& message_with(std::uint32_t pgn) {
 
 }  // namespace
 
-MessageWriter::MessageWriter(std::uint32_t pgn) : message_(message_with(pgn)), bytes_(blank(message_)) {}
+MessageWriter::MessageWriter(std::uint32_t pgn) : MessageWriter(message_with(pgn)) {}
 
-MessageWriter& MessageWriter::set(std::string_view signal, double value) {
-  const Signal* found = find_signal(message_, signal);
-  assert(found != nullptr);
-  const Status status = encode(*found, value, bytes_);
+MessageWriter& MessageWriter::remember(Status status) {
   if (status_ == Status::kOk) status_ = status;
   return *this;
 }
 
-Status MessageWriter::frame(std::uint8_t source, Frame& frame) const {
+MessageWriter& MessageWriter::set(std::string_view signal, double value) {
+  const Signal* found = find_signal(message_, signal);
+  assert(found != nullptr);
+  return remember(encode(*found, value, bytes_));
+}
+
+MessageWriter& MessageWriter::set_raw(std::string_view signal, std::int64_t raw) {
+  const Signal* found = find_signal(message_, signal);
+  assert(found != nullptr);
+  return remember(encode_raw(*found, raw, bytes_));
+}
+
+MessageWriter& MessageWriter::set_text(std::string_view signal, std::string_view text) {
+  const Signal* found = find_signal(message_, signal);
+  assert(found != nullptr);
+  return remember(write_fixed_text(*found, text, bytes_));
+}
+
+Status MessageWriter::frame(std::uint8_t source, Frame& frame, std::uint8_t destination) const {
   if (message_.size > frame.data.size()) return Status::kOutOfRange;
-  const Result<std::uint32_t> id = compose(identifier(source));
+  const Result<std::uint32_t> id = compose(identifier(source, destination));
   if (status_ != Status::kOk) return status_;
   if (!id.ok()) return id.status();
   frame.identifier = id.value();
   frame.size = message_.size;
-  for (std::size_t i = 0; i < frame.data.size(); ++i) frame.data[i] = bytes_[i];
+  frame.data = {};
+  for (std::size_t i = 0; i < frame.size; ++i) frame.data[i] = bytes_[i];
   return Status::kOk;
+}
+
+template <class T>
+T MessageReader::remember(const Result<T>& result) {
+  if (status_ == Status::kOk) status_ = result.status();
+  return status_ == Status::kOk ? result.value() : T{};
+}
+
+double MessageReader::value(std::string_view signal) {
+  const Signal* found = find_signal(message_, signal);
+  assert(found != nullptr);
+  return remember(decode(*found, bytes_));
+}
+
+std::int64_t MessageReader::raw(std::string_view signal) {
+  const Signal* found = find_signal(message_, signal);
+  assert(found != nullptr);
+  return remember(decode_raw(*found, bytes_));
 }
 
 Result<double> read(std::uint32_t pgn, std::string_view signal, std::span<const std::uint8_t> bytes) {

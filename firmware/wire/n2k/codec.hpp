@@ -15,20 +15,47 @@ namespace earshot::n2k {
 /// Writes one message field by field. The first refusal is remembered; fields not set stay "not available".
 class MessageWriter {
  public:
+  explicit MessageWriter(const Message& message) : message_(message), bytes_(blank(message)) {}
   explicit MessageWriter(std::uint32_t pgn);
 
   MessageWriter& set(std::string_view signal, double value);
+  MessageWriter& set_raw(std::string_view signal, std::int64_t raw);
+  MessageWriter& set_text(std::string_view signal, std::string_view text);  ///< of fixed size
 
   [[nodiscard]] Status status() const { return status_; }
   [[nodiscard]] std::span<const std::uint8_t> bytes() const { return {bytes_.data(), message_.size}; }
   /// The message's PGN and default priority.
-  [[nodiscard]] Identifier identifier(std::uint8_t source) const { return {message_.pgn, message_.priority, source, kBroadcast}; }
+  [[nodiscard]] Identifier identifier(std::uint8_t source, std::uint8_t destination = kBroadcast) const {
+    return {message_.pgn, message_.priority, source, destination};
+  }
   /// The message as one frame; for messages of at most 8 bytes.
-  [[nodiscard]] Status frame(std::uint8_t source, Frame& frame) const;
+  [[nodiscard]] Status frame(std::uint8_t source, Frame& frame, std::uint8_t destination = kBroadcast) const;
 
  private:
+  MessageWriter& remember(Status status);
+
   const Message& message_;
   std::array<std::uint8_t, kMaxMessageSize> bytes_;
+  Status status_ = Status::kOk;
+};
+
+/// Reads one message field by field. The first failure of decode() is remembered; what is read then, and a field that fails, is zero.
+class MessageReader {
+ public:
+  MessageReader(const Message& message, std::span<const std::uint8_t> bytes) : message_(message), bytes_(bytes) {}
+
+  [[nodiscard]] double value(std::string_view signal);
+  [[nodiscard]] std::int64_t raw(std::string_view signal);
+  [[nodiscard]] bool yes(std::string_view signal) { return raw(signal) == 1; }  ///< of a choice between No and Yes
+
+  [[nodiscard]] Status status() const { return status_; }
+
+ private:
+  template <class T>
+  [[nodiscard]] T remember(const Result<T>& result);
+
+  const Message& message_;
+  std::span<const std::uint8_t> bytes_;
   Status status_ = Status::kOk;
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kFirstFrameBytes = 6;
 constexpr std::size_t kNextFrameBytes = 7;
-constexpr std::size_t kSmallestFastPacket = 9;  ///< bytes; anything shorter goes in one frame
+constexpr unsigned kFrameNumber = 0x1F;  ///< the bits of byte 0 that hold it
 
 /// Copies what of `bytes` still has to go into `frame` from its byte `at` on, and pads with 0xFF; returns the rest.
 std::span<const std::uint8_t> fill(Frame& frame, std::size_t at, std::span<const std::uint8_t> bytes) {
@@ -24,7 +24,7 @@ std::span<const std::uint8_t> fill(Frame& frame, std::size_t at, std::span<const
 Status compose_fast_packet(const Identifier& identifier, std::uint8_t sequence, std::span<const std::uint8_t> bytes,
                            FastPacketFrames& frames) {
   const Result<std::uint32_t> can_identifier = compose(identifier);
-  if (!can_identifier.ok() || bytes.size() < kSmallestFastPacket || bytes.size() > kMaxMessageSize) return Status::kOutOfRange;
+  if (!can_identifier.ok() || bytes.empty() || bytes.size() > kMaxMessageSize) return Status::kOutOfRange;
   frames.clear();
   const unsigned sequence_bits = (sequence & 7U) << 5U;
   Frame frame{.identifier = can_identifier.value()};
@@ -41,39 +41,30 @@ Status compose_fast_packet(const Identifier& identifier, std::uint8_t sequence, 
 }
 
 Status FastPacketAssembly::accept(const Identifier& identifier, const Frame& frame, std::span<const std::uint8_t>& bytes) {
+  Assembled message;
+  const Status status = accept(identifier, frame, Time{}, message);
+  bytes = message.bytes;
+  return status;
+}
+
+Status FastPacketAssembly::accept(const Identifier& identifier, const Frame& frame, Time now, Assembled& message) {
   ++turn_;
   if (frame.size != 8) {
     ++counters_.stray;
     return Status::kMalformed;
   }
-  const auto number = static_cast<std::uint8_t>(frame.data[0] & 0x1FU);
-  if (number == 0) return begin(identifier, frame);
-
-  Slot* slot = find(identifier);
-  if (slot == nullptr) {
+  if ((frame.data[0] & kFrameNumber) == 0) return begin(identifier, frame, now, message);
+  const Slot* found = find(identifier);
+  if (found == nullptr) {
     ++counters_.stray;
     return Status::kMalformed;
   }
-  if (number != slot->next_frame || (frame.data[0] >> 5U) != slot->sequence) {
-    slot->used = false;
-    ++counters_.abandoned;
-    return Status::kMalformed;
-  }
-  const std::size_t count = std::min(kNextFrameBytes, slot->size - slot->filled);
-  std::copy_n(frame.data.begin() + 1, count, slot->bytes.begin() + static_cast<std::ptrdiff_t>(slot->filled));
-  slot->filled += count;
-  slot->last_fed = turn_;
-  ++slot->next_frame;
-  if (slot->filled < slot->size) return Status::kNotReady;
-  slot->used = false;
-  ++counters_.completed;
-  bytes = {slot->bytes.data(), slot->size};
-  return Status::kOk;
+  return go_on(slots_[static_cast<std::size_t>(found - slots_.data())], frame, now, message);
 }
 
-Status FastPacketAssembly::begin(const Identifier& identifier, const Frame& frame) {
+Status FastPacketAssembly::begin(const Identifier& identifier, const Frame& frame, Time now, Assembled& message) {
   const std::size_t size = frame.data[1];
-  if (size < kSmallestFastPacket || size > kMaxMessageSize) {
+  if (size == 0 || size > kMaxMessageSize) {
     ++counters_.too_large;
     return Status::kFull;
   }
@@ -84,14 +75,52 @@ Status FastPacketAssembly::begin(const Identifier& identifier, const Frame& fram
   slot.sequence = static_cast<std::uint8_t>(frame.data[0] >> 5U);
   slot.next_frame = 1;
   slot.size = size;
-  slot.filled = kFirstFrameBytes;
+  slot.filled = std::min(kFirstFrameBytes, size);
   slot.last_fed = turn_;
-  std::copy_n(frame.data.begin() + 2, kFirstFrameBytes, slot.bytes.begin());
-  return Status::kNotReady;
+  slot.began = now;
+  slot.fed = now;
+  std::copy_n(frame.data.begin() + 2, slot.filled, slot.bytes.begin());
+  return finish(slot, message);
 }
 
-FastPacketAssembly::Slot* FastPacketAssembly::find(const Identifier& identifier) {
-  for (Slot& slot : slots_) {
+Status FastPacketAssembly::go_on(Slot& slot, const Frame& frame, Time now, Assembled& message) {
+  const unsigned number = frame.data[0] & kFrameNumber;
+  const bool same_message = (frame.data[0] >> 5U) == slot.sequence && lies_within(slot.fed, now, kFastPacketTimeout);
+  if (same_message && number + 1 == slot.next_frame &&
+      std::equal(frame.data.begin() + 1, frame.data.end(),
+                 slot.bytes.begin() + static_cast<std::ptrdiff_t>(slot.filled - kNextFrameBytes))) {
+    ++counters_.repeated;
+    return Status::kNotReady;
+  }
+  if (!same_message || number != slot.next_frame) {
+    slot.used = false;
+    ++counters_.abandoned;
+    return Status::kMalformed;
+  }
+  const std::size_t count = std::min(kNextFrameBytes, slot.size - slot.filled);
+  std::copy_n(frame.data.begin() + 1, count, slot.bytes.begin() + static_cast<std::ptrdiff_t>(slot.filled));
+  slot.filled += count;
+  slot.last_fed = turn_;
+  slot.fed = now;
+  ++slot.next_frame;
+  return finish(slot, message);
+}
+
+Status FastPacketAssembly::finish(Slot& slot, Assembled& message) {
+  if (slot.filled < slot.size) return Status::kNotReady;
+  slot.used = false;
+  ++counters_.completed;
+  message = {.bytes = {slot.bytes.data(), slot.size}, .began = slot.began};
+  return Status::kOk;
+}
+
+bool FastPacketAssembly::expects(const Identifier& identifier, const Frame& frame) const {
+  const Slot* slot = find(identifier);
+  return slot != nullptr && (frame.data[0] & kFrameNumber) == slot->next_frame && (frame.data[0] >> 5U) == slot->sequence;
+}
+
+const FastPacketAssembly::Slot* FastPacketAssembly::find(const Identifier& identifier) const {
+  for (const Slot& slot : slots_) {
     const Identifier& other = slot.identifier;
     if (slot.used && other.pgn == identifier.pgn && other.source == identifier.source && other.destination == identifier.destination)
       return &slot;
@@ -100,7 +129,7 @@ FastPacketAssembly::Slot* FastPacketAssembly::find(const Identifier& identifier)
 }
 
 FastPacketAssembly::Slot& FastPacketAssembly::slot_for(const Identifier& identifier) {
-  if (Slot* slot = find(identifier)) return *slot;
+  if (const Slot* slot = find(identifier)) return slots_[static_cast<std::size_t>(slot - slots_.data())];
   Slot* chosen = &slots_[0];
   for (Slot& slot : slots_) {
     if (!slot.used) return slot;

@@ -1,5 +1,6 @@
 #include "firmware/wire/n2k/navigation.hpp"
 
+#include <limits>
 #include <optional>
 
 #include "firmware/core/math.hpp"
@@ -20,26 +21,6 @@ constexpr double kTwoPi = 6.283185307179586;
 double positive(Radians angle) {
   const double wrapped = wrap_to_pi(angle).value;
   return wrapped < 0.0 ? wrapped + kTwoPi : wrapped;
-}
-
-/// `value`, provided that field `signal` of the same message says `expected`.
-Result<double> provided(Result<double> value, std::uint32_t pgn, std::string_view signal, double expected,
-                        std::span<const std::uint8_t> bytes) {
-  const Result<double> found = read(pgn, signal, bytes);
-  if (!found.ok()) return found.status();
-  if (found.value() != expected) return Status::kUnsupported;
-  return value;
-}
-
-Result<double> measured(std::uint32_t pgn, std::span<const std::uint8_t> bytes) {
-  switch (pgn) {
-    case kHeadingPgn:
-      return provided(read(pgn, "Heading", bytes), pgn, "Reference", kTrueNorth, bytes);
-    case kSpeedPgn:
-      return read(pgn, "SpeedWaterReferenced", bytes);
-    default:
-      return provided(read(pgn, "Pressure", bytes), pgn, "Source", kWaterPressure, bytes);
-  }
 }
 
 }  // namespace
@@ -66,44 +47,36 @@ Status compose_navigation(const messages::Navigation& navigation, const LocalPla
   return Status::kOk;
 }
 
-Status NavigationReceiver::accept(const Frame& frame, Time now, messages::Navigation& navigation) {
-  const Result<Identifier> identifier = parse_identifier(frame.identifier);
-  const Message* message = identifier.ok() ? find_message(identifier.value().pgn) : nullptr;
-  if (message == nullptr || message->direction != Direction::kToRuntime) {
-    ++counters_.other;
-    return Status::kNotReady;
-  }
-  const Status status = message->pgn == kPositionPgn ? complete(frame, now, navigation) : keep(message->pgn, frame, now);
+Status NavigationReceiver::accept(const Frame& frame, Time now, Fix& fix) {
+  const SensorCounters before = sensors_.counters();
+  Measured measured{};
+  Status status = sensors_.accept(frame, now, measured);
+  if (sensors_.counters().of_no_interest != before.of_no_interest) ++counters_.other;
+  if (status == Status::kOk) status = measured == Measured::kPosition ? complete(fix) : Status::kNotReady;
   if (status == Status::kOk) ++counters_.accepted;
   if (status == Status::kStale) ++counters_.waiting;
   if (status != Status::kOk && status != Status::kStale && status != Status::kNotReady) ++counters_.refused;
   return status;
 }
 
-Status NavigationReceiver::keep(std::uint32_t pgn, const Frame& frame, Time now) {
-  const Result<double> value = measured(pgn, frame.bytes());
-  if (!value.ok()) return value.status() == Status::kNotReady ? Status::kOutOfRange : value.status();
-  std::optional<Sample>& sample = pgn == kHeadingPgn ? heading_ : pgn == kSpeedPgn ? speed_ : depth_;
-  sample = Sample{pgn == kPressurePgn ? depth_of(value.value()).value : value.value(), now};
-  return Status::kNotReady;
+Status NavigationReceiver::accept(const Frame& frame, Time now, messages::Navigation& navigation) {
+  Fix fix;
+  const Status status = accept(frame, now, fix);
+  if (status != Status::kOk) return status;
+  constexpr MetersPerSecond kUnknown{std::numeric_limits<double>::quiet_NaN()};
+  navigation = {
+      .time = fix.time, .position = fix.position, .depth = fix.depth, .heading = fix.heading, .speed = fix.speed.value_or(kUnknown)};
+  return Status::kOk;
 }
 
-Status NavigationReceiver::complete(const Frame& frame, Time now, messages::Navigation& navigation) {
-  const Result<double> latitude = read(kPositionPgn, "Latitude", frame.bytes());
-  const Result<double> longitude = read(kPositionPgn, "Longitude", frame.bytes());
-  if (!latitude.ok() || !longitude.ok()) return Status::kOutOfRange;
-  const Result<NorthEast> position = plane_.to_local({latitude.value(), longitude.value()});
+Status NavigationReceiver::complete(Fix& fix) const {
+  const Readings& readings = sensors_.readings();
+  const Result<NorthEast> position = plane_.to_local(readings.position->value);
   if (!position.ok()) return position.status();
-
-  const auto fresh = [now](const std::optional<Sample>& sample, std::uint32_t pgn) {
-    return sample.has_value() && lies_within(sample->time, now, find_message(pgn)->timeout);
-  };
-  if (!fresh(heading_, kHeadingPgn) || !fresh(speed_, kSpeedPgn) || !fresh(depth_, kPressurePgn)) return Status::kStale;
-  navigation = {.time = now,
-                .position = position.value(),
-                .depth = Meters{depth_->value},
-                .heading = wrap_to_pi(Radians{heading_->value}),
-                .speed = MetersPerSecond{speed_->value}};
+  const Time time = readings.position->time;
+  if (!is_fresh(readings.heading, time, oldest_part_) || !is_fresh(readings.depth, time, oldest_part_)) return Status::kStale;
+  fix = {.time = time, .position = position.value(), .depth = readings.depth->value, .heading = readings.heading->value, .speed = {}};
+  if (is_fresh(readings.speed, time, oldest_part_)) fix.speed = readings.speed->value;
   return Status::kOk;
 }
 

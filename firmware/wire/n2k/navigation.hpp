@@ -9,6 +9,7 @@
 #include "firmware/messages/navigation.hpp"
 #include "firmware/wire/n2k/frame.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
+#include "firmware/wire/n2k/sensors/sensors.hpp"
 
 namespace earshot::n2k {
 
@@ -20,39 +21,57 @@ using NavigationFrames = std::array<Frame, 4>;
 [[nodiscard]] Status compose_navigation(const messages::Navigation& navigation, const LocalPlane& plane, std::uint8_t source,
                                         NavigationFrames& frames);
 
+/// Where the vehicle is, as its devices say. What is missing is missing.
+struct Fix {
+  Time time;  ///< arrival of the position (of its first frame)
+  NorthEast position;
+  Meters depth;
+  Radians heading;
+  std::optional<MetersPerSecond> speed;  ///< through the water; nothing on the vehicle needs it, so a fix does not wait for it
+};
+
+struct NavigationSettings {
+  SensorSettings sensors;
+  /// Between the arrivals of a position and of the heading, depth and speed that go with it, at most. Pressure is the slowest: by the
+  /// standard it comes every two seconds. A vehicle under way at 2 m/s turns and dives little in three.
+  Duration oldest_part = Duration::seconds(3);
+};
+
 struct NavigationCounters {
-  std::uint64_t accepted = 0;  ///< positions that gave a Navigation
-  /// Frames of ours that are malformed, out of range, or in a reference we do not take (magnetic heading, air pressure).
+  std::uint64_t accepted = 0;  ///< positions that gave a fix
+  /// Frames of ours that are malformed, out of range, or in a reference that is not taken (magnetic heading without a variation, air
+  /// pressure).
   std::uint64_t refused = 0;
-  std::uint64_t waiting = 0;  ///< positions that came while heading, speed or pressure was missing or stale
+  std::uint64_t waiting = 0;  ///< positions that came while heading or depth was missing or too old
   std::uint64_t other = 0;    ///< frames of other PGNs
 };
 
-/// Collects heading, speed and pressure; every position completes them to one navigation fix, provided none is older than its message's
-/// timeout. Devices are told apart by PGN only: the bus of this vehicle has one of each.
+/// Makes fixes of what Sensors reads: every position is one, provided that heading and depth are no more than `oldest_part` from it. It
+/// bears the position's date, not that of the moment it is made.
 class NavigationReceiver {
  public:
   explicit NavigationReceiver(const LocalPlane& plane) : plane_(plane) {}
+  NavigationReceiver(const LocalPlane& plane, const NavigationSettings& settings)
+      : plane_(plane), oldest_part_(settings.oldest_part), sensors_(settings.sensors) {}
 
-  /// kOk: `navigation` is new, and dated `now`. kNotReady: kept, or not ours. kOutOfRange, kMalformed: refused and counted. kStale: a
-  /// position, but the rest is missing or old.
+  /// @param now  arrival of the frame
+  /// @return kOk: `fix` is new. kNotReady: kept, or not ours. kOutOfRange, kMalformed, kUnsupported: refused and counted. kStale: a
+  /// position, but heading or depth is missing or old.
+  [[nodiscard]] Status accept(const Frame& frame, Time now, Fix& fix);
+  /// Likewise; a speed that is missing is NaN.
   [[nodiscard]] Status accept(const Frame& frame, Time now, messages::Navigation& navigation);
 
   [[nodiscard]] const NavigationCounters& counters() const { return counters_; }
+  [[nodiscard]] const Sensors& sensors() const { return sensors_; }
+  [[nodiscard]] Status zero_at_surface() { return sensors_.zero_at_surface(); }
 
  private:
-  struct Sample {
-    double value = 0.0;
-    Time time;
-  };
   LocalPlane plane_;
-  std::optional<Sample> heading_;
-  std::optional<Sample> speed_;
-  std::optional<Sample> depth_;
+  Duration oldest_part_ = NavigationSettings{}.oldest_part;
+  Sensors sensors_;
   NavigationCounters counters_;
 
-  [[nodiscard]] Status keep(std::uint32_t pgn, const Frame& frame, Time now);
-  [[nodiscard]] Status complete(const Frame& frame, Time now, messages::Navigation& navigation);
+  [[nodiscard]] Status complete(Fix& fix) const;
 };
 
 }  // namespace earshot::n2k

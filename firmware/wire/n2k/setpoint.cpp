@@ -8,10 +8,10 @@ namespace earshot::n2k {
 
 namespace {
 
-constexpr double kTrueNorth = 0.0;        ///< DIRECTION_REFERENCE
-constexpr double kHeadingControl = 4.0;   ///< STEERING_MODE
-constexpr double kManufacturer = 2044.0;  ///< see signals.cpp
-constexpr double kMarineIndustry = 4.0;   ///< INDUSTRY_CODE
+constexpr double kTrueNorth = 0.0;       ///< DIRECTION_REFERENCE
+constexpr double kHeadingControl = 4.0;  ///< STEERING_MODE
+constexpr double kManufacturer = table::kManufacturer;
+constexpr double kMarineIndustry = 4.0;  ///< INDUSTRY_CODE
 constexpr double kTwoPi = 6.283185307179586;
 
 }  // namespace
@@ -67,7 +67,9 @@ Status SetpointReceiver::accept(const Frame& frame, messages::Setpoint& setpoint
   if (!heading.ok() || !reference.ok()) return Status::kOutOfRange;
   if (reference.value() != kTrueNorth) return Status::kUnsupported;
   if (!speed_depth_) return Status::kNotReady;
+  // Both parts are used up: a heading whose depth was lost waits for the next set-point instead of taking up with an old one.
   setpoint = {.heading = wrap_to_pi(Radians{heading.value()}), .speed = speed_depth_->speed, .depth = speed_depth_->depth, .waypoint = {}};
+  speed_depth_.reset();
   return Status::kOk;
 }
 

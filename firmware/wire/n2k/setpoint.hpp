@@ -21,8 +21,8 @@ using SetpointFrames = FixedVector<Frame, 1 + kMaxFastPacketFrames>;
 [[nodiscard]] Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source, std::uint8_t sequence,
                                       SetpointFrames& frames);
 
-/// The autopilot's side (simulator, tests): every heading completes a set-point with the speed and depth before it; its way-point stays
-/// empty.
+/// The autopilot's side (simulator, tests): a heading completes a set-point with the speed and depth that came since the last one, so that
+/// no set-point is made of halves of two; its way-point stays empty.
 class SetpointReceiver {
  public:
   /// kOk: `setpoint` is new. kNotReady: kept, or not ours. Otherwise refused.

@@ -34,11 +34,11 @@ class DecodesWithCantools(unittest.TestCase):
         cls.plain, cls.masked = decode(), decode("--frame-id-mask", "0x1ffff00")
 
     def test_the_plain_call_names_what_the_simulated_vehicle_sends(self):
-        # 0x5A70 = 23152 x 1e-4 rad; the reference's two bits are 1 (magnetic).
+        # 0x5A70 = 23152 x 1e-4 rad; the reference's two bits are 1.
         text = self.plain["heading of the simulated vehicle"]
         self.assertIn("VesselHeading(", text)
         self.assertIn("Heading: 2.3152 rad", text)
-        self.assertIn("Reference: 1", text)
+        self.assertIn("Reference: Magnetic", text)
 
     def test_the_plain_call_names_what_earshot_sends(self):
         # Speed 0x00C8 = 200 x 0.01 m/s; depth 0x00007530 = 30000 x 0.01 m.

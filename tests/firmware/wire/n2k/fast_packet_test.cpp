@@ -42,15 +42,16 @@ TEST_F(FastPacket, IsCutIntoTheVeryFramesOfARecordedBus) {
   for (const Recorded& recorded : recorded_bus()) {
     if (recorded.frames.size() == 1) continue;
     for (const Frame& frame : recorded.frames) static_cast<void>(accept(frame));
-    const FastPacketFrames frames = frames_of(bytes(), static_cast<std::uint8_t>(recorded.frames[0].data[0] >> 5U));
+    const Identifier identifier = parse_identifier(recorded.frames[0].identifier).value();
+    const FastPacketFrames frames = frames_of(bytes(), static_cast<std::uint8_t>(recorded.frames[0].data[0] >> 5U), identifier);
     EXPECT_TRUE(std::ranges::equal(frames, recorded.frames));
     ++compared;
   }
-  EXPECT_EQ(compared, 2);
+  EXPECT_EQ(compared, 4);
 }
 
 TEST_F(FastPacket, GivesBackMessagesOfEverySize) {
-  for (std::size_t size = 9; size <= kMaxMessageSize; ++size) {
+  for (std::size_t size = 1; size <= kMaxMessageSize; ++size) {
     Status status = Status::kNotReady;
     for (const Frame& frame : frames_of(counting(size))) {
       ASSERT_EQ(status, Status::kNotReady);
@@ -61,9 +62,9 @@ TEST_F(FastPacket, GivesBackMessagesOfEverySize) {
   }
 }
 
-TEST_F(FastPacket, RefusesToComposeWhatFitsOneFrameOrNone) {
+TEST_F(FastPacket, RefusesToComposeNothingAndWhatNoPacketHolds) {
   FastPacketFrames frames;
-  EXPECT_EQ(compose_fast_packet(kControl, 0, counting(8), frames), Status::kOutOfRange);
+  EXPECT_EQ(compose_fast_packet(kControl, 0, counting(0), frames), Status::kOutOfRange);
   EXPECT_EQ(compose_fast_packet(kControl, 0, counting(kMaxMessageSize + 1), frames), Status::kOutOfRange);
 }
 
@@ -108,11 +109,11 @@ TEST_F(FastPacket, GivesUpTheMessageThatWaitedLongestWhenAllSlotsAreTaken) {
   EXPECT_EQ(accept(frames_of(counting(9), 0, senders[1])[1], senders[1]), Status::kOk);
 }
 
-TEST_F(FastPacket, DropsMessagesLargerThanAnyOfOursWithoutTouchingMemory) {
+TEST_F(FastPacket, DropsMessagesLargerThanAnyWithoutTouchingMemory) {
   Frame frame = frames_of(counting(21))[0];
-  frame.data[1] = 223;
+  frame.data[1] = 224;
   EXPECT_EQ(accept(frame), Status::kFull);
-  frame.data[1] = 8;
+  frame.data[1] = 0;
   EXPECT_EQ(accept(frame), Status::kFull);
   EXPECT_EQ(assembly_.counters().too_large, 2U);
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "firmware/wire/n2k/codec.hpp"
+#include "firmware/wire/n2k/fast_packet.hpp"
 
 namespace earshot::n2k {
 namespace {
@@ -54,7 +55,7 @@ TEST_F(NavigationReceiverTest, SendsTheMessagesWithTheirPgnsAndSource) {
   }
 }
 
-TEST_F(NavigationReceiverTest, WaitsUntilHeadingSpeedAndPressureHaveCome) {
+TEST_F(NavigationReceiverTest, WaitsUntilHeadingAndPressureHaveCome) {
   const NavigationFrames frames = frames_of(kNavigation);
   EXPECT_EQ(accept(frames[3]), Status::kStale);
   EXPECT_EQ(accept(frames[0]), Status::kNotReady);
@@ -65,12 +66,57 @@ TEST_F(NavigationReceiverTest, WaitsUntilHeadingSpeedAndPressureHaveCome) {
   EXPECT_EQ(receiver_.counters().waiting, 2U);
 }
 
-TEST_F(NavigationReceiverTest, DoesNotUseADepthOlderThanItsTimeout) {
+TEST_F(NavigationReceiverTest, DoesNotMakeAFixOfPartsThatAreTooFarApart) {
+  const NavigationFrames frames = frames_of(kNavigation);
+  const Duration most = NavigationSettings{}.oldest_part;
+  for (const std::size_t part : {0U, 2U}) {
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(accept(frames[i]), Status::kNotReady);
+    EXPECT_EQ(accept(frames[2 - part], kNow + Duration{1}), Status::kNotReady);
+    EXPECT_EQ(accept(frames[3], kNow + most), Status::kOk);
+    EXPECT_EQ(accept(frames[3], kNow + most + Duration{1}), Status::kStale);
+  }
+}
+
+TEST_F(NavigationReceiverTest, TakesTheMissionsWordForHowOldAPartMayBe) {
+  const NavigationFrames frames = frames_of(kNavigation);
+  NavigationReceiver strict(kPlane, {.sensors = {}, .oldest_part = Duration::milliseconds(500)});
+  Fix fix;
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(strict.accept(frames[i], kNow, fix), Status::kNotReady);
+  EXPECT_EQ(strict.accept(frames[3], kNow + Duration::milliseconds(501), fix), Status::kStale);
+  EXPECT_EQ(strict.accept(frames[3], kNow + Duration::milliseconds(500), fix), Status::kOk);
+}
+
+TEST_F(NavigationReceiverTest, MakesAFixWithoutASpeed) {
+  const NavigationFrames frames = frames_of(kNavigation);
+  NavigationReceiver receiver(kPlane);
+  Fix fix;
+  for (const std::size_t i : {0U, 2U}) EXPECT_EQ(receiver.accept(frames[i], kNow, fix), Status::kNotReady);
+  ASSERT_EQ(receiver.accept(frames[3], kNow, fix), Status::kOk);
+  EXPECT_FALSE(fix.speed.has_value());
+  ASSERT_EQ(receiver.accept(frames[1], kNow, fix), Status::kNotReady);
+  ASSERT_EQ(receiver.accept(frames[3], kNow, fix), Status::kOk);
+  EXPECT_DOUBLE_EQ(fix.speed->value, 2.0);
+  // An old speed is none.
+  for (const std::size_t i : {0U, 2U}) EXPECT_EQ(receiver.accept(frames[i], kNow + Duration::seconds(5), fix), Status::kNotReady);
+  ASSERT_EQ(receiver.accept(frames[3], kNow + Duration::seconds(5), fix), Status::kOk);
+  EXPECT_FALSE(fix.speed.has_value());
+}
+
+TEST_F(NavigationReceiverTest, DatesAFixByThePositionsFirstFrame) {
   const NavigationFrames frames = frames_of(kNavigation);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(accept(frames[i]), Status::kNotReady);
-  const Time edge = kNow + find_message(kPressurePgn)->timeout;
-  EXPECT_EQ(accept(frames[3], edge), Status::kOk);
-  EXPECT_EQ(accept(frames[3], edge + Duration{1}), Status::kStale);
+  auto gnss = MessageWriter(kGnssPgn);
+  gnss.set("Latitude", 46.0).set("Longitude", -1.3).set("Method", 1);
+  FastPacketFrames packet;
+  ASSERT_EQ(compose_fast_packet(gnss.identifier(kSource), 0, gnss.bytes(), packet), Status::kOk);
+  Status status = Status::kNotReady;
+  for (std::size_t i = 0; i < packet.size(); ++i) {
+    EXPECT_EQ(status, Status::kNotReady);
+    status = accept(packet[i], kNow + Duration::milliseconds(100 + 10 * static_cast<std::int64_t>(i)));
+  }
+  ASSERT_EQ(status, Status::kOk);
+  EXPECT_EQ(navigation_.time, kNow + Duration::milliseconds(100));
+  EXPECT_EQ(navigation_.position.north.value, 0.0);
 }
 
 TEST_F(NavigationReceiverTest, RefusesAMagneticHeading) {
@@ -89,13 +135,17 @@ TEST_F(NavigationReceiverTest, RefusesThePressureOfTheAir) {
   EXPECT_EQ(accept(air), Status::kUnsupported);
 }
 
-TEST_F(NavigationReceiverTest, RefusesFieldsThatAreNotAvailable) {
+TEST_F(NavigationReceiverTest, MakesNothingOfWhatIsNotAvailable) {
+  const NavigationFrames frames = frames_of(kNavigation);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(accept(frames[i]), Status::kNotReady);
   Frame frame;
-  ASSERT_EQ(MessageWriter(kSpeedPgn).frame(kSource, frame), Status::kOk);
-  EXPECT_EQ(accept(frame), Status::kOutOfRange);
   ASSERT_EQ(MessageWriter(kPositionPgn).set("Latitude", 46.0).frame(kSource, frame), Status::kOk);
-  EXPECT_EQ(accept(frame), Status::kOutOfRange);
-  EXPECT_EQ(receiver_.counters().refused, 2U);
+  EXPECT_EQ(accept(frame), Status::kNotReady);
+  ASSERT_EQ(MessageWriter(kPressurePgn).set("Instance", 0).set("Source", 1).frame(kSource, frame), Status::kOk);
+  EXPECT_EQ(accept(frame), Status::kNotReady);
+  EXPECT_EQ(accept(frames[3]), Status::kStale) << "a depth that its sensor takes back";
+  EXPECT_EQ(receiver_.counters().refused, 0U);
+  EXPECT_EQ(receiver_.sensors().counters().unavailable, 2U);
 }
 
 TEST_F(NavigationReceiverTest, RefusesFramesThatAreTooShort) {
@@ -107,7 +157,7 @@ TEST_F(NavigationReceiverTest, RefusesFramesThatAreTooShort) {
 }
 
 TEST_F(NavigationReceiverTest, PassesOverOtherMessages) {
-  EXPECT_EQ(accept({.identifier = 0x09F113CC, .size = 8, .data = {}}), Status::kNotReady);
+  EXPECT_EQ(accept({.identifier = 0x09F200CC, .size = 8, .data = {}}), Status::kNotReady);  // 127488, an engine
   EXPECT_EQ(receiver_.counters().other, 1U);
 }
 

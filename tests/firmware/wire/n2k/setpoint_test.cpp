@@ -56,6 +56,18 @@ TEST(Setpoint, OfAnotherMakersGroupIsNotTaken) {
   for (const Frame& frame : frames) EXPECT_EQ(receiver.accept(frame, received), Status::kNotReady);
 }
 
+TEST(Setpoint, IsNeverMadeOfHalvesOfTwo) {
+  const SetpointFrames frames = frames_of(kSetpoint);
+  SetpointReceiver receiver;
+  messages::Setpoint received;
+  for (const Frame& frame : frames) static_cast<void>(receiver.accept(frame, received));
+  // Of the next one, speed and depth are lost: its heading alone is none.
+  for (std::size_t i = 1; i < frames.size(); ++i) EXPECT_EQ(receiver.accept(frames[i], received), Status::kNotReady);
+  // Of the one after, a part of the heading is lost.
+  for (const std::size_t i : {0U, 1U, 2U}) EXPECT_EQ(receiver.accept(frames[i], received), Status::kNotReady);
+  EXPECT_EQ(receiver.accept(frames[4], received), Status::kMalformed);
+}
+
 TEST(Setpoint, IsRefusedWhenNoFrameCanCarryIt) {
   SetpointFrames frames;
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,146 @@
+#pragma once
+
+#include "firmware/wire/n2k/table/choices.hpp"
+
+namespace earshot::n2k::table {
+
+// Ours: what no standard group carries. A proprietary group begins with the maker's code; 2044, the highest that the field can hold, is
+// assigned to nobody known to canboat and must become the vehicle maker's own before it sails with strangers' devices.
+
+inline constexpr std::int64_t kManufacturer = 2044;
+inline constexpr std::int64_t kMarineIndustry = raw_of(kIndustry, "Marine Industry");
+
+inline constexpr Choice kOrders[]{{1, "START"}, {2, "COMPLETE"}, {3, "ABORT"}};
+inline constexpr Choice kOutcomes[]{{0, "obeyed"},         {1, "repeated"},          {2, "too old"},
+                                    {3, "expired"},        {4, "not in this state"}, {5, "unknown order"},
+                                    {6, "not configured"}, {7, "out of order"}};
+inline constexpr Choice kMissionStates[]{{0, "STANDBY"}, {1, "SEARCH"}, {2, "DONE"}, {3, "ABORT"}};
+inline constexpr Choice kEndReasons[]{{0, "not over"},         {1, "completed"}, {2, "steps used up"},       {3, "operator abort"},
+                                      {4, "navigation stale"}, {5, "SNR stale"}, {6, "left operating area"}, {7, "time used up"}};
+inline constexpr Choice kLeakStates[]{{0, "dry"}, {1, "wet"}};
+inline constexpr Choice kPeers[]{{1, "command"}, {2, "acknowledgement"}, {3, "abort"}};
+
+consteval Signal manufacturer() {
+  return number("ManufacturerCode", 0, 11);
+}
+consteval Signal industry() {
+  return choice("IndustryGroup", 13, 3, kIndustry);
+}
+consteval Signal message_kind() {
+  return choice("Kind", 16, 8, kPeers);
+}
+/// Microseconds since the epoch of the mission clock (UTC at sea).
+consteval Signal instant(std::string_view name, unsigned first_bit) {
+  return number(name, first_bit, 64, kSigned, {1, 1'000'000}, "s");
+}
+/// Drawn or counted by a sender: all 32 bits are numbers.
+consteval Signal any_number(std::string_view name, unsigned first_bit) {
+  return number(name, first_bit, 32, kUnsigned, kOne, "", Special::kNone);
+}
+/// What only grows: 9 years at a million a second; more stays at the highest.
+consteval Signal counter(std::string_view name, unsigned first_bit) {
+  return number(name, first_bit, 48);
+}
+consteval Signal metres(std::string_view name, unsigned first_bit) {
+  return number(name, first_bit, 32, kSigned, kHundredth, "m");
+}
+
+inline constexpr Signal kSpeedDepthSignals[]{
+    manufacturer(),
+    industry(),
+    number("CommandedSpeed", 16, 16, kUnsigned, kHundredth, "m/s"),
+    within(0, 12'000, number("CommandedDepth", 32, 32, kUnsigned, kHundredth, "m")),
+};
+
+inline constexpr Signal kSnrSignals[]{
+    manufacturer(),
+    industry(),
+    within(-600, 600, number("SNR", 16, 18, kSigned, kHundredth, "dB")),
+    choice("TooFaint", 34, 2, kYesNo),
+    number("BandLevel", 36, 16, kUnsigned, kHundredth, "dB re 1 uPa"),
+    sequence_identifier(52),
+};
+
+inline constexpr Signal kAltitudeSignals[]{
+    manufacturer(),
+    industry(),
+    sequence_identifier(16),
+    number("Altitude", 24, 32, kUnsigned, kHundredth, "m"),
+};
+
+inline constexpr Signal kLeakSignals[]{
+    manufacturer(),
+    industry(),
+    number("Instance", 16, 8),
+    choice("State", 24, 2, kLeakStates),
+};
+
+inline constexpr Signal kHealthSignals[]{
+    manufacturer(),
+    industry(),
+    instant("Time", 16),
+    choice("State", 80, 8, kMissionStates),
+    choice("EndReason", 88, 8, kEndReasons),
+    any_number("StepsTaken", 96),
+    counter("NavigationRefused", 128),
+    counter("SNRRefused", 176),
+    counter("CommandsRefused", 224),
+    counter("SetpointsLimited", 272),
+    number("Ports", 320, 8),
+};
+
+inline constexpr Signal kPortHealthSignals[]{
+    manufacturer(),          industry(),          number("Port", 16, 8),     choice("LinkUp", 24, 2, kYesNo),
+    counter("Received", 32), counter("Lost", 80), counter("Malformed", 128), counter("Unsent", 176),
+};
+
+// What a policy saw and weighed (observation and logits) is in the journal only: 384 bytes more.
+inline constexpr Signal kDecisionSignals[]{
+    manufacturer(),
+    industry(),
+    instant("Time", 16),
+    any_number("Step", 80),
+    metres("North", 112),
+    metres("East", 144),
+    within(-600, 600, number("SNR", 176, 18, kSigned, kHundredth, "dB")),
+    choice("TooFaint", 194, 2, kYesNo),
+    choice("Detected", 196, 2, kYesNo),
+    choice("Overridden", 198, 2, kYesNo),
+    number("Action", 200, 8),
+    metres("WaypointNorth", 208),
+    metres("WaypointEast", 240),
+    metres("LikeliestNorth", 272),
+    metres("LikeliestEast", 304),
+    metres("MeanNorth", 336),
+    metres("MeanEast", 368),
+    number("Spread", 400, 32, kUnsigned, kHundredth, "m"),
+    within(0, 1, number("LikeliestShare", 432, 16, kUnsigned, {1, 60'000})),
+    number("EffectiveCells", 448, 32, kUnsigned, kHundredth),
+};
+
+inline constexpr Signal kCommandSignals[]{
+    manufacturer(),           industry(),          message_kind(),         choice("Order", 24, 8, kOrders), any_number("Issuer", 32),
+    any_number("Number", 64), instant("Time", 96), instant("Expiry", 160),
+};
+
+inline constexpr Signal kCommandAcknowledgementSignals[]{
+    manufacturer(),
+    industry(),
+    message_kind(),
+    choice("Order", 24, 8, kOrders),
+    any_number("Issuer", 32),
+    any_number("Number", 64),
+    choice("Outcome", 96, 8, kOutcomes),
+    instant("Time", 104),
+};
+
+// One frame that aborts, for senders that cannot cut a fast packet. It is given when it arrives.
+inline constexpr Signal kAbortSignals[]{
+    manufacturer(),
+    industry(),
+    message_kind(),
+    number("AbortIssuer", 24, 16, kUnsigned, kOne, "", Special::kNone),
+    number("AbortNumber", 40, 24, kUnsigned, kOne, "", Special::kNone),
+};
+
+}  // namespace earshot::n2k::table
