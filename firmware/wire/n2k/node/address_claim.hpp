@@ -1,0 +1,75 @@
+#pragma once
+
+#include <bitset>
+#include <cstdint>
+#include <optional>
+
+#include "firmware/core/status.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/wire/n2k/identifier.hpp"
+#include "firmware/wire/n2k/sensors/directory.hpp"
+
+namespace earshot::n2k {
+
+inline constexpr std::uint8_t kLastAddress = 251;  ///< of those that a device may claim; 252 and 253 are reserved
+/// After a claim, until it holds if nobody objects. Source: SAE J1939-81, 4.2.1.
+inline constexpr Duration kClaimTime = Duration::milliseconds(250);
+/// Between two claims of ours, at least: two devices that claim one address at the same time disturb each other's frames, and whoever
+/// claims without end must not make us do so.
+inline constexpr Duration kLeastClaimGap = Duration::milliseconds(20);
+/// Until a device without an address tries again: the bus may have emptied.
+inline constexpr Duration kClaimAgain = Duration::seconds(30);
+
+struct ClaimCounters {
+  std::uint64_t claims = 0;    ///< sent, also those that say that no address can be claimed
+  std::uint64_t defended = 0;  ///< against a device with fewer rights
+  std::uint64_t lost = 0;      ///< to one with more
+  std::uint64_t given_up = 0;  ///< times that no address was left
+  std::uint64_t own = 0;       ///< claims with our own NAME that came back (an echo), or a device with the same NAME
+};
+
+/// Which address this device has, and how it gets and keeps one. Claims are sent by the caller: when claim_due() says so, one from
+/// source().
+///
+///   start -> claiming -(250 ms without objection)-> holding
+///   a lower NAME claims our address -> the next free one is claimed; none is free -> no address, told once; again after 30 s
+///   a higher NAME claims our address -> our claim again
+/// Source: SAE J1939-81, 4.2 to 4.4.   Oracle: AddressClaim tests against a plain model of the bus
+class AddressClaim {
+ public:
+  AddressClaim(Name name, std::uint8_t preferred) : name_(name), preferred_(preferred), wanted_(preferred) {}
+
+  /// Another device's claim (60928), or our own come back.
+  void accept(std::uint8_t source, Name name, Time now);
+  /// Somebody asks who is there: our claim is due.
+  void ask() { due_ = true; }
+  /// Somebody commands us (65240) to another address. kOutOfRange: no device may have that one.
+  [[nodiscard]] Status move_to(std::uint8_t address);
+  /// Time passes: whether a claim is to be sent now. It counts as sent.
+  [[nodiscard]] bool claim_due(Time now);
+
+  /// What we may send from; nothing while claiming, and without one.
+  [[nodiscard]] std::optional<std::uint8_t> address() const { return state_ == State::kHolding ? std::optional(wanted_) : std::nullopt; }
+  /// What a claim is to be sent from: the address claimed, or 254.
+  [[nodiscard]] std::uint8_t source() const { return state_ == State::kWithout ? kNullAddress : wanted_; }
+  [[nodiscard]] Name name() const { return name_; }
+  [[nodiscard]] const ClaimCounters& counters() const { return counters_; }
+
+ private:
+  enum class State : std::uint8_t { kStarting, kClaiming, kHolding, kWithout };
+  void yield_address(Time now);
+  void claim(std::uint8_t address);
+
+  Name name_;
+  std::uint8_t preferred_;
+  std::uint8_t wanted_;
+  State state_ = State::kStarting;
+  bool due_ = true;
+  std::optional<Time> sent_;  ///< our last claim
+  Time began_;                ///< the first claim of the address wanted
+  Time since_;                ///< when we were last left without an address
+  std::bitset<256> taken_;    ///< by devices with more rights than ours, as far as heard
+  ClaimCounters counters_;
+};
+
+}  // namespace earshot::n2k
