@@ -1,0 +1,122 @@
+#include "firmware/wire/n2k/own/orders.hpp"
+
+#include "firmware/wire/n2k/identifier.hpp"
+#include "firmware/wire/n2k/own/ownership.hpp"
+
+namespace earshot::n2k {
+
+namespace {
+
+using messages::CommandAcknowledgement;
+using messages::CommandOutcome;
+using messages::OperatorCommand;
+using messages::Order;
+
+constexpr bool is_order(std::int64_t raw) {
+  return raw >= static_cast<std::int64_t>(Order::kStart) && raw <= static_cast<std::int64_t>(Order::kAbort);
+}
+
+Status cut(const MessageWriter& writer, const Route& route, FastPacketFrames& frames) {
+  if (writer.status() != Status::kOk) return writer.status();
+  return compose_fast_packet(writer.identifier(route.source, route.destination), route.sequence, writer.bytes(), frames);
+}
+
+/// An abort is given when it arrives, and it does not expire.
+Result<OperatorCommand> read_abort(std::span<const std::uint8_t> bytes, Time arrival) {
+  MessageReader reader(table::kAbort, bytes);
+  const OperatorCommand command{.time = arrival,
+                                .expiry = arrival,
+                                .issuer = static_cast<std::uint32_t>(reader.raw("AbortIssuer")),
+                                .number = static_cast<std::uint32_t>(reader.raw("AbortNumber")),
+                                .order = Order::kAbort};
+  if (reader.status() != Status::kOk) return reader.status();
+  return command;
+}
+
+}  // namespace
+
+Status compose_command(const OperatorCommand& command, const Route& route, FastPacketFrames& frames) {
+  MessageWriter writer = begin_own(table::kCommand);
+  writer.set_raw("Order", static_cast<std::int64_t>(command.order))
+      .set_raw("Issuer", command.issuer)
+      .set_raw("Number", command.number)
+      .set_raw("Time", command.time.us)
+      .set_raw("Expiry", command.expiry.us);
+  return cut(writer, route, frames);
+}
+
+Result<OperatorCommand> read_command(std::span<const std::uint8_t> bytes) {
+  if (!is_ours(table::kCommand, bytes)) return Status::kUnsupported;
+  MessageReader reader(table::kCommand, bytes);
+  const std::int64_t order = reader.raw("Order");
+  OperatorCommand command;
+  command.issuer = static_cast<std::uint32_t>(reader.raw("Issuer"));
+  command.number = static_cast<std::uint32_t>(reader.raw("Number"));
+  command.time = Time{reader.raw("Time")};
+  command.expiry = Time{reader.raw("Expiry")};
+  if (reader.status() != Status::kOk) return reader.status();
+  if (!is_order(order)) return Status::kUnsupported;
+  command.order = static_cast<Order>(order);
+  return command;
+}
+
+Status compose_abort(std::uint32_t issuer, std::uint32_t number, const Route& route, Frame& frame) {
+  return begin_own(table::kAbort)
+      .set_raw("AbortIssuer", issuer)
+      .set_raw("AbortNumber", number)
+      .frame(route.source, frame, route.destination);
+}
+
+Status compose_acknowledgement(const CommandAcknowledgement& acknowledgement, const Route& route, FastPacketFrames& frames) {
+  MessageWriter writer = begin_own(table::kCommandAcknowledgement);
+  writer.set_raw("Order", static_cast<std::int64_t>(acknowledgement.order))
+      .set_raw("Issuer", acknowledgement.issuer)
+      .set_raw("Number", acknowledgement.number)
+      .set_raw("Outcome", static_cast<std::int64_t>(acknowledgement.outcome))
+      .set_raw("Time", acknowledgement.time.us);
+  return cut(writer, route, frames);
+}
+
+Result<CommandAcknowledgement> read_acknowledgement(std::span<const std::uint8_t> bytes) {
+  if (!is_ours(table::kCommandAcknowledgement, bytes)) return Status::kUnsupported;
+  MessageReader reader(table::kCommandAcknowledgement, bytes);
+  const std::int64_t order = reader.raw("Order");
+  const std::int64_t outcome = reader.raw("Outcome");
+  CommandAcknowledgement acknowledgement;
+  acknowledgement.time = Time{reader.raw("Time")};
+  acknowledgement.issuer = static_cast<std::uint32_t>(reader.raw("Issuer"));
+  acknowledgement.number = static_cast<std::uint32_t>(reader.raw("Number"));
+  if (reader.status() != Status::kOk) return reader.status();
+  if (outcome > static_cast<std::int64_t>(CommandOutcome::kOutOfOrder)) return Status::kUnsupported;
+  acknowledgement.order = static_cast<Order>(order);
+  acknowledgement.outcome = static_cast<CommandOutcome>(outcome);
+  return acknowledgement;
+}
+
+Status OrderReceiver::accept(const Frame& frame, Time now, std::uint8_t address, OperatorCommand& command, std::uint8_t& sender) {
+  const Result<Identifier> parsed = parse_identifier(frame.identifier);
+  if (!parsed.ok() || parsed.value().pgn != kPeerPgn) return Status::kNotReady;
+  const Identifier& identifier = parsed.value();
+  if (identifier.destination != address && identifier.destination != kBroadcast) return Status::kNotReady;
+  sender = identifier.source;
+  if (is_ours(table::kAbort, frame.bytes()) && !assembly_.expects(identifier, frame)) return take(frame.bytes(), now, command);
+  Assembled message;
+  const Status status = assembly_.accept(identifier, frame, now, message);
+  if (status != Status::kOk) return Status::kNotReady;
+  return take(message.bytes, now, command);
+}
+
+Status OrderReceiver::take(std::span<const std::uint8_t> bytes, Time now, OperatorCommand& command) {
+  const bool aborts = is_ours(table::kAbort, bytes);
+  if (!aborts && !is_ours(table::kCommand, bytes)) {
+    ++counters_.other;
+    return Status::kNotReady;
+  }
+  const Result<OperatorCommand> read = aborts ? read_abort(bytes, now) : read_command(bytes);
+  ++(read.ok() ? counters_.taken : counters_.refused);
+  if (!read.ok()) return read.status();
+  command = read.value();
+  return Status::kOk;
+}
+
+}  // namespace earshot::n2k

@@ -1,0 +1,112 @@
+#include "firmware/wire/n2k/own/orders.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace earshot::n2k {
+namespace {
+
+using messages::OperatorCommand;
+using messages::Order;
+
+constexpr std::uint8_t kUs = 0x40;
+constexpr std::uint8_t kOperator = 0x23;
+constexpr Route kRoute{.source = kOperator, .destination = kUs, .sequence = 7};
+constexpr Time kNow{1'700'000'000'000'000};
+constexpr OperatorCommand kStart{.time = Time{1'700'000'000'123'456},
+                                 .expiry = Time{1'700'000'060'000'000},
+                                 .issuer = 0xFFFF'FFFF,
+                                 .number = 0xFFFF'FFFE,
+                                 .order = Order::kStart};
+
+class OrdersTest : public ::testing::Test {
+ protected:
+  Status accept(const Frame& frame) { return receiver_.accept(frame, kNow, kUs, command_, sender_); }
+  static FastPacketFrames frames_of(const OperatorCommand& command, const Route& route = kRoute) {
+    FastPacketFrames frames;
+    EXPECT_EQ(compose_command(command, route, frames), Status::kOk);
+    return frames;
+  }
+
+  OrderReceiver receiver_;
+  OperatorCommand command_;
+  std::uint8_t sender_ = 0;
+};
+
+TEST_F(OrdersTest, ComeBackWithAllTheirBits) {
+  Status status = Status::kNotReady;
+  for (const Frame& frame : frames_of(kStart)) {
+    EXPECT_EQ(status, Status::kNotReady);
+    EXPECT_EQ(frame.identifier, 0x0DEF4023U);  // 126720 = 0x1EF00 at priority 3, from 0x23 to 0x40
+    status = accept(frame);
+  }
+  ASSERT_EQ(status, Status::kOk);
+  EXPECT_EQ(command_, kStart);
+  EXPECT_EQ(sender_, kOperator);
+}
+
+TEST_F(OrdersTest, ToAnotherDeviceAreNotOurs) {
+  for (const Frame& frame : frames_of(kStart, {.source = kOperator, .destination = 0x41, .sequence = 0}))
+    EXPECT_EQ(accept(frame), Status::kNotReady);
+  Frame abort;
+  ASSERT_EQ(compose_abort(1, 2, {.source = kOperator, .destination = 0x41}, abort), Status::kOk);
+  EXPECT_EQ(accept(abort), Status::kNotReady);
+}
+
+TEST_F(OrdersTest, ToAbortComeInOneFrame) {
+  Frame abort;
+  ASSERT_EQ(compose_abort(0x1234, 0x56789A, kRoute, abort), Status::kOk);
+  EXPECT_EQ(abort, (Frame{0x0DEF4023, 8, {0xFC, 0x9F, 3, 0x34, 0x12, 0x9A, 0x78, 0x56}}));
+  ASSERT_EQ(accept(abort), Status::kOk);
+  EXPECT_EQ(command_, (OperatorCommand{.time = kNow, .expiry = kNow, .issuer = 0x1234, .number = 0x56789A, .order = Order::kAbort}));
+  EXPECT_EQ(compose_abort(0x10000, 1, kRoute, abort), Status::kOutOfRange);
+}
+
+TEST_F(OrdersTest, InOneFrameAreNotTakenOutOfTheMiddleOfAPacket) {
+  // A packet of 223 bytes of sequence 7 whose frame 28 begins as an abort: 0xFC is 7 << 5 | 28.
+  std::vector<std::uint8_t> bytes(223, 0);
+  FastPacketFrames packet;
+  ASSERT_EQ(compose_fast_packet({.pgn = kPeerPgn, .priority = 3, .source = kOperator, .destination = kUs}, 7, bytes, packet), Status::kOk);
+  packet[28].data = {0xFC, 0x9F, 3, 1, 0, 1, 0, 0};
+  for (const Frame& frame : packet) EXPECT_EQ(accept(frame), Status::kNotReady);
+  EXPECT_EQ(receiver_.counters().taken, 0U);
+  EXPECT_EQ(accept(packet[28]), Status::kOk) << "on its own";
+}
+
+TEST_F(OrdersTest, OfOtherMakersAndUnknownOnesAreRefused) {
+  OperatorCommand unknown = kStart;
+  unknown.order = static_cast<Order>(9);
+  Status status = Status::kNotReady;
+  for (const Frame& frame : frames_of(unknown)) status = accept(frame);
+  EXPECT_EQ(status, Status::kUnsupported);
+  FastPacketFrames frames = frames_of(kStart);
+  frames[0].data[2] = 0x3F;  // another maker
+  for (const Frame& frame : frames) status = accept(frame);
+  EXPECT_EQ(status, Status::kNotReady);
+  EXPECT_EQ(receiver_.counters().refused, 1U);
+  EXPECT_EQ(receiver_.counters().other, 1U);
+}
+
+TEST_F(OrdersTest, AreAcknowledgedWithAllTheirBits) {
+  const messages::CommandAcknowledgement sent{.time = kNow,
+                                              .port = 0,
+                                              .issuer = 0xFFFF'FFFF,
+                                              .number = 3,
+                                              .order = Order::kComplete,
+                                              .outcome = messages::CommandOutcome::kOutOfOrder};
+  FastPacketFrames frames;
+  ASSERT_EQ(compose_acknowledgement(sent, {.source = kUs, .destination = kOperator, .sequence = 0}, frames), Status::kOk);
+  FastPacketAssembly assembly;
+  std::span<const std::uint8_t> bytes;
+  for (const Frame& frame : frames) {
+    EXPECT_EQ(frame.identifier, 0x0DEF2340U);
+    static_cast<void>(assembly.accept({.pgn = kPeerPgn, .source = kUs, .destination = kOperator}, frame, bytes));
+  }
+  ASSERT_EQ(bytes.size(), 21U);
+  EXPECT_EQ(read_acknowledgement(bytes).value(), sent);
+  EXPECT_EQ(read_command(bytes).status(), Status::kUnsupported);
+}
+
+}  // namespace
+}  // namespace earshot::n2k

@@ -1,0 +1,128 @@
+#include "firmware/wire/n2k/own/reports.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace earshot::n2k {
+namespace {
+
+constexpr Sender kSender{.source = 0x40, .sequence = 3};
+
+/// The message that the frames carry.
+std::vector<std::uint8_t> bytes_of(const FastPacketFrames& frames) {
+  FastPacketAssembly assembly;
+  std::span<const std::uint8_t> bytes;
+  Status status = Status::kNotReady;
+  for (const Frame& frame : frames) status = assembly.accept({.pgn = kHealthPgn, .source = 0x40}, frame, bytes);
+  EXPECT_EQ(status, Status::kOk);
+  return {bytes.begin(), bytes.end()};
+}
+
+messages::Decision decision() {
+  return {.step = 17,
+          .time = Time{1'700'000'000'123'456},
+          .position = {Meters{-12'345.67}, Meters{0.01}},
+          .snr = Decibels{-7.5},
+          .too_faint = true,
+          .detected = false,
+          .action = 5,
+          .overridden = true,
+          .waypoint = {Meters{1000}, Meters{-1000}},
+          .belief = {}};
+}
+
+TEST(Reports, OfHealthComeBack) {
+  messages::Health health;
+  health.state = messages::MissionState::kAbort;
+  health.end_reason = messages::EndReason::kSnrStale;
+  health.steps_taken = 0xFFFF'FFFF;
+  health.counters = {.navigation_refused = 1, .snr_refused = 2, .commands_refused = 3, .setpoints_limited = 4};
+  ASSERT_EQ(health.ports.push_back({}), Status::kOk);
+  FastPacketFrames frames;
+  ASSERT_EQ(compose_health(health, Time{-5}, kSender, frames), Status::kOk);
+  EXPECT_EQ(frames.size(), 6U);  // 41 bytes: 6 and 5 times 7
+  const Result<HealthReport> read = read_health(bytes_of(frames));
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read.value().time, Time{-5});
+  EXPECT_EQ(read.value().health.state, messages::MissionState::kAbort);
+  EXPECT_EQ(read.value().health.end_reason, messages::EndReason::kSnrStale);
+  EXPECT_EQ(read.value().health.steps_taken, 0xFFFF'FFFFU);
+  EXPECT_EQ(read.value().health.counters, health.counters);
+  EXPECT_EQ(read.value().port_count, 1);
+}
+
+TEST(Reports, StopCountingWhereTheirFieldEnds) {
+  messages::PortReport report;
+  report.link_up = false;
+  report.received = std::numeric_limits<std::uint64_t>::max();
+  report.lost = 7;
+  FastPacketFrames frames;
+  ASSERT_EQ(compose_port_health(report, kSender, frames), Status::kOk);
+  const Result<messages::PortReport> read = read_port_health(bytes_of(frames));
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read.value().received, (std::uint64_t{1} << 48U) - 4);  // below reserved, out of range and not available
+  EXPECT_EQ(read.value().lost, 7U);
+  EXPECT_FALSE(read.value().link_up);
+}
+
+TEST(Reports, OfADecisionComeBackToTheirResolution) {
+  FastPacketFrames frames;
+  for (const bool believes : {false, true}) {
+    messages::Decision sent = decision();
+    if (believes) {
+      sent.belief = {.likeliest = {Meters{500}, Meters{250}},
+                     .mean = {Meters{-0.5}, Meters{0.25}},
+                     .spread = Meters{1234.5},
+                     .likeliest_share = 0.25F,
+                     .effective_cells = 12.5F};
+    }
+    ASSERT_EQ(compose_decision(sent, kSender, frames), Status::kOk);
+    const Result<messages::Decision> read = read_decision(bytes_of(frames));
+    ASSERT_TRUE(read.ok());
+    EXPECT_EQ(read.value().time, sent.time);
+    EXPECT_EQ(read.value().step, 17U);
+    EXPECT_EQ(read.value().position, sent.position);
+    EXPECT_EQ(read.value().snr, sent.snr);
+    EXPECT_TRUE(read.value().too_faint);
+    EXPECT_FALSE(read.value().detected);
+    EXPECT_TRUE(read.value().overridden);
+    EXPECT_EQ(read.value().action, 5);
+    EXPECT_EQ(read.value().waypoint, sent.waypoint);
+    ASSERT_EQ(read.value().belief.has_value(), believes);
+    if (believes) {
+      EXPECT_EQ(read.value().belief->likeliest, sent.belief->likeliest);
+      EXPECT_EQ(read.value().belief->mean, sent.belief->mean);
+      EXPECT_EQ(read.value().belief->spread, sent.belief->spread);
+      EXPECT_EQ(read.value().belief->likeliest_share, 0.25F);
+      EXPECT_EQ(read.value().belief->effective_cells, 12.5F);
+    }
+  }
+}
+
+TEST(Reports, AreRefusedWhenNoFieldCanHoldThem) {
+  FastPacketFrames frames;
+  messages::Decision bad = decision();
+  bad.position.north = Meters{3e7};
+  EXPECT_EQ(compose_decision(bad, kSender, frames), Status::kOutOfRange);
+  bad = decision();
+  bad.snr = Decibels{std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_EQ(compose_decision(bad, kSender, frames), Status::kOutOfRange);
+  const std::vector<std::uint8_t> nothing(60, 0xFF);
+  EXPECT_EQ(read_decision(nothing).status(), Status::kUnsupported);
+  EXPECT_EQ(read_health({}).status(), Status::kUnsupported);
+}
+
+TEST(Reports, OfAStateThatNobodyKnowsAreRefused) {
+  FastPacketFrames frames;
+  ASSERT_EQ(compose_health({}, Time{0}, kSender, frames), Status::kOk);
+  std::vector<std::uint8_t> bytes = bytes_of(frames);
+  bytes[10] = 4;
+  EXPECT_EQ(read_health(bytes).status(), Status::kUnsupported);
+  bytes[10] = 0xFF;
+  EXPECT_EQ(read_health(bytes).status(), Status::kNotReady);
+}
+
+}  // namespace
+}  // namespace earshot::n2k
