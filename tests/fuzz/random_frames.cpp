@@ -157,10 +157,12 @@ class Readers {
     std::uint8_t sender = 0;
     if (orders_.accept(frame, now, n2k::kRuntimeAddress, command, sender) == Status::kOk) {
       ++commands_;
-      if (command.order < messages::Order::kStart || command.order > messages::Order::kAbort) violated(number, "an order that nobody knows");
+      if (command.order < messages::Order::kStart || command.order > messages::Order::kAbort)
+        violated(number, "an order that nobody knows");
     }
     messages::Setpoint setpoint;
-    if (setpoints_.accept(frame, setpoint) == Status::kOk && !(std::abs(setpoint.heading.value) <= kPi)) violated(number, "a wild set-point");
+    if (setpoints_.accept(frame, setpoint) == Status::kOk && !(std::abs(setpoint.heading.value) <= kPi))
+      violated(number, "a wild set-point");
     static_cast<void>(n2k::read_snr(frame.bytes()));
     static_cast<void>(n2k::read_leak(frame.bytes()));
     node_.accept(frame, now);
@@ -169,7 +171,8 @@ class Readers {
     for (const Frame& sent : frames) {
       const auto identifier = n2k::parse_identifier(sent.identifier);
       if (!identifier.ok() || sent.size > 8) violated(number, "the node sends what is no frame");
-      if (identifier.value().source > n2k::kLastAddress && identifier.value().source != n2k::kNullAddress) violated(number, "a wrong source");
+      if (identifier.value().source > n2k::kLastAddress && identifier.value().source != n2k::kNullAddress)
+        violated(number, "a wrong source");
     }
     sent_ += frames.size();
   }
