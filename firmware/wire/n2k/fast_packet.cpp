@@ -66,6 +66,10 @@ Status FastPacketAssembly::begin(const Identifier& identifier, const Frame& fram
   const std::size_t size = frame.data[1];
   if (size == 0 || size > kMaxMessageSize) {
     ++counters_.too_large;
+    if (const Slot* under_way = find(identifier)) {
+      slots_[static_cast<std::size_t>(under_way - slots_.data())].used = false;
+      ++counters_.abandoned;
+    }
     return Status::kFull;
   }
   Slot& slot = slot_for(identifier);

@@ -25,7 +25,7 @@ inline constexpr Signal kAcknowledgementSignals[]{
 inline constexpr Signal kRequestSignals[]{pgn_number("PGN", 0)};
 
 inline constexpr Signal kAddressClaimSignals[]{
-    every_value("UniqueNumber", 0, 21),
+    number("UniqueNumber", 0, 21),
     number("ManufacturerCode", 21, 11),
     every_value("DeviceInstanceLower", 32, 3),
     every_value("DeviceInstanceUpper", 35, 5),
