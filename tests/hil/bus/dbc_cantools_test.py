@@ -8,12 +8,16 @@ import sys
 import unittest
 from pathlib import Path
 
+import cantools
+
 DBC = Path(__file__).resolve().parents[3] / "hil" / "bus" / "earshot.dbc"
 LINES = {
     "heading of the simulated vehicle": "  vcan0  09F11223   [8]  FF 70 5A FF 7F FF 7F FD",
     "set-point of Earshot": "  vcan0  0CFF0A40   [8]  FC 9F C8 00 30 75 00 00",
     "heading of a device at 0xCC": "  can0  09F112CC   [8]  FF 70 5A FF 7F FF 7F FD",
     "speed without numbers": "  vcan0  09F50323   [8]  FF FF FF FE FF FD FF FF",
+    "SNR of the simulated vehicle": "  vcan0  14FF0B23   [8]  FC 9F BB FE 27 42 F2 FF",
+    "leak of a sensor": "  vcan0  04FF0D23   [8]  FC 9F 02 FD FF FF FF FF",
     "position without a latitude": "  vcan0  09F80123   [8]  FF FF FF 7F 00 00 00 80",
 }
 
@@ -46,6 +50,33 @@ class DecodesWithCantools(unittest.TestCase):
         self.assertIn("EarshotSpeedDepth(", text)
         self.assertIn("CommandedSpeed: 2.0 m/s", text)
         self.assertIn("CommandedDepth: 300.0 m", text)
+
+    def test_the_plain_call_names_what_no_standard_group_carries(self):
+        # Behind two bytes of maker and industry: SNR -325 in 18 bits, too faint 1 in 2, level 9250 in 16, SID 255.
+        text = self.plain["SNR of the simulated vehicle"]
+        for said in (
+            "EarshotSNR(",
+            "SNR: -3.25 dB",
+            "TooFaint: Yes",
+            "BandLevel: 92.5 dB re 1 uPa",
+            "SID: not available",
+        ):
+            self.assertIn(said, text)
+        self.assertIn("State: wet", self.plain["leak of a sensor"])
+
+    def test_messages_that_share_a_group_are_told_apart_by_their_kind(self):
+        database = cantools.database.load_file(DBC)
+        abort = bytes.fromhex("FC9F0334129A7856")
+        said = database.decode_message(0x0DEFFF23, abort, allow_truncated=True)
+        self.assertEqual((str(said["Kind"]), said["AbortIssuer"], said["AbortNumber"]), ("abort", 0x1234, 0x56789A))
+        self.assertNotIn("Expiry", said)
+        # Order 1, issuer 5, number 6, given at 1 s, not to be obeyed after 2 s.
+        command = bytes.fromhex("FC9F0101050000000600000040420F000000000080841E0000000000")
+        said = database.decode_message(0x0DEFFF23, command)
+        self.assertEqual(
+            [str(said["Kind"]), str(said["Order"]), said["Issuer"], said["Number"]], ["command", "START", 5, 6]
+        )
+        self.assertEqual((said["Time"], said["Expiry"]), (1.0, 2.0))
 
     def test_a_mask_of_the_parameter_group_names_frames_from_any_address(self):
         self.assertIn("Unknown frame id", self.plain["heading of a device at 0xCC"])
