@@ -124,7 +124,10 @@ Status Sensors::take_gnss(const Identifier& identifier, const Frame& frame, Time
 Status Sensors::take_pressure(const Arrival& arrival) {
   const Result<fields::Sourced> said = fields::pressure(arrival.bytes);
   if (!said.ok() && said.status() != Status::kNotReady) return said.status();
-  if (said.ok() && !said.value().is_water) return Status::kUnsupported;
+  if (said.ok() && !said.value().is_water) {
+    ++counters_.of_no_interest;
+    return Status::kNotReady;
+  }
   if (!admits(Measured::kPressure, arrival, table::kPressure, fields::pressure_instance(arrival.bytes))) return Status::kNotReady;
   const Status kept =
       keep(readings_.pressure_pa, said.ok() ? Result<double>(said.value().value) : Result<double>(said.status()), arrival.time);
@@ -153,7 +156,10 @@ Status Sensors::zero_at_surface() {
 
 Status Sensors::take_temperature(const Arrival& arrival) {
   const Result<fields::Sourced> said = fields::temperature(arrival.bytes);
-  if (said.ok() && !said.value().is_water) return Status::kNotReady;
+  if (said.ok() && !said.value().is_water) {
+    ++counters_.of_no_interest;
+    return Status::kNotReady;
+  }
   if (!said.ok() && said.status() != Status::kNotReady) return said.status();
   if (!admits(Measured::kTemperature, arrival, table::kTemperature, fields::temperature_instance(arrival.bytes))) return Status::kNotReady;
   return keep(readings_.water_temperature_k, said.ok() ? Result<double>(said.value().value) : Result<double>(said.status()), arrival.time);

@@ -51,7 +51,7 @@ struct SensorCounters {
   std::uint64_t other_device = 0;    ///< of a device that this quantity is not taken from
   std::uint64_t no_variation = 0;    ///< of those refused: magnetic headings without a variation
   std::uint64_t no_surface = 0;      ///< of those refused: absolute pressures before the surface's is known
-  std::uint64_t of_no_interest = 0;  ///< frames of other groups
+  std::uint64_t of_no_interest = 0;  ///< frames of other groups, and what is measured in air
 };
 
 /// Reads the vehicle's sensors off the bus. Every quantity has its own device, its own reading and its own age: one that is missing is

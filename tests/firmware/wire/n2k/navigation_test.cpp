@@ -129,10 +129,14 @@ TEST_F(NavigationReceiverTest, RefusesAMagneticHeading) {
   EXPECT_EQ(accept(frames[3]), Status::kStale) << "no heading that we take has come";
 }
 
-TEST_F(NavigationReceiverTest, RefusesThePressureOfTheAir) {
+TEST_F(NavigationReceiverTest, PassesOverThePressureOfTheAir) {
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(accept(frames_of(kNavigation)[i]), Status::kNotReady);
   Frame air;
   ASSERT_EQ(MessageWriter(kPressurePgn).set("Source", 0).set("Pressure", 101'325.0).frame(kSource, air), Status::kOk);
-  EXPECT_EQ(accept(air), Status::kUnsupported);
+  EXPECT_EQ(accept(air), Status::kNotReady);
+  EXPECT_EQ(receiver_.counters().refused, 0U);
+  ASSERT_EQ(accept(frames_of(kNavigation)[3]), Status::kOk);
+  EXPECT_NEAR(navigation_.depth.value, 300.0, 5e-6);
 }
 
 TEST_F(NavigationReceiverTest, MakesNothingOfWhatIsNotAvailable) {
