@@ -88,7 +88,7 @@ class Frames {
     auto bytes = blank(message);
     for (const n2k::Signal& signal : message.signals) {
       if (signal.kind != n2k::Signal::Kind::kNumber || random_() % 8 == 0) continue;
-      const auto span = static_cast<std::uint64_t>(signal.highest_raw - signal.lowest_raw);
+      const auto span = static_cast<std::uint64_t>(signal.highest_raw) - static_cast<std::uint64_t>(signal.lowest_raw);
       const auto raw = static_cast<std::int64_t>(static_cast<std::uint64_t>(signal.lowest_raw) + (span == 0 ? 0 : random_() % span));
       static_cast<void>(encode_raw(signal, raw, bytes));
       // Half of all places lie in the plane about latitude and longitude zero.

@@ -187,7 +187,7 @@ TEST(Signals, GiveBackEveryRawValueByWayOfItsNumber) {
     for (const Signal& s : message.signals) {
       if (s.kind != Signal::Kind::kNumber) continue;
       for (int i = 0; i < 300; ++i) {
-        const auto span = static_cast<std::uint64_t>(s.highest_raw - s.lowest_raw);
+        const auto span = static_cast<std::uint64_t>(s.highest_raw) - static_cast<std::uint64_t>(s.lowest_raw);
         const std::int64_t raw = i < 2 ? (i == 0 ? s.lowest_raw : s.highest_raw)
                                        : static_cast<std::int64_t>(static_cast<std::uint64_t>(s.lowest_raw) + random() % span);
         auto bytes = blank(message);
