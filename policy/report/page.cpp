@@ -23,6 +23,11 @@ using explain::fixed;
 
 constexpr std::size_t kRowsOfAttribution = 5;
 
+std::string in_words(std::string reason) {
+  std::ranges::replace(reason, '_', ' ');
+  return reason;
+}
+
 /// The flight's summary counts a step that the source cut short as the others: one count, with a word about the last.
 std::string headline(const Flight& flight) {
   const nlohmann::json& s = flight.summary;
@@ -32,7 +37,7 @@ std::string headline(const Flight& flight) {
   const std::string count = std::to_string(steps) + (steps == 1 ? " step" : " steps");
   std::string text = s.at("found").get<bool>() ? "<h1 class=\"found\">Source found after " + count + "</h1>\n"
                                                : "<h1 class=\"missed\">Source not found in " + count + "</h1>\n";
-  if (!s.at("found").get<bool>()) text += "<p>The mission ended because: " + escaped(s.at("end_reason").get<std::string>()) + "</p>\n";
+  if (!s.at("found").get<bool>()) text += "<p>The mission ended because: " + escaped(in_words(s.at("end_reason"))) + "</p>\n";
   if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
   return text + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
          escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";
@@ -124,17 +129,17 @@ std::string map_to_string(const Flight& flight) {
 }
 
 std::string history_to_string(const Flight& flight) {
+  if (flight.sound.is_there()) return "<p>What the model of the sea says for the vehicle's place. It was never told this.</p>\n";
   if (!flight.sea) return "";
   return "<p>Dots: every SNR that came in. Circles: what a decision heard by the mission's way of listening; from the threshold on it is "
          "the source.</p>\n";
 }
 
-std::string sound_to_string() {
-  return "The vehicle measured the SNR in sound. Above: each SNR that it measured, beside the one that the simulator modelled there. "
-         "Below: the "
-         "spectrogram of the sound at its hydrophone; a mark over it where a measured SNR reached the threshold. It lay at its start until "
-         "it "
-         "knew the noise of the sea.";
+std::string sound_to_string(const Flight& flight) {
+  return "The vehicle measured the SNR in sound. Above: each SNR that it measured, beside the one that the model of the sea gives there; "
+         "one that was too faint is only known to lie below its mark. Below: the spectrogram of the sound at its hydrophone, with a bar "
+         "over it while measured SNRs reached the threshold. For the first " +
+         fixed(flight.summary.at("hearing").at("search_began_s"), 0) + " s it lay at its start, to learn the noise of the sea.";
 }
 
 }  // namespace
@@ -170,10 +175,11 @@ std::string page(const Flight& flight, const Pictures& pictures, const FlightExp
   if (flight.sea) text += "<h2>What happened</h2>\n" + sea_events(*flight.sea);
   if (!pictures.map.empty())
     text += "<h2>Where it went</h2>\n<p>" + map_to_string(flight) + "</p>\n<div class=\"chart\">" + pictures.map + "</div>\n";
-  if (!pictures.history.empty())
-    text += "<h2>What it heard</h2>\n" + history_to_string(flight) + "<div class=\"chart\">" + pictures.history + "</div>\n";
   if (!pictures.sound.empty())
-    text += "<h2>The sound itself</h2>\n<p>" + sound_to_string() + "</p>\n<div class=\"chart\">" + pictures.sound + "</div>\n";
+    text += "<h2>What it heard</h2>\n<p>" + sound_to_string(flight) + "</p>\n<div class=\"chart\">" + pictures.sound + "</div>\n";
+  if (!pictures.history.empty())
+    text += (pictures.sound.empty() ? "<h2>What it heard</h2>\n" : "<h2>What was there to hear</h2>\n") + history_to_string(flight) +
+            "<div class=\"chart\">" + pictures.history + "</div>\n";
   text += "<h2>What it decided, and why</h2>\n" + decisions(flight, explanation);
   return text + std::string(kHtmlEnd);
 }

@@ -173,6 +173,9 @@ TEST_F(HeardFlight, GivenWhatCannotBeHeardNothingFliesAndTheMessageNamesIt) {
   expect_refused({"--hear", folder_ / "text.wav"}, "text.wav");
   expect_refused({"--hear", "synthetic", "--mission", kMissions / "search.toml"}, "search.toml: port: no port has the role \"hydrophone\"");
   const fs::path no_table = folder_ / "no_table.toml";
+  expect_refused({"--hear", "synthetic", "--mission", kMissions / "hear_calls.toml"},
+                 "hear_calls.toml: hydrophone: learns the noise in the pauses between calls");
+  expect_refused({"--hear", "--quiet"}, "must be synthetic or name a file");
   std::string text = support::read_text(kMissions / "hear_tone.toml");
   text.erase(text.find("[hydrophone]"), text.find("[origin]") - text.find("[hydrophone]"));
   std::ofstream(no_table) << text;

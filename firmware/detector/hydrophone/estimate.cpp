@@ -27,7 +27,7 @@ const char* to_string(Hearing hearing) {
     case Hearing::kSaturated:
       return "saturated";
     case Hearing::kNotANumber:
-      return "samples that are no numbers";
+      return "samples that are no numbers, or far beyond full scale";
     case Hearing::kImpossible:
       return "no such sound can be heard: calibration, sample rate or block are impossible";
   }

@@ -10,6 +10,9 @@
 namespace earshot::detector {
 namespace {
 
+/// No converter gives a sample this far beyond its full scale, 18 dB: it is no sample, and squared it would drown the floor for minutes.
+constexpr float kMostSample = 8.0F;
+
 /// Adds the squares one after the other, so that it does not matter in what pieces they come.
 void add_squares(std::span<const float> samples, float& sum) {
   for (const float x : samples) sum = sum + x * x;
@@ -84,10 +87,11 @@ void SoundChannel::feed(const ListeningPlan& plan, const ChainLevels& levels, co
 void SoundChannel::take_in(const ChainLevels& levels, const float* samples, std::size_t stride, std::size_t count, float* room) {
   for (std::size_t i = 0; i < count; ++i) room[i] = samples[i * stride];
   const std::span<float> taken(room, count);
-  const Extremes extremes = extremes_of(taken);
-  account_.has_nan |= !extremes.are_numbers;
-  if (!extremes.are_numbers) {
-    for (float& x : taken) good_ = x = is_finite(x) ? x : good_;
+  Extremes extremes = extremes_of(taken);
+  if (!extremes.are_numbers || extremes.highest > kMostSample || extremes.lowest < -kMostSample) {
+    account_.has_nan = true;
+    for (float& x : taken) good_ = x = is_finite(x) && x <= kMostSample && x >= -kMostSample ? x : good_;
+    extremes = extremes_of(taken);
   }
   if (extremes.highest >= levels.clip || extremes.lowest <= -levels.clip) {
     account_.at_full_scale += static_cast<std::size_t>(

@@ -268,7 +268,9 @@ void leave_out_hydrophones(MissionFile& file) {
 
 void require_hydrophone(const MissionFile& file, const std::filesystem::path& path) {
   if (!has_port_for(file, Role::kHydrophone))
-    throw BadInput("--hear: " + path.string() + ": port: no port has the role \"hydrophone\", over which sound would come");
+    throw BadInput("--hear: " + path.string() +
+                   ": port: no port has the role \"hydrophone\", over which sound would come; hear_tone.toml and "
+                   "hear_calls.toml in firmware/boards/linux/missions have one");
   if (!file.hearing) throw BadInput("--hear: " + path.string() + ": hydrophone: no table [hydrophone] says what is listened for");
 }
 

@@ -60,9 +60,12 @@ std::string colours_of(const SpectrogramTable& table) {
 }
 
 std::string measured_plot(Decibels threshold) {
-  return "plot 'looks.dat' using 1:($3==0?$2:1/0) with points pt 7 ps 0.25 lc rgb '#3f8fc5' title 'measured', \\\n"
-         " 'looks.dat' using 1:($3==1?$2:1/0) with points pt 10 ps 0.3 lc rgb '#9db8c9' title 'too faint: below this', \\\n"
-         " 'looks.dat' using 1:($5==0?$4:1/0) with lines lw 1.6 lc rgb '#c77d2b' title 'modelled', \\\n " +
+  // The line first, so that the dots lie on it; the legend's marks are larger than those of the picture.
+  return "plot 'looks.dat' using 1:($5==0?$4:1/0) with lines lw 1.2 lc rgb '#c77d2b' title 'modelled', \\\n"
+         " 'looks.dat' using 1:($3==0?$2:1/0) with points pt 7 ps 0.3 lc rgb '#2f6fa5' notitle, \\\n"
+         " 'looks.dat' using 1:($3==1?$2:1/0) with points pt 10 ps 0.35 lc rgb '#7f98a9' notitle, \\\n"
+         " keyentry with points pt 7 ps 0.7 lc rgb '#2f6fa5' title 'measured', \\\n"
+         " keyentry with points pt 10 ps 0.8 lc rgb '#7f98a9' title 'too faint: below this', \\\n " +
          std::to_string(threshold.value) + " with lines lw 1.6 dt (6,4) lc " + kInk +
          " title 'detection threshold', \\\n"
          " 'decisions.dat' using 1:($3==0?$2:1/0) with points pt 6 ps 0.65 lw 2 lc rgb '#c2127a' title 'decision, nothing heard', \\\n"
@@ -92,7 +95,7 @@ std::string sound_svg(const HeardSound& sound, Decibels threshold, const std::ve
 set output 'plot.svg'
 set multiplot
 set lmargin at screen 0.11
-set rmargin at screen 0.97
+set rmargin at screen 0.84
 set bmargin at screen 0.46
 set tmargin at screen 0.84
 set ylabel 'SNR (dB)' offset 1,0
@@ -106,7 +109,9 @@ set ylabel 'frequency (Hz)'
 set xlabel 'time (h)'
 set format x '%g'
 set ytics 10
-unset colorbox
+set colorbox user origin 0.855,0.12 size 0.018,0.30
+set cbtics 20
+set cblabel 'dB re 1 uPa^2/Hz' noenhanced offset -0.5,0
 unset key
 )" + colours_of(sound.spectrogram) +
                        strip_plot(sound.spectrogram),

@@ -275,6 +275,16 @@ const char* default_mission(const Options& o) {
   return is_tone ? "firmware/boards/linux/missions/hear_tone.toml" : "firmware/boards/linux/missions/hear_calls.toml";
 }
 
+/// A detector that learns the noise of its band in the pauses takes what never pauses for noise, and hears nothing.
+void require_pauses(const Options& o, const fly::FlightPlan& plan, const detector::SoundSettings& listening) {
+  const bool has_pauses = !fly::recording_of(*o.hear).empty() || plan.scenario.conditions.calls.has_value();
+  if (has_pauses || listening.noise_reference == detector::NoiseReference::kFlanks) return;
+  throw host::BadInput(
+      "--hear synthetic: " + o.mission.string() + ": hydrophone: learns the noise in the pauses between calls, and the source of " +
+      o.environment.string() +
+      " never pauses: take the mission hear_tone.toml, or an environment with conditions.calls (policy/worlds/pulses.toml)");
+}
+
 /// Both processes would say the same about a bad file: say it once, before either starts.
 host::MissionFile checked_mission(const Options& o) {
   const fly::FlightPlan plan = fly::load_flight_plan(o.mission, o.environment);
@@ -282,6 +292,7 @@ host::MissionFile checked_mission(const Options& o) {
   host::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
   if (o.hear) {
     host::require_hydrophone(mission, o.mission);
+    require_pauses(o, plan, *mission.hearing);
     (void)fly::calls_of(fly::recording_of(*o.hear), plan.scenario.conditions, plan.scenario.environment.source.frequency, *mission.hearing);
   }
   host::leave_out_hydrophones(mission);
@@ -294,6 +305,9 @@ int fly_search(Options o) {
   program::stop_on_signals();
   const host::MissionFile mission = checked_mission(o);
   warn_of_another_source(o, mission);
+  if (mission.hearing && !o.hear && program::talk() != program::Talk::kQuiet)
+    std::cerr
+        << "earshot fly: the mission's hydrophone is left out: the simulator tells the SNR (--hear synthetic: the vehicle measures it)\n";
   const std::vector<host::BusLock> locks = lock_buses(o, mission);
   o.can_interface = chosen_can_interface(o, mission);
   FlightFolder folder(o.out);

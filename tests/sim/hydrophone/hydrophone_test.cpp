@@ -16,12 +16,12 @@ namespace {
 std::atomic<std::size_t> allocations{0};
 }  // namespace
 
-void* operator new(std::size_t size) {
+// Neither is inlined: GCC 12 would see one half of a pair only, free() take what `new` gave, and refuse.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;  // NOLINT: the counting allocator itself
   throw std::bad_alloc();
 }
-// Not inlined: GCC 12 at -O3 would see free() take what `new` gave, and refuse.
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
   std::free(memory);
 }  // NOLINT

@@ -14,7 +14,7 @@ inline constexpr const char* kHearsAllowed = "synthetic or FILE";
 
 /// What is wrong with a value of --hear; empty when nothing is.
 [[nodiscard]] inline std::string hear_complaint(const std::string& text) {
-  return text.empty() ? "must be synthetic or name a file" : "";
+  return text.empty() || text.front() == '-' ? "must be synthetic or name a file (one whose name begins with - as ./-...)" : "";
 }
 
 /// The file of --hear; empty for synthetic sound.
