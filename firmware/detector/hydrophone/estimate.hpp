@@ -43,9 +43,9 @@ struct ChannelEstimate {
 struct Detection {
   Time begin;
   Duration duration;
-  Decibels peak_level;              ///< loudest estimate: signal and noise in the band, dB re 1 uPa
-  Decibels peak_snr;                ///< loudest estimate
-  Time peak;                        ///< end of the loudest estimate's interval
+  Decibels peak_level;              ///< estimate of the highest SNR: signal and noise in the band, dB re 1 uPa
+  Decibels peak_snr;                ///< its SNR
+  Time peak;                        ///< end of its interval
   Hearing worst = Hearing::kHears;  ///< of the estimates in it: kHears or kClipped
   std::uint32_t estimates = 0;      ///< that reached the threshold
 };

@@ -9,7 +9,8 @@ namespace earshot::detector {
 
 /// The mean power of noise, from powers of noise and calls together: their running median, corrected to the mean that noise of that median
 /// has. Calls do not lift it as long as they fill less than half of its memory: of a share c of calls, it reads as the noise's own quantile
-/// 0.5 / (1 - c), 0.3 dB too high for a tenth and 0.8 dB for a quarter at 30 degrees of freedom.
+/// 0.5 / (1 - c), 0.3 dB too high for a tenth and 0.8 dB for a quarter at 30 degrees of freedom. The share is that of powers that hold any
+/// of a call: one as long as a power's time lies in two of them, and counts twice.
 ///
 /// Time constant: after a step of the noise it is the new noise's once half of its memory is new.
 /// Source: an order statistic in place of the mean, as in Rohling 1983, Radar CFAR thresholding in clutter and multiple target situations,

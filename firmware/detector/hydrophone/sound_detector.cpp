@@ -108,7 +108,7 @@ void SoundDetector::plan_for(const messages::HydrophoneBlock& block) {
   for (SoundChannel& channel : channels_) channel.configure(plan_);
   knows_the_noise_ = false;
   const double quarter_s = static_cast<double>(plan_.quarter) / plan_.low_rate.value;
-  tracker_.set_quarter({static_cast<std::int64_t>(quarter_s * kMicroseconds)});
+  tracker_.set_quarter({static_cast<std::int64_t>(quarter_s * kMicroseconds)}, plan_.degrees_of_freedom);
 }
 
 void SoundDetector::restart(Hearing reason) {
@@ -158,7 +158,8 @@ Estimate SoundDetector::end_quarter() {
     channels_[c].end_quarter(plan_);
     powers[c] = channels_[c].powers(plan_, levels_, floor_needed);
     if (is_too_loud_) powers[c].hearing = std::max(powers[c].hearing, Hearing::kSelfNoise);
-    if (!is_full) powers[c].hearing = std::max(powers[c].hearing, began_with_);
+    // What is clipped while the filters fill up is no sound to detect: their own beginning is in it.
+    if (!is_full && powers[c].hearing <= Hearing::kClipped) powers[c].hearing = began_with_;
     if (estimate.is_independent) channels_[c].learn(plan_, levels_, powers[c].hearing);
     estimate.channels[c] = {.hearing = powers[c].hearing, .level = level_of(powers[c].power), .floor = level_of(powers[c].noise)};
     estimate.hearing = std::min(estimate.hearing, powers[c].hearing);

@@ -10,41 +10,57 @@ namespace earshot::listen {
 
 using detector::Hearing;
 
+namespace {
+
+constexpr Time kEndless{std::numeric_limits<std::int64_t>::max()};
+
+}  // namespace
+
 Ear::Ear(const detector::SoundSettings& settings, Hertz sample_rate)
     : settings_(settings), sample_rate_(sample_rate), detector_(std::make_unique<detector::SoundDetector>()) {
-  if (detector_->configure(settings) != Status::kOk) throw std::invalid_argument(detector::to_string(detector::check(settings)));
+  const bool is_right = detector_->configure(settings) == Status::kOk && make_plan(settings, sample_rate, plan_) == Status::kOk;
+  if (!is_right) throw std::invalid_argument(detector::to_string(detector::check(settings)));
 }
 
-void Ear::give(const recording::Piece& piece) {
-  if (!piece.follows_on && piece.begin > 0) ++skipped_samples_;
-  const auto first = static_cast<std::int64_t>(piece.begin);
+std::size_t Ear::lead() const {
+  return (plan_.settling_quarters + detector::kQuarters) * plan_.quarter * plan_.factor();
+}
+
+std::size_t Ear::tail() const {
+  return static_cast<std::size_t>(std::ceil(plan_.delay_s * plan_.sample_rate.value)) + 1;
+}
+
+Time Ear::time_at(std::int64_t sample) const {
+  return {std::llround(static_cast<double>(sample) / sample_rate_.value * 1e6)};
+}
+
+void Ear::give(std::span<const float> samples, std::int64_t first) {
   const messages::HydrophoneBlock block{
-      .time = Time{static_cast<std::int64_t>(std::llround(static_cast<double>(first) / sample_rate_.value * 1e6))},
+      .time = time_at(first),
       .sequence = sequence_++,
-      .first_sample = first + skipped_samples_,
+      .first_sample = first + static_cast<std::int64_t>(lead()) + skipped_samples_,
       .sample_rate = sample_rate_,
       .gain = Decibels{0.0},
-      .samples_per_channel = static_cast<std::uint32_t>(piece.samples.size()),
+      .samples_per_channel = static_cast<std::uint32_t>(samples.size()),
       .overflow_count = 0,
       .channels = 1};
-  detector_->hear(block, piece.samples);
+  detector_->hear(block, samples);
 }
 
-void Ear::learn_noise(const recording::Piece& piece) {
-  is_learning_ = true;
-  give(piece);
-  while (detector_->next()) {
-  }
-}
-
-void Ear::hear(const recording::Piece& piece) {
-  if (is_learning_) {
-    detector_->begin_again_knowing_the_noise();
-    is_learning_ = false;
-    skipped_samples_ = 0;
-  }
-  give(piece);
+/// What is heard up to the recording's end.
+void Ear::draw(Time end) {
   while (const std::optional<detector::Estimate> estimate = detector_->next()) {
+    if (estimate->time <= Time{}) {  // before the recording
+      (void)detector_->finish();
+      continue;
+    }
+    if (estimate->time > end) {  // after it
+      if (estimate->ended) detections_.push_back(*estimate->ended);
+      finish_detection();
+      while (detector_->next()) (void)detector_->finish();
+      (void)detector_->finish();
+      return;
+    }
     ++estimates_[static_cast<std::size_t>(estimate->hearing)];
     const bool is_told = estimate->is_measured() || estimate->hearing == Hearing::kClipped;
     if (is_told && std::isfinite(estimate->floor.value)) {
@@ -55,7 +71,39 @@ void Ear::hear(const recording::Piece& piece) {
   }
 }
 
-void Ear::finish() {
+void Ear::prepare(std::span<const float> before) {
+  give(before, -static_cast<std::int64_t>(before.size()));
+  draw(Time{});
+}
+
+void Ear::learn_noise(const recording::Piece& piece) {
+  if (!piece.follows_on && piece.begin > 0) ++skipped_samples_;
+  give(piece.samples, static_cast<std::int64_t>(piece.begin));
+  while (detector_->next()) {
+  }
+}
+
+void Ear::begin_again() {
+  detector_->begin_again_knowing_the_noise();
+  skipped_samples_ = 0;
+}
+
+void Ear::hear(const recording::Piece& piece) {
+  if (!piece.follows_on && piece.begin > 0) ++skipped_samples_;
+  next_ = static_cast<std::int64_t>(piece.begin + piece.samples.size());
+  give(piece.samples, static_cast<std::int64_t>(piece.begin));
+  draw(kEndless);
+}
+
+void Ear::finish(std::span<const float> after) {
+  if (!after.empty()) {
+    give(after, next_);
+    draw(time_at(next_));
+  }
+  finish_detection();
+}
+
+void Ear::finish_detection() {
   if (const std::optional<detector::Detection> last = detector_->finish()) detections_.push_back(*last);
 }
 

@@ -27,6 +27,8 @@ constexpr int kHighestThreshold_db = 24;
 constexpr Duration kShort = Duration::seconds(600);
 /// Below it a third octave is not much wider than a spectrum's bin.
 constexpr Hertz kLowestThirdOctave{10.0};
+/// Shares of full scale: below what any ADC's highest step is.
+constexpr float kNearlyFullScale = 0.99F;
 /// A picture reaches so many times as high as the band.
 constexpr double kPictureOverBand = 3.0;
 
@@ -104,14 +106,21 @@ class Listeners {
     if (!arguments.levels.empty()) levels_ = levels_for(arguments.levels_interval_s);
   }
 
+  [[nodiscard]] std::size_t lead() const { return ear_.lead(); }
+  [[nodiscard]] std::size_t tail() const { return ear_.tail(); }
+
+  void prepare(std::span<const float> before) {
+    for_each([before](Ear& ear) { ear.prepare(before); });
+  }
   void learn_noise(const Piece& piece) {
-    ear_.learn_noise(piece);
-    for (Ear& ear : others_) ear.learn_noise(piece);
+    for_each([&piece](Ear& ear) { ear.learn_noise(piece); });
+  }
+  void begin_again() {
+    for_each([](Ear& ear) { ear.begin_again(); });
   }
 
   void hear(const Piece& piece) {
-    ear_.hear(piece);
-    for (Ear& ear : others_) ear.hear(piece);
+    for_each([&piece](Ear& ear) { ear.hear(piece); });
     if (!spectrogram_ && !levels_) return;
     if (!piece.follows_on) windows_.restart();
     windows_.take(piece.samples, piece.begin, [this](std::span<const float> psd, std::uint64_t begin) {
@@ -120,9 +129,8 @@ class Listeners {
     });
   }
 
-  void finish() {
-    ear_.finish();
-    for (Ear& ear : others_) ear.finish();
+  void finish(std::span<const float> after) {
+    for_each([after](Ear& ear) { ear.finish(after); });
     if (levels_) levels_->finish();
   }
 
@@ -132,6 +140,12 @@ class Listeners {
   [[nodiscard]] std::unique_ptr<spectrum::BandLevels> levels() { return std::move(levels_); }
 
  private:
+  template <typename Do>
+  void for_each(Do what) {
+    what(ear_);
+    for (Ear& ear : others_) what(ear);
+  }
+
   [[nodiscard]] std::unique_ptr<spectrum::BandLevels> levels_for(double interval_s) const {
     const Hertz rate = plan_.sequence.sample_rate();
     const auto interval = static_cast<std::uint64_t>(std::llround(interval_s * rate.value));
@@ -146,19 +160,60 @@ class Listeners {
   std::unique_ptr<spectrum::BandLevels> levels_;
 };
 
+/// Sound turned about its first sample, in time and in sign: it goes on from what is turned without a step or a bend.
+/// @return nothing where that would be beyond full scale: the recorder was switched on, or the sound is clipped
+std::vector<float> turned(std::span<const float> samples) {
+  std::vector<float> result;
+  for (std::size_t i = samples.size(); i-- > 1;) {
+    result.push_back(2.0F * samples[0] - samples[i]);
+    if (!(std::abs(result.back()) < kNearlyFullScale)) return {};
+  }
+  return result;
+}
+
+/// What stands for the sound before the recording, so that the filters are full when it begins.
+std::vector<float> before_beginning(const Plan& plan, std::size_t lead) {
+  std::vector<float> first;
+  SequenceReader reader(plan.sequence, plan.channel, plan.chain.divisor);
+  for (std::optional<Piece> piece = reader.next(); piece && piece->part == 0 && first.size() <= lead; piece = reader.next())
+    first.insert(first.end(), piece->samples.begin(), piece->samples.end());
+  first.resize(std::min(first.size(), lead + 1));
+  if (first.size() <= lead) return {};
+  return turned(first);
+}
+
+void keep_last(std::vector<float>& last, std::span<const float> samples, std::size_t most) {
+  last.insert(last.end(), samples.begin(), samples.end());
+  if (last.size() > most) last.erase(last.begin(), last.end() - static_cast<std::ptrdiff_t>(most));
+}
+
+/// What stands for the sound after the recording.
+std::vector<float> after_end(std::vector<float> last) {
+  std::ranges::reverse(last);
+  std::vector<float> after = turned(last);
+  std::ranges::reverse(after);
+  return after;
+}
+
 /// Reads the recording twice: its beginning for the noise, then all of it. @return frames that were promised and not there
 std::uint64_t run(const Plan& plan, Listeners& listeners) {
   program::ProgressBar bar("listening");
   const Time learnt = Time{} + plan.settings.floor_window;
+  const std::vector<float> before = before_beginning(plan, listeners.lead());
+  if (!before.empty()) listeners.prepare(before);
   SequenceReader beginning(plan.sequence, plan.channel, plan.chain.divisor);
   for (std::optional<Piece> piece = beginning.next(); piece && plan.sequence.time_of(piece->begin) < learnt; piece = beginning.next())
     listeners.learn_noise(*piece);
+  listeners.begin_again();
+  if (!before.empty()) listeners.prepare(before);
   SequenceReader all(plan.sequence, plan.channel, plan.chain.divisor);
+  std::vector<float> last;
   while (const std::optional<Piece> piece = all.next()) {
     listeners.hear(*piece);
+    keep_last(last, piece->samples, listeners.tail() + 1);
     bar.update(static_cast<double>(piece->begin) / static_cast<double>(plan.sequence.frames()));
   }
-  listeners.finish();
+  listeners.finish(after_end(last));
   return all.missing_frames();
 }
 
@@ -185,7 +240,7 @@ void require_heard(const Ear& ear, const Plan& plan) {
   if (obstacle == Hearing::kHears || obstacle == Hearing::kFillingUp || obstacle == Hearing::kFloorUnsettled) {
     std::ostringstream text;
     text << plan.sequence.duration().to_seconds() << " s of sound are too short to know the noise and measure a call against it: "
-         << "it takes some " << 6.0 * plan.settings.integration_time.to_seconds() << " s";
+         << "it takes some " << 5.0 * plan.settings.integration_time.to_seconds() << " s";
     throw unheard(plan.sequence, text.str());
   }
   throw unheard(plan.sequence, detector::to_string(obstacle));

@@ -16,7 +16,7 @@ class Told {
  public:
   explicit Told(const SoundSettings& settings) : settings_(settings) {
     tracker_.configure(settings);
-    tracker_.set_quarter(kQuarter);
+    tracker_.set_quarter(kQuarter, 30.0);
   }
 
   void tell(int quarters, double ratio, Hearing hearing = Hearing::kHears) {
@@ -92,6 +92,42 @@ TEST(DetectionTracker, DoesNotTakeWhatLeadsUpToALoudCallForItsBeginning) {
   ASSERT_EQ(told.detections.size(), 1U);
   EXPECT_EQ(told.detections[0].begin, Time{12'000'000});
   EXPECT_EQ(told.detections[0].duration, Duration::seconds(1));
+}
+
+TEST(DetectionTracker, DoesNotTakeNoiseAroundAWeakCallForTheCall) {
+  SoundSettings settings = fin_whale();
+  settings.detection_threshold = Decibels{6};
+  Told told(settings);
+  told.tell(40, 1.0);
+  told.tell(4, 7.3);  // 8 dB: a tenth of it is less than the noise
+  told.tell(40, 1.0);
+  ASSERT_EQ(told.detections.size(), 1U);
+  EXPECT_EQ(told.detections[0].begin, Time{10'000'000});
+  EXPECT_EQ(told.detections[0].duration, Duration::seconds(1));
+}
+
+TEST(DetectionTracker, TakesTheLoudestOfASoundAsFaintAsNoise) {
+  SoundSettings settings = fin_whale();
+  settings.detection_threshold = Decibels{0};
+  Told told(settings);
+  told.tell(40, 1.0);
+  told.tell(4, 2.1);
+  told.tell(40, 1.0);
+  ASSERT_EQ(told.detections.size(), 1U);
+  EXPECT_EQ(told.detections[0].begin, Time{10'000'000});
+  EXPECT_EQ(told.detections[0].duration, Duration::seconds(1));
+}
+
+TEST(DetectionTracker, DoesNotGoOnThroughNoiseHoweverLowItsThreshold) {
+  SoundSettings settings = fin_whale();
+  settings.detection_threshold = Decibels{2};
+  Told told(settings);
+  told.tell(40, 1.0);
+  for (int call = 0; call < 3; ++call) {
+    told.tell(4, 20.0);
+    told.tell(40, 1.5);  // -3 dB: noise of 30 degrees of freedom is that loud in one of 25 integration times
+  }
+  EXPECT_EQ(told.detections.size(), 3U);
 }
 
 TEST(DetectionTracker, TellsWhatIsNotOverAtTheEnd) {

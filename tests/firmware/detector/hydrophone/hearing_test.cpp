@@ -53,6 +53,18 @@ TEST(Hearing, SaysThatSamplesAreAtFullScale) {
   EXPECT_EQ(worst_of(other, samples), Hearing::kClipped);
 }
 
+TEST(Hearing, HasJustBegunEvenWhereTheBeginningIsClipped) {
+  Hearer hearer = settled();
+  hearer.detector->begin_again_knowing_the_noise();
+  hearer.block.first_sample = 0;
+  std::vector<float> samples = white_noise(20.0, kRate, 0.01, 4);
+  for (std::size_t i = 0; i < 50; ++i) samples[i] = 1.0F;  // switched on
+  hearer.hear(samples);
+  hearer.finish();
+  EXPECT_EQ(hearer.estimates.front().hearing, Hearing::kFillingUp);
+  EXPECT_TRUE(hearer.detections.empty());
+}
+
 TEST(Hearing, SaysThatTheAdcIsSaturated) {
   Hearer hearer = settled();
   std::vector<float> samples = white_noise(3.0, kRate, 0.01, 4);

@@ -24,6 +24,38 @@ TEST_F(ListenProgram, TellsEachCallWithItsTimeAndSnr) {
   EXPECT_EQ(rows[1][7], rows[1][0]) << "the only file begins with the sequence";
 }
 
+TEST_F(ListenProgram, HearsACallAtTheVeryBeginningAndAtTheVeryEndOnce) {
+  ASSERT_EQ(run(wav("song.wav", song(60, {0.2, 30.0, 59.0})) + " --csv " + out("a.csv")), 0) << errors();
+  const auto rows = rows_of(content_of(out("a.csv")), ',');
+  ASSERT_EQ(rows.size(), 4U) << said();
+  for (const auto& [row, begin_s] : {std::pair{1, 0.2}, {2, 30.0}, {3, 59.0}}) {
+    EXPECT_NEAR(std::stod(rows[row][0]), begin_s, 0.3);
+    EXPECT_NEAR(std::stod(rows[row][4]), 20.2, 1.0);
+    EXPECT_GE(std::stod(rows[row][0]), 0.0);
+    EXPECT_LE(std::stod(rows[row][3]), 60.0) << "nothing is heard after the end";
+  }
+}
+
+TEST_F(ListenProgram, HearsACallInAShortClip) {
+  const std::vector<float> samples = song(20, {10.0});
+  ASSERT_EQ(run(wav("clip.wav", {samples.begin() + 7750, samples.begin() + 13'250}) + " --csv " + out("a.csv")), 0) << errors();
+  const auto rows = rows_of(content_of(out("a.csv")), ',');
+  ASSERT_EQ(rows.size(), 2U) << said();
+  EXPECT_NEAR(std::stod(rows[1][0]), 2.25, 0.3);
+  EXPECT_NEAR(std::stod(rows[1][4]), 20.2, 2.0) << "of noise that is known from a few seconds";
+}
+
+TEST_F(ListenProgram, TakesNoSwitchingOnForACall) {
+  for (const double volts : {0.96, 1.2}) {
+    std::vector<float> samples = song(60, {30.0});
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] += static_cast<float>(volts * std::exp(-static_cast<double>(i) / 300.0));
+    ASSERT_EQ(run(wav("on.wav", samples) + " --csv " + out("a.csv")), 0) << errors();
+    const auto rows = rows_of(content_of(out("a.csv")), ',');
+    ASSERT_EQ(rows.size(), 2U) << said();
+    EXPECT_NEAR(std::stod(rows[1][0]), 30.0, 0.3);
+  }
+}
+
 TEST_F(ListenProgram, SaysThatLevelsAreUncalibratedAndTellsThemReFullScale) {
   ASSERT_EQ(run(wav("song.wav", song(60, {12.0})) + " --csv " + out("a.csv")), 0);
   EXPECT_NE(said().find("uncalibrated: levels are dB re full scale"), std::string::npos) << said();
