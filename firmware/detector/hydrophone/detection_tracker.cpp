@@ -14,7 +14,7 @@ constexpr double kWithin = 10.0;  ///< of the loudest: 10 dB
 constexpr double kRise = 1.26;    ///< a louder quarter counts as a rise from 1 dB on
 constexpr double kAlways = 2.0;   ///< of the loudest: 3 dB
 
-constexpr double kAsLoudAsNoise = 1.0;  ///< an SNR of 0 dB
+constexpr double kAsLoudAsNoise = 1.0;                 ///< an SNR of 0 dB
 constexpr double kOneOfAHundred = 2.3263478740408408;  ///< the normal distribution's quantile of 0.99
 
 }  // namespace

@@ -44,7 +44,8 @@ class Extent {
 
 /// From estimates to detections. One begins when `m` of the last `n` estimates reach the threshold, and goes on until for longer than the
 /// longest pause no estimate came within 6 dB of it: a call that fluctuates is one. At thresholds below 6 dB it
-/// goes on as long as it is as loud as the noise (0 dB): noise alone does not keep it going. What is in the way of hearing counts as a pause.
+/// goes on as long as it is as loud as the noise (0 dB): noise alone does not keep it going. What is in the way of hearing counts as a
+/// pause.
 class DetectionTracker {
  public:
   /// How far under the threshold a detection still goes on.

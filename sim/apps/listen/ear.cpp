@@ -35,15 +35,14 @@ Time Ear::time_at(std::int64_t sample) const {
 }
 
 void Ear::give(std::span<const float> samples, std::int64_t first) {
-  const messages::HydrophoneBlock block{
-      .time = time_at(first),
-      .sequence = sequence_++,
-      .first_sample = first + static_cast<std::int64_t>(lead()) + skipped_samples_,
-      .sample_rate = sample_rate_,
-      .gain = Decibels{0.0},
-      .samples_per_channel = static_cast<std::uint32_t>(samples.size()),
-      .overflow_count = 0,
-      .channels = 1};
+  const messages::HydrophoneBlock block{.time = time_at(first),
+                                        .sequence = sequence_++,
+                                        .first_sample = first + static_cast<std::int64_t>(lead()) + skipped_samples_,
+                                        .sample_rate = sample_rate_,
+                                        .gain = Decibels{0.0},
+                                        .samples_per_channel = static_cast<std::uint32_t>(samples.size()),
+                                        .overflow_count = 0,
+                                        .channels = 1};
   detector_->hear(block, samples);
 }
 
