@@ -28,7 +28,7 @@ add_library(earshot_flags INTERFACE)
 target_include_directories(earshot_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(earshot_flags INTERFACE
   # Clang's -Wdouble-promotion minds a float that is stored in a double as well, which loses nothing.
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow> -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
   -Wimplicit-fallthrough -Werror
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 finds overlaps in std::string that are not there (GCC bug 105651)
   # What runs on a vehicle is built for the architecture's baseline (EARSHOT_BASELINE, set for firmware and sim/link): a package built here runs on any
