@@ -114,7 +114,8 @@ Duration Ear::time_of(Hearing hearing) const {
 }
 
 Duration Ear::listened() const {
-  return time_of(Hearing::kHears) + time_of(Hearing::kClipped);
+  // The first estimate's quarter begins before the recording does.
+  return std::min(time_of(Hearing::kHears) + time_of(Hearing::kClipped), time_at(next_) - Time{});
 }
 
 Hearing Ear::main_obstacle() const {

@@ -274,7 +274,10 @@ TEST(MissionFile, WithoutAHydrophonesPortHasNothingToHearASimulationsSoundWith) 
     require_hydrophone(load_mission(kShipped), "FILE");
     FAIL() << "it was taken";
   } catch (const BadInput& e) {
-    EXPECT_STREQ(e.what(), "--hear: FILE: port: no port has the role \"hydrophone\", over which sound would come");
+    EXPECT_STREQ(
+        e.what(),
+        "--hear: FILE: port: no port has the role \"hydrophone\", over which sound would come; hear_tone.toml and hear_calls.toml in "
+        "firmware/boards/linux/missions have one");
   }
 }
 
