@@ -261,7 +261,9 @@ void Sweep::multiply_by_mass(RowRange rows, Rows& product) const {
   const double* const fi = off_im_.data();
   double* __restrict const pr = product.re.data();
   double* __restrict const pi = product.im.data();
+#ifndef __clang__  // which has no such pragma
 #pragma GCC ivdep  // the product does not overlap the field; the compiler takes restrict on a local for no promise and stays scalar
+#endif
   for (std::size_t i = rows.first; i <= rows.last; ++i) {
     pr[i] = dr[i] * ur[i] - di[i] * ui[i] + fr[i - 1] * ur[i - 1] - fi[i - 1] * ui[i - 1] + fr[i] * ur[i + 1] - fi[i] * ui[i + 1];
     pi[i] = dr[i] * ui[i] + di[i] * ur[i] + fr[i - 1] * ui[i - 1] + fi[i - 1] * ur[i - 1] + fr[i] * ui[i + 1] + fi[i] * ur[i + 1];
