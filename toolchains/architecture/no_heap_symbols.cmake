@@ -2,7 +2,7 @@
 # usage: cmake -DNM=nm "-DLIBRARIES=a.a;b.a" -P no_heap_symbols.cmake
 set(allowed
   "_ZNK?7earshot.*"                    # the core itself
-  "memcpy|memmove|memset|memcmp"       # GCC expects these of every environment, bare metal too
+  "memcpy|memmove|memset|memcmp|bcmp"  # GCC and clang expect these of every environment, bare metal too
   "memchr|strlen|strcmp|strncmp"       # look at bytes and do nothing else; in every libc, bare metal too
   "__cpu_model|__cpu_indicator_init|_GLOBAL_OFFSET_TABLE_" # of libgcc and the linker, x86-64 Linux only: which instructions there are (firmware/core/wide.hpp)
   "__assert_fail"                      # Dev builds only: says where and ends the program
