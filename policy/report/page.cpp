@@ -23,7 +23,7 @@ using explain::fixed;
 
 constexpr std::size_t kRowsOfAttribution = 5;
 
-std::string in_words(std::string reason) {
+std::string reason_to_string(std::string reason) {
   std::ranges::replace(reason, '_', ' ');
   return reason;
 }
@@ -37,7 +37,7 @@ std::string headline(const Flight& flight) {
   const std::string count = std::to_string(steps) + (steps == 1 ? " step" : " steps");
   std::string text = s.at("found").get<bool>() ? "<h1 class=\"found\">Source found after " + count + "</h1>\n"
                                                : "<h1 class=\"missed\">Source not found in " + count + "</h1>\n";
-  if (!s.at("found").get<bool>()) text += "<p>The mission ended because: " + escaped(in_words(s.at("end_reason"))) + "</p>\n";
+  if (!s.at("found").get<bool>()) text += "<p>The mission ended because: " + escaped(reason_to_string(s.at("end_reason"))) + "</p>\n";
   if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
   return text + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
          escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";

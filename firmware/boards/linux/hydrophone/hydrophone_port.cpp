@@ -1,8 +1,18 @@
 #include "firmware/boards/linux/hydrophone/hydrophone_port.hpp"
 
+#include <algorithm>
+
 #include "firmware/boards/linux/hydrophone/hearing_words.hpp"
 
 namespace earshot::board {
+namespace {
+
+/// Of each channel. A sender whose counter repeats itself hides what is missing, but not what the ring had no room for.
+std::uint64_t lost_of(const SampleMeter::Reading& metered, const HydrophoneReceiver::Counters& received) {
+  return std::max(metered.samples_missing, received.samples_overrun);
+}
+
+}  // namespace
 
 HydrophonePort::HydrophonePort(std::uint8_t index, const host::PortSettings& settings,
                                const std::optional<detector::SoundSettings>& hearing, WakesFor wakes, host::IfMissing if_missing)
@@ -37,7 +47,7 @@ messages::PortReport HydrophonePort::report() const {
   messages::PortReport report = report_;
   report.link_up = received.link_up;
   report.received = metered.samples_heard;
-  report.lost = metered.samples_missing;
+  report.lost = lost_of(metered, received);
   report.malformed = received.malformed;
   return report;
 }
@@ -46,7 +56,7 @@ std::string HydrophonePort::remark() const {
   const HydrophoneReceiver::Counters received = receiver_.counters();
   const SampleMeter::Reading metered = ear_.account();
   const auto count = [](std::uint64_t n, const char* what) { return std::to_string(n) + what; };
-  return name_ + ": of each channel " + count(metered.samples_heard, " samples heard, ") + count(metered.samples_missing, " lost (") +
+  return name_ + ": of each channel " + count(metered.samples_heard, " samples heard, ") + count(lost_of(metered, received), " lost (") +
          count(metered.missing_at_sender, " by the sender, ") + count(received.samples_overrun, " because the listener was slow); ") +
          count(metered.overflows, " clipped, ") + count(metered.gain_changes, " changes of gain, ") +
          count(metered.beginnings, " beginnings, ") + count(metered.jumps, " jumps that no ADC makes, ") +
