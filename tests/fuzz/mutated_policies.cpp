@@ -1,7 +1,6 @@
 // Mutates `.policy` files, mends their CRC-32, signs them with a key of its own, and lets the vehicle's own loader and runtime have them:
 // each is refused in one line, or flown within the mission's limits. usage: mutated_policies COUNT [FIRST]   (each number is one file, the
 // same on every machine)
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "firmware/policy/format/policy_format.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "tests/fuzz/mutation.hpp"
+#include "tests/fuzz/numbered_mutants.hpp"
 #include "tests/support/mission_for.hpp"
 #include "tests/support/signed_policy.hpp"
 
@@ -162,21 +162,5 @@ class Run {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 0;
-  const std::uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
-  if (count == 0) {
-    std::cerr << "usage: mutated_policies COUNT [FIRST]\n";
-    return 2;
-  }
-  Run run;
-  for (std::uint64_t number = first; number < first + count; ++number) {
-    try {
-      run.judge(number);
-    } catch (const std::exception& violation) {
-      std::cerr << "policy " << number << ": " << violation.what() << "\n";
-      return 1;
-    }
-  }
-  run.tell();
-  return 0;
+  return earshot::fuzz::judge_numbered(argc, argv, "mutated_policies", "policy", [] { return Run(); });
 }

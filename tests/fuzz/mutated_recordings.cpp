@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -18,6 +17,7 @@
 #include "firmware/host/file/input_file.hpp"
 #include "sim/annotation/selection_table.hpp"
 #include "sim/apps/listen/listening.hpp"
+#include "tests/fuzz/numbered_mutants.hpp"
 #include "tests/sim/recording/wav_bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -163,21 +163,5 @@ class Run {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 0;
-  const std::uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
-  if (count == 0) {
-    std::cerr << "usage: mutated_recordings COUNT [FIRST]\n";
-    return 2;
-  }
-  Run run;
-  for (std::uint64_t number = first; number < first + count; ++number) {
-    try {
-      run.judge(number);
-    } catch (const std::exception& violation) {
-      std::cerr << "recording " << number << ": " << violation.what() << "\n";
-      return 1;
-    }
-  }
-  run.tell();
-  return 0;
+  return earshot::fuzz::judge_numbered(argc, argv, "mutated_recordings", "recording", [] { return Run(); });
 }
