@@ -72,7 +72,7 @@ void Runtime::take(const messages::Input& input) {
 
 void Runtime::take(Time arrival, const messages::Navigation& navigation) {
   const Time last = progress_.navigation ? progress_.navigation->time : Time{};
-  if (is_finite(navigation) && is_in_order(navigation.time, last, arrival, mission_.navigation_timeout)) {
+  if (is_usable(navigation) && is_in_order(navigation.time, last, arrival, mission_.navigation_timeout)) {
     progress_.navigation = navigation;
     progress_.navigation->time = effective(navigation.time, arrival);
   } else {

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "firmware/core/crc32.hpp"
+#include "firmware/core/math.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
@@ -44,7 +45,7 @@ Time MissionTurn::now() {
 void MissionTurn::take(std::uint8_t port, const Value& value) {
   const messages::Input input{.arrival = now(), .port = port, .sequence = sequence_++, .value = value};
   const auto* navigation = std::get_if<messages::Navigation>(&value);
-  if (navigation != nullptr) speed_ = navigation->speed;
+  if (navigation != nullptr && messages::is_usable(*navigation)) speed_ = navigation->speed;
   if (navigation != nullptr && navigation->time >= Time{}) ++navigation_taken_;
   const wire::InputRecord record(input);
   (void)journal_.append(input.arrival, record.channel(), record.data(), weight_of(value));
@@ -65,7 +66,8 @@ runtime::Outputs MissionTurn::operator()() {
   const Time turn = now();
   const runtime::Outputs outputs = runtime_.step(turn);
   record(turn, outputs);
-  ports_.note_speed(speed_);
+  if (outputs.setpoint) commanded_speed_ = outputs.setpoint->speed;
+  ports_.note_speed(is_finite(speed_.value) ? speed_ : commanded_speed_);
   ports_.publish(turn, outputs);
   if (news_ != nullptr) news_->tell(turn, outputs.health);
   return outputs;

@@ -60,7 +60,8 @@ class MissionTurn final : public InputSink {
   std::uint64_t sequence_ = 0;
   std::uint64_t navigation_taken_ = 0;
   std::optional<messages::MissionState> recorded_state_;
-  MetersPerSecond speed_;  ///< through the water, by the navigation taken last
+  MetersPerSecond speed_;            ///< through the water, by the last fix that could be one; NaN: it does not know
+  MetersPerSecond commanded_speed_;  ///< of the last set-point; stands in for a speed that nobody knows
   FlightNews* news_ = nullptr;
 };
 

@@ -51,6 +51,9 @@ class Port {
   /// Sends a detection if its roles ask for that.
   virtual void publish_detection(const messages::SoundDetection& /*detection*/) {}
   /// How fast the vehicle moves through the water, once a turn, before its publish(): a hydrophone may then hear nothing but the vehicle.
+  /// Always finite: where the last fix does not say, it is the speed of the last set-point, and zero before there was one. A vehicle does
+  /// about what it is told; were the speed that nobody knows too fast, a vehicle without a log would never hear, and if it were never too
+  /// fast, it would take its own noise for the sea's.
   virtual void note_speed(MetersPerSecond /*speed*/) {}
   /// Readable when collect() has something to read; -1 while the link is down.
   [[nodiscard]] virtual int file_descriptor() const = 0;

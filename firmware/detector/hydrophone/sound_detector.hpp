@@ -46,7 +46,8 @@ class SoundDetector {
   /// integration times at least). For a recording: hear its first `floor_window` once, call this, then hear it all.
   void begin_again_knowing_the_noise();
 
-  /// How the vehicle moves, until it is told otherwise. May be called between any two blocks.
+  /// How the vehicle moves, until it is told otherwise. May be called between any two blocks. NaN closes no gate: whoever does not know
+  /// the speed gives the best guess that there is.
   void note_motion(MetersPerSecond speed, double thruster_rpm);
 
   /// What is wrong with the chain as the last block has it; kNone also before the first.

@@ -1,6 +1,5 @@
 #include "firmware/wire/n2k/navigation.hpp"
 
-#include <limits>
 #include <optional>
 
 #include "firmware/core/math.hpp"
@@ -28,9 +27,11 @@ double positive(Radians angle) {
 Status compose_navigation(const messages::Navigation& navigation, const LocalPlane& plane, std::uint8_t source, NavigationFrames& frames) {
   const Result<Geographic> place = plane.to_geographic(navigation.position);
   if (!place.ok() || !is_finite(navigation.heading.value)) return Status::kOutOfRange;
+  MessageWriter speed(kSpeedPgn);
+  if (navigation.speed.value == navigation.speed.value) speed.set("SpeedWaterReferenced", navigation.speed.value);  // not NaN
   const std::array statuses{
       MessageWriter(kHeadingPgn).set("Heading", positive(navigation.heading)).set("Reference", kTrueNorth).frame(source, frames[0]),
-      MessageWriter(kSpeedPgn).set("SpeedWaterReferenced", navigation.speed.value).frame(source, frames[1]),
+      speed.frame(source, frames[1]),
       MessageWriter(kPressurePgn)
           .set("Instance", 0)
           .set("Source", kWaterPressure)
@@ -63,9 +64,11 @@ Status NavigationReceiver::accept(const Frame& frame, Time now, messages::Naviga
   Fix fix;
   const Status status = accept(frame, now, fix);
   if (status != Status::kOk) return status;
-  constexpr MetersPerSecond kUnknown{std::numeric_limits<double>::quiet_NaN()};
-  navigation = {
-      .time = fix.time, .position = fix.position, .depth = fix.depth, .heading = fix.heading, .speed = fix.speed.value_or(kUnknown)};
+  navigation = {.time = fix.time,
+                .position = fix.position,
+                .depth = fix.depth,
+                .heading = fix.heading,
+                .speed = fix.speed.value_or(messages::kUnknownSpeed)};
   return Status::kOk;
 }
 

@@ -16,7 +16,8 @@ namespace earshot::n2k {
 /// Frames in the order in which they are to be sent: heading, speed, pressure, position.
 using NavigationFrames = std::array<Frame, 4>;
 
-/// Four messages, without the date, which none of them carries. kOutOfRange if a value is not finite or does not fit its message.
+/// Four messages, without the date, which none of them carries. A speed that is not known (NaN) is sent as not available. kOutOfRange if
+/// another value is not finite, or one does not fit its message.
 /// Resolution: 1e-7 degree (11 mm), 0.1 Pa (0.01 mm of depth), 1e-4 rad, 0.01 m/s.
 [[nodiscard]] Status compose_navigation(const messages::Navigation& navigation, const LocalPlane& plane, std::uint8_t source,
                                         NavigationFrames& frames);
@@ -57,7 +58,7 @@ class NavigationReceiver {
   /// @return kOk: `fix` is new. kNotReady: kept, or not ours. kOutOfRange, kMalformed, kUnsupported: refused and counted. kStale: a
   /// position, but heading or depth is missing or old.
   [[nodiscard]] Status accept(const Frame& frame, Time now, Fix& fix);
-  /// Likewise; a speed that is missing is NaN.
+  /// Likewise; a speed that is missing is messages::kUnknownSpeed.
   [[nodiscard]] Status accept(const Frame& frame, Time now, messages::Navigation& navigation);
 
   [[nodiscard]] const NavigationCounters& counters() const { return counters_; }

@@ -99,7 +99,7 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
   health_t health{};
   command_acknowledgement_t acknowledgement{};
   if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
-    if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_finite(*fix))
+    if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix))
       flight.fixes.push_back({.time_s = time_s, .position = fix->position, .depth = fix->depth});
     if (const auto* snr = std::get_if<messages::SnrMeasurement>(&input.value); snr != nullptr && std::isfinite(snr->snr.value))
       flight.measurements.push_back({.time_s = time_s, .snr_db = snr->snr.value, .too_faint = snr->too_faint});

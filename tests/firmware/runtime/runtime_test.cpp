@@ -213,12 +213,22 @@ TEST(Runtime, RefusesNavigationThatIsNotFiniteAndKeepsTheLast) {
     if (field == 1) bad.position.east = Meters{kNan};
     if (field == 2) bad.depth = Meters{kNan};
     if (field == 3) bad.heading = Radians{kNan};
-    if (field == 4) bad.speed = MetersPerSecond{kNan};
+    if (field == 4) bad.speed = MetersPerSecond{std::numeric_limits<double>::infinity()};
     rig.step_again({.navigation = bad});
   }
   EXPECT_EQ(rig.counters().navigation_refused, 5U);
   EXPECT_EQ(rig.setpoint, before);
   EXPECT_EQ(rig.state(), MissionState::kSearch);
+}
+
+TEST(Runtime, TakesAFixWhoseSpeedNobodyKnows) {
+  Rig rig = searching();
+  messages::Navigation fix = rig.navigation_at(rig.now);
+  fix.position = at(1e6, 1e6);  // where a search ends
+  fix.speed = messages::kUnknownSpeed;
+  rig.step_again({.navigation = fix});
+  EXPECT_EQ(rig.counters().navigation_refused, 0U);
+  EXPECT_EQ(rig.end_reason(), EndReason::kLeftOperatingArea);
 }
 
 TEST(Runtime, RefusesAnSnrThatNoOceanHas) {

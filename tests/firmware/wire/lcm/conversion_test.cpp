@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 
 #include "firmware/wire/lcm/encoding.hpp"
@@ -54,6 +55,18 @@ TEST(Conversion, GivesACommandBackWhateverItsNumber) {
   const messages::OperatorCommand command{
       .time = Time{5}, .expiry = Time{6}, .issuer = 4'294'967'295, .number = 2'147'483'648, .order = messages::Order::kStart};
   EXPECT_EQ(from_message(carried(to_message(command))), command);
+}
+
+TEST(Conversion, GivesAFixWhoseSpeedNobodyKnowsBackAsOne) {
+  const messages::Navigation fix{.time = Time{5},
+                                 .position = {Meters{1.0}, Meters{2.0}},
+                                 .depth = Meters{3.0},
+                                 .heading = Radians{0.5},
+                                 .speed = messages::kUnknownSpeed};
+  const messages::Navigation arrived = from_message(carried(to_message(fix)));
+  EXPECT_TRUE(std::isnan(arrived.speed.value));
+  EXPECT_TRUE(messages::is_usable(arrived));
+  EXPECT_EQ(arrived.heading, fix.heading);
 }
 
 TEST(Conversion, GivesEveryFieldOfAMissionBack) {

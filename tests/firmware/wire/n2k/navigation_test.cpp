@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "firmware/wire/n2k/codec.hpp"
@@ -102,6 +105,17 @@ TEST_F(NavigationReceiverTest, MakesAFixWithoutASpeed) {
   EXPECT_FALSE(fix.speed.has_value());
 }
 
+TEST_F(NavigationReceiverTest, GivesAFixWithoutASpeedBackAsOne) {
+  messages::Navigation without = kNavigation;
+  without.speed = messages::kUnknownSpeed;
+  const NavigationFrames frames = frames_of(without);
+  EXPECT_EQ(frames[1].data, (std::array<std::uint8_t, 8>{255, 255, 255, 255, 255, 255, 255, 255})) << "not available";
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(accept(frames[i]), Status::kNotReady);
+  ASSERT_EQ(accept(frames[3]), Status::kOk);
+  EXPECT_TRUE(std::isnan(navigation_.speed.value));
+  EXPECT_TRUE(messages::is_usable(navigation_));
+}
+
 TEST_F(NavigationReceiverTest, DatesAFixByThePositionsFirstFrame) {
   const NavigationFrames frames = frames_of(kNavigation);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(accept(frames[i]), Status::kNotReady);
@@ -169,8 +183,10 @@ TEST(ComposeNavigation, RefusesWhatNoFrameCanCarry) {
   NavigationFrames frames;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   messages::Navigation bad = kNavigation;
-  bad.speed = MetersPerSecond{-1.0};
-  EXPECT_EQ(compose_navigation(bad, kPlane, kSource, frames), Status::kOutOfRange);
+  for (const double speed : {-1.0, std::numeric_limits<double>::infinity()}) {
+    bad.speed = MetersPerSecond{speed};
+    EXPECT_EQ(compose_navigation(bad, kPlane, kSource, frames), Status::kOutOfRange);
+  }
   bad = kNavigation;
   bad.heading = Radians{nan};
   EXPECT_EQ(compose_navigation(bad, kPlane, kSource, frames), Status::kOutOfRange);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/policy/report/sea/sea_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -59,6 +61,16 @@ TEST_F(SeaFlightTest, TellsItsOrdersAndStatesAndHowFarItSailedInItsSearchAlone) 
   EXPECT_EQ(flight.events[1].what, "SEARCH");
   EXPECT_EQ(flight.events[2].what, "ABORT: navigation went silent");
   EXPECT_NEAR(flight.events[2].time_s, 50.0, 1e-5);
+}
+
+TEST_F(SeaFlightTest, DrawsTheFixesWhoseSpeedNobodyKnew) {
+  SeaJournal journal(path_);
+  journal.fix(20, 300, 0, messages::kUnknownSpeed);
+  journal.fix(30, 400, 0, MetersPerSecond{std::numeric_limits<double>::infinity()});  // the runtime refuses it
+  journal.end(wire::Ending::kStopped);
+  const SeaFlight flight = read_sea_flight(path_).value();
+  ASSERT_EQ(flight.fixes.size(), 1U);
+  EXPECT_EQ(flight.fixes[0].position.north, Meters{300});
 }
 
 TEST_F(SeaFlightTest, IsNoneWhereTheJournalDoesNotBeginWithAMission) {

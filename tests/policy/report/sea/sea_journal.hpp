@@ -36,12 +36,10 @@ class SeaJournal {
     append(0, wire::kMissionChannel, wire::Encoded(mission), host::Weight::kOrder);
   }
 
-  void fix(double s, double north_m, double east_m) {
-    input(s, messages::Navigation{.time = at(s),
-                                  .position = {Meters{north_m}, Meters{east_m}},
-                                  .depth = Meters{300},
-                                  .heading = Radians{0},
-                                  .speed = MetersPerSecond{2}});
+  void fix(double s, double north_m, double east_m, MetersPerSecond speed = MetersPerSecond{2}) {
+    input(s,
+          messages::Navigation{
+              .time = at(s), .position = {Meters{north_m}, Meters{east_m}}, .depth = Meters{300}, .heading = Radians{0}, .speed = speed});
   }
   void snr(double s, double db, bool too_faint = false) {
     input(s, messages::SnrMeasurement{.time = at(s), .snr = Decibels{db}, .too_faint = too_faint});

@@ -1,0 +1,94 @@
+#include "firmware/boards/linux/mission_turn.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "firmware/boards/linux/port_set.hpp"
+#include "firmware/host/journal/journal.hpp"
+#include "tests/firmware/boards/linux/set_clock.hpp"
+#include "tests/firmware/runtime/mission_rig.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::board {
+namespace {
+
+/// Remembers how fast it was told that the vehicle is.
+class ToldPort final : public Port {
+ public:
+  explicit ToldPort(std::uint8_t index) : Port(index, {}) {}
+  void collect(Clock& /*clock*/, InputSink& /*sink*/) override {}
+  std::uint64_t publish(Time /*now*/, const runtime::Outputs& outputs) override {
+    state = outputs.health.state;
+    refused = outputs.health.counters.navigation_refused;
+    return 0;
+  }
+  void note_speed(MetersPerSecond told) override { speed_mps = told.value; }
+  [[nodiscard]] int file_descriptor() const override { return -1; }
+  [[nodiscard]] std::string description() const override { return "a listener"; }
+
+  double speed_mps = -1.0;
+  messages::MissionState state{};
+  std::uint64_t refused = 0;
+};
+
+/// A vehicle that lies in the middle of its area; what it says of its speed is the test's.
+class MissionTurnTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))),
+              Status::kOk);
+    auto port = std::make_unique<ToldPort>(ports_.next_index());
+    port_ = port.get();
+    ports_.add(std::move(port));
+  }
+
+  /// A second passes; a fix with this speed and an SNR arrive. @return the speed that the ports are told
+  double told_after(double speed_mps) {
+    clock_.time = clock_.time + Duration::seconds(1);
+    turn_.take(0, messages::Navigation{.time = clock_.time,
+                                       .position = runtime::at(7000, 12000),
+                                       .depth = Meters{300},
+                                       .heading = Radians{0},
+                                       .speed = MetersPerSecond{speed_mps}});
+    turn_.take(0, messages::SnrMeasurement{.time = clock_.time, .snr = Decibels{12}});
+    (void)turn_();
+    return port_->speed_mps;
+  }
+
+  static constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double kCommanded = 2.0;  // the paper's
+
+  const support::TemporaryFolder folder_;
+  std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
+  PortSet ports_;
+  ToldPort* port_ = nullptr;  ///< of ports_
+  SetClock clock_;
+  host::Journal journal_{folder_ / "journal", {.existing = host::ExistingJournal::kReplace}};
+  MissionTurn turn_{*runtime_, ports_, journal_, clock_};
+};
+
+TEST_F(MissionTurnTest, TellsThePortsTheCommandedSpeedWhereTheFixesHaveNone) {
+  EXPECT_EQ(told_after(kNan), 0.0) << "nothing is commanded yet: it must hear before it may start";
+  EXPECT_EQ(told_after(1.25), 1.25);
+  turn_.take(0, runtime::command_of(messages::Order::kStart, clock_.time, 1));
+  EXPECT_EQ(told_after(1.25), 1.25) << "what is measured goes before what is commanded";
+  EXPECT_EQ(port_->state, messages::MissionState::kSearch);
+  EXPECT_EQ(told_after(kNan), kCommanded);
+  turn_.take(0, runtime::command_of(messages::Order::kAbort, clock_.time, 2));
+  EXPECT_EQ(told_after(kNan), 0.0) << "it stops and comes up";
+  EXPECT_EQ(port_->refused, 0U);
+}
+
+TEST_F(MissionTurnTest, PassesOverTheSpeedOfAFixThatCannotBe) {
+  EXPECT_EQ(told_after(1.25), 1.25);
+  EXPECT_EQ(told_after(std::numeric_limits<double>::infinity()), 1.25);
+  EXPECT_EQ(port_->refused, 1U);
+}
+
+}  // namespace
+}  // namespace earshot::board
