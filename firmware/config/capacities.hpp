@@ -90,8 +90,13 @@ inline constexpr std::size_t kHydrophoneDetections = 64;
 /// CAN frames read in one turn (250 kbit/s carry at most about 2000 in a second, which has ten turns); full: the rest waits for the
 /// next turn.
 inline constexpr std::size_t kCanFramesPerCollect = 1024;
-/// NMEA 2000 fast packets in the making (senders x PGNs); full: the oldest goes, counted.
-inline constexpr std::size_t kFastPacketSlots = 8;
+/// NMEA 2000 fast packets in the making (senders x PGNs). A slot is held from a message's first frame to its last, by each device that
+/// sends one at that time. A bus has up to 50 devices, and what is put together here more than one of them sends: positions of GNSS
+/// receivers, plotters and autopilots, and 126720, which every maker uses for messages of his own. With eight, nine that begin within the
+/// 50 ms of a long message would lose one. Full: the one fed longest ago goes, counted.
+inline constexpr std::size_t kFastPacketSlots = 16;
+/// Of one assembly: 280 bytes a slot and its counters. There is one for positions, one for orders, one for set-points of each CAN port.
+inline constexpr std::size_t kFastPacketBytes = 4608;
 
 // Journal (firmware/host/journal).
 /// Journal bytes waiting for the disk, 4 MiB of them streams (1 s of the largest bus load); full: drop newest, count.

@@ -84,5 +84,6 @@ class FastPacketAssembly {
   std::uint64_t turn_ = 0;
   FastPacketCounters counters_;
 };
+static_assert(sizeof(FastPacketAssembly) <= config::kFastPacketBytes);
 
 }  // namespace earshot::n2k

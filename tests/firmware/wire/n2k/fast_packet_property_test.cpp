@@ -1,8 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <optional>
 #include <random>
 #include <vector>
@@ -15,10 +13,11 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 /// The plain model: all frames of a sender since its last first frame. They are a message when they are its frames one after the other and
-/// nothing else, no two over 750 ms apart; a frame that came twice in a row counts once.
+/// nothing else, no two over 750 ms apart; a frame that came twice in a row counts once, and one of less than eight bytes not at all.
 class History {
  public:
   std::optional<Bytes> add(const Frame& frame, Time now) {
+    if (frame.size != 8) return std::nullopt;  // nobody's
     const bool first = (frame.data[0] & 0x1FU) == 0;
     if (first) {
       frames_.clear();
@@ -56,7 +55,7 @@ class History {
 /// Sends messages as a bad bus would deliver them.
 class Sender {
  public:
-  Sender(std::mt19937& random, std::uint8_t source) : random_(random), identifier_{.pgn = kGnssPgn, .priority = 3, .source = source} {}
+  Sender(std::mt19937& random, const Identifier& identifier) : random_(random), identifier_(identifier) {}
 
   [[nodiscard]] const Identifier& identifier() const { return identifier_; }
 
@@ -70,6 +69,9 @@ class Sender {
     if (chance == 7) frame.data[0] = static_cast<std::uint8_t>(random_());           // any frame of any message
     if (chance == 8) at_ = 0;                                                        // from the beginning
     if (chance == 9) return {frame, swapped(frame)};                                 // repeated with another content
+    if (chance == 10) return {cut(frame, random_() % 8), frame};                     // cut short, then whole
+    if (chance == 11) return {cut(frame, random_() % 8)};                            // lost but for its beginning
+    if (chance == 12 && at_ < packet_.size()) return {packet_[at_++], frame};        // after the one behind it
     return {frame};
   }
 
@@ -86,6 +88,11 @@ class Sender {
     return frame;
   }
 
+  static Frame cut(Frame frame, std::size_t size) {
+    frame.size = static_cast<std::uint8_t>(size);
+    return frame;
+  }
+
   std::mt19937& random_;
   Identifier identifier_;
   FastPacketFrames packet_;
@@ -93,30 +100,68 @@ class Sender {
   std::uint8_t sequence_ = 0;
 };
 
+/// Messages under way side by side differ in their sender, their group, or whom they are for.
+Identifier identifier_of(std::size_t number) {
+  const auto source = static_cast<std::uint8_t>(number / 3);
+  if (number % 3 == 0) return {.pgn = kGnssPgn, .priority = 3, .source = source};
+  return {.pgn = kPeerPgn, .priority = 3, .source = source, .destination = static_cast<std::uint8_t>(0x40 + number % 3)};
+}
+
+/// What some senders' frames become, as the assembly has it and as the plain model does.
+struct Outcome {
+  std::size_t expected = 0;
+  std::size_t completed = 0;
+  std::size_t wrong = 0;  ///< completed where the model has none, or other bytes
+  FastPacketCounters counters;
+};
+
+Outcome outcome_of(std::uint32_t seed, std::size_t sender_count) {
+  std::mt19937 random(seed);
+  std::vector<Sender> senders;
+  for (std::size_t i = 0; i < sender_count; ++i) senders.emplace_back(random, identifier_of(i));
+  std::vector<History> model(sender_count);
+  FastPacketAssembly assembly;
+  Time now{1'000'000};
+  Outcome outcome;
+  for (int i = 0; i < 20'000; ++i) {
+    const std::size_t which = random() % senders.size();
+    for (const Frame& frame : senders[which].next()) {
+      const std::optional<Bytes> expected = model[which].add(frame, now);
+      Assembled message;
+      const bool is_whole = assembly.accept(senders[which].identifier(), frame, now, message) == Status::kOk;
+      const bool is_right = is_whole && expected == Bytes(message.bytes.begin(), message.bytes.end());
+      outcome.expected += expected ? 1 : 0;
+      outcome.completed += is_whole ? 1 : 0;
+      outcome.wrong += is_whole && !is_right ? 1 : 0;
+    }
+    now = now + Duration{static_cast<std::int64_t>(random() % 1000 == 0 ? random() % 1'500'000 : random() % 3'000)};
+  }
+  outcome.counters = assembly.counters();
+  return outcome;
+}
+
 TEST(FastPacketProperty, IsPutTogetherExactlyWhenAPlainModelSaysSo) {
   std::size_t completed = 0;
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    std::mt19937 random(seed);
-    std::vector<Sender> senders;
-    for (std::uint8_t i = 0; i < config::kFastPacketSlots; ++i) senders.emplace_back(random, i);
-    std::map<std::uint8_t, History> model;
-    FastPacketAssembly assembly;
-    Time now{1'000'000};
-    for (int i = 0; i < 20'000; ++i) {
-      Sender& sender = senders[random() % senders.size()];
-      for (const Frame& frame : sender.next()) {
-        const std::optional<Bytes> expected = model[sender.identifier().source].add(frame, now);
-        Assembled message;
-        const Status status = assembly.accept(sender.identifier(), frame, now, message);
-        ASSERT_EQ(status == Status::kOk, expected.has_value()) << "seed " << seed << ", turn " << i;
-        if (!expected) continue;
-        ASSERT_EQ(Bytes(message.bytes.begin(), message.bytes.end()), *expected);
-        ++completed;
-      }
-      now = now + Duration{static_cast<std::int64_t>(random() % 1000 == 0 ? random() % 1'500'000 : random() % 3'000)};
-    }
+    const Outcome outcome = outcome_of(seed, config::kFastPacketSlots);
+    ASSERT_EQ(outcome.wrong, 0U) << "seed " << seed;
+    ASSERT_EQ(outcome.completed, outcome.expected) << "seed " << seed;
+    ASSERT_EQ(outcome.completed, outcome.counters.completed) << "seed " << seed;
+    completed += outcome.completed;
   }
   EXPECT_GT(completed, 5'000U);
+}
+
+TEST(FastPacketProperty, IsNeverPutTogetherWronglyThoughMoreSendThanThereAreSlots) {
+  std::size_t completed = 0;
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const Outcome outcome = outcome_of(seed, config::kFastPacketSlots + 4);
+    ASSERT_EQ(outcome.wrong, 0U) << "seed " << seed;
+    ASSERT_LT(outcome.completed, outcome.expected) << "nothing was given up, seed " << seed;
+    ASSERT_LE(outcome.expected - outcome.completed, outcome.counters.abandoned) << "seed " << seed;
+    completed += outcome.completed;
+  }
+  EXPECT_GT(completed, 500U);
 }
 
 }  // namespace
