@@ -31,6 +31,12 @@ void AddressClaim::yield_address(Time now) {
   state_ = State::kWithout;
   since_ = now;
   due_ = true;
+  not_before_ = now + cannot_claim_delay(name_);
+}
+
+void AddressClaim::ask(Time now) {
+  if (!due_) not_before_ = now + cannot_claim_delay(name_);  // who asks again and again does not put the answer off
+  due_ = true;
 }
 
 void AddressClaim::claim(std::uint8_t address) {
@@ -53,6 +59,7 @@ bool AddressClaim::claim_due(Time now) {
   }
   if (state_ == State::kClaiming && now - began_ >= kClaimTime) state_ = State::kHolding;
   if (!due_ || (sent_ && now - *sent_ < kLeastClaimGap)) return false;
+  if (state_ == State::kWithout && now < not_before_) return false;
   due_ = false;
   sent_ = now;
   ++counters_.claims;

@@ -20,6 +20,18 @@ inline constexpr Duration kLeastClaimGap = Duration::milliseconds(20);
 /// Until a device without an address tries again: the bus may have emptied.
 inline constexpr Duration kClaimAgain = Duration::seconds(30);
 
+/// Before a device says that it has no address, from what made it say so: on a full bus a request for claims makes all such devices answer
+/// at once, from the one address 254, and two that send at the same time disturb each other's frames. 0.6 ms times a number from 0 to 255,
+/// 153 ms at most; 0.6 ms is about the length of a frame at 250 kbit/s. The number is what the NAME's eight bytes give by exclusive or:
+/// devices of one maker, whose numbers differ in the lowest byte, never have the same.
+/// Source: SAE J1939-81, 4.4.   Oracle: AddressClaim.WaitsBeforeItSaysThatItHasNone, by hand
+[[nodiscard]] constexpr Duration cannot_claim_delay(Name name) {
+  std::int64_t number = 0;
+  for (unsigned i = 0; i < 8; ++i) number ^= static_cast<std::int64_t>(name >> (8U * i) & 0xFFU);
+  return Duration{600 * number};
+}
+inline constexpr Duration kLongestCannotClaimDelay = Duration::milliseconds(153);
+
 struct ClaimCounters {
   std::uint64_t claims = 0;    ///< sent, also those that say that no address can be claimed
   std::uint64_t defended = 0;  ///< against a device with fewer rights
@@ -32,17 +44,18 @@ struct ClaimCounters {
 /// source().
 ///
 ///   start -> claiming -(250 ms without objection)-> holding
-///   a lower NAME claims our address -> the next free one is claimed; none is free -> no address, told once; again after 30 s
+///   a lower NAME claims our address -> the next free one is claimed; none is free -> no address, told once, a little later; again after
+///   30 s
 ///   a higher NAME claims our address -> our claim again
-/// Source: SAE J1939-81, 4.2 to 4.4.   Oracle: AddressClaim tests against a plain model of the bus
+/// Source: SAE J1939-81, 4.2 to 4.4.   Oracle: AddressClaimBus tests against a plain model of the bus
 class AddressClaim {
  public:
   AddressClaim(Name name, std::uint8_t preferred) : name_(name), preferred_(preferred), wanted_(preferred) {}
 
   /// Another device's claim (60928), or our own come back.
   void accept(std::uint8_t source, Name name, Time now);
-  /// Somebody asks who is there: our claim is due.
-  void ask() { due_ = true; }
+  /// Somebody asks who is there: our claim is due, or that we cannot claim one.
+  void ask(Time now);
   /// Somebody commands us (65240) to another address. kOutOfRange: no device may have that one.
   [[nodiscard]] Status move_to(std::uint8_t address);
   /// Time passes: whether a claim is to be sent now. It counts as sent.
@@ -65,6 +78,7 @@ class AddressClaim {
   std::uint8_t wanted_;
   State state_ = State::kStarting;
   bool due_ = true;
+  Time not_before_;           ///< without an address: when that may be said
   std::optional<Time> sent_;  ///< our last claim
   Time began_;                ///< the first claim of the address wanted
   Time since_;                ///< when we were last left without an address

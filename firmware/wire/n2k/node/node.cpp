@@ -41,7 +41,7 @@ void Node::accept(const Frame& frame, Time now) {
       if (const std::optional<Name> name = name_in(frame)) claim_.accept(identifier.source, *name, now);
       return;
     case kRequestPgn:
-      take_request(identifier, frame);
+      take_request(identifier, frame, now);
       return;
     case kTransportControlPgn:
     case kTransportDataPgn: {
@@ -55,7 +55,7 @@ void Node::accept(const Frame& frame, Time now) {
   }
 }
 
-void Node::take_request(const Identifier& identifier, const Frame& frame) {
+void Node::take_request(const Identifier& identifier, const Frame& frame, Time now) {
   const bool of_us_alone = identifier.destination != kBroadcast && identifier.destination == claim_.source();
   if (!of_us_alone && identifier.destination != kBroadcast) return;
   constexpr Signal kWanted = table::field(table::kRequest, "PGN");
@@ -63,7 +63,7 @@ void Node::take_request(const Identifier& identifier, const Frame& frame) {
   if (!wanted.ok()) return;
   ++counters_.requests;
   const auto pgn = static_cast<std::uint32_t>(wanted.value());
-  if (pgn == kAddressClaimPgn) return claim_.ask();
+  if (pgn == kAddressClaimPgn) return claim_.ask(now);
   if (!claim_.address()) return;
   if (pgn == kProductPgn) return ask(Answer::kProduct);
   if (pgn == kConfigurationPgn) return ask(Answer::kConfiguration);
@@ -88,7 +88,7 @@ void Node::step(Time now, NodeFrames& frames) {
   if (!asked_for_claims_) {
     // Whoever hears this answers, and so do we.
     append(frames, Status::kOk, request_for_claims(*source));
-    claim_.ask();
+    claim_.ask(now);
     asked_for_claims_ = true;
   }
   send_refusals(*source, frames);

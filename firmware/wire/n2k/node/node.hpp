@@ -71,7 +71,7 @@ class Node {
     std::uint32_t pgn = 0;
     std::uint8_t asker = kNullAddress;
   };
-  void take_request(const Identifier& identifier, const Frame& frame);
+  void take_request(const Identifier& identifier, const Frame& frame, Time now);
   void ask(Answer answer) { waiting_[static_cast<std::size_t>(answer)].asked = true; }
   void send_refusals(std::uint8_t source, NodeFrames& frames);
   void send_heartbeat(std::uint8_t source, Time now, NodeFrames& frames);

@@ -94,6 +94,24 @@ TEST(AddressClaimBus, LetsTheLowestNameKeepTheAddressThatAllWant) {
   }
 }
 
+TEST(AddressClaimBus, LeavesTheHighestNamesWithoutAnAddressWhereMoreDevicesAreThanAddresses) {
+  constexpr std::size_t kAddresses = kLastAddress + 1U;
+  for (std::uint32_t seed = 0; seed < 3; ++seed) {
+    Bus bus(seed, kAddresses + 3, 251, false);
+    bus.run(Duration::seconds(10));
+    // The plain model: as many as there are addresses have one each, those whose NAMEs come first.
+    std::set<std::uint8_t> held;
+    std::size_t place = 0;
+    for (const auto& [name, address] : bus.addresses()) {
+      EXPECT_EQ(address.has_value(), place++ < kAddresses) << seed;
+      if (address) held.insert(*address);
+    }
+    EXPECT_EQ(place, kAddresses + 3) << "two with the same NAME, seed " << seed;
+    EXPECT_EQ(held.size(), kAddresses) << seed;
+    EXPECT_EQ(*held.rbegin(), kLastAddress) << seed;
+  }
+}
+
 TEST(AddressClaimBus, ComesToOrderAfterFramesWereLost) {
   for (std::uint32_t seed = 0; seed < 30; ++seed) {
     Bus bus(seed, 12, 3, seed % 2 == 0);

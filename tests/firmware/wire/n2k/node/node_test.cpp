@@ -117,11 +117,11 @@ TEST_F(NodeTest, GivesWayToALowerNameAndTakesTheNextAddress) {
 TEST_F(NodeTest, SaysOnceThatNoAddressIsLeftAndTriesAgainLater) {
   settle();
   for (unsigned address = 0; address <= kLastAddress; ++address) accept(claim_of(1 + address, static_cast<std::uint8_t>(address)));
-  EXPECT_EQ(step(kLeastClaimGap), std::vector{claim_of(identity_.name, kNullAddress)});
+  EXPECT_EQ(step(kLongestCannotClaimDelay), std::vector{claim_of(identity_.name, kNullAddress)});
   accept(request_of(kProductPgn));
   EXPECT_TRUE(step(Duration::seconds(1)).empty());
   accept(request_of(kAddressClaimPgn));
-  EXPECT_EQ(step(kLeastClaimGap), std::vector{claim_of(identity_.name, kNullAddress)});
+  EXPECT_EQ(step(kLongestCannotClaimDelay), std::vector{claim_of(identity_.name, kNullAddress)});
   EXPECT_EQ(step(kClaimAgain), std::vector{claim_of(identity_.name, 0x40)});
   (void)step(kClaimTime);
   EXPECT_EQ(node_.address(), 0x40);

@@ -1,0 +1,63 @@
+#include "firmware/wire/n2k/node/address_claim.hpp"
+
+#include <gtest/gtest.h>
+
+namespace earshot::n2k {
+namespace {
+
+constexpr Time kNow{1'000'000};
+constexpr Name kName = 0xC050'9635'E772'EE1F;  // tests/reference/n2k/frames.txt, source 204
+// C0 ^ 50 = 90, ^ 96 = 06, ^ 35 = 33, ^ E7 = D4, ^ 72 = A6, ^ EE = 48, ^ 1F = 57: 87 times 0.6 ms.
+constexpr Duration kDelay{52'200};
+
+/// One that holds an address and then hears that all are taken by devices with more rights.
+AddressClaim driven_out(Time now) {
+  AddressClaim claim(kName, 0x40);
+  EXPECT_TRUE(claim.claim_due(now + Duration{-2 * kClaimTime.us}));
+  EXPECT_FALSE(claim.claim_due(now + Duration{-kClaimTime.us}));
+  EXPECT_EQ(claim.address(), 0x40);
+  for (unsigned address = 0; address <= kLastAddress; ++address) claim.accept(static_cast<std::uint8_t>(address), 1 + address, now);
+  EXPECT_FALSE(claim.address());
+  return claim;
+}
+
+TEST(AddressClaim, WaitsBeforeItSaysThatItHasNone) {
+  AddressClaim claim = driven_out(kNow);
+  EXPECT_FALSE(claim.claim_due(kNow));
+  EXPECT_FALSE(claim.claim_due(kNow + kDelay + Duration{-1}));
+  EXPECT_TRUE(claim.claim_due(kNow + kDelay));
+  EXPECT_EQ(claim.source(), kNullAddress);
+  EXPECT_FALSE(claim.claim_due(kNow + Duration::seconds(1))) << "told once";
+}
+
+TEST(AddressClaim, WaitsAsLongWhenSomebodyAsksAndNotLongerWhenHeAsksAgain) {
+  AddressClaim claim = driven_out(kNow);
+  EXPECT_TRUE(claim.claim_due(kNow + kDelay));
+  const Time asked = kNow + Duration::seconds(1);
+  claim.ask(asked);
+  EXPECT_FALSE(claim.claim_due(asked));
+  claim.ask(asked + Duration{kDelay.us - 1});
+  EXPECT_FALSE(claim.claim_due(asked + Duration{kDelay.us - 1}));
+  EXPECT_TRUE(claim.claim_due(asked + kDelay));
+}
+
+TEST(AddressClaim, AnswersAtOnceWhileItHasAnAddress) {
+  AddressClaim claim(kName, 0x40);
+  EXPECT_TRUE(claim.claim_due(kNow));
+  EXPECT_FALSE(claim.claim_due(kNow + kClaimTime));
+  claim.ask(kNow + kClaimTime);
+  EXPECT_TRUE(claim.claim_due(kNow + kClaimTime));
+}
+
+TEST(AddressClaim, WaitsFromNothingTo153MillisecondsBeforeItSaysThatItHasNone) {
+  EXPECT_EQ(cannot_claim_delay(0), Duration{});
+  EXPECT_EQ(cannot_claim_delay(0xC0'50'96'35'E7'72'EE'1F ^ 0x57 ^ 0xFF), Duration::milliseconds(153));
+  for (Name last = 1; last < 256; ++last) {
+    EXPECT_GE(cannot_claim_delay(kName ^ last), Duration{});
+    EXPECT_LE(cannot_claim_delay(kName ^ last), kLongestCannotClaimDelay);
+    EXPECT_NE(cannot_claim_delay(kName ^ last), cannot_claim_delay(kName)) << "of the same maker";
+  }
+}
+
+}  // namespace
+}  // namespace earshot::n2k
