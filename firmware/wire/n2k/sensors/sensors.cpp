@@ -33,37 +33,35 @@ Status Sensors::accept(const Frame& frame, Time now, Measured& measured) {
 }
 
 Status Sensors::take(const Arrival& arrival, Measured& measured) {
-  const auto& [identifier, bytes, time] = arrival;
-  switch (identifier.pgn) {
+  switch (arrival.identifier.pgn) {
     case kPositionPgn:
       measured = Measured::kPosition;
-      return admits(measured, arrival, table::kPosition) ? keep(readings_.position, fields::position(bytes), time) : Status::kNotReady;
+      return keep_admitted(measured, arrival, table::kPosition, readings_.position, fields::position);
     case kHeadingPgn:
       measured = Measured::kHeading;
-      return admits(measured, arrival, table::kHeading) ? keep(readings_.heading, true_heading(bytes, time), time) : Status::kNotReady;
+      return keep_admitted(measured, arrival, table::kHeading, readings_.heading,
+                           [&](Bytes bytes) { return true_heading(bytes, arrival.time); });
     case kVariationPgn:
       measured = Measured::kVariation;
-      return admits(measured, arrival, table::kVariation) ? keep(readings_.variation, fields::variation(bytes), time) : Status::kNotReady;
+      return keep_admitted(measured, arrival, table::kVariation, readings_.variation, fields::variation);
     case kRateOfTurnPgn:
       measured = Measured::kRateOfTurn;
-      return admits(measured, arrival, table::kRateOfTurn) ? keep(readings_.rate_of_turn, fields::rate_of_turn(bytes), time)
-                                                           : Status::kNotReady;
+      return keep_admitted(measured, arrival, table::kRateOfTurn, readings_.rate_of_turn, fields::rate_of_turn);
     case kAttitudePgn:
       measured = Measured::kAttitude;
-      return admits(measured, arrival, table::kAttitude) ? keep(readings_.attitude, fields::attitude(bytes), time) : Status::kNotReady;
+      return keep_admitted(measured, arrival, table::kAttitude, readings_.attitude, fields::attitude);
     case kSpeedPgn:
       measured = Measured::kSpeed;
-      return admits(measured, arrival, table::kSpeed) ? keep(readings_.speed, fields::speed(bytes), time) : Status::kNotReady;
+      return keep_admitted(measured, arrival, table::kSpeed, readings_.speed, fields::speed);
     case kCoursePgn:
       measured = Measured::kOverGround;
-      return admits(measured, arrival, table::kCourse) ? keep(readings_.over_ground, fields::over_ground(bytes), time) : Status::kNotReady;
+      return keep_admitted(measured, arrival, table::kCourse, readings_.over_ground, fields::over_ground);
     case kWaterDepthPgn:
       measured = Measured::kAltitude;
-      return admits(measured, arrival, table::kWaterDepth) ? keep(readings_.altitude, fields::altitude(bytes), time) : Status::kNotReady;
+      return keep_admitted(measured, arrival, table::kWaterDepth, readings_.altitude, fields::altitude);
     case kRudderPgn:
       measured = Measured::kRudder;
-      return admits(measured, arrival, table::kRudder, fields::rudder_instance(bytes)) ? keep(readings_.rudder, fields::rudder(bytes), time)
-                                                                                       : Status::kNotReady;
+      return keep_admitted(measured, arrival, table::kRudder, readings_.rudder, fields::rudder, fields::rudder_instance(arrival.bytes));
     case kPressurePgn:
       measured = Measured::kPressure;
       return take_pressure(arrival);
@@ -72,7 +70,7 @@ Status Sensors::take(const Arrival& arrival, Measured& measured) {
       return take_temperature(arrival);
     case kBatteryPgn:
       measured = Measured::kBattery;
-      return take_battery(arrival);
+      return keep_admitted(measured, arrival, table::kBattery, readings_.battery, fields::battery, fields::battery_instance(arrival.bytes));
     default:
       ++counters_.of_no_interest;
       return Status::kNotReady;
@@ -99,6 +97,13 @@ Status Sensors::keep(std::optional<Reading<T>>& reading, Result<T> value, Time t
   return Status::kNotReady;
 }
 
+template <class T, class Read>
+Status Sensors::keep_admitted(Measured measured, const Arrival& arrival, const Message& message, std::optional<Reading<T>>& reading,
+                              const Read& read, std::optional<std::uint8_t> instance) {
+  if (!admits(measured, arrival, message, instance)) return Status::kNotReady;
+  return keep<T>(reading, read(arrival.bytes), arrival.time);
+}
+
 Result<Radians> Sensors::true_heading(Bytes bytes, Time now) {
   const Result<fields::Heading> said = fields::heading(bytes);
   if (!said.ok()) return said.status();
@@ -117,8 +122,7 @@ Status Sensors::take_gnss(const Identifier& identifier, const Frame& frame, Time
   const Status status = assembly_.accept(identifier, frame, now, message);
   if (status != Status::kOk) return status == Status::kNotReady ? status : Status::kMalformed;
   const Arrival arrival{.identifier = identifier, .bytes = message.bytes, .time = message.began};
-  if (!admits(Measured::kPosition, arrival, table::kGnss)) return Status::kNotReady;
-  return keep(readings_.position, fields::gnss_position(message.bytes), message.began);
+  return keep_admitted(Measured::kPosition, arrival, table::kGnss, readings_.position, fields::gnss_position);
 }
 
 Status Sensors::take_pressure(const Arrival& arrival) {
@@ -163,11 +167,6 @@ Status Sensors::take_temperature(const Arrival& arrival) {
   if (!said.ok() && said.status() != Status::kNotReady) return said.status();
   if (!admits(Measured::kTemperature, arrival, table::kTemperature, fields::temperature_instance(arrival.bytes))) return Status::kNotReady;
   return keep(readings_.water_temperature_k, said.ok() ? Result<double>(said.value().value) : Result<double>(said.status()), arrival.time);
-}
-
-Status Sensors::take_battery(const Arrival& arrival) {
-  if (!admits(Measured::kBattery, arrival, table::kBattery, fields::battery_instance(arrival.bytes))) return Status::kNotReady;
-  return keep(readings_.battery, fields::battery(arrival.bytes), arrival.time);
 }
 
 }  // namespace earshot::n2k

@@ -87,9 +87,12 @@ class Sensors {
   [[nodiscard]] bool admits(Measured measured, const Arrival& arrival, const Message& message, std::optional<std::uint8_t> instance = {});
   template <class T>
   [[nodiscard]] Status keep(std::optional<Reading<T>>& reading, Result<T> value, Time time);
+  /// What `read` makes of a message, if it is of the device that this is taken from.
+  template <class T, class Read>
+  [[nodiscard]] Status keep_admitted(Measured measured, const Arrival& arrival, const Message& message, std::optional<Reading<T>>& reading,
+                                     const Read& read, std::optional<std::uint8_t> instance = {});
   [[nodiscard]] Result<Radians> true_heading(Bytes bytes, Time now);
   [[nodiscard]] Status take_pressure(const Arrival& arrival);
-  [[nodiscard]] Status take_battery(const Arrival& arrival);
   [[nodiscard]] Status take_temperature(const Arrival& arrival);
 
   SensorSettings settings_;
