@@ -31,7 +31,7 @@ class Ear {
     newest_.clear();
     detector_->hear(sea.block(), sea.samples());
     while (const auto estimate = detector_->next()) {
-      if (!estimate->is_measured() || !estimate->is_independent) continue;  // as the vehicle hands over its looks
+      if (!estimate->is_look()) continue;  // as the vehicle hands over its looks
       newest_.push_back(estimate->measurement());
       const double end_s = (estimate->time - Time{}).to_seconds();
       looks.push_back({.time_s = end_s,

@@ -71,8 +71,11 @@ struct Estimate {
   std::array<ChannelEstimate, config::kHydrophoneChannels> channels{};  ///< of which channel_count are there
   std::optional<Detection> ended;                                       ///< a detection that is over now
 
-  /// Whether it is a look that a policy may take: it hears, and knows the noise.
+  /// Whether it hears, and knows the noise.
   [[nodiscard]] constexpr bool is_measured() const { return hearing == Hearing::kHears; }
+  /// Whether it is a look that a policy may take. Belief and training take looks as independent: the four estimates of an integration time
+  /// would count the same noise four times.
+  [[nodiscard]] constexpr bool is_look() const { return is_measured() && is_independent; }
   /// @pre is_measured()
   [[nodiscard]] constexpr messages::SnrMeasurement measurement() const { return {.time = time, .snr = snr, .too_faint = too_faint}; }
 };

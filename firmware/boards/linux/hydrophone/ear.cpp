@@ -53,7 +53,7 @@ void Ear::take(const detector::Estimate& estimate, const messages::HydrophoneBlo
     is_put = detections_.put(told(*estimate.ended));
     if (!is_put) left_out_.add(1);
   }
-  if (estimate.is_independent && estimate.is_measured()) {
+  if (estimate.is_look()) {
     looks_heard_.add(1);
     if (estimate.too_faint) looks_too_faint_.add(1);
     is_put = looks_.put(estimate.measurement());

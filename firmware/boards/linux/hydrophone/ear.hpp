@@ -28,8 +28,7 @@ enum class WakesFor : std::uint8_t {
 };
 
 /// What becomes of a hydrophone's samples: the listening thread keeps account of them, runs the detector and hands over what it heard; the
-/// loop takes it. One look for each integration time, which shares no sound with the one before: belief and training take looks as
-/// independent, and the four estimates of an integration time would count the same noise four times.
+/// loop takes it. One look for each integration time, which shares no sound with the one before (detector::Estimate::is_look()).
 class Ear final : public SampleListener {
  public:
   /// @param settings  none: samples are counted, nothing is heard

@@ -67,7 +67,7 @@ void Sound::hear(const policy::Reception& modelled) {
   ears_->hear(hydrophone_.block(), hydrophone_.samples());
   while (const std::optional<detector::Estimate> estimate = ears_->next()) {
     hearing_ = estimate->hearing;
-    if (!estimate->is_measured() || !estimate->is_independent) continue;  // as the vehicle hands over its looks
+    if (!estimate->is_look()) continue;  // as the vehicle hands over its looks
     looks_.push_back(estimate->measurement());
     record_.add(*estimate, modelled);
   }
