@@ -16,8 +16,6 @@ namespace {
 using host::Range;
 using host::TableReader;
 
-constexpr std::size_t kMostPositions = 1'000'000;
-
 std::vector<NorthEast> read_positions(TableReader table) {
   const bool grid = table.choice("layout", {"grid", "list"}) == 0;
   const Range in_plane = Range::between(-kFurthestPosition_m, kFurthestPosition_m);
@@ -74,7 +72,7 @@ void read_radials(TableReader table, sonar::FanPlan& fan) {
 std::optional<ocean::Band> read_band(TableReader table) {
   const ocean::Band band{.low = Hertz{table.number("low_hz", Range::between(1.0, 10'000.0))},
                          .high = Hertz{table.number("high_hz", Range::between(1.0, 10'000.0))},
-                         .count = static_cast<std::size_t>(table.integer("frequencies", 1, 10'000))};
+                         .count = static_cast<std::size_t>(table.integer("frequencies", 1, kMostFrequencies))};
   if (!(band.low < band.high)) table.problem("high_hz", "must be more than low_hz");
   return band;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -21,6 +22,9 @@ enum class Centre : std::uint8_t {
 
 /// From the origin, north and east: a plane that reaches further is none on this earth.
 inline constexpr double kFurthestPosition_m = 1e6;
+
+inline constexpr std::size_t kMostPositions = 1'000'000;
+inline constexpr std::size_t kMostFrequencies = 10'000;
 
 /// Fans around many positions of one region.
 struct LibraryPlan {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "sim/field_library/store.hpp"
@@ -15,6 +17,11 @@ namespace {
 using host::Range;
 
 constexpr double kMostBytes = 2147483648.0;
+
+/// A file holds its values in four bytes each, or in eight if another program made it; beside them stand the axes of a million positions
+/// (20 MB) and some text.
+constexpr double kMostBytesPerValue = 8.0;
+constexpr double kMostOtherBytes = 64.0 * 1024 * 1024;
 
 // What load_library_plan allows, and so all that a library can hold.
 const Range kInPlane_m = Range::between(-kFurthestPosition_m, kFurthestPosition_m);
@@ -32,6 +39,8 @@ class LibraryFile {
       throw file_.error("transmission_loss", "must have the dimensions (position, bearing, range, depth)");
     shape_ = file_.shape_of("transmission_loss");
     if (std::ranges::find(shape_, 0U) != shape_.end()) throw file_.error("transmission_loss", "has no values");
+    if (shape_[0] > kMostPositions || values_of_fan() > sonar::kMostFanValues)
+      throw file_.error("transmission_loss", "is larger than a library can be: 1 million positions of 64 million values each");
     state_ = axis("position_state", shape_[0], Range::between(0.0, 2.0));
     north_m_ = axis("position_north", shape_[0], kInPlane_m);
     east_m_ = axis("position_east", shape_[0], kInPlane_m);
@@ -43,15 +52,20 @@ class LibraryFile {
 
   [[nodiscard]] std::size_t positions() const { return shape_[0]; }
   [[nodiscard]] bool has_water(std::size_t position) const { return state_[position] != static_cast<double>(PositionState::kNoWater); }
-  [[nodiscard]] double bytes() const {
-    double bytes = sizeof(float);
-    for (const std::size_t length : shape_) bytes *= static_cast<double>(length);
-    return bytes;
+
+  /// The file is not read whole before its header and axes have told that it can be kept in memory.
+  void require_room() const {
+    const double values = static_cast<double>(shape_[0]) * values_of_fan();
+    if (values * sizeof(float) > kMostBytes) throw file_.error("transmission_loss", "is larger than the 2 GiB that are kept in memory");
+    const std::uintmax_t bytes = std::filesystem::file_size(file_.path());
+    if (static_cast<double>(bytes) > values * kMostBytesPerValue + kMostOtherBytes)
+      throw file_.error("", "has " + std::to_string(bytes) + " bytes, many more than its header promises");
   }
   [[nodiscard]] Meters centre_depth() const { return Meters{axis("position_depth", 1, kDepth_m).front()}; }
   [[nodiscard]] std::vector<double> frequency_hz() const {
+    if (const std::size_t values = size_of("frequency"); values == 0 || values > kMostFrequencies)
+      throw file_.error("frequency", "holds " + std::to_string(values) + ": must be 1 to " + std::to_string(kMostFrequencies));
     std::vector<double> frequency_hz = file_.read("frequency");
-    if (frequency_hz.empty()) throw file_.error("frequency", "holds none");
     file_.require("frequency", frequency_hz, Range::between(1.0, 10'000.0));
     require_increasing("frequency", frequency_hz);
     return frequency_hz;
@@ -79,9 +93,22 @@ class LibraryFile {
   }
 
  private:
+  [[nodiscard]] double values_of_fan() const {
+    return static_cast<double>(shape_[1]) * static_cast<double>(shape_[2]) * static_cast<double>(shape_[3]);
+  }
+
+  [[nodiscard]] std::size_t size_of(const std::string& variable) const {
+    std::size_t size = 1;
+    for (const std::size_t length : file_.shape_of(variable)) {
+      if (length != 0 && size > std::numeric_limits<std::size_t>::max() / length) throw file_.error(variable, "is too large");
+      size *= length;
+    }
+    return size;
+  }
+
   [[nodiscard]] std::vector<double> axis(const std::string& variable, std::size_t size, const Range& allowed) const {
+    if (size_of(variable) != size) throw file_.error(variable, "must have " + std::to_string(size) + " values");
     std::vector<double> values = file_.read(variable);
-    if (values.size() != size) throw file_.error(variable, "must have " + std::to_string(size) + " values");
     file_.require(variable, values, allowed);
     return values;
   }
@@ -116,7 +143,7 @@ class LibraryFile {
 
 FieldLibrary::FieldLibrary(const std::filesystem::path& path) {
   const LibraryFile file(path);
-  if (file.bytes() > kMostBytes) throw file.error("transmission_loss", "is larger than the 2 GiB that are kept in memory");
+  file.require_room();
   for (std::size_t position = 0; position < file.positions(); ++position) {
     if (file.has_water(position)) fans_.push_back(file.fan(position));
   }
@@ -125,6 +152,11 @@ FieldLibrary::FieldLibrary(const std::filesystem::path& path) {
   centre_ = file.centre();
   centre_depth_ = file.centre_depth();
   frequency_hz_ = file.frequency_hz();
+}
+
+void require_library(const std::filesystem::path& path) {
+  const LibraryFile file(path);
+  file.require_room();
 }
 
 sonar::Fan read_library_fan(const std::filesystem::path& path, std::size_t position) {

@@ -34,6 +34,11 @@ class FieldLibrary {
   std::vector<double> frequency_hz_;
 };
 
+/// Judges by its header and its axes whether a file is a library that FieldLibrary could hold; of the fields nothing is read, however
+/// large the file is.
+/// Throws netcdf::FileError when it is none. Oracle: FieldLibraryHeader.*
+void require_library(const std::filesystem::path& path);
+
 /// The fan of one position of a finished library; its sea floor is empty.
 /// Throws netcdf::FileError when the file is not a whole library or has no such position, or none in the water.
 [[nodiscard]] sonar::Fan read_library_fan(const std::filesystem::path& path, std::size_t position);

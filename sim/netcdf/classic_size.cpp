@@ -4,12 +4,20 @@
 #include <array>
 #include <cstddef>
 #include <fstream>
+#include <system_error>
 #include <vector>
 
 namespace earshot::netcdf {
 namespace {
 
-constexpr std::uint64_t kMostEntries = 1'000'000;  // of any list in a header: beyond it the header is nonsense
+// Beyond these a header is nonsense: whoever believed it would read a vast file to its end, or take a product for small that has run over:
+// - entries of any list
+constexpr std::uint64_t kMostEntries = 1'000'000;
+// - dimensions of a variable: NC_MAX_VAR_DIMS
+constexpr std::uint64_t kMostDimensions = 1024;
+// - values of a variable: their bytes still have a number
+constexpr std::uint64_t kMostValues = std::uint64_t{1} << 60U;
+
 constexpr std::array<std::uint64_t, 12> kTypeSize = {0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};  // by nc_type, NC_BYTE = 1 to NC_UINT64 = 11
 
 std::uint64_t padded(std::uint64_t bytes) {
@@ -26,6 +34,8 @@ struct Variable {
 class Header {
  public:
   explicit Header(const std::filesystem::path& path) : stream_(path, std::ios::binary) {
+    std::error_code unreadable;
+    file_bytes_ = std::filesystem::file_size(path, unreadable);
     std::array<char, 4> magic{};
     stream_.read(magic.data(), 4);
     version_ = magic[3];
@@ -57,14 +67,18 @@ class Header {
     return ok ? kTypeSize[type] : 0;
   }
 
-  void skip(std::uint64_t bytes) { stream_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur); }
-  void skip_name() { skip(padded(count())); }
+  /// What is longer than the whole file is not there; and a step that large could lead backwards.
+  void skip(std::uint64_t values, std::uint64_t bytes_of_each) {
+    ok = ok && values <= file_bytes_ / std::max<std::uint64_t>(bytes_of_each, 1);
+    if (ok) stream_.seekg(static_cast<std::streamoff>(padded(values * bytes_of_each)), std::ios::cur);
+  }
+  void skip_name() { skip(count(), 1); }
 
   void skip_attributes() {
     for (std::uint64_t i = list_length(); ok && i > 0; --i) {
       skip_name();
       const std::uint64_t size = type_size();
-      skip(padded(size * count()));
+      skip(count(), size);
     }
   }
 
@@ -74,6 +88,7 @@ class Header {
 
  private:
   std::ifstream stream_;
+  std::uint64_t file_bytes_ = 0;
   char version_ = 0;
 };
 
@@ -82,6 +97,7 @@ Variable read_variable(Header& header, const std::vector<std::uint64_t>& dimensi
   header.skip_name();
   std::uint64_t values = 1;
   const std::uint64_t rank = header.count();
+  header.ok = header.ok && rank <= kMostDimensions;
   for (std::uint64_t i = 0; header.ok && i < rank; ++i) {
     const std::uint64_t dimension = header.count();
     header.ok = header.ok && dimension < dimensions.size();
@@ -89,6 +105,7 @@ Variable read_variable(Header& header, const std::vector<std::uint64_t>& dimensi
     if (dimensions[dimension] == 0) {
       variable.is_record = true;
     } else {
+      header.ok = values <= kMostValues / dimensions[dimension];
       values *= dimensions[dimension];
     }
   }

@@ -9,6 +9,7 @@
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/file/file_checksum.hpp"
+#include "sim/field_library/reader.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/search/scenario/conditions_table.hpp"
 #include "sim/search/scenario/family.hpp"
@@ -110,8 +111,10 @@ Scenario load_scenario(const std::filesystem::path& path) {
                     .conditions = keys.scenario.conditions};
   std::uint32_t& crc = scenario.environment.file_crc32;
   if (keys.scenario.family) scenario.other_oceans = draw_family(scenario.environment, *keys.scenario.family);
-  if (std::filesystem::exists(scenario.field_library))  // whoever needs it says when it is not there
+  if (std::filesystem::exists(scenario.field_library)) {  // whoever needs it says when it is not there
+    field_library::require_library(scenario.field_library);
     crc = host::crc32_of_file(scenario.field_library, crc);
+  }
   for (const OtherOcean& other : keys.scenario.other_oceans) {
     scenario.other_oceans.push_back(load_other_ocean(other));
     crc = crc32_of(scenario.other_oceans.back().file_crc32, crc);

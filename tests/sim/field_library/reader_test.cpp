@@ -4,7 +4,10 @@
 
 #include <netcdf.h>
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <string>
@@ -12,7 +15,9 @@
 #include <vector>
 
 #include "sim/field_library/store.hpp"
+#include "sim/netcdf/classic_size.hpp"
 #include "sim/netcdf/file_error.hpp"
+#include "tests/support/bytes_read.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::field_library {
@@ -153,6 +158,82 @@ TEST_F(FieldLibraryInMemory, RefusesAnAxisThatCannotBe) {
     overwrite(c.variable, c.index, c.value);
     EXPECT_NE(complaint().find(std::string(": ") + c.complaint), std::string::npos) << complaint();
   }
+}
+
+using FieldLibraryHeader = FieldLibraryInMemory;
+
+constexpr std::uintmax_t kFourGiB = std::uintmax_t{4} << 30U;
+
+/// What is said of the file by its header alone, without the file's name; empty when it may be read.
+std::string complaint_of_header(const std::filesystem::path& path) {
+  const std::uint64_t before = support::bytes_read();
+  std::string complaint;
+  try {
+    require_library(path);
+  } catch (const netcdf::FileError& e) {
+    complaint = std::string(e.what()).substr(path.string().size());
+  }
+  EXPECT_LT(support::bytes_read() - before, 1U << 20U) << "of " << std::filesystem::file_size(path);
+  return complaint;
+}
+
+/// A library whose fields are a hole, in a file as large as its header promises.
+void make_sparse(const std::filesystem::path& path, const std::array<std::size_t, 4>& shape) {
+  struct Axis {
+    const char* name;
+    std::size_t dimension;
+    double first, step;
+  };
+  const std::array<Axis, 5> axes = {
+      {{"position_state", 0, 0, 0}, {"position_north", 0, 0, 0}, {"position_east", 0, 0, 0}, {"range", 2, 1, 1}, {"depth", 3, 1, 1}}};
+  int file = -1;
+  std::array<int, 4> dimensions{};
+  std::array<int, 5> variables{};
+  int loss = -1;
+  ASSERT_EQ(nc_create(path.c_str(), NC_64BIT_DATA | NC_CLOBBER, &file), NC_NOERR);
+  ASSERT_EQ(nc_set_fill(file, NC_NOFILL, nullptr), NC_NOERR);
+  const std::array<const char*, 4> names = {"position", "bearing", "range", "depth"};
+  for (std::size_t i = 0; i < names.size(); ++i) ASSERT_EQ(nc_def_dim(file, names[i], shape[i], &dimensions[i]), NC_NOERR);
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    ASSERT_EQ(nc_def_var(file, axes[i].name, NC_DOUBLE, 1, &dimensions[axes[i].dimension], &variables[i]), NC_NOERR);
+  ASSERT_EQ(nc_def_var(file, "transmission_loss", NC_FLOAT, 4, dimensions.data(), &loss), NC_NOERR);
+  ASSERT_EQ(nc_enddef(file), NC_NOERR);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < shape[axes[i].dimension]; ++k) values.push_back(axes[i].first + static_cast<double>(k) * axes[i].step);
+    ASSERT_EQ(nc_put_var_double(file, variables[i], values.data()), NC_NOERR);
+  }
+  ASSERT_EQ(nc_close(file), NC_NOERR);
+  std::filesystem::resize_file(path, netcdf::classic_size(path).value());
+}
+
+TEST_F(FieldLibraryHeader, IsEnoughToRefuseFourGigabytesOfNothing) {
+  std::ofstream{path_}.close();
+  std::filesystem::resize_file(path_, kFourGiB);
+  EXPECT_NE(complaint_of_header(path_).find("not a whole NetCDF file"), std::string::npos);
+}
+
+TEST_F(FieldLibraryHeader, IsEnoughToRefuseALibraryWithFourGigabytesBehindIt) {
+  write();
+  EXPECT_EQ(complaint_of_header(path_), "");
+  std::filesystem::resize_file(path_, kFourGiB);
+  EXPECT_EQ(complaint_of_header(path_), ": has 4294967296 bytes, many more than its header promises");
+  EXPECT_EQ(complaint(), ": has 4294967296 bytes, many more than its header promises");
+}
+
+TEST_F(FieldLibraryHeader, IsEnoughToRefuseMoreThanALibraryCanHold) {
+  const std::string too_large = ": transmission_loss: is larger than a library can be: 1 million positions of 64 million values each";
+  make_sparse(path_, {1, 1000, 64, 1001});
+  EXPECT_EQ(complaint_of_header(path_), too_large);
+  make_sparse(path_, {1'000'001, 1, 1, 1});
+  EXPECT_EQ(complaint_of_header(path_), too_large);
+}
+
+TEST_F(FieldLibraryHeader, IsEnoughToRefuseMoreThanIsKeptInMemory) {
+  make_sparse(path_, {537, 1000, 1000, 1});
+  EXPECT_EQ(complaint_of_header(path_), ": transmission_loss: is larger than the 2 GiB that are kept in memory");
+  make_sparse(path_, {536, 1000, 1000, 1});
+  EXPECT_EQ(complaint_of_header(path_), "");
 }
 
 }  // namespace

@@ -9,9 +9,12 @@
 #include <numbers>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "firmware/host/toml/table_reader.hpp"
+#include "sim/field_library/store.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
+#include "tests/support/bytes_read.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::search {
@@ -19,6 +22,29 @@ namespace {
 
 namespace fs = std::filesystem;
 const std::string kMunk = std::string(EARSHOT_SOURCE_DIR) + "/sim/ocean/environments/munk_flat.toml";
+
+/// One position, one depth, and more fields than are read at once for their checksum.
+void write_library(const fs::path& path, float last_loss_db) {
+  constexpr std::size_t kBearings = 1000;
+  constexpr std::size_t kRanges = 500;
+  const field_library::LibraryPlan plan{.name = "one",
+                                        .environment = {},
+                                        .positions = {{Meters{0.0}, Meters{0.0}}},
+                                        .centre = field_library::Centre::kSource,
+                                        .fan = {.bearings = kBearings,
+                                                .radial = {.source_depth = Meters{30.0},
+                                                           .depth_m = {100.0},
+                                                           .range_step = Meters{100.0},
+                                                           .ranges = kRanges,
+                                                           .band = {Hertz{20.0}, Hertz{20.0}}}},
+                                        .file_crc32 = 1};
+  std::vector<float> loss_db(kBearings * kRanges, 60.0F);
+  loss_db.back() = last_loss_db;
+  fs::remove(path);
+  field_library::LibraryStore store(path, plan);
+  store.write(0, loss_db);
+  store.commit();
+}
 
 /// The paper's ocean with more tables behind it.
 class ScenarioFile : public testing::Test {
@@ -167,12 +193,19 @@ sound_speed_mps = 1600.0
 }
 
 TEST_F(ScenarioFile, ChangesTheChecksumWithTheFieldLibrary) {
-  const auto checksum_with = [&](const std::string& bytes) {
-    std::ofstream(folder_ / "library.nc") << bytes;
+  const auto checksum_with = [&](float last_loss_db) {
+    write_library(folder_ / "library.nc", last_loss_db);
     return load("[field_library]\nfile = \"library.nc\"\n").environment.file_crc32;
   };
-  const std::string large(3U << 20U, 'a');  // more than is read at once
-  EXPECT_NE(checksum_with(large + "b"), checksum_with(large + "c"));
+  EXPECT_NE(checksum_with(70.0F), checksum_with(71.0F));
+}
+
+TEST_F(ScenarioFile, RefusesAVastFieldLibraryByItsHeader) {
+  write_library(folder_ / "library.nc", 70.0F);
+  std::filesystem::resize_file(folder_ / "library.nc", std::uintmax_t{4} << 30U);  // sparse
+  const std::uint64_t before = support::bytes_read();
+  expect_refused("[field_library]\nfile = \"library.nc\"\n", "library.nc: has 4294967296 bytes, many more than its header promises");
+  EXPECT_LT(support::bytes_read() - before, 1U << 20U);
 }
 
 TEST_F(ScenarioFile, RefusesAnOceanThatListsOthersOrHasConditions) {
