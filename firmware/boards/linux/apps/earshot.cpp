@@ -45,6 +45,7 @@ struct Description {
 /// Of the verbs that are ours; another program that somebody put beside them has none.
 constexpr std::array kDescriptions{
     Description{"dbc", "prints the CAN messages as a DBC file"},
+    Description{"emulate", "a vehicle's devices on a CAN bus, for an earshotd without its vehicle"},
     Description{"evaluate", "flies many searches with policies and baselines, and says how they did"},
     Description{"explain", "draws what a policy does, and says why it took one decision of a flight"},
     Description{"field", "computes how loud a source is at every range and depth (NetCDF)"},

@@ -1,0 +1,36 @@
+#include "hil/nodes/autopilot.hpp"
+
+#include "firmware/wire/n2k/identifier.hpp"
+#include "firmware/wire/n2k/table/messages.hpp"
+
+namespace earshot::hil {
+
+Autopilot::Autopilot(const vehicle::Command& resting, std::uint32_t unique_number)
+    : membership_({.model = "autopilot",
+                   .device_class = 40,  // steering and control surfaces
+                   .device_function = 150,
+                   .preferred_address = n2k::kVehicleAddress,
+                   .unique_number = unique_number},
+                  {}, {n2k::kHeadingControlPgn, n2k::kSpeedDepthPgn}),
+      command_(resting) {}
+
+void Autopilot::accept(const n2k::Frame& frame, Time now) {
+  membership_.accept(frame, now);
+  messages::Setpoint setpoint;
+  if (receiver_.accept(frame, setpoint) != Status::kOk) return;
+  command_ = {.heading = setpoint.heading, .speed = setpoint.speed, .depth = setpoint.depth};
+  last_ = now;
+  is_forsaken_ = false;
+  ++taken_;
+  if (listener_) listener_(now, setpoint);
+}
+
+void Autopilot::step(Time now, Frames& frames) {
+  membership_.step(now, frames);
+  if (!last_ || now - *last_ < kAutopilotPatience) return;
+  command_.speed = MetersPerSecond{0.0};
+  command_.depth = Meters{0.0};
+  is_forsaken_ = true;
+}
+
+}  // namespace earshot::hil

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "firmware/core/time.hpp"
+#include "firmware/messages/setpoint.hpp"
+#include "firmware/wire/n2k/setpoint.hpp"
+#include "hil/nodes/device.hpp"
+#include "hil/nodes/membership.hpp"
+#include "sim/vehicle/vehicle.hpp"
+
+namespace earshot::hil {
+
+/// The autopilot's patience: ten periods of a set-point.
+inline constexpr Duration kAutopilotPatience = Duration::seconds(10);
+
+/// Takes set-points off the bus (65290 and 127237) and says what the vehicle is told. When none has come for kAutopilotPatience it stops
+/// the vehicle and lets it come up, until the next.
+class Autopilot final : public Device {
+ public:
+  /// @param resting  what the vehicle is told before the first set-point
+  Autopilot(const vehicle::Command& resting, std::uint32_t unique_number);
+
+  [[nodiscard]] std::string_view name() const override { return membership_.model(); }
+  void accept(const n2k::Frame& frame, Time now) override;
+  void step(Time now, Frames& frames) override;
+
+  [[nodiscard]] const vehicle::Command& command() const { return command_; }
+  [[nodiscard]] std::uint64_t taken() const { return taken_; }  ///< set-points
+  /// Whether it gave up waiting for a set-point, and has had none since.
+  [[nodiscard]] bool is_forsaken() const { return is_forsaken_; }
+  /// Called with every set-point that is taken.
+  void tell(std::function<void(Time, const messages::Setpoint&)> listener) { listener_ = std::move(listener); }
+
+ private:
+  Membership membership_;
+  n2k::SetpointReceiver receiver_;
+  vehicle::Command command_;
+  std::optional<Time> last_;
+  bool is_forsaken_ = false;
+  std::uint64_t taken_ = 0;
+  std::function<void(Time, const messages::Setpoint&)> listener_;
+};
+
+}  // namespace earshot::hil

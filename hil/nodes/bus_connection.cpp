@@ -1,0 +1,63 @@
+#include "hil/nodes/bus_connection.hpp"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "firmware/config/capacities.hpp"
+
+namespace earshot::hil {
+namespace {
+
+constexpr Duration kShortestPeriod = Duration::milliseconds(100);  ///< of a message, in the devices' time
+constexpr Duration kLeastWait = Duration::milliseconds(1);         ///< on the host: no faster is worth a processor of its own
+constexpr Duration kReopenAfter = Duration::seconds(1);            ///< on the host
+
+}  // namespace
+
+BusConnection::BusConnection(const std::string& interface, EmulatedVehicle& vehicle, const ScaledClock& clock)
+    : socket_(interface, host::IfMissing::kKeepTrying), vehicle_(vehicle), clock_(clock) {}
+
+void BusConnection::turn() {
+  wait();
+  const Time utc = ScaledClock::utc();
+  if (!socket_.is_up() && (!reopened_ || utc < *reopened_ || utc - *reopened_ >= kReopenAfter)) {
+    reopened_ = utc;
+    (void)socket_.reopen();
+  }
+  receive();
+  said_.clear();
+  vehicle_.step(clock_.now(), said_);
+  send();
+}
+
+void BusConnection::wait() const {
+  const Duration most = std::max(clock_.on_host(kShortestPeriod), kLeastWait);
+  const timespec timeout{.tv_sec = most.us / 1'000'000, .tv_nsec = most.us % 1'000'000 * 1000};
+  pollfd readable{.fd = socket_.is_up() ? socket_.file_descriptor() : -1, .events = POLLIN, .revents = 0};
+  (void)ppoll(&readable, 1, &timeout, nullptr);
+}
+
+void BusConnection::receive() {
+  std::size_t budget = config::kCanFramesPerCollect;
+  Time received_utc;
+  for (n2k::Frame frame; socket_.receive(frame, received_utc, budget) == Status::kOk;) vehicle_.accept(frame, clock_.now());
+}
+
+/// In order: what the interface does not take waits, and all behind it. On an interface that is down nothing waits: it would come too late.
+void BusConnection::send() {
+  for (const n2k::Frame& frame : said_) {
+    if (waiting_.size() < kWaitingFrames) {
+      waiting_.push_back(frame);
+    } else {
+      ++lost_;
+    }
+  }
+  while (!waiting_.empty() && socket_.send(waiting_.front()) == Status::kOk) waiting_.pop_front();
+  if (socket_.is_up()) return;
+  lost_ += waiting_.size();
+  waiting_.clear();
+}
+
+}  // namespace earshot::hil

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firmware/core/time.hpp"
+#include "firmware/core/units.hpp"
+#include "firmware/wire/n2k/local_plane.hpp"
+#include "hil/nodes/autopilot.hpp"
+#include "hil/nodes/device.hpp"
+#include "hil/nodes/hydrophone.hpp"
+#include "hil/nodes/instruments.hpp"
+#include "hil/nodes/operator.hpp"
+#include "sim/vehicle/vehicle.hpp"
+
+namespace earshot::hil {
+
+/// The devices of an emulated vehicle, as they may be left out.
+inline constexpr std::string_view kDeviceNames[]{"autopilot",  "compass",    "speed-log", "depth-sensor",
+                                                 "navigation", "hydrophone", "operator"};
+
+struct VehicleSetup {
+  vehicle::State start;
+  vehicle::Limits limits = {};
+  n2k::LocalPlane plane = {};                        ///< the mission's
+  std::optional<MagneticField> magnetic_field = {};  ///< none: its compass is a gyrocompass
+  SoundSource source = {};
+  Meters found_within{1000.0};  ///< the operator says COMPLETE when the vehicle is no further from the source
+  /// The wall clock's time, by which the operator dates its orders.
+  std::function<Time()> utc = {};
+  std::uint32_t issuer = 1;               ///< of the operator's orders, 16 bits
+  std::uint32_t first_number = 1;         ///< unique number of the first device; the others have the next
+  std::vector<std::string> without = {};  ///< of kDeviceNames: devices that are there as hardware, or not at all
+};
+
+/// A vehicle and all that is on its CAN bus but Earshot, as one device: the vehicle moves as its autopilot says, its instruments tell where
+/// it is, the hydrophone hears the source, the operator starts the search and ends it at the source. The devices hear each other.
+class EmulatedVehicle final {
+ public:
+  explicit EmulatedVehicle(const VehicleSetup& setup);
+  EmulatedVehicle(const EmulatedVehicle&) = delete;
+  EmulatedVehicle& operator=(const EmulatedVehicle&) = delete;
+
+  /// Every frame on the bus that did not come from here.
+  void accept(const n2k::Frame& frame, Time now);
+  /// The vehicle moves on, and its devices say what is due. To be called at least every 100 ms of its time, which never goes back.
+  void step(Time now, Frames& frames);
+
+  [[nodiscard]] const vehicle::State& state() const { return state_; }
+  [[nodiscard]] Meters range() const;  ///< horizontal, to the source
+  [[nodiscard]] Meters sailed() const { return sailed_; }
+  [[nodiscard]] std::vector<std::string_view> devices() const;
+  /// Null where it was left out.
+  [[nodiscard]] Autopilot* autopilot() const { return autopilot_; }
+  [[nodiscard]] Operator* operator_ashore() const { return operator_; }
+
+ private:
+  void move(Time now);
+
+  vehicle::State state_;
+  vehicle::Command resting_;
+  vehicle::Limits limits_;
+  NorthEast source_;
+  std::optional<Time> last_;
+  Meters sailed_;
+  std::vector<std::unique_ptr<Device>> devices_;
+  Autopilot* autopilot_ = nullptr;  ///< among devices_
+  Operator* operator_ = nullptr;    ///< likewise
+};
+
+}  // namespace earshot::hil

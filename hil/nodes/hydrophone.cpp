@@ -1,0 +1,27 @@
+#include "hil/nodes/hydrophone.hpp"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "firmware/wire/n2k/own/measurements.hpp"
+
+namespace earshot::hil {
+
+std::unique_ptr<Sensor> make_hydrophone(const vehicle::State& vehicle, SoundSource source, std::uint32_t unique_number) {
+  const auto say = [&vehicle, source = std::move(source)](const Occasion& o, Frames& frames) {
+    const Decibels snr = source.snr(range_between(vehicle.position, source.position));
+    n2k::Frame frame;
+    const Status status = n2k::compose_snr({.snr = snr, .too_faint = false, .band_level = {}}, o.source, frame);
+    if (status == Status::kOk) frames.push_back(frame);
+    return status;
+  };
+  const Nameplate plate{.model = "hydrophone",
+                        .device_class = 85,  // external environment
+                        .device_function = 160,
+                        .preferred_address = 0x28,
+                        .unique_number = unique_number};
+  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = n2k::table::kSnr, .period = Duration::seconds(1), .say = say}});
+}
+
+}  // namespace earshot::hil

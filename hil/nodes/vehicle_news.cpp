@@ -1,0 +1,102 @@
+#include "hil/nodes/vehicle_news.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "firmware/core/math.hpp"
+#include "firmware/messages/health_words.hpp"
+#include "firmware/wire/n2k/table/proprietary.hpp"
+
+namespace earshot::hil {
+namespace {
+
+constexpr double kNewCourse_rad = 0.1;  ///< less is what keeps the vehicle on its leg
+
+template <class... Values>
+std::string printed(const char* format, Values... values) {
+  std::array<char, 160> text{};
+  (void)std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+/// The name of a raw value, as the bus's own list has it.
+template <class Enum>
+std::string word_of(std::span<const n2k::Choice> choices, Enum value) {
+  const auto found = std::ranges::find(choices, static_cast<std::int64_t>(value), &n2k::Choice::raw);
+  return found == choices.end() ? "?" : std::string(found->name);
+}
+
+long whole_degrees(Radians angle) {
+  const long turned = std::lround(wrap_to_pi(angle).value * 180.0 / std::numbers::pi);
+  return turned < 0 ? turned + 360 : turned;
+}
+
+bool is_another_course(const vehicle::Command& a, const vehicle::Command& b) {
+  return a.speed != b.speed || a.depth != b.depth || std::abs(wrap_to_pi(a.heading - b.heading).value) > kNewCourse_rad;
+}
+
+std::string decision_in_words(const messages::Decision& decision) {
+  return printed("step %u: at ", static_cast<unsigned>(decision.step + 1)) + in_kilometres(decision.position) +
+         (decision.too_faint ? ", nothing heard" : printed(", SNR %.1f dB", decision.snr.value)) + "; on to " +
+         in_kilometres(decision.waypoint);
+}
+
+}  // namespace
+
+std::string in_kilometres(NorthEast place) {
+  return printed("%.2f km north, %.2f km east", place.north.value / 1e3, place.east.value / 1e3);
+}
+
+std::string on_a_watch(Duration duration) {
+  const std::int64_t s = duration.us / 1'000'000;
+  return printed("%lld:%02lld:%02lld", static_cast<long long>(s / 3600), static_cast<long long>(s / 60 % 60),
+                 static_cast<long long>(s % 60));
+}
+
+std::vector<std::string> VehicleNews::lines(Time now) {
+  std::vector<std::string> lines;
+  if (const Operator* const ashore = vehicle_.operator_ashore()) tell_of_earshot(*ashore, lines);
+  if (const Autopilot* const autopilot = vehicle_.autopilot()) tell_of_course(*autopilot, lines);
+  for (std::string& line : lines) line = on_a_watch(now - began_) + "  " + line;
+  return lines;
+}
+
+void VehicleNews::tell_of_earshot(const Operator& ashore, std::vector<std::string>& lines) {
+  for (; answers_ < ashore.answers().size(); ++answers_) {
+    const messages::CommandAcknowledgement& answer = ashore.answers()[answers_];
+    lines.push_back("operator: " + word_of(n2k::table::kOrders, answer.order) + ": " + word_of(n2k::table::kOutcomes, answer.outcome));
+  }
+  if (ashore.decisions() != decisions_) {
+    decisions_ = ashore.decisions();
+    lines.push_back(decision_in_words(*ashore.decision()) + printed(" (the source is %.2f km away)", vehicle_.range().value / 1e3));
+  }
+  if (!ashore.health() || ashore.health()->health.state == state_) return;
+  const messages::Health& health = ashore.health()->health;
+  std::string line = printed("Earshot, address %u, is in ", static_cast<unsigned>(*ashore.vehicle())) + messages::to_string(health.state);
+  if (health.end_reason != messages::EndReason::kNone) line += std::string(": ") + messages::to_string(health.end_reason);
+  lines.push_back(line);
+  state_ = health.state;
+}
+
+void VehicleNews::tell_of_course(const Autopilot& autopilot, std::vector<std::string>& lines) {
+  const vehicle::Command& command = autopilot.command();
+  if (autopilot.is_forsaken() && !is_forsaken_)
+    lines.push_back(printed("autopilot: no set-point for %.0f s: stops and comes up", kAutopilotPatience.to_seconds()));
+  is_forsaken_ = autopilot.is_forsaken();
+  if (autopilot.taken() == 0 || is_forsaken_ || (course_ && !is_another_course(command, *course_))) return;
+  course_ = command;
+  lines.push_back(printed("autopilot: steers %03ld degrees, %.1f m/s, %.0f m deep", whole_degrees(command.heading), command.speed.value,
+                          command.depth.value));
+}
+
+std::string VehicleNews::summary(Time now) const {
+  std::string text = printed("sailed %.2f km in ", vehicle_.sailed().value / 1e3) + on_a_watch(now - began_);
+  if (const Autopilot* const autopilot = vehicle_.autopilot())
+    text += printed(", %llu set-points taken", static_cast<unsigned long long>(autopilot->taken()));
+  return text;
+}
+
+}  // namespace earshot::hil

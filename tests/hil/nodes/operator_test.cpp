@@ -1,0 +1,181 @@
+#include "hil/nodes/operator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "firmware/wire/n2k/own/orders.hpp"
+#include "firmware/wire/n2k/own/reports.hpp"
+#include "firmware/wire/n2k/table/messages.hpp"
+#include "tests/hil/nodes/listening.hpp"
+
+namespace earshot::hil {
+namespace {
+
+using messages::CommandOutcome;
+using messages::MissionState;
+using messages::Order;
+
+constexpr std::uint8_t kEarshot = 0x41;   ///< not the address that Earshot claims first
+constexpr std::uint8_t kOperator = 0x29;  ///< the one that the operator claims first
+constexpr Time kNoon{1'800'000'000'000'000};
+
+/// Earshot's end: what it says, and what it takes of what the operator sends.
+class OperatorTest : public testing::Test {
+ protected:
+  void pass(Duration duration) {
+    for (const n2k::Frame& frame : run(*operator_, now_, now_ + duration)) {
+      messages::OperatorCommand command;
+      std::uint8_t sender = 0;
+      if (receiver_.accept(frame, now_, kEarshot, command, sender) != Status::kOk) continue;
+      EXPECT_EQ(sender, kOperator);
+      EXPECT_EQ(n2k::parse_identifier(frame.identifier).value().destination, destination_);
+      orders_.push_back(command);
+    }
+    now_ = now_ + duration;
+  }
+
+  void say(MissionState state) {
+    n2k::FastPacketFrames packet;
+    messages::Health health;
+    health.state = state;
+    ASSERT_EQ(n2k::compose_health(health, now_, {.source = kEarshot, .sequence = sequence_++}, packet), Status::kOk);
+    for (const n2k::Frame& frame : packet) operator_->accept(frame, now_);
+  }
+
+  void answer(const messages::OperatorCommand& command, CommandOutcome outcome, std::uint8_t to = kOperator) {
+    n2k::FastPacketFrames packet;
+    const messages::CommandAcknowledgement acknowledgement{
+        .time = now_, .port = 1, .issuer = command.issuer, .number = command.number, .order = command.order, .outcome = outcome};
+    ASSERT_EQ(n2k::compose_acknowledgement(acknowledgement, {.source = kEarshot, .destination = to, .sequence = sequence_++}, packet),
+              Status::kOk);
+    for (const n2k::Frame& frame : packet) operator_->accept(frame, now_);
+  }
+
+  bool has_arrived_ = false;
+  std::uint8_t destination_ = kEarshot;
+  std::unique_ptr<Operator> operator_ = std::make_unique<Operator>(
+      OperatorSetup{.issuer = 4711, .utc = [] { return kNoon; }, .has_arrived = [this] { return has_arrived_; }, .unique_number = 1});
+  n2k::OrderReceiver receiver_;
+  std::vector<messages::OperatorCommand> orders_;
+  Time now_{};
+  std::uint8_t sequence_ = 0;
+};
+
+TEST_F(OperatorTest, SaysNothingBeforeEarshotIsHeard) {
+  pass(Duration::seconds(60));
+  EXPECT_TRUE(orders_.empty());
+}
+
+TEST_F(OperatorTest, SaysStartToEarshotWhereverItIsDatedByTheWallClock) {
+  say(MissionState::kStandby);
+  pass(Duration::seconds(1));
+  ASSERT_EQ(orders_.size(), 1U);
+  EXPECT_EQ(orders_[0].order, Order::kStart);
+  EXPECT_EQ(orders_[0].issuer, 4711U);
+  EXPECT_EQ(orders_[0].time, kNoon);
+  EXPECT_EQ(orders_[0].expiry, kNoon + Duration::seconds(30));
+}
+
+TEST_F(OperatorTest, RepeatsTheSameOrderOnceASecondUntilItIsAcknowledged) {
+  say(MissionState::kStandby);
+  pass(Duration::milliseconds(5500));
+  ASSERT_EQ(orders_.size(), 6U) << "the first as soon as it has an address, a quarter of a second later";
+  for (const messages::OperatorCommand& order : orders_) EXPECT_EQ(order, orders_[0]);
+  answer(orders_[0], CommandOutcome::kObeyed);
+  pass(Duration::seconds(60));
+  EXPECT_EQ(orders_.size(), 6U);
+  ASSERT_EQ(operator_->answers().size(), 1U);
+  EXPECT_EQ(operator_->answers()[0].outcome, CommandOutcome::kObeyed);
+}
+
+TEST_F(OperatorTest, TakesNoAnswerThatIsAnothers) {
+  say(MissionState::kStandby);
+  pass(Duration::seconds(1));
+  answer(orders_[0], CommandOutcome::kObeyed, kOperator + 1);
+  messages::OperatorCommand other = orders_[0];
+  other.issuer = 4712;
+  answer(other, CommandOutcome::kObeyed);
+  EXPECT_TRUE(operator_->answers().empty());
+}
+
+TEST_F(OperatorTest, CountsAnAnswerThatCameTwiceOnce) {
+  say(MissionState::kStandby);
+  pass(Duration::seconds(1));
+  answer(orders_[0], CommandOutcome::kObeyed);
+  answer(orders_[0], CommandOutcome::kObeyed);
+  EXPECT_EQ(operator_->answers().size(), 1U);
+}
+
+TEST_F(OperatorTest, GivesARefusedStartAnewAfterFiveSeconds) {
+  say(MissionState::kStandby);
+  pass(Duration::seconds(1));
+  answer(orders_[0], CommandOutcome::kTooOld);
+  pass(Duration::seconds(5));
+  EXPECT_EQ(orders_.size(), 1U);
+  pass(Duration::milliseconds(100));
+  ASSERT_EQ(orders_.size(), 2U);
+  EXPECT_EQ(orders_[1].number, orders_[0].number + 1);
+}
+
+TEST_F(OperatorTest, SaysCompleteAtTheSourceInASearchAndOnlyThen) {
+  has_arrived_ = true;
+  say(MissionState::kStandby);
+  pass(Duration::seconds(1));
+  answer(orders_[0], CommandOutcome::kObeyed);
+  pass(Duration::seconds(1));
+  EXPECT_EQ(orders_.size(), 1U);
+  has_arrived_ = false;
+  say(MissionState::kSearch);
+  pass(Duration::seconds(1));
+  EXPECT_EQ(orders_.size(), 1U);
+  has_arrived_ = true;
+  pass(Duration::milliseconds(100));
+  ASSERT_EQ(orders_.size(), 2U);
+  EXPECT_EQ(orders_[1].order, Order::kComplete);
+  answer(orders_[1], CommandOutcome::kObeyed);
+  say(MissionState::kDone);
+  pass(Duration::seconds(60));
+  EXPECT_EQ(orders_.size(), 2U);
+}
+
+TEST_F(OperatorTest, StartsAnEarshotThatBeginsAgain) {
+  say(MissionState::kStandby);
+  pass(Duration::seconds(1));
+  answer(orders_[0], CommandOutcome::kObeyed);
+  say(MissionState::kAbort);
+  say(MissionState::kStandby);
+  pass(Duration::seconds(1));
+  ASSERT_EQ(orders_.size(), 2U);
+  EXPECT_EQ(orders_[1].order, Order::kStart);
+}
+
+TEST_F(OperatorTest, AbortsInOneFrameToEveryoneWhileNobodyIsKnownToBeEarshot) {
+  destination_ = n2k::kBroadcast;
+  operator_->abort();
+  operator_->abort();
+  const Frames frames = of_group(n2k::kPeerPgn, run(*operator_, now_, now_ + Duration::milliseconds(500)));
+  ASSERT_EQ(frames.size(), 1U);
+  // 126720 = 0x1EF00 at priority 3 from 0x29 to all; maker and industry 0x9FFC, kind 3, issuer 4711 = 0x1267, number 1.
+  EXPECT_EQ(frames[0], (n2k::Frame{0x0DEFFF29, 8, {0xFC, 0x9F, 0x03, 0x67, 0x12, 0x01, 0x00, 0x00}}));
+}
+
+TEST_F(OperatorTest, RepeatsAnAbortUntilItIsAnsweredHoweverLongThatTakes) {
+  say(MissionState::kSearch);
+  operator_->abort();
+  pass(Duration::seconds(120));
+  EXPECT_EQ(orders_.size(), 120U);
+  answer(orders_.back(), CommandOutcome::kObeyed);
+  pass(Duration::seconds(10));
+  EXPECT_EQ(orders_.size(), 120U);
+}
+
+TEST_F(OperatorTest, KeepsWhatEarshotSaysOfItself) {
+  say(MissionState::kSearch);
+  ASSERT_TRUE(operator_->health().has_value());
+  EXPECT_EQ(operator_->health()->health.state, MissionState::kSearch);
+  EXPECT_EQ(operator_->vehicle(), kEarshot);
+}
+
+}  // namespace
+}  // namespace earshot::hil

@@ -1,0 +1,115 @@
+#include "hil/nodes/vehicle_news.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "firmware/wire/n2k/own/orders.hpp"
+#include "firmware/wire/n2k/own/reports.hpp"
+#include "firmware/wire/n2k/setpoint.hpp"
+#include "tests/hil/nodes/listening.hpp"
+
+namespace earshot::hil {
+namespace {
+
+constexpr std::uint8_t kEarshot = 0x40;
+using Lines = std::vector<std::string>;
+
+class VehicleNewsTest : public testing::Test {
+ protected:
+  static VehicleSetup setup() {
+    VehicleSetup setup;
+    setup.start = {.position = {Meters{12'500}, Meters{3'000}}, .depth = Meters{300}, .heading = {}, .speed = {}};
+    setup.source = {.position = {Meters{12'500}, Meters{8'000}}, .snr = [](Meters) { return Decibels{}; }};
+    setup.utc = [] { return Time{}; };
+    return setup;
+  }
+  void accept(const n2k::FastPacketFrames& packet) {
+    for (const n2k::Frame& frame : packet) vehicle_.accept(frame, Time{});
+  }
+  void say(messages::MissionState state, messages::EndReason reason) {
+    n2k::FastPacketFrames packet;
+    messages::Health health;
+    health.state = state;
+    health.end_reason = reason;
+    ASSERT_EQ(n2k::compose_health(health, Time{}, {.source = kEarshot, .sequence = sequence_++}, packet), Status::kOk);
+    accept(packet);
+  }
+  void steer(double heading_rad, double depth_m, Time now) {
+    n2k::SetpointFrames frames;
+    ASSERT_EQ(
+        n2k::compose_setpoint({.heading = Radians{heading_rad}, .speed = MetersPerSecond{2.0}, .depth = Meters{depth_m}, .waypoint = {}},
+                              kEarshot, sequence_++, frames),
+        Status::kOk);
+    for (const n2k::Frame& frame : frames) vehicle_.accept(frame, now);
+  }
+
+  EmulatedVehicle vehicle_{setup()};
+  VehicleNews news_{vehicle_, Time{}};
+  std::uint8_t sequence_ = 0;
+};
+
+TEST_F(VehicleNewsTest, TellsOfEachStateOnceAndWhyASearchEnded) {
+  EXPECT_EQ(news_.lines(Time{}), Lines{});
+  say(messages::MissionState::kStandby, messages::EndReason::kNone);
+  EXPECT_EQ(news_.lines(Time{1'000'000}), Lines{"0:00:01  Earshot, address 64, is in STANDBY"});
+  say(messages::MissionState::kStandby, messages::EndReason::kNone);
+  EXPECT_EQ(news_.lines(Time{2'000'000}), Lines{});
+  say(messages::MissionState::kDone, messages::EndReason::kCompleted);
+  EXPECT_EQ(news_.lines(Time{4'830'000'000}), Lines{"1:20:30  Earshot, address 64, is in DONE: the source is reached"});
+}
+
+TEST_F(VehicleNewsTest, TellsOfADecisionWithHowFarTheSourceReallyIs) {
+  n2k::FastPacketFrames packet;
+  messages::Decision decision;
+  decision.step = 2;
+  decision.position = {Meters{12'500}, Meters{3'000}};
+  decision.snr = Decibels{11.26};
+  decision.waypoint = {Meters{12'500}, Meters{4'000}};
+  ASSERT_EQ(n2k::compose_decision(decision, {.source = kEarshot, .sequence = 0}, packet), Status::kOk);
+  accept(packet);
+  EXPECT_EQ(news_.lines(Time{}), Lines{"0:00:00  step 3: at 12.50 km north, 3.00 km east, SNR 11.3 dB; on to 12.50 km north, 4.00 km east "
+                                       "(the source is 5.00 km away)"});
+}
+
+TEST_F(VehicleNewsTest, TellsOfAnotherCourseAndNotOfOneThatIsKept) {
+  steer(1.5707963, 300.0, Time{});
+  EXPECT_EQ(news_.lines(Time{}), Lines{"0:00:00  autopilot: steers 090 degrees, 2.0 m/s, 300 m deep"});
+  steer(1.60, 300.0, Time{});
+  EXPECT_EQ(news_.lines(Time{}), Lines{});
+  steer(-0.0001, 300.0, Time{});
+  EXPECT_EQ(news_.lines(Time{}), Lines{"0:00:00  autopilot: steers 000 degrees, 2.0 m/s, 300 m deep"});
+  steer(-0.0001, 0.0, Time{});
+  EXPECT_EQ(news_.lines(Time{}), Lines{"0:00:00  autopilot: steers 000 degrees, 2.0 m/s, 0 m deep"});
+}
+
+TEST_F(VehicleNewsTest, TellsOnceThatSetPointsStayAway) {
+  steer(1.0, 300.0, Time{});
+  (void)news_.lines(Time{});
+  (void)run(vehicle_, Time{}, Time{11'000'000});
+  EXPECT_EQ(news_.lines(Time{11'000'000}), Lines{"0:00:11  autopilot: no set-point for 10 s: stops and comes up"});
+  EXPECT_EQ(news_.lines(Time{11'000'000}), Lines{});
+}
+
+TEST_F(VehicleNewsTest, TellsHowAnOrderWasAnswered) {
+  (void)run(vehicle_, Time{}, Time{300'000});
+  say(messages::MissionState::kStandby, messages::EndReason::kNone);
+  (void)run(vehicle_, Time{300'000}, Time{400'000});
+  n2k::FastPacketFrames packet;
+  const messages::CommandAcknowledgement answer{
+      .time = {}, .port = 1, .issuer = 1, .number = 1, .order = messages::Order::kStart, .outcome = messages::CommandOutcome::kObeyed};
+  ASSERT_EQ(n2k::compose_acknowledgement(answer, {.source = kEarshot, .destination = 0x29, .sequence = 0}, packet), Status::kOk);
+  accept(packet);
+  const Lines lines = news_.lines(Time{});
+  ASSERT_FALSE(lines.empty());
+  EXPECT_EQ(lines[0], "0:00:00  operator: START: obeyed");
+}
+
+TEST_F(VehicleNewsTest, SumsUpTheVoyage) {
+  steer(0.0, 300.0, Time{});
+  EXPECT_EQ(news_.summary(Time{3'661'000'000}), "sailed 0.00 km in 1:01:01, 1 set-points taken");
+}
+
+}  // namespace
+}  // namespace earshot::hil
