@@ -43,6 +43,9 @@ void Node::accept(const Frame& frame, Time now) {
     case kRequestPgn:
       take_request(identifier, frame, now);
       return;
+    case kGroupFunctionPgn:
+      take_group_function(identifier, frame);
+      return;
     case kTransportControlPgn:
     case kTransportDataPgn: {
       const std::optional<AddressCommand> command = commanded_.accept(identifier, frame, now);
@@ -76,12 +79,22 @@ void Node::take_request(const Identifier& identifier, const Frame& frame, Time n
   if (refusals_.push_back({.pgn = pgn, .asker = identifier.source}) != Status::kOk) ++counters_.unanswered;
 }
 
+void Node::take_group_function(const Identifier& identifier, const Frame& frame) {
+  if (!claim_.address() || identifier.destination != claim_.address()) return;
+  const std::optional<GroupDemand> demand = read_group_demand(frame);
+  if (!demand) return;
+  const auto lists = [&demand](std::span<const std::uint32_t> pgns) { return std::ranges::find(pgns, demand->pgn) != pgns.end(); };
+  const GroupRefusal refusal{.demand = *demand, .is_known = lists(transmitted_) || lists(received_), .asker = identifier.source};
+  if (group_refusals_.push_back(refusal) != Status::kOk) ++counters_.unanswered;
+}
+
 void Node::step(Time now, NodeFrames& frames) {
   frames.clear();
   if (claim_.claim_due(now)) append(frames, Status::kOk, claim_frame(claim_.name(), claim_.source()));
   const std::optional<std::uint8_t> source = claim_.address();
   if (!source) {
     refusals_.clear();
+    group_refusals_.clear();
     asked_for_claims_ = false;
     return;
   }
@@ -107,6 +120,12 @@ void Node::send_refusals(std::uint8_t source, NodeFrames& frames) {
     ++counters_.refused;
   }
   refusals_.clear();
+  for (const GroupRefusal& refusal : group_refusals_) {
+    Frame frame;
+    append(frames, compose_group_refusal(refusal, source, group_sequence_++, frame), frame);
+    ++counters_.refused;
+  }
+  group_refusals_.clear();
 }
 
 void Node::send_heartbeat(std::uint8_t source, Time now, NodeFrames& frames) {

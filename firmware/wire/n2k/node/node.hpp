@@ -12,13 +12,15 @@
 #include "firmware/wire/n2k/frame.hpp"
 #include "firmware/wire/n2k/node/address_claim.hpp"
 #include "firmware/wire/n2k/node/commanded_address.hpp"
+#include "firmware/wire/n2k/node/group_function.hpp"
 #include "firmware/wire/n2k/node/identity.hpp"
 
 namespace earshot::n2k {
 
-inline constexpr std::size_t kWaitingAcknowledgements = 8;  ///< requests refused between two steps; full: not answered, counted
+/// Requests refused between two steps, and group functions likewise; full: not answered, counted.
+inline constexpr std::size_t kWaitingAcknowledgements = 8;
 /// What one step may send: a claim, a request for claims, acknowledgements, a heartbeat, and one answer, of two fast packets at most.
-inline constexpr std::size_t kNodeFrames = 3 + kWaitingAcknowledgements + 2 * kMaxFastPacketFrames;
+inline constexpr std::size_t kNodeFrames = 3 + 2 * kWaitingAcknowledgements + 2 * kMaxFastPacketFrames;
 using NodeFrames = FixedVector<Frame, kNodeFrames>;
 
 inline constexpr Duration kHeartbeatPeriod = Duration::seconds(60);
@@ -40,8 +42,9 @@ struct NodeCounters {
 /// and reads, and that it is alive. Frames and time go in, frames come out.
 ///
 /// Answered, to everyone and to us alone: requests (59904) for 60928, 126464, 126993, 126996 and 126998. Asked of us alone: what we
-/// send anyhow comes in its time; anything else is refused (59392, NAK). Who has no address says no more than that.
-/// Source: NMEA 2000 as documented by canboat (Apache-2.0); SAE J1939-21 and -81.   Oracle: Node tests; the peer test
+/// send anyhow comes in its time; anything else is refused (59392, NAK). Whatever a group function (126208) asks of us alone is refused,
+/// too: nobody may change what we send. Who has no address says no more than that. Source: NMEA 2000 as documented by canboat (Apache-2.0);
+/// SAE J1939-21 and -81.   Oracle: Node tests; the peer test
 class Node {
  public:
   /// @param transmitted,received  PGNs for the list 126464, at most 74 each; they live as long as the node
@@ -73,6 +76,7 @@ class Node {
   };
   void take_request(const Identifier& identifier, const Frame& frame, Time now);
   void ask(Answer answer) { waiting_[static_cast<std::size_t>(answer)].asked = true; }
+  void take_group_function(const Identifier& identifier, const Frame& frame);
   void send_refusals(std::uint8_t source, NodeFrames& frames);
   void send_heartbeat(std::uint8_t source, Time now, NodeFrames& frames);
   void send_one_answer(std::uint8_t source, Time now, NodeFrames& frames);
@@ -85,6 +89,8 @@ class Node {
   CommandedAddress commanded_;
   std::array<Waiting, kAnswers> waiting_{};
   FixedVector<Refusal, kWaitingAcknowledgements> refusals_;
+  FixedVector<GroupRefusal, kWaitingAcknowledgements> group_refusals_;
+  std::uint8_t group_sequence_ = 0;
   bool asked_for_claims_ = false;  ///< of everyone, since we have this address
   bool heartbeat_asked_ = false;
   std::optional<Time> beat_;       ///< the last heartbeat that came in its own time; one that was asked for does not move the next

@@ -51,6 +51,9 @@ inline constexpr Choice kGnssMethod[]{{0, "no GNSS"},           {1, "GNSS fix"},
                                       {8, "Simulate mode"}};
 inline constexpr Choice kGnssIntegrity[]{{0, "No integrity checking"}, {1, "Safe"}, {2, "Caution"}, {3, "Unsafe"}};
 inline constexpr Choice kIsoControl[]{{0, "ACK"}, {1, "NAK"}, {2, "Access Denied"}, {3, "Address Busy"}};
+inline constexpr Choice kGroupError[]{
+    {0, "Acknowledge"},   {1, "PGN not supported"}, {2, "PGN not available"},          {3, "Access denied"},
+    {4, "Not supported"}, {5, "Tag not supported"}, {6, "Read or Write not supported"}};
 inline constexpr Choice kControllerState[]{{0, "Error Active"}, {1, "Error Passive"}, {2, "Bus Off"}};
 inline constexpr Choice kEquipmentStatus[]{{0, "Operational"}, {1, "Fault"}};
 inline constexpr Choice kPgnListFunction[]{{0, "Transmit PGN list"}, {1, "Receive PGN list"}};

@@ -42,6 +42,13 @@ inline constexpr Signal kCommandedAddressSignals[]{
     number("SystemInstance", 56, 4),           choice("IndustryCode", 60, 3, kIndustry), number("NewSourceAddress", 64, 8),
 };
 
+/// Of a group function that acknowledges another. Each parameter of the other may have four bits of its own behind the number.
+inline constexpr Signal kGroupAcknowledgementSignals[]{
+    every_value("FunctionCode", 0, 8),          pgn_number("PGN", 8),
+    choice("PGNErrorCode", 32, 4, kGroupError), number("IntervalOrPriorityErrorCode", 36, 4),
+    number("NumberOfParameters", 40, 8),
+};
+
 inline constexpr Signal kPgnListSignals[]{
     choice("FunctionCode", 0, 8, kPgnListFunction),
     pgn_number("PGN", 8),

@@ -15,6 +15,7 @@ inline constexpr std::uint32_t kAcknowledgementPgn = 59392;
 inline constexpr std::uint32_t kRequestPgn = 59904;
 inline constexpr std::uint32_t kAddressClaimPgn = 60928;
 inline constexpr std::uint32_t kCommandedAddressPgn = 65240;
+inline constexpr std::uint32_t kGroupFunctionPgn = 126208;
 inline constexpr std::uint32_t kPgnListPgn = 126464;
 inline constexpr std::uint32_t kHeartbeatPgn = 126993;
 inline constexpr std::uint32_t kProductPgn = 126996;
@@ -113,6 +114,9 @@ inline constexpr Message kRequest = single("ISORequest", kRequestPgn, 6, kBoth, 
 inline constexpr Message kAddressClaim = single("ISOAddressClaim", kAddressClaimPgn, 6, kBoth, kOnOccasion, kAddressClaimSignals);
 inline constexpr Message kCommandedAddress =
     by_transport(single("ISOCommandedAddress", kCommandedAddressPgn, 6, kToRuntime, kOnOccasion, kCommandedAddressSignals, 9));
+/// Stands in no list of messages: the first byte of a group function says which of seven layouts it has, and this is one of them.
+inline constexpr Message kGroupAcknowledgement =
+    fast("AcknowledgeGroupFunction", kGroupFunctionPgn, 3, kBoth, kOnOccasion, kGroupAcknowledgementSignals, 6);
 inline constexpr Message kPgnList = repeating(fast("PGNList", kPgnListPgn, 6, kBoth, kOnOccasion, kPgnListSignals, 4), 3);
 inline constexpr Message kHeartbeat = single("Heartbeat", kHeartbeatPgn, 7, kBoth, Duration::seconds(60), kHeartbeatSignals);
 inline constexpr Message kProduct = fast("ProductInformation", kProductPgn, 6, kBoth, kOnOccasion, kProductSignals, 134);

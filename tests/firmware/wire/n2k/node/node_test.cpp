@@ -200,6 +200,57 @@ TEST_F(NodeTest, RefusesWhatItDoesNotKnowWhenAskedAlone) {
   EXPECT_TRUE(step(kLeastAnswerGap).empty()) << "comes in its own time";
 }
 
+TEST_F(NodeTest, RefusesWhateverAGroupFunctionAsksOfItAlone) {
+  settle();
+  // Priority 3, 126208 = 0x1ED00, to 0x40 from 0x23: sequence 5, frame 0; 11 bytes; the function; the group, lowest byte first; parameters.
+  const auto demand_of = [](std::uint8_t function, std::uint32_t pgn) {
+    const auto byte = [pgn](unsigned i) { return static_cast<std::uint8_t>(pgn >> (8 * i)); };
+    return Frame{0x0DED4023, 8, {0xA0, 11, function, byte(0), byte(1), byte(2), 0x10, 0x27}};
+  };
+  // To 0x23: acknowledges (2) the group with an error in the low four bits, none (0) in the high ones; no parameters.
+  const auto refusal_of = [](std::uint8_t sequence, std::uint32_t pgn, std::uint8_t error) {
+    const auto byte = [pgn](unsigned i) { return static_cast<std::uint8_t>(pgn >> (8 * i)); };
+    const auto head = static_cast<std::uint8_t>(sequence * 32);
+    return std::vector{Frame{0x0DED2340, 8, {head, 6, 2, byte(0), byte(1), byte(2), error, 0}}};
+  };
+  constexpr std::uint32_t kUnknown = 126'992;  // system time
+  struct Row {
+    std::uint8_t function;
+    std::uint32_t pgn;
+    std::uint8_t error;
+  };
+  std::uint8_t sequence = 0;
+  for (const Row& row : {Row{0, kUnknown, 1}, Row{1, kUnknown, 1}, Row{0, kHeartbeatPgn, 4}, Row{1, kHeadingPgn, 4},
+                         Row{3, kHeartbeatPgn, 6}, Row{5, kUnknown, 6}}) {
+    accept(demand_of(row.function, row.pgn));
+    EXPECT_EQ(step(kLeastAnswerGap), refusal_of(sequence++, row.pgn, row.error)) << int{row.function} << ' ' << row.pgn;
+  }
+  EXPECT_EQ(node_.counters().refused, 6U);
+  for (const std::uint8_t function : std::initializer_list<std::uint8_t>{2, 4, 6, 7, 255}) accept(demand_of(function, kHeartbeatPgn));
+  EXPECT_TRUE(step(kLeastAnswerGap).empty()) << "answers, and what nobody knows";
+  Frame later = demand_of(0, kHeartbeatPgn);
+  later.data[0] = 0xA1;
+  accept(later);
+  Frame small = demand_of(0, kHeartbeatPgn);
+  small.data[1] = 5;
+  accept(small);
+  Frame cut = demand_of(0, kHeartbeatPgn);
+  cut.size = 7;
+  accept(cut);
+  accept(demand_of(0, 0xFFFFFF));
+  EXPECT_TRUE(step(kLeastAnswerGap).empty()) << "frames that begin no demand";
+  Frame to_all = demand_of(0, kHeartbeatPgn);
+  to_all.identifier = 0x0DEDFF23;
+  accept(to_all);
+  Frame to_another = demand_of(0, kHeartbeatPgn);
+  to_another.identifier = 0x0DED4123;
+  accept(to_another);
+  EXPECT_TRUE(step(kLeastAnswerGap).empty()) << "asked of all, or of somebody else";
+  for (int i = 0; i < 20; ++i) accept(demand_of(0, kUnknown));
+  EXPECT_EQ(step(kLeastAnswerGap).size(), kWaitingAcknowledgements);
+  EXPECT_EQ(node_.counters().unanswered, 20U - kWaitingAcknowledgements);
+}
+
 TEST_F(NodeTest, BeatsOnceAMinuteAndCountsTo252) {
   settle();
   (void)step(kHeartbeatPeriod - kLeastClaimGap - Duration{1});

@@ -133,6 +133,8 @@ void print_node() {
       for (unsigned k = 0; k < 3; ++k) request.data[k] = static_cast<std::uint8_t>(pgn >> (8U * k));
       if (i == 5) node.accept(request, now);
     }
+    // A group function (126208) asks for a heartbeat (126993) every second.
+    if (i == 5) node.accept({.identifier = 0x0DED4023, .size = 8, .data = {0x00, 11, 0, 0x11, 0xF0, 0x01, 0xE8, 0x03}}, now);
   }
   std::cout << '\n';
 }

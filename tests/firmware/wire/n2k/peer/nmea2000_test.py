@@ -257,6 +257,9 @@ class AgreesWithCanboat(unittest.TestCase):
         self.assertEqual(self.flat(by_id["heartbeat"][0])["equipmentStatus"].value, "Operational")
         refusal = self.flat(by_id["isoAcknowledgement"][0])
         self.assertEqual((refusal["control"].value, refusal["pgn"].value), ("NAK", 126992))
+        refusal = self.flat(by_id["nmeaAcknowledgeGroupFunction"][0])
+        self.assertEqual((refusal["pgn"].value, refusal["pgnErrorCode"].value), (126993, "Not supported"))
+        self.assertEqual(refusal["numberOfParameters"].value, 0)
         lists = by_id["pgnListTransmitAndReceive"]
         self.assertEqual(len(lists), 2)
 
