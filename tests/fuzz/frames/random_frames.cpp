@@ -1,22 +1,17 @@
-// Random and mutated CAN frames for everything that reads them on a vehicle. See README.md of this folder.
+// Random and mutated CAN frames for everything that reads them on a vehicle. See README.md of the folder above.
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
 #include <random>
 #include <span>
+#include <string>
 
-#include "firmware/wire/n2k/codec.hpp"
-#include "firmware/wire/n2k/navigation.hpp"
-#include "firmware/wire/n2k/node/information.hpp"
-#include "firmware/wire/n2k/node/node.hpp"
-#include "firmware/wire/n2k/own/measurements.hpp"
-#include "firmware/wire/n2k/own/orders.hpp"
-#include "firmware/wire/n2k/own/reports.hpp"
-#include "firmware/wire/n2k/setpoint.hpp"
+#include "firmware/wire/n2k/fast_packet.hpp"
+#include "firmware/wire/n2k/signals.hpp"
+#include "tests/fuzz/frames/frame_readers.hpp"
 
 namespace {
 std::uint64_t allocations = 0;
@@ -128,77 +123,6 @@ class Frames {
   std::size_t at_ = 0;
 };
 
-constexpr double kPi = 3.141592653589793;
-
-bool is_sound(const n2k::Fix& fix) {
-  return is_finite(fix.position) && std::abs(fix.heading.value) <= kPi && std::abs(fix.depth.value) < 30'000.0 &&
-         (!fix.speed || (fix.speed->value >= 0.0 && fix.speed->value < 656.0));
-}
-
-bool is_sound(const n2k::Readings& readings) {
-  if (readings.heading && !(std::abs(readings.heading->value.value) <= kPi)) return false;
-  if (readings.position && !(std::abs(readings.position->value.latitude_deg) <= 90.0)) return false;
-  if (readings.altitude && !(readings.altitude->value.value >= 0.0)) return false;
-  if (readings.rate_of_turn && !(std::abs(readings.rate_of_turn->value.value) < 68.0)) return false;
-  return !readings.over_ground || readings.over_ground->value.speed.value >= 0.0;
-}
-
-/// Everything on a vehicle that reads frames.
-class Readers {
- public:
-  void take(std::uint64_t number, const Frame& frame, Time now) {
-    n2k::Fix fix;
-    if (receiver_.accept(frame, now, fix) == Status::kOk) {
-      ++fixes_;
-      if (!is_sound(fix) || fix.time > now) violated(number, "a fix that cannot be");
-    }
-    if (!is_sound(receiver_.sensors().readings())) violated(number, "a reading that cannot be");
-    messages::OperatorCommand command;
-    std::uint8_t sender = 0;
-    if (orders_.accept(frame, now, n2k::kRuntimeAddress, command, sender) == Status::kOk) {
-      ++commands_;
-      if (command.order < messages::Order::kStart || command.order > messages::Order::kAbort)
-        violated(number, "an order that nobody knows");
-    }
-    messages::Setpoint setpoint;
-    if (setpoints_.accept(frame, setpoint) == Status::kOk && !(std::abs(setpoint.heading.value) <= kPi))
-      violated(number, "a wild set-point");
-    static_cast<void>(n2k::read_snr(frame.bytes()));
-    static_cast<void>(n2k::read_leak(frame.bytes()));
-    node_.accept(frame, now);
-    n2k::NodeFrames frames;
-    node_.step(now, frames);
-    for (const Frame& sent : frames) {
-      const auto identifier = n2k::parse_identifier(sent.identifier);
-      if (!identifier.ok() || sent.size > 8) violated(number, "the node sends what is no frame");
-      if (identifier.value().source > n2k::kLastAddress && identifier.value().source != n2k::kNullAddress)
-        violated(number, "a wrong source");
-    }
-    sent_ += frames.size();
-  }
-
-  void print(std::uint64_t count) const {
-    std::printf("%llu frames: %llu fixes, %llu commands, %llu frames sent by the node, no memory asked for\n",
-                static_cast<unsigned long long>(count), static_cast<unsigned long long>(fixes_), static_cast<unsigned long long>(commands_),
-                static_cast<unsigned long long>(sent_));
-  }
-  [[nodiscard]] bool has_seen_all() const { return fixes_ > 0 && commands_ > 0 && sent_ > 0; }
-
- private:
-  static n2k::Identity identity() {
-    n2k::Identity identity;
-    identity.name = n2k::name_of({.unique_number = 1}).value();
-    return identity;
-  }
-  n2k::NavigationReceiver receiver_{n2k::LocalPlane{}, {.sensors = {}, .oldest_part = Duration::seconds(60)}};
-  n2k::OrderReceiver orders_;
-  n2k::SetpointReceiver setpoints_;
-  n2k::Node node_{identity(), n2k::table_pgns(n2k::PgnListKind::kTransmitted), n2k::table_pgns(n2k::PgnListKind::kReceived)};
-  std::uint64_t fixes_ = 0;
-  std::uint64_t commands_ = 0;
-  std::uint64_t sent_ = 0;
-};
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -208,14 +132,14 @@ int main(int argc, char** argv) {
   }
   const std::uint64_t count = std::strtoull(argv[1], nullptr, 10);
   Frames frames(argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0);
-  Readers readers;
+  fuzz::FrameReaders readers;
   Time now{1'000'000'000};
   const std::uint64_t before = allocations;
   for (std::uint64_t number = 0; number < count; ++number) {
-    readers.take(number, frames.next(), now);
+    if (const char* const wrong = readers.take(frames.next(), now)) violated(number, wrong);
     now = now + Duration{static_cast<std::int64_t>(frames.number() % 4096 == 0 ? frames.number() % 40'000'000 : frames.number() % 2'000)};
     if (allocations != before) violated(number, "memory was asked for");
   }
-  readers.print(count);
+  std::printf("%s frames: %s, no memory asked for\n", std::to_string(count).c_str(), readers.account().c_str());
   return readers.has_seen_all() ? 0 : 1;
 }
