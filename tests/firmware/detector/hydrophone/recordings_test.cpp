@@ -1,11 +1,8 @@
-// Real whales, heard where the recordings are: in ../shared/reference/recordings beside the repository, or in
-// EARSHOT_REFERENCE_DIR/recordings. They are no part of the project. Without them the tests are skipped, and fail where
-// EARSHOT_REFERENCE_REQUIRED=1.
+// Real whales, heard where the recordings are (tests/support/reference_folder.hpp). Without them the tests are skipped.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -14,14 +11,13 @@
 #include <vector>
 
 #include "tests/firmware/detector/hydrophone/hearer.hpp"
+#include "tests/support/reference_folder.hpp"
 
 namespace earshot::detector {
 namespace {
 
 std::filesystem::path folder() {
-  const char* const named = std::getenv("EARSHOT_REFERENCE_DIR");
-  return (named != nullptr ? std::filesystem::path(named) : std::filesystem::path(EARSHOT_SOURCE_DIR) / "../shared/reference") /
-         "recordings";
+  return support::reference_folder() / "recordings";
 }
 
 struct Recording {
@@ -71,8 +67,7 @@ class Recordings : public ::testing::Test {
  protected:
   void SetUp() override {
     if (std::filesystem::exists(folder())) return;
-    const char* const required = std::getenv("EARSHOT_REFERENCE_REQUIRED");
-    if (required != nullptr && std::string(required) == "1") FAIL() << "no recordings in " << folder();
+    if (support::is_reference_required()) FAIL() << "no recordings in " << folder();
     GTEST_SKIP() << "no recordings in " << folder();
   }
 };

@@ -1,25 +1,19 @@
 // Recordings of whales that are not part of the project: read where they are, skipped where they are not.
 #include <algorithm>
-#include <cstdlib>
 
 #include "tests/sim/apps/listen/listen_program.hpp"
+#include "tests/support/reference_folder.hpp"
 
 namespace earshot::tests {
 namespace {
 
 class ReferenceRecording : public ListenProgram {
  protected:
-  /// EARSHOT_REFERENCE_DIR, or beside the project.
-  static std::filesystem::path recordings() {
-    const char* told = std::getenv("EARSHOT_REFERENCE_DIR");  // NOLINT(concurrency-mt-unsafe): one thread
-    const std::filesystem::path folder = told != nullptr ? told : std::string(EARSHOT_SOURCE_DIR) + "/../shared/reference";
-    return folder / "recordings";
-  }
+  static std::filesystem::path recordings() { return support::reference_folder() / "recordings"; }
 
   void SetUp() override {
     if (std::filesystem::is_directory(recordings())) return;
-    const char* required = std::getenv("EARSHOT_REFERENCE_REQUIRED");  // NOLINT(concurrency-mt-unsafe): one thread
-    if (required != nullptr && std::string(required) == "1") FAIL() << recordings() << " is not there, and EARSHOT_REFERENCE_REQUIRED=1";
+    if (support::is_reference_required()) FAIL() << recordings() << " is not there, and EARSHOT_REFERENCE_REQUIRED=1";
     GTEST_SKIP() << recordings() << " is not there: EARSHOT_REFERENCE_DIR names the folder that holds it";
   }
 
