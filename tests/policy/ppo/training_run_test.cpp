@@ -106,12 +106,12 @@ TEST(TrainingRun, RefusesNumbersThatNoTrainingCanUse) {
   for (const auto& [key, value, range] :
        std::vector<std::array<std::string, 3>>{{"ppo.learning_rate", "1000000000.0", "above 0 and at most 1"},
                                                {"ppo.clip_range", "1e+30", "above 0 and at most 10"},
-                                               {"ppo.reward_scale", "1e+30", "above 0 and at most 1e+06"},
+                                               {"ppo.reward_scale", "1e+30", "above 0 and at most 1000000"},
                                                {"ppo.max_gradient_norm", "0.0", "above 0 and at most 1e+30"},
-                                               {"ppo.value_coefficient", "1e+30", "of at least 0 and at most 1e+06"},
-                                               {"search.domain_north_m", "1e+30", "above 0 and at most 1e+06"},
-                                               {"search.border_reward", "-1e+30", "of at least -1e+06 and at most 1e+06"},
-                                               {"training_reward.found", "1e+30", "of at least -1e+06 and at most 1e+06"}}) {
+                                               {"ppo.value_coefficient", "1e+30", "of at least 0 and at most 1000000"},
+                                               {"search.domain_north_m", "1e+30", "above 0 and at most 1000000"},
+                                               {"search.border_reward", "-1e+30", "of at least -1000000 and at most 1000000"},
+                                               {"training_reward.found", "1e+30", "of at least -1000000 and at most 1000000"}}) {
     const std::string table = key.substr(0, key.find('.'));
     const std::string path = written("[" + table + "]\n" + key.substr(table.size() + 1) + " = " + value + "\n");
     EXPECT_EQ(complaint_of(path), path + ":2: " + key + " = " + value + ": must be a finite number " + range);
@@ -121,7 +121,7 @@ TEST(TrainingRun, RefusesNumbersThatNoTrainingCanUse) {
 TEST(TrainingRun, SaysOneThingOfADomainThatIsNoNumber) {
   const std::string path = written("[search]\nstart = \"inside_border\"\ndomain_north_m = nan\n");
   const std::string text = complaint_of(path);
-  EXPECT_EQ(text, path + ":3: search.domain_north_m = nan: must be a finite number above 0 and at most 1e+06");
+  EXPECT_EQ(text, path + ":3: search.domain_north_m = nan: must be a finite number above 0 and at most 1000000");
 }
 
 TEST(TrainingRun, RefusesAStartInTwoWays) {

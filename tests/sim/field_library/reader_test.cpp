@@ -150,7 +150,7 @@ TEST_F(FieldLibraryInMemory, RefusesAnAxisThatCannotBe) {
                          {"range", 0, 0.0, "range[0] = 0: must be a finite number of at least 0.01"},
                          {"depth", 1, 10.0, "depth: must increase"},
                          {"depth", 0, -5.0, "depth[0] = -5: must be a finite number above 0 and at most 12000"},
-                         {"position_north", 2, 1e30, "position_north[2] = 1e+30: must be a finite number of at least -1e+06"},
+                         {"position_north", 2, 1e30, "position_north[2] = 1e+30: must be a finite number of at least -1000000"},
                          {"position_state", 0, 7.0, "position_state[0] = 7: must be a finite number of at least 0 and at most 2"},
                          {"position_depth", 0, nan, "position_depth[0] = nan: must be a finite number above 0"},
                          {"frequency", 0, 0.0, "frequency[0] = 0: must be a finite number of at least 1"}}) {

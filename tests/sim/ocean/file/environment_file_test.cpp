@@ -125,8 +125,8 @@ TEST_F(EnvironmentFile, RefusesANegativeFrequencyWithFileKeyValueAndRange) {
 }
 
 TEST_F(EnvironmentFile, RefusesASourceThatNoPlaneOnEarthReaches) {
-  expect_mentions(complaint("north_m = 1.0", "north_m = 1e7"), "must be a finite number of at least -1e+06 and at most 1e+06");
-  expect_mentions(complaint("east_m = 2.0", "east_m = -1e7"), "must be a finite number of at least -1e+06 and at most 1e+06");
+  expect_mentions(complaint("north_m = 1.0", "north_m = 1e7"), "must be a finite number of at least -1000000 and at most 1000000");
+  expect_mentions(complaint("east_m = 2.0", "east_m = -1e7"), "must be a finite number of at least -1000000 and at most 1000000");
 }
 
 TEST_F(EnvironmentFile, RefusesAnUnknownKey) {

@@ -137,7 +137,7 @@ TEST_F(ScenarioFile, IsRefusedForAKeyOutsideItsRange) {
 
 TEST_F(ScenarioFile, RefusesTimesOfCallsBelowAHundredthOfASecond) {
   const auto calls = [](const std::string& values) { return "[conditions]\nfloor_db = 5.0\n[conditions.calls]\n" + values; };
-  const std::string rule = ": must be a finite number of at least 0.01 and at most 1e+06";
+  const std::string rule = ": must be a finite number of at least 0.01 and at most 1000000";
   expect_refused(calls("interval_s = 0.0078125\nsong_s = 600.0\npause_s = 0.0\nlistening_s = 1.0\n"),
                  "conditions.calls.interval_s = 0.0078125" + rule);
   expect_refused(calls("interval_s = 15.0\nsong_s = 1e-300\npause_s = 0.0\nlistening_s = 1.0\n"),
