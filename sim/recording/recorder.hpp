@@ -23,7 +23,8 @@ struct RecorderNotes {
 /// Reads what the common recorders write. What is not as they write it is taken for nothing, never for a wrong number.
 ///
 /// - icListen (Ocean Sonics): INFO chunk; ICMT "3.000000 V pk, -177 dBV re 1uPa, ..., 8388608 = Max Count, ...", ICRD the start in UTC.
-///   Source: icListen User's Guide, "WAV header"; MHKiT-Python, acoustics/io.py (which fields stand where).
+///   Source: a recording that MHKiT-Python ships (examples/data/acoustics/RBW_6661_20240601_053114.wav, read by mhkit/acoustics/io.py,
+///   its texts printed in mhkit/tests/acoustics/test_io.py); the maker's guide was not at hand.
 /// - AudioMoth (Open Acoustic Devices): ICMT "Recorded at 19:17:30 24/09/2019 (UTC+2) by AudioMoth 24F3... at gain setting 2 ...".
 ///   Source: AudioMoth-Firmware-Basic, and metamoth's documentation of the comment of each version.
 /// - SoundTrap (Ocean Instruments): SERIAL.yymmddHHMMSS.wav, and beside it SERIAL.yymmddHHMMSS.log.xml with SamplingStartTimeUTC,

@@ -49,10 +49,17 @@ TEST(RecorderNotes, TakeNoDayThatNoCalendarHas) {
   EXPECT_EQ(start_of(notes_of_comment("Recorded at 24:00:00 24/09/2019 (UTC) by AudioMoth 0")), "not told");
 }
 
-// The comment as icListen's User's Guide shows it.
+// ICMT and ICRD of the recording RBW_6661_20240601_053114.wav that MHKiT-Python ships, as its test_io.py prints their parts.
 TEST(RecorderNotes, TakeAnIcListensChainFromItsComment) {
-  const RecorderNotes notes =
-      notes_of_comment("3.000000 V pk, -177 dBV re 1uPa, 41.2 % RH, 6.6 deg C, 32768 = Max Count, 12 = Seq #", "2024-06-01T05:31:14");
+  const SoundFormat twenty_four_bits{.sample_rate = Hertz{512'000}, .channels = 1, .bits = 24, .is_float = false};
+  const RecorderNotes notes = notes_of("a.wav",
+                                       {.artist = "icListen HF #6661",
+                                        .album = {},
+                                        .comment = "3.000000 V pk, -177 dBV re 1uPa, 24.0 % RH, 8.6 deg C, Acc(-980,-18,141), "
+                                                   "Mag(3603,3223,-598), 8388608 = Max Count, 2589798400000 = Seq #",
+                                        .date = "2024-06-01T05:31:14+00",
+                                        .software = "icListen HF R40.0"},
+                                       twenty_four_bits);
   EXPECT_EQ(notes.recorder, "icListen");
   EXPECT_EQ(notes.sensitivity, Decibels{-177.0});
   EXPECT_EQ(notes.full_scale_volts, 3.0);
