@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/action_draw.hpp"
 #include "policy/explain/wording.hpp"
@@ -23,11 +24,6 @@ using explain::fixed;
 
 constexpr std::size_t kRowsOfAttribution = 5;
 
-std::string reason_to_string(std::string reason) {
-  std::ranges::replace(reason, '_', ' ');
-  return reason;
-}
-
 /// The flight's summary counts a step that the source cut short as the others: one count, with a word about the last.
 std::string headline(const Flight& flight) {
   const nlohmann::json& s = flight.summary;
@@ -37,7 +33,7 @@ std::string headline(const Flight& flight) {
   const std::string count = std::to_string(steps) + (steps == 1 ? " step" : " steps");
   std::string text = s.at("found").get<bool>() ? "<h1 class=\"found\">Source found after " + count + "</h1>\n"
                                                : "<h1 class=\"missed\">Source not found in " + count + "</h1>\n";
-  if (!s.at("found").get<bool>()) text += "<p>The mission ended because: " + escaped(reason_to_string(s.at("end_reason"))) + "</p>\n";
+  if (!s.at("found").get<bool>()) text += "<p>The mission ended because: " + escaped(host::spelled_apart(s.at("end_reason"))) + "</p>\n";
   if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
   return text + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
          escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";

@@ -1,5 +1,6 @@
 #include "firmware/host/file/printable.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +68,11 @@ std::string printable(std::string_view text) {
     text.remove_prefix(c.size == 0 ? 1 : c.size);
   }
   return shown;
+}
+
+std::string spelled_apart(std::string word) {
+  std::ranges::replace(word, '_', ' ');
+  return word;
 }
 
 bool is_utf8(std::string_view text) {

@@ -16,6 +16,9 @@ namespace earshot::host {
 /// The same of text that has lines: they stay.
 [[nodiscard]] std::string printable_lines(std::string_view text);
 
+/// A word of a file for a person, its underscores blanks: "left_area", "left area". Oracle: SpelledApart.*
+[[nodiscard]] std::string spelled_apart(std::string word);
+
 /// Source: RFC 3629.
 /// Oracle: IsUtf8.*
 [[nodiscard]] bool is_utf8(std::string_view text);

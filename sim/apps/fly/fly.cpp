@@ -165,14 +165,13 @@ void wait_for_both(ChildProcess& simulator, ChildProcess& runtime) {
 /// How a flight ended, for a person; summary.json holds the word.
 std::string outcome(const nlohmann::json& s) {
   if (s.at("found").get<bool>()) return "source found";
-  std::string reason = s.at("end_reason");
+  const std::string reason = s.at("end_reason");
   if (reason == "earshotd_lost") return "the flight was lost: earshotd ended or did not answer";
   if (reason == "bus_lost") return "the flight was lost: a set-point did not arrive over the bus";
   if (reason == "nothing_heard") return "the flight was lost: the vehicle's detector gave no SNR";
   if (reason == "simulator_failed") return "the flight was lost: the simulator failed";
   if (reason == "steps_used_up") return "source not found: all " + std::to_string(s.at("steps").get<int>()) + " steps taken";
-  std::ranges::replace(reason, '_', ' ');
-  return "source not found: " + reason;
+  return "source not found: " + host::spelled_apart(reason);
 }
 
 /// What a person should know of a flight that heard: its first minutes went by before the search.

@@ -57,5 +57,10 @@ TEST(Printable, KeepsLinesWhereTheyAreAskedFor) {
   EXPECT_EQ(printable_lines("a\x1b\n\nb\n"), "a\\x1b\n\nb\n");
 }
 
+TEST(SpelledApart, MakesBlanksOfAllUnderscores) {
+  EXPECT_EQ(spelled_apart("left_the_area"), "left the area");
+  EXPECT_EQ(spelled_apart("found"), "found");
+}
+
 }  // namespace
 }  // namespace earshot::host
