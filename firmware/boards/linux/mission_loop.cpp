@@ -48,6 +48,7 @@ class Stopping {
     Time next_turn = clock_.now();
     for (bool has_turned = false;;) {
       const Clock::Wake wake = clock_.wait(awaited(ports_, next_turn, turn_));
+      ports_.serve();
       const bool is_last_chance = wake == Clock::Wake::kLost || std::chrono::steady_clock::now() >= deadline;
       if (wake == Clock::Wake::kPorts || wake == Clock::Wake::kTurn) ports_.collect(clock_, turn_);
       if (wake == Clock::Wake::kTurn || (is_last_chance && !has_turned)) {
@@ -97,6 +98,7 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period,
   int said = 0;  // turns since the mission was over
   while (!stop) {
     const Clock::Wake wake = clock.wait(awaited(ports, next_turn, turn));
+    ports.serve();
     if (wake == Clock::Wake::kLost) {
       result.end = LoopEnd::kClockLost;
       return result;

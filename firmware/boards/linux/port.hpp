@@ -61,6 +61,10 @@ class Port {
   [[nodiscard]] virtual std::uint64_t blocks_heard() const { return 0; }
   /// Called about once a second of the host's time: opens again what is down.
   virtual void tend() {}
+  /// Called at least ten times a second of the host's time, between turns, too: does what a bus wants of everybody on it.
+  virtual void serve() {}
+  /// Called before the first turn until it says that the port could send. What arrives meanwhile is no input.
+  [[nodiscard]] virtual bool settle() { return true; }
   /// Counts what it received, lost and could not send so far.
   [[nodiscard]] virtual messages::PortReport report() const { return report_; }
 

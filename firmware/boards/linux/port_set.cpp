@@ -1,10 +1,11 @@
 #include "firmware/boards/linux/port_set.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "firmware/boards/linux/can_port.hpp"
+#include "firmware/boards/linux/can/can_port.hpp"
 #include "firmware/boards/linux/hydrophone/hydrophone_port.hpp"
 #include "firmware/boards/linux/lcm_port.hpp"
 #include "firmware/host/file/printable.hpp"
@@ -46,6 +47,20 @@ void PortSet::report_changes(InputSink& sink) {
     if (report == reported) continue;
     reported = report;
     sink.take(port->index(), report);
+  }
+}
+
+void PortSet::serve() {
+  for (const auto& port : ports_) port->serve();
+}
+
+void PortSet::settle(std::chrono::milliseconds most) {
+  constexpr Duration kLookUp = Duration::milliseconds(10);
+  for (const auto deadline = std::chrono::steady_clock::now() + most; std::chrono::steady_clock::now() < deadline;) {
+    // Every port is asked every time: one that waits for an address must go on claiming it beside another.
+    const auto unsettled = std::ranges::count_if(ports_, [](const auto& port) { return !port->settle(); });
+    if (unsettled == 0) return;
+    wait_for_ports({}, kLookUp);
   }
 }
 
@@ -123,10 +138,10 @@ messages::PortReport PortSet::sum() const {
   return sum;
 }
 
-void open_ports(const host::MissionFile& mission, host::IfMissing if_missing, WakesFor wakes, PortSet& ports) {
+void open_ports(const host::MissionFile& mission, const HostClock& host, host::IfMissing if_missing, WakesFor wakes, PortSet& ports) {
   for (const host::PortSettings& settings : mission.ports) {
     if (settings.kind == host::PortKind::kCan) {
-      ports.add(std::make_unique<CanPort>(ports.next_index(), settings, mission.plane, if_missing));
+      ports.add(std::make_unique<CanPort>(ports.next_index(), settings, mission.plane, host, if_missing));
     } else if (settings.roles.has(host::Role::kHydrophone)) {
       ports.add(std::make_unique<HydrophonePort>(ports.next_index(), settings, mission.hearing, wakes, if_missing));
     } else {

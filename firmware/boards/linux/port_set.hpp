@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/hydrophone/ear.hpp"
 #include "firmware/boards/linux/port.hpp"
 #include "firmware/config/capacities.hpp"
@@ -37,6 +38,10 @@ class PortSet {
   void note_speed(MetersPerSecond speed);
   /// Gives `sink` the report of every port that has changed since it was last given.
   void report_changes(InputSink& sink);
+  /// Lets every port do what its bus wants of it; to be called at least ten times a second of the host's time.
+  void serve();
+  /// Waits until every port whose link is up could send, but no longer than `most`.
+  void settle(std::chrono::milliseconds most);
   /// Looks after every link, once a second of the host's time however often it is called.
   void tend();
 
@@ -75,9 +80,10 @@ class PortSet {
 };
 
 /// The ports that the mission describes, in its order.
+/// @param host        must outlive the ports
 /// @param wakes       how often a hydrophone's port wakes the loop
 /// @param if_missing  whether a link whose interface is not there is an error, or down until it comes
 /// @throws std::system_error naming what cannot be opened.
-void open_ports(const host::MissionFile& mission, host::IfMissing if_missing, WakesFor wakes, PortSet& ports);
+void open_ports(const host::MissionFile& mission, const HostClock& host, host::IfMissing if_missing, WakesFor wakes, PortSet& ports);
 
 }  // namespace earshot::board

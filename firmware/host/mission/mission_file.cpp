@@ -12,6 +12,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/mission/hydrophone_table.hpp"
+#include "firmware/host/mission/n2k_table.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/transport/interface_name.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
@@ -54,7 +55,7 @@ void read_limits(TableReader limits, config::Mission& mission) {
 
 const std::vector<std::string> kRoleWords{"navigation", "snr", "operator", "autopilot", "status", "hydrophone"};  // in the order of Role
 
-PortSettings read_port(TableReader table) {
+PortSettings read_port(TableReader table, Duration navigation_timeout) {
   PortSettings port;
   port.name = table.text("name");
   if (printable(port.name) != port.name) table.problem("name", "must have no character that steers a terminal");
@@ -62,11 +63,12 @@ PortSettings read_port(TableReader table) {
   for (const std::size_t role : table.choices("roles", kRoleWords)) {
     port.roles.add(static_cast<Role>(role));
     if (port.kind == PortKind::kCan && !kCanRoles.has(static_cast<Role>(role)))
-      table.problem("roles", "a CAN port carries \"navigation\" and \"autopilot\" only, not \"" + kRoleWords[role] + "\"");
+      table.problem("roles", "a CAN port carries no sound: \"hydrophone\" needs a port of kind \"lcm\"");
   }
   if (port.kind == PortKind::kCan) {
     port.address = table.text("interface");
     if (!table.is_noted("interface") && !is_interface_name(port.address)) table.problem("interface", kInterfaceNameRule);
+    port.n2k = read_n2k(table.optional_table("n2k"), port.roles, navigation_timeout);
     return port;
   }
   if (port.roles.has(Role::kHydrophone) && port.roles != Roles{Role::kHydrophone})
@@ -116,7 +118,7 @@ std::string on_bus_of(const PortSettings& other, const std::string& place, const
 void read_ports(TableReader root, MissionFile& file) {
   std::vector<std::string> places;
   for (TableReader table : root.tables("port")) {
-    const PortSettings port = read_port(table);
+    const PortSettings port = read_port(table, file.mission.navigation_timeout);
     const char* const key = port.kind == PortKind::kCan ? "interface" : "url";
     for (std::size_t i = 0; i < file.ports.size(); ++i) {
       const PortSettings& other = file.ports[i];
@@ -142,14 +144,20 @@ PortSettings lcm_port() {
           .roles = {Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus}};
 }
 
-PortSettings can_port() {
-  return {.name = "can", .kind = PortKind::kCan, .address = kDefaultCanInterface, .roles = kCanRoles};
+/// Every role over CAN, as the device that the mission's own CAN port is, if it has one.
+PortSettings can_port(const MissionFile& file) {
+  const auto own = std::ranges::find(file.ports, PortKind::kCan, &PortSettings::kind);
+  return {.name = "can",
+          .kind = PortKind::kCan,
+          .address = kDefaultCanInterface,
+          .roles = kCanRoles,
+          .n2k = own != file.ports.end() ? own->n2k : default_n2k(file.mission.navigation_timeout)};
 }
 
-std::vector<PortSettings> ports_named(const std::string& bus) {
+std::vector<PortSettings> ports_named(const std::string& bus, const MissionFile& file) {
   if (bus == "lcm") return {lcm_port()};
-  if (bus == "can") return {can_port()};
-  PortSettings sensors = can_port();
+  if (bus == "can") return {can_port(file)};
+  PortSettings sensors = can_port(file);
   sensors.roles = {Role::kNavigation};
   PortSettings rest = lcm_port();
   rest.roles = {Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus};
@@ -244,7 +252,7 @@ void override_ports(MissionFile& file, const PortOverride& said) {
   if (said.can_interface && !is_interface_name(*said.can_interface))
     throw BadInput("--can-interface \"" + printable(*said.can_interface) + "\": " + kInterfaceNameRule);
   if (said.bus) {
-    std::vector<PortSettings> ports = ports_named(*said.bus);
+    std::vector<PortSettings> ports = ports_named(*said.bus, file);
     std::ranges::copy_if(file.ports, std::back_inserter(ports), [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
     file.ports = std::move(ports);
   }
@@ -264,6 +272,12 @@ void override_ports(MissionFile& file, const PortOverride& said) {
 
 void leave_out_hydrophones(MissionFile& file) {
   std::erase_if(file.ports, [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
+}
+
+void leave_snr_to_simulator(MissionFile& file) {
+  for (PortSettings& port : file.ports) {
+    if (port.kind == PortKind::kCan) port.roles.remove(Role::kSnr);
+  }
 }
 
 void require_hydrophone(const MissionFile& file, const std::filesystem::path& path) {

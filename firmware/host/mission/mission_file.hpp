@@ -37,8 +37,8 @@ void require_named_files(const MissionFile& file);
 
 /// What a command line says about the ports in place of the mission file.
 struct PortOverride {
-  std::optional<std::string>
-      bus;  ///< "lcm", "can" or "mixed" (navigation over CAN, the rest over LCM), whatever ports the file has but a hydrophone's
+  std::optional<std::string> bus;  ///< "lcm", "can" (all over it) or "mixed" (navigation over CAN, the rest over LCM), whatever ports the
+                                   ///< file has but a hydrophone's
   std::optional<std::string> lcm_url;                        ///< of every LCM port but a hydrophone's, which has a bus of its own
   std::optional<std::string> hydrophone_url = std::nullopt;  ///< of the hydrophone's port
   std::optional<std::string> can_interface;                  ///< of every CAN port
@@ -49,6 +49,9 @@ void override_ports(MissionFile& file, const PortOverride& said);
 
 /// For a simulation that brings the SNR itself: what the hydrophone of a vehicle nearby hears is none of its business.
 void leave_out_hydrophones(MissionFile& file);
+
+/// For any simulation: an SNR on a CAN bus bears no date by which it could be told from this flight's.
+void leave_snr_to_simulator(MissionFile& file);
 
 /// For a simulation that brings sound.
 /// @throws host::BadInput when the mission has no hydrophone's port, or does not say what is listened for.

@@ -4,6 +4,9 @@
 #include <initializer_list>
 #include <string>
 
+#include "firmware/wire/n2k/identifier.hpp"
+#include "firmware/wire/n2k/navigation.hpp"
+
 namespace earshot::host {
 
 /// What a port of the vehicle is for; each role may have several ports.
@@ -24,6 +27,7 @@ class Roles {
     for (const Role role : roles) add(role);
   }
   constexpr void add(Role role) { bits_ = static_cast<std::uint8_t>(bits_ | bit(role)); }
+  constexpr void remove(Role role) { bits_ = static_cast<std::uint8_t>(bits_ & ~bit(role)); }
   [[nodiscard]] constexpr bool has(Role role) const { return (bits_ & bit(role)) != 0; }
   friend constexpr bool operator==(Roles, Roles) = default;
 
@@ -34,8 +38,18 @@ class Roles {
 
 enum class PortKind : std::uint8_t { kLcm, kCan };
 
-/// What a CAN port can carry so far.
-inline constexpr Roles kCanRoles{Role::kNavigation, Role::kAutopilot};
+/// What a CAN port can carry: all but sound.
+inline constexpr Roles kCanRoles{Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus};
+
+/// Which device a CAN port is on its NMEA 2000 bus, and what it believes of the others.
+struct N2kSettings {
+  std::uint8_t address = n2k::kRuntimeAddress;  ///< claimed first, 0 to 251
+  std::uint32_t unique_number = 1;              ///< of its NAME, 21 bits: no two Earshots on a bus may have the same
+  std::uint8_t device_instance = 0;             ///< of its NAME
+  n2k::NavigationSettings navigation;
+  n2k::SourceChoice snr_source;
+  bool zero_pressure_at_surface = false;  ///< with the START that is obeyed, if the vehicle is at the surface then
+};
 
 /// A port as the mission file describes it.
 struct PortSettings {
@@ -43,6 +57,7 @@ struct PortSettings {
   PortKind kind = PortKind::kLcm;
   std::string address;  ///< LCM URL or CAN interface
   Roles roles;
+  N2kSettings n2k = {};  ///< of a CAN port
 };
 
 }  // namespace earshot::host

@@ -9,8 +9,7 @@ namespace earshot::n2k {
 inline constexpr std::uint8_t kBroadcast = 255;    ///< destination of everyone
 inline constexpr std::uint8_t kNullAddress = 254;  ///< source of a device that has no address
 
-// Addresses claimed on start-up come with address claim; until then each side has one of its own.
-inline constexpr std::uint8_t kRuntimeAddress = 0x40;  ///< source of what Earshot sends
+inline constexpr std::uint8_t kRuntimeAddress = 0x40;  ///< that Earshot claims first, unless its mission says another
 inline constexpr std::uint8_t kVehicleAddress = 0x23;  ///< source of what the simulated vehicle sends; a real one's devices have their own
 
 /// What the 29-bit CAN identifier of an NMEA 2000 frame says.

@@ -130,6 +130,7 @@ host::MissionFile load(const Options& o) {
   host::require_named_files(file);
   if (o.seed) file.mission.action_seed = *o.seed;
   host::override_ports(file, o.ports);
+  if (o.simulation) host::leave_snr_to_simulator(file);
   if (o.simulation && o.hear) {
     host::require_hydrophone(file, o.mission);
   } else if (o.simulation) {
@@ -282,16 +283,18 @@ int fly(const Options& o) {
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, policy, o.mission.string());
   const std::vector<host::BusLock> locks = host::lock_buses(file, o.simulation ? std::optional(host::BusPlace::kVehicle) : std::nullopt);
   if (!o.simulation) host::set_thread_stack(board::kThreadStackBytes);
+  const board::HostClock host;
   board::PortSet ports;
   // At sea a link may come after the vehicle computer.
   if (o.simulation) {
-    board::open_ports(file, host::IfMissing::kRefuse, board::WakesFor::kBlocks, ports);
+    board::open_ports(file, host, host::IfMissing::kRefuse, board::WakesFor::kBlocks, ports);
   } else {
-    board::open_ports(file, host::IfMissing::kKeepTrying, board::WakesFor::kLooks, ports);
+    board::open_ports(file, host, host::IfMissing::kKeepTrying, board::WakesFor::kLooks, ports);
   }
   if (const std::string down = ports.down(); !down.empty())
     std::cerr << "earshotd: these links are down; tried again once a second:\n" << down;
-  const board::HostClock host;
+  // In lock-step with a simulator the first set-point is waited for.
+  ports.settle(std::chrono::seconds(1));
   std::unique_ptr<board::Clock> clock;
   if (o.simulation) {
     board::Simulation simulation = board::open_simulation({.domain = *o.simulation, .run = o.run, .port = ports.next_index()});

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "firmware/boards/linux/can/bus_roles.hpp"
+#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/boards/linux/port.hpp"
+#include "firmware/config/capacities.hpp"
+#include "firmware/core/fixed_vector.hpp"
+#include "firmware/host/transport/can_socket.hpp"
+#include "firmware/wire/n2k/local_plane.hpp"
+#include "firmware/wire/n2k/navigation.hpp"
+#include "firmware/wire/n2k/node/node.hpp"
+#include "firmware/wire/n2k/own/orders.hpp"
+#include "firmware/wire/n2k/sensors/source_gate.hpp"
+#include "firmware/wire/n2k/setpoint.hpp"
+
+namespace earshot::board {
+
+/// All that the runtime takes and gives but sound, as a device of an NMEA 2000 network (firmware/wire/n2k): it claims an address and keeps
+/// it, says who it is, and sends nothing else as long as it has none. Measurements bear no date: the kernel's of their arrival stands for
+/// it; orders bear their own.
+class CanPort final : public Port {
+ public:
+  /// @param host  its monotonic clock times what the bus wants of a device: heartbeats do not run faster with a rehearsal's mission clock.
+  /// Must outlive the port.
+  /// @throws std::system_error as CanSocket does.
+  CanPort(std::uint8_t index, const host::PortSettings& settings, const n2k::LocalPlane& plane, const HostClock& host,
+          host::IfMissing if_missing = host::IfMissing::kRefuse);
+
+  void collect(Clock& clock, InputSink& sink) override;
+  std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;
+  [[nodiscard]] int file_descriptor() const override { return socket_.is_up() ? socket_.file_descriptor() : -1; }
+  void tend() override;
+  void serve() override;
+  [[nodiscard]] bool settle() override;
+  [[nodiscard]] messages::PortReport report() const override;
+  [[nodiscard]] std::string description() const override { return name_ + ", CAN " + interface_; }
+  [[nodiscard]] std::size_t memory() const override { return sizeof *this; }
+  [[nodiscard]] std::string remark() const override;
+
+ private:
+  /// When a frame arrived.
+  struct Arrival {
+    Time utc;      ///< by this host's wall clock
+    Time mission;  ///< by the mission's
+  };
+  /// Who is to have the acknowledgement of an order.
+  struct Asker {
+    std::uint32_t issuer = 0;
+    std::uint32_t number = 0;
+    std::uint8_t address = n2k::kNullAddress;
+  };
+  /// Of the next fast packet of each group.
+  struct Sequences {
+    std::uint8_t setpoint = 0;
+    std::uint8_t acknowledgement = 0;
+    std::uint8_t decision = 0;
+    std::uint8_t health = 0;
+    std::uint8_t port_health = 0;
+  };
+
+  [[nodiscard]] n2k::Node new_node() const;
+  [[nodiscard]] Time host_now() const { return Time{} + host_.monotonic(); }
+  void take(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink);
+  void take_navigation(const n2k::Frame& frame, const Arrival& arrival, InputSink& sink);
+  void take_snr(const n2k::Frame& frame, const n2k::Identifier& identifier, const Arrival& arrival, InputSink& sink);
+  void take_order(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink);
+  void zero_pressure(Time now, const runtime::Outputs& outputs);
+  [[nodiscard]] bool send(std::span<const n2k::Frame> frames);
+  /// Sends one message, or counts that it could not. @param compose  Status(address to send from, Frames&)
+  template <class Frames, class Compose>
+  bool say(Compose compose);
+  void acknowledge(const runtime::Outputs& outputs);
+  void tell_status(Time now, const runtime::Outputs& outputs);
+
+  std::string name_;
+  std::string interface_;
+  std::string software_version_;  ///< the node's texts live as long as it does
+  std::string serial_;
+  const HostClock& host_;
+  host::N2kSettings settings_;
+  Pgns pgns_sent_;
+  Pgns pgns_read_;
+  host::CanSocket socket_;
+  n2k::Node node_;
+  n2k::NavigationReceiver receiver_;
+  n2k::SourceGate snr_gate_;
+  n2k::OrderReceiver orders_;
+  std::uint64_t snr_refused_ = 0;
+  FixedVector<Asker, config::kMaxAcknowledgements> askers_;  ///< since the last turn
+  Sequences sequences_;
+  std::uint64_t setpoints_unsent_ = 0;
+  std::optional<messages::Health> told_;  ///< the status told last
+  Time told_at_;
+  messages::MissionState state_ = messages::MissionState::kStandby;  ///< after the last turn
+  bool zero_is_due_ = false;
+  bool is_zeroed_ = false;
+};
+
+}  // namespace earshot::board
