@@ -90,6 +90,13 @@ inline constexpr std::size_t kHydrophoneDetections = 64;
 /// CAN frames read in one turn (250 kbit/s carry at most about 2000 in a second, which has ten turns); full: the rest waits for the
 /// next turn.
 inline constexpr std::size_t kCanFramesPerCollect = 1024;
+/// Entries of a socket's filter in the kernel (every group of NMEA 2000 that is read, and those sent to us); full: refused at the start.
+inline constexpr std::size_t kCanFilters = 64;
+/// CAN frames that may wait in the kernel (1 s of a full bus of 1 Mbit/s); full: the kernel drops the newest, counted.
+inline constexpr std::size_t kCanReceiveRoomFrames = 8000;
+/// Groups of CAN frames that wait for room in the interface (what a node may answer in one step, set-points and reports beside it);
+/// full: the oldest of the least urgent goes, counted.
+inline constexpr std::size_t kCanWaitingGroups = 24;
 /// NMEA 2000 fast packets in the making (senders x PGNs). A slot is held from a message's first frame to its last, by each device that
 /// sends one at that time. A bus has up to 50 devices, and what is put together here more than one of them sends: positions of GNSS
 /// receivers, plotters and autopilots, and 126720, which every maker uses for messages of his own. With eight, nine that begin within the

@@ -1,21 +1,17 @@
 #include "firmware/host/transport/can_socket.hpp"
 
 #include <linux/can.h>
-#include <linux/can/raw.h>
 #include <net/if.h>
-#include <sys/ioctl.h>
 #include <sys/socket.h>
-#include <sys/time.h>
 #include <sys/uio.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cstring>
 #include <system_error>
 #include <utility>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/host/transport/can/arrival.hpp"
 #include "firmware/host/transport/interface_name.hpp"
 
 namespace earshot::host {
@@ -26,103 +22,122 @@ namespace {
   throw std::system_error(errno, std::generic_category(), "CAN interface " + interface + ": " + call);
 }
 
-/// When the kernel received the message, as it says beside it; none if it does not say.
-Time received_utc_of(msghdr& header) {
-  for (cmsghdr* control = CMSG_FIRSTHDR(&header); control != nullptr; control = CMSG_NXTHDR(&header, control)) {
-    if (control->cmsg_level != SOL_SOCKET || control->cmsg_type != SCM_TIMESTAMP) continue;
-    timeval received{};
-    std::memcpy(&received, CMSG_DATA(control), sizeof received);
-    return Time{received.tv_sec * std::int64_t{1'000'000} + received.tv_usec};
-  }
-  return Time{-1};
-}
-
-constexpr const char* kNotFound = "not found";
-
-/// A socket on the interface; on failure no socket, errno, and the call that failed.
-FileDescriptor try_to_open(const std::string& interface, const char*& failed) {
-  FileDescriptor socket(::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW));
-  failed = "this kernel has no SocketCAN";
-  if (socket.number() < 0) return {};
-  failed = kNotFound;
-  const unsigned index = ::if_nametoindex(interface.c_str());
-  if (index == 0) return {};
-  sockaddr_can address{};
-  address.can_family = AF_CAN;
-  address.can_ifindex = static_cast<int>(index);
-  const int on = 1;
-  failed = "SO_TIMESTAMP";
-  if (::setsockopt(socket.number(), SOL_SOCKET, SO_TIMESTAMP, &on, sizeof on) != 0) return {};
-  failed = "bind";
-  if (::bind(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) return {};
-  return socket;
-}
-
-/// Index of the interface if it is there and up, else 0; asked through any socket.
-int index_if_up(int asking, const std::string& interface) {
-  ifreq request{};
-  interface.copy(request.ifr_name, sizeof request.ifr_name - 1);
-  if (::ioctl(asking, SIOCGIFFLAGS, &request) != 0 || (request.ifr_flags & IFF_UP) == 0) return 0;
-  return ::ioctl(asking, SIOCGIFINDEX, &request) == 0 ? request.ifr_ifindex : 0;
-}
-
 bool means_nothing_yet(int error) {
   return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
 }
 
+bool is_nmea_2000(const can_frame& frame) {
+  return (frame.can_id & CAN_EFF_FLAG) != 0 && (frame.can_id & CAN_RTR_FLAG) == 0 && frame.can_dlc <= CAN_MAX_DLEN;
+}
+
+n2k::Frame frame_of(const can_frame& in) {
+  n2k::Frame frame{.identifier = in.can_id & CAN_EFF_MASK, .size = in.can_dlc};
+  std::copy_n(in.data, in.can_dlc, frame.data.begin());
+  return frame;
+}
+
 }  // namespace
 
-CanSocket::CanSocket(const std::string& interface, IfMissing if_missing) : interface_(interface) {
+CanSocket::CanSocket(const std::string& interface, IfMissing if_missing, const CanOptions& options)
+    : interface_(interface), options_(options) {
   if (!is_interface_name(interface)) {
     errno = EINVAL;
     fail(interface, kInterfaceNameRule);
   }
   const char* failed = nullptr;
-  socket_ = try_to_open(interface, failed);
-  is_up_ = socket_.number() >= 0;
-  if (!is_up_ && (failed != kNotFound || if_missing == IfMissing::kRefuse)) fail(interface, failed);
+  socket_ = open_raw_can(interface, options_, failed);
+  is_interface_up_ = socket_.number() >= 0;
+  if (!is_interface_up_ && (failed != kInterfaceNotFound || if_missing == IfMissing::kRefuse)) fail(interface, failed);
   index_ = static_cast<int>(::if_nametoindex(interface.c_str()));
 }
 
 void CanSocket::note_error() {
   ++counters_.errors;
-  is_up_ = index_if_up(socket_.number(), interface_) == index_;  // another of that name is not the one that the socket is bound to
+  is_interface_up_ = index_if_up(socket_.number(), interface_) == index_;  // another of that name is not the one that it is bound to
 }
 
 bool CanSocket::reopen() {
+  if (is_interface_up_) return is_up();
   const char* failed = nullptr;
-  FileDescriptor socket = try_to_open(interface_, failed);
+  FileDescriptor socket = open_raw_can(interface_, options_, failed);
   const int index = socket.number() < 0 ? 0 : index_if_up(socket.number(), interface_);
-  if (index == 0) return is_up_ = false;
+  if (index == 0) return false;
   index_ = index;
   (void)drops_.count(socket_.number());
   socket_ = std::move(socket);
   drops_.restart();
-  return is_up_ = true;
+  controller_.restart();
+  return is_interface_up_ = true;
+}
+
+bool CanSocket::set_filters(const CanFilters& filters) {
+  options_.filters = filters;
+  return socket_.number() < 0 || host::set_filters(socket_.number(), filters);
 }
 
 CanCounters CanSocket::counters() const {
   CanCounters counters = counters_;
   counters.lost_by_kernel = drops_.count(socket_.number());
+  counters.groups = queue_.counters();
+  counters.controller = controller_.counters();
   return counters;
 }
 
-Status CanSocket::send(const n2k::Frame& frame) {
-  if (socket_.number() < 0) {
-    ++counters_.send_failed;
-    return Status::kFull;
-  }
+Status CanSocket::hand_over(const n2k::Frame& frame) {
+  if (socket_.number() < 0 || !is_up() || bus_off_wait_.is_under_way()) return Status::kFull;
   can_frame out{};
   out.can_id = (frame.identifier & CAN_EFF_MASK) | CAN_EFF_FLAG;
   out.can_dlc = std::min<std::uint8_t>(frame.size, CAN_MAX_DLEN);
   std::copy_n(frame.data.begin(), out.can_dlc, out.data);
-  if (::send(socket_.number(), &out, sizeof out, 0) != sizeof out) {
-    ++counters_.send_failed;
-    if (!means_nothing_yet(errno) && errno != ENOBUFS) note_error();
+  if (::send(socket_.number(), &out, sizeof out, 0) == sizeof out) {
+    ++counters_.sent;
+    return Status::kOk;
+  }
+  if (!means_nothing_yet(errno) && errno != ENOBUFS) {
+    note_error();
     return Status::kFull;
   }
-  ++counters_.sent;
-  return Status::kOk;
+  ++counters_.no_room;
+  // An interface that was bus-off before we came told us nothing.
+  if (!has_carrier(socket_.number(), interface_)) controller_.note_bus_off();
+  return Status::kFull;
+}
+
+Status CanSocket::send(const n2k::Frame& frame) {
+  const Status status = queue_.next() != nullptr ? Status::kFull : hand_over(frame);
+  if (status != Status::kOk) ++counters_.send_failed;
+  return status;
+}
+
+Status CanSocket::send_whole(std::span<const n2k::Frame> frames, Time now, const Waiting& waiting) {
+  queue_.expire(now);
+  const Status status = queue_.push(frames, now, waiting);
+  if (status != Status::kOk) return status;
+  flush(now);
+  return queue_.holds_newest() ? Status::kNotReady : Status::kOk;
+}
+
+void CanSocket::flush(Time now) {
+  tend_bus_off(now);
+  queue_.expire(now);
+  for (const n2k::Frame* frame = queue_.next(); frame != nullptr && hand_over(*frame) == Status::kOk; frame = queue_.next())
+    queue_.pop(now);
+}
+
+void CanSocket::tend_bus_off(Time now) {
+  if (controller_.counters().bus_off != bus_offs_seen_) {
+    bus_offs_seen_ = controller_.counters().bus_off;
+    bus_off_wait_.begin(now);
+  }
+  if (!bus_off_wait_.ends(now)) return;
+  ++counters_.bus_off_retries;
+  if (!controller_.is_bus_off()) return;
+  // Its error frame of the restart may be lost; the carrier tells whether there was one.
+  if (has_carrier(socket_.number(), interface_)) {
+    controller_.restart();
+  } else {
+    bus_off_wait_.begin(now);
+  }
 }
 
 Status CanSocket::receive(n2k::Frame& frame) {
@@ -133,29 +148,34 @@ Status CanSocket::receive(n2k::Frame& frame) {
 
 Status CanSocket::receive(n2k::Frame& frame, Time& received_utc, std::size_t& budget) {
   if (socket_.number() < 0) return Status::kNotReady;
-  for (; budget > 0; --budget) {
+  while (budget > 0) {
     can_frame in{};
     iovec piece{&in, sizeof in};
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(timeval))> control{};
+    StampRoom stamps{};
     msghdr header{};
     header.msg_iov = &piece;
     header.msg_iovlen = 1;
-    header.msg_control = control.data();
-    header.msg_controllen = control.size();
+    header.msg_control = stamps.bytes;
+    header.msg_controllen = sizeof stamps.bytes;
     const ssize_t size = ::recvmsg(socket_.number(), &header, 0);
-    if (size < 0 && !means_nothing_yet(errno)) note_error();
-    if (size != sizeof in) return Status::kNotReady;
-    received_utc = received_utc_of(header);
-    if ((in.can_id & CAN_EFF_FLAG) == 0 || (in.can_id & (CAN_RTR_FLAG | CAN_ERR_FLAG)) != 0 || in.can_dlc > CAN_MAX_DLEN) {
+    if (size < 0) {
+      if (!means_nothing_yet(errno)) note_error();
+      return Status::kNotReady;
+    }
+    --budget;
+    const bool is_classic = size == sizeof in && (header.msg_flags & MSG_TRUNC) == 0;  // CAN FD and XL are larger
+    if (is_classic && (in.can_id & CAN_ERR_FLAG) != 0) {
+      controller_.accept_error(in);
+      continue;
+    }
+    if (!is_classic || !is_nmea_2000(in)) {
       ++counters_.other_frames;
       continue;
     }
-    frame.identifier = in.can_id & CAN_EFF_MASK;
-    frame.size = in.can_dlc;
-    frame.data.fill(0);
-    std::copy_n(in.data, in.can_dlc, frame.data.begin());
+    if ((header.msg_flags & MSG_DONTROUTE) == 0) controller_.note_reception();  // not from this computer
+    received_utc = arrival_of(header).value_or(Time{-1});
+    frame = frame_of(in);
     ++counters_.received;
-    --budget;
     return Status::kOk;
   }
   return Status::kNotReady;
