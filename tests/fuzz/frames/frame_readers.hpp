@@ -14,6 +14,7 @@
 #include "firmware/wire/n2k/own/measurements.hpp"
 #include "firmware/wire/n2k/own/orders.hpp"
 #include "firmware/wire/n2k/own/reports.hpp"
+#include "firmware/wire/n2k/sensors/fields.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
 
 namespace earshot::fuzz {
@@ -94,6 +95,7 @@ class FrameReaders {
     const Result<n2k::Identifier> identifier = n2k::parse_identifier(frame.identifier);
     if (!identifier.ok() || packets_.accept(identifier.value(), frame, now, message) != Status::kOk) return nullptr;
     if (message.bytes.empty() || message.bytes.size() > n2k::kMaxMessageSize || message.began > now) return "a packet that cannot be";
+    static_cast<void>(n2k::fields::reference_stations(message.bytes));
     static_cast<void>(n2k::read_command(message.bytes));
     static_cast<void>(n2k::read_acknowledgement(message.bytes));
     static_cast<void>(n2k::read_health(message.bytes));

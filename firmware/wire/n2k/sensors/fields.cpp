@@ -68,6 +68,25 @@ Result<Geographic> gnss_position(Bytes bytes) {
   return place(decode(kLatitude, bytes), decode(kLongitude, bytes));
 }
 
+Result<ReferenceStations> reference_stations(Bytes bytes) {
+  constexpr Signal kCount = field(table::kGnss, "ReferenceStations");
+  const auto& [kType, kId, kAge] = table::kReferenceStationSignals;
+  const Result<std::int64_t> count = decode_raw(kCount, bytes);
+  if (!count.ok()) return count.status();
+  const auto size = static_cast<std::size_t>(count.value()) * table::kReferenceStationBytes;
+  if (bytes.size() - table::kGnss.size < size) return Status::kMalformed;
+  ReferenceStations stations;
+  for (Bytes rest = bytes.subspan(table::kGnss.size, size); !rest.empty(); rest = rest.subspan(table::kReferenceStationBytes)) {
+    const Result<std::int64_t> type = decode_raw(kType, rest);
+    const Result<std::int64_t> id = decode_raw(kId, rest);
+    ReferenceStation station{.type = {}, .id = {}, .age_s = if_any<double>(decode(kAge, rest))};
+    if (type.ok()) station.type = static_cast<std::uint8_t>(type.value());
+    if (id.ok()) station.id = static_cast<std::uint16_t>(id.value());
+    static_cast<void>(stations.push_back(station));  // there is room for as many as a message holds
+  }
+  return stations;
+}
+
 Result<Heading> heading(Bytes bytes) {
   constexpr Signal kHeading = field(table::kHeading, "Heading");
   constexpr Signal kDeviation = field(table::kHeading, "Deviation");

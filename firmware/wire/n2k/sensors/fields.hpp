@@ -1,13 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
+#include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
 #include "firmware/wire/n2k/sensors/readings.hpp"
+#include "firmware/wire/n2k/table/messages.hpp"
 
 /// What the bytes of a sensor's message mean, without a past. All fail as decode() does; kUnsupported: in a reference that is not taken.
 namespace earshot::n2k::fields {
@@ -29,6 +32,11 @@ struct Sourced {
 [[nodiscard]] Result<Geographic> position(Bytes bytes);
 /// kNotReady also when there is "no GNSS" behind the numbers.
 [[nodiscard]] Result<Geographic> gnss_position(Bytes bytes);
+/// As many as the longest message holds: 45.
+inline constexpr std::size_t kMostReferenceStations = (kMaxMessageSize - table::kGnss.size) / table::kReferenceStationBytes;
+using ReferenceStations = FixedVector<ReferenceStation, kMostReferenceStations>;
+/// Of 129029. kMalformed also when it ends before the last that it counts.
+[[nodiscard]] Result<ReferenceStations> reference_stations(Bytes bytes);
 [[nodiscard]] Result<Heading> heading(Bytes bytes);
 [[nodiscard]] Result<Radians> variation(Bytes bytes);
 [[nodiscard]] Result<RadiansPerSecond> rate_of_turn(Bytes bytes);

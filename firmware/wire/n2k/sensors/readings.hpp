@@ -27,6 +27,13 @@ struct Attitude {
   Radians roll;   ///< starboard down
 };
 
+/// Whose corrections a GNSS position uses.
+struct ReferenceStation {
+  std::optional<std::uint8_t> type;  ///< of table::kGnssType
+  std::optional<std::uint16_t> id;
+  std::optional<double> age_s;  ///< of the corrections
+};
+
 struct OverGround {
   Radians course;  ///< true
   MetersPerSecond speed;

@@ -44,7 +44,7 @@ inline constexpr Signal kCourseSignals[]{
     number("SOG", 32, 16, kUnsigned, kHundredth, "m/s"),
 };
 
-// The first reference station; of more, the last four bytes repeat. Earshot reads none of them.
+// Behind the last come the reference stations, as many as it says.
 inline constexpr Signal kGnssSignals[]{
     sequence_identifier(0),
     date("Date", 8),
@@ -61,5 +61,13 @@ inline constexpr Signal kGnssSignals[]{
     number("GeoidalSeparation", 304, 32, kSigned, kHundredth, "m"),
     number("ReferenceStations", 336, 8),
 };
+
+/// Of one reference station: whose corrections a position uses. Bits from its own first byte.
+inline constexpr Signal kReferenceStationSignals[]{
+    choice("ReferenceStationType", 0, 4, kGnssType),
+    number("ReferenceStationID", 4, 12),
+    number("AgeOfDGNSSCorrections", 16, 16, kUnsigned, kHundredth, "s"),
+};
+inline constexpr std::size_t kReferenceStationBytes = 4;
 
 }  // namespace earshot::n2k::table

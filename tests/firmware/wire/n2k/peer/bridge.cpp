@@ -2,7 +2,8 @@
 //   table                       PGN NAME FRAMING FIELD:FIRST_BIT:BITS:NUMERATOR:DENOMINATOR:LOWEST_RAW:HIGHEST_RAW,... of each standard
 //   message, one a line; then "." choices PGN FIELD           RAW=NAME|RAW=NAME|... decode PGN HEX              FIELD=RAW, FIELD=na,
 //   FIELD=bad or FIELD="text", tabs between encode PGN FIELD=RAW ...    frames as candump writes them, spaces between; the rest is not
-//   available node                        frames of a device that starts and is asked for all that it says of itself
+//   available node                        frames of a device that starts and is asked for all that it says of itself stations 129029 HEX
+//   TYPE:ID:AGE of each reference station
 
 #include <cstdint>
 #include <iomanip>
@@ -15,6 +16,7 @@
 #include "firmware/wire/n2k/fast_packet.hpp"
 #include "firmware/wire/n2k/node/information.hpp"
 #include "firmware/wire/n2k/node/node.hpp"
+#include "firmware/wire/n2k/sensors/fields.hpp"
 #include "firmware/wire/n2k/text.hpp"
 
 namespace {
@@ -115,6 +117,20 @@ void encode_some(const Message& message, std::istream& words) {
   std::cout << '\n';
 }
 
+/// TYPE:ID:AGE of each reference station of a 129029, na where it does not say.
+void print_stations(const std::vector<std::uint8_t>& bytes) {
+  const auto stations = n2k::fields::reference_stations(bytes);
+  if (!stations.ok()) {
+    std::cout << "bad\n";
+    return;
+  }
+  for (const n2k::ReferenceStation& station : stations.value()) {
+    std::cout << (station.type ? std::to_string(*station.type) : "na") << ':' << (station.id ? std::to_string(*station.id) : "na") << ':';
+    std::cout << (station.age_s ? std::to_string(*station.age_s) : "na") << ' ';
+  }
+  std::cout << '\n';
+}
+
 void print_node() {
   n2k::Identity identity;
   identity.name = n2k::name_of({.unique_number = 4711}).value();
@@ -152,6 +168,10 @@ int main() {
       print_table();
     } else if (verb == "node") {
       print_node();
+    } else if (verb == "stations") {
+      std::string hex;
+      words >> hex;
+      print_stations(bytes_in(hex));
     } else if (message == nullptr) {
       std::cout << "unknown\n";
     } else if (verb == "choices") {

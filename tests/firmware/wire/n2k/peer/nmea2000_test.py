@@ -197,6 +197,23 @@ class AgreesWithCanboat(unittest.TestCase):
         if isinstance(value, (int, float)):
             self.assertAlmostEqual(value, expected, delta=1e-12 * abs(expected) + 1e-15, msg=what)
 
+    def test_the_stations_behind_a_position_read_the_same(self):
+        generator = random.Random(129029)
+        for _ in range(PAYLOADS):
+            count = generator.randrange(6)
+            stations = b"".join(any_bits(generator, 32).to_bytes(4, "little") for _ in range(count))
+            payload = bytes(42) + bytes([count]) + stations
+            ours = [station.split(":") for station in self.bridge.ask(f"stations 129029 {payload.hex()}").split()]
+            message = decoded(self.as_frames(129029, "Fast", payload))
+            peers = next((f.value for f in message.fields if isinstance(f.value, list)), [])
+            self.assertEqual(len(ours), count)
+            self.assertEqual(len(peers), count)
+            for station, peer in zip(ours, peers, strict=True):
+                values = [peer[k] for k in ("referenceStationType", "referenceStationId", "ageOfDgnssCorrections")]
+                for said, value in zip(station, values, strict=True):
+                    if said != "na":  # beyond what the standard allows canboat may still show a number
+                        self.assertAlmostEqual(float(said), float(value.raw_value), delta=1e-6, msg=payload.hex())
+
     def test_canboat_reads_what_we_write(self):
         generator = random.Random(2026)
         for pgn, name, framing, ours in self.rows:

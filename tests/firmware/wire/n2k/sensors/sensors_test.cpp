@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <initializer_list>
+#include <vector>
 
 #include "firmware/wire/n2k/codec.hpp"
+#include "firmware/wire/n2k/sensors/fields.hpp"
 
 namespace earshot::n2k {
 namespace {
@@ -168,6 +171,45 @@ TEST_F(SensorsTest, TakeNoPositionFromAReceiverWithoutGnss) {
   for (const Frame& frame : packet) EXPECT_EQ(accept(frame), Status::kNotReady);
   EXPECT_FALSE(readings().position.has_value());
   EXPECT_EQ(sensors_.counters().unavailable, 1U);
+}
+
+/// 129029 at 46 N, 1.3 W, and behind its number of stations these bytes.
+std::vector<std::uint8_t> position_with(std::uint8_t count, std::initializer_list<std::uint8_t> stations) {
+  MessageWriter writer(kGnssPgn);
+  writer.set("Latitude", 46.0).set("Longitude", -1.3).set("Method", 2).set("ReferenceStations", count);
+  std::vector<std::uint8_t> bytes(writer.bytes().begin(), writer.bytes().end());
+  bytes.insert(bytes.end(), stations);
+  return bytes;
+}
+
+TEST(Fields, ReadTheReferenceStationsBehindTheirNumber) {
+  // Type 2 and identifier 0x341 = 833 in one word, lowest byte first; 0x2710 = 10 000 hundredths of a second. Then one that says nothing.
+  const auto two = fields::reference_stations(position_with(2, {0x12, 0x34, 0x10, 0x27, 0xFF, 0xFF, 0xFF, 0xFF}));
+  ASSERT_TRUE(two.ok());
+  ASSERT_EQ(two.value().size(), 2U);
+  EXPECT_EQ(two.value()[0].type, 2);
+  EXPECT_EQ(two.value()[0].id, 833);
+  EXPECT_EQ(two.value()[0].age_s, 100.0);
+  EXPECT_FALSE(two.value()[1].type || two.value()[1].id || two.value()[1].age_s);
+  EXPECT_TRUE(fields::reference_stations(position_with(0, {})).value().empty());
+  EXPECT_TRUE(fields::reference_stations(position_with(0, {1, 2, 3, 4})).value().empty()) << "padding";
+  EXPECT_EQ(fields::reference_stations(position_with(2, {1, 2, 3, 4, 5, 6, 7})).status(), Status::kMalformed);
+  EXPECT_EQ(fields::reference_stations(position_with(252, {})).status(), Status::kMalformed);
+  std::vector<std::uint8_t> silent = position_with(1, {1, 2, 3, 4});
+  silent[42] = 0xFF;
+  EXPECT_EQ(fields::reference_stations(silent).status(), Status::kNotReady);
+  silent.resize(42);
+  EXPECT_EQ(fields::reference_stations(silent).status(), Status::kMalformed);
+}
+
+TEST_F(SensorsTest, TakeAPositionHoweverManyReferenceStationsFollow) {
+  const std::vector<std::uint8_t> bytes = position_with(2, {0x12, 0x34, 0x10, 0x27, 0xFF, 0xFF, 0xFF, 0xFF});
+  FastPacketFrames packet;
+  ASSERT_EQ(compose_fast_packet(MessageWriter(kGnssPgn).identifier(kA), 0, bytes, packet), Status::kOk);
+  Status status = Status::kNotReady;
+  for (const Frame& frame : packet) status = accept(frame);
+  EXPECT_EQ(status, Status::kOk);
+  EXPECT_EQ(readings().position->value.latitude_deg, 46.0);
 }
 
 TEST_F(SensorsTest, DoNotMixTwoKindsOfPositionOfOneDevice) {
