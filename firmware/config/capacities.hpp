@@ -102,7 +102,7 @@ inline constexpr std::size_t kCanWaitingGroups = 24;
 /// receivers, plotters and autopilots, and 126720, which every maker uses for messages of his own. With eight, nine that begin within the
 /// 50 ms of a long message would lose one. Full: the one fed longest ago goes, counted.
 inline constexpr std::size_t kFastPacketSlots = 16;
-/// Of one assembly: 280 bytes a slot and its counters. There is one for positions, one for orders, one for set-points of each CAN port.
+/// Of one assembly: 280 bytes a slot and its counters. A CAN port holds two, for positions and for orders.
 inline constexpr std::size_t kFastPacketBytes = 4608;
 
 // Journal (firmware/host/journal).
