@@ -44,6 +44,7 @@ struct Description {
 
 /// Of the verbs that are ours; another program that somebody put beside them has none.
 constexpr std::array kDescriptions{
+    Description{"candump", "says in words what goes over a CAN bus, and records it"},
     Description{"dbc", "prints the CAN messages as a DBC file"},
     Description{"emulate", "a vehicle's devices on a CAN bus, for an earshotd without its vehicle"},
     Description{"evaluate", "flies many searches with policies and baselines, and says how they did"},

@@ -70,7 +70,7 @@ TEST(Signals, WriteTheRecordedFramesBitForBit) {
 
 TEST(Signals, ReadAPressureFrameLaidOutByHand) {
   // 30 bar and 5.3 Pa over the air: 3000005.3 Pa = 30000053 * 0.1 = 0x01C9C3B5.
-  static constexpr std::array<std::uint8_t, 8> bytes{0xFF, 0x00, 0x01, 0xB5, 0xC3, 0xC9, 0x01, 0xFF};
+  const std::array<std::uint8_t, 8> bytes{0xFF, 0x00, 0x01, 0xB5, 0xC3, 0xC9, 0x01, 0xFF};
   EXPECT_DOUBLE_EQ(decode(signal(kPressurePgn, "Pressure"), bytes).value(), 3'000'005.3);
   EXPECT_EQ(decode(signal(kPressurePgn, "Source"), bytes).value(), 1.0);
 }

@@ -1,0 +1,212 @@
+#include "hil/bus/candump/log_line.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+
+#include "firmware/host/transport/interface_name.hpp"
+
+namespace earshot::hil {
+
+namespace {
+
+constexpr std::size_t kExtendedDigits = 8;
+constexpr std::size_t kStandardDigits = 3;
+constexpr std::uint32_t kErrorFlag = 0x2000'0000;  ///< candump writes it with the identifier of an error frame
+constexpr std::uint32_t kIdentifierBits = 0x1FFF'FFFF;
+constexpr std::int64_t kMicroseconds = 1'000'000;
+
+/// The word at the beginning of the text, which moves behind it and the blanks on both sides.
+std::string_view take_word(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(" \t"));
+  text.remove_prefix(word.size());
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  return word;
+}
+
+template <class T>
+std::optional<T> number(std::string_view text, int base = 10) {
+  T value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// "123.000456", as candump writes seconds: six digits behind the point.
+std::optional<Time> seconds(std::string_view text) {
+  const std::size_t point = text.find('.');
+  if (point == std::string_view::npos || text.size() - point != 7) return std::nullopt;
+  const auto whole = number<std::uint64_t>(text.substr(0, point));
+  const auto part = number<std::uint32_t>(text.substr(point + 1));
+  constexpr std::uint64_t kMost = INT64_MAX / kMicroseconds - 1;
+  if (!whole || !part || *whole > kMost) return std::nullopt;
+  return Time{static_cast<std::int64_t>(*whole) * kMicroseconds + *part};
+}
+
+/// "2015-07-10 06:17:32", local time.
+std::optional<std::int64_t> seconds_of_date(std::string_view text) {
+  std::array<int, 6> parts{};
+  constexpr std::array<std::size_t, 6> kFirst{0, 5, 8, 11, 14, 17};
+  constexpr std::string_view kShape = "0000-00-00 00:00:00";
+  if (text.size() != kShape.size()) return std::nullopt;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_digit = text[i] >= '0' && text[i] <= '9';
+    if (kShape[i] == '0' ? !is_digit : text[i] != kShape[i]) return std::nullopt;
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) parts.at(i) = *number<int>(text.substr(kFirst.at(i), i == 0 ? 4 : 2));
+  std::tm date{};
+  date.tm_year = parts[0] - 1900;
+  date.tm_mon = parts[1] - 1;
+  date.tm_mday = parts[2];
+  date.tm_hour = parts[3];
+  date.tm_min = parts[4];
+  date.tm_sec = parts[5];
+  date.tm_isdst = -1;
+  const bool is_date = parts[0] >= 1970 && parts[1] >= 1 && parts[1] <= 12 && parts[2] >= 1 && parts[2] <= 31 && parts[3] < 24;
+  if (!is_date || parts[4] > 59 || parts[5] > 60) return std::nullopt;
+  return std::mktime(&date);
+}
+
+std::optional<Time> stamp(std::string_view text) {
+  const std::size_t blank = text.find(' ');
+  if (blank == std::string_view::npos) return seconds(text);
+  const std::size_t point = std::min(text.find('.'), text.size());
+  const auto date = seconds_of_date(text.substr(0, point));
+  const auto part = seconds("0" + std::string(text.substr(point)));
+  if (!date || !part) return std::nullopt;
+  return Time{*date * kMicroseconds + part->us};
+}
+
+std::optional<std::uint8_t> byte(std::string_view digits) {
+  const auto value = digits.size() == 2 ? number<std::uint8_t>(digits, 16) : std::nullopt;
+  return value;
+}
+
+/// The identifier of a frame; nothing for what has none. Of an 11-bit or an error frame `is_ours` becomes false.
+std::optional<std::uint32_t> identifier(std::string_view digits, bool& is_ours) {
+  const auto value = number<std::uint32_t>(digits, 16);
+  if (!value || (digits.size() != kExtendedDigits && digits.size() != kStandardDigits)) return std::nullopt;
+  if (digits.size() == kStandardDigits) is_ours = false;
+  if (digits.size() == kStandardDigits && *value > 0x7FF) return std::nullopt;
+  if ((*value & kErrorFlag) != 0) is_ours = false;
+  if (is_ours && *value > kIdentifierBits) return std::nullopt;
+  return *value & kIdentifierBits;
+}
+
+constexpr std::string_view kNoIdentifier = "an identifier has 3 or 8 hexadecimal digits, of 11 or 29 bits";
+constexpr std::string_view kNoData = "data are up to 8 bytes of two hexadecimal digits";
+
+/// What stands behind the identifier of a log: pairs of digits.
+std::optional<n2k::Frame> packed_frame(std::uint32_t id, std::string_view digits) {
+  n2k::Frame frame{.identifier = id, .size = 0};
+  if (digits.size() > 2 * frame.data.size() || digits.size() % 2 != 0) return std::nullopt;
+  for (std::size_t i = 0; i < digits.size(); i += 2) {
+    const auto value = byte(digits.substr(i, 2));
+    if (!value) return std::nullopt;
+    frame.data.at(frame.size++) = *value;
+  }
+  return frame;
+}
+
+/// "09F8017F#50C3B81347D82BC6"; behind it may stand the direction, R or T.
+LineOr read_packed(LogEntry entry, std::string_view word, std::string_view rest) {
+  const std::size_t hash = word.find('#');
+  bool is_ours = true;
+  const auto id = identifier(word.substr(0, hash), is_ours);
+  if (!id) return kNoIdentifier;
+  if (!rest.empty() && rest != "R" && rest != "T") return "something stands behind the frame";
+  std::string_view data = word.substr(hash + 1);
+  if (data.size() == 18 && data[16] == '_') data.remove_suffix(2);  // 8 bytes whose length code says more
+  if (data.starts_with('#')) {
+    const bool is_hexadecimal = data.find_first_not_of("0123456789ABCDEFabcdef", 1) == std::string_view::npos;
+    if (data.size() < 2 || data.size() % 2 != 0 || data.size() > 2 + 2 * 64 || !is_hexadecimal) return kNoData;
+    return entry;
+  }
+  if (data.starts_with('R')) {
+    if (data.size() > 2 || (data.size() == 2 && (data[1] < '0' || data[1] > '8'))) return kNoData;
+    return entry;
+  }
+  const auto frame = packed_frame(*id, data);
+  if (!frame) return kNoData;
+  if (is_ours) entry.frame = frame;
+  return entry;
+}
+
+/// "[8]" or "[12]": the number of bytes; over 8 it is CAN FD.
+std::optional<unsigned> size_in_brackets(std::string_view word) {
+  if (word.size() < 3 || word.front() != '[' || word.back() != ']') return std::nullopt;
+  const auto size = number<unsigned>(word.substr(1, word.size() - 2));
+  return size && *size <= 64 ? size : std::nullopt;
+}
+
+/// "09F8017F   [8]  50 C3 B8 13 47 D8 2B C6", and the bytes as characters (-a) behind it.
+LineOr read_spread(LogEntry entry, std::string_view word, std::string_view rest) {
+  if (word == "RX" || word == "TX") {
+    for (int flags = 0; flags < 2; ++flags) {
+      const std::string_view flag = take_word(rest);
+      if (flag != "-" && flag != "B" && flag != "E") return "RX or TX is followed by two flags";
+    }
+    word = take_word(rest);
+  }
+  bool is_ours = true;
+  const auto id = identifier(word, is_ours);
+  if (!id) return kNoIdentifier;
+  const std::string_view brackets = take_word(rest);
+  const auto size = size_in_brackets(brackets);
+  if (!size) return "no number of bytes in brackets";
+  if (rest == "remote request") return entry;
+  n2k::Frame frame{.identifier = *id, .size = 0};
+  for (unsigned i = 0; i < *size; ++i) {
+    const auto value = byte(take_word(rest));
+    if (!value) return kNoData;
+    if (i < frame.data.size()) frame.data.at(frame.size++) = *value;
+  }
+  if (!rest.empty() && rest.front() != '\'' && rest != "ERRORFRAME") return "something stands behind the frame";
+  const bool is_flexible = brackets.size() != 3;
+  if (is_ours && !is_flexible && rest != "ERRORFRAME") entry.frame = frame;
+  return entry;
+}
+
+}  // namespace
+
+LineOr read_line(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  line = line.substr(0, line.find_last_not_of(" \t") + 1);
+  LogEntry entry;
+  if (line.starts_with('(')) {
+    const std::size_t end = line.find(')');
+    entry.time = stamp(line.substr(1, std::min(end, line.size()) - 1));
+    if (end == std::string_view::npos || !entry.time) return "the stamp is no time";
+    line.remove_prefix(end + 1);
+  }
+  entry.interface = take_word(line);
+  if (!host::is_interface_name(entry.interface)) return "no name of an interface";
+  const std::string_view word = take_word(line);
+  if (word.empty()) return "no frame";
+  return word.find('#') != std::string_view::npos ? read_packed(entry, word, line) : read_spread(entry, word, line);
+}
+
+std::string log_line(Time time, std::string_view interface, const n2k::Frame& frame) {
+  std::array<char, 64> head{};
+  const std::int64_t us = std::max<std::int64_t>(time.us, 0);
+  const int size = std::snprintf(head.data(), head.size(), "(%010lld.%06lld) ", static_cast<long long>(us / kMicroseconds),
+                                 static_cast<long long>(us % kMicroseconds));
+  std::string line(head.data(), static_cast<std::size_t>(size));
+  line += interface;
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  line += ' ';
+  for (unsigned shift = 32; shift > 0; shift -= 4) line += kDigits[(frame.identifier >> (shift - 4)) & 0xFU];
+  line += '#';
+  for (const std::uint8_t value : frame.bytes()) {
+    line += kDigits[value >> 4U];
+    line += kDigits[value & 0xFU];
+  }
+  return line += '\n';
+}
+
+}  // namespace earshot::hil

@@ -1,0 +1,142 @@
+#include "hil/bus/decode/value.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+
+#include "firmware/host/file/printable.hpp"
+#include "firmware/wire/n2k/text.hpp"
+
+namespace earshot::hil {
+
+namespace {
+
+using n2k::Message;
+using n2k::Signal;
+
+std::string in_digits(double number) {
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  return {digits.data(), error == std::errc() ? end : digits.data()};
+}
+
+/// A raw step of 1e-4 rad is 0.006 degrees.
+std::string in_degrees(double radians) {
+  std::array<char, 64> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.2f deg", radians * 180.0 / std::numbers::pi);
+  return text.data();
+}
+
+/// The field as its bits stand, with no raw value taken for anything but a number.
+Result<std::int64_t> plain_raw(Signal signal, std::span<const std::uint8_t> bytes) {
+  signal.special_count = 0;
+  signal.lowest_raw = std::numeric_limits<std::int64_t>::min();
+  signal.highest_raw = std::numeric_limits<std::int64_t>::max();
+  return n2k::decode_raw(signal, bytes);
+}
+
+Value::Kind special_kind(const Signal& signal, std::int64_t raw) {
+  constexpr std::array kKinds{Value::Kind::kNotAvailable, Value::Kind::kOutOfRange, Value::Kind::kReserved};
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    const auto nth = static_cast<std::int64_t>(i);
+    if (nth < n2k::special_values(signal) && raw == n2k::not_available(signal) - nth) return kKinds.at(i);
+  }
+  return raw < signal.lowest_raw || raw > signal.highest_raw ? Value::Kind::kNotAllowed : Value::Kind::kNumber;
+}
+
+void read_number(const Signal& signal, std::span<const std::uint8_t> bytes, Value& value) {
+  const Result<std::int64_t> raw = plain_raw(signal, bytes);
+  if (!raw.ok()) {
+    value.kind = Value::Kind::kMissing;
+    return;
+  }
+  value.kind = special_kind(signal, raw.value());
+  value.number = static_cast<double>(raw.value()) * signal.scale.numerator / signal.scale.denominator;
+  if (value.kind == Value::Kind::kNumber && !signal.choices.empty()) {
+    const auto choice = std::ranges::find(signal.choices, raw.value(), &n2k::Choice::raw);
+    value.kind = choice == signal.choices.end() ? Value::Kind::kNotAllowed : Value::Kind::kWord;
+    if (value.kind == Value::Kind::kWord) value.text = choice->name;
+  }
+}
+
+void read_text(const Result<std::string_view>& text, bool is_there, Value& value) {
+  if (text.ok()) {
+    value.kind = Value::Kind::kText;
+    value.text = text.value();
+  } else if (text.status() == Status::kNotReady) {
+    value.kind = Value::Kind::kNotAvailable;
+  } else {
+    value.kind = is_there ? Value::Kind::kUnreadable : Value::Kind::kMissing;
+  }
+}
+
+Value read_field(const Signal& signal, std::span<const std::uint8_t> bytes, std::span<const std::uint8_t>& texts) {
+  Value value{.name = std::string(signal.name), .unit = signal.unit};
+  if (signal.kind == Signal::Kind::kNumber) {
+    read_number(signal, bytes, value);
+  } else if (signal.kind == Signal::Kind::kFixedText) {
+    read_text(n2k::fixed_text(signal, bytes), false, value);
+  } else {
+    const bool is_there = !texts.empty();
+    const Result<std::string_view> text = n2k::take_variable_text(texts);
+    read_text(text, is_there, value);
+    // Nobody knows where the next would begin.
+    if (text.status() == Status::kMalformed) texts = {};
+  }
+  return value;
+}
+
+}  // namespace
+
+std::vector<Value> values_of(const Message& message, std::span<const std::uint8_t> bytes) {
+  std::vector<Value> values;
+  std::span<const std::uint8_t> texts = bytes;
+  for (const Signal& signal : message.signals) values.push_back(read_field(signal, bytes, texts));
+  if (message.repeated_bytes == 0) return values;
+  const unsigned repeated_from = 8U * (message.size - message.repeated_bytes);
+  for (std::size_t nth = 1; message.size + nth * message.repeated_bytes <= bytes.size(); ++nth) {
+    for (const Signal& signal : message.signals) {
+      if (signal.first_bit < repeated_from) continue;
+      values.push_back(read_field(signal, bytes.subspan(nth * message.repeated_bytes), texts));
+      values.back().name += "[" + std::to_string(nth) + "]";
+    }
+  }
+  return values;
+}
+
+std::string without_unit(const Value& value) {
+  switch (value.kind) {
+    case Value::Kind::kNumber:
+      return in_digits(value.number);
+    case Value::Kind::kWord:
+      return value.text;
+    case Value::Kind::kText:
+      return host::printable(value.text);
+    case Value::Kind::kNotAvailable:
+      return "not available";
+    case Value::Kind::kOutOfRange:
+      return "out of range";
+    case Value::Kind::kReserved:
+      return "reserved";
+    case Value::Kind::kNotAllowed:
+      return "not allowed: " + in_digits(value.number);
+    case Value::Kind::kUnreadable:
+      return "unreadable";
+    case Value::Kind::kMissing:
+      return "missing";
+  }
+  return {};
+}
+
+std::string to_string(const Value& value) {
+  if (value.kind == Value::Kind::kText) return '"' + without_unit(value) + '"';
+  const bool has_unit = value.kind == Value::Kind::kNumber || value.kind == Value::Kind::kNotAllowed;
+  std::string text = without_unit(value) + (has_unit && !value.unit.empty() ? " " + std::string(value.unit) : "");
+  if (value.kind == Value::Kind::kNumber && value.unit == "rad") text += " (" + in_degrees(value.number) + ")";
+  return text;
+}
+
+}  // namespace earshot::hil
