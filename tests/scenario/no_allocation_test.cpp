@@ -24,6 +24,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/scenario/payload_over_can.hpp"
 #include "tests/scenario/walk_at_sea.hpp"
 #include "tests/support/private_network.hpp"
 #include "tests/support/process.hpp"
@@ -267,6 +268,33 @@ TEST_F(NoAllocation, GivenNavigationAndSetPointsOverCanThereIsNoneInAWholeMissio
   }
   payload.order(Order::kStart);
   ASSERT_TRUE(payload.sails_until([&] { return payload.state() == MissionState::kDone; })) << earshotd_->output();
+  EXPECT_EQ(stop(), 0);
+  expect_said("\nearshotd: 0 allocations in 3 threads over ");
+}
+
+TEST_F(NoAllocation, GivenAMissionOverCanAloneThereIsNoneFromStandbyToItsEnd) {
+  write_mission("search_over_can_alone.toml", "3");
+  start_proof({"--can-interface", "vcan0"});
+  PayloadOverCan payload("vcan0");
+  const support::Process vehicle(kBin / "autopilot_over_can", {"vcan0"}, folder_ / "vehicle.txt");
+  const auto has_fixes = [&] { return !payload.ports.empty() && payload.ports[0].received > 5; };
+  ASSERT_TRUE(payload.listens_until(has_fixes)) << vehicle.output() << earshotd_->output();
+  EXPECT_EQ(payload.earshot, 64) << "the address that it claimed";
+  if (std::system("ip link set vcan0 down") == 0) {  // only root may
+    std::this_thread::sleep_for(2s);
+    ASSERT_EQ(std::system("ip link set vcan0 up"), 0);
+    const int heard = payload.healths;
+    ASSERT_TRUE(payload.listens_until([&] { return payload.healths > heard + 1; })) << earshotd_->output();
+  }
+  payload.order(Order::kComplete);  // refused in STANDBY
+  payload.order(Order::kStart);
+  ASSERT_TRUE(payload.listens_until([&] { return payload.health.state == MissionState::kDone; })) << earshotd_->output();
+  EXPECT_EQ(payload.health.end_reason, messages::EndReason::kStepsUsedUp);
+  EXPECT_EQ(payload.health.steps_taken, 3);
+  EXPECT_EQ(payload.decisions, 3);
+  ASSERT_EQ(payload.acknowledgements.size(), 2);
+  EXPECT_EQ(payload.acknowledgements[0].outcome, messages::CommandOutcome::kNotInThisState);
+  EXPECT_EQ(payload.acknowledgements[1].outcome, messages::CommandOutcome::kObeyed);
   EXPECT_EQ(stop(), 0);
   expect_said("\nearshotd: 0 allocations in 3 threads over ");
 }

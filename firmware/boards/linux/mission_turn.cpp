@@ -61,6 +61,10 @@ void MissionTurn::tell_chain(std::uint8_t port, const HeardChain& chain) {
   if (news_ != nullptr) news_->tell(port, chain);
 }
 
+void MissionTurn::tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) {
+  if (news_ != nullptr) news_->tell(port, trouble, is_there);
+}
+
 runtime::Outputs MissionTurn::operator()() {
   ports_.report_changes(*this);
   const Time turn = now();

@@ -39,6 +39,7 @@ class MissionTurn final : public InputSink {
   void take(std::uint8_t port, const Value& value) override;
   void tell_detection(std::uint8_t port, const messages::SoundDetection& detection) override;
   void tell_chain(std::uint8_t port, const HeardChain& chain) override;
+  void tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) override;
 
   runtime::Outputs operator()();
 

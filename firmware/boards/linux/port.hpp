@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "firmware/boards/linux/can/bus_trouble.hpp"
 #include "firmware/boards/linux/clock.hpp"
 #include "firmware/boards/linux/hydrophone/heard_chain.hpp"
 #include "firmware/core/time.hpp"
@@ -32,6 +33,8 @@ class InputSink {
   virtual void tell_detection(std::uint8_t /*port*/, const messages::SoundDetection& /*detection*/) {}
   /// With what chain sound is heard from now on, or why it is not.
   virtual void tell_chain(std::uint8_t /*port*/, const HeardChain& /*chain*/) {}
+  /// Something is wrong with a port from now on, or no longer.
+  virtual void tell_trouble(std::uint8_t /*port*/, BusTrouble /*trouble*/, bool /*is_there*/) {}
 };
 
 /// One way in and out of the vehicle computer. After construction nothing allocates and nothing waits.

@@ -19,7 +19,8 @@ void add(Pgns& pgns, std::initializer_list<std::uint32_t> more) {
 Pgns pgns_sent(host::Roles roles) {
   using namespace n2k;
   Pgns pgns;
-  add(pgns, {kAcknowledgementPgn, kRequestPgn, kAddressClaimPgn, kPgnListPgn, kHeartbeatPgn, kProductPgn, kConfigurationPgn});
+  add(pgns,
+      {kAcknowledgementPgn, kRequestPgn, kAddressClaimPgn, kPgnListPgn, kGroupFunctionPgn, kHeartbeatPgn, kProductPgn, kConfigurationPgn});
   if (roles.has(Role::kAutopilot)) add(pgns, {kSpeedDepthPgn, kHeadingControlPgn});
   if (roles.has(Role::kOperator)) add(pgns, {kPeerPgn});
   if (roles.has(Role::kStatus)) add(pgns, {kHealthPgn, kPortHealthPgn, kDecisionPgn});
@@ -29,11 +30,17 @@ Pgns pgns_sent(host::Roles roles) {
 Pgns pgns_read(host::Roles roles) {
   using namespace n2k;
   Pgns pgns;
-  add(pgns, {kRequestPgn, kAddressClaimPgn, kCommandedAddressPgn, kTransportControlPgn, kTransportDataPgn});
+  add(pgns, {kRequestPgn, kAddressClaimPgn, kCommandedAddressPgn, kTransportControlPgn, kTransportDataPgn, kGroupFunctionPgn});
   if (roles.has(Role::kNavigation)) add(pgns, {kHeadingPgn, kVariationPgn, kSpeedPgn, kPressurePgn, kPositionPgn, kGnssPgn});
   if (roles.has(Role::kSnr)) add(pgns, {kSnrPgn});
   if (roles.has(Role::kOperator)) add(pgns, {kPeerPgn});
   return pgns;
+}
+
+host::CanFilters filters_of(host::Roles roles) {
+  host::CanFilters filters;
+  static_cast<void>(host::filters_for(pgns_read(roles).span(), filters));  // every number is one of the table's, and there is room
+  return filters;
 }
 
 }  // namespace earshot::board

@@ -5,6 +5,7 @@
 
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/host/mission/port_settings.hpp"
+#include "firmware/host/transport/can/filter.hpp"
 
 namespace earshot::board {
 
@@ -16,5 +17,7 @@ using Pgns = FixedVector<std::uint32_t, kMostPgns>;
 [[nodiscard]] Pgns pgns_sent(host::Roles roles);
 /// Likewise those that it reads.
 [[nodiscard]] Pgns pgns_read(host::Roles roles);
+/// What the kernel is to let through: the groups that are read, from whomever.
+[[nodiscard]] host::CanFilters filters_of(host::Roles roles);
 
 }  // namespace earshot::board

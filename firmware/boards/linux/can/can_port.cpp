@@ -16,6 +16,21 @@ constexpr std::size_t kLongestText = 32;  ///< of product information
 /// Between two reports of an unchanged state, at least: the table's period, less what turns of one second are apart from a second.
 constexpr Duration kStatusPeriod{n2k::table::kHealth.period.us * 9 / 10};
 
+constexpr unsigned long long bit(BusTrouble trouble) {
+  return 1ULL << static_cast<unsigned>(trouble);
+}
+/// Those that leave positions without a fix.
+constexpr BusTroubles kPartsMissing{bit(BusTrouble::kNoHeading) | bit(BusTrouble::kNoVariation) | bit(BusTrouble::kNoDepth) |
+                                    bit(BusTrouble::kSurfaceUnknown)};
+
+/// How many frames from the first on go together: those of one group, as the longest packets come in one step. Two of them in a row may.
+std::size_t frames_together(std::span<const n2k::Frame> frames) {
+  const std::size_t most = std::min(frames.size(), host::CanGroup::capacity());
+  std::size_t count = 1;
+  while (count < most && frames[count].identifier == frames[0].identifier) ++count;
+  return count;
+}
+
 bool is_news(const std::optional<messages::Health>& told, const messages::Health& health) {
   return !told || told->state != health.state || told->end_reason != health.end_reason || told->steps_taken != health.steps_taken;
 }
@@ -37,10 +52,12 @@ CanPort::CanPort(std::uint8_t index, const host::PortSettings& settings, const n
       settings_(settings.n2k),
       pgns_sent_(pgns_sent(settings.roles)),
       pgns_read_(pgns_read(settings.roles)),
-      socket_(settings.address, if_missing),
+      socket_(settings.address, if_missing, {.filters = filters_of(settings.roles)}),
+      was_up_(socket_.is_up()),
       node_(new_node()),
       receiver_(plane, settings.n2k.navigation),
-      snr_gate_(settings.n2k.snr_source) {}
+      snr_gate_(settings.n2k.snr_source),
+      watch_(settings.roles, settings.n2k.navigation.oldest_part) {}
 
 n2k::Node CanPort::new_node() const {
   // The mission file's ranges are those of the NAME's parts.
@@ -52,16 +69,21 @@ n2k::Node CanPort::new_node() const {
   return {identity, pgns_sent_.span(), pgns_read_.span()};
 }
 
-void CanPort::tend() {
-  // What the bus knew of us before it went down it may have forgotten.
-  if (!socket_.is_up() && socket_.reopen()) node_ = new_node();
-}
-
 void CanPort::serve() {
-  if (!socket_.is_up()) return;
-  n2k::NodeFrames frames;
-  node_.step(host_now(), frames);
-  for (const n2k::Frame& frame : frames) (void)send({&frame, 1});
+  // What the bus knew of us before it went down it may have forgotten, and given to others.
+  if (socket_.is_up() && !was_up_) node_ = new_node();
+  was_up_ = socket_.is_up();
+  if (was_up_) {
+    n2k::NodeFrames frames;
+    node_.set_controller_state(socket_.controller_state());
+    node_.step(host_now(), frames);
+    for (std::span<const n2k::Frame> rest = frames.span(); !rest.empty();) {
+      const std::size_t whole = frames_together(rest);
+      (void)send(rest.first(whole));
+      rest = rest.subspan(whole);
+    }
+  }
+  socket_.flush(host_now());
 }
 
 bool CanPort::settle() {
@@ -84,8 +106,10 @@ void CanPort::collect(Clock& clock, InputSink& sink) {
   Time received_utc;
   for (n2k::Frame frame; socket_.receive(frame, received_utc, budget) == Status::kOk;) {
     node_.accept(frame, now);
+    if (received_utc < Time{}) received_utc = host_.utc();  // the kernel does not say
     take(frame, {.utc = received_utc, .mission = clock.arrival_of(received_utc)}, clock, sink);
   }
+  tell_troubles(clock.now(), sink);
 }
 
 void CanPort::take(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink) {
@@ -108,6 +132,7 @@ void CanPort::take(const n2k::Frame& frame, const Arrival& arrival, Clock& clock
 void CanPort::take_navigation(const n2k::Frame& frame, const Arrival& arrival, InputSink& sink) {
   messages::Navigation fix;
   if (receiver_.accept(frame, arrival.mission, fix) != Status::kOk) return;
+  ++fixes_;
   ++report_.received;
   sink.take(index(), fix);
 }
@@ -121,6 +146,7 @@ void CanPort::take_snr(const n2k::Frame& frame, const n2k::Identifier& identifie
   }
   const n2k::Origin origin{.pgn = identifier.pgn, .address = identifier.source, .instance = {}};
   if (!snr_gate_.admits(origin, receiver_.sensors().directory(), arrival.mission, n2k::table::kSnr.timeout)) return;
+  ++looks_;
   ++report_.received;
   sink.take(index(), n2k::measurement_of(heard.value(), arrival.mission));
 }
@@ -138,10 +164,11 @@ void CanPort::take_order(const n2k::Frame& frame, const Arrival& arrival, Clock&
 }
 
 template <class Frames, class Compose>
-bool CanPort::say(Compose compose) {
-  Frames frames;
+bool CanPort::say(Compose compose, const host::Waiting& waiting) {
   const std::optional<std::uint8_t> address = node_.address();
-  if (address && compose(*address, frames) == Status::kOk && send(frames.span())) return true;
+  if (!address && socket_.is_up()) ++without_address_;
+  Frames frames;
+  if (address && compose(*address, frames) == Status::kOk && send(frames.span(), waiting)) return true;
   ++report_.unsent;
   return false;
 }
@@ -150,10 +177,10 @@ std::uint64_t CanPort::publish(Time now, const runtime::Outputs& outputs) {
   zero_pressure(now, outputs);
   std::uint64_t setpoints = 0;
   if (has(host::Role::kAutopilot) && outputs.setpoint) {
-    const bool is_sent = say<n2k::SetpointFrames>([&](std::uint8_t address, n2k::SetpointFrames& frames) {
+    const auto compose = [&](std::uint8_t address, n2k::SetpointFrames& frames) {
       return n2k::compose_setpoint(*outputs.setpoint, address, sequences_.setpoint++, frames);
-    });
-    ++(is_sent ? setpoints : setpoints_unsent_);
+    };
+    if (say<n2k::SetpointFrames>(compose, {.kept = host::WhileWaiting::kKeepNewest})) ++setpoints;
   }
   if (has(host::Role::kOperator)) acknowledge(outputs);
   if (has(host::Role::kStatus)) tell_status(now, outputs);
@@ -211,30 +238,71 @@ void CanPort::zero_pressure(Time now, const runtime::Outputs& outputs) {
   zero_is_due_ = false;
 }
 
-bool CanPort::send(std::span<const n2k::Frame> frames) {
-  return std::ranges::all_of(frames, [this](const n2k::Frame& frame) { return socket_.send(frame) == Status::kOk; });
+/// @return false: it is not sent, and never will be. What waits for room is sent, or counted by the socket.
+bool CanPort::send(std::span<const n2k::Frame> frames, const host::Waiting& waiting) {
+  if (!socket_.is_up()) return false;
+  const Status status = socket_.send_whole(frames, host_now(), waiting);
+  return status == Status::kOk || status == Status::kNotReady;
 }
 
 messages::PortReport CanPort::report() const {
   messages::PortReport report = report_;
+  const host::CanCounters can = socket_.counters();
   report.link_up = socket_.is_up();
-  report.lost += socket_.counters().lost_by_kernel;
+  report.lost += can.lost_by_kernel + can.controller.overflows;
   report.malformed += receiver_.counters().refused + orders_.counters().refused + snr_refused_;
+  report.unsent += can.groups.replaced + can.groups.expired + can.groups.abandoned + can.groups.shed;
   return report;
 }
 
+BusSigns CanPort::signs() const {
+  const messages::PortReport now = report();
+  return {.has_address = node_.address().has_value(),
+          .own_name_claims = node_.claim_counters().own,
+          .controller = socket_.controller_state(),
+          .frames_lost = now.lost,
+          .unsent = now.unsent - without_address_,
+          .fixes = fixes_,
+          .looks = looks_,
+          .no_variation = receiver_.sensors().counters().no_variation,
+          .readings = receiver_.sensors().readings()};
+}
+
+void CanPort::tell_troubles(Time mission_now, InputSink& sink) {
+  // Of a missing interface the link's own line tells; a controller that has left the bus says so here.
+  if (!socket_.is_up() && socket_.controller_state() != n2k::ControllerState::kBusOff) return;
+  const BusTroubles troubles = watch_.look(signs(), {.host = host_now(), .mission = mission_now});
+  const BusTroubles changed = troubles ^ told_troubles_;
+  for (std::size_t i = 0; i < kBusTroubleCount; ++i) {
+    if (changed[i]) sink.tell_trouble(index(), static_cast<BusTrouble>(i), troubles[i]);
+  }
+  told_troubles_ = troubles;
+  met_troubles_ |= troubles;
+}
+
 std::string CanPort::remark() const {
-  const std::uint64_t lost = socket_.counters().lost_by_kernel;
+  const messages::PortReport counts = report();
+  const host::CanCounters can = socket_.counters();
   std::string text;
   const auto add = [&text](std::uint64_t count, const std::string& what) {
     if (count > 0) text += (text.empty() ? "" : "; ") + std::to_string(count) + what;
   };
-  add(lost,
-      " frames lost on their way in, because they came faster than they were read and the socket's buffer was full: lighten the bus, or "
-      "raise sysctl net.core.rmem_default");
-  add(setpoints_unsent_,
-      " set-points could not be sent, because the interface was down or nobody on the bus took its frames: look at its state (ip -d -s "
+  add(counts.lost,
+      " frames lost on their way in, because they came faster than they were read and the socket's or the controller's buffer was full: "
+      "lighten the bus, or raise sysctl net.core.rmem_max");
+  add(counts.unsent - without_address_,
+      " messages could not be sent, because the interface was down or nobody on the bus took its frames: look at its state (ip -d -s "
       "link)");
+  add(without_address_, " messages could not be sent, because there was no address on the bus: devices with more rights had it");
+  add(can.controller.bus_off,
+      " times the controller left the bus after too many errors: look at the cables, their two ends and the bit rate");
+  // A few positions come before the first heading and the first pressure on every voyage.
+  if ((met_troubles_ & kPartsMissing).any())
+    add(receiver_.counters().waiting,
+        " positions made no fix, because heading or pressure was missing or older than oldest_part_s: look at how often their devices "
+        "send");
+  if (met_troubles_[static_cast<std::size_t>(BusTrouble::kSameName)])
+    text += (text.empty() ? "" : "; ") + std::string(begin_of(BusTrouble::kSameName));
   return text.empty() ? text : label() + ": " + text;
 }
 

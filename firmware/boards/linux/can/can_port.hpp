@@ -6,6 +6,7 @@
 #include <string>
 
 #include "firmware/boards/linux/can/bus_roles.hpp"
+#include "firmware/boards/linux/can/trouble_watch.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/port.hpp"
 #include "firmware/config/capacities.hpp"
@@ -34,7 +35,9 @@ class CanPort final : public Port {
   void collect(Clock& clock, InputSink& sink) override;
   std::uint64_t publish(Time now, const runtime::Outputs& outputs) override;
   [[nodiscard]] int file_descriptor() const override { return socket_.is_up() ? socket_.file_descriptor() : -1; }
-  void tend() override;
+  void tend() override {
+    if (!socket_.is_up()) (void)socket_.reopen();
+  }
   void serve() override;
   [[nodiscard]] bool settle() override;
   [[nodiscard]] messages::PortReport report() const override;
@@ -70,12 +73,14 @@ class CanPort final : public Port {
   void take_snr(const n2k::Frame& frame, const n2k::Identifier& identifier, const Arrival& arrival, InputSink& sink);
   void take_order(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink);
   void zero_pressure(Time now, const runtime::Outputs& outputs);
-  [[nodiscard]] bool send(std::span<const n2k::Frame> frames);
+  [[nodiscard]] bool send(std::span<const n2k::Frame> frames, const host::Waiting& waiting = {});
   /// Sends one message, or counts that it could not. @param compose  Status(address to send from, Frames&)
   template <class Frames, class Compose>
-  bool say(Compose compose);
+  bool say(Compose compose, const host::Waiting& waiting = {});
   void acknowledge(const runtime::Outputs& outputs);
   void tell_status(Time now, const runtime::Outputs& outputs);
+  [[nodiscard]] BusSigns signs() const;
+  void tell_troubles(Time mission_now, InputSink& sink);
 
   std::string name_;
   std::string interface_;
@@ -86,14 +91,20 @@ class CanPort final : public Port {
   Pgns pgns_sent_;
   Pgns pgns_read_;
   host::CanSocket socket_;
+  bool was_up_ = false;  ///< when it was served last
   n2k::Node node_;
   n2k::NavigationReceiver receiver_;
   n2k::SourceGate snr_gate_;
   n2k::OrderReceiver orders_;
+  std::uint64_t fixes_ = 0;
+  std::uint64_t looks_ = 0;
   std::uint64_t snr_refused_ = 0;
   FixedVector<Asker, config::kMaxAcknowledgements> askers_;  ///< since the last turn
   Sequences sequences_;
-  std::uint64_t setpoints_unsent_ = 0;
+  std::uint64_t without_address_ = 0;  ///< messages that were not sent for want of one
+  TroubleWatch watch_;
+  BusTroubles told_troubles_;
+  BusTroubles met_troubles_;              ///< ever
   std::optional<messages::Health> told_;  ///< the status told last
   Time told_at_;
   messages::MissionState state_ = messages::MissionState::kStandby;  ///< after the last turn

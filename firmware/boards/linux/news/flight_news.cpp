@@ -98,7 +98,10 @@ FlightNews::FlightNews(const PortSet& ports, LineWriter& writer) : writer_(write
 
 void FlightNews::tell(Time now, const messages::Health& health) {
   for (const messages::PortReport& report : health.ports) tell_link(now, report);
-  for (std::size_t port = 0; port < sounds_.size(); ++port) tell_chain(now, port);
+  for (std::size_t port = 0; port < sounds_.size(); ++port) {
+    tell_chain(now, port);
+    tell_troubles(now, port);
+  }
   tell_state(now, health);
   tell_refused(now, "navigation", health.counters.navigation_refused, navigation_);
   tell_refused(now, "SNR", health.counters.snr_refused, snr_);
@@ -124,6 +127,24 @@ void FlightNews::tell(Time now, std::uint8_t port, const messages::SoundDetectio
 
 void FlightNews::tell(std::uint8_t port, const HeardChain& chain) {
   sounds_.at(port).chain = chain;
+}
+
+void FlightNews::tell(std::uint8_t port, BusTrouble trouble, bool is_there) {
+  troubles_.at(port).at(static_cast<std::size_t>(trouble)).is_there = is_there;
+}
+
+void FlightNews::tell_troubles(Time now, std::size_t port) {
+  for (std::size_t i = 0; i < kBusTroubleCount; ++i) {
+    Trouble& trouble = troubles_.at(port).at(i);
+    if (trouble.is_there == trouble.is_told || now < trouble.due) continue;
+    trouble.is_told = trouble.is_there;
+    const std::string_view words = trouble.is_there ? begin_of(static_cast<BusTrouble>(i)) : end_of(static_cast<BusTrouble>(i));
+    if (words.empty()) continue;
+    Line line = line_at(now);
+    line << links_.at(port).label << ": " << words;
+    writer_.say(line.text());
+    trouble.due = now + kBetweenLinkLines;
+  }
 }
 
 void FlightNews::tell_chain(Time now, std::size_t port) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "firmware/boards/linux/can/bus_trouble.hpp"
 #include "firmware/boards/linux/hydrophone/heard_chain.hpp"
 #include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/port_set.hpp"
@@ -18,7 +19,8 @@
 namespace earshot::board {
 
 /// Tells a person what changes while a flight lasts, a line each: the state of the mission and why, every link that goes down or comes
-/// back, and in each state once that navigation or SNR is refused. Nothing allocates or waits after construction.
+/// back, what is wrong with a CAN bus and when it is over, and in each state once that navigation or SNR is refused. Nothing allocates or
+/// waits after construction.
 ///
 ///     earshotd: 2026-11-22 15:04:07 UTC: ABORT, navigation went silent, after 12 steps
 ///     earshotd: 2026-11-22 15:04:07 UTC: navigation: 31 messages refused so far, for their date, their order or what is in them; look at
@@ -27,6 +29,7 @@ namespace earshot::board {
 ///     scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; looks lag by 0.24 s
 ///     earshotd: 2026-11-22 15:03:40 UTC: heard for 1.2 s from 2026-11-22 15:03:38 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB
 ///     earshotd: 2026-11-22 15:04:09 UTC: port 1, vehicle, CAN can0: its link is down; tried again once a second
+///     earshotd: 2026-11-22 15:04:12 UTC: port 1, vehicle, CAN can0: headings are magnetic, and nobody says the variation (127258)
 class FlightNews {
  public:
   /// A link may have kLinkLinesAtOnce lines at once and after them one every kBetweenLinkLines, which counts the changes since the last: a
@@ -46,6 +49,8 @@ class FlightNews {
   void tell(Time now, std::uint8_t port, const messages::SoundDetection& detection);
   /// With what chain a hydrophone is heard from now on, at the next turn.
   void tell(std::uint8_t port, const HeardChain& chain);
+  /// What is wrong with a CAN port from now on, or no longer, at the next turn; of each at most one line in kBetweenLinkLines.
+  void tell(std::uint8_t port, BusTrouble trouble, bool is_there);
 
  private:
   struct Link {
@@ -66,6 +71,13 @@ class FlightNews {
     std::uint64_t detections = 0;  ///< since the last that was told of
     Time detection_due;
   };
+  /// Something that may be wrong with a port, as far as a person knows.
+  struct Trouble {
+    bool is_there = false;
+    bool is_told = false;
+    Time due;
+  };
+  void tell_troubles(Time now, std::size_t port);
   void tell_chain(Time now, std::size_t port);
   void tell_link(Time now, const messages::PortReport& report);
   void tell_state(Time now, const messages::Health& health);
@@ -77,6 +89,7 @@ class FlightNews {
   Refused navigation_;
   Refused snr_;
   std::array<Sound, config::kMaxPorts> sounds_;
+  std::array<std::array<Trouble, kBusTroubleCount>, config::kMaxPorts> troubles_{};
 };
 
 }  // namespace earshot::board

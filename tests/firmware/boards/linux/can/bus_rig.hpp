@@ -38,6 +38,10 @@ class SetHost final : public HostClock {
 class Taken final : public InputSink {
  public:
   void take(std::uint8_t /*port*/, const Value& value) override { values.push_back(value); }
+  void tell_trouble(std::uint8_t /*port*/, BusTrouble trouble, bool is_there) override {
+    troubles.set(static_cast<std::size_t>(trouble), is_there);
+  }
+  [[nodiscard]] bool has(BusTrouble trouble) const { return troubles[static_cast<std::size_t>(trouble)]; }
   template <class Message>
   [[nodiscard]] std::vector<Message> all() const {
     std::vector<Message> found;
@@ -47,6 +51,7 @@ class Taken final : public InputSink {
     return found;
   }
   std::vector<Value> values;
+  BusTroubles troubles;  ///< that the port says are there
 };
 
 /// A message that was on the bus, its frames put together.

@@ -138,8 +138,8 @@ TEST_F(CanPortTest, SaysWhatItSendsAndReadsAsItsRolesHaveIt) {
       pgns.push_back(list.bytes[i] | static_cast<unsigned>(list.bytes[i + 1]) << 8U | static_cast<unsigned>(list.bytes[i + 2]) << 16U);
     return pgns;
   };
-  EXPECT_EQ(pgns_of(lists[0]), (std::vector{59392U, 59904U, 60928U, 126464U, 126993U, 126996U, 126998U, 65290U, 127237U}));
-  EXPECT_EQ(pgns_of(lists[1]), (std::vector{59904U, 60928U, 65240U, 60416U, 60160U, 65291U}));
+  EXPECT_EQ(pgns_of(lists[0]), (std::vector{59392U, 59904U, 60928U, 126464U, 126208U, 126993U, 126996U, 126998U, 65290U, 127237U}));
+  EXPECT_EQ(pgns_of(lists[1]), (std::vector{59904U, 60928U, 65240U, 60416U, 60160U, 126208U, 65291U}));
 }
 
 TEST_F(CanPortTest, RefusesToItsAskerWhatItDoesNotSend) {

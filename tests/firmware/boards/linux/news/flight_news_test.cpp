@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -188,6 +189,39 @@ TEST_F(FlightNewsTest, TellsAtTheNextTurnWithWhatChainAHydrophoneIsHeardAndNotMo
       "earshotd: 2026-11-18 11:06:50 UTC: port 1, vehicle, CAN can0: hears nothing: a sample rate of 50.0 Hz is too low for a band up to "
       "30.0 Hz\n"
       "earshotd: 2026-11-18 11:07:00 UTC: port 1, vehicle, CAN can0: hears nothing: the ADC must have 8 to 32 bits\n");
+}
+
+TEST_F(FlightNewsTest, TellsWhatIsWrongWithACanBusAndWhenItIsOver) {
+  news_->tell(1, BusTrouble::kNoPosition, true);
+  news_->tell(2, BusTrouble::kNoVariation, true);
+  news_->tell(kUtc, health(MissionState::kStandby));
+  news_->tell(kUtc + Duration::seconds(1), health(MissionState::kStandby));
+  news_->tell(1, BusTrouble::kNoPosition, false);
+  news_->tell(2, BusTrouble::kNoVariation, false);  // its end goes without saying
+  news_->tell(kUtc + Duration::seconds(10), health(MissionState::kStandby));
+  EXPECT_EQ(all_told(),
+            "earshotd: 2026-11-18 11:06:40 UTC: port 1, vehicle, CAN can0: no position is heard (129025, 129029)\n"
+            "earshotd: 2026-11-18 11:06:40 UTC: port 2, ev\\x1bil: headings are magnetic, and nobody says the variation (127258)\n"
+            "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
+            "earshotd: 2026-11-18 11:06:50 UTC: port 1, vehicle, CAN can0: positions are heard\n");
+}
+
+TEST_F(FlightNewsTest, TellsATroubleThatComesAndGoesOnceInTenSecondsAtMostAndAsItIsThen) {
+  for (int tenth = 0; tenth <= 250; ++tenth) {
+    news_->tell(1, BusTrouble::kErrorPassive, tenth % 2 == 0);
+    news_->tell(kUtc + Duration::milliseconds(100 * tenth), health(MissionState::kStandby));
+  }
+  const std::string told = all_told();
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1 + 3) << told;  // STANDBY; at 0, 10.1 and 20.2 s
+}
+
+TEST_F(FlightNewsTest, HasRoomForTheWordsOfEveryTrouble) {
+  for (std::size_t i = 0; i < kBusTroubleCount; ++i) {
+    const auto trouble = static_cast<BusTrouble>(i);
+    EXPECT_FALSE(begin_of(trouble).empty()) << i;
+    // A date and a port's name take 80 characters.
+    EXPECT_LT(begin_of(trouble).size() + 80, LineWriter::kLineBytes) << begin_of(trouble);
+  }
 }
 
 }  // namespace

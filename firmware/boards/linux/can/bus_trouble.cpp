@@ -1,0 +1,44 @@
+#include "firmware/boards/linux/can/bus_trouble.hpp"
+
+#include <array>
+
+namespace earshot::board {
+namespace {
+
+struct Words {
+  std::string_view begin;
+  std::string_view end;
+};
+
+// In the order of BusTrouble.
+constexpr std::array<Words, kBusTroubleCount> kWords{
+    Words{"it has no address on the bus, and sends nothing without one: devices with more rights have those that it claims",
+          "it has an address on the bus"},
+    Words{"another device on the bus has its NAME, or somebody sends its frames back: give one of them another unique_number", ""},
+    Words{"the CAN controller counts many errors: look at the cables, their two ends and the bit rate",
+          "the CAN controller counts few errors"},
+    Words{"the CAN controller has left the bus after too many errors (bus-off): look at the cables, their two ends and the bit rate",
+          "the CAN controller is back on the bus"},
+    Words{"no position is heard (129025, 129029)", "positions are heard"},
+    Words{"positions are more than 2 degrees from the mission's [origin]", ""},
+    Words{"no heading is heard (127250) that is young enough for its position (oldest_part_s)", "headings are heard"},
+    Words{"headings are magnetic, and nobody says the variation (127258)", ""},
+    Words{"no pressure of the water is heard (130314) that is young enough for its position (oldest_part_s)", "pressures are heard"},
+    Words{"there is no depth before a START at the surface: pressures are absolute, and the air's is not known", ""},
+    Words{"no SNR is heard (65291)", "SNR is heard"},
+    Words{"frames come faster than they are read, and some are lost", "no more frames are lost"},
+    Words{"messages cannot be sent, set-points perhaps among them: look at the bus's load and at who acknowledges its frames",
+          "messages are sent"},
+};
+
+}  // namespace
+
+std::string_view begin_of(BusTrouble trouble) {
+  return kWords[static_cast<std::size_t>(trouble)].begin;
+}
+
+std::string_view end_of(BusTrouble trouble) {
+  return kWords[static_cast<std::size_t>(trouble)].end;
+}
+
+}  // namespace earshot::board

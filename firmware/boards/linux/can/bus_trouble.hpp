@@ -1,0 +1,34 @@
+#pragma once
+
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace earshot::board {
+
+/// What may be wrong with a port on a CAN bus, for a person.
+enum class BusTrouble : std::uint8_t {
+  kNoAddress,       ///< and nothing is sent without one
+  kSameName,        ///< another device has our NAME
+  kErrorPassive,    ///< the controller counts many errors
+  kBusOff,          ///< it has left the bus
+  kNoPosition,      ///< none is heard
+  kFarAway,         ///< positions are not in the mission's plane
+  kNoHeading,       ///< none is heard
+  kNoVariation,     ///< headings are magnetic, and wait for it
+  kNoDepth,         ///< no pressure is heard
+  kSurfaceUnknown,  ///< pressures are absolute, and wait for the START
+  kNoSnr,           ///< none is heard
+  kFramesLost,      ///< on their way in
+  kUnsent,          ///< messages
+};
+inline constexpr std::size_t kBusTroubleCount = 13;
+using BusTroubles = std::bitset<kBusTroubleCount>;  ///< by BusTrouble
+
+/// "no position is heard (129025, 129029)"
+[[nodiscard]] std::string_view begin_of(BusTrouble trouble);
+/// "positions are heard"; empty: its end is not told.
+[[nodiscard]] std::string_view end_of(BusTrouble trouble);
+
+}  // namespace earshot::board

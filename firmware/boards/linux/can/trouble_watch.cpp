@@ -1,0 +1,53 @@
+#include "firmware/boards/linux/can/trouble_watch.hpp"
+
+namespace earshot::board {
+namespace {
+
+void set(BusTroubles& troubles, BusTrouble trouble, bool is_there) {
+  troubles.set(static_cast<std::size_t>(trouble), is_there);
+}
+
+}  // namespace
+
+void TroubleWatch::Growth::look(std::uint64_t count, Now now) {
+  if (count_ == count) return;
+  grown_ = count_ ? count > *count_ : count > 0;
+  count_ = count;
+  last_ = now;
+}
+
+BusTroubles TroubleWatch::look(const BusSigns& signs, Now now) {
+  fixes_.look(signs.fixes, now);
+  looks_.look(signs.looks, now);
+  no_variation_.look(signs.no_variation, now);
+  lost_.look(signs.frames_lost, now);
+  unsent_.look(signs.unsent, now);
+  if (signs.has_address) without_address_since_.reset();
+  if (!signs.has_address && !without_address_since_) without_address_since_ = now.host;
+  BusTroubles troubles;
+  set(troubles, BusTrouble::kNoAddress, without_address_since_ && now.host - *without_address_since_ >= kClaimPatience);
+  set(troubles, BusTrouble::kSameName, signs.own_name_claims > 0);
+  set(troubles, BusTrouble::kErrorPassive, signs.controller == n2k::ControllerState::kErrorPassive);
+  set(troubles, BusTrouble::kBusOff, signs.controller == n2k::ControllerState::kBusOff);
+  set(troubles, BusTrouble::kFramesLost, lost_.has_grown_within(kLossTime, now));
+  set(troubles, BusTrouble::kUnsent, unsent_.has_grown_within(kPatience, now));
+  if (roles_.has(host::Role::kSnr)) set(troubles, BusTrouble::kNoSnr, looks_.is_silent(now));
+  if (roles_.has(host::Role::kNavigation) && fixes_.is_silent(now)) look_for_parts(signs.readings, now, troubles);
+  return troubles;
+}
+
+/// What a fix is waiting for.
+void TroubleWatch::look_for_parts(const n2k::Readings& readings, Now now, BusTroubles& troubles) const {
+  const bool has_position = n2k::is_fresh(readings.position, now.mission, kPatience);
+  const Time position = has_position ? readings.position->time : now.mission;
+  const bool has_heading = n2k::is_fresh(readings.heading, position, oldest_part_);
+  const bool has_depth = n2k::is_fresh(readings.depth, position, oldest_part_);
+  const bool is_magnetic = no_variation_.has_grown_within(kPatience, now);
+  const bool is_absolute = n2k::is_fresh(readings.pressure_pa, position, oldest_part_);
+  set(troubles, BusTrouble::kNoPosition, !has_position);
+  set(troubles, BusTrouble::kFarAway, has_position && has_heading && has_depth);
+  set(troubles, is_magnetic ? BusTrouble::kNoVariation : BusTrouble::kNoHeading, !has_heading);
+  set(troubles, is_absolute ? BusTrouble::kSurfaceUnknown : BusTrouble::kNoDepth, !has_depth);
+}
+
+}  // namespace earshot::board

@@ -1,0 +1,40 @@
+#include "firmware/boards/linux/can/bus_roles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "firmware/wire/n2k/table/messages.hpp"
+
+namespace earshot::board {
+namespace {
+
+bool has(const Pgns& pgns, std::uint32_t pgn) {
+  return std::ranges::find(pgns, pgn) != pgns.end();
+}
+
+TEST(BusRoles, OfAllTogetherHaveRoomForTheirGroupsInListsAndFilters) {
+  EXPECT_LT(pgns_sent(host::kCanRoles).size(), kMostPgns);
+  EXPECT_LT(pgns_read(host::kCanRoles).size(), kMostPgns);
+  EXPECT_TRUE(has(pgns_sent(host::kCanRoles), n2k::kDecisionPgn)) << "the last that is added";
+  EXPECT_TRUE(has(pgns_read(host::kCanRoles), n2k::kPeerPgn)) << "the last that is added";
+}
+
+TEST(BusRoles, LetEveryGroupThatIsReadThroughTheKernelsFilterAndNoOther) {
+  const host::CanFilters filters = filters_of({host::Role::kNavigation});
+  const auto passes = [&](std::uint32_t identifier) {
+    constexpr std::uint32_t kExtended = 0x8000'0000;
+    return std::ranges::any_of(filters, [&](const host::CanFilter& filter) {
+      return ((identifier | kExtended) & filter.mask) == (filter.identifier & filter.mask);
+    });
+  };
+  EXPECT_TRUE(passes(0x09F1'1223)) << "127250 heading";
+  EXPECT_TRUE(passes(0x15FD'0A26)) << "130314 pressure";
+  EXPECT_TRUE(passes(0x18EE'FF55)) << "60928 claim";
+  EXPECT_TRUE(passes(0x18EA'4055)) << "59904 request, to us";
+  EXPECT_FALSE(passes(0x15FF'0B28)) << "65291 SNR";
+  EXPECT_FALSE(passes(0x0DEF'4029)) << "126720 orders";
+}
+
+}  // namespace
+}  // namespace earshot::board
