@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "policy/report/explanation.hpp"
+#include <string>
 
 namespace earshot::report {
 namespace {
@@ -47,15 +45,6 @@ TEST(Html, DrawsABarForAChoiceToTheRightOfTheMiddleAndOneAgainstItToTheLeft) {
 TEST(Html, DrawsNoBarForAShareThatIsWrittenAsZero) {
   EXPECT_EQ(percent_cell("NE", 0.004, false), "<td data-name=\"NE\" class=\"p\">0</td>");
   EXPECT_EQ(percent_cell("NE", 0.9249, true), "<td data-name=\"NE\" class=\"p taken\"><i style=\"--share:0.925\"></i>92</td>");
-}
-
-TEST(Explanation, WritesAFactorInDigitsAsFarAsTheyCanBeReadAndInPowersOfTenBeyond) {
-  EXPECT_EQ(factor_to_string(std::log(1.826)), "\u00D7 1.83");
-  EXPECT_EQ(factor_to_string(std::log(20'400.0)), "\u00D7 20\u202F000");
-  EXPECT_EQ(factor_to_string(std::log(170.0)), "\u00D7 170");
-  EXPECT_EQ(factor_to_string(std::log(0.00213)), "\u00D7 0.0021");
-  EXPECT_EQ(factor_to_string(std::log(7.4e7)), "\u00D7 7.4\u00B710\u2077");
-  EXPECT_EQ(factor_to_string(std::log(3.2e-12)), "\u00D7 3.2\u00B710\u207B\u00B9\u00B2");
 }
 
 }  // namespace

@@ -4,11 +4,7 @@
 
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
-#include "firmware/host/file/bad_input.hpp"
-#include "policy/report/decision_report.hpp"
-#include "policy/report/plots.hpp"
 #include "tests/policy/explain/flown_policy.hpp"
 #include "tests/policy/report/flight_folder.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -64,23 +60,6 @@ TEST_F(PageTest, CountsStepsOnceAndSaysThatTheSourceCutTheLastOneShort) {
   EXPECT_EQ(count(text, "15 steps"), 0U);
   flight.summary["whole_steps"] = 16;
   EXPECT_EQ(count(page(flight, {}, {}), "cut short"), 0U);
-}
-
-TEST_F(PageTest, ShowsSnrOnTheScaleOfEveryFieldUnderATrackThatStandsOutOnAnyColourOfIt) {
-  const std::string svg = map_svg(read_flight(folder_));
-  for (const char* tic : {">-10<", "> 40<"}) EXPECT_EQ(count(svg, tic), 1U) << "20 dB below the threshold of 10 dB to 30 above";
-  EXPECT_EQ(count(svg, "<title>SNR at the vehicle's depth and the vehicle's track</title>"), 1U);
-  EXPECT_GT(svg.find("stroke='rgb(194,  18, 122)'"), svg.find("stroke='rgb(255, 255, 255)'")) << "the track lies on a white line";
-  EXPECT_EQ(count(svg, "<polygon fill = 'rgb( 29,  92, 138)'"), 0U) << "the legend has no ground of its own";
-  EXPECT_EQ(count(history_svg(read_flight(folder_)), "<title>SNR heard and range to the source against time</title>"), 1U);
-}
-
-TEST_F(PageTest, TellsALookTooFaintToMeasureFromAMeasuredOne) {
-  const RecordedFlight flight = open_recording(folder_, {});
-  const std::string first = as_html(make_decision_report(flight, 0, explain::Baseline::kCentre));
-  EXPECT_EQ(count(first, "It heard nothing that could be measured: the signal lies under 31.0 dB."), 1U);
-  EXPECT_EQ(count(first, "under 31.0 dB</td>"), 1U);
-  EXPECT_EQ(count(as_html(make_decision_report(flight, 2, explain::Baseline::kCentre)), "a detection (threshold 10 dB)."), 1U);
 }
 
 TEST_F(PageTest, OfAFlightWithoutItsPolicyStillListsEveryDecisionAndSaysWhatIsMissing) {
@@ -155,52 +134,6 @@ TEST_F(PageTest, SaysThatTheEndOfAJournalIsMissingThatWasNotEndedInOrder) {
       "error, or is of a version that wrote none.";
   EXPECT_EQ(lack_of(read_journal(journal)), said);
   EXPECT_EQ(count(page(read_flight(folder_), {}, {}), said), 1U);
-}
-
-TEST(LackOf, CountsByWeightWhatTheClosingRecordSaysIsLost) {
-  JournalledSearch journal;
-  journal.missing = 6;
-  journal.first_missing = 3;
-  journal.closing.emplace().lost = {.streams = 3, .steering = 2, .orders = 1};
-  EXPECT_EQ(lack_of(journal),
-            "The journal lacks 6 records from number 3 on: the disk was full or too slow. Lost were 3 of navigation, SNR and health, 2 "
-            "set-points and decisions, and 1 commands and changes of state.");
-}
-
-TEST_F(PageTest, NamesTheKeyOfASummaryThatCannotBe) {
-  const auto complaint = [&](const std::string& summary) {
-    std::ofstream(folder_ / "summary.json") << summary;
-    try {
-      (void)read_flight(folder_);
-    } catch (const host::BadInput& e) {
-      return std::string(e.what()).substr((folder_ / "summary.json").string().size());
-    }
-    return std::string();
-  };
-  EXPECT_EQ(complaint("{\"found\": true, \"steps\": \"ten\"}"), ": steps: must be a whole number, 0 to 1000000000");
-  EXPECT_EQ(complaint("[]"), ": the whole: must be a table");
-  EXPECT_EQ(complaint("{\"found\": "), ": not JSON from byte 11 on, or cut short");
-}
-
-TEST_F(PageTest, DecisionReportSaysTheSameInEveryFormat) {
-  const RecordedFlight flight = open_recording(folder_, {});
-  const DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
-  const auto json = nlohmann::json::parse(as_json(report));
-  EXPECT_EQ(json["step"], 2);
-  EXPECT_TRUE(json["attribution"]["complete"].get<bool>());
-  EXPECT_EQ(json["actions"].size(), 8U);
-  EXPECT_EQ(json["looks"].size(), 3U);
-  double parts = 0.0;
-  for (const auto& part : json["attribution"]["parts"]) parts += part["nats"].get<double>();
-  const double difference =
-      json["attribution"]["log_probability"].get<double>() - json["attribution"]["log_probability_at_baseline"].get<double>();
-  EXPECT_NEAR(parts, difference, json["attribution"]["tolerance"].get<double>());
-  const std::string html = as_html(report);
-  const std::string markdown = as_markdown(report);
-  for (const auto& sentence : json["summary"]) {
-    EXPECT_EQ(count(html, sentence.get<std::string>()), 1U) << sentence;
-    EXPECT_EQ(count(markdown, sentence.get<std::string>()), 1U) << sentence;
-  }
 }
 
 }  // namespace

@@ -1,0 +1,51 @@
+#include "policy/report/decision_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/policy/explain/flown_policy.hpp"
+#include "tests/policy/report/flight_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::report {
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+class DecisionReportTest : public testing::Test {
+ protected:
+  DecisionReportTest() { write_flight(folder_, *policy_, explain::flown(*policy_, 3, {}), {}); }
+
+  support::TemporaryFolder folder_;
+  std::unique_ptr<policy::FrozenPolicy> policy_ = explain::belief_policy(1);
+};
+
+TEST_F(DecisionReportTest, SaysTheSameInEveryFormat) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  const DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
+  const auto json = nlohmann::json::parse(as_json(report));
+  const std::string html = as_html(report);
+  const std::string markdown = as_markdown(report);
+  for (const auto& sentence : json["summary"]) {
+    EXPECT_EQ(count(html, sentence.get<std::string>()), 1U) << sentence;
+    EXPECT_EQ(count(markdown, sentence.get<std::string>()), 1U) << sentence;
+  }
+}
+
+TEST_F(DecisionReportTest, TellsALookTooFaintToMeasureFromAMeasuredOne) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  const std::string first = as_html(make_decision_report(flight, 0, explain::Baseline::kCentre));
+  EXPECT_EQ(count(first, "It heard nothing that could be measured: the signal lies under 31.0 dB."), 1U);
+  EXPECT_EQ(count(first, "under 31.0 dB</td>"), 1U);
+  EXPECT_EQ(count(as_html(make_decision_report(flight, 2, explain::Baseline::kCentre)), "a detection (threshold 10 dB)."), 1U);
+}
+
+}  // namespace
+}  // namespace earshot::report

@@ -1,0 +1,25 @@
+#include "policy/report/explanation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace earshot::report {
+namespace {
+
+TEST(Explanation, WritesAFactorInDigitsAsFarAsTheyCanBeReadAndInPowersOfTenBeyond) {
+  EXPECT_EQ(factor_to_string(std::log(1.826)), "\u00D7 1.83");
+  EXPECT_EQ(factor_to_string(std::log(20'400.0)), "\u00D7 20\u202F000");
+  EXPECT_EQ(factor_to_string(std::log(170.0)), "\u00D7 170");
+  EXPECT_EQ(factor_to_string(std::log(0.00213)), "\u00D7 0.0021");
+  EXPECT_EQ(factor_to_string(std::log(7.4e7)), "\u00D7 7.4\u00B710\u2077");
+  EXPECT_EQ(factor_to_string(std::log(3.2e-12)), "\u00D7 3.2\u00B710\u207B\u00B9\u00B2");
+}
+
+TEST(Explanation, TellsALookTooFaintToMeasureFromAMeasuredOne) {
+  EXPECT_EQ(to_string(policy::Reception{.snr = Decibels{9.46}, .too_faint = false}), "9.5 dB");
+  EXPECT_EQ(to_string(policy::Reception{.snr = Decibels{5.0}, .too_faint = true}), "under 5.0 dB");
+}
+
+}  // namespace
+}  // namespace earshot::report

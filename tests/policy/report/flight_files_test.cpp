@@ -1,0 +1,49 @@
+#include "policy/report/flight_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "tests/policy/explain/flown_policy.hpp"
+#include "tests/policy/report/flight_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::report {
+namespace {
+
+TEST(LackOf, CountsByWeightWhatTheClosingRecordSaysIsLost) {
+  JournalledSearch journal;
+  journal.missing = 6;
+  journal.first_missing = 3;
+  journal.closing.emplace().lost = {.streams = 3, .steering = 2, .orders = 1};
+  EXPECT_EQ(lack_of(journal),
+            "The journal lacks 6 records from number 3 on: the disk was full or too slow. Lost were 3 of navigation, SNR and health, 2 "
+            "set-points and decisions, and 1 commands and changes of state.");
+}
+
+TEST(ReadFlight, NamesTheKeyOfASummaryThatCannotBe) {
+  const support::TemporaryFolder folder;
+  const auto policy = explain::belief_policy(1);
+  write_flight(folder, *policy, explain::flown(*policy, 1, {}), {});
+  const auto complaint = [&](const std::string& summary) {
+    std::ofstream(folder / "summary.json") << summary;
+    try {
+      (void)read_flight(folder);
+    } catch (const host::BadInput& e) {
+      return std::string(e.what()).substr((folder / "summary.json").string().size());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint("{\"found\": true, \"steps\": \"ten\"}"), ": steps: must be a whole number, 0 to 1000000000");
+  EXPECT_EQ(complaint("[]"), ": the whole: must be a table");
+  EXPECT_EQ(complaint("{\"found\": "), ": not JSON from byte 11 on, or cut short");
+}
+
+TEST(PlaceIn, IsNorthAndEast) {
+  EXPECT_EQ(place_in(nlohmann::json::parse(R"({"north_m": 12.5, "east_m": -3.0})")), (NorthEast{Meters{12.5}, Meters{-3.0}}));
+}
+
+}  // namespace
+}  // namespace earshot::report
