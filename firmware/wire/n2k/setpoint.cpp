@@ -1,5 +1,7 @@
 #include "firmware/wire/n2k/setpoint.hpp"
 
+#include <utility>
+
 #include "firmware/core/math.hpp"
 #include "firmware/wire/n2k/codec.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
@@ -12,6 +14,7 @@ constexpr double kTrueNorth = 0.0;       ///< DIRECTION_REFERENCE
 constexpr double kHeadingControl = 4.0;  ///< STEERING_MODE
 constexpr double kManufacturer = table::kManufacturer;
 constexpr double kMarineIndustry = 4.0;  ///< INDUSTRY_CODE
+constexpr unsigned kSequences = 8;       ///< of a fast packet: 3 bits
 constexpr double kTwoPi = 6.283185307179586;
 
 }  // namespace
@@ -25,6 +28,7 @@ Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source,
                       .set("IndustryGroup", kMarineIndustry)
                       .set("CommandedSpeed", setpoint.speed.value)
                       .set("CommandedDepth", setpoint.depth.value)
+                      .set("HeadingSequence", sequence % kSequences)
                       .frame(source, speed_depth);
   if (status != Status::kOk) return status;
 
@@ -54,8 +58,11 @@ Status SetpointReceiver::accept(const Frame& frame, messages::Setpoint& setpoint
     if (!maker.ok() || maker.value() != kManufacturer || !industry.ok() || industry.value() != kMarineIndustry) return Status::kNotReady;
     const Result<double> speed = read(kSpeedDepthPgn, "CommandedSpeed", frame.bytes());
     const Result<double> depth = read(kSpeedDepthPgn, "CommandedDepth", frame.bytes());
-    if (!speed.ok() || !depth.ok()) return Status::kOutOfRange;
-    speed_depth_ = SpeedDepth{MetersPerSecond{speed.value()}, Meters{depth.value()}};
+    const Result<double> sequence = read(kSpeedDepthPgn, "HeadingSequence", frame.bytes());
+    speed_depth_.reset();
+    if (!speed.ok() || !depth.ok() || !sequence.ok() || !(sequence.value() < kSequences)) return Status::kOutOfRange;
+    speed_depth_ = SpeedDepth{MetersPerSecond{speed.value()}, Meters{depth.value()}, static_cast<unsigned>(sequence.value()),
+                              identifier.value().source};
     return Status::kNotReady;
   }
   if (identifier.value().pgn != kHeadingControlPgn) return Status::kNotReady;
@@ -66,10 +73,11 @@ Status SetpointReceiver::accept(const Frame& frame, messages::Setpoint& setpoint
   const Result<double> reference = read(kHeadingControlPgn, "HeadingReference", bytes);
   if (!heading.ok() || !reference.ok()) return Status::kOutOfRange;
   if (reference.value() != kTrueNorth) return Status::kUnsupported;
-  if (!speed_depth_) return Status::kNotReady;
-  // Both parts are used up: a heading whose depth was lost waits for the next set-point instead of taking up with an old one.
-  setpoint = {.heading = wrap_to_pi(Radians{heading.value()}), .speed = speed_depth_->speed, .depth = speed_depth_->depth, .waypoint = {}};
-  speed_depth_.reset();
+  if (speed_depth_ && speed_depth_->source != identifier.value().source) return Status::kNotReady;  // another device's heading
+  // Whatever is waiting is used up: of two halves that are not of one set-point, the other half of each was lost.
+  const std::optional<SpeedDepth> speed_depth = std::exchange(speed_depth_, std::nullopt);
+  if (!speed_depth || speed_depth->sequence != frame.data[0] / (256U / kSequences)) return Status::kNotReady;
+  setpoint = {.heading = wrap_to_pi(Radians{heading.value()}), .speed = speed_depth->speed, .depth = speed_depth->depth, .waypoint = {}};
   return Status::kOk;
 }
 

@@ -12,7 +12,9 @@
 
 namespace earshot::n2k {
 
-/// Frames in the order in which they are to be sent: speed and depth (65290), then the fast packet of heading/track control (127237).
+/// Frames in the order in which they are to be sent: speed and depth (65290), then the fast packet of heading/track control (127237). A
+/// receiver acts when it has both, a standard autopilot upon the heading alone: as the last frame sets off either, a set-point of which
+/// only the beginning was sent changes nothing.
 using SetpointFrames = FixedVector<Frame, 1 + kMaxFastPacketFrames>;
 
 /// NMEA 2000 has no place for a way-point in these messages: the heading leads there.
@@ -21,8 +23,8 @@ using SetpointFrames = FixedVector<Frame, 1 + kMaxFastPacketFrames>;
 [[nodiscard]] Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source, std::uint8_t sequence,
                                       SetpointFrames& frames);
 
-/// The autopilot's side (simulator, tests): a heading completes a set-point with the speed and depth that came since the last one, so that
-/// no set-point is made of halves of two; its way-point stays empty.
+/// The autopilot's side (simulator, tests): a heading completes a set-point with the speed and depth that came before it and name the
+/// sequence of its fast packet, so that no set-point is made of halves of two; its way-point stays empty.
 class SetpointReceiver {
  public:
   /// kOk: `setpoint` is new. kNotReady: kept, or not ours. Otherwise refused.
@@ -32,6 +34,8 @@ class SetpointReceiver {
   struct SpeedDepth {
     MetersPerSecond speed;
     Meters depth;
+    unsigned sequence;  ///< of the fast packet that goes with them
+    std::uint8_t source;
   };
   std::optional<SpeedDepth> speed_depth_;
   FastPacketAssembly assembly_;

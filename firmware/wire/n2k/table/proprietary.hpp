@@ -45,11 +45,13 @@ consteval Signal metres(std::string_view name, unsigned first_bit) {
   return number(name, first_bit, 32, kSigned, kHundredth, "m");
 }
 
+// HeadingSequence is the sequence counter of the fast packet (127237) that brings the heading of the same set-point.
 inline constexpr Signal kSpeedDepthSignals[]{
     manufacturer(),
     industry(),
     number("CommandedSpeed", 16, 16, kUnsigned, kHundredth, "m/s"),
-    within(0, 12'000, number("CommandedDepth", 32, 32, kUnsigned, kHundredth, "m")),
+    within(0, 12'000, number("CommandedDepth", 32, 24, kUnsigned, kHundredth, "m")),
+    number("HeadingSequence", 56, 8),
 };
 
 inline constexpr Signal kSnrSignals[]{

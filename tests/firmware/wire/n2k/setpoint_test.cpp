@@ -11,17 +11,18 @@ namespace {
 constexpr std::uint8_t kSource = 44;
 const messages::Setpoint kSetpoint{.heading = Radians{2.3152}, .speed = MetersPerSecond{2.0}, .depth = Meters{300.0}, .waypoint = {}};
 
-SetpointFrames frames_of(const messages::Setpoint& setpoint) {
+SetpointFrames frames_of(const messages::Setpoint& setpoint, std::uint8_t sequence = 3) {
   SetpointFrames frames;
-  EXPECT_EQ(compose_setpoint(setpoint, kSource, 3, frames), Status::kOk);
+  EXPECT_EQ(compose_setpoint(setpoint, kSource, sequence, frames), Status::kOk);
   return frames;
 }
 
 TEST(Setpoint, IsLaidOutByteForByteAsTheStandardSays) {
   const SetpointFrames frames = frames_of(kSetpoint);
   ASSERT_EQ(frames.size(), 5U);
-  // 65290 = 0xFF0A at priority 3. Manufacturer 2044, two reserved ones, industry 4: 0x9FFC; 200 * 0.01 m/s; 30000 * 0.01 m = 0x7530.
-  EXPECT_EQ(frames[0], (Frame{0x0CFF0A2C, 8, {0xFC, 0x9F, 0xC8, 0x00, 0x30, 0x75, 0x00, 0x00}}));
+  // 65290 = 0xFF0A at priority 3. Manufacturer 2044, two reserved ones, industry 4: 0x9FFC; 200 * 0.01 m/s; 30000 * 0.01 m = 0x007530; the
+  // heading's sequence, 3.
+  EXPECT_EQ(frames[0], (Frame{0x0CFF0A2C, 8, {0xFC, 0x9F, 0xC8, 0x00, 0x30, 0x75, 0x00, 0x03}}));
   // 127237 = 0x1F105 at priority 2, sequence 3. Heading control (4), true: bits 8..15 are 100 111 00 from below: 0x3C. Heading 23152 =
   // 0x5A70.
   EXPECT_EQ(frames[1], (Frame{0x09F1052C, 8, {0x60, 21, 0xFF, 0x3C, 0xFF, 0xFF, 0x7F, 0x70}}));
@@ -66,6 +67,45 @@ TEST(Setpoint, IsNeverMadeOfHalvesOfTwo) {
   // Of the one after, a part of the heading is lost.
   for (const std::size_t i : {0U, 1U, 2U}) EXPECT_EQ(receiver.accept(frames[i], received), Status::kNotReady);
   EXPECT_EQ(receiver.accept(frames[4], received), Status::kMalformed);
+}
+
+TEST(Setpoint, IsNotMadeOfAnOldDepthAndANewHeadingWhateverIsLostBetweenThem) {
+  // Of the old one, the heading is lost; of the new one, speed and depth.
+  const SetpointFrames old = frames_of(kSetpoint, 6);
+  const SetpointFrames fresh = frames_of({.heading = Radians{1}, .speed = MetersPerSecond{2.0}, .depth = Meters{100}, .waypoint = {}}, 7);
+  SetpointReceiver receiver;
+  messages::Setpoint received;
+  EXPECT_EQ(receiver.accept(old[0], received), Status::kNotReady);
+  for (std::size_t i = 1; i < fresh.size(); ++i) EXPECT_EQ(receiver.accept(fresh[i], received), Status::kNotReady);
+  // The next one comes whole; its sequence is 8, which a fast packet counts as 0.
+  Status status = Status::kNotReady;
+  for (const Frame& frame : frames_of(kSetpoint, 8)) status = receiver.accept(frame, received);
+  EXPECT_EQ(status, Status::kOk);
+  EXPECT_NEAR(received.depth.value, 300.0, 0.005);  // half of 0.01 m
+}
+
+TEST(Setpoint, TakesNoHeadingOfAnotherDevice) {
+  const SetpointFrames frames = frames_of(kSetpoint);
+  SetpointReceiver receiver;
+  messages::Setpoint received;
+  EXPECT_EQ(receiver.accept(frames[0], received), Status::kNotReady);
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    Frame others = frames[i];
+    others.identifier += 1;
+    EXPECT_EQ(receiver.accept(others, received), Status::kNotReady);
+  }
+  Status status = Status::kNotReady;
+  for (std::size_t i = 1; i < frames.size(); ++i) status = receiver.accept(frames[i], received);
+  EXPECT_EQ(status, Status::kOk) << "ours still has its depth";
+}
+
+TEST(Setpoint, IsNotMadeOfADepthThatNamesNoHeading) {
+  SetpointFrames frames = frames_of(kSetpoint);
+  frames[0].data[7] = 0xFF;  // not available
+  SetpointReceiver receiver;
+  messages::Setpoint received;
+  EXPECT_EQ(receiver.accept(frames[0], received), Status::kOutOfRange);
+  for (std::size_t i = 1; i < frames.size(); ++i) EXPECT_EQ(receiver.accept(frames[i], received), Status::kNotReady);
 }
 
 TEST(Setpoint, IsRefusedWhenNoFrameCanCarryIt) {
