@@ -72,7 +72,7 @@ TEST_F(CanLoad, IsNotWokenByWhatItsFilterKeepsAwayNorHasItsRoomTaken) {
   CanSocket alice(kBus);
   CanSocket bob(kBus, IfMissing::kRefuse, options);
   for (int i = 0; i < 2000; ++i) ASSERT_EQ(alice.send({.identifier = 0x09F10DCC, .size = 8, .data = {}}), Status::kOk);  // 127245
-  ASSERT_EQ(alice.send({.identifier = 0x18EA41CC, .size = 3, .data = {}}), Status::kOk);                                   // to another
+  ASSERT_EQ(alice.send({.identifier = 0x18EA41CC, .size = 3, .data = {}}), Status::kOk);                                 // to another
   can_frame short_identifier{};
   short_identifier.can_id = 0x123;
   put(short_identifier);
@@ -107,7 +107,7 @@ TEST_F(CanLoad, NeverSeesFramesOfCanFdAndTakesNoneForAMessageIfTheyComeAnyhow) {
   CanSocket bob(kBus);
   canfd_frame large{};
   large.can_id = 0x09F112CC | CAN_EFF_FLAG;
-  large.len = 64;
+  large.len = 8;  // in size a message, in kind none
   put(large);
   EXPECT_EQ(waiting_bytes(bob), 0U);
   const int on = 1;
