@@ -53,6 +53,12 @@ class CanBusTest : public ::testing::Test {
     return ::poll(&ready, 1, 5000) == 1;
   }
 
+  /// What was sent is on its way for a moment where the kernel is busy.
+  static bool more_comes(const CanSocket& socket) {
+    pollfd ready{socket.file_descriptor(), POLLIN, 0};
+    return ::poll(&ready, 1, 50) == 1;
+  }
+
   /// Puts any frame on the bus, also such as no controller would send.
   template <class RawFrame>
   static void put(const RawFrame& frame) {

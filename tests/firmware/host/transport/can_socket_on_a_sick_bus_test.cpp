@@ -22,14 +22,17 @@ std::vector<n2k::Frame> group(std::size_t size, std::uint8_t tag, unsigned prior
   return frames;
 }
 
-/// Tags of all that waits to be read.
-std::vector<int> tags_read(CanSocket& socket) {
-  std::vector<int> tags;
-  for (n2k::Frame frame; socket.receive(frame) == Status::kOk;) tags.push_back(frame.data[1]);
-  return tags;
-}
-
-class CanOnASickBus : public CanBusTest {};
+class CanOnASickBus : public CanBusTest {
+ protected:
+  /// Tags of all that comes.
+  static std::vector<int> tags_read(CanSocket& socket) {
+    std::vector<int> tags;
+    do {
+      for (n2k::Frame frame; socket.receive(frame) == Status::kOk;) tags.push_back(frame.data[1]);
+    } while (more_comes(socket));
+    return tags;
+  }
+};
 
 TEST_F(CanOnASickBus, KnowsTheControllersStateFromErrorFramesAndTakesNoneForAMessage) {
   CanSocket socket(kBus);
