@@ -66,8 +66,7 @@ class PayloadOverCan {
     for (n2k::Frame frame; bus_.receive(frame) == Status::kOk;) {
       const n2k::Identifier identifier = n2k::parse_identifier(frame.identifier).value();
       std::span<const std::uint8_t> bytes;
-      const bool is_ours =
-          identifier.pgn == n2k::kPeerPgn || (identifier.pgn >= n2k::kHealthPgn && identifier.pgn <= n2k::kDecisionPgn);
+      const bool is_ours = identifier.pgn == n2k::kPeerPgn || (identifier.pgn >= n2k::kHealthPgn && identifier.pgn <= n2k::kDecisionPgn);
       if (is_ours && assembly_.accept(identifier, frame, bytes) == Status::kOk) take(identifier, bytes);
     }
   }
