@@ -21,11 +21,12 @@ BusConnection::BusConnection(const std::string& interface, EmulatedVehicle& vehi
 
 void BusConnection::turn() {
   wait();
-  const Time utc = ScaledClock::utc();
-  if (!socket_.is_up() && (!reopened_ || utc < *reopened_ || utc - *reopened_ >= kReopenAfter)) {
-    reopened_ = utc;
+  const Time host_now = ScaledClock::host_now();
+  if (!socket_.is_up() && (!reopened_ || host_now - *reopened_ >= kReopenAfter)) {
+    reopened_ = host_now;
     (void)socket_.reopen();
   }
+  socket_.flush(host_now);  // brings back a controller that was bus-off
   receive();
   said_.clear();
   vehicle_.step(clock_.now(), said_);

@@ -73,8 +73,7 @@ bool Operator::is_waiting(Order order) const {
 void Operator::give(Order order) {
   const Time given = setup_.utc();
   waiting_.push_back(
-      {.command = {.time = given, .expiry = given + kOrderLife, .issuer = setup_.issuer, .number = ++number_, .order = order},
-       .first_sent = {}});
+      {.command = {.time = given, .expiry = given + kOrderLife, .issuer = setup_.issuer, .number = ++number_, .order = order}});
 }
 
 void Operator::abort() {
@@ -89,23 +88,26 @@ void Operator::give_what_is_due(Time now) {
   if (has_arrived && !std::exchange(has_completed_, true)) give(Order::kComplete);
 }
 
+/// An ABORT is repeated until it is answered; of the others nobody would obey what is too old: they are given anew while there is reason.
+void Operator::forget_expired() {
+  const Time utc = setup_.utc();
+  std::erase_if(waiting_, [&](const Waiting& w) {
+    const bool is_expired = w.command.order != Order::kAbort && utc > w.command.expiry;
+    if (is_expired && w.command.order == Order::kStart) has_started_ = false;
+    if (is_expired && w.command.order == Order::kComplete) has_completed_ = false;
+    return is_expired;
+  });
+}
+
 void Operator::step(Time now, Frames& frames) {
   membership_.step(now, frames);
   const std::optional<std::uint8_t> source = membership_.address();
   if (!source) return;
   give_what_is_due(now);
-  // An ABORT is repeated until it is answered; of the others nobody would obey what is too old.
-  std::erase_if(waiting_, [&](const Waiting& w) {
-    const bool is_too_old = w.first_sent && now - *w.first_sent >= kOrderLife && w.command.order != Order::kAbort;
-    if (is_too_old && w.command.order == Order::kStart) has_started_ = false;
-    if (is_too_old && w.command.order == Order::kComplete) has_completed_ = false;
-    return is_too_old;
-  });
+  forget_expired();
   for (Waiting& waiting : waiting_) {
     if (!waiting.pace.is_due(now)) continue;
-    if (send(waiting, *source, frames) != Status::kOk) continue;
-    if (!waiting.first_sent) waiting.first_sent = now;
-    ++sent_;
+    if (send(waiting, *source, frames) == Status::kOk) ++sent_;
   }
 }
 

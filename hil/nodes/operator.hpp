@@ -17,7 +17,7 @@
 
 namespace earshot::hil {
 
-/// How long after it was given an order may be obeyed, and how long it is repeated.
+/// How long after it was given an order may be obeyed and is repeated, by the wall clock.
 inline constexpr Duration kOrderLife = Duration::seconds(30);
 
 struct OperatorSetup {
@@ -54,13 +54,13 @@ class Operator final : public Device {
  private:
   struct Waiting {
     messages::OperatorCommand command;
-    std::optional<Time> first_sent;
     Pace pace{Duration::seconds(1)};
   };
   void take_health(std::uint8_t source, const n2k::HealthReport& report);
   void take_answer(const messages::CommandAcknowledgement& answer, Time now);
   void give(messages::Order order);
   void give_what_is_due(Time now);
+  void forget_expired();
   [[nodiscard]] bool is_waiting(messages::Order order) const;
   [[nodiscard]] Status send(const Waiting& waiting, std::uint8_t source, Frames& frames);
 

@@ -14,15 +14,19 @@ Duration reading_of(clockid_t clock) {
 
 }  // namespace
 
-ScaledClock::ScaledClock(double speed) : speed_(speed), began_(utc()), began_on_host_(reading_of(CLOCK_MONOTONIC)) {}
+ScaledClock::ScaledClock(double speed) : speed_(speed), began_(utc()), began_on_host_(host_now()) {}
 
 Time ScaledClock::now() const {
-  const Duration passed = reading_of(CLOCK_MONOTONIC) - began_on_host_;
+  const Duration passed = host_now() - began_on_host_;
   return began_ + Duration{std::llround(static_cast<double>(passed.us) * speed_)};
 }
 
 Time ScaledClock::utc() {
   return Time{} + reading_of(CLOCK_REALTIME);
+}
+
+Time ScaledClock::host_now() {
+  return Time{} + reading_of(CLOCK_MONOTONIC);
 }
 
 Duration ScaledClock::on_host(Duration duration) const {

@@ -14,13 +14,15 @@ class ScaledClock {
   [[nodiscard]] Time now() const;
   /// The wall clock's time.
   [[nodiscard]] static Time utc();
+  /// The host's clock that does not jump.
+  [[nodiscard]] static Time host_now();
   /// How long `duration` of the devices' time takes on the host.
   [[nodiscard]] Duration on_host(Duration duration) const;
 
  private:
   double speed_;
   Time began_;
-  Duration began_on_host_;
+  Time began_on_host_;
 };
 
 }  // namespace earshot::hil

@@ -13,7 +13,7 @@
 namespace earshot::hil {
 namespace {
 
-constexpr double kNewCourse_rad = 0.1;  ///< less is what keeps the vehicle on its leg
+constexpr double kNewCourse_rad = 0.4;  ///< about 23 degrees: less is what keeps the vehicle on its leg
 
 template <class... Values>
 std::string printed(const char* format, Values... values) {

@@ -53,9 +53,10 @@ class OperatorTest : public testing::Test {
   }
 
   bool has_arrived_ = false;
+  Time utc_ = kNoon;
   std::uint8_t destination_ = kEarshot;
   std::unique_ptr<Operator> operator_ = std::make_unique<Operator>(
-      OperatorSetup{.issuer = 4711, .utc = [] { return kNoon; }, .has_arrived = [this] { return has_arrived_; }, .unique_number = 1});
+      OperatorSetup{.issuer = 4711, .utc = [this] { return utc_; }, .has_arrived = [this] { return has_arrived_; }, .unique_number = 1});
   n2k::OrderReceiver receiver_;
   std::vector<messages::OperatorCommand> orders_;
   Time now_{};
@@ -87,6 +88,20 @@ TEST_F(OperatorTest, RepeatsTheSameOrderOnceASecondUntilItIsAcknowledged) {
   EXPECT_EQ(orders_.size(), 6U);
   ASSERT_EQ(operator_->answers().size(), 1U);
   EXPECT_EQ(operator_->answers()[0].outcome, CommandOutcome::kObeyed);
+}
+
+TEST_F(OperatorTest, GivesAnOrderAnewOnceItHasExpiredByTheWallClock) {
+  say(MissionState::kStandby);
+  pass(Duration::seconds(100));
+  EXPECT_EQ(orders_.back(), orders_.front()) << "the wall clock has not moved";
+  utc_ = kNoon + Duration::seconds(30);
+  pass(Duration::seconds(1));
+  EXPECT_EQ(orders_.back(), orders_.front());
+  utc_ = utc_ + Duration{1};
+  pass(Duration::seconds(1));
+  EXPECT_EQ(orders_.back().order, Order::kStart);
+  EXPECT_EQ(orders_.back().number, orders_.front().number + 1);
+  EXPECT_EQ(orders_.back().time, utc_);
 }
 
 TEST_F(OperatorTest, TakesNoAnswerThatIsAnothers) {
@@ -163,6 +178,7 @@ TEST_F(OperatorTest, AbortsInOneFrameToEveryoneWhileNobodyIsKnownToBeEarshot) {
 TEST_F(OperatorTest, RepeatsAnAbortUntilItIsAnsweredHoweverLongThatTakes) {
   say(MissionState::kSearch);
   operator_->abort();
+  utc_ = kNoon + Duration::seconds(120);
   pass(Duration::seconds(120));
   EXPECT_EQ(orders_.size(), 120U);
   answer(orders_.back(), CommandOutcome::kObeyed);

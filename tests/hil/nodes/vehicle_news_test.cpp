@@ -76,7 +76,7 @@ TEST_F(VehicleNewsTest, TellsOfADecisionWithHowFarTheSourceReallyIs) {
 TEST_F(VehicleNewsTest, TellsOfAnotherCourseAndNotOfOneThatIsKept) {
   steer(1.5707963, 300.0, Time{});
   EXPECT_EQ(news_.lines(Time{}), Lines{"0:00:00  autopilot: steers 090 degrees, 2.0 m/s, 300 m deep"});
-  steer(1.60, 300.0, Time{});
+  steer(1.90, 300.0, Time{});
   EXPECT_EQ(news_.lines(Time{}), Lines{});
   steer(-0.0001, 300.0, Time{});
   EXPECT_EQ(news_.lines(Time{}), Lines{"0:00:00  autopilot: steers 000 degrees, 2.0 m/s, 300 m deep"});
