@@ -80,10 +80,9 @@ class SeaOverCan : public testing::Test {
     text.replace(at, from.size(), to);
   }
 
-  /// The mission that ships, which waits longer for what is late: a machine that tests share may halt everything for a while.
-  [[nodiscard]] static std::string patient_mission() {
-    std::string mission =
-        support::read_text(std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/search_over_can.toml");
+  /// A mission that ships, which waits longer for what is late: a machine that tests share may halt everything for a while.
+  [[nodiscard]] static std::string patient_mission(const std::string& name) {
+    std::string mission = support::read_text(std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions" / name);
     replace(mission, "navigation_timeout_s = 5.0", "navigation_timeout_s = 120.0");
     replace(mission, "snr_timeout_s = 5.0", "snr_timeout_s = 120.0");
     return mission;
