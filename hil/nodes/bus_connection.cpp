@@ -12,6 +12,7 @@ namespace {
 
 constexpr Duration kShortestPeriod = Duration::milliseconds(100);  ///< of a message, in the devices' time
 constexpr Duration kLeastWait = Duration::milliseconds(1);         ///< on the host: no faster is worth a processor of its own
+constexpr Duration kMostWait = Duration::milliseconds(100);        ///< on the host: whoever stops us waits no longer
 constexpr Duration kReopenAfter = Duration::seconds(1);            ///< on the host
 
 }  // namespace
@@ -34,7 +35,7 @@ void BusConnection::turn() {
 }
 
 void BusConnection::wait() const {
-  const Duration most = std::max(clock_.on_host(kShortestPeriod), kLeastWait);
+  const Duration most = std::clamp(clock_.on_host(kShortestPeriod), kLeastWait, kMostWait);
   const timespec timeout{.tv_sec = most.us / 1'000'000, .tv_nsec = most.us % 1'000'000 * 1000};
   pollfd readable{.fd = socket_.is_up() ? socket_.file_descriptor() : -1, .events = POLLIN, .revents = 0};
   (void)ppoll(&readable, 1, &timeout, nullptr);
