@@ -2,8 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <iomanip>
 #include <limits>
+#include <numbers>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -110,17 +113,22 @@ hil::VehicleSetup setup_of(const Options& o, const host::MissionFile& file) {
   Pcg32 numbers(o.seed, static_cast<std::uint64_t>(hil::ScaledClock::utc().us));
   setup.issuer = 1 + numbers.next() % 0xFFFFU;
   setup.first_number = numbers.next() % 0x1FFF00U;
-  if (o.variation_deg) setup.magnetic_field = hil::MagneticField{Radians{*o.variation_deg * 3.14159265358979323846 / 180.0}};
+  if (o.variation_deg) setup.magnetic_field = hil::MagneticField{Radians{*o.variation_deg * std::numbers::pi / 180.0}};
   setup.without = o.without;
   return setup;
 }
 
 void introduce(const std::string& interface, const hil::VehicleSetup& setup, const hil::EmulatedVehicle& vehicle, double speed) {
   std::ostream& out = program::say();
-  out << "a vehicle on " << host::printable(interface) << ", " << speed << " times as fast as at sea:";
+  out << "a vehicle on " << host::printable(interface) << ", ";
+  if (speed == 1.0) {
+    out << "in real time:";
+  } else {
+    out << speed << " times as fast as at sea:";
+  }
   for (const std::string_view name : vehicle.devices()) out << (name == vehicle.devices().front() ? " " : ", ") << name;
   out << "\nit lies at " << hil::in_kilometres(setup.start.position) << ", the source at " << hil::in_kilometres(setup.source.position)
-      << ", where its SNR is " << setup.source.snr(vehicle.range()).value << " dB\n"
+      << ", where its SNR is " << std::fixed << std::setprecision(1) << setup.source.snr(vehicle.range()).value << " dB\n"
       << "waiting for Earshot on that bus, as long as it takes; Ctrl-C ends it\n"
       << std::flush;
 }
