@@ -114,6 +114,7 @@ class FakePort final : public Port {
     if (on_publish) on_publish();
     return 1;
   }
+  void serve() override { ++served; }
   [[nodiscard]] int file_descriptor() const override { return -1; }
   [[nodiscard]] std::string description() const override { return "a script"; }
 
@@ -123,6 +124,7 @@ class FakePort final : public Port {
   std::vector<Time> times;
   std::vector<runtime::Outputs> published;
   std::function<void()> on_publish;
+  std::size_t served = 0;
 
  private:
   FakeHost& host_;
@@ -218,6 +220,14 @@ TEST_F(AtSea, TurnsOnceAPeriodAndSearchesOnceStarted) {
     EXPECT_EQ(port_->health(i).state, MissionState::kSearch) << i;
     EXPECT_EQ(port_->times[i] - port_->times[i - 1], kPeriod) << i;
   }
+}
+
+TEST_F(AtSea, ServesItsPortsWheneverItWakesNotOnlyOnceATurn) {
+  for (int tenth = 1; tenth < 50; ++tenth) script_.then(Duration::milliseconds(100 * tenth), [](Clock&, InputSink&) {});
+  stop_at(5);
+  (void)fly();
+  EXPECT_GE(port_->served, 50U) << "45 times between turns, 5 with one";
+  EXPECT_LT(port_->published.size(), 11U);
 }
 
 TEST_F(AtSea, AnAbortHoldsThoughOtherOrdersFollowItInItsTurn) {

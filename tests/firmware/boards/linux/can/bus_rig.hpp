@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <net/if.h>
+#include <poll.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -72,7 +73,13 @@ class BusRig : public testing::Test {
       GTEST_SKIP() << "no interface " << kInterface << ": run me with hil/bus/with-can";
     }
     settings_ = {.name = "vehicle", .kind = host::PortKind::kCan, .address = kInterface, .roles = host::kCanRoles};
-    bus_.emplace(kInterface);
+    join(kInterface);
+  }
+
+  /// The test's own sockets. What one of them hears the port has been given, too: frames are on their way for a while.
+  void join(const char* interface) {
+    bus_.emplace(interface);
+    witness_.emplace(interface);
   }
 
   /// With the settings as they are; it has no address yet.
@@ -97,7 +104,19 @@ class BusRig : public testing::Test {
   }
   void collect() { port_->collect(clock_, taken_); }
 
-  void send(const n2k::Frame& frame) { ASSERT_EQ(bus_->send(frame), Status::kOk); }
+  void send(const n2k::Frame& frame) {
+    ASSERT_EQ(bus_->send(frame), Status::kOk);
+    ASSERT_TRUE(wait_for(*witness_, frame.identifier));
+  }
+  /// Reads until a frame of this identifier has come. @return false when it has not in five seconds
+  static bool wait_for(host::CanSocket& socket, std::uint32_t identifier) {
+    for (pollfd ready{socket.file_descriptor(), POLLIN, 0}; ::poll(&ready, 1, 5000) == 1;) {
+      for (n2k::Frame frame; socket.receive(frame) == Status::kOk;) {
+        if (frame.identifier == identifier) return true;
+      }
+    }
+    return false;
+  }
   template <class Frames>
   void send_all(const Frames& frames) {
     for (const n2k::Frame& frame : frames) send(frame);
@@ -126,7 +145,9 @@ class BusRig : public testing::Test {
   /// What the port has sent since this was last asked.
   std::vector<Heard> heard() {
     std::vector<Heard> messages;
-    for (n2k::Frame frame; bus_->receive(frame) == Status::kOk;) {
+    constexpr n2k::Frame kMark{.identifier = 0x1DFF'FF99};  // of a group that nobody has: what the port said came before
+    EXPECT_EQ(witness_->send(kMark), Status::kOk);
+    for (n2k::Frame frame; next(frame) && frame.identifier != kMark.identifier;) {
       const n2k::Identifier identifier = n2k::parse_identifier(frame.identifier).value();
       std::span<const std::uint8_t> bytes = frame.bytes();
       const n2k::Message* message = n2k::find_message(identifier.pgn);
@@ -142,10 +163,18 @@ class BusRig : public testing::Test {
     return messages;
   }
 
+  bool next(n2k::Frame& frame) {
+    for (pollfd ready{bus_->file_descriptor(), POLLIN, 0}; bus_->receive(frame) != Status::kOk;) {
+      if (::poll(&ready, 1, 5000) != 1) return false;
+    }
+    return true;
+  }
+
   SetHost host_;
   SetClock clock_;
   host::PortSettings settings_;
   std::optional<host::CanSocket> bus_;
+  std::optional<host::CanSocket> witness_;
   std::unique_ptr<CanPort> port_;
   Taken taken_;
   n2k::FastPacketAssembly assembly_;

@@ -20,6 +20,14 @@ TEST(BusRoles, OfAllTogetherHaveRoomForTheirGroupsInListsAndFilters) {
   EXPECT_TRUE(has(pgns_read(host::kCanRoles), n2k::kPeerPgn)) << "the last that is added";
 }
 
+TEST(BusRoles, SendAndReadNoGroupOfAnotherRole) {
+  const Pgns sent = pgns_sent({host::Role::kNavigation});
+  const Pgns read = pgns_read({host::Role::kAutopilot});
+  for (const std::uint32_t pgn : {n2k::kSpeedDepthPgn, n2k::kHeadingControlPgn, n2k::kPeerPgn, n2k::kHealthPgn, n2k::kDecisionPgn})
+    EXPECT_FALSE(has(sent, pgn)) << pgn;
+  for (const std::uint32_t pgn : {n2k::kHeadingPgn, n2k::kPositionPgn, n2k::kSnrPgn, n2k::kPeerPgn}) EXPECT_FALSE(has(read, pgn)) << pgn;
+}
+
 TEST(BusRoles, LetEveryGroupThatIsReadThroughTheKernelsFilterAndNoOther) {
   const host::CanFilters filters = filters_of({host::Role::kNavigation});
   const auto passes = [&](std::uint32_t identifier) {
@@ -32,7 +40,7 @@ TEST(BusRoles, LetEveryGroupThatIsReadThroughTheKernelsFilterAndNoOther) {
   EXPECT_TRUE(passes(0x15FD'0A26)) << "130314 pressure";
   EXPECT_TRUE(passes(0x18EE'FF55)) << "60928 claim";
   EXPECT_TRUE(passes(0x18EA'4055)) << "59904 request, to us";
-  EXPECT_FALSE(passes(0x15FF'0B28)) << "65291 SNR";
+  EXPECT_FALSE(passes(0x14FF'0B28)) << "65291 SNR";
   EXPECT_FALSE(passes(0x0DEF'4029)) << "126720 orders";
 }
 

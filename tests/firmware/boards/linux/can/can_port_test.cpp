@@ -190,8 +190,10 @@ TEST_F(CanPortTest, AnswersEachAskerAndNobodyElse) {
   open_settled();
   order(Order::kStart, 3);
   collect();
-  runtime::Outputs outputs = started(3);
-  ASSERT_EQ(outputs.acknowledgements.push_back(acknowledgement(2, 4, Order::kStart)), Status::kOk) << "another port's";
+  runtime::Outputs outputs;
+  // Another port's, of an operator who counts alike, comes first.
+  ASSERT_EQ(outputs.acknowledgements.push_back(acknowledgement(2, 3, Order::kStart, messages::CommandOutcome::kTooOld)), Status::kOk);
+  ASSERT_EQ(outputs.acknowledgements.push_back(acknowledgement(1, 3, Order::kStart)), Status::kOk);
   publish(outputs);
   const std::vector<Heard> answers = heard(n2k::kPeerPgn);
   ASSERT_EQ(answers.size(), 1U);
@@ -305,9 +307,12 @@ TEST_F(CanPortTest, TakesThePressureAtItsStartForThatAtTheSurfaceOnce) {
   send_pressure(5000.0);
   send_fix({});
   collect();
-  publish({});
   ASSERT_EQ(depths().size(), 1U);
   EXPECT_NEAR(depths()[0], 0.4974, 1e-3) << "5000 Pa / (1025 kg/m3 x 9.80665 m/s2)";
+  port_->publish(taken_.all<messages::Navigation>().back().time, {});
+  send_fix({});
+  collect();
+  EXPECT_NEAR(depths().at(1), 0.4974, 1e-3) << "before the START";
   // Dated by the kernel's clock, which is not the one that this test sets.
   port_->publish(taken_.all<messages::Navigation>().back().time, started(3));
   taken_.values.clear();
@@ -315,6 +320,8 @@ TEST_F(CanPortTest, TakesThePressureAtItsStartForThatAtTheSurfaceOnce) {
   collect();
   ASSERT_EQ(depths().size(), 1U);
   EXPECT_NEAR(depths()[0], 9.5026, 1e-3);
+  send_pressure(3000.0);
+  collect();
   port_->publish(taken_.all<messages::Navigation>().back().time, started(4));
   send_fix(10.0);
   collect();
@@ -348,26 +355,6 @@ TEST_F(CanPortTest, HasNoFixByAnAbsolutePressureBeforeItsStart) {
   // 100 520.2 Pa / (1025 kg/m3 x 9.80665 m/s2) = 10.0003 m
   ASSERT_EQ(depths().size(), 1U);
   EXPECT_NEAR(depths()[0], 10.0003, 1e-3);
-}
-
-TEST_F(CanPortTest, ClaimsAnAddressOnALinkThatComesAfterIt) {
-  const auto ip = [](const std::string& what) { return std::system(("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link " + what).c_str()); };
-  if (ip("add vcan78 type vcan") != 0) GTEST_SKIP() << "only root may make an interface";
-  ASSERT_EQ(ip("del vcan78"), 0);
-  settings_.address = "vcan78";
-  open();
-  EXPECT_TRUE(port_->settle()) << "nobody waits for a link that is not there";
-  serve_for(Duration::seconds(1));
-  EXPECT_EQ(publish(searching()), 0U);
-  ASSERT_EQ(ip("add vcan78 type vcan"), 0);
-  ASSERT_EQ(ip("set vcan78 up"), 0);
-  bus_.emplace("vcan78");
-  port_->tend();
-  port_->serve();
-  EXPECT_EQ(heard(n2k::kAddressClaimPgn).size(), 1U);
-  serve_for(Duration::milliseconds(300));
-  EXPECT_EQ(publish(searching()), 1U);
-  ASSERT_EQ(ip("del vcan78"), 0);
 }
 
 TEST_F(CanPortTest, CountsItsOwnMemory) {
