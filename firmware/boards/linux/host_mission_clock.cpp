@@ -15,6 +15,29 @@ Duration scaled(Duration duration, double factor) {
   return {std::llround(static_cast<double>(duration.us) * factor)};
 }
 
+struct Moment {
+  Time utc;
+  Duration monotonic;
+};
+
+/// Both clocks as of one moment: a process halted between the two readings would call a date older than it is by the length of the halt,
+/// so that they are read anew, four times at most, until little lies between them.
+Moment moment_of(const HostClock& host) {
+  constexpr Duration kClose = Duration{20};
+  constexpr int kMost = 4;
+  Moment closest;
+  Duration apart;
+  for (int i = 0; i < kMost && (i == 0 || apart > kClose); ++i) {
+    const Duration before = host.monotonic();
+    const Time utc = host.utc();
+    const Duration passed = host.monotonic() - before;
+    if (i > 0 && passed >= apart) continue;
+    closest = {.utc = utc, .monotonic = before};
+    apart = passed;
+  }
+  return closest;
+}
+
 }  // namespace
 
 HostMissionClock::HostMissionClock(const HostClock& host, double speed)
@@ -28,7 +51,8 @@ Time HostMissionClock::mission_time_of(Time utc) {
   constexpr Time kNoDate{-1};
   constexpr Time kLatest{std::int64_t{1} << 55};  // the year 3111, which is never; a hundred times it fits
   if (utc.us < 0) return kNoDate;
-  return now() + scaled(std::min(utc, kLatest) - host_.utc(), speed_);
+  const Moment moment = moment_of(host_);
+  return began_ + scaled(moment.monotonic - began_on_host_, speed_) + scaled(std::min(utc, kLatest) - moment.utc, speed_);
 }
 
 Clock::Wake HostMissionClock::wait(const Awaited& awaited) {

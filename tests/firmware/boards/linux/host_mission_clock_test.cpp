@@ -54,6 +54,34 @@ TEST(HostMissionClock, ScalesWhatPassesAndWhatIsOld) {
   EXPECT_EQ(clock.mission_time_of(host.wall + seconds(-2)), Time{1'180'000'000}) << "2 s old are 2 min";
 }
 
+/// A host whose process is halted for 40 ms between two readings of its clocks, the first times that they are read.
+class HaltedHost final : public HostClock {
+ public:
+  [[nodiscard]] Time utc() const override {
+    pass(halts > 0 ? Duration::milliseconds(40) : Duration{});
+    if (halts > 0) --halts;
+    return Time{1'000'000'000} + passed_;
+  }
+  [[nodiscard]] Duration monotonic() const override {
+    pass(Duration{1});
+    return passed_;
+  }
+  mutable int halts = 0;
+
+ private:
+  void pass(Duration time) const { passed_ = passed_ + time; }
+  mutable Duration passed_;
+};
+
+TEST(HostMissionClock, DatesRightThoughItIsHaltedBetweenTwoClocks) {
+  HaltedHost host;
+  HostMissionClock clock(host, 50.0);
+  const Time now = host.utc();
+  host.halts = 2;
+  EXPECT_NEAR(static_cast<double>(clock.mission_time_of(now).us - clock.now().us), -50.0 * 80'000.0, 50.0 * 20.0)
+      << "80 ms have passed since, which are 4 s, and no 40 ms more or less";
+}
+
 TEST(HostMissionClock, TakesADateThatCannotBeForNoneOrForTheFuture) {
   SetHost host;
   HostMissionClock clock(host, 100.0);
