@@ -1,11 +1,21 @@
 #include "firmware/wire/n2k/sensors/sensors.hpp"
 
+#include <cstdint>
+#include <span>
+
 #include "firmware/core/math.hpp"
 #include "firmware/wire/n2k/hydrostatics.hpp"
 #include "firmware/wire/n2k/sensors/fields.hpp"
 #include "firmware/wire/n2k/signals.hpp"
 
 namespace earshot::n2k {
+namespace {
+
+/// A function of fields.hpp that is called by its name: the core calls nothing through a pointer.
+template <auto kRead>
+constexpr auto by = [](std::span<const std::uint8_t> bytes) { return kRead(bytes); };
+
+}  // namespace
 
 Sensors::Sensors(const SensorSettings& settings) : settings_(settings) {
   for (std::size_t i = 0; i < kMeasured; ++i) gates_[i] = SourceGate(settings.sources[i]);
@@ -36,32 +46,32 @@ Status Sensors::take(const Arrival& arrival, Measured& measured) {
   switch (arrival.identifier.pgn) {
     case kPositionPgn:
       measured = Measured::kPosition;
-      return keep_admitted(measured, arrival, table::kPosition, readings_.position, fields::position);
+      return keep_admitted(measured, arrival, table::kPosition, readings_.position, by<fields::position>);
     case kHeadingPgn:
       measured = Measured::kHeading;
       return keep_admitted(measured, arrival, table::kHeading, readings_.heading,
                            [&](Bytes bytes) { return true_heading(bytes, arrival.time); });
     case kVariationPgn:
       measured = Measured::kVariation;
-      return keep_admitted(measured, arrival, table::kVariation, readings_.variation, fields::variation);
+      return keep_admitted(measured, arrival, table::kVariation, readings_.variation, by<fields::variation>);
     case kRateOfTurnPgn:
       measured = Measured::kRateOfTurn;
-      return keep_admitted(measured, arrival, table::kRateOfTurn, readings_.rate_of_turn, fields::rate_of_turn);
+      return keep_admitted(measured, arrival, table::kRateOfTurn, readings_.rate_of_turn, by<fields::rate_of_turn>);
     case kAttitudePgn:
       measured = Measured::kAttitude;
-      return keep_admitted(measured, arrival, table::kAttitude, readings_.attitude, fields::attitude);
+      return keep_admitted(measured, arrival, table::kAttitude, readings_.attitude, by<fields::attitude>);
     case kSpeedPgn:
       measured = Measured::kSpeed;
-      return keep_admitted(measured, arrival, table::kSpeed, readings_.speed, fields::speed);
+      return keep_admitted(measured, arrival, table::kSpeed, readings_.speed, by<fields::speed>);
     case kCoursePgn:
       measured = Measured::kOverGround;
-      return keep_admitted(measured, arrival, table::kCourse, readings_.over_ground, fields::over_ground);
+      return keep_admitted(measured, arrival, table::kCourse, readings_.over_ground, by<fields::over_ground>);
     case kWaterDepthPgn:
       measured = Measured::kAltitude;
-      return keep_admitted(measured, arrival, table::kWaterDepth, readings_.altitude, fields::altitude);
+      return keep_admitted(measured, arrival, table::kWaterDepth, readings_.altitude, by<fields::altitude>);
     case kRudderPgn:
       measured = Measured::kRudder;
-      return keep_admitted(measured, arrival, table::kRudder, readings_.rudder, fields::rudder, fields::rudder_instance(arrival.bytes));
+      return keep_admitted(measured, arrival, table::kRudder, readings_.rudder, by<fields::rudder>, fields::rudder_instance(arrival.bytes));
     case kPressurePgn:
       measured = Measured::kPressure;
       return take_pressure(arrival);
@@ -70,7 +80,8 @@ Status Sensors::take(const Arrival& arrival, Measured& measured) {
       return take_temperature(arrival);
     case kBatteryPgn:
       measured = Measured::kBattery;
-      return keep_admitted(measured, arrival, table::kBattery, readings_.battery, fields::battery, fields::battery_instance(arrival.bytes));
+      return keep_admitted(measured, arrival, table::kBattery, readings_.battery, by<fields::battery>,
+                           fields::battery_instance(arrival.bytes));
     default:
       ++counters_.of_no_interest;
       return Status::kNotReady;
@@ -122,7 +133,7 @@ Status Sensors::take_gnss(const Identifier& identifier, const Frame& frame, Time
   const Status status = assembly_.accept(identifier, frame, now, message);
   if (status != Status::kOk) return status == Status::kNotReady ? status : Status::kMalformed;
   const Arrival arrival{.identifier = identifier, .bytes = message.bytes, .time = message.began};
-  return keep_admitted(Measured::kPosition, arrival, table::kGnss, readings_.position, fields::gnss_position);
+  return keep_admitted(Measured::kPosition, arrival, table::kGnss, readings_.position, by<fields::gnss_position>);
 }
 
 Status Sensors::take_pressure(const Arrival& arrival) {
