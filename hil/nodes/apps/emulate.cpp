@@ -50,9 +50,7 @@ void declare(program::CommandLine& line, Options& o) {
       .separated_by(',')
       .takes(2, 2);
   line.option("--start", &o.start, "where the vehicle is, likewise").separated_by(',').takes(2, 2);
-  line.option("--seed", &o.seed, "draws what is not given, and the devices' numbers")
-      .from(0, std::numeric_limits<std::int64_t>::max())
-      .shows_default();
+  line.option("--seed", &o.seed, "draws what is not given").from(0, std::numeric_limits<std::int64_t>::max()).shows_default();
   line.option("--speed", &o.speed, "seconds of the vehicle's time per second; earshotd must be told the same")
       .between(0.01, 100.0)
       .shows_default();
