@@ -37,16 +37,18 @@ using namespace earshot;
 using namespace std::chrono_literals;
 
 constexpr const char* kInterface = "vcan0";
-constexpr auto kMeasured = 30s;
+constexpr auto kMeasured = 60s;
 constexpr std::uint8_t kEarshot = 0x40;
 constexpr std::uint8_t kOther = 0x66;
 
-/// 80 frames every 10 ms, until somebody ends it.
+/// 80 frames every 10 ms, until somebody ends it or the bus takes no more.
 [[noreturn]] void load(std::uint32_t pgn) {
   host::CanSocket bus(kInterface);
   n2k::Frame frame{.identifier = n2k::compose({.pgn = pgn, .priority = 6, .source = kOther, .destination = n2k::kBroadcast}).value()};
   for (auto next = std::chrono::steady_clock::now();; std::this_thread::sleep_until(next)) {
-    for (int i = 0; i < 80; ++i) (void)bus.send(frame);
+    for (int i = 0; i < 80; ++i) {
+      if (bus.send(frame) != Status::kOk) std::_Exit(1);
+    }
     next += 10ms;
   }
 }
@@ -158,6 +160,7 @@ int main(int argc, char** argv) try {
   if (loader == 0) load(static_cast<std::uint32_t>(std::atol(argv[1])));
   std::vector<std::int64_t> latencies_us = measure();
   if (loader > 0) {
+    if (::waitpid(loader, nullptr, WNOHANG) != 0) throw std::runtime_error("the load broke off: the bus had no room for it");
     (void)::kill(loader, SIGKILL);
     (void)::waitpid(loader, nullptr, 0);
   }
