@@ -15,14 +15,14 @@ Duration scaled(Duration duration, double factor) {
   return {std::llround(static_cast<double>(duration.us) * factor)};
 }
 
-struct Moment {
-  Time utc;
-  Duration monotonic;
-};
+/// How long a pair of readings is good for: a flood of dates costs one reading each, and a wall clock that is set misdates this long.
+constexpr Duration kMomentLasts = Duration::milliseconds(10);
+
+}  // namespace
 
 /// Both clocks as of one moment: a process halted between the two readings would call a date older than it is by the length of the halt,
 /// so that they are read anew, four times at most, until little lies between them.
-Moment moment_of(const HostClock& host) {
+HostMissionClock::Moment HostMissionClock::moment_of(const HostClock& host) {
   constexpr Duration kClose = Duration{20};
   constexpr int kMost = 4;
   Moment closest;
@@ -38,10 +38,8 @@ Moment moment_of(const HostClock& host) {
   return closest;
 }
 
-}  // namespace
-
 HostMissionClock::HostMissionClock(const HostClock& host, double speed)
-    : host_(host), speed_(speed), began_(host.utc()), began_on_host_(host.monotonic()) {}
+    : host_(host), speed_(speed), began_(host.utc()), began_on_host_(host.monotonic()), moment_(moment_of(host)) {}
 
 Time HostMissionClock::now() {
   return began_ + scaled(host_.monotonic() - began_on_host_, speed_);
@@ -51,8 +49,8 @@ Time HostMissionClock::mission_time_of(Time utc) {
   constexpr Time kNoDate{-1};
   constexpr Time kLatest{std::int64_t{1} << 55};  // the year 3111, which is never; a hundred times it fits
   if (utc.us < 0) return kNoDate;
-  const Moment moment = moment_of(host_);
-  return began_ + scaled(moment.monotonic - began_on_host_, speed_) + scaled(std::min(utc, kLatest) - moment.utc, speed_);
+  if (host_.monotonic() - moment_.monotonic >= kMomentLasts) moment_ = moment_of(host_);
+  return began_ + scaled(moment_.monotonic - began_on_host_, speed_) + scaled(std::min(utc, kLatest) - moment_.utc, speed_);
 }
 
 Clock::Wake HostMissionClock::wait(const Awaited& awaited) {

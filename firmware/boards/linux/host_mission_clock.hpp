@@ -22,10 +22,17 @@ class HostMissionClock final : public Clock {
   [[nodiscard]] bool answered(const runtime::Outputs& /*outputs*/, std::uint64_t /*setpoints_sent*/) override { return true; }
 
  private:
+  struct Moment {
+    Time utc;
+    Duration monotonic;
+  };
+  [[nodiscard]] static Moment moment_of(const HostClock& host);
+
   const HostClock& host_;
   double speed_;
   Time began_;
   Duration began_on_host_;
+  Moment moment_;  ///< the newest reading of both
 };
 
 }  // namespace earshot::board
