@@ -5,8 +5,11 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -14,6 +17,7 @@
 #include "earshot/health_t.hpp"
 #include "earshot/operator_command_t.hpp"
 #include "earshot/snr_estimate_t.hpp"
+#include "firmware/host/transport/can_socket.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/health.hpp"
 #include "sim/ocean/file/environment_file.hpp"
@@ -178,6 +182,30 @@ TEST_F(ShortWalk, GivenTheProgramThatEmulatesAVehicleItsOperatorStartsTheSearchA
   }
   earshotd_->signal(SIGTERM);
   EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+}
+
+/// The NAMEs that a vehicle of this seed claims addresses with.
+std::set<std::uint64_t> names_of(const std::string& seed, const fs::path& folder) {
+  host::CanSocket bus("vcan0");
+  const fs::path mission = fs::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/search_over_can_alone.toml";
+  support::Process vehicle(kPrograms / "earshot-emulate", {"--mission", mission, "--interface", "vcan0", "--seed", seed, "--duration", "2"},
+                           folder / (seed + ".txt"));
+  EXPECT_EQ(vehicle.wait(60s), 0) << vehicle.output();
+  std::set<std::uint64_t> names;
+  for (n2k::Frame frame; bus.receive(frame) == Status::kOk;) {
+    constexpr std::uint32_t kClaim = 0x18EEFF00;
+    std::uint64_t name = 0;
+    std::memcpy(&name, frame.data.data(), sizeof name);
+    if ((frame.identifier & 0x1FFFFF00U) == kClaim) names.insert(name);
+  }
+  return names;
+}
+
+TEST_F(SeaOverCan, GivenOneSeedTheDevicesOfAnEmulatedVehicleHaveTheSameNamesThatAMissionMayAskFor) {
+  const std::set<std::uint64_t> names = names_of("7", folder_.path());
+  EXPECT_EQ(names.size(), 7U);
+  EXPECT_EQ(names_of("7", folder_.path()), names);
+  EXPECT_NE(names_of("8", folder_.path()), names);
 }
 
 TEST_F(SeaOverCan, GivenEverythingOverCanAHiddenSourceIsFoundAndTheJournalGivesEveryByteAgain) {

@@ -50,7 +50,9 @@ void declare(program::CommandLine& line, Options& o) {
       .separated_by(',')
       .takes(2, 2);
   line.option("--start", &o.start, "where the vehicle is, likewise").separated_by(',').takes(2, 2);
-  line.option("--seed", &o.seed, "draws what is not given").from(0, std::numeric_limits<std::int64_t>::max()).shows_default();
+  line.option("--seed", &o.seed, "draws what is not given, and the devices' unique numbers")
+      .from(0, std::numeric_limits<std::int64_t>::max())
+      .shows_default();
   line.option("--speed", &o.speed, "seconds of the vehicle's time per second; earshotd must be told the same")
       .between(0.01, 100.0)
       .shows_default();
@@ -107,10 +109,10 @@ hil::VehicleSetup setup_of(const Options& o, const host::MissionFile& file) {
   setup.plane = file.plane;
   setup.found_within = mission.step_length;
   setup.utc = hil::ScaledClock::utc;
-  // Drawn by the clock too: two that start with one seed are two operators.
-  Pcg32 numbers(o.seed, static_cast<std::uint64_t>(hil::ScaledClock::utc().us));
-  setup.issuer = 1 + numbers.next() % 0xFFFFU;
-  setup.first_number = numbers.next() % 0x1FFF00U;
+  // A mission may name the devices that it reads, so that their NAMEs are the seed's; two that start with one seed are two operators.
+  constexpr std::uint64_t kDevices = 1;
+  setup.first_number = Pcg32(o.seed, kDevices).next() % 0x1FFF00U;
+  setup.issuer = 1 + Pcg32(o.seed, static_cast<std::uint64_t>(hil::ScaledClock::utc().us)).next() % 0xFFFFU;
   if (o.variation_deg) setup.magnetic_field = hil::MagneticField{Radians{*o.variation_deg * std::numbers::pi / 180.0}};
   setup.without = o.without;
   return setup;
