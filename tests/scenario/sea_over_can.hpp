@@ -34,7 +34,7 @@
 namespace earshot {
 
 /// Seconds at sea in one of the host's.
-inline constexpr double kSeaSpeed = 50.0;
+inline constexpr double kSeaSpeed = 20.0;
 
 /// What a journal says of a voyage.
 struct Voyage {
@@ -90,7 +90,7 @@ class SeaOverCan : public testing::Test {
 
   void start_earshotd(const std::string& mission, std::vector<std::string> more) {
     std::ofstream(folder_ / "mission.toml") << mission;
-    more.insert(more.end(), {folder_ / "mission.toml", "--can-interface", "vcan0", "--speed", "50", "--out", folder_.path()});
+    more.insert(more.end(), {folder_ / "mission.toml", "--can-interface", "vcan0", "--speed", "20", "--out", folder_.path()});
     earshotd_ = std::make_unique<support::Process>(std::filesystem::path(EARSHOT_BIN_DIR) / "earshotd", more, folder_ / "earshotd.txt");
   }
 
