@@ -108,7 +108,11 @@ class Work {
 
   /// Everything heard so far goes out before anything is waited for.
   [[nodiscard]] bool flush() {
-    if (record_ == nullptr) return program::say().flush().good() || program::talk() == program::Talk::kQuiet;
+    if (record_ == nullptr) {
+      if (program::say().flush().good() || program::talk() == program::Talk::kQuiet) return true;
+      std::cerr << "earshot candump: standard output cannot be written\n";
+      return false;
+    }
     program::say().flush();
     try {
       record_->flush();

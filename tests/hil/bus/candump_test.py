@@ -116,6 +116,18 @@ class Reads(InAFolder):
             with self.subTest(arguments=arguments):
                 self.assertEqual(candump(*arguments).returncode, 2)
 
+    def test_says_that_nobody_takes_what_it_prints(self):
+        with Path("/dev/full").open("w") as full:
+            done = subprocess.run(
+                [PROGRAM, self.write("log", LINES[0] + "\n")],
+                check=False,
+                stdout=full,
+                stderr=subprocess.PIPE,
+                text=True,
+            )
+        self.assertEqual(done.returncode, 3)
+        self.assertEqual(done.stderr, "earshot candump: standard output cannot be written\n")
+
 
 class Records(InAFolder):
     def test_what_the_screen_showed_as_a_log(self):
