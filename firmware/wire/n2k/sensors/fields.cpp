@@ -1,5 +1,8 @@
 #include "firmware/wire/n2k/sensors/fields.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "firmware/wire/n2k/signals.hpp"
 
 namespace earshot::n2k::fields {
@@ -11,7 +14,9 @@ using table::raw_of;
 
 constexpr std::int64_t kTrue = raw_of(table::kDirectionReference, "True");
 constexpr std::int64_t kMagnetic = raw_of(table::kDirectionReference, "Magnetic");
-constexpr std::int64_t kNoGnss = raw_of(table::kGnssMethod, "no GNSS");
+/// Ways to a position that is not where the vehicle is: none, by hand, made up.
+constexpr std::int64_t kNotMeasured[]{raw_of(table::kGnssMethod, "no GNSS"), raw_of(table::kGnssMethod, "Manual Input"),
+                                      raw_of(table::kGnssMethod, "Simulate mode")};
 constexpr std::int64_t kWaterPressure = raw_of(table::kPressureSource, "Water");
 constexpr std::int64_t kSeaTemperature = raw_of(table::kTemperatureSource, "Sea Temperature");
 
@@ -64,7 +69,7 @@ Result<Geographic> gnss_position(Bytes bytes) {
   constexpr Signal kLongitude = field(table::kGnss, "Longitude");
   const Result<std::int64_t> method = decode_raw(kMethod, bytes);
   if (!method.ok() && method.status() != Status::kNotReady) return method.status();
-  if (method.ok() && method.value() == kNoGnss) return Status::kNotReady;
+  if (method.ok() && std::ranges::find(kNotMeasured, method.value()) != std::end(kNotMeasured)) return Status::kNotReady;
   return place(decode(kLatitude, bytes), decode(kLongitude, bytes));
 }
 

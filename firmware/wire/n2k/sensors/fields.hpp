@@ -30,7 +30,7 @@ struct Sourced {
 };
 
 [[nodiscard]] Result<Geographic> position(Bytes bytes);
-/// kNotReady also when there is "no GNSS" behind the numbers.
+/// kNotReady also when the numbers are not measured: "no GNSS", typed in by hand, or simulated.
 [[nodiscard]] Result<Geographic> gnss_position(Bytes bytes);
 /// As many as the longest message holds: 45.
 inline constexpr std::size_t kMostReferenceStations = (kMaxMessageSize - table::kGnss.size) / table::kReferenceStationBytes;

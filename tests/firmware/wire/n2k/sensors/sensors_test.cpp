@@ -163,14 +163,17 @@ TEST_F(SensorsTest, RefuseReservedAndOutOfRangeWithoutForgetting) {
   EXPECT_EQ(sensors_.counters().refused, 2U);
 }
 
-TEST_F(SensorsTest, TakeNoPositionFromAReceiverWithoutGnss) {
-  MessageWriter writer(kGnssPgn);
-  writer.set("Latitude", 46.0).set("Longitude", -1.3).set("Method", 0);
-  FastPacketFrames packet;
-  ASSERT_EQ(compose_fast_packet(writer.identifier(kA), 0, writer.bytes(), packet), Status::kOk);
-  for (const Frame& frame : packet) EXPECT_EQ(accept(frame), Status::kNotReady);
+TEST_F(SensorsTest, TakeNoPositionThatIsNotMeasured) {
+  std::uint8_t sequence = 0;
+  for (const int method : {0, 7, 8}) {  // no GNSS, manual input, simulate mode
+    MessageWriter writer(kGnssPgn);
+    writer.set("Latitude", 46.0).set("Longitude", -1.3).set("Method", method);
+    FastPacketFrames packet;
+    ASSERT_EQ(compose_fast_packet(writer.identifier(kA), sequence++, writer.bytes(), packet), Status::kOk);
+    for (const Frame& frame : packet) EXPECT_EQ(accept(frame), Status::kNotReady) << method;
+  }
   EXPECT_FALSE(readings().position.has_value());
-  EXPECT_EQ(sensors_.counters().unavailable, 1U);
+  EXPECT_EQ(sensors_.counters().unavailable, 3U);
 }
 
 /// 129029 at 46 N, 1.3 W, and behind its number of stations these bytes.
