@@ -15,6 +15,13 @@ namespace {
 template <auto kRead>
 constexpr auto by = [](std::span<const std::uint8_t> bytes) { return kRead(bytes); };
 
+/// What was read already.
+auto value_of(const Result<fields::Sourced>& said) {
+  return [&said](std::span<const std::uint8_t> /*bytes*/) {
+    return said.ok() ? Result<double>(said.value().value) : Result<double>(said.status());
+  };
+}
+
 }  // namespace
 
 Sensors::Sensors(const SensorSettings& settings) : settings_(settings) {
@@ -88,13 +95,6 @@ Status Sensors::take(const Arrival& arrival, Measured& measured) {
   }
 }
 
-bool Sensors::admits(Measured measured, const Arrival& arrival, const Message& message, std::optional<std::uint8_t> instance) {
-  const Origin origin{.pgn = arrival.identifier.pgn, .address = arrival.identifier.source, .instance = instance};
-  if (gates_[static_cast<std::size_t>(measured)].admits(origin, directory_, arrival.time, message.timeout)) return true;
-  ++counters_.other_device;
-  return false;
-}
-
 /// A device that has no value any more takes its last one back; one that sends nonsense does not.
 template <class T>
 Status Sensors::keep(std::optional<Reading<T>>& reading, Result<T> value, Time time) {
@@ -111,8 +111,19 @@ Status Sensors::keep(std::optional<Reading<T>>& reading, Result<T> value, Time t
 template <class T, class Read>
 Status Sensors::keep_admitted(Measured measured, const Arrival& arrival, const Message& message, std::optional<Reading<T>>& reading,
                               const Read& read, std::optional<std::uint8_t> instance) {
-  if (!admits(measured, arrival, message, instance)) return Status::kNotReady;
-  return keep<T>(reading, read(arrival.bytes), arrival.time);
+  SourceGate& gate = gates_[static_cast<std::size_t>(measured)];
+  const Origin origin{.pgn = arrival.identifier.pgn, .address = arrival.identifier.source, .instance = instance};
+  const Standing standing = gate.standing(origin, directory_, arrival.time, message.handover);
+  if (standing == Standing::kNotChosen) ++counters_.not_chosen[static_cast<std::size_t>(measured)];
+  if (standing == Standing::kNotChosen || standing == Standing::kIsAnothers) {
+    ++counters_.other_device;
+    return Status::kNotReady;
+  }
+  const Result<T> value = read(arrival.bytes);
+  if (value.ok()) gate.hold(origin, directory_, arrival.time);
+  if (standing == Standing::kHolds || value.ok()) return keep<T>(reading, value, arrival.time);
+  if (value.status() == Status::kNotReady) ++counters_.unavailable;
+  return value.status();
 }
 
 Result<Radians> Sensors::true_heading(Bytes bytes, Time now) {
@@ -143,10 +154,9 @@ Status Sensors::take_pressure(const Arrival& arrival) {
     ++counters_.of_no_interest;
     return Status::kNotReady;
   }
-  if (!admits(Measured::kPressure, arrival, table::kPressure, fields::pressure_instance(arrival.bytes))) return Status::kNotReady;
-  const Status kept =
-      keep(readings_.pressure_pa, said.ok() ? Result<double>(said.value().value) : Result<double>(said.status()), arrival.time);
-  readings_.depth.reset();
+  const Status kept = keep_admitted(Measured::kPressure, arrival, table::kPressure, readings_.pressure_pa, value_of(said),
+                                    fields::pressure_instance(arrival.bytes));
+  if (kept == Status::kOk || !readings_.pressure_pa) readings_.depth.reset();
   if (kept != Status::kOk) return kept;
   if (settings_.pressure_kind == PressureKind::kAbsolute && !settings_.surface_pa) {
     ++counters_.no_surface;
@@ -176,8 +186,8 @@ Status Sensors::take_temperature(const Arrival& arrival) {
     return Status::kNotReady;
   }
   if (!said.ok() && said.status() != Status::kNotReady) return said.status();
-  if (!admits(Measured::kTemperature, arrival, table::kTemperature, fields::temperature_instance(arrival.bytes))) return Status::kNotReady;
-  return keep(readings_.water_temperature_k, said.ok() ? Result<double>(said.value().value) : Result<double>(said.status()), arrival.time);
+  return keep_admitted(Measured::kTemperature, arrival, table::kTemperature, readings_.water_temperature_k, value_of(said),
+                       fields::temperature_instance(arrival.bytes));
 }
 
 }  // namespace earshot::n2k

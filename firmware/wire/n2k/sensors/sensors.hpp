@@ -45,13 +45,14 @@ struct SensorSettings {
 };
 
 struct SensorCounters {
-  std::uint64_t taken = 0;           ///< messages that gave a reading
-  std::uint64_t refused = 0;         ///< malformed, out of range, or of a reference that is not taken
-  std::uint64_t unavailable = 0;     ///< the device says that it has no value
-  std::uint64_t other_device = 0;    ///< of a device that this quantity is not taken from
-  std::uint64_t no_variation = 0;    ///< of those refused: magnetic headings without a variation
-  std::uint64_t no_surface = 0;      ///< of those refused: absolute pressures before the surface's is known
-  std::uint64_t of_no_interest = 0;  ///< frames of other groups, and what is measured in air
+  std::uint64_t taken = 0;                            ///< messages that gave a reading
+  std::uint64_t refused = 0;                          ///< malformed, out of range, or of a reference that is not taken
+  std::uint64_t unavailable = 0;                      ///< the device says that it has no value
+  std::uint64_t other_device = 0;                     ///< of a device that this quantity is not taken from
+  std::array<std::uint64_t, kMeasured> not_chosen{};  ///< of those, of a device that the mission does not name, by Measured
+  std::uint64_t no_variation = 0;                     ///< of those refused: magnetic headings without a variation
+  std::uint64_t no_surface = 0;                       ///< of those refused: absolute pressures before the surface's is known
+  std::uint64_t of_no_interest = 0;                   ///< frames of other groups, and what is measured in air
 };
 
 /// Reads the vehicle's sensors off the bus. Every quantity has its own device, its own reading and its own age: one that is missing is
@@ -84,10 +85,10 @@ class Sensors {
   };
   [[nodiscard]] Status take(const Arrival& arrival, Measured& measured);
   [[nodiscard]] Status take_gnss(const Identifier& identifier, const Frame& frame, Time now);
-  [[nodiscard]] bool admits(Measured measured, const Arrival& arrival, const Message& message, std::optional<std::uint8_t> instance = {});
   template <class T>
   [[nodiscard]] Status keep(std::optional<Reading<T>>& reading, Result<T> value, Time time);
-  /// What `read` makes of a message, if it is of the device that this is taken from.
+  /// What `read` makes of a message, if it is of the device that this is taken from. Only a value makes it that device: one that has none
+  /// is in nobody's way.
   template <class T, class Read>
   [[nodiscard]] Status keep_admitted(Measured measured, const Arrival& arrival, const Message& message, std::optional<Reading<T>>& reading,
                                      const Read& read, std::optional<std::uint8_t> instance = {});

@@ -7,13 +7,17 @@ bool SourceGate::is_same(const Holder& holder, const Origin& origin, std::option
   return holder.name ? holder.name == name : holder.origin.address == origin.address;
 }
 
-bool SourceGate::admits(const Origin& origin, const Directory& directory, Time now, Duration timeout) {
+Standing SourceGate::standing(const Origin& origin, const Directory& directory, Time now, Duration handover) const {
   const std::optional<Name> name = directory.name_of(origin.address);
-  if (choice_.instance && choice_.instance != origin.instance) return false;
-  if (choice_.name && choice_.name != name) return false;
-  if (holder_ && !is_same(*holder_, origin, name) && lies_within(holder_->last, now, timeout)) return false;
-  holder_ = Holder{.origin = origin, .name = name, .last = now};
-  return true;
+  if (choice_.instance && choice_.instance != origin.instance) return Standing::kNotChosen;
+  if (choice_.name && choice_.name != name) return Standing::kNotChosen;
+  if (!holder_) return Standing::kIsFree;
+  if (is_same(*holder_, origin, name)) return Standing::kHolds;
+  return lies_within(holder_->last, now, handover) ? Standing::kIsAnothers : Standing::kIsFree;
+}
+
+void SourceGate::hold(const Origin& origin, const Directory& directory, Time now) {
+  holder_ = Holder{.origin = origin, .name = directory.name_of(origin.address), .last = now};
 }
 
 }  // namespace earshot::n2k

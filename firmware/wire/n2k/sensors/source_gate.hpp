@@ -21,14 +21,24 @@ struct Origin {
   std::optional<std::uint8_t> instance;
 };
 
-/// Lets the messages of one device pass, so that two of a kind are never mixed. Without a choice the first that is heard is the one, until
-/// it has been silent for `timeout`; it is known by its NAME, once that is heard, whatever address it moves to.
+/// How a device stands to a quantity.
+enum class Standing : std::uint8_t {
+  kHolds,       ///< the quantity is taken from it
+  kIsFree,      ///< from nobody now, and it may be taken from this one
+  kIsAnothers,  ///< from another device
+  kNotChosen,   ///< the mission names another one
+};
+
+/// Lets the messages of one device pass, so that two of a kind are never mixed. Without a choice the first that has a value is the one,
+/// until it has given none for `handover`; it is known by its NAME, once that is heard, whatever address it moves to.
 class SourceGate {
  public:
   SourceGate() = default;
   explicit SourceGate(const SourceChoice& choice) : choice_(choice) {}
 
-  [[nodiscard]] bool admits(const Origin& origin, const Directory& directory, Time now, Duration timeout);
+  [[nodiscard]] Standing standing(const Origin& origin, const Directory& directory, Time now, Duration handover) const;
+  /// It has given a value. Only for one that holds, or where nobody does.
+  void hold(const Origin& origin, const Directory& directory, Time now);
 
  private:
   struct Holder {

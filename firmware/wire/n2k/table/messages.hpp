@@ -62,6 +62,7 @@ consteval Message single(std::string_view name, std::uint32_t pgn, std::uint8_t 
           .direction = direction,
           .period = period,
           .timeout = ten_times(period),
+          .handover = two_and_a_half_times(period),
           .signals = signals,
           .kind = kind};
 }

@@ -62,8 +62,9 @@ struct Message {
   std::uint8_t size = 8;      ///< bytes; of a message that repeats or holds variable text: the least
   Framing framing = Framing::kSingle;
   Direction direction = Direction::kToRuntime;
-  Duration period{};   ///< at which it is sent; zero: when somebody asks, or something happens
-  Duration timeout{};  ///< ten periods: older is stale
+  Duration period{};    ///< at which it is sent; zero: when somebody asks, or something happens
+  Duration timeout{};   ///< ten periods: older is stale
+  Duration handover{};  ///< two and a half periods: of a device that is silent for longer another takes the place
   std::span<const Signal> signals{};
   std::uint8_t repeated_bytes = 0;  ///< the last so many bytes come once or more
   std::uint8_t kind = 0;            ///< of Earshot's own messages that share a PGN: which; 0: the PGN says it all
@@ -171,6 +172,10 @@ consteval Signal variable_text(std::string_view name, unsigned index) {
 
 consteval Duration ten_times(Duration period) {
   return {10 * period.us};
+}
+
+consteval Duration two_and_a_half_times(Duration period) {
+  return {5 * period.us / 2};
 }
 
 /// Never defined: a constant expression that calls it does not compile.

@@ -84,12 +84,45 @@ TEST_F(SensorsTest, CorrectACompassByWhatItsOwnMessageSays) {
 
 TEST_F(SensorsTest, KeepToTheFirstOfTwoDevicesUntilItIsSilent) {
   ASSERT_EQ(heading(1.0, kTrue, kA), Status::kOk);
-  EXPECT_EQ(heading(2.0, kTrue, kB, kNow + Duration::seconds(10)), Status::kNotReady);
+  EXPECT_EQ(heading(2.0, kTrue, kB, kNow + Duration{2'500'000}), Status::kNotReady);  // two and a half periods of a second
   EXPECT_EQ(readings().heading->value.value, 1.0);
   EXPECT_EQ(sensors_.counters().other_device, 1U);
-  ASSERT_EQ(heading(2.0, kTrue, kB, kNow + Duration{10'000'001}), Status::kOk);
-  EXPECT_EQ(heading(1.0, kTrue, kA, kNow + Duration{10'000'002}), Status::kNotReady);
+  ASSERT_EQ(heading(2.0, kTrue, kB, kNow + Duration{2'500'001}), Status::kOk);
+  EXPECT_EQ(heading(1.0, kTrue, kA, kNow + Duration{2'500'002}), Status::kNotReady);
   EXPECT_EQ(readings().heading->value.value, 2.0);
+}
+
+TEST_F(SensorsTest, LetNoDeviceWithoutAValueStandInTheWayOfOneThatHasOne) {
+  EXPECT_EQ(accept(frame_of(kPositionPgn, {}, kA)), Status::kNotReady);
+  EXPECT_EQ(accept(frame_of(kPositionPgn, {{"Latitude", 46.0}, {"Longitude", -1.3}}, kB)), Status::kOk);
+  EXPECT_EQ(heading(1.0, kMagnetic, kA), Status::kUnsupported) << "without a variation";
+  EXPECT_EQ(heading(2.0, kTrue, kB), Status::kOk);
+  EXPECT_EQ(heading(1.0, kMagnetic, kA), Status::kNotReady) << "another's by now";
+  EXPECT_EQ(accept(frame_of(kPressurePgn, {{"Source", 1}}, kA)), Status::kNotReady);
+  EXPECT_EQ(accept(frame_of(kPressurePgn, {{"Source", 1}, {"Pressure", 1e5}}, kB)), Status::kOk);
+  EXPECT_EQ(sensors_.counters().unavailable, 2U);
+  EXPECT_EQ(sensors_.counters().no_variation, 1U);
+}
+
+TEST_F(SensorsTest, TakeAPositionOfADeviceWhoseOtherGroupSaysThatItHasNone) {
+  MessageWriter writer(kGnssPgn);
+  writer.set("Latitude", 46.0).set("Longitude", -1.3).set("Method", 0);
+  FastPacketFrames packet;
+  ASSERT_EQ(compose_fast_packet(writer.identifier(kA), 0, writer.bytes(), packet), Status::kOk);
+  for (const Frame& frame : packet) EXPECT_EQ(accept(frame), Status::kNotReady);
+  EXPECT_EQ(accept(frame_of(kPositionPgn, {{"Latitude", 46.5}, {"Longitude", -1.3}}, kA)), Status::kOk);
+  EXPECT_EQ(readings().position->value.latitude_deg, 46.5);
+}
+
+TEST_F(SensorsTest, LeaveADeviceThatGivesNoMoreValuesThoughItGoesOnSending) {
+  ASSERT_EQ(heading(1.0, kTrue, kA), Status::kOk);
+  const Time later = kNow + Duration::seconds(2);
+  EXPECT_EQ(accept(frame_of(kHeadingPgn, {{"Reference", kTrue}}, kA), later), Status::kNotReady);
+  EXPECT_FALSE(readings().heading.has_value());
+  EXPECT_EQ(heading(2.0, kTrue, kB, later), Status::kNotReady) << "it may have one again";
+  EXPECT_EQ(heading(2.0, kTrue, kB, later + Duration::seconds(1)), Status::kOk);
+  EXPECT_EQ(accept(frame_of(kHeadingPgn, {{"Reference", kTrue}}, kA), later + Duration::seconds(1)), Status::kNotReady);
+  EXPECT_EQ(readings().heading->value.value, 2.0) << "which is not the first device's to take back";
 }
 
 TEST_F(SensorsTest, FollowADeviceToItsNewAddressAndNotItsAddressToAnotherDevice) {
@@ -111,6 +144,8 @@ TEST_F(SensorsTest, TakeAQuantityFromTheDeviceThatTheMissionNames) {
   EXPECT_EQ(heading(1.0, kTrue, kA, kNow + Duration::seconds(60)), Status::kNotReady) << "however long the other is silent";
   ASSERT_EQ(accept(claim_of(kNameOfB, 254)), Status::kNotReady);
   EXPECT_EQ(heading(2.0, kTrue, kB), Status::kNotReady) << "it has lost its address";
+  EXPECT_EQ(sensors_.counters().not_chosen[static_cast<std::size_t>(Measured::kHeading)], 4U);
+  EXPECT_EQ(sensors_.counters().not_chosen[static_cast<std::size_t>(Measured::kPosition)], 0U);
 }
 
 TEST_F(SensorsTest, TellSensorsOfOneDeviceApartByTheirInstance) {
