@@ -75,7 +75,7 @@ void Node::take_request(const Identifier& identifier, const Frame& frame, Time n
     heartbeat_asked_ = true;
     return;
   }
-  if (!of_us_alone || std::ranges::find(transmitted_, pgn) != transmitted_.end()) return;
+  if (!of_us_alone) return;
   if (refusals_.push_back({.pgn = pgn, .asker = identifier.source}) != Status::kOk) ++counters_.unanswered;
 }
 

@@ -41,10 +41,10 @@ struct NodeCounters {
 /// A device of an NMEA 2000 network, but for what it measures and steers: it gets an address and keeps it, says who it is, what it sends
 /// and reads, and that it is alive. Frames and time go in, frames come out.
 ///
-/// Answered, to everyone and to us alone: requests (59904) for 60928, 126464, 126993, 126996 and 126998. Asked of us alone: what we
-/// send anyhow comes in its time; anything else is refused (59392, NAK). Whatever a group function (126208) asks of us alone is refused,
-/// too: nobody may change what we send. Who has no address says no more than that. Source: NMEA 2000 as documented by canboat (Apache-2.0);
-/// SAE J1939-21 and -81.   Oracle: Node tests; the peer test
+/// Answered, to everyone and to us alone: requests (59904) for 60928, 126464, 126993, 126996 and 126998. Anything
+/// else that is asked of us alone is refused (59392, NAK), what we send in its own time among it. Whatever a group function (126208) asks
+/// of us alone is refused, too: nobody may change what we send. Who has no address says no more than that. Source: NMEA 2000 as documented
+/// by canboat (Apache-2.0); SAE J1939-21 and -81.   Oracle: Node tests; the peer test
 class Node {
  public:
   /// @param transmitted,received  PGNs for the list 126464, at most 74 each; they live as long as the node

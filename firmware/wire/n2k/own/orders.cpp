@@ -12,10 +12,6 @@ using messages::CommandOutcome;
 using messages::OperatorCommand;
 using messages::Order;
 
-constexpr bool is_order(std::int64_t raw) {
-  return raw >= static_cast<std::int64_t>(Order::kStart) && raw <= static_cast<std::int64_t>(Order::kAbort);
-}
-
 Status cut(const MessageWriter& writer, const Route& route, FastPacketFrames& frames) {
   if (writer.status() != Status::kOk) return writer.status();
   return compose_fast_packet(writer.identifier(route.source, route.destination), route.sequence, writer.bytes(), frames);
@@ -48,15 +44,13 @@ Status compose_command(const OperatorCommand& command, const Route& route, FastP
 Result<OperatorCommand> read_command(std::span<const std::uint8_t> bytes) {
   if (!is_ours(table::kCommand, bytes)) return Status::kUnsupported;
   MessageReader reader(table::kCommand, bytes);
-  const std::int64_t order = reader.raw("Order");
   OperatorCommand command;
+  command.order = static_cast<Order>(reader.raw("Order"));
   command.issuer = static_cast<std::uint32_t>(reader.raw("Issuer"));
   command.number = static_cast<std::uint32_t>(reader.raw("Number"));
   command.time = Time{reader.raw("Time")};
   command.expiry = Time{reader.raw("Expiry")};
   if (reader.status() != Status::kOk) return reader.status();
-  if (!is_order(order)) return Status::kUnsupported;
-  command.order = static_cast<Order>(order);
   return command;
 }
 
@@ -103,6 +97,10 @@ Status OrderReceiver::accept(const Frame& frame, Time now, std::uint8_t address,
   Assembled message;
   const Status status = assembly_.accept(identifier, frame, now, message);
   if (status != Status::kOk) return Status::kNotReady;
+  if (identifier.destination == kBroadcast && !is_ours(table::kAbort, message.bytes)) {
+    ++counters_.other;
+    return Status::kNotReady;
+  }
   return take(message.bytes, now, command);
 }
 

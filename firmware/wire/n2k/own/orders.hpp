@@ -21,7 +21,7 @@ struct Route {
 };
 
 [[nodiscard]] Status compose_command(const messages::OperatorCommand& command, const Route& route, FastPacketFrames& frames);
-/// kUnsupported: not ours, or an order that nobody knows. Fails as decode() does.
+/// An order that nobody knows comes as it is: its sender is to hear so. kUnsupported: not ours. Fails as decode() does.
 [[nodiscard]] Result<messages::OperatorCommand> read_command(std::span<const std::uint8_t> bytes);
 
 /// One frame that aborts. kOutOfRange: an issuer over 16 bits or a number over 24.
@@ -34,15 +34,15 @@ struct Route {
 
 struct OrderCounters {
   std::uint64_t taken = 0;
-  std::uint64_t refused = 0;  ///< ours, but malformed or unknown
-  std::uint64_t other = 0;    ///< other makers' messages of this group
+  std::uint64_t refused = 0;  ///< ours, but malformed
+  std::uint64_t other = 0;    ///< other makers' messages of this group, and orders to all but aborts
 };
 
 /// Takes orders off the bus: fast packets, and single frames too, as some senders put short messages of this group. Told apart by our
 /// maker's code in a frame's first two bytes, which would otherwise be the 29th of a packet or later; a packet that is that far goes on.
 class OrderReceiver {
  public:
-  /// @param address  ours: what is sent to others is not for us
+  /// @param address  ours: what is sent to others is not for us, and of what is sent to all only an abort
   /// @return kOk: `command` is new, and `sender` is to have its acknowledgement. kNotReady: nothing came of it. Otherwise refused and
   /// counted.
   [[nodiscard]] Status accept(const Frame& frame, Time now, std::uint8_t address, messages::OperatorCommand& command, std::uint8_t& sender);

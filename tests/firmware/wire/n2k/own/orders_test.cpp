@@ -74,18 +74,39 @@ TEST_F(OrdersTest, InOneFrameAreNotTakenOutOfTheMiddleOfAPacket) {
   EXPECT_EQ(accept(packet[28]), Status::kOk) << "on its own";
 }
 
-TEST_F(OrdersTest, OfOtherMakersAndUnknownOnesAreRefused) {
+TEST_F(OrdersTest, ToAllAreTakenOnlyWhenTheyAbort) {
+  constexpr Route kToAll{.source = kOperator, .destination = kBroadcast, .sequence = 1};
+  for (const Frame& frame : frames_of(kStart, kToAll))
+    EXPECT_EQ(accept(frame), Status::kNotReady) << "it would start every vehicle of the bus";
+  EXPECT_EQ(receiver_.counters().other, 1U);
+  Frame abort;
+  ASSERT_EQ(compose_abort(1, 2, kToAll, abort), Status::kOk);
+  EXPECT_EQ(accept(abort), Status::kOk);
+}
+
+TEST_F(OrdersTest, ThatNobodyKnowsComeAsTheyAreSoThatTheirSenderHearsSo) {
   OperatorCommand unknown = kStart;
-  unknown.order = static_cast<Order>(9);
+  for (const int raw : {0, 4, 9}) {
+    unknown.order = static_cast<Order>(raw);
+    Status status = Status::kNotReady;
+    for (const Frame& frame : frames_of(unknown)) status = accept(frame);
+    EXPECT_EQ(status, Status::kOk);
+    EXPECT_EQ(command_, unknown);
+  }
+}
+
+TEST_F(OrdersTest, OfOtherMakersAreRefused) {
   Status status = Status::kNotReady;
-  for (const Frame& frame : frames_of(unknown)) status = accept(frame);
-  EXPECT_EQ(status, Status::kUnsupported);
   FastPacketFrames frames = frames_of(kStart);
   frames[0].data[2] = 0x3F;  // another maker
   for (const Frame& frame : frames) status = accept(frame);
   EXPECT_EQ(status, Status::kNotReady);
-  EXPECT_EQ(receiver_.counters().refused, 1U);
-  EXPECT_EQ(receiver_.counters().other, 1U);
+  frames = frames_of(kStart);
+  frames[0].data[2] = 0xFC;
+  frames[0].data[3] = 0x1F;  // our maker's code, another group of industry: 0x9F has the marine one, 4
+  for (const Frame& frame : frames) status = accept(frame);
+  EXPECT_EQ(status, Status::kNotReady);
+  EXPECT_EQ(receiver_.counters().other, 2U);
 }
 
 TEST_F(OrdersTest, AreAcknowledgedWithAllTheirBits) {
