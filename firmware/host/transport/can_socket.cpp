@@ -46,13 +46,17 @@ CanSocket::CanSocket(const std::string& interface, IfMissing if_missing, const C
   }
   const char* failed = nullptr;
   socket_ = open_raw_can(interface, options_, failed);
-  is_interface_up_ = socket_.number() >= 0;
-  if (!is_interface_up_ && (failed != kInterfaceNotFound || if_missing == IfMissing::kRefuse)) fail(interface, failed);
+  if (socket_.number() < 0 && (failed != kInterfaceNotFound || if_missing == IfMissing::kRefuse)) fail(interface, failed);
   index_ = static_cast<int>(::if_nametoindex(interface.c_str()));
+  is_interface_up_ = socket_.number() >= 0 && index_if_up(socket_.number(), interface) == index_;
 }
 
-void CanSocket::note_error() {
+void CanSocket::note_error(int error) {
   ++counters_.errors;
+  if (error == ENODEV || error == ENXIO) {  // it is bound to none any more, though one may be there of the same name and index
+    is_interface_up_ = false;
+    return;
+  }
   is_interface_up_ = index_if_up(socket_.number(), interface_) == index_;  // another of that name is not the one that it is bound to
 }
 
@@ -94,7 +98,7 @@ Status CanSocket::hand_over(const n2k::Frame& frame) {
     return Status::kOk;
   }
   if (!means_nothing_yet(errno) && errno != ENOBUFS) {
-    note_error();
+    note_error(errno);
     return Status::kFull;
   }
   ++counters_.no_room;
@@ -159,7 +163,7 @@ Status CanSocket::receive(n2k::Frame& frame, Time& received_utc, std::size_t& bu
     header.msg_controllen = sizeof stamps.bytes;
     const ssize_t size = ::recvmsg(socket_.number(), &header, 0);
     if (size < 0) {
-      if (!means_nothing_yet(errno)) note_error();
+      if (!means_nothing_yet(errno)) note_error(errno);
       return Status::kNotReady;
     }
     --budget;

@@ -85,7 +85,7 @@ class CanSocket {
  private:
   [[nodiscard]] Status hand_over(const n2k::Frame& frame);
   void tend_bus_off(Time now);
-  void note_error();
+  void note_error(int error);
 
   std::string interface_;
   CanOptions options_;

@@ -52,7 +52,7 @@ FileDescriptor open_raw_can(const std::string& interface, const CanOptions& opti
   sockaddr_can address{};
   address.can_family = AF_CAN;
   address.can_ifindex = static_cast<int>(index);
-  failed = "bind";
+  failed = "bind (an interface of another kind than CAN?)";
   if (::bind(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) return {};
   return socket;
 }

@@ -165,5 +165,20 @@ TEST_F(CanOnASickBus, IsOnAnInterfaceThatWasTakenAwayAndMadeAnewWithTheSameFilte
   EXPECT_TRUE(iproute("ip link del vcan90"));
 }
 
+TEST_F(CanOnASickBus, IsBoundAnewToAnInterfaceThatCameBackWithItsOldIndex) {
+  CanSocket socket(kBus);
+  const std::string index = std::to_string(::if_nametoindex(kBus));
+  ASSERT_TRUE(iproute("ip link del vcan91 && ip link add vcan91 index " + index + " type vcan && ip link set vcan91 up"));
+  n2k::Frame frame;
+  EXPECT_EQ(socket.receive(frame), Status::kNotReady);
+  EXPECT_FALSE(socket.is_up()) << "it is bound to the one that is gone";
+  EXPECT_TRUE(socket.reopen());
+  CanSocket other(kBus);
+  ASSERT_EQ(other.send(heading_frame(9)), Status::kOk);
+  ASSERT_TRUE(wait_for(socket));
+  EXPECT_EQ(socket.receive(frame), Status::kOk);
+  EXPECT_EQ(frame, heading_frame(9));
+}
+
 }  // namespace
 }  // namespace earshot::host

@@ -177,6 +177,7 @@ TEST_F(CanSocketTest, IsDownWhileItsInterfaceIsMissingAndOnItOnceItIsThere) {
   EXPECT_FALSE(early.reopen());
   ASSERT_EQ(ip("add vcan78 type vcan"), 0);
   EXPECT_FALSE(early.reopen()) << "it is there, and down";
+  EXPECT_FALSE(CanSocket("vcan78").is_up()) << "likewise when it is opened so";
   ASSERT_EQ(ip("set vcan78 up"), 0);
   EXPECT_TRUE(early.reopen());
   CanSocket late("vcan78");
