@@ -53,6 +53,7 @@ Status NavigationReceiver::accept(const Frame& frame, Time now, Fix& fix) {
   Measured measured{};
   Status status = sensors_.accept(frame, now, measured);
   if (sensors_.counters().of_no_interest != before.of_no_interest) ++counters_.other;
+  if (status == Status::kMalformed || status == Status::kOutOfRange) ++counters_.malformed;
   if (status == Status::kOk) status = measured == Measured::kPosition ? complete(fix) : Status::kNotReady;
   if (status == Status::kOk) ++counters_.accepted;
   if (status == Status::kStale) ++counters_.waiting;

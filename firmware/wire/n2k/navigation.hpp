@@ -42,8 +42,9 @@ struct NavigationCounters {
   std::uint64_t accepted = 0;  ///< positions that gave a fix
   /// Frames of ours that are malformed, out of range, or in a reference that is not taken (magnetic heading without a variation).
   std::uint64_t refused = 0;
-  std::uint64_t waiting = 0;  ///< positions that came while heading or depth was missing or too old
-  std::uint64_t other = 0;    ///< frames of other PGNs, and pressures of the air
+  std::uint64_t malformed = 0;  ///< of those: they do not say what their group has to, or no number that it may have
+  std::uint64_t waiting = 0;    ///< positions that came while heading or depth was missing or too old
+  std::uint64_t other = 0;      ///< frames of other PGNs, and pressures of the air
 };
 
 /// Makes fixes of what Sensors reads: every position is one, provided that heading and depth are no more than `oldest_part` from it. It

@@ -14,16 +14,20 @@ enum class BusTrouble : std::uint8_t {
   kErrorPassive,    ///< the controller counts many errors
   kBusOff,          ///< it has left the bus
   kNoPosition,      ///< none is heard
+  kOtherPosition,   ///< they come, but not from the device that the mission names
   kFarAway,         ///< positions are not in the mission's plane
   kNoHeading,       ///< none is heard
+  kOtherHeading,    ///< likewise
   kNoVariation,     ///< headings are magnetic, and wait for it
   kNoDepth,         ///< no pressure is heard
+  kOtherPressure,   ///< likewise
   kSurfaceUnknown,  ///< pressures are absolute, and wait for the START
   kNoSnr,           ///< none is heard
+  kOtherSnr,        ///< likewise
   kFramesLost,      ///< on their way in
   kUnsent,          ///< messages
 };
-inline constexpr std::size_t kBusTroubleCount = 13;
+inline constexpr std::size_t kBusTroubleCount = 17;
 using BusTroubles = std::bitset<kBusTroubleCount>;  ///< by BusTrouble
 
 /// "no position is heard (129025, 129029)"

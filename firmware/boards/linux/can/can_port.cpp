@@ -20,8 +20,8 @@ constexpr unsigned long long bit(BusTrouble trouble) {
   return 1ULL << static_cast<unsigned>(trouble);
 }
 /// Those that leave positions without a fix.
-constexpr BusTroubles kPartsMissing{bit(BusTrouble::kNoHeading) | bit(BusTrouble::kNoVariation) | bit(BusTrouble::kNoDepth) |
-                                    bit(BusTrouble::kSurfaceUnknown)};
+constexpr BusTroubles kPartsMissing{bit(BusTrouble::kNoHeading) | bit(BusTrouble::kOtherHeading) | bit(BusTrouble::kNoVariation) |
+                                    bit(BusTrouble::kNoDepth) | bit(BusTrouble::kOtherPressure) | bit(BusTrouble::kSurfaceUnknown)};
 
 /// How many frames from the first on go together: those of one group, as the longest packets come in one step. Two of them in a row may.
 std::size_t frames_together(std::span<const n2k::Frame> frames) {
@@ -145,7 +145,11 @@ void CanPort::take_snr(const n2k::Frame& frame, const n2k::Identifier& identifie
     return;
   }
   const n2k::Origin origin{.pgn = identifier.pgn, .address = identifier.source, .instance = {}};
-  if (!snr_gate_.admits(origin, receiver_.sensors().directory(), arrival.mission, n2k::table::kSnr.timeout)) return;
+  const n2k::Directory& directory = receiver_.sensors().directory();
+  const n2k::Standing standing = snr_gate_.standing(origin, directory, arrival.mission, n2k::table::kSnr.handover);
+  if (standing == n2k::Standing::kNotChosen) ++snr_not_chosen_;
+  if (standing == n2k::Standing::kNotChosen || standing == n2k::Standing::kIsAnothers) return;
+  snr_gate_.hold(origin, directory, arrival.mission);
   ++looks_;
   ++report_.received;
   sink.take(index(), n2k::measurement_of(heard.value(), arrival.mission));
@@ -250,13 +254,15 @@ messages::PortReport CanPort::report() const {
   const host::CanCounters can = socket_.counters();
   report.link_up = socket_.is_up();
   report.lost += can.lost_by_kernel + can.controller.overflows;
-  report.malformed += receiver_.counters().refused + orders_.counters().refused + snr_refused_;
+  report.malformed += receiver_.counters().malformed + orders_.counters().refused + snr_refused_;
   report.unsent += can.groups.replaced + can.groups.expired + can.groups.abandoned + can.groups.shed;
   return report;
 }
 
 BusSigns CanPort::signs() const {
   const messages::PortReport now = report();
+  const n2k::SensorCounters& sensors = receiver_.sensors().counters();
+  const auto not_chosen = [&](n2k::Measured measured) { return sensors.not_chosen[static_cast<std::size_t>(measured)]; };
   return {.has_address = node_.address().has_value(),
           .own_name_claims = node_.claim_counters().own,
           .controller = socket_.controller_state(),
@@ -264,14 +270,22 @@ BusSigns CanPort::signs() const {
           .unsent = now.unsent - without_address_,
           .fixes = fixes_,
           .looks = looks_,
-          .no_variation = receiver_.sensors().counters().no_variation,
+          .no_variation = sensors.no_variation,
+          .not_chosen = {.position = not_chosen(n2k::Measured::kPosition),
+                         .heading = not_chosen(n2k::Measured::kHeading),
+                         .pressure = not_chosen(n2k::Measured::kPressure),
+                         .snr = snr_not_chosen_},
           .readings = receiver_.sensors().readings()};
 }
 
 void CanPort::tell_troubles(Time mission_now, InputSink& sink) {
   // Of a missing interface the link's own line tells; a controller that has left the bus says so here.
-  if (!socket_.is_up() && socket_.controller_state() != n2k::ControllerState::kBusOff) return;
-  const BusTroubles troubles = watch_.look(signs(), {.host = host_now(), .mission = mission_now});
+  const bool sees_bus = socket_.is_up() || socket_.controller_state() == n2k::ControllerState::kBusOff;
+  const TroubleWatch::Now now{.host = host_now(), .mission = mission_now};
+  if (sees_bus && !saw_bus_) watch_.restart(signs(), now);
+  saw_bus_ = sees_bus;
+  if (!sees_bus) return;
+  const BusTroubles troubles = watch_.look(signs(), now);
   const BusTroubles changed = troubles ^ told_troubles_;
   for (std::size_t i = 0; i < kBusTroubleCount; ++i) {
     if (changed[i]) sink.tell_trouble(index(), static_cast<BusTrouble>(i), troubles[i]);

@@ -92,6 +92,7 @@ class CanPort final : public Port {
   Pgns pgns_read_;
   host::CanSocket socket_;
   bool was_up_ = false;  ///< when it was served last
+  bool saw_bus_ = true;  ///< when it last looked for troubles
   n2k::Node node_;
   n2k::NavigationReceiver receiver_;
   n2k::SourceGate snr_gate_;
@@ -99,6 +100,7 @@ class CanPort final : public Port {
   std::uint64_t fixes_ = 0;
   std::uint64_t looks_ = 0;
   std::uint64_t snr_refused_ = 0;
+  std::uint64_t snr_not_chosen_ = 0;                         ///< of hydrophones that the mission does not name
   FixedVector<Asker, config::kMaxAcknowledgements> askers_;  ///< since the last turn
   Sequences sequences_;
   std::uint64_t without_address_ = 0;  ///< messages that were not sent for want of one

@@ -16,10 +16,28 @@ void TroubleWatch::Growth::look(std::uint64_t count, Now now) {
   last_ = now;
 }
 
+void TroubleWatch::Growth::restart(std::uint64_t count, Now now) {
+  count_ = count;
+  grown_ = false;
+  last_ = now;
+}
+
+void TroubleWatch::restart(const BusSigns& signs, Now now) {
+  fixes_.restart(signs.fixes, now);
+  looks_.restart(signs.looks, now);
+  lost_.restart(signs.frames_lost, now);
+  unsent_.restart(signs.unsent, now);
+  without_address_since_.reset();
+}
+
 BusTroubles TroubleWatch::look(const BusSigns& signs, Now now) {
   fixes_.look(signs.fixes, now);
   looks_.look(signs.looks, now);
   no_variation_.look(signs.no_variation, now);
+  other_positions_.look(signs.not_chosen.position, now);
+  other_headings_.look(signs.not_chosen.heading, now);
+  other_pressures_.look(signs.not_chosen.pressure, now);
+  other_looks_.look(signs.not_chosen.snr, now);
   lost_.look(signs.frames_lost, now);
   unsent_.look(signs.unsent, now);
   if (signs.has_address) without_address_since_.reset();
@@ -31,7 +49,8 @@ BusTroubles TroubleWatch::look(const BusSigns& signs, Now now) {
   set(troubles, BusTrouble::kBusOff, signs.controller == n2k::ControllerState::kBusOff);
   set(troubles, BusTrouble::kFramesLost, lost_.has_grown_within(kLossTime, now));
   set(troubles, BusTrouble::kUnsent, unsent_.has_grown_within(kPatience, now));
-  if (roles_.has(host::Role::kSnr)) set(troubles, BusTrouble::kNoSnr, looks_.is_silent(now));
+  if (roles_.has(host::Role::kSnr))
+    set(troubles, missing(BusTrouble::kNoSnr, BusTrouble::kOtherSnr, other_looks_, now), looks_.is_silent(now));
   if (roles_.has(host::Role::kNavigation) && fixes_.is_silent(now)) look_for_parts(signs.readings, now, troubles);
   return troubles;
 }
@@ -44,10 +63,12 @@ void TroubleWatch::look_for_parts(const n2k::Readings& readings, Now now, BusTro
   const bool has_depth = n2k::is_fresh(readings.depth, position, oldest_part_);
   const bool is_magnetic = no_variation_.has_grown_within(kPatience, now);
   const bool is_absolute = n2k::is_fresh(readings.pressure_pa, position, oldest_part_);
-  set(troubles, BusTrouble::kNoPosition, !has_position);
+  set(troubles, missing(BusTrouble::kNoPosition, BusTrouble::kOtherPosition, other_positions_, now), !has_position);
   set(troubles, BusTrouble::kFarAway, has_position && has_heading && has_depth);
-  set(troubles, is_magnetic ? BusTrouble::kNoVariation : BusTrouble::kNoHeading, !has_heading);
-  set(troubles, is_absolute ? BusTrouble::kSurfaceUnknown : BusTrouble::kNoDepth, !has_depth);
+  const BusTrouble no_heading = missing(BusTrouble::kNoHeading, BusTrouble::kOtherHeading, other_headings_, now);
+  const BusTrouble no_depth = missing(BusTrouble::kNoDepth, BusTrouble::kOtherPressure, other_pressures_, now);
+  set(troubles, is_magnetic ? BusTrouble::kNoVariation : no_heading, !has_heading);
+  set(troubles, is_absolute ? BusTrouble::kSurfaceUnknown : no_depth, !has_depth);
 }
 
 }  // namespace earshot::board

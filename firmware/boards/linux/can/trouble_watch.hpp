@@ -21,6 +21,13 @@ struct BusSigns {
   std::uint64_t fixes = 0;
   std::uint64_t looks = 0;         ///< SNR
   std::uint64_t no_variation = 0;  ///< magnetic headings that could not be made true
+  struct NotChosen {
+    std::uint64_t position = 0;
+    std::uint64_t heading = 0;
+    std::uint64_t pressure = 0;
+    std::uint64_t snr = 0;
+  };
+  NotChosen not_chosen;  ///< messages of devices that the mission does not name
   n2k::Readings readings;
 };
 
@@ -42,12 +49,15 @@ class TroubleWatch {
   };
   /// To be called whenever the bus has been read, while the link is up.
   [[nodiscard]] BusTroubles look(const BusSigns& signs, Now now);
+  /// The link has come back: what happened while it was down was the link's trouble.
+  void restart(const BusSigns& signs, Now now);
 
  private:
   /// When a counter was last seen to grow, or first looked at.
   class Growth {
    public:
     void look(std::uint64_t count, Now now);
+    void restart(std::uint64_t count, Now now);
     /// Whether it has stood still for so long.
     [[nodiscard]] bool is_silent(Now now) const { return now.host - last_.host >= kPatience && now.mission - last_.mission >= kPatience; }
     /// Whether it has grown in the last `time` of the host's.
@@ -58,6 +68,10 @@ class TroubleWatch {
     bool grown_ = false;
     Now last_;
   };
+  /// What is said of something that is missing: that other devices have it, or else `missing`.
+  [[nodiscard]] static BusTrouble missing(BusTrouble nobodys, BusTrouble others, const Growth& not_chosen, Now now) {
+    return not_chosen.has_grown_within(kPatience, now) ? others : nobodys;
+  }
   void look_for_parts(const n2k::Readings& readings, Now now, BusTroubles& troubles) const;
 
   host::Roles roles_;
@@ -65,6 +79,10 @@ class TroubleWatch {
   Growth fixes_;
   Growth looks_;
   Growth no_variation_;
+  Growth other_positions_;
+  Growth other_headings_;
+  Growth other_pressures_;
+  Growth other_looks_;
   Growth lost_;
   Growth unsent_;
   std::optional<Time> without_address_since_;

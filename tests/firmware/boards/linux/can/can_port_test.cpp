@@ -254,6 +254,21 @@ TEST_F(CanPortTest, TakesTheSnrOfOneHydrophoneAtATimeAndOfTheOneWhoseNameIsGiven
   EXPECT_EQ(taken_.all<messages::SnrMeasurement>()[0].snr, Decibels{2.0});
 }
 
+TEST_F(CanPortTest, CountsNothingAsMalformedThatMissesOnlyItsComplement) {
+  open_settled();
+  n2k::Frame magnetic;
+  ASSERT_EQ(n2k::MessageWriter(n2k::kHeadingPgn).set("Heading", 1.0).set("Reference", 1).frame(kCommander, magnetic), Status::kOk);
+  send(magnetic);
+  collect();
+  EXPECT_EQ(port_->report().malformed, 0U) << "magnetic, before anybody has said the variation";
+  n2k::Frame reserved = magnetic;
+  reserved.data[1] = 0xFE;
+  reserved.data[2] = 0xFF;
+  send(reserved);
+  collect();
+  EXPECT_EQ(port_->report().malformed, 1U);
+}
+
 TEST_F(CanPortTest, KnowsTheNamesThatItHeardWhileItWaitedForItsOwnAddress) {
   settings_.n2k.snr_source.name = kWeaker;
   open();

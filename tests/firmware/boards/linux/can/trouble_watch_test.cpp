@@ -84,6 +84,38 @@ TEST_F(TroubleWatchTest, SaysWhyThereIsNoHeadingOrDepthThoughTheirDevicesSpeak) 
   EXPECT_EQ(after(1), only({kNoVariation, kSurfaceUnknown}));
 }
 
+TEST_F(TroubleWatchTest, SaysThatOthersThanTheNamedDevicesAreHeard) {
+  has_position_ = has_heading_ = has_pressure_ = has_snr_ = false;
+  for (int i = 0; i < 10; ++i) {
+    ++signs_.not_chosen.position;
+    ++signs_.not_chosen.heading;
+    (void)after(1);
+  }
+  EXPECT_EQ(after(1), only({kOtherPosition, kOtherHeading, kNoDepth, kNoSnr}));
+  for (int i = 0; i < 10; ++i) {
+    ++signs_.not_chosen.pressure;
+    ++signs_.not_chosen.snr;
+    (void)after(1);
+  }
+  EXPECT_EQ(after(1), only({kNoPosition, kNoHeading, kOtherPressure, kOtherSnr})) << "the others are silent by now";
+}
+
+TEST_F(TroubleWatchTest, BlamesNothingOnTheBusThatHappenedWhileTheLinkWasDown) {
+  (void)after(1);
+  signs_.has_address = false;
+  (void)after(1);
+  signs_.unsent += 100;
+  signs_.frames_lost += 100;
+  now_.host = now_.host + Duration::seconds(60);
+  now_.mission = now_.mission + Duration::seconds(60);
+  watch_.restart(signs_, now_);
+  has_position_ = has_snr_ = false;
+  EXPECT_EQ(watch_.look(signs_, now_), only({}));
+  signs_.has_address = true;
+  EXPECT_EQ(after(4), only({})) << "and what is heard again gets its five seconds";
+  EXPECT_EQ(after(1), only({kNoPosition, kNoSnr}));
+}
+
 TEST_F(TroubleWatchTest, SaysThatPositionsAreFarAwayWhereNothingElseIsMissing) {
   is_near_ = false;
   EXPECT_EQ(after(10), only({kFarAway}));
