@@ -49,6 +49,7 @@ void MissionTurn::take(std::uint8_t port, const Value& value) {
   if (navigation != nullptr && navigation->time >= Time{}) ++navigation_taken_;
   const wire::InputRecord record(input);
   (void)journal_.append(input.arrival, record.channel(), record.data(), weight_of(value));
+  if (news_ != nullptr && port == kOwnPort) news_->tell_stop();
   runtime_.take(input);
 }
 

@@ -164,8 +164,10 @@ void FlightNews::tell_state(Time now, const messages::Health& health) {
   navigation_.is_told_in_state = snr_.is_told_in_state = false;
   Line line = line_at(now);
   line << to_string(health.state);
+  const bool is_stopped = is_stopping_ && health.end_reason == messages::EndReason::kOperatorAbort;
   if (health.end_reason != messages::EndReason::kNone)
-    line << ", " << to_string(health.end_reason) << ", after " << health.steps_taken << " steps";
+    line << ", " << (is_stopped ? "this program was told to stop" : to_string(health.end_reason)) << ", after " << health.steps_taken
+         << " steps";
   writer_.say(line.text());
 }
 
@@ -175,7 +177,8 @@ void FlightNews::tell_refused(Time now, std::string_view sensor, std::uint64_t c
   refused = {.told = count, .is_told_in_state = true};
   Line line = line_at(now);
   line << sensor << ": " << count << (count == 1 ? " message" : " messages")
-       << " refused so far, for their date, their order or what is in them; look at the clock of their sender";
+       << " refused so far, for their date, their order or what is in them; look at their sender's clock "
+          "(of CAN messages, which bear no date: at two ports that bring the same)";
   writer_.say(line.text());
 }
 

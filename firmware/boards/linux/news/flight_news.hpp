@@ -24,7 +24,7 @@ namespace earshot::board {
 ///
 ///     earshotd: 2026-11-22 15:04:07 UTC: ABORT, navigation went silent, after 12 steps
 ///     earshotd: 2026-11-22 15:04:07 UTC: navigation: 31 messages refused so far, for their date, their order or what is in them; look at
-///     the clock of their sender
+///     their sender's clock (of CAN messages, which bear no date: at two ports that bring the same)
 ///     earshotd: 2026-11-22 15:01:12 UTC: port 2, ears, hydrophone, LCM udpm://...: hears 15.0 to 30.0 Hz of 1 channel at 96000.0 Hz: full
 ///     scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; looks lag by 0.24 s
 ///     earshotd: 2026-11-22 15:03:40 UTC: heard for 1.2 s from 2026-11-22 15:03:38 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB
@@ -51,6 +51,8 @@ class FlightNews {
   void tell(std::uint8_t port, const HeardChain& chain);
   /// What is wrong with a CAN port from now on, or no longer, at the next turn; of each at most one line in kBetweenLinkLines.
   void tell(std::uint8_t port, BusTrouble trouble, bool is_there);
+  /// This program is told to stop: an abort from now on is not an operator's.
+  void tell_stop() { is_stopping_ = true; }
 
  private:
   struct Link {
@@ -86,6 +88,7 @@ class FlightNews {
   LineWriter& writer_;
   std::array<Link, config::kMaxPorts> links_;
   std::optional<messages::MissionState> state_;
+  bool is_stopping_ = false;
   Refused navigation_;
   Refused snr_;
   std::array<Sound, config::kMaxPorts> sounds_;

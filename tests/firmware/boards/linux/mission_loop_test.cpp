@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -15,12 +14,12 @@
 #include <variant>
 #include <vector>
 
-#include "firmware/boards/linux/host_mission_clock.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/firmware/boards/linux/scripted_sea.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -34,102 +33,10 @@ using messages::Order;
 
 constexpr std::size_t kStopTurns = 5;  ///< of a loop that was told to stop in a search
 constexpr Duration kPeriod = Duration::seconds(1);
-constexpr Time kUtc{1'795'000'000'000'000};  ///< when a test begins
 
 Duration seconds(double s) {
   return {std::llround(s * 1e6)};
 }
-
-/// A host's clocks in the test's hand.
-class FakeHost final : public HostClock {
- public:
-  [[nodiscard]] Time utc() const override { return utc_; }
-  [[nodiscard]] Duration monotonic() const override { return running_; }
-  [[nodiscard]] Duration since_start() const { return running_ - kFirst; }
-  void advance(Duration by) {
-    utc_ = utc_ + by;
-    running_ = running_ + by;
-  }
-  void set_wall_clock(Duration by) { utc_ = utc_ + by; }
-
- private:
-  static constexpr Duration kFirst = Duration::seconds(5000);
-  Time utc_ = kUtc;
-  Duration running_ = kFirst;
-};
-
-/// What happens at sea, when the test said so; a port brings it.
-struct Script {
-  struct Event {
-    Duration at;
-    std::function<void(Clock&, InputSink&)> what;
-    bool over = false;
-  };
-  std::vector<Event> events;
-
-  void then(Duration at, std::function<void(Clock&, InputSink&)> what) { events.push_back({at, std::move(what)}); }
-};
-
-/// The clock of a mission at sea, but that waiting on it is how time passes.
-class FakeClock final : public Clock {
- public:
-  FakeClock(FakeHost& host, const Script& script) : host_(host), script_(script), clock_(host) {}
-
-  [[nodiscard]] Time now() override { return clock_.now(); }
-  [[nodiscard]] Time mission_time_of(Time utc) override { return clock_.mission_time_of(utc); }
-  [[nodiscard]] Time arrival_of(Time utc) override { return clock_.arrival_of(utc); }
-  [[nodiscard]] bool answered(const runtime::Outputs& outputs, std::uint64_t sent) override { return clock_.answered(outputs, sent); }
-
-  [[nodiscard]] Wake wait(const Awaited& awaited) override {
-    const Duration now = host_.since_start();
-    Duration until = now + std::max(Duration{}, awaited.next_turn - clock_.now());
-    for (const Script::Event& event : script_.events) {
-      if (!event.over) until = std::min(until, std::max(now, event.at));
-    }
-    host_.advance(until - now);
-    return clock_.now() >= awaited.next_turn ? Wake::kTurn : Wake::kPorts;
-  }
-
- private:
-  FakeHost& host_;
-  const Script& script_;
-  HostMissionClock clock_;
-};
-
-class FakePort final : public Port {
- public:
-  FakePort(std::uint8_t index, FakeHost& host, Script& script) : Port(index, {}), host_(host), script_(script) {}
-
-  void collect(Clock& clock, InputSink& sink) override {
-    std::ranges::stable_sort(script_.events, {}, &Script::Event::at);
-    for (Script::Event& event : script_.events) {
-      if (event.over || event.at > host_.since_start()) continue;
-      event.over = true;
-      event.what(clock, sink);
-    }
-  }
-  std::uint64_t publish(Time now, const runtime::Outputs& outputs) override {
-    times.push_back(now);
-    published.push_back(outputs);
-    if (on_publish) on_publish();
-    return 1;
-  }
-  void serve() override { ++served; }
-  [[nodiscard]] int file_descriptor() const override { return -1; }
-  [[nodiscard]] std::string description() const override { return "a script"; }
-
-  [[nodiscard]] const messages::Health& health(std::size_t turn) const { return published.at(turn).health; }
-  [[nodiscard]] const messages::Health& last() const { return published.back().health; }
-
-  std::vector<Time> times;
-  std::vector<runtime::Outputs> published;
-  std::function<void()> on_publish;
-  std::size_t served = 0;
-
- private:
-  FakeHost& host_;
-  Script& script_;
-};
 
 /// A vehicle that lies still in the middle of its area, its real runtime and journal, and everything else in the test's hand.
 class AtSea : public testing::Test {
@@ -227,6 +134,7 @@ TEST_F(AtSea, ServesItsPortsWheneverItWakesNotOnlyOnceATurn) {
   stop_at(5);
   (void)fly();
   EXPECT_GE(port_->served, 50U) << "45 times between turns, 5 with one";
+  EXPECT_FALSE(port_->answered_late) << "what was read waits for the next wake";
   EXPECT_LT(port_->published.size(), 11U);
 }
 

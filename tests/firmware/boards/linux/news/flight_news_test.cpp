@@ -120,7 +120,9 @@ TEST_F(FlightNewsTest, TellsInEachStateOnceHowManyMessagesWereRefusedAndWhereToL
   tell(5, MissionState::kSearch, 2, 2);
   tell(14, MissionState::kAbort, 31, 2);
   tell(15, MissionState::kAbort, 32, 2);
-  const std::string why = " refused so far, for their date, their order or what is in them; look at the clock of their sender\n";
+  const std::string why =
+      " refused so far, for their date, their order or what is in them; look at their sender's clock (of CAN "
+      "messages, which bear no date: at two ports that bring the same)\n";
   EXPECT_EQ(all_told(), "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\nearshotd: 2026-11-18 11:06:41 UTC: SNR: 1 message" + why +
                             "earshotd: 2026-11-18 11:06:43 UTC: SEARCH\nearshotd: 2026-11-18 11:06:43 UTC: SNR: 2 messages" + why +
                             "earshotd: 2026-11-18 11:06:44 UTC: navigation: 1 message" + why +
@@ -189,6 +191,12 @@ TEST_F(FlightNewsTest, TellsAtTheNextTurnWithWhatChainAHydrophoneIsHeardAndNotMo
       "earshotd: 2026-11-18 11:06:50 UTC: port 1, vehicle, CAN can0: hears nothing: a sample rate of 50.0 Hz is too low for a band up to "
       "30.0 Hz\n"
       "earshotd: 2026-11-18 11:07:00 UTC: port 1, vehicle, CAN can0: hears nothing: the ADC must have 8 to 32 bits\n");
+}
+
+TEST_F(FlightNewsTest, TellsAnAbortOfItsOwnFromAnOperators) {
+  news_->tell_stop();
+  news_->tell(kUtc, health(MissionState::kAbort, EndReason::kOperatorAbort, 3));
+  EXPECT_EQ(all_told(), "earshotd: 2026-11-18 11:06:40 UTC: ABORT, this program was told to stop, after 3 steps\n");
 }
 
 TEST_F(FlightNewsTest, TellsWhatIsWrongWithACanBusAndWhenItIsOver) {
