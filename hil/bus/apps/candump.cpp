@@ -134,7 +134,8 @@ class Work {
       for (hil::TextLine line; !is_enough() && lines.next(line);) take(line, damage);
       if (!flush()) return program::kLost;
     }
-    return end(damage.damaged == 0 ? "" : std::to_string(damage.damaged) + " damaged lines, ", damage.damaged == 0);
+    return end(damage.damaged == 0 ? "" : std::to_string(damage.damaged) + (damage.damaged == 1 ? " damaged line, " : " damaged lines, "),
+               damage.damaged == 0);
   }
 
   void take(const hil::TextLine& line, Damage& damage) {
@@ -157,11 +158,12 @@ class Work {
     }
     const hil::DecoderCounters counters = dump_.counters();
     if (is_complete && program::talk() == program::Talk::kQuiet) return program::kDone;
-    std::cerr << "earshot candump: " << what_is_wrong << counters.frames << " frames, " << counters.messages << " messages ("
-              << counters.unknown << " unknown)";
-    if (counters.other_frames > 0) std::cerr << ", " << counters.other_frames << " frames that are not NMEA 2000's";
+    const auto plural = [](std::uint64_t count, const char* what) { return std::to_string(count) + what + (count == 1 ? "" : "s"); };
+    std::cerr << "earshot candump: " << what_is_wrong << plural(counters.frames, " frame") << ", " << plural(counters.messages, " message")
+              << " (" << counters.unknown << " unknown)";
+    if (counters.other_frames > 0) std::cerr << ", " << plural(counters.other_frames, " frame") << " of another kind than NMEA 2000's";
     if (counters.incomplete > 0) std::cerr << ", " << counters.incomplete << " pieces of fast packets that were not whole";
-    if (record_ != nullptr) std::cerr << "; " << record_->frames() << " frames recorded";
+    if (record_ != nullptr) std::cerr << "; " << plural(record_->frames(), " frame") << " recorded";
     std::cerr << "\n";
     return is_complete ? program::kDone : program::kIncomplete;
   }

@@ -36,12 +36,14 @@ std::optional<T> number(std::string_view text, int base = 10) {
   return value;
 }
 
-/// "123.000456", as candump writes seconds: six digits behind the point.
+/// "123.000456", as candump writes seconds: six digits behind the point, or nine, of which three are left out.
 std::optional<Time> seconds(std::string_view text) {
   const std::size_t point = text.find('.');
-  if (point == std::string_view::npos || text.size() - point != 7) return std::nullopt;
+  if (point == std::string_view::npos) return std::nullopt;
+  const std::size_t digits = text.size() - point - 1;
+  if ((digits != 6 && digits != 9) || !number<std::uint32_t>(text.substr(point + 1))) return std::nullopt;
   const auto whole = number<std::uint64_t>(text.substr(0, point));
-  const auto part = number<std::uint32_t>(text.substr(point + 1));
+  const auto part = number<std::uint32_t>(text.substr(point + 1, 6));
   constexpr std::uint64_t kMost = INT64_MAX / kMicroseconds - 1;
   if (!whole || !part || *whole > kMost) return std::nullopt;
   return Time{static_cast<std::int64_t>(*whole) * kMicroseconds + *part};

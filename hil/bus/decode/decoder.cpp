@@ -31,7 +31,7 @@ bool is_fast(std::uint32_t pgn) {
 
 std::string in_hexadecimal(n2k::Name name) {
   std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "NAME %016llX", static_cast<unsigned long long>(name));
+  (void)std::snprintf(text.data(), text.size(), "NAME 0x%016llX", static_cast<unsigned long long>(name));
   return text.data();
 }
 

@@ -33,6 +33,12 @@ TEST(LogLine, ReadsWhatCandumpLogs) {
   EXPECT_EQ(entry_of("(1795415485.124552) vcan0 09F8017F#").frame, kEmpty);
 }
 
+TEST(LogLine, ReadsStampsInNanosecondsToTheMicrosecondBefore) {
+  EXPECT_EQ(entry_of("(1795415485.080925999) vcan0 09F8017F#").time, Time{1'795'415'485'080'925});
+  EXPECT_TRUE(is_refused("(1795415485.0809259) vcan0 09F8017F#"));
+  EXPECT_TRUE(is_refused("(1795415485.080925x99) vcan0 09F8017F#"));
+}
+
 TEST(LogLine, ReadsWhatCandumpPrints) {
   EXPECT_EQ(entry_of("  vcan0  09F8017F   [8]  50 C3 B8 13 47 D8 2B C6"),
             (LogEntry{.time = std::nullopt, .interface = "vcan0", .frame = kPosition}));

@@ -79,14 +79,14 @@ TEST(Decoder, NamesADeviceByItsModelElseByItsClaimUntilAnotherClaimsTheAddress) 
   EXPECT_EQ(heard.source_name, "");
   (void)decoder.accept(entry_of(claim_of(7, 0x9D)), heard);
   (void)decoder.accept(entry_of(heading_from(7)), heard);
-  EXPECT_EQ(heard.source_name, "NAME C0A0961CE76FE09D");
+  EXPECT_EQ(heard.source_name, "NAME 0xC0A0961CE76FE09D");
   for (const n2k::Frame& frame : product(7, "compass")) (void)decoder.accept(entry_of(frame), heard);
   (void)decoder.accept(entry_of(claim_of(7, 0x9D)), heard);
   (void)decoder.accept(entry_of(heading_from(7)), heard);
   EXPECT_EQ(heard.source_name, "compass");
   (void)decoder.accept(entry_of(claim_of(7, 0x9E)), heard);
   (void)decoder.accept(entry_of(heading_from(7)), heard);
-  EXPECT_EQ(heard.source_name, "NAME C0A0961CE76FE09E");
+  EXPECT_EQ(heard.source_name, "NAME 0xC0A0961CE76FE09E");
 }
 
 TEST(Decoder, DoesNotReadAnotherMakersProprietaryMessages) {
