@@ -1,0 +1,255 @@
+"""Plants small faults one at a time in C++ files and says which of them the tests notice.
+
+usage: tests/mutation/run [FILE...] [--seed N] [--count N] [--far] [--seconds S] [--at-least PERCENT]
+"""
+
+from __future__ import annotations
+
+import argparse
+import fcntl
+import os
+import random
+import re
+import subprocess
+import sys
+import time
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from project import Project, Test
+from sites import Fault, arguments_for_clang, faults_of
+from switch import HEADER, switched
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@dataclass
+class Planted:
+    file: str
+    fault: Fault
+    seen_by: str = ""
+    reached: bool = False
+    left_out: float = 0.0  # seconds of tests for which there was no time
+
+
+@dataclass
+class Baseline:
+    """The tests of a program with no fault: how long each takes and which faults it comes by."""
+
+    seconds: dict[Test, float] = field(default_factory=dict)
+    reached: dict[Test, set[int]] = field(default_factory=dict)
+    failing: list[str] = field(default_factory=list)
+
+
+def say(text: str) -> None:
+    if sys.stderr.isatty():
+        sys.stderr.write(f"\r\x1b[K{text[:150]}")
+        sys.stderr.flush()
+
+
+def run_command(command: list[str], test: Test, extra: dict[str, str], limit: float) -> str:
+    """'' when it succeeds, else how it failed. What it started goes with it."""
+    environment = dict(os.environ) | dict(test.environment) | extra
+    process = subprocess.Popen(
+        command,
+        cwd=test.folder,
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    try:
+        status = process.wait(timeout=limit)
+    except subprocess.TimeoutExpired:
+        return f"not done in {limit:.0f} s"
+    finally:
+        try:
+            os.killpg(process.pid, 9)
+        except ProcessLookupError:
+            pass
+        process.wait()
+    return "" if status == 0 else f"status {status}"
+
+
+def build_without_errors(
+    project: Project, plans: dict[str, dict[int, Fault]], sources: dict[str, bytes], programs: list[str]
+) -> dict[int, str]:
+    """Plants everything; faults that do not compile are taken out until the rest does. Returns those with the file."""
+    dropped: dict[int, str] = {}
+    for _ in range(12):
+        texts = {name: switched(sources[name], plan) for name, plan in plans.items()}
+        project.copy({name: text.text for name, text in texts.items()})
+        result = project.ninja("-k", "0", *programs)
+        if result.returncode == 0:
+            return dropped
+        before = len(dropped)
+        for name, text in texts.items():
+            for line in re.findall(rf"{re.escape(str(project.tree / name))}:(\d+):\d+: error", result.stdout):
+                number = text.lines.get(int(line))
+                if number in plans[name]:
+                    dropped[number] = name
+                    del plans[name][number]
+        if len(dropped) == before:
+            tail = [line for line in result.stdout.split("\n") if "error" in line or "FAILED" in line]
+            raise SystemExit("does not build, and no planted fault is to blame:\n" + "\n".join(tail[:20]))
+    raise SystemExit("does not build after twelve attempts")
+
+
+def measure_baseline(project: Project, tests: list[Test], count: int) -> Baseline:
+    baseline = Baseline()
+    reached = project.build / "reached"
+    for index, test in enumerate(tests):
+        say(f"without a fault: {index + 1} of {len(tests)} tests")
+        reached.write_bytes(bytes(count))
+        began = time.monotonic()
+        failure = run_command(list(test.command), test, {"EARSHOT_FAULTS_REACHED": str(reached)}, 600.0)
+        if failure:
+            baseline.failing.append(f"{test.name}: {failure}")
+            continue
+        baseline.seconds[test] = time.monotonic() - began
+        baseline.reached[test] = {n for n, byte in enumerate(reached.read_bytes()) if byte}
+    return baseline
+
+
+def batches(tests: list[Test]) -> list[list[Test]]:
+    """Tests of one GoogleTest program in one process; any other alone."""
+    groups: dict[tuple[object, ...], list[Test]] = {}
+    for test in tests:
+        is_google = len(test.command) > 1 and test.command[1].startswith("--gtest_filter=")
+        key = (test.program, test.environment, test.folder) if is_google else (test.name,)
+        groups.setdefault(key, []).append(test)
+    return list(groups.values())
+
+
+def look_for(planted: Planted, number: int, baseline: Baseline, seconds: float, near: set[str]) -> None:
+    """Runs the tests that come by the fault, the nearest and quickest first, until one fails."""
+    coming_by = [t for t, reached in baseline.reached.items() if number in reached]
+    planted.reached = bool(coming_by)
+    coming_by.sort(key=lambda t: (t.program not in near, baseline.seconds[t], t.name))
+    chosen: list[Test] = []
+    for test in coming_by:
+        if seconds >= baseline.seconds[test]:
+            seconds -= baseline.seconds[test]
+            chosen.append(test)
+        else:
+            planted.left_out += baseline.seconds[test]
+    for batch in batches(chosen):
+        command = list(batch[0].command)
+        if len(batch) > 1:
+            names = ":".join(t.command[1].removeprefix("--gtest_filter=") for t in batch)
+            command = [command[0], f"--gtest_filter={names}", "--gtest_fail_fast", *command[2:]]
+        limit = 5.0 + 10.0 * sum(baseline.seconds[t] for t in batch)
+        failure = run_command(command, batch[0], {"EARSHOT_FAULT": str(number)}, limit)
+        if failure:
+            planted.seen_by = f"{batch[0].program} ({failure})"
+            return
+
+
+def equivalents(path: Path) -> dict[tuple[str, str, str], str]:
+    """(file, its line without blanks around, change) -> why no test can notice it"""
+    listed = tomllib.loads(path.read_text()).get("equivalent", [])
+    return {(e["file"], e["line"], e["change"]): e["reason"] for e in listed}
+
+
+def report(name: str, planted: list[Planted], skipped: str, lines: list[str], same: dict[tuple[str, str, str], str]) -> tuple[int, int]:
+    def reason(p: Planted) -> str | None:
+        return same.get((name, lines[p.fault.line - 1].strip(), p.fault.change))
+
+    counted = [p for p in planted if p.seen_by or reason(p) is None]
+    noticed = sum(1 for p in counted if p.seen_by)
+    rate = f"{100 * noticed / len(counted):.0f} %" if counted else "none to count"
+    print(f"{name}: {noticed} of {len(counted)} noticed, {rate} ({skipped}{len(planted) - len(counted)} equivalent)")
+    for p in sorted(counted, key=lambda p: p.fault.line):
+        if not p.seen_by:
+            why = "" if p.reached else " (no test comes by)"
+            why += f" (tests of {p.left_out:.0f} s were not run)" if p.left_out else ""
+            print(f"  {name}:{p.fault.line}: survived: {p.fault.kind}: {p.fault.change}{why}")
+    return noticed, len(counted)
+
+
+def read_command_line() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="tests/mutation/run", description=(__doc__ or "").split("\n")[0])
+    parser.add_argument("files", nargs="+", metavar="FILE", help="a C++ source or header, from the root of the tree")
+    parser.add_argument("--seed", type=int, default=1, help="which faults are chosen (default 1)")
+    parser.add_argument("--count", type=int, default=12, help="faults a file; 0 for all (default 12)")
+    parser.add_argument("--far", action="store_true", help="also tests outside the mirrored folder that do not include the file")
+    parser.add_argument("--seconds", type=float, default=60.0, help="tests of that long for one fault (default 60)")
+    parser.add_argument("--at-least", type=float, default=0.0, metavar="PERCENT", help="exit status 1 when fewer are noticed")
+    return parser.parse_args()
+
+
+def main() -> int:
+    options = read_command_line()
+    names = list(dict.fromkeys(str(Path(f).resolve().relative_to(ROOT)) for f in options.files))
+    place = ROOT / "build" / "mutation"
+    place.mkdir(parents=True, exist_ok=True)
+    with (place / "lock").open("w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise SystemExit("tests/mutation/run: build/mutation is in use by another run") from None
+        return measure(options, names, Project(ROOT, place))
+
+
+def measure(options: argparse.Namespace, names: list[str], project: Project) -> int:
+    project.copy({})
+    project.configure(HEADER)
+    sources = {name: (ROOT / name).read_bytes() for name in names}
+    plans: dict[str, dict[int, Fault]] = {}
+    constant: dict[str, int] = {}
+    near: set[str] = set()
+    programs: set[str] = set()
+    next_number = 1
+    for name in names:
+        found = faults_of(project.tree / name, arguments_for_clang(project.command_of(name)))
+        switchable = [f for f in found if f.switchable]
+        constant[name] = len(found) - len(switchable)
+        plans[name] = dict(enumerate(switchable, next_number))
+        next_number += len(switchable)
+        near_here, far_here = project.programs_of(name)
+        near |= set(near_here)
+        programs |= {*near_here, *(far_here if options.far else [])}
+    say(f"building {len(programs)} test programs with {next_number - 1} faults")
+    dropped = build_without_errors(project, plans, sources, sorted(programs))
+    baseline = measure_baseline(project, project.tests(programs), next_number)
+    for failing in baseline.failing:
+        print(f"left out, it fails with no fault planted: {failing}")
+    return run_all(options, plans, constant, dropped, baseline, near, sources)
+
+
+def run_all(
+    options: argparse.Namespace,
+    plans: dict[str, dict[int, Fault]],
+    constant: dict[str, int],
+    dropped: dict[int, str],
+    baseline: Baseline,
+    near: set[str],
+    sources: dict[str, bytes],
+) -> int:
+    same = equivalents(Path(__file__).with_name("equivalents.toml"))
+    noticed = counted = tried = 0
+    began = time.monotonic()
+    for name, plan in plans.items():
+        chosen = sorted(plan)
+        if options.count:
+            chosen = sorted(random.Random(f"{options.seed}:{name}").sample(chosen, min(options.count, len(chosen))))
+        results = []
+        for number in chosen:
+            tried += 1
+            say(f"{name}: {len(results) + 1} of {len(chosen)}")
+            results.append(Planted(name, plan[number]))
+            look_for(results[-1], number, baseline, options.seconds, near)
+        say("")
+        did_not_compile = sum(1 for n in dropped.values() if n == name)
+        skipped = f"{constant[name]} in constants not tried, {did_not_compile} did not compile, "
+        one, all_of_it = report(name, results, skipped, sources[name].decode().split("\n"), same)
+        noticed, counted = noticed + one, counted + all_of_it
+    rate = 100.0 * noticed / counted if counted else 100.0
+    print(f"{noticed} of {counted} noticed, {rate:.0f} %; {(time.monotonic() - began) / max(tried, 1):.2f} s each")
+    return 0 if rate >= options.at_least else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
