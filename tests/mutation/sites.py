@@ -62,8 +62,6 @@ _NEVER = {
     CursorKind.TEMPLATE_TYPE_PARAMETER,
     CursorKind.TEMPLATE_NON_TYPE_PARAMETER,
     CursorKind.USING_DECLARATION,
-    CursorKind.CONCEPT_DECL,
-    CursorKind.UNEXPOSED_ATTR,
 }
 
 
@@ -130,8 +128,6 @@ class _Reader:
             place = child.extent.start.file
             if place is not None and place.name == self.name:
                 self.visit(child)
-            elif child.kind == CursorKind.NAMESPACE:
-                self.declarations(child)
 
     def visit_all(self, children: list[Cursor]) -> None:
         for child in children:
@@ -143,7 +139,10 @@ class _Reader:
         self.constant = before
 
     def visit(self, cursor: Cursor) -> None:
-        kind = cursor.kind
+        try:
+            kind = cursor.kind
+        except ValueError:  # newer than these bindings: concepts
+            return
         children = list(cursor.get_children())
         if kind in _NEVER:
             return
