@@ -211,6 +211,8 @@ def measure(options: argparse.Namespace, names: list[str], project: Project) -> 
         near_here, far_here = project.programs_of(name)
         near |= set(near_here)
         programs |= {*near_here, *(far_here if options.far else [])}
+    if not programs:  # ninja would build everything
+        raise SystemExit("tests/mutation/run: no near test is made of these files; --far takes the others too")
     say(f"building {len(programs)} test programs with {next_number - 1} faults")
     dropped = build_without_errors(project, plans, sources, sorted(programs))
     baseline = measure_baseline(project, project.tests(programs), next_number)

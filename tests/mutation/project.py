@@ -61,7 +61,7 @@ class Project:
 
     def read_programs(self) -> None:
         rules = (self.build / "build.ninja").read_text()
-        linked = re.findall(r"^build (tests/\S+): CXX_EXECUTABLE_LINKER", rules, re.MULTILINE)
+        linked = re.findall(r"^build (tests/[^\s:|]+)[^:\n]*: CXX_EXECUTABLE_LINKER", rules, re.MULTILINE)
         for program in linked:
             inputs = self.ninja("-t", "inputs", program).stdout.split("\n")
             prefix = str(self.tree) + "/"
