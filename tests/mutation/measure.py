@@ -153,7 +153,9 @@ def equivalents(path: Path) -> dict[tuple[str, str, str], str]:
     return {(e["file"], e["line"], e["change"]): e["reason"] for e in listed}
 
 
-def report(name: str, planted: list[Planted], skipped: str, lines: list[str], same: dict[tuple[str, str, str], str]) -> tuple[int, int]:
+def report(
+    name: str, planted: list[Planted], skipped: str, lines: list[str], same: dict[tuple[str, str, str], str]
+) -> tuple[int, int]:
     def reason(p: Planted) -> str | None:
         return same.get((name, lines[p.fault.line - 1].strip(), p.fault.change))
 
@@ -174,9 +176,13 @@ def read_command_line() -> argparse.Namespace:
     parser.add_argument("files", nargs="+", metavar="FILE", help="a C++ source or header, from the root of the tree")
     parser.add_argument("--seed", type=int, default=1, help="which faults are chosen (default 1)")
     parser.add_argument("--count", type=int, default=12, help="faults a file; 0 for all (default 12)")
-    parser.add_argument("--far", action="store_true", help="also tests outside the mirrored folder that do not include the file")
+    parser.add_argument(
+        "--far", action="store_true", help="also tests outside the mirrored folder that do not include the file"
+    )
     parser.add_argument("--seconds", type=float, default=60.0, help="tests of that long for one fault (default 60)")
-    parser.add_argument("--at-least", type=float, default=0.0, metavar="PERCENT", help="exit status 1 when fewer are noticed")
+    parser.add_argument(
+        "--at-least", type=float, default=0.0, metavar="PERCENT", help="exit status 1 when fewer are noticed"
+    )
     return parser.parse_args()
 
 
@@ -237,7 +243,7 @@ def run_all(
         chosen = sorted(plan)
         if options.count:
             chosen = sorted(random.Random(f"{options.seed}:{name}").sample(chosen, min(options.count, len(chosen))))
-        results = []
+        results: list[Planted] = []
         for number in chosen:
             tried += 1
             say(f"{name}: {len(results) + 1} of {len(chosen)}")

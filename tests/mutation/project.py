@@ -50,7 +50,11 @@ class Project:
         if not there.is_file() or there.read_text() != header:
             there.write_text(header)
         command = ["cmake", "-S", str(self.tree), "-B", str(self.build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Dev"]
-        command += [f"-DCMAKE_CXX_FLAGS=-w -I{self.include}", "-DCMAKE_CXX_FLAGS_DEV=-O2", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"]
+        command += [
+            f"-DCMAKE_CXX_FLAGS=-w -I{self.include}",
+            "-DCMAKE_CXX_FLAGS_DEV=-O2",
+            "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+        ]
         if shutil.which("ccache"):
             command += [f"-DCMAKE_{language}_COMPILER_LAUNCHER=ccache" for language in ("C", "CXX")]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
@@ -82,7 +86,8 @@ class Project:
         """Test programs that `name` is part of: those of the mirrored folder or whose own source includes it, and all others."""
         header = re.sub(r"\.cpp$", ".hpp", name)
         part = name.split("/")[0]
-        near, far = [], []
+        near: list[str] = []
+        far: list[str] = []
         for program, sources in sorted(self.programs.items()):
             units = [s for s in sources if s.endswith(".cpp")]
             if name not in sources and not any(name in self.included_by(u) for u in units):
@@ -121,5 +126,5 @@ class Project:
             properties = {p["name"]: p["value"] for p in test.get("properties", [])}
             pairs = tuple(tuple(e.split("=", 1)) for e in properties.get("ENVIRONMENT", []))
             folder = properties.get("WORKING_DIRECTORY", str(self.build))
-            found.append(Test(test["name"], tuple(command), pairs, folder, program))  # type: ignore[arg-type]
+            found.append(Test(test["name"], tuple(command), pairs, folder, program))
         return found

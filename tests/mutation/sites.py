@@ -100,7 +100,9 @@ class _Reader:
         self.macros = [
             (c.extent.start.offset, c.extent.end.offset)
             for c in unit.cursor.get_children()
-            if c.kind == CursorKind.MACRO_INSTANTIATION and c.extent.start.file and c.extent.start.file.name == self.name
+            if c.kind == CursorKind.MACRO_INSTANTIATION
+            and c.extent.start.file
+            and c.extent.start.file.name == self.name
         ]
 
     def text(self, start: int, end: int) -> str:
@@ -308,7 +310,9 @@ class _Reader:
             + self.of(one)
             + self.text(b.end.offset, end)
         )
-        self.add(cursor, text, "swapped arguments", f"{_short(self.of(cursor))}: {_short(self.of(one))} <-> {self.of(other)}")
+        self.add(
+            cursor, text, "swapped arguments", f"{_short(self.of(cursor))}: {_short(self.of(one))} <-> {self.of(other)}"
+        )
 
 
 def _neighbours(cursors: list[Cursor]) -> Iterator[tuple[Cursor, Cursor]]:

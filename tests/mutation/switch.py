@@ -27,7 +27,8 @@ struct State {
     const int file = ::open(name, O_RDWR | O_CLOEXEC);
     struct stat about {};
     if (file < 0 || ::fstat(file, &about) != 0 || about.st_size == 0) return;
-    void* bytes = ::mmap(nullptr, static_cast<unsigned long>(about.st_size), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    void* bytes = ::mmap(nullptr, static_cast<unsigned long>(about.st_size),
+                         PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     ::close(file);
     if (bytes == MAP_FAILED) return;
     count = static_cast<int>(about.st_size);
@@ -51,7 +52,7 @@ class Switched:
 
 
 def switched(original: bytes, numbered: dict[int, Fault]) -> Switched:
-    """The text with every fault behind its number. Each stands on lines of its own, so that a compiler's error names it."""
+    """The text with every fault behind its number, each on lines of its own, so that an error names it."""
     spans: dict[tuple[int, int], list[int]] = {}
     for number, fault in numbered.items():
         spans.setdefault((fault.start, fault.end), []).append(number)
