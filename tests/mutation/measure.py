@@ -6,6 +6,7 @@ usage: tests/mutation/run [FILE...] [--seed N] [--count N] [--far] [--seconds S]
 from __future__ import annotations
 
 import argparse
+import contextlib
 import fcntl
 import os
 import random
@@ -65,10 +66,8 @@ def run_command(command: list[str], test: Test, extra: dict[str, str], limit: fl
     except subprocess.TimeoutExpired:
         return f"not done in {limit:.0f} s"
     finally:
-        try:
+        with contextlib.suppress(ProcessLookupError):
             os.killpg(process.pid, 9)
-        except ProcessLookupError:
-            pass
         process.wait()
     return "" if status == 0 else f"status {status}"
 

@@ -28,7 +28,7 @@ class Project:
         self.programs: dict[str, set[str]] = {}  # test program -> the sources it is made of, below the tree
 
     def copy(self, planted: dict[str, str]) -> None:
-        """Makes the tree as the user's is, but for the planted texts; leaves alone what is so already, for ninja's sake."""
+        """Makes the tree as the user's is, but for the planted texts; leaves alone what is so already."""
         command = ["git", "ls-files", "-z", "-co", "--exclude-standard"]
         listed = subprocess.run(command, cwd=self.root, capture_output=True, text=True, check=True).stdout
         names = {name for name in listed.split("\0") if name and (self.root / name).is_file()}
@@ -83,7 +83,7 @@ class Project:
         return found
 
     def programs_of(self, name: str) -> tuple[list[str], list[str]]:
-        """Test programs that `name` is part of: those of the mirrored folder or whose own source includes it, and all others."""
+        """Test programs that `name` is part of: those of the mirrored folder or that include it, and others."""
         header = re.sub(r"\.cpp$", ".hpp", name)
         part = name.split("/")[0]
         near: list[str] = []
