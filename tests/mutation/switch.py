@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from sites import Fault
 
 # Where a constant is computed by the compiler every fault is off. EARSHOT_FAULTS_REACHED names a file of a byte a
-# fault, set to 1 when a program comes by: it is mapped, so that what a child or a program that dies came by is kept too.
+# fault, set to 1 as a program comes by: it is mapped, so that what a child or a program that dies came by is kept too.
 HEADER = """\
 #pragma once
 #include <cstdlib>
