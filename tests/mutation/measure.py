@@ -15,6 +15,7 @@ import subprocess
 import sys
 import time
 import tomllib
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -23,6 +24,11 @@ from sites import Fault, arguments_for_clang, faults_of
 from switch import HEADER, switched
 
 ROOT = Path(__file__).resolve().parents[2]
+USUAL = [
+    f"firmware/{part}"
+    for part in ["core", "config", "messages", "policy", "guidance", "safety", "runtime", "wire", "host"]
+]
+USUAL += ["sim/pe", "sim/sonar", "sim/search", "policy/ppo", "policy/freeze"]
 
 
 @dataclass
@@ -77,7 +83,7 @@ def build_without_errors(
 ) -> dict[int, str]:
     """Plants everything; faults that do not compile are taken out until the rest does. Returns those with the file."""
     dropped: dict[int, str] = {}
-    for _ in range(12):
+    for _ in range(30):
         texts = {name: switched(sources[name], plan) for name, plan in plans.items()}
         project.copy({name: text.text for name, text in texts.items()})
         result = project.ninja("-k", "0", *programs)
@@ -85,15 +91,15 @@ def build_without_errors(
             return dropped
         before = len(dropped)
         for name, text in texts.items():
-            for line in re.findall(rf"{re.escape(str(project.tree / name))}:(\d+):\d+: error", result.stdout):
+            for line in re.findall(rf"tree/{re.escape(name)}:(\d+):\d+: (?:error|  )", result.stdout):
                 number = text.lines.get(int(line))
                 if number in plans[name]:
                     dropped[number] = name
                     del plans[name][number]
         if len(dropped) == before:
-            tail = [line for line in result.stdout.split("\n") if "error" in line or "FAILED" in line]
+            tail = [line for line in result.stdout.split("\n") if re.search("error|Error|FAILED", line)]
             raise SystemExit("does not build, and no planted fault is to blame:\n" + "\n".join(tail[:20]))
-    raise SystemExit("does not build after twelve attempts")
+    raise SystemExit("does not build after thirty attempts")
 
 
 def measure_baseline(project: Project, tests: list[Test], count: int) -> Baseline:
@@ -160,7 +166,9 @@ def report(
 
     counted = [p for p in planted if p.seen_by or reason(p) is None]
     noticed = sum(1 for p in counted if p.seen_by)
-    rate = f"{100 * noticed / len(counted):.0f} %" if counted else "none to count"
+    if not counted:
+        return 0, 0
+    rate = f"{100 * noticed / len(counted):.0f} %"
     print(f"{name}: {noticed} of {len(counted)} noticed, {rate} ({skipped}{len(planted) - len(counted)} equivalent)")
     for p in sorted(counted, key=lambda p: p.fault.line):
         if not p.seen_by:
@@ -172,9 +180,13 @@ def report(
 
 def read_command_line() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="tests/mutation/run", description=(__doc__ or "").split("\n")[0])
-    parser.add_argument("files", nargs="+", metavar="FILE", help="a C++ source or header, from the root of the tree")
+    parser.add_argument(
+        "files", nargs="*", metavar="FILE", help="a C++ source or header, or a folder of them (default: all that fly)"
+    )
     parser.add_argument("--seed", type=int, default=1, help="which faults are chosen (default 1)")
-    parser.add_argument("--count", type=int, default=12, help="faults a file; 0 for all (default 12)")
+    parser.add_argument(
+        "--count", type=int, default=60, help="faults chosen of all in the files; 0 for all (default 60)"
+    )
     parser.add_argument(
         "--far", action="store_true", help="also tests outside the mirrored folder that do not include the file"
     )
@@ -185,9 +197,23 @@ def read_command_line() -> argparse.Namespace:
     return parser.parse_args()
 
 
+def files_named(named: list[str]) -> list[str]:
+    """The C++ files of the tree that are named, or lie in a folder that is, each once, from the root on."""
+    command = ["git", "ls-files", "-z", "-co", "--exclude-standard", "*.cpp", "*.hpp"]
+    listed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout.split("\0")
+    found: dict[str, None] = {}
+    for name in named:
+        path = Path(name).resolve() if Path(name).exists() else ROOT / name
+        inside = [f for f in listed if f and (ROOT / f == path or path in (ROOT / f).parents)]
+        if not inside:
+            raise SystemExit(f"tests/mutation/run: {name}: no C++ file or folder with one in this tree")
+        found |= dict.fromkeys(inside)
+    return list(found)
+
+
 def main() -> int:
     options = read_command_line()
-    names = list(dict.fromkeys(str(Path(f).resolve().relative_to(ROOT)) for f in options.files))
+    names = files_named(options.files or USUAL)
     place = ROOT / "build" / "mutation"
     place.mkdir(parents=True, exist_ok=True)
     with (place / "lock").open("w") as lock:
@@ -236,25 +262,34 @@ def run_all(
     sources: dict[str, bytes],
 ) -> int:
     same = equivalents(Path(__file__).with_name("equivalents.toml"))
-    noticed = counted = tried = 0
+    chosen = sorted(number for plan in plans.values() for number in plan)
+    if options.count and options.count < len(chosen):
+        chosen = sorted(random.Random(options.seed).sample(chosen, options.count))
+    of_file = {number: name for name, plan in plans.items() for number in plan}
+    planted = {number: Planted(of_file[number], plans[of_file[number]][number]) for number in chosen}
     began = time.monotonic()
-    for name, plan in plans.items():
-        chosen = sorted(plan)
-        if options.count:
-            chosen = sorted(random.Random(f"{options.seed}:{name}").sample(chosen, min(options.count, len(chosen))))
-        results: list[Planted] = []
-        for number in chosen:
-            tried += 1
-            say(f"{name}: {len(results) + 1} of {len(chosen)}")
-            results.append(Planted(name, plan[number]))
-            look_for(results[-1], number, baseline, options.seconds, near)
-        say("")
+    with ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+        looking = [pool.submit(look_for, planted[number], number, baseline, options.seconds, near) for number in chosen]
+        for done, future in enumerate(looking, 1):
+            future.result()
+            say(f"{done} of {len(looking)} faults")
+    say("")
+    counts: dict[str, list[int]] = {}
+    for name in plans:
+        results = [planted[number] for number in chosen if of_file[number] == name]
         did_not_compile = sum(1 for n in dropped.values() if n == name)
         skipped = f"{constant[name]} in constants not tried, {did_not_compile} did not compile, "
         one, all_of_it = report(name, results, skipped, sources[name].decode().split("\n"), same)
-        noticed, counted = noticed + one, counted + all_of_it
+        of_folder = counts.setdefault(str(Path(name).parent), [0, 0])
+        of_folder[0], of_folder[1] = of_folder[0] + one, of_folder[1] + all_of_it
+    for folder, (noticed, counted) in counts.items():
+        print(f"{folder}: {noticed} of {counted} noticed")
+    noticed = sum(n for n, _ in counts.values())
+    counted = sum(c for _, c in counts.values())
     rate = 100.0 * noticed / counted if counted else 100.0
-    print(f"{noticed} of {counted} noticed, {rate:.0f} %; {(time.monotonic() - began) / max(tried, 1):.2f} s each")
+    print(
+        f"{noticed} of {counted} noticed, {rate:.0f} %; {(time.monotonic() - began) / max(len(chosen), 1):.2f} s each"
+    )
     return 0 if rate >= options.at_least else 1
 
 

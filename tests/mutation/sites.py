@@ -188,7 +188,14 @@ class _Reader:
 
     def function(self, cursor: Cursor, children: list[Cursor]) -> None:
         at = cursor.location.offset
-        self.visit_all([c for c in children if c.extent.start.offset > at])
+        if re.search(r"=\s*(default|delete)\s*$", self.of(cursor)):
+            return
+        before, self.constant = self.constant, self.constant or "consteval" in self.text(cursor.extent.start.offset, at)
+        self.function_body(cursor, [c for c in children if c.extent.start.offset > at])
+        self.constant = before
+
+    def function_body(self, cursor: Cursor, children: list[Cursor]) -> None:
+        self.visit_all(children)
         body = next((c for c in children if c.kind == CursorKind.COMPOUND_STMT), None)
         is_plain = cursor.kind not in (CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR)
         if body is None or not is_plain or not list(body.get_children()):
@@ -259,7 +266,13 @@ class _Reader:
         sign = whole.removesuffix(inner).strip() if whole.endswith(inner) else whole.removeprefix(inner).strip()
         is_before = whole.endswith(inner)
         if sign in ("-", "!") and is_before:
-            self.add(cursor, f"({inner})", "sign" if sign == "-" else "logic")
+            told = (
+                f"{_short(whole)} -> {_short(inner)}"  # cast: a chain of conditions would make an optional of its bool
+            )
+            if sign == "-":
+                self.add(cursor, f"({inner})", "sign", told)
+            else:
+                self.add(cursor, f"static_cast<bool>({inner})", "logic", told)
         elif sign in ("++", "--"):
             other = "--" if sign == "++" else "++"
             self.add(cursor, f"{other}{inner}" if is_before else f"{inner}{other}", "sign")

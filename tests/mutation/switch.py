@@ -113,14 +113,15 @@ class _Writer:
             self.put("\n")
             self.put(f"(earshot_fault({number}) ? void() : void(", number)
             self.put("\n")
+        # A condition may be a pointer or an optional, which are of no type with true and false.
+        is_condition = any(self.numbered[n].kind == "removed check" for n in others)
+        cast = "static_cast<bool>" if is_condition else ""
         if others:
             self.put("\n(")
         for number in others:
             self.put("\n")
-            self.put(f"earshot_fault({number}) ? ({self.numbered[number].text}) :", number)
+            self.put(f"earshot_fault({number}) ? {cast}({self.numbered[number].text}) :", number)
             self.put("\n")
-        # A condition may be a pointer, which is of no type with true and false.
-        is_condition = any(self.numbered[n].kind == "removed check" for n in others)
         self.put(("(static_cast<bool>(" if is_condition else "(") if others else "")
         self.region(*span)
         self.put((")))" if is_condition else "))") if others else "")
