@@ -76,8 +76,8 @@ class FrameReaders {
     std::uint8_t sender = 0;
     if (orders_.accept(frame, now, n2k::kRuntimeAddress, command, sender) != Status::kOk) return nullptr;
     ++commands_;
-    const bool is_known = command.order >= messages::Order::kStart && command.order <= messages::Order::kAbort;
-    return is_known ? nullptr : "an order that nobody knows";
+    const bool is_to_all = n2k::parse_identifier(frame.identifier).value().destination == n2k::kBroadcast;
+    return is_to_all && command.order != messages::Order::kAbort ? "an order to all that is no abort" : nullptr;
   }
 
   const char* steer(const n2k::Frame& frame) {
