@@ -11,13 +11,16 @@ import fcntl
 import os
 import random
 import re
+import signal
 import subprocess
 import sys
+import threading
 import time
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import FrameType
 
 from project import Project, Test
 from sites import Fault, arguments_for_clang, faults_of
@@ -49,6 +52,23 @@ class Baseline:
     failing: list[str] = field(default_factory=list)
 
 
+@dataclass
+class Running:
+    """The tests that run now, so that none outlives this program when it is told to stop."""
+
+    groups: set[int] = field(default_factory=set)
+    lock: threading.Lock = field(default_factory=threading.Lock)
+
+    def stop(self, number: int, _: FrameType | None) -> None:
+        for group in list(self.groups):
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(group, signal.SIGKILL)
+        os._exit(128 + number)
+
+
+RUNNING = Running()
+
+
 def say(text: str) -> None:
     if sys.stderr.isatty():
         sys.stderr.write(f"\r\x1b[K{text[:150]}")
@@ -58,23 +78,26 @@ def say(text: str) -> None:
 def run_command(command: list[str], test: Test, extra: dict[str, str], limit: float) -> str:
     """'' when it succeeds, else how it failed. What it started goes with it."""
     environment = dict(os.environ) | dict(test.environment) | extra
-    process = subprocess.Popen(
-        command,
-        cwd=test.folder,
-        env=environment,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+    with RUNNING.lock:
+        process = subprocess.Popen(
+            command,
+            cwd=test.folder,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+        RUNNING.groups.add(process.pid)
     try:
         status = process.wait(timeout=limit)
     except subprocess.TimeoutExpired:
         return f"not done in {limit:.0f} s"
     finally:
         with contextlib.suppress(ProcessLookupError):
-            os.killpg(process.pid, 9)
+            os.killpg(process.pid, signal.SIGKILL)
         process.wait()
+        RUNNING.groups.discard(process.pid)
     return "" if status == 0 else f"status {status}"
 
 
@@ -152,19 +175,30 @@ def look_for(planted: Planted, number: int, baseline: Baseline, seconds: float, 
             return
 
 
-def equivalents(path: Path) -> dict[tuple[str, str, str], str]:
-    """(file, its line without blanks around, change) -> why no test can notice it"""
+Equivalents = dict[tuple[str, str, str], str]  # (file, its line without blanks around, change) -> why nobody can notice
+
+
+def key_of(name: str, lines: list[str], fault: Fault) -> tuple[str, str, str]:
+    return name, lines[fault.line - 1].strip(), fault.change
+
+
+def read_equivalents(path: Path, root: Path, plans: dict[str, dict[int, Fault]]) -> Equivalents:
+    """What the list says of the files in `plans`. An entry that names no fault of its file, or no file, is an error."""
     listed = tomllib.loads(path.read_text()).get("equivalent", [])
-    return {(e["file"], e["line"], e["change"]): e["reason"] for e in listed}
+    same: Equivalents = {(e["file"], e["line"], e["change"]): e["reason"] for e in listed}
+    possible: set[tuple[str, str, str]] = set()
+    for name, plan in plans.items():
+        lines = (root / name).read_text().split("\n")
+        possible |= {key_of(name, lines, fault) for fault in plan.values()}
+    stale = [key for key in same if not (root / key[0]).is_file() or (key[0] in plans and key not in possible)]
+    if stale:
+        told = "".join(f"\n  {file}: {line}\n    {change}" for file, line, change in stale)
+        raise SystemExit(f"{path}: no such fault (any more):{told}")
+    return same
 
 
-def report(
-    name: str, planted: list[Planted], skipped: str, lines: list[str], same: dict[tuple[str, str, str], str]
-) -> tuple[int, int]:
-    def reason(p: Planted) -> str | None:
-        return same.get((name, lines[p.fault.line - 1].strip(), p.fault.change))
-
-    counted = [p for p in planted if p.seen_by or reason(p) is None]
+def report(name: str, planted: list[Planted], skipped: str, lines: list[str], same: Equivalents) -> tuple[int, int]:
+    counted = [p for p in planted if p.seen_by or key_of(name, lines, p.fault) not in same]
     noticed = sum(1 for p in counted if p.seen_by)
     if not counted:
         return 0, 0
@@ -221,13 +255,15 @@ def main() -> int:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             raise SystemExit("tests/mutation/run: build/mutation is in use by another run") from None
-        return measure(options, names, Project(ROOT, place))
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+            signal.signal(number, RUNNING.stop)
+        return measure(options, names, Project(ROOT, place), Path(__file__).with_name("equivalents.toml"))
 
 
-def measure(options: argparse.Namespace, names: list[str], project: Project) -> int:
+def measure(options: argparse.Namespace, names: list[str], project: Project, listed: Path) -> int:
     project.copy({})
     project.configure(HEADER)
-    sources = {name: (ROOT / name).read_bytes() for name in names}
+    sources = {name: (project.root / name).read_bytes() for name in names}
     plans: dict[str, dict[int, Fault]] = {}
     constant: dict[str, int] = {}
     near: set[str] = set()
@@ -244,12 +280,13 @@ def measure(options: argparse.Namespace, names: list[str], project: Project) -> 
         programs |= {*near_here, *(far_here if options.far else [])}
     if not programs:  # ninja would build everything
         raise SystemExit("tests/mutation/run: no near test is made of these files; --far takes the others too")
+    same = read_equivalents(listed, project.root, plans)
     say(f"building {len(programs)} test programs with {next_number - 1} faults")
     dropped = build_without_errors(project, plans, sources, sorted(programs))
     baseline = measure_baseline(project, project.tests(programs), next_number)
     for failing in baseline.failing:
         print(f"left out, it fails with no fault planted: {failing}")
-    return run_all(options, plans, constant, dropped, baseline, near, sources)
+    return run_all(options, plans, constant, dropped, baseline, near, sources, same)
 
 
 def run_all(
@@ -260,8 +297,8 @@ def run_all(
     baseline: Baseline,
     near: set[str],
     sources: dict[str, bytes],
+    same: Equivalents,
 ) -> int:
-    same = equivalents(Path(__file__).with_name("equivalents.toml"))
     chosen = sorted(number for plan in plans.values() for number in plan)
     if options.count and options.count < len(chosen):
         chosen = sorted(random.Random(options.seed).sample(chosen, options.count))

@@ -1,0 +1,184 @@
+"""Which faults are found in a file, whether a planted one does what it says, and which of them a test notices. Run by ctest."""
+
+import argparse
+import contextlib
+import io
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import measure
+import sites
+import switch
+from project import Project
+
+
+def faults(text: str) -> list[sites.Fault]:
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "some.cpp"
+        file.write_text(text)
+        return sites.faults_of(file, ["-std=c++20", "-x", "c++"])
+
+
+def told(text: str) -> set[str]:
+    return {f"{f.kind}: {f.change}" for f in faults(text)}
+
+
+class Finding(unittest.TestCase):
+    def test_turns_a_comparison_round_and_moves_its_bound(self):
+        self.assertEqual(
+            told("bool is_less(int a, int b) { return a < b; }"),
+            {
+                "comparison: a < b: < -> >=",
+                "off by one: a < b: < -> <=",
+                "early return: is_less begins with return {};",
+            },
+        )
+
+    def test_swaps_arguments_of_one_type_only(self):
+        text = "int f(int, int, double);\nint g(int a, int b, double c) { return f(a, b, c); }"
+        self.assertEqual({c for c in told(text) if "swapped" in c}, {"swapped arguments: f(a, b, c): a <-> b"})
+
+    def test_leaves_out_statements_and_takes_checks_away(self):
+        found = told("void f(int& a) { if (a > 3) a = 2; ++a; }")
+        self.assertLessEqual(
+            {
+                "removed check: if (a > 3) never",
+                "removed check: if (a > 3) always",
+                "dropped statement: a = 2 left out",
+                "dropped statement: ++a left out",
+                "sign: ++a -> --a",
+            },
+            found,
+        )
+
+    def test_forgets_a_unit_and_changes_other_numbers_by_little(self):
+        found = told("double f(double a) { return a * 3600.0 + 2.5; }")
+        self.assertLessEqual({"units: 3600.0 -> 1.0", "constant: 2.5 -> 2.5 * 1.01"}, found)
+
+    def test_plants_nothing_where_only_the_compiler_looks(self):
+        text = "constexpr int kSize = 3;\nint list[kSize + 1];\nconsteval int f(int a) { return a - 1; }"
+        self.assertEqual([f.change for f in faults(text) if f.switchable], [])
+
+    def test_plants_nothing_in_half_a_macro(self):
+        text = "#define TWICE(a) ((a) * 2)\nint f(int b) { return TWICE(b); }"
+        self.assertEqual(told(text), {"early return: f begins with return {};"})
+
+    def test_tells_what_the_compiler_cannot_read(self):
+        with self.assertRaisesRegex(sites.CannotRead, "expected"):
+            faults("int f( {")
+
+
+class Planting(unittest.TestCase):
+    TEXT = b"""\
+#include <cstdio>
+int f(int a, int b) {
+  if (a < b) return a - b;
+  return a * 2;
+}
+int main() { std::printf("%d %d %d", f(1, 2), f(2, 2), f(3, 2)); }
+"""
+    # -1 4 6 without a fault; worked out by hand
+    DONE = {
+        "f begins with return {};": "0 0 0",
+        "if (a < b) never": "2 4 6",
+        "if (a < b) always": "-1 0 1",
+        "a < b: < -> >=": "2 0 1",
+        "a < b: < -> <=": "-1 0 6",
+        "a - b: - -> +": "3 4 6",
+        "a * 2: * -> /": "-1 1 1",
+        "2 -> 2 + 1": "-1 6 9",
+    }
+
+    def test_each_fault_does_what_it_says_when_it_is_asked_for_and_none_does_otherwise(self):
+        with tempfile.TemporaryDirectory() as place:
+            folder = Path(place)
+            (folder / "some.cpp").write_bytes(self.TEXT)
+            found = sites.faults_of(folder / "some.cpp", ["-std=c++20", "-x", "c++"])
+            numbered = {n: f for n, f in enumerate(found, 1) if f.line < 6 and f.switchable}
+            (folder / "planted.cpp").write_text(switch.switched(self.TEXT, numbered).text)
+            (folder / "earshot_fault.hpp").write_text(switch.HEADER)
+            build = ["g++", "-std=c++20", "-w", "-I.", "planted.cpp", "-o", "planted"]
+            subprocess.run(build, cwd=folder, check=True)
+
+            def printed(environment: dict[str, str]) -> str:
+                ran = subprocess.run([folder / "planted"], env=environment, capture_output=True, text=True, check=True)
+                return ran.stdout
+
+            self.assertEqual(printed({}), "-1 4 6")
+            self.assertEqual({f.change: printed({"EARSHOT_FAULT": str(n)}) for n, f in numbered.items()}, self.DONE)
+            reached = folder / "reached"
+            reached.write_bytes(bytes(len(numbered) + 1))
+            printed({"EARSHOT_FAULTS_REACHED": str(reached)})
+            self.assertEqual(reached.read_bytes(), b"\0" + b"\1" * len(numbered))
+
+
+PROJECT = {
+    "CMakeLists.txt": """\
+cmake_minimum_required(VERSION 3.25)
+project(small LANGUAGES CXX)
+enable_testing()
+include_directories(${CMAKE_SOURCE_DIR})
+add_executable(bounds_test firmware/core/bounds.cpp tests/firmware/core/bounds_test.cpp)
+set_target_properties(bounds_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+add_test(NAME bounds COMMAND bounds_test)
+""",
+    "firmware/core/bounds.hpp": "bool is_deep(int depth);\n",
+    "firmware/core/bounds.cpp": """\
+#include "firmware/core/bounds.hpp"
+bool is_deep(int depth) {
+  return depth > 400;
+}
+""",
+    "tests/firmware/core/bounds_test.cpp": """\
+#include "firmware/core/bounds.hpp"
+int main() { return is_deep(500) && !is_deep(300) ? 0 : 1; }
+""",
+}
+SURVIVORS = """\
+  firmware/core/bounds.cpp:3: survived: off by one: depth > 400: > -> >=
+  firmware/core/bounds.cpp:3: survived: off by one: 400 -> 400 + 1
+"""
+
+
+class Measuring(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.root = Path(place.name) / "tree"
+        for name, text in PROJECT.items():
+            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.root / name).write_text(text)
+        subprocess.run(["git", "init", "-q", self.root], check=True)
+        self.listed = Path(place.name) / "equivalents.toml"
+
+    def measured(self, equivalents: str) -> tuple[int, str]:
+        self.listed.write_text(equivalents)
+        options = argparse.Namespace(far=False, count=0, seed=1, seconds=60.0, at_least=90.0)
+        project = Project(self.root, self.root.parent / "place")
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            status = measure.measure(options, ["firmware/core/bounds.cpp"], project, self.listed)
+        return status, said.getvalue()
+
+    def test_names_what_a_blunt_test_does_not_notice_and_nothing_else(self):
+        status, said = self.measured("")
+        self.assertIn("bounds.cpp: 2 of 4 noticed, 50 %", said)
+        self.assertIn(SURVIVORS, said)
+        self.assertEqual((said.count("survived"), status), (2, 1))
+
+        entry = '[[equivalent]]\nfile = "firmware/core/bounds.cpp"\nline = "return depth > 400;"\nreason = "none"\n'
+        status, said = self.measured(entry + 'change = "400 -> 400 + 1"\n')
+        self.assertIn("bounds.cpp: 2 of 3 noticed, 67 %", said)
+
+        with self.assertRaisesRegex(SystemExit, r"no such fault \(any more\):\s+firmware/core/bounds.cpp: return depth"):
+            self.measured(entry + 'change = "500 -> 500 + 1"\n')
+
+
+if __name__ == "__main__":
+    os.environ["CCACHE_DISABLE"] = "1"
+    unittest.main()
