@@ -17,6 +17,7 @@ foreach(language C CXX)
 endforeach()
 
 set(EARSHOT_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
+option(EARSHOT_COVERAGE "Count which lines run (preset coverage)" OFF)
 
 # x86-64-v3 (AVX2, FMA) rather than -march=native: the same bits on every machine that has it, and safe to share in a compiler cache.
 include(CheckCXXSourceRuns)
@@ -37,6 +38,11 @@ target_compile_options(earshot_flags INTERFACE
 if(EARSHOT_SANITIZE)
   target_compile_options(earshot_flags INTERFACE -fsanitize=${EARSHOT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(earshot_flags INTERFACE -fsanitize=${EARSHOT_SANITIZE})
+endif()
+if(EARSHOT_COVERAGE)
+  # Several tests of a program run at once, and count into the same files.
+  target_compile_options(earshot_flags INTERFACE --coverage -fprofile-update=atomic)
+  target_link_options(earshot_flags INTERFACE --coverage)
 endif()
 
 # The decision path gives the same bits everywhere: no fused multiply-add, no exceptions, no run-time type information (design: fixed-memory core).
