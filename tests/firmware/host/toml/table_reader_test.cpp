@@ -70,6 +70,49 @@ TEST(TableReader, NamesLineKeyValueAndAllowedRange) {
   EXPECT_EQ(complaint("\nfrequency_hz = -20\n", read), ":2: frequency_hz = -20: must be a finite number above 0");
 }
 
+TEST(TableReader, SaysOfEveryKindOfKeyThatIsMissingWhatBelongsThere) {
+  const std::string said = complaint("", [](TableReader& root) {
+    EXPECT_EQ(root.integer("steps", 2, 1000), 2);
+    EXPECT_EQ(root.text("name"), "");
+    EXPECT_EQ(root.choice("kind", {"one", "two"}), 0U);
+    EXPECT_EQ(root.choices("roles", {"one", "two"}), (std::vector<std::size_t>{0}));
+    EXPECT_TRUE(root.numbers("at_m").empty());
+    EXPECT_TRUE(root.tables("port").empty());
+  });
+  EXPECT_EQ(said,
+            ":1: steps is missing: must be a whole number from 2 to 1000\n"
+            ":1: name is missing: must be a text of at least one character\n"
+            ":1: kind is missing: must be one of \"one\", \"two\"\n"
+            ":1: roles is missing: must be one of \"one\", \"two\", or several of them in an array, each once\n"
+            ":1: at_m is missing: must be an array of numbers\n"
+            ":1: port is missing: must be an array of tables");
+}
+
+TEST(TableReader, FallsBackOnEveryKindOfValue) {
+  const TomlFile file(written("steps = 5\nkind = 'two'\nname = 'fin'\n"));
+  TableReader root = file.root();
+  EXPECT_EQ(root.integer_or("steps", 7, 1, 10), 5);
+  EXPECT_EQ(root.integer_or("others", 7, 1, 10), 7);
+  EXPECT_EQ(root.choice_or("kind", 0, {"one", "two"}), 1U);
+  EXPECT_EQ(root.choice_or("other", 1, {"one", "two"}), 1U);
+  EXPECT_EQ(root.text_or("name", "blue"), "fin");
+  EXPECT_EQ(root.text_or("other", "blue"), "blue");
+  EXPECT_FALSE(root.boolean_or("is_dry", false));
+  EXPECT_NO_THROW(file.finish());
+}
+
+TEST(TableReader, RefusesWhatIsNoTruthValueNoArrayAndNoTable) {
+  const std::string said = complaint("dry = 1\nat_m = 2.0\nport = 3\nsea = 4\n", [](TableReader& root) {
+    EXPECT_TRUE(root.boolean_or("dry", true));
+    EXPECT_TRUE(root.numbers("at_m").empty());
+    EXPECT_TRUE(root.tables("port").empty());
+    (void)root.table("sea");
+  });
+  EXPECT_EQ(said,
+            ":1: dry = 1: must be true or false\n:2: at_m = 2.0: must be an array of numbers\n:3: port = 3: must be an array of tables\n"
+            ":4: sea = 4: must be a table");
+}
+
 TEST(TableReader, RefusesNanAndInfinityWithoutAskingForARange) {
   const auto read = [](TableReader& root) { static_cast<void>(root.number("x_m")); };
   EXPECT_EQ(complaint("x_m = nan\n", read), ":1: x_m = nan: must be a finite number");

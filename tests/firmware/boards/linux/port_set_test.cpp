@@ -1,0 +1,187 @@
+#include "firmware/boards/linux/port_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/firmware/boards/linux/scripted_sea.hpp"
+
+namespace earshot::board {
+namespace {
+
+/// A port that the test sets, and that tells a log what is done with it.
+class SetPort final : public Port {
+ public:
+  SetPort(std::uint8_t index, host::Roles roles, std::vector<std::string>& log) : Port(index, roles), log_(log) {}
+
+  void collect(Clock& /*clock*/, InputSink& /*sink*/) override { note("collect"); }
+  std::uint64_t publish(Time /*now*/, const runtime::Outputs& /*outputs*/) override {
+    note("publish");
+    return sends;
+  }
+  void publish_detection(const messages::SoundDetection& /*detection*/) override { note("detection"); }
+  void note_speed(MetersPerSecond speed) override { note("speed " + std::to_string(static_cast<int>(speed.value))); }
+  void serve() override { note("serve"); }
+  void tend() override { note("tend"); }
+  [[nodiscard]] bool settle() override {
+    note("settle");
+    return --settles_after < 0;
+  }
+  [[nodiscard]] int file_descriptor() const override { return descriptor; }
+  [[nodiscard]] std::uint64_t blocks_heard() const override { return blocks; }
+  [[nodiscard]] std::string description() const override { return name; }
+  [[nodiscard]] std::size_t memory() const override { return 100U * index(); }
+  [[nodiscard]] std::string remark() const override { return remarked; }
+
+  [[nodiscard]] messages::PortReport& set_report() { return report_; }
+
+  std::uint64_t sends = 0;
+  std::uint64_t blocks = 0;
+  int settles_after = 0;
+  int descriptor = -1;
+  std::string name = "a port";
+  std::string remarked;
+
+ private:
+  void note(const std::string& what) { log_.push_back(std::to_string(index()) + " " + what); }
+  std::vector<std::string>& log_;
+};
+
+class TakenReports final : public InputSink {
+ public:
+  void take(std::uint8_t port, const Value& /*value*/) override { ports.push_back(port); }
+  std::vector<std::uint8_t> ports;
+};
+
+class PortSetTest : public testing::Test {
+ protected:
+  SetPort& add(host::Roles roles = {}) {
+    auto port = std::make_unique<SetPort>(ports_.next_index(), roles, log_);
+    SetPort& added = *port;
+    ports_.add(std::move(port));
+    return added;
+  }
+  [[nodiscard]] std::vector<std::string> done() { return std::exchange(log_, {}); }
+
+  std::vector<std::string> log_;
+  PortSet ports_;
+};
+
+using Log = std::vector<std::string>;
+
+TEST_F(PortSetTest, CountsItsPortsFromOneAndTakesNoMoreThanTheReportsHoldRoomFor) {
+  EXPECT_EQ(ports_.next_index(), 1);
+  for (std::size_t i = 1; i < config::kMaxPorts; ++i) EXPECT_EQ(add().index(), i);
+  EXPECT_THROW(add(), std::invalid_argument);
+}
+
+TEST_F(PortSetTest, AsksEveryPortInTurn) {
+  add().sends = 2;
+  add().sends = 1;
+  FakeHost host;
+  const Script script;
+  FakeClock clock(host, script);
+  TakenReports sink;
+  ports_.collect(clock, sink);
+  EXPECT_EQ(done(), (Log{"1 collect", "2 collect"}));
+  ports_.publish(Time{}, {});
+  ports_.publish(Time{}, {});
+  EXPECT_EQ(done(), (Log{"1 publish", "2 publish", "1 publish", "2 publish"}));
+  EXPECT_EQ(ports_.setpoints_sent(), 6U);
+  ports_.publish_detection({});
+  ports_.note_speed(MetersPerSecond{3.0F});
+  ports_.serve();
+  EXPECT_EQ(done(), (Log{"1 detection", "2 detection", "1 speed 3", "2 speed 3", "1 serve", "2 serve"}));
+}
+
+TEST_F(PortSetTest, TendsItsLinksOnceASecondAndNotAtTheFirstCall) {
+  add();
+  ports_.tend();
+  ports_.tend();
+  EXPECT_EQ(done(), Log{});
+}
+
+TEST_F(PortSetTest, AsksEveryPortToSettleAlsoThoseThatHave) {
+  add().settles_after = 1;
+  add();
+  ports_.settle(std::chrono::seconds(60));
+  EXPECT_EQ(done(), (Log{"1 settle", "2 settle", "1 settle", "2 settle"}));
+  add().settles_after = 1'000'000;
+  ports_.settle(std::chrono::milliseconds(0));
+  EXPECT_EQ(done(), Log{}) << "no time, no question";
+}
+
+TEST_F(PortSetTest, GivesAReportWhenItHasChangedAndOnce) {
+  add();
+  SetPort& second = add();
+  TakenReports sink;
+  second.set_report().received = 5;
+  ports_.report_changes(sink);
+  ports_.report_changes(sink);
+  EXPECT_EQ(std::ranges::count(sink.ports, 2), 1);
+  second.set_report().lost = 1;
+  sink.ports.clear();
+  ports_.report_changes(sink);
+  EXPECT_EQ(sink.ports, (std::vector<std::uint8_t>{2}));
+}
+
+TEST_F(PortSetTest, WaitsForThePortsWhoseLinksAreUp) {
+  add().descriptor = 7;
+  add();
+  add().descriptor = 0;
+  const auto readable = ports_.readable();
+  ASSERT_EQ(readable.size(), 2U);
+  EXPECT_EQ(readable[0].fd, 7);
+  EXPECT_EQ(readable[1].fd, 0);
+  EXPECT_EQ(readable[1].events, POLLIN);
+}
+
+TEST_F(PortSetTest, NamesWhatIsThereAndWhatIsDown) {
+  add().name = "vehicle, CAN can0";
+  SetPort& second = add();
+  second.name = "SNR, LCM";
+  EXPECT_EQ(ports_.description(), "  port 1: vehicle, CAN can0\n  port 2: SNR, LCM\n");
+  EXPECT_EQ(ports_.down(), "");
+  second.set_report().link_up = false;
+  EXPECT_EQ(ports_.down(), "  port 2: SNR, LCM\n");
+  const auto links = ports_.links();
+  ASSERT_EQ(links.size(), 2U);
+  EXPECT_EQ(links[0].label, "port 1, vehicle, CAN can0");
+  EXPECT_TRUE(links[0].is_up);
+  EXPECT_EQ(links[1].port, 2);
+  EXPECT_FALSE(links[1].is_up);
+  const auto held = ports_.memory();
+  ASSERT_EQ(held.size(), 2U);
+  EXPECT_EQ(held[1].port, "2, SNR, LCM");
+  EXPECT_EQ(held[1].bytes, 200U);
+}
+
+TEST_F(PortSetTest, LeavesOutRemarksThatSayNothing) {
+  add();
+  add().remarked = "3 messages were lost";
+  EXPECT_EQ(ports_.remarks(), Log{"3 messages were lost"});
+}
+
+TEST_F(PortSetTest, SumsReportsOfMessagesAndBlocksOfSoundApart) {
+  SetPort& vehicle = add();
+  vehicle.set_report() = {.port = 1, .link_up = true, .received = 10, .lost = 2, .malformed = 3, .unsent = 4};
+  SetPort& operators = add();
+  operators.set_report() = {.port = 2, .link_up = false, .received = 100, .lost = 20, .malformed = 30, .unsent = 40};
+  SetPort& hydrophone = add({host::Role::kHydrophone});
+  hydrophone.set_report() = {.port = 3, .link_up = false, .received = 48'000, .lost = 1, .malformed = 1, .unsent = 1};
+  hydrophone.blocks = 48;
+  const messages::PortReport sum = ports_.sum();
+  EXPECT_EQ(sum.received, 110U);
+  EXPECT_EQ(sum.lost, 22U);
+  EXPECT_EQ(sum.malformed, 33U);
+  EXPECT_EQ(sum.unsent, 44U);
+  EXPECT_FALSE(sum.link_up);
+  EXPECT_EQ(ports_.blocks_heard(), 48U);
+}
+
+}  // namespace
+}  // namespace earshot::board
