@@ -90,5 +90,218 @@ TEST_F(OutlookTest, FindsNothingNearAPlaceBeyondWhatAFloatHolds) {
   }
 }
 
+/// A belief that is put down cell by cell on a strip of 12.5 km x 31 km, in cells of 500 m north by 1000 m east. Steps of 1 km, a border of
+/// 2 km, so that it is left alone from 2 km to 10.5 km north and from 2 km to 29 km east. Tables in steps of 100 m.
+class StripTest : public testing::Test {
+ protected:
+  static constexpr std::size_t kColumns = 31;
+
+  StripTest() {
+    model.border_width = Meters{2'000};
+    model.costs.reach_discount = 0.9F;
+  }
+
+  /// The cell whose centre is (500 row + 250, 1000 column + 500) m.
+  float& cell(std::size_t row, std::size_t column) { return probabilities[row * kColumns + column]; }
+  /// All of the belief in one cell, in the middle of the strip: its centre is (6250, 15500) m.
+  void know_the_middle() { cell(12, 15) = 1.0F; }
+  void find(NorthEast position) { find_outlooks(model, probabilities, {cost, detected}, position, outlooks); }
+  /// As tables by range a straight line: `per_kilometre` of each.
+  static std::vector<float> ramp(float per_kilometre) {
+    std::vector<float> table(500);
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = 0.1F * per_kilometre * static_cast<float>(i);
+    return table;
+  }
+
+  BeliefModel model = bare_model(at(12'500, 31'000), 25, 31);
+  std::vector<float> probabilities = std::vector<float>(25 * kColumns);
+  std::vector<float> cost = std::vector<float>(500);
+  std::vector<float> detected = std::vector<float>(500);
+  std::array<ActionOutlook, 4> outlooks{};
+};
+
+/// A cell 1200 m from a step's end sticks into a step length of 1000 m by 1000 - 1200 + 1000 / 2 = 300 m of its longer side, 1000 m.
+TEST_F(StripTest, FindsInACellAsMuchAsLiesWithinAStepOfAStepsEnd) {
+  cell(12, 15) = 0.5F;      // (6250, 15500)
+  cell(10, 14) = 0.3F;      // (5250, 14500)
+  cell(0, 0) = 0.2F;        // far away
+  find(at(5'530, 13'540));  // east is (5530, 14540): 720 m and 960 m from the one, 280 m and 40 m from the other
+  EXPECT_NEAR(outlooks[kEast].found, 0.5F * 0.3F + 0.3F, 1e-5F);  // metres to seven places
+  EXPECT_NEAR(outlooks[kSouth].found, 0.3F * 0.3F, 1e-5F);        // south is (4530, 13540): 720 m and 960 m from the other
+  EXPECT_EQ(outlooks[kNorth].found, 0.0F);                        // 1.6 km from the nearer
+  EXPECT_EQ(outlooks[kWest].found, 0.0F);                         // 2 km
+}
+
+TEST_F(StripTest, LiesInTheBorderAsDeepAsTheNearerOfItsEdgesIsNear) {
+  find(at(10'500, 27'800));
+  EXPECT_FLOAT_EQ(outlooks[kNorth].border, 0.5F);  // 11.5 km of 10.5 km to 12.5 km
+  EXPECT_FLOAT_EQ(outlooks[kEast].border, 0.0F);   // 28.8 km of 29 km to 31 km
+  find(at(10'800, 28'600));
+  EXPECT_FLOAT_EQ(outlooks[kNorth].border, 0.65F);  // north 1.3 km deep
+  EXPECT_FLOAT_EQ(outlooks[kEast].border, 0.3F);    // east 0.6 km deep, north 0.3 km
+  EXPECT_FLOAT_EQ(outlooks[kSouth].border, 0.0F);
+  EXPECT_FLOAT_EQ(outlooks[kWest].border, 0.15F);  // north 0.3 km deep
+  find(at(1'500, 600));
+  EXPECT_FLOAT_EQ(outlooks[kNorth].border, 0.7F);   // west 1.4 km deep
+  EXPECT_FLOAT_EQ(outlooks[kEast].border, 0.25F);   // south 0.5 km deep, west 0.4 km
+  EXPECT_FLOAT_EQ(outlooks[kSouth].border, 0.75F);  // south 1.5 km deep
+  EXPECT_FLOAT_EQ(outlooks[kWest].border, 1.2F);    // beyond the edge
+}
+
+/// The tables are straight lines, so that what is expected of them is the mean distance, by Pythagoras.
+TEST_F(StripTest, ExpectsOfADetectionItsMeanOverBlocksOfCells) {
+  cell(10, 12) = 0.05F;  // four cells of 2 x 2: 0.7 of their 0.5 lie in the northern two, 0.6 in the eastern two,
+  cell(10, 13) = 0.1F;   // which makes a point at (5250 + 0.7 500, 12500 + 0.6 1000) = (5600, 13100)
+  cell(11, 12) = 0.15F;
+  cell(11, 13) = 0.2F;
+  cell(24, 20) = 0.05F;  // two in the last row, at (12250, 20500 + 0.75 1000)
+  cell(24, 21) = 0.15F;
+  cell(4, 30) = 0.15F;  // two in the last column, at (2250 + 0.25 500, 30500)
+  cell(5, 30) = 0.05F;
+  cell(24, 30) = 0.05F;   // one in the corner of both
+  cell(6, 0) = 0.05F;     // and one at (3250, 500), which follows in memory on the row of the last column's
+  cell(0, 0) = 0.00019F;  // less than 0.0002: left out
+  detected = ramp(0.01F);
+  find(at(2'600, 8'100));
+  const auto mean_from = [](double north, double east) {
+    return 0.5 * std::hypot(5'600 - north, 13'100 - east) + 0.2 * std::hypot(12'250 - north, 21'250 - east) +
+           0.2 * std::hypot(2'375 - north, 30'500 - east) + 0.05 * std::hypot(12'250 - north, 30'500 - east) +
+           0.05 * std::hypot(3'250 - north, 500 - east);
+  };
+  EXPECT_NEAR(double{outlooks[kNorth].detected}, 1e-5 * mean_from(3'600, 8'100), 1e-6);  // of floats below one, a dozen roundings
+  EXPECT_NEAR(double{outlooks[kEast].detected}, 1e-5 * mean_from(2'600, 9'100), 1e-6);
+  EXPECT_NEAR(double{outlooks[kSouth].detected}, 1e-5 * mean_from(1'600, 8'100), 1e-6);
+  EXPECT_NEAR(double{outlooks[kWest].detected}, 1e-5 * mean_from(2'600, 7'100), 1e-6);
+}
+
+TEST_F(StripTest, HoldsBeyondATablesEndWhatItsEndSays) {
+  know_the_middle();
+  detected = {0.9F, 0.8F, 0.7F};
+  cost = {1.0F, 2.0F, 3.0F};
+  find(at(6'250, 5'500));  // 10 km away, and the tables end at 200 m
+  for (const ActionOutlook& outlook : outlooks) {
+    EXPECT_FLOAT_EQ(outlook.detected, 0.7F);
+    EXPECT_EQ(outlook.regret, 0.0F);
+  }
+}
+
+TEST_F(StripTest, LeavesOutABlockOfLessThanATwoThousandthHalf) {
+  detected = ramp(0.01F);
+  cell(12, 20) = 0.00021F;  // 10.0 km from the end of a step east: nothing else is known, so it counts as all
+  find(at(6'250, 9'500));
+  EXPECT_NEAR(outlooks[kEast].detected, 0.1F, 1e-6F);
+  cell(12, 20) = 0.00019F;
+  find(at(6'250, 9'500));
+  EXPECT_EQ(outlooks[kEast].detected, 0.0F);
+}
+
+/// From (4250, 14500) the source lies 2 km north and 1 km east: three steps lead there. Two of them end 1 km away, where half of its cell
+/// is within a step length; north alone, with the other two undoing each other, sqrt(2) km away, 1000 - 1414.2 + 500 = 85.8 m of its side.
+TEST_F(StripTest, ReachesInThreeStepsWhateverTheirOrder) {
+  know_the_middle();
+  find(at(4'250, 14'500));
+  EXPECT_NEAR(outlooks[kNorth].reach, 0.81F, 1e-5F);  // discounted twice; two steps: 0.9 0.5
+  EXPECT_NEAR(outlooks[kEast].reach, 0.81F, 1e-5F);
+  EXPECT_NEAR(outlooks[kSouth].reach, 0.81F * 0.0857864F, 1e-5F);  // south, north, north
+  EXPECT_NEAR(outlooks[kWest].reach, 0.81F * 0.0857864F, 1e-5F);   // west, north, east
+}
+
+/// Three steps straight on end 1400 m from it: 100 m of the cell's side are within reach; two steps and one aside 2.6 km.
+TEST_F(StripTest, ReachesAsFarAsThreeStepsInEveryDirection) {
+  know_the_middle();
+  const std::array from = {at(1'850, 15'500), at(6'250, 11'100), at(10'650, 15'500), at(6'250, 19'900)};
+  for (std::size_t direction = 0; direction < 4; ++direction) {
+    find(from[direction]);
+    for (std::size_t action = 0; action < 4; ++action)
+      EXPECT_NEAR(outlooks[action].reach, action == direction ? 0.081F : 0.0F, 1e-5F) << direction << ' ' << action;
+  }
+}
+
+/// The source lies at (11250, 15500), 750 m of 2000 m deep in the border. Two steps north end there, which costs 12 / 30 of 0.375.
+TEST_F(StripTest, TakesTheBordersCostOffWhatItReaches) {
+  cell(22, 15) = 1.0F;
+  model.costs.edge = 12.0F;
+  model.costs.reach = 30.0F;
+  model.costs.most_regret = 11.0F;
+  find(at(9'250, 15'500));
+  EXPECT_NEAR(outlooks[kNorth].reach, 0.9F - 0.15F, 1e-5F);
+  EXPECT_NEAR(outlooks[kEast].reach, 0.405F, 1e-5F);  // east, west, north: 1 km from the source, discounted twice; no border
+  EXPECT_NEAR(outlooks[kSouth].reach, 0.405F, 1e-5F);
+  EXPECT_EQ(outlooks[kNorth].regret, 0.0F);
+  EXPECT_NEAR(outlooks[kWest].regret, 30.0F * (0.75F - 0.405F), 1e-3F);  // no search costs anything here, and no step's end either
+  model.costs.most_regret = 10.0F;
+  find(at(9'250, 15'500));
+  EXPECT_EQ(outlooks[kWest].regret, 10.0F);
+  model.costs.edge = 1e6F;
+  find(at(9'250, 15'500));
+  EXPECT_NEAR(outlooks[kNorth].reach, 0.5F, 1e-5F);  // the end of the first step, on this side of the border
+}
+
+TEST_F(StripTest, ReachesNothingWhereTheBorderCostsMoreThanAllOfIt) {
+  cell(24, 15) = 1.0F;  // (12250, 15500)
+  model.costs.edge = 30.0F;
+  model.costs.reach = 10.0F;
+  find(at(11'750, 15'500));  // a metre nearer is a thousandth more within reach, and three two-thousandths more border
+  for (const ActionOutlook& outlook : outlooks) EXPECT_EQ(outlook.reach, 0.0F);
+}
+
+/// The vehicle stands where the border begins, the source 750 m into it: found from within 1 km, which is sqrt(1 - 0.75^2) = 0.6614 km
+/// along the border, 338.6 m more of the way than the step length that a search needs not go.
+TEST_F(StripTest, GoesToASourceInTheBorderWithoutEnteringIt) {
+  cell(22, 15) = 1.0F;  // (11250, 15500)
+  cost = ramp(1.0F);
+  model.costs.reach = 1e-3F;
+  model.costs.edge = 4.0F;
+  find(at(10'500, 15'500));
+  EXPECT_EQ(outlooks[kEast].regret, 0.0F);  // 1 km along the border and 0.3386 km: further than the source, sqrt(1 + 0.75^2) km away
+  EXPECT_EQ(outlooks[kWest].regret, 0.0F);
+  EXPECT_NEAR(outlooks[kSouth].regret, 1.75F - 1.338562F, 1e-4F);  // straight on to the source is further
+  EXPECT_NEAR(outlooks[kNorth].regret, 4.0F * 0.5F, 1e-4F);        // as far as east, and half of the border deep
+}
+
+TEST_F(StripTest, GoesAWholeStepMoreForASourceThatCannotBeFoundFromOutsideTheBorder) {
+  cell(23, 15) = 1.0F;  // (11750, 15500), 1250 m deep
+  cost = ramp(1.0F);
+  model.costs.reach = 1e-3F;
+  model.costs.edge = 0.0F;
+  find(at(10'500, 15'500));
+  EXPECT_NEAR(outlooks[kEast].regret, 0.0F, 1e-3F);           // 1 km along the border and a step; reaches are worth up to 1e-3
+  EXPECT_NEAR(outlooks[kSouth].regret, 2.25F - 2.0F, 1e-3F);  // straight on
+  EXPECT_NEAR(outlooks[kNorth].regret, 0.0F, 1e-3F);          // back by 1 km, and a step
+}
+
+TEST_F(StripTest, FindsNoCellOfLessThanAThousandth) {
+  cell(12, 15) = 0.0011F;
+  find(at(6'250, 14'500));
+  EXPECT_EQ(outlooks[kEast].found, 0.0011F);
+  cell(12, 15) = 0.0009F;
+  find(at(6'250, 14'500));
+  EXPECT_EQ(outlooks[kEast].found, 0.0F);
+}
+
+TEST_F(StripTest, LooksAtMoreLikelyCellsOnlyWhereMoreThanSixtyFourAreNear) {
+  const NorthEast place = at(6'250, 14'500);
+  for (std::size_t i = 0; i < 63; ++i) cell(12 + i / 9, 10 + i % 9) = 0.002F;  // seven rows of nine from there on
+  cell(12, 15) = 0.5F;                                                         // where east ends
+  find(place);
+  const float all_of_them = outlooks[kEast].found;
+  cell(11, 14) = 0.003F;  // the sixty-fourth
+  find(place);
+  EXPECT_GT(outlooks[kEast].found, all_of_them);
+  cell(10, 12) = 0.002F;  // one too many: from now on 0.004 is the least
+  find(place);
+  EXPECT_EQ(outlooks[kEast].found, 0.5F);
+}
+
+TEST_F(StripTest, ReachesNothingWhereHardlyAnyOfTheBeliefIsNear) {
+  cell(12, 15) = 0.0101F;
+  find(at(6'250, 14'500));
+  EXPECT_NEAR(outlooks[kEast].reach, 0.0101F, 1e-6F);
+  cell(12, 15) = 0.0099F;
+  find(at(6'250, 14'500));
+  EXPECT_EQ(outlooks[kEast].reach, 0.0F);
+  EXPECT_EQ(outlooks[kEast].found, 0.0099F);
+}
+
 }  // namespace
 }  // namespace earshot::policy

@@ -17,18 +17,25 @@ inline NorthEast at(double north, double east) {
 inline constexpr std::size_t kNorth = 0;
 inline constexpr std::size_t kEast = 1;
 inline constexpr std::size_t kSouth = 2;
+inline constexpr std::size_t kWest = 3;
 
-/// 20 km x 20 km in cells of 500 m; the SNR falls from 30 dB by 1 dB every kilometre, so that a detection is one within 20 km.
-inline BeliefModel flat_model(std::initializer_list<BeliefHypothesis> hypotheses) {
+/// An area in equal cells, four actions, and nothing that is heard in another way than modelled.
+inline BeliefModel bare_model(NorthEast area_size, std::uint16_t cells_north, std::uint16_t cells_east) {
   BeliefModel model;
-  model.area_size = at(20'000, 20'000);
-  model.cells_north = 40;
-  model.cells_east = 40;
+  model.area_size = area_size;
+  model.cells_north = cells_north;
+  model.cells_east = cells_east;
   model.outlier_share = 0.0F;
   model.forgotten_share = 0.0F;
   for (const UnitNorthEast direction : {UnitNorthEast{1, 0}, UnitNorthEast{0, 1}, UnitNorthEast{-1, 0}, UnitNorthEast{0, -1}}) {
     EXPECT_EQ(model.actions.push_back(direction), Status::kOk);
   }
+  return model;
+}
+
+/// 20 km x 20 km in cells of 500 m; the SNR falls from 30 dB by 1 dB every kilometre, so that a detection is one within 20 km.
+inline BeliefModel flat_model(std::initializer_list<BeliefHypothesis> hypotheses) {
+  BeliefModel model = bare_model(at(20'000, 20'000), 40, 40);
   for (const BeliefHypothesis& hypothesis : hypotheses) EXPECT_EQ(model.hypotheses.push_back(hypothesis), Status::kOk);
   for (int i = 0; i < 300; ++i) EXPECT_EQ(model.snr_db.push_back(static_cast<float>(300 - i) / 10.0F), Status::kOk);
   return model;
