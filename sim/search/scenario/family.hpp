@@ -20,11 +20,11 @@ struct Bounds {
 struct Family {
   std::size_t members = 0;  ///< >= 1
   std::uint64_t seed = 1;
-  std::optional<Bounds> sea_floor_depth_m;
-  std::optional<Bounds> axis_depth_m;              ///< of the Munk profile; its scale keeps the ratio to it
-  std::optional<Bounds> perturbation;              ///< of the Munk profile
-  std::optional<Bounds> sediment_sound_speed_mps;  ///< of the half-space
-  std::optional<Bounds> noise_level_db_re_1upa;
+  std::optional<Bounds> sea_floor_depth_m = {};
+  std::optional<Bounds> axis_depth_m = {};              ///< of the Munk profile; its scale keeps the ratio to it
+  std::optional<Bounds> perturbation = {};              ///< of the Munk profile
+  std::optional<Bounds> sediment_sound_speed_mps = {};  ///< of the half-space
+  std::optional<Bounds> noise_level_db_re_1upa = {};
 };
 
 /// The table [family] of an environment file.

@@ -61,6 +61,16 @@ TEST(SafeWaypoint, TurnsTowardsTheMiddleWhenThePolicySpeaksNonsense) {
   EXPECT_TRUE(safe.overridden);
 }
 
+TEST(SafeWaypoint, TurnsTowardsTheMiddleWhereOneComponentAloneIsNotFinite) {
+  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+    for (const NorthEast wanted : {at(bad, 9000), at(6000, bad)}) {
+      const SafeWaypoint safe = safe_waypoint(mission(), at(5000, 8000), wanted);
+      EXPECT_EQ(safe.waypoint, at(5000, 9000));  // one step of 1 km towards the middle, 2 km east
+      EXPECT_TRUE(safe.overridden);
+    }
+  }
+}
+
 TEST(SafeWaypoint, NeverLeavesTheMarginsNorGivesLessThanHalfAStepInTheSmallestAreaAllowed) {
   config::Mission smallest = mission();
   smallest.operating_area.north_east = at(3000, 3000);
@@ -114,6 +124,13 @@ TEST(SafeSetpoint, BringsTheVehicleUpWhenAnythingIsNotFinite) {
       EXPECT_EQ(safe.setpoint, surface(kPose)) << field;
     }
   }
+}
+
+TEST(Surface, KeepsAHeadingBeyondHalfATurnAsTheSameDirectionWithin) {
+  constexpr double kTurn = 6.283185307179586;
+  const auto heading_of = [](double heading) { return surface({.position = at(1, 2), .heading = Radians{heading}}).heading.value; };
+  EXPECT_NEAR(heading_of(4.0), 4.0 - kTurn, 1e-15);   // doubles near 4
+  EXPECT_NEAR(heading_of(-4.0), kTurn - 4.0, 1e-15);  // as above
 }
 
 TEST(Surface, StopsAndComesUpWhereTheVehicleIs) {

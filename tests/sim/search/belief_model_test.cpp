@@ -31,6 +31,60 @@ TEST(BeliefModelOf, HasCellsOfFiveHundredMetresAndRangesOfAHundredInThePapersAre
   EXPECT_EQ(model.range_step, Meters{100.0});
 }
 
+TEST(BeliefModelOf, DividesEachSideOfAnAreaThatIsNotSquareByItself) {
+  SearchSettings settings;
+  settings.domain = {{Meters{-3'000.0}, Meters{7'000.0}}, {Meters{7'000.0}, Meters{37'000.0}}};  // 10 km north, 30 km east
+  const policy::BeliefModel small = belief_model(settings, sonar::SnrCurve(Meters{10.0}, {30.0F, 20.0F}));
+  EXPECT_EQ(small.area_size, (NorthEast{Meters{10'000.0}, Meters{30'000.0}}));
+  EXPECT_EQ(small.cells_north, 20);
+  EXPECT_EQ(small.cells_east, 60);
+  // 40 km north, 250 km east: 2500 cells of 2 km. Its diagonal of 253 180 m has 510 steps of 496.43 m.
+  settings.domain = {{Meters{0.0}, Meters{0.0}}, {Meters{40'000.0}, Meters{250'000.0}}};
+  const policy::BeliefModel large = belief_model(settings, sonar::SnrCurve(Meters{10.0}, {30.0F, 20.0F}));
+  EXPECT_EQ(large.cells_north, 20);
+  EXPECT_EQ(large.cells_east, 125);
+  EXPECT_NEAR(large.range_step.value, 496.431, 1e-3);  // as printed above
+  EXPECT_EQ(large.snr_db.size(), 512U);
+}
+
+TEST(BeliefModelOf, SamplesItsOceansCurveFromTheSourceToJustBeyondTheDiagonal) {
+  SearchSettings settings;
+  settings.domain = {{Meters{0.0}, Meters{0.0}}, {Meters{3'000.0}, Meters{4'000.0}}};
+  std::vector<float> snr_db;
+  for (int i = 0; i <= 100; ++i) snr_db.push_back(40.0F - static_cast<float>(i));  // a decibel every 100 m
+  const policy::BeliefModel model = belief_model(settings, sonar::SnrCurve(Meters{100.0}, snr_db));
+  ASSERT_EQ(model.snr_db.size(), 52U);  // 0 m to 5000 m, and one more
+  for (std::size_t i = 0; i < 52; ++i) EXPECT_EQ(model.snr_db[i], 40.0F - static_cast<float>(i)) << i;
+}
+
+TEST(BeliefModelOf, TakesStepThresholdDirectionsAndBorderFromTheSearch) {
+  SearchSettings settings;
+  settings.step_length = Meters{750.0};
+  settings.detection_threshold = Decibels{7.0};
+  settings.direction_count = 4;
+  settings.border_width = Meters{300.0};
+  const policy::BeliefModel model = belief_model(settings, sonar::SnrCurve(Meters{10.0}, {30.0F, 20.0F}));
+  EXPECT_EQ(model.step_length, Meters{750.0});
+  EXPECT_EQ(model.detection_threshold, Decibels{7.0});
+  ASSERT_EQ(model.actions.size(), 4U);
+  EXPECT_EQ(model.actions[1], (UnitNorthEast{0.0, 1.0}));
+  EXPECT_EQ(model.border_width, Meters{300.0});
+}
+
+TEST(BeliefModelOf, HoldsTheOceanAsKnownTwiceAsLikelyAsOneSixDecibelsOff) {
+  const policy::BeliefModel model = belief_model(SearchSettings{}, sonar::SnrCurve(Meters{10.0}, {30.0F, 20.0F}));
+  ASSERT_EQ(model.hypotheses.size(), 4U);
+  const auto expect = [&](std::size_t i, float level_offset_db, float spread_db, float prior) {
+    EXPECT_EQ(model.hypotheses[i].level_offset_db, level_offset_db) << i;
+    EXPECT_EQ(model.hypotheses[i].spread_db, spread_db) << i;
+    EXPECT_EQ(model.hypotheses[i].prior, prior) << i;
+  };
+  expect(0, 0.0F, 1.0F, 2.0F);  // just as the curve has it
+  expect(1, 0.0F, 4.0F, 2.0F);  // as loud, in rougher water
+  expect(2, -6.0F, 4.0F, 1.0F);
+  expect(3, 6.0F, 4.0F, 1.0F);
+}
+
 TEST(BeliefModelOf, CostsAtTheEdgeWhatTheSearchTakesOffThere) {
   const sonar::SnrCurve curve(Meters{10.0}, {30.0F, 20.0F});
   SearchSettings settings;

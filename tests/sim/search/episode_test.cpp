@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -74,6 +75,19 @@ TEST_F(EpisodeTest, CountsASourceReachedJustOutsideTheDomainAsFound) {
   EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
 }
 
+TEST_F(EpisodeTest, ThatIsPutWithinReachOfTheSourceHasToTakeAStepToFindIt) {
+  const World world(settings, curve);
+  episode.start_at(world, model, at(10'000, 10'600), settings.source);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning);
+  EXPECT_EQ(episode.record().detections, 0U) << "the start is no detection";
+  EXPECT_EQ(episode.record().reward, 0.0);
+  EXPECT_NEAR(episode.snr().value, 29.4, 1e-5);  // heard all the same; the curve's floats
+  episode.step(world, kEast);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning) << "1600 m away";
+  episode.step(world, kWest);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
+}
+
 TEST_F(EpisodeTest, IsCutByTheTimeLimitAfterNSteps) {
   const World world(settings, curve);
   episode.start_at(world, model, at(15'000, 15'000), settings.source);
@@ -143,6 +157,67 @@ TEST_F(EpisodeTest, NeverStartsWithinReachOfTheSource) {
     const NorthEast d = episode.position() - settings.source;
     EXPECT_GT(std::hypot(d.north.value, d.east.value), 1'000.0);
   }
+}
+
+TEST_F(EpisodeTest, DrawsAChangingSourceAgainThatLeavesNoPlaceToStart) {
+  settings.placement = SourcePlacement::kChanging;
+  settings.domain = {at(0, 0), at(2'000, 2'000)};
+  settings.start_region = {at(950, 950), at(1'050, 1'050)};  // out of reach of a source near a corner only
+  const World world(settings, curve);
+  Pcg32 random(7);
+  for (int i = 0; i < 200; ++i) {
+    episode.start(world, model, random);
+    EXPECT_GT(range_between(episode.position(), episode.source()), Meters{1'000.0});
+    EXPECT_TRUE(settings.start_region.contains(episode.position()));
+  }
+}
+
+TEST_F(EpisodeTest, ScalesNorthAndEastByTheirOwnSidesOfAnAreaThatIsNotSquare) {
+  const NorthEast corner = at(-3'000, 7'000);
+  settings.domain = {corner, corner + at(8'000, 40'000)};
+  settings.start_region = settings.domain;
+  const World world(settings, curve);
+  model.spec = policy::simple_state(at(8'000, 40'000));
+  std::array<float, 2> seen{};
+  episode.start_at(world, model, corner + at(6'000, 30'000), corner + at(1'000, 1'000));
+  episode.observe(seen);
+  EXPECT_FLOAT_EQ(seen[0], 0.5F);  // x, east: three quarters of the way from -1 to 1
+  EXPECT_FLOAT_EQ(seen[1], 0.5F);  // y, north
+  episode.step(world, kNorth);
+  episode.observe(seen);
+  EXPECT_FLOAT_EQ(seen[0], 0.5F);
+  EXPECT_FLOAT_EQ(seen[1], 0.75F);  // 1 of the 4 km on either side of the middle
+  episode.step(world, kEast);
+  episode.observe(seen);
+  EXPECT_FLOAT_EQ(seen[0], 0.55F);  // 1 of 20 km
+  EXPECT_FLOAT_EQ(seen[1], 0.75F);
+  episode.step(world, kNorth);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning) << "on the northern edge";
+  episode.step(world, kNorth);
+  EXPECT_EQ(episode.record().end, EpisodeEnd::kLeftDomain) << "a kilometre beyond it, though far from the eastern one";
+}
+
+TEST_F(EpisodeTest, DrawsNorthAndEastBetweenTheirOwnEdges) {
+  settings.placement = SourcePlacement::kChanging;
+  settings.domain = {at(-3'000, 7'000), at(5'000, 47'000)};
+  settings.start_region = {at(-2'000, 8'000), at(4'000, 46'000)};
+  const World world(settings, curve);
+  Pcg32 random(7);
+  constexpr int kEpisodes = 5'000;
+  NorthEast least = settings.start_region.north_east;
+  NorthEast most = settings.start_region.south_west;
+  for (int i = 0; i < kEpisodes; ++i) {
+    episode.start(world, model, random);
+    EXPECT_TRUE(settings.start_region.contains(episode.position()));
+    EXPECT_TRUE(settings.domain.contains(episode.source()));
+    least = {std::min(least.north, episode.position().north), std::min(least.east, episode.position().east)};
+    most = {std::max(most.north, episode.position().north), std::max(most.east, episode.position().east)};
+  }
+  // Of 5000 uniform numbers one lies within a hundredth of either end but for e^-50.
+  EXPECT_LT(least.north.value, -2'000.0 + 60.0);
+  EXPECT_GT(most.north.value, 4'000.0 - 60.0);
+  EXPECT_LT(least.east.value, 8'000.0 + 380.0);
+  EXPECT_GT(most.east.value, 46'000.0 - 380.0);
 }
 
 TEST_F(EpisodeTest, StartsUniformlyInItsRegionAndPlacesAChangingSourceUniformlyInTheDomain) {

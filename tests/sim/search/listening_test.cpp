@@ -42,8 +42,10 @@ class ListeningEpisode : public testing::Test {
 
 TEST_F(ListeningEpisode, HearsTheLoudestLookOnItsWayWhereItWasTaken) {
   // A step of 500 s ends 7 km north of the source, and comes from 6 km. At 2 m/s the first of 60 looks was 118 m nearer.
-  for (const auto& [listening, nearer_m] : {std::pair{Listening::kLoudest, 118.0}, std::pair{Listening::kMean, 59.0}}) {
-    listen(listening, 60);
+  // Of two looks it was 2 m nearer.
+  for (const auto& [listening, looks, nearer_m] : {std::tuple{Listening::kLoudest, 60, 118.0}, std::tuple{Listening::kMean, 60, 59.0},
+                                                   std::tuple{Listening::kLoudest, 2, 2.0}, std::tuple{Listening::kMean, 2, 1.0}}) {
+    listen(listening, looks);
     const World calm = world();
     episode.start_at(calm, kSeesNothing, at(16'000, 10'000), settings.source);
     EXPECT_NEAR(episode.snr().value, 24.0, 1e-6) << "the start has one look";

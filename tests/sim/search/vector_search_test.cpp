@@ -81,6 +81,60 @@ TEST_F(VectorSearchTest, FliesAnEnvironmentsEpisodesAlikeHoweverManyOthersRunBes
   }
 }
 
+TEST_F(VectorSearchTest, FliesEachEnvironmentAsAnEpisodeWithAStreamOfItsOwn) {
+  const World world(settings, curve);
+  constexpr std::size_t kCount = 3;
+  for (const std::uint64_t first_stream : {0U, 7U}) {
+    VectorSearch search = first_stream == 0 ? VectorSearch(world, model, kCount, 9) : VectorSearch(world, model, kCount, 9, first_stream);
+    std::vector<Pcg32> random;
+    std::vector<Episode> episodes(kCount);
+    std::array<float, 6> seen{};
+    for (std::size_t e = 0; e < kCount; ++e) {
+      random.emplace_back(9, first_stream + e);
+      episodes[e].start(world, model, random[e]);
+      episodes[e].observe(seen);
+      ASSERT_TRUE(std::ranges::equal(search.observation(e), seen)) << e;
+    }
+    int ended = 0;
+    for (std::size_t t = 0; t < 400; ++t) {
+      const std::array<std::size_t, kCount> actions{t % 8, (3 * t) % 8, (5 * t) % 8};
+      search.step(actions);
+      for (std::size_t e = 0; e < kCount; ++e) {
+        ASSERT_EQ(search.reward(e), static_cast<float>(episodes[e].step(world, actions[e])));
+        ASSERT_EQ(search.ended(e).end, episodes[e].record().end);
+        if (search.ended(e).end != EpisodeEnd::kRunning) {
+          ++ended;
+          episodes[e].observe(seen);
+          ASSERT_TRUE(std::ranges::equal(search.final_observation(e), seen));
+          episodes[e].start(world, model, random[e]);
+        }
+        episodes[e].observe(seen);
+        ASSERT_TRUE(std::ranges::equal(search.observation(e), seen));
+      }
+    }
+    EXPECT_GT(ended, 5);
+  }
+}
+
+TEST_F(VectorSearchTest, DoesNotGoOnFromScriptsThatAreNotOfItsEpisodes) {
+  settings.max_steps = 4;
+  settings.placement = SourcePlacement::kFixed;
+  settings.source = {Meters{1'000.0}, Meters{1'000.0}};
+  settings.start_region = {{Meters{10'000.0}, Meters{10'000.0}}, {Meters{12'000.0}, Meters{12'000.0}}};
+  const World world(settings, curve);
+  const VectorSearch whole(world, model, 2, 3);
+  const auto goes_on = [&](std::vector<EpisodeScript> scripts, std::vector<std::uint8_t> actions) {
+    VectorSearch resumed(world, model, 2, 99);
+    scripts.back().actions = std::move(actions);
+    return resumed.resume(scripts);
+  };
+  EXPECT_TRUE(goes_on(whole.scripts(), {0, 7, 0}));
+  EXPECT_FALSE(goes_on(whole.scripts(), {0, 8, 0})) << "there are eight directions, from 0";
+  EXPECT_FALSE(goes_on(whole.scripts(), {0, 0, 0, 0})) << "its last step ended it";
+  EXPECT_FALSE(goes_on(whole.scripts(), {0, 0, 0, 0, 0})) << "it goes on after its end";
+  EXPECT_FALSE(goes_on({whole.scripts()[0]}, {})) << "one script for two environments";
+}
+
 TEST_F(VectorSearchTest, StartsAnewInTheStepThatEndsAnEpisodeAndKeepsItsLastObservation) {
   settings.max_steps = 3;
   settings.border_width = Meters{1.0};

@@ -77,6 +77,18 @@ TEST_F(ScenarioFile, IsCalmWhereItSaysNothing) {
   EXPECT_TRUE(scenario.field_library.empty());
 }
 
+TEST_F(ScenarioFile, IsCalmWhereItsConditionsSayNothing) {
+  const Conditions c = load("[conditions]\n").conditions;
+  EXPECT_TRUE(is_calm(c));
+  EXPECT_FALSE(c.least_fluctuation.has_value());
+  EXPECT_EQ(c.vehicle_speed, MetersPerSecond{2.0});
+  EXPECT_EQ(c.sound.lost_blocks, 0.0);
+  EXPECT_EQ(c.sound.self_noise, Decibels{65.0});
+  const Conditions drifting = load("[conditions.current]\nspeed_mps = 0.1\n").conditions;
+  EXPECT_FALSE(drifting.current->toward.has_value()) << "drawn for every search";
+  EXPECT_EQ(drifting.current->navigation, Current::Navigation::kSeesIt);
+}
+
 TEST_F(ScenarioFile, HasEveryKeyRead) {
   const Conditions c = load(R"(
 [conditions]
@@ -248,18 +260,28 @@ TEST_F(ScenarioFile, RefusesAFamilyThatCannotBeDrawn) {
   expect_refused("[family]\nsea_floor_depth_m = [2000.0, 4000.0]\n", "family.members is missing");
   expect_refused("[family]\nmembers = 3\nsea_floor_depth_m = [4000.0, 2000.0]\n", "must be [lowest, highest]");
   expect_refused("[family]\nmembers = 3\nsea_floor_depth_m = [20.0, 2000.0]\n", "must be more than source.depth_m");
-  load("");  // the paper's ocean, its axis at the surface
-  std::ifstream munk(folder_ / "ocean.toml");
-  std::string text{std::istreambuf_iterator<char>(munk), {}};
-  text.replace(text.find("axis_depth_m = 1300.0"), 21, "axis_depth_m = 0.0");
-  std::ofstream(folder_ / "surface.toml") << text << "[family]\nmembers = 3\n";
-  try {
-    (void)load_scenario(folder_ / "surface.toml");
-    ADD_FAILURE();
-  } catch (const host::BadInput& e) {
-    EXPECT_NE(std::string(e.what()).find("water.axis_depth_m is above 0"), std::string::npos) << e.what();
-  }
-  expect_refused("[field_library]\nfile = \"a.nc\"\n[family]\nmembers = 3\n", "field_library");
+  expect_refused("[field_library]\nfile = \"a.nc\"\n[family]\nmembers = 3\n", "field_library: cannot be there with family or oceans");
+}
+
+TEST_F(ScenarioFile, RefusesAFamilyOfAnOceanWhoseNumbersCannotBeDrawn) {
+  const auto complaint_of = [this](const std::string& from, const std::string& to) {
+    std::ifstream munk(kMunk);
+    std::string text{std::istreambuf_iterator<char>(munk), {}};
+    text.replace(text.find(from), from.size(), to);
+    std::ofstream(folder_ / "other.toml") << text << "[family]\nmembers = 3\n";
+    try {
+      (void)load_scenario(folder_ / "other.toml");
+    } catch (const host::BadInput& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint_of("axis_depth_m = 1300.0", "axis_depth_m = 0.5"), "");
+  const std::string surface = complaint_of("axis_depth_m = 1300.0", "axis_depth_m = 0.0");
+  EXPECT_NE(surface.find("family.members = 3: are drawn from an ocean whose water.axis_depth_m is above 0"), std::string::npos) << surface;
+  const std::string table =
+      complaint_of("profile = \"munk\"", "profile = \"table\"\ndepth_m = [0.0, 3000.0]\nsound_speed_mps = [1500.0, 1520.0] #");
+  EXPECT_NE(table.find("family.members = 3: are drawn from an ocean with a Munk profile, flat and the same"), std::string::npos) << table;
 }
 
 }  // namespace

@@ -91,9 +91,9 @@ Scenario with_library(const std::filesystem::path& path, double source_depth_m, 
   return {.environment = papers_ocean(), .field_library = path};
 }
 
-std::string complaint_of(const Scenario& scenario) {
+std::string complaint_of(const Scenario& scenario, Meters vehicle_depth = Meters{300.0}, Meters furthest = Meters{200.0}) {
   try {
-    (void)soundscape_of(scenario, Meters{300.0}, Meters{200.0});
+    (void)soundscape_of(scenario, vehicle_depth, furthest);
   } catch (const host::BadInput& error) {
     return error.what();
   }
@@ -105,6 +105,24 @@ TEST(SoundscapeOf, TakesTheVehiclesDepthFromALibraryOfSeveral) {
   const Soundscape soundscape = soundscape_of(with_library(folder / "library.nc", 30.0, 20.0), Meters{300.0}, Meters{200.0});
   EXPECT_EQ(soundscape.snr(0, at(0, 0), at(200, 0)), Decibels{190.0 - 11.0 - 90.0});
   EXPECT_EQ(soundscape.snr(0, at(0, 0), at(-100, 0)), Decibels{190.0 - 101.0 - 90.0});
+}
+
+TEST(SoundscapeOf, TakesALibraryWhoseDepthsDifferByLessThanHalfAMetre) {
+  const support::TemporaryFolder folder;
+  EXPECT_EQ(complaint_of(with_library(folder / "near.nc", 30.25, 20.0)), "");
+  EXPECT_NE(complaint_of(with_library(folder / "half.nc", 30.5, 20.0)).find("has its sources at 30.5 m"), std::string::npos);
+  const Scenario scenario = with_library(folder / "library.nc", 30.0, 20.0);
+  EXPECT_NO_THROW((void)soundscape_of(scenario, Meters{299.75}, Meters{200.0}));
+  EXPECT_THROW((void)soundscape_of(scenario, Meters{299.5}, Meters{200.0}), host::BadInput);
+}
+
+TEST(SoundscapeOf, RefusesALibraryWithoutTheVehiclesDepthOrThatDoesNotReachAsFar) {
+  const support::TemporaryFolder folder;
+  const Scenario scenario = with_library(folder / "library.nc", 30.0, 20.0);
+  const std::string depth = complaint_of(scenario, Meters{200.0});
+  EXPECT_NE(depth.find("library.nc: has no fields at the vehicle's depth, 200"), std::string::npos) << depth;
+  const std::string range = complaint_of(scenario, Meters{300.0}, Meters{201.0});
+  EXPECT_NE(range.find("library.nc: must reach 201"), std::string::npos) << range;
 }
 
 TEST(SoundscapeOf, RefusesALibraryOfASourceAtAnotherDepthOrFrequency) {
