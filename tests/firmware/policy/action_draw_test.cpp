@@ -41,6 +41,12 @@ TEST(DrawAction, NeverDrawsAnActionOfNoProbability) {
   for (int i = 0; i < 10000; ++i) ASSERT_EQ(draw_action(ActionDraw::kSampled, logits, random), 1U);
 }
 
+TEST(DrawAction, NeverDrawsAnActionOfNoProbabilityThoughTheRandomNumberIsZero) {
+  Pcg32 random(Pcg32::State{.state = 0, .increment = 1});  // the next number is that of the state zero: zero
+  EXPECT_EQ(Pcg32(random.state()).uniform_float(), 0.0F);
+  EXPECT_EQ(draw_action(ActionDraw::kSampled, std::array{-200.0F, 0.0F}, random), 1U);
+}
+
 TEST(DrawAction, StaysWithinTheActionsWhenLogitsAreNotNumbers) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   Pcg32 random(1);

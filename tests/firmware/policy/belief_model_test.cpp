@@ -36,5 +36,72 @@ TEST(BeliefModel, RefusesNumbersThatAreNone) {
   EXPECT_FALSE(has_valid_numbers(model));
 }
 
+/// Every number at its limits, as its docstring says them, and a little beyond.
+TEST(BeliefModel, LetsPassWhatIsInItsRangeAndNothingBeyond) {
+  const auto is_valid_with = [](auto set, double value) {
+    BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+    set(model, value);
+    return has_valid_numbers(model);
+  };
+  const auto expect_range = [&is_valid_with](const char* what, double least, double most, auto set) {
+    EXPECT_TRUE(is_valid_with(set, least)) << what;
+    EXPECT_TRUE(is_valid_with(set, most)) << what;
+    const double room = 1e-6 * (most - least);
+    EXPECT_FALSE(is_valid_with(set, least - room)) << what;
+    EXPECT_FALSE(is_valid_with(set, most + room)) << what;
+    EXPECT_FALSE(is_valid_with(set, std::numeric_limits<double>::quiet_NaN())) << what;
+  };
+  const auto as_float = [](double x) { return static_cast<float>(x); };
+  expect_range("offset", -600, 600, [=](BeliefModel& m, double x) { m.hypotheses[0].level_offset_db = as_float(x); });
+  expect_range("SNR", -600, 600, [=](BeliefModel& m, double x) { m.snr_db[299] = as_float(x); });
+  expect_range("area north", 1, 1e7, [](BeliefModel& m, double x) { m.area_size.north = Meters{x}; });
+  expect_range("area east", 1, 1e7, [](BeliefModel& m, double x) { m.area_size.east = Meters{x}; });
+  expect_range("step length", 1, 1e6, [](BeliefModel& m, double x) { m.step_length = Meters{x}; });
+  expect_range("border", 1, 1e6, [](BeliefModel& m, double x) { m.border_width = Meters{x}; });
+  expect_range("range step", 1, 1e4, [](BeliefModel& m, double x) { m.range_step = Meters{x}; });
+  expect_range("outliers", 0, 1, [=](BeliefModel& m, double x) { m.outlier_share = as_float(x); });
+  expect_range("silence", 0, 1, [=](BeliefModel& m, double x) { m.silence_share = as_float(x); });
+  expect_range("forgotten", 0, 0.5, [=](BeliefModel& m, double x) { m.forgotten_share = as_float(x); });
+  expect_range("step", 0, 1e6, [=](BeliefModel& m, double x) { m.costs.step = as_float(x); });
+  expect_range("reach's discount", 0, 1, [=](BeliefModel& m, double x) { m.costs.reach_discount = as_float(x); });
+  expect_range("edge", 0, 1e6, [=](BeliefModel& m, double x) { m.costs.edge = as_float(x); });
+  expect_range("most regret", 0, 1e6, [=](BeliefModel& m, double x) { m.costs.most_regret = as_float(x); });
+  // Limits that no float is, from either side.
+  const auto spread = [=](BeliefModel& m, double x) { m.hypotheses[0].spread_db = as_float(x); };
+  const auto prior = [=](BeliefModel& m, double x) { m.hypotheses[0].prior = as_float(x); };
+  const auto discount = [=](BeliefModel& m, double x) { m.costs.log_step_discount = as_float(x); };
+  const auto reach = [=](BeliefModel& m, double x) { m.costs.reach = as_float(x); };
+  for (const double inside : {0.050001, 100.0}) EXPECT_TRUE(is_valid_with(spread, inside)) << inside;
+  for (const double outside : {0.049999, 100.0001}) EXPECT_FALSE(is_valid_with(spread, outside)) << outside;
+  for (const double inside : {1.000001e-6, 1e6}) EXPECT_TRUE(is_valid_with(prior, inside)) << inside;
+  for (const double outside : {0.999999e-6, 1.000001e6}) EXPECT_FALSE(is_valid_with(prior, outside)) << outside;
+  for (const double inside : {-10.0, -1.000001e-3}) EXPECT_TRUE(is_valid_with(discount, inside)) << inside;
+  for (const double outside : {-10.00001, -0.999999e-3}) EXPECT_FALSE(is_valid_with(discount, outside)) << outside;
+  for (const double inside : {1.000001e-3, 1e6}) EXPECT_TRUE(is_valid_with(reach, inside)) << inside;
+  for (const double outside : {0.999999e-3, 1.000001e6}) EXPECT_FALSE(is_valid_with(reach, outside)) << outside;
+}
+
+TEST(BeliefModel, RefusesAThresholdThatIsNone) {
+  BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+  model.detection_threshold = Decibels{std::numeric_limits<double>::infinity()};
+  EXPECT_FALSE(has_valid_numbers(model));
+}
+
+TEST(BeliefModel, HasNoShapeWithoutRangesActionsOrColumns) {
+  BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+  model.cells_east = 0;
+  EXPECT_FALSE(has_valid_shape(model));
+  model = flat_model({{0.0F, 2.0F, 1.0F}});
+  model.snr_db.clear();
+  EXPECT_FALSE(has_valid_shape(model));
+  model = flat_model({{0.0F, 2.0F, 1.0F}});
+  model.actions.clear();
+  EXPECT_FALSE(has_valid_shape(model));
+  model = flat_model({{0.0F, 2.0F, 1.0F}});
+  model.cells_north = 1;
+  model.cells_east = static_cast<std::uint16_t>(config::kMaxBeliefCells);
+  EXPECT_TRUE(has_valid_shape(model));
+}
+
 }  // namespace
 }  // namespace earshot::policy

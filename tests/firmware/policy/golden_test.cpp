@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "firmware/core/math.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "tests/firmware/policy/made_up_policy.hpp"
 
@@ -89,6 +92,29 @@ TEST(Golden, IsNotRepeatedWhenALogitIsNoNumber) {
   policy->network.second.bias.fill(9.0F);
   record(*policy);
   EXPECT_FALSE(repeats(*policy));
+}
+
+TEST(Golden, IsNotRepeatedWhenTheLastLogitAloneIsNan) {
+  const auto policy = small_policy();
+  policy->network.output.bias[3] = std::numeric_limits<float>::quiet_NaN();
+  record(*policy);
+  EXPECT_TRUE(is_finite(policy->golden[1][5].logits[2]));
+  EXPECT_TRUE(std::isnan(policy->golden[1][5].logits[3]));
+  EXPECT_FALSE(repeats(*policy));
+}
+
+TEST(Golden, IsNotRepeatedWhereElementsThatThePolicyHasNotAreNotZero) {
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.golden[0][2].logits[4] = 1.0F; }));
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.golden[0][2].observation.back() = 1.0F; }));
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.golden[1][0].fingerprint = 1; }, *small_policy()));
+}
+
+TEST(Golden, IsNotRepeatedByABeliefThatDiffersInAnyOfItsNumbers) {
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.golden[0][4].belief.likeliest.north += Meters{1e-9}; }));
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.golden[0][4].belief.likeliest.east += Meters{1e-9}; }));
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.golden[0][4].belief.mean.north += Meters{1e-9}; }));
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { policy.golden[0][4].belief.spread += Meters{1e-9}; }));
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& policy) { flip(policy.golden[0][4].belief.likeliest_share); }));
 }
 
 TEST(Fingerprint, SeesEveryCellAndOutlook) {

@@ -105,6 +105,11 @@ TEST(Forward, GivesTheSameBitsOnEveryMachine) {
   }
 }
 
+TEST(VectorUnit, IsNotThereWhereNobodyKnowsIt) {
+  EXPECT_TRUE(has(VectorUnit::kNone));
+  EXPECT_FALSE(has(static_cast<VectorUnit>(4)));
+}
+
 TEST(Forward, GivesTheSameBitsOnEveryVectorUnitForEverySizeOfLayer) {
   for (const std::size_t size : {1U, 2U, 3U, 5U, 8U, 15U, 16U, 17U, 33U, 62U, 64U}) {
     const auto network = random_network(size, size, 65 - size, std::min<std::size_t>(size, 32));

@@ -126,5 +126,146 @@ TEST(PolicyCheck, LetsPassNoWeightsWhoseLogitsOverflowAnywhereInTheArea) {
   for (const float logit : policy->golden[0][5].logits) EXPECT_TRUE(is_finite(logit));
 }
 
+/// small_policy() whose second element is a feature of that age; what it sees of a belief is there.
+PolicyFault fault_of_element(Feature feature, std::size_t age) {
+  return fault_after(
+      [=](FrozenPolicy& policy) { policy.observation.spec[1] = {.feature = feature, .age = static_cast<std::uint8_t>(age)}; },
+      *believing_policy());
+}
+
+TEST(PolicyCheck, RefusesAnAgeOnePastTheLastStepHypothesisOrAction) {
+  for (const Feature step : {Feature::kStepEast, Feature::kStepNorth, Feature::kStepSnr}) {
+    EXPECT_EQ(fault_of_element(step, 20), PolicyFault::kNone);  // 21 steps are remembered
+    EXPECT_EQ(fault_of_element(step, 21), PolicyFault::kBadShape);
+    EXPECT_EQ(fault_of_element(step, 255), PolicyFault::kBadShape);
+  }
+  EXPECT_EQ(fault_of_element(Feature::kHypothesis, 1), PolicyFault::kNone);  // of two
+  EXPECT_EQ(fault_of_element(Feature::kHypothesis, 2), PolicyFault::kBadShape);
+  for (auto feature = static_cast<int>(Feature::kFound); feature <= static_cast<int>(Feature::kApproach); ++feature) {
+    EXPECT_EQ(fault_of_element(static_cast<Feature>(feature), 3), PolicyFault::kNone) << feature;  // of four actions
+    EXPECT_EQ(fault_of_element(static_cast<Feature>(feature), 4), PolicyFault::kBadShape) << feature;
+  }
+  for (const Feature one :
+       {Feature::kEast, Feature::kNorth, Feature::kToSouthEdge, Feature::kToEastEdge, Feature::kLikeliestEast, Feature::kEffectiveCells}) {
+    EXPECT_EQ(fault_of_element(one, 0), PolicyFault::kNone);
+    EXPECT_EQ(fault_of_element(one, 1), PolicyFault::kBadShape);
+  }
+}
+
+TEST(PolicyCheck, KnowsNoFeatureBetweenThoseThereAre) {
+  for (const int unknown : {0, 10, 15, 24, 31, 39, 255})
+    EXPECT_EQ(fault_of_element(static_cast<Feature>(unknown), 0), PolicyFault::kUnknownFeature) << unknown;
+}
+
+TEST(PolicyCheck, DoesNotLookAtABeliefThatNoElementSees) {
+  const auto spoil = [](FrozenPolicy& policy) {
+    policy.observation.belief = BeliefModel{};
+    policy.observation.belief.step_length = Meters{kWideNan};
+    policy.observation.belief.silence_share = kNan;
+  };
+  EXPECT_EQ(fault_after(spoil), PolicyFault::kNone);
+  EXPECT_EQ(fault_after(spoil, *believing_policy()), PolicyFault::kBadShape);
+}
+
+TEST(PolicyCheck, RefusesEdgesThatAreThoseOfAnotherArea) {
+  for (const Feature edge : {Feature::kToNorthEdge, Feature::kToEastEdge}) {
+    const auto look_at_the_edge = [edge](FrozenPolicy& policy) { policy.observation.spec[1] = {.feature = edge}; };
+    EXPECT_EQ(fault_after(look_at_the_edge), PolicyFault::kBadShape) << "the belief's area is not the policy's";
+    EXPECT_EQ(fault_after([&](FrozenPolicy& policy) {
+                look_at_the_edge(policy);
+                policy.observation.belief.area_size = policy.area_size;
+              }),
+              PolicyFault::kNone);
+  }
+}
+
+TEST(PolicyCheck, RefusesABeliefAboutAnotherSearch) {
+  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.area_size.north = Meters{25'001}; }), PolicyFault::kBadShape);
+  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.area_size.east = Meters{25'999}; }), PolicyFault::kBadShape);
+  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.detection_threshold = Decibels{-3.4}; }), PolicyFault::kBadShape);
+  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.actions[3] = {-0.6, 0.8}; }), PolicyFault::kBadShape);
+  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { static_cast<void>(m.actions.push_back({1, 0})); }), PolicyFault::kBadShape);
+}
+
+/// The most that each feature can be, either side of zero, for believing_policy(): an area of 25 km x 26 km, steps of 1 km, a border of
+/// 700 m, a regret of at most 9. A length: out of the area by a step, and across it, 2 (25 + 26) km + 1 km.
+TEST(PolicyCheck, BoundsEveryFeatureByTheMostThatItCanBe) {
+  const auto most_of = [](Feature feature) {
+    switch (feature) {
+      case Feature::kStepSnr:
+        return 600.0;
+      case Feature::kEffectiveCells:
+        return 5'000.0;  // twice as many as there can be
+      case Feature::kLikeliestShare:
+      case Feature::kHypothesis:
+      case Feature::kFound:
+      case Feature::kReach:
+      case Feature::kDetected:
+      case Feature::kPreference:
+        return 2.0;  // twice a probability
+      case Feature::kBorder:
+        return 1.0 + 10.0 / 7.0;
+      case Feature::kRegret:
+        return 9.0;
+      default:
+        return 103'000.0;
+    }
+  };
+  for (int number = 0; number < 256; ++number) {
+    const auto feature = static_cast<Feature>(number);
+    if (!is_known(feature)) continue;
+    const auto fault_when = [&](double share) {  // of the largest scale that is let pass, with an offset of half of what the feature is
+      return fault_after(
+          [&](FrozenPolicy& policy) {
+            policy.observation.spec[1] = {.feature = feature,
+                                          .offset = static_cast<float>(-0.5 * most_of(feature)),
+                                          .scale = static_cast<float>(-share * 1e9 / (1.5 * most_of(feature)))};
+          },
+          *believing_policy());
+    };
+    EXPECT_EQ(fault_when(0.999), PolicyFault::kNone) << number;
+    EXPECT_EQ(fault_when(1.001), PolicyFault::kUnbounded) << number;
+  }
+}
+
+TEST(PolicyCheck, BoundsAHiddenUnitByTheLargestElementThatItSees) {
+  const auto fault_with = [](float weight) {
+    return fault_after([weight](FrozenPolicy& policy) {
+      for (ObservationElement& element : policy.observation.spec) element = {.feature = Feature::kEast, .scale = 1e-6F};
+      policy.network.first.weight(2, 1) = weight;  // no element is greater than 0.103
+    });
+  };
+  EXPECT_EQ(fault_with(9.6e30F), PolicyFault::kNone);
+  EXPECT_EQ(fault_with(-9.8e30F), PolicyFault::kUnbounded);
+}
+
+TEST(PolicyCheck, LetsPassTheLargestOfEverythingAndNothingBeyond) {
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.step_length = Meters{1e6}; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.area_size.north = Meters{1e7}; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.area_size.north = Meters{1.0001e7}; }), PolicyFault::kOutOfRange);
+  for (const double threshold : {-600.0, 600.0})
+    EXPECT_EQ(fault_after([threshold](FrozenPolicy& policy) { policy.detection_threshold = Decibels{threshold}; }), PolicyFault::kNone);
+  // A direction is of length one to nine places.
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.actions[0] = {1.0 + 4e-10, 0.0}; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.actions[0] = {1.0 + 6e-10, 0.0}; }), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.actions[0] = {0.0, 1.0 - 6e-10}; }), PolicyFault::kNotFinite);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.actions[0] = {0.6, 0.6}; }), PolicyFault::kNotFinite);
+}
+
+TEST(PolicyCheck, LetsGoldenSearchesGoUpToTheEdges) {
+  const auto fault_at = [](double north, double east, double snr) {
+    return fault_after([=](FrozenPolicy& policy) {
+      policy.golden[0][0].place = {.north = Meters{north}, .east = Meters{east}};
+      policy.golden[0][0].reception.snr = Decibels{snr};
+    });
+  };
+  EXPECT_EQ(fault_at(0.0, 0.0, -600.0), PolicyFault::kNone);
+  EXPECT_EQ(fault_at(25'000.0, 26'000.0, 600.0), PolicyFault::kNone);
+  EXPECT_EQ(fault_at(0.0, -0.1, 0.0), PolicyFault::kOutOfRange);
+  EXPECT_EQ(fault_at(0.0, 26'000.1, 0.0), PolicyFault::kOutOfRange);
+  EXPECT_EQ(fault_at(0.0, 0.0, 600.1), PolicyFault::kOutOfRange);
+  EXPECT_EQ(fault_at(0.0, 0.0, -600.1), PolicyFault::kOutOfRange);
+}
+
 }  // namespace
 }  // namespace earshot::policy

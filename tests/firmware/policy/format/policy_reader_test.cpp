@@ -86,6 +86,17 @@ TEST(Parse, FindsAFileTooShortWhereverItIsCut) {
   }
 }
 
+TEST(Parse, FindsAFileTooShortThatSaysItIsNoLongerThanItsHeaderAndTrailer) {
+  const Bytes whole = bytes_of(*small_policy());
+  for (std::size_t size = 16; size <= 116; ++size) {  // 16 + 100: all but the sections
+    Bytes bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+    put(bytes, kLengthAt, static_cast<std::uint32_t>(size));
+    if (size >= 16 + 4 + 64) mend(bytes);
+    const PolicyComplaint complaint = complaint_about(bytes);
+    EXPECT_EQ(complaint.fault, size < 116 ? PolicyFault::kTooShort : PolicyFault::kMissingSection) << size;
+  }
+}
+
 TEST(Parse, RefusesBytesBehindTheEnd) {
   Bytes bytes = bytes_of(*small_policy());
   bytes.push_back(0);
@@ -178,6 +189,13 @@ TEST(Parse, NamesASectionThatIsNotAsLongAsWhatItHolds) {
     insert(bytes, kBeliefAt + 10, {0});
   };
   EXPECT_TRUE(is(complaint_after(unseen_belief), PolicyFault::kBadSectionLength, "BELF"));
+}
+
+TEST(Parse, NamesALastSectionThatSaysItIsLongerThanTheFile) {
+  for (const std::uint32_t length : {1'213U, 1'215U, 0xFFFFFFFFU})
+    EXPECT_TRUE(
+        is(complaint_after([length](Bytes& bytes) { put(bytes, kGoldenSectionAt + 6, length); }), PolicyFault::kBadSectionLength, "GOLD"))
+        << length;
 }
 
 TEST(Parse, NamesWhatIsWrongInASection) {
