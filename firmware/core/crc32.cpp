@@ -5,7 +5,7 @@
 namespace earshot {
 namespace {
 
-constexpr std::array<std::uint32_t, 256> make_table() {
+consteval std::array<std::uint32_t, 256> make_table() {
   std::array<std::uint32_t, 256> table{};
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     std::uint32_t remainder = i;

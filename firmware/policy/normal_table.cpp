@@ -16,7 +16,7 @@ struct NormalTable {
 };
 
 /// e^-x for 0 <= x <= 33: (e^(-x/64))^64, by its series.
-constexpr double exp_of_minus(double x) {
+consteval double exp_of_minus(double x) {
   const double t = -x / 64.0;
   double sum = 1.0;
   for (int k = 14; k >= 1; --k) sum = 1.0 + t / k * sum;
@@ -24,12 +24,12 @@ constexpr double exp_of_minus(double x) {
   return sum;
 }
 
-constexpr double normal(double x) {
+consteval double normal(double x) {
   constexpr double kOneOverRootTwoPi = 0.39894228040143267794;
   return kOneOverRootTwoPi * exp_of_minus(0.5 * x * x);
 }
 
-constexpr NormalTable normal_table() {
+consteval NormalTable normal_table() {
   NormalTable table;
   constexpr double kStep = 1.0 / static_cast<double>(NormalTable::kPerUnit);
   double above = 0.5;

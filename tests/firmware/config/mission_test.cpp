@@ -51,6 +51,16 @@ TEST(MissionCheck, RefusesEveryNumberThatIsNotFinite) {
   }
 }
 
+TEST(MissionCheck, AcceptsWhateverIsPositiveHoweverLittle) {
+  EXPECT_EQ(checked_with([](Mission& m) { m.search_depth = Meters{0.5}; }), Status::kOk);
+  EXPECT_EQ(checked_with([](Mission& m) { m.search_speed = MetersPerSecond{0.5}; }), Status::kOk);
+  EXPECT_EQ(checked_with([](Mission& m) { m.step_length = Meters{0.5}; }), Status::kOk);
+  EXPECT_EQ(checked_with([](Mission& m) { m.max_steps = 1; }), Status::kOk);
+  EXPECT_EQ(checked_with([](Mission& m) { m.max_time = Duration{1}; }), Status::kOk);
+  EXPECT_EQ(checked_with([](Mission& m) { m.navigation_timeout = Duration{1}; }), Status::kOk);
+  EXPECT_EQ(checked_with([](Mission& m) { m.snr_timeout = Duration{1}; }), Status::kOk);
+}
+
 TEST(MissionCheck, RefusesWhatMustBePositiveAndIsNot) {
   EXPECT_EQ(checked_with([](Mission& m) { m.edge_margin = Meters{-1}; }), Status::kOutOfRange);
   EXPECT_EQ(checked_with([](Mission& m) { m.search_depth = Meters{0}; }), Status::kOutOfRange);
@@ -82,6 +92,28 @@ TEST(MissionCheck, AllowsTheVehicleRightUpToTheEdge) {
 
 TEST(MissionCheck, RefusesASearchDeeperThanTheDepthLimit) {
   EXPECT_EQ(checked_with([](Mission& m) { m.search_depth = Meters{300.5}; }), Status::kOutOfRange);
+}
+
+TEST(MissionCheck, MeasuresTheAreaFromCornerToCornerWhereverItLies) {
+  const auto area_at = [](double north, double east) {
+    return checked_with([=](Mission& m) {
+      m.operating_area = {.south_west = {.north = Meters{north}, .east = Meters{east}},
+                          .north_east = {.north = Meters{north + 3'000}, .east = Meters{east + 3'000}}};
+    });
+  };
+  EXPECT_EQ(area_at(50'000, 70'000), Status::kOk);
+  EXPECT_EQ(area_at(-50'000, -70'000), Status::kOk);
+  const auto too_small = [](Mission& m) {
+    m.operating_area = {.south_west = {.north = Meters{50'000}, .east = Meters{0}},
+                        .north_east = {.north = Meters{52'999}, .east = Meters{9'000}}};
+  };
+  EXPECT_EQ(checked_with(too_small), Status::kOutOfRange);
+}
+
+TEST(Mission, TakesAHundredStepsAndDrawsFromSeedOneWhereNothingElseIsSaid) {
+  EXPECT_EQ(Mission{}.max_steps, 100U);  // the paper's N
+  EXPECT_EQ(Mission{}.action_seed, 1U);
+  EXPECT_EQ(Mission{}.listening, (ListeningWindow{.listening = Listening::kNewest, .length = {}}));
 }
 
 TEST(MissionCheck, RefusesAnAreaWithoutTwoStepsOfRoomBetweenItsMargins) {

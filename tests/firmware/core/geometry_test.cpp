@@ -54,6 +54,10 @@ TEST(Rectangle, DistanceToEdgeIsNegativeOutside) {
   EXPECT_EQ(kArea.distance_to_edge(at(37, 150)), Meters{-7});
 }
 
+TEST(Rectangle, MovesEveryEdgeInByTheMargin) {
+  EXPECT_EQ(kArea.moved_in(Meters{4}), (Rectangle{.south_west = at(-6, 104), .north_east = at(26, 196)}));
+}
+
 TEST(Rectangle, DoesNotContainAPlaceThatIsNotANumber) {
   EXPECT_FALSE(kArea.contains(at(std::numeric_limits<double>::quiet_NaN(), 150)));
 }

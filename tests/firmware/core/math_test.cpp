@@ -150,6 +150,18 @@ TEST(IsFinite, TellsNanAndBothInfinitiesFromTheLargestNumbers) {
   EXPECT_TRUE(is_finite(std::numeric_limits<float>::max()));
 }
 
+TEST(IsFinite, KnowsANanByEveryBitThatMakesOne) {
+  for (std::uint64_t bit = 0; bit < 52; ++bit)
+    EXPECT_FALSE(is_finite(std::bit_cast<double>(0x7FF0000000000000U | std::uint64_t{1} << bit)));
+  for (std::uint32_t bit = 0; bit < 23; ++bit) EXPECT_FALSE(is_finite(std::bit_cast<float>(0x7F800000U | std::uint32_t{1} << bit)));
+}
+
+TEST(IsFinite, TakesANumberWithAnyOneBitOfAnInfinityMissing) {
+  for (std::uint64_t bit = 52; bit < 63; ++bit)
+    EXPECT_TRUE(is_finite(std::bit_cast<double>(0x7FFFFFFFFFFFFFFFU ^ std::uint64_t{1} << bit)));
+  for (std::uint32_t bit = 23; bit < 31; ++bit) EXPECT_TRUE(is_finite(std::bit_cast<float>(0x7FFFFFFFU ^ std::uint32_t{1} << bit)));
+}
+
 /// Checksum of the bits of many results, the same on every machine. Arguments are exact, so that contraction in the test itself changes
 /// nothing.
 std::uint32_t checksum_of_many_results() {
