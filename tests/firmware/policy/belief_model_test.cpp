@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "tests/firmware/policy/belief_rig.hpp"
@@ -79,6 +80,26 @@ TEST(BeliefModel, LetsPassWhatIsInItsRangeAndNothingBeyond) {
   for (const double outside : {-10.00001, -0.999999e-3}) EXPECT_FALSE(is_valid_with(discount, outside)) << outside;
   for (const double inside : {1.000001e-3, 1e6}) EXPECT_TRUE(is_valid_with(reach, inside)) << inside;
   for (const double outside : {0.999999e-3, 1.000001e6}) EXPECT_FALSE(is_valid_with(reach, outside)) << outside;
+}
+
+/// As README.md of the folder says it and the paper's reward has it.
+TEST(BeliefModel, IsThatOfThePapersSearchWhereNothingElseIsSaid) {
+  const BeliefModel model;
+  EXPECT_EQ(cell_count(model), 2'500U);
+  EXPECT_EQ(model.step_length, Meters{1'000});
+  EXPECT_EQ(model.border_width, Meters{1'000});
+  EXPECT_EQ(model.detection_threshold, Decibels{10});
+  EXPECT_EQ(model.range_step, Meters{100});
+  EXPECT_EQ(model.outlier_share, 0.02F);
+  EXPECT_EQ(model.silence_share, 0.0F);
+  EXPECT_EQ(model.forgotten_share, 1e-4F);
+  EXPECT_EQ(BeliefHypothesis{}, (BeliefHypothesis{.level_offset_db = 0.0F, .spread_db = 4.0F, .prior = 1.0F}));
+  EXPECT_EQ(model.costs.step, 3.0F);
+  EXPECT_NEAR(std::exp(double{model.costs.log_step_discount}), 0.9, 1e-8);  // a float's seven places of 0.105
+  EXPECT_EQ(model.costs.reach, 30.0F);
+  EXPECT_EQ(model.costs.reach_discount, 0.85F);
+  EXPECT_EQ(model.costs.edge, 100.0F);
+  EXPECT_EQ(model.costs.most_regret, 10.0F);
 }
 
 TEST(BeliefModel, RefusesAThresholdThatIsNone) {

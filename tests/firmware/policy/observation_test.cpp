@@ -128,6 +128,81 @@ TEST(BeliefState, SeesTheSourceFromTheVehicleAndTheBestAction) {
   for (const float element : observed(memory, model)) EXPECT_LE(std::abs(element), 2.0F);
 }
 
+TEST(BeliefState, ShowsEveryNumberOfTheBeliefAsItIs) {
+  const ObservationModel model = believing_model();
+  SearchMemory memory;
+  memory.start(model, at(1250, 2250), {.snr = Decibels{24}});
+  const messages::BeliefSummary& summary = memory.belief().summary();
+  EXPECT_EQ(raw(memory, model, Feature::kLikeliestEast), summary.likeliest.east.value - 2250);
+  EXPECT_EQ(raw(memory, model, Feature::kLikeliestNorth), summary.likeliest.north.value - 1250);
+  EXPECT_EQ(raw(memory, model, Feature::kMeanEast), summary.mean.east.value - 2250);
+  EXPECT_EQ(raw(memory, model, Feature::kMeanNorth), summary.mean.north.value - 1250);
+  EXPECT_EQ(raw(memory, model, Feature::kSpread), summary.spread.value);
+  EXPECT_EQ(raw(memory, model, Feature::kLikeliestShare), double{summary.likeliest_share});
+  EXPECT_EQ(raw(memory, model, Feature::kEffectiveCells), double{summary.effective_cells});
+  EXPECT_EQ(raw(memory, model, Feature::kHypothesis, 0), 1.0);  // the only one
+  for (std::uint8_t action = 0; action < 2; ++action) {
+    const ActionOutlook& outlook = memory.belief().outlook(action);
+    EXPECT_EQ(raw(memory, model, Feature::kFound, action), double{outlook.found});
+    EXPECT_EQ(raw(memory, model, Feature::kReach, action), double{outlook.reach});
+    EXPECT_EQ(raw(memory, model, Feature::kDetected, action), double{outlook.detected});
+    EXPECT_EQ(raw(memory, model, Feature::kBorder, action), double{outlook.border});
+    EXPECT_EQ(raw(memory, model, Feature::kRegret, action), double{outlook.regret});
+    EXPECT_EQ(raw(memory, model, Feature::kPreference, action), 1.0 / (1.0 + double{outlook.regret}));
+  }
+}
+
+/// Of an area of 10 km x 20 km: distances to an edge about half of that side and in units of it, as are places of the source; the spread in
+/// units of half of the north side, probabilities as they are, approaches in steps.
+TEST(BeliefState, ScalesEveryElementToAboutOne) {
+  BeliefModel belief = believing_model().belief;
+  belief.area_size = at(10000, 20000);
+  belief.step_length = Meters{500};
+  const ObservationSpec spec = belief_state(belief);
+  std::vector<ObservationElement> expected = {{Feature::kToSouthEdge, 0, 5000.0F, 1.0F / 5000.0F},
+                                              {Feature::kToNorthEdge, 0, 5000.0F, 1.0F / 5000.0F},
+                                              {Feature::kToWestEdge, 0, 10000.0F, 1.0F / 10000.0F},
+                                              {Feature::kToEastEdge, 0, 10000.0F, 1.0F / 10000.0F},
+                                              {Feature::kLikeliestEast, 0, 0.0F, 1.0F / 10000.0F},
+                                              {Feature::kMeanEast, 0, 0.0F, 1.0F / 10000.0F},
+                                              {Feature::kLikeliestNorth, 0, 0.0F, 1.0F / 5000.0F},
+                                              {Feature::kMeanNorth, 0, 0.0F, 1.0F / 5000.0F},
+                                              {Feature::kSpread, 0, 0.0F, 1.0F / 5000.0F},
+                                              {Feature::kLikeliestShare, 0, 0.0F, 1.0F},
+                                              {Feature::kHypothesis, 0, 0.0F, 1.0F}};
+  for (const Feature feature :
+       {Feature::kPreference, Feature::kReach, Feature::kBorder, Feature::kDetected, Feature::kFound, Feature::kApproach}) {
+    for (std::uint8_t action = 0; action < 2; ++action)
+      expected.push_back({feature, action, 0.0F, feature == Feature::kApproach ? 1.0F / 500.0F : 1.0F});
+  }
+  EXPECT_TRUE(std::ranges::equal(spec, expected));
+}
+
+TEST(MemoryState, ScalesStepsShorterThanAMetreToo) {
+  EXPECT_EQ(memory_state(1, Meters{0.5}, Decibels{10}).value()[0].scale, 2.0F);
+}
+
+TEST(MemoryState, HoldsForEveryStepEastNorthAndSnrInTheirUnits) {
+  const ObservationSpec spec = memory_state(2, Meters{500}, Decibels{7}).value();
+  const std::vector<ObservationElement> expected = {
+      {Feature::kStepEast, 0, 0.0F, 1.0F / 500.0F},  {Feature::kStepNorth, 0, 0.0F, 1.0F / 500.0F},
+      {Feature::kStepSnr, 0, 7.0F, 1.0F / 30.0F},    {Feature::kStepEast, 1, 0.0F, 1.0F / 500.0F},
+      {Feature::kStepNorth, 1, 0.0F, 1.0F / 500.0F}, {Feature::kStepSnr, 1, 7.0F, 1.0F / 30.0F}};
+  EXPECT_TRUE(std::ranges::equal(spec, expected));
+}
+
+TEST(SearchMemory, ForgetsItsBeliefAtANewStart) {
+  const ObservationModel model = believing_model();
+  SearchMemory fresh;
+  fresh.start(model, at(5000, 5000), {.snr = Decibels{27}});
+  SearchMemory used;
+  used.start(model, at(1000, 2000), {.snr = Decibels{22}});
+  used.remember(model, at(2000, 2000), {.snr = Decibels{23}});
+  EXPECT_NE(used.belief().fingerprint(model.belief), fresh.belief().fingerprint(model.belief));
+  used.start(model, at(5000, 5000), {.snr = Decibels{27}});
+  EXPECT_EQ(used.belief().fingerprint(model.belief), fresh.belief().fingerprint(model.belief));
+}
+
 TEST(BeliefState, LeavesOutOfItsActionsWhatThereIsNoRoomFor) {
   BeliefModel belief = believing_model().belief;
   while (belief.actions.push_back({1, 0}) == Status::kOk) {
