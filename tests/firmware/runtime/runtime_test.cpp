@@ -181,6 +181,11 @@ TEST(Runtime, TellsWithItsDecisionWhereItBelievesTheSource) {
   ASSERT_TRUE(rig.outputs.decision->belief);
   // The likeliest place lies on the circle of 10 km about the vehicle, in the mission's frame; a cell is 500 m across.
   EXPECT_NEAR(range_between(rig.outputs.decision->belief->likeliest, rig.position).value, 10'000.0, 500.0);
+  const auto memory = std::make_unique<policy::SearchMemory>();  // the same look, 12 km north and 11 km east of the area's corner
+  memory->start(policy_that_believes()->observation, at(12'000, 11'000), {.snr = Decibels{20}});
+  EXPECT_EQ(rig.outputs.decision->belief->likeliest, memory->belief().summary().likeliest + at(-5'000, 1'000));
+  EXPECT_EQ(rig.outputs.decision->belief->mean, memory->belief().summary().mean + at(-5'000, 1'000));
+  EXPECT_EQ(rig.outputs.decision->belief->spread, memory->belief().summary().spread);
   EXPECT_FALSE(Rig(*policy_that_goes(kNorthward)).sail(Order::kStart).decision->belief) << "a policy that sees none holds none";
 }
 

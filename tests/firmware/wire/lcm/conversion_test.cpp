@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "firmware/wire/lcm/encoding.hpp"
 
@@ -67,6 +68,138 @@ TEST(Conversion, GivesAFixWhoseSpeedNobodyKnowsBackAsOne) {
   EXPECT_TRUE(std::isnan(arrived.speed.value));
   EXPECT_TRUE(messages::is_usable(arrived));
   EXPECT_EQ(arrived.heading, fix.heading);
+}
+
+TEST(Conversion, GivesEveryFieldOfAFixAndOfALookBack) {
+  const messages::Navigation fix{.time = Time{5},
+                                 .position = {Meters{1.0}, Meters{2.0}},
+                                 .depth = Meters{3.0},
+                                 .heading = Radians{0.5},
+                                 .speed = MetersPerSecond{1.5}};
+  EXPECT_EQ(from_message(carried(to_message(fix))), fix);
+  const nav_state_t m = carried(to_message(fix));
+  EXPECT_EQ(m.utime, 5);
+  EXPECT_EQ(m.north_m, 1.0);
+  EXPECT_EQ(m.east_m, 2.0);
+  EXPECT_EQ(m.depth_m, 3.0);
+  EXPECT_EQ(m.heading_rad, 0.5);
+  EXPECT_EQ(m.speed_mps, 1.5);
+  for (const bool too_faint : {false, true}) {
+    const messages::SnrMeasurement look{.time = Time{6}, .snr = Decibels{-7.5}, .too_faint = too_faint};
+    EXPECT_EQ(from_message(carried(to_message(look))), look);
+  }
+}
+
+TEST(Conversion, GivesASetpointBackAndSaysWhenItWasSent) {
+  const messages::Setpoint setpoint{
+      .heading = Radians{0.5}, .speed = MetersPerSecond{1.5}, .depth = Meters{300.0}, .waypoint = {Meters{1.0}, Meters{2.0}}};
+  EXPECT_EQ(from_message(carried(to_message(setpoint, Time{7}))), setpoint);
+  EXPECT_EQ(carried(to_message(setpoint, Time{7})).utime, 7);
+}
+
+TEST(Conversion, TellsEveryFieldOfAnAcknowledgement) {
+  const command_acknowledgement_t arrived =
+      carried(to_message(messages::CommandAcknowledgement{.time = Time{5},
+                                                          .port = 3,
+                                                          .issuer = 4'294'967'295,
+                                                          .number = 2'147'483'648,
+                                                          .order = messages::Order::kStart,
+                                                          .outcome = messages::CommandOutcome::kExpired}));
+  EXPECT_EQ(arrived.utime, 5);
+  EXPECT_EQ(arrived.issuer, -1);  // the bus has no numbers without a sign: those of 32 bits come as they lie in memory
+  EXPECT_EQ(arrived.number, std::numeric_limits<std::int32_t>::min());
+  EXPECT_EQ(arrived.command, 1);
+  EXPECT_EQ(arrived.outcome, 3);
+}
+
+messages::Decision decision_of_step_nine() {
+  messages::Decision decision{.step = 9,
+                              .time = Time{5},
+                              .position = {Meters{1.0}, Meters{2.0}},
+                              .snr = Decibels{-7.5},
+                              .too_faint = true,
+                              .action = 6,
+                              .overridden = true,
+                              .waypoint = {Meters{3.0}, Meters{4.0}},
+                              .observation_size = 62,
+                              .action_count = 8,
+                              .belief = {}};
+  for (std::size_t i = 0; i < decision.observation.size(); ++i) decision.observation[i] = 0.5F + static_cast<float>(i);
+  for (std::size_t i = 0; i < decision.logits.size(); ++i) decision.logits[i] = -0.5F - static_cast<float>(i);
+  return decision;
+}
+
+TEST(Conversion, TellsEveryFieldOfADecision) {
+  const decision_t arrived = carried(to_message(decision_of_step_nine()));
+  EXPECT_EQ(arrived.utime, 5);
+  EXPECT_EQ(arrived.step, 9);
+  EXPECT_EQ(arrived.north_m, 1.0);
+  EXPECT_EQ(arrived.east_m, 2.0);
+  EXPECT_EQ(arrived.snr_db, -7.5);
+  EXPECT_EQ(arrived.too_faint, 1);
+  EXPECT_EQ(arrived.detected, 0);
+  EXPECT_EQ(arrived.action, 6);
+  EXPECT_EQ(arrived.overridden, 1);
+  EXPECT_EQ(arrived.waypoint_north_m, 3.0);
+  EXPECT_EQ(arrived.waypoint_east_m, 4.0);
+  EXPECT_EQ(arrived.observation_size, 62);
+  EXPECT_EQ(arrived.action_count, 8);
+  EXPECT_EQ(arrived.observation[0], 0.5F);
+  EXPECT_EQ(arrived.observation[63], 63.5F);
+  EXPECT_EQ(arrived.logits[0], -0.5F);
+  EXPECT_EQ(arrived.logits[31], -31.5F);
+
+  messages::Decision detected = decision_of_step_nine();
+  detected.too_faint = detected.overridden = false;
+  detected.detected = true;
+  EXPECT_EQ(carried(to_message(detected)).detected, 1);
+  EXPECT_EQ(carried(to_message(detected)).too_faint, 0);
+  EXPECT_EQ(carried(to_message(detected)).overridden, 0);
+}
+
+TEST(Conversion, TellsTheBeliefOfADecisionThatHasOneAndZerosOfAnyOther) {
+  messages::Decision decision = decision_of_step_nine();
+  const decision_t without = carried(to_message(decision));
+  EXPECT_EQ(without.believes, 0);
+  for (const double number :
+       {without.likeliest_north_m, without.likeliest_east_m, without.mean_north_m, without.mean_east_m, without.spread_m})
+    EXPECT_EQ(number, 0.0);
+  EXPECT_EQ(without.likeliest_share, 0.0F);
+  EXPECT_EQ(without.effective_cells, 0.0F);
+
+  decision.belief = {.likeliest = {Meters{500.0}, Meters{250.0}},
+                     .mean = {Meters{600.0}, Meters{350.0}},
+                     .spread = Meters{70.0},
+                     .likeliest_share = 0.25F,
+                     .effective_cells = 12.5F};
+  const decision_t with = carried(to_message(decision));
+  EXPECT_EQ(with.believes, 1);
+  EXPECT_EQ(with.likeliest_north_m, 500.0);
+  EXPECT_EQ(with.likeliest_east_m, 250.0);
+  EXPECT_EQ(with.mean_north_m, 600.0);
+  EXPECT_EQ(with.mean_east_m, 350.0);
+  EXPECT_EQ(with.spread_m, 70.0);
+  EXPECT_EQ(with.likeliest_share, 0.25F);
+  EXPECT_EQ(with.effective_cells, 12.5F);
+}
+
+TEST(Conversion, TellsEveryFieldOfHealthAndOfEachPort) {
+  messages::Health health;
+  health.state = messages::MissionState::kAbort;
+  health.end_reason = messages::EndReason::kTimeUsedUp;
+  health.steps_taken = 37;
+  for (const std::uint8_t port : {std::uint8_t{2}, std::uint8_t{5}})
+    EXPECT_EQ(health.ports.push_back({.port = port, .received = 100U + port}), Status::kOk);
+  const health_t arrived = carried(to_message(health, Time{7}));
+  EXPECT_EQ(arrived.utime, 7);
+  EXPECT_EQ(arrived.state, 3);
+  EXPECT_EQ(arrived.end_reason, 7);
+  EXPECT_EQ(arrived.steps_taken, 37);
+  EXPECT_EQ(arrived.port_count, 2);
+  EXPECT_EQ(arrived.ports[0].port, 2);
+  EXPECT_EQ(arrived.ports[1].port, 5);
+  EXPECT_EQ(arrived.ports[1].received, 105);
+  EXPECT_EQ(arrived.ports[2].received, 0);
 }
 
 TEST(Conversion, GivesEveryFieldOfAMissionBack) {

@@ -1,0 +1,79 @@
+#include "firmware/wire/journal/input_record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string_view>
+#include <variant>
+
+#include "firmware/wire/lcm/conversion.hpp"
+
+namespace earshot::wire {
+namespace {
+
+using messages::Input;
+
+const Input kFix{.arrival = Time{70},
+                 .port = 1,
+                 .sequence = 12,
+                 .value = messages::Navigation{.time = Time{5},
+                                               .position = {Meters{1.0}, Meters{2.0}},
+                                               .depth = Meters{3.0},
+                                               .heading = Radians{0.5},
+                                               .speed = MetersPerSecond{1.5}}};
+const Input kLook{.arrival = Time{71},
+                  .port = 0,
+                  .sequence = 13,
+                  .value = messages::SnrMeasurement{.time = Time{6}, .snr = Decibels{-7.5}, .too_faint = true}};
+const Input kCommand{
+    .arrival = Time{72},
+    .port = 7,
+    .sequence = 14,
+    .value = messages::OperatorCommand{.time = Time{7}, .expiry = Time{8}, .issuer = 9, .number = 10, .order = messages::Order::kStart}};
+const Input kReport{.arrival = Time{73},
+                    .port = 2,
+                    .sequence = 15,
+                    .value = messages::PortReport{.port = 2, .link_up = false, .received = 11, .lost = 12, .malformed = 13, .unsent = 14}};
+
+TEST(InputRecord, LiesOnTheChannelOfItsKindWithThePortBehindADot) {
+  EXPECT_EQ(InputRecord(kFix).channel(), "EARSHOT_NAV_STATE.1");
+  EXPECT_EQ(InputRecord(kLook).channel(), "EARSHOT_SNR_ESTIMATE.0");
+  EXPECT_EQ(InputRecord(kCommand).channel(), "EARSHOT_OPERATOR_COMMAND.7");
+  EXPECT_EQ(InputRecord(kReport).channel(), "EARSHOT_PORT_REPORT.2");
+}
+
+TEST(InputRecord, IsReadBackAsTheInputThatItWas) {
+  for (const Input& input : {kFix, kLook, kCommand, kReport}) {
+    const InputRecord record(input);
+    Input read;
+    ASSERT_EQ(read_input(record.channel(), input.arrival, record.data(), input.sequence, read), Status::kOk) << record.channel();
+    EXPECT_EQ(read.arrival, input.arrival);
+    EXPECT_EQ(read.port, input.port);
+    EXPECT_EQ(read.sequence, input.sequence);
+    EXPECT_EQ(read.value, input.value) << record.channel();
+  }
+}
+
+TEST(InputRecord, IsNoneOnAChannelOfAnotherKindOrPort) {
+  const Encoded fix(to_message(std::get<messages::Navigation>(kFix.value)));
+  const auto read_from = [&fix](std::string_view channel) {
+    Input input;
+    return read_input(channel, Time{70}, fix.bytes(), 0, input);
+  };
+  EXPECT_EQ(read_from("EARSHOT_NAV_STATE.0"), Status::kOk);
+  EXPECT_EQ(read_from("EARSHOT_NAV_STATE.7"), Status::kOk);
+  for (const std::string_view channel : {"", "0", ".", ".0", "EARSHOT_NAV_STATE", "EARSHOT_NAV_STATE.", "EARSHOT_NAV_STATE.8",
+                                         "EARSHOT_NAV_STATE./", "EARSHOT_NAV_STATE_0", "EARSHOT_NAV_STATE.00", "EARSHOT_HEALTH.0"})
+    EXPECT_EQ(read_from(channel), Status::kUnsupported) << channel;
+}
+
+TEST(InputRecord, IsMalformedWhenItsBytesAreNotOfItsChannelsType) {
+  const InputRecord fix(kFix);
+  Input input;
+  for (const std::string_view channel : {"EARSHOT_SNR_ESTIMATE.1", "EARSHOT_OPERATOR_COMMAND.1", "EARSHOT_PORT_REPORT.1"})
+    EXPECT_EQ(read_input(channel, Time{70}, fix.data(), 0, input), Status::kMalformed) << channel;
+  EXPECT_EQ(read_input(fix.channel(), Time{70}, fix.data().first(fix.data().size() - 1), 0, input), Status::kMalformed);
+  EXPECT_EQ(read_input(fix.channel(), Time{70}, {}, 0, input), Status::kMalformed);
+}
+
+}  // namespace
+}  // namespace earshot::wire
