@@ -105,6 +105,96 @@ TEST(Freeze, RefusesProvenanceThatAPolicyCannotHold) {
   EXPECT_THROW((void)freeze(checkpoint, policy::ActionDraw::kSampled), host::BadInput);
 }
 
+/// Dense layers of these sizes from one to the next, every weight and bias of each a number of its own.
+TrainedActor actor_of(const std::vector<std::size_t>& sizes) {
+  TrainedActor actor;
+  float number = 0.0F;
+  for (std::size_t i = 0; i + 1 < sizes.size(); ++i) {
+    DenseLayer layer{.inputs = sizes[i], .outputs = sizes[i + 1], .weights = {}, .bias = {}};
+    for (std::size_t w = 0; w < sizes[i] * sizes[i + 1]; ++w) layer.weights.push_back(number += 1e-4F);
+    for (std::size_t b = 0; b < sizes[i + 1]; ++b) layer.bias.push_back(number += 1e-4F);
+    actor.layers.push_back(layer);
+  }
+  return actor;
+}
+
+TEST(Freeze, PutsEveryWeightOfAnActorTrainedElsewhereInItsPlace) {
+  const TrainedActor actor = actor_of({6, 5, 4, 8});
+  const auto frozen = freeze(actor, made_up_checkpoint(), policy::ActionDraw::kArgmax);
+  const policy::Network& network = frozen->network;
+  EXPECT_EQ(network.observation_size, 6U);
+  EXPECT_EQ(network.hidden_sizes, (std::array<std::size_t, 2>{5, 4}));
+  EXPECT_EQ(network.action_count, 8U);
+  const auto expect_layer = [](const DenseLayer& from, const auto& to) {
+    for (std::size_t o = 0; o < from.outputs; ++o) {
+      for (std::size_t i = 0; i < from.inputs; ++i) EXPECT_EQ(to.weight(o, i), from.weights[o * from.inputs + i]) << o << ' ' << i;
+      EXPECT_EQ(to.bias[o], from.bias[o]) << o;
+    }
+  };
+  expect_layer(actor.layers[0], network.first);
+  expect_layer(actor.layers[1], network.second);
+  expect_layer(actor.layers[2], network.output);
+  EXPECT_EQ(frozen->draw, policy::ActionDraw::kArgmax);
+  EXPECT_TRUE(policy::repeats_golden(*frozen, *std::make_unique<policy::SearchMemory>()));
+}
+
+TEST(Freeze, RefusesAnActorThatDoesNotFitItsSearchOrAVehicle) {
+  const auto refused = [](const TrainedActor& actor) {
+    try {
+      (void)freeze(actor, made_up_checkpoint(), policy::ActionDraw::kArgmax);
+    } catch (const host::BadInput& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused(actor_of({6, 64, 64, 8})), "");
+  EXPECT_EQ(refused({}), "has no layers");
+  EXPECT_EQ(refused(actor_of({6, 8})), "has 0 hidden layers; 2 fly");
+  EXPECT_EQ(refused(actor_of({6, 64, 8})), "has 1 hidden layers; 2 fly");
+  EXPECT_EQ(refused(actor_of({6, 4, 4, 4, 8})), "has 3 hidden layers; 2 fly");
+  EXPECT_EQ(refused(actor_of({6, 65, 64, 8})), "hidden layer 1 has 65 units; at most 64 fly");
+  EXPECT_EQ(refused(actor_of({6, 64, 65, 8})), "hidden layer 2 has 65 units; at most 64 fly");
+  EXPECT_EQ(refused(actor_of({5, 4, 4, 8})), "has 5 inputs and 8 outputs; its search description has 6 observations and 8 directions");
+  EXPECT_EQ(refused(actor_of({6, 4, 4, 7})), "has 6 inputs and 7 outputs; its search description has 6 observations and 8 directions");
+  TrainedActor broken = actor_of({6, 5, 4, 8});
+  broken.layers[1] = actor_of({3, 4}).layers[0];
+  EXPECT_EQ(refused(broken), "layer 2 takes 3 inputs, the layer before it gives 5");
+}
+
+TEST(Freeze, KeepsEveryLineOfProvenanceThatIsNotItsOwnNoteOfAWindow) {
+  ppo::Checkpoint checkpoint = made_up_checkpoint();
+  checkpoint.provenance = {{"listening", "mean (quiet)"}, {"listening", "mean (before: noon"}, {"note", "a (before: b)"}};
+  const auto frozen = freeze(checkpoint, policy::ActionDraw::kSampled);
+  const std::string trained(frozen->provenance.begin(), frozen->provenance.end());
+  listen_over(*frozen, {config::Listening::kMean, Duration::seconds(30)});
+  EXPECT_EQ(std::string(frozen->provenance.begin(), frozen->provenance.end()), trained + "listening = mean of 30 s (before: newest)\n");
+  listen_over(*frozen, {});
+  EXPECT_EQ(std::string(frozen->provenance.begin(), frozen->provenance.end()), trained);
+}
+
+TEST(Freeze, RefusesTheLineOfAWindowWhereTheProvenanceIsFull) {
+  ppo::Checkpoint checkpoint = made_up_checkpoint();
+  checkpoint.provenance = {{"a", std::string(config::kMaxProvenance - 5, 'x')}};  // with " = " and the line's end
+  const auto frozen = freeze(checkpoint, policy::ActionDraw::kSampled);
+  EXPECT_EQ(frozen->provenance.size(), config::kMaxProvenance);
+  EXPECT_THROW(listen_over(*frozen, {config::Listening::kMean, Duration::seconds(30)}), host::BadInput);
+}
+
+TEST(Freeze, RefusesWeightsWithWhichLogitsCouldOverflow) {
+  ppo::Checkpoint checkpoint = made_up_checkpoint();
+  std::ranges::fill(checkpoint.parameters, 1e38F);
+  EXPECT_THROW((void)freeze(checkpoint, policy::ActionDraw::kSampled), host::BadInput);
+  TrainedActor actor = actor_of({6, 5, 4, 8});
+  std::ranges::fill(actor.layers[2].weights, 3e38F);
+  EXPECT_THROW((void)freeze(actor, made_up_checkpoint(), policy::ActionDraw::kSampled), host::BadInput);
+}
+
+TEST(Sign, RefusesAPolicyOfASizeThatNoFileHolds) {
+  const auto frozen = freeze(made_up_checkpoint(), policy::ActionDraw::kSampled);
+  frozen->network.hidden_sizes[0] = 65;
+  EXPECT_THROW((void)sign(*frozen, make_key()), host::BadInput);
+}
+
 TEST(Sign, MakesBytesThatTheVehicleParses) {
   const auto frozen = freeze(made_up_checkpoint(), policy::ActionDraw::kSampled);
   const std::vector<std::uint8_t> bytes = sign(*frozen, make_key());

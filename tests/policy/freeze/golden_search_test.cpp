@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -60,6 +61,36 @@ TEST(GoldenSearch, GoesInSeveralDirections) {
     }
     EXPECT_GE(ways.size(), 4U);
   }
+}
+
+TEST(GoldenSearch, IsFlownAgainJustAsInThePoliciesThatShip) {
+  for (const auto& policy : shipped()) {
+    const auto golden = policy->golden;
+    policy->golden = {};
+    fly_golden_searches(*policy);
+    for (std::size_t search = 0; search < config::kGoldenTrajectories; ++search) {
+      for (std::size_t i = 0; i < config::kGoldenSteps; ++i) {
+        EXPECT_EQ(policy->golden[search][i].place, golden[search][i].place) << search << ' ' << i;
+        EXPECT_EQ(policy->golden[search][i].reception, golden[search][i].reception) << search << ' ' << i;
+      }
+    }
+  }
+}
+
+TEST(GoldenSearch, HearsTwoDecibelsLessForEveryKilometreWhereThereIsNoBelief) {
+  policy::FrozenPolicy policy = support::random_walk_policy();  // 25 km by 25 km; the sources at (15, 17.5) and (20, 7.5) km
+  fly_golden_searches(policy);
+  const std::array<NorthEast, 2> sources{NorthEast{Meters{15'000.0}, Meters{17'500.0}}, NorthEast{Meters{20'000.0}, Meters{7'500.0}}};
+  std::set<double> noises_db;
+  for (std::size_t search = 0; search < 2; ++search) {
+    for (const policy::GoldenStep& step : policy.golden[search]) {
+      const double modelled_db = 30.0 - 2.0 * range_between(step.place, sources[search]).value / 1'000.0;
+      noises_db.insert(step.reception.snr.value - modelled_db);
+    }
+  }
+  EXPECT_EQ(noises_db.size(), 12U) << "noise, drawn anew at every step";
+  EXPECT_GE(*noises_db.begin(), -3.0);
+  EXPECT_LT(*noises_db.rbegin(), 3.0);
 }
 
 TEST(GoldenSearch, IsTheSameForTheSamePolicyAndRepeatedByThisBuild) {

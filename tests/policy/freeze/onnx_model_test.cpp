@@ -100,6 +100,71 @@ TEST(OnnxModel, ReadsOneLayerHoweverItIsWritten) {
   expect_the_layer(kEnds + kWeights + node("Flatten", {"x"}, "f") + node("Gemm", {"f", "w", "b"}, "y", kTurned));
 }
 
+TEST(OnnxModel, ReadsWhatOtherExportersWriteBesideIt) {
+  const std::string layer = node("Gemm", {"x", "w", "b"}, "y", kTurned);
+  // Weights among the inputs, too, as up to ONNX's third version; names, notes, shapes and metadata of the graph.
+  expect_the_layer(kEnds + field(11, field(1, "w"s)) + field(11, field(1, "b"s)) + kWeights + layer);
+  expect_the_layer(field(2, "graph"s) + field(10, "notes"s) + field(13, "shape"s) + field(16, "metadata"s) + kEnds + kWeights + layer);
+  expect_the_layer(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned + field(7, "ai.onnx"s)));
+  expect_the_layer(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned + field(7, ""s) + integer_attribute("transA", 0)));
+  expect_the_layer(kEnds + kWeights + node("Identity", {"x"}, "f") + node("Gemm", {"f", "w", "b"}, "y", kTurned));
+  expect_the_layer(kEnds + kWeights + node("Flatten", {"x"}, "f", integer_attribute("axis", 1)) +
+                   node("Gemm", {"f", "w", "b"}, "y", kTurned));
+  // Sides in one packed field, values as floats, a note, data in the file itself.
+  const std::vector<float> values{1, 2, 3, 4, 5, 6};
+  const std::string floats{reinterpret_cast<const char*>(values.data()), 24};
+  const std::string packed = field(1, "\x02\x03"s) + field(2, 1) + field(4, floats) + field(8, "w"s) + field(12, "a note"s) + field(14, 0);
+  expect_the_layer(kEnds + field(5, packed) + field(5, tensor("b", {2}, {7, 8})) + layer);
+}
+
+TEST(OnnxModel, ReadsLayersWithTanhBetween) {
+  const TrainedActor actor = read(kEnds + kWeights + field(5, tensor("v", {2, 1}, {9, 10})) + field(5, tensor("c", {1}, {11})) +
+                                  node("Gemm", {"x", "w", "b"}, "t", kTurned) + node("Tanh", {"t"}, "u") + node("MatMul", {"u", "v"}, "z") +
+                                  node("Add", {"z", "c"}, "y"));
+  ASSERT_EQ(actor.layers.size(), 2U);
+  EXPECT_EQ(actor.layers[1].inputs, 2U);
+  EXPECT_EQ(actor.layers[1].outputs, 1U);
+  EXPECT_EQ(actor.layers[1].weights, (std::vector<float>{9, 10}));
+  EXPECT_EQ(actor.layers[1].bias, (std::vector<float>{11}));
+}
+
+TEST(OnnxModel, SaysWhatItsMetadataSayItWasTrainedToSearch) {
+  const auto entry = [](const std::string& key, const std::string& value) { return field(14, field(1, key) + field(2, value)); };
+  const std::string model = model_of(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned));
+  EXPECT_FALSE(read_onnx_model(model + entry("other", "x")).search.has_value());
+  EXPECT_EQ(read_onnx_model(model + entry("other", "x") + entry("earshot", "{}")).search, "{}");
+  EXPECT_EQ(read_onnx_model(entry("earshot", "{}") + model).search, "{}");
+  EXPECT_NE(refusal([&] { (void)read_onnx_model(model + entry("earshot", "{}") + entry("earshot", "{}")); }).find("given twice"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] { (void)read_onnx_model(model + model); }).find("more than one graph"), std::string::npos);
+}
+
+TEST(OnnxModel, RefusesAGraphOfMoreThanItsInputAndItsOutput) {
+  const std::string layer = kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned);
+  EXPECT_NE(refused(kEnds + layer + field(11, field(1, "z"s))).find("not one input"), std::string::npos);
+  EXPECT_NE(refused(kEnds + layer + field(12, field(1, "z"s))).find("not one input"), std::string::npos);
+  EXPECT_NE(refused(kEnds + layer + field(15, "sparse"s)).find("graph: field 15"), std::string::npos);
+  EXPECT_NE(refused(kEnds + layer + field(5, tensor("b", {2}, {7, 8}))).find("initializer b: given twice"), std::string::npos);
+  EXPECT_NE(refused(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", kTurned + field(2, "z"s))).find("without its one output"),
+            std::string::npos);
+  EXPECT_NE(refused(field(11, field(1, 7)) + layer).find("a text that is a number"), std::string::npos);
+}
+
+TEST(OnnxModel, RefusesMoreOperatorsThanAnyPolicyHas) {
+  const auto of_operators = [](int count) {
+    std::string graph = kEnds + kWeights;
+    std::string last = "x";
+    for (int i = 1; i < count; ++i) {
+      const std::string next = "i" + std::to_string(i);
+      graph += node("Identity", {last}, next);
+      last = next;
+    }
+    return graph + node("Gemm", {last, "w", "b"}, "y", kTurned);
+  };
+  expect_the_layer(of_operators(64));
+  EXPECT_NE(refused(of_operators(65)).find("more operators than any policy"), std::string::npos);
+}
+
 TEST(OnnxModel, RefusesOtherOperatorsByName) {
   const std::string layer = kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "t", kTurned);
   for (const std::string operation : {"Relu", "Softmax", "ArgMax", "Sigmoid", "Constant", "If", "Loop"}) {
@@ -117,6 +182,16 @@ TEST(OnnxModel, RefusesOperatorsWhereANetworkHasNone) {
   EXPECT_NE(refused(layer + node("Tanh", {"t"}, "u") + node("Add", {"t", "u"}, "y")).find("more than one way"), std::string::npos);
   EXPECT_NE(refused(layer + node("Tanh", {"z"}, "y")).find("goes nowhere"), std::string::npos);
   EXPECT_NE(refused(layer).find("not one chain"), std::string::npos);
+  EXPECT_NE(refused(layer + node("Identity", {"t"}, "y")).find("operator Identity where"), std::string::npos);
+  const std::string pair = node("Gemm", {"f", "w", "b"}, "y", kTurned);
+  EXPECT_NE(refused(kEnds + kWeights + node("Flatten", {"x"}, "f", integer_attribute("axis", 0)) + pair).find("operator Flatten where"),
+            std::string::npos);
+  EXPECT_NE(refused(kEnds + kWeights + node("Flatten", {"x"}, "f", integer_attribute("axle", 1)) + pair).find("operator Flatten where"),
+            std::string::npos);
+  EXPECT_NE(refused(kEnds + kWeights + node("Identity", {"x", "w"}, "f") + pair).find("operator Identity where"), std::string::npos);
+  EXPECT_NE(refused(layer + node("Tanh", {"t", "b"}, "y")).find("operator Tanh where"), std::string::npos);
+  const std::string twice = layer + node("Tanh", {"t"}, "u") + node("Gemm", {"u", "w", "b"}, "y", kTurned);
+  EXPECT_NE(refused(twice).find("layer 2 takes 3 inputs, the layer before it gives 2"), std::string::npos);
 }
 
 TEST(OnnxModel, RefusesAnOutputThatWritesOverAnotherValue) {
@@ -136,10 +211,41 @@ TEST(OnnxModel, RefusesAGemmThatIsNoDenseLayer) {
     return refused(kEnds + kWeights + node("Gemm", {"x", "w", "b"}, "y", attributes));
   };
   EXPECT_NE(gemm(kTurned + real_attribute("alpha", 0.5F)).find("alpha"), std::string::npos);
+  EXPECT_NE(gemm(kTurned + real_attribute("beta", 0.5F)).find("beta"), std::string::npos);
+  EXPECT_NE(gemm(integer_attribute("transB", 2)).find("transB"), std::string::npos);
+  EXPECT_NE(gemm(integer_attribute("transB", 0)).find("bias that does not fit"), std::string::npos);
   EXPECT_NE(gemm(kTurned + integer_attribute("transA", 1)).find("transA"), std::string::npos);
   EXPECT_NE(gemm(kTurned + integer_attribute("broadcast", 1)).find("broadcast"), std::string::npos);
   EXPECT_NE(refused(kEnds + kWeights + node("Gemm", {"x", "w"}, "y", kTurned)).find("without a bias"), std::string::npos);
   EXPECT_NE(gemm("").find("bias that does not fit"), std::string::npos);  // [2 x 3] not turned takes 2 inputs, gives 3
+}
+
+TEST(OnnxModel, RefusesAMatMulAndAnAddThatAreNoDenseLayer) {
+  const auto refused_with = [](const std::string& matmul, const std::string& add) {
+    return refused(kEnds + kWeightsTurned + matmul + add);
+  };
+  const std::string matmul = node("MatMul", {"x", "w"}, "t");
+  const std::string add = node("Add", {"t", "b"}, "y");
+  EXPECT_EQ(refused_with(matmul, add), "");
+  EXPECT_NE(refused_with(node("MatMul", {"x", "w", "b"}, "t"), add).find("operator MatMul: not as"), std::string::npos);
+  EXPECT_NE(refused_with(node("MatMul", {"x", "w"}, "t", kTurned), add).find("operator MatMul: not as"), std::string::npos);
+  EXPECT_NE(refused_with(node("MatMul", {"w", "x"}, "t"), add).find("operator MatMul: its weights are not"), std::string::npos);
+  EXPECT_NE(refused_with(matmul, node("Add", {"t", "b", "b"}, "y")).find("operator Add: not as"), std::string::npos);
+  EXPECT_NE(refused_with(matmul, node("Add", {"t", "b"}, "y", kTurned)).find("operator Add: not as"), std::string::npos);
+  EXPECT_NE(refused_with(matmul, node("Add", {"t", "w"}, "y")).find("operator Add: weights of another shape"), std::string::npos);
+  EXPECT_NE(refused_with(matmul, node("Add", {"t", "z"}, "y")).find("operator Add: its weights are not"), std::string::npos);
+}
+
+TEST(OnnxModel, RefusesSidesThatNoWeightsHave) {
+  const std::string rest = kEnds + node("Gemm", {"x", "w", "b"}, "y", kTurned) + field(5, tensor("b", {2}, {7, 8}));
+  EXPECT_NE(refused(rest + field(5, tensor("w", {2, 0}, {}))).find("initializer w: of a size that cannot be"), std::string::npos);
+  EXPECT_NE(refused(rest + field(5, tensor("w", {65'537, 1}, {}))).find("of a size that cannot be"), std::string::npos);
+  EXPECT_NE(refused(rest + field(5, tensor("w", {65'536, 1}, {}))).find("not as many numbers"), std::string::npos);
+  // 2^64 would be none at all
+  EXPECT_NE(refused(rest + field(5, tensor("w", {65'536, 65'536, 65'536, 65'536}, {}))).find("of a size that cannot be"),
+            std::string::npos);
+  const std::string half = field(1, 1) + field(2, 1) + field(8, "w"s) + field(9, "\0\0\0\0\0\0"s);
+  EXPECT_NE(refused(rest + field(5, half)).find("half a number at the end"), std::string::npos);
 }
 
 TEST(OnnxModel, RefusesWeightsThatAreNotPlainFloatsInTheFile) {
@@ -148,6 +254,7 @@ TEST(OnnxModel, RefusesWeightsThatAreNotPlainFloatsInTheFile) {
   EXPECT_NE(refused(rest + field(5, tensor("w", {2, 3}, {1, 2, 3, 4, 5, 6}, 11))).find("not float32"), std::string::npos);
   EXPECT_NE(refused(rest + field(5, tensor("w", {2, 3}, {1, 2, 3, 4, 5}))).find("not as many numbers"), std::string::npos);
   EXPECT_NE(refused(rest + field(5, tensor("w", {2, 3}, {}) + field(13, "x"s))).find("field 13"), std::string::npos);  // external_data
+  EXPECT_NE(refused(rest + field(5, tensor("w", {2, 3}, {1, 2, 3, 4, 5, 6}) + field(14, 1))).find("field 14"), std::string::npos);
   EXPECT_NE(refused(rest + field(5, tensor("w", {6}, {1, 2, 3, 4, 5, 6}))).find("another shape"), std::string::npos);
 }
 

@@ -48,6 +48,104 @@ TEST(Pickle, ReadsPlainDataThatPythonWrote) {
   EXPECT_EQ(pickle.at(tuple.items[2]).real, 1.5);
 }
 
+// pickle.dumps({"a": (False,), "b": (1, 2), "c": [], "long": -70000}, protocol=4), as Python 3.11 writes it.
+const std::string kProtocol4 =
+    "\x80\x04\x95(\x00\x00\x00\x00\x00\x00\x00}\x94(\x8c\x01"
+    "a\x94\x89\x85\x94\x8c\x01"
+    "b\x94K\x01K\x02\x86\x94\x8c\x01"
+    "c\x94]\x94\x8c\x04long\x94J\x90\xee\xfe\xffu."s;
+
+TEST(Pickle, ReadsPlainDataOfALaterProtocol) {
+  const Pickle pickle = read_pickle(kProtocol4, kNothing);
+  const auto value = [&](std::size_t i) { return pickle.at(pickle.top().items.at(i)); };
+  ASSERT_EQ(pickle.top().items.size(), 8U);
+  EXPECT_EQ(value(0).text, "a");
+  ASSERT_EQ(value(1).kind, Kind::kTuple);
+  ASSERT_EQ(value(1).items.size(), 1U);
+  EXPECT_EQ(pickle.at(value(1).items[0]).kind, Kind::kBoolean);
+  EXPECT_EQ(pickle.at(value(1).items[0]).integer, 0);
+  ASSERT_EQ(value(3).items.size(), 2U);
+  EXPECT_EQ(pickle.at(value(3).items[0]).integer, 1);
+  EXPECT_EQ(pickle.at(value(3).items[1]).integer, 2);
+  EXPECT_EQ(value(5).kind, Kind::kList);
+  EXPECT_EQ(value(7).integer, -70'000);
+}
+
+TEST(Pickle, ReadsProtocolsTwoToFive) {
+  for (const char protocol : {'\x02', '\x05'}) EXPECT_EQ(refused("\x80"s + protocol + "N.", kNothing), "");
+  for (const char protocol : {'\x01', '\x06'})
+    EXPECT_NE(refused("\x80"s + protocol + "N.", kNothing).find("unknown protocol"), std::string::npos);
+}
+
+TEST(Pickle, AddsToWhatStandsOnTop) {
+  // pickle.dumps([[7], [7]], protocol=2) and pickle.dumps({"k": 7}, protocol=2)
+  const Pickle lists = read_pickle("\x80\x02]q\x00(]q\x01K\x07"s + "a]q\x02K\x07" + "ae.", kNothing);
+  ASSERT_EQ(lists.top().items.size(), 2U);
+  for (const std::size_t inner : lists.top().items) {
+    ASSERT_EQ(lists.at(inner).items.size(), 1U);
+    EXPECT_EQ(lists.at(lists.at(inner).items[0]).integer, 7);
+  }
+  const Pickle dictionary = read_pickle("\x80\x02}q\x00X\x01\x00\x00\x00kq\x01K\x07s."s, kNothing);
+  ASSERT_EQ(dictionary.top().items.size(), 2U);
+  EXPECT_EQ(dictionary.at(dictionary.top().items[0]).text, "k");
+  EXPECT_EQ(dictionary.at(dictionary.top().items[1]).integer, 7);
+  EXPECT_NE(refused("\x80\x02K\x01K\x07"s + "a.", kNothing).find("expected a list"), std::string::npos);
+  EXPECT_NE(refused("\x80\x02]K\x01K\x07s."s, kNothing).find("expected a dictionary"), std::string::npos);
+  EXPECT_NE(refused("\x80\x02}(K\x01u."s, kNothing).find("a key without a value"), std::string::npos);
+  EXPECT_NE(refused("\x80\x02](K\x07"s + "a.", kNothing).find("expected a list"), std::string::npos) << "it stands below the mark";
+}
+
+TEST(Pickle, RecallsWhatItRememberedByShortAndLongNumbers) {
+  const auto text_of = [](const std::string& bytes) { return read_pickle(bytes, kNothing).top().items; };
+  // The first value is put at 1000 and the second at 7; a tuple of the first, the second and the first again.
+  EXPECT_EQ(text_of("\x80\x02K\x01r\xe8\x03\x00\x00K\x02q\x07j\xe8\x03\x00\x00\x87."s), (std::vector<std::size_t>{0, 1, 0}));
+  EXPECT_EQ(text_of("\x80\x02K\x01r\xe8\x03\x00\x00K\x02q\x07h\x07\x87."s), (std::vector<std::size_t>{0, 1, 1}));
+  EXPECT_EQ(text_of("\x80\x04K\x01\x94K\x02\x94h\x01\x87."s), (std::vector<std::size_t>{0, 1, 1})) << "memoised as 0, 1";
+  EXPECT_NE(refused("\x80\x02q\x00N."s, kNothing).find("remembers a value that is not there"), std::string::npos);
+  EXPECT_NE(refused("\x80\x02h\x00."s, kNothing).find("recalls a value that it never remembered"), std::string::npos);
+}
+
+TEST(Pickle, TakesOnlyADictionaryForItsOwnAttributes) {
+  EXPECT_EQ(refused("\x80\x02}}b."s, kNothing), "");
+  EXPECT_NE(refused("\x80\x02]}b."s, kNothing).find("expected a dictionary"), std::string::npos);
+  EXPECT_NE(refused("\x80\x02}]b."s, kNothing).find("expected a dictionary"), std::string::npos);
+}
+
+TEST(Pickle, ReadsACallOfTheDictionaryThatKeepsItsOrderAsADictionary) {
+  const std::string ordered =
+      "\x80\x02"
+      "ccollections\nOrderedDict\n";
+  EXPECT_EQ(read_pickle(ordered + ")R.", kCalls).top().kind, Kind::kDictionary);
+  EXPECT_EQ(read_pickle(ordered + "N\x85R.", kCalls).top().kind, Kind::kCall) << "of what it is given nothing is known";
+  EXPECT_EQ(read_pickle("\x80\x02"
+                        "cmodule\nname\n)R.",
+                        kCalls)
+                .top()
+                .kind,
+            Kind::kCall);
+  EXPECT_NE(refused("\x80\x02N)R.", kCalls).find("calls what is no function"), std::string::npos);
+  EXPECT_NE(refused(ordered + "NR.", kCalls).find("calls what is no function"), std::string::npos);
+}
+
+TEST(Pickle, WritesDownWhatLiesOutsideOfIt) {
+  const Pickle pickle = read_pickle("\x80\x02K\x07Q.", kNothing);
+  EXPECT_EQ(pickle.top().kind, Kind::kPersistent);
+  EXPECT_EQ(pickle.at(pickle.top().items.at(0)).integer, 7);
+}
+
+TEST(Pickle, IsReadUpToOneMebibyte) {
+  const auto of_size = [](std::size_t size) {  // a text that fills it
+    const std::size_t text = size - 8;
+    std::string bytes = "\x80\x02X";
+    for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(text >> shift & 0xFFU));
+    return bytes + std::string(text, 'x') + ".";
+  };
+  constexpr std::size_t kMost = std::size_t{1024} * 1024;
+  ASSERT_EQ(of_size(kMost).size(), kMost);
+  EXPECT_EQ(refused(of_size(kMost), kNothing), "");
+  EXPECT_NE(refused(of_size(kMost + 1), kNothing).find("over 1 MiB"), std::string::npos);
+}
+
 TEST(Pickle, OnlyWritesDownWhatItNames) {
   const Pickle pickle = read_pickle(
       "\x80\x02"

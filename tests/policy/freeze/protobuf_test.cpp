@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/policy/freeze/bytes.hpp"
 
 namespace earshot::freeze {
@@ -35,6 +37,22 @@ TEST(Protobuf, ReadsFixedNumbersLittleEndian) {
   const std::string bytes = "\x0d\x00\x00\x80\x3f"s;  // field 1, fixed32, the bits of 1.0F
   ProtobufReader reader(bytes);
   EXPECT_EQ(reader.next()->value, 0x3f80'0000U);
+}
+
+TEST(Protobuf, ReadsNumbersOfEightBytesAndAsLongAsTheyMayBe) {
+  const std::string bytes = "\x09\x01\x02\x03\x04\x05\x06\x07\x08\x08"s + std::string(9, '\xff') + "\x01"s;
+  ProtobufReader reader(bytes);
+  EXPECT_FALSE(reader.at_end());
+  EXPECT_EQ(reader.next()->value, 0x0807'0605'0403'0201U);                     // field 1, fixed64
+  EXPECT_EQ(reader.next()->value, std::numeric_limits<std::uint64_t>::max());  // nine times seven bits and one
+  EXPECT_TRUE(reader.at_end());
+}
+
+TEST(Protobuf, KnowsFieldsUpToTheLastNumberThereIs) {
+  const std::string last = "\xf8\xff\xff\xff\x0f\x07"s;  // 2^29 - 1, a varint
+  ProtobufReader reader(last);
+  EXPECT_EQ(reader.next()->number, 0x1FFF'FFFFU);
+  EXPECT_NE(refusal([] { read_all("\x80\x80\x80\x80\x10\x07"s); }).find("without a number"), std::string::npos);  // 2^29
 }
 
 TEST(Protobuf, RefusesWhatIsCutShortOrUnknown) {

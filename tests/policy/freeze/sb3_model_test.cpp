@@ -117,6 +117,63 @@ TEST(Sb3Model, RefusesAModelThatSomebodyChanged) {
   EXPECT_NE(refused_with("policy.pth", [](std::string& weights) { weights.resize(1'000); }).find("policy.pth"), std::string::npos);
 }
 
+TEST(Sb3Model, SaysNothingOfASearchWhereItsFileDoesNot) {
+  EXPECT_FALSE(read_sb3_model(test::model("plain_save.zip")).search.has_value());
+}
+
+TEST(Sb3Model, RefusesAnArchiveOfSomethingElse) {
+  for (const char* missing : {"data", "policy.pth"}) {
+    auto entries = test::unzipped(test::model("memory.zip"));
+    entries.erase(missing);
+    EXPECT_NE(refusal([&] { (void)read_sb3_model(test::zip_of(entries)); }).find("no model of Stable-Baselines3"), std::string::npos);
+  }
+}
+
+TEST(Sb3Model, RefusesSpacesThatNoSearchHas) {
+  const auto with_data = [](const std::string& from, const std::string& to) {
+    return refused_with("data", [&](std::string& data) { data = replaced(data, from, to); });
+  };
+  EXPECT_NE(with_data("discrete.Discrete'", "multi_discrete.MultiDiscrete'").find("action_space: only"), std::string::npos);
+  EXPECT_NE(with_data("spaces.box.Box'", "spaces.dict.Dict'").find("observation_space: only a flat Box"), std::string::npos);
+  EXPECT_NE(with_data("\"dtype\": \"float32\"", "\"dtype\": \"float64\"").find("observation_space: only a flat Box"), std::string::npos);
+  const auto at = test::unzipped(test::model("memory.zip")).at("data").find("\"_shape\": [");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_NE(with_data("\"_shape\": [", "\"_shape\": [1,").find("observation_space: only a flat Box"), std::string::npos);
+}
+
+TEST(Sb3Model, RefusesArgumentsItCannotRead) {
+  const auto with_arguments = [](const std::string& arguments) {
+    return refused_with("data",
+                        [&](std::string& data) { data = replaced(data, "\"policy_kwargs\": {}", "\"policy_kwargs\": " + arguments); });
+  };
+  EXPECT_EQ(with_arguments("{\"net_arch\": [64, 64]}"), "");
+  EXPECT_NE(with_arguments("[]").find("policy_kwargs: not a dictionary"), std::string::npos);
+  EXPECT_NE(with_arguments("{\"activation_fn\": \"Tanh\"}").find("activation_fn: unknown"), std::string::npos);
+  EXPECT_NE(with_arguments("{\":serialized:\": \"!\"}").find("policy_kwargs: not base64"), std::string::npos);
+  EXPECT_NE(with_arguments("{\":serialized:\": \"gAJdLg==\"}").find("policy_kwargs: not a dictionary"), std::string::npos);  // pickled []
+  EXPECT_EQ(with_arguments("{\":serialized:\": \"gAJ9Lg==\"}"), "");                                                         // pickled {}
+  // pickle.dumps({1: 2}, protocol=2) and {"net_arch": 2}
+  EXPECT_NE(with_arguments("{\":serialized:\": \"gAJ9cQBLAUsCcy4=\"}").find("a name that is not a text"), std::string::npos);
+  EXPECT_EQ(with_arguments("{\":serialized:\": \"gAJ9cQBYCAAAAG5ldF9hcmNocQFLAnMu\"}"), "");
+}
+
+TEST(Sb3Model, RefusesAPolicyWithoutOneOfItsLayers) {
+  const auto without = [](const std::string& name) {
+    return refused_with("policy.pth", [&](std::string& weights) {
+      auto inner = test::unzipped(weights);
+      std::string& pickle = inner.at("archive/data.pkl");
+      std::string other = name;
+      other.back() = '_';
+      pickle = replaced(pickle, name, other);
+      weights = test::zip_of(inner);
+    });
+  };
+  EXPECT_NE(without("action_net.weight").find("policy.pth: has no action_net"), std::string::npos);
+  EXPECT_NE(without("action_net.bias").find("policy.pth: has no action_net"), std::string::npos);
+  EXPECT_NE(without("mlp_extractor.policy_net.2.bias").find("has no mlp_extractor.policy_net.2"), std::string::npos);
+  EXPECT_NE(without("mlp_extractor.policy_net.2.weight").find("mlp_extractor.policy_net.2.bias: not a weight"), std::string::npos);
+}
+
 TEST(Sb3Model, RefusesAStateDictWithMoreInIt) {
   const std::string message = refused_with("policy.pth", [](std::string& weights) {
     auto inner = test::unzipped(weights);

@@ -30,16 +30,17 @@ TEST(StateDict, HoldsEveryWeightBitForBit) {
 
 /// One tensor "w" as torch.save writes it. @param numbers  pickled: storage size, then offset, shape, strides
 struct Saved {
-  std::string type = "FloatStorage";
+  std::string type = "ctorch\nFloatStorage\n";
   char count = 6;
   char offset = 0;
   std::string shape = "K\x02K\x03\x86";
   std::string strides = "K\x03K\x01\x86";
+  std::string word = "storage";
   std::string callee = "ctorch._utils\n_rebuild_tensor_v2\n";
 
   [[nodiscard]] std::string bytes() const {
-    const std::string storage = "(X\x07\0\0\0storagectorch\n"s + type +
-                                "\nX\x01\0\0\0"
+    const std::string storage = "(X\x07\0\0\0"s + word + type +
+                                "X\x01\0\0\0"
                                 "0X\x03\0\0\0"
                                 "cpuK"s +
                                 count + "tQ";
@@ -69,9 +70,19 @@ TEST(StateDict, ReadsAPartOfAStorage) {
   EXPECT_EQ(state.at("w").values, (std::vector<float>{2.0F, 3.0F, 4.0F}));
 }
 
+TEST(StateDict, ReadsASideOfOneWhateverItsStride) {
+  const StateDict state = read_state_dict(Saved{.shape = "K\x01K\x03\x86", .strides = "K\x09K\x01\x86"}.bytes());
+  EXPECT_EQ(state.at("w").values, (std::vector<float>{0.0F, 1.0F, 2.0F}));
+}
+
 TEST(StateDict, RefusesTensorsItWouldMisread) {
-  EXPECT_NE(Saved{.type = "DoubleStorage"}.refused().find("torch.DoubleStorage"), std::string::npos);
+  EXPECT_NE(Saved{.type = "ctorch\nDoubleStorage\n"}.refused().find("torch.DoubleStorage"), std::string::npos);
   EXPECT_NE((Saved{.strides = "K\x01K\x02\x86"}.refused().find("row by row")), std::string::npos);
+  EXPECT_NE(Saved{.type = "ccollections\nOrderedDict\n"}.refused().find("tensor w: not float32"), std::string::npos);
+  EXPECT_NE(Saved{.type = "X\x12\0\0\0torch.FloatStorage"s}.refused().find("tensor w: not float32"), std::string::npos) << "a text";
+  EXPECT_NE(Saved{.word = "storagf"}.refused().find("tensor w: has no storage"), std::string::npos);
+  EXPECT_NE((Saved{.strides = "K\x04K\x01\x86"}.refused().find("row by row")), std::string::npos);
+  EXPECT_NE((Saved{.shape = "K\x06\x85"}.refused().find("row by row")), std::string::npos) << "more strides than sides";
   EXPECT_NE(Saved{.offset = 1}.refused().find("beyond its storage"), std::string::npos);
   EXPECT_NE((Saved{.shape = "K\x09K\x03\x86"}.refused().find("beyond its storage")), std::string::npos);
   EXPECT_NE((Saved{.shape = "K\0K\x03\x86"s}.refused().find("size that cannot be")), std::string::npos);

@@ -9,9 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "firmware/core/crc32.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/freeze/freeze.hpp"
+#include "tests/support/signed_policy.hpp"
 
 namespace earshot::freeze {
 namespace {
@@ -103,6 +105,74 @@ TEST(Thaw, FliesTheGoldenSearchesAnewWhereAnotherBuildsArithmeticMadeThem) {
   const Bytes right = sign(*policy, key);
   policy->golden[0][3].logits[1] += 1.0F;
   EXPECT_EQ(sign(*thaw(sign(*policy, key), "new.policy"), key), right);
+}
+
+void put_number(Bytes& bytes, std::size_t at, std::uint64_t number, std::size_t size) {
+  for (std::size_t i = 0; i < size; ++i) bytes.at(at + i) = static_cast<std::uint8_t>(number >> (8 * i));
+}
+
+/// With length, key, checksum and signature to match: 32, 4 and 64 bytes at the end.
+Bytes sealed(Bytes bytes) {
+  const std::size_t size = bytes.size();
+  put_number(bytes, 12, size, 4);
+  std::ranges::copy(support::public_key(), bytes.end() - 100);
+  put_number(bytes, size - 68, crc32(std::span(bytes).first(size - 68)), 4);
+  support::sign(bytes);
+  return bytes;
+}
+
+TEST(Thaw, RefusesSizesOfVersion3ThatNoVehicleHolds) {
+  const Bytes whole = bytes_of("version_3_belief.policy");
+  EXPECT_EQ(refusal_of(sealed(whole)), "");
+  const auto with = [&](std::size_t at, std::uint64_t number, std::size_t size) {
+    Bytes bytes = whole;
+    put_number(bytes, at, number, size);
+    return refusal_of(sealed(bytes));
+  };
+  const std::string too_many = "old.policy: has a size that is zero or more than a vehicle can hold";
+  EXPECT_EQ(with(16, 2, 1), "old.policy: has another activation than tanh");
+  EXPECT_EQ(with(18, 0, 1), too_many) << "observations";
+  EXPECT_EQ(with(18, config::kMaxObservation + 1, 1), too_many);
+  EXPECT_EQ(with(19, 0, 1), too_many) << "actions";
+  EXPECT_EQ(with(19, config::kMaxActions + 1, 1), too_many);
+  EXPECT_EQ(with(20, 0, 2), too_many) << "units";
+  EXPECT_EQ(with(22, 65, 2), too_many);
+  EXPECT_EQ(with(56, config::kMaxProvenance + 1, 4), too_many);
+  EXPECT_EQ(with(60, config::kMaxBeliefHypotheses + 1, 2), too_many);
+  EXPECT_EQ(with(62, config::kMaxBeliefRanges + 1, 2), too_many);
+  for (const std::size_t at : {18U, 19U, 20U, 22U, 60U, 62U})
+    EXPECT_EQ(with(at, whole[at] - 1U, 1), "old.policy: is not as long as what it holds") << at;
+}
+
+TEST(Thaw, RefusesBytesShorterThanWhatEveryPolicyEndsWith) {
+  Bytes bytes = bytes_of("version_3_simple.policy");
+  bytes.resize(99);
+  put_number(bytes, 12, 99, 4);
+  EXPECT_EQ(refusal_of(bytes), "old.policy: is not as long as it says");
+  Bytes longer = bytes_of("version_3_simple.policy");
+  longer.push_back(0);
+  EXPECT_EQ(refusal_of(longer), "old.policy: is not as long as it says");
+  EXPECT_EQ(refusal_of(sealed(longer)), "old.policy: is not as long as what it holds");
+}
+
+TEST(Thaw, KeepsABeliefOfOneHypothesis) {
+  // The simple policy with a belief that it does not show: as much as there can be least.
+  const Bytes belief = bytes_of("version_3_belief.policy");
+  constexpr std::ptrdiff_t kBelief = 64 + 62 * 12 + 8 * 16;
+  Bytes bytes = bytes_of("version_3_simple.policy");
+  bytes.insert(bytes.begin() + 64 + 2 * 12 + 8 * 16, belief.begin() + kBelief, belief.begin() + kBelief + 36 + 12);
+  put_number(bytes, 60, 1, 2);
+  const auto policy = thaw(sealed(bytes), "old.policy");
+  ASSERT_EQ(policy->observation.belief.hypotheses.size(), 1U);
+  EXPECT_EQ(policy->observation.belief.hypotheses[0].prior, 2.0F);
+  EXPECT_EQ(policy->observation.belief.range_step, Meters{100.0});
+  EXPECT_EQ(policy->network.first.weight(0, 0), float_at(bytes, 64 + 2 * 12 + 8 * 16 + 36 + 12));
+}
+
+TEST(Thaw, KnowsAPolicyByItsFirstBytes) {
+  EXPECT_TRUE(is_policy("EARSHOTP and more"));
+  EXPECT_FALSE(is_policy("EARSHOT"));
+  EXPECT_FALSE(is_policy("{\"format\": \"EARSHOTP\"}"));
 }
 
 TEST(Thaw, RefusesWhatIsDamagedCutOrSignedByNobody) {

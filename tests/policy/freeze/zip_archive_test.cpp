@@ -43,6 +43,25 @@ TEST(ZipArchive, RefusesAnEntryThatUnpacksToMoreThanItMay) {
   EXPECT_NE(refusal([&] { (void)archive.read("bomb"); }).find("over 16 MiB"), std::string::npos);
 }
 
+TEST(ZipArchive, UnpacksAnEntryOfJustAsMuchAsItMay) {
+  const std::string bytes = test::zip_of({{"large", std::string(ZipArchive::kMaxEntryBytes, 'x')}});
+  EXPECT_EQ(ZipArchive(bytes).read("large"), std::string(ZipArchive::kMaxEntryBytes, 'x'));
+}
+
+TEST(ZipArchive, RefusesAnEntryPackedByAMethodThatNobodyKnows) {
+  std::string bytes = test::zip_of({{"a", "alpha"}});
+  bytes[bytes.find("PK\x03\x04") + 8] = 77;   // the method, in the entry itself
+  bytes[bytes.find("PK\x01\x02") + 10] = 77;  // and in the directory
+  const ZipArchive archive(bytes);
+  EXPECT_NE(refusal([&] { (void)archive.read("a"); }).find("entry a cannot be unpacked"), std::string::npos);
+}
+
+TEST(ZipArchive, RefusesTwoEntriesOfOneName) {
+  std::string bytes = test::zip_of({{"a", "alpha"}, {"b", "beta"}});
+  bytes[bytes.find("PK\x01\x02", bytes.find("PK\x01\x02") + 1) + 46] = 'a';  // of the directory's second entry
+  EXPECT_NE(refusal([&] { ZipArchive{bytes}; }).find("names an entry twice"), std::string::npos);
+}
+
 TEST(ZipArchive, SaysWhichEntryIsMissing) {
   const std::string bytes = test::zip_of({{"a/data.pkl", ""}, {"b/data.pkl", ""}});
   const ZipArchive archive(bytes);
