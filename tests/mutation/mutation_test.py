@@ -43,6 +43,13 @@ class Finding(unittest.TestCase):
         text = "int f(int, int, double);\nint g(int a, int b, double c) { return f(a, b, c); }"
         self.assertEqual({c for c in told(text) if "swapped" in c}, {"swapped arguments: f(a, b, c): a <-> b"})
 
+    def test_swaps_nothing_where_a_constructor_names_a_member_or_a_base(self):
+        text = (
+            "struct A { A(int, int); };\nint f(int, int);\n"
+            "struct B : A { B(int a, int b) : A(a, b), c(a, b), d(f(a, b)) {} A c; int d; };"
+        )
+        self.assertEqual({c for c in told(text) if "swapped" in c}, {"swapped arguments: f(a, b): a <-> b"})
+
     def test_leaves_out_statements_and_takes_checks_away(self):
         found = told("void f(int& a) { if (a > 3) a = 2; ++a; }")
         self.assertLessEqual(

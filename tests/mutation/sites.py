@@ -97,6 +97,7 @@ class _Reader:
         self.bytes = file.read_bytes()
         self.faults: list[Fault] = []
         self.constant = False
+        self.named: set[int] = set()  # where constructors name what they initialise: no expression begins there
         self.macros = [
             (c.extent.start.offset, c.extent.end.offset)
             for c in unit.cursor.get_children()
@@ -195,6 +196,8 @@ class _Reader:
         self.constant = before
 
     def function_body(self, cursor: Cursor, children: list[Cursor]) -> None:
+        names = [c for c in children if c.kind in (CursorKind.MEMBER_REF, CursorKind.TYPE_REF)]
+        self.named |= {c.extent.start.offset for c in names}
         self.visit_all(children)
         body = next((c for c in children if c.kind == CursorKind.COMPOUND_STMT), None)
         is_plain = cursor.kind not in (CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR)
@@ -303,7 +306,8 @@ class _Reader:
                 self.binary(cursor, left, right)
                 return self.visit_all([left, right])
         given = [a for a in cursor.get_arguments() if a is not None and a.extent.end.offset > a.extent.start.offset]
-        for one, other in _neighbours(given):
+        is_initialiser = cursor.extent.start.offset in self.named
+        for one, other in _neighbours([] if is_initialiser else given):
             if self.of(one) != self.of(other) and _same_type(one, other):
                 self.swap(cursor, one, other)
         first = children[:1] if children and children[0].kind == CursorKind.MEMBER_REF_EXPR else []
