@@ -182,7 +182,9 @@ class Measuring(unittest.TestCase):
         status, said = self.measured(entry + 'change = "400 -> 400 + 1"\n')
         self.assertIn("bounds.cpp: 2 of 3 noticed, 67 %", said)
 
-        with self.assertRaisesRegex(SystemExit, r"no such fault \(any more\):\s+firmware/core/bounds.cpp: return depth"):
+        with self.assertRaisesRegex(
+            SystemExit, r"no such fault \(any more\):\s+firmware/core/bounds.cpp: return depth"
+        ):
             self.measured(entry + 'change = "500 -> 500 + 1"\n')
 
 

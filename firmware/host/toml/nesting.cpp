@@ -37,7 +37,6 @@ std::optional<std::size_t> line_nested_too_deep(std::string_view toml) {
       i = std::min(toml.find('\n', i), toml.size()) - 1;
     } else if (c == '[' || c == '{') {
       ++open;
-      dots = 0;
     } else if (c == ']' || c == '}') {
       open -= std::min<std::size_t>(open, 1);
     } else if (c == '.') {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <sys/wait.h>
@@ -64,6 +65,20 @@ TEST_F(FolderLock, NamesAFolderThatIsNotThere) {
     FAIL() << "a folder that is not there is locked";
   } catch (const std::system_error& e) {
     EXPECT_NE(std::string(e.what()).find((folder_ / "none").string()), std::string::npos) << e.what();
+    EXPECT_EQ(e.code(), std::errc::no_such_file_or_directory);
+  }
+}
+
+TEST_F(FolderLock, TellsAFileThatIsBeingWrittenFromOneThatIsNot) {
+  const fs::path path = folder_ / "journal";
+  const FileDescriptor writer(::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600));
+  EXPECT_NO_THROW(require_not_being_written(path));
+  mark_as_written(writer, path);
+  try {
+    require_not_being_written(path);
+    FAIL() << "a file is read while it is written";
+  } catch (const FolderInUse& e) {
+    EXPECT_EQ(std::string(e.what()), path.string() + ": host_file_test (process " + std::to_string(::getpid()) + ") is writing this file");
   }
 }
 

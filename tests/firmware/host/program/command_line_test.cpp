@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include "firmware/host/file/bad_input.hpp"
@@ -56,6 +57,49 @@ TEST(CommandLine, PutsEveryValueWhereItBelongs) {
   EXPECT_EQ(e.files, (Words{"a", "b"}));
   EXPECT_TRUE(e.map);
   EXPECT_EQ(e.line.given(), (Words{"FILE", "--seed", "--depth-m", "--out", "--band-hz", "--map"}));
+}
+
+TEST(CommandLine, ReadsWhatFollowsTheProgramsName) {
+  Example e;
+  const std::array<const char*, 3> words{"earshot-try", "--seed", "7"};
+  EXPECT_EQ(e.line.read(3, words.data()), std::nullopt);
+  EXPECT_EQ(e.seed, 7U);
+  EXPECT_EQ(Example().line.read(1, words.data()), std::nullopt);
+  EXPECT_EQ(Example().line.read(0, words.data()), std::nullopt) << "a caller may even leave out the name";
+}
+
+TEST(CommandLine, KeepsTheBoundsOfARange) {
+  EXPECT_EQ(Example().complaint({"--depth-m", "0"}), "");
+  EXPECT_EQ(Example().complaint({"--depth-m", "12000"}), "");
+  EXPECT_EQ(Example().complaint({"--depth-m=-0.001"}),
+            "earshot try: --depth-m: -0.001: must be a number from 0 to 12000 (earshot try --help lists all)");
+  EXPECT_EQ(Example().complaint({"--depth-m", "12000.1"}),
+            "earshot try: --depth-m: 12000.1: must be a number from 0 to 12000 (earshot try --help lists all)");
+  EXPECT_EQ(Example().complaint({"--spacing-m", "0.5"}), "");
+  EXPECT_EQ(Example().complaint({"--spacing-m", "0"}),
+            "earshot try: --spacing-m: 0: must be a number greater than 0 (earshot try --help lists all)");
+}
+
+TEST(CommandLine, TakesZeroWhereOnlyLessIsRefused) {
+  double margin_m = 1.0;
+  CommandLine line("earshot try", "Tries.");
+  line.option("--margin-m", &margin_m, "margin").not_negative();
+  EXPECT_EQ(line.read(Words{"--margin-m", "0"}), std::nullopt);
+  EXPECT_EQ(margin_m, 0.0);
+  EXPECT_THROW((void)line.read(Words{"--margin-m=-0.1"}), host::BadInput);
+}
+
+TEST(CommandLine, TakesAsManyValuesAsItIsToldTo) {
+  std::vector<double> at_m;
+  std::vector<std::string> names;
+  CommandLine line("earshot try", "Tries.");
+  line.option("--at-m", &at_m, "places").takes(2, 3);
+  line.option("--names", &names, "names").separated_by(',');
+  EXPECT_THROW((void)line.read(Words{"--at-m", "1"}), host::BadInput);
+  EXPECT_EQ(line.read(Words{"--at-m", "1", "2", "3", "--names", "fin,blue"}), std::nullopt);
+  EXPECT_EQ(at_m, (std::vector<double>{1.0, 2.0, 3.0}));
+  EXPECT_EQ(names, (Words{"fin", "blue"}));
+  EXPECT_THROW((void)line.read(Words{"--at-m", "1", "2", "3", "4"}), host::BadInput);
 }
 
 TEST(CommandLine, NamesTheOptionThatWasMeant) {

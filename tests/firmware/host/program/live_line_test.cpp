@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <string>
+#include <thread>
 
 #include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/program/progress_bar.hpp"
@@ -70,6 +72,24 @@ TEST(LiveLine, LeavesTheTerminalAloneBeforeASecondIsOverAndWhenNothingWasDrawn) 
     bar.update(0.5);
   }
   EXPECT_EQ(terminal.shown(), "");
+}
+
+TEST(ProgressBar, ShowsWhatIsDoneOnceItTakesLongerThanASecond) {
+  winsize wide{.ws_row = 5, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
+  const Terminal terminal;
+  EXPECT_EQ(::ioctl(STDERR_FILENO, TIOCSWINSZ, &wide), 0);
+  ProgressBar bar("reading");
+  std::string shown;
+  while (shown.empty()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    bar.update(0.0);  // how long it will take is not known yet
+    EXPECT_EQ(terminal.shown(), "");
+    bar.update(0.5);
+    shown = terminal.shown();
+  }
+  // As much time is left as has passed, and that is a second and a little.
+  EXPECT_EQ(shown.rfind("\rreading [###############...............]  50 %, ", 0), 0U) << shown;
+  EXPECT_TRUE(shown.ends_with(" s left\033[K")) << shown;
 }
 
 TEST(LiveLine, IsNotThereForWhoWantsQuiet) {

@@ -88,9 +88,8 @@ TEST(Run, TurnsWhatIsThrownIntoOneMessageWithoutControlCharacters) {
   EXPECT_EQ(ran([]() -> int { throw host::BadInput("mission.toml: depth_m is \033[2J"); }).error, "mission.toml: depth_m is \\x1b[2J\n");
   EXPECT_EQ(ran([]() -> int { throw std::runtime_error("no such bus"); }).error, "earshot try: no such bus\n");
   EXPECT_EQ(ran([]() -> int { throw std::bad_alloc(); }).error, "earshot try: not enough memory for what was asked\n");
-  const Ran unreadable = ran([]() -> int {
-    throw std::filesystem::filesystem_error("status", "/sea/floor", std::make_error_code(std::errc::permission_denied));
-  });
+  const Ran unreadable = ran(
+      []() -> int { throw std::filesystem::filesystem_error("status", "/sea/floor", std::make_error_code(std::errc::permission_denied)); });
   EXPECT_EQ(unreadable.error, "/sea/floor: cannot be read or written: Permission denied\n");
   EXPECT_EQ(unreadable.status, kBadInput);
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <csignal>
+#include <cstdlib>
 #include <optional>
 #include <ostream>
 #include <sstream>
@@ -70,6 +71,18 @@ TEST_F(PatientStreamTest, LeavesOutWhatNobodyReadsAndSaysSoToWhoReadsAgain) {
   (void)read();
   stream_ << "read again\n";
   EXPECT_EQ(read(), "(2 lines are left out here: nobody read them in time)\nread again\n");
+}
+
+TEST(OpenStandardStreams, LeavesNoClosedOneForAFileOfTheProgramsOwn) {
+  const auto close_then_open = [] {
+    (void)::close(STDIN_FILENO);
+    (void)::close(STDOUT_FILENO);
+    open_standard_streams();
+    const bool is_read_only = (::fcntl(STDOUT_FILENO, F_GETFL) & O_ACCMODE) == O_RDONLY;
+    const bool is_taken = ::open("/dev/null", O_WRONLY) > STDERR_FILENO;
+    std::exit(is_read_only && is_taken && ::write(STDOUT_FILENO, "!", 1) < 0 ? 0 : 1);
+  };
+  EXPECT_EXIT(close_then_open(), testing::ExitedWithCode(0), "");
 }
 
 TEST_F(PatientStreamTest, FailsWhenItsReaderIsGone) {

@@ -15,6 +15,8 @@ TEST(Suggestion, FindsEachKindOfSlip) {
   EXPECT_EQ(nearest("trrain", kVerbs), "train");       // one too many
   EXPECT_EQ(nearest("explaim", kVerbs), "explain");    // another
   EXPECT_EQ(nearest("evalaute", kVerbs), "evaluate");  // exchanged further in
+  EXPECT_EQ(nearest("rtain", kVerbs), "train");        // exchanged at the beginning
+  EXPECT_EQ(nearest("trein", kVerbs), "train");        // another, in a word so short that two slips are too many
 }
 
 TEST(Suggestion, IsSilentWhereNothingIsNear) {
@@ -27,6 +29,13 @@ TEST(Suggestion, IsSilentWhereNothingIsNear) {
 TEST(Suggestion, PrefersFewerSlips) {
   const std::vector<std::string> options{"--speed", "--seeds", "--seed"};
   EXPECT_EQ(did_you_mean("--sed", options), "; did you mean --seed?");
+  const std::vector<std::string> nearest_first{"--seed", "--speeds"};
+  EXPECT_EQ(nearest("--seeed", nearest_first), "--seed");
+}
+
+TEST(Suggestion, TakesTheFirstOfThoseThatAreEquallyNear) {
+  const std::vector<std::string> options{"--seed", "--seen"};
+  EXPECT_EQ(nearest("--see", options), "--seed");
 }
 
 }  // namespace

@@ -101,6 +101,22 @@ TEST(TableReader, FallsBackOnEveryKindOfValue) {
   EXPECT_NO_THROW(file.finish());
 }
 
+TEST(TableReader, TakesSeveralWordsEachOnce) {
+  const auto roles_of = [](const std::string& toml, std::vector<std::size_t>& roles) {
+    return complaint(toml, [&](TableReader& root) { roles = root.choices("roles", {"sees", "hears", "steers"}); });
+  };
+  std::vector<std::size_t> roles;
+  EXPECT_EQ(roles_of("roles = ['steers', 'sees']\n", roles), "");
+  EXPECT_EQ(roles, (std::vector<std::size_t>{2, 0}));
+  const std::string wanted = R"(: must be one of "sees", "hears", "steers", or several of them in an array, each once)";
+  EXPECT_EQ(roles_of("roles = 3\n", roles), ":1: roles = 3" + wanted);
+  EXPECT_EQ(roles, (std::vector<std::size_t>{0}));
+  EXPECT_EQ(roles_of("roles = []\n", roles), ":1: roles" + wanted);
+  EXPECT_EQ(roles_of("roles = ['sees', 'sees']\n", roles), ":1: roles" + wanted);
+  EXPECT_EQ(roles_of("roles = ['sees', 'swims']\n", roles), ":1: roles" + wanted);
+  EXPECT_EQ(roles_of("roles = ['sees', 1]\n", roles), ":1: roles" + wanted);
+}
+
 TEST(TableReader, RefusesWhatIsNoTruthValueNoArrayAndNoTable) {
   const std::string said = complaint("dry = 1\nat_m = 2.0\nport = 3\nsea = 4\n", [](TableReader& root) {
     EXPECT_TRUE(root.boolean_or("dry", true));
