@@ -1,4 +1,4 @@
-"""Which faults are found in a file, whether a planted one does what it says, and which of them a test notices. Run by ctest."""
+"""Which faults are found in a file, whether a planted one does what it says, and which of them a test notices."""
 
 import argparse
 import contextlib
