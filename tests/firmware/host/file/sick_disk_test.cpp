@@ -25,11 +25,11 @@ namespace {
 
 /// What the disk does from now on; 0: nothing unusual.
 struct Sickness {
-  std::size_t most_at_once = 0;      ///< bytes that are written or read
-  int interruptions = 0;             ///< so many calls of write and read are interrupted first
+  std::size_t most_at_once = 0;  ///< bytes that are written or read
+  int interruptions = 0;         ///< so many calls of write and read are interrupted first
   int write_error = 0;
   int read_error = 0;
-  int open_error = 0;                ///< of files that are read
+  int open_error = 0;  ///< of files that are read
   int content_sync_error = 0;
   int folder_sync_error = 0;
   int lock_error = 0;
