@@ -160,6 +160,62 @@ TEST(Learner, GivesTheSameParametersForTheSameSeedWhereverTheHeapPutsThem) {
   EXPECT_NE(learned(2), first);
 }
 
+/// A learner of the made-up rollout that stays as it is.
+UpdateReport report_of(const HyperParameters& hyper, std::uint64_t seed = 1) {
+  Rollout rollout = made_up_rollout();
+  estimate(rollout);
+  Pcg32 initial(1);
+  parallel::Alone alone;
+  Learner learner(kShape, hyper, initial, alone);
+  Pcg32 random(seed);
+  return learner.update(rollout, 0.0, random);
+}
+
+TEST(Learner, MeansItsFiguresOverAllMinibatches) {
+  HyperParameters hyper;
+  hyper.environment_count = kEnvironments;
+  hyper.steps_per_rollout = kSteps;
+  hyper.epochs = 3;
+  hyper.batch_size = kSamples;
+  const UpdateReport whole = report_of(hyper);
+  EXPECT_EQ(whole.minibatches, 3U);
+  hyper.batch_size = kSamples / 4;
+  const UpdateReport quarters = report_of(hyper);
+  EXPECT_EQ(quarters.minibatches, 12U);
+  // Means of quarters of one size are that of the whole where no minibatch is normalised by itself; floats of order 1.
+  EXPECT_NEAR(quarters.value_loss, whole.value_loss, 1e-5);
+  EXPECT_NEAR(quarters.entropy, whole.entropy, 1e-5);
+  EXPECT_NEAR(quarters.approximate_kl, whole.approximate_kl, 1e-5);
+  EXPECT_NEAR(quarters.clip_fraction, whole.clip_fraction, 1e-5);
+  EXPECT_GT(whole.clip_fraction, 0.1);
+  EXPECT_GT(whole.approximate_kl, 0.01);
+}
+
+TEST(Learner, ShufflesItsSamplesByItsRandomNumbers) {
+  HyperParameters hyper;
+  hyper.environment_count = kEnvironments;
+  hyper.steps_per_rollout = kSteps;
+  hyper.epochs = 1;
+  hyper.batch_size = kSamples / 4;
+  std::vector<double> norms;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) norms.push_back(report_of(hyper, seed).gradient_norm);
+  std::ranges::sort(norms);
+  EXPECT_EQ(std::ranges::adjacent_find(norms), norms.end()) << "other quarters, other gradients";
+}
+
+TEST(Learner, EndsAnUpdateWhereThePolicyHasMovedHalfAsFarAgainAsItMay) {
+  HyperParameters hyper;
+  hyper.environment_count = kEnvironments;
+  hyper.steps_per_rollout = kSteps;
+  hyper.epochs = 3;
+  hyper.batch_size = kSamples;
+  const double moved = report_of(hyper).approximate_kl;
+  hyper.target_kl = moved / 1.5 * 1.001;
+  EXPECT_EQ(report_of(hyper).minibatches, 3U);
+  hyper.target_kl = moved / 1.5 * 0.999;
+  EXPECT_EQ(report_of(hyper).minibatches, 1U);
+}
+
 TEST(Learner, LearnsFromALargeMinibatchInSlicesAsIfFromAllOfItAtOnce) {
   constexpr std::size_t kLarge = 600;  // more than two slices
   Rollout rollout = made_up_rollout(kLarge / kEnvironments);

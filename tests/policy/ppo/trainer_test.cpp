@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace earshot::ppo {
@@ -122,6 +123,150 @@ TEST_F(TrainerTest, LowersTheLearningRateWithTheStepsTaken) {
   Trainer trainer(world, simple, hyper, 1);
   EXPECT_DOUBLE_EQ(trainer.advance(ignore).learning_rate, 3e-4 * 0.75);  // 600 of 2400 steps, as Stable-Baselines3 counts
   EXPECT_DOUBLE_EQ(trainer.advance(ignore).learning_rate, 3e-4 * 0.5);
+}
+
+TEST_F(TrainerTest, KeepsTheLearningRateAtZeroOnceItHasFallenThere) {
+  hyper.decay_steps = 1'000;
+  const search::World world(settings, curve);
+  Trainer trainer(world, simple, hyper, 1);
+  EXPECT_DOUBLE_EQ(trainer.advance(ignore).learning_rate, 3e-4 * 0.4);
+  EXPECT_EQ(trainer.advance(ignore).learning_rate, 0.0);  // after 1200 steps
+}
+
+/// A trainer whose networks see nothing: of every place they say these logits and this value.
+void say_everywhere(Trainer& trainer, const std::vector<float>& logits, float value) {
+  std::vector<float> parameters(trainer.networks().parameters().size());
+  std::ranges::copy(logits, parameters.begin() + trainer.networks().layout().logits.bias());
+  parameters[static_cast<std::size_t>(trainer.networks().layout().value.bias())] = value;
+  ASSERT_TRUE(trainer.resume(parameters, trainer.state()));
+}
+
+TEST_F(TrainerTest, DrawsActionsAsOftenAsThePolicySaysAndRemembersHowLikelyTheyWere) {
+  const std::vector<double> probabilities{0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.0078125};
+  std::vector<float> logits;
+  for (const double p : probabilities) logits.push_back(static_cast<float>(std::log(p)) + 3.0F);  // only differences count
+  hyper.steps_per_rollout = 4'000;
+  const search::World world(settings, curve);
+  Trainer trainer(world, simple, hyper, 1);
+  say_everywhere(trainer, logits, 0.0F);
+  (void)trainer.advance(ignore);
+  std::vector<int> drawn(8);
+  for (std::size_t i = 0; i < trainer.rollout().size(); ++i) {
+    const std::uint8_t action = trainer.rollout().actions[i];
+    drawn[action] += 1;
+    ASSERT_NEAR(trainer.rollout().log_probabilities[i], std::log(probabilities[action]), 1e-5) << i;  // floats near 5
+  }
+  for (std::size_t a = 0; a < 8; ++a) {
+    const double p = probabilities[a];
+    EXPECT_NEAR(drawn[a] / 12'000.0, p, 5.0 * std::sqrt(p * (1.0 - p) / 12'000.0)) << a;  // five standard errors
+  }
+}
+
+TEST_F(TrainerTest, EstimatesEachEnvironmentsAdvantagesFromItsOwnSteps) {
+  hyper.gae_lambda = 0.0;  // of one step: reward, and the value after it where the episode goes on, less the value before
+  const search::World world(settings, curve);
+  Trainer trainer(world, simple, hyper, 1);
+  say_everywhere(trainer, std::vector<float>(8), 2.0F);
+  (void)trainer.advance(ignore);
+  const Rollout& rollout = trainer.rollout();
+  const std::vector<search::EpisodeScript> under_way = trainer.state().workers[0].episodes;
+  int ended = 0;
+  for (std::size_t e = 0; e < 3; ++e) {
+    for (std::size_t t = 0; t < 200; ++t) {
+      const std::size_t i = e * 200 + t;
+      const bool ends = t + 1 < 200 ? rollout.episode_starts[i + 1] != 0 : under_way[e].actions.empty();
+      ended += ends ? 1 : 0;
+      ASSERT_EQ(rollout.values[i], 2.0F);
+      ASSERT_NEAR(rollout.advantages[i], rollout.rewards[i] + (ends ? 0.0F : 0.99F * 2.0F) - 2.0F, 1e-4F)
+          << e << ' ' << t;  // floats near 100
+      ASSERT_NEAR(rollout.returns[i], rollout.advantages[i] + 2.0F, 1e-4F);
+    }
+    EXPECT_EQ(rollout.episode_starts[e * 200], 1);
+  }
+  EXPECT_GT(ended, 5);
+}
+
+TEST_F(TrainerTest, SaysHowMuchOfTheReturnsTheValuesExplain) {
+  const search::World world(settings, curve);
+  Trainer trainer(world, simple, hyper, 1);
+  const UpdateReport report = trainer.advance(ignore);
+  const Rollout& rollout = trainer.rollout();
+  const auto variance = [&](auto value) {  // E x^2 - (E x)^2
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < rollout.size(); ++i) {
+      sum += value(i) / static_cast<double>(rollout.size());
+      squares += value(i) * value(i) / static_cast<double>(rollout.size());
+    }
+    return squares - sum * sum;
+  };
+  const double unexplained = variance([&](std::size_t i) { return double{rollout.returns[i]} - double{rollout.values[i]}; });
+  const double all = variance([&](std::size_t i) { return double{rollout.returns[i]}; });
+  EXPECT_NEAR(report.explained_variance, 1.0 - unexplained / all, 1e-9);  // doubles
+  EXPECT_NE(report.explained_variance, 0.0);
+}
+
+TEST_F(TrainerTest, SaysWithEveryEpisodeHowManyStepsAllHaveTaken) {
+  const search::World world(settings, curve);
+  Trainer trainer(world, simple, hyper, 1);
+  std::vector<std::uint64_t> at;
+  trainer.train(1'200, [&at](const search::EpisodeRecord&, std::uint64_t taken) {
+    at.push_back(taken);
+    return true;
+  });
+  ASSERT_FALSE(at.empty());
+  EXPECT_TRUE(std::ranges::is_sorted(at));
+  EXPECT_GE(at.front(), 3U);
+  EXPECT_LE(at.back(), 1'200U);
+  EXPECT_TRUE(std::ranges::all_of(at, [](std::uint64_t taken) { return taken % 3 == 0; })) << "three environments step together";
+}
+
+/// One of two ranks; the other one gives zeros.
+class OneOfTwo : public parallel::Alone {
+ public:
+  explicit OneOfTwo(std::size_t rank) : rank_(rank) {}
+  [[nodiscard]] std::size_t rank() const override { return rank_; }
+  [[nodiscard]] std::size_t size() const override { return 2; }
+  void gather_everywhere(std::span<const float> mine, std::span<float> all) override {
+    std::ranges::fill(all, 0.0F);
+    std::ranges::copy(mine, all.subspan(rank_ * mine.size()).begin());
+  }
+
+ private:
+  std::size_t rank_;
+};
+
+TEST_F(TrainerTest, OfTwoRanksLearnsFromTheMeanOfTheirGradientsInEnvironmentsOfItsOwn) {
+  const search::World world(settings, curve);
+  hyper.epochs = 1;
+  hyper.batch_size = 600;  // all that a rank has
+  Trainer alone(world, simple, hyper, 1);
+  OneOfTwo first_of_two(0);
+  OneOfTwo second_of_two(1);
+  Trainer first(world, simple, hyper, 1, first_of_two);
+  Trainer second(world, simple, hyper, 1, second_of_two);
+  EXPECT_TRUE(std::ranges::equal(first.networks().parameters(), second.networks().parameters())) << "they begin as one";
+  const UpdateReport of_all = alone.advance(ignore);
+  const UpdateReport of_half = first.advance(ignore);
+  (void)second.advance(ignore);
+  EXPECT_EQ(alone.steps(), 600U);
+  EXPECT_EQ(first.steps(), 1'200U) << "the steps of both";
+  EXPECT_EQ(of_half.value_loss, of_all.value_loss / 2.0);
+  EXPECT_EQ(of_half.entropy, of_all.entropy / 2.0);
+  EXPECT_NEAR(of_half.gradient_norm, of_all.gradient_norm / 2.0, 1e-6 * of_all.gradient_norm);  // floats
+  EXPECT_EQ(first.rollout().actions, alone.rollout().actions) << "the first rank draws as one alone does";
+  EXPECT_NE(second.rollout().actions, alone.rollout().actions);
+  const auto start_of = [](const Trainer& t, Eigen::Index e) { return Eigen::Vector2f(t.rollout().observations.col(e * 200)); };
+  Trainer six(
+      world, simple,
+      [this] {
+        HyperParameters h = hyper;
+        h.environment_count = 6;
+        return h;
+      }(),
+      1);
+  (void)six.advance(ignore);
+  for (Eigen::Index e = 0; e < 3; ++e) EXPECT_EQ(start_of(second, e), start_of(six, e + 3)) << "the streams after the first rank's";
 }
 
 TEST_F(TrainerTest, EndsAnUpdateEarlyWhereThePolicyHasMovedFarEnough) {

@@ -9,6 +9,7 @@
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "policy/ppo/checkpoint/training_state_text.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -121,7 +122,11 @@ TEST(Checkpoint, KeepsWhatTrainingGoesOnFromExactly) {
   EXPECT_EQ(state.workers[0].random, (Pcg32::State{big, 5}));
   EXPECT_EQ(state.workers[0].episodes, written.continuation->state.workers[0].episodes);
   EXPECT_EQ(read.continuation->arguments, written.continuation->arguments);
+  EXPECT_EQ(state.workers[1].random, (Pcg32::State{2, 3}));
+  EXPECT_EQ(read.continuation->directory, "/somewhere");
   EXPECT_EQ(read.continuation->settings_crc32, 0xDEADBEEF);
+  EXPECT_EQ(read.continuation->episodes.bytes, 100U);
+  EXPECT_EQ(read.continuation->episodes.crc32, 1U);
   EXPECT_EQ(read.continuation->updates.bytes, 200U);
   EXPECT_EQ(read.continuation->updates.crc32, 2U);
   EXPECT_EQ(read.continuation->curve, "curves/a.csv");
@@ -135,6 +140,28 @@ TEST(Checkpoint, OfAProgramThatDidNotSayWhereItsCurveIsCanBeGoneOnWith) {
   const Checkpoint read = from_text(text, "a");
   ASSERT_TRUE(read.continuation);
   EXPECT_FALSE(read.continuation->curve);
+}
+
+TEST(Checkpoint, IsRefusedForANumberThatIsNotFinite) {
+  std::vector<double> parameters(made_up().parameters.size(), 0.5);
+  EXPECT_EQ(refusal_with("parameters", parameters), "accepted");
+  parameters.back() = 1e39;  // more than a float holds
+  EXPECT_EQ(refusal_with("parameters", parameters), "a.checkpoint: parameters: a number is not finite");
+}
+
+TEST(Checkpoint, IsOneLineAndItsChecksum) {
+  const std::string text = to_text(made_up());
+  EXPECT_EQ(text, sealed(text.substr(0, text.find('\n'))));
+  EXPECT_EQ(refusal(text + "\n"), "a.checkpoint: not a checkpoint, cut short or damaged");
+  EXPECT_EQ(refusal(text.substr(0, text.find('\n') + 1)), "a.checkpoint: not a checkpoint, cut short or damaged");
+  EXPECT_EQ(refusal("{\"format\":\"earshot checkpoint 3"), "a.checkpoint: not a checkpoint, cut short or damaged");
+}
+
+TEST(WorkerState, SurvivesItsText) {
+  const WorkerState written{.random = {0xFEDC'BA98'7654'3211ULL, 5}, .episodes = {{{7, 3}, {1, 2, 0}}, {{9, 11}, {}}}};
+  const WorkerState read = worker_from_text(to_text(written));
+  EXPECT_EQ(read.random, written.random);
+  EXPECT_EQ(read.episodes, written.episodes);
 }
 
 TEST(Checkpoint, IsRefusedWithTheFileAndThePartThatIsWrong) {
