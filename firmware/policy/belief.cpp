@@ -90,7 +90,6 @@ void Belief::start(const BeliefModel& model) {
   priors_ = {};
   for (std::size_t h = 0; h < hypotheses; ++h) priors_[h] = model.hypotheses[h].prior / sum;
   begin_anew(cells);
-  foresee(model);
 }
 
 void Belief::begin_anew(std::size_t cells) {
@@ -122,9 +121,12 @@ EARSHOT_WIDE void Belief::foresee(const BeliefModel& model) {
   float discounted = 1.0F;
   RangeTable silent;  // expected steps without detection
   for (std::size_t i = 0; i < count; ++i) {
-    const float steps = i <= step ? 0.0F : static_cast<float>(i - step) / static_cast<float>(step);
-    silent[i] = i <= step ? 0.0F : (1.0F - detected_[i]) * std::min(1.0F, steps) + silent[i - step];
-    if (i > step) discounted *= discount;
+    silent[i] = 0.0F;
+    if (i > step) {
+      const float steps = static_cast<float>(i - step) / static_cast<float>(step);
+      silent[i] = (1.0F - detected_[i]) * std::min(1.0F, steps) + silent[i - step];
+      discounted *= discount;
+    }
     search_cost_[i] = silent[i] + model.costs.step * (1.0F - discounted) / discounted_away;
   }
 }

@@ -63,10 +63,10 @@ struct Block {
 };
 
 Block block_at(const BorderFreeArea& inside, Point source, float probability, float step_length) {
-  Block block{.source = source, .goal = inside.nearest(source), .extra_way = 0.0F, .probability = probability};
-  const float off = distance(block.source, block.goal);
-  block.extra_way = step_length - (off < step_length ? __builtin_sqrtf(step_length * step_length - off * off) : 0.0F);
-  return block;
+  const Point goal = inside.nearest(source);
+  const float off = distance(source, goal);
+  const float to_goal = off < step_length ? __builtin_sqrtf(step_length * step_length - off * off) : 0.0F;
+  return {.source = source, .goal = goal, .extra_way = step_length - to_goal, .probability = probability};
 }
 
 /// The cells of the belief.

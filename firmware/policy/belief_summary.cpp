@@ -11,8 +11,9 @@ namespace earshot::policy {
 EARSHOT_WIDE messages::BeliefSummary summary_of(const BeliefModel& model, std::span<const float> probabilities) {
   const std::size_t rows = model.cells_north;
   const std::size_t columns = model.cells_east;
-  std::array<double, 3> north{};  // moments of the place, in cells, that many times
-  std::array<double, 3> east{};
+  double all = 0.0;
+  std::array<double, 2> north{};  // first and second moment of the place, in cells, that many times
+  std::array<double, 2> east{};
   double squares = 0.0;
   std::size_t best = 0;
   for (std::size_t n = 0; n < rows; ++n) {
@@ -32,16 +33,17 @@ EARSHOT_WIDE messages::BeliefSummary summary_of(const BeliefModel& model, std::s
     }
     const auto place = static_cast<double>(n);
     const auto share = static_cast<double>(row);
-    north = {north[0] + share, north[1] + share * place, north[2] + share * place * place};
-    east = {north[0], east[1] + double{row_east}, east[2] + double{row_east_squared}};
+    all += share;
+    north = {north[0] + share * place, north[1] + share * place * place};
+    east = {east[0] + double{row_east}, east[1] + double{row_east_squared}};
     squares += double{row_squares};
   }
   const Meters size_north = model.area_size.north / static_cast<double>(rows);
   const Meters size_east = model.area_size.east / static_cast<double>(columns);
-  const double mean_north = north[1] / north[0];
-  const double mean_east = east[1] / north[0];
-  const double variance_north = std::max(0.0, north[2] / north[0] - mean_north * mean_north);
-  const double variance_east = std::max(0.0, east[2] / north[0] - mean_east * mean_east);
+  const double mean_north = north[0] / all;
+  const double mean_east = east[0] / all;
+  const double variance_north = std::max(0.0, north[1] / all - mean_north * mean_north);
+  const double variance_east = std::max(0.0, east[1] / all - mean_east * mean_east);
   messages::BeliefSummary summary;
   summary.likeliest = {(static_cast<double>(best / columns) + 0.5) * size_north, (static_cast<double>(best % columns) + 0.5) * size_east};
   summary.mean = {(mean_north + 0.5) * size_north, (mean_east + 0.5) * size_east};

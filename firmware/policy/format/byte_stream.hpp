@@ -68,7 +68,6 @@ class ByteReader {
 
   [[nodiscard]] bool past_end() const { return past_end_; }
   [[nodiscard]] std::size_t remaining() const { return bytes_.size() - position_; }
-  [[nodiscard]] std::size_t position() const { return position_; }
 
  private:
   std::uint64_t little_endian(unsigned bytes) {

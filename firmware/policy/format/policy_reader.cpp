@@ -55,7 +55,6 @@ PolicyFault read_observation(ByteReader& reader, FrozenPolicy& policy) {
   config::ListeningWindow& listening = policy.observation.listening;
   listening.listening = static_cast<config::Listening>(reader.u8());
   listening.length = Duration::seconds(reader.u16());
-  if (!config::is_valid(listening)) return PolicyFault::kUnknownListening;
   policy.observation.spec.clear();
   const std::size_t count = reader.u8();
   for (std::size_t i = 0; i < count; ++i) {
