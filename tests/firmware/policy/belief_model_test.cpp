@@ -122,6 +122,8 @@ TEST(BeliefModel, HasNoShapeWithoutRangesActionsOrColumns) {
   model.cells_north = 1;
   model.cells_east = static_cast<std::uint16_t>(config::kMaxBeliefCells);
   EXPECT_TRUE(has_valid_shape(model));
+  model.cells_east = 1;
+  EXPECT_TRUE(has_valid_shape(model));
 }
 
 }  // namespace

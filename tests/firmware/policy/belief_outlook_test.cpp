@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "tests/firmware/policy/belief_rig.hpp"
@@ -105,7 +108,9 @@ class StripTest : public testing::Test {
   float& cell(std::size_t row, std::size_t column) { return probabilities[row * kColumns + column]; }
   /// All of the belief in one cell, in the middle of the strip: its centre is (6250, 15500) m.
   void know_the_middle() { cell(12, 15) = 1.0F; }
-  void find(NorthEast position) { find_outlooks(model, probabilities, {cost, detected}, position, outlooks); }
+  void find(NorthEast position) {
+    find_outlooks(model, std::span(probabilities).first(25 * kColumns), {cost, detected}, position, std::span(outlooks).first(4));
+  }
   /// As tables by range a straight line: `per_kilometre` of each.
   static std::vector<float> ramp(float per_kilometre) {
     std::vector<float> table(500);
@@ -114,11 +119,32 @@ class StripTest : public testing::Test {
   }
 
   BeliefModel model = bare_model(at(12'500, 31'000), 25, 31);
-  std::vector<float> probabilities = std::vector<float>(25 * kColumns);
+  /// A row more than there is, of places that are likelier than any: nobody may look at it.
+  std::vector<float> probabilities = [] {
+    std::vector<float> cells(26 * kColumns);
+    std::fill(cells.end() - kColumns, cells.end(), 0.5F);
+    return cells;
+  }();
   std::vector<float> cost = std::vector<float>(500);
   std::vector<float> detected = std::vector<float>(500);
-  std::array<ActionOutlook, 4> outlooks{};
+  std::array<ActionOutlook, 5> outlooks{};  ///< of four actions; nobody may touch the fifth
 };
+
+TEST_F(StripTest, LeavesAloneWhatIsNoActions) {
+  know_the_middle();
+  outlooks[4] = {.found = 0.1F, .reach = 0.2F, .detected = 0.3F, .border = 0.4F, .regret = 0.5F};
+  find(at(4'250, 14'500));
+  EXPECT_EQ(outlooks[4].found, 0.1F);
+  EXPECT_EQ(outlooks[4].reach, 0.2F);
+  EXPECT_EQ(outlooks[4].detected, 0.3F);
+  EXPECT_EQ(outlooks[4].border, 0.4F);
+  EXPECT_EQ(outlooks[4].regret, 0.5F);
+}
+
+TEST(ActionOutlook, PromisesNothingBeforeItIsFound) {
+  const ActionOutlook blank;
+  for (const float promise : {blank.found, blank.reach, blank.detected, blank.border, blank.regret}) EXPECT_EQ(promise, 0.0F);
+}
 
 /// A cell 1200 m from a step's end sticks into a step length of 1000 m by 1000 - 1200 + 1000 / 2 = 300 m of its longer side, 1000 m.
 TEST_F(StripTest, FindsInACellAsMuchAsLiesWithinAStepOfAStepsEnd) {
@@ -130,6 +156,24 @@ TEST_F(StripTest, FindsInACellAsMuchAsLiesWithinAStepOfAStepsEnd) {
   EXPECT_NEAR(outlooks[kSouth].found, 0.3F * 0.3F, 1e-5F);        // south is (4530, 13540): 720 m and 960 m from the other
   EXPECT_EQ(outlooks[kNorth].found, 0.0F);                        // 1.6 km from the nearer
   EXPECT_EQ(outlooks[kWest].found, 0.0F);                         // 2 km
+}
+
+TEST_F(StripTest, FindsNoMoreThanAllOfACell) {
+  cell(12, 15) = 0.5F;
+  find(at(6'250, 14'995));  // east ends 495 m from its centre: all of its side and 5 m are within a step length
+  EXPECT_EQ(outlooks[kEast].found, 0.5F);
+}
+
+/// The place (0, 0) holds nothing: what fills up the last eight of the cells that are looked at together must not count.
+TEST_F(StripTest, FindsWhatLiesInTheCornerOfTheArea) {
+  cell(0, 0) = 0.25F;  // (250, 500)
+  cell(0, 4) = 0.5F;   // (250, 4500): too far
+  find(at(1'250, 500));
+  EXPECT_EQ(outlooks[kSouth].found, 0.25F);
+  cell(0, 0) = 0.0F;
+  cell(1, 1) = 0.25F;  // (750, 1500): 1118 m away, 1000 - 1118.03 + 500 m of its side within a step length
+  find(at(1'250, 500));
+  EXPECT_NEAR(outlooks[kSouth].found, 0.25F * 0.381966F, 1e-6F);
 }
 
 TEST_F(StripTest, LiesInTheBorderAsDeepAsTheNearerOfItsEdgesIsNear) {
@@ -179,10 +223,26 @@ TEST_F(StripTest, HoldsBeyondATablesEndWhatItsEndSays) {
   detected = {0.9F, 0.8F, 0.7F};
   cost = {1.0F, 2.0F, 3.0F};
   find(at(6'250, 5'500));  // 10 km away, and the tables end at 200 m
-  for (const ActionOutlook& outlook : outlooks) {
-    EXPECT_FLOAT_EQ(outlook.detected, 0.7F);
-    EXPECT_EQ(outlook.regret, 0.0F);
+  for (std::size_t action = 0; action < 4; ++action) {
+    EXPECT_FLOAT_EQ(outlooks[action].detected, 0.7F);
+    EXPECT_EQ(outlooks[action].regret, 0.0F);
   }
+}
+
+/// 500 samples to 49.9 km and a step's end at 9 km or 8.95 km; of the table 90 or 91 samples, to 8.9 km or 9 km, are the model's.
+TEST_F(StripTest, ReadsATableToItsLastSampleAndNoFurther) {
+  know_the_middle();
+  std::vector<float> table = ramp(0.01F);
+  std::fill(table.begin() + 91, table.end(), std::numeric_limits<float>::quiet_NaN());
+  const auto detected_at = [&](double range_m, std::size_t samples) {
+    find_outlooks(model, std::span(probabilities).first(25 * kColumns), {cost, std::span(table).first(samples)},
+                  at(6'250, 15'500 - range_m - 1'000), std::span(outlooks).first(4));
+    return outlooks[kEast].detected;
+  };
+  EXPECT_FLOAT_EQ(detected_at(8'950, 91), 0.0895F);
+  EXPECT_FLOAT_EQ(detected_at(9'000, 91), 0.09F);
+  EXPECT_FLOAT_EQ(detected_at(9'050, 91), 0.09F);
+  EXPECT_FLOAT_EQ(detected_at(8'950, 90), 0.089F);
 }
 
 TEST_F(StripTest, LeavesOutABlockOfLessThanATwoThousandthHalf) {
@@ -192,7 +252,13 @@ TEST_F(StripTest, LeavesOutABlockOfLessThanATwoThousandthHalf) {
   EXPECT_NEAR(outlooks[kEast].detected, 0.1F, 1e-6F);
   cell(12, 20) = 0.00019F;
   find(at(6'250, 9'500));
-  EXPECT_EQ(outlooks[kEast].detected, 0.0F);
+  for (const ActionOutlook& outlook : outlooks) {  // nothing is known at all
+    EXPECT_EQ(outlook.detected, 0.0F);
+    EXPECT_EQ(outlook.regret, 0.0F);
+  }
+  cell(12, 20) = 2e-4F;  // no less
+  find(at(6'250, 9'500));
+  EXPECT_NEAR(outlooks[kEast].detected, 0.1F, 1e-6F);
 }
 
 /// From (4250, 14500) the source lies 2 km north and 1 km east: three steps lead there. Two of them end 1 km away, where half of its cell
@@ -274,6 +340,9 @@ TEST_F(StripTest, FindsNoCellOfLessThanAThousandth) {
   cell(12, 15) = 0.0011F;
   find(at(6'250, 14'500));
   EXPECT_EQ(outlooks[kEast].found, 0.0011F);
+  cell(12, 15) = 1e-3F;
+  find(at(6'250, 14'500));
+  EXPECT_EQ(outlooks[kEast].found, 1e-3F);
   cell(12, 15) = 0.0009F;
   find(at(6'250, 14'500));
   EXPECT_EQ(outlooks[kEast].found, 0.0F);
@@ -285,22 +354,33 @@ TEST_F(StripTest, LooksAtMoreLikelyCellsOnlyWhereMoreThanSixtyFourAreNear) {
   cell(12, 15) = 0.5F;                                                         // where east ends
   find(place);
   const float all_of_them = outlooks[kEast].found;
-  cell(11, 14) = 0.003F;  // the sixty-fourth
+  cell(11, 15) = 0.00402F;  // the sixty-fourth, 500 m from there
   find(place);
-  EXPECT_GT(outlooks[kEast].found, all_of_them);
-  cell(10, 12) = 0.002F;  // one too many: from now on 0.004 is the least
+  EXPECT_NEAR(outlooks[kEast].found, all_of_them + 0.00402F, 1e-6F);
+  cell(11, 14) = 0.00398F;  // one too many: from now on 0.004 is the least
   find(place);
-  EXPECT_EQ(outlooks[kEast].found, 0.5F);
+  EXPECT_NEAR(outlooks[kEast].found, 0.50402F, 1e-6F);
 }
 
 TEST_F(StripTest, ReachesNothingWhereHardlyAnyOfTheBeliefIsNear) {
   cell(12, 15) = 0.0101F;
   find(at(6'250, 14'500));
   EXPECT_NEAR(outlooks[kEast].reach, 0.0101F, 1e-6F);
+  cell(12, 15) = 0.01F;
+  find(at(6'250, 14'500));
+  EXPECT_NEAR(outlooks[kEast].reach, 0.01F, 1e-6F);
   cell(12, 15) = 0.0099F;
   find(at(6'250, 14'500));
   EXPECT_EQ(outlooks[kEast].reach, 0.0F);
   EXPECT_EQ(outlooks[kEast].found, 0.0099F);
+}
+
+TEST_F(StripTest, CountsAsNearOnlyTheCellsThatItLooksAtInTheEnd) {
+  for (std::size_t i = 0; i < 70; ++i) cell(8 + i / 9, 10 + i % 9) = 0.002F;  // too many, 0.14 in all: all of them are left out
+  cell(12, 15) = 0.0099F;
+  find(at(6'250, 14'500));
+  EXPECT_EQ(outlooks[kEast].found, 0.0099F);
+  EXPECT_EQ(outlooks[kEast].reach, 0.0F);
 }
 
 }  // namespace

@@ -236,6 +236,22 @@ TEST_F(OblongTest, WeighsHypothesesByTheirPriorsAndWhatTheyExplain) {
   expect({0.2424181, 0.1895229, 0.0680592});
 }
 
+/// Where every look meets a pause, faintness teaches nothing but where the vehicle has been: a sixth of the two cells about it remains, as
+/// (0 - 1 km) / 3 km + 1/2. A sound cannot be, so that all is begun anew.
+TEST_F(OblongTest, BeginsAnewWhenItHearsWhatCannotBe) {
+  EXPECT_EQ(model.hypotheses.push_back({.level_offset_db = 5.0F, .spread_db = 5.0F, .prior = 1.0F}), Status::kOk);
+  model.silence_share = 1.0F;
+  belief->start(model);
+  EXPECT_FLOAT_EQ(belief->probability_of_hypothesis(0), 0.75F);
+  for (int time = 0; time < 2; ++time) {
+    hear_nothing(model, at(1'000, 1'500), 20.0);
+    expect({1.0 / 26.0, 6.0 / 26.0, 6.0 / 26.0});
+    hear(model, kWestOfIt, 20.0);
+    EXPECT_FLOAT_EQ(belief->probability_of_hypothesis(0), 0.75F);
+    expect({1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0});
+  }
+}
+
 TEST_F(OblongTest, ForgetsWhichHypothesisExplainedWhatItHeard) {
   EXPECT_EQ(model.hypotheses.push_back({.level_offset_db = 5.0F, .spread_db = 5.0F, .prior = 1.0F}), Status::kOk);
   model.forgotten_share = 0.5F;
@@ -270,6 +286,14 @@ TEST_F(ColumnTest, TakesARangeForOneWithinHalfACellOfIt) {
   belief->start(model);
   hear(model, kSouthOfIt, 20.0);
   expect({1, 1, 1, 1, 1, 0, 0, 0});  // 8 to 12
+}
+
+TEST_F(ColumnTest, SmoothsOverWholeRangeStepsOnly) {
+  model.area_size.east = Meters{995};  // half of it is 1.99 range steps
+  model_the_sound_at(10, 20);
+  belief->start(model);
+  hear(model, at(-1'875, 497.5), 20.0);
+  expect({0, 1, 1, 1, 0, 0, 0, 0});
 }
 
 TEST_F(ColumnTest, HoldsTheLastRangesLikelihoodBeyondIt) {
@@ -328,6 +352,24 @@ TEST_F(BeliefTest, CostsASearchItsStepsAndThoseOfThemWithoutADetection) {
   EXPECT_NEAR(belief->outlook(kWest).regret, 2.0F * 0.7365379F + 1.5F, 1e-4F);
   // From the end of a step north it is sqrt(30^2 + 3^2) = 30.1496 km, 1.04988 steps more; linear between 30 km and 31 km.
   EXPECT_NEAR(belief->outlook(kNorth).regret, 1.804141F, 1e-4F);
+}
+
+TEST_F(BeliefTest, HoldsTheLargestModelThereIsRoomFor) {
+  BeliefModel model = bare_model(at(25'000, 25'000), 50, 50);
+  while (model.actions.push_back({1, 0}) == Status::kOk) {
+  }
+  while (model.hypotheses.push_back({}) == Status::kOk) {
+  }
+  while (model.snr_db.push_back(10.0F) == Status::kOk) {
+  }
+  model.forgotten_share = 0.5F;
+  model.range_step = Meters{1'000};  // nothing is smoothed
+  belief->start(model);
+  for (int look = 0; look < 2; ++look) hear(model, at(-20'000, 12'500), 10.0);  // as loud everywhere: nothing is learned
+  for (std::size_t i = 0; i < 2'500; ++i)
+    ASSERT_NEAR(belief->probability(model, i / 50, i % 50), 4e-4, 1e-8) << i;  // a sum of 10 000 floats
+  for (std::size_t h = 0; h < 4; ++h) EXPECT_NEAR(belief->probability_of_hypothesis(h), 0.25F, 1e-6F);
+  for (std::size_t action = 0; action < 32; ++action) EXPECT_NEAR(belief->outlook(action).detected, 0.5F, 1e-5F) << action;
 }
 
 TEST_F(BeliefTest, HasTheSameBitsOnEveryMachine) {

@@ -110,6 +110,19 @@ TEST(VectorUnit, IsNotThereWhereNobodyKnowsIt) {
   EXPECT_FALSE(has(static_cast<VectorUnit>(4)));
 }
 
+#if defined(__SSE2__) || defined(__aarch64__)
+TEST(VectorUnit, IsOf128BitsOnEveryProcessorThatThisCompilerBuildsFor) {
+  EXPECT_TRUE(has(VectorUnit::k128Bits));
+}
+#endif
+
+TEST(Network, HasNoSizesUntilItIsGivenSome) {
+  const auto network = std::make_unique<Network>();
+  EXPECT_EQ(network->observation_size, 0U);
+  EXPECT_EQ(network->hidden_sizes, (std::array<std::size_t, 2>{}));
+  EXPECT_EQ(network->action_count, 0U);
+}
+
 TEST(Forward, GivesTheSameBitsOnEveryVectorUnitForEverySizeOfLayer) {
   for (const std::size_t size : {1U, 2U, 3U, 5U, 8U, 15U, 16U, 17U, 33U, 62U, 64U}) {
     const auto network = random_network(size, size, 65 - size, std::min<std::size_t>(size, 32));
@@ -208,6 +221,16 @@ TEST(Tanh, IsNeverBeyondOneAndOneFromWhereItRoundsToOne) {
       ASSERT_EQ(got, 1.0F) << x;
     }
   });
+}
+
+TEST(Tanh, IsNeverBeyondMinusOneEither) {
+  HiddenTanh tanh;
+  std::array<float, HiddenTanh::kCount> numbers{};
+  for (int i = 0; i < 100; ++i) {
+    for (std::size_t lane = 0; lane < numbers.size(); ++lane)
+      numbers[lane] = -8.9F - 1e-4F * static_cast<float>(static_cast<std::size_t>(i) * numbers.size() + lane);  // to -9.22
+    for (const float result : tanh(numbers)) ASSERT_GE(result, -1.0F);
+  }
 }
 
 TEST(Tanh, IsOddAndKeepsInfinityAndNan) {

@@ -158,6 +158,7 @@ TEST(BeliefState, ScalesEveryElementToAboutOne) {
   BeliefModel belief = believing_model().belief;
   belief.area_size = at(10000, 20000);
   belief.step_length = Meters{500};
+  EXPECT_EQ(belief.hypotheses.push_back({}), Status::kOk);
   const ObservationSpec spec = belief_state(belief);
   std::vector<ObservationElement> expected = {{Feature::kToSouthEdge, 0, 5000.0F, 1.0F / 5000.0F},
                                               {Feature::kToNorthEdge, 0, 5000.0F, 1.0F / 5000.0F},
@@ -169,7 +170,8 @@ TEST(BeliefState, ScalesEveryElementToAboutOne) {
                                               {Feature::kMeanNorth, 0, 0.0F, 1.0F / 5000.0F},
                                               {Feature::kSpread, 0, 0.0F, 1.0F / 5000.0F},
                                               {Feature::kLikeliestShare, 0, 0.0F, 1.0F},
-                                              {Feature::kHypothesis, 0, 0.0F, 1.0F}};
+                                              {Feature::kHypothesis, 0, 0.0F, 1.0F},
+                                              {Feature::kHypothesis, 1, 0.0F, 1.0F}};
   for (const Feature feature :
        {Feature::kPreference, Feature::kReach, Feature::kBorder, Feature::kDetected, Feature::kFound, Feature::kApproach}) {
     for (std::uint8_t action = 0; action < 2; ++action)
@@ -211,6 +213,19 @@ TEST(BeliefState, LeavesOutOfItsActionsWhatThereIsNoRoomFor) {
   EXPECT_LE(spec.size(), spec.capacity());
   EXPECT_EQ(std::ranges::count(spec, Feature::kPreference, &ObservationElement::feature), 32);
   EXPECT_EQ(std::ranges::count(spec, Feature::kReach, &ObservationElement::feature), 0);
+}
+
+TEST(BeliefState, FillsTheLastPlaceThereIs) {
+  BeliefModel belief = believing_model().belief;
+  EXPECT_EQ(belief.hypotheses.push_back({}), Status::kOk);
+  while (belief.actions.size() < 13) EXPECT_EQ(belief.actions.push_back({1, 0}), Status::kOk);
+  const ObservationSpec spec = belief_state(belief);  // 10 + 2 + 4 13 = 64
+  EXPECT_EQ(spec.size(), 64U);
+  EXPECT_EQ(std::ranges::count(spec, Feature::kDetected, &ObservationElement::feature), 13);
+}
+
+TEST(ObservationElement, ShowsARawValueAsItIsWhereNothingElseIsSaid) {
+  EXPECT_EQ(scaled(ObservationElement{}, 7.5), 7.5F);
 }
 
 TEST(SearchMemory, SpendsNothingOnABeliefThatNoElementSees) {

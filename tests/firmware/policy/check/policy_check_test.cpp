@@ -267,5 +267,59 @@ TEST(PolicyCheck, LetsGoldenSearchesGoUpToTheEdges) {
   EXPECT_EQ(fault_at(0.0, 0.0, -600.1), PolicyFault::kOutOfRange);
 }
 
+TEST(PolicyCheck, LetsPassTheSmallestNetworkAndNoneSmaller) {
+  const auto shrink = [](std::size_t size) {
+    return [size](FrozenPolicy& policy) {
+      policy.network.observation_size = policy.network.action_count = size;
+      policy.network.hidden_sizes = {size, size};
+      const ObservationElement element = policy.observation.spec[0];
+      const UnitNorthEast direction = policy.actions[0];
+      policy.observation.spec.clear();
+      policy.actions.clear();
+      for (std::size_t i = 0; i < size; ++i) {
+        static_cast<void>(policy.observation.spec.push_back(element));
+        static_cast<void>(policy.actions.push_back(direction));
+      }
+    };
+  };
+  EXPECT_EQ(fault_after(shrink(1)), PolicyFault::kNone);
+  EXPECT_EQ(fault_after(shrink(0)), PolicyFault::kBadShape);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.observation_size = 0, policy.observation.spec.clear(); }),
+            PolicyFault::kBadShape);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.action_count = 0, policy.actions.clear(); }), PolicyFault::kBadShape);
+}
+
+TEST(PolicyCheck, SaysNothingAboutAGoodPolicy) {
+  const PolicyComplaint complaint = check(*small_policy());
+  EXPECT_EQ(complaint.fault, PolicyFault::kNone);
+  EXPECT_EQ(complaint.section, SectionTag{});
+  EXPECT_EQ(complaint.version, 0U);
+}
+
+TEST(PolicyCheck, RefusesAWindowThatCannotBeListenedOver) {
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) {
+              policy.observation.listening = {config::Listening::kNewest, Duration::seconds(1)};
+            }),
+            PolicyFault::kUnknownListening);
+}
+
+TEST(PolicyCheck, LooksAtEveryWeightAndAtNothingElse) {
+  // Layers of 5 x 2, 3 x 5 and 4 x 3: the last weight of each, and the first beyond.
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.second.weight(2, 4) = 1.1e30F; }), PolicyFault::kUnbounded);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.second.weight(2, 4) = 0.995e30F; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.output.weight(3, 2) = -0.995e30F; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.first.weight(0, 2) = kNan; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.second.weight(0, 5) = kNan; }), PolicyFault::kNone);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.output.weight(0, 3) = kNan; }), PolicyFault::kNone);
+}
+
+TEST(PolicyCheck, LetsPassAnElementOfExactlyTheMost) {
+  const auto scaled_by = [](float scale) {
+    return [scale](FrozenPolicy& policy) { policy.observation.spec[1] = {.feature = Feature::kHypothesis, .scale = scale}; };
+  };
+  EXPECT_EQ(fault_after(scaled_by(5e8F), *believing_policy()), PolicyFault::kNone);  // 2 5e8 = 1e9
+  EXPECT_EQ(fault_after(scaled_by(5.00001e8F), *believing_policy()), PolicyFault::kUnbounded);
+}
+
 }  // namespace
 }  // namespace earshot::policy

@@ -69,6 +69,49 @@ TEST(Parse, GivesTheBeliefBackWithItsCosts) {
   EXPECT_EQ(bytes_of(*after), bytes);
 }
 
+TEST(Parse, MayReplaceABeliefInPlace) {
+  const Bytes bytes = bytes_of(*believing_policy());
+  const auto policy = believing_policy();
+  PolicyComplaint complaint;
+  ASSERT_EQ(parse(bytes, *policy, complaint), Status::kOk);
+  EXPECT_EQ(policy->observation.belief.hypotheses.size(), 2U);
+  EXPECT_EQ(policy->observation.belief.snr_db.size(), 5U);
+  EXPECT_EQ(bytes_of(*policy), bytes);
+}
+
+TEST(Parse, RefusesMoreRangesThanItHolds) {
+  Bytes bytes = bytes_of(*believing_policy());
+  const std::size_t count_at = kBeliefAt + 10 + 57 + 2 * 12;  // what the belief's section begins with, and two hypotheses
+  ASSERT_EQ(value_at<std::uint16_t>(bytes, count_at), 5);
+  put(bytes, count_at, std::uint16_t{513});
+  put(bytes, kBeliefAt + 6, std::uint32_t{59 + 2 * 12 + 513 * 4});
+  const Bytes ranges(std::size_t{508} * 4);
+  bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(count_at + 2), ranges.begin(), ranges.end());
+  mend(bytes);
+  EXPECT_TRUE(is(complaint_about(bytes), PolicyFault::kBadShape, "BELF"));
+}
+
+TEST(Parse, GivesThePolicyOfTheSmallestSizesBack) {
+  const auto policy = small_policy();
+  policy->network.observation_size = policy->network.action_count = 1;
+  policy->network.hidden_sizes = {1, 1};
+  const ObservationElement element = policy->observation.spec[0];
+  policy->observation.spec.clear();
+  policy->actions.clear();
+  ASSERT_EQ(policy->observation.spec.push_back(element), Status::kOk);
+  ASSERT_EQ(policy->actions.push_back({1, 0}), Status::kOk);
+  for (GoldenTrajectory& trajectory : policy->golden) {
+    for (GoldenStep& step : trajectory) step = {.place = step.place, .reception = step.reception, .belief = {}};
+  }
+  record(*policy);
+  const Bytes bytes = bytes_of(*policy);
+  PolicyComplaint complaint;
+  const auto after = std::make_unique<FrozenPolicy>();
+  ASSERT_EQ(parse(bytes, *after, complaint), Status::kOk);
+  EXPECT_TRUE(repeats(*after));
+  EXPECT_EQ(bytes_of(*after), bytes);
+}
+
 TEST(Parse, GivesTheListeningWindowBack) {
   const auto before = small_policy();
   before->observation.listening = {config::Listening::kMean, Duration::seconds(120)};

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <string_view>
@@ -31,6 +32,7 @@ TEST(Serialise, LaysThePolicyOutAsTheReadmeSays) {
   EXPECT_EQ(value_at<double>(bytes, kFirstStepAt + 8), 2000.0);
   EXPECT_EQ(value_at<double>(bytes, kFirstStepAt + 16), 1.0);
   EXPECT_EQ(bytes[kPublicKeyAt], 1);
+  EXPECT_EQ(std::count(bytes.end() - kSignatureSize, bytes.end(), 0), 64);  // the signature is somebody else's to write
 }
 
 TEST(Serialise, WritesTheListeningWindowInSeconds) {
