@@ -44,6 +44,8 @@ TEST(ExpOfDouble, IsWithinTenToTheMinusFifteenOfLongDouble) {
     const auto exact = static_cast<double>(std::exp(static_cast<long double>(x)));
     ASSERT_NEAR(exp(x), exact, 1e-15 * exact) << x;
   }
+  EXPECT_NEAR(exp(700.0), 1.0142320547350045e304, 1e289);  // e^700 and e^-700 of tables, good to 1e-15
+  EXPECT_NEAR(exp(-700.0), 9.859676543759770e-305, 1e-319);
   EXPECT_EQ(exp(-701.0), 0.0);
   EXPECT_EQ(exp(701.0), std::numeric_limits<double>::infinity());
   EXPECT_TRUE(std::isnan(exp(std::numeric_limits<double>::quiet_NaN())));

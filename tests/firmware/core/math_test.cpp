@@ -44,8 +44,11 @@ TEST(Exp, IsWithinHalfAnUlpOfLongDouble) {
 
 TEST(Exp, OverflowsToInfinityAndUnderflowsToZero) {
   EXPECT_EQ(exp(88.73F), kInfinity);  // ln of the largest float is 88.7228
+  EXPECT_EQ(exp(1'000.0F), kInfinity);
+  EXPECT_EQ(exp(3e38F), kInfinity);
   EXPECT_EQ(exp(kInfinity), kInfinity);
   EXPECT_EQ(exp(-104.0F), 0.0F);  // ln of half the smallest subnormal is -103.97
+  EXPECT_EQ(exp(-1'000.0F), 0.0F);
   EXPECT_EQ(exp(-kInfinity), 0.0F);
   EXPECT_EQ(exp(0.0F), 1.0F);
   EXPECT_TRUE(std::isnan(exp(kNan)));

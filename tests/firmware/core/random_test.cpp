@@ -37,6 +37,15 @@ TEST(Pcg32, UniformNumbersFillTheUnitIntervalEvenly) {
   EXPECT_NEAR(sum / kCount, 0.5, 0.005);  // five standard deviations of the mean, 0.2887 / sqrt(100000)
 }
 
+TEST(Pcg32, GoesOnFromItsState) {
+  Pcg32 random(42, 54);
+  static_cast<void>(random.next());
+  Pcg32 again(random.state());
+  EXPECT_EQ(again.next(), 0x7b47f409U);  // the second of the published sequence
+  EXPECT_EQ(random.next(), 0x7b47f409U);
+  EXPECT_EQ(again.state(), random.state());
+}
+
 TEST(Pcg32, StreamsOfOneSeedDiffer) {
   Pcg32 first(1, 0);
   Pcg32 second(1, 1);
