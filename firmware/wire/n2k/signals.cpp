@@ -4,26 +4,25 @@ namespace earshot::n2k {
 
 namespace {
 
-constexpr bool is_well_formed(const Message& message, const Signal& signal) {
+consteval bool is_well_formed(const Message& message, const Signal& signal) {
   if (signal.kind == Signal::Kind::kVariableText) return true;
   const bool inside = signal.bit_count > 0 && signal.first_bit + signal.bit_count <= 8 * message.size;
   const unsigned most = signal.sign == Signal::Sign::kSigned ? 64 : 63;
   return inside && (signal.kind == Signal::Kind::kFixedText || signal.bit_count <= most);
 }
 
-static_assert(
-    [] {
-      for (const Message& message : table::kMessages) {
-        if (message.size > kMaxMessageSize || (message.framing == Framing::kSingle) != (message.size <= 8)) {
-          if (message.repeated_bytes == 0 && message.pgn != kConfigurationPgn) return false;
-        }
-        for (const Signal& signal : message.signals) {
-          if (!is_well_formed(message, signal)) return false;
-        }
-      }
-      return true;
-    }(),
-    "every signal lies in its message, every message goes the way that its size needs");
+consteval bool all_are_well_formed() {
+  for (const Message& message : table::kMessages) {
+    if (message.size > kMaxMessageSize || (message.framing == Framing::kSingle) != (message.size <= 8)) {
+      if (message.repeated_bytes == 0 && message.pgn != kConfigurationPgn) return false;
+    }
+    for (const Signal& signal : message.signals) {
+      if (!is_well_formed(message, signal)) return false;
+    }
+  }
+  return true;
+}
+static_assert(all_are_well_formed(), "every signal lies in its message, every message goes the way that its size needs");
 
 }  // namespace
 

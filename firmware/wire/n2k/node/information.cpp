@@ -18,7 +18,7 @@ struct Pgns {
   std::size_t size = 0;
 };
 
-constexpr bool is_listed(const Message& message, PgnListKind kind) {
+consteval bool is_listed(const Message& message, PgnListKind kind) {
   if (message.direction == Direction::kBoth) return true;
   return (message.direction == Direction::kFromRuntime) == (kind == PgnListKind::kTransmitted);
 }

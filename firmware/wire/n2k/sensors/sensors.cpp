@@ -156,7 +156,7 @@ Status Sensors::take_pressure(const Arrival& arrival) {
   }
   const Status kept = keep_admitted(Measured::kPressure, arrival, table::kPressure, readings_.pressure_pa, value_of(said),
                                     fields::pressure_instance(arrival.bytes));
-  if (kept == Status::kOk || !readings_.pressure_pa) readings_.depth.reset();
+  if (!readings_.pressure_pa) readings_.depth.reset();
   if (kept != Status::kOk) return kept;
   if (settings_.pressure_kind == PressureKind::kAbsolute && !settings_.surface_pa) {
     ++counters_.no_surface;

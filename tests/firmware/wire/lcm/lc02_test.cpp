@@ -164,8 +164,50 @@ TEST_F(Lc02, DropsTruncatedHeadersAndUnknownMagics) {
   const Bytes fragment = datagrams_of("A", counting(100'000), 1)[0];
   for (std::size_t size = 0; size < 22; ++size)
     EXPECT_EQ(accept(Bytes(fragment.begin(), fragment.begin() + static_cast<std::ptrdiff_t>(size))), Status::kMalformed) << size;
+  // The second fragment has no channel: its header alone is as short as it can be.
+  const Bytes second = RawFragment{.size = 10, .offset = 0, .number = 1, .count = 2, .channel = {}, .data = {}}.bytes();
+  ASSERT_EQ(second.size(), 20U);
+  for (std::size_t size = 0; size < 20; ++size)
+    EXPECT_EQ(accept(Bytes(second.begin(), second.begin() + static_cast<std::ptrdiff_t>(size))), Status::kMalformed) << size;
+  EXPECT_EQ(accept(second), Status::kNotReady);
   EXPECT_EQ(accept({'L', 'C', '0', '4', 0, 0, 0, 0, 'A', 0}), Status::kMalformed);
-  EXPECT_EQ(reassembly_->counters().malformed, 10U + 22U + 1U);
+  EXPECT_EQ(reassembly_->counters().malformed, 10U + 22U + 20U + 1U);
+}
+
+TEST_F(Lc02, CountsEveryMessageThatItHandsOut) {
+  EXPECT_EQ(accept(datagrams_of("A", counting(10), 1)[0]), Status::kOk);
+  EXPECT_EQ(reassembly_->counters().completed, 1U);
+  for (const Bytes& datagram : datagrams_of("A", counting(100'000), 2)) static_cast<void>(accept(datagram));
+  EXPECT_EQ(reassembly_->counters().completed, 2U);
+  EXPECT_EQ(reassembly_->counters().incomplete, 0U);
+  EXPECT_EQ(reassembly_->counters().malformed, 0U);
+  EXPECT_EQ(reassembly_->counters().too_large, 0U);
+}
+
+TEST_F(Lc02, GivesUpAMessageByWhenItsLastFragmentCameAndNotByWhenItBegan) {
+  const auto fragment = [](std::uint32_t message, std::uint16_t number) {
+    return RawFragment{
+        .sequence_number = message, .size = 3, .offset = number, .number = number, .count = 3, .channel = "A", .data = Bytes(1, 7)}
+        .bytes();
+  };
+  for (std::uint32_t message = 0; message < config::kLcmReassemblySlots; ++message)
+    EXPECT_EQ(accept(fragment(message, 0)), Status::kNotReady);
+  EXPECT_EQ(accept(fragment(0, 1)), Status::kNotReady);
+  EXPECT_EQ(accept(fragment(100, 0)), Status::kNotReady) << "in the place of message 1, whose fragment is the oldest by now";
+  EXPECT_EQ(accept(fragment(0, 2)), Status::kOk);
+  EXPECT_EQ(accept(fragment(2, 1)), Status::kNotReady);
+  EXPECT_EQ(accept(fragment(2, 2)), Status::kOk);
+  EXPECT_EQ(reassembly_->counters().incomplete, 1U);
+}
+
+TEST_F(Lc02, TakesMessagesInUpTo256Fragments) {
+  for (std::uint16_t number = 0; number < 256; ++number) {
+    const RawFragment fragment{.size = 256, .offset = number, .number = number, .count = 256, .channel = "A", .data = Bytes(1, 7)};
+    ASSERT_EQ(accept(fragment.bytes()), number < 255 ? Status::kNotReady : Status::kOk) << number;
+  }
+  EXPECT_EQ(data(), Bytes(256, 7));
+  EXPECT_EQ(accept(RawFragment{.size = 257, .offset = 0, .number = 0, .count = 257, .channel = "A", .data = Bytes(1)}.bytes()),
+            Status::kFull);
 }
 
 TEST_F(Lc02, DropsAChannelThatIsEmptyOrDoesNotEnd) {

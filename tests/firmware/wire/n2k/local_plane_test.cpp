@@ -58,7 +58,37 @@ TEST(LocalPlane, CrossesTheDateLine) {
   const Result<NorthEast> position = plane_about(0.0, 179.9).to_local({0.0, -179.9});
   ASSERT_TRUE(position.ok());
   EXPECT_NEAR(position.value().east.value, 0.2 * 111'319.4908, 1e-3);  // a degree of the equator: 2 pi 6378137 m / 360
-  EXPECT_LT(plane_about(0.0, 179.9).to_geographic(position.value()).value().longitude_deg, 0.0);
+  EXPECT_NEAR(plane_about(0.0, 179.9).to_geographic(position.value()).value().longitude_deg, -179.9, 1e-9);  // 0.1 mm
+  const Result<NorthEast> westward = plane_about(0.0, -179.9).to_local({0.0, 179.9});
+  ASSERT_TRUE(westward.ok());
+  EXPECT_NEAR(westward.value().east.value, -0.2 * 111'319.4908, 1e-3);
+  EXPECT_NEAR(plane_about(0.0, -179.9).to_geographic(westward.value()).value().longitude_deg, 179.9, 1e-9);
+}
+
+TEST(LocalPlane, HasItsOriginAnywhereUpTo80DegreesAndTheDateLine) {
+  for (const Geographic& origin : {Geographic{80.0, 180.0}, Geographic{-80.0, -180.0}}) {
+    const Result<LocalPlane> plane = LocalPlane::about(origin);
+    ASSERT_TRUE(plane.ok());
+    EXPECT_EQ(plane.value().to_geographic({}).value().latitude_deg, origin.latitude_deg);
+    EXPECT_EQ(plane.value().to_geographic({}).value().longitude_deg, origin.longitude_deg);
+  }
+  for (const Geographic& place : {Geographic{80.1, 0}, Geographic{-80.1, 0}, Geographic{0, 180.1}, Geographic{0, -180.1}})
+    EXPECT_EQ(LocalPlane::about(place).status(), Status::kOutOfRange);
+}
+
+TEST(LocalPlane, ReachesTwoDegreesEveryWay) {
+  const LocalPlane plane = plane_about(46.0, -1.5);
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_TRUE(plane.to_local({46.0 + 2.0 * sign, -1.5}).ok());
+    EXPECT_EQ(plane.to_local({46.0 + 2.01 * sign, -1.5}).status(), Status::kOutOfRange);
+    EXPECT_TRUE(plane.to_local({46.0, -1.5 + 2.0 * sign}).ok());
+    EXPECT_EQ(plane.to_local({46.0, -1.5 + 2.01 * sign}).status(), Status::kOutOfRange);
+    // A degree of latitude is 111.1 km here, one of longitude 111.3 km * cos 46 = 77.5 km.
+    EXPECT_TRUE(plane.to_geographic({Meters{222e3 * sign}, Meters{}}).ok());
+    EXPECT_EQ(plane.to_geographic({Meters{223e3 * sign}, Meters{}}).status(), Status::kOutOfRange);
+    EXPECT_TRUE(plane.to_geographic({Meters{}, Meters{154e3 * sign}}).ok());
+    EXPECT_EQ(plane.to_geographic({Meters{}, Meters{157e3 * sign}}).status(), Status::kOutOfRange);
+  }
 }
 
 TEST(LocalPlane, RefusesPlacesThatAreNotNearOrNotNumbers) {

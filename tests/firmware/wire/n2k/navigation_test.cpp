@@ -9,6 +9,7 @@
 
 #include "firmware/wire/n2k/codec.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"
+#include "firmware/wire/n2k/setpoint.hpp"
 
 namespace earshot::n2k {
 namespace {
@@ -56,6 +57,52 @@ TEST_F(NavigationReceiverTest, SendsTheMessagesWithTheirPgnsAndSource) {
     EXPECT_EQ(parse_identifier(frames[i].identifier).value().source, kSource);
     EXPECT_EQ(frames[i].size, 8);
   }
+}
+
+TEST_F(NavigationReceiverTest, CountsWhatBecameOfEveryFrame) {
+  const NavigationFrames frames = frames_of(kNavigation);
+  const auto expect = [this](std::uint64_t accepted, std::uint64_t refused, std::uint64_t malformed, std::uint64_t waiting,
+                             std::uint64_t other) {
+    EXPECT_EQ(receiver_.counters().accepted, accepted);
+    EXPECT_EQ(receiver_.counters().refused, refused);
+    EXPECT_EQ(receiver_.counters().malformed, malformed);
+    EXPECT_EQ(receiver_.counters().waiting, waiting);
+    EXPECT_EQ(receiver_.counters().other, other);
+  };
+  expect(0, 0, 0, 0, 0);
+  static_cast<void>(accept(frames[3]));
+  expect(0, 0, 0, 1, 0);
+  for (const Frame& frame : frames) static_cast<void>(accept(frame));
+  expect(1, 0, 0, 1, 0);
+  Frame magnetic;
+  ASSERT_EQ(MessageWriter(kHeadingPgn).set("Heading", 1.0).set("Reference", 1).frame(kSource, magnetic), Status::kOk);
+  static_cast<void>(accept(magnetic));
+  expect(1, 1, 0, 1, 0);
+  Frame cut = frames[3];
+  cut.size = 7;
+  static_cast<void>(accept(cut));
+  expect(1, 2, 1, 1, 0);
+  static_cast<void>(accept({.identifier = 0x09F200CC}));  // 127488, an engine
+  expect(1, 2, 1, 1, 1);
+}
+
+TEST_F(NavigationReceiverTest, RefusesAPositionFarFromItsPlane) {
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(accept(frames_of(kNavigation)[i]), Status::kNotReady);
+  Frame far_away;
+  ASSERT_EQ(MessageWriter(kPositionPgn).set("Latitude", 49.0).set("Longitude", -1.3).frame(kSource, far_away), Status::kOk);
+  EXPECT_EQ(accept(far_away), Status::kOutOfRange);
+  EXPECT_EQ(receiver_.counters().refused, 1U);
+}
+
+TEST_F(NavigationReceiverTest, TakesNothingOutOfSetpointsOfOurOwnComeBack) {
+  SetpointFrames own;
+  ASSERT_EQ(compose_setpoint({.heading = Radians{1}, .speed = MetersPerSecond{2}, .depth = Meters{50}, .waypoint = {}}, kSource, 0, own),
+            Status::kOk);
+  for (const Frame& frame : own) EXPECT_EQ(accept(frame), Status::kNotReady);
+  EXPECT_EQ(receiver_.counters().other, own.size());
+  EXPECT_FALSE(receiver_.sensors().readings().heading.has_value());
+  EXPECT_FALSE(receiver_.sensors().readings().speed.has_value());
+  EXPECT_FALSE(receiver_.sensors().readings().depth.has_value());
 }
 
 TEST_F(NavigationReceiverTest, WaitsUntilHeadingAndPressureHaveCome) {

@@ -49,12 +49,76 @@ TEST(Setpoint, ComesBackToTheResolutionOfTheFrames) {
   }
 }
 
-TEST(Setpoint, OfAnotherMakersGroupIsNotTaken) {
+TEST(Setpoint, OfAnotherMakersOrAnotherIndustrysGroupIsNotTaken) {
+  // Bytes 0 and 1 from below: maker 2044 in 11 bits, two reserved ones, industry 4 in 3: 0x9FFC.
+  struct Head {
+    std::uint8_t low, high;
+    const char* what;
+  };
+  for (const Head& head : {Head{0xFB, 0x9F, "maker 2043"}, Head{0xFC, 0x9B, "maker 1020"}, Head{0xFC, 0x1F, "industry 0"},
+                           Head{0xFC, 0xBF, "industry 5"}, Head{0xFF, 0x9F, "no maker"}, Head{0xFC, 0xFF, "no industry"}}) {
+    SetpointFrames frames = frames_of(kSetpoint);
+    frames[0].data[0] = head.low;
+    frames[0].data[1] = head.high;
+    SetpointReceiver receiver;
+    messages::Setpoint received;
+    for (const Frame& frame : frames) EXPECT_EQ(receiver.accept(frame, received), Status::kNotReady) << head.what;
+  }
   SetpointFrames frames = frames_of(kSetpoint);
-  frames[0].data[0] = 0x9D;  // manufacturer 1949 + ...: not ours
   SetpointReceiver receiver;
   messages::Setpoint received;
-  for (const Frame& frame : frames) EXPECT_EQ(receiver.accept(frame, received), Status::kNotReady);
+  frames[0].size = 1;
+  for (const Frame& frame : frames) EXPECT_EQ(receiver.accept(frame, received), Status::kNotReady) << "cut short";
+}
+
+TEST(Setpoint, IsTakenWhateverItsReservedBitsSay) {
+  for (const std::uint8_t high : {std::uint8_t{0x87}, std::uint8_t{0x8F}, std::uint8_t{0x97}}) {  // bits 11 and 12; 0x9F has both
+    SetpointFrames frames = frames_of(kSetpoint);
+    frames[0].data[1] = high;
+    SetpointReceiver receiver;
+    messages::Setpoint received;
+    Status status = Status::kNotReady;
+    for (const Frame& frame : frames) status = receiver.accept(frame, received);
+    EXPECT_EQ(status, Status::kOk) << int{high};
+  }
+}
+
+TEST(Setpoint, WithAMagneticHeadingIsRefused) {
+  SetpointFrames frames = frames_of(kSetpoint);
+  frames[1].data[3] = 0x7C;  // the reference, bits 14 and 15 of the message: 1 for magnetic where 0x3C has 0 for true
+  SetpointReceiver receiver;
+  messages::Setpoint received;
+  Status status = Status::kNotReady;
+  for (const Frame& frame : frames) status = receiver.accept(frame, received);
+  EXPECT_EQ(status, Status::kUnsupported);
+}
+
+TEST(Setpoint, WithoutAHeadingOrAReferenceIsRefused) {
+  for (const bool without_heading : {true, false}) {
+    SetpointFrames frames = frames_of(kSetpoint);
+    if (without_heading) {
+      frames[1].data[7] = 0xFF;
+      frames[2].data[1] = 0xFF;
+    } else {
+      frames[1].data[3] = 0xFC;
+    }
+    SetpointReceiver receiver;
+    messages::Setpoint received;
+    Status status = Status::kNotReady;
+    for (const Frame& frame : frames) status = receiver.accept(frame, received);
+    EXPECT_EQ(status, Status::kOutOfRange);
+  }
+}
+
+TEST(Setpoint, IsNotMadeOfADepthThatWasTakenBack) {
+  const SetpointFrames frames = frames_of(kSetpoint);
+  Frame nonsense = frames[0];
+  nonsense.data[7] = 8;  // a fast packet counts from 0 to 7
+  SetpointReceiver receiver;
+  messages::Setpoint received;
+  EXPECT_EQ(receiver.accept(frames[0], received), Status::kNotReady);
+  EXPECT_EQ(receiver.accept(nonsense, received), Status::kOutOfRange);
+  for (std::size_t i = 1; i < frames.size(); ++i) EXPECT_EQ(receiver.accept(frames[i], received), Status::kNotReady);
 }
 
 TEST(Setpoint, IsNeverMadeOfHalvesOfTwo) {

@@ -8,6 +8,8 @@
 #include <random>
 #include <set>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "firmware/wire/n2k/fast_packet.hpp"
 #include "tests/firmware/wire/n2k/recorded_bus.hpp"
@@ -141,6 +143,33 @@ TEST(Signals, DoNotTouchTheirNeighbours) {
         EXPECT_EQ(decode(other, bytes).status(), Status::kNotReady) << message.name << ' ' << s.name << ' ' << other.name;
       }
     }
+  }
+}
+
+TEST(Messages, ThatShareAGroupAreToldApartByTheirKind) {
+  EXPECT_EQ(find_message(kPeerPgn, 1)->name, "EarshotCommand");
+  EXPECT_EQ(find_message(kPeerPgn, 2)->name, "EarshotCommandAcknowledgement");
+  EXPECT_EQ(find_message(kPeerPgn, 3)->name, "EarshotAbort");
+  EXPECT_EQ(find_message(kPeerPgn)->name, "EarshotCommand") << "the first of them";
+  EXPECT_EQ(find_message(kPeerPgn, 4), nullptr);
+  EXPECT_EQ(find_message(kHeadingPgn, 1), nullptr);
+  EXPECT_EQ(find_message(1), nullptr);
+  EXPECT_EQ(find_signal(*find_message(kHeadingPgn), "Hedding"), nullptr);
+}
+
+TEST(Messages, AreTooOldAfterTenPeriodsAndGiveWayAfterTwoAndAHalf) {
+  EXPECT_EQ(table::kHeading.period, Duration::seconds(1));
+  EXPECT_EQ(table::kHeading.timeout, Duration::seconds(10));
+  EXPECT_EQ(table::kHeading.handover, Duration::milliseconds(2500));
+  EXPECT_EQ(table::kBattery.handover, Duration::milliseconds(3750));
+}
+
+TEST(Signals, AreRoundedToTheNearestStepOnBothSidesOfZero) {
+  const Signal& variation = signal(kVariationPgn, "Variation");  // 1e-4 rad, bytes 4 and 5
+  for (const auto& [value, raw] : {std::pair{0.00016, 2}, {0.00014, 1}, {-0.00016, -2}, {-0.00014, -1}}) {
+    auto bytes = blank(*find_message(kVariationPgn));
+    ASSERT_EQ(encode(variation, value, bytes), Status::kOk);
+    EXPECT_EQ(decode_raw(variation, bytes).value(), raw) << value;
   }
 }
 

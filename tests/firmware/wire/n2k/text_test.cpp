@@ -40,6 +40,37 @@ TEST(Text, IsWrittenIntoItsFieldAndNoFurther) {
   EXPECT_EQ(fixed_text(kModel, std::span(bytes).first(35)).status(), Status::kMalformed);
 }
 
+TEST(Text, MayEndWithTheBytesThatHoldIt) {
+  std::vector<std::uint8_t> bytes(36, 0x55);
+  ASSERT_EQ(write_fixed_text(kModel, std::string(32, 'x'), bytes), Status::kOk);
+  EXPECT_EQ(fixed_text(kModel, bytes).value(), std::string(32, 'x'));
+  EXPECT_EQ(write_fixed_text(kModel, "x", std::span(bytes).first(35)), Status::kFull);
+  constexpr Signal kNumber = table::field(table::kProduct, "ProductCode");
+  EXPECT_EQ(write_fixed_text(kNumber, "x", bytes), Status::kFull) << "a field of a number";
+  EXPECT_EQ(fixed_text(kNumber, bytes).status(), Status::kMalformed);
+}
+
+TEST(Text, IsPrintableFromBlankToTilde) {
+  std::vector<std::uint8_t> bytes(36);
+  EXPECT_EQ(write_fixed_text(kModel, "a b~", bytes), Status::kOk);
+  EXPECT_EQ(fixed_text(kModel, bytes).value(), "a b~");
+  EXPECT_EQ(write_fixed_text(kModel, "\x1F", bytes), Status::kOutOfRange);
+  EXPECT_EQ(write_fixed_text(kModel, "\x7F", bytes), Status::kOutOfRange);
+  std::span<std::uint8_t> room = bytes;
+  EXPECT_EQ(put_variable_text("\x7F", room), Status::kOutOfRange);
+}
+
+TEST(Text, OfVariableSizeHasAtMost253Characters) {
+  std::vector<std::uint8_t> bytes(300);
+  std::span<std::uint8_t> room = bytes;
+  EXPECT_EQ(put_variable_text(std::string(254, 'x'), room), Status::kOutOfRange);
+  ASSERT_EQ(put_variable_text(std::string(253, 'x'), room), Status::kOk);
+  EXPECT_EQ(bytes[0], 255) << "with its size and its encoding";
+  EXPECT_EQ(room.size(), 45U);
+  std::span<const std::uint8_t> rest = bytes;
+  EXPECT_EQ(take_variable_text(rest).value(), std::string(253, 'x'));
+}
+
 TEST(Text, OfVariableSizeFollowsText) {
   // Size (with itself and the encoding), encoding 1, characters.
   const std::vector<std::uint8_t> bytes{5, 1, 'b', 'o', 'w', 2, 1, 4, 1, 'o', 'k'};

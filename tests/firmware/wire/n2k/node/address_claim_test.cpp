@@ -59,5 +59,57 @@ TEST(AddressClaim, WaitsFromNothingTo153MillisecondsBeforeItSaysThatItHasNone) {
   }
 }
 
+TEST(AddressClaim, ClaimsAgainAtOnceWhenItIsMovedAndNotWhenItIsThereAlready) {
+  AddressClaim claim(kName, 0x40);
+  EXPECT_TRUE(claim.claim_due(kNow));
+  EXPECT_EQ(claim.move_to(0x40), Status::kOk);
+  EXPECT_FALSE(claim.claim_due(kNow + kClaimTime));
+  EXPECT_EQ(claim.address(), 0x40);
+  EXPECT_EQ(claim.move_to(251), Status::kOk);
+  EXPECT_FALSE(claim.address());
+  EXPECT_TRUE(claim.claim_due(kNow + kClaimTime));
+  EXPECT_EQ(claim.source(), 251);
+  EXPECT_EQ(claim.move_to(252), Status::kOutOfRange);
+  EXPECT_EQ(claim.source(), 251);
+}
+
+TEST(AddressClaim, MovesToAnAddressAlsoWhenItHasNone) {
+  AddressClaim claim = driven_out(kNow);
+  EXPECT_EQ(claim.move_to(0x40), Status::kOk);
+  EXPECT_TRUE(claim.claim_due(kNow));
+  EXPECT_EQ(claim.source(), 0x40);
+}
+
+TEST(AddressClaim, HoldsAnAddressAQuarterOfASecondAfterItsFirstClaimOfIt) {
+  AddressClaim claim(kName, 0x40);
+  EXPECT_TRUE(claim.claim_due(kNow));
+  claim.accept(0x40, kName + 1, kNow);  // somebody with fewer rights: it claims again, and goes on waiting
+  EXPECT_FALSE(claim.claim_due(kNow + kLeastClaimGap + Duration{-1}));
+  EXPECT_TRUE(claim.claim_due(kNow + kLeastClaimGap));
+  EXPECT_FALSE(claim.claim_due(kNow + kClaimTime + Duration{-1}));
+  EXPECT_FALSE(claim.address());
+  EXPECT_FALSE(claim.claim_due(kNow + kClaimTime));
+  EXPECT_EQ(claim.address(), 0x40);
+}
+
+TEST(AddressClaim, TriesAgainHalfAMinuteAfterItWasDrivenOut) {
+  AddressClaim claim = driven_out(kNow);
+  EXPECT_TRUE(claim.claim_due(kNow + kDelay));
+  EXPECT_FALSE(claim.claim_due(kNow + kClaimAgain + Duration{-1}));
+  EXPECT_EQ(claim.source(), kNullAddress);
+  EXPECT_TRUE(claim.claim_due(kNow + kClaimAgain));
+  EXPECT_EQ(claim.source(), 0x40) << "the one it prefers";
+}
+
+TEST(AddressClaim, IgnoresClaimsOfAddressesThatNobodyMayHave) {
+  AddressClaim claim(kName, 251);
+  EXPECT_TRUE(claim.claim_due(kNow));
+  for (const std::uint8_t source : {std::uint8_t{252}, std::uint8_t{254}}) claim.accept(source, 1, kNow);
+  EXPECT_FALSE(claim.claim_due(kNow + kClaimTime));
+  claim.accept(251, 1, kNow + kClaimTime);
+  EXPECT_TRUE(claim.claim_due(kNow + kClaimTime));
+  EXPECT_EQ(claim.source(), 0) << "after the last comes the first";
+}
+
 }  // namespace
 }  // namespace earshot::n2k

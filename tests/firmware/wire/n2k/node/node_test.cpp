@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware/wire/n2k/node/information.hpp"
@@ -15,7 +16,6 @@ namespace earshot::n2k {
 namespace {
 
 constexpr std::uint8_t kOther = 0x23;
-constexpr Name kAutopilot = 0xC050'9635'E772'EE1F;  // tests/reference/n2k/frames.txt, source 204
 
 Identity identity() {
   Identity identity;
@@ -71,16 +71,6 @@ class NodeTest : public ::testing::Test {
   Identity identity_ = identity();
   Node node_{identity_, table_pgns(PgnListKind::kTransmitted), table_pgns(PgnListKind::kReceived)};
 };
-
-TEST(Name, IsThatOfARecordedDeviceOfTheSameParts) {
-  // Source 204 of the recorded bus: 1240607, maker 1851, instances 5 and 6, function 150, class 40.
-  EXPECT_EQ(
-      name_of({.unique_number = 1'240'607, .manufacturer = 1851, .device_instance = 5 + 8 * 6, .device_function = 150, .device_class = 40})
-          .value(),
-      kAutopilot);
-  EXPECT_EQ(name_of({.unique_number = 1U << 21U}).status(), Status::kOutOfRange);
-  EXPECT_EQ(name_of({.unique_number = 1, .system_instance = 14}).status(), Status::kOutOfRange);
-}
 
 TEST_F(NodeTest, ClaimsItsAddressAndWaitsBeforeItSaysMore) {
   EXPECT_EQ(step(Duration{}), std::vector{claim_of(identity_.name, 0x40)});
@@ -284,6 +274,111 @@ TEST_F(NodeTest, MovesToTheAddressItIsCommandedTo) {
   EXPECT_EQ(step(kLeastClaimGap)[0], claim_of(identity_.name, 0x55));
   (void)step(kClaimTime);
   EXPECT_EQ(node_.address(), 0x55);
+  EXPECT_EQ(node_.counters().commanded, 1U);
+}
+
+TEST_F(NodeTest, BeatsWhenAskedButNoMoreOftenThanTenTimesASecond) {
+  settle();
+  accept(request_of(kHeartbeatPgn));
+  EXPECT_EQ(step(kLeastAnswerGap - kLeastClaimGap).size(), 1U);
+  EXPECT_TRUE(step(kLeastAnswerGap).empty()) << "one answer to one question";
+  accept(request_of(kHeartbeatPgn, 0x40));
+  EXPECT_EQ(step(Duration{}).size(), 1U);
+  accept(request_of(kHeartbeatPgn));
+  EXPECT_TRUE(step(kLeastAnswerGap - Duration{1}).empty());
+  EXPECT_EQ(step(Duration{1}).size(), 1U);
+  EXPECT_EQ(node_.counters().heartbeats, 4U) << "with the one at the start";
+}
+
+TEST_F(NodeTest, BeatsWithItsControllersStateOnceThatIsKnown) {
+  settle();
+  std::uint8_t sequence = 1;
+  for (const auto& [state, expected] : {std::pair{ControllerState::kErrorActive, std::uint8_t{0xCC}},
+                                        {ControllerState::kErrorPassive, std::uint8_t{0xCD}},
+                                        {ControllerState::kBusOff, std::uint8_t{0xCE}}}) {
+    node_.set_controller_state(state);
+    accept(request_of(kHeartbeatPgn));
+    EXPECT_EQ(step(kLeastAnswerGap), (std::vector{Frame{0x1DF01140, 8, {0x60, 0xEA, sequence++, expected, 0xFF, 0xFF, 0xFF, 0xFF}}}));
+  }
+}
+
+TEST_F(NodeTest, AnswersEachQuestionOnceAndTheSameOneAgainAfterATenthOfASecond) {
+  settle();
+  accept(request_of(kConfigurationPgn));
+  accept(request_of(kConfigurationPgn, 0x40));
+  EXPECT_EQ(step(Duration{}).size(), 2U) << "13 bytes in two frames";
+  EXPECT_TRUE(step(kLeastAnswerGap).empty());
+  accept(request_of(kConfigurationPgn));
+  const auto second = step(Duration{});
+  ASSERT_EQ(second.size(), 2U);
+  EXPECT_EQ(second[0].data[0], 0x20) << "its packet counts one higher than the first";
+  accept(request_of(kConfigurationPgn));
+  EXPECT_TRUE(step(kLeastAnswerGap - Duration{1}).empty());
+  EXPECT_EQ(step(Duration{1}).size(), 2U);
+  EXPECT_EQ(node_.counters().answers, 3U);
+  EXPECT_EQ(node_.counters().requests, 4U);
+}
+
+TEST_F(NodeTest, RefusesEightThingsBetweenTwoStepsAndCountsTheRest) {
+  settle();
+  for (int i = 0; i < 11; ++i) accept(request_of(126'992, 0x40));
+  EXPECT_EQ(step(kLeastAnswerGap).size(), 8U);
+  EXPECT_TRUE(step(kLeastAnswerGap).empty());
+  EXPECT_EQ(node_.counters().refused, 8U);
+  EXPECT_EQ(node_.counters().unanswered, 3U);
+  EXPECT_EQ(node_.counters().answers, 0U);
+}
+
+TEST_F(NodeTest, ForgetsWhatItWasAskedBeforeItLostItsAddress) {
+  settle();
+  accept(request_of(126'992, 0x40));
+  accept({0x0DED4023, 8, {0xA0, 6, 0, 0x10, 0xF0, 0x01, 0, 0}});
+  accept(claim_of(identity_.name - 1, 0x40));
+  EXPECT_EQ(step(kLeastClaimGap), std::vector{claim_of(identity_.name, 0x41)});
+  const auto frames = step(kClaimTime);
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(frames[0], request_of(kAddressClaimPgn, kBroadcast, 0x41)) << "it asks anew who is there, and refuses nothing";
+}
+
+TEST_F(NodeTest, PutsNothingBehindWhatWasInItsCallersList) {
+  settle();
+  NodeFrames frames;
+  ASSERT_EQ(frames.push_back(claim_of(1, 1)), Status::kOk);
+  node_.step(now_, frames);
+  EXPECT_TRUE(frames.empty());
+}
+
+TEST_F(NodeTest, SaysNothingMoreThoughItHearsAllThatItSaid) {
+  settle();
+  for (const std::uint32_t pgn : {kProductPgn, kConfigurationPgn, kPgnListPgn, kHeartbeatPgn}) accept(request_of(pgn));
+  accept(request_of(126'992, 0x40));
+  accept({0x0DED4023, 8, {0xA0, 6, 0, 0x10, 0xF0, 0x01, 0, 0}});
+  std::vector<Frame> said;
+  for (int i = 0; i < 3; ++i) {
+    const auto frames = step(kLeastAnswerGap);
+    said.insert(said.end(), frames.begin(), frames.end());
+  }
+  EXPECT_GT(said.size(), 40U);
+  const std::uint64_t requests = node_.counters().requests;
+  for (const Frame& frame : said) accept(frame);
+  EXPECT_TRUE(step(kLeastAnswerGap).empty());
+  EXPECT_EQ(node_.counters().requests, requests);
+  EXPECT_EQ(node_.address(), 0x40);
+}
+
+TEST_F(NodeTest, CountsWhatBecameOfItsClaims) {
+  settle();
+  EXPECT_EQ(node_.claim_counters().claims, 2U) << "at its start, and when it asked who is there";
+  accept(claim_of(identity_.name, 0x40));
+  EXPECT_EQ(node_.claim_counters().own, 1U);
+  accept(claim_of(identity_.name + 1, 0x40));
+  EXPECT_EQ(node_.claim_counters().defended, 1U);
+  accept(claim_of(identity_.name - 1, 0x40));
+  EXPECT_EQ(node_.claim_counters().lost, 1U);
+  for (unsigned address = 0; address <= kLastAddress; ++address) accept(claim_of(1 + address, static_cast<std::uint8_t>(address)));
+  EXPECT_EQ(node_.claim_counters().given_up, 1U);
+  EXPECT_EQ(node_.claim_counters().own, 1U);
+  EXPECT_EQ(node_.claim_counters().defended, 1U);
 }
 
 TEST_F(NodeTest, DoesNotFillTheBusHoweverOftenItIsAsked) {

@@ -50,6 +50,43 @@ TEST(Measurements, OfOtherMakersAndWithoutAValueAreNotTaken) {
   EXPECT_EQ(read_leak(stranger).status(), Status::kUnsupported);
   EXPECT_EQ(read_altitude(stranger).status(), Status::kUnsupported);
   EXPECT_EQ(read_snr(std::span(stranger).first(1)).status(), Status::kUnsupported);
+  EXPECT_EQ(read_altitude(std::array<std::uint8_t, 8>{0xFC, 0x9F, 2, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}).status(), Status::kNotReady);
+  EXPECT_EQ(read_leak(std::array<std::uint8_t, 8>{0xFC, 0x9F, 2, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}).status(), Status::kNotReady);
+}
+
+TEST(Measurements, OfAnotherIndustryAreNotTakenThoughTheReservedBitsMaySayAnything) {
+  // 12.34 m. Byte 1 from above: industry in three bits, two reserved ones, the highest three of the maker.
+  std::array<std::uint8_t, 8> bytes{0xFC, 0x9F, 0xFF, 0xD2, 0x04, 0x00, 0x00, 0xFF};
+  for (const std::uint8_t ours : {std::uint8_t{0x9F}, std::uint8_t{0x97}, std::uint8_t{0x8F}, std::uint8_t{0x87}}) {
+    bytes[1] = ours;
+    EXPECT_EQ(read_altitude(bytes).value().value, 12.34) << int{ours};
+  }
+  for (const unsigned industry : {0U, 1U, 2U, 3U, 5U, 6U, 7U}) {
+    bytes[1] = static_cast<std::uint8_t>(0x1FU | (industry << 5U));
+    EXPECT_EQ(read_altitude(bytes).status(), Status::kUnsupported) << industry;
+    EXPECT_EQ(read_snr(bytes).status(), Status::kUnsupported) << industry;
+    EXPECT_EQ(read_leak(bytes).status(), Status::kUnsupported) << industry;
+  }
+}
+
+TEST(Measurements, SayOfALeakSensorThatItIsDry) {
+  Frame frame;
+  ASSERT_EQ(compose_leak({}, kSource, frame), Status::kOk);
+  EXPECT_EQ(frame, (Frame{0x04FF0D40, 8, {0xFC, 0x9F, 0x00, 0xFC, 0xFF, 0xFF, 0xFF, 0xFF}}));
+  EXPECT_FALSE(read_leak(frame.bytes()).value().wet);
+}
+
+TEST(Measurements, OfAHydrophoneAreWhatTheRuntimeTakes) {
+  Frame frame;
+  ASSERT_EQ(compose_snr({.snr = Decibels{-3.25}, .too_faint = true, .band_level = Decibels{92.5}}, kSource, frame), Status::kOk);
+  const HeardSnr heard = read_snr(frame.bytes()).value();
+  EXPECT_EQ(heard.band_level->value, 92.5);
+  EXPECT_EQ(measurement_of(heard, Time{5}).snr.value, -3.25);
+  EXPECT_TRUE(measurement_of(heard, Time{5}).too_faint);
+  HeardSnr unmarked;
+  unmarked.snr = Decibels{-3.25};
+  ASSERT_EQ(compose_snr(unmarked, kSource, frame), Status::kOk);
+  EXPECT_FALSE(read_snr(frame.bytes()).value().too_faint) << "unless it says so";
 }
 
 }  // namespace

@@ -109,6 +109,61 @@ TEST_F(OrdersTest, OfOtherMakersAreRefused) {
   EXPECT_EQ(receiver_.counters().other, 2U);
 }
 
+TEST_F(OrdersTest, AreTakenWhateverTheirReservedBitsSay) {
+  FastPacketFrames frames = frames_of(kStart);
+  frames[0].data[3] = 0x87;  // 0x9F without bits 11 and 12
+  Status status = Status::kNotReady;
+  for (const Frame& frame : frames) status = accept(frame);
+  EXPECT_EQ(status, Status::kOk);
+  EXPECT_EQ(command_, kStart);
+}
+
+TEST_F(OrdersTest, AreCountedByWhatBecameOfThem) {
+  for (const Frame& frame : frames_of(kStart)) static_cast<void>(accept(frame));
+  EXPECT_EQ(receiver_.counters().taken, 1U);
+  FastPacketFrames undated = frames_of(kStart);
+  // 8 bytes from the twelfth on say "not available": 0x7FFF'FFFF'FFFF'FFFF. The twelfth is byte 6 of frame 1's seven.
+  undated[1].data[7] = 0xFF;
+  undated[2].data = {undated[2].data[0], 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x7F};
+  Status status = Status::kOk;
+  for (const Frame& frame : undated) status = accept(frame);
+  EXPECT_EQ(status, Status::kNotReady);
+  EXPECT_EQ(receiver_.counters().taken, 1U);
+  EXPECT_EQ(receiver_.counters().refused, 1U);
+  EXPECT_EQ(receiver_.counters().other, 0U);
+}
+
+TEST_F(OrdersTest, AreNotFoundInOurOwnAnswersComeBackOrThoseOfOthers) {
+  const messages::CommandAcknowledgement answer{
+      .time = kNow, .port = 0, .issuer = 1, .number = 2, .order = Order::kStart, .outcome = messages::CommandOutcome::kObeyed};
+  FastPacketFrames frames;
+  ASSERT_EQ(compose_acknowledgement(answer, {.source = kUs, .destination = kOperator, .sequence = 0}, frames), Status::kOk);
+  for (const Frame& frame : frames) EXPECT_EQ(accept(frame), Status::kNotReady);
+  EXPECT_EQ(receiver_.counters().other, 0U) << "it is not to us";
+  ASSERT_EQ(compose_acknowledgement(answer, {.source = kOperator, .destination = kUs, .sequence = 0}, frames), Status::kOk);
+  for (const Frame& frame : frames) EXPECT_EQ(accept(frame), Status::kNotReady);
+  EXPECT_EQ(receiver_.counters().other, 1U) << "an answer is no order";
+  EXPECT_EQ(receiver_.counters().taken, 0U);
+}
+
+TEST_F(OrdersTest, WhoseAnswerNobodyKnowsIsRefused) {
+  FastPacketFrames frames;
+  const messages::CommandAcknowledgement sent{
+      .time = kNow, .port = 0, .issuer = 1, .number = 2, .order = Order::kStart, .outcome = messages::CommandOutcome::kOutOfOrder};
+  ASSERT_EQ(compose_acknowledgement(sent, kRoute, frames), Status::kOk);
+  FastPacketAssembly assembly;
+  std::span<const std::uint8_t> view;
+  for (const Frame& frame : frames)
+    static_cast<void>(assembly.accept({.pgn = kPeerPgn, .source = kOperator, .destination = kUs}, frame, view));
+  std::vector<std::uint8_t> bytes(view.begin(), view.end());
+  ASSERT_EQ(bytes[12], 7);
+  EXPECT_TRUE(read_acknowledgement(bytes).ok());
+  bytes[12] = 8;
+  EXPECT_EQ(read_acknowledgement(bytes).status(), Status::kUnsupported);
+  bytes[12] = 0xFF;
+  EXPECT_EQ(read_acknowledgement(bytes).status(), Status::kNotReady);
+}
+
 TEST_F(OrdersTest, AreAcknowledgedWithAllTheirBits) {
   const messages::CommandAcknowledgement sent{.time = kNow,
                                               .port = 0,

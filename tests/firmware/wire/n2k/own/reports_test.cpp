@@ -67,6 +67,46 @@ TEST(Reports, StopCountingWhereTheirFieldEnds) {
   EXPECT_FALSE(read.value().link_up);
 }
 
+TEST(Reports, OfAPortComeBack) {
+  const messages::PortReport report{.port = 3, .link_up = true, .received = 1, .lost = 2, .malformed = 4, .unsent = 5};
+  FastPacketFrames frames;
+  ASSERT_EQ(compose_port_health(report, kSender, frames), Status::kOk);
+  std::vector<std::uint8_t> bytes = bytes_of(frames);
+  EXPECT_EQ(read_port_health(bytes).value(), report);
+  bytes[2] = 0xFF;
+  EXPECT_EQ(read_port_health(bytes).status(), Status::kNotReady);
+  bytes[0] = 0xFB;
+  EXPECT_EQ(read_port_health(bytes).status(), Status::kUnsupported) << "another maker's";
+}
+
+TEST(Reports, GoToAllFromTheirSenderUnderTheirPacketsNumber) {
+  // The source is the identifier's lowest byte; the sequence is in the highest three bits of a frame's first: 3 << 5 = 0x60.
+  FastPacketFrames frames;
+  ASSERT_EQ(compose_port_health({}, kSender, frames), Status::kOk);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i].identifier & 0xFFU, 0x40U);
+    EXPECT_EQ(frames[i].data[0], 0x60U | i);
+  }
+  ASSERT_EQ(compose_health({}, Time{0}, {.source = 0x41}, frames), Status::kOk);
+  EXPECT_EQ(frames[0].identifier & 0xFFU, 0x41U);
+  EXPECT_EQ(frames[0].data[0], 0);
+}
+
+TEST(Reports, OfADecisionWithHalfABeliefAreRefused) {
+  messages::Decision sent = decision();
+  sent.belief = {.likeliest = {Meters{500}, Meters{250}},
+                 .mean = {Meters{-0.5}, Meters{0.25}},
+                 .spread = Meters{1234.5},
+                 .likeliest_share = 0.25F,
+                 .effective_cells = 12.5F};
+  FastPacketFrames frames;
+  ASSERT_EQ(compose_decision(sent, kSender, frames), Status::kOk);
+  std::vector<std::uint8_t> bytes = bytes_of(frames);
+  ASSERT_EQ(bytes.size(), 60U);
+  bytes[54] = bytes[55] = 0xFF;  // the likeliest share, bits 432 to 447
+  EXPECT_EQ(read_decision(bytes).status(), Status::kNotReady);
+}
+
 TEST(Reports, OfADecisionComeBackToTheirResolution) {
   FastPacketFrames frames;
   for (const bool believes : {false, true}) {

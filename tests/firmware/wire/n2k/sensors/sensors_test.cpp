@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "firmware/wire/n2k/codec.hpp"
-#include "firmware/wire/n2k/sensors/fields.hpp"
 
 namespace earshot::n2k {
 namespace {
@@ -211,39 +210,13 @@ TEST_F(SensorsTest, TakeNoPositionThatIsNotMeasured) {
   EXPECT_EQ(sensors_.counters().unavailable, 3U);
 }
 
-/// 129029 at 46 N, 1.3 W, and behind its number of stations these bytes.
-std::vector<std::uint8_t> position_with(std::uint8_t count, std::initializer_list<std::uint8_t> stations) {
-  MessageWriter writer(kGnssPgn);
-  writer.set("Latitude", 46.0).set("Longitude", -1.3).set("Method", 2).set("ReferenceStations", count);
-  std::vector<std::uint8_t> bytes(writer.bytes().begin(), writer.bytes().end());
-  bytes.insert(bytes.end(), stations);
-  return bytes;
-}
-
-TEST(Fields, ReadTheReferenceStationsBehindTheirNumber) {
-  // Type 2 and identifier 0x341 = 833 in one word, lowest byte first; 0x2710 = 10 000 hundredths of a second. Then one that says nothing.
-  const auto two = fields::reference_stations(position_with(2, {0x12, 0x34, 0x10, 0x27, 0xFF, 0xFF, 0xFF, 0xFF}));
-  ASSERT_TRUE(two.ok());
-  ASSERT_EQ(two.value().size(), 2U);
-  EXPECT_EQ(two.value()[0].type, 2);
-  EXPECT_EQ(two.value()[0].id, 833);
-  EXPECT_EQ(two.value()[0].age_s, 100.0);
-  EXPECT_FALSE(two.value()[1].type || two.value()[1].id || two.value()[1].age_s);
-  EXPECT_TRUE(fields::reference_stations(position_with(0, {})).value().empty());
-  EXPECT_TRUE(fields::reference_stations(position_with(0, {1, 2, 3, 4})).value().empty()) << "padding";
-  EXPECT_EQ(fields::reference_stations(position_with(2, {1, 2, 3, 4, 5, 6, 7})).status(), Status::kMalformed);
-  EXPECT_EQ(fields::reference_stations(position_with(252, {})).status(), Status::kMalformed);
-  std::vector<std::uint8_t> silent = position_with(1, {1, 2, 3, 4});
-  silent[42] = 0xFF;
-  EXPECT_EQ(fields::reference_stations(silent).status(), Status::kNotReady);
-  silent.resize(42);
-  EXPECT_EQ(fields::reference_stations(silent).status(), Status::kMalformed);
-}
-
 TEST_F(SensorsTest, TakeAPositionHoweverManyReferenceStationsFollow) {
-  const std::vector<std::uint8_t> bytes = position_with(2, {0x12, 0x34, 0x10, 0x27, 0xFF, 0xFF, 0xFF, 0xFF});
+  MessageWriter writer(kGnssPgn);
+  writer.set("Latitude", 46.0).set("Longitude", -1.3).set("Method", 2).set("ReferenceStations", 2);
+  std::vector<std::uint8_t> bytes(writer.bytes().begin(), writer.bytes().end());
+  bytes.insert(bytes.end(), {0x12, 0x34, 0x10, 0x27, 0xFF, 0xFF, 0xFF, 0xFF});
   FastPacketFrames packet;
-  ASSERT_EQ(compose_fast_packet(MessageWriter(kGnssPgn).identifier(kA), 0, bytes, packet), Status::kOk);
+  ASSERT_EQ(compose_fast_packet(writer.identifier(kA), 0, bytes, packet), Status::kOk);
   Status status = Status::kNotReady;
   for (const Frame& frame : packet) status = accept(frame);
   EXPECT_EQ(status, Status::kOk);
@@ -276,6 +249,82 @@ TEST_F(SensorsTest, ReadTheRestOfWhatTheyKnow) {
   EXPECT_EQ(accept(frame_of(kTemperaturePgn, {{"Instance", 0}, {"Source", 2}, {"ActualTemperature", 300}})), Status::kNotReady) << "inside";
   ASSERT_EQ(accept(frame_of(kTemperaturePgn, {{"Instance", 0}, {"Source", 0}, {"ActualTemperature", 280.15}})), Status::kOk);
   EXPECT_EQ(readings().water_temperature_k->value, 280.15);
+}
+
+TEST_F(SensorsTest, CountNothingBeforeAnythingCame) {
+  const SensorCounters& counters = sensors_.counters();
+  EXPECT_EQ(counters.taken + counters.refused + counters.unavailable + counters.other_device, 0U);
+  EXPECT_EQ(counters.no_variation + counters.no_surface + counters.of_no_interest, 0U);
+  for (const std::uint64_t not_chosen : counters.not_chosen) EXPECT_EQ(not_chosen, 0U);
+}
+
+TEST_F(SensorsTest, SayWhatTheyMeasuredAndCountIt) {
+  ASSERT_EQ(heading(1.0, kTrue), Status::kOk);
+  EXPECT_EQ(measured_, Measured::kHeading);
+  ASSERT_EQ(accept(frame_of(kPressurePgn, {{"Source", 1}, {"Pressure", 1e5}})), Status::kOk);
+  EXPECT_EQ(measured_, Measured::kPressure);
+  ASSERT_EQ(accept(frame_of(kTemperaturePgn, {{"Source", 0}, {"ActualTemperature", 280.15}})), Status::kOk);
+  EXPECT_EQ(measured_, Measured::kTemperature);
+  EXPECT_EQ(sensors_.counters().taken, 3U);
+}
+
+TEST_F(SensorsTest, CountWhatIsMeasuredInAirOrInNoGroupOfTheirsAsOfNoInterest) {
+  EXPECT_EQ(accept(frame_of(kPressurePgn, {{"Source", 0}, {"Pressure", 101'325.0}})), Status::kNotReady);
+  EXPECT_EQ(sensors_.counters().of_no_interest, 1U);
+  EXPECT_EQ(accept(frame_of(kTemperaturePgn, {{"Source", 1}, {"ActualTemperature", 300}})), Status::kNotReady);
+  EXPECT_EQ(sensors_.counters().of_no_interest, 2U);
+  EXPECT_EQ(accept({.identifier = 0x09F200CC}), Status::kNotReady) << "127488, an engine";
+  EXPECT_EQ(sensors_.counters().of_no_interest, 3U);
+  EXPECT_EQ(accept({.identifier = 0x20000000}), Status::kNotReady) << "more than 29 bits";
+  EXPECT_EQ(sensors_.counters().of_no_interest, 4U);
+  EXPECT_EQ(sensors_.counters().taken, 0U);
+  EXPECT_FALSE(readings().pressure_pa || readings().depth || readings().water_temperature_k);
+}
+
+TEST_F(SensorsTest, KeepTheirDepthWhileAnotherDeviceOrTheAirTellsAPressure) {
+  ASSERT_EQ(accept(frame_of(kPressurePgn, {{"Source", 1}, {"Pressure", 100'518.2}}, kA)), Status::kOk);
+  EXPECT_EQ(accept(frame_of(kPressurePgn, {{"Source", 1}, {"Pressure", 5e6}}, kB)), Status::kNotReady);
+  EXPECT_EQ(accept(frame_of(kPressurePgn, {{"Source", 0}, {"Pressure", 101'325.0}}, kA)), Status::kNotReady);
+  EXPECT_EQ(accept(frame_of(kPressurePgn, {{"Source", 0xFC}, {"Pressure", 5e6}}, kA)), Status::kNotReady);
+  ASSERT_TRUE(readings().depth.has_value());
+  EXPECT_NEAR(readings().depth->value.value, 10.0, 1e-5);
+  EXPECT_EQ(accept(frame_of(kPressurePgn, {{"Source", 1}}, kA)), Status::kNotReady);
+  EXPECT_FALSE(readings().depth.has_value()) << "which its sensor takes back with the pressure";
+}
+
+TEST_F(SensorsTest, AreAtTheSurfaceBetween80And110KilopascalsOrWithin20OfAGaugesZero) {
+  struct Row {
+    PressureKind kind;
+    double pressure_pa;
+    Status expected;
+  };
+  using enum PressureKind;
+  using enum Status;
+  for (const Row& row : {Row{kGauge, -20'000.1, kOutOfRange}, Row{kGauge, -20'000, kOk}, Row{kGauge, 20'000, kOk},
+                         Row{kGauge, 20'000.1, kOutOfRange}, Row{kAbsolute, 79'999.9, kOutOfRange}, Row{kAbsolute, 80'000, kOk},
+                         Row{kAbsolute, 110'000, kOk}, Row{kAbsolute, 110'000.1, kOutOfRange}}) {
+    sensors_ = Sensors({.sources = {}, .pressure_kind = row.kind, .surface_pa = {}});
+    static_cast<void>(accept(frame_of(kPressurePgn, {{"Source", 1}, {"Pressure", row.pressure_pa}})));
+    EXPECT_EQ(sensors_.zero_at_surface(), row.expected) << row.pressure_pa;
+    EXPECT_EQ(readings().depth.has_value() && readings().depth->value.value == 0.0, row.expected == kOk) << row.pressure_pa;
+  }
+}
+
+TEST_F(SensorsTest, RefuseAFrameCutShortWithoutForgettingWhatItSaidBefore) {
+  ASSERT_EQ(heading(1.0, kTrue), Status::kOk);
+  Frame frame = frame_of(kHeadingPgn, {{"Heading", 2.0}, {"Reference", kTrue}});
+  for (const std::uint8_t size : {std::uint8_t{2}, std::uint8_t{7}}) {
+    frame.size = size;
+    EXPECT_EQ(accept(frame), Status::kMalformed) << "without its heading, without its reference";
+  }
+  EXPECT_EQ(accept(frame_of(kHeadingPgn, {{"Heading", 2.0}})), Status::kUnsupported) << "a reference that is not available";
+  EXPECT_EQ(readings().heading->value.value, 1.0);
+  for (const std::uint32_t pgn : {kPressurePgn, kTemperaturePgn}) {
+    Frame cut = frame_of(pgn, {{"Source", 1}});
+    cut.size = 2;
+    EXPECT_EQ(accept(cut), Status::kMalformed);
+  }
+  EXPECT_EQ(sensors_.counters().refused, 5U);
 }
 
 TEST_F(SensorsTest, TakeAMagneticCourseForNone) {
