@@ -34,6 +34,7 @@ _COMPARISON = {"<": [">="], "<=": [">"], ">": ["<="], ">=": ["<"], "==": ["!="],
 _BOUNDARY = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
 _LOGIC = {"&&": ["||"], "||": ["&&"]}
 _UNITS = {60.0, 3600.0, 86400.0, 1000.0, 1e-3, 1e6, 1e-6, 1e9, 1e-9, 180.0, 1852.0}  # what a conversion multiplies with
+_SYMMETRIC = {"min": 2, "max": 2, "clamp": 2}  # std: so many of the first arguments may change places
 _FUNCTIONS = {
     CursorKind.FUNCTION_DECL,
     CursorKind.CXX_METHOD,
@@ -307,7 +308,7 @@ class _Reader:
                 return self.visit_all([left, right])
         given = [a for a in cursor.get_arguments() if a is not None and a.extent.end.offset > a.extent.start.offset]
         is_initialiser = cursor.extent.start.offset in self.named
-        for one, other in _neighbours([] if is_initialiser else given):
+        for one, other in _neighbours([] if is_initialiser else given[max(0, _SYMMETRIC.get(name, 0) - 1) :]):
             if self.of(one) != self.of(other) and _same_type(one, other):
                 self.swap(cursor, one, other)
         first = children[:1] if children and children[0].kind == CursorKind.MEMBER_REF_EXPR else []

@@ -90,8 +90,9 @@ TEST_F(Programs, TrainGoesOnWhereACheckpointStandsAndEndsWithTheSameBytes) {
 }
 
 TEST_F(Programs, TrainWritesItsCheckpointWhenInterrupted) {
-  support::Process train = start("train" + kOcean + " --steps 100000000 -o a.checkpoint --plot a.svg");
-  std::this_thread::sleep_for(1500ms);
+  support::Process train = start("train" + kOcean + " --steps 100000000 --checkpoint-every 4096 -o a.checkpoint --plot a.svg");
+  while (!fs::exists(folder / "a.checkpoint") && train.wait(10ms) < 0) {
+  }
   train.signal(SIGINT);
   EXPECT_EQ(train.wait(kPatience), 0) << content(folder / "err");
   EXPECT_NE(content(folder / "out").find("--resume"), std::string::npos);
