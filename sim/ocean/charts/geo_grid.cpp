@@ -125,8 +125,8 @@ void GeoWindow::choose_rows(const std::vector<double>& latitude_deg, GeoPosition
 }
 
 void GeoWindow::choose_columns(const std::vector<double>& longitude_deg, GeoPosition centre, double reach_deg) {
-  const double furthest_deg = std::min(std::abs(centre.latitude_deg) + reach_deg, 89.9);
-  const double half_width_deg = reach_deg / std::cos(furthest_deg * kDegree);
+  const double furthest_deg = std::abs(centre.latitude_deg) + reach_deg;
+  const double half_width_deg = furthest_deg < 90.0 ? reach_deg / std::cos(furthest_deg * kDegree) : 180.0;  // all round the pole
   std::vector<std::pair<double, std::size_t>> all;  // (unwrapped, column), from west to east about the centre
   for (std::size_t j = 0; j < longitude_deg.size(); ++j) all.emplace_back(unwrapped(longitude_deg[j], centre.longitude_deg), j);
   std::sort(all.begin(), all.end());
@@ -138,6 +138,21 @@ void GeoWindow::choose_columns(const std::vector<double>& longitude_deg, GeoPosi
     columns_.push_back(all[k].second);
     axes_.longitude_deg.push_back(all[k].first);
   }
+  close_circle();
+}
+
+void GeoWindow::close_circle() {
+  if (columns_.size() < 2) return;
+  const double first_deg = axes_.longitude_deg.front();
+  const double last_deg = axes_.longitude_deg.back();
+  const double across_seam_deg = first_deg + 360.0 - last_deg;
+  const double cell_deg = axes_.longitude_deg[1] - first_deg;
+  if (!(across_seam_deg > 0.0 && across_seam_deg < 1.5 * cell_deg)) return;
+  const std::size_t first = columns_.front();
+  columns_.insert(columns_.begin(), columns_.back());
+  axes_.longitude_deg.insert(axes_.longitude_deg.begin(), last_deg - 360.0);
+  columns_.push_back(first);
+  axes_.longitude_deg.push_back(first_deg + 360.0);
 }
 
 std::vector<double> GeoWindow::read(const netcdf::Reader& file, const std::string& variable,

@@ -15,8 +15,10 @@ namespace earshot::ocean {
 /// The nodes of a latitude-longitude grid about a centre.
 struct GeoAxes {
   double centre_longitude_deg = 0.0;
-  std::vector<double> latitude_deg;   ///< strictly increasing, two or more
-  std::vector<double> longitude_deg;  ///< strictly increasing, two or more, within 180 degrees of the centre: the date line does not show
+  std::vector<double> latitude_deg;  ///< strictly increasing, two or more
+  /// Strictly increasing, two or more, within 180 degrees of the centre: the date line does not show. All round the earth: one more beyond
+  /// that on either side, so that opposite the centre no cell is missing.
+  std::vector<double> longitude_deg;
 };
 
 /// The four nodes about a position, as indices into a row-major [n_latitude x n_longitude] array, with the weights of bilinear
@@ -36,7 +38,7 @@ struct GeoCell {
 /// The part of a NetCDF file's latitude-longitude grid within `reach` of a centre, one node more on every side where the file has one.
 ///
 /// The file's axes are `lat` and `lon` (or `latitude`, `longitude`) in degrees north and east; latitude may fall, longitude may run from
-/// -180 or from 0 or across the date line from 180 to -180 and, in a global file, wraps.
+/// -180 or from 0 or across the date line from 180 to -180 and, in a global file, wraps. Where a pole lies within reach, all longitudes do.
 class GeoWindow {
  public:
   /// Throws netcdf::FileError when the axes are not that, or the centre lies outside them.
@@ -55,6 +57,8 @@ class GeoWindow {
  private:
   void choose_rows(const std::vector<double>& latitude_deg, GeoPosition centre, double reach_deg);
   void choose_columns(const std::vector<double>& longitude_deg, GeoPosition centre, double reach_deg);
+  /// Adds the last column before the first and the first after the last, if the columns go all round the earth.
+  void close_circle();
 
   GeoAxes axes_;
   std::array<std::string, 2> dimensions_;

@@ -8,6 +8,7 @@
 
 #include "sim/ocean/charts/charts.hpp"
 #include "tests/sim/ocean/charts/chart_files.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::ocean {
 namespace {
@@ -88,6 +89,24 @@ TEST(SectionAlong, FollowsTheChartNorthwards) {
   // A degree of the meridian is 111.1362 km at 45.22 degN (111132.95 - 559.85 cos 2 lat + 1.175 cos 4 lat), so 50 km are 0.44990 degrees.
   EXPECT_NEAR(sea_floor_depth(section, Meters{50'000.0}).value, 1449.90, 0.01);
   EXPECT_NEAR(sea_floor_depth(section, Meters{25'000.0}).value, 1224.95, 0.01);
+}
+
+TEST(SectionAlong, FollowsTheChartOverThePole) {
+  const support::TemporaryFolder folder;
+  // 1000 m on the pole, 10 m more for each hundredth of a degree from it, on half degrees of latitude as far as the pole.
+  tests::GebcoFile{axis(85.0, 0.5, 11), axis(-179.5, 1.0, 360), [](double lat, double) { return -(1000.0 + 1000.0 * (90.0 - lat)); }}.write(
+      folder / "arctic.nc");
+  Environment sea = flat_sea();
+  auto charts = std::make_shared<Charts>();
+  charts->grid.origin = {.latitude_deg = 89.95, .longitude_deg = -30.0};
+  charts->bathymetry = read_gebco(folder / "arctic.nc", charts->grid.origin, Meters{25'000.0});
+  sea.charts = charts;
+  for (const double bearing : {0.0, 0.05, -0.05}) {
+    const Section section = section_along(sea, {}, Radians{bearing}, Meters{20'000.0});
+    // Here the earth is flat to a metre, a degree 111 694 m: the pole is 5584.7 m ahead, and the cosine rule gives the way from it.
+    const double from_pole_m = std::sqrt(5584.7 * 5584.7 + 2e4 * 2e4 - 2.0 * 5584.7 * 2e4 * std::cos(bearing));
+    EXPECT_NEAR(sea_floor_depth(section, Meters{20'000.0}).value, 1000.0 + 1000.0 * from_pole_m / 111'694.0, 0.02) << bearing;
+  }
 }
 
 TEST(SectionAlong, EndsInThePlaneWhereItsBearingPoints) {

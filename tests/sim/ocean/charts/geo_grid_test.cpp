@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "tests/sim/ocean/charts/chart_files.hpp"
@@ -24,6 +26,30 @@ TEST(GeoGrid, WeighsTheFourNodesAboutAPosition) {
   EXPECT_TRUE(cell_at(axes, {.latitude_deg = 43.0, .longitude_deg = 372.0}).has_value());  // its very corner, a turn further on
   EXPECT_FALSE(cell_at(axes, {.latitude_deg = 43.01, .longitude_deg = 11.0}).has_value());
   EXPECT_FALSE(cell_at(axes, {.latitude_deg = 41.0, .longitude_deg = 8.9}).has_value());
+}
+
+TEST(GeoGrid, CountsThePolesOwnRowAsItsEdge) {
+  const GeoAxes arctic{.centre_longitude_deg = 0.0, .latitude_deg = {88.0, 89.0, 90.0}, .longitude_deg = {-180.0, 0.0, 180.0}};
+  const auto pole = cell_at(arctic, {.latitude_deg = 90.0, .longitude_deg = -90.0});
+  ASSERT_TRUE(pole.has_value());
+  EXPECT_EQ(pole->node, (std::array<std::size_t, 4>{3, 4, 6, 7}));
+  EXPECT_EQ(pole->weight, (std::array<double, 4>{0.0, 0.0, 0.5, 0.5}));
+  const GeoAxes antarctic{.centre_longitude_deg = 0.0, .latitude_deg = {-90.0, -89.0}, .longitude_deg = {-180.0, 0.0, 180.0}};
+  const auto south = cell_at(antarctic, {.latitude_deg = -90.0, .longitude_deg = 45.0});
+  ASSERT_TRUE(south.has_value());
+  EXPECT_EQ(south->node, (std::array<std::size_t, 4>{1, 2, 4, 5}));
+  EXPECT_EQ(south->weight, (std::array<double, 4>{0.75, 0.25, 0.0, 0.0}));
+}
+
+TEST(GeoGrid, SpacingIsTheShortestSideOfTheMiddleCell) {
+  // A degree of the meridian of a sphere of 6371 km is 111.195 km.
+  const auto metres = [](std::vector<double> latitude_deg, std::vector<double> longitude_deg) {
+    return spacing({.latitude_deg = std::move(latitude_deg), .longitude_deg = std::move(longitude_deg)}).value;
+  };
+  EXPECT_NEAR(metres({59.0, 60.0, 61.0}, {0.0, 1.0, 2.0}), 0.5 * 111'195.0, 1e-6);                 // cos 60 degrees
+  EXPECT_NEAR(metres({-1.0, 0.0, 0.5, 1.0, 2.0}, {10.0, 12.0}), 0.5 * 111'195.0, 1e-6);            // from north to south
+  EXPECT_NEAR(metres({-5.0, 0.0, 9.0}, {10.0, 11.0, 11.25, 13.0, 14.0}), 1.75 * 111'195.0, 1e-6);  // east of the middle node
+  EXPECT_NEAR(metres({88.0, 90.0, 91.0}, {0.0, 1.0, 2.0}), 0.01 * 111'195.0, 1e-6);  // meridians meet: a hundredth from north to south
 }
 
 /// 100 lat + lon in [0, 360): tells every node from every other.
@@ -74,6 +100,41 @@ TEST(GeoWindow, ReadsARegionWhoseLongitudesJumpAtTheDateLine) {
   for (double& x : longitude_deg) x = x > 180.0 ? x - 360.0 : x;
   for (const double centre_deg : {179.8, -179.8, 180.0})
     expect_window_shows_labels({axis(0, 1, 90), longitude_deg, label}, {.latitude_deg = 30.0, .longitude_deg = centre_deg});
+}
+
+/// Degrees of longitude between a place and 20 degrees east, 0 to 180, on whole degrees up to the pole's own row.
+GebcoFile polar_tent(double southernmost_deg, double first_longitude_deg, int longitudes) {
+  return {axis(southernmost_deg, 1, 11), axis(first_longitude_deg, 1, longitudes),
+          [](double, double lon) { return std::abs(std::remainder(lon - 20.0, 360.0)); }};
+}
+
+TEST(GeoWindow, GoesAllRoundAPoleThatLiesWithinItsReach) {
+  const support::TemporaryFolder folder;
+  for (const double pole_deg : {90.0, -90.0}) {
+    for (const auto& [first_deg, longitudes] : {std::pair{-180.0, 360}, std::pair{0.0, 360}, std::pair{-180.0, 361}}) {
+      polar_tent(pole_deg > 0.0 ? 80.0 : -90.0, first_deg, longitudes).write(folder / "g.nc");
+      const netcdf::Reader file(folder / "g.nc");
+      // 6 km from the pole with a reach of 12: what lies behind the pole is on the far side of the meridian at 200.3 degrees.
+      const GeoWindow window(file, {.latitude_deg = pole_deg * (89.95 / 90.0), .longitude_deg = 20.3}, Meters{12'000.0});
+      const std::vector<double> values = window.read(file, "elevation", {});
+      for (double from_20_deg = -179.75; from_20_deg < 180.0; from_20_deg += 0.25) {
+        const auto cell = cell_at(window.axes(), {.latitude_deg = pole_deg * (89.97 / 90.0), .longitude_deg = 20.0 + from_20_deg});
+        ASSERT_TRUE(cell.has_value()) << from_20_deg;
+        double value = 0.0;
+        for (std::size_t i = 0; i < 4; ++i) value += cell->weight[i] * values[cell->node[i]];
+        ASSERT_NEAR(value, std::abs(from_20_deg), 1e-9);  // linear between whole degrees, rounding
+      }
+    }
+  }
+}
+
+TEST(GeoWindow, DoesNotCloseAFileThatLacksADegree) {
+  const support::TemporaryFolder folder;
+  polar_tent(80.0, -160.0, 358).write(folder / "g.nc");  // -160 to 197 degrees: 198 and 199 degrees are not in it
+  const GeoWindow window(netcdf::Reader(folder / "g.nc"), {.latitude_deg = 89.95, .longitude_deg = 18.5}, Meters{12'000.0});
+  EXPECT_TRUE(cell_at(window.axes(), {.latitude_deg = 89.97, .longitude_deg = 196.5}).has_value());
+  EXPECT_FALSE(cell_at(window.axes(), {.latitude_deg = 89.97, .longitude_deg = 198.0}).has_value());
+  EXPECT_FALSE(cell_at(window.axes(), {.latitude_deg = 89.97, .longitude_deg = 199.0}).has_value());
 }
 
 TEST(GeoWindow, RefusesAPlaceThatTheFileDoesNotCover) {

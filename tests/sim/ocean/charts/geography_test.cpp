@@ -56,5 +56,27 @@ TEST(LocalGrid, StretchesLengthsElsewhereByNoMoreThanItSays) {
   EXPECT_NEAR(1000.0 / true_length - 1.0, std::pow(100.0 / 6371.0, 2) / 6.0, 1e-6);  // the sphere stands in for the ellipsoid
 }
 
+TEST(LocalGrid, StandsOnThePoleToo) {
+  const LocalGrid grid{.origin = {.latitude_deg = 90.0, .longitude_deg = 0.0}};
+  // A degree of the meridian at the pole is 111 693.98 m (111132.95 - 559.85 cos 2 lat + 1.175 cos 4 lat).
+  const GeoPosition ahead = grid.to_geographic({.north = Meters{11'169.398}, .east = Meters{0.0}});
+  EXPECT_NEAR(ahead.latitude_deg, 89.9, 1e-7);              // 1 cm, as the degree's length is printed
+  EXPECT_NEAR(std::abs(ahead.longitude_deg), 180.0, 1e-9);  // who comes by the meridian of Greenwich goes on along the other
+  const GeoPosition right = grid.to_geographic({.north = Meters{0.0}, .east = Meters{11'169.398}});
+  EXPECT_NEAR(right.latitude_deg, 89.9, 1e-7);
+  EXPECT_NEAR(right.longitude_deg, 90.0, 1e-9);
+  const NorthEast back = grid.to_plane(right);
+  EXPECT_NEAR(back.north.value, 0.0, 1e-6);
+  EXPECT_NEAR(back.east.value, 11'169.398, 1e-6);
+}
+
+TEST(Geodesic, GoesStraightOnOverThePole) {
+  const std::vector<double> range_m = {5'584.699, 5'584.699 + 11'169.398};  // 0.05 degrees to the pole and 0.1 beyond
+  const std::vector<GeoPosition> there = geodesic_radial({.latitude_deg = 89.95, .longitude_deg = 30.0}, Radians{0.0}, range_m);
+  EXPECT_NEAR(there[0].latitude_deg, 90.0, 1e-7);
+  EXPECT_NEAR(there[1].latitude_deg, 89.9, 1e-7);
+  EXPECT_NEAR(there[1].longitude_deg, -150.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace earshot::ocean
