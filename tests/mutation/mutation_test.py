@@ -51,7 +51,8 @@ class Finding(unittest.TestCase):
         self.assertEqual({c for c in told(text) if "swapped" in c}, {"swapped arguments: f(a, b): a <-> b"})
 
     def test_swaps_nothing_that_may_change_places(self):
-        text = "int max(int, int);\nint clamp(int, int, int);\nint g(int a, int b) { return max(a, b) + clamp(a, b, 7); }"
+        text = "int max(int, int);\nint clamp(int, int, int);\n"
+        text += "int g(int a, int b) { return max(a, b) + clamp(a, b, 7); }"
         swaps = {c for c in told(text) if "swapped" in c}
         self.assertEqual(swaps, {"swapped arguments: clamp(a, b, 7): b <-> 7"})
 
