@@ -131,7 +131,7 @@ CommandOutcome Runtime::obey(const messages::OperatorCommand& command) {
   if (order == Order::kStart) {
     progress_.start_until = command.expiry;
   } else {
-    if (progress_.leg.length().value > 0.0) ++progress_.steps_taken;  // the step under way ends where the source is
+    ++progress_.steps_taken;  // the step under way ends where the source is
     end(MissionState::kDone, EndReason::kCompleted);
   }
   return CommandOutcome::kObeyed;
@@ -223,7 +223,7 @@ void Runtime::decide(Time now, policy::Reception reception, messages::Decision& 
 
 std::optional<messages::Setpoint> Runtime::setpoint() {
   if (!progress_.has_engaged) return std::nullopt;
-  if (!progress_.navigation) return safety::surface({});
+  assert(progress_.navigation);  // no search begins without
   const safety::Pose pose{.position = progress_.navigation->position, .heading = progress_.navigation->heading};
   if (progress_.state != MissionState::kSearch) return safety::surface(pose);
   const messages::Setpoint wanted{.heading = progress_.leg.heading_to_steer(pose.position),

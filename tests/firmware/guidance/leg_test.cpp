@@ -62,6 +62,12 @@ TEST(Leg, BringsAVehicleOffTheTrackBackToIt) {
   EXPECT_LT(std::fabs(leg.cross_track(position).value), 0.1);  // e falls as exp(-x/D): 100 exp(-9) = 0.01 m, with room for the first bend
 }
 
+TEST(Leg, OfHalfAMetreHasADirectionToo) {
+  const Leg east(at(0, 0), at(0, 0.5));
+  EXPECT_NEAR(east.heading_to_steer(at(0, 0)).value, kPi / 2, kRounding);
+  EXPECT_FALSE(east.is_over(at(0, 0.4)));
+}
+
 TEST(Leg, OfNoLengthIsOverAtOnce) {
   EXPECT_TRUE(Leg(at(5, 5), at(5, 5)).is_over(at(5, 5)));
   EXPECT_EQ(Leg(at(5, 5), at(5, 5)).heading_to_steer(at(5, 5)).value, 0.0);

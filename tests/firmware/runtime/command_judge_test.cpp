@@ -109,6 +109,23 @@ TEST(CommandJudge, KeepsAnIssuerThatRepeatsItsCommandWhileOthersAreSilent) {
   EXPECT_FALSE(court.last.is_repetition) << "forgotten";
 }
 
+TEST(CommandJudge, KeepsAnIssuerHoweverOftenItRepeatsItsCommand) {
+  for (int times = 1; times <= 10; ++times) {
+    Court court;
+    for (std::uint32_t issuer = 0; issuer < 8; ++issuer) EXPECT_EQ(court.hear(start(1, kNow, issuer)), CommandOutcome::kObeyed);
+    for (int i = 0; i < times; ++i) (void)court.hear(start(1, kNow, 0));
+    (void)court.hear(start(1, kNow, 8));
+    (void)court.hear(start(1, kNow, 0));
+    EXPECT_TRUE(court.last.is_repetition) << "repeated " << times << " times";
+  }
+}
+
+TEST(CommandJudge, TakesTheFirstCommandOfAnIssuerForNewThoughItsNumberIsNought) {
+  Court court;
+  EXPECT_EQ(court.hear(start(0)), CommandOutcome::kObeyed);
+  EXPECT_FALSE(court.last.is_repetition);
+}
+
 TEST(CommandJudge, GoesOnWhereASendersSignedNumbersTurnNegative) {
   Court court;
   EXPECT_EQ(court.hear(start(2'147'483'647)), CommandOutcome::kObeyed);
@@ -123,6 +140,23 @@ TEST(CommandJudge, TakesNoNumberAfterTheLastOneButAnAbortAndANewIssuer) {
   const OperatorCommand abort{.time = kNow, .expiry = kFarAhead, .issuer = 7, .number = 0, .order = Order::kAbort};
   EXPECT_EQ(court.hear(abort), CommandOutcome::kObeyed);
   EXPECT_EQ(court.hear(start(0, kNow, 8)), CommandOutcome::kObeyed);
+}
+
+TEST(CommandJudge, AnswersACommandThatCameAfterNewerOnesAsOutOfOrderAndTheNewestAsBefore) {
+  Court court;
+  EXPECT_EQ(court.hear(start(7)), CommandOutcome::kObeyed);
+  EXPECT_EQ(court.hear(start(6)), CommandOutcome::kOutOfOrder);
+  EXPECT_FALSE(court.last.is_repetition);
+  EXPECT_EQ(court.hear(start(7), kNow, CommandOutcome::kNotInThisState), CommandOutcome::kObeyed) << "obeyed then";
+  EXPECT_TRUE(court.last.is_repetition);
+}
+
+TEST(CommandJudge, JudgesTheDateOfANewCommandOfAnIssuerThatItKnows) {
+  Court court;
+  EXPECT_EQ(court.hear(start(1)), CommandOutcome::kObeyed);
+  EXPECT_EQ(court.hear(start(2, kNow + Duration::seconds(-31))), CommandOutcome::kTooOld);
+  EXPECT_EQ(court.hear(start(2)), CommandOutcome::kObeyed) << "the refused one was not counted as given";
+  EXPECT_FALSE(court.last.is_repetition);
 }
 
 TEST(CommandJudge, RefusesAnUnknownOrder) {

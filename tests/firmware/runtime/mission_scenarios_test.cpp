@@ -31,6 +31,7 @@ TEST(Mission, EndsDoneWhenTheOperatorSaysTheSourceIsReached) {
   rig.sail(Order::kComplete);
   EXPECT_EQ(rig.state(), MissionState::kDone);
   EXPECT_EQ(rig.end_reason(), EndReason::kCompleted);
+  EXPECT_EQ(rig.outputs.health.steps_taken, 1U) << "the step under way counts";
   expect_surfacing(rig);
 }
 
@@ -157,6 +158,47 @@ TEST(Mission, AbortsWhenItsTimeIsUsedUpAndNotBefore) {
   expect_surfacing(rig);
 }
 
+TEST(Mission, ObeysACommandThatItRefusedForItsDateWhenItComesAgainWithAnother) {
+  Rig rig(*policy_that_goes(kNorthward));
+  rig.take(command_of(Order::kStart, rig.now + Duration::seconds(-3600), 5));
+  EXPECT_EQ(rig.sail().health.state, MissionState::kStandby);
+  rig.take(command_of(Order::kStart, rig.now, 5));
+  EXPECT_EQ(rig.sail().health.state, MissionState::kSearch);
+}
+
+TEST(Mission, BeginsOnceThoughItsStartIsRepeatedUntilItIsAcknowledged) {
+  Rig rig(*policy_that_goes(kNorthward));
+  const messages::OperatorCommand start = command_of(Order::kStart, rig.now, 5);
+  for (int second = 0; second < 3; ++second) {
+    rig.take(start);
+    const Acknowledgements acknowledged = rig.sail().acknowledgements;
+    ASSERT_EQ(acknowledged.size(), 1U);
+    EXPECT_EQ(acknowledged[0].outcome, messages::CommandOutcome::kObeyed) << second;
+  }
+  EXPECT_EQ(rig.counters().commands_refused, 0U);
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
+}
+
+TEST(Mission, CountsStepsOfOneMetreToo) {
+  config::Mission mission = paper_mission();
+  mission.step_length = Meters{1};
+  const auto policy = policy_that_goes(kNorthward);
+  policy->step_length = Meters{1};
+  Rig rig(*policy, mission);
+  rig.sail(Order::kStart);
+  for (int second = 0; second < 3; ++second) rig.sail();
+  EXPECT_EQ(rig.outputs.health.steps_taken, 3U) << "one a second, at 2 m/s";
+}
+
+TEST(Mission, AnswersAnOrderAfterAnAbortByItsStateWhateverNumberTheAbortHad) {
+  Rig rig(*policy_that_goes(kNorthward));
+  rig.take(command_of(Order::kAbort, rig.now, 100));
+  rig.take(command_of(Order::kStart, rig.now, 5));
+  const Acknowledgements acknowledged = rig.sail().acknowledgements;
+  ASSERT_EQ(acknowledged.size(), 2U);
+  EXPECT_EQ(acknowledged[1].outcome, messages::CommandOutcome::kNotInThisState);
+}
+
 TEST(Mission, StaysAbortedForTheFirstReasonWhateverComes) {
   Rig rig = given_a_search_under_way();
   for (int second = 1; second <= 40; ++second) rig.step({});
@@ -172,21 +214,21 @@ TEST(Mission, IsTurnedBackFromTheEdgeByTheSafetyLayerHoweverLongThePolicyPushes)
   // GIVEN a policy that only ever goes north
   Rig rig(*policy_that_goes(kNorthward));
   rig.sail(Order::kStart);
-  bool overridden = false;
+  std::uint64_t overridden = 0;
   int decisions = 1;
   // WHEN it searches until its steps are used up
   while (rig.sail_to_decision().health.state == MissionState::kSearch) {
-    overridden = overridden || rig.outputs.decision->overridden;
+    if (rig.outputs.decision->overridden) ++overridden;
     ++decisions;
     // THEN the vehicle keeps its margin (with 2 m of overshoot, one second's way), and
     ASSERT_LE(rig.position.north, Meters{19502});
   }
   // every step is a real one, at least half a step long, and the overrides are counted.
-  EXPECT_TRUE(overridden);
+  EXPECT_GT(overridden, 0U);
   EXPECT_EQ(decisions, 100);
   EXPECT_EQ(rig.end_reason(), EndReason::kStepsUsedUp);
   EXPECT_GE(rig.now - Time{1'000'000'000}, Duration::seconds(100 * 250));
-  EXPECT_GT(rig.counters().setpoints_limited, 0U);
+  EXPECT_EQ(rig.counters().setpoints_limited, overridden);
 }
 
 /// Every field of the outputs, bit by bit.

@@ -357,6 +357,14 @@ TEST(Runtime, AcknowledgesAnAbortHoweverManyOrdersCameBeforeIt) {
   EXPECT_EQ(acknowledged[config::kMaxAcknowledgements - 1].outcome, messages::CommandOutcome::kObeyed);
 }
 
+TEST(Runtime, LeavesTheLastOfTooManyOrdersWithoutAcknowledgementSoThatItIsAskedAgain) {
+  Rig rig(*policy_that_goes(kNorthward));
+  for (std::size_t i = 0; i <= config::kMaxAcknowledgements; ++i) rig.give(Order::kStart);
+  const Acknowledgements acknowledged = rig.sail().acknowledgements;
+  ASSERT_EQ(acknowledged.size(), config::kMaxAcknowledgements);
+  EXPECT_EQ(acknowledged[config::kMaxAcknowledgements - 1].number, config::kMaxAcknowledgements);
+}
+
 TEST(Runtime, TellsTheNewestReportOfEveryPort) {
   Rig rig(*policy_that_goes(kNorthward));
   rig.take(messages::PortReport{.port = 0, .received = 5});

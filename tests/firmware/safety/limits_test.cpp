@@ -55,6 +55,29 @@ TEST(SafeWaypoint, TurnsTowardsTheMiddleWhereTheEdgeLeavesLessThanHalfAStep) {
   EXPECT_NEAR(safe.waypoint.east.value, 15000 - 1000 * 5000 / std::sqrt(4200.0 * 4200 + 5000.0 * 5000), 1e-9);
 }
 
+TEST(SafeWaypoint, PullsAWaypointBackToTheMarginInTheSouthWestToo) {
+  const SafeWaypoint safe = safe_waypoint(mission(), at(1200, 1200), at(493, 493));
+  EXPECT_EQ(safe.waypoint, at(500, 500));
+  EXPECT_TRUE(safe.overridden);
+}
+
+TEST(SafeWaypoint, GoesOnAlongTheWayWhereExactlyHalfAStepIsLeftAndTurnsBackWhereItIsLess) {
+  EXPECT_EQ(safe_waypoint(mission(), at(9000, 10'000), at(10'000, 10'000)).waypoint, at(9500, 10'000));
+  EXPECT_EQ(safe_waypoint(mission(), at(9000.5, 10'000), at(10'000.5, 10'000)).waypoint, at(8000.5, 10'000)) << "a step to the middle";
+}
+
+TEST(SafeWaypoint, FindsTheMiddleOfAnAreaWhoseCornerIsNotTheOrigin) {
+  config::Mission elsewhere = mission();
+  elsewhere.operating_area = {.south_west = at(-4000, 20'000), .north_east = at(6000, 40'000)};  // its middle is (1000, 30 000)
+  EXPECT_EQ(safe_waypoint(elsewhere, at(1000, 25'000), at(kNan, 0)).waypoint, at(1000, 26'000));
+  EXPECT_EQ(safe_waypoint(elsewhere, at(-2000, 30'000), at(kNan, 0)).waypoint, at(-1000, 30'000));
+}
+
+TEST(SafeWaypoint, GoesToTheMiddleItselfWhereThatIsNoFurtherThanAStep) {
+  EXPECT_EQ(safe_waypoint(mission(), at(5000, 9400), at(kNan, 0)).waypoint, at(5000, 10'000));
+  EXPECT_EQ(safe_waypoint(mission(), at(5000, 9000), at(kNan, 0)).waypoint, at(5000, 10'000));
+}
+
 TEST(SafeWaypoint, TurnsTowardsTheMiddleWhenThePolicySpeaksNonsense) {
   const SafeWaypoint safe = safe_waypoint(mission(), at(5000, 9000), at(kNan, kInfinity));
   EXPECT_EQ(safe.waypoint, at(5000, 10000));

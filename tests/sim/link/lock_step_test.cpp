@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <chrono>
@@ -49,6 +49,32 @@ pid_t in_another_process(Body body) {
   }
   std::_Exit(0);
 }
+
+/// What one process waits for and another says once.
+class Word {
+ public:
+  Word() { EXPECT_EQ(pipe(ends_), 0); }
+  ~Word() {
+    close(ends_[0]);
+    close(ends_[1]);
+  }
+  Word(const Word&) = delete;
+  Word& operator=(const Word&) = delete;
+
+  void say() const { EXPECT_EQ(write(ends_[1], "!", 1), 1); }
+  /// @return false when it has not been said in ten seconds: who was to say it is gone
+  [[nodiscard]] bool comes() const {
+    pollfd ready{.fd = ends_[0], .events = POLLIN, .revents = 0};
+    char heard = 0;
+    return poll(&ready, 1, 10'000) == 1 && read(ends_[0], &heard, 1) == 1;
+  }
+  void wait() const {
+    if (!comes()) std::_Exit(98);
+  }
+
+ private:
+  int ends_[2] = {-1, -1};
+};
 
 /// Answers every tick with its own number and, as steps, a hash of all that the tick said.
 void answer_every_tick(std::uint64_t until) {
@@ -124,12 +150,13 @@ TEST(LockStep, ASimulatorLearnsThatItsRuntimeWasKilled) {
 }
 
 TEST(LockStep, ARuntimeStillGetsTheLastTickOfASimulatorThatHasLeft) {
-  const pid_t child = in_another_process([] {
+  const Word has_left;
+  const pid_t child = in_another_process([&has_left] {
     RuntimeEnd link(own_domain());
     Tick tick;
     if (link.receive(tick, 10s) != Delivery::kArrived || tick.number != 1) std::_Exit(1);
     link.send(answer_to(1));
-    std::this_thread::sleep_for(300ms);  // the simulator sends tick 2 and leaves meanwhile
+    has_left.wait();  // and has sent tick 2 before
     if (link.receive(tick, 5s) != Delivery::kArrived || tick.number != 2) std::_Exit(2);
     if (link.receive(tick, 5s) != Delivery::kLost) std::_Exit(3);
   });
@@ -141,31 +168,11 @@ TEST(LockStep, ARuntimeStillGetsTheLastTickOfASimulatorThatHasLeft) {
     ASSERT_EQ(receive_behind_knocks(link, answer), Delivery::kArrived);
     link.send(tick_number(2));
   }
+  has_left.say();
   int status = 0;
   waitpid(child, &status, 0);
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
-
-/// What one process waits for and another says once.
-class Word {
- public:
-  Word() { EXPECT_EQ(pipe(ends_), 0); }
-  ~Word() {
-    close(ends_[0]);
-    close(ends_[1]);
-  }
-  Word(const Word&) = delete;
-  Word& operator=(const Word&) = delete;
-
-  void say() const { EXPECT_EQ(write(ends_[1], "!", 1), 1); }
-  void wait() const {
-    char heard = 0;
-    if (read(ends_[0], &heard, 1) != 1) std::_Exit(98);
-  }
-
- private:
-  int ends_[2] = {-1, -1};
-};
 
 /// Exchanges one tick; the answer.
 Answer exchange(SimulatorEnd& link, std::uint64_t number) {
@@ -238,9 +245,18 @@ TEST(LockStep, ASimulatorMissesItsRuntimeAlsoWhenAnotherIsInTheDomain) {
 }
 
 TEST(LockStep, RunsInTwoDomainsDoNotMeet) {
-  const pid_t child = in_another_process([] { answer_every_tick(kNever); });
+  const Word is_there;
+  const pid_t child = in_another_process([&is_there] {
+    RuntimeEnd link(own_domain());
+    is_there.say();
+    for (Tick tick; link.receive(tick, 10s) == Delivery::kArrived;) link.send(answer_to(tick.number));
+  });
+  ASSERT_TRUE(is_there.comes());
   SimulatorEnd elsewhere(kLowestDomain - 1);
   EXPECT_FALSE(elsewhere.wait_for_runtime(500ms));
+  SimulatorEnd here(own_domain());
+  EXPECT_TRUE(here.wait_for_runtime(10s)) << "it was there all the time";
+  exchange(here, 1);
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
 }

@@ -1,17 +1,12 @@
 #include "firmware/boards/linux/mission_loop.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
-#include <memory>
-#include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include "firmware/host/journal/journal_reader.hpp"
@@ -19,101 +14,16 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
-#include "tests/firmware/boards/linux/scripted_sea.hpp"
-#include "tests/firmware/runtime/mission_rig.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/firmware/boards/linux/at_sea.hpp"
 
 namespace earshot::board {
 namespace {
 
-namespace fs = std::filesystem;
 using messages::EndReason;
 using messages::MissionState;
 using messages::Order;
 
 constexpr std::size_t kStopTurns = 5;  ///< of a loop that was told to stop in a search
-constexpr Duration kPeriod = Duration::seconds(1);
-
-Duration seconds(double s) {
-  return {std::llround(s * 1e6)};
-}
-
-/// A vehicle that lies still in the middle of its area, its real runtime and journal, and everything else in the test's hand.
-class AtSea : public testing::Test {
- protected:
-  static constexpr std::uint8_t kPort = 1;
-
-  void SetUp() override {
-    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))),
-              Status::kOk);
-    journal_ = std::make_unique<host::Journal>(path_, host::JournalOptions{.existing = host::ExistingJournal::kReplace});
-    auto port = std::make_unique<FakePort>(ports_.next_index(), host_, script_);
-    port_ = port.get();
-    ports_.add(std::move(port));
-  }
-  void TearDown() override { (void)journal_->close(); }
-
-  /// A message as its sender makes it, whose wall clock is this host's; the port moves its date.
-  template <class Value>
-  void send(Clock& clock, InputSink& sink, Value value) {
-    value.time = clock.mission_time_of(value.time);
-    sink.take(kPort, value);
-  }
-  [[nodiscard]] messages::Navigation fix() const {
-    return {.time = host_.utc(),
-            .position = runtime::at(7000, 12000),
-            .depth = Meters{300},
-            .heading = Radians{0},
-            .speed = MetersPerSecond{2}};
-  }
-  [[nodiscard]] messages::SnrMeasurement snr() const { return {.time = host_.utc(), .snr = Decibels{12}}; }
-
-  /// Navigation and SNR once a second from `from` to `to`, each a tenth before the turn.
-  void hear(int from, int to) {
-    for (int second = from; second < to; ++second) {
-      script_.then(seconds(second + 0.9), [this](Clock& clock, InputSink& sink) {
-        send(clock, sink, fix());
-        send(clock, sink, snr());
-      });
-    }
-  }
-  void order(Duration at, Order order) {
-    script_.then(at,
-                 [this, order](Clock& clock, InputSink& sink) { sink.take(kPort, runtime::command_of(order, clock.now(), ++commands_)); });
-  }
-  void stop_at(int second) {
-    script_.then(seconds(second), [this](Clock&, InputSink&) { stop_ = true; });
-  }
-
-  LoopResult fly() {
-    MissionTurn turn(*runtime_, ports_, *journal_, clock_);
-    return board::fly(turn, ports_, clock_, kPeriod, stop_);
-  }
-
-  std::vector<Order> journalled_orders() {
-    (void)journal_->close();
-    host::JournalReader reader(path_);
-    std::vector<Order> orders;
-    for (host::JournalRecord record; reader.next(record);) {
-      messages::Input input;
-      if (wire::read_input(record.channel, record.time, record.data, 0, input) != Status::kOk) continue;
-      if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) orders.push_back(command->order);
-    }
-    return orders;
-  }
-
-  const support::TemporaryFolder folder_;
-  const std::filesystem::path path_ = folder_ / "journal";
-  FakeHost host_;
-  Script script_;
-  FakeClock clock_{host_, script_};
-  PortSet ports_;
-  FakePort* port_ = nullptr;  ///< of ports_
-  std::uint32_t commands_ = 0;
-  std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
-  std::unique_ptr<host::Journal> journal_;
-  std::atomic<bool> stop_{false};
-};
 
 TEST_F(AtSea, TurnsOnceAPeriodAndSearchesOnceStarted) {
   hear(0, 20);

@@ -101,6 +101,12 @@ class FakePort final : public Port {
   [[nodiscard]] int file_descriptor() const override { return -1; }
   [[nodiscard]] std::string description() const override { return "a script"; }
 
+  /// What it says of itself from now on.
+  void tell(messages::PortReport report) {
+    report.port = index();
+    report_ = report;
+  }
+
   [[nodiscard]] const messages::Health& health(std::size_t turn) const { return published.at(turn).health; }
   [[nodiscard]] const messages::Health& last() const { return published.back().health; }
 

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "firmware/boards/linux/mission_loop.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/wire/journal/input_record.hpp"
+#include "tests/firmware/boards/linux/scripted_sea.hpp"
+#include "tests/firmware/runtime/mission_rig.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::board {
+
+inline constexpr Duration kPeriod = Duration::seconds(1);
+
+inline Duration seconds(double s) {
+  return {std::llround(s * 1e6)};
+}
+
+/// A vehicle that lies still in the middle of its area, its real runtime and journal, and everything else in the test's hand.
+class AtSea : public testing::Test {
+ protected:
+  static constexpr std::uint8_t kPort = 1;
+
+  void SetUp() override {
+    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))),
+              Status::kOk);
+    journal_ = std::make_unique<host::Journal>(path_, host::JournalOptions{.existing = host::ExistingJournal::kReplace});
+    auto port = std::make_unique<FakePort>(ports_.next_index(), host_, script_);
+    port_ = port.get();
+    ports_.add(std::move(port));
+  }
+  void TearDown() override { (void)journal_->close(); }
+
+  /// A message as its sender makes it, whose wall clock is this host's; the port moves its date.
+  template <class Value>
+  void send(Clock& clock, InputSink& sink, Value value) {
+    value.time = clock.mission_time_of(value.time);
+    sink.take(kPort, value);
+  }
+  [[nodiscard]] messages::Navigation fix() const {
+    return {.time = host_.utc(),
+            .position = runtime::at(7000, 12000),
+            .depth = Meters{300},
+            .heading = Radians{0},
+            .speed = MetersPerSecond{2}};
+  }
+  [[nodiscard]] messages::SnrMeasurement snr() const { return {.time = host_.utc(), .snr = Decibels{12}}; }
+
+  /// Navigation and SNR once a second from `from` to `to`, each a tenth before the turn.
+  void hear(int from, int to) {
+    for (int second = from; second < to; ++second) {
+      script_.then(seconds(second + 0.9), [this](Clock& clock, InputSink& sink) {
+        send(clock, sink, fix());
+        send(clock, sink, snr());
+      });
+    }
+  }
+  void order(Duration at, messages::Order order) {
+    script_.then(at,
+                 [this, order](Clock& clock, InputSink& sink) { sink.take(kPort, runtime::command_of(order, clock.now(), ++commands_)); });
+  }
+  void stop_at(int second) {
+    script_.then(seconds(second), [this](Clock&, InputSink&) { stop_ = true; });
+  }
+
+  LoopResult fly() { return fly(clock_); }
+  LoopResult fly(Clock& clock) {
+    MissionTurn turn(*runtime_, ports_, *journal_, clock);
+    return board::fly(turn, ports_, clock, kPeriod, stop_);
+  }
+
+  std::vector<messages::Order> journalled_orders() {
+    (void)journal_->close();
+    host::JournalReader reader(path_);
+    std::vector<messages::Order> orders;
+    for (host::JournalRecord record; reader.next(record);) {
+      messages::Input input;
+      if (wire::read_input(record.channel, record.time, record.data, 0, input) != Status::kOk) continue;
+      if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) orders.push_back(command->order);
+    }
+    return orders;
+  }
+
+  const support::TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "journal";
+  FakeHost host_;
+  Script script_;
+  FakeClock clock_{host_, script_};
+  PortSet ports_;
+  FakePort* port_ = nullptr;  ///< of ports_
+  std::uint32_t commands_ = 0;
+  std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
+  std::unique_ptr<host::Journal> journal_;
+  std::atomic<bool> stop_{false};
+};
+
+}  // namespace earshot::board
