@@ -105,10 +105,8 @@ void compute_radial(const ocean::Environment& environment, NorthEast from, Radia
   const Meters end = section.shore ? std::min(*section.shore, max_range) : max_range;
 
   for (std::size_t i = 0; i < plan.ranges; ++i) {
-    const double range_m = static_cast<double>(i + 1) * plan.range_step.value;
-    loss.sea_floor_depth_m[i] = section.shore && range_m >= section.shore->value
-                                    ? 0.0F
-                                    : static_cast<float>(ocean::sea_floor_depth(section, Meters{range_m}).value);
+    const Meters range = static_cast<double>(i + 1) * plan.range_step;
+    loss.sea_floor_depth_m[i] = static_cast<float>(ocean::sea_floor_depth(section, range).value);  // 0 from the shore on
   }
   std::fill(loss.transmission_loss_db.begin(), loss.transmission_loss_db.end(), kNowhere);
   const std::vector<double> wet_m = wet_depths(plan.depth_m, loss.sea_floor_depth_m);

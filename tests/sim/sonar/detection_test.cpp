@@ -69,7 +69,27 @@ TEST(DetectionRange, EndsAtTheShoreAndAtTheEndOfTheRadial) {
 
 TEST(DetectionRange, IsZeroWhereNothingIsHeardAndUnknownWhereItBeginsWithoutWater) {
   EXPECT_EQ(range_of({91, 95}).furthest_m, 0.0);
+  EXPECT_EQ(range_of({91, 95}).assured_m, 0.0);
   EXPECT_TRUE(std::isnan(range_of({static_cast<float>(kNaN), 80}).furthest_m));
+}
+
+TEST(DetectionRange, IsThatOfItsOwnBearingAndDepth) {
+  // Two bearings, two ranges, two depths; at the first depth nothing is heard on the first bearing.
+  const Fan fan{.centre = {},
+                .bearings = 2,
+                .ranges = 2,
+                .range_step = Meters{100.0},
+                .depth_m = {30.0, 300.0},
+                .transmission_loss_db = {95, 80, 95, 85, 88, 95, 92, 99},
+                .sea_floor_depth_m = {}};
+  const std::vector<DetectionRange> shallow = detection_ranges(fan, 0, detector(0.0));
+  const std::vector<DetectionRange> deep = detection_ranges(fan, 1, detector(0.0));
+  ASSERT_EQ(shallow.size(), 2U);
+  EXPECT_EQ(shallow[0].furthest_m, 0.0);
+  EXPECT_NEAR(shallow[1].furthest_m, 150.0, 1e-9);
+  EXPECT_EQ(deep[0].furthest_m, 200.0);  // to its last range and no further: 95 dB is the next bearing's
+  EXPECT_EQ(deep[0].assured_m, 200.0);
+  EXPECT_EQ(deep[1].furthest_m, 0.0);
 }
 
 }  // namespace

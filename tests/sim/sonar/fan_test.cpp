@@ -6,10 +6,12 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/horizontal_map.hpp"
+#include "tests/sim/sonar/charted_ocean.hpp"
 #include "tests/sim/sonar/hilly_ocean.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -58,6 +60,59 @@ TEST(Fan, KnowsNothingBeyondItsLastRangeNorBesideWhatHasNoWater) {
   EXPECT_TRUE(std::isnan(loss_at(std::nan(""), 0.0)));
 }
 
+TEST(Fan, ReachesAsFarAsItsLastRange) {
+  EXPECT_EQ(by_hand().max_range(), Meters{300.0});
+}
+
+TEST(Fan, HasSoundWhereAnyOfItsPlacesHasWater) {
+  Fan fan = by_hand();
+  EXPECT_TRUE(has_sound(fan));
+  fan.transmission_loss_db.assign(12, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_FALSE(has_sound(fan));
+  fan.transmission_loss_db[7] = 80.0F;
+  EXPECT_TRUE(has_sound(fan));
+}
+
+TEST(Fan, KeepsEachDepthsLossApart) {
+  const Fan fan{.centre = {},
+                .bearings = 2,
+                .ranges = 2,
+                .range_step = Meters{100.0},
+                .depth_m = {30.0, 100.0, 300.0},
+                .transmission_loss_db = {60, 61, 62, 70, 71, 72, 80, 81, 82, 90, 91, 92},
+                .sea_floor_depth_m = std::vector<float>(4, 3000.0F)};
+  EXPECT_EQ(fan.at(1, 0, 2), 82.0F);
+  EXPECT_NEAR(fan.transmission_loss_at({Meters{200.0}, Meters{0.0}}, 0), 70.0, 1e-9);
+  EXPECT_NEAR(fan.transmission_loss_at({Meters{100.0}, Meters{0.0}}, 2), 62.0, 1e-9);
+  EXPECT_NEAR(fan.transmission_loss_at({Meters{150.0}, Meters{0.0}}, 1), 66.0, 1e-9);
+  EXPECT_NEAR(fan.transmission_loss_at({Meters{-200.0}, Meters{0.0}}, 1), 91.0, 1e-9);
+}
+
+TEST(Fan, RepeatsAllDepthsAndRangesOfItsFirstBearing) {
+  Fan fan{.centre = {},
+          .bearings = 3,
+          .ranges = 2,
+          .range_step = Meters{100.0},
+          .depth_m = {30.0, 300.0},
+          .transmission_loss_db = {60, 61, 70, 71, 0, 0, 0, 0, 0, 0, 0, 0},
+          .sea_floor_depth_m = {500, 400, 0, 0, 0, 0}};
+  repeat_first_bearing(fan);
+  EXPECT_EQ(fan.transmission_loss_db, (std::vector<float>{60, 61, 70, 71, 60, 61, 70, 71, 60, 61, 70, 71}));
+  EXPECT_EQ(fan.sea_floor_depth_m, (std::vector<float>{500, 400, 500, 400, 500, 400}));
+}
+
+TEST(Fan, FindsTheDeepestSeaFloorAndTheThickestUnmeasuredWaterOfAllItsBearings) {
+  const ocean::Environment sea = tests::charted_ocean();
+  const Meters half_a_degree = 0.5 * tests::kDegreeOfTheEquator;
+  EXPECT_NEAR(deepest_sea_floor(sea, {}, 4, half_a_degree).value, 3500.0, 1e-4);  // in the east, the second of four
+  EXPECT_NEAR(deepest_sea_floor(sea, {}, 1, half_a_degree).value, 3000.0, 1e-4);  // in the north alone
+  const auto thickest = unmeasured_water(sea, {}, 4, half_a_degree);
+  ASSERT_TRUE(thickest.has_value());
+  EXPECT_EQ(thickest->data_end, Meters{1500.0});
+  EXPECT_NEAR(thickest->thickness().value, 2000.0, 1e-4);
+  EXPECT_NEAR(thickest->range.value, half_a_degree.value, 1e-6);
+}
+
 TEST(HorizontalMap, HasNorthInItsRowsAndEastInItsColumns) {
   const Detector detector{
       .source_level = Decibels{190.0}, .noise_level = Decibels{90.0}, .detection_threshold = Decibels{40.0}, .fluctuation = Decibels{0.0}};
@@ -100,6 +155,20 @@ TEST(Fan, HasOneLossOnEveryBearingOfAnOceanThatDoesNotDifferWithPlace) {
   const Fan fan = compute_fan(environment, {}, plan(6), 2);
   for (std::size_t i = 0; i < fan.ranges; ++i) ASSERT_EQ(fan.at(5, i, 0), fan.at(0, i, 0));
   EXPECT_EQ(fan.sea_floor_depth_m.back(), 3000.0F);
+}
+
+TEST(Fan, SaysAfterEachBearingHowMuchIsDone) {
+  FanPlan short_plan = plan(4);
+  short_plan.radial.ranges = 20;
+  const support::TemporaryFolder folder;
+  const auto hills = ocean::load_environment(tests::write_hilly_ocean(folder.path()));
+  std::vector<double> done;
+  (void)compute_fan(hills, {}, short_plan, 2, [&](double share) { done.push_back(share); });
+  EXPECT_EQ(done, (std::vector<double>{0.25, 0.5, 0.75, 1.0}));
+  done.clear();
+  short_plan.radial.source_depth = Meters{5000.0};  // in the sea floor: no bearing is ever done
+  EXPECT_THROW((void)compute_fan(hills, {}, short_plan, 2, [&](double share) { done.push_back(share); }), std::invalid_argument);
+  EXPECT_TRUE(done.empty());
 }
 
 TEST(Fan, LooksEastAlongItsBearingOfNinetyDegrees) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -117,6 +118,23 @@ TEST_F(FieldFile, HasWhatSnrIsMadeOfInOneFile) {
   EXPECT_NEAR(snr_db, 190.0 - 71.37 - 90.0, 1.0 / 512.0 + 1e-5);  // rounding of the file, and of a float
   EXPECT_NEAR(double{field.snr_db(0, 1)}, 190.0 - 71.37 - 90.0, 1e-5);
   EXPECT_FALSE(file.has_variable("snr"));
+}
+
+TEST_F(FieldFile, SaysOfItsRadialWhereItPointsAndHowDeepTheSeaFloorIs) {
+  SonarField field = small_field();
+  field.sea_floor_depth_m = {60.0F, 55.0F, 50.0F};
+  write_field(folder_ / "field.nc", field, environment_, Radians{0.5 * std::numbers::pi}, ocean::Band{Hertz{15.0}, Hertz{25.0}, 2}, "");
+  const netcdf::Reader file(folder_ / "field.nc");
+  EXPECT_EQ(file.read("bearing"), std::vector<double>{90.0});
+  EXPECT_EQ(file.text_attribute("bearing", "units"), "degree");
+  EXPECT_EQ(file.text_attribute("bearing", "long_name"), "bearing of the radial from the source, clockwise from grid north");
+  EXPECT_EQ(file.read("sea_floor_depth"), (std::vector<double>{60.0, 55.0, 50.0}));
+  EXPECT_EQ(file.text_attribute("sea_floor_depth", "units"), "m");
+  EXPECT_EQ(file.read("range"), (std::vector<double>{10.0, 20.0, 30.0}));
+  EXPECT_EQ(file.read("depth"), (std::vector<double>{5.0, 50.0}));
+  EXPECT_EQ(file.read("source_frequency"), (std::vector<double>{17.5, 22.5}));
+  EXPECT_EQ(file.text_attribute("source_frequency", "units"), "Hz");
+  EXPECT_EQ(file.text_attribute("transmission_loss", "coordinates"), "source_depth bearing");
 }
 
 TEST_F(FieldFile, ReplacesAnOldFileAndLeavesNothingBeside) {

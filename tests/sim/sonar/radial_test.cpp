@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/grid_check.hpp"
+#include "tests/sim/sonar/charted_ocean.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -69,6 +72,69 @@ TEST(Radial, HasNoLossBelowTheSeaFloorNorBeyondTheShore) {
   }
 }
 
+TEST(Radial, HearsAHydrophoneThatLiesOnTheSeaFloor) {
+  RadialPlan to_the_floor = plan(30.0, {3000.0});
+  to_the_floor.ranges = 4;
+  for (const float loss_db : loss_of(papers_ocean(), to_the_floor).db) EXPECT_FALSE(std::isnan(loss_db));
+}
+
+TEST(Radial, HasNoLossAndNoMarchWhereNoReceiverIsInTheWater) {
+  auto environment = papers_ocean();
+  const auto expect_silence = [&](const RadialPlan& radial) {
+    std::vector<float> loss(radial.ranges * radial.depth_m.size());
+    std::vector<float> floor(radial.ranges);
+    bool marched = false;
+    compute_radial(environment, {}, Radians{}, radial, {.transmission_loss_db = loss, .sea_floor_depth_m = floor},
+                   [&](double) { marched = true; });
+    for (const float loss_db : loss) EXPECT_TRUE(std::isnan(loss_db));
+    EXPECT_FALSE(marched);
+  };
+  expect_silence(plan(30.0, {3001.0, 4000.0}));
+  environment.sea_floor_stations = {{Meters{0.0}, Meters{1000.0}}, {Meters{20.0}, Meters{0.0}}};  // the shore lies before the first 25 m
+  expect_silence(plan(1.0, {0.0, 10.0}));
+}
+
+TEST(Radial, SaysHowMuchOfAllItsFrequenciesIsDone) {
+  RadialPlan two_frequencies = plan(30.0, {300.0}, {Hertz{15.0}, Hertz{25.0}, 2});
+  std::vector<float> loss(two_frequencies.ranges);
+  std::vector<float> floor(two_frequencies.ranges);
+  std::vector<double> done;
+  compute_radial(papers_ocean(), {}, Radians{}, two_frequencies, {.transmission_loss_db = loss, .sea_floor_depth_m = floor},
+                 [&](double share) { done.push_back(share); });
+  EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
+  EXPECT_EQ(std::count(done.begin(), done.end(), 0.5), 1);  // the end of the first of two
+  ASSERT_FALSE(done.empty());
+  EXPECT_EQ(done.back(), 1.0);
+}
+
+TEST(Radial, KnowsItsDeepestSeaFloorAsFarAsItGoes) {
+  auto environment = papers_ocean();
+  environment.sea_floor_stations = {{Meters{0.0}, Meters{1000.0}}, {Meters{4000.0}, Meters{1500.0}}, {Meters{8000.0}, Meters{800.0}}};
+  const auto deepest = [&](double range_m) { return deepest_sea_floor(environment, {}, Radians{}, Meters{range_m}).value; };
+  EXPECT_EQ(deepest(2000.0), 1250.0);
+  EXPECT_EQ(deepest(4000.0), 1500.0);
+  EXPECT_EQ(deepest(8000.0), 1500.0);
+  environment.sea_floor_stations = {{Meters{0.0}, Meters{1000.0}}, {Meters{4000.0}, Meters{200.0}}};
+  EXPECT_EQ(deepest(2000.0), 1000.0);
+}
+
+TEST(Radial, KnowsAShoreThatLiesBeforeItsFirstRange) {
+  auto environment = papers_ocean();
+  EXPECT_FALSE(shore_before(environment, {}, Radians{}, Meters{25.0}));
+  environment.sea_floor_stations = {{Meters{0.0}, Meters{1000.0}}, {Meters{20.0}, Meters{0.0}}};
+  EXPECT_EQ(shore_before(environment, {}, Radians{}, Meters{25.0}), Meters{20.0});
+  EXPECT_FALSE(shore_before(environment, {}, Radians{}, Meters{20.0}));
+  EXPECT_FALSE(shore_before(environment, {}, Radians{}, Meters{10.0}));
+}
+
+TEST(Radial, KnowsWhatOfItsWaterWasNotMeasured) {
+  EXPECT_FALSE(unmeasured_water(papers_ocean(), {}, Radians{}, Meters{1000.0}));
+  const auto here = unmeasured_water(tests::charted_ocean(), {}, Radians{}, Meters{1000.0});
+  ASSERT_TRUE(here.has_value());
+  EXPECT_EQ(here->data_end, Meters{1500.0});
+  EXPECT_NEAR(here->sea_floor.value, 3000.0, 1e-6);
+}
+
 TEST(Radial, RefusesASourceBelowTheSeaFloor) {
   EXPECT_THROW(loss_of(papers_ocean(), plan(3100.0, {300.0})), std::invalid_argument);
 }
@@ -78,6 +144,58 @@ TEST(GridCheck, FindsTheAutomaticGridAsGoodAsItPromises) {
   EXPECT_LT(check.mean_db, 0.05);  // promised are 0.02 dB without the interference minima, which count here
   EXPECT_GT(check.mean_db, 0.0);
   EXPECT_GE(check.max_db, check.mean_db);
+}
+
+TEST(GridCheck, IsTheChangeFromAGridToOneOfHalfItsSteps) {
+  RadialPlan given = plan(30.0, {50.0, 300.0, 1000.0});
+  given.ranges = 40;
+  given.options = {.depth_step = Meters{18.0}, .range_step = Meters{25.0}, .terms = 8, .absorber_wavelengths = 5.0};
+  RadialPlan halved = given;
+  halved.range_step = Meters{12.5};
+  halved.ranges = 80;
+  halved.options = {.depth_step = Meters{9.0}, .range_step = Meters{12.5}, .terms = 8, .absorber_wavelengths = 15.0};
+  const std::vector<float> before = loss_of(papers_ocean(), given).db;
+  const std::vector<float> after = loss_of(papers_ocean(), halved).db;
+  double sum = 0.0;
+  double largest = 0.0;
+  Meters range;
+  Meters depth;
+  for (int range_m = 100; range_m <= 1000; range_m += 25) {  // 75 m is a wavelength
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto row = static_cast<std::size_t>(range_m / 25) - 1;
+      const auto row_of_halved = static_cast<std::size_t>(2 * range_m / 25) - 1;
+      const double change = std::abs(double{after[3 * row_of_halved + j]} - double{before[3 * row + j]});
+      sum += change;
+      if (change <= largest) continue;
+      largest = change;
+      range = Meters{static_cast<double>(range_m)};
+      depth = Meters{given.depth_m[j]};
+    }
+  }
+  const GridCheck check = check_grid(papers_ocean(), {}, Radians{}, given);
+  EXPECT_EQ(check.max_db, largest);
+  EXPECT_EQ(check.range_of_max, range);
+  EXPECT_EQ(check.depth_of_max, depth);
+  EXPECT_NEAR(check.mean_db, sum / (37.0 * 3.0), 1e-9);  // rounding
+  EXPECT_EQ(check.depth_step, Meters{18.0});
+  EXPECT_EQ(check.range_step, Meters{25.0});
+}
+
+TEST(GridCheck, KeepsTheTermsThatWereAskedFor) {
+  RadialPlan few = plan(30.0, {300.0});
+  few.options.terms = 2;  // too few for the steps that it would choose
+  EXPECT_THROW((void)check_grid(papers_ocean(), {}, Radians{}, few), std::invalid_argument);
+}
+
+TEST(GridCheck, CountsTheCoarseMarchAsAFifthOfItsWork) {
+  RadialPlan brief = plan(30.0, {300.0});
+  brief.ranges = 40;
+  std::vector<double> done;
+  (void)check_grid(papers_ocean(), {}, Radians{}, brief, [&](double share) { done.push_back(share); });
+  EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
+  EXPECT_EQ(std::count(done.begin(), done.end(), 0.2), 1);
+  ASSERT_FALSE(done.empty());
+  EXPECT_EQ(done.back(), 1.0);
 }
 
 TEST(GridCheck, FindsACoarseGridBad) {

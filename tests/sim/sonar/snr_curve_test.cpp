@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <vector>
 
 namespace earshot::sonar {
 namespace {
@@ -23,6 +24,8 @@ TEST(SnrCurve, IsLinearInDecibelsBetweenItsSamples) {
 TEST(SnrCurve, HoldsItsLastSampleBeyondItsEnd) {
   EXPECT_EQ(kCurve.at(Meters{1e9}), Decibels{5.0});
   EXPECT_EQ(kCurve.max_range(), Meters{20.0});
+  EXPECT_EQ(kCurve.range_step(), Meters{10.0});
+  EXPECT_EQ(kCurve.samples_db(), (std::vector<float>{30.0F, 20.0F, 5.0F}));
 }
 
 TEST(SnrCurve, GivesItsFirstSampleForNonsense) {

@@ -8,6 +8,7 @@
 
 #include "sim/ocean/file/environment_file.hpp"
 #include "tests/reference/transmission_loss.hpp"
+#include "tests/sim/sonar/charted_ocean.hpp"
 
 namespace earshot::sonar {
 namespace {
@@ -50,6 +51,26 @@ TEST(SonarField, HasNoCurveForAReceiverThatIsNotInTheWater) {
   }
   EXPECT_THROW((void)compute_snr_curve(shallow, Meters{250.0}, Meters{1'000.0}), std::invalid_argument);
   EXPECT_NO_THROW((void)compute_snr_curve(shallow, Meters{249.0}, Meters{1'000.0}));
+}
+
+TEST(SonarField, HasNoCurveWhereTheOceanDiffersFromBearingToBearing) {
+  try {
+    (void)compute_snr_curve(tests::charted_ocean(), Meters{300.0}, Meters{1'000.0});
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "charted: its ocean differs from bearing to bearing; one curve of SNR against range does not tell it");
+  }
+}
+
+TEST(SonarField, CurveIsSilentWhereTheReceiverWouldBeInTheSeaFloor) {
+  ocean::Environment shoaling = papers_ocean();
+  shoaling.sea_floor_stations = {{Meters{0.0}, Meters{1000.0}}, {Meters{2000.0}, Meters{200.0}}};
+  const SnrCurve curve = compute_snr_curve(shoaling, Meters{500.0}, Meters{2'000.0});  // 500 m deep at 1250 m
+  EXPECT_EQ(curve.range_step(), Meters{10.0});
+  EXPECT_NEAR(curve.max_range().value, 2000.0, 1e-9);
+  EXPECT_EQ(curve.at(Meters{1260.0}).value, 190.0 - 300.0 - 90.0);
+  EXPECT_GT(curve.at(Meters{1240.0}).value, 0.0);
+  EXPECT_EQ(curve.at(Meters{0.0}), curve.at(Meters{10.0}));
 }
 
 TEST(SonarField, SubtractsLossAndNoiseFromTheSourceLevel) {
