@@ -12,13 +12,13 @@ namespace earshot::tests {
 /// A degree of the equator on the WGS 84 ellipsoid.
 inline constexpr Meters kDegreeOfTheEquator{111'319.4908};
 
-/// An ocean about latitude 0, longitude 0 that is 3000 m deep and 1000 m deeper for every degree east, with temperature and salinity of 4 degC
-/// and 35 psu measured down to 1500 m.
+/// An ocean about latitude 0, longitude 0 that is 3000 m deep and 1000 m deeper for every degree east, with temperature and salinity of 4
+/// degC and 35 psu measured down to 1500 m.
 inline ocean::Environment charted_ocean() {
   auto charts = std::make_shared<ocean::Charts>();
   const ocean::GeoAxes axes{.centre_longitude_deg = 0.0, .latitude_deg = {-1.0, 0.0, 1.0}, .longitude_deg = {-1.0, 0.0, 1.0}};
-  charts->bathymetry = ocean::Bathymetry{
-      .file = "chart.nc", .axes = axes, .elevation_m = {-2000, -3000, -4000, -2000, -3000, -4000, -2000, -3000, -4000}};
+  charts->bathymetry =
+      ocean::Bathymetry{.file = "chart.nc", .axes = axes, .elevation_m = {-2000, -3000, -4000, -2000, -3000, -4000, -2000, -3000, -4000}};
   charts->climatology = ocean::Climatology{.file = "woa.nc",
                                            .axes = axes,
                                            .depth_m = {0.0, 1500.0},

@@ -65,6 +65,8 @@ TEST(DetectionRange, EndsAtTheShoreAndAtTheEndOfTheRadial) {
   const auto land = static_cast<float>(kNaN);
   EXPECT_EQ(range_of({80, 82, land, land}).furthest_m, 200.0);
   EXPECT_EQ(range_of({80, 82, 84}).furthest_m, 300.0);
+  EXPECT_EQ(range_of({80, 89.5}).furthest_m, 200.0);
+  EXPECT_EQ(range_of({80, 90}).furthest_m, 200.0);  // 10 dB are enough
 }
 
 TEST(DetectionRange, IsZeroWhereNothingIsHeardAndUnknownWhereItBeginsWithoutWater) {

@@ -68,6 +68,18 @@ TEST(FanFile, HoldsTheMapBesideTheFan) {
   EXPECT_EQ(file.read("source_frequency"), (std::vector<double>{17.5, 22.5, 27.5}));
 }
 
+TEST(FanFile, HasTheDetectionRangesOfEveryDepth) {
+  const support::TemporaryFolder folder;
+  Fan two_depths = fan();
+  two_depths.depth_m = {30.0, 300.0};
+  two_depths.transmission_loss_db = {95, 80, 96, 84, 97, 96, 95, 84, kLand, kLand, kLand, kLand};  // nothing is heard at 30 m
+  write_fan(folder / "fan.nc", two_depths, std::nullopt, environment(), {Hertz{20.0}, Hertz{20.0}}, kDetector, "by hand");
+  const netcdf::Reader file(folder / "fan.nc");
+  EXPECT_EQ(file.dimensions_of("furthest_detection_range"), (std::vector<std::string>{"depth", "bearing"}));
+  EXPECT_EQ(file.read("furthest_detection_range"), (std::vector<double>{0.0, 0.0, 250.0, 100.0}));
+  EXPECT_EQ(file.read("assured_detection_range"), (std::vector<double>{0.0, 0.0, 250.0, 100.0}));
+}
+
 /// Reads attributes that netcdf::Reader has no use for: those of the whole file (variable "") and numbers.
 class Attributes {
  public:
@@ -140,7 +152,8 @@ TEST(FanFile, SaysOfEveryNumberWhatItIsAndInWhichUnit) {
   EXPECT_EQ(attributes.text("detection_probability", "units"), "1");
   EXPECT_EQ(attributes.text("assured_detection_range", "units"), "m");
   EXPECT_EQ(attributes.text("furthest_detection_range", "units"), "m");
-  EXPECT_EQ(attributes.text("transmission_loss", "coordinates"), "none");  // its dimensions say where
+  EXPECT_EQ(attributes.text("transmission_loss", "coordinates"), "none");             // its dimensions say where
+  EXPECT_EQ(attributes.number("transmission_loss", "least_significant_digit"), 2.0);  // 1/256 dB is good to 0.01
   for (const char* name : {"transmission_loss", "detection_probability", "sea_floor_depth", "assured_detection_range"})
     EXPECT_TRUE(std::isnan(attributes.number(name, "_FillValue"))) << name;
 }

@@ -72,6 +72,19 @@ TEST(Radial, HasNoLossBelowTheSeaFloorNorBeyondTheShore) {
   }
 }
 
+TEST(Radial, KeepsItsDepthsApartInWhateverOrder) {
+  RadialPlan radial = plan(30.0, {100.0, 300.0});
+  radial.ranges = 4;
+  const std::vector<float> both = loss_of(papers_ocean(), radial).db;
+  radial.depth_m = {5000.0, 300.0, 4000.0, 100.0};  // two of them in the sea floor
+  const std::vector<float> four = loss_of(papers_ocean(), radial).db;
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_TRUE(std::isnan(four[4 * i]) && std::isnan(four[4 * i + 2]));
+    EXPECT_EQ(four[4 * i + 1], both[2 * i + 1]);
+    EXPECT_EQ(four[4 * i + 3], both[2 * i]);
+  }
+}
+
 TEST(Radial, HearsAHydrophoneThatLiesOnTheSeaFloor) {
   RadialPlan to_the_floor = plan(30.0, {3000.0});
   to_the_floor.ranges = 4;
@@ -191,7 +204,9 @@ TEST(GridCheck, CountsTheCoarseMarchAsAFifthOfItsWork) {
   RadialPlan brief = plan(30.0, {300.0});
   brief.ranges = 40;
   std::vector<double> done;
-  (void)check_grid(papers_ocean(), {}, Radians{}, brief, [&](double share) { done.push_back(share); });
+  const GridCheck check = check_grid(papers_ocean(), {}, Radians{}, brief, [&](double share) { done.push_back(share); });
+  EXPECT_LT(check.max_db, 1.0);
+  EXPECT_GT(check.range_of_max, Meters{75.0});  // a small change has its place too
   EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
   EXPECT_EQ(std::count(done.begin(), done.end(), 0.2), 1);
   ASSERT_FALSE(done.empty());
