@@ -103,16 +103,17 @@ TEST(GeoWindow, ReadsARegionWhoseLongitudesJumpAtTheDateLine) {
 }
 
 /// Degrees of longitude between a place and 20 degrees east, 0 to 180, on whole degrees up to the pole's own row.
-GebcoFile polar_tent(double southernmost_deg, double first_longitude_deg, int longitudes) {
-  return {axis(southernmost_deg, 1, 11), axis(first_longitude_deg, 1, longitudes),
+GebcoFile polar_tent(std::vector<double> latitude_deg, double first_longitude_deg, int longitudes) {
+  return {std::move(latitude_deg), axis(first_longitude_deg, 1, longitudes),
           [](double, double lon) { return std::abs(std::remainder(lon - 20.0, 360.0)); }};
 }
 
 TEST(GeoWindow, GoesAllRoundAPoleThatLiesWithinItsReach) {
   const support::TemporaryFolder folder;
-  for (const double pole_deg : {90.0, -90.0}) {
+  for (const auto& latitude_deg : {axis(80, 1, 11), axis(90, -1, 11), axis(-90, 1, 11), axis(-80, -1, 11)}) {
+    const double pole_deg = latitude_deg[5] > 0.0 ? 90.0 : -90.0;
     for (const auto& [first_deg, longitudes] : {std::pair{-180.0, 360}, std::pair{0.0, 360}, std::pair{-180.0, 361}}) {
-      polar_tent(pole_deg > 0.0 ? 80.0 : -90.0, first_deg, longitudes).write(folder / "g.nc");
+      polar_tent(latitude_deg, first_deg, longitudes).write(folder / "g.nc");
       const netcdf::Reader file(folder / "g.nc");
       // 6 km from the pole with a reach of 12: what lies behind the pole is on the far side of the meridian at 200.3 degrees.
       const GeoWindow window(file, {.latitude_deg = pole_deg * (89.95 / 90.0), .longitude_deg = 20.3}, Meters{12'000.0});
@@ -130,7 +131,7 @@ TEST(GeoWindow, GoesAllRoundAPoleThatLiesWithinItsReach) {
 
 TEST(GeoWindow, DoesNotCloseAFileThatLacksADegree) {
   const support::TemporaryFolder folder;
-  polar_tent(80.0, -160.0, 358).write(folder / "g.nc");  // -160 to 197 degrees: 198 and 199 degrees are not in it
+  polar_tent(axis(80, 1, 11), -160.0, 358).write(folder / "g.nc");  // -160 to 197 degrees: 198 and 199 degrees are not in it
   const GeoWindow window(netcdf::Reader(folder / "g.nc"), {.latitude_deg = 89.95, .longitude_deg = 18.5}, Meters{12'000.0});
   EXPECT_TRUE(cell_at(window.axes(), {.latitude_deg = 89.97, .longitude_deg = 196.5}).has_value());
   EXPECT_FALSE(cell_at(window.axes(), {.latitude_deg = 89.97, .longitude_deg = 198.0}).has_value());
