@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <net/if.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/uio.h>
 
@@ -236,6 +237,29 @@ TEST_F(OnTheWire, CountsWhatTheKernelRefusesAndNumbersItAllTheSame) {
   ASSERT_TRUE(seen);
   EXPECT_EQ(seen->number_at(4), 1U) << "a peer sees that one is missing";
   EXPECT_EQ(endpoint.counters().published, 1U);
+}
+
+TEST_F(OnTheWire, HasTheBufferThatItsUrlAsksFor) {
+  const LcmEndpoint endpoint(parse_lcm_url(std::string(kHere) + "&recv_buf_size=65536"), {});
+  int bytes = 0;
+  socklen_t size = sizeof bytes;
+  ASSERT_EQ(::getsockopt(endpoint.file_descriptor(), SOL_SOCKET, SO_RCVBUF, &bytes, &size), 0);
+  EXPECT_EQ(bytes, 2 * 65'536) << "the kernel doubles what it is asked for (socket(7))";
+}
+
+TEST_F(OnTheWire, NamesTheCallThatFailedWhenTheProgramMayOpenNoMore) {
+  rlimit limit{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &limit), 0);
+  const rlimit none{.rlim_cur = 0, .rlim_max = limit.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  std::string said;
+  try {
+    const LcmEndpoint endpoint(parse_lcm_url(kHere), {});
+  } catch (const std::system_error& error) {
+    said = error.what();
+  }
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &limit), 0);
+  EXPECT_EQ(said.substr(0, 11), "LCM: socket");
 }
 
 TEST_F(OnTheWire, NamesTheCallThatFailedWhenItsPortIsAnothers) {

@@ -286,7 +286,13 @@ TEST_F(LcmEndpointTest, HearsAnInterfaceThatComesUpAfterIt) {
 
 TEST_F(LcmEndpointTest, IsDownWhileThereIsNoNetworkAndHeardAndHeardFromOnceThereIs) {
   ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link set lo down"), 0);
-  EXPECT_THROW(LcmEndpoint(parse_lcm_url(kUrl), {}), std::system_error);
+  std::string said;
+  try {
+    const LcmEndpoint refused(parse_lcm_url(kUrl), {});
+  } catch (const std::system_error& error) {
+    said = error.what();
+  }
+  EXPECT_NE(said.find("LCM: no interface is up on which the multicast group can be joined"), std::string::npos) << said;
   LcmEndpoint early(parse_lcm_url(kUrl), {"EARSHOT_X"}, nullptr, IfMissing::kKeepTrying);
   EXPECT_FALSE(early.is_up());
   EXPECT_EQ(early.publish("EARSHOT_X", {}), Status::kFull);
