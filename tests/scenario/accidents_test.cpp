@@ -55,6 +55,20 @@ class Accidents : public WalkAtSea {
     return false;
   }
 
+  /// Until its journal has grown three times: it makes turns.
+  [[nodiscard]] bool goes_on() const {
+    std::error_code error;
+    int times = 0;
+    auto size = fs::file_size(folder_ / "journal.lcmlog", error);
+    for (const auto deadline = std::chrono::steady_clock::now() + 20s; times < 3 && std::chrono::steady_clock::now() < deadline;) {
+      std::this_thread::sleep_for(10ms);
+      const auto now = fs::file_size(folder_ / "journal.lcmlog", error);
+      if (!error && now > size) ++times;
+      size = now;
+    }
+    return times == 3;
+  }
+
   /// Until it is in its loop, in which it tells its state. @return what it has said
   [[nodiscard]] std::string words_up_to_its_loop() const {
     std::string words;
@@ -70,7 +84,7 @@ TEST_F(Accidents, GivenSignalsThatNobodyMeansItGoesOnAndQuitEndsItInOrder) {
   start_earshotd({});
   ASSERT_NE(words_up_to_its_loop().find("STANDBY"), std::string::npos) << earshotd_->output();
   for (const int number : {SIGHUP, SIGUSR1, SIGUSR2, SIGALRM, SIGTSTP, SIGIO, SIGRTMIN}) earshotd_->signal(number);
-  EXPECT_EQ(earshotd_->wait(300ms), -1) << "it ended";
+  EXPECT_TRUE(goes_on()) << "it ended";
   earshotd_->signal(SIGQUIT);
   EXPECT_EQ(earshotd_->wait(5s), 0) << earshotd_->output();
   EXPECT_NE(earshotd_->output().find("in STANDBY; it ended in ABORT"), std::string::npos) << earshotd_->output();
@@ -83,7 +97,7 @@ TEST_F(Accidents, GivenItsReaderGoesAwayItFliesOnAndEndsInOrder) {
   ASSERT_EQ(::poll(&words, 1, 20'000), 1);
   reader = host::FileDescriptor();
   ASSERT_TRUE(has_begun());
-  EXPECT_EQ(earshotd_->wait(300ms), -1) << "it ended";
+  EXPECT_TRUE(goes_on()) << "it ended";
   earshotd_->signal(SIGTERM);
   EXPECT_EQ(earshotd_->wait(5s), 0);
 }
