@@ -75,6 +75,7 @@ class Finding(unittest.TestCase):
 
     def test_plants_nothing_where_only_the_compiler_looks(self):
         text = "constexpr int kSize = 3;\nint list[kSize + 1];\nconsteval int f(int a) { return a - 1; }"
+        text += "\ntypedef int V __attribute__((vector_size(8)));\nV v = __builtin_shufflevector(V{}, V{}, 1, 0);"
         self.assertEqual([f.change for f in faults(text) if f.switchable], [])
 
     def test_plants_nothing_in_half_a_macro(self):

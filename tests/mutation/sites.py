@@ -186,6 +186,8 @@ class _Reader:
             return self.statements(children[-1:])
         elif kind in (CursorKind.COMPOUND_STMT, CursorKind.DEFAULT_STMT):
             return self.statements(children)
+        elif self.of(cursor).startswith("__builtin_shufflevector("):  # its indices are for the compiler
+            return self.visit_constant(children)
         self.visit_all(children)
 
     def function(self, cursor: Cursor, children: list[Cursor]) -> None:
