@@ -40,6 +40,15 @@ TEST(Absorber, IsThickerTheLessTheSeabedLosesAndTheFurtherTheSoundGoes) {
   EXPECT_GT(thickness(0.0, 16.0 * kRange), 2.6 * thickness(0.0, kRange));  // the root of 16, likewise
 }
 
+TEST(Absorber, IsThickEnoughForTheFastestAndFineEnoughForTheSlowestOfSeveralSeabeds) {
+  ocean::Section both = over(1500.0, 0.5);
+  const ocean::Section fast = over(3000.0, 0.5);
+  both.sediment.push_back({.range = Meters{5'000.0}, .layers = fast.sediment.front().layers});
+  const Absorber asked = choose_absorber(both, kFrequency, kRange, 12.0);
+  EXPECT_GE(asked.thickness_m(), 12.0 * 3000.0 / kFrequency.value) << "wavelengths of the fastest";
+  EXPECT_EQ(asked.shortest_m, choose_absorber(over(1500.0, 0.5), kFrequency, kRange, {}).shortest_m);
+}
+
 TEST(Absorber, IsAsThickAsAsked) {
   const double wavelength_m = 1700.0 / kFrequency.value;
   const Absorber absorber = choose_absorber(over(1700.0, 0.5), kFrequency, kRange, 12.0);

@@ -291,6 +291,32 @@ TEST(Solver, RefusesStepsThatDoNotDivideEachOther) {
   EXPECT_THROW((void)solve_at(pekeris(), 50.0, 100.0, {.accuracy = Decibels{0.0}}), std::invalid_argument);
 }
 
+TEST(Solver, TellsByHowMuchStepsDoNotDivideEachOther) {
+  try {
+    (void)solve_at(pekeris(), 50.0, 1'000.0, {.range_step = Meters{4.0}, .output_step = Meters{10.0}});
+    FAIL();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("2.5"), std::string::npos) << e.what();
+  }
+}
+
+TEST(Solver, TakesForAStepTheMediumInItsMiddle) {
+  const auto field_of = [](double sediment_changes_at_m) {
+    const ocean::Section section =
+        tests::section_of({.floor = {{0.0, 100.0}},
+                           .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+                           .sediment = {{0.0, {{0.0, 1700.0, 1.5, 0.5}}}, {sediment_changes_at_m, {{0.0, 1600.0, 1.5, 0.5}}}}});
+    const Options options{.depth_step = Meters{2.0}, .range_step = Meters{20.0}, .terms = 8, .output_step = Meters{20.0}};
+    return solve(section, {Hertz{50.0}, Meters{30.0}}, options, std::vector<double>{60.0}, Meters{400.0}).pressure;
+  };
+  // Steps of 20 m have their middles at 10 m, 30 m, 50 m, ...
+  EXPECT_TRUE((field_of(10.05) == field_of(29.95)).all()) << "the same for every step";
+  EXPECT_FALSE((field_of(29.95) == field_of(30.05)).all());
+  EXPECT_TRUE((field_of(30.05) == field_of(49.95)).all());
+  EXPECT_TRUE((field_of(0.05) == field_of(9.95)).all()) << "the first step has the second medium; the source is in the first";
+  EXPECT_FALSE((field_of(9.95) == field_of(10.05)).all());
+}
+
 TEST(Solver, LosesWhatSeaWaterAbsorbsPerKilometre) {
   const auto loss_at_10_km = [](double absorption_db_per_km) {
     ocean::Environment environment = pekeris();
