@@ -40,6 +40,11 @@ TEST(Conversion, GivesAPortReportBackWhateverItCounted) {
                                     .malformed = 9'223'372'036'854'775'807,
                                     .unsent = 2'147'483'648};
   EXPECT_EQ(from_message(carried(to_message(report))), report);
+  EXPECT_EQ(carried(to_message(report)).link_up, 0);
+  messages::PortReport up = report;
+  up.link_up = true;
+  EXPECT_EQ(carried(to_message(up)).link_up, 1);
+  EXPECT_EQ(from_message(carried(to_message(up))), up);
 }
 
 TEST(Conversion, TellsEveryFieldOfADetection) {
@@ -50,6 +55,9 @@ TEST(Conversion, TellsEveryFieldOfADetection) {
   EXPECT_EQ(arrived.level_db_re_1upa, 104.5);
   EXPECT_EQ(arrived.snr_db, -2.5);
   EXPECT_EQ(arrived.clipped, 1);
+  messages::SoundDetection whole;
+  whole.is_clipped = false;
+  EXPECT_EQ(carried(to_message(whole)).clipped, 0);
 }
 
 TEST(Conversion, GivesACommandBackWhateverItsNumber) {
@@ -87,6 +95,7 @@ TEST(Conversion, GivesEveryFieldOfAFixAndOfALookBack) {
   for (const bool too_faint : {false, true}) {
     const messages::SnrMeasurement look{.time = Time{6}, .snr = Decibels{-7.5}, .too_faint = too_faint};
     EXPECT_EQ(from_message(carried(to_message(look))), look);
+    EXPECT_EQ(carried(to_message(look)).too_faint, too_faint ? 1 : 0);
   }
 }
 

@@ -109,6 +109,33 @@ TEST_F(OrdersTest, OfOtherMakersAreRefused) {
   EXPECT_EQ(receiver_.counters().other, 2U);
 }
 
+TEST_F(OrdersTest, AndTheirAnswersLieByteForByteWhereOtherProgramsExpectThem) {
+  using Bytes = std::vector<std::uint8_t>;
+  const auto bytes_of = [](const FastPacketFrames& frames) {
+    FastPacketAssembly assembly;
+    std::span<const std::uint8_t> bytes;
+    for (const Frame& frame : frames) static_cast<void>(assembly.accept({.pgn = kPeerPgn, .source = 1}, frame, bytes));
+    return Bytes(bytes.begin(), bytes.end());
+  };
+  const OperatorCommand command{.time = Time{0x0807060504030201},
+                                .expiry = Time{0x1817161514131211},
+                                .issuer = 0x24232221,
+                                .number = 0x34333231,
+                                .order = Order::kComplete};  // 2
+  EXPECT_EQ(bytes_of(frames_of(command)), (Bytes{0xFC, 0x9F, 1, 2, 0x21, 0x22, 0x23, 0x24, 0x31, 0x32, 0x33, 0x34, 1,    2,
+                                                 3,    4,    5, 6, 7,    8,    0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x17, 0x18}));
+  FastPacketFrames frames;
+  ASSERT_EQ(compose_acknowledgement({.time = Time{0x0807060504030201},
+                                     .port = 0,
+                                     .issuer = 0x24232221,
+                                     .number = 0x34333231,
+                                     .order = Order::kAbort,                                // 3
+                                     .outcome = messages::CommandOutcome::kNotConfigured},  // 6
+                                    kRoute, frames),
+            Status::kOk);
+  EXPECT_EQ(bytes_of(frames), (Bytes{0xFC, 0x9F, 2, 3, 0x21, 0x22, 0x23, 0x24, 0x31, 0x32, 0x33, 0x34, 6, 1, 2, 3, 4, 5, 6, 7, 8}));
+}
+
 TEST_F(OrdersTest, AreTakenWhateverTheirReservedBitsSay) {
   FastPacketFrames frames = frames_of(kStart);
   frames[0].data[3] = 0x87;  // 0x9F without bits 11 and 12

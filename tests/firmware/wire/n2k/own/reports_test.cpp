@@ -67,6 +67,51 @@ TEST(Reports, StopCountingWhereTheirFieldEnds) {
   EXPECT_FALSE(read.value().link_up);
 }
 
+TEST(Reports, LieByteForByteWhereOtherProgramsExpectThem) {
+  using Bytes = std::vector<std::uint8_t>;
+  FastPacketFrames frames;
+  messages::Health health;
+  health.state = messages::MissionState::kAbort;         // 3
+  health.end_reason = messages::EndReason::kTimeUsedUp;  // 7
+  health.steps_taken = 0x04030201;
+  health.counters = {.navigation_refused = 0x060504030201,
+                     .snr_refused = 0x161514131211,
+                     .commands_refused = 0x262524232221,
+                     .setpoints_limited = 0x363534333231};
+  ASSERT_EQ(compose_health(health, Time{0x0807060504030201}, kSender, frames), Status::kOk);
+  EXPECT_EQ(bytes_of(frames),
+            (Bytes{0xFC, 0x9F, 1,    2,    3,    4,    5,    6,    7,    8,    3,    7,    1,    2,    3,    4,    1,    2,    3,    4, 5,
+                   6,    0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x21, 0x22, 0x23, 0x24, 0x25, 0x26, 0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0}));
+
+  // The link in two bits below six ones: 1 for up.
+  const messages::PortReport report{.port = 9,
+                                    .link_up = true,
+                                    .received = 0x060504030201,
+                                    .lost = 0x161514131211,
+                                    .malformed = 0x262524232221,
+                                    .unsent = 0x363534333231};
+  ASSERT_EQ(compose_port_health(report, kSender, frames), Status::kOk);
+  EXPECT_EQ(bytes_of(frames), (Bytes{0xFC, 0x9F, 9,    0xFD, 1,    2,    3,    4,    5,    6,    0x11, 0x12, 0x13, 0x14,
+                                     0x15, 0x16, 0x21, 0x22, 0x23, 0x24, 0x25, 0x26, 0x31, 0x32, 0x33, 0x34, 0x35, 0x36}));
+
+  // Places in centimetres: 0x01020304 is 16909060. SNR -7.50 dB: -750 in 18 bits is 0x3FD12; above it too faint 1, detected 0, overridden 1
+  // in two bits each: 0100'01'11 with the highest two bits of the SNR. 0.25 of 60000 is 15000 = 0x3A98; 12.5 cells are 1250 = 0x04E2.
+  messages::Decision sent = decision();
+  sent.time = Time{0x0807060504030201};
+  sent.step = 0x04030201;
+  sent.position = {Meters{169'090.60}, Meters{-0.02}};
+  sent.waypoint = {Meters{0.01}, Meters{0.02}};
+  sent.belief = {.likeliest = {Meters{0.03}, Meters{0.04}},
+                 .mean = {Meters{0.05}, Meters{0.06}},
+                 .spread = Meters{0.07},
+                 .likeliest_share = 0.25F,
+                 .effective_cells = 12.5F};
+  ASSERT_EQ(compose_decision(sent, kSender, frames), Status::kOk);
+  EXPECT_EQ(bytes_of(frames), (Bytes{0xFC, 0x9F, 1,    2,    3,    4, 5, 6, 7, 8, 1, 2, 3, 4, 4,    3,    2,    1, 0xFE, 0xFF,
+                                     0xFF, 0xFF, 0x12, 0xFD, 0x47, 5, 1, 0, 0, 0, 2, 0, 0, 0, 3,    0,    0,    0, 4,    0,
+                                     0,    0,    5,    0,    0,    0, 6, 0, 0, 0, 7, 0, 0, 0, 0x98, 0x3A, 0xE2, 4, 0,    0}));
+}
+
 TEST(Reports, OfAPortComeBack) {
   const messages::PortReport report{.port = 3, .link_up = true, .received = 1, .lost = 2, .malformed = 4, .unsent = 5};
   FastPacketFrames frames;
