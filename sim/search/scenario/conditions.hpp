@@ -12,10 +12,10 @@ inline constexpr std::size_t kMaxSources = 8;  ///< sources of one search
 /// A source that sings and falls silent: calls every `interval_s` for `song_s`, then none for `pause_s`, and so on. A look hears a call
 /// that fell in the `listening_s` before it. Where in its song a source is when the search begins is drawn anew for every search.
 struct CallPattern {
-  double interval_s = 15.0;   ///< > 0
-  double song_s = 900.0;      ///< > 0
-  double pause_s = 300.0;     ///< >= 0
-  double listening_s = 60.0;  ///< > 0
+  double interval_s;   ///< > 0
+  double song_s;       ///< > 0
+  double pause_s;      ///< >= 0
+  double listening_s;  ///< > 0
 };
 
 /// Water that carries the vehicle while it steers as if it stood still.

@@ -29,15 +29,13 @@ double drawn(const std::optional<Bounds>& bounds, double own, Pcg32& random) {
 }  // namespace
 
 Family read_family(TableReader table) {
-  Family family;
-  family.members = static_cast<std::size_t>(table.integer("members", 1, 1'000));
-  family.seed = static_cast<std::uint64_t>(table.integer_or("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
-  family.sea_floor_depth_m = read_bounds(table, "sea_floor_depth_m", Range::above_up_to(0.0, 12'000.0));
-  family.axis_depth_m = read_bounds(table, "axis_depth_m", Range::above_up_to(0.0, 12'000.0));
-  family.perturbation = read_bounds(table, "perturbation", Range::between(0.0, 0.1));
-  family.sediment_sound_speed_mps = read_bounds(table, "sediment_sound_speed_mps", Range::between(1'000.0, 8'000.0));
-  family.noise_level_db_re_1upa = read_bounds(table, "noise_level_db_re_1upa", Range::between(-100.0, 300.0));
-  return family;
+  return {.members = static_cast<std::size_t>(table.integer("members", 1, 1'000)),
+          .seed = static_cast<std::uint64_t>(table.integer_or("seed", 1, 0, std::numeric_limits<std::int64_t>::max())),
+          .sea_floor_depth_m = read_bounds(table, "sea_floor_depth_m", Range::above_up_to(0.0, 12'000.0)),
+          .axis_depth_m = read_bounds(table, "axis_depth_m", Range::above_up_to(0.0, 12'000.0)),
+          .perturbation = read_bounds(table, "perturbation", Range::between(0.0, 0.1)),
+          .sediment_sound_speed_mps = read_bounds(table, "sediment_sound_speed_mps", Range::between(1'000.0, 8'000.0)),
+          .noise_level_db_re_1upa = read_bounds(table, "noise_level_db_re_1upa", Range::between(-100.0, 300.0))};
 }
 
 std::vector<ocean::Environment> draw_family(const ocean::Environment& own, const Family& family) {

@@ -12,14 +12,14 @@ namespace earshot::search {
 
 /// A number is drawn uniformly between these.
 struct Bounds {
-  double lowest = 0.0;
-  double highest = 0.0;
+  double lowest;
+  double highest;
 };
 
 /// Oceans like the environment file's own, some of their numbers drawn anew; what has no bounds stays as it is.
 struct Family {
-  std::size_t members = 0;  ///< >= 1
-  std::uint64_t seed = 1;
+  std::size_t members;  ///< >= 1
+  std::uint64_t seed;
   std::optional<Bounds> sea_floor_depth_m = {};
   std::optional<Bounds> axis_depth_m = {};              ///< of the Munk profile; its scale keeps the ratio to it
   std::optional<Bounds> perturbation = {};              ///< of the Munk profile

@@ -1,6 +1,7 @@
 #include "sim/search/scenario/scenario_file.hpp"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -43,12 +44,8 @@ struct FileKeys {
 
 /// Another checksum, lowest byte first.
 std::uint32_t crc32_of(std::uint32_t checksum, std::uint32_t previous) {
-  std::array<std::uint8_t, 4> bytes{};
-  for (std::uint8_t& byte : bytes) {
-    byte = static_cast<std::uint8_t>(checksum);
-    checksum >>= 8U;
-  }
-  return crc32(bytes, previous);
+  static_assert(std::endian::native == std::endian::little);
+  return crc32(std::bit_cast<std::array<std::uint8_t, 4>>(checksum), previous);
 }
 
 /// The family is drawn from the file's own ocean, which must have the numbers that are drawn.

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/search/belief_model.hpp"
+
 namespace earshot::search {
 namespace {
 
@@ -133,6 +135,18 @@ TEST_F(EpisodeTest, SeesTheMemoryStateOfItsLastStepsNewestFirst) {
   EXPECT_FLOAT_EQ(seen[1], 1.0F);
   EXPECT_FLOAT_EQ(seen[3], -1.0F);
   EXPECT_FLOAT_EQ(seen[5], (26.0F - 10.0F) / 30.0F);  // 4 km away after the step west
+}
+
+TEST_F(EpisodeTest, BelievesThatTheSourceIsNearWhereItIsLoud) {
+  settings.domain = {at(0, 0), at(10'000, 30'000)};
+  settings.start_region = settings.domain;
+  const World world(settings, curve);
+  model.belief = belief_model(settings, curve);
+  ASSERT_EQ(model.spec.push_back({.feature = policy::Feature::kEffectiveCells}), Status::kOk);
+  episode.start_at(world, model, at(5'000, 5'000), at(5'000, 6'500));  // 28.5 dB
+  // Cells of 500 m, 20 north by 60 east: that of the source, and one as far from the vehicle as the area reaches.
+  EXPECT_GT(episode.belief().probability(model.belief, 10, 13), 0.0F);
+  EXPECT_GT(episode.belief().probability(model.belief, 10, 13), 100.0F * episode.belief().probability(model.belief, 10, 59));
 }
 
 TEST_F(EpisodeTest, SeesTheSimpleStateRelativeToTheDomainsSouthWestCorner) {

@@ -13,6 +13,11 @@ constexpr NorthEast at(double north_m, double east_m) {
 }
 TEST(SearchSettingsCheck, AcceptsThePapersProblem) {
   EXPECT_EQ(check({}), Status::kOk);
+  const SearchSettings paper;
+  for (const Rectangle& area : {paper.domain, paper.start_region}) {
+    EXPECT_EQ(area.south_west, at(0, 0));
+    EXPECT_EQ(area.north_east, at(25'000, 25'000));
+  }
 }
 
 TEST(SearchSettingsCheck, AcceptsTheLeastAndTheMostOfEachNumber) {
@@ -49,6 +54,9 @@ TEST(SearchSettingsCheck, RefusesEachNumberOutsideItsRange) {
   EXPECT_TRUE(refused([](SearchSettings& s) { s.start_region.north_east.north = s.start_region.south_west.north; }));
   EXPECT_TRUE(refused([](SearchSettings& s) { s.domain.north_east.north = Meters{-1.0}; }));
   EXPECT_TRUE(refused([nan](SearchSettings& s) { s.domain.south_west.east = Meters{nan}; }));
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(refused([infinity](SearchSettings& s) { s.domain.south_west.north = Meters{-infinity}; }));
+  EXPECT_TRUE(refused([infinity](SearchSettings& s) { s.domain.north_east.east = Meters{infinity}; }));
 }
 
 TEST(SearchSettingsCheck, RefusesADomainInWhichEveryChangingSourceIsWithinReachOfEveryStart) {

@@ -95,6 +95,7 @@ TEST_F(VectorSearchTest, FliesEachEnvironmentAsAnEpisodeWithAStreamOfItsOwn) {
       episodes[e].observe(seen);
       ASSERT_TRUE(std::ranges::equal(search.observation(e), seen)) << e;
     }
+    EXPECT_EQ(search.environment_count(), kCount);
     int ended = 0;
     for (std::size_t t = 0; t < 400; ++t) {
       const std::array<std::size_t, kCount> actions{t % 8, (3 * t) % 8, (5 * t) % 8};
@@ -166,10 +167,10 @@ TEST_F(VectorSearchTest, GoesOnFromItsScriptsAsIfNothingHadHappened) {
     for (std::size_t e = 0; e < actions.size(); ++e) actions[e] = (3 * t + e) % 8;
     environments.step(actions);
   };
-  for (std::size_t t = 0; t < 21; ++t) step(uninterrupted, t);
+  for (std::size_t t = 0; t < 24; ++t) step(uninterrupted, t);
   VectorSearch resumed(world, model, 5, 99);
   ASSERT_TRUE(resumed.resume(uninterrupted.scripts()));
-  for (std::size_t t = 21; t < 60; ++t) {
+  for (std::size_t t = 24; t < 60; ++t) {
     for (std::size_t e = 0; e < actions.size(); ++e) ASSERT_TRUE(std::ranges::equal(resumed.observation(e), uninterrupted.observation(e)));
     step(uninterrupted, t);
     step(resumed, t);

@@ -25,5 +25,17 @@ TEST(CompassDirections, AreOfLengthOneForEveryCount) {
   }
 }
 
+TEST(CompassDirections, DivideTheCompassEvenlyWhateverTheirCount) {
+  for (std::size_t count = 1; count <= config::kMaxActions; ++count) {
+    const ActionTable table = compass_directions(count);
+    ASSERT_EQ(table.size(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double bearing = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(count);
+      EXPECT_NEAR(table[i].north, std::cos(bearing), 1e-12) << i << " of " << count;  // as above
+      EXPECT_NEAR(table[i].east, std::sin(bearing), 1e-12) << i << " of " << count;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace earshot::search

@@ -73,11 +73,12 @@ TEST(SoundscapeOf, RefusesAnOtherOceanWhoseSeaFloorLiesAboveTheVehicle) {
 /// A scenario whose field library is of one position, two bearings, 100 m and 200 m of range, 100 m and 300 m of depth; the loss is
 /// 100 b + 10 r + d (their indices). Nothing is computed.
 Scenario with_library(const std::filesystem::path& path, double source_depth_m, double frequency_hz,
-                      const std::vector<float>& loss_db = {0.0F, 1.0F, 10.0F, 11.0F, 100.0F, 101.0F, 110.0F, 111.0F}) {
+                      const std::vector<float>& loss_db = {0.0F, 1.0F, 10.0F, 11.0F, 100.0F, 101.0F, 110.0F, 111.0F},
+                      field_library::Centre centre = field_library::Centre::kSource) {
   const field_library::LibraryPlan plan{.name = "one",
                                         .environment = papers_ocean(),
                                         .positions = {{Meters{0.0}, Meters{0.0}}},
-                                        .centre = field_library::Centre::kSource,
+                                        .centre = centre,
                                         .fan = {.bearings = 2,
                                                 .radial = {.source_depth = Meters{source_depth_m},
                                                            .depth_m = {100.0, 300.0},
@@ -114,6 +115,13 @@ TEST(SoundscapeOf, TakesALibraryWhoseDepthsDifferByLessThanHalfAMetre) {
   const Scenario scenario = with_library(folder / "library.nc", 30.0, 20.0);
   EXPECT_NO_THROW((void)soundscape_of(scenario, Meters{299.75}, Meters{200.0}));
   EXPECT_THROW((void)soundscape_of(scenario, Meters{299.5}, Meters{200.0}), host::BadInput);
+}
+
+TEST(SoundscapeOf, RefusesALibraryAroundHydrophones) {
+  const support::TemporaryFolder folder;
+  const std::string complaint = complaint_of(with_library(
+      folder / "library.nc", 30.0, 20.0, {0.0F, 1.0F, 10.0F, 11.0F, 100.0F, 101.0F, 110.0F, 111.0F}, field_library::Centre::kHydrophone));
+  EXPECT_NE(complaint.find("library.nc: must have the source, not the hydrophone, at its positions"), std::string::npos) << complaint;
 }
 
 TEST(SoundscapeOf, RefusesALibraryWithoutTheVehiclesDepthOrThatDoesNotReachAsFar) {
