@@ -59,6 +59,7 @@ class Project:
         if shutil.which("ccache"):
             command += [f"-DCMAKE_{language}_COMPILER_LAUNCHER=ccache" for language in ("C", "CXX")]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        self.ninja("lcm_types_generated")  # headers that sources include: clang reads those, too
         self.read_programs()
 
     def ninja(self, *arguments: str) -> subprocess.CompletedProcess[str]:
