@@ -145,10 +145,6 @@ std::size_t choose_terms(const Scales& s, double step_m, double allowed_db) {
 
 }  // namespace
 
-double predicted_error_db(const ocean::Section& section, Hertz frequency, Meters max_range, Meters depth_step, Meters range_step) {
-  return error_db(scales_of(section, frequency, max_range), depth_step.value, range_step.value);
-}
-
 GridChoice choose_grid(const ocean::Section& section, Hertz frequency, Meters max_range, Decibels accuracy) {
   const Scales s = scales_of(section, frequency, max_range);
   const double unit = s.wavelength_m / kDepthPoints;

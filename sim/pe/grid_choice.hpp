@@ -31,8 +31,4 @@ struct GridChoice {
 /// Oracle: GridChoice.*, AutomaticGrid.*
 [[nodiscard]] GridChoice choose_grid(const ocean::Section& section, Hertz frequency, Meters max_range, Decibels accuracy);
 
-/// What `choose_grid` expects of a given grid.
-[[nodiscard]] double predicted_error_db(const ocean::Section& section, Hertz frequency, Meters max_range, Meters depth_step,
-                                        Meters range_step);
-
 }  // namespace earshot::pe

@@ -32,6 +32,13 @@ TEST(Absorber, ReflectsWavesThatDieAwayDownwardAsLittleAsThoseThatTravel) {
   for (const double wavenumber : {0.02, 0.1, 0.3}) EXPECT_LT(absorber.reflection({0.0, wavenumber}), 1e-4) << wavenumber;
 }
 
+TEST(Absorber, OfOneElementReflectsAsItsClosedForm) {
+  // An element twice as long as a wave's 1/k: half = i/2 x 2 exp(i pi/4) = (-1 + i)/sqrt(2), and |(1 + half)/(1 - half)|^2 is
+  // (2 - sqrt(2))/(2 + sqrt(2)) = (sqrt(2) - 1)^2.
+  const Absorber one{.shortest_m = 2.0, .growth = 1.5, .elements = 1};
+  EXPECT_NEAR(one.reflection({1.0, 0.0}), std::pow(std::sqrt(2.0) - 1.0, 2), 1e-15);  // a few roundings
+}
+
 TEST(Absorber, IsThickerTheLessTheSeabedLosesAndTheFurtherTheSoundGoes) {
   const auto thickness = [](double attenuation, Meters range) {
     return choose_absorber(over(1500.0, attenuation), kFrequency, range, {}).thickness_m();

@@ -65,6 +65,27 @@ TEST(DepthOperator, LetsTheSeaFloorLieBetweenNodes) {
   }
 }
 
+TEST(DepthOperator, TakesItsInterfacesAlongWithTheFloorAndTheSediment) {
+  ocean::Section section = waveguide(100.0);
+  section.sea_floor.push_back({.range = Meters{1'000.0}, .depth = Meters{80.0}});
+  const ocean::Section layered =
+      tests::section_of({.floor = {{0.0, 100.0}},
+                         .water = {{0.0, ocean::TabulatedProfile{{0.0}, {1500.0}}}},
+                         .sediment = {{0.0, {{0.0, 1550.0, 1.4, 0.5}, {6.0, 1550.0, 1.4, 0.5}, {6.0, 1700.0, 1.9, 0.5}}}}});
+  section.sediment.push_back({.range = Meters{400.0}, .layers = layered.sediment.front().layers});
+  const DepthGrid grid = make_depth_grid(section, kFrequency, Meters{1.0}, choose_absorber(section, kFrequency, Meters{1'000.0}, {}));
+  DepthOperator op(section, kFrequency, grid);
+  ASSERT_EQ(op.interfaces().size(), 1U);
+  EXPECT_EQ(op.interfaces()[0].depth_m, 100.0);
+  op.move_to(250.0);
+  ASSERT_EQ(op.interfaces().size(), 1U);
+  EXPECT_EQ(op.interfaces()[0].depth_m, 95.0);
+  op.move_to(500.0);
+  ASSERT_EQ(op.interfaces().size(), 2U);
+  EXPECT_EQ(op.interfaces()[0].depth_m, 90.0);
+  EXPECT_EQ(op.interfaces()[1].depth_m, 96.0);
+}
+
 TEST(DepthOperator, ChangesOnlyRowsAtTheSeaFloorWhenOnlyTheFloorMoves) {
   ocean::Section section = waveguide(100.0);
   section.sea_floor.push_back({.range = Meters{1'000.0}, .depth = Meters{80.0}});
