@@ -91,16 +91,6 @@ TEST_F(Meeting, GivenNobodyOnItsBusAtSeaEarshotdSaysWhatItWaitsFor) {
   EXPECT_EQ(runtime->wait(5s), 0);
 }
 
-TEST_F(Meeting, GivenItsTerminalIsClosedAtSeaEarshotdGoesOn) {
-  const std::string url = "udpm://239.255.76.67:" + std::to_string(22'000 + slot_.domain()) + "?ttl=0";
-  const auto runtime = earshotd({"--lcm-url", url});
-  ASSERT_TRUE(says(*runtime, "journal.lcmlog")) << runtime->output();
-  runtime->signal(SIGHUP);
-  EXPECT_EQ(runtime->wait(300ms), -1) << "it ended";
-  runtime->signal(SIGTERM);
-  EXPECT_EQ(runtime->wait(5s), 0);
-}
-
 TEST_F(Meeting, GivenFilesInItsFolderThatAreNotItsOwnEarshotdLeavesThem) {
   const std::string url = "udpm://239.255.76.67:" + std::to_string(22'000 + slot_.domain()) + "?ttl=0";
   fs::create_directories(folder_ / "out");
