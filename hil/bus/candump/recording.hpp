@@ -14,7 +14,8 @@ namespace earshot::hil {
 enum class OlderRecording : std::uint8_t { kIsKept, kIsReplaced };
 
 /// A log of candump (-l) that is being written. Only whole lines go out, and all that was added has gone to the kernel when flush() comes
-/// back: a program that is killed leaves whole lines; a power cut may take what the kernel has not brought to the disk yet.
+/// back: a program that is killed leaves whole lines, and perhaps the beginning of one more, since the kernel may end a write between two
+/// pages; a power cut may take what the kernel has not brought to the disk yet.
 class Recording {
  public:
   /// Throws BadInput naming the file when it is none that may be written: it is not regular, has content and kIsKept, or is being written

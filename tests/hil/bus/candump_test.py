@@ -162,7 +162,7 @@ class Records(InAFolder):
         # 4096 bytes hold 80 lines of 51.
         self.assertEqual(out.read_text(), (LINES[0] + "\n") * 80)
 
-    def test_whole_lines_however_often_it_is_killed(self):
+    def test_whole_lines_but_perhaps_the_last_however_often_it_is_killed(self):
         for attempt in range(20):
             out = self.folder / f"{attempt}.log"
             with subprocess.Popen([PROGRAM, "-", "--record", str(out), "--quiet"], stdin=subprocess.PIPE) as program:
@@ -172,8 +172,10 @@ class Records(InAFolder):
                     program.stdin.flush()
                 wait_for(lambda path=out: path.exists() and path.stat().st_size > 0, "nothing was recorded")
                 program.kill()
-            text = out.read_text()
-            self.assertEqual(text, (LINES[0] + "\n") * (len(text) // 51))
+            # The kernel may end a write between two pages.
+            *whole, last = out.read_text().split("\n")
+            self.assertEqual(set(whole), {LINES[0]})
+            self.assertTrue(LINES[0].startswith(last), last)
 
 
 class OnABus(InAFolder):
