@@ -17,7 +17,9 @@ TEST(IsUtf8, TakesWordsOfAnyLanguageAndNoOtherBytes) {
 }
 
 TEST(Printable, LeavesWordsOfAnyLanguageAsTheyAre) {
-  for (const char* text : {"", "depth_m = 30", "Größe", "鯨", "\xF0\x9F\x90\x8B", "a\\x1b", "/tmp/a b.toml"})
+  // The last three: the first character of three bytes, the first beyond the surrogates, the first of four.
+  for (const char* text : {"", "depth_m = 30", "Größe", "鯨", "\xF0\x9F\x90\x8B", "a\\x1b", "/tmp/a b.toml", "\xE0\xA0\x80", "\xEE\x80\x80",
+                           "\xF0\x90\x80\x80"})
     EXPECT_EQ(printable(text), text);
 }
 
@@ -40,6 +42,8 @@ TEST(Printable, SpellsOutMarksThatTurnTheDirectionOfWriting) {
                       "b"),
             "a\\u202eb");
   EXPECT_EQ(printable("\xE2\x81\xA6"), "\\u2066");
+  EXPECT_EQ(printable("\xE2\x81\xA9"), "\\u2069");
+  EXPECT_EQ(printable("\xE2\x81\xAA"), "\xE2\x81\xAA");  // the next steers nothing
 }
 
 TEST(Printable, SpellsOutBytesThatAreNotUtf8) {

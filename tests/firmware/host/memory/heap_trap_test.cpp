@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>
@@ -186,6 +187,9 @@ TEST(HeapTrapThreads, AreToldApartByTheirNamesAndEachByItsOwnCount) {
   EXPECT_NE(to_string(heap_uses()[0]).find("(writer): 3 allocations, 3 releases, 0 mappings, 300 bytes; the first, from within:\n"),
             std::string::npos)
       << to_string(heap_uses()[0]);
+  const std::string text = to_string(heap_uses()[0]);
+  ASSERT_GT(heap_uses()[0].first_count, 1);
+  EXPECT_EQ(std::ranges::count(text, '\n'), static_cast<std::ptrdiff_t>(heap_uses()[0].first_count)) << "a line for each caller";
 }
 
 TEST(HeapTrapThreads, BeyondThoseForWhichThereIsRoomAreCountedTogether) {

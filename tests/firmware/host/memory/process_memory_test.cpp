@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <span>
 #include <string>
 #include <system_error>
@@ -135,6 +136,18 @@ TEST(LockedMemory, ThatIsNotAllowedIsAskedForInWords) {
                 : 4);
   };
   EXPECT_EXIT(without_the_right(), testing::ExitedWithCode(0), "");
+}
+
+TEST(ProcessMemory, IsWhatTheKernelListsInKilobytes) {
+  std::ifstream status("/proc/self/status");
+  std::uint64_t listed_kb = 0;
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmSize:")) listed_kb = std::stoull(line.substr(7));
+  }
+  ASSERT_GT(listed_kb, 1000);
+  const std::uint64_t told = process_memory().address_space;
+  EXPECT_GE(told, listed_kb * 1024);
+  EXPECT_LE(told, listed_kb * 1024 + kMebibyte) << "what was mapped meanwhile";
 }
 
 TEST(ProcessMemory, GrowsInItsAddressSpaceByWhatIsMappedAndInItsOwnByWhatIsWritten) {

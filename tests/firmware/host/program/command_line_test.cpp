@@ -200,6 +200,7 @@ TEST(CommandLine, TellsHowMuchIsToBeSaid) {
   EXPECT_EQ(quiet.line.talk(), Talk::kQuiet);
   EXPECT_EQ(verbose.line.talk(), Talk::kVerbose);
   EXPECT_EQ(verbose.line.given(), Words{});
+  EXPECT_EQ(quiet.line.given(), Words{});
   EXPECT_NE(Example().complaint({"--quiet", "--verbose"}), "");
 }
 

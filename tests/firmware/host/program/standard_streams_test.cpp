@@ -73,6 +73,40 @@ TEST_F(PatientStreamTest, LeavesOutWhatNobodyReadsAndSaysSoToWhoReadsAgain) {
   EXPECT_EQ(read(), "(2 lines are left out here: nobody read them in time)\nread again\n");
 }
 
+TEST_F(PatientStreamTest, SaysThatOneLineIsLeftOut) {
+  fill();
+  stream_ << "never read\n";
+  (void)read();
+  stream_ << "!" << std::flush;  // as little as there is
+  EXPECT_TRUE(stream_.good());
+  EXPECT_EQ(read(), "(1 lines are left out here: nobody read them in time)\n!");
+}
+
+TEST_F(PatientStreamTest, FailsWhenItsReaderIsGoneBeforeItCouldSayWhatIsLeftOut) {
+  (void)std::signal(SIGPIPE, SIG_IGN);
+  fill();
+  stream_ << "never read\n";
+  out_ = host::FileDescriptor();
+  stream_ << "nor this" << std::flush;
+  EXPECT_FALSE(stream_.good());
+}
+
+TEST_F(PatientStreamTest, LeavesItsStreamAsItWas) {
+  std::ostringstream sink;
+  std::ostream stream(sink.rdbuf());
+  stream << std::unitbuf;
+  { const PatientStream patient(stream, in_.number()); }
+  EXPECT_NE(stream.flags() & std::ios::unitbuf, 0);
+  EXPECT_EQ(stream.rdbuf(), sink.rdbuf());
+}
+
+TEST(OpenStandardStreams, OpensNothingWhenAllAreThere) {
+  const host::FileDescriptor before(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  open_standard_streams();
+  const host::FileDescriptor after(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  EXPECT_EQ(after.number(), before.number() + 1);
+}
+
 TEST(OpenStandardStreams, LeavesNoClosedOneForAFileOfTheProgramsOwn) {
   const auto close_then_open = [] {
     (void)::close(STDIN_FILENO);

@@ -26,6 +26,12 @@ TEST(Suggestion, IsSilentWhereNothingIsNear) {
   EXPECT_EQ(did_you_mean("swim", kVerbs), "");
 }
 
+// In a word of four letters one slip is forgiven, and one letter that has moved beside another that is wrong makes two.
+TEST(Suggestion, TakesNoHalfOfAnExchangeForOne) {
+  EXPECT_EQ(nearest("tabc", std::vector<std::string>{"xtbc"}), std::nullopt);
+  EXPECT_EQ(nearest("xtbc", std::vector<std::string>{"tabc"}), std::nullopt);
+}
+
 TEST(Suggestion, PrefersFewerSlips) {
   const std::vector<std::string> options{"--speed", "--seeds", "--seed"};
   EXPECT_EQ(did_you_mean("--sed", options), "; did you mean --seed?");
