@@ -50,6 +50,7 @@ class Baseline:
     seconds: dict[Test, float] = field(default_factory=dict)
     reached: dict[Test, set[int]] = field(default_factory=dict)
     failing: list[str] = field(default_factory=list)
+    apart: set[str] = field(default_factory=set)  # programs whose tests fail in one process although each succeeds
 
 
 @dataclass
@@ -138,17 +139,29 @@ def measure_baseline(project: Project, tests: list[Test], count: int) -> Baselin
             continue
         baseline.seconds[test] = time.monotonic() - began
         baseline.reached[test] = {n for n, byte in enumerate(reached.read_bytes()) if byte}
+    for batch in batches(list(baseline.seconds), set()):
+        if run_command(command_of(batch), batch[0], {}, 600.0):
+            baseline.apart.add(batch[0].program)
     return baseline
 
 
-def batches(tests: list[Test]) -> list[list[Test]]:
-    """Tests of one GoogleTest program in one process; any other alone."""
+def batches(tests: list[Test], apart: set[str]) -> list[list[Test]]:
+    """Tests of one GoogleTest program in one process; any other alone, as those of a program of `apart`."""
     groups: dict[tuple[object, ...], list[Test]] = {}
     for test in tests:
         is_google = len(test.command) > 1 and test.command[1].startswith("--gtest_filter=")
-        key = (test.program, test.environment, test.folder) if is_google else (test.name,)
+        together = is_google and test.program not in apart
+        key = (test.program, test.environment, test.folder) if together else (test.name,)
         groups.setdefault(key, []).append(test)
     return list(groups.values())
+
+
+def command_of(batch: list[Test]) -> list[str]:
+    command = list(batch[0].command)
+    if len(batch) == 1:
+        return command
+    names = ":".join(t.command[1].removeprefix("--gtest_filter=") for t in batch)
+    return [command[0], f"--gtest_filter={names}", "--gtest_fail_fast", *command[2:]]
 
 
 def look_for(planted: Planted, number: int, baseline: Baseline, seconds: float, near: set[str]) -> None:
@@ -163,13 +176,9 @@ def look_for(planted: Planted, number: int, baseline: Baseline, seconds: float, 
             chosen.append(test)
         else:
             planted.left_out += baseline.seconds[test]
-    for batch in batches(chosen):
-        command = list(batch[0].command)
-        if len(batch) > 1:
-            names = ":".join(t.command[1].removeprefix("--gtest_filter=") for t in batch)
-            command = [command[0], f"--gtest_filter={names}", "--gtest_fail_fast", *command[2:]]
+    for batch in batches(chosen, baseline.apart):
         limit = 5.0 + 10.0 * sum(baseline.seconds[t] for t in batch)
-        failure = run_command(command, batch[0], {"EARSHOT_FAULT": str(number)}, limit)
+        failure = run_command(command_of(batch), batch[0], {"EARSHOT_FAULT": str(number)}, limit)
         if failure:
             planted.seen_by = f"{batch[0].program} ({failure})"
             return
