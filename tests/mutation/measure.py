@@ -43,6 +43,10 @@ class Planted:
     left_out: float = 0.0  # seconds of tests for which there was no time
 
 
+class BadInput(Exception):
+    """What a person asked for or listed cannot be done."""
+
+
 @dataclass
 class Baseline:
     """The tests of a program with no fault: how long each takes and which faults it comes by."""
@@ -193,7 +197,13 @@ def key_of(name: str, lines: list[str], fault: Fault) -> tuple[str, str, str]:
 
 def read_equivalents(path: Path, root: Path, plans: dict[str, dict[int, Fault]]) -> Equivalents:
     """What the list says of the files in `plans`. An entry that names no fault of its file, or no file, is an error."""
-    listed = tomllib.loads(path.read_text()).get("equivalent", [])
+    try:
+        listed = tomllib.loads(path.read_text()).get("equivalent", [])
+    except (OSError, tomllib.TOMLDecodeError) as e:
+        raise BadInput(f"{path}: {e}") from None
+    for entry in listed:
+        if entry.keys() != {"file", "line", "change", "reason"}:
+            raise BadInput(f"{path}: an entry needs file, line, change, reason and nothing else; it has {entry}")
     same: Equivalents = {(e["file"], e["line"], e["change"]): e["reason"] for e in listed}
     possible: set[tuple[str, str, str]] = set()
     for name, plan in plans.items():
@@ -202,7 +212,7 @@ def read_equivalents(path: Path, root: Path, plans: dict[str, dict[int, Fault]])
     stale = [key for key in same if not (root / key[0]).is_file() or (key[0] in plans and key not in possible)]
     if stale:
         told = "".join(f"\n  {file}: {line}\n    {change}" for file, line, change in stale)
-        raise SystemExit(f"{path}: no such fault (any more):{told}")
+        raise BadInput(f"{path}: no such fault (any more):{told}")
     return same
 
 
@@ -221,23 +231,48 @@ def report(name: str, planted: list[Planted], skipped: str, lines: list[str], sa
     return noticed, len(counted)
 
 
+def number_from(lowest: float, highest: float, kind: type[int] | type[float]) -> Callable[[str], float]:
+    """A reader of numbers of a command line."""
+
+    def read(text: str) -> float:
+        with contextlib.suppress(ValueError):
+            value = kind(text)
+            if lowest <= value <= highest:
+                return value
+        raise argparse.ArgumentTypeError(f"{text} is no {'whole ' * (kind is int)}number from {lowest} to {highest}")
+
+    return read
+
+
 def read_command_line() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="tests/mutation/run", description=(__doc__ or "").split("\n")[0])
     parser.add_argument(
         "files", nargs="*", metavar="FILE", help="a C++ source or header, or a folder of them (default: all that fly)"
     )
-    parser.add_argument("--seed", type=int, default=1, help="which faults are chosen (default 1)")
+    parser.add_argument("--seed", type=number_from(0, 2**63, int), default=1, help="which faults are chosen (default 1)")
     parser.add_argument(
-        "--count", type=int, default=60, help="faults chosen of all in the files; 0 for all (default 60)"
+        "--count", type=number_from(0, 10**6, int), default=60, help="faults chosen of all in the files; 0 for all (default 60)"
     )
     parser.add_argument(
         "--far", action="store_true", help="also tests outside the mirrored folder that do not include the file"
     )
-    parser.add_argument("--seconds", type=float, default=60.0, help="tests of that long for one fault (default 60)")
+    seconds = number_from(0.001, 86_400, float)
+    parser.add_argument("--seconds", type=seconds, default=60.0, help="tests of that long for one fault (default 60)")
     parser.add_argument(
-        "--at-least", type=float, default=0.0, metavar="PERCENT", help="exit status 1 when fewer are noticed"
+        "--at-least",
+        type=number_from(0, 100, float),
+        default=0.0,
+        metavar="PERCENT",
+        help="exit status 1 when fewer are noticed",
     )
-    return parser.parse_args()
+    options = parser.parse_args()
+    if options.count < 0:
+        parser.error("argument --count: 0 for all faults, or how many")
+    if not options.seconds > 0:
+        parser.error("argument --seconds: more than 0")
+    if not 0 <= options.at_least <= 100:
+        parser.error("argument --at-least: 0 to 100")
+    return options
 
 
 def files_named(named: list[str]) -> list[str]:
@@ -248,22 +283,33 @@ def files_named(named: list[str]) -> list[str]:
     for name in named:
         path = Path(name).resolve() if Path(name).exists() else ROOT / name
         inside = [f for f in listed if f and (ROOT / f == path or path in (ROOT / f).parents)]
-        if not inside:
-            raise SystemExit(f"tests/mutation/run: {name}: no C++ file or folder with one in this tree")
+        if not inside or not name:
+            raise BadInput(f'"{name}": no C++ file or folder with one in this tree')
         found |= dict.fromkeys(inside)
     return list(found)
 
 
 def main() -> int:
     options = read_command_line()
+    try:
+        return run(options)
+    except BadInput as e:
+        print(f"tests/mutation/run: {e}", file=sys.stderr)
+        return 2
+
+
+def run(options: argparse.Namespace) -> int:
     names = files_named(options.files or USUAL)
     place = ROOT / "build" / "mutation"
-    place.mkdir(parents=True, exist_ok=True)
-    with (place / "lock").open("w") as lock:
+    with contextlib.ExitStack() as stack:
         try:
+            place.mkdir(parents=True, exist_ok=True)
+            lock = stack.enter_context((place / "lock").open("w"))
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            raise SystemExit("tests/mutation/run: build/mutation is in use by another run") from None
+            raise BadInput("build/mutation is in use by another run") from None
+        except OSError as e:
+            raise BadInput(f"{e.filename}: {e.strerror}") from None
         for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
             signal.signal(number, RUNNING.stop)
         return measure(options, names, Project(ROOT, place), Path(__file__).with_name("equivalents.toml"))
@@ -288,7 +334,7 @@ def measure(options: argparse.Namespace, names: list[str], project: Project, lis
         near |= set(near_here)
         programs |= {*near_here, *(far_here if options.far else [])}
     if not programs:  # ninja would build everything
-        raise SystemExit("tests/mutation/run: no near test is made of these files; --far takes the others too")
+        raise BadInput("no near test is made of these files; --far takes the others too")
     same = read_equivalents(listed, project.root, plans)
     say(f"building {len(programs)} test programs with {next_number - 1} faults")
     dropped = build_without_errors(project, plans, sources, sorted(programs))

@@ -197,9 +197,13 @@ class Measuring(unittest.TestCase):
         self.assertIn("bounds.cpp: 2 of 3 noticed, 67 %", said)
 
         with self.assertRaisesRegex(
-            SystemExit, r"no such fault \(any more\):\s+firmware/core/bounds.cpp: return depth"
+            measure.BadInput, r"no such fault \(any more\):\s+firmware/core/bounds.cpp: return depth"
         ):
             self.measured(entry + 'change = "500 -> 500 + 1"\n')
+        with self.assertRaisesRegex(measure.BadInput, r"equivalents.toml: an entry needs file, line, change, reason"):
+            self.measured(entry)
+        with self.assertRaisesRegex(measure.BadInput, r"equivalents.toml: .*at line 1"):
+            self.measured("[[equivalent\n")
 
 
 if __name__ == "__main__":
