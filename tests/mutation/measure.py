@@ -17,12 +17,13 @@ import sys
 import threading
 import time
 import tomllib
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType
 
-from project import Project, Test
+from project import BadInput, Project, Test
 from sites import Fault, arguments_for_clang, faults_of
 from switch import HEADER, switched
 
@@ -41,10 +42,6 @@ class Planted:
     seen_by: str = ""
     reached: bool = False
     left_out: float = 0.0  # seconds of tests for which there was no time
-
-
-class BadInput(Exception):
-    """What a person asked for or listed cannot be done."""
 
 
 @dataclass
@@ -249,9 +246,14 @@ def read_command_line() -> argparse.Namespace:
     parser.add_argument(
         "files", nargs="*", metavar="FILE", help="a C++ source or header, or a folder of them (default: all that fly)"
     )
-    parser.add_argument("--seed", type=number_from(0, 2**63, int), default=1, help="which faults are chosen (default 1)")
     parser.add_argument(
-        "--count", type=number_from(0, 10**6, int), default=60, help="faults chosen of all in the files; 0 for all (default 60)"
+        "--seed", type=number_from(0, 2**63, int), default=1, help="which faults are chosen (default 1)"
+    )
+    parser.add_argument(
+        "--count",
+        type=number_from(0, 10**6, int),
+        default=60,
+        help="faults chosen of all in the files; 0 for all (default 60)",
     )
     parser.add_argument(
         "--far", action="store_true", help="also tests outside the mirrored folder that do not include the file"

@@ -10,6 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 
+class BadInput(Exception):
+    """What a person asked for or listed cannot be done."""
+
+
 @dataclass(frozen=True)
 class Test:
     """A test of ctest's list; `program` is the built program that it runs."""
@@ -114,7 +118,7 @@ class Project:
         for other in near_first:
             if (self.tree / other).is_file() and name in self.included_by(other):
                 return by_name[other]
-        raise SystemExit(f"{name}: nothing that is built includes it")
+        raise BadInput(f"{name}: nothing that is built includes it")
 
     def tests(self, programs: set[str]) -> list[Test]:
         shown = subprocess.run(
