@@ -121,7 +121,11 @@ def build_without_errors(
                 if number in plans[name]:
                     dropped[number] = name
                     del plans[name][number]
-        if len(dropped) == before:
+        with_faults = next((name for name, plan in plans.items() if plan and name.endswith(".hpp")), None)
+        if len(dropped) == before and with_faults:  # the compiler may stumble over one in a file that includes it
+            dropped |= dict.fromkeys(plans[with_faults], with_faults)
+            plans[with_faults].clear()
+        elif len(dropped) == before:
             tail = [line for line in result.stdout.split("\n") if re.search("error|Error|FAILED", line)]
             raise SystemExit("does not build, and no planted fault is to blame:\n" + "\n".join(tail[:20]))
     raise SystemExit("does not build after thirty attempts")

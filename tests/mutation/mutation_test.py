@@ -78,6 +78,10 @@ class Finding(unittest.TestCase):
         text += "\ntypedef int V __attribute__((vector_size(8)));\nV v = __builtin_shufflevector(V{}, V{}, 1, 0);"
         self.assertEqual([f.change for f in faults(text) if f.switchable], [])
 
+    def test_plants_nothing_in_a_function_that_is_defaulted(self):
+        text = "struct A { A& operator=(A&&) noexcept; int b; };\nA& A::operator=(A&& other) noexcept = default;"
+        self.assertEqual(told(text), set())
+
     def test_plants_nothing_in_half_a_macro(self):
         text = "#define TWICE(a) ((a) * 2)\nint f(int b) { return TWICE(b); }"
         self.assertEqual(told(text), {"early return: f begins with return {};"})

@@ -207,6 +207,8 @@ class _Reader:
         if body is None or not is_plain or not list(body.get_children()):
             return
         inside = body.extent.start.offset + 1
+        if self.text(inside - 1, inside) != "{":  # clang gives a function that is defaulted a body of its own
+            return
         is_void = cursor.result_type.get_canonical().kind == TypeKind.VOID
         returned = "return;" if is_void else "return {};"
         self.put(inside, inside, returned, "early return", f"{cursor.spelling} begins with {returned}")
