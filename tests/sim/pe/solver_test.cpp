@@ -290,6 +290,8 @@ TEST(Solver, RefusesStepsThatDoNotDivideEachOther) {
   EXPECT_NO_THROW((void)solve_at(pekeris(), 50.0, 100.0, {.range_step = Meters{5.0}, .output_step = Meters{10.0}}));
   EXPECT_THROW((void)solve_at(pekeris(), 50.0, 100.0, {.accuracy = Decibels{0.0}}), std::invalid_argument);
   EXPECT_NO_THROW((void)solve_at(pekeris(), 50.0, 100.0, {.absorber_wavelengths = 0.5}));
+  EXPECT_NO_THROW((void)solve_at(pekeris(), 50.0, 0.1, {.range_step = Meters{0.01}, .output_step = Meters{0.01}}));
+  EXPECT_THROW((void)solve_at(pekeris(), 50.0, 0.1, {.range_step = Meters{0.0099}, .output_step = Meters{0.0099}}), std::invalid_argument);
   EXPECT_THROW((void)solve_at(pekeris(), 50.0, 100.0, {.absorber_wavelengths = 0.499}), std::invalid_argument);
 }
 

@@ -69,6 +69,13 @@ TEST(Eigenvalues, OfACyclicPermutationAreTheRootsOfOne) {  // the usual shift al
   expect_near(found, {{-0.5, -std::sqrt(0.75)}, 1.0, {-0.5, std::sqrt(0.75)}}, kRounding);
 }
 
+// What is turned to zero has length one, as 0.6 and 0.8 have. On (0, -0.8, 0.6) it is twice the identity; on the other two, (1 1; 1 2).
+TEST(Eigenvalues, OfAMatrixWhoseFirstColumnIsTurnedByLengthOne) {
+  std::vector<Complex> found = eigenvalues(matrix_of({{1, 0.6, 0.8}, {0.6, 2, 0}, {0.8, 0, 2}}));
+  std::ranges::sort(found, {}, [](Complex value) { return value.real(); });
+  expect_near(found, {(3.0 - std::sqrt(5.0)) / 2.0, 2.0, (3.0 + std::sqrt(5.0)) / 2.0}, kRounding);
+}
+
 TEST(Eigenvalues, OfNoNumbersAreRefused) {
   EXPECT_THROW((void)eigenvalues(matrix_of({{std::numeric_limits<double>::quiet_NaN(), 1}, {1, 1}})), std::runtime_error);
 }
