@@ -121,8 +121,9 @@ def build_without_errors(
                 if number in plans[name]:
                     dropped[number] = name
                     del plans[name][number]
-        with_faults = next((name for name, plan in plans.items() if plan and name.endswith(".hpp")), None)
-        if len(dropped) == before and with_faults:  # the compiler may stumble over one in a file that includes it
+        named = re.findall(r"tree/(\S+\.hpp):", result.stdout)
+        with_faults = next((name for name in named if plans.get(name)), None)
+        if len(dropped) == before and with_faults:  # the compiler may stumble over one where it is used
             dropped |= dict.fromkeys(plans[with_faults], with_faults)
             plans[with_faults].clear()
         elif len(dropped) == before:
