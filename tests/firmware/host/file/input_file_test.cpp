@@ -57,7 +57,9 @@ TEST_F(InputFileTest, GivesAFileThatIsLongerThanOnePiece) {
 }
 
 TEST_F(InputFileTest, ReadsPieceByPiece) {
-  InputFile file(written("abcde"), kAnySize);
+  const std::filesystem::path path = written("abcde");
+  InputFile file(path, kAnySize);
+  EXPECT_EQ(file.path(), path);
   EXPECT_EQ(file.size(), 5U);
   std::array<std::uint8_t, 3> piece{};
   EXPECT_EQ(file.read(piece), 3U);

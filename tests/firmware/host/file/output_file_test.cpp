@@ -135,6 +135,21 @@ TEST_F(OutputFileTest, KeepsASecretFromOthersFromTheFirstByte) {
   EXPECT_EQ(fs::status(file.partial()).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
+TEST_F(OutputFileTest, KeepsASecretFromWhoeverCouldReadTheOlderFile) {
+  write_whole(path_, "note: open");
+  fs::permissions(path_, fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read);
+  write_whole(path_, "note: secret", Access::kOwnerOnly);
+  EXPECT_EQ(fs::status(path_).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(OutputFileTest, LeavesAPipeThatCameInTheMeantime) {
+  OutputFile file(path_);
+  file.write("note: late");
+  ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+  EXPECT_NE(refusal([&] { file.commit(); }), "");
+  EXPECT_TRUE(fs::is_fifo(path_));
+}
+
 TEST_F(OutputFileTest, LeavesTheOlderFileAndNothingElseWhereTheDiskIsFull) {
   write_whole(path_, "note: older");
   const std::string said = [&] {
@@ -186,6 +201,17 @@ TEST_F(OutputFileTest, IsNewToOneOfTwoWhereItHadAName) {
   std::ofstream(path_) << "note: other";
   EXPECT_EQ(refusal([&] { file.commit_as_new(); }), path_.string() + ": cannot be written: File exists");
   EXPECT_EQ(content(), "note: other");
+}
+
+TEST_F(OutputFileTest, IsNewAndLeavesNothingElseWhereItHadAName) {
+  {
+    OutputFile file(path_);
+    file.write("note: named");
+    (void)file.partial();
+    file.commit_as_new();
+  }
+  EXPECT_EQ(content(), "note: named");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
 TEST_F(OutputFileTest, IsRefusedBeforeTheWorkWhereItsNameIsTooLong) {

@@ -17,9 +17,9 @@ TEST(IsUtf8, TakesWordsOfAnyLanguageAndNoOtherBytes) {
 }
 
 TEST(Printable, LeavesWordsOfAnyLanguageAsTheyAre) {
-  // The last three: the first character of three bytes, the first beyond the surrogates, the first of four.
+  // The last four: the first character of three bytes, the first beyond the surrogates, the first of four bytes, the last there is.
   for (const char* text : {"", "depth_m = 30", "Größe", "鯨", "\xF0\x9F\x90\x8B", "a\\x1b", "/tmp/a b.toml", "\xE0\xA0\x80", "\xEE\x80\x80",
-                           "\xF0\x90\x80\x80"})
+                           "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBF"})
     EXPECT_EQ(printable(text), text);
 }
 

@@ -6,11 +6,13 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdarg>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -45,8 +47,9 @@ bool is_interrupted() {
   return true;
 }
 
+/// What succeeds leaves errno as it was, as the kernel does.
 bool fails(int error) {
-  errno = error;
+  if (error != 0) errno = error;
   return error != 0;
 }
 
@@ -190,6 +193,19 @@ TEST_F(SickDiskTest, ThatKnowsNoFilesWithoutNamesHasANamedOneUntilItIsWholeOrLef
   }
   EXPECT_EQ(files(), 1);
   EXPECT_EQ(content(), "newer");
+}
+
+TEST_F(SickDiskTest, ThatWasInterruptedLongAgoIsReadToItsEnd) {
+  errno = EINTR;
+  EXPECT_EQ(content(), "older");
+}
+
+TEST_F(SickDiskTest, ThatReadsLittleAtATimeGivesAsMuchAsThereIsRoomForAndNoMore) {
+  InputFile file(path_, kAnySize);
+  sickness.most_at_once = 3;
+  std::array<std::uint8_t, 8> room{};
+  EXPECT_EQ(file.read(std::span(room).first(4)), 4U);
+  EXPECT_EQ(room, (std::array<std::uint8_t, 8>{'o', 'l', 'd', 'e'}));
 }
 
 TEST_F(SickDiskTest, ThatCannotReadIsTold) {

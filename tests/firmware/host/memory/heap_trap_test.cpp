@@ -157,6 +157,7 @@ TEST(HeapTrapRefusals, OfTheReplacedFunctionsAreThoseOfTheOriginals) {
   void* memory = nullptr;
   EXPECT_EQ(::posix_memalign(&memory, 24, 64), EINVAL) << "no power of two";
   EXPECT_EQ(::posix_memalign(&memory, 4, 64), EINVAL) << "below a pointer's";
+  EXPECT_EQ(::posix_memalign(&memory, 0, 64), EINVAL) << "none";
   const volatile std::size_t half = std::size_t{1} << 63U;
   errno = 0;
   EXPECT_EQ(::reallocarray(nullptr, half, 2), nullptr) << "2^64";

@@ -56,6 +56,24 @@ TEST(MissionFile, TheShippedMissionIsThePapers) {
   EXPECT_EQ(file.ports[0].roles, (Roles{Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus}));
 }
 
+TEST(MissionFile, MakesATurnASecondUnlessTold) {
+  const support::TemporaryFolder folder;
+  std::string text = text_of(kShipped);
+  const std::size_t at = text.find("step_period_s");
+  if (at != std::string::npos) text.erase(at, text.find('\n', at) - at);
+  std::ofstream(folder / "mine.toml") << text;
+  EXPECT_EQ(load_mission(folder / "mine.toml").step_period, Duration::seconds(1));
+}
+
+TEST(MissionFile, HasEachAddressOfAKindOnce) {
+  MissionFile file = load_mission(kShipped);
+  file.ports.push_back({.name = "bus", .kind = PortKind::kCan, .address = "can0", .roles = {Role::kNavigation}});
+  file.ports.push_back({.name = "other", .kind = PortKind::kCan, .address = "can1", .roles = {Role::kNavigation}});
+  file.ports.push_back({.name = "again", .kind = PortKind::kCan, .address = "can0", .roles = {Role::kNavigation}});
+  EXPECT_EQ(addresses_of(file, PortKind::kCan), (std::vector<std::string>{"can0", "can1"}));
+  EXPECT_EQ(addresses_of(file, PortKind::kLcm).size(), 1U);
+}
+
 TEST(MissionFile, FilesItNamesAreRelativeToItsOwnFolder) {
   EXPECT_EQ(load_mission(kShipped).policy, std::filesystem::path(EARSHOT_SOURCE_DIR) / "policy/frozen/fixed_source.policy");
 }
@@ -177,6 +195,12 @@ TEST(MissionFile, RefusesTwoPortsOfOneLcmBusHoweverItsUrlIsSpelledAndSaysWhereTh
       "FILE:37: port[1].url = 'udpm://239.255.76.67:7667?ttl=1': port \"vehicle\" is there already: give it all roles (FILE:31: "
       "port[0].url; what "
       "stands behind the '?' of a URL makes no other bus)");
+}
+
+TEST(MissionFile, RefusesTwoPortsOfOneCanInterface) {
+  const std::string port = "kind = \"can\"\ninterface = \"can0\"\nroles = [\"navigation\"]\n\n";
+  const std::string what = complaint("[origin]", "[[port]]\nname = \"one\"\n" + port + "[[port]]\nname = \"two\"\n" + port + "[origin]");
+  EXPECT_NE(what.find("port[2].interface = 'can0': port \"one\" is there already"), std::string::npos) << what;
 }
 
 /// The shipped mission with a CAN port, and what is wrong with it.

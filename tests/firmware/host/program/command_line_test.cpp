@@ -236,5 +236,11 @@ TEST(CommandLine, NamesTheVerbOrTheVerbsOptionThatWasMeant) {
   EXPECT_NE(complaint({}), "");
 }
 
+TEST(AsTyped, IsTheProgramWithoutItsFolderAndAllItWasGiven) {
+  const std::vector<const char*> words{"/usr/bin/earshot", "fly", "--seed", "3"};
+  EXPECT_EQ(as_typed(static_cast<int>(words.size()), words.data()), "earshot fly --seed 3");
+  EXPECT_EQ(as_typed(1, words.data()), "earshot");
+}
+
 }  // namespace
 }  // namespace earshot::program
