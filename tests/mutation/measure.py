@@ -121,7 +121,7 @@ def build_without_errors(
                 if number in plans[name]:
                     dropped[number] = name
                     del plans[name][number]
-        named = re.findall(r"tree/(\S+\.hpp):", result.stdout)
+        named = re.findall(r"tree/(\S+\.hpp):", result.stdout) + [name for name in plans if name.endswith(".hpp")]
         with_faults = next((name for name in named if plans.get(name)), None)
         if len(dropped) == before and with_faults:  # the compiler may stumble over one where it is used
             dropped |= dict.fromkeys(plans[with_faults], with_faults)
