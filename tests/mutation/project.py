@@ -129,8 +129,9 @@ class Project:
             command = test.get("command")
             if not command:
                 continue
-            program = command[0].removeprefix(f"{self.build}/")
-            if program not in programs:
+            named = [word.removeprefix(f"{self.build}/") for word in command]  # behind hil/bus/with-can, too
+            program = next((word for word in named if word in programs), None)
+            if program is None:
                 continue
             properties = {p["name"]: p["value"] for p in test.get("properties", [])}
             pairs = tuple(tuple(e.split("=", 1)) for e in properties.get("ENVIRONMENT", []))
