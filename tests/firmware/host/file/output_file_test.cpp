@@ -142,6 +142,15 @@ TEST_F(OutputFileTest, KeepsASecretFromWhoeverCouldReadTheOlderFile) {
   EXPECT_EQ(fs::status(path_).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
+TEST_F(OutputFileTest, SaysWhatIsInTheWayOfItsPart) {
+  const fs::path part = path_.string() + ".part" + std::to_string(::getpid());
+  fs::create_directory(part);
+  errno = ENOENT;
+  EXPECT_EQ(refusal([&] { write_whole(path_, "note: 1"); }),
+            path_.string() + ": cannot be written: " + part.filename().string() + " is in the way");
+  EXPECT_TRUE(fs::is_directory(part));
+}
+
 TEST_F(OutputFileTest, LeavesAPipeThatCameInTheMeantime) {
   OutputFile file(path_);
   file.write("note: late");

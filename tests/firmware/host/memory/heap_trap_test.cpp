@@ -193,6 +193,13 @@ TEST(HeapTrapThreads, AreToldApartByTheirNamesAndEachByItsOwnCount) {
   EXPECT_EQ(std::ranges::count(text, '\n'), static_cast<std::ptrdiff_t>(heap_uses()[0].first_count)) << "a line for each caller";
 }
 
+TEST(HeapUse, IsSpelledWithItsCallersIfAnyAreKnown) {
+  HeapUse use;
+  EXPECT_EQ(to_string(use).find("from within"), std::string::npos);
+  use.first_count = 1;
+  EXPECT_NE(to_string(use).find("; the first, from within:\n    "), std::string::npos) << to_string(use);
+}
+
 TEST(HeapTrapThreads, BeyondThoseForWhichThereIsRoomAreCountedTogether) {
   if (!kHeapTrapCounts) GTEST_SKIP() << "a sanitizer's heap is not counted";
   arm_heap_trap();

@@ -90,6 +90,11 @@ TEST(HydrophoneTable, GivesThePresetWithTheChainAndTheMissionsOwnThreshold) {
   EXPECT_NO_THROW(require_hydrophone(file, "FILE"));
 }
 
+TEST(HydrophoneTable, TakesOneLookForADetection) {
+  const MissionFile file = mission_of(mission_with(std::string(kPort) + kTable + "detection_m = 1\ndetection_n = 1\n"));
+  EXPECT_EQ(file.hearing->m_of_n, (detector::MOfN{.m = 1, .n = 1}));
+}
+
 TEST(HydrophoneTable, TakesEveryKeyInPlaceOfThePresets) {
   const MissionFile file =
       mission_of(mission_with(std::string(kPort) + replaced(kTable, "fin_whale", "antarctic_blue_whale") + R"(gain_db = 20.0

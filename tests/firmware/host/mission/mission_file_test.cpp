@@ -65,6 +65,12 @@ TEST(MissionFile, MakesATurnASecondUnlessTold) {
   EXPECT_EQ(load_mission(folder / "mine.toml").step_period, Duration::seconds(1));
 }
 
+TEST(MissionFile, RefusesATurnLongerThanASecondOrShorterThanATenth) {
+  for (const char* wrong : {"1.001", "0.0999"})
+    EXPECT_NE(complaint("step_period_s = 1.0", std::string("step_period_s = ") + wrong).find("step_period_s"), std::string::npos) << wrong;
+  EXPECT_EQ(complaint("step_period_s = 1.0", "step_period_s = 0.1"), "");
+}
+
 TEST(MissionFile, HasEachAddressOfAKindOnce) {
   MissionFile file = load_mission(kShipped);
   file.ports.push_back({.name = "bus", .kind = PortKind::kCan, .address = "can0", .roles = {Role::kNavigation}});

@@ -106,6 +106,7 @@ TEST(CommandLine, NamesTheOptionThatWasMeant) {
   EXPECT_EQ(Example().complaint({"--sed", "3"}), "earshot try: --sed: no such option; did you mean --seed? (earshot try --help lists all)");
   EXPECT_EQ(Example().complaint({"--sed=3"}), "earshot try: --sed: no such option; did you mean --seed? (earshot try --help lists all)");
   EXPECT_EQ(Example().complaint({"--whatever"}), "earshot try: --whatever: no such option (earshot try --help lists all)");
+  EXPECT_EQ(Example().complaint({"-x"}), "earshot try: -x: no such option (earshot try --help lists all)");
 }
 
 TEST(CommandLine, NamesTheUnknownOptionRatherThanTheOneThatIsMissingForIt) {

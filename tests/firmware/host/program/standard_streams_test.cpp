@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <optional>
@@ -89,6 +90,13 @@ TEST_F(PatientStreamTest, FailsWhenItsReaderIsGoneBeforeItCouldSayWhatIsLeftOut)
   out_ = host::FileDescriptor();
   stream_ << "nor this" << std::flush;
   EXPECT_FALSE(stream_.good());
+}
+
+TEST_F(PatientStreamTest, SaysALineOnceWhateverWasInterruptedBefore) {
+  errno = EINTR;
+  stream_ << "once\n";
+  in_ = host::FileDescriptor();
+  EXPECT_EQ(read(), "once\n");
 }
 
 TEST_F(PatientStreamTest, LeavesItsStreamAsItWas) {

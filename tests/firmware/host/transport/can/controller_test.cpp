@@ -54,6 +54,15 @@ TEST(CanController, IsPassiveByItsReceptionTooAndActiveWhenTheKernelSaysSo) {
   EXPECT_FALSE(controller.is_warned());
 }
 
+TEST(CanController, StaysPassiveWhenItsProblemIsAnother) {
+  CanController controller;
+  controller.accept_error(error(kProblem, 0x20));  // TX_PASSIVE
+  controller.accept_error(error(kProblem, 0x01));  // RX_OVERFLOW
+  controller.accept_error(error(kProblem, 0x00));  // unspecified
+  EXPECT_EQ(controller.state(), State::kErrorPassive);
+  EXPECT_EQ(controller.counters().restarted, 0U);
+}
+
 TEST(CanController, CountsWhatDoesNotChangeItsState) {
   CanController controller;
   controller.accept_error(error(kTimeout));
