@@ -73,6 +73,11 @@ TEST_F(OutputFileTest, TakesAnEmptyFileForItsOwn) {
   EXPECT_EQ(refusal([&] { require_writable(path_, kNotes, Replace::kOwnKind); }), "");
 }
 
+TEST(PictureKind, IsWhatTheNameEndsWith) {
+  EXPECT_EQ(picture_kind("map.png").name, kPngOutput.name);
+  EXPECT_EQ(picture_kind("map.svg").name, kSvgOutput.name);
+}
+
 TEST_F(OutputFileTest, LeavesAPipe) {
   ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
   expect_stays(S_IFIFO, "a pipe, and only regular files are replaced");

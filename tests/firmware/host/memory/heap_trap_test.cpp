@@ -158,6 +158,9 @@ TEST(HeapTrapRefusals, OfTheReplacedFunctionsAreThoseOfTheOriginals) {
   EXPECT_EQ(::posix_memalign(&memory, 24, 64), EINVAL) << "no power of two";
   EXPECT_EQ(::posix_memalign(&memory, 4, 64), EINVAL) << "below a pointer's";
   EXPECT_EQ(::posix_memalign(&memory, 0, 64), EINVAL) << "none";
+  ASSERT_EQ(::posix_memalign(&memory, 65'536, 24), 0);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(memory) % 65'536, 0U);
+  std::free(memory);
   const volatile std::size_t half = std::size_t{1} << 63U;
   errno = 0;
   EXPECT_EQ(::reallocarray(nullptr, half, 2), nullptr) << "2^64";

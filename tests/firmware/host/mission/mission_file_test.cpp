@@ -71,6 +71,27 @@ TEST(MissionFile, RefusesATurnLongerThanASecondOrShorterThanATenth) {
   EXPECT_EQ(complaint("step_period_s = 1.0", "step_period_s = 0.1"), "");
 }
 
+TEST(MissionFile, HasRoomForSevenPorts) {
+  const auto ports = [](int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+      text += "[[port]]\nname = \"p" + std::to_string(i) + "\"\nkind = \"can\"\ninterface = \"can" + std::to_string(i) +
+              "\"\nroles = [\"snr\"]\n\n";
+    return complaint("[origin]", text + "[origin]");
+  };
+  EXPECT_EQ(ports(6), "");
+  EXPECT_NE(ports(7).find("at most 7 ports"), std::string::npos);
+}
+
+TEST(MissionFile, HasNoOriginNearAPole) {
+  EXPECT_EQ(complaint("latitude_deg = 38.5", "latitude_deg = -80.0"), "");
+  EXPECT_NE(complaint("latitude_deg = 38.5", "latitude_deg = 80.1").find("origin.latitude_deg"), std::string::npos);
+}
+
+TEST(MissionFile, TakesASeedOfNone) {
+  EXPECT_EQ(complaint("action_seed = 1", "action_seed = 0"), "");
+}
+
 TEST(MissionFile, HasEachAddressOfAKindOnce) {
   MissionFile file = load_mission(kShipped);
   file.ports.push_back({.name = "bus", .kind = PortKind::kCan, .address = "can0", .roles = {Role::kNavigation}});

@@ -78,6 +78,7 @@ TEST(ProgressBar, ShowsWhatIsDoneOnceItTakesLongerThanASecond) {
   winsize wide{.ws_row = 5, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
   const Terminal terminal;
   EXPECT_EQ(::ioctl(STDERR_FILENO, TIOCSWINSZ, &wide), 0);
+  const auto began = std::chrono::steady_clock::now();
   ProgressBar bar("reading");
   std::string shown;
   while (shown.empty()) {
@@ -90,6 +91,8 @@ TEST(ProgressBar, ShowsWhatIsDoneOnceItTakesLongerThanASecond) {
   // As much time is left as has passed, and that is a second and a little.
   EXPECT_EQ(shown.rfind("\rreading [###############...............]  50 %, ", 0), 0U) << shown;
   EXPECT_TRUE(shown.ends_with(" s left\033[K")) << shown;
+  const double passed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  EXPECT_LE(std::stod(shown.substr(shown.find("%, ") + 3)), passed_s + 0.5) << "rounded to a second";
 }
 
 TEST(LiveLine, IsNotThereForWhoWantsQuiet) {

@@ -46,6 +46,16 @@ TEST(CanSendQueue, GivesTheMostUrgentFirstAndEqualsInTheOrderOfTheirComing) {
   EXPECT_EQ(queue.counters().sent, 5U);
 }
 
+// The third takes the room that the first left.
+TEST(CanSendQueue, GivesEqualsInTheOrderOfTheirComingWhateverWentBefore) {
+  CanSendQueue queue;
+  ASSERT_EQ(push(queue, group(6, 1)), Status::kOk);
+  ASSERT_EQ(push(queue, group(6, 2)), Status::kOk);
+  queue.pop(kStart);
+  ASSERT_EQ(push(queue, group(6, 3)), Status::kOk);
+  EXPECT_EQ(drain(queue), (std::vector{2, 3}));
+}
+
 TEST(CanSendQueue, IsAsUrgentAsTheMostUrgentFrameOfAGroup) {
   CanSendQueue queue;
   std::vector<n2k::Frame> setpoint = group(3, 1);
