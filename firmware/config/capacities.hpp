@@ -10,7 +10,8 @@ namespace earshot::config {
 /// What the core is compiled for, by -DEARSHOT_CAPACITY_PROFILE=kMicrocontroller; left out, a vehicle computer.
 enum class Profile : std::uint8_t {
   kVehicleComputer,  ///< an operating system and megabytes: every policy that can be trained
-  kMicrocontroller,  ///< bare metal; the state in half of a Cortex-M7's 128 KiB of tightly coupled memory, for a coarser belief
+  kMicrocontroller,  ///< bare metal; the state in not much more than half of a Cortex-M7's 128 KiB of tightly coupled memory, for a coarser
+                     ///< belief
 };
 #ifndef EARSHOT_CAPACITY_PROFILE
 #define EARSHOT_CAPACITY_PROFILE kVehicleComputer
@@ -49,7 +50,7 @@ inline constexpr std::size_t kGoldenSteps = 6;
 /// Bytes of provenance text in a policy; full: refused at freeze.
 inline constexpr std::size_t kMaxProvenance = 1024;
 /// Bytes of the whole on-vehicle state (nearly all of them policy weights and belief); full: does not compile.
-inline constexpr std::size_t kRuntimeBytes = by_profile(120, 64) * 1024;
+inline constexpr std::size_t kRuntimeBytes = by_profile(122, 70) * 1024;
 
 // Inputs and commands (firmware/messages, firmware/runtime).
 /// Ports of a vehicle (buses, serial lines, the simulation link); full: mission refused.
@@ -60,6 +61,16 @@ inline constexpr std::size_t kMaxIssuers = 8;
 inline constexpr std::size_t kMaxAcknowledgements = 8;
 /// Microseconds between a command's date and its arrival, at most (a slow link, clocks apart); older: refused.
 inline constexpr std::int64_t kCommandMaxAge_us = 30'000'000;
+
+// Safety (firmware/safety).
+/// Corners of a fence's polygon or of a zone; more: mission refused.
+inline constexpr std::size_t kMaxPolygonCorners = 16;
+/// Zones where the vehicle may not surface (a fairway, a port, two wind farms); more: mission refused.
+inline constexpr std::size_t kMaxNoSurfaceZones = 4;
+/// Rules of a mission's own (each of the conditions once); more: mission refused.
+inline constexpr std::size_t kMaxOwnRules = 25;
+/// Rules with those that no mission can switch off (at most 10).
+inline constexpr std::size_t kMaxRules = kMaxOwnRules + 10;
 
 // LCM (firmware/wire/lcm, firmware/boards/linux).
 /// Bytes of one LCM message (1 s of float samples at 32 kHz); full: refused, counted.

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "firmware/config/listening_window.hpp"
+#include "firmware/config/safety.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
@@ -29,6 +30,7 @@ struct Mission {
   Decibels detection_threshold;   ///< DT: SNR at or above it is a detection
   /// The window of looks that an observation takes on its leg.
   ListeningWindow listening = {};
+  Safety safety = {};             ///< fence, vehicle, rules of the safety supervisor
   std::uint64_t action_seed = 1;  ///< seeds the generator of a policy that samples its actions
   friend constexpr bool operator==(const Mission&, const Mission&) = default;
 };

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "firmware/config/capacities.hpp"
+#include "firmware/config/safety.hpp"
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/messages/port_report.hpp"
 
@@ -21,12 +22,15 @@ enum class EndReason : std::uint8_t {
   kSnrStale = 5,
   kLeftOperatingArea = 6,
   kTimeUsedUp = 7,
+  kSafetyRule = 8,  ///< another rule of the safety supervisor; its event says which
 };
+inline constexpr EndReason kLastEndReason = EndReason::kSafetyRule;
 
 /// Counters of what was refused; they only grow. At a million a second 64 bits last for half a million years.
 struct Counters {
   std::uint64_t navigation_refused = 0;  ///< not finite, older than the last, or dated further from its arrival than its timeout
   std::uint64_t snr_refused = 0;         ///< likewise, or beyond kMostSnr
+  std::uint64_t status_refused = 0;      ///< of vehicle, autopilot or hydrophone: older than the last, or dated far from its arrival
   std::uint64_t commands_refused = 0;    ///< acknowledged with another outcome than obeyed or repeated
   std::uint64_t setpoints_limited = 0;   ///< way-points and set-points changed by the safety layer
   friend constexpr bool operator==(const Counters&, const Counters&) = default;
@@ -37,6 +41,7 @@ struct Health {
   MissionState state = MissionState::kStandby;
   EndReason end_reason = EndReason::kNone;
   std::uint32_t steps_taken = 0;
+  config::Response response = config::Response::kWarn;  ///< the strongest that acts; kWarn: none but warnings
   Counters counters;
   FixedVector<PortReport, config::kMaxPorts> ports;  ///< the newest of each port that has reported
 };

@@ -38,6 +38,8 @@ namespace earshot::messages {
       return "the vehicle left its operating area";
     case EndReason::kTimeUsedUp:
       return "its time is used up";
+    case EndReason::kSafetyRule:
+      return "a safety rule ended it";
   }
   return "?";
 }

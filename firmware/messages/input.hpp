@@ -4,10 +4,13 @@
 #include <variant>
 
 #include "firmware/core/time.hpp"
+#include "firmware/messages/autopilot_status.hpp"
+#include "firmware/messages/hydrophone_status.hpp"
 #include "firmware/messages/navigation.hpp"
 #include "firmware/messages/operator_command.hpp"
 #include "firmware/messages/port_report.hpp"
 #include "firmware/messages/snr_measurement.hpp"
+#include "firmware/messages/vehicle_status.hpp"
 
 namespace earshot::messages {
 
@@ -17,7 +20,7 @@ struct Input {
   Time arrival;                ///< mission clock; never goes back from one input to the next
   std::uint8_t port = 0;       ///< index of the port that brought it
   std::uint64_t sequence = 0;  ///< counts the inputs of all ports, from 0
-  std::variant<Navigation, SnrMeasurement, OperatorCommand, PortReport> value;
+  std::variant<Navigation, SnrMeasurement, OperatorCommand, PortReport, VehicleStatus, AutopilotStatus, HydrophoneStatus> value;
 };
 
 }  // namespace earshot::messages

@@ -7,6 +7,8 @@
 namespace earshot::safety {
 namespace {
 
+constexpr Radians kQuarterTurn{1.5707963267948966};
+
 NorthEast clamped_into(const Rectangle& area, NorthEast place) {
   return {.north = std::clamp(place.north, area.south_west.north, area.north_east.north),
           .east = std::clamp(place.east, area.south_west.east, area.north_east.east)};
@@ -33,18 +35,22 @@ SafeWaypoint safe_waypoint(const config::Mission& mission, NorthEast position, N
   return {.waypoint = goes_on ? allowed : inwards(mission, position), .overridden = true};
 }
 
-SafeSetpoint safe_setpoint(const config::Mission& mission, const Pose& pose, const messages::Setpoint& wanted) {
+SafeSetpoint safe_setpoint(const config::Mission& mission, const messages::Navigation& fix, const messages::Setpoint& wanted) {
   const bool finite =
       is_finite(wanted.heading.value) && is_finite(wanted.speed.value) && is_finite(wanted.depth.value) && is_finite(wanted.waypoint);
-  if (!finite) return {.setpoint = surface(pose), .limited = true};
+  if (!finite) return {.setpoint = come_up(mission.safety.vehicle, fix), .limited = true};
   messages::Setpoint allowed = wanted;
   allowed.depth = std::clamp(wanted.depth, Meters{0.0}, mission.max_depth);
-  allowed.speed = std::clamp(wanted.speed, MetersPerSecond{0.0}, mission.search_speed);
+  allowed.speed = std::clamp(wanted.speed, MetersPerSecond{0.0}, std::max(mission.search_speed, mission.safety.vehicle.ascent_speed));
   return {.setpoint = allowed, .limited = !(allowed == wanted)};
 }
 
-messages::Setpoint surface(const Pose& pose) {
-  return {.heading = wrap_to_pi(pose.heading), .speed = MetersPerSecond{0.0}, .depth = Meters{0.0}, .waypoint = pose.position};
+messages::Setpoint come_up(const config::VehicleLimits& vehicle, const messages::Navigation& fix) {
+  const bool must_move = vehicle.ascent_speed.value > 0.0 && fix.depth > kAtSurface;
+  return {.heading = wrap_to_pi(must_move ? fix.heading + kQuarterTurn : fix.heading),
+          .speed = must_move ? vehicle.ascent_speed : MetersPerSecond{0.0},
+          .depth = Meters{0.0},
+          .waypoint = fix.position};
 }
 
 }  // namespace earshot::safety

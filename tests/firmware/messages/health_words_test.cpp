@@ -18,7 +18,7 @@ TEST(HealthWords, NameEveryStateAsTheMessagesDo) {
 
 TEST(HealthWords, TellEveryReasonForAnEndApart) {
   std::set<std::string> words;
-  const int last = static_cast<int>(EndReason::kTimeUsedUp);
+  const int last = static_cast<int>(kLastEndReason);
   for (int reason = 0; reason <= last; ++reason) words.insert(to_string(static_cast<EndReason>(reason)));
   EXPECT_EQ(words.size(), static_cast<std::size_t>(last) + 1);
   EXPECT_FALSE(words.contains("?"));

@@ -32,7 +32,8 @@ config::Mission mission() {
           .action_seed = 1};
 }
 
-const Pose kPose{.position = at(5000, 5000), .heading = Radians{1.0}};
+const messages::Navigation kFix{
+    .time = {}, .position = at(5000, 5000), .depth = Meters{250}, .heading = Radians{1.0}, .speed = MetersPerSecond{2}};
 const messages::Setpoint kWanted{.heading = Radians{0.5}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = at(6000, 5000)};
 
 TEST(SafeWaypoint, LeavesAWaypointInsideTheMarginsAlone) {
@@ -112,7 +113,7 @@ TEST(SafeWaypoint, NeverLeavesTheMarginsNorGivesLessThanHalfAStepInTheSmallestAr
 }
 
 TEST(SafeSetpoint, LeavesASetpointWithinItsLimitsAlone) {
-  const SafeSetpoint safe = safe_setpoint(mission(), kPose, kWanted);
+  const SafeSetpoint safe = safe_setpoint(mission(), kFix, kWanted);
   EXPECT_EQ(safe.setpoint, kWanted);
   EXPECT_FALSE(safe.limited);
 }
@@ -121,13 +122,13 @@ TEST(SafeSetpoint, KeepsDepthAndSpeedWithinTheirLimits) {
   messages::Setpoint wanted = kWanted;
   wanted.depth = Meters{351};
   wanted.speed = MetersPerSecond{2.1};
-  SafeSetpoint safe = safe_setpoint(mission(), kPose, wanted);
+  SafeSetpoint safe = safe_setpoint(mission(), kFix, wanted);
   EXPECT_TRUE(safe.limited);
   EXPECT_EQ(safe.setpoint.depth, Meters{350});
   EXPECT_EQ(safe.setpoint.speed, MetersPerSecond{2});
   wanted.depth = Meters{-1};
   wanted.speed = MetersPerSecond{-0.1};
-  safe = safe_setpoint(mission(), kPose, wanted);
+  safe = safe_setpoint(mission(), kFix, wanted);
   EXPECT_TRUE(safe.limited);
   EXPECT_EQ(safe.setpoint.depth, Meters{0});
   EXPECT_EQ(safe.setpoint.speed, MetersPerSecond{0});
@@ -142,26 +143,44 @@ TEST(SafeSetpoint, BringsTheVehicleUpWhenAnythingIsNotFinite) {
       if (field == 2) wanted.depth = Meters{bad};
       if (field == 3) wanted.waypoint.north = Meters{bad};
       if (field == 4) wanted.waypoint.east = Meters{bad};
-      const SafeSetpoint safe = safe_setpoint(mission(), kPose, wanted);
+      const SafeSetpoint safe = safe_setpoint(mission(), kFix, wanted);
       EXPECT_TRUE(safe.limited) << field;
-      EXPECT_EQ(safe.setpoint, surface(kPose)) << field;
+      EXPECT_EQ(safe.setpoint, come_up({}, kFix)) << field;
     }
   }
 }
 
-TEST(Surface, KeepsAHeadingBeyondHalfATurnAsTheSameDirectionWithin) {
-  constexpr double kTurn = 6.283185307179586;
-  const auto heading_of = [](double heading) { return surface({.position = at(1, 2), .heading = Radians{heading}}).heading.value; };
-  EXPECT_NEAR(heading_of(4.0), 4.0 - kTurn, 1e-15);   // doubles near 4
-  EXPECT_NEAR(heading_of(-4.0), kTurn - 4.0, 1e-15);  // as above
+messages::Navigation fix_of(double heading, double depth) {
+  return {.time = {}, .position = at(1, 2), .depth = Meters{depth}, .heading = Radians{heading}, .speed = MetersPerSecond{2}};
 }
 
-TEST(Surface, StopsAndComesUpWhereTheVehicleIs) {
-  const messages::Setpoint setpoint = surface({.position = at(1, 2), .heading = Radians{1.5}});
+constexpr double kPi = 3.141592653589793;
+
+TEST(ComeUp, KeepsAHeadingBeyondHalfATurnAsTheSameDirectionWithin) {
+  const auto heading_of = [](double heading) { return come_up({}, fix_of(heading, 300)).heading.value; };
+  EXPECT_NEAR(heading_of(4.0), 4.0 - 2.0 * kPi, 1e-15);   // doubles near 4
+  EXPECT_NEAR(heading_of(-4.0), 2.0 * kPi - 4.0, 1e-15);  // as above
+}
+
+TEST(ComeUp, StopsWhereTheVehicleIsWhenItFloatsUpByItself) {
+  const messages::Setpoint setpoint = come_up({}, fix_of(1.5, 300));
   EXPECT_EQ(setpoint.speed, MetersPerSecond{0});
   EXPECT_EQ(setpoint.depth, Meters{0});
   EXPECT_EQ(setpoint.heading, Radians{1.5});
   EXPECT_EQ(setpoint.waypoint, at(1, 2));
+  EXPECT_FALSE(setpoint.release_weight);
+}
+
+TEST(ComeUp, KeepsAHullThatNeedsSpeedGoingRoundUntilItIsAtTheSurface) {
+  config::VehicleLimits torpedo;
+  torpedo.ascent_speed = MetersPerSecond{1.2};
+  const messages::Setpoint deep = come_up(torpedo, fix_of(3.0, 2.5));
+  EXPECT_EQ(deep.speed, MetersPerSecond{1.2});
+  EXPECT_EQ(deep.depth, Meters{0});
+  EXPECT_NEAR(deep.heading.value, 3.0 - 1.5 * kPi, 1e-15) << "a quarter of a turn to the right, over south";
+  const messages::Setpoint up = come_up(torpedo, fix_of(3.0, 2.0));
+  EXPECT_EQ(up.speed, MetersPerSecond{0});
+  EXPECT_EQ(up.heading, Radians{3.0});
 }
 
 }  // namespace

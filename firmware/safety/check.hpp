@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "firmware/config/mission.hpp"
+#include "firmware/core/polygon.hpp"
+#include "firmware/core/units.hpp"
+
+namespace earshot::safety {
+
+enum class SafetyFault : std::uint8_t {
+  kNone = 0,
+  kVehicle,             ///< a number of the vehicle's is not finite or negative, or the current is as fast as the vehicle searches
+  kFence,               ///< `polygon` says what is wrong with the fence's polygon `index` (0 inside, 1 save, 2 halt)
+  kZone,                ///< the same of a zone where it may not surface
+  kInsideBeyondSave,    ///< the polygon inside does not lie in the save polygon
+  kSaveNearHalt,        ///< the save polygon does not keep margin_to_halt from the halt polygon
+  kSearchBeyondFence,   ///< way-points may lie outside the polygon inside
+  kSafePoint,           ///< not finite, outside the polygon inside (or the operating area), or in a zone where it may not surface
+  kRuleUnknown,         ///< rule `index`: its condition or response is none that this build knows
+  kRuleLimit,           ///< its limit or persistence lies outside its range
+  kRuleNeedsFence,      ///< it steers back and there is no fence
+  kRuleNeedsSafePoint,  ///< it returns, or watches the way home, and there is no safe point
+  kRuleNeverActs,       ///< rule `other` does as much, and sooner
+};
+
+/// What is wrong with the safety part of a mission.
+struct SafetyComplaint {
+  SafetyFault fault = SafetyFault::kNone;
+  std::size_t index = 0;  ///< of polygon or rule; a rule's is its place in Safety::rules
+  std::size_t other = 0;  ///< of a rule that stands in its way: its place in rules_of
+  PolygonComplaint polygon = {};
+  [[nodiscard]] bool is_none() const { return fault == SafetyFault::kNone; }
+};
+
+/// @param mission  one that config::check accepts
+/// Oracle: SafetyCheck.*
+[[nodiscard]] SafetyComplaint check(const config::Mission& mission);
+
+/// How far a vehicle may get beyond the save polygon before it is back, at the most: it goes straight out, no fix comes until they count as
+/// stale, and then it turns.
+///
+///   margin = (v + c) (t_fix + t) + R + c (pi/2) R / v
+///
+/// v: search speed, c: strongest current, t_fix: navigation timeout, t: kReaction, R: turn radius
+[[nodiscard]] Meters margin_to_halt(const config::Mission& mission);
+
+}  // namespace earshot::safety

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "firmware/config/safety.hpp"
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/units.hpp"
+#include "firmware/safety/situation.hpp"
+
+namespace earshot::safety {
+
+/// How far a place lies beyond a polygon; zero within it.
+[[nodiscard]] Meters beyond(const config::Polygon& polygon, NorthEast place);
+
+/// The outermost place of the vehicle's way if it began to turn round now: what it covers over ground until its rudder acts, its turning
+/// circle, and the drift of the current while it turns through a right angle.
+///
+///   way = v_g t + R + c (pi/2) R / v,   t = kReaction, along the way over ground
+///
+/// v_g: speed over ground, v: speed through the water, c: strongest current, R: turn radius
+/// @pre the situation has a fix
+[[nodiscard]] NorthEast place_after_turning(const config::VehicleLimits& vehicle, const Situation& situation);
+
+/// The nearest place of the polygon; `place` itself from within it.
+[[nodiscard]] NorthEast nearest_within(const config::Polygon& polygon, NorthEast place);
+
+/// Between two turns of the loop, from a set-point to the rudder, and until the next fix.
+inline constexpr Duration kReaction = Duration::seconds(3);
+
+}  // namespace earshot::safety

@@ -1,0 +1,116 @@
+#include "firmware/safety/manoeuvre.hpp"
+
+#include <algorithm>
+
+#include "firmware/core/math.hpp"
+#include "firmware/core/polygon.hpp"
+#include "firmware/safety/fence.hpp"
+#include "firmware/safety/limits.hpp"
+
+namespace earshot::safety {
+namespace {
+
+constexpr Radians kQuarterTurn{1.5707963267948966};
+constexpr Radians kWholeTurn{6.283185307179586};
+/// A vehicle that points so near to where it should has turned round.
+constexpr Radians kTurnedRound{0.17};
+/// A place is reached from this far, or from the width of a turning circle.
+constexpr Meters kNear{20.0};
+
+Radians bearing_from(NorthEast from, NorthEast to) {
+  const NorthEast way = to - from;
+  return bearing_of(way.north.value, way.east.value);
+}
+
+const config::Polygon* zone_at(const config::Safety& safety, NorthEast place) {
+  for (const config::Polygon& zone : safety.no_surface) {
+    if (contains(zone.span(), place)) return &zone;
+  }
+  return nullptr;
+}
+
+/// Where a vehicle beyond the fence, or about to be, should go.
+NorthEast place_inside(const config::Mission& mission, const Situation& situation) {
+  const config::Polygon& inside = mission.safety.fence->inside;
+  return nearest_within(inside, place_after_turning(mission.safety.vehicle, situation));
+}
+
+}  // namespace
+
+messages::Setpoint Manoeuvre::setpoint(const config::Mission& mission, const Situation& situation, config::Response response) {
+  switch (response) {
+    case config::Response::kWarn:
+    case config::Response::kSteerBack:
+      return steer_back(mission, situation);
+    case config::Response::kHold:
+      return situation.is_steered_back ? steer_back(mission, situation) : hold(mission, situation);
+    case config::Response::kReturn:
+      if (situation.is_steered_back) return steer_back(mission, situation);
+      return mission.safety.safe_point ? stay_at(mission, situation, *mission.safety.safe_point) : hold(mission, situation);
+    case config::Response::kSurface:
+      return surface(mission, situation);
+    case config::Response::kAbort:
+      break;
+    case config::Response::kRelease: {
+      messages::Setpoint setpoint = come_up(mission.safety.vehicle, *situation.navigation.newest());
+      setpoint.release_weight = true;
+      return setpoint;
+    }
+  }
+  return come_up(mission.safety.vehicle, *situation.navigation.newest());
+}
+
+/// A quarter of a turn ahead at the most, always round the side of the first, however the nearest way back may change.
+Radians Manoeuvre::by_way_of_its_side(Radians heading, Radians wanted) {
+  const Radians error = wrap_to_pi(wanted - heading);
+  if (side_ == Side::kNone) side_ = error.value < 0.0 ? Side::kLeft : Side::kRight;
+  const double side = static_cast<double>(side_);
+  const Radians left = error.value * side < 0.0 ? side * error + kWholeTurn : side * error;  // to turn round that side
+  const bool has_turned_round = left <= kQuarterTurn || left >= kWholeTurn - kTurnedRound;
+  return has_turned_round ? wanted : wrap_to_pi(heading + side * kQuarterTurn);
+}
+
+messages::Setpoint Manoeuvre::steer_back(const config::Mission& mission, const Situation& situation) {
+  if (!mission.safety.fence) return hold(mission, situation);
+  const messages::Navigation& fix = *situation.navigation.newest();
+  const NorthEast position = fix.position;
+  const NorthEast goal = nearest_within(mission.safety.fence->inside, position);
+  const NorthEast outermost = place_after_turning(mission.safety.vehicle, situation);
+  const Radians wanted = goal == position ? bearing_from(outermost, place_inside(mission, situation)) : bearing_from(position, goal);
+  return {.heading = by_way_of_its_side(fix.heading, wanted),
+          .speed = mission.search_speed,
+          .depth = mission.search_depth,
+          .waypoint = goal == position ? place_inside(mission, situation) : goal};
+}
+
+/// A vehicle that cannot hover goes there again and again.
+messages::Setpoint Manoeuvre::stay_at(const config::Mission& mission, const Situation& situation, NorthEast place) const {
+  const messages::Navigation& fix = *situation.navigation.newest();
+  const config::VehicleLimits& vehicle = mission.safety.vehicle;
+  const bool is_there = range_between(fix.position, place) <= std::max(kNear, 2.0 * vehicle.turn_radius);
+  const bool hovers = is_there && vehicle.hold_speed.value == 0.0;
+  const Radians round = wrap_to_pi(fix.heading + kQuarterTurn);
+  Radians heading = bearing_from(fix.position, place);
+  if (is_there) heading = hovers ? wrap_to_pi(fix.heading) : round;
+  return {
+      .heading = heading, .speed = is_there ? vehicle.hold_speed : mission.search_speed, .depth = mission.search_depth, .waypoint = place};
+}
+
+messages::Setpoint Manoeuvre::hold(const config::Mission& mission, const Situation& situation) {
+  if (!holding_) holding_ = situation.navigation.newest()->position;
+  return stay_at(mission, situation, *holding_);
+}
+
+messages::Setpoint Manoeuvre::surface(const config::Mission& mission, const Situation& situation) {
+  const messages::Navigation& fix = *situation.navigation.newest();
+  const config::Polygon* zone = zone_at(mission.safety, fix.position);
+  if (zone == nullptr || fix.depth <= kAtSurface) return come_up(mission.safety.vehicle, fix);
+  const NorthEast edge = nearest_on_edges(zone->span(), fix.position);
+  const NorthEast way = edge - fix.position;
+  return {.heading = edge == fix.position ? wrap_to_pi(fix.heading) : bearing_of(way.north.value, way.east.value),
+          .speed = mission.search_speed,
+          .depth = std::min(mission.search_depth, fix.depth),
+          .waypoint = edge};
+}
+
+}  // namespace earshot::safety

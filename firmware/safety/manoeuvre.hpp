@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "firmware/config/mission.hpp"
+#include "firmware/config/safety.hpp"
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/units.hpp"
+#include "firmware/messages/setpoint.hpp"
+#include "firmware/safety/situation.hpp"
+
+namespace earshot::safety {
+
+/// What the vehicle does in place of its search while a rule acts.
+class Manoeuvre {
+ public:
+  /// @param response  not kWarn
+  /// @pre the situation has a fix
+  [[nodiscard]] messages::Setpoint setpoint(const config::Mission& mission, const Situation& situation, config::Response response);
+
+  /// The search goes on: the next manoeuvre begins anew.
+  void end() { *this = Manoeuvre{}; }
+
+ private:
+  enum class Side : std::int8_t { kNone = 0, kRight = 1, kLeft = -1 };
+
+  [[nodiscard]] messages::Setpoint steer_back(const config::Mission& mission, const Situation& situation);
+  [[nodiscard]] messages::Setpoint stay_at(const config::Mission& mission, const Situation& situation, NorthEast place) const;
+  [[nodiscard]] messages::Setpoint hold(const config::Mission& mission, const Situation& situation);
+  [[nodiscard]] messages::Setpoint surface(const config::Mission& mission, const Situation& situation);
+  [[nodiscard]] Radians by_way_of_its_side(Radians heading, Radians wanted);
+
+  Side side_ = Side::kNone;           ///< round which it is steered back, until it is inside
+  std::optional<NorthEast> holding_;  ///< the place
+};
+
+}  // namespace earshot::safety

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+
+#include "firmware/config/safety.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/core/units.hpp"
+#include "firmware/messages/navigation.hpp"
+
+namespace earshot::safety {
+
+/// Tells a fix that may be true from one that cannot be. One that lies where the vehicle cannot have gone since the last (a stray echo, a
+/// second sender) is refused and remembered; fixes that go on from a refused one, and lie no further off than a dead reckoning that is put
+/// right may jump, are believed after a while.
+class NavigationJudge {
+ public:
+  /// @param timeout  the mission's: a fix dated longer before its arrival is refused
+  NavigationJudge(const config::VehicleLimits& vehicle, Duration timeout) : vehicle_(vehicle), timeout_(timeout) {}
+  NavigationJudge() = default;
+
+  /// @param time      when the fix arrived; never goes back
+  /// @param is_to_move  whether the vehicle is told to move; one that is not may have been carried: once the newest fix is too old, any is
+  /// believed
+  /// @return whether it is believed; then it is newest(), dated no later than its arrival
+  [[nodiscard]] bool take(Time arrival, const messages::Navigation& fix, bool is_to_move);
+
+  [[nodiscard]] const std::optional<messages::Navigation>& newest() const { return newest_; }
+
+  /// How far the newest refused fix lay from where the vehicle can have been; none once no fix was refused for kJumpMemory.
+  [[nodiscard]] Meters jump(Time now) const;
+  /// For how long fixes have said one place although the vehicle was to move.
+  [[nodiscard]] Duration frozen() const;
+
+  /// No date of a fix lies further ahead of its arrival: clocks that are kept by NTP or GNSS differ by less.
+  static constexpr Duration kMostAhead = Duration::milliseconds(500);
+  /// Of two fixes of one place, made by different ways.
+  static constexpr Meters kNoise{25.0};
+  /// No dead reckoning that is put right at the surface jumps further.
+  static constexpr Meters kMostCorrection{500.0};
+  /// Fixes that go on from a refused one are believed when they have done so for this long.
+  static constexpr Duration kCorrectionPatience = Duration::seconds(3);
+  static constexpr Duration kJumpMemory = Duration::seconds(2);
+
+ private:
+  [[nodiscard]] Meters excess(const messages::Navigation& from, const messages::Navigation& to) const;
+  [[nodiscard]] bool is_correction(const messages::Navigation& fix, Meters jump);
+  void believe(const messages::Navigation& fix, bool is_to_move);
+
+  config::VehicleLimits vehicle_;
+  Duration timeout_;
+  std::optional<messages::Navigation> newest_;
+  std::optional<messages::Navigation> refused_;  ///< the newest of those that go on from correction_began_
+  Time correction_began_;
+  Time jump_seen_;
+  Meters jump_;
+  Time moved_;  ///< date of the last fix of another place, or after which the vehicle was not told to move
+};
+
+}  // namespace earshot::safety

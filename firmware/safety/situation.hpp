@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "firmware/core/time.hpp"
+#include "firmware/messages/autopilot_status.hpp"
+#include "firmware/messages/hydrophone_status.hpp"
+#include "firmware/messages/navigation.hpp"
+#include "firmware/messages/setpoint.hpp"
+#include "firmware/messages/vehicle_status.hpp"
+#include "firmware/safety/navigation_judge.hpp"
+#include "firmware/safety/track.hpp"
+
+namespace earshot::safety {
+
+/// All that the rules look at, in one turn of a search.
+struct Situation {
+  Time now;
+  Time search_began;
+  Time snr;                            ///< date of the newest look
+  std::optional<Time> operator_heard;  ///< arrival of the newest command
+  NavigationJudge navigation;
+  Track track;
+  std::optional<messages::VehicleStatus> vehicle;
+  std::optional<messages::AutopilotStatus> autopilot;
+  std::optional<messages::HydrophoneStatus> hydrophone;
+  std::optional<messages::Setpoint> commanded;  ///< the last set-point
+  bool is_policy_unhealthy = false;
+  bool is_steered_back = false;  ///< the fence has it: it is not free again before it is inside
+};
+
+}  // namespace earshot::safety

@@ -1,0 +1,117 @@
+#include "firmware/safety/supervisor.hpp"
+
+#include "firmware/safety/measures.hpp"
+
+namespace earshot::safety {
+namespace {
+
+using config::Condition;
+using config::ConditionTraits;
+using config::Response;
+using config::Rule;
+
+/// Refused fixes may be a second sender's: which of the two is true, nobody on board can say.
+constexpr Duration kJumpPersistence = Duration::seconds(10);
+/// A leg may take as many times what it takes at search speed before it is no progress.
+constexpr double kSlowestShare = 3.0;
+
+bool is_beyond(const Rule& rule, double measure) {
+  switch (config::kConditionTraits[static_cast<std::size_t>(rule.condition)].kind) {
+    case ConditionTraits::Kind::kAbove:
+    case ConditionTraits::Kind::kFlag:
+      return measure > rule.limit;
+    case ConditionTraits::Kind::kBelow:
+      return measure < rule.limit;
+  }
+  return true;
+}
+
+Rule aborting(Condition condition, double limit, Duration persistence = {}) {
+  return {.condition = condition, .limit = limit, .persistence = persistence, .response = Response::kAbort, .is_latched = true};
+}
+
+Rules standing(const config::Mission& mission) {
+  Rules rules;
+  const auto add = [&rules](const Rule& rule) { static_cast<void>(rules.push_back(rule)); };  // there is room: kMostOwnRules
+  add(aborting(Condition::kNavigationAge, mission.navigation_timeout.to_seconds()));
+  add(aborting(Condition::kSnrAge, mission.snr_timeout.to_seconds()));
+  add(aborting(Condition::kOutsideHalt, 0.0));
+  add(aborting(Condition::kSearchTime, mission.max_time.to_seconds()));
+  add(aborting(Condition::kDepth, mission.max_depth.value, kForesight));
+  add(aborting(Condition::kNavigationJump, 0.0, kJumpPersistence));
+  add(aborting(Condition::kNavigationFrozen, mission.navigation_timeout.to_seconds()));
+  add(aborting(Condition::kNoProgress, kSlowestShare * mission.step_length.value / mission.search_speed.value));
+  add(aborting(Condition::kPolicyUnhealthy, 0.0));
+  if (mission.safety.fence) add({.condition = Condition::kOutsideFence, .limit = 0.0, .persistence = {}, .response = Response::kSteerBack});
+  return rules;
+}
+
+}  // namespace
+
+std::size_t standing_rules(const config::Mission& mission) {
+  return standing(mission).size();
+}
+
+Rules rules_of(const config::Mission& mission) {
+  Rules rules = standing(mission);
+  for (const Rule& rule : mission.safety.rules) static_cast<void>(rules.push_back(rule));
+  return rules;
+}
+
+void Supervisor::configure(const config::Mission& mission) {
+  rules_ = rules_of(mission);
+  watches_.clear();
+  for (std::size_t i = 0; i < rules_.size(); ++i) static_cast<void>(watches_.push_back({}));
+}
+
+SafetyEvents Supervisor::watch(const config::Mission& mission, const Situation& situation) {
+  SafetyEvents events;
+  for (std::size_t i = 0; i < rules_.size(); ++i) {
+    const Rule& rule = rules_[i];
+    Watch& watch = watches_[i];
+    const std::optional<double> measured = measure(rule.condition, mission, situation);
+    const bool holds = measured && is_beyond(rule, *measured);
+    if (!holds) watch.since.reset();
+    if (holds && !watch.since) watch.since = situation.now;
+    const bool is_lasting = watch.since && situation.now - *watch.since >= rule.persistence;
+    const bool acts = is_lasting || (watch.acts && rule.is_latched);
+    if (acts != watch.acts) {
+      static_cast<void>(events.push_back({.time = situation.now,
+                                          .rule = static_cast<std::uint8_t>(i),
+                                          .condition = rule.condition,
+                                          .response = rule.response,
+                                          .begins = acts,
+                                          .measure = measured.value_or(0.0),
+                                          .limit = rule.limit}));
+    }
+    watch.acts = acts;
+  }
+  return events;
+}
+
+std::optional<std::size_t> Supervisor::strongest() const {
+  std::optional<std::size_t> strongest;
+  for (std::size_t i = 0; i < rules_.size(); ++i) {
+    if (watches_[i].acts && (!strongest || rules_[i].response > rules_[*strongest].response)) strongest = i;
+  }
+  return strongest;
+}
+
+bool Supervisor::acts_on(Condition condition) const {
+  for (std::size_t i = 0; i < rules_.size(); ++i) {
+    if (watches_[i].acts && rules_[i].condition == condition) return true;
+  }
+  return false;
+}
+
+std::optional<Response> Supervisor::response() const {
+  const std::optional<std::size_t> rule = strongest();
+  return rule ? std::optional(rules_[*rule].response) : std::nullopt;
+}
+
+std::optional<Condition> Supervisor::cause() const {
+  const std::optional<std::size_t> rule = strongest();
+  return rule ? std::optional(rules_[*rule].condition) : std::nullopt;
+}
+
+}  // namespace earshot::safety

@@ -1,0 +1,111 @@
+#include "firmware/safety/manoeuvre.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/firmware/safety/rule_rig.hpp"
+
+namespace earshot::safety {
+namespace {
+
+using config::Response;
+
+constexpr double kNorth = 0.0;
+constexpr double kEast = std::numbers::pi / 2;
+constexpr double kSouth = std::numbers::pi;
+constexpr double kWest = -std::numbers::pi / 2;
+
+class ManoeuvreTest : public testing::Test {
+ protected:
+  messages::Setpoint of(Response response, NorthEast place, double heading, double depth_m = 300.0) {
+    Situation situation = well(mission_, place, heading, depth_m);
+    situation.is_steered_back = response == Response::kSteerBack || is_steered_back_;
+    return manoeuvre_.setpoint(mission_, situation, response);
+  }
+
+  config::Mission mission_ = fenced_mission();
+  Manoeuvre manoeuvre_;
+  bool is_steered_back_ = false;
+};
+
+TEST_F(ManoeuvreTest, SteersBackToTheNearestPlaceInsideByTheShorterWayRound) {
+  const messages::Setpoint setpoint = of(Response::kSteerBack, at(5000, 10'200), kNorth + 0.1);
+  EXPECT_NEAR(setpoint.heading.value, 0.1 - std::numbers::pi / 2, 1e-12)
+      << "a quarter of a turn at a time: to the left, where west is nearer";
+  EXPECT_EQ(setpoint.waypoint, at(5000, 10'000));
+  EXPECT_EQ(setpoint.speed, MetersPerSecond{2});
+  EXPECT_EQ(setpoint.depth, Meters{300});
+  EXPECT_NEAR(of(Response::kSteerBack, at(5000, 10'200), kNorth - 0.1).heading.value, kWest, 1e-12) << "less than that is left";
+}
+
+TEST_F(ManoeuvreTest, KeepsTheSideOfItsTurnWhateverBecomesNearerMeanwhile) {
+  // Eastwards and a little to the north: to the left, over north.
+  EXPECT_NEAR(of(Response::kSteerBack, at(5000, 10'200), kEast - 0.1).heading.value, -0.1, 1e-12);
+  // Pushed round to a little south of east, where a turn to the right were shorter: still to the left.
+  EXPECT_NEAR(of(Response::kSteerBack, at(5000, 10'210), kEast + 0.1).heading.value, 0.1, 1e-12);
+  manoeuvre_.end();
+  EXPECT_NEAR(of(Response::kSteerBack, at(5000, 10'210), kEast + 0.1).heading.value, 0.1 - std::numbers::pi, 1e-12)
+      << "anew: to the right, over south";
+}
+
+TEST_F(ManoeuvreTest, TurnsRoundBeforeTheFenceAwayFromWhereItWouldLeave) {
+  const messages::Setpoint setpoint = of(Response::kSteerBack, at(9990, 5000), kNorth);
+  // Its way round ends at 10 023.9 m: 23.9 m south of there it is inside.
+  EXPECT_EQ(setpoint.waypoint, at(10'000, 5000));
+  EXPECT_NEAR(std::abs(setpoint.heading.value), std::numbers::pi / 2, 1e-12) << "to south, by way of one side";
+}
+
+TEST_F(ManoeuvreTest, HoldsWhereItBeganTo) {
+  const messages::Setpoint first = of(Response::kHold, at(4000, 4000), kEast);
+  EXPECT_EQ(first.waypoint, at(4000, 4000));
+  EXPECT_EQ(first.speed, MetersPerSecond{0}) << "this vehicle hovers";
+  EXPECT_EQ(first.heading, Radians{kEast});
+  const messages::Setpoint drifted = of(Response::kHold, at(4000, 4100), kEast);
+  EXPECT_EQ(drifted.waypoint, at(4000, 4000));
+  EXPECT_EQ(drifted.speed, MetersPerSecond{2});
+  EXPECT_NEAR(drifted.heading.value, kWest, 1e-12);
+}
+
+TEST_F(ManoeuvreTest, HoldsByGoingRoundWhenItCannotHover) {
+  mission_.safety.vehicle.hold_speed = MetersPerSecond{1};
+  const messages::Setpoint setpoint = of(Response::kHold, at(4000, 4000), kNorth);
+  EXPECT_EQ(setpoint.speed, MetersPerSecond{1});
+  EXPECT_NEAR(setpoint.heading.value, kEast, 1e-12);
+}
+
+TEST_F(ManoeuvreTest, ReturnsToTheSafePointAndHoldsThere) {
+  const messages::Setpoint far = of(Response::kReturn, at(5000, 1000), kNorth);
+  EXPECT_NEAR(far.heading.value, kEast, 1e-12);
+  EXPECT_EQ(far.speed, MetersPerSecond{2});
+  EXPECT_EQ(far.waypoint, at(5000, 5000));
+  EXPECT_EQ(of(Response::kReturn, at(5000, 4960), kNorth).speed, MetersPerSecond{0}) << "two turn radii are near";
+  EXPECT_EQ(of(Response::kReturn, at(5000, 4959), kNorth).speed, MetersPerSecond{2});
+}
+
+TEST_F(ManoeuvreTest, MindsTheFenceWhileItHoldsOrReturns) {
+  is_steered_back_ = true;
+  for (const Response response : {Response::kHold, Response::kReturn})
+    EXPECT_EQ(of(response, at(5000, 10'200), kWest).waypoint, at(5000, 10'000));
+}
+
+TEST_F(ManoeuvreTest, LeavesAZoneBeforeItComesUp) {
+  ASSERT_EQ(mission_.safety.no_surface.push_back(square(2000, 3000)), Status::kOk);
+  const messages::Setpoint under = of(Response::kSurface, at(2900, 2500), kSouth);
+  EXPECT_EQ(under.depth, Meters{300});
+  EXPECT_EQ(under.speed, MetersPerSecond{2});
+  EXPECT_EQ(under.waypoint, at(3000, 2500));
+  EXPECT_NEAR(under.heading.value, kNorth, 1e-12);
+  EXPECT_EQ(of(Response::kSurface, at(3000.1, 2500), kNorth).depth, Meters{0});
+  EXPECT_EQ(of(Response::kAbort, at(2900, 2500), kSouth).depth, Meters{0}) << "an abort asks nobody";
+}
+
+TEST_F(ManoeuvreTest, AsksForTheWeightOnlyWhereARuleSaysSo) {
+  EXPECT_FALSE(of(Response::kAbort, at(5000, 5000), kNorth).release_weight);
+  EXPECT_TRUE(of(Response::kRelease, at(5000, 5000), kNorth).release_weight);
+  EXPECT_EQ(of(Response::kRelease, at(5000, 5000), kNorth).depth, Meters{0});
+}
+
+}  // namespace
+}  // namespace earshot::safety

@@ -1,0 +1,115 @@
+#include "firmware/safety/navigation_judge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace earshot::safety {
+namespace {
+
+Time at_ms(std::int64_t ms) {
+  return Time{} + Duration::milliseconds(ms);
+}
+
+messages::Navigation fix(std::int64_t date_ms, double north_m, double east_m = 0.0) {
+  return {.time = at_ms(date_ms),
+          .position = {.north = Meters{north_m}, .east = Meters{east_m}},
+          .depth = Meters{300},
+          .heading = Radians{0},
+          .speed = MetersPerSecond{2}};
+}
+
+/// Of a vehicle that makes 3 m/s through water that moves at 1 m/s: 4 m/s over ground and 25 m of noise.
+class Judged : public testing::Test {
+ protected:
+  [[nodiscard]] static config::VehicleLimits vehicle() {
+    config::VehicleLimits limits;
+    limits.max_speed = MetersPerSecond{3};
+    limits.max_current = MetersPerSecond{1};
+    return limits;
+  }
+  /// It arrives when it is dated.
+  bool takes(const messages::Navigation& navigation) { return judge_.take(navigation.time, navigation, true); }
+
+  NavigationJudge judge_{vehicle(), Duration::seconds(5)};
+};
+
+TEST_F(Judged, BelievesAFixAsFarAsTheVehicleCanHaveGoneAndNoFurther) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  EXPECT_FALSE(takes(fix(2000, 29.1))) << "4 m and 25 m of noise";
+  EXPECT_EQ(judge_.newest()->position.north, Meters{0});
+  EXPECT_NEAR(judge_.jump(at_ms(2000)).value, 0.1, 1e-12);  // a difference of numbers about 29
+  EXPECT_TRUE(takes(fix(2000, 29)));
+  EXPECT_TRUE(takes(fix(3000, 0))) << "and back";
+}
+
+TEST_F(Judged, RefusesAStrayFixAndGoesOnWithTheNext) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  EXPECT_FALSE(takes(fix(2000, 10'000)));
+  EXPECT_TRUE(takes(fix(3000, 4)));
+  EXPECT_EQ(judge_.newest()->position.north, Meters{4});
+  EXPECT_GT(judge_.jump(at_ms(4000)), Meters{9000}) << "2 s ago";
+  EXPECT_EQ(judge_.jump(at_ms(4001)), Meters{0});
+}
+
+TEST_F(Judged, BelievesADeadReckoningThatIsPutRightOnceItHasGoneOnForThreeSeconds) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  for (int ms = 2000; ms < 5000; ms += 500) EXPECT_FALSE(takes(fix(ms, 400))) << ms;
+  EXPECT_TRUE(takes(fix(5000, 400)));
+  EXPECT_EQ(judge_.newest()->position.north, Meters{400});
+}
+
+TEST_F(Judged, NeverBelievesAJumpThatNoDeadReckoningMakes) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  for (int ms = 2000; ms < 60'000; ms += 500) EXPECT_FALSE(takes(fix(ms, 2000))) << ms;
+}
+
+TEST_F(Judged, BelievesNoFixesThatAreStrayOneByOne) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  for (int ms = 2000; ms < 10'000; ms += 500) EXPECT_FALSE(takes(fix(ms, ms % 1000 == 0 ? 400 : -400))) << ms;
+}
+
+// A second sender, 300 m away, as steady as the first.
+TEST_F(Judged, StaysWithTheFirstOfTwoSenders) {
+  for (int ms = 1000; ms < 30'000; ms += 1000) {
+    EXPECT_TRUE(takes(fix(ms, 0.002 * ms)));
+    EXPECT_FALSE(takes(fix(ms + 500, 300 + 0.002 * ms)));
+    EXPECT_GT(judge_.jump(at_ms(ms + 500)), Meters{250});
+  }
+}
+
+TEST_F(Judged, RefusesDatesFarFromTheirArrival) {
+  EXPECT_TRUE(judge_.take(at_ms(10'000), fix(10'500, 0), true));
+  EXPECT_EQ(judge_.newest()->time, at_ms(10'000)) << "a date ahead counts as the arrival";
+  EXPECT_FALSE(judge_.take(at_ms(11'000), fix(11'501, 0), true));
+  EXPECT_TRUE(judge_.take(at_ms(15'000), fix(10'000, 0), true)) << "5 s late";
+  EXPECT_FALSE(judge_.take(at_ms(15'001), fix(10'000, 0), true));
+}
+
+TEST_F(Judged, RefusesWhatIsOlderThanTheNewestAndWhatIsNoPlace) {
+  EXPECT_TRUE(takes(fix(3000, 0)));
+  EXPECT_FALSE(judge_.take(at_ms(3500), fix(2999, 0), true));
+  EXPECT_FALSE(takes(fix(4000, std::numeric_limits<double>::quiet_NaN())));
+  EXPECT_EQ(judge_.jump(at_ms(4000)), Meters{0}) << "that was no jump";
+}
+
+TEST_F(Judged, CountsHowLongFixesSayOnePlaceWhileTheVehicleShouldMove) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  EXPECT_TRUE(takes(fix(2000, 2)));
+  EXPECT_TRUE(takes(fix(10'000, 2)));
+  EXPECT_EQ(judge_.frozen(), Duration::seconds(8));
+  EXPECT_TRUE(takes(fix(10'000, 2.5)));
+  EXPECT_EQ(judge_.frozen(), Duration{});
+  EXPECT_TRUE(judge_.take(at_ms(20'000), fix(20'000, 2.5), false));
+  EXPECT_EQ(judge_.frozen(), Duration{}) << "it was told to stay";
+}
+
+TEST_F(Judged, StartsOverWhenAVehicleThatIsNotToMoveWasCarriedAbout) {
+  EXPECT_TRUE(judge_.take(at_ms(1000), fix(1000, 0), false));
+  EXPECT_FALSE(judge_.take(at_ms(6000), fix(6000, 10'000), false));
+  EXPECT_TRUE(judge_.take(at_ms(6001), fix(6001, 10'000), false));
+  EXPECT_FALSE(judge_.take(at_ms(12'000), fix(12'000, 0), true)) << "never in a search";
+}
+
+}  // namespace
+}  // namespace earshot::safety

@@ -1,0 +1,154 @@
+#include "firmware/safety/supervisor.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/firmware/safety/rule_rig.hpp"
+
+namespace earshot::safety {
+namespace {
+
+using config::Condition;
+using config::Response;
+using config::Rule;
+
+class Supervised : public testing::Test {
+ protected:
+  void arm(const Rule& rule) { ASSERT_EQ(mission_.safety.rules.push_back(rule), Status::kOk); }
+  void begin() {
+    supervisor_.configure(mission_);
+    situation_ = well(mission_);
+    situation_.vehicle = messages::VehicleStatus{.time = situation_.now, .altitude = Meters{100}, .battery_percent = 50};
+  }
+  /// All is well for another second, but for what the test has put into the situation.
+  SafetyEvents second() {
+    const Time now = situation_.now + Duration::seconds(1);
+    situation_.now = now;
+    situation_.snr = now;
+    static_cast<void>(situation_.navigation.take(now, fix_at(now, at(5000 + 0.001 * static_cast<double>(now.us) * 1e-6, 5000)), true));
+    return supervisor_.watch(mission_, situation_);
+  }
+
+  config::Mission mission_ = fenced_mission();
+  Situation situation_;
+  Supervisor supervisor_;
+};
+
+Rule battery_below(double percent, Response response, std::int64_t for_s = 0, bool is_latched = false) {
+  return {.condition = Condition::kBattery,
+          .limit = percent,
+          .persistence = Duration::seconds(for_s),
+          .response = response,
+          .is_latched = is_latched};
+}
+
+TEST_F(Supervised, SaysNothingWhileAllIsWell) {
+  begin();
+  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(second().empty());
+  EXPECT_EQ(supervisor_.response(), std::nullopt);
+  EXPECT_EQ(supervisor_.cause(), std::nullopt);
+}
+
+TEST_F(Supervised, ActsOnceAConditionHasLastedAndNotBefore) {
+  arm(battery_below(20, Response::kReturn, 3));
+  begin();
+  situation_.vehicle->battery_percent = 20;
+  EXPECT_TRUE(second().empty()) << "20 is not below 20";
+  situation_.vehicle->battery_percent = 19.9;
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(second().empty());
+  const SafetyEvents events = second();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0], (messages::SafetyEvent{.time = situation_.now,
+                                              .rule = static_cast<std::uint8_t>(standing_rules(mission_)),
+                                              .condition = Condition::kBattery,
+                                              .response = Response::kReturn,
+                                              .begins = true,
+                                              .measure = 19.9,
+                                              .limit = 20}));
+  EXPECT_EQ(supervisor_.response(), Response::kReturn);
+  EXPECT_EQ(supervisor_.cause(), Condition::kBattery);
+  EXPECT_TRUE(supervisor_.acts_on(Condition::kBattery));
+  EXPECT_FALSE(supervisor_.acts_on(Condition::kLeak));
+  EXPECT_TRUE(second().empty()) << "it is told once";
+}
+
+TEST_F(Supervised, BeginsToCountAnewWhenAConditionWasInterrupted) {
+  arm(battery_below(20, Response::kReturn, 3));
+  begin();
+  for (int i = 0; i < 10; ++i) {
+    situation_.vehicle->battery_percent = i % 3 == 2 ? 21 : 19;
+    EXPECT_TRUE(second().empty()) << i;
+  }
+}
+
+TEST_F(Supervised, EndsWithItsConditionUnlessItIsLatched) {
+  arm(battery_below(20, Response::kWarn));
+  arm(battery_below(10, Response::kSurface, 0, true));
+  begin();
+  situation_.vehicle->battery_percent = 5;
+  EXPECT_EQ(second().size(), 2U);
+  situation_.vehicle->battery_percent = 50;
+  const SafetyEvents events = second();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].response, Response::kWarn);
+  EXPECT_FALSE(events[0].begins);
+  EXPECT_EQ(events[0].measure, 50.0);
+  EXPECT_EQ(supervisor_.response(), Response::kSurface);
+}
+
+TEST_F(Supervised, LetsTheStrongestOfSeveralAct) {
+  arm(battery_below(20, Response::kReturn));
+  arm({.condition = Condition::kLeak, .limit = 0, .persistence = {}, .response = Response::kRelease, .is_latched = true});
+  arm(battery_below(30, Response::kHold));
+  begin();
+  situation_.vehicle->battery_percent = 5;
+  (void)second();
+  EXPECT_EQ(supervisor_.response(), Response::kReturn);
+  situation_.vehicle->has_leak = true;
+  (void)second();
+  EXPECT_EQ(supervisor_.response(), Response::kRelease);
+  EXPECT_EQ(supervisor_.cause(), Condition::kLeak);
+}
+
+TEST_F(Supervised, LeavesARuleAtRestWhoseMeasureNobodyKnows) {
+  arm(battery_below(20, Response::kReturn));
+  begin();
+  situation_.vehicle.reset();
+  EXPECT_TRUE(second().empty());
+}
+
+TEST_F(Supervised, HasRulesThatNoMissionCanSwitchOff) {
+  const config::Mission bare = [] {
+    config::Mission mission = fenced_mission();
+    mission.safety = {};
+    return mission;
+  }();
+  EXPECT_EQ(standing_rules(bare), 9U);
+  EXPECT_EQ(standing_rules(mission_), 10U) << "and one about the fence";
+  arm(battery_below(20, Response::kReturn));
+  EXPECT_EQ(rules_of(mission_).size(), 11U);
+  EXPECT_EQ(rules_of(mission_)[10], mission_.safety.rules[0]);
+  for (const Rule& rule : rules_of(bare)) EXPECT_EQ(rule.response, Response::kAbort);
+}
+
+// 1000 m at 2 m/s take 500 s.
+TEST_F(Supervised, AbortsAVehicleThatMakesNoWayInThreeTimesWhatALegTakes) {
+  begin();
+  situation_.track.set_waypoint(at(9000, 5000));
+  for (int i = 0; i < 1500; ++i) EXPECT_TRUE(second().empty()) << i;
+  EXPECT_EQ(second().size(), 1U);
+  EXPECT_EQ(supervisor_.cause(), Condition::kNoProgress);
+  EXPECT_EQ(supervisor_.response(), Response::kAbort);
+}
+
+TEST_F(Supervised, ForgetsEverythingWithANewMission) {
+  arm(battery_below(20, Response::kSurface, 0, true));
+  begin();
+  situation_.vehicle->battery_percent = 5;
+  (void)second();
+  ASSERT_TRUE(supervisor_.response());
+  supervisor_.configure(mission_);
+  EXPECT_FALSE(supervisor_.response());
+}
+
+}  // namespace
+}  // namespace earshot::safety

@@ -1,0 +1,77 @@
+#include "firmware/safety/track.hpp"
+
+#include <gtest/gtest.h>
+
+namespace earshot::safety {
+namespace {
+
+NorthEast at(double north, double east) {
+  return {.north = Meters{north}, .east = Meters{east}};
+}
+
+messages::Navigation fix(std::int64_t second, NorthEast place, double depth_m = 0.0, double heading = 0.0) {
+  return {.time = Time{} + Duration::seconds(second),
+          .position = place,
+          .depth = Meters{depth_m},
+          .heading = Radians{heading},
+          .speed = MetersPerSecond{2}};
+}
+
+TEST(Track, TakesRatesOverTwoSecondsOrMore) {
+  Track track;
+  track.begin(fix(10, at(0, 0), 100, 3.0));
+  track.take(fix(11, at(100, 0), 100, 3.0));
+  EXPECT_FALSE(track.velocity_per_s()) << "one second says little";
+  track.take(fix(12, at(6, -8), 104, -3.0));
+  EXPECT_EQ(track.velocity_per_s(), at(3, -4));
+  EXPECT_EQ(track.sink_rate(), MetersPerSecond{2});
+  // From 3 to -3 rad it is 0.2831853 rad, over south, in 2 s.
+  EXPECT_NEAR(track.turn_rate().value, 0.1415926535897931, 1e-15);
+}
+
+TEST(Track, KeepsItsBaseShort) {
+  Track track;
+  track.begin(fix(0, at(0, 0)));
+  for (int second = 1; second <= 100; ++second) track.take(fix(second, at(second <= 96 ? 0 : 5 * (second - 96), 0)));
+  EXPECT_EQ(track.velocity_per_s(), at(5, 0)) << "of the last 2 to 4 s";
+}
+
+TEST(Track, CountsWayInStridesSoThatNoiseIsNone) {
+  Track track;
+  track.begin(fix(0, at(0, 0)));
+  for (int second = 1; second <= 1000; ++second) track.take(fix(second, at(second % 2 == 0 ? 20 : -20, 0)));
+  EXPECT_EQ(track.distance(), Meters{0});
+  for (int second = 1; second <= 100; ++second) track.take(fix(1000 + second, at(0, 2 * second)));
+  EXPECT_EQ(track.distance(), Meters{200});
+}
+
+TEST(Track, KnowsSinceWhenTheVehicleComesNoNearer) {
+  Track track;
+  track.begin(fix(0, at(0, 0)));
+  EXPECT_EQ(track.without_progress(Time{} + Duration::seconds(100)), Duration{}) << "it has nowhere to go";
+  track.take(fix(10, at(0, 0)));
+  track.set_waypoint(at(1000, 0));
+  track.take(fix(20, at(10, 0)));
+  EXPECT_EQ(track.without_progress(Time{} + Duration::seconds(20)), Duration{});
+  track.take(fix(30, at(14, 0)));
+  EXPECT_EQ(track.without_progress(Time{} + Duration::seconds(30)), Duration::seconds(10)) << "4 m are none";
+  track.take(fix(40, at(-500, 0)));
+  track.take(fix(50, at(14, 0)));
+  EXPECT_EQ(track.without_progress(Time{} + Duration::seconds(50)), Duration::seconds(30)) << "it was as near before";
+  track.take(fix(60, at(15, 0)));
+  EXPECT_EQ(track.without_progress(Time{} + Duration::seconds(60)), Duration{});
+  track.set_waypoint(at(0, 0));
+  EXPECT_EQ(track.without_progress(Time{} + Duration::seconds(65)), Duration::seconds(5)) << "since it has this one";
+}
+
+TEST(Track, ForgetsAnEarlierSearch) {
+  Track track;
+  track.begin(fix(0, at(0, 0)));
+  track.take(fix(10, at(100, 0)));
+  track.begin(fix(20, at(5, 5)));
+  EXPECT_EQ(track.distance(), Meters{0});
+  EXPECT_FALSE(track.velocity_per_s());
+}
+
+}  // namespace
+}  // namespace earshot::safety
