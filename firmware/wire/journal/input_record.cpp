@@ -13,17 +13,30 @@ namespace {
 using messages::Input;
 
 Encoded encode(const Input& input) {
-  if (const auto* navigation = std::get_if<messages::Navigation>(&input.value)) return Encoded(to_message(*navigation));
-  if (const auto* measurement = std::get_if<messages::SnrMeasurement>(&input.value)) return Encoded(to_message(*measurement));
-  if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) return Encoded(to_message(*command));
-  return Encoded(to_message(*std::get_if<messages::PortReport>(&input.value)));
+  return std::visit([](const auto& value) { return Encoded(to_message(value)); }, input.value);
 }
 
-std::string_view channel_of(const Input& input) {
-  if (std::holds_alternative<messages::Navigation>(input.value)) return kNavStateChannel;
-  if (std::holds_alternative<messages::SnrMeasurement>(input.value)) return kSnrEstimateChannel;
-  if (std::holds_alternative<messages::OperatorCommand>(input.value)) return kOperatorCommandChannel;
+/// By the kind of value; the channel of its kind on the bus.
+constexpr std::string_view channel_of(const messages::Navigation&) {
+  return kNavStateChannel;
+}
+constexpr std::string_view channel_of(const messages::SnrMeasurement&) {
+  return kSnrEstimateChannel;
+}
+constexpr std::string_view channel_of(const messages::OperatorCommand&) {
+  return kOperatorCommandChannel;
+}
+constexpr std::string_view channel_of(const messages::PortReport&) {
   return kPortReportChannel;
+}
+constexpr std::string_view channel_of(const messages::VehicleStatus&) {
+  return kVehicleStatusChannel;
+}
+constexpr std::string_view channel_of(const messages::AutopilotStatus&) {
+  return kAutopilotStatusChannel;
+}
+constexpr std::string_view channel_of(const messages::HydrophoneStatus&) {
+  return kHydrophoneStatusChannel;
 }
 
 template <class Message>
@@ -38,7 +51,7 @@ Status read(std::span<const std::uint8_t> data, Input& input) {
 
 InputRecord::InputRecord(const Input& input) : encoded_(encode(input)) {
   static_assert(config::kMaxPorts <= 10, "one digit");
-  const std::string_view channel = channel_of(input);
+  const std::string_view channel = std::visit([](const auto& value) { return channel_of(value); }, input.value);
   const auto end = std::copy(channel.begin(), channel.end(), channel_.begin());
   end[0] = '.';
   end[1] = static_cast<char>('0' + input.port);
@@ -57,6 +70,9 @@ Status read_input(std::string_view channel, Time time, std::span<const std::uint
   if (kind == kSnrEstimateChannel) return read<snr_estimate_t>(data, input);
   if (kind == kOperatorCommandChannel) return read<operator_command_t>(data, input);
   if (kind == kPortReportChannel) return read<port_report_t>(data, input);
+  if (kind == kVehicleStatusChannel) return read<vehicle_status_t>(data, input);
+  if (kind == kAutopilotStatusChannel) return read<autopilot_status_t>(data, input);
+  if (kind == kHydrophoneStatusChannel) return read<hydrophone_status_t>(data, input);
   return Status::kUnsupported;
 }
 

@@ -7,16 +7,20 @@ namespace earshot::wire {
 // LCM channels, one type each (firmware/wire/lcm/*.lcm).
 
 // To the runtime.
-inline constexpr std::string_view kNavStateChannel = "EARSHOT_NAV_STATE";                ///< nav_state_t
-inline constexpr std::string_view kSnrEstimateChannel = "EARSHOT_SNR_ESTIMATE";          ///< snr_estimate_t
-inline constexpr std::string_view kOperatorCommandChannel = "EARSHOT_OPERATOR_COMMAND";  ///< operator_command_t
-inline constexpr std::string_view kHydrophoneBlockChannel = "EARSHOT_HYDROPHONE_BLOCK";  ///< hydrophone_block_t; beside the runtime
+inline constexpr std::string_view kNavStateChannel = "EARSHOT_NAV_STATE";                  ///< nav_state_t
+inline constexpr std::string_view kSnrEstimateChannel = "EARSHOT_SNR_ESTIMATE";            ///< snr_estimate_t
+inline constexpr std::string_view kOperatorCommandChannel = "EARSHOT_OPERATOR_COMMAND";    ///< operator_command_t
+inline constexpr std::string_view kVehicleStatusChannel = "EARSHOT_VEHICLE_STATUS";        ///< vehicle_status_t
+inline constexpr std::string_view kAutopilotStatusChannel = "EARSHOT_AUTOPILOT_STATUS";    ///< autopilot_status_t
+inline constexpr std::string_view kHydrophoneStatusChannel = "EARSHOT_HYDROPHONE_STATUS";  ///< hydrophone_status_t
+inline constexpr std::string_view kHydrophoneBlockChannel = "EARSHOT_HYDROPHONE_BLOCK";    ///< hydrophone_block_t; beside the runtime
 
 // From the runtime.
 inline constexpr std::string_view kSetpointChannel = "EARSHOT_SETPOINT";                        ///< setpoint_t
 inline constexpr std::string_view kDecisionChannel = "EARSHOT_DECISION";                        ///< decision_t
 inline constexpr std::string_view kHealthChannel = "EARSHOT_HEALTH";                            ///< health_t
 inline constexpr std::string_view kAcknowledgementChannel = "EARSHOT_COMMAND_ACKNOWLEDGEMENT";  ///< command_acknowledgement_t
+inline constexpr std::string_view kSafetyEventChannel = "EARSHOT_SAFETY_EVENT";                 ///< safety_event_t
 inline constexpr std::string_view kDetectionChannel = "EARSHOT_DETECTION";                      ///< detection_t; in no journal
 
 // In journals only.

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <iterator>
 
+#include "firmware/wire/lcm/safety_conversion.hpp"
+
 namespace earshot::wire {
 
 nav_state_t to_message(const messages::Navigation& navigation) {
@@ -55,6 +57,42 @@ command_acknowledgement_t to_message(const messages::CommandAcknowledgement& ack
   return m;
 }
 
+vehicle_status_t to_message(const messages::VehicleStatus& status) {
+  vehicle_status_t m{};
+  m.utime = status.time.us;
+  m.altitude_m = status.altitude.value;
+  m.battery_percent = status.battery_percent;
+  m.leak = status.has_leak ? 1 : 0;
+  m.ground_fault = status.has_ground_fault ? 1 : 0;
+  return m;
+}
+
+autopilot_status_t to_message(const messages::AutopilotStatus& status) {
+  autopilot_status_t m{};
+  m.utime = status.time.us;
+  m.follows_setpoints = status.follows_setpoints ? 1 : 0;
+  return m;
+}
+
+hydrophone_status_t to_message(const messages::HydrophoneStatus& status) {
+  hydrophone_status_t m{};
+  m.utime = status.time.us;
+  m.deaf = status.is_deaf ? 1 : 0;
+  return m;
+}
+
+safety_event_t to_message(const messages::SafetyEvent& event) {
+  safety_event_t m{};
+  m.utime = event.time.us;
+  m.rule = static_cast<std::int8_t>(event.rule);
+  m.condition = static_cast<std::int8_t>(event.condition);
+  m.response = static_cast<std::int8_t>(event.response);
+  m.begins = event.begins ? 1 : 0;
+  m.measure = event.measure;
+  m.limit = event.limit;
+  return m;
+}
+
 port_report_t to_message(const messages::PortReport& report) {
   port_report_t m{};
   m.port = static_cast<std::int8_t>(report.port);
@@ -74,6 +112,7 @@ setpoint_t to_message(const messages::Setpoint& setpoint, Time now) {
   m.depth_m = setpoint.depth.value;
   m.waypoint_north_m = setpoint.waypoint.north.value;
   m.waypoint_east_m = setpoint.waypoint.east.value;
+  m.release_weight = setpoint.release_weight ? 1 : 0;
   return m;
 }
 
@@ -118,6 +157,8 @@ health_t to_message(const messages::Health& health, Time now) {
   m.snr_refused = static_cast<std::int64_t>(health.counters.snr_refused);
   m.commands_refused = static_cast<std::int64_t>(health.counters.commands_refused);
   m.setpoints_limited = static_cast<std::int64_t>(health.counters.setpoints_limited);
+  m.status_refused = static_cast<std::int64_t>(health.counters.status_refused);
+  m.response = static_cast<std::int8_t>(health.response);
   m.port_count = static_cast<std::int8_t>(health.ports.size());
   for (std::size_t i = 0; i < health.ports.size(); ++i) m.ports[i] = to_message(health.ports[i]);
   return m;
@@ -143,6 +184,7 @@ mission_t to_message(const config::Mission& mission, Time now) {
   m.listening = static_cast<std::int8_t>(mission.listening.listening);
   m.listening_window_us = mission.listening.length.us;
   m.action_seed = static_cast<std::int64_t>(mission.action_seed);
+  put_safety(mission.safety, m);
   return m;
 }
 
@@ -158,6 +200,32 @@ messages::SnrMeasurement from_message(const snr_estimate_t& m) {
   return {.time = {m.utime}, .snr = Decibels{m.snr_db}, .too_faint = m.too_faint != 0};
 }
 
+messages::VehicleStatus from_message(const vehicle_status_t& m) {
+  return {.time = {m.utime},
+          .altitude = Meters{m.altitude_m},
+          .battery_percent = m.battery_percent,
+          .has_leak = m.leak != 0,
+          .has_ground_fault = m.ground_fault != 0};
+}
+
+messages::AutopilotStatus from_message(const autopilot_status_t& m) {
+  return {.time = {m.utime}, .follows_setpoints = m.follows_setpoints != 0};
+}
+
+messages::HydrophoneStatus from_message(const hydrophone_status_t& m) {
+  return {.time = {m.utime}, .is_deaf = m.deaf != 0};
+}
+
+messages::SafetyEvent from_message(const safety_event_t& m) {
+  return {.time = {m.utime},
+          .rule = static_cast<std::uint8_t>(m.rule),
+          .condition = static_cast<config::Condition>(m.condition),
+          .response = static_cast<config::Response>(m.response),
+          .begins = m.begins != 0,
+          .measure = m.measure,
+          .limit = m.limit};
+}
+
 messages::OperatorCommand from_message(const operator_command_t& m) {
   return {.time = {m.utime},
           .expiry = {m.expiry_utime},
@@ -170,7 +238,8 @@ messages::Setpoint from_message(const setpoint_t& m) {
   return {.heading = Radians{m.heading_rad},
           .speed = MetersPerSecond{m.speed_mps},
           .depth = Meters{m.depth_m},
-          .waypoint = {Meters{m.waypoint_north_m}, Meters{m.waypoint_east_m}}};
+          .waypoint = {Meters{m.waypoint_north_m}, Meters{m.waypoint_east_m}},
+          .release_weight = m.release_weight != 0};
 }
 
 messages::PortReport from_message(const port_report_t& m) {
@@ -195,6 +264,7 @@ config::Mission from_message(const mission_t& m) {
           .snr_timeout = {m.snr_timeout_us},
           .detection_threshold = Decibels{m.detection_threshold_db},
           .listening = {.listening = static_cast<config::Listening>(m.listening), .length = {m.listening_window_us}},
+          .safety = safety_in(m),
           .action_seed = static_cast<std::uint64_t>(m.action_seed)};
 }
 

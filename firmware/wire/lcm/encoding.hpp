@@ -10,7 +10,7 @@
 
 namespace earshot::wire {
 
-inline constexpr std::size_t kEncodedBytes = 1024;  ///< of one message of firmware/wire/lcm; the largest, decision_t, takes 504
+inline constexpr std::size_t kEncodedBytes = 3072;  ///< of one message of firmware/wire/lcm; the largest, mission_t, takes 2549
 
 /// Bytes of a message of an lcm-gen type. Holds them itself: nothing is allocated.
 class Encoded {

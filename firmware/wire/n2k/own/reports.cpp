@@ -58,8 +58,8 @@ Result<HealthReport> read_health(std::span<const std::uint8_t> bytes) {
                             .setpoints_limited = count_in(reader, "SetpointsLimited")};
   report.port_count = static_cast<std::uint8_t>(reader.raw("Ports"));
   if (reader.status() != Status::kOk) return reader.status();
-  const bool known = state <= static_cast<std::int64_t>(messages::MissionState::kAbort) &&
-                     reason <= static_cast<std::int64_t>(messages::EndReason::kTimeUsedUp);
+  const bool known =
+      state <= static_cast<std::int64_t>(messages::MissionState::kAbort) && reason <= static_cast<std::int64_t>(messages::kLastEndReason);
   if (!known) return Status::kUnsupported;
   report.health.state = static_cast<messages::MissionState>(state);
   report.health.end_reason = static_cast<messages::EndReason>(reason);

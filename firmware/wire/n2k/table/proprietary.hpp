@@ -16,7 +16,8 @@ inline constexpr Choice kOutcomes[]{{0, "obeyed"},         {1, "repeated"},     
                                     {6, "not configured"}, {7, "out of order"}};
 inline constexpr Choice kMissionStates[]{{0, "STANDBY"}, {1, "SEARCH"}, {2, "DONE"}, {3, "ABORT"}};
 inline constexpr Choice kEndReasons[]{{0, "not over"},         {1, "completed"}, {2, "steps used up"},       {3, "operator abort"},
-                                      {4, "navigation stale"}, {5, "SNR stale"}, {6, "left operating area"}, {7, "time used up"}};
+                                      {4, "navigation stale"}, {5, "SNR stale"}, {6, "left operating area"}, {7, "time used up"},
+                                      {8, "safety rule"}};
 inline constexpr Choice kLeakStates[]{{0, "dry"}, {1, "wet"}};
 inline constexpr Choice kPeers[]{{1, "command"}, {2, "acknowledgement"}, {3, "abort"}};
 

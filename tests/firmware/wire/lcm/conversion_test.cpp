@@ -211,6 +211,40 @@ TEST(Conversion, TellsEveryFieldOfHealthAndOfEachPort) {
   EXPECT_EQ(arrived.ports[2].received, 0);
 }
 
+config::Polygon polygon_of(std::size_t corners, double first) {
+  config::Polygon polygon;
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double north = first + static_cast<double>(i);
+    EXPECT_EQ(polygon.push_back({.north = Meters{north}, .east = Meters{-north}}), Status::kOk);
+  }
+  return polygon;
+}
+
+/// As much of everything as there is room for, and no two numbers the same.
+config::Safety some_safety() {
+  config::Safety safety;
+  safety.fence =
+      config::Fence{.inside = polygon_of(3, 100), .save = polygon_of(config::kMaxPolygonCorners, 200), .halt = polygon_of(4, 300)};
+  for (std::size_t i = 0; i < config::kMaxNoSurfaceZones; ++i)
+    EXPECT_EQ(safety.no_surface.push_back(polygon_of(3 + i, 400 + 100 * static_cast<double>(i))), Status::kOk);
+  safety.safe_point = {.north = Meters{20.0}, .east = Meters{21.0}};
+  safety.vehicle = {.max_speed = MetersPerSecond{22.0},
+                    .max_current = MetersPerSecond{23.0},
+                    .turn_radius = Meters{24.0},
+                    .hold_speed = MetersPerSecond{25.0},
+                    .ascent_speed = MetersPerSecond{26.0},
+                    .battery_percent_per_km = 27.0};
+  for (std::size_t i = 0; i < config::kMaxOwnRules; ++i) {
+    const config::Rule rule{.condition = static_cast<config::Condition>(config::kConditions - 1 - i % config::kConditions),
+                            .limit = 0.5 + static_cast<double>(i),
+                            .persistence = Duration::milliseconds(static_cast<std::int64_t>(i) + 1),
+                            .response = static_cast<config::Response>(i % config::kResponses),
+                            .is_latched = i % 2 == 0};
+    EXPECT_EQ(safety.rules.push_back(rule), Status::kOk);
+  }
+  return safety;
+}
+
 TEST(Conversion, GivesEveryFieldOfAMissionBack) {
   const config::Mission mission{
       .operating_area = {.south_west = {Meters{1.0}, Meters{2.0}}, .north_east = {Meters{3.0}, Meters{4.0}}},
@@ -225,12 +259,59 @@ TEST(Conversion, GivesEveryFieldOfAMissionBack) {
       .snr_timeout = Duration::seconds(13),
       .detection_threshold = Decibels{14.0},
       .listening = {.listening = config::Listening::kMean, .length = Duration::seconds(15)},
+      .safety = some_safety(),
       .action_seed = (std::uint64_t{1} << 63U) + 16,
   };
   // A field more does not compile here: give it a value above that is not its default.
-  const auto& [area, margin, depth, max_depth, speed, step, steps, time, navigation, snr, threshold, listening, seed] = mission;
+  const auto& [area, margin, depth, max_depth, speed, step, steps, time, navigation, snr, threshold, listening, safety, seed] = mission;
   EXPECT_EQ(seed, (std::uint64_t{1} << 63U) + 16);
+  EXPECT_EQ(safety.rules.size(), config::kMaxOwnRules);
   EXPECT_EQ(from_message(carried(to_message(mission, Time{7}))), mission);
+  EXPECT_EQ(Encoded(to_message(mission, Time{7})).bytes().size(), 2549U);
+}
+
+TEST(Conversion, GivesAMissionWithoutFenceOrRulesBack) {
+  const config::Mission mission{};
+  EXPECT_EQ(from_message(carried(to_message(mission, Time{7}))), mission);
+}
+
+TEST(Conversion, CutsCountsOfAMissionToWhatThereIsRoomFor) {
+  config::Mission full;
+  full.safety = some_safety();
+  mission_t message = to_message(full, Time{7});
+  message.rules = 100;
+  message.corners[0] = 100;
+  const config::Mission mission = from_message(carried(message));
+  EXPECT_EQ(mission.safety.rules.size(), config::kMaxOwnRules);
+  EXPECT_EQ(mission.safety.fence->inside.size(), config::kMaxPolygonCorners);
+  message.rules = -1;
+  EXPECT_TRUE(from_message(carried(message)).safety.rules.empty());
+}
+
+TEST(Conversion, GivesWhatVehicleAutopilotAndHydrophoneSayBack) {
+  const messages::VehicleStatus vehicle{
+      .time = Time{1}, .altitude = Meters{2.5}, .battery_percent = 3.5, .has_leak = true, .has_ground_fault = false};
+  EXPECT_EQ(from_message(carried(to_message(vehicle))), vehicle);
+  const messages::VehicleStatus other{
+      .time = Time{1}, .altitude = Meters{4}, .battery_percent = 5, .has_leak = false, .has_ground_fault = true};
+  EXPECT_EQ(from_message(carried(to_message(other))), other);
+  for (const bool yes : {false, true}) {
+    const messages::AutopilotStatus autopilot{.time = Time{6}, .follows_setpoints = yes};
+    EXPECT_EQ(from_message(carried(to_message(autopilot))), autopilot);
+    const messages::HydrophoneStatus hydrophone{.time = Time{7}, .is_deaf = yes};
+    EXPECT_EQ(from_message(carried(to_message(hydrophone))), hydrophone);
+  }
+}
+
+TEST(Conversion, GivesASafetyEventBack) {
+  const messages::SafetyEvent event{.time = Time{1},
+                                    .rule = 2,
+                                    .condition = config::Condition::kBattery,
+                                    .response = config::Response::kReturn,
+                                    .begins = false,
+                                    .measure = 3.5,
+                                    .limit = 4.5};
+  EXPECT_EQ(from_message(carried(to_message(event))), event);
 }
 
 }  // namespace
