@@ -1,5 +1,6 @@
 #include "firmware/runtime/runtime.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <span>
 #include <variant>
@@ -10,6 +11,7 @@
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/network.hpp"
 #include "firmware/runtime/known_steps.hpp"
+#include "firmware/safety/check.hpp"
 #include "firmware/safety/limits.hpp"
 
 namespace earshot::runtime {
@@ -32,18 +34,44 @@ Time effective(Time date, Time arrival) {
   return date < arrival ? date : arrival;
 }
 
+/// Of vehicle, autopilot and hydrophone; what is older is told by the rules about its age.
+constexpr Duration kStatusMaxAge = Duration::seconds(30);
+
+/// False for a NaN.
+bool are_within(std::span<const float> values, double most) {
+  return std::all_of(values.begin(), values.end(), [most](float value) { return double{value} >= -most && double{value} <= most; });
+}
+
+EndReason end_reason_of(config::Condition cause) {
+  switch (cause) {
+    case config::Condition::kNavigationAge:
+      return EndReason::kNavigationStale;
+    case config::Condition::kSnrAge:
+      return EndReason::kSnrStale;
+    case config::Condition::kOutsideHalt:
+      return EndReason::kLeftOperatingArea;
+    case config::Condition::kSearchTime:
+      return EndReason::kTimeUsedUp;
+    default:
+      return EndReason::kSafetyRule;
+  }
+}
+
 }  // namespace
 
 Status Runtime::configure(const config::Mission& mission, const policy::FrozenPolicy& policy) {
   configured_ = false;
   progress_ = Progress{};
   if (const Status status = config::check(mission); status != Status::kOk) return status;
+  if (!safety::check(mission).is_none()) return Status::kOutOfRange;
   if (const policy::PolicyComplaint complaint = policy::check(policy); !complaint.is_none()) return policy::status_of(complaint.fault);
   if (policy::mismatch(policy, mission) != policy::Mismatch::kNone) return Status::kOutOfRange;
   if (!repeats_known_steps() || !policy::repeats_golden(policy, memory_)) return Status::kCorrupt;
   mission_ = mission;
   policy_ = policy;
   progress_.random = Pcg32(mission.action_seed);
+  progress_.situation.navigation = safety::NavigationJudge(mission.safety.vehicle, mission.navigation_timeout);
+  progress_.supervisor.configure(mission_);
   configured_ = true;
   return Status::kOk;
 }
@@ -68,16 +96,30 @@ void Runtime::take(const messages::Input& input) {
   if (const auto* measurement = std::get_if<messages::SnrMeasurement>(&input.value)) take(input.arrival, *measurement);
   if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) take_command(input.arrival, input.port, *command);
   if (const auto* report = std::get_if<messages::PortReport>(&input.value)) take(*report);
+  safety::Situation& situation = progress_.situation;
+  if (const auto* status = std::get_if<messages::VehicleStatus>(&input.value)) take_status(input.arrival, *status, situation.vehicle);
+  if (const auto* status = std::get_if<messages::AutopilotStatus>(&input.value)) take_status(input.arrival, *status, situation.autopilot);
+  if (const auto* status = std::get_if<messages::HydrophoneStatus>(&input.value)) take_status(input.arrival, *status, situation.hydrophone);
 }
 
 void Runtime::take(Time arrival, const messages::Navigation& navigation) {
-  const Time last = progress_.navigation ? progress_.navigation->time : Time{};
-  if (is_usable(navigation) && is_in_order(navigation.time, last, arrival, mission_.navigation_timeout)) {
-    progress_.navigation = navigation;
-    progress_.navigation->time = effective(navigation.time, arrival);
-  } else {
+  safety::Situation& situation = progress_.situation;
+  const bool is_to_move = situation.commanded && situation.commanded->speed.value > 0.0;
+  if (!situation.navigation.take(arrival, navigation, is_to_move)) {
     ++progress_.counters.navigation_refused;
+  } else if (progress_.state == MissionState::kSearch) {
+    situation.track.take(*situation.navigation.newest());
   }
+}
+
+template <class Status>
+void Runtime::take_status(Time arrival, const Status& status, std::optional<Status>& newest) {
+  if (!is_in_order(status.time, newest ? newest->time : Time{}, arrival, kStatusMaxAge)) {
+    ++progress_.counters.status_refused;
+    return;
+  }
+  newest = status;
+  newest->time = effective(status.time, arrival);
 }
 
 void Runtime::take(Time arrival, const messages::SnrMeasurement& measurement) {
@@ -100,6 +142,7 @@ void Runtime::take(const messages::PortReport& report) {
 }
 
 void Runtime::take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {
+  progress_.situation.operator_heard = arrival;
   const CommandJudge::Verdict verdict = progress_.judge.judge(arrival, command);
   CommandOutcome outcome = verdict.outcome;
   if (!verdict.is_repetition) {
@@ -143,23 +186,26 @@ void Runtime::end(MissionState state, EndReason reason) {
 }
 
 bool Runtime::navigation_is_fresh(Time now) const {
-  return progress_.navigation && now - progress_.navigation->time <= mission_.navigation_timeout;
+  const std::optional<messages::Navigation>& newest = progress_.situation.navigation.newest();
+  return newest && now - newest->time <= mission_.navigation_timeout;
 }
 
 bool Runtime::snr_is_fresh(Time now) const {
   return progress_.listener.newest() && now - progress_.listener.newest()->time <= mission_.snr_timeout;
 }
 
-EndReason Runtime::reason_to_abort(Time now) const {
-  if (!navigation_is_fresh(now)) return EndReason::kNavigationStale;
-  if (!snr_is_fresh(now)) return EndReason::kSnrStale;
-  if (!mission_.operating_area.contains(progress_.navigation->position)) return EndReason::kLeftOperatingArea;
-  if (now - progress_.search_began > mission_.max_time) return EndReason::kTimeUsedUp;
-  return EndReason::kNone;
+void Runtime::supervise(Time now, Outputs& outputs) {
+  safety::Situation& situation = progress_.situation;
+  situation.now = now;
+  situation.snr = progress_.listener.newest()->time;
+  for (const messages::SafetyEvent& event : progress_.supervisor.watch(mission_, situation))
+    static_cast<void>(outputs.safety_events.push_back(event));  // there is room: an event per rule
+  situation.is_steered_back = progress_.supervisor.acts_on(config::Condition::kOutsideFence);
+  if (progress_.supervisor.response() >= config::Response::kAbort) end(MissionState::kAbort, end_reason_of(*progress_.supervisor.cause()));
 }
 
 NorthEast Runtime::place_in_area() const {
-  return progress_.navigation->position - mission_.operating_area.south_west;
+  return progress_.situation.navigation.newest()->position - mission_.operating_area.south_west;
 }
 
 policy::Reception Runtime::reception(Time now) const {
@@ -176,36 +222,52 @@ messages::BeliefSummary Runtime::belief() const {
 
 void Runtime::begin_search(Time now) {
   progress_.state = MissionState::kSearch;
-  progress_.search_began = now;
+  progress_.situation.search_began = now;
+  progress_.situation.track.begin(*progress_.situation.navigation.newest());
   progress_.has_engaged = true;
   progress_.listener.begin_leg(now);  // no leg leads to the start: its newest look is all that it hears
   memory_.start(policy_.observation, place_in_area(), reception(now));
 }
 
 void Runtime::search(Time now, Outputs& outputs) {
-  if (const EndReason reason = reason_to_abort(now); reason != EndReason::kNone) return end(MissionState::kAbort, reason);
+  supervise(now, outputs);
+  if (progress_.state != MissionState::kSearch) return;
+  if (progress_.supervisor.response() > config::Response::kWarn) {
+    progress_.is_interrupted = true;
+    return;
+  }
   const bool has_leg = progress_.leg.length().value > 0.0;
-  if (has_leg && !progress_.leg.is_over(progress_.navigation->position)) return;
+  const bool goes_on = has_leg && !progress_.leg.is_over(progress_.situation.navigation.newest()->position);
+  if (goes_on && !progress_.is_interrupted) return;
   const policy::Reception reception_on_leg = reception(now);
   if (has_leg) {
     memory_.remember(policy_.observation, place_in_area(), reception_on_leg);
     ++progress_.steps_taken;
     if (progress_.steps_taken >= mission_.max_steps) return end(MissionState::kDone, EndReason::kStepsUsedUp);
   }
-  decide(now, reception_on_leg, outputs.decision.emplace());
+  progress_.is_interrupted = false;  // a search that goes on decides anew, from where it is
+  progress_.manoeuvre.end();
+  if (!decide(now, reception_on_leg, outputs.decision.emplace())) {
+    outputs.decision.reset();
+    progress_.situation.is_policy_unhealthy = true;
+    return supervise(now, outputs);
+  }
   progress_.listener.begin_leg(now);
 }
 
-void Runtime::decide(Time now, policy::Reception reception, messages::Decision& decision) {
-  const NorthEast position = progress_.navigation->position;
+/// @return whether the policy could
+bool Runtime::decide(Time now, policy::Reception reception, messages::Decision& decision) {
+  const NorthEast position = progress_.situation.navigation.newest()->position;
   const std::span<float> observation = std::span(decision.observation).first(policy_.observation.spec.size());
   const std::span<float> logits = std::span(decision.logits).first(policy_.actions.size());
   policy::observe(memory_, policy_.observation, observation);
   policy::forward(policy_.network, observation, logits);
+  if (!are_within(observation, policy::kMostElement) || !are_within(logits, policy::kMostLogit)) return false;
   const std::size_t action = policy::draw_action(policy_.draw, logits, progress_.random);
   const safety::SafeWaypoint safe = safety::safe_waypoint(mission_, position, position + mission_.step_length * policy_.actions[action]);
   if (safe.overridden) ++progress_.counters.setpoints_limited;
   progress_.leg = guidance::Leg(position, safe.waypoint);
+  progress_.situation.track.set_waypoint(safe.waypoint);
 
   decision.step = progress_.steps_taken;
   decision.time = now;
@@ -219,19 +281,29 @@ void Runtime::decide(Time now, policy::Reception reception, messages::Decision& 
   if (policy::needs_belief(policy_.observation.spec)) decision.belief = belief();
   decision.observation_size = static_cast<std::uint8_t>(observation.size());
   decision.action_count = static_cast<std::uint8_t>(logits.size());
+  return true;
+}
+
+messages::Setpoint Runtime::wanted_setpoint() {
+  const messages::Navigation& fix = *progress_.situation.navigation.newest();
+  const std::optional<config::Response> response = progress_.supervisor.response();
+  if (progress_.state == MissionState::kDone) return safety::come_up(mission_.safety.vehicle, fix);
+  if (progress_.state == MissionState::kAbort)  // of an operator, or of a rule
+    return progress_.manoeuvre.setpoint(mission_, progress_.situation,
+                                        std::max(response.value_or(config::Response::kAbort), config::Response::kAbort));
+  if (response > config::Response::kWarn) return progress_.manoeuvre.setpoint(mission_, progress_.situation, *response);
+  return {.heading = progress_.leg.heading_to_steer(fix.position),
+          .speed = mission_.search_speed,
+          .depth = mission_.search_depth,
+          .waypoint = progress_.leg.waypoint()};
 }
 
 std::optional<messages::Setpoint> Runtime::setpoint() {
   if (!progress_.has_engaged) return std::nullopt;
-  assert(progress_.navigation);  // no search begins without
-  const safety::Pose pose{.position = progress_.navigation->position, .heading = progress_.navigation->heading};
-  if (progress_.state != MissionState::kSearch) return safety::surface(pose);
-  const messages::Setpoint wanted{.heading = progress_.leg.heading_to_steer(pose.position),
-                                  .speed = mission_.search_speed,
-                                  .depth = mission_.search_depth,
-                                  .waypoint = progress_.leg.waypoint()};
-  const safety::SafeSetpoint safe = safety::safe_setpoint(mission_, pose, wanted);
+  assert(progress_.situation.navigation.newest());  // no search begins without
+  const safety::SafeSetpoint safe = safety::safe_setpoint(mission_, *progress_.situation.navigation.newest(), wanted_setpoint());
   if (safe.limited) ++progress_.counters.setpoints_limited;
+  progress_.situation.commanded = safe.setpoint;
   return safe.setpoint;
 }
 
@@ -239,6 +311,7 @@ messages::Health Runtime::health() const {
   return {.state = progress_.state,
           .end_reason = progress_.end_reason,
           .steps_taken = progress_.steps_taken,
+          .response = progress_.supervisor.response().value_or(config::Response::kWarn),
           .counters = progress_.counters,
           .ports = progress_.ports};
 }

@@ -18,6 +18,9 @@
 #include "firmware/policy/frozen_policy.hpp"
 #include "firmware/policy/observation.hpp"
 #include "firmware/runtime/command_judge.hpp"
+#include "firmware/safety/manoeuvre.hpp"
+#include "firmware/safety/situation.hpp"
+#include "firmware/safety/supervisor.hpp"
 
 namespace earshot::runtime {
 
@@ -27,7 +30,8 @@ using Acknowledgements = FixedVector<messages::CommandAcknowledgement, config::k
 struct Outputs {
   std::optional<messages::Setpoint> setpoint;  ///< none until a search begins: the autopilot is somebody else's
   std::optional<messages::Decision> decision;
-  Acknowledgements acknowledgements;  ///< of the commands judged since the last turn
+  Acknowledgements acknowledgements;   ///< of the commands judged since the last turn
+  safety::SafetyEvents safety_events;  ///< rules that began to act, or no longer do
   messages::Health health;
 };
 
@@ -35,7 +39,7 @@ struct Outputs {
 /// bit.
 ///
 ///   STANDBY -- START, fresh navigation and SNR --> SEARCH -- max_steps, COMPLETE --> DONE
-///   SEARCH -- navigation or SNR stale, outside the operating area, max_time --> ABORT;   any state -- ABORT --> ABORT
+///   SEARCH -- a rule of the safety supervisor that aborts --> ABORT;   any state -- ABORT --> ABORT
 ///
 /// START is remembered until navigation and SNR are there, or it expires. Once a search has begun, the set-point says in DONE and ABORT:
 /// stop and come up; before, nothing is commanded, whatever becomes of the mission.
@@ -64,9 +68,11 @@ class Runtime {
     messages::EndReason end_reason = messages::EndReason::kNone;
     std::optional<Time> start_until;  ///< START was given, and waits for navigation and SNR until then
     bool has_engaged = false;         ///< a search has begun: the autopilot is ours
-    Time search_began;
     std::uint32_t steps_taken = 0;
-    std::optional<messages::Navigation> navigation;
+    safety::Situation situation;  ///< what navigation, vehicle and autopilot say
+    safety::Supervisor supervisor;
+    safety::Manoeuvre manoeuvre;
+    bool is_interrupted = false;  ///< a rule has taken the vehicle from its search
     detector::Listener listener;
     guidance::Leg leg;
     Pcg32 random{0};
@@ -79,19 +85,23 @@ class Runtime {
   void take(Time arrival, const messages::Navigation& navigation);
   void take(Time arrival, const messages::SnrMeasurement& measurement);
   void take(const messages::PortReport& report);
+  template <class Status>
+  void take_status(Time arrival, const Status& status, std::optional<Status>& newest);
   void take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command);
   [[nodiscard]] messages::CommandOutcome obey(const messages::OperatorCommand& command);
   void acknowledge(const messages::CommandAcknowledgement& acknowledgement);
   void end(messages::MissionState state, messages::EndReason reason);
   [[nodiscard]] bool navigation_is_fresh(Time now) const;
   [[nodiscard]] bool snr_is_fresh(Time now) const;
-  [[nodiscard]] messages::EndReason reason_to_abort(Time now) const;
+  /// Lets the supervisor look; ends the mission if it says so.
+  void supervise(Time now, Outputs& outputs);
   [[nodiscard]] NorthEast place_in_area() const;
   [[nodiscard]] policy::Reception reception(Time now) const;
   [[nodiscard]] messages::BeliefSummary belief() const;
   void begin_search(Time now);
   void search(Time now, Outputs& outputs);
-  void decide(Time now, policy::Reception reception, messages::Decision& decision);
+  [[nodiscard]] bool decide(Time now, policy::Reception reception, messages::Decision& decision);
+  [[nodiscard]] messages::Setpoint wanted_setpoint();
   [[nodiscard]] std::optional<messages::Setpoint> setpoint();
   [[nodiscard]] messages::Health health() const;
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "firmware/config/capacities.hpp"
@@ -15,9 +16,10 @@ namespace {
 
 std::vector<std::string_view> channels_of(host::Roles roles) {
   std::vector<std::string_view> channels;
-  if (roles.has(host::Role::kNavigation)) channels.push_back(wire::kNavStateChannel);
-  if (roles.has(host::Role::kSnr)) channels.push_back(wire::kSnrEstimateChannel);
+  if (roles.has(host::Role::kNavigation)) channels.insert(channels.end(), {wire::kNavStateChannel, wire::kVehicleStatusChannel});
+  if (roles.has(host::Role::kSnr)) channels.insert(channels.end(), {wire::kSnrEstimateChannel, wire::kHydrophoneStatusChannel});
   if (roles.has(host::Role::kOperator)) channels.push_back(wire::kOperatorCommandChannel);
+  if (roles.has(host::Role::kAutopilot)) channels.push_back(wire::kAutopilotStatusChannel);
   return channels;
 }
 
@@ -38,31 +40,30 @@ LcmPort::LcmPort(std::uint8_t index, const host::PortSettings& settings, host::I
 
 void LcmPort::collect(Clock& clock, InputSink& sink) {
   endpoint_.collect();
-  for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) take(clock, message, sink);
+  for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;)
+    ++(take(clock, message, sink) ? report_.received : report_.malformed);
 }
 
-void LcmPort::take(Clock& clock, const wire::Lc02Message& message, InputSink& sink) {
-  nav_state_t navigation{};
-  snr_estimate_t measurement{};
-  operator_command_t command{};
-  if (message.channel == wire::kNavStateChannel && wire::decode(message.data, navigation) == Status::kOk) {
-    messages::Navigation value = wire::from_message(navigation);
-    value.time = clock.mission_time_of(value.time);
-    sink.take(index(), value);
-  } else if (message.channel == wire::kSnrEstimateChannel && wire::decode(message.data, measurement) == Status::kOk) {
-    messages::SnrMeasurement value = wire::from_message(measurement);
-    value.time = clock.mission_time_of(value.time);
-    sink.take(index(), value);
-  } else if (message.channel == wire::kOperatorCommandChannel && wire::decode(message.data, command) == Status::kOk) {
-    messages::OperatorCommand value = wire::from_message(command);
-    value.time = clock.mission_time_of(value.time);
-    value.expiry = clock.mission_time_of(value.expiry);
-    sink.take(index(), value);
-  } else {
-    ++report_.malformed;
-    return;
-  }
-  ++report_.received;
+/// @return whether it is a whole message of that type
+template <class Message>
+bool LcmPort::takes(Clock& clock, std::span<const std::uint8_t> data, InputSink& sink) {
+  Message message{};
+  if (wire::decode(data, message) != Status::kOk) return false;
+  auto value = wire::from_message(message);
+  value.time = clock.mission_time_of(value.time);
+  if constexpr (std::is_same_v<Message, operator_command_t>) value.expiry = clock.mission_time_of(value.expiry);
+  sink.take(index(), value);
+  return true;
+}
+
+bool LcmPort::take(Clock& clock, const wire::Lc02Message& message, InputSink& sink) {
+  if (message.channel == wire::kNavStateChannel) return takes<nav_state_t>(clock, message.data, sink);
+  if (message.channel == wire::kSnrEstimateChannel) return takes<snr_estimate_t>(clock, message.data, sink);
+  if (message.channel == wire::kOperatorCommandChannel) return takes<operator_command_t>(clock, message.data, sink);
+  if (message.channel == wire::kVehicleStatusChannel) return takes<vehicle_status_t>(clock, message.data, sink);
+  if (message.channel == wire::kAutopilotStatusChannel) return takes<autopilot_status_t>(clock, message.data, sink);
+  if (message.channel == wire::kHydrophoneStatusChannel) return takes<hydrophone_status_t>(clock, message.data, sink);
+  return false;
 }
 
 template <class Message>
@@ -84,6 +85,7 @@ std::uint64_t LcmPort::publish(Time now, const runtime::Outputs& outputs) {
   }
   if (has(host::Role::kStatus)) {
     if (outputs.decision) (void)send(wire::kDecisionChannel, wire::to_message(*outputs.decision));
+    for (const messages::SafetyEvent& event : outputs.safety_events) (void)send(wire::kSafetyEventChannel, wire::to_message(event));
     (void)send(wire::kHealthChannel, wire::to_message(outputs.health, now));
   }
   return setpoints;

@@ -29,7 +29,10 @@ class LcmPort final : public Port {
  private:
   template <class Message>
   bool send(std::string_view channel, const Message& message);
-  void take(Clock& clock, const wire::Lc02Message& message, InputSink& sink);
+  /// @return whether it is one that this port brings
+  [[nodiscard]] bool take(Clock& clock, const wire::Lc02Message& message, InputSink& sink);
+  template <class Message>
+  [[nodiscard]] bool takes(Clock& clock, std::span<const std::uint8_t> data, InputSink& sink);
 
   std::string name_;
   std::string address_;

@@ -74,7 +74,9 @@ runtime::Outputs MissionTurn::operator()() {
   if (outputs.setpoint) commanded_speed_ = outputs.setpoint->speed;
   ports_.note_speed(is_finite(speed_.value) ? speed_ : commanded_speed_);
   ports_.publish(turn, outputs);
-  if (news_ != nullptr) news_->tell(turn, outputs.health);
+  if (news_ == nullptr) return outputs;
+  for (const messages::SafetyEvent& event : outputs.safety_events) news_->tell(event);
+  news_->tell(turn, outputs.health);
   return outputs;
 }
 
@@ -82,6 +84,8 @@ void MissionTurn::record(Time now, const runtime::Outputs& outputs) {
   if (outputs.setpoint)
     append(journal_, now, wire::kJournalledSetpointChannel, wire::to_message(*outputs.setpoint, now), Weight::kSteering);
   if (outputs.decision) append(journal_, now, wire::kDecisionChannel, wire::to_message(*outputs.decision), Weight::kSteering);
+  for (const messages::SafetyEvent& event : outputs.safety_events)
+    append(journal_, now, wire::kSafetyEventChannel, wire::to_message(event), Weight::kSteering);
   for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements)
     append(journal_, now, wire::kAcknowledgementChannel, wire::to_message(acknowledgement), Weight::kOrder);
   const bool is_new_state = recorded_state_ != outputs.health.state;

@@ -48,6 +48,7 @@ class Turn {
     const runtime::Outputs outputs = runtime.step(now);
     if (outputs.setpoint) expect(wire::kJournalledSetpointChannel, wire::to_message(*outputs.setpoint, now));
     if (outputs.decision) expect(wire::kDecisionChannel, wire::to_message(*outputs.decision));
+    for (const messages::SafetyEvent& event : outputs.safety_events) expect(wire::kSafetyEventChannel, wire::to_message(event));
     for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements)
       expect(wire::kAcknowledgementChannel, wire::to_message(acknowledgement));
     expect(wire::kHealthChannel, wire::to_message(outputs.health, now));

@@ -13,6 +13,7 @@
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/mission/hydrophone_table.hpp"
 #include "firmware/host/mission/n2k_table.hpp"
+#include "firmware/host/mission/safety_table.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/transport/interface_name.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
@@ -232,6 +233,8 @@ MissionFile load_mission(const std::filesystem::path& path) {
   const TableReader search = root.table("search");
   read_search(search, file.mission);
   read_limits(limits, file.mission);
+  SafetyTables safety = safety_tables(root);
+  file.mission.safety = read_safety(safety);
   read_ports(root, file);
   if (const std::optional<TableReader> hydrophone = root.optional_table("hydrophone")) read_hearing(*hydrophone, search, file);
   read_origin(root.table("origin"), file);
@@ -244,6 +247,8 @@ MissionFile load_mission(const std::filesystem::path& path) {
   toml.finish();
   check_together(area, limits, file.mission);
   check_patience(limits, file);
+  toml.finish();
+  check_safety(safety, root, file.mission);
   toml.finish();
   return file;
 }

@@ -11,11 +11,11 @@ namespace earshot::host {
 
 /// What a port of the vehicle is for; each role may have several ports.
 enum class Role : std::uint8_t {
-  kNavigation,  ///< brings where the vehicle is
-  kSnr,         ///< brings what the hydrophone measures
+  kNavigation,  ///< brings where the vehicle is, and how it is
+  kSnr,         ///< brings what the hydrophone measures, and how it is
   kOperator,    ///< brings orders, takes their acknowledgements
-  kAutopilot,   ///< takes set-points
-  kStatus,      ///< takes decisions and health
+  kAutopilot,   ///< takes set-points, brings how the autopilot is
+  kStatus,      ///< takes decisions, health and what the safety supervisor does
   kHydrophone,  ///< brings sound, on a bus of its own: no role goes with it
 };
 inline constexpr std::size_t kRoleCount = 6;

@@ -45,6 +45,8 @@ const char* word_for(messages::EndReason reason) {
       return "left_operating_area";
     case messages::EndReason::kTimeUsedUp:
       return "time_used_up";
+    case messages::EndReason::kSafetyRule:
+      return "safety_rule";
   }
   return "unknown";
 }

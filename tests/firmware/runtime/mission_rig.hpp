@@ -140,12 +140,17 @@ struct Rig {
   [[nodiscard]] EndReason end_reason() const { return outputs.health.end_reason; }
   [[nodiscard]] const messages::Counters& counters() const { return outputs.health.counters; }
 
-  /// One second passes with navigation and SNR as they should be.
-  const Outputs& sail(std::optional<Order> order = std::nullopt) {
+  /// The vehicle goes as far as it is told to go in one second.
+  void move() {
     heading = setpoint.heading;
     const double distance = setpoint.speed.value;
     position = position + at(distance * std::cos(heading.value), distance * std::sin(heading.value));
     depth = setpoint.depth;
+  }
+
+  /// One second passes with navigation and SNR as they should be.
+  const Outputs& sail(std::optional<Order> order = std::nullopt) {
+    move();
     const Time measured = now + Duration::seconds(1);
     return step({.navigation = navigation_at(measured), .snr = messages::SnrMeasurement{.time = measured, .snr = snr}, .order = order});
   }

@@ -80,6 +80,7 @@ TEST(Mission, GoesOnWithAGoodFixThoughABadOneIsTakenAfterItInEveryTurn) {
   Rig rig = given_a_search_under_way();
   for (int second = 1; second <= 20; ++second) {
     const Time now = rig.now + Duration::seconds(1);
+    rig.move();
     rig.take(rig.navigation_at(rig.now));
     messages::Navigation bad = rig.navigation_at(now);
     bad.position.north = Meters{std::nan("")};
@@ -113,7 +114,10 @@ TEST(Mission, AbortsWhenNavigationGoesOnSayingNothingButNan) {
 
 TEST(Mission, AbortsOnceTheSnrIsOlderThanItsTimeoutAndNotBefore) {
   Rig rig = given_a_search_under_way();
-  const auto step_without_snr = [&rig] { rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1))}); };
+  const auto step_without_snr = [&rig] {
+    rig.move();
+    rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1))});
+  };
   for (int second = 1; second <= 30; ++second) step_without_snr();
   EXPECT_EQ(rig.state(), MissionState::kSearch);
   step_without_snr();
@@ -123,7 +127,9 @@ TEST(Mission, AbortsOnceTheSnrIsOlderThanItsTimeoutAndNotBefore) {
 }
 
 TEST(Mission, AbortsWhenACurrentCarriesItOutOfTheOperatingArea) {
-  Rig rig = given_a_search_under_way();
+  Rig rig(*policy_that_goes(kNorthward));
+  rig.position = at(19990, 12000);
+  rig.sail(Order::kStart);
   rig.position = at(20000, 12000);  // on the edge, which still belongs to the area
   rig.step(
       {.navigation = rig.navigation_at(rig.now + Duration::seconds(1)), .snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});

@@ -125,6 +125,26 @@ void FlightNews::tell(Time now, std::uint8_t port, const messages::SoundDetectio
   sound.detection_due = now + kBetweenDetectionLines;
 }
 
+void FlightNews::tell(const messages::SafetyEvent& event) {
+  Time& due = rule_due_.at(event.rule);
+  if (event.time < due && event.response < config::Response::kAbort) return;
+  due = event.time + kBetweenLinkLines;
+  const config::ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(event.condition));
+  Line line = line_at(event.time);
+  line << "rule " << event.rule + 1 << ", " << traits.key;
+  if (!event.begins) {
+    line << ": no longer";
+  } else {
+    if (traits.kind != config::ConditionTraits::Kind::kFlag) {
+      line << ": ";
+      line.decimal(event.measure, 1) << (traits.kind == config::ConditionTraits::Kind::kAbove ? ", above " : ", below ");
+      line.decimal(event.limit, 1);
+    }
+    line << ": " << config::kResponseWords.at(static_cast<std::size_t>(event.response));
+  }
+  writer_.say(line.text());
+}
+
 void FlightNews::tell(std::uint8_t port, const HeardChain& chain) {
   sounds_.at(port).chain = chain;
 }

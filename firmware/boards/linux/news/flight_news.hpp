@@ -14,13 +14,14 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/messages/health.hpp"
+#include "firmware/messages/safety_event.hpp"
 #include "firmware/messages/sound_detection.hpp"
 
 namespace earshot::board {
 
 /// Tells a person what changes while a flight lasts, a line each: the state of the mission and why, every link that goes down or comes
-/// back, what is wrong with a CAN bus and when it is over, and in each state once that navigation or SNR is refused. Nothing allocates or
-/// waits after construction.
+/// back, what the safety supervisor does and why, what is wrong with a CAN bus and when it is over, and in each state once that navigation
+/// or SNR is refused. Nothing allocates or waits after construction.
 ///
 ///     earshotd: 2026-11-22 15:04:07 UTC: ABORT, navigation went silent, after 12 steps
 ///     earshotd: 2026-11-22 15:04:07 UTC: navigation: 31 messages refused so far, for their date, their order or what is in them; look at
@@ -28,6 +29,7 @@ namespace earshot::board {
 ///     earshotd: 2026-11-22 15:01:12 UTC: port 2, ears, hydrophone, LCM udpm://...: hears 15.0 to 30.0 Hz of 1 channel at 96000.0 Hz: full
 ///     scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; looks lag by 0.24 s
 ///     earshotd: 2026-11-22 15:03:40 UTC: heard for 1.2 s from 2026-11-22 15:03:38 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB
+///     earshotd: 2026-11-22 15:03:59 UTC: rule 11, battery_percent: 14.9, below 15.0: return
 ///     earshotd: 2026-11-22 15:04:09 UTC: port 1, vehicle, CAN can0: its link is down; tried again once a second
 ///     earshotd: 2026-11-22 15:04:12 UTC: port 1, vehicle, CAN can0: headings are magnetic, and nobody says the variation (127258)
 class FlightNews {
@@ -47,6 +49,9 @@ class FlightNews {
   void tell(Time now, const messages::Health& health);
   /// A sound that was heard; of many within kBetweenDetectionLines the first, and how many since.
   void tell(Time now, std::uint8_t port, const messages::SoundDetection& detection);
+  /// A rule of the safety supervisor begins to act, or no longer does; of each rule at most one line in kBetweenLinkLines, but for one that
+  /// ends the mission.
+  void tell(const messages::SafetyEvent& event);
   /// With what chain a hydrophone is heard from now on, at the next turn.
   void tell(std::uint8_t port, const HeardChain& chain);
   /// What is wrong with a CAN port from now on, or no longer, at the next turn; of each at most one line in kBetweenLinkLines.
@@ -92,6 +97,7 @@ class FlightNews {
   Refused navigation_;
   Refused snr_;
   std::array<Sound, config::kMaxPorts> sounds_;
+  std::array<Time, config::kMaxRules> rule_due_{};
   std::array<std::array<Trouble, kBusTroubleCount>, config::kMaxPorts> troubles_{};
 };
 

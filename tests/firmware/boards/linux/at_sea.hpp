@@ -32,8 +32,7 @@ class AtSea : public testing::Test {
   static constexpr std::uint8_t kPort = 1;
 
   void SetUp() override {
-    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))),
-              Status::kOk);
+    ASSERT_EQ(runtime_->configure(mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))), Status::kOk);
     journal_ = std::make_unique<host::Journal>(path_, host::JournalOptions{.existing = host::ExistingJournal::kReplace});
     auto port = std::make_unique<FakePort>(ports_.next_index(), host_, script_);
     port_ = port.get();
@@ -47,12 +46,19 @@ class AtSea : public testing::Test {
     value.time = clock.mission_time_of(value.time);
     sink.take(kPort, value);
   }
+  /// It creeps northwards, a millimetre a second: one that stood still were a fault of its navigation.
   [[nodiscard]] messages::Navigation fix() const {
     return {.time = host_.utc(),
-            .position = runtime::at(7000, 12000),
+            .position = runtime::at(7000 + 1e-9 * static_cast<double>((host_.utc() - kUtc).us), 12000),
             .depth = Meters{300},
             .heading = Radians{0},
             .speed = MetersPerSecond{2}};
+  }
+  /// Scripts put its vehicle elsewhere from one second to the next.
+  [[nodiscard]] static config::Mission mission() {
+    config::Mission mission = runtime::paper_mission();
+    mission.safety.vehicle.max_speed = MetersPerSecond{2000};
+    return mission;
   }
   [[nodiscard]] messages::SnrMeasurement snr() const { return {.time = host_.utc(), .snr = Decibels{12}}; }
 

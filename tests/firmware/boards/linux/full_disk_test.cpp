@@ -106,9 +106,10 @@ class FullDisk : public testing::Test {
   /// A turn a second, before which so many fixes have come.
   void make_turn(int fixes) {
     clock_.time = clock_.time + Duration::seconds(1);
+    ++turns_;
     for (int i = fixes; i > 0; --i) {
       turn_->take(1, messages::Navigation{.time = clock_.time + Duration{-i},
-                                          .position = runtime::at(12'000, 12'000),
+                                          .position = runtime::at(12'000 + 0.01 * turns_, 12'000),
                                           .depth = Meters{300},
                                           .heading = Radians{0},
                                           .speed = MetersPerSecond{2}});
@@ -136,6 +137,7 @@ class FullDisk : public testing::Test {
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
   std::unique_ptr<host::Journal> journal_;
   std::unique_ptr<MissionTurn> turn_;
+  int turns_ = 0;
   std::uint32_t commands_ = 0;
   std::uint64_t setpoints_ = 0;  ///< that came out
   std::uint64_t decisions_ = 0;  ///< likewise

@@ -137,7 +137,7 @@ TEST_F(TheLoop, GoesOnWhileLooksAreMissingForAsLongAsTheyMayAndNoLonger) {
 }
 
 TEST_F(TheLoop, TakesOfTwoEstimatesOfOneDateTheOneThatComesLast) {
-  const NorthEast better = runtime::at(7100, 12200);
+  const NorthEast better = runtime::at(7010, 12020);
   for (int second = 0; second < 5; ++second) {
     bring_fix(second + 0.9, start_);
     bring_fix(second + 0.9, better);

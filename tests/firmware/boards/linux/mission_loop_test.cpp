@@ -91,7 +91,7 @@ TEST_F(AtSea, ItsJournalGivesTheSameOutputsAgainBitForBit) {
   (void)fly();
   ASSERT_EQ(journal_->close(), Status::kOk);
   runtime::Runtime again;
-  ASSERT_EQ(again.configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))), Status::kOk);
+  ASSERT_EQ(again.configure(mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))), Status::kOk);
   host::JournalReader reader(path_);
   std::size_t turns = 0;
   std::vector<std::vector<std::uint8_t>> outputs;

@@ -69,8 +69,7 @@ class SeaJournal {
 
  private:
   static Time at(double s) { return Time{kBegan_s * 1'000'000 + static_cast<std::int64_t>(s * 1e6)}; }
-  void input(double s,
-             const std::variant<messages::Navigation, messages::SnrMeasurement, messages::OperatorCommand, messages::PortReport>& v) {
+  void input(double s, const decltype(messages::Input::value)& v) {
     const wire::InputRecord record({.arrival = at(s), .port = 1, .sequence = 0, .value = v});
     if (journal_.append(at(s), record.channel(), record.data()) != Status::kOk) std::abort();
   }

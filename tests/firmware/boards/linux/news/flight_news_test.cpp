@@ -86,6 +86,41 @@ TEST_F(FlightNewsTest, TellsEachStateOnceWithItsTimeAndWhyItIsOver) {
             "earshotd: 2026-11-19 11:06:40 UTC: ABORT, navigation went silent, after 12 steps\n");
 }
 
+TEST_F(FlightNewsTest, TellsWhatARuleDoesAndWhyAndWhenItNoLongerDoes) {
+  messages::SafetyEvent event{.time = kUtc,
+                              .rule = 10,
+                              .condition = config::Condition::kBattery,
+                              .response = config::Response::kReturn,
+                              .begins = true,
+                              .measure = 14.94,
+                              .limit = 15};
+  news_->tell(event);
+  event.time = kUtc + Duration::seconds(9);
+  event.begins = false;
+  news_->tell(event);  // too soon to be told of
+  event.time = kUtc + Duration::seconds(10);
+  news_->tell(event);
+  news_->tell(messages::SafetyEvent{.time = kUtc + Duration::seconds(11),
+                                    .rule = 4,
+                                    .condition = config::Condition::kDepth,
+                                    .response = config::Response::kAbort,
+                                    .begins = true,
+                                    .measure = 900.26,
+                                    .limit = 320});
+  news_->tell(messages::SafetyEvent{.time = kUtc + Duration::seconds(12),
+                                    .rule = 4,
+                                    .condition = config::Condition::kLeak,
+                                    .response = config::Response::kRelease,
+                                    .begins = true,
+                                    .measure = 1,
+                                    .limit = 0});
+  EXPECT_EQ(all_told(),
+            "earshotd: 2026-11-18 11:06:40 UTC: rule 11, battery_percent: 14.9, below 15.0: return\n"
+            "earshotd: 2026-11-18 11:06:50 UTC: rule 11, battery_percent: no longer\n"
+            "earshotd: 2026-11-18 11:06:51 UTC: rule 5, depth_m: 900.3, above 320.0: abort\n"
+            "earshotd: 2026-11-18 11:06:52 UTC: rule 5, leak: release\n");
+}
+
 TEST_F(FlightNewsTest, TellsTheSecondsOfASimulatorsClock) {
   news_->tell(Time{4'711'900'000}, health(MissionState::kDone, EndReason::kCompleted, 37));
   EXPECT_EQ(all_told(), "earshotd: 4711 s: DONE, the source is reached, after 37 steps\n");

@@ -1,0 +1,209 @@
+#include "firmware/host/mission/safety_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/config/safety.hpp"
+#include "firmware/safety/check.hpp"
+#include "firmware/safety/supervisor.hpp"
+
+namespace earshot::host {
+namespace {
+
+using config::Condition;
+using config::ConditionTraits;
+using config::Polygon;
+using config::Rule;
+using safety::SafetyComplaint;
+using safety::SafetyFault;
+
+constexpr double kFarthest_m = 1e6;  // of a local plane
+constexpr std::array<const char*, 3> kTiers{"inside", "save", "halt"};
+
+std::string shortly(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+config::VehicleLimits read_vehicle(TableReader vehicle) {
+  config::VehicleLimits limits;
+  const auto speed = [&vehicle](const char* key, MetersPerSecond fallback) {
+    return MetersPerSecond{vehicle.number_or(key, fallback.value, Range::between(0.0, 20.0))};
+  };
+  limits.max_speed = speed("max_speed_mps", limits.max_speed);
+  limits.max_current = speed("max_current_mps", limits.max_current);
+  limits.turn_radius = Meters{vehicle.number_or("turn_radius_m", 0.0, Range::between(0.0, 1000.0))};
+  limits.hold_speed = speed("hold_speed_mps", limits.hold_speed);
+  limits.ascent_speed = speed("ascent_speed_mps", limits.ascent_speed);
+  limits.battery_percent_per_km = vehicle.number_or("battery_percent_per_km", 0.0, Range::between(0.0, 100.0));
+  return limits;
+}
+
+Polygon read_polygon(TableReader& table, const std::string& prefix) {
+  const std::string north_key = prefix + "north_m";
+  const std::string east_key = prefix + "east_m";
+  const std::vector<double> north = table.numbers(north_key, Range::between(-kFarthest_m, kFarthest_m));
+  const std::vector<double> east = table.numbers(east_key, Range::between(-kFarthest_m, kFarthest_m));
+  Polygon polygon;
+  if (table.is_noted(north_key) || table.is_noted(east_key)) return polygon;
+  if (north.size() != east.size()) table.problem(east_key, "must have as many numbers as " + north_key + ": a corner has one of each");
+  if (north.size() > config::kMaxPolygonCorners)
+    table.problem(north_key, "must have at most " + std::to_string(config::kMaxPolygonCorners) + " corners");
+  for (std::size_t i = 0; i < std::min({north.size(), east.size(), config::kMaxPolygonCorners}); ++i)
+    (void)polygon.push_back({.north = Meters{north[i]}, .east = Meters{east[i]}});
+  return polygon;
+}
+
+std::vector<TableReader> tables_if_any(TableReader& root, const char* key) {
+  return root.has(key) ? root.tables(key) : std::vector<TableReader>();
+}
+
+std::vector<std::string> words_of_conditions() {
+  std::vector<std::string> words;
+  for (const ConditionTraits& traits : config::kConditionTraits) words.emplace_back(traits.key);
+  return words;
+}
+
+Rule read_rule(TableReader table) {
+  Rule rule;
+  rule.condition = static_cast<Condition>(table.choice("when", words_of_conditions()));
+  const ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(rule.condition));
+  const Range range = Range::between(traits.lowest, traits.highest);
+  if (!table.is_noted("when") && traits.kind != ConditionTraits::Kind::kFlag)
+    rule.limit = table.number(traits.kind == ConditionTraits::Kind::kAbove ? "above" : "below", range);
+  rule.persistence = {std::llround(table.number_or("for_s", 0.0, Range::between(0.0, 86'400.0)) * 1e6)};
+  rule.response = static_cast<config::Response>(
+      table.choice("then", std::vector<std::string>(config::kResponseWords.begin(), config::kResponseWords.end())));
+  rule.is_latched = table.boolean_or("latched", rule.response >= config::Response::kAbort);
+  return rule;
+}
+
+std::string corner_words(const safety::SafetyComplaint& complaint) {
+  const PolygonComplaint& polygon = complaint.polygon;
+  switch (polygon.fault) {
+    case PolygonFault::kNone:
+    case PolygonFault::kNotFinite:
+      break;
+    case PolygonFault::kTooFewCorners:
+      return "a polygon needs three corners or more";
+    case PolygonFault::kRepeatedCorner:
+      return "corner " + std::to_string(polygon.edge + 1) + " and the next are one place; the last corner is joined to the first by itself";
+    case PolygonFault::kCrossesItself:
+      return "the polygon crosses or touches itself: the edge after corner " + std::to_string(polygon.edge + 1) +
+             " meets the one after corner " + std::to_string(polygon.other + 1);
+  }
+  return "a corner is no place";
+}
+
+/// "navigation_age_s above 5 then abort"
+std::string rule_words(const Rule& rule) {
+  const ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(rule.condition));
+  std::string text(traits.key);
+  if (traits.kind == ConditionTraits::Kind::kAbove) text += " above " + shortly(rule.limit);
+  if (traits.kind == ConditionTraits::Kind::kBelow) text += " below " + shortly(rule.limit);
+  if (rule.persistence > Duration{}) text += " for " + shortly(rule.persistence.to_seconds()) + " s";
+  return text + " then " + std::string(config::kResponseWords.at(static_cast<std::size_t>(rule.response)));
+}
+
+void complain_of_fence(TableReader fence, const SafetyComplaint& complaint, const config::Mission& mission) {
+  switch (complaint.fault) {
+    case SafetyFault::kFence:
+      return fence.problem(std::string(kTiers.at(complaint.index)) + "_north_m", corner_words(complaint));
+    case SafetyFault::kInsideBeyondSave:
+      return fence.problem("inside_north_m", "the polygon inside must lie in the save polygon");
+    case SafetyFault::kSaveNearHalt:
+      return fence.problem("save_north_m", "the save polygon must lie in the halt polygon and keep " +
+                                               shortly(std::ceil(safety::margin_to_halt(mission).value)) +
+                                               " m from its edges, the way this vehicle may need to turn round");
+    default:
+      return fence.problem("inside_north_m", "must hold every way-point: area, less edge_margin_m on each side");
+  }
+}
+
+void complain_of_rule(TableReader rule, const SafetyComplaint& complaint, const config::Mission& mission) {
+  switch (complaint.fault) {
+    case SafetyFault::kRuleNeedsFence:
+      return rule.problem("then", "needs a [fence] to steer back into");
+    case SafetyFault::kRuleNeedsSafePoint:
+      return rule.problem("when", "needs a [safe_point] to return to");
+    case SafetyFault::kRuleNeverActs: {
+      const Rule other = safety::rules_of(mission)[complaint.other];
+      const bool is_standing = complaint.other < safety::standing_rules(mission);
+      return rule.problem("when", "never does anything: another rule does as much, and sooner: " + rule_words(other) +
+                                      (is_standing ? " (which stands in every mission)" : ""));
+    }
+    default:
+      return rule.problem("when", "has a limit out of its range");
+  }
+}
+
+}  // namespace
+
+SafetyTables safety_tables(TableReader root) {
+  return {.vehicle = root.optional_table("vehicle"),
+          .fence = root.optional_table("fence"),
+          .no_surface = tables_if_any(root, "no_surface"),
+          .safe_point = root.optional_table("safe_point"),
+          .rules = tables_if_any(root, "rule")};
+}
+
+config::Safety read_safety(SafetyTables& tables) {
+  config::Safety safety;
+  if (tables.vehicle) safety.vehicle = read_vehicle(*tables.vehicle);
+  if (tables.fence) {
+    safety.fence = config::Fence{.inside = read_polygon(*tables.fence, "inside_"),
+                                 .save = read_polygon(*tables.fence, "save_"),
+                                 .halt = read_polygon(*tables.fence, "halt_")};
+  }
+  for (TableReader& zone : tables.no_surface) {
+    if (safety.no_surface.push_back(read_polygon(zone, "")) == Status::kFull)
+      zone.problem("north_m", "is one zone too many: there is room for " + std::to_string(config::kMaxNoSurfaceZones));
+  }
+  if (tables.safe_point) {
+    const Range anywhere = Range::between(-kFarthest_m, kFarthest_m);
+    const double north = tables.safe_point->number("north_m", anywhere);
+    safety.safe_point = NorthEast{.north = Meters{north}, .east = Meters{tables.safe_point->number("east_m", anywhere)}};
+  }
+  for (TableReader& rule : tables.rules) {
+    if (safety.rules.push_back(read_rule(rule)) == Status::kFull)
+      rule.problem("when", "is one rule too many: there is room for " + std::to_string(config::kMaxOwnRules));
+  }
+  return safety;
+}
+
+void check_safety(SafetyTables& tables, TableReader root, const config::Mission& mission) {
+  const SafetyComplaint complaint = safety::check(mission);
+  switch (complaint.fault) {
+    case SafetyFault::kNone:
+      return;
+    case SafetyFault::kVehicle: {
+      TableReader& vehicle = tables.vehicle ? *tables.vehicle : root;
+      return vehicle.problem("max_current_mps",
+                             "the vehicle must be able to go faster than the current: max_current_mps < search.speed_mps <= max_speed_mps");
+    }
+    case SafetyFault::kFence:
+    case SafetyFault::kInsideBeyondSave:
+    case SafetyFault::kSaveNearHalt:
+    case SafetyFault::kSearchBeyondFence:
+      return complain_of_fence(*tables.fence, complaint, mission);
+    case SafetyFault::kZone:
+      return tables.no_surface.at(complaint.index).problem("north_m", corner_words(complaint));
+    case SafetyFault::kSafePoint:
+      return tables.safe_point->problem("north_m", "must lie inside the fence (without one, in the area) and in no zone of [[no_surface]]");
+    case SafetyFault::kRuleUnknown:
+    case SafetyFault::kRuleLimit:
+    case SafetyFault::kRuleNeedsFence:
+    case SafetyFault::kRuleNeedsSafePoint:
+    case SafetyFault::kRuleNeverActs:
+      return complain_of_rule(tables.rules.at(complaint.index), complaint, mission);
+  }
+}
+
+}  // namespace earshot::host

@@ -1,0 +1,148 @@
+#include "firmware/host/mission/safety_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "firmware/host/mission/mission_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::host {
+namespace {
+
+const std::filesystem::path kShipped = std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/fixed_source.toml";
+
+/// 25 km x 25 km at 2 m/s, as the shipped mission has them.
+const std::string kTables = R"([vehicle]
+max_speed_mps = 3.0
+max_current_mps = 0.5
+turn_radius_m = 20.0
+hold_speed_mps = 1.0
+ascent_speed_mps = 1.5
+battery_percent_per_km = 0.6
+
+[fence]
+inside_north_m = [0, 25000, 25000, 0]
+inside_east_m = [0, 0, 25000, 25000]
+save_north_m = [-100, 25100, 25100, -100]
+save_east_m = [-100, -100, 25100, 25100]
+halt_north_m = [-300, 25300, 25300, -300]
+halt_east_m = [-300, -300, 25300, 25300]
+
+[safe_point]
+north_m = 1000.0
+east_m = 2000.0
+
+[[no_surface]]
+north_m = [5000, 6000, 6000]
+east_m = [5000, 5000, 6000]
+
+[[rule]]
+when = "battery_percent"
+below = 15.0
+for_s = 10.0
+then = "return"
+latched = true
+
+[[rule]]
+when = "leak"
+then = "release"
+
+)";
+
+std::string mission_with(const std::string& tables) {
+  std::ifstream stream(kShipped);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  text.insert(text.find("[origin]"), tables);
+  return text;
+}
+
+MissionFile mission_of(const std::string& tables) {
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "mission.toml") << mission_with(tables);
+  return load_mission(folder / "mission.toml");
+}
+
+/// What is said, from the key on.
+std::string complaint(const std::string& from, const std::string& to) {
+  std::string tables = kTables;
+  const std::size_t at = tables.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  tables.replace(at, from.size(), to);
+  try {
+    (void)mission_of(tables);
+  } catch (const BadInput& e) {
+    const std::string what = e.what();
+    return what.substr(what.find(": ") + 2);
+  }
+  return {};
+}
+
+TEST(SafetyTable, GivesEveryKey) {
+  const config::Safety safety = mission_of(kTables).mission.safety;
+  EXPECT_EQ(safety.vehicle, (config::VehicleLimits{.max_speed = MetersPerSecond{3.0},
+                                                   .max_current = MetersPerSecond{0.5},
+                                                   .turn_radius = Meters{20.0},
+                                                   .hold_speed = MetersPerSecond{1.0},
+                                                   .ascent_speed = MetersPerSecond{1.5},
+                                                   .battery_percent_per_km = 0.6}));
+  ASSERT_TRUE(safety.fence);
+  EXPECT_EQ(safety.fence->inside.size(), 4U);
+  EXPECT_EQ(safety.fence->save[1], (NorthEast{.north = Meters{25'100}, .east = Meters{-100}}));
+  EXPECT_EQ(safety.fence->halt[3], (NorthEast{.north = Meters{-300}, .east = Meters{25'300}}));
+  EXPECT_EQ(safety.safe_point, (NorthEast{.north = Meters{1000}, .east = Meters{2000}}));
+  ASSERT_EQ(safety.no_surface.size(), 1U);
+  EXPECT_EQ(safety.no_surface[0][2], (NorthEast{.north = Meters{6000}, .east = Meters{6000}}));
+  ASSERT_EQ(safety.rules.size(), 2U);
+  EXPECT_EQ(safety.rules[0], (config::Rule{.condition = config::Condition::kBattery,
+                                           .limit = 15.0,
+                                           .persistence = Duration::seconds(10),
+                                           .response = config::Response::kReturn,
+                                           .is_latched = true}));
+  EXPECT_EQ(safety.rules[1], (config::Rule{.condition = config::Condition::kLeak,
+                                           .limit = 0.0,
+                                           .persistence = {},
+                                           .response = config::Response::kRelease,
+                                           .is_latched = true}));
+}
+
+TEST(SafetyTable, MayBeLeftOut) {
+  const config::Safety safety = mission_of("").mission.safety;
+  EXPECT_EQ(safety, config::Safety{});
+}
+
+TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
+  EXPECT_EQ(complaint("max_current_mps = 0.5", "max_current_mps = 2.0").substr(0, 23), "vehicle.max_current_mps");
+  EXPECT_NE(complaint("inside_east_m = [0, 0, 25000, 25000]", "inside_east_m = [0, 0, 25000]")
+                .find("must have as many numbers as inside_north_m"),
+            std::string::npos);
+  EXPECT_NE(complaint("save_north_m = [-100, 25100, 25100, -100]", "save_north_m = [-100, 25100, -100, 25100]")
+                .find("the polygon crosses or touches itself: the edge after corner 2 meets the one after corner 4"),
+            std::string::npos);
+  EXPECT_NE(complaint("halt_north_m = [-300, 25300, 25300, -300]", "halt_north_m = [-110, 25300, 25300, -110]")
+                .find("must lie in the halt polygon and keep 48 m from its edges"),
+            std::string::npos);
+  EXPECT_NE(
+      complaint("inside_north_m = [0, 25000, 25000, 0]", "inside_north_m = [2000, 25000, 25000, 2000]").find("must hold every way-point"),
+      std::string::npos);
+  EXPECT_NE(complaint("north_m = 1000.0", "north_m = -1000.0").find("must lie inside the fence"), std::string::npos);
+  EXPECT_NE(complaint("north_m = [5000, 6000, 6000]", "north_m = [5000, 5000, 6000]").find("corner 1 and the next are one place"),
+            std::string::npos);
+  EXPECT_NE(complaint("below = 15.0", "below = 101.0").find("rule[0].below"), std::string::npos);
+  EXPECT_NE(complaint("below = 15.0", "above = 15.0").find("rule[0].below is missing"), std::string::npos);
+  EXPECT_NE(complaint("when = \"leak\"", "when = \"leaks\"").find("rule[1].when"), std::string::npos);
+  EXPECT_NE(complaint("then = \"return\"", "then = \"go home\"").find("rule[0].then"), std::string::npos);
+}
+
+TEST(SafetyTable, NamesTheRuleThatLeavesAnotherNothingToDo) {
+  EXPECT_EQ(
+      complaint("when = \"leak\"\nthen = \"release\"", "when = \"navigation_age_s\"\nabove = 9\nthen = \"hold\""),
+      "rule[1].when = 'navigation_age_s': never does anything: another rule does as much, and sooner: navigation_age_s above 5 then abort "
+      "(which stands in every mission)");
+}
+
+}  // namespace
+}  // namespace earshot::host

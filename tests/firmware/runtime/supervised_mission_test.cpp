@@ -1,0 +1,213 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/firmware/runtime/mission_rig.hpp"
+
+namespace earshot::runtime {
+namespace {
+
+// What the safety supervisor makes of a mission: GIVEN a search under way, WHEN something is wrong, THEN the vehicle does as its rules say.
+
+using config::Condition;
+using config::Response;
+
+config::Polygon square(double south, double west, double side, double more) {
+  config::Polygon polygon;
+  for (const NorthEast corner : {at(south - more, west - more), at(south + side + more, west - more),
+                                 at(south + side + more, west + side + more), at(south - more, west + side + more)})
+    static_cast<void>(polygon.push_back(corner));
+  return polygon;
+}
+
+/// The paper's mission with a fence about its area, for a vehicle that turns on the spot, in water that stands still.
+config::Mission fenced_mission() {
+  config::Mission mission = paper_mission();
+  mission.safety.fence = config::Fence{
+      .inside = square(-5000, 1000, 25000, 0), .save = square(-5000, 1000, 25000, 100), .halt = square(-5000, 1000, 25000, 200)};
+  mission.safety.safe_point = at(7000, 12000);
+  mission.safety.vehicle.max_speed = MetersPerSecond{3};
+  return mission;
+}
+
+Rig under_way(const config::Mission& mission, std::size_t action = kNorthward) {
+  Rig rig(*policy_that_goes(action), mission);
+  EXPECT_EQ(rig.configured, Status::kOk);
+  rig.sail(Order::kStart);
+  for (int i = 0; i < 10; ++i) rig.sail();
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
+  return rig;
+}
+
+config::Mission with_rule(const config::Rule& rule) {
+  config::Mission mission = fenced_mission();
+  EXPECT_EQ(mission.safety.rules.push_back(rule), Status::kOk);
+  return mission;
+}
+
+const messages::SafetyEvent* event_of(const Outputs& outputs, Condition condition) {
+  for (const messages::SafetyEvent& event : outputs.safety_events) {
+    if (event.condition == condition) return &event;
+  }
+  return nullptr;
+}
+
+TEST(SupervisedMission, GoesOnAfterAStrayFix) {
+  Rig rig = under_way(fenced_mission());
+  messages::Navigation stray = rig.navigation_at(rig.now);
+  stray.position = at(0, 0);
+  rig.take(stray);
+  for (int i = 0; i < 100; ++i) rig.sail();
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
+  EXPECT_EQ(rig.counters().navigation_refused, 1U);
+}
+
+TEST(SupervisedMission, AbortsWhenTwoSendersTellOfPlacesFarApartForTenSeconds) {
+  Rig rig = under_way(fenced_mission());
+  for (int i = 0; i < 11 && rig.state() == MissionState::kSearch; ++i) {
+    messages::Navigation other = rig.navigation_at(rig.now);
+    other.position = other.position + at(10'000, 0);
+    rig.take(other);
+    rig.sail();
+    EXPECT_EQ(rig.state(), i < 10 ? MissionState::kSearch : MissionState::kAbort) << i;
+  }
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_EQ(rig.end_reason(), EndReason::kSafetyRule);
+  ASSERT_NE(event_of(rig.outputs, Condition::kNavigationJump), nullptr);
+}
+
+TEST(SupervisedMission, AbortsWhenFixesFreezeForLongerThanTheyMayBeOld) {
+  Rig rig = under_way(fenced_mission());
+  const NorthEast frozen = rig.position;
+  for (int i = 1; i <= 6; ++i) {
+    rig.position = frozen;
+    rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)),
+              .snr = messages::SnrMeasurement{.time = rig.now + Duration::seconds(1), .snr = rig.snr}});
+    EXPECT_EQ(rig.state(), i <= 5 ? MissionState::kSearch : MissionState::kAbort) << i;
+  }
+  EXPECT_EQ(rig.end_reason(), EndReason::kSafetyRule);
+}
+
+TEST(SupervisedMission, AbortsWhenTheVehicleItselfIsDeeperThanItMayBe) {
+  Rig rig = under_way(fenced_mission());
+  for (int i = 0; i <= 5; ++i) {
+    EXPECT_EQ(rig.state(), MissionState::kSearch) << i;
+    rig.move();
+    rig.depth = Meters{900};
+    rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)),
+              .snr = messages::SnrMeasurement{.time = rig.now + Duration::seconds(1), .snr = rig.snr}});
+  }
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  const messages::SafetyEvent* event = event_of(rig.outputs, Condition::kDepth);
+  ASSERT_NE(event, nullptr);
+  EXPECT_GE(event->measure, 900.0);
+  EXPECT_EQ(event->limit, 320.0);
+}
+
+// A leg takes 500 s; fixes creep, so that they are not frozen.
+TEST(SupervisedMission, AbortsAVehicleThatNeverMoves) {
+  Rig rig = under_way(fenced_mission());
+  int seconds = 0;
+  for (; rig.state() == MissionState::kSearch && seconds < 10'000; ++seconds) {
+    rig.position = rig.position + at(0, seconds % 2 == 0 ? 0.5 : -0.5);
+    rig.step({.navigation = rig.navigation_at(rig.now + Duration::seconds(1)),
+              .snr = messages::SnrMeasurement{.time = rig.now + Duration::seconds(1), .snr = rig.snr}});
+  }
+  EXPECT_NEAR(seconds, 1500, 10);
+  EXPECT_EQ(rig.end_reason(), EndReason::kSafetyRule);
+}
+
+// A current that nobody foretold carries it out by 3 m/s, eastwards, faster than it can steer against it, until it is beyond the fence.
+TEST(SupervisedMission, SteersBackIntoTheFenceAndThenSearchesOn) {
+  Rig rig(*policy_that_goes(kNorthward), fenced_mission());
+  rig.position = at(7000, 25'950);
+  rig.sail(Order::kStart);
+  double farthest = 0.0;
+  bool was_steered_back = false;
+  bool searched_on = false;
+  for (int i = 0; i < 600; ++i) {
+    if (rig.position.east.value < 26'120 && !was_steered_back) rig.position = rig.position + at(0, 3);
+    rig.sail();
+    farthest = std::max(farthest, rig.position.east.value);
+    if (rig.outputs.health.response == Response::kSteerBack) was_steered_back = true;
+    if (was_steered_back && rig.outputs.decision) searched_on = true;
+  }
+  EXPECT_TRUE(was_steered_back);
+  EXPECT_TRUE(searched_on);
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
+  EXPECT_LT(farthest, 26'110);
+  EXPECT_LE(rig.position.east.value, 26'000);
+}
+
+TEST(SupervisedMission, ReturnsToTheSafePointAndStaysThereWhenTheBatteryIsLow) {
+  Rig rig = under_way(
+      with_rule({.condition = Condition::kBattery, .limit = 20.0, .persistence = {}, .response = Response::kReturn, .is_latched = true}));
+  for (int i = 0; i < 400; ++i) rig.sail();
+  rig.take(messages::VehicleStatus{.time = rig.now, .battery_percent = 19});
+  for (int i = 0; i < 600; ++i) {
+    rig.sail();
+    EXPECT_FALSE(rig.outputs.decision) << "it searches no more";
+  }
+  EXPECT_LT(range_between(rig.position, at(7000, 12000)), Meters{21});
+  EXPECT_EQ(rig.setpoint.speed, MetersPerSecond{0});
+  EXPECT_EQ(rig.setpoint.depth, Meters{300});
+  EXPECT_EQ(rig.outputs.health.response, Response::kReturn);
+}
+
+TEST(SupervisedMission, DropsItsWeightWhenThereIsALeakAndARuleSaysSo) {
+  Rig rig = under_way(with_rule({.condition = Condition::kLeak,
+                                 .limit = 0,
+                                 .persistence = Duration::seconds(2),
+                                 .response = Response::kRelease,
+                                 .is_latched = true}));
+  rig.take(messages::VehicleStatus{.time = rig.now, .has_leak = true});
+  rig.sail();
+  rig.sail();
+  EXPECT_EQ(rig.state(), MissionState::kSearch) << "a drop on a sensor is no leak";
+  rig.sail();
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_TRUE(rig.setpoint.release_weight);
+  EXPECT_EQ(rig.setpoint.depth, Meters{0});
+  rig.take(messages::VehicleStatus{.time = rig.now, .has_leak = false});
+  rig.sail();
+  EXPECT_TRUE(rig.setpoint.release_weight) << "it is latched";
+}
+
+TEST(SupervisedMission, KeepsTheWeightInAnOperatorsAbort) {
+  Rig rig = under_way(fenced_mission());
+  rig.sail(Order::kAbort);
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_FALSE(rig.setpoint.release_weight);
+}
+
+TEST(SupervisedMission, WarnsAndGoesOn) {
+  Rig rig = under_way(with_rule({.condition = Condition::kAltitude, .limit = 50.0, .persistence = {}, .response = Response::kWarn}));
+  rig.take(messages::VehicleStatus{.time = rig.now, .altitude = Meters{40}});
+  rig.sail();
+  const messages::SafetyEvent* event = event_of(rig.outputs, Condition::kAltitude);
+  ASSERT_NE(event, nullptr);
+  EXPECT_TRUE(event->begins);
+  EXPECT_EQ(event->measure, 40.0);
+  EXPECT_EQ(rig.outputs.health.response, Response::kWarn);
+  EXPECT_EQ(rig.setpoint.speed, MetersPerSecond{2});
+}
+
+TEST(SupervisedMission, RefusesAndCountsAStatusThatIsOldOrOlderThanTheLast) {
+  Rig rig = under_way(fenced_mission());
+  rig.take(messages::VehicleStatus{.time = rig.now});
+  rig.take(messages::VehicleStatus{.time = rig.now + Duration::milliseconds(-1)});
+  rig.take(messages::AutopilotStatus{.time = rig.now + Duration::seconds(-31)});
+  rig.take(messages::HydrophoneStatus{.time = rig.now + Duration::seconds(31)});
+  rig.sail();
+  EXPECT_EQ(rig.counters().status_refused, 3U);
+}
+
+TEST(SupervisedMission, IsRefusedWithAFenceThatIsNone) {
+  config::Mission mission = fenced_mission();
+  mission.safety.fence->halt = mission.safety.fence->save;
+  const Rig rig(*policy_that_goes(kNorthward), mission);
+  EXPECT_EQ(rig.configured, Status::kOutOfRange);
+}
+
+}  // namespace
+}  // namespace earshot::runtime
