@@ -34,6 +34,7 @@ TEST(Printable, SpellsOutControlCharactersOfTwoBytes) {
   EXPECT_EQ(printable("\xC2\x9B"
                       "31m"),
             "\\u009b31m");                       // CSI in one character
+  EXPECT_EQ(printable("\xC2\x80"), "\\u0080");   // the first of them
   EXPECT_EQ(printable("\xC2\xA0"), "\xC2\xA0");  // a space that is not broken steers nothing
 }
 
@@ -41,6 +42,8 @@ TEST(Printable, SpellsOutMarksThatTurnTheDirectionOfWriting) {
   EXPECT_EQ(printable("a\xE2\x80\xAE"
                       "b"),
             "a\\u202eb");
+  EXPECT_EQ(printable("\xE2\x80\x8F"), "\\u200f");
+  EXPECT_EQ(printable("\xE2\x80\x90"), "\xE2\x80\x90");  // a hyphen steers nothing
   EXPECT_EQ(printable("\xE2\x81\xA6"), "\\u2066");
   EXPECT_EQ(printable("\xE2\x81\xA9"), "\\u2069");
   EXPECT_EQ(printable("\xE2\x81\xAA"), "\xE2\x81\xAA");  // the next steers nothing
@@ -53,6 +56,7 @@ TEST(Printable, SpellsOutBytesThatAreNotUtf8) {
   EXPECT_EQ(printable("\xC0\x9B"), "\\xc0\\x9b");                    // a control character in more bytes than it needs
   EXPECT_EQ(printable("\xE0\x82\x9B"), "\\xe0\\x82\\x9b");           // the same in three
   EXPECT_EQ(printable("\xED\xA0\x80"), "\\xed\\xa0\\x80");           // half a surrogate pair
+  EXPECT_EQ(printable("\xED\xBF\xBF"), "\\xed\\xbf\\xbf");           // the last of them
   EXPECT_EQ(printable("\xF4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond the last character
   EXPECT_EQ(printable("a\xE2\x80"), "a\\xe2\\x80");                  // cut short
 }

@@ -319,6 +319,21 @@ TEST_F(JournalTest, StartedAgainKeepsTheJournalsThatAreThere) {
   EXPECT_EQ(contents(), first);
 }
 
+TEST_F(JournalTest, TakesARecordOnTheLongestChannelThatReadersTake) {
+  Journal journal(path_, {.existing = ExistingJournal::kReplace});
+  EXPECT_EQ(journal.append(Time{1}, std::string(63, 'C'), Bytes{1}), Status::kOk);
+  EXPECT_EQ(journal.append(Time{2}, std::string(64, 'C'), Bytes{1}), Status::kOutOfRange);
+  EXPECT_EQ(journal.close(), Status::kOk);
+  EXPECT_EQ(records_until(JournalReader::End::kWhole), 1U);
+}
+
+TEST_F(JournalTest, ThatSurvivesAPowerCutFailsAtNothingOnAHealthyDisk) {
+  Journal journal(path_, {.survives = JournalOptions::Survives::kPowerCut, .existing = ExistingJournal::kReplace});
+  EXPECT_EQ(journal.append(Time{1}, "A", Bytes{1}), Status::kOk);
+  EXPECT_EQ(journal.close(), Status::kOk);
+  EXPECT_EQ(records_until(JournalReader::End::kWhole), 1U);
+}
+
 TEST_F(JournalTest, RefusesRecordsThatReadersWouldNotTake) {
   Journal journal(path_);
   EXPECT_EQ(journal.append(Time{0}, "", Bytes{}), Status::kOutOfRange);

@@ -152,6 +152,14 @@ TEST_P(EveryWayToTheHeap, IsCounted) {
 
 INSTANTIATE_TEST_SUITE_P(HeapTrap, EveryWayToTheHeap, testing::ValuesIn(kWays), [](const auto& way) { return way.param.name; });
 
+TEST(HeapTrapMappings, AreThoseThatWereAskedFor) {
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  void* const mapped = ::mmap(nullptr, page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(mapped, MAP_FAILED);
+  *static_cast<volatile char*>(mapped) = 1;
+  EXPECT_EQ(::munmap(mapped, page), 0);
+}
+
 TEST(HeapTrapRefusals, OfTheReplacedFunctionsAreThoseOfTheOriginals) {
   if (!kHeapTrapCounts) GTEST_SKIP() << "a sanitizer's heap is not counted";
   void* memory = nullptr;

@@ -150,6 +150,19 @@ TEST(ProcessMemory, IsWhatTheKernelListsInKilobytes) {
   EXPECT_LE(told, listed_kb * 1024 + kMebibyte) << "what was mapped meanwhile";
 }
 
+// Page by page, so that every digit is among those that the kernel writes.
+TEST(ProcessMemory, IsReadInWhateverDigitsItIsWritten) {
+  if (!kHeapTrapCounts) GTEST_SKIP() << "a sanitizer maps memory beside";
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const std::uint64_t before = process_memory().address_space;
+  std::vector<void*> mapped;
+  for (std::uint64_t i = 1; i <= 30; ++i) {
+    mapped.push_back(::mmap(nullptr, page, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+    EXPECT_EQ(process_memory().address_space - before, i * page);
+  }
+  for (void* const one : mapped) ::munmap(one, page);
+}
+
 TEST(ProcessMemory, GrowsInItsAddressSpaceByWhatIsMappedAndInItsOwnByWhatIsWritten) {
   if (!kHeapTrapCounts) GTEST_SKIP() << "a sanitizer maps memory beside";
   const ProcessMemory before = process_memory();

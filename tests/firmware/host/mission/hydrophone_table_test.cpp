@@ -176,6 +176,14 @@ TEST(HydrophoneTable, RefusesEachValueThatCannotBeWithWhatIsAllowed) {
   }
 }
 
+// What stands in its place while the file is read on is none of the user's business.
+TEST(HydrophoneTable, ComplainsOfAValueOnce) {
+  for (const char* const line : {"integration_time_s = 61.0", "band_high_hz = 2000.0", "detection_n = 33"}) {
+    const std::string what = complaint_about(line);
+    EXPECT_EQ(what.find("hydrophone.", 1), std::string::npos) << what;
+  }
+}
+
 TEST(HydrophoneTable, ComplainsOfAThresholdThatNoDetectorHasWhereItStands) {
   const std::string text =
       replaced(mission_with(std::string(kPort) + kTable), "detection_threshold_db = 10.0", "detection_threshold_db = 61.0");

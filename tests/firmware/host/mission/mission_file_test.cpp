@@ -56,6 +56,11 @@ TEST(MissionFile, TheShippedMissionIsThePapers) {
   EXPECT_EQ(file.ports[0].roles, (Roles{Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus}));
 }
 
+TEST(MissionFile, RefusesAnAreaWithoutWidthOrHeight) {
+  EXPECT_NE(complaint("east_m = 25000.0", "east_m = 0.0").find("area.east_m = 0.0: must be greater than west_m"), std::string::npos);
+  EXPECT_NE(complaint("north_m = 25000.0", "north_m = 0.0").find("area.north_m = 0.0: must be greater than south_m"), std::string::npos);
+}
+
 TEST(MissionFile, MakesATurnASecondUnlessTold) {
   const support::TemporaryFolder folder;
   std::string text = text_of(kShipped);

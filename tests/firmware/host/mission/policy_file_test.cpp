@@ -116,6 +116,8 @@ TEST(CheckFits, NamesTheMissionsValueAndThePolicysWhereTheyDiffer) {
   EXPECT_EQ(mismatch_after([](auto&) {}), "");
   EXPECT_EQ(mismatch_after([](auto& mission) { mission.step_length = Meters{1'500.5}; }),
             "m.toml: search.step_length_m = 1500.5: must be 1000, which the policy walk.policy was trained with");
+  EXPECT_EQ(mismatch_after([](auto& mission) { mission.step_length = Meters{1'500.123456789}; }),
+            "m.toml: search.step_length_m = 1500.123457: must be 1000, which the policy walk.policy was trained with");
   EXPECT_EQ(mismatch_after([](auto& mission) { mission.operating_area.north_east.north = Meters{45'000}; }),
             "m.toml: area is 50000 m north x 25000 m east: must be 25000 m north x 25000 m east, which the policy walk.policy was trained "
             "with");

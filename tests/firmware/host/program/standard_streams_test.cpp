@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <array>
@@ -57,6 +58,17 @@ TEST_F(PatientStreamTest, SaysEachLineAtOnceAndTheRestWhenItIsToldToOrGoes) {
   EXPECT_EQ(read(), "three");
   stream_ << "as before";
   EXPECT_EQ(before_.str(), "as before");
+}
+
+TEST_F(PatientStreamTest, SaysNoPartOfALineThoughItsStreamWouldHaveSaidEveryWord) {
+  patient_.reset();
+  stream_ << std::unitbuf;  // as standard error does
+  patient_.emplace(stream_, in_.number());
+  stream_ << "one" << 1;
+  pollfd waiting{.fd = out_.number(), .events = POLLIN, .revents = 0};
+  EXPECT_EQ(::poll(&waiting, 1, 0), 0);
+  stream_ << "\n";
+  EXPECT_EQ(read(), "one1\n");
 }
 
 TEST_F(PatientStreamTest, SaysAllOfALineThatIsLongerThanAPipeTakesAtOnce) {

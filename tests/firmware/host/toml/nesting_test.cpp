@@ -18,6 +18,7 @@ TEST(Nesting, AllowsThirtyTwoAndNoMore) {
   EXPECT_EQ(line_nested_too_deep("a" + repeated(".a", 33) + " = 1"), 1U);
   EXPECT_EQ(line_nested_too_deep("a = " + repeated("[", 32) + repeated("]", 32)), std::nullopt);
   EXPECT_EQ(line_nested_too_deep("a = " + repeated("[", 33) + repeated("]", 33)), 1U);
+  EXPECT_EQ(line_nested_too_deep("b = 1.5\na" + repeated(".a", 32) + " = 1"), std::nullopt) << "counted from the line's beginning";
   EXPECT_EQ(line_nested_too_deep("\n\n[a" + repeated(".a", 33) + "]"), 3U);
 }
 

@@ -30,6 +30,7 @@ TEST(Range, WritesWholeBoundsInFullUpToTenDigits) {
   EXPECT_EQ(to_string(Range::between(-1e6, 1e6)), "must be a finite number of at least -1000000 and at most 1000000");
   EXPECT_EQ(to_string(Range::between(123'456'789.0, 9'999'999'999.0)),
             "must be a finite number of at least 123456789 and at most 9999999999");
+  EXPECT_EQ(to_string(Range::at_least(1e10)), "must be a finite number of at least 1e+10");
   EXPECT_EQ(to_string(Range::between(0.0, 1e30)), "must be a finite number of at least 0 and at most 1e+30");
 }
 

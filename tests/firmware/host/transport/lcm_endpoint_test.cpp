@@ -139,6 +139,13 @@ TEST_F(LiblcmPeer, HearsUsWhenWeSendInFragments) {
   }
 }
 
+TEST_F(LcmEndpointTest, TellsTheMemoryOfItsQueues) {
+  const LcmEndpoint one(parse_lcm_url(kUrl), std::vector<std::string_view>{"EARSHOT_A"});
+  const LcmEndpoint two(parse_lcm_url(kUrl), std::vector<std::string_view>{"EARSHOT_A", "EARSHOT_B"});
+  EXPECT_GE(two.memory() - one.memory(), config::kLcmQueueDepth * config::kLcmMessageBytes) << "of a queue";
+  EXPECT_GT(one.memory(), two.memory() - one.memory()) << "there is more than its queue";
+}
+
 TEST_F(LcmEndpointTest, HearsAnotherEndpointButNotItself) {
   LcmEndpoint alice(parse_lcm_url(kUrl), {"EARSHOT_A", "EARSHOT_B"});
   LcmEndpoint bob(parse_lcm_url(kUrl), {"EARSHOT_A", "EARSHOT_B"});

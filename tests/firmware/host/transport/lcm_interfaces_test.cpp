@@ -51,6 +51,13 @@ TEST_F(LcmInterfacesTest, SaysHowManyAddressesItPassesOverAndNamesAnInterfaceOfM
   EXPECT_EQ(interfaces.unheard(), 9U);
 }
 
+TEST_F(LcmInterfacesTest, HoldsAnyAddressOfLoopbackForThisHostsOwn) {
+  const LcmInterfaces interfaces;
+  EXPECT_TRUE(interfaces.is_own(::inet_addr("127.1.2.3")));
+  EXPECT_TRUE(interfaces.is_own(INADDR_ANY));
+  EXPECT_FALSE(interfaces.is_own(::inet_addr("10.0.0.127")));
+}
+
 TEST_F(LcmInterfacesTest, SaysSoWhereThereIsNone) {
   ip("link set lo down");
   LcmInterfaces interfaces;

@@ -56,6 +56,17 @@ TEST(CanSendQueue, GivesEqualsInTheOrderOfTheirComingWhateverWentBefore) {
   EXPECT_EQ(drain(queue), (std::vector{2, 3}));
 }
 
+// Its oldest does not always lie in the first place.
+TEST(CanSendQueue, ShedsTheOldestOfEqualsAgainAndAgain) {
+  CanSendQueue queue;
+  std::vector<int> kept;
+  std::uint8_t tag = 0;
+  while (queue.counters().shed == 0) ASSERT_EQ(push(queue, group(6, tag++)), Status::kOk);
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(push(queue, group(6, tag++)), Status::kOk);
+  for (int one = 4; one < tag; ++one) kept.push_back(one);
+  EXPECT_EQ(drain(queue), kept);
+}
+
 TEST(CanSendQueue, IsAsUrgentAsTheMostUrgentFrameOfAGroup) {
   CanSendQueue queue;
   std::vector<n2k::Frame> setpoint = group(3, 1);
