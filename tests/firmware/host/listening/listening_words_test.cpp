@@ -19,6 +19,7 @@ std::string complaint(const std::string& word, std::int64_t length_s) {
 TEST(ListeningWords, MakeAWindowOfAWordAndALength) {
   EXPECT_EQ(listening_window("newest", 0), config::ListeningWindow{});
   EXPECT_EQ(listening_window("loudest", 30), (config::ListeningWindow{config::Listening::kLoudest, Duration::seconds(30)}));
+  EXPECT_EQ(listening_window("mean", 1), (config::ListeningWindow{config::Listening::kMean, Duration::seconds(1)}));
   EXPECT_EQ(listening_window("mean", 120), (config::ListeningWindow{config::Listening::kMean, Duration::seconds(120)}));
 }
 

@@ -87,9 +87,9 @@ TEST(TouchedStack, LeavesHalfOfASmallOneFree) {
   const auto touch_with_small_limit = [] {
     rlimit limit{};
     ::getrlimit(RLIMIT_STACK, &limit);
-    limit.rlim_cur = 160 * 1024;  // the process is ended as it reaches there
+    limit.rlim_cur = 1024 * 1024;  // the process is ended as it reaches there
     ::setrlimit(RLIMIT_STACK, &limit);
-    touch_stack(256 * 1024);
+    touch_stack(4 * 1024 * 1024);  // more than anybody has used of it so far
     ::_exit(0);
   };
   EXPECT_EXIT(touch_with_small_limit(), testing::ExitedWithCode(0), "");

@@ -56,6 +56,36 @@ TEST(MissionFile, TheShippedMissionIsThePapers) {
   EXPECT_EQ(file.ports[0].roles, (Roles{Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus}));
 }
 
+// The last value that is allowed and the first that is not.
+TEST(MissionFile, KeepsTheBoundsOfItsNumbers) {
+  struct Bound {
+    std::string line;
+    std::string allowed;
+    std::string refused;
+  };
+  for (const auto& [line, allowed, refused] :
+       {Bound{"speed_mps = 2.0", "speed_mps = 20.0", "speed_mps = 20.1"},
+        Bound{"latitude_deg = 38.5", "latitude_deg = 80.0", "latitude_deg = 80.1"},
+        Bound{"latitude_deg = 38.5", "latitude_deg = -80.0", "latitude_deg = -80.1"},
+        Bound{"longitude_deg = -28.0", "longitude_deg = 180.0", "longitude_deg = 180.1"},
+        Bound{"longitude_deg = -28.0", "longitude_deg = -180.0", "longitude_deg = -180.1"},
+        Bound{"max_depth_m = 400.0", "max_depth_m = 11000.0", "max_depth_m = 11000.1"},
+        Bound{"max_time_s = 60000.0", "max_time_s = 10000000.0", "max_time_s = 10000001.0"},
+        Bound{"navigation_timeout_s = 5.0", "navigation_timeout_s = 3600.0", "navigation_timeout_s = 3600.1"},
+        Bound{"snr_timeout_s = 5.0", "snr_timeout_s = 3600.0", "snr_timeout_s = 3600.1"},
+        Bound{"detection_threshold_db = 10.0", "detection_threshold_db = 200.0", "detection_threshold_db = 200.1"},
+        Bound{"max_steps = 100", "max_steps = 1000000", "max_steps = 1000001"},
+        Bound{"edge_margin_m = 250.0", "edge_margin_m = 0.0", "edge_margin_m = -0.1"}}) {
+    EXPECT_EQ(complaint(line, allowed), "") << allowed;
+    EXPECT_NE(complaint(line, refused).find("must be"), std::string::npos) << refused;
+  }
+}
+
+TEST(MissionFile, ComplainsOfRoomToSearchOnlyWhereThereIsAnArea) {
+  EXPECT_EQ(complaint("east_m = 25000.0", "east_m = 0.0").find("edge_margin_m"), std::string::npos);
+  EXPECT_EQ(complaint("max_depth_m = 400.0", "max_depth_m = 100.0").find("edge_margin_m"), std::string::npos);
+}
+
 TEST(MissionFile, RefusesAnAreaWithoutWidthOrHeight) {
   EXPECT_NE(complaint("east_m = 25000.0", "east_m = 0.0").find("area.east_m = 0.0: must be greater than west_m"), std::string::npos);
   EXPECT_NE(complaint("north_m = 25000.0", "north_m = 0.0").find("area.north_m = 0.0: must be greater than south_m"), std::string::npos);
@@ -209,7 +239,7 @@ TEST(MissionFile, RefusesAnLcmPortWithoutAnAddressAndTwoPortsOfOneAddressOrName)
   EXPECT_NE(complaint("url = \"udpm://239.255.76.67:7667?ttl=0\"\n", "").find("port[0].url is missing"), std::string::npos);
   const std::string twice = complaint(
       "[origin]", "[[port]]\nname = \"vehicle\"\nkind = \"lcm\"\nurl = \"udpm://239.255.76.67:7667?ttl=0\"\nroles = [\"snr\"]\n\n[origin]");
-  EXPECT_NE(twice.find("is another port's name, too"), std::string::npos) << twice;
+  EXPECT_NE(twice.find("port[1].name = 'vehicle': \"vehicle\" is another port's name, too"), std::string::npos) << twice;
   EXPECT_NE(twice.find("is there already: give it all roles"), std::string::npos) << twice;
 }
 

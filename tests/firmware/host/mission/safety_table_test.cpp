@@ -137,6 +137,30 @@ TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
   EXPECT_NE(complaint("then = \"return\"", "then = \"go home\"").find("rule[0].then"), std::string::npos);
 }
 
+TEST(SafetyTable, TakesABatteryThatLastsForEverForOneThatIsNotSpokenOf) {
+  EXPECT_EQ(mission_of("[vehicle]\nmax_speed_mps = 3.0\n").mission.safety.vehicle.battery_percent_per_km, 0.0);
+  EXPECT_EQ(complaint("battery_percent_per_km = 0.6", "battery_percent_per_km = 0.0"), "");
+  EXPECT_NE(complaint("battery_percent_per_km = 0.6", "battery_percent_per_km = -0.1").find("vehicle.battery_percent_per_km"),
+            std::string::npos);
+}
+
+TEST(SafetyTable, HasRoomForFourZonesAndSaysSo) {
+  std::string zones;
+  for (int i = 0; i < 4; ++i) zones += "[[no_surface]]\nnorth_m = [5000, 6000, 6000]\neast_m = [5000, 5000, 6000]\n\n";
+  EXPECT_EQ(complaint("[[no_surface]]", zones + "[[no_surface]]"),
+            "no_surface[4].north_m: is one zone too many: there is room for 4");
+}
+
+TEST(SafetyTable, NamesTheMissionsOwnRuleThatLeavesAnotherNothingToDo) {
+  const std::string what =
+      complaint("when = \"leak\"\nthen = \"release\"", "when = \"battery_percent\"\nbelow = 14.0\nfor_s = 10.0\nthen = \"hold\"");
+  EXPECT_NE(
+      what.find("rule[1].when = 'battery_percent': never does anything: another rule does as much, and sooner: battery_percent below 15"),
+      std::string::npos)
+      << what;
+  EXPECT_EQ(what.find("stands in every mission"), std::string::npos) << what;
+}
+
 TEST(SafetyTable, NamesTheRuleThatLeavesAnotherNothingToDo) {
   EXPECT_EQ(
       complaint("when = \"leak\"\nthen = \"release\"", "when = \"navigation_age_s\"\nabove = 9\nthen = \"hold\""),

@@ -166,6 +166,18 @@ TEST(CommandLine, SaysWhichWordsAreAllowed) {
   EXPECT_NE(Example().complaint({"--bus", "cna"}).find("cna: must be one of lcm, can; did you mean can?"), std::string::npos);
 }
 
+TEST(CommandLine, TakesAWordThatIsAllowed) {
+  Example e;
+  EXPECT_EQ(e.line.read(Words{"--bus", "can"}), std::nullopt);
+  EXPECT_EQ(e.bus, "can");
+}
+
+TEST(CommandLine, TakesALoneDashForAWord) {
+  Example e;
+  EXPECT_EQ(e.line.read(Words{"-"}), std::nullopt);
+  EXPECT_EQ(e.files, (Words{"-"}));
+}
+
 TEST(CommandLine, RefusesAnOptionWithoutTheOneItNeeds) {
   EXPECT_NE(Example().complaint({"--map"}), "");
 }
@@ -233,6 +245,8 @@ TEST(CommandLine, NamesTheVerbOrTheVerbsOptionThatWasMeant) {
     }
   };
   EXPECT_NE(complaint({"mpa"}).find("mpa: no such verb; did you mean map?"), std::string::npos) << complaint({"mpa"});
+  // --source is no option of the verb that was given.
+  EXPECT_EQ(complaint({"decision", "--sorce", "1,2"}).find("did you mean"), std::string::npos) << complaint({"decision", "--sorce", "1,2"});
   EXPECT_NE(complaint({"map", "--sorce", "1,2"}).find("--sorce: no such option; did you mean --source?"), std::string::npos);
   EXPECT_NE(complaint({}), "");
 }

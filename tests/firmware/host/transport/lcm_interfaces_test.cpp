@@ -58,6 +58,16 @@ TEST_F(LcmInterfacesTest, HoldsAnyAddressOfLoopbackForThisHostsOwn) {
   EXPECT_FALSE(interfaces.is_own(::inet_addr("10.0.0.127")));
 }
 
+TEST_F(LcmInterfacesTest, LeavesOutAnInterfaceThatCarriesNoMulticast) {
+  ip("link add ears0 type veth peer name ears1");
+  ip("addr add 10.9.0.1/24 dev ears0");
+  ip("link set ears0 multicast off");
+  ip("link set ears0 up");
+  LcmInterfaces interfaces;
+  EXPECT_EQ(interfaces.join_all(socket_.number(), group_), 1U);
+  EXPECT_EQ(interfaces.names(), "lo");
+}
+
 TEST_F(LcmInterfacesTest, SaysSoWhereThereIsNone) {
   ip("link set lo down");
   LcmInterfaces interfaces;

@@ -28,6 +28,7 @@ TEST(CanController, GoesFromActiveOverPassiveToBusOffAndBack) {
   controller.accept_error(error(kProblem, 0x08));  // TX_WARNING
   EXPECT_EQ(controller.state(), State::kErrorActive);
   EXPECT_TRUE(controller.is_warned());
+  controller.accept_error(error(kProblem, 0x04));  // RX_WARNING, while it is warned: no other
   controller.accept_error(error(kProblem, 0x20));  // TX_PASSIVE
   EXPECT_EQ(controller.state(), State::kErrorPassive);
   controller.accept_error(error(kBusOff));
@@ -36,7 +37,7 @@ TEST(CanController, GoesFromActiveOverPassiveToBusOffAndBack) {
   controller.accept_error(error(kRestarted));
   EXPECT_EQ(controller.state(), State::kErrorActive);
   EXPECT_FALSE(controller.is_warned());
-  EXPECT_EQ(controller.counters().frames, 5U);
+  EXPECT_EQ(controller.counters().frames, 6U);
   EXPECT_EQ(controller.counters().warning, 1U);
   EXPECT_EQ(controller.counters().passive, 1U);
   EXPECT_EQ(controller.counters().bus_off, 1U) << "off the bus it cannot leave it";
