@@ -147,8 +147,7 @@ TEST(SafetyTable, TakesABatteryThatLastsForEverForOneThatIsNotSpokenOf) {
 TEST(SafetyTable, HasRoomForFourZonesAndSaysSo) {
   std::string zones;
   for (int i = 0; i < 4; ++i) zones += "[[no_surface]]\nnorth_m = [5000, 6000, 6000]\neast_m = [5000, 5000, 6000]\n\n";
-  EXPECT_EQ(complaint("[[no_surface]]", zones + "[[no_surface]]"),
-            "no_surface[4].north_m: is one zone too many: there is room for 4");
+  EXPECT_EQ(complaint("[[no_surface]]", zones + "[[no_surface]]"), "no_surface[4].north_m: is one zone too many: there is room for 4");
 }
 
 TEST(SafetyTable, NamesTheMissionsOwnRuleThatLeavesAnotherNothingToDo) {
