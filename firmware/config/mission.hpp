@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "firmware/config/authority.hpp"
 #include "firmware/config/listening_window.hpp"
 #include "firmware/config/safety.hpp"
 #include "firmware/core/geometry.hpp"
@@ -30,7 +31,8 @@ struct Mission {
   Decibels detection_threshold;   ///< DT: SNR at or above it is a detection
   /// The window of looks that an observation takes on its leg.
   ListeningWindow listening = {};
-  Safety safety = {};             ///< fence, vehicle, rules of the safety supervisor
+  Safety safety = {};  ///< fence, vehicle, rules of the safety supervisor
+  Authority authority = {};
   std::uint64_t action_seed = 1;  ///< seeds the generator of a policy that samples its actions
   friend constexpr bool operator==(const Mission&, const Mission&) = default;
 };

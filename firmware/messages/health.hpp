@@ -26,6 +26,16 @@ enum class EndReason : std::uint8_t {
 };
 inline constexpr EndReason kLastEndReason = EndReason::kSafetyRule;
 
+/// Between Earshot and the autopilot.
+enum class Authority : std::uint8_t {
+  kDisconnected = 0,  ///< the autopilot that the mission waits for is not heard, and nothing is commanded
+  kStandby = 1,       ///< nothing is commanded
+  kListen = 2,        ///< a search observes and decides, and commands nothing
+  kCommand = 3,       ///< set-points leave
+  kAbort = 4,         ///< the mission has ended for good; set-points leave (come up) if they did before
+};
+inline constexpr Authority kLastAuthority = Authority::kAbort;
+
 /// Counters of what was refused; they only grow. At a million a second 64 bits last for half a million years.
 struct Counters {
   std::uint64_t navigation_refused = 0;  ///< not finite, older than the last, or dated further from its arrival than its timeout
@@ -36,8 +46,13 @@ struct Counters {
   friend constexpr bool operator==(const Counters&, const Counters&) = default;
 };
 
-/// State of the runtime and of its ports.
+/// State of the runtime and of its ports. It is the heartbeat, too: a turn stamps it last of all, after the safety layer, so that whoever
+/// hears it knows that the step that decides has come to its end.
 struct Health {
+  std::uint64_t turn = 0;       ///< counts the turns, from 1
+  std::uint32_t decisions = 0;  ///< made so far in this search
+  Authority authority = Authority::kStandby;
+  bool is_paused = false;  ///< by an operator
   MissionState state = MissionState::kStandby;
   EndReason end_reason = EndReason::kNone;
   std::uint32_t steps_taken = 0;

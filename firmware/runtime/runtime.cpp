@@ -5,6 +5,7 @@
 #include <span>
 #include <variant>
 
+#include "firmware/authority/tightened.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/detector/threshold_detector.hpp"
 #include "firmware/policy/action_draw.hpp"
@@ -70,6 +71,7 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
   mission_ = mission;
   policy_ = policy;
   progress_.random = Pcg32(mission.action_seed);
+  progress_.judge = authority::CommandJudge(mission.authority.needs_verified_commands);
   progress_.situation.navigation = safety::NavigationJudge(mission.safety.vehicle, mission.navigation_timeout);
   progress_.supervisor.configure(mission_);
   configured_ = true;
@@ -79,14 +81,14 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
 Outputs Runtime::step(Time now) {
   assert(now.us >= 0);
   Outputs outputs;
-  if (progress_.start_until && now > *progress_.start_until) progress_.start_until.reset();
-  if (progress_.state == MissionState::kStandby && progress_.start_until && navigation_is_fresh(now) && snr_is_fresh(now))
-    begin_search(now);
+  ++progress_.turn;
+  const bool is_ready = navigation_is_fresh(now) && snr_is_fresh(now) && autopilot_is_connected(now);
+  if (progress_.state == MissionState::kStandby && progress_.command.is_search_ordered(now) && is_ready) begin_search(now);
   if (progress_.state == MissionState::kSearch) search(now, outputs);
   outputs.setpoint = setpoint();
   outputs.acknowledgements = progress_.acknowledgements;
   progress_.acknowledgements.clear();
-  outputs.health = health();
+  outputs.health = health(now);
   return outputs;
 }
 
@@ -143,10 +145,10 @@ void Runtime::take(const messages::PortReport& report) {
 
 void Runtime::take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {
   progress_.situation.operator_heard = arrival;
-  const CommandJudge::Verdict verdict = progress_.judge.judge(arrival, command);
+  const authority::CommandJudge::Verdict verdict = progress_.judge.judge(arrival, command);
   CommandOutcome outcome = verdict.outcome;
   if (!verdict.is_repetition) {
-    if (outcome == CommandOutcome::kObeyed) outcome = obey(command);
+    if (outcome == CommandOutcome::kObeyed) outcome = obey(arrival, command);
     if (outcome != CommandOutcome::kObeyed && outcome != CommandOutcome::kRepeated) ++progress_.counters.commands_refused;
     if (command.order != Order::kAbort && verdict.outcome == CommandOutcome::kObeyed) progress_.judge.remember(command, outcome);
   }
@@ -161,22 +163,32 @@ void Runtime::acknowledge(const messages::CommandAcknowledgement& acknowledgemen
     waiting[waiting.size() - 1] = acknowledgement;
 }
 
-CommandOutcome Runtime::obey(const messages::OperatorCommand& command) {
-  const Order order = command.order;
-  if (order == Order::kAbort) {
+CommandOutcome Runtime::obey(Time arrival, const messages::OperatorCommand& command) {
+  if (command.order == Order::kAbort) {
     if (progress_.state == MissionState::kAbort) return CommandOutcome::kRepeated;
     end(MissionState::kAbort, EndReason::kOperatorAbort);
     return CommandOutcome::kObeyed;
   }
   if (!configured_) return CommandOutcome::kNotConfigured;
-  const MissionState needed = order == Order::kStart ? MissionState::kStandby : MissionState::kSearch;
-  if (progress_.state != needed) return CommandOutcome::kNotInThisState;
-  if (order == Order::kStart) {
-    progress_.start_until = command.expiry;
-  } else {
+  if (command.order == Order::kTighten) return tighten(command.limits);
+  if (command.order == Order::kComplete) {
+    if (progress_.state != MissionState::kSearch) return CommandOutcome::kNotInThisState;
     ++progress_.steps_taken;  // the step under way ends where the source is
     end(MissionState::kDone, EndReason::kCompleted);
+    return CommandOutcome::kObeyed;
   }
+  const bool was_engaged = progress_.command.is_engaged();
+  const CommandOutcome outcome = progress_.command.obey(command, progress_.state, autopilot_is_connected(arrival));
+  if (progress_.command.is_engaged() != was_engaged) progress_.is_interrupted = true;  // what it would have done is not where it is
+  return outcome;
+}
+
+CommandOutcome Runtime::tighten(const messages::OperatorLimits& limits) {
+  if (progress_.state != MissionState::kStandby && progress_.state != MissionState::kSearch) return CommandOutcome::kNotInThisState;
+  const Result<config::Mission> tighter = authority::tightened(mission_, limits);
+  if (!tighter.ok()) return CommandOutcome::kNotTighter;
+  mission_ = tighter.value();
+  progress_.supervisor.tighten(mission_);
   return CommandOutcome::kObeyed;
 }
 
@@ -192,6 +204,15 @@ bool Runtime::navigation_is_fresh(Time now) const {
 
 bool Runtime::snr_is_fresh(Time now) const {
   return progress_.listener.newest() && now - progress_.listener.newest()->time <= mission_.snr_timeout;
+}
+
+bool Runtime::autopilot_is_connected(Time now) const {
+  return authority::is_connected(mission_.authority, progress_.situation.autopilot, now);
+}
+
+std::optional<config::Response> Runtime::response() const {
+  const std::optional<config::Response> of_rules = progress_.supervisor.response();
+  return progress_.command.is_paused() ? std::max(of_rules, std::optional(config::Response::kHold)) : of_rules;
 }
 
 void Runtime::supervise(Time now, Outputs& outputs) {
@@ -224,7 +245,7 @@ void Runtime::begin_search(Time now) {
   progress_.state = MissionState::kSearch;
   progress_.situation.search_began = now;
   progress_.situation.track.begin(*progress_.situation.navigation.newest());
-  progress_.has_engaged = true;
+  progress_.command.begin();
   progress_.listener.begin_leg(now);  // no leg leads to the start: its newest look is all that it hears
   memory_.start(policy_.observation, place_in_area(), reception(now));
 }
@@ -232,13 +253,13 @@ void Runtime::begin_search(Time now) {
 void Runtime::search(Time now, Outputs& outputs) {
   supervise(now, outputs);
   if (progress_.state != MissionState::kSearch) return;
-  if (progress_.supervisor.response() > config::Response::kWarn) {
+  if (progress_.command.is_engaged() && response() > config::Response::kWarn) {
     progress_.is_interrupted = true;
+    if (response() > config::Response::kSteerBack) progress_.situation.track.forget_waypoint();  // nobody goes there now
     return;
   }
   const bool has_leg = progress_.leg.length().value > 0.0;
-  const bool goes_on = has_leg && !progress_.leg.is_over(progress_.situation.navigation.newest()->position);
-  if (goes_on && !progress_.is_interrupted) return;
+  if (has_leg && leg_goes_on(now) && !progress_.is_interrupted) return;
   const policy::Reception reception_on_leg = reception(now);
   if (has_leg) {
     memory_.remember(policy_.observation, place_in_area(), reception_on_leg);
@@ -255,6 +276,11 @@ void Runtime::search(Time now, Outputs& outputs) {
   progress_.listener.begin_leg(now);
 }
 
+bool Runtime::leg_goes_on(Time now) const {
+  if (progress_.command.is_engaged()) return !progress_.leg.is_over(progress_.situation.navigation.newest()->position);
+  return (now - progress_.decided).to_seconds() * mission_.search_speed.value < progress_.leg.length().value;
+}
+
 /// @return whether the policy could
 bool Runtime::decide(Time now, policy::Reception reception, messages::Decision& decision) {
   const NorthEast position = progress_.situation.navigation.newest()->position;
@@ -267,7 +293,9 @@ bool Runtime::decide(Time now, policy::Reception reception, messages::Decision& 
   const safety::SafeWaypoint safe = safety::safe_waypoint(mission_, position, position + mission_.step_length * policy_.actions[action]);
   if (safe.overridden) ++progress_.counters.setpoints_limited;
   progress_.leg = guidance::Leg(position, safe.waypoint);
-  progress_.situation.track.set_waypoint(safe.waypoint);
+  if (progress_.command.is_engaged()) progress_.situation.track.set_waypoint(safe.waypoint);
+  progress_.decided = now;
+  ++progress_.decisions;
 
   decision.step = progress_.steps_taken;
   decision.time = now;
@@ -286,12 +314,12 @@ bool Runtime::decide(Time now, policy::Reception reception, messages::Decision& 
 
 messages::Setpoint Runtime::wanted_setpoint() {
   const messages::Navigation& fix = *progress_.situation.navigation.newest();
-  const std::optional<config::Response> response = progress_.supervisor.response();
+  const std::optional<config::Response> wanted = response();
   if (progress_.state == MissionState::kDone) return safety::come_up(mission_.safety.vehicle, fix);
   if (progress_.state == MissionState::kAbort)  // of an operator, or of a rule
     return progress_.manoeuvre.setpoint(mission_, progress_.situation,
-                                        std::max(response.value_or(config::Response::kAbort), config::Response::kAbort));
-  if (response > config::Response::kWarn) return progress_.manoeuvre.setpoint(mission_, progress_.situation, *response);
+                                        std::max(wanted.value_or(config::Response::kAbort), config::Response::kAbort));
+  if (wanted > config::Response::kWarn) return progress_.manoeuvre.setpoint(mission_, progress_.situation, *wanted);
   return {.heading = progress_.leg.heading_to_steer(fix.position),
           .speed = mission_.search_speed,
           .depth = mission_.search_depth,
@@ -299,7 +327,7 @@ messages::Setpoint Runtime::wanted_setpoint() {
 }
 
 std::optional<messages::Setpoint> Runtime::setpoint() {
-  if (!progress_.has_engaged) return std::nullopt;
+  if (!progress_.command.is_engaged()) return std::nullopt;
   assert(progress_.situation.navigation.newest());  // no search begins without
   const safety::SafeSetpoint safe = safety::safe_setpoint(mission_, *progress_.situation.navigation.newest(), wanted_setpoint());
   if (safe.limited) ++progress_.counters.setpoints_limited;
@@ -307,8 +335,12 @@ std::optional<messages::Setpoint> Runtime::setpoint() {
   return safe.setpoint;
 }
 
-messages::Health Runtime::health() const {
-  return {.state = progress_.state,
+messages::Health Runtime::health(Time now) const {
+  return {.turn = progress_.turn,
+          .decisions = progress_.decisions,
+          .authority = authority::state_of(progress_.command, progress_.state, autopilot_is_connected(now)),
+          .is_paused = progress_.command.is_paused(),
+          .state = progress_.state,
           .end_reason = progress_.end_reason,
           .steps_taken = progress_.steps_taken,
           .response = progress_.supervisor.response().value_or(config::Response::kWarn),

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "firmware/authority/command.hpp"
+#include "firmware/authority/command_judge.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/core/fixed_vector.hpp"
@@ -17,7 +19,6 @@
 #include "firmware/messages/setpoint.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 #include "firmware/policy/observation.hpp"
-#include "firmware/runtime/command_judge.hpp"
 #include "firmware/safety/manoeuvre.hpp"
 #include "firmware/safety/situation.hpp"
 #include "firmware/safety/supervisor.hpp"
@@ -38,11 +39,12 @@ struct Outputs {
 /// The whole on-vehicle state. step() reads no clock, opens nothing, allocates nothing, throws nothing: same inputs, same outputs, bit for
 /// bit.
 ///
-///   STANDBY -- START, fresh navigation and SNR --> SEARCH -- max_steps, COMPLETE --> DONE
+///   STANDBY -- START or LISTEN, fresh navigation and SNR --> SEARCH -- max_steps, COMPLETE --> DONE
 ///   SEARCH -- a rule of the safety supervisor that aborts --> ABORT;   any state -- ABORT --> ABORT
 ///
-/// START is remembered until navigation and SNR are there, or it expires. Once a search has begun, the set-point says in DONE and ABORT:
-/// stop and come up; before, nothing is commanded, whatever becomes of the mission.
+/// START and LISTEN are remembered until navigation and SNR are there (and the autopilot, where the mission waits for it), or they expire.
+/// Once a search commands the vehicle, the set-point says in DONE and ABORT: stop and come up; before, and while it only listens, nothing
+/// is commanded, whatever becomes of the mission.
 class Runtime {
  public:
   /// Takes a copy of both and forgets everything else. kOutOfRange if the mission fails config::check or the policy was trained for another
@@ -66,8 +68,10 @@ class Runtime {
   struct Progress {
     messages::MissionState state = messages::MissionState::kStandby;
     messages::EndReason end_reason = messages::EndReason::kNone;
-    std::optional<Time> start_until;  ///< START was given, and waits for navigation and SNR until then
-    bool has_engaged = false;         ///< a search has begun: the autopilot is ours
+    std::uint64_t turn = 0;
+    std::uint32_t decisions = 0;
+    Time decided;  ///< when the last of them was made
+    authority::Command command;
     std::uint32_t steps_taken = 0;
     safety::Situation situation;  ///< what navigation, vehicle and autopilot say
     safety::Supervisor supervisor;
@@ -77,7 +81,7 @@ class Runtime {
     guidance::Leg leg;
     Pcg32 random{0};
     messages::Counters counters;
-    CommandJudge judge;
+    authority::CommandJudge judge;
     Acknowledgements acknowledgements;
     FixedVector<messages::PortReport, config::kMaxPorts> ports;
   };
@@ -88,11 +92,17 @@ class Runtime {
   template <class Status>
   void take_status(Time arrival, const Status& status, std::optional<Status>& newest);
   void take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command);
-  [[nodiscard]] messages::CommandOutcome obey(const messages::OperatorCommand& command);
+  [[nodiscard]] messages::CommandOutcome obey(Time arrival, const messages::OperatorCommand& command);
   void acknowledge(const messages::CommandAcknowledgement& acknowledgement);
   void end(messages::MissionState state, messages::EndReason reason);
   [[nodiscard]] bool navigation_is_fresh(Time now) const;
   [[nodiscard]] bool snr_is_fresh(Time now) const;
+  [[nodiscard]] bool autopilot_is_connected(Time now) const;
+  [[nodiscard]] messages::CommandOutcome tighten(const messages::OperatorLimits& limits);
+  /// What a rule or an operator wants of the vehicle in place of its search, the stronger of the two.
+  [[nodiscard]] std::optional<config::Response> response() const;
+  /// Whether the way-point is still to be reached; of a search that only listens: whether it would be.
+  [[nodiscard]] bool leg_goes_on(Time now) const;
   /// Lets the supervisor look; ends the mission if it says so.
   void supervise(Time now, Outputs& outputs);
   [[nodiscard]] NorthEast place_in_area() const;
@@ -103,7 +113,7 @@ class Runtime {
   [[nodiscard]] bool decide(Time now, policy::Reception reception, messages::Decision& decision);
   [[nodiscard]] messages::Setpoint wanted_setpoint();
   [[nodiscard]] std::optional<messages::Setpoint> setpoint();
-  [[nodiscard]] messages::Health health() const;
+  [[nodiscard]] messages::Health health(Time now) const;
 
   bool configured_ = false;
   config::Mission mission_;

@@ -64,12 +64,31 @@ void Supervisor::configure(const config::Mission& mission) {
   for (std::size_t i = 0; i < rules_.size(); ++i) static_cast<void>(watches_.push_back({}));
 }
 
+void Supervisor::tighten(const config::Mission& mission) {
+  const Rules tighter = standing(mission);
+  for (std::size_t i = 0; i < tighter.size(); ++i) {
+    if (rules_[i].condition == Condition::kDepth) {
+      watches_[i].next_limit = tighter[i].limit;
+    } else {
+      rules_[i].limit = tighter[i].limit;
+    }
+  }
+}
+
+void Supervisor::take_next_limit(std::size_t rule, std::optional<double> measured) {
+  std::optional<double>& next = watches_[rule].next_limit;
+  if (!next || !measured || *measured > *next) return;
+  rules_[rule].limit = *next;
+  next.reset();
+}
+
 SafetyEvents Supervisor::watch(const config::Mission& mission, const Situation& situation) {
   SafetyEvents events;
   for (std::size_t i = 0; i < rules_.size(); ++i) {
     const Rule& rule = rules_[i];
     Watch& watch = watches_[i];
     const std::optional<double> measured = measure(rule.condition, mission, situation);
+    take_next_limit(i, measured);
     const bool holds = measured && is_beyond(rule, *measured);
     if (!holds) watch.since.reset();
     if (holds && !watch.since) watch.since = situation.now;

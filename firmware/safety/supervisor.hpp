@@ -28,6 +28,10 @@ class Supervisor {
   /// Of a mission that config::check accepts. Forgets what it saw.
   void configure(const config::Mission& mission);
 
+  /// In the midst of a mission whose limits have become tighter: what each rule watches it goes on watching. A vehicle that is deeper than
+  /// its new limit is on its way up: that limit holds from when it has come there, and until then the old one.
+  void tighten(const config::Mission& mission);
+
   /// Once a turn of a search, in the order of time.
   /// @return the rules that begin to act or no longer do, in this turn
   [[nodiscard]] SafetyEvents watch(const config::Mission& mission, const Situation& situation);
@@ -41,11 +45,13 @@ class Supervisor {
 
  private:
   struct Watch {
-    std::optional<Time> since;  ///< its condition has been beyond its limit
+    std::optional<Time> since;         ///< its condition has been beyond its limit
+    std::optional<double> next_limit;  ///< is the rule's once the measure is within it
     bool acts = false;
   };
 
   [[nodiscard]] std::optional<std::size_t> strongest() const;
+  void take_next_limit(std::size_t rule, std::optional<double> measured);
 
   Rules rules_;
   FixedVector<Watch, config::kMaxRules> watches_;

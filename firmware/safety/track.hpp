@@ -17,6 +17,8 @@ class Track {
   void take(const messages::Navigation& fix);
   /// A new way-point to go to.
   void set_waypoint(NorthEast waypoint);
+  /// It goes nowhere for now.
+  void forget_waypoint() { waypoint_.reset(); }
 
   [[nodiscard]] Meters distance() const { return distance_; }
   /// Over ground, per second, over the last two to four seconds; none before that.

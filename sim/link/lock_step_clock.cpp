@@ -78,7 +78,8 @@ void LockStepPort::collect(board::Clock& /*clock*/, board::InputSink& sink) {
                                                  .expiry = tick->time,
                                                  .issuer = kIssuer,
                                                  .number = ++commands_,
-                                                 .order = static_cast<messages::Order>(tick->command)});
+                                                 .order = static_cast<messages::Order>(tick->command),
+                                                 .is_verified = true});  // it drives the clock: nobody else is there to give orders
   }
 }
 

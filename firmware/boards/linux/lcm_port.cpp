@@ -36,6 +36,7 @@ LcmPort::LcmPort(std::uint8_t index, const host::PortSettings& settings, host::I
     : Port(index, settings.roles),
       name_(settings.name),
       address_(settings.address),
+      command_key_(settings.command_key),
       endpoint_(host::parse_lcm_url(settings.address), channels_of(settings.roles), is_abort, if_missing) {}
 
 void LcmPort::collect(Clock& clock, InputSink& sink) {
@@ -50,6 +51,7 @@ bool LcmPort::takes(Clock& clock, std::span<const std::uint8_t> data, InputSink&
   Message message{};
   if (wire::decode(data, message) != Status::kOk) return false;
   auto value = wire::from_message(message);
+  if constexpr (std::is_same_v<Message, operator_command_t>) value.is_verified = command_key_ && command_key_->verifies(value);
   value.time = clock.mission_time_of(value.time);
   if constexpr (std::is_same_v<Message, operator_command_t>) value.expiry = clock.mission_time_of(value.expiry);
   sink.take(index(), value);

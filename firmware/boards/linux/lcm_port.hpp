@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,7 @@ class LcmPort final : public Port {
 
   std::string name_;
   std::string address_;
+  std::optional<host::CommandKey> command_key_;
   host::LcmEndpoint endpoint_;
 };
 

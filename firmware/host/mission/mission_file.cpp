@@ -208,6 +208,25 @@ void check_patience(TableReader limits, const MissionFile& file) {
                      " where the hydrophone is listened to: for nearly so long no SNR comes after one lost block of sound");
 }
 
+void read_authority(TableReader table, const TomlFile& toml, MissionFile& file) {
+  config::Authority& authority = file.mission.authority;
+  if (table.has("autopilot_timeout_s"))
+    authority.autopilot_timeout = seconds(table.number("autopilot_timeout_s", Range::between(0.5, 3600.0)));
+  if (!table.has("key_file")) return;
+  const std::string key_file = table.text("key_file");
+  if (table.is_noted("key_file")) return;
+  authority.needs_verified_commands = true;
+  try {
+    file.command_key = CommandKey(toml.resolve(key_file));
+  } catch (const BadInput& e) {
+    table.problem("key_file", e.what());
+  }
+}
+
+void give_command_key(MissionFile& file) {
+  for (PortSettings& port : file.ports) port.command_key = port.roles.has(Role::kOperator) ? file.command_key : std::nullopt;
+}
+
 void require_named(const std::filesystem::path& path, const std::string& named_at, const char* option) {
   std::error_code error;
   if (named_at.empty() || std::filesystem::exists(path, error)) return;
@@ -236,6 +255,8 @@ MissionFile load_mission(const std::filesystem::path& path) {
   SafetyTables safety = safety_tables(root);
   file.mission.safety = read_safety(safety);
   read_ports(root, file);
+  if (const std::optional<TableReader> authority = root.optional_table("authority")) read_authority(*authority, toml, file);
+  give_command_key(file);
   if (const std::optional<TableReader> hydrophone = root.optional_table("hydrophone")) read_hearing(*hydrophone, search, file);
   read_origin(root.table("origin"), file);
   TableReader policy = root.table("policy");
@@ -260,6 +281,7 @@ void override_ports(MissionFile& file, const PortOverride& said) {
     std::vector<PortSettings> ports = ports_named(*said.bus, file);
     std::ranges::copy_if(file.ports, std::back_inserter(ports), [](const PortSettings& port) { return port.roles.has(Role::kHydrophone); });
     file.ports = std::move(ports);
+    give_command_key(file);
   }
   for (PortSettings& port : file.ports) {
     const std::optional<std::string>& over_lcm = port.roles.has(Role::kHydrophone) ? said.hydrophone_url : said.lcm_url;

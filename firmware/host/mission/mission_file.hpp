@@ -22,6 +22,7 @@ struct MissionFile {
   std::vector<PortSettings> ports;
   std::optional<detector::SoundSettings> hearing;  ///< what the hydrophone's port listens for; none: it counts samples only
   n2k::LocalPlane plane;                           ///< about the mission's geographic origin; CAN speaks latitude and longitude
+  std::optional<CommandKey> command_key;           ///< of those who may command the vehicle
   std::filesystem::path policy;
   std::filesystem::path public_key;
   std::string policy_named_at;      ///< "search.toml:31: policy.file"; empty: somewhere else

@@ -2,7 +2,6 @@
 
 #include <sodium.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <iomanip>
 #include <iterator>
@@ -14,6 +13,7 @@
 
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/listening/listening_words.hpp"
+#include "firmware/host/mission/key_file.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/format/policy_format.hpp"
@@ -62,16 +62,7 @@ bool is_signed_by(const TrustedKey& trusted, std::span<const std::uint8_t> bytes
 }  // namespace
 
 TrustedKey load_public_key(const std::filesystem::path& path) {
-  const Bytes text = host::read_bytes(path, host::kKeyFile);
-  TrustedKey trusted{.key = {}, .file = path};
-  std::size_t size = 0;
-  const char* rest = nullptr;
-  const auto* const begin = reinterpret_cast<const char*>(text.data());
-  const int result = sodium_hex2bin(trusted.key.data(), trusted.key.size(), begin, text.size(), "", &size, &rest);
-  const bool only_space_follows = result == 0 && std::all_of(rest, begin + text.size(), [](char c) { return c == '\n' || c == ' '; });
-  if (!only_space_follows || size != trusted.key.size())
-    throw BadInput(path.string() + ": must hold a public key of 64 hexadecimal digits and nothing else");
-  return trusted;
+  return {.key = host::read_key_file(path, "a public key"), .file = path};
 }
 
 SignedPolicy signed_policy_from(Bytes bytes, const std::filesystem::path& path, const TrustedKey& trusted) {

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 
+#include "firmware/host/mission/command_key.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
 #include "firmware/wire/n2k/navigation.hpp"
 
@@ -57,7 +59,8 @@ struct PortSettings {
   PortKind kind = PortKind::kLcm;
   std::string address;  ///< LCM URL or CAN interface
   Roles roles;
-  N2kSettings n2k = {};  ///< of a CAN port
+  N2kSettings n2k = {};                                  ///< of a CAN port
+  std::optional<CommandKey> command_key = std::nullopt;  ///< of a port that brings orders, where the mission names one
 };
 
 }  // namespace earshot::host

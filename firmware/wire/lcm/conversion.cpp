@@ -3,10 +3,23 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
+#include <optional>
 
 #include "firmware/wire/lcm/safety_conversion.hpp"
 
 namespace earshot::wire {
+namespace {
+
+/// Of a limit that a command leaves as it is.
+constexpr double kNotSaid = std::numeric_limits<double>::quiet_NaN();
+
+template <class Limit>
+std::optional<Limit> if_said(double limit) {
+  return limit == limit ? std::optional(Limit{limit}) : std::nullopt;
+}
+
+}  // namespace
 
 nav_state_t to_message(const messages::Navigation& navigation) {
   nav_state_t m{};
@@ -44,6 +57,11 @@ operator_command_t to_message(const messages::OperatorCommand& command) {
   m.issuer = static_cast<std::int32_t>(command.issuer);
   m.number = static_cast<std::int32_t>(command.number);
   m.command = static_cast<std::int8_t>(command.order);
+  m.max_depth_m = command.limits.max_depth.value_or(Meters{kNotSaid}).value;
+  m.max_speed_mps = command.limits.max_speed.value_or(MetersPerSecond{kNotSaid}).value;
+  m.max_time_s = command.limits.max_time_s.value_or(kNotSaid);
+  std::copy(command.mark.begin(), command.mark.end(), std::begin(m.mark));
+  m.verified = command.is_verified ? 1 : 0;
   return m;
 }
 
@@ -150,6 +168,10 @@ health_t to_message(const messages::Health& health, Time now) {
   static_assert(std::size(health_t{}.ports) == config::kMaxPorts);
   health_t m{};
   m.utime = now.us;
+  m.turn = static_cast<std::int64_t>(health.turn);
+  m.decisions = static_cast<std::int32_t>(health.decisions);
+  m.authority = static_cast<std::int8_t>(health.authority);
+  m.paused = health.is_paused ? 1 : 0;
   m.state = static_cast<std::int8_t>(health.state);
   m.end_reason = static_cast<std::int8_t>(health.end_reason);
   m.steps_taken = static_cast<std::int32_t>(health.steps_taken);
@@ -181,6 +203,8 @@ mission_t to_message(const config::Mission& mission, Time now) {
   m.navigation_timeout_us = mission.navigation_timeout.us;
   m.snr_timeout_us = mission.snr_timeout.us;
   m.detection_threshold_db = mission.detection_threshold.value;
+  m.needs_verified_commands = mission.authority.needs_verified_commands ? 1 : 0;
+  m.autopilot_timeout_us = mission.authority.autopilot_timeout.us;
   m.listening = static_cast<std::int8_t>(mission.listening.listening);
   m.listening_window_us = mission.listening.length.us;
   m.action_seed = static_cast<std::int64_t>(mission.action_seed);
@@ -227,11 +251,17 @@ messages::SafetyEvent from_message(const safety_event_t& m) {
 }
 
 messages::OperatorCommand from_message(const operator_command_t& m) {
-  return {.time = {m.utime},
-          .expiry = {m.expiry_utime},
-          .issuer = static_cast<std::uint32_t>(m.issuer),
-          .number = static_cast<std::uint32_t>(m.number),
-          .order = static_cast<messages::Order>(m.command)};
+  messages::OperatorCommand command{.time = {m.utime},
+                                    .expiry = {m.expiry_utime},
+                                    .issuer = static_cast<std::uint32_t>(m.issuer),
+                                    .number = static_cast<std::uint32_t>(m.number),
+                                    .order = static_cast<messages::Order>(m.command),
+                                    .limits = {.max_depth = if_said<Meters>(m.max_depth_m),
+                                               .max_speed = if_said<MetersPerSecond>(m.max_speed_mps),
+                                               .max_time_s = if_said<double>(m.max_time_s)},
+                                    .is_verified = m.verified != 0};
+  std::copy(std::begin(m.mark), std::end(m.mark), command.mark.begin());
+  return command;
 }
 
 messages::Setpoint from_message(const setpoint_t& m) {
@@ -265,6 +295,7 @@ config::Mission from_message(const mission_t& m) {
           .detection_threshold = Decibels{m.detection_threshold_db},
           .listening = {.listening = static_cast<config::Listening>(m.listening), .length = {m.listening_window_us}},
           .safety = safety_in(m),
+          .authority = {.needs_verified_commands = m.needs_verified_commands != 0, .autopilot_timeout = {m.autopilot_timeout_us}},
           .action_seed = static_cast<std::uint64_t>(m.action_seed)};
 }
 

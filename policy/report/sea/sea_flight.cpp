@@ -38,6 +38,14 @@ const char* to_string(Order order) {
       return "COMPLETE";
     case Order::kAbort:
       return "ABORT";
+    case Order::kListen:
+      return "LISTEN";
+    case Order::kPause:
+      return "PAUSE";
+    case Order::kResume:
+      return "RESUME";
+    case Order::kTighten:
+      return "TIGHTEN";
   }
   return "an unknown order";
 }
@@ -60,6 +68,12 @@ const char* to_string(CommandOutcome outcome) {
       return "refused: no mission";
     case CommandOutcome::kOutOfOrder:
       return "refused: out of order";
+    case CommandOutcome::kNotVerified:
+      return "refused: not verified";
+    case CommandOutcome::kNotTighter:
+      return "refused: not tighter";
+    case CommandOutcome::kAutopilotSilent:
+      return "refused: the autopilot is silent";
   }
   return "refused";
 }

@@ -71,7 +71,7 @@ class DecodesWithCantools(unittest.TestCase):
         self.assertEqual((str(said["Kind"]), said["AbortIssuer"], said["AbortNumber"]), ("abort", 0x1234, 0x56789A))
         self.assertNotIn("Expiry", said)
         # Order 1, issuer 5, number 6, given at 1 s, not to be obeyed after 2 s.
-        command = bytes.fromhex("FC9F0101050000000600000040420F000000000080841E0000000000")
+        command = bytes.fromhex("FC9F0101050000000600000040420F000000000080841E0000000000" + 9 * "FF" + 16 * "00")
         said = database.decode_message(0x0DEFFF23, command)
         self.assertEqual(
             [str(said["Kind"]), str(said["Order"]), said["Issuer"], said["Number"]], ["command", "START", 5, 6]

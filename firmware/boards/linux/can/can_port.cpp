@@ -50,6 +50,7 @@ CanPort::CanPort(std::uint8_t index, const host::PortSettings& settings, const n
       serial_(std::to_string(settings.n2k.unique_number)),
       host_(host),
       settings_(settings.n2k),
+      command_key_(settings.command_key),
       pgns_sent_(pgns_sent(settings.roles)),
       pgns_read_(pgns_read(settings.roles)),
       socket_(settings.address, if_missing, {.filters = filters_of(settings.roles)}),
@@ -160,6 +161,7 @@ void CanPort::take_order(const n2k::Frame& frame, const Arrival& arrival, Clock&
   std::uint8_t sender = n2k::kNullAddress;
   // Without an address only what is meant for all is for us.
   if (orders_.accept(frame, arrival.utc, node_.address().value_or(n2k::kNullAddress), command, sender) != Status::kOk) return;
+  command.is_verified = command_key_ && command_key_->verifies(command);
   command.time = clock.mission_time_of(command.time);
   command.expiry = clock.mission_time_of(command.expiry);
   ++report_.received;

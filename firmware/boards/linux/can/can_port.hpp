@@ -88,6 +88,7 @@ class CanPort final : public Port {
   std::string serial_;
   const HostClock& host_;
   host::N2kSettings settings_;
+  std::optional<host::CommandKey> command_key_;
   Pgns pgns_sent_;
   Pgns pgns_read_;
   host::CanSocket socket_;

@@ -1,18 +1,25 @@
 #!/usr/bin/env python3
 """Gives Earshot one order over LCM, and says what came of it. How to run it: ../connect_your_autopilot.md
 
-usage: order_over_lcm.py LCM_URL START|COMPLETE|ABORT
+usage: order_over_lcm.py LCM_URL ORDER [--max-depth M] [--max-speed M_PER_S] [--max-time S] [--key-file FILE]
+ORDER is START, COMPLETE, ABORT, LISTEN, PAUSE, RESUME or TIGHTEN; the limits go with TIGHTEN.
 Ends with 0 once the order is obeyed, with 1 when it is not, or when nobody answers within 10 s.
 """
 
+import argparse
+import hashlib
+import math
+import pathlib
 import random
 import signal
+import struct
 import sys
 import time
 
 import lcm
 from earshot import command_acknowledgement_t, operator_command_t
 
+ORDERS = ("START", "COMPLETE", "ABORT", "LISTEN", "PAUSE", "RESUME", "TIGHTEN")
 OUTCOMES = (
     "OBEYED",
     "REPEATED",
@@ -22,10 +29,33 @@ OUTCOMES = (
     "UNKNOWN_ORDER",
     "NOT_CONFIGURED",
     "OUT_OF_ORDER",
+    "NOT_VERIFIED",
+    "NOT_TIGHTER",
+    "AUTOPILOT_SILENT",
 )
+
+
+def mark_of(order: operator_command_t, key: bytes) -> bytes:
+    """What shows that the sender knows the vehicle's key: firmware/authority/README.md."""
+    numbers = (order.utime, order.expiry_utime, order.issuer & 0xFFFFFFFF, order.number & 0xFFFFFFFF, order.command)
+    limits = (order.max_depth_m, order.max_speed_mps, order.max_time_s)
+    return hashlib.blake2b(struct.pack("<qqIIB3d", *numbers, *limits), key=key, digest_size=16).digest()
+
+
+parser = argparse.ArgumentParser(description="Gives Earshot one order over LCM.")
+parser.add_argument("url")
+parser.add_argument("order", choices=ORDERS)
+parser.add_argument("--max-depth", type=float, default=math.nan)
+parser.add_argument("--max-speed", type=float, default=math.nan)
+parser.add_argument("--max-time", type=float, default=math.nan)
+parser.add_argument("--key-file", type=pathlib.Path)
+said = parser.parse_args()
+
 order = operator_command_t()
 order.issuer, order.number = random.getrandbits(31), 1
-order.command = {"START": order.START, "COMPLETE": order.COMPLETE, "ABORT": order.ABORT}[sys.argv[2]]
+order.command = getattr(order, said.order)
+order.max_depth_m, order.max_speed_mps, order.max_time_s = said.max_depth, said.max_speed, said.max_time
+key = bytes.fromhex(said.key_file.read_text()) if said.key_file else None
 answers: list[str] = []
 
 
@@ -36,15 +66,16 @@ def on_acknowledgement(_channel, data):
 
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
-bus = lcm.LCM(sys.argv[1])
+bus = lcm.LCM(said.url)
 bus.subscribe("EARSHOT_COMMAND_ACKNOWLEDGEMENT", on_acknowledgement)
 deadline = time.monotonic() + 10.0
 while not answers and time.monotonic() < deadline:
     order.utime = time.time_ns() // 1000
     order.expiry_utime = order.utime + 600_000_000  # a START waits so long for navigation and SNR
+    order.mark = mark_of(order, key) if key else bytes(16)
     # The same numbers again: obeyed once however often it arrives.
     bus.publish("EARSHOT_OPERATOR_COMMAND", order.encode())
     bus.handle_timeout(200)
 outcome = answers[0] if answers else "nobody answers"
-print(f"{sys.argv[2]}:", outcome)
+print(f"{said.order}:", outcome)
 sys.exit(0 if outcome in ("OBEYED", "REPEATED") else 1)

@@ -81,6 +81,14 @@ void write_chain(Line& line, const HeardChain& chain) {
   line.decimal(chain.delay_s, 2) << " s";
 }
 
+/// What else there is to say about a state that has not ended.
+std::string_view remark_on(const messages::Health& health) {
+  if (health.end_reason != messages::EndReason::kNone) return {};
+  if (health.authority == messages::Authority::kDisconnected) return "the autopilot is not heard";
+  if (health.authority == messages::Authority::kListen) return "listening: it commands nothing";
+  return health.is_paused ? "paused by an operator" : std::string_view{};
+}
+
 Line line_at(Time time) {
   Line line;
   line << "earshotd: ";
@@ -179,15 +187,18 @@ void FlightNews::tell_chain(Time now, std::size_t port) {
 }
 
 void FlightNews::tell_state(Time now, const messages::Health& health) {
-  if (state_ == health.state) return;
+  const std::string_view remark = remark_on(health);
+  if (state_ == health.state && remark_ == remark) return;
+  if (state_ != health.state) navigation_.is_told_in_state = snr_.is_told_in_state = false;
   state_ = health.state;
-  navigation_.is_told_in_state = snr_.is_told_in_state = false;
+  remark_ = remark;
   Line line = line_at(now);
   line << to_string(health.state);
   const bool is_stopped = is_stopping_ && health.end_reason == messages::EndReason::kOperatorAbort;
   if (health.end_reason != messages::EndReason::kNone)
     line << ", " << (is_stopped ? "this program was told to stop" : to_string(health.end_reason)) << ", after " << health.steps_taken
          << " steps";
+  if (!remark.empty()) line << ", " << remark;
   writer_.say(line.text());
 }
 

@@ -93,6 +93,7 @@ class FlightNews {
   LineWriter& writer_;
   std::array<Link, config::kMaxPorts> links_;
   std::optional<messages::MissionState> state_;
+  std::string_view remark_;  ///< on it
   bool is_stopping_ = false;
   Refused navigation_;
   Refused snr_;

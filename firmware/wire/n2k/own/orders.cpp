@@ -1,5 +1,10 @@
 #include "firmware/wire/n2k/own/orders.hpp"
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
 #include "firmware/wire/n2k/identifier.hpp"
 #include "firmware/wire/n2k/own/ownership.hpp"
 
@@ -15,6 +20,39 @@ using messages::Order;
 Status cut(const MessageWriter& writer, const Route& route, FastPacketFrames& frames) {
   if (writer.status() != Status::kOk) return writer.status();
   return compose_fast_packet(writer.identifier(route.source, route.destination), route.sequence, writer.bytes(), frames);
+}
+
+constexpr std::array<std::string_view, 4> kMarkSignals{"Mark0", "Mark1", "Mark2", "Mark3"};
+
+/// Four bytes of a mark, little-endian, as everything on this bus.
+std::int64_t mark_part(const messages::CommandMark& mark, std::size_t part) {
+  std::int64_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value |= std::int64_t{mark[4 * part + i]} << (8 * i);
+  return value;
+}
+
+void put_mark_part(std::int64_t value, std::size_t part, messages::CommandMark& mark) {
+  for (std::size_t i = 0; i < 4; ++i) mark[4 * part + i] = static_cast<std::uint8_t>(value >> (8 * i));
+}
+
+/// "Not available" leaves a limit as it is; anything else that is no number is told by its status.
+template <class Limit>
+Status read_limit(const Signal& signal, std::span<const std::uint8_t> bytes, std::optional<Limit>& limit) {
+  const Result<double> said = decode(signal, bytes);
+  if (said.ok()) limit = Limit{said.value()};
+  return said.status() == Status::kNotReady ? Status::kOk : said.status();
+}
+
+Result<messages::OperatorLimits> read_limits(std::span<const std::uint8_t> bytes) {
+  constexpr Signal kMaxDepth = table::field(table::kCommand, "MaxDepth");
+  constexpr Signal kMaxSpeed = table::field(table::kCommand, "MaxSpeed");
+  constexpr Signal kMaxTime = table::field(table::kCommand, "MaxTime");
+  messages::OperatorLimits limits;
+  for (const Status status : {read_limit(kMaxDepth, bytes, limits.max_depth), read_limit(kMaxSpeed, bytes, limits.max_speed),
+                              read_limit(kMaxTime, bytes, limits.max_time_s)}) {
+    if (status != Status::kOk) return status;
+  }
+  return limits;
 }
 
 /// An abort is given when it arrives, and it does not expire.
@@ -38,6 +76,10 @@ Status compose_command(const OperatorCommand& command, const Route& route, FastP
       .set_raw("Number", command.number)
       .set_raw("Time", command.time.us)
       .set_raw("Expiry", command.expiry.us);
+  for (std::size_t i = 0; i < kMarkSignals.size(); ++i) writer.set_raw(kMarkSignals[i], mark_part(command.mark, i));
+  if (command.limits.max_depth) writer.set("MaxDepth", command.limits.max_depth->value);
+  if (command.limits.max_speed) writer.set("MaxSpeed", command.limits.max_speed->value);
+  if (command.limits.max_time_s) writer.set("MaxTime", *command.limits.max_time_s);
   return cut(writer, route, frames);
 }
 
@@ -50,7 +92,11 @@ Result<OperatorCommand> read_command(std::span<const std::uint8_t> bytes) {
   command.number = static_cast<std::uint32_t>(reader.raw("Number"));
   command.time = Time{reader.raw("Time")};
   command.expiry = Time{reader.raw("Expiry")};
+  for (std::size_t i = 0; i < kMarkSignals.size(); ++i) put_mark_part(reader.raw(kMarkSignals[i]), i, command.mark);
   if (reader.status() != Status::kOk) return reader.status();
+  const Result<messages::OperatorLimits> limits = read_limits(bytes);
+  if (!limits.ok()) return limits.status();
+  command.limits = limits.value();
   return command;
 }
 
@@ -81,7 +127,7 @@ Result<CommandAcknowledgement> read_acknowledgement(std::span<const std::uint8_t
   acknowledgement.issuer = static_cast<std::uint32_t>(reader.raw("Issuer"));
   acknowledgement.number = static_cast<std::uint32_t>(reader.raw("Number"));
   if (reader.status() != Status::kOk) return reader.status();
-  if (outcome > static_cast<std::int64_t>(CommandOutcome::kOutOfOrder)) return Status::kUnsupported;
+  if (outcome > static_cast<std::int64_t>(messages::kLastCommandOutcome)) return Status::kUnsupported;
   acknowledgement.order = static_cast<Order>(order);
   acknowledgement.outcome = static_cast<CommandOutcome>(outcome);
   return acknowledgement;

@@ -40,7 +40,12 @@ Status compose_health(const messages::Health& health, Time now, const Sender& se
       .set_raw("SNRRefused", counted(health.counters.snr_refused))
       .set_raw("CommandsRefused", counted(health.counters.commands_refused))
       .set_raw("SetpointsLimited", counted(health.counters.setpoints_limited))
-      .set_raw("Ports", static_cast<std::int64_t>(health.ports.size()));
+      .set_raw("StatusRefused", counted(health.counters.status_refused))
+      .set_raw("Ports", static_cast<std::int64_t>(health.ports.size()))
+      .set_raw("Turn", counted(health.turn))
+      .set_raw("Decisions", health.decisions)
+      .set_raw("Authority", static_cast<std::int64_t>(health.authority))
+      .set_raw("Paused", health.is_paused ? 1 : 0);
   return cut(writer, sender, frames);
 }
 
@@ -54,13 +59,20 @@ Result<HealthReport> read_health(std::span<const std::uint8_t> bytes) {
   report.health.steps_taken = static_cast<std::uint32_t>(reader.raw("StepsTaken"));
   report.health.counters = {.navigation_refused = count_in(reader, "NavigationRefused"),
                             .snr_refused = count_in(reader, "SNRRefused"),
+                            .status_refused = count_in(reader, "StatusRefused"),
                             .commands_refused = count_in(reader, "CommandsRefused"),
                             .setpoints_limited = count_in(reader, "SetpointsLimited")};
+  report.health.turn = count_in(reader, "Turn");
+  report.health.decisions = static_cast<std::uint32_t>(reader.raw("Decisions"));
+  report.health.is_paused = reader.yes("Paused");
+  const std::int64_t authority = reader.raw("Authority");
   report.port_count = static_cast<std::uint8_t>(reader.raw("Ports"));
   if (reader.status() != Status::kOk) return reader.status();
-  const bool known =
-      state <= static_cast<std::int64_t>(messages::MissionState::kAbort) && reason <= static_cast<std::int64_t>(messages::kLastEndReason);
+  const bool known = state <= static_cast<std::int64_t>(messages::MissionState::kAbort) &&
+                     reason <= static_cast<std::int64_t>(messages::kLastEndReason) &&
+                     authority <= static_cast<std::int64_t>(messages::kLastAuthority);
   if (!known) return Status::kUnsupported;
+  report.health.authority = static_cast<messages::Authority>(authority);
   report.health.state = static_cast<messages::MissionState>(state);
   report.health.end_reason = static_cast<messages::EndReason>(reason);
   return report;

@@ -127,11 +127,11 @@ inline constexpr Message kConfiguration =
 inline constexpr Message kSnr = single("EarshotSNR", kSnrPgn, 5, kBoth, kSecond, kSnrSignals);
 inline constexpr Message kAltitude = single("EarshotAltitude", kAltitudePgn, 5, kToRuntime, kSecond, kAltitudeSignals);
 inline constexpr Message kLeak = single("EarshotLeak", kLeakPgn, 1, kToRuntime, kSecond, kLeakSignals);
-inline constexpr Message kHealth = fast("EarshotHealth", kHealthPgn, 6, kFromRuntime, kSecond, kHealthSignals, 41);
+inline constexpr Message kHealth = fast("EarshotHealth", kHealthPgn, 6, kFromRuntime, kSecond, kHealthSignals, 58);
 inline constexpr Message kPortHealth = fast("EarshotPortHealth", kPortHealthPgn, 6, kFromRuntime, kSecond, kPortHealthSignals, 28);
 inline constexpr Message kDecision = fast("EarshotDecision", kDecisionPgn, 6, kFromRuntime, kOnOccasion, kDecisionSignals, 60);
 inline constexpr Message kCommand =
-    fast("EarshotCommand", kPeerPgn, 3, kToRuntime, kOnOccasion, kCommandSignals, 28, raw_of(kPeers, "command"));
+    fast("EarshotCommand", kPeerPgn, 3, kToRuntime, kOnOccasion, kCommandSignals, 53, raw_of(kPeers, "command"));
 inline constexpr Message kCommandAcknowledgement = fast("EarshotCommandAcknowledgement", kPeerPgn, 3, kFromRuntime, kOnOccasion,
                                                         kCommandAcknowledgementSignals, 21, raw_of(kPeers, "acknowledgement"));
 inline constexpr Message kAbort = single("EarshotAbort", kPeerPgn, 3, kToRuntime, kOnOccasion, kAbortSignals, 8, raw_of(kPeers, "abort"));

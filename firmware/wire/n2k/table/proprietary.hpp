@@ -10,14 +10,15 @@ namespace earshot::n2k::table {
 inline constexpr std::int64_t kManufacturer = 2044;
 inline constexpr std::int64_t kMarineIndustry = raw_of(kIndustry, "Marine Industry");
 
-inline constexpr Choice kOrders[]{{1, "START"}, {2, "COMPLETE"}, {3, "ABORT"}};
-inline constexpr Choice kOutcomes[]{{0, "obeyed"},         {1, "repeated"},          {2, "too old"},
-                                    {3, "expired"},        {4, "not in this state"}, {5, "unknown order"},
-                                    {6, "not configured"}, {7, "out of order"}};
+inline constexpr Choice kOrders[]{{1, "START"}, {2, "COMPLETE"}, {3, "ABORT"}, {4, "LISTEN"}, {5, "PAUSE"}, {6, "RESUME"}, {7, "TIGHTEN"}};
+inline constexpr Choice kOutcomes[]{
+    {0, "obeyed"},         {1, "repeated"},     {2, "too old"},      {3, "expired"},     {4, "not in this state"}, {5, "unknown order"},
+    {6, "not configured"}, {7, "out of order"}, {8, "not verified"}, {9, "not tighter"}, {10, "autopilot silent"}};
 inline constexpr Choice kMissionStates[]{{0, "STANDBY"}, {1, "SEARCH"}, {2, "DONE"}, {3, "ABORT"}};
 inline constexpr Choice kEndReasons[]{{0, "not over"},         {1, "completed"}, {2, "steps used up"},       {3, "operator abort"},
                                       {4, "navigation stale"}, {5, "SNR stale"}, {6, "left operating area"}, {7, "time used up"},
                                       {8, "safety rule"}};
+inline constexpr Choice kAuthorities[]{{0, "DISCONNECTED"}, {1, "STANDBY"}, {2, "LISTEN"}, {3, "COMMAND"}, {4, "ABORT"}};
 inline constexpr Choice kLeakStates[]{{0, "dry"}, {1, "wet"}};
 inline constexpr Choice kPeers[]{{1, "command"}, {2, "acknowledgement"}, {3, "abort"}};
 
@@ -90,6 +91,11 @@ inline constexpr Signal kHealthSignals[]{
     counter("CommandsRefused", 224),
     counter("SetpointsLimited", 272),
     number("Ports", 320, 8),
+    counter("Turn", 328),
+    any_number("Decisions", 376),
+    choice("Authority", 408, 4, kAuthorities),
+    choice("Paused", 412, 2, kYesNo),
+    counter("StatusRefused", 416),
 };
 
 inline constexpr Signal kPortHealthSignals[]{
@@ -121,9 +127,23 @@ inline constexpr Signal kDecisionSignals[]{
     number("EffectiveCells", 448, 32, kUnsigned, kHundredth),
 };
 
+// The limits of a TIGHTEN: "not available" leaves one as it is. The mark: zeros where the vehicle's mission names no key.
 inline constexpr Signal kCommandSignals[]{
-    manufacturer(),           industry(),          message_kind(),         choice("Order", 24, 8, kOrders), any_number("Issuer", 32),
-    any_number("Number", 64), instant("Time", 96), instant("Expiry", 160),
+    manufacturer(),
+    industry(),
+    message_kind(),
+    choice("Order", 24, 8, kOrders),
+    any_number("Issuer", 32),
+    any_number("Number", 64),
+    instant("Time", 96),
+    instant("Expiry", 160),
+    within(0, 12'000, number("MaxDepth", 224, 24, kUnsigned, kHundredth, "m")),
+    number("MaxSpeed", 248, 16, kUnsigned, kHundredth, "m/s"),
+    number("MaxTime", 264, 32, kUnsigned, kOne, "s"),
+    any_number("Mark0", 296),
+    any_number("Mark1", 328),
+    any_number("Mark2", 360),
+    any_number("Mark3", 392),
 };
 
 inline constexpr Signal kCommandAcknowledgementSignals[]{

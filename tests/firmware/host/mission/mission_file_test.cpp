@@ -9,37 +9,11 @@
 #include <string>
 
 #include "firmware/host/toml/table_reader.hpp"
+#include "tests/firmware/host/mission/shipped_mission.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
 namespace {
-
-const std::filesystem::path kShipped = std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/fixed_source.toml";
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// What load_mission says about the shipped mission with one piece of text replaced; paths become "FILE".
-std::string complaint(const std::string& from, const std::string& to) {
-  std::string text = text_of(kShipped);
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  text.replace(at, from.size(), to);
-  const support::TemporaryFolder folder;
-  const std::filesystem::path path = folder / "mission.toml";
-  std::ofstream(path) << text;
-  std::string what;
-  try {
-    (void)load_mission(path);
-  } catch (const host::BadInput& e) {
-    what = e.what();
-  }
-  for (std::size_t p = what.find(path.string()); p != std::string::npos; p = what.find(path.string()))
-    what.replace(p, path.string().size(), "FILE");
-  return what;
-}
 
 TEST(MissionFile, TheShippedMissionIsThePapers) {
   const MissionFile file = load_mission(kShipped);
@@ -54,41 +28,6 @@ TEST(MissionFile, TheShippedMissionIsThePapers) {
   ASSERT_EQ(file.ports.size(), 1U);
   EXPECT_EQ(file.ports[0].kind, PortKind::kLcm);
   EXPECT_EQ(file.ports[0].roles, (Roles{Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus}));
-}
-
-// The last value that is allowed and the first that is not.
-TEST(MissionFile, KeepsTheBoundsOfItsNumbers) {
-  struct Bound {
-    std::string line;
-    std::string allowed;
-    std::string refused;
-  };
-  for (const auto& [line, allowed, refused] :
-       {Bound{"speed_mps = 2.0", "speed_mps = 20.0", "speed_mps = 20.1"},
-        Bound{"latitude_deg = 38.5", "latitude_deg = 80.0", "latitude_deg = 80.1"},
-        Bound{"latitude_deg = 38.5", "latitude_deg = -80.0", "latitude_deg = -80.1"},
-        Bound{"longitude_deg = -28.0", "longitude_deg = 180.0", "longitude_deg = 180.1"},
-        Bound{"longitude_deg = -28.0", "longitude_deg = -180.0", "longitude_deg = -180.1"},
-        Bound{"max_depth_m = 400.0", "max_depth_m = 11000.0", "max_depth_m = 11000.1"},
-        Bound{"max_time_s = 60000.0", "max_time_s = 10000000.0", "max_time_s = 10000001.0"},
-        Bound{"navigation_timeout_s = 5.0", "navigation_timeout_s = 3600.0", "navigation_timeout_s = 3600.1"},
-        Bound{"snr_timeout_s = 5.0", "snr_timeout_s = 3600.0", "snr_timeout_s = 3600.1"},
-        Bound{"detection_threshold_db = 10.0", "detection_threshold_db = 200.0", "detection_threshold_db = 200.1"},
-        Bound{"max_steps = 100", "max_steps = 1000000", "max_steps = 1000001"},
-        Bound{"edge_margin_m = 250.0", "edge_margin_m = 0.0", "edge_margin_m = -0.1"}}) {
-    EXPECT_EQ(complaint(line, allowed), "") << allowed;
-    EXPECT_NE(complaint(line, refused).find("must be"), std::string::npos) << refused;
-  }
-}
-
-TEST(MissionFile, ComplainsOfRoomToSearchOnlyWhereThereIsAnArea) {
-  EXPECT_EQ(complaint("east_m = 25000.0", "east_m = 0.0").find("edge_margin_m"), std::string::npos);
-  EXPECT_EQ(complaint("max_depth_m = 400.0", "max_depth_m = 100.0").find("edge_margin_m"), std::string::npos);
-}
-
-TEST(MissionFile, RefusesAnAreaWithoutWidthOrHeight) {
-  EXPECT_NE(complaint("east_m = 25000.0", "east_m = 0.0").find("area.east_m = 0.0: must be greater than west_m"), std::string::npos);
-  EXPECT_NE(complaint("north_m = 25000.0", "north_m = 0.0").find("area.north_m = 0.0: must be greater than south_m"), std::string::npos);
 }
 
 TEST(MissionFile, MakesATurnASecondUnlessTold) {

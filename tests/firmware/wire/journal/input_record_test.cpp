@@ -24,11 +24,17 @@ const Input kLook{.arrival = Time{71},
                   .port = 0,
                   .sequence = 13,
                   .value = messages::SnrMeasurement{.time = Time{6}, .snr = Decibels{-7.5}, .too_faint = true}};
-const Input kCommand{
-    .arrival = Time{72},
-    .port = 7,
-    .sequence = 14,
-    .value = messages::OperatorCommand{.time = Time{7}, .expiry = Time{8}, .issuer = 9, .number = 10, .order = messages::Order::kStart}};
+const Input kCommand{.arrival = Time{72},
+                     .port = 7,
+                     .sequence = 14,
+                     .value = messages::OperatorCommand{.time = Time{7},
+                                                        .expiry = Time{8},
+                                                        .issuer = 9,
+                                                        .number = 10,
+                                                        .order = messages::Order::kTighten,
+                                                        .limits = {.max_depth = Meters{120.0}, .max_speed = {}, .max_time_s = 60.0},
+                                                        .mark = {1, 2, 3, 250},
+                                                        .is_verified = true}};
 const Input kReport{.arrival = Time{73},
                     .port = 2,
                     .sequence = 15,

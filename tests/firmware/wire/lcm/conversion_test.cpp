@@ -66,6 +66,20 @@ TEST(Conversion, GivesACommandBackWhateverItsNumber) {
   EXPECT_EQ(from_message(carried(to_message(command))), command);
 }
 
+TEST(Conversion, GivesATighteningBackWithItsLimitsAndItsMark) {
+  messages::OperatorCommand command{.time = Time{5},
+                                    .expiry = Time{6},
+                                    .issuer = 1,
+                                    .number = 2,
+                                    .order = messages::Order::kTighten,
+                                    .limits = {.max_depth = Meters{100.5}, .max_speed = MetersPerSecond{1.5}, .max_time_s = 60.25},
+                                    .mark = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 255},
+                                    .is_verified = true};
+  EXPECT_EQ(from_message(carried(to_message(command))), command);
+  command.limits = {};
+  EXPECT_EQ(from_message(carried(to_message(command))), command);
+}
+
 TEST(Conversion, GivesAFixWhoseSpeedNobodyKnowsBackAsOne) {
   const messages::Navigation fix{.time = Time{5},
                                  .position = {Meters{1.0}, Meters{2.0}},
@@ -197,6 +211,10 @@ TEST(Conversion, TellsEveryFieldOfHealthAndOfEachPort) {
   health.state = messages::MissionState::kAbort;
   health.end_reason = messages::EndReason::kTimeUsedUp;
   health.steps_taken = 37;
+  health.turn = std::uint64_t{1} << 40U;
+  health.decisions = 38;
+  health.authority = messages::Authority::kAbort;
+  health.is_paused = true;
   for (const std::uint8_t port : {std::uint8_t{2}, std::uint8_t{5}})
     EXPECT_EQ(health.ports.push_back({.port = port, .received = 100U + port}), Status::kOk);
   const health_t arrived = carried(to_message(health, Time{7}));
@@ -204,6 +222,10 @@ TEST(Conversion, TellsEveryFieldOfHealthAndOfEachPort) {
   EXPECT_EQ(arrived.state, 3);
   EXPECT_EQ(arrived.end_reason, 7);
   EXPECT_EQ(arrived.steps_taken, 37);
+  EXPECT_EQ(arrived.turn, std::int64_t{1} << 40U);
+  EXPECT_EQ(arrived.decisions, 38);
+  EXPECT_EQ(arrived.authority, 4);
+  EXPECT_EQ(arrived.paused, 1);
   EXPECT_EQ(arrived.port_count, 2);
   EXPECT_EQ(arrived.ports[0].port, 2);
   EXPECT_EQ(arrived.ports[1].port, 5);
@@ -260,14 +282,17 @@ TEST(Conversion, GivesEveryFieldOfAMissionBack) {
       .detection_threshold = Decibels{14.0},
       .listening = {.listening = config::Listening::kMean, .length = Duration::seconds(15)},
       .safety = some_safety(),
+      .authority = {.needs_verified_commands = true, .autopilot_timeout = Duration::seconds(17)},
       .action_seed = (std::uint64_t{1} << 63U) + 16,
   };
   // A field more does not compile here: give it a value above that is not its default.
-  const auto& [area, margin, depth, max_depth, speed, step, steps, time, navigation, snr, threshold, listening, safety, seed] = mission;
+  const auto& [area, margin, depth, max_depth, speed, step, steps, time, navigation, snr, threshold, listening, safety, authority, seed] =
+      mission;
   EXPECT_EQ(seed, (std::uint64_t{1} << 63U) + 16);
   EXPECT_EQ(safety.rules.size(), config::kMaxOwnRules);
+  EXPECT_TRUE(authority.needs_verified_commands);
   EXPECT_EQ(from_message(carried(to_message(mission, Time{7}))), mission);
-  EXPECT_EQ(Encoded(to_message(mission, Time{7})).bytes().size(), 2549U);
+  EXPECT_EQ(Encoded(to_message(mission, Time{7})).bytes().size(), 2558U);
 }
 
 TEST(Conversion, GivesAMissionWithoutFenceOrRulesBack) {

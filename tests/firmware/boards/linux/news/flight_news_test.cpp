@@ -86,6 +86,33 @@ TEST_F(FlightNewsTest, TellsEachStateOnceWithItsTimeAndWhyItIsOver) {
             "earshotd: 2026-11-19 11:06:40 UTC: ABORT, navigation went silent, after 12 steps\n");
 }
 
+TEST_F(FlightNewsTest, TellsWhetherASearchCommandsAndIsPausedEachOnce) {
+  messages::Health standby = health(MissionState::kStandby);
+  standby.authority = messages::Authority::kDisconnected;
+  messages::Health search = health(MissionState::kSearch);
+  search.authority = messages::Authority::kListen;
+  news_->tell(kUtc, standby);
+  news_->tell(kUtc + Duration::seconds(1), standby);
+  standby.authority = messages::Authority::kStandby;
+  news_->tell(kUtc + Duration::seconds(2), standby);
+  news_->tell(kUtc + Duration::seconds(3), search);
+  news_->tell(kUtc + Duration::seconds(4), search);
+  search.authority = messages::Authority::kCommand;
+  news_->tell(kUtc + Duration::seconds(5), search);
+  search.is_paused = true;
+  news_->tell(kUtc + Duration::seconds(6), search);
+  search.state = MissionState::kAbort;
+  search.end_reason = EndReason::kOperatorAbort;
+  news_->tell(kUtc + Duration::seconds(7), search);
+  EXPECT_EQ(all_told(),
+            "earshotd: 2026-11-18 11:06:40 UTC: STANDBY, the autopilot is not heard\n"
+            "earshotd: 2026-11-18 11:06:42 UTC: STANDBY\n"
+            "earshotd: 2026-11-18 11:06:43 UTC: SEARCH, listening: it commands nothing\n"
+            "earshotd: 2026-11-18 11:06:45 UTC: SEARCH\n"
+            "earshotd: 2026-11-18 11:06:46 UTC: SEARCH, paused by an operator\n"
+            "earshotd: 2026-11-18 11:06:47 UTC: ABORT, an operator aborted it, after 0 steps\n");
+}
+
 TEST_F(FlightNewsTest, TellsWhatARuleDoesAndWhyAndWhenItNoLongerDoes) {
   messages::SafetyEvent event{.time = kUtc,
                               .rule = 10,

@@ -46,6 +46,29 @@ TEST_F(OrdersTest, ComeBackWithAllTheirBits) {
   EXPECT_EQ(sender_, kOperator);
 }
 
+TEST_F(OrdersTest, TightenLimitsAndBearTheirMark) {
+  OperatorCommand tighten = kStart;
+  tighten.order = Order::kTighten;
+  tighten.limits = {.max_depth = Meters{123.45}, .max_speed = {}, .max_time_s = 3600.0};
+  tighten.mark = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 255};
+  Status status = Status::kNotReady;
+  std::vector<Frame> frames;
+  for (const Frame& frame : frames_of(tighten)) {
+    frames.push_back(frame);
+    status = accept(frame);
+  }
+  ASSERT_EQ(status, Status::kOk);
+  EXPECT_EQ(command_, tighten);
+  // 53 bytes: 6 in the first frame, 7 in each of seven more. Bytes 28 to 30 are 12 345 cm = 0x003039; byte 31 and 32: no speed.
+  ASSERT_EQ(frames.size(), 8U);
+  EXPECT_EQ(frames[0].data[1], 53);
+  EXPECT_EQ(frames[4].data[2], 0x39);
+  EXPECT_EQ(frames[4].data[3], 0x30);
+  EXPECT_EQ(frames[4].data[4], 0x00);
+  EXPECT_EQ(frames[4].data[5], 0xFF);
+  EXPECT_EQ(frames[4].data[6], 0xFF);
+}
+
 TEST_F(OrdersTest, ToAnotherDeviceAreNotOurs) {
   for (const Frame& frame : frames_of(kStart, {.source = kOperator, .destination = 0x41, .sequence = 0}))
     EXPECT_EQ(accept(frame), Status::kNotReady);
@@ -122,8 +145,11 @@ TEST_F(OrdersTest, AndTheirAnswersLieByteForByteWhereOtherProgramsExpectThem) {
                                 .issuer = 0x24232221,
                                 .number = 0x34333231,
                                 .order = Order::kComplete};  // 2
-  EXPECT_EQ(bytes_of(frames_of(command)), (Bytes{0xFC, 0x9F, 1, 2, 0x21, 0x22, 0x23, 0x24, 0x31, 0x32, 0x33, 0x34, 1,    2,
-                                                 3,    4,    5, 6, 7,    8,    0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x17, 0x18}));
+  Bytes expected{0xFC, 0x9F, 1, 2, 0x21, 0x22, 0x23, 0x24, 0x31, 0x32, 0x33, 0x34, 1,    2,
+                 3,    4,    5, 6, 7,    8,    0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x17, 0x18};
+  expected.insert(expected.end(), 9, 0xFF);   // no limits
+  expected.insert(expected.end(), 16, 0x00);  // no mark
+  EXPECT_EQ(bytes_of(frames_of(command)), expected);
   FastPacketFrames frames;
   ASSERT_EQ(compose_acknowledgement({.time = Time{0x0807060504030201},
                                      .port = 0,
@@ -176,16 +202,16 @@ TEST_F(OrdersTest, AreNotFoundInOurOwnAnswersComeBackOrThoseOfOthers) {
 TEST_F(OrdersTest, WhoseAnswerNobodyKnowsIsRefused) {
   FastPacketFrames frames;
   const messages::CommandAcknowledgement sent{
-      .time = kNow, .port = 0, .issuer = 1, .number = 2, .order = Order::kStart, .outcome = messages::CommandOutcome::kOutOfOrder};
+      .time = kNow, .port = 0, .issuer = 1, .number = 2, .order = Order::kStart, .outcome = messages::CommandOutcome::kAutopilotSilent};
   ASSERT_EQ(compose_acknowledgement(sent, kRoute, frames), Status::kOk);
   FastPacketAssembly assembly;
   std::span<const std::uint8_t> view;
   for (const Frame& frame : frames)
     static_cast<void>(assembly.accept({.pgn = kPeerPgn, .source = kOperator, .destination = kUs}, frame, view));
   std::vector<std::uint8_t> bytes(view.begin(), view.end());
-  ASSERT_EQ(bytes[12], 7);
+  ASSERT_EQ(bytes[12], 10);
   EXPECT_TRUE(read_acknowledgement(bytes).ok());
-  bytes[12] = 8;
+  bytes[12] = 11;
   EXPECT_EQ(read_acknowledgement(bytes).status(), Status::kUnsupported);
   bytes[12] = 0xFF;
   EXPECT_EQ(read_acknowledgement(bytes).status(), Status::kNotReady);

@@ -38,11 +38,15 @@ TEST(Reports, OfHealthComeBack) {
   health.state = messages::MissionState::kAbort;
   health.end_reason = messages::EndReason::kSnrStale;
   health.steps_taken = 0xFFFF'FFFF;
-  health.counters = {.navigation_refused = 1, .snr_refused = 2, .commands_refused = 3, .setpoints_limited = 4};
+  health.counters = {.navigation_refused = 1, .snr_refused = 2, .status_refused = 5, .commands_refused = 3, .setpoints_limited = 4};
+  health.turn = 6;
+  health.decisions = 7;
+  health.authority = messages::Authority::kAbort;
+  health.is_paused = true;
   ASSERT_EQ(health.ports.push_back({}), Status::kOk);
   FastPacketFrames frames;
   ASSERT_EQ(compose_health(health, Time{-5}, kSender, frames), Status::kOk);
-  EXPECT_EQ(frames.size(), 6U);  // 41 bytes: 6 and 5 times 7
+  EXPECT_EQ(frames.size(), 9U);  // 58 bytes: 6 and 7 times 7 and 3
   const Result<HealthReport> read = read_health(bytes_of(frames));
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(read.value().time, Time{-5});
@@ -50,6 +54,10 @@ TEST(Reports, OfHealthComeBack) {
   EXPECT_EQ(read.value().health.end_reason, messages::EndReason::kSnrStale);
   EXPECT_EQ(read.value().health.steps_taken, 0xFFFF'FFFFU);
   EXPECT_EQ(read.value().health.counters, health.counters);
+  EXPECT_EQ(read.value().health.turn, 6U);
+  EXPECT_EQ(read.value().health.decisions, 7U);
+  EXPECT_EQ(read.value().health.authority, messages::Authority::kAbort);
+  EXPECT_TRUE(read.value().health.is_paused);
   EXPECT_EQ(read.value().port_count, 1);
 }
 
@@ -76,12 +84,18 @@ TEST(Reports, LieByteForByteWhereOtherProgramsExpectThem) {
   health.steps_taken = 0x04030201;
   health.counters = {.navigation_refused = 0x060504030201,
                      .snr_refused = 0x161514131211,
+                     .status_refused = 0x464544434241,
                      .commands_refused = 0x262524232221,
                      .setpoints_limited = 0x363534333231};
+  health.turn = 0x565554535251;
+  health.decisions = 0x64636261;
+  health.authority = messages::Authority::kAbort;  // 4, below paused in two bits (1) and two ones: 1101'0100
+  health.is_paused = true;
   ASSERT_EQ(compose_health(health, Time{0x0807060504030201}, kSender, frames), Status::kOk);
   EXPECT_EQ(bytes_of(frames),
-            (Bytes{0xFC, 0x9F, 1,    2,    3,    4,    5,    6,    7,    8,    3,    7,    1,    2,    3,    4,    1,    2,    3,    4, 5,
-                   6,    0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x21, 0x22, 0x23, 0x24, 0x25, 0x26, 0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0}));
+            (Bytes{0xFC, 0x9F, 1,    2,    3,    4,    5,    6,    7,    8,    3,    7,    1,    2,    3,    4,    1,    2,    3,    4,
+                   5,    6,    0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x21, 0x22, 0x23, 0x24, 0x25, 0x26, 0x31, 0x32, 0x33, 0x34, 0x35, 0x36,
+                   0,    0x51, 0x52, 0x53, 0x54, 0x55, 0x56, 0x61, 0x62, 0x63, 0x64, 0xD4, 0x41, 0x42, 0x43, 0x44, 0x45, 0x46}));
 
   // The link in two bits below six ones: 1 for up.
   const messages::PortReport report{.port = 9,

@@ -1,11 +1,11 @@
-#include "firmware/runtime/command_judge.hpp"
+#include "firmware/authority/command_judge.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <limits>
 
-namespace earshot::runtime {
+namespace earshot::authority {
 namespace {
 
 using messages::CommandOutcome;
@@ -167,4 +167,4 @@ TEST(CommandJudge, RefusesAnUnknownOrder) {
 }
 
 }  // namespace
-}  // namespace earshot::runtime
+}  // namespace earshot::authority

@@ -7,12 +7,15 @@
 #include "firmware/core/time.hpp"
 #include "firmware/messages/operator_command.hpp"
 
-namespace earshot::runtime {
+namespace earshot::authority {
 
 /// Tells a command that is to be obeyed from one that is old, late, or was judged before: a log that is played back, a queue that empties
-/// after a stall, a sender that repeats until it is acknowledged.
+/// after a stall, a sender that repeats until it is acknowledged, and, where the mission names a key, a sender who does not know it.
 class CommandJudge {
  public:
+  CommandJudge() = default;
+  explicit CommandJudge(bool needs_verified) : needs_verified_(needs_verified) {}
+
   struct Verdict {
     messages::CommandOutcome outcome = messages::CommandOutcome::kObeyed;
     bool is_repetition = false;  ///< judged before: the outcome is what it was then, and nothing is to be done
@@ -36,6 +39,7 @@ class CommandJudge {
 
   FixedVector<Issuer, config::kMaxIssuers> issuers_;
   std::uint64_t heard_ = 0;
+  bool needs_verified_ = false;
 };
 
-}  // namespace earshot::runtime
+}  // namespace earshot::authority

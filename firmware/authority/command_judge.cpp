@@ -1,8 +1,8 @@
-#include "firmware/runtime/command_judge.hpp"
+#include "firmware/authority/command_judge.hpp"
 
 #include <algorithm>
 
-namespace earshot::runtime {
+namespace earshot::authority {
 namespace {
 
 using messages::CommandOutcome;
@@ -11,7 +11,7 @@ using messages::Order;
 constexpr Duration kMaxAge{config::kCommandMaxAge_us};
 
 bool is_known(Order order) {
-  return order == Order::kStart || order == Order::kComplete || order == Order::kAbort;
+  return order >= Order::kStart && order <= messages::kLastOrder;
 }
 
 CommandOutcome judge_date(Time arrival, const messages::OperatorCommand& command) {
@@ -24,6 +24,7 @@ CommandOutcome judge_date(Time arrival, const messages::OperatorCommand& command
 CommandJudge::Verdict CommandJudge::judge(Time arrival, const messages::OperatorCommand& command) {
   if (!is_known(command.order)) return {.outcome = CommandOutcome::kUnknownOrder};
   if (command.order == Order::kAbort) return {};
+  if (needs_verified_ && !command.is_verified) return {.outcome = CommandOutcome::kNotVerified};
   const auto known = std::find_if(issuers_.begin(), issuers_.end(), [&](const Issuer& i) { return i.issuer == command.issuer; });
   if (known == issuers_.end()) return {.outcome = judge_date(arrival, command)};
   known->last_heard = ++heard_;
@@ -42,4 +43,4 @@ void CommandJudge::remember(const messages::OperatorCommand& command, CommandOut
   *place = {.issuer = command.issuer, .last_number = command.number, .last_outcome = outcome, .last_heard = ++heard_};
 }
 
-}  // namespace earshot::runtime
+}  // namespace earshot::authority

@@ -1,0 +1,45 @@
+#include "firmware/authority/tightened.hpp"
+
+#include <cstdint>
+#include <optional>
+
+#include "firmware/safety/check.hpp"
+
+namespace earshot::authority {
+namespace {
+
+/// What is not said is no reason to refuse it.
+template <class Limit>
+bool is_tighter(const std::optional<Limit>& limit, Limit than) {
+  return !limit || (*limit > Limit{0.0} && *limit <= than);
+}
+
+/// A rule of the mission's own that the new limit forestalls does no harm.
+bool can_be_flown(const config::Mission& mission) {
+  if (config::check(mission) != Status::kOk) return false;
+  const safety::SafetyFault fault = safety::check(mission).fault;
+  return fault == safety::SafetyFault::kNone || fault == safety::SafetyFault::kRuleNeverActs;
+}
+
+/// Of a duration that is shorter than another: it fits.
+Duration of_seconds(double seconds) {
+  return {static_cast<std::int64_t>(seconds * 1e6)};
+}
+
+}  // namespace
+
+Result<config::Mission> tightened(const config::Mission& mission, const messages::OperatorLimits& limits) {
+  const bool are_tighter = is_tighter(limits.max_depth, mission.max_depth) && is_tighter(limits.max_speed, mission.search_speed) &&
+                           is_tighter(limits.max_time_s, mission.max_time.to_seconds());
+  if (limits == messages::OperatorLimits{} || !are_tighter) return Status::kOutOfRange;
+  config::Mission tighter = mission;
+  if (limits.max_depth) tighter.max_depth = *limits.max_depth;
+  if (limits.max_speed) tighter.search_speed = *limits.max_speed;
+  if (limits.max_time_s) tighter.max_time = of_seconds(*limits.max_time_s);
+  // As far from its limit as before, by share: a depth control that comes to rest at the limit itself would be beyond it again and again.
+  if (limits.max_depth) tighter.search_depth = mission.search_depth * (tighter.max_depth / mission.max_depth);
+  if (!can_be_flown(tighter)) return Status::kOutOfRange;
+  return tighter;
+}
+
+}  // namespace earshot::authority

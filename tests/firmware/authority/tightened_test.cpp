@@ -1,0 +1,83 @@
+#include "firmware/authority/tightened.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace earshot::authority {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// 25 km square, 300 m deep of at most 400, 2 m/s, ten hours.
+config::Mission mission() {
+  return {.operating_area = {.south_west = {}, .north_east = {Meters{25'000}, Meters{25'000}}},
+          .edge_margin = Meters{250},
+          .search_depth = Meters{300},
+          .max_depth = Meters{400},
+          .search_speed = MetersPerSecond{2},
+          .step_length = Meters{1000},
+          .max_time = Duration::seconds(36'000),
+          .navigation_timeout = Duration::seconds(5),
+          .snr_timeout = Duration::seconds(5),
+          .detection_threshold = Decibels{10}};
+}
+
+messages::OperatorLimits depth(double m) {
+  return {.max_depth = Meters{m}};
+}
+messages::OperatorLimits speed(double mps) {
+  return {.max_speed = MetersPerSecond{mps}};
+}
+messages::OperatorLimits time(double s) {
+  return {.max_time_s = s};
+}
+
+TEST(Tightened, HasTheLimitsThatAreSaidAndKeepsTheRest) {
+  config::Mission expected = mission();
+  expected.max_depth = Meters{200};
+  expected.search_depth = Meters{150};  // half, as its limit
+  EXPECT_EQ(tightened(mission(), depth(200)).value(), expected);
+  expected = mission();
+  expected.search_speed = MetersPerSecond{1.5};
+  EXPECT_EQ(tightened(mission(), speed(1.5)).value(), expected);
+  expected = mission();
+  expected.max_time = Duration::seconds(1800);
+  EXPECT_EQ(tightened(mission(), time(1800)).value(), expected);
+}
+
+TEST(Tightened, MayBeAsItWasAndNeverLooser) {
+  EXPECT_EQ(tightened(mission(), depth(400)).value(), mission());
+  for (const auto& limits : {depth(400.001), depth(kInfinity), speed(2.001), speed(kInfinity), time(36'000.001), time(kInfinity)})
+    EXPECT_EQ(tightened(mission(), limits).status(), Status::kOutOfRange);
+  messages::OperatorLimits mixed = depth(100);
+  mixed.max_speed = MetersPerSecond{3};
+  EXPECT_EQ(tightened(mission(), mixed).status(), Status::kOutOfRange) << "one that is looser is refused with all others";
+}
+
+TEST(Tightened, IsNothingWithoutALimitOrWithoutRoom) {
+  EXPECT_EQ(tightened(mission(), {}).status(), Status::kOutOfRange);
+  for (const auto& limits : {depth(0), depth(-1), depth(-kInfinity), speed(0), speed(-1), time(0), time(-1)})
+    EXPECT_EQ(tightened(mission(), limits).status(), Status::kOutOfRange);
+}
+
+TEST(Tightened, MustStillBeAMissionThatTheVehicleCanFly) {
+  config::Mission against_current = mission();
+  against_current.safety.vehicle.max_speed = MetersPerSecond{3};
+  against_current.safety.vehicle.max_current = MetersPerSecond{1};
+  EXPECT_TRUE(tightened(against_current, speed(1.25)).ok());
+  EXPECT_EQ(tightened(against_current, speed(0.75)).status(), Status::kOutOfRange) << "the current would carry it away";
+}
+
+TEST(Tightened, MayForestallARuleOfTheMissionsOwn) {
+  config::Mission warned = mission();
+  ASSERT_EQ(warned.safety.rules.push_back({.condition = config::Condition::kDepth,
+                                           .limit = 350,
+                                           .persistence = Duration::seconds(10),
+                                           .response = config::Response::kWarn}),
+            Status::kOk);
+  EXPECT_TRUE(tightened(warned, depth(340)).ok()) << "the vehicle comes up before it would have been warned of";
+}
+
+}  // namespace
+}  // namespace earshot::authority
