@@ -50,7 +50,7 @@ inline constexpr std::size_t kGoldenSteps = 6;
 /// Bytes of provenance text in a policy; full: refused at freeze.
 inline constexpr std::size_t kMaxProvenance = 1024;
 /// Bytes of the whole on-vehicle state (nearly all of them policy weights and belief); full: does not compile.
-inline constexpr std::size_t kRuntimeBytes = by_profile(122, 70) * 1024;
+inline constexpr std::size_t kRuntimeBytes = by_profile(134, 80) * 1024;
 
 // Inputs and commands (firmware/messages, firmware/runtime).
 /// Ports of a vehicle (buses, serial lines, the simulation link); full: mission refused.
@@ -115,6 +115,10 @@ inline constexpr std::size_t kCanWaitingGroups = 24;
 inline constexpr std::size_t kFastPacketSlots = 16;
 /// Of one assembly: 280 bytes a slot and its counters. A CAN port holds two, for positions and for orders.
 inline constexpr std::size_t kFastPacketBytes = 4608;
+
+/// Devices that watch the hull and have an alarm at one time (one or two in each of a vehicle's compartments); full: the alarm of one more
+/// stands until earshotd ends.
+inline constexpr std::size_t kHullAlarms = 16;
 
 // Journal (firmware/host/journal).
 /// Journal bytes waiting for the disk, 4 MiB of them streams (1 s of the largest bus load); full: drop newest, count.

@@ -22,9 +22,10 @@ enum class EndReason : std::uint8_t {
   kSnrStale = 5,
   kLeftOperatingArea = 6,
   kTimeUsedUp = 7,
-  kSafetyRule = 8,  ///< another rule of the safety supervisor; its event says which
+  kSafetyRule = 8,   ///< another rule of the safety supervisor; its event says which
+  kMemoryFault = 9,  ///< a bit flipped in the runtime's memory
 };
-inline constexpr EndReason kLastEndReason = EndReason::kSafetyRule;
+inline constexpr EndReason kLastEndReason = EndReason::kMemoryFault;
 
 /// Between Earshot and the autopilot.
 enum class Authority : std::uint8_t {

@@ -40,6 +40,8 @@ namespace earshot::messages {
       return "its time is used up";
     case EndReason::kSafetyRule:
       return "a safety rule ended it";
+    case EndReason::kMemoryFault:
+      return "the computer's memory is at fault";
   }
   return "?";
 }

@@ -11,6 +11,7 @@
 #include "firmware/policy/action_draw.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/network.hpp"
+#include "firmware/runtime/bytes_of_state.hpp"
 #include "firmware/runtime/known_steps.hpp"
 #include "firmware/safety/check.hpp"
 #include "firmware/safety/limits.hpp"
@@ -63,6 +64,9 @@ EndReason end_reason_of(config::Condition cause) {
 Status Runtime::configure(const config::Mission& mission, const policy::FrozenPolicy& policy) {
   configured_ = false;
   progress_ = Progress{};
+  integrity_ = kIntact;
+  seal_mission();
+  seal();
   if (const Status status = config::check(mission); status != Status::kOk) return status;
   if (!safety::check(mission).is_none()) return Status::kOutOfRange;
   if (const policy::PolicyComplaint complaint = policy::check(policy); !complaint.is_none()) return policy::status_of(complaint.fault);
@@ -75,12 +79,13 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
   progress_.situation.navigation = safety::NavigationJudge(mission.safety.vehicle, mission.navigation_timeout);
   progress_.supervisor.configure(mission_);
   configured_ = true;
+  policy_checksum_ = checksum_of(policy_);
+  seal_mission();
+  seal();
   return Status::kOk;
 }
 
-Outputs Runtime::step(Time now) {
-  assert(now.us >= 0);
-  Outputs outputs;
+void Runtime::turn(Time now, Outputs& outputs) {
   ++progress_.turn;
   const bool is_ready = navigation_is_fresh(now) && snr_is_fresh(now) && autopilot_is_connected(now);
   if (progress_.state == MissionState::kStandby && progress_.command.is_search_ordered(now) && is_ready) begin_search(now);
@@ -89,11 +94,9 @@ Outputs Runtime::step(Time now) {
   outputs.acknowledgements = progress_.acknowledgements;
   progress_.acknowledgements.clear();
   outputs.health = health(now);
-  return outputs;
 }
 
-void Runtime::take(const messages::Input& input) {
-  assert(input.port < config::kMaxPorts);
+void Runtime::judge(const messages::Input& input) {
   if (const auto* navigation = std::get_if<messages::Navigation>(&input.value)) take(input.arrival, *navigation);
   if (const auto* measurement = std::get_if<messages::SnrMeasurement>(&input.value)) take(input.arrival, *measurement);
   if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) take_command(input.arrival, input.port, *command);
@@ -188,6 +191,7 @@ CommandOutcome Runtime::tighten(const messages::OperatorLimits& limits) {
   const Result<config::Mission> tighter = authority::tightened(mission_, limits);
   if (!tighter.ok()) return CommandOutcome::kNotTighter;
   mission_ = tighter.value();
+  seal_mission();
   progress_.supervisor.tighten(mission_);
   return CommandOutcome::kObeyed;
 }
@@ -248,6 +252,7 @@ void Runtime::begin_search(Time now) {
   progress_.command.begin();
   progress_.listener.begin_leg(now);  // no leg leads to the start: its newest look is all that it hears
   memory_.start(policy_.observation, place_in_area(), reception(now));
+  memory_checksum_ = checksum_of(memory_);
 }
 
 void Runtime::search(Time now, Outputs& outputs) {
@@ -260,9 +265,14 @@ void Runtime::search(Time now, Outputs& outputs) {
   }
   const bool has_leg = progress_.leg.length().value > 0.0;
   if (has_leg && leg_goes_on(now) && !progress_.is_interrupted) return;
+  if (!may_decide()) {
+    integrity_ = 0;
+    return;
+  }
   const policy::Reception reception_on_leg = reception(now);
   if (has_leg) {
     memory_.remember(policy_.observation, place_in_area(), reception_on_leg);
+    memory_checksum_ = checksum_of(memory_);
     ++progress_.steps_taken;
     if (progress_.steps_taken >= mission_.max_steps) return end(MissionState::kDone, EndReason::kStepsUsedUp);
   }

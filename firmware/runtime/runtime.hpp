@@ -63,6 +63,9 @@ class Runtime {
   /// One turn of the loop, with all that has been taken. `now` never goes back (over take() and step()) and is not negative.
   [[nodiscard]] Outputs step(Time now);
 
+  // Mission, limits, state, latches and timers are kept twice, policy and memory of the search with a CRC-32. A bit that flips in them is
+  // noticed by the next take() or step(), or the next decision, before it is used: the mission ends (kMemoryFault), for good.
+
  private:
   /// All that changes after configure().
   struct Progress {
@@ -85,7 +88,24 @@ class Runtime {
     Acknowledgements acknowledgements;
     FixedVector<messages::PortReport, config::kMaxPorts> ports;
   };
+  /// What decides about the vehicle, once more.
+  struct Sealed {
+    bool configured = false;
+    config::Mission mission;
+    Progress progress;
+  };
 
+  /// Whether nothing of what changes has changed since it was sealed, by the bytes.
+  [[nodiscard]] bool is_intact() const;
+  void seal();
+  void seal_mission();
+  /// Whether policy and memory of the search are what they were after the last decision.
+  [[nodiscard]] bool may_decide() const;
+  /// What is left to say when the memory cannot be trusted.
+  [[nodiscard]] Outputs step_of_damaged() const;
+
+  void judge(const messages::Input& input);
+  void turn(Time now, Outputs& outputs);
   void take(Time arrival, const messages::Navigation& navigation);
   void take(Time arrival, const messages::SnrMeasurement& measurement);
   void take(const messages::PortReport& report);
@@ -115,11 +135,18 @@ class Runtime {
   [[nodiscard]] std::optional<messages::Setpoint> setpoint();
   [[nodiscard]] messages::Health health(Time now) const;
 
+  /// Any other number: its memory was found damaged.
+  static constexpr std::uint64_t kIntact = 0x5A3C'96E1'0F78'B42DU;
+
   bool configured_ = false;
   config::Mission mission_;
   policy::FrozenPolicy policy_;
   policy::SearchMemory memory_;  ///< begins anew with every search; too large to be assigned by way of the stack
   Progress progress_;
+  Sealed sealed_;
+  std::uint64_t integrity_ = kIntact;
+  std::uint32_t policy_checksum_ = 0;
+  std::uint32_t memory_checksum_ = 0;  ///< since the last decision
 };
 
 static_assert(sizeof(Runtime) <= config::kRuntimeBytes);

@@ -47,6 +47,8 @@ const char* word_for(messages::EndReason reason) {
       return "time_used_up";
     case messages::EndReason::kSafetyRule:
       return "safety_rule";
+    case messages::EndReason::kMemoryFault:
+      return "memory_fault";
   }
   return "unknown";
 }

@@ -1,0 +1,78 @@
+// How a Runtime keeps its memory from failing unnoticed: what comes from outside goes through here.
+
+#include <algorithm>
+#include <cassert>
+
+#include "firmware/runtime/bytes_of_state.hpp"
+#include "firmware/runtime/runtime.hpp"
+
+namespace earshot::runtime {
+namespace {
+
+using messages::EndReason;
+using messages::MissionState;
+
+/// Of any vehicle that a mission may speak of.
+constexpr MetersPerSecond kMostSpeed{20.0};
+
+/// Of two speeds that were one, of which a bit may have flipped. A flipped exponent or sign makes one that is impossible.
+MetersPerSecond lower_of_possible(MetersPerSecond a, MetersPerSecond b) {
+  constexpr MetersPerSecond kNone{0.0};
+  const auto is_possible = [](MetersPerSecond speed) { return speed >= kNone && speed <= kMostSpeed; };
+  if (!is_possible(a)) return is_possible(b) ? b : kNone;
+  return is_possible(b) ? std::min(a, b) : a;
+}
+
+}  // namespace
+
+bool Runtime::is_intact() const {
+  return integrity_ == kIntact && configured_ == sealed_.configured && are_same_bytes(progress_, sealed_.progress);
+}
+
+void Runtime::seal() {
+  copy_bytes(progress_, sealed_.progress);
+}
+
+void Runtime::seal_mission() {
+  sealed_.configured = configured_;
+  copy_bytes(mission_, sealed_.mission);
+}
+
+bool Runtime::may_decide() const {
+  return checksum_of(policy_) == policy_checksum_ && checksum_of(memory_) == memory_checksum_;
+}
+
+/// Nothing here is believed that a single bit could have changed by itself.
+Outputs Runtime::step_of_damaged() const {
+  Outputs outputs;
+  outputs.health.turn = progress_.turn;
+  outputs.health.authority = messages::Authority::kAbort;
+  outputs.health.state = MissionState::kAbort;
+  outputs.health.end_reason = EndReason::kMemoryFault;
+  const bool was_commanding = progress_.situation.commanded && sealed_.progress.situation.commanded;
+  const bool was_engaged = progress_.command.is_engaged() && sealed_.progress.command.is_engaged();
+  if (!was_commanding && !was_engaged) return outputs;
+  messages::Setpoint& setpoint = outputs.setpoint.emplace();
+  setpoint.speed = lower_of_possible(mission_.safety.vehicle.ascent_speed, sealed_.mission.safety.vehicle.ascent_speed);
+  return outputs;
+}
+
+Outputs Runtime::step(Time now) {
+  assert(now.us >= 0);
+  if (!is_intact() || !are_same_bytes(mission_, sealed_.mission)) integrity_ = 0;
+  Outputs outputs;
+  if (integrity_ == kIntact) turn(now, outputs);
+  if (integrity_ != kIntact) return step_of_damaged();
+  seal();
+  return outputs;
+}
+
+void Runtime::take(const messages::Input& input) {
+  assert(input.port < config::kMaxPorts);
+  if (!is_intact()) integrity_ = 0;
+  if (integrity_ != kIntact) return;
+  judge(input);
+  seal();
+}
+
+}  // namespace earshot::runtime

@@ -1,0 +1,155 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <span>
+
+#include "tests/firmware/runtime/mission_rig.hpp"
+
+namespace earshot::runtime {
+namespace {
+
+// GIVEN a mission under way, WHEN a bit of the runtime's memory flips between two turns, THEN it is noticed before it is used.
+
+std::span<unsigned char> bytes_of(Runtime& runtime) {
+  return {reinterpret_cast<unsigned char*>(&runtime), sizeof(Runtime)};
+}
+
+template <class Value>
+std::size_t place_of(Runtime& runtime, const Value& value) {
+  const std::span<unsigned char> bytes = bytes_of(runtime);
+  for (std::size_t i = 0; i + sizeof value <= bytes.size(); ++i) {
+    if (std::memcmp(&bytes[i], &value, sizeof value) == 0) return i;
+  }
+  ADD_FAILURE() << "it stands nowhere";
+  return 0;
+}
+
+void flip(Runtime& runtime, std::size_t bit) {
+  bytes_of(runtime)[bit / 8] = static_cast<unsigned char>(bytes_of(runtime)[bit / 8] ^ (1U << (bit % 8)));
+}
+
+config::Mission mission_with_marks() {
+  config::Mission mission = paper_mission();
+  mission.max_depth = Meters{321.125};
+  mission.safety.vehicle.ascent_speed = MetersPerSecond{1.0625};
+  return mission;
+}
+
+Rig under_way(const config::Mission& mission, const policy::FrozenPolicy& policy = *policy_that_goes(kNorthward)) {
+  Rig rig(policy, mission);
+  EXPECT_EQ(rig.configured, Status::kOk);
+  rig.sail(Order::kStart);
+  for (int i = 0; i < 10; ++i) rig.sail();
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
+  return rig;
+}
+
+TEST(MemoryFault, InALimitEndsTheMissionAndBringsTheVehicleUpAsSlowlyAsItCan) {
+  Rig rig = under_way(mission_with_marks());
+  flip(*rig.runtime, 8 * place_of(*rig.runtime, 321.125) + 62);  // the highest bit of its exponent: a depth without end
+  rig.sail();
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+  EXPECT_EQ(rig.outputs.health.authority, messages::Authority::kAbort);
+  ASSERT_TRUE(rig.outputs.setpoint);
+  EXPECT_EQ(rig.outputs.setpoint->depth.value, 0.0);
+  EXPECT_EQ(rig.outputs.setpoint->speed.value, 1.0625);
+}
+
+TEST(MemoryFault, InTheSpeedToComeUpWithCommandsTheLowerOfTheTwo) {
+  for (std::size_t bit = 0; bit < 64; ++bit) {
+    Rig rig = under_way(mission_with_marks());
+    flip(*rig.runtime, 8 * place_of(*rig.runtime, 1.0625) + bit);
+    rig.sail();
+    EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+    ASSERT_TRUE(rig.outputs.setpoint);
+    EXPECT_GE(rig.outputs.setpoint->speed.value, 0.0) << bit;
+    EXPECT_LE(rig.outputs.setpoint->speed.value, 1.0625) << bit;
+  }
+}
+
+TEST(MemoryFault, EndsTheMissionForGood) {
+  Rig rig = under_way(mission_with_marks());
+  const std::size_t bit = 8 * place_of(*rig.runtime, 321.125);
+  flip(*rig.runtime, bit);
+  rig.sail();
+  flip(*rig.runtime, bit);  // as it was
+  for (int i = 0; i < 10; ++i) rig.sail(i == 5 ? std::optional(Order::kStart) : std::nullopt);
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+}
+
+TEST(MemoryFault, IsForgottenByAMissionThatIsConfiguredAnew) {
+  Rig rig = under_way(mission_with_marks());
+  flip(*rig.runtime, 8 * place_of(*rig.runtime, 321.125));
+  rig.sail();
+  ASSERT_EQ(rig.runtime->configure(paper_mission(), *frozen(*policy_that_goes(kNorthward))), Status::kOk);
+  EXPECT_EQ(rig.runtime->step(rig.now).health.state, MissionState::kStandby);
+}
+
+TEST(MemoryFault, BeforeASearchSaysNothingToTheAutopilot) {
+  Rig rig(*policy_that_goes(kNorthward), mission_with_marks());
+  rig.sail();
+  flip(*rig.runtime, 8 * place_of(*rig.runtime, 321.125));
+  rig.sail();
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_FALSE(rig.outputs.setpoint);
+}
+
+TEST(MemoryFault, InThePolicyIsNoticedByTheNextDecision) {
+  auto policy = policy_that_goes(kNorthward);
+  policy->network.first.bias[3] = 0.123456F;
+  Rig rig = under_way(paper_mission(), *policy);
+  flip(*rig.runtime, 8 * place_of(*rig.runtime, 0.123456F) + 12);
+  for (int i = 0; i < 400; ++i) rig.sail();
+  EXPECT_EQ(rig.state(), MissionState::kSearch) << "nobody has used it";
+  rig.sail_to_decision();
+  EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+  EXPECT_FALSE(rig.outputs.decision);
+}
+
+TEST(MemoryFault, InWhatTheSearchRemembersIsNoticedByTheNextDecision) {
+  Rig rig = under_way(paper_mission(), *policy_that_believes());
+  const std::span<unsigned char> bytes = bytes_of(*rig.runtime);
+  // The belief is an area of equal shares to begin with, and the largest thing there is.
+  std::size_t longest = 0;
+  std::size_t place = 0;
+  for (std::size_t i = 4, run = 0; i + 4 <= bytes.size(); i += 4) {
+    const bool goes_on = std::memcmp(&bytes[i], &bytes[i - 4], 4) == 0 && bytes[i + 3] != 0;
+    run = goes_on ? run + 1 : 0;
+    if (run > longest) {
+      longest = run;
+      place = i;
+    }
+  }
+  ASSERT_GT(longest, 20U);
+  flip(*rig.runtime, 8 * place + 3);
+  rig.sail_to_decision();
+  EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+}
+
+/// Every 97th bit of all that there is: each is noticed in this turn, or is the policy's, the search memory's or nobody's.
+TEST(MemoryFault, AnywhereBreaksNoLimit) {
+  const auto untouched = std::make_unique<Runtime>();
+  Rig rig = under_way(mission_with_marks());
+  *untouched = *rig.runtime;
+  std::size_t noticed = 0;
+  std::size_t tried = 0;
+  for (std::size_t bit = 0; bit < 8 * sizeof(Runtime); bit += 997) {
+    ++tried;
+    *rig.runtime = *untouched;
+    flip(*rig.runtime, bit);
+    const Outputs outputs = rig.runtime->step(rig.now);
+    ASSERT_TRUE(outputs.setpoint) << bit;
+    EXPECT_GE(outputs.setpoint->depth.value, 0.0) << bit;
+    EXPECT_LE(outputs.setpoint->depth.value, 321.125) << bit;
+    EXPECT_GE(outputs.setpoint->speed.value, 0.0) << bit;
+    EXPECT_LE(outputs.setpoint->speed.value, 2.0) << bit;
+    if (outputs.health.end_reason == EndReason::kMemoryFault) ++noticed;
+  }
+  // Mission and state, each twice: a sixth of it. The rest waits for the next decision.
+  EXPECT_GT(noticed, tried / 8);
+}
+
+}  // namespace
+}  // namespace earshot::runtime
