@@ -1,6 +1,7 @@
 #include "hil/nodes/autopilot.hpp"
 
 #include "firmware/wire/n2k/identifier.hpp"
+#include "firmware/wire/n2k/own/conditions.hpp"
 #include "firmware/wire/n2k/table/messages.hpp"
 
 namespace earshot::hil {
@@ -11,12 +12,13 @@ Autopilot::Autopilot(const vehicle::Command& resting, std::uint32_t unique_numbe
                    .device_function = 150,
                    .preferred_address = n2k::kVehicleAddress,
                    .unique_number = unique_number},
-                  {}, {n2k::kHeadingControlPgn, n2k::kSpeedDepthPgn}),
+                  {n2k::kAutopilotStatusPgn}, {n2k::kHeadingControlPgn, n2k::kSpeedDepthPgn}),
       command_(resting) {}
 
 void Autopilot::accept(const n2k::Frame& frame, Time now) {
   membership_.accept(frame, now);
   messages::Setpoint setpoint;
+  if (!is_engaged_) return;
   if (receiver_.accept(frame, setpoint) != Status::kOk) return;
   command_ = {.heading = setpoint.heading, .speed = setpoint.speed, .depth = setpoint.depth};
   last_ = now;
@@ -27,10 +29,19 @@ void Autopilot::accept(const n2k::Frame& frame, Time now) {
 
 void Autopilot::step(Time now, Frames& frames) {
   membership_.step(now, frames);
-  if (!last_ || now - *last_ < kAutopilotPatience) return;
+  tell(now, frames);
+  if (!is_engaged_ || !last_ || now - *last_ < kAutopilotPatience) return;
   command_.speed = MetersPerSecond{0.0};
   command_.depth = Meters{0.0};
   is_forsaken_ = true;
+}
+
+void Autopilot::tell(Time now, Frames& frames) {
+  const std::optional<std::uint8_t> source = membership_.address();
+  if (!source || !pace_.is_due(now)) return;
+  n2k::Frame frame;
+  const n2k::AutopilotCondition condition{.follows_setpoints = is_engaged_, .heading_sequence = receiver_.last_sequence()};
+  if (n2k::compose_autopilot_status(condition, *source, frame) == Status::kOk) frames.push_back(frame);
 }
 
 }  // namespace earshot::hil

@@ -10,6 +10,7 @@
 #include "firmware/wire/n2k/setpoint.hpp"
 #include "hil/nodes/device.hpp"
 #include "hil/nodes/membership.hpp"
+#include "hil/nodes/pace.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
 namespace earshot::hil {
@@ -18,7 +19,7 @@ namespace earshot::hil {
 inline constexpr Duration kAutopilotPatience = Duration::seconds(10);
 
 /// Takes set-points off the bus (65290 and 127237) and says what the vehicle is told. When none has come for kAutopilotPatience it stops
-/// the vehicle and lets it come up, until the next.
+/// the vehicle and lets it come up, until the next. Once a second it says whether it follows them (65294).
 class Autopilot final : public Device {
  public:
   /// @param resting  what the vehicle is told before the first set-point
@@ -32,14 +33,20 @@ class Autopilot final : public Device {
   [[nodiscard]] std::uint64_t taken() const { return taken_; }  ///< set-points
   /// Whether it gave up waiting for a set-point, and has had none since.
   [[nodiscard]] bool is_forsaken() const { return is_forsaken_; }
+  /// Somebody takes the helm: it goes on as it was told last, takes no set-point, and says so.
+  void disengage() { is_engaged_ = false; }
   /// Called with every set-point that is taken.
   void tell(std::function<void(Time, const messages::Setpoint&)> listener) { listener_ = std::move(listener); }
 
  private:
+  void tell(Time now, Frames& frames);
+
   Membership membership_;
   n2k::SetpointReceiver receiver_;
   vehicle::Command command_;
+  Pace pace_{Duration::seconds(1)};
   std::optional<Time> last_;
+  bool is_engaged_ = true;
   bool is_forsaken_ = false;
   std::uint64_t taken_ = 0;
   std::function<void(Time, const messages::Setpoint&)> listener_;

@@ -9,7 +9,9 @@ EmulatedVehicle::EmulatedVehicle(const VehicleSetup& setup)
     : state_(setup.start),
       resting_{.heading = setup.start.heading, .speed = setup.start.speed, .depth = setup.start.depth},
       limits_(setup.limits),
-      source_(setup.source.position) {
+      source_(setup.source.position),
+      battery_percent_(setup.battery_percent),
+      battery_percent_per_km_(setup.battery_percent_per_km) {
   std::uint32_t number = setup.first_number;
   const auto add = [&](std::string_view name, const auto& make) {
     const std::uint32_t own = number++;
@@ -33,6 +35,8 @@ EmulatedVehicle::EmulatedVehicle(const VehicleSetup& setup)
     operator_ = ashore.get();
     return ashore;
   });
+  add("altimeter", [&](std::uint32_t own) { return make_altimeter(state_, setup.sea_floor, own); });
+  add("battery", [this](std::uint32_t own) { return make_battery(battery_percent_, own); });
 }
 
 Meters EmulatedVehicle::range() const {
@@ -67,7 +71,9 @@ void EmulatedVehicle::move(Time now) {
   const vehicle::Command& command = autopilot_ == nullptr ? resting_ : autopilot_->command();
   const NorthEast before = state_.position;
   state_ = vehicle::advance_for(state_, command, limits_, now - last);
-  sailed_ += range_between(before, state_.position);
+  const Meters way = range_between(before, state_.position);
+  sailed_ += way;
+  battery_percent_ = std::max(battery_percent_ - way.value * 1e-3 * battery_percent_per_km_, 0.0);
 }
 
 }  // namespace earshot::hil

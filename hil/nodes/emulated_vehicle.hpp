@@ -22,8 +22,8 @@
 namespace earshot::hil {
 
 /// The devices of an emulated vehicle, as they may be left out.
-inline constexpr std::string_view kDeviceNames[]{"autopilot",  "compass",    "speed-log", "depth-sensor",
-                                                 "navigation", "hydrophone", "operator"};
+inline constexpr std::string_view kDeviceNames[]{"autopilot",  "compass",  "speed-log", "depth-sensor", "navigation",
+                                                 "hydrophone", "operator", "altimeter", "battery"};
 
 struct VehicleSetup {
   vehicle::State start;
@@ -31,6 +31,9 @@ struct VehicleSetup {
   n2k::LocalPlane plane = {};                        ///< the mission's
   std::optional<MagneticField> magnetic_field = {};  ///< none: its compass is a gyrocompass
   SoundSource source = {};
+  SeaFloor sea_floor{.depth = Meters{3000.0}};
+  double battery_percent = 100.0;
+  double battery_percent_per_km = 0.6;
   Meters found_within{1000.0};  ///< the operator says COMPLETE when the vehicle is no further from the source
   /// The wall clock's time, by which the operator dates its orders.
   std::function<Time()> utc = {};
@@ -55,6 +58,7 @@ class EmulatedVehicle final {
   [[nodiscard]] const vehicle::State& state() const { return state_; }
   [[nodiscard]] Meters range() const;  ///< horizontal, to the source
   [[nodiscard]] Meters sailed() const { return sailed_; }
+  [[nodiscard]] double battery_percent() const { return battery_percent_; }
   [[nodiscard]] std::vector<std::string_view> devices() const;
   /// Null where it was left out.
   [[nodiscard]] Autopilot* autopilot() const { return autopilot_; }
@@ -69,6 +73,8 @@ class EmulatedVehicle final {
   NorthEast source_;
   std::optional<Time> last_;
   Meters sailed_;
+  double battery_percent_;
+  double battery_percent_per_km_;
   std::vector<std::unique_ptr<Device>> devices_;
   Autopilot* autopilot_ = nullptr;  ///< among devices_
   Operator* operator_ = nullptr;    ///< likewise

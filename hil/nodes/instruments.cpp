@@ -187,6 +187,39 @@ std::unique_ptr<Sensor> make_depth_sensor(const vehicle::State& vehicle, std::ui
   return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kPressure, .period = kTwoSeconds, .say = say}});
 }
 
+std::unique_ptr<Sensor> make_altimeter(const vehicle::State& vehicle, SeaFloor floor, std::uint32_t unique_number) {
+  const auto say = [&vehicle, floor](const Occasion& o, Frames& frames) {
+    const Meters altitude = floor.depth - vehicle.depth;
+    MessageWriter writer(table::kWaterDepth);
+    writer.set_raw("SID", o.count).set("Offset", 0.0);
+    if (altitude <= floor.reach) writer.set("Depth", altitude.value);
+    return add(writer, o.source, frames);
+  };
+  const Nameplate plate{.model = "altimeter",
+                        .device_class = 60,  // navigation
+                        .device_function = 130,
+                        .preferred_address = 0x2A,
+                        .unique_number = unique_number};
+  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kWaterDepth, .period = kSecond, .say = say}});
+}
+
+std::unique_ptr<Sensor> make_battery(const double& percent, std::uint32_t unique_number) {
+  const auto say = [&percent](const Occasion& o, Frames& frames) {
+    MessageWriter writer(table::kCharge);
+    writer.set_raw("SID", o.count)
+        .set_raw("Instance", 0)
+        .set_raw("DCType", table::raw_of(table::kDcType, "Battery"))
+        .set("StateOfCharge", percent);
+    return add_packet(writer, o, frames);
+  };
+  const Nameplate plate{.model = "battery",
+                        .device_class = 35,  // electrical generation
+                        .device_function = 170,
+                        .preferred_address = 0x2B,
+                        .unique_number = unique_number};
+  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kCharge, .period = table::kCharge.period, .say = say}});
+}
+
 std::unique_ptr<Sensor> make_navigation(const vehicle::State& vehicle, const n2k::LocalPlane& plane, std::uint32_t unique_number) {
   const Nameplate plate{.model = "inertial navigation",
                         .device_class = 60,  // navigation

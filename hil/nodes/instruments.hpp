@@ -11,8 +11,8 @@
 
 namespace earshot::hil {
 
-// The instruments that a vehicle navigates by. Each says where `vehicle` is at that moment, exactly but for what its messages round; the
-// vehicle's state must outlive it. Periods are the standard's own (canboat's definitions 8.0.0-beta3, Apache-2.0).
+// The instruments that a vehicle navigates by, and its battery. Each says where `vehicle` is at that moment, exactly but for what its
+// messages round; the vehicle's state must outlive it. Periods are the standard's own (canboat's definitions 8.0.0-beta3, Apache-2.0).
 // Oracle: Instruments tests; EmulatedVehicle.IsReadWhereItIs
 
 /// What a compass's heading counts from.
@@ -30,6 +30,17 @@ struct MagneticField {
 
 /// Pressure of the water over the air's at the surface (130314) every two seconds.
 [[nodiscard]] std::unique_ptr<Sensor> make_depth_sensor(const vehicle::State& vehicle, std::uint32_t unique_number);
+
+/// Height over a sea floor of one depth (128267) once a second; none in reach (not available) above `reach`.
+struct SeaFloor {
+  Meters depth;
+  Meters reach{200.0};
+};
+[[nodiscard]] std::unique_ptr<Sensor> make_altimeter(const vehicle::State& vehicle, SeaFloor floor, std::uint32_t unique_number);
+
+/// Charge that is left (127506) every 1.5 s, to a percent.
+/// @param percent  0 to 100; must outlive it
+[[nodiscard]] std::unique_ptr<Sensor> make_battery(const double& percent, std::uint32_t unique_number);
 
 /// Inertial navigation: position every 100 ms (129025), course and speed over ground every 250 ms (129026), and once a second the whole
 /// fix with its date (129029), whose method is "estimated", as under water it must be.

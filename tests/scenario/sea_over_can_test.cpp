@@ -20,6 +20,7 @@
 #include "firmware/host/transport/can_socket.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/health.hpp"
+#include "hil/nodes/pace.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
 #include "tests/scenario/sea_over_can.hpp"
@@ -167,6 +168,43 @@ TEST_F(ShortWalk, GivenAnOperatorWhoAbortsOverCanTheSearchEndsAndTheVehicleComes
   EXPECT_EQ(obeyed(ashore), (std::vector{Order::kStart, Order::kAbort}));
 }
 
+TEST_F(ShortWalk, GivenALeakThatIsToldOnceARuleEndsTheSearchAndTheVehicleComesUp) {
+  start_earshotd(walk_in("search_over_can_alone.toml") + "\n[[rule]]\nwhen = \"leak\"\nfor_s = 20.0\nthen = \"abort\"\n", policy());
+  launch(in_the_middle());
+  const hil::Operator& ashore = *vehicle_->operator_ashore();
+  const auto is_in = [&](MissionState state) { return ashore.health() && ashore.health()->health.state == state; };
+  host::CanSocket hull("vcan0");
+  // 65293: byte 3 is FD for wet, FC for dry.
+  const auto say = [&](std::uint8_t state, std::uint8_t instance) {
+    ASSERT_EQ(hull.send({.identifier = 0x04FF0D2C, .size = 8, .data = {0xFC, 0x9F, instance, state, 0xFF, 0xFF, 0xFF, 0xFF}}), Status::kOk);
+  };
+  hil::Pace pace(Duration::seconds(1));
+  const auto dry_stern = [&] {
+    if (pace.is_due(clock_.now())) say(0xFC, 1);
+  };
+  ASSERT_TRUE(sails_until([&] { return is_in(MissionState::kSearch) && ashore.decisions() >= 2; }, 60s, dry_stern)) << earshotd_->output();
+  say(0xFD, 0);
+  ASSERT_TRUE(sails_until([&] { return is_in(MissionState::kAbort) && has_surfaced(); }, 60s, dry_stern)) << earshotd_->output();
+  EXPECT_EQ(ashore.health()->health.end_reason, EndReason::kSafetyRule);
+  end();
+  EXPECT_NE(earshotd_->output().find(", leak"), std::string::npos) << earshotd_->output();
+  expect_replayed(2);
+}
+
+TEST_F(ShortWalk, GivenSomebodyWhoTakesTheHelmARuleEndsTheSearch) {
+  start_earshotd(walk_in("search_over_can_alone.toml") + "\n[[rule]]\nwhen = \"autopilot_disengaged\"\nthen = \"abort\"\n", policy());
+  launch(in_the_middle());
+  const hil::Operator& ashore = *vehicle_->operator_ashore();
+  const auto is_in = [&](MissionState state) { return ashore.health() && ashore.health()->health.state == state; };
+  const auto nothing = [] {};
+  ASSERT_TRUE(sails_until([&] { return is_in(MissionState::kSearch) && ashore.decisions() >= 2; }, 60s, nothing)) << earshotd_->output();
+  vehicle_->autopilot()->disengage();
+  ASSERT_TRUE(sails_until([&] { return is_in(MissionState::kAbort); }, 60s, nothing)) << earshotd_->output();
+  EXPECT_EQ(ashore.health()->health.end_reason, EndReason::kSafetyRule);
+  end();
+  EXPECT_NE(earshotd_->output().find(", autopilot_disengaged"), std::string::npos) << earshotd_->output();
+}
+
 TEST_F(ShortWalk, GivenTheProgramThatEmulatesAVehicleItsOperatorStartsTheSearchAndItSailsUntilItsTimeIsOver) {
   start_earshotd(walk_in("search_over_can_alone.toml"), policy());
   for (int i = 0; i < 300 && earshotd_->output().find("journal.lcmlog") == std::string::npos; ++i) std::this_thread::sleep_for(100ms);
@@ -203,7 +241,7 @@ std::set<std::uint64_t> names_of(const std::string& seed, const fs::path& folder
 
 TEST_F(SeaOverCan, GivenOneSeedTheDevicesOfAnEmulatedVehicleHaveTheSameNamesThatAMissionMayAskFor) {
   const std::set<std::uint64_t> names = names_of("7", folder_.path());
-  EXPECT_EQ(names.size(), 7U);
+  EXPECT_EQ(names.size(), 9U);
   EXPECT_EQ(names_of("7", folder_.path()), names);
   EXPECT_NE(names_of("8", folder_.path()), names);
 }

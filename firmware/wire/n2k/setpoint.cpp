@@ -77,6 +77,7 @@ Status SetpointReceiver::accept(const Frame& frame, messages::Setpoint& setpoint
   // Whatever is waiting is used up: of two halves that are not of one set-point, the other half of each was lost.
   const std::optional<SpeedDepth> speed_depth = std::exchange(speed_depth_, std::nullopt);
   if (!speed_depth || speed_depth->sequence != frame.data[0] / (256U / kSequences)) return Status::kNotReady;
+  last_sequence_ = static_cast<std::uint8_t>(speed_depth->sequence);
   setpoint = {.heading = wrap_to_pi(Radians{heading.value()}), .speed = speed_depth->speed, .depth = speed_depth->depth, .waypoint = {}};
   return Status::kOk;
 }

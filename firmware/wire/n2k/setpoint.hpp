@@ -29,6 +29,8 @@ class SetpointReceiver {
  public:
   /// kOk: `setpoint` is new. kNotReady: kept, or not ours. Otherwise refused.
   [[nodiscard]] Status accept(const Frame& frame, messages::Setpoint& setpoint);
+  /// Of the last set-point that was taken: the sequence of its fast packet, which an autopilot's status tells again.
+  [[nodiscard]] std::optional<std::uint8_t> last_sequence() const { return last_sequence_; }
 
  private:
   struct SpeedDepth {
@@ -38,6 +40,7 @@ class SetpointReceiver {
     std::uint8_t source;
   };
   std::optional<SpeedDepth> speed_depth_;
+  std::optional<std::uint8_t> last_sequence_;
   FastPacketAssembly assembly_;
 };
 

@@ -44,7 +44,8 @@ struct Options {
 void declare(program::CommandLine& line, Options& o) {
   line.option("--mission", &o.mission, "mission file that earshotd flies (TOML): origin, area, depth, speed, CAN interface").required();
   line.option("--environment", &o.environment,
-              "ocean, source level and noise (TOML), whose sound propagation gives the hydrophone's SNR; default: munk_flat.toml");
+              "ocean, source level and noise (TOML), whose sound propagation gives the hydrophone's SNR, and whose sea floor the "
+              "altitude; default: munk_flat.toml");
   line.option("--interface", &o.interface, "CAN interface instead of that of the mission's first CAN port");
   line.option("--source", &o.source, "where the source is, metres north and east of the mission's origin; default: drawn in its area")
       .separated_by(',')
@@ -88,12 +89,9 @@ NorthEast place_of(const std::vector<double>& given, const char* option, const R
 }
 
 /// As the parabolic equation has it, out to the far corner of the area.
-hil::SnrOfRange snr_of(const Options& o, const config::Mission& mission) {
-  const std::filesystem::path file = o.environment ? *o.environment : host::shipped("sim/ocean/environments/munk_flat.toml");
+hil::SnrOfRange snr_of(const ocean::Environment& environment, const config::Mission& mission) {
   const Meters furthest = range_between(mission.operating_area.south_west, mission.operating_area.north_east);
-  return [curve = sonar::compute_snr_curve(ocean::load_environment(file), mission.search_depth, furthest)](Meters range) {
-    return curve.at(range);
-  };
+  return [curve = sonar::compute_snr_curve(environment, mission.search_depth, furthest)](Meters range) { return curve.at(range); };
 }
 
 hil::VehicleSetup setup_of(const Options& o, const host::MissionFile& file) {
@@ -105,7 +103,10 @@ hil::VehicleSetup setup_of(const Options& o, const host::MissionFile& file) {
                  .depth = mission.search_depth,
                  .heading = Radians{0.0},
                  .speed = MetersPerSecond{0.0}};
-  setup.source.snr = snr_of(o, mission);
+  const ocean::Environment environment =
+      ocean::load_environment(o.environment ? *o.environment : host::shipped("sim/ocean/environments/munk_flat.toml"));
+  setup.source.snr = snr_of(environment, mission);
+  setup.sea_floor.depth = environment.seabed.depth;
   setup.plane = file.plane;
   setup.found_within = mission.step_length;
   setup.utc = hil::ScaledClock::utc;
@@ -160,11 +161,10 @@ int emulate(const Options& o) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  program::CommandLine line(
-      "earshot emulate",
-      "A vehicle's devices on a CAN bus (NMEA 2000), for an earshotd without its vehicle: compass, speed log, depth\n"
-      "sensor, inertial navigation, autopilot, a hydrophone that hears a hidden source, and an operator who says START,\n"
-      "and COMPLETE at the source.");
+  program::CommandLine line("earshot emulate",
+                            "A vehicle's devices on a CAN bus (NMEA 2000), for an earshotd without its vehicle: compass, speed log, depth\n"
+                            "sensor, altimeter, inertial navigation, battery, autopilot, a hydrophone that hears a hidden source, and an\n"
+                            "operator who says START, and COMPLETE at the source.");
   Options options;
   declare(line, options);
   return program::run(line, argc, argv, [&] { return emulate(options); });

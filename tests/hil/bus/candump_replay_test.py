@@ -127,7 +127,10 @@ class Replay(unittest.TestCase):
         recorder = self.record("again.log")
         flight = [
             self.earshotd("again"),
-            self.vehicle("autopilot", "compass", "speed-log", "depth-sensor", "navigation", "hydrophone"),
+            self.vehicle(
+                *("autopilot", "compass", "speed-log", "depth-sensor", "navigation", "hydrophone"),
+                *("altimeter", "battery"),
+            ),
         ]
         subprocess.run(["canplayer", "-I", str(self.folder / "replay.log"), "vcan0=vcan0"], check=True)
         self.end(*flight, recorder)

@@ -66,10 +66,35 @@ TEST_F(AutopilotTest, GoesOnWithTheNextSetPoint) {
   EXPECT_EQ(autopilot_.command().speed.value, 2.0);
 }
 
-TEST_F(AutopilotTest, SendsNothingButWhatEveryDeviceDoes) {
+TEST_F(AutopilotTest, SaysOnceASecondThatItFollowsAndWhichSetPointItTookLast) {
+  (void)run(autopilot_, Time{}, Time{1'000'000});
+  const Frames before = of_group(n2k::kAutopilotStatusPgn, run(autopilot_, Time{1'000'000}, Time{11'000'000}));
+  ASSERT_EQ(before.size(), 10U);
+  // 65294 = 0xFF0E at priority 3 from 0x23: yes (1) in two bits, no sequence yet.
+  EXPECT_EQ(before[0], (n2k::Frame{0x0CFF0E23, 8, {0xFC, 0x9F, 0xFD, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}}));
+  for (int i = 0; i < 3; ++i) send(0.5, Time{11'000'000});
+  const Frames after = of_group(n2k::kAutopilotStatusPgn, run(autopilot_, Time{11'000'000}, Time{12'000'000}));
+  ASSERT_EQ(after.size(), 1U);
+  EXPECT_EQ(after[0].data[3], 2) << "counted from 0";
+}
+
+TEST_F(AutopilotTest, SaysThatItDoesNotFollowWhileSomebodyElseHasTheHelm) {
+  send(0.5, Time{1'000'000});
+  autopilot_.disengage();
+  send(0.7, Time{1'000'000});
+  EXPECT_EQ(autopilot_.taken(), 1U);
+  const Frames said = of_group(n2k::kAutopilotStatusPgn, run(autopilot_, Time{1'000'000}, Time{60'000'000}));
+  ASSERT_FALSE(said.empty());
+  EXPECT_EQ(said.back(), (n2k::Frame{0x0CFF0E23, 8, {0xFC, 0x9F, 0xFC, 0x00, 0xFF, 0xFF, 0xFF, 0xFF}}));
+  EXPECT_NEAR(autopilot_.command().heading.value, 0.5, 0.6e-4);
+  EXPECT_EQ(autopilot_.command().speed.value, 2.0) << "it does not wait for set-points";
+}
+
+TEST_F(AutopilotTest, SendsNothingElseButWhatEveryDeviceDoes) {
   for (const n2k::Frame& frame : run(autopilot_, Time{}, Time{10'000'000})) {
     const std::uint32_t pgn = n2k::parse_identifier(frame.identifier).value().pgn;
-    EXPECT_TRUE(pgn == n2k::kAddressClaimPgn || pgn == n2k::kRequestPgn || pgn == n2k::kHeartbeatPgn) << pgn;
+    EXPECT_TRUE(pgn == n2k::kAutopilotStatusPgn || pgn == n2k::kAddressClaimPgn || pgn == n2k::kRequestPgn || pgn == n2k::kHeartbeatPgn)
+        << pgn;
   }
 }
 

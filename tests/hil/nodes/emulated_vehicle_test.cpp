@@ -45,11 +45,11 @@ std::map<std::uint8_t, std::set<std::uint32_t>> groups_by_source(const Frames& f
   return groups;
 }
 
-TEST(EmulatedVehicle, IsSevenDevicesEachWithAnAddressOfItsOwn) {
+TEST(EmulatedVehicle, IsNineDevicesEachWithAnAddressOfItsOwn) {
   EmulatedVehicle vehicle(setup());
   const Frames frames = run(vehicle, Time{}, kSettled);
   const auto groups = groups_by_source(frames);
-  EXPECT_EQ(groups.size(), 7U);
+  EXPECT_EQ(groups.size(), 9U);
   std::set<std::uint64_t> names;
   std::set<std::uint64_t> numbers;
   for (const n2k::Frame& claim : of_group(n2k::kAddressClaimPgn, frames)) {
@@ -58,8 +58,8 @@ TEST(EmulatedVehicle, IsSevenDevicesEachWithAnAddressOfItsOwn) {
     names.insert(name);
     numbers.insert(name & 0x1F'FFFFU);
   }
-  EXPECT_EQ(names.size(), 7U);
-  EXPECT_EQ(numbers.size(), 7U) << "of one maker, no two devices have the same";
+  EXPECT_EQ(names.size(), 9U);
+  EXPECT_EQ(numbers.size(), 9U) << "of one maker, no two devices have the same";
   EXPECT_TRUE(groups.at(0x24).contains(n2k::kHeadingPgn));
   EXPECT_FALSE(groups.at(0x24).contains(n2k::kPositionPgn));
   EXPECT_TRUE(groups.at(0x27).contains(n2k::kPositionPgn));
@@ -113,6 +113,7 @@ TEST(EmulatedVehicle, SailsAsItsAutopilotIsTold) {
   EXPECT_NEAR(vehicle.state().position.north.value, 12'500.0, 15.0);
   EXPECT_NEAR(vehicle.state().depth.value, 310.0, 1e-9);
   EXPECT_NEAR(vehicle.sailed().value, 190.0, 1.0);
+  EXPECT_NEAR(vehicle.battery_percent(), 100.0 - 0.19 * 0.6, 0.001);
 }
 
 TEST(EmulatedVehicle, HearsTheSourceLouderAsItComesNearer) {
@@ -128,7 +129,8 @@ TEST(EmulatedVehicle, LeavesOutWhatIsThereAsHardware) {
   with.without = {"compass", "operator", "autopilot"};
   EmulatedVehicle vehicle(with);
   const Frames frames = run(vehicle, Time{}, kSettled);
-  EXPECT_EQ(vehicle.devices(), (std::vector<std::string_view>{"speed log", "depth sensor", "inertial navigation", "hydrophone"}));
+  EXPECT_EQ(vehicle.devices(),
+            (std::vector<std::string_view>{"speed log", "depth sensor", "inertial navigation", "hydrophone", "altimeter", "battery"}));
   EXPECT_TRUE(of_group(n2k::kHeadingPgn, frames).empty());
   EXPECT_EQ(vehicle.autopilot(), nullptr);
   EXPECT_EQ(vehicle.operator_ashore(), nullptr);
@@ -144,7 +146,7 @@ TEST(EmulatedVehicle, LetsItsDevicesHearEachOther) {
   (void)run(vehicle, kSettled, kSettled + Duration::seconds(3));
   const Time later = kSettled + Duration::seconds(3);
   const auto groups = groups_by_source(run(vehicle, later, later + Duration::seconds(3)));
-  EXPECT_EQ(groups.size(), 5U) << "the five that measure; two have nothing to say";
+  EXPECT_EQ(groups.size(), 8U) << "the autopilot and the seven that measure; the operator has nothing to say";
   EXPECT_FALSE(groups.contains(0x24));
   EXPECT_TRUE(groups.at(0x25).contains(n2k::kHeadingPgn));
 }

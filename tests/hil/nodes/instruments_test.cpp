@@ -86,6 +86,34 @@ TEST(Instruments, ADepthSensorSaysThePressureOfTheWaterEveryTwoSeconds) {
   EXPECT_EQ(pressures[0], (n2k::Frame{0x15FD0A26, 8, {pressures[0].data[0], 0x00, 0x01, 0xB9, 0x22, 0xCC, 0x01, 0xFF}}));
 }
 
+TEST(Instruments, AnAltimeterSaysTheHeightOverTheSeaFloorOnceASecondAndNoneOutOfItsReach) {
+  vehicle::State vehicle = heading_west();
+  const auto altimeter = make_altimeter(vehicle, {.depth = Meters{342.5}, .reach = Meters{42.5}}, 1);
+  const Frames altitudes = of_group(n2k::kWaterDepthPgn, ten_seconds_of(*altimeter));
+  ASSERT_EQ(altitudes.size(), 10U);
+  // 128267 = 0x1F50B at priority 3 from 0x2A: 4250 = 0x109A of 0.01 m, no offset, range not available.
+  EXPECT_EQ(altitudes[0], (n2k::Frame{0x0DF50B2A, 8, {altitudes[0].data[0], 0x9A, 0x10, 0x00, 0x00, 0x00, 0x00, 0xFF}}));
+  vehicle.depth = Meters{299.99};
+  const Time later = kSettled + Duration::seconds(10);
+  const Frames none = of_group(n2k::kWaterDepthPgn, run(*altimeter, later, later + Duration::seconds(1)));
+  ASSERT_EQ(none.size(), 1U);
+  EXPECT_EQ(none[0], (n2k::Frame{0x0DF50B2A, 8, {none[0].data[0], 0xFF, 0xFF, 0xFF, 0xFF, 0x00, 0x00, 0xFF}}));
+}
+
+TEST(Instruments, ABatterySaysItsChargeInPercentEveryOneAndAHalfSeconds) {
+  const double percent = 72.6;
+  const auto battery = make_battery(percent, 1);
+  const Frames frames = of_group(n2k::kChargePgn, ten_seconds_of(*battery));
+  ASSERT_GE(frames.size(), 2U * 6U);
+  ASSERT_LE(frames.size(), 2U * 7U);
+  // 127506 = 0x1F212 at priority 6 from 0x2B: 11 bytes, instance 0, a battery (0), 73 %.
+  EXPECT_EQ(frames[0].identifier, 0x19F2122BU);
+  EXPECT_EQ(frames[0].data[1], 11);
+  EXPECT_EQ(frames[0].data[3], 0);
+  EXPECT_EQ(frames[0].data[4], 0);
+  EXPECT_EQ(frames[0].data[5], 73);
+}
+
 TEST(Instruments, NavigationSaysThePositionTenTimesASecondAndTheWholeFixOnce) {
   const vehicle::State vehicle = heading_west();
   const n2k::LocalPlane plane = n2k::LocalPlane::about({.latitude_deg = 38.5, .longitude_deg = -28.0}).value();

@@ -31,8 +31,10 @@ Pgns pgns_read(host::Roles roles) {
   using namespace n2k;
   Pgns pgns;
   add(pgns, {kRequestPgn, kAddressClaimPgn, kCommandedAddressPgn, kTransportControlPgn, kTransportDataPgn, kGroupFunctionPgn});
-  if (roles.has(Role::kNavigation)) add(pgns, {kHeadingPgn, kVariationPgn, kSpeedPgn, kPressurePgn, kPositionPgn, kGnssPgn});
+  if (roles.has(Role::kNavigation))
+    add(pgns, {kHeadingPgn, kVariationPgn, kSpeedPgn, kPressurePgn, kPositionPgn, kGnssPgn, kWaterDepthPgn, kChargePgn, kLeakPgn});
   if (roles.has(Role::kSnr)) add(pgns, {kSnrPgn});
+  if (roles.has(Role::kAutopilot)) add(pgns, {kAutopilotStatusPgn});
   if (roles.has(Role::kOperator)) add(pgns, {kPeerPgn});
   return pgns;
 }

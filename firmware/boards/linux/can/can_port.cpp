@@ -5,6 +5,7 @@
 
 #include "firmware/host/program/version.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
+#include "firmware/wire/n2k/own/conditions.hpp"
 #include "firmware/wire/n2k/own/measurements.hpp"
 #include "firmware/wire/n2k/own/reports.hpp"
 
@@ -57,7 +58,9 @@ CanPort::CanPort(std::uint8_t index, const host::PortSettings& settings, const n
       was_up_(socket_.is_up()),
       node_(new_node()),
       receiver_(plane, settings.n2k.navigation),
+      condition_(settings.n2k.navigation.oldest_part),
       snr_gate_(settings.n2k.snr_source),
+      autopilot_gate_(settings.n2k.autopilot_source),
       watch_(settings.roles, settings.n2k.navigation.oldest_part) {}
 
 n2k::Node CanPort::new_node() const {
@@ -110,6 +113,7 @@ void CanPort::collect(Clock& clock, InputSink& sink) {
     if (received_utc < Time{}) received_utc = host_.utc();  // the kernel does not say
     take(frame, {.utc = received_utc, .mission = clock.arrival_of(received_utc)}, clock, sink);
   }
+  tell_vehicle_status(clock.now(), sink);
   tell_troubles(clock.now(), sink);
 }
 
@@ -122,6 +126,12 @@ void CanPort::take(const n2k::Frame& frame, const Arrival& arrival, Clock& clock
       return;
     case n2k::kSnrPgn:
       if (has(host::Role::kSnr)) take_snr(frame, identifier.value(), arrival, sink);
+      return;
+    case n2k::kLeakPgn:
+      if (has(host::Role::kNavigation)) take_hull(frame, arrival);
+      return;
+    case n2k::kAutopilotStatusPgn:
+      if (has(host::Role::kAutopilot)) take_autopilot_status(frame, identifier.value(), arrival, sink);
       return;
     case n2k::kAddressClaimPgn:  // the SNR's device may be known by its NAME, too
       return take_navigation(frame, arrival, sink);
@@ -140,20 +150,59 @@ void CanPort::take_navigation(const n2k::Frame& frame, const Arrival& arrival, I
 
 void CanPort::take_snr(const n2k::Frame& frame, const n2k::Identifier& identifier, const Arrival& arrival, InputSink& sink) {
   const Result<n2k::HeardSnr> heard = n2k::read_snr(frame.bytes());
-  if (!heard.ok()) {
-    // Another maker's message, or a hydrophone that says it has no value.
-    if (heard.status() != Status::kUnsupported && heard.status() != Status::kNotReady) ++snr_refused_;
-    return;
-  }
+  const Result<bool> deaf = n2k::read_deaf(frame.bytes());
+  note_refusal(heard.ok() || heard.status() == Status::kNotReady ? deaf.status() : heard.status());
+  if (!heard.ok() && !deaf.ok()) return;
   const n2k::Origin origin{.pgn = identifier.pgn, .address = identifier.source, .instance = {}};
   const n2k::Directory& directory = receiver_.sensors().directory();
   const n2k::Standing standing = snr_gate_.standing(origin, directory, arrival.mission, n2k::table::kSnr.handover);
-  if (standing == n2k::Standing::kNotChosen) ++snr_not_chosen_;
+  if (standing == n2k::Standing::kNotChosen && heard.ok()) ++snr_not_chosen_;
   if (standing == n2k::Standing::kNotChosen || standing == n2k::Standing::kIsAnothers) return;
+  tell_hearing(deaf, heard.ok(), origin.address, arrival, sink);
+  if (!heard.ok()) return;
   snr_gate_.hold(origin, directory, arrival.mission);
   ++looks_;
   ++report_.received;
   sink.take(index(), n2k::measurement_of(heard.value(), arrival.mission));
+}
+
+/// Of the hydrophone that the SNR is taken from. Once another is, which does not say of itself, the deafness of the one before is over.
+void CanPort::tell_hearing(const Result<bool>& deaf, bool has_snr, std::uint8_t source, const Arrival& arrival, InputSink& sink) {
+  const bool is_replaced = has_snr && deaf_address_ && *deaf_address_ != source;
+  if (!deaf.ok() && !is_replaced) return;
+  const bool is_deaf = deaf.ok() && deaf.value();
+  deaf_address_ = is_deaf ? std::optional(source) : std::nullopt;
+  sink.take(index(), messages::HydrophoneStatus{.time = arrival.mission, .is_deaf = is_deaf});
+}
+
+void CanPort::take_hull(const n2k::Frame& frame, const Arrival& arrival) {
+  note_refusal(condition_.accept_hull(frame, receiver_.sensors().directory(), arrival.mission));
+}
+
+/// Given at the end of a reading, so that a status holds all that has come.
+void CanPort::tell_vehicle_status(Time now, InputSink& sink) {
+  messages::VehicleStatus status;
+  if (condition_.give(receiver_.sensors(), now, status) != Status::kOk) return;
+  ++report_.received;
+  sink.take(index(), status);
+}
+
+void CanPort::take_autopilot_status(const n2k::Frame& frame, const n2k::Identifier& identifier, const Arrival& arrival, InputSink& sink) {
+  const Result<n2k::AutopilotCondition> said = n2k::read_autopilot_status(frame.bytes());
+  note_refusal(said.status());
+  if (!said.ok()) return;
+  const n2k::Origin origin{.pgn = identifier.pgn, .address = identifier.source, .instance = {}};
+  const n2k::Directory& directory = receiver_.sensors().directory();
+  const n2k::Standing standing = autopilot_gate_.standing(origin, directory, arrival.mission, n2k::table::kAutopilotStatus.handover);
+  if (standing == n2k::Standing::kNotChosen || standing == n2k::Standing::kIsAnothers) return;
+  autopilot_gate_.hold(origin, directory, arrival.mission);
+  ++report_.received;
+  sink.take(index(), messages::AutopilotStatus{.time = arrival.mission, .follows_setpoints = said.value().follows_setpoints});
+}
+
+/// Another maker's message is none, nor is a device's that says it has no value.
+void CanPort::note_refusal(Status status) {
+  if (status != Status::kOk && status != Status::kUnsupported && status != Status::kNotReady) ++own_refused_;
 }
 
 void CanPort::take_order(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink) {
@@ -256,7 +305,7 @@ messages::PortReport CanPort::report() const {
   const host::CanCounters can = socket_.counters();
   report.link_up = socket_.is_up();
   report.lost += can.lost_by_kernel + can.controller.overflows;
-  report.malformed += receiver_.counters().malformed + orders_.counters().refused + snr_refused_;
+  report.malformed += receiver_.counters().malformed + orders_.counters().refused + own_refused_;
   report.unsent += can.groups.replaced + can.groups.expired + can.groups.abandoned + can.groups.shed;
   return report;
 }

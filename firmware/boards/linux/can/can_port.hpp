@@ -18,6 +18,7 @@
 #include "firmware/wire/n2k/own/orders.hpp"
 #include "firmware/wire/n2k/sensors/source_gate.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
+#include "firmware/wire/n2k/vehicle_condition.hpp"
 
 namespace earshot::board {
 
@@ -71,6 +72,11 @@ class CanPort final : public Port {
   void take(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink);
   void take_navigation(const n2k::Frame& frame, const Arrival& arrival, InputSink& sink);
   void take_snr(const n2k::Frame& frame, const n2k::Identifier& identifier, const Arrival& arrival, InputSink& sink);
+  void take_hull(const n2k::Frame& frame, const Arrival& arrival);
+  void take_autopilot_status(const n2k::Frame& frame, const n2k::Identifier& identifier, const Arrival& arrival, InputSink& sink);
+  void tell_hearing(const Result<bool>& deaf, bool has_snr, std::uint8_t source, const Arrival& arrival, InputSink& sink);
+  void tell_vehicle_status(Time now, InputSink& sink);
+  void note_refusal(Status status);
   void take_order(const n2k::Frame& frame, const Arrival& arrival, Clock& clock, InputSink& sink);
   void zero_pressure(Time now, const runtime::Outputs& outputs);
   [[nodiscard]] bool send(std::span<const n2k::Frame> frames, const host::Waiting& waiting = {});
@@ -96,11 +102,14 @@ class CanPort final : public Port {
   bool saw_bus_ = true;  ///< when it last looked for troubles
   n2k::Node node_;
   n2k::NavigationReceiver receiver_;
+  n2k::VehicleCondition condition_;
   n2k::SourceGate snr_gate_;
+  n2k::SourceGate autopilot_gate_;
   n2k::OrderReceiver orders_;
   std::uint64_t fixes_ = 0;
   std::uint64_t looks_ = 0;
-  std::uint64_t snr_refused_ = 0;
+  std::uint64_t own_refused_ = 0;                            ///< messages of Earshot's own groups whose numbers cannot be
+  std::optional<std::uint8_t> deaf_address_;                 ///< of the hydrophone that said last that it is deaf
   std::uint64_t snr_not_chosen_ = 0;                         ///< of hydrophones that the mission does not name
   FixedVector<Asker, config::kMaxAcknowledgements> askers_;  ///< since the last turn
   Sequences sequences_;

@@ -37,16 +37,4 @@ Result<Meters> read_altitude(std::span<const std::uint8_t> bytes) {
   return altitude;
 }
 
-Status compose_leak(const Leak& leak, std::uint8_t source, Frame& frame) {
-  return begin_own(table::kLeak).set_raw("Instance", leak.instance).set_raw("State", leak.wet ? 1 : 0).frame(source, frame);
-}
-
-Result<Leak> read_leak(std::span<const std::uint8_t> bytes) {
-  if (!is_ours(table::kLeak, bytes)) return Status::kUnsupported;
-  MessageReader reader(table::kLeak, bytes);
-  const Leak leak{.instance = static_cast<std::uint8_t>(reader.raw("Instance")), .wet = reader.yes("State")};
-  if (reader.status() != Status::kOk) return reader.status();
-  return leak;
-}
-
 }  // namespace earshot::n2k

@@ -12,8 +12,8 @@
 
 namespace earshot::n2k {
 
-// What a hydrophone, an altimeter and a leak sensor say, for which no standard group is there. One frame each, without a date: its arrival
-// stands for it. Reading fails as decode() does, and with kUnsupported for another maker's message.
+// What a hydrophone and an altimeter measure, for which no standard group is there. One frame each, without a date: its arrival stands
+// for it. Reading fails as decode() does, and with kUnsupported for another maker's message.
 
 struct HeardSnr {
   Decibels snr;
@@ -29,12 +29,5 @@ struct HeardSnr {
 /// Height over the seabed, 0.01 m.
 [[nodiscard]] Status compose_altitude(Meters altitude, std::uint8_t source, Frame& frame);
 [[nodiscard]] Result<Meters> read_altitude(std::span<const std::uint8_t> bytes);
-
-struct Leak {
-  std::uint8_t instance = 0;
-  bool wet = false;
-};
-[[nodiscard]] Status compose_leak(const Leak& leak, std::uint8_t source, Frame& frame);
-[[nodiscard]] Result<Leak> read_leak(std::span<const std::uint8_t> bytes);
 
 }  // namespace earshot::n2k

@@ -18,6 +18,7 @@ constexpr std::int64_t kMagnetic = raw_of(table::kDirectionReference, "Magnetic"
 constexpr std::int64_t kNotMeasured[]{raw_of(table::kGnssMethod, "no GNSS"), raw_of(table::kGnssMethod, "Manual Input"),
                                       raw_of(table::kGnssMethod, "Simulate mode")};
 constexpr std::int64_t kWaterPressure = raw_of(table::kPressureSource, "Water");
+constexpr std::int64_t kBatteryType = raw_of(table::kDcType, "Battery");
 constexpr std::int64_t kSeaTemperature = raw_of(table::kTemperatureSource, "Sea Temperature");
 
 /// The first failure of two; kOk if there is none. What is wrong goes before what is not there.
@@ -181,6 +182,18 @@ Result<Battery> battery(Bytes bytes) {
   return Battery{.voltage_v = if_any<double>(voltage), .current_a = if_any<double>(current), .temperature_k = if_any<double>(temperature)};
 }
 
+Result<std::optional<double>> charge(Bytes bytes) {
+  constexpr Signal kType = field(table::kCharge, "DCType");
+  constexpr Signal kCharge = field(table::kCharge, "StateOfCharge");
+  const Result<std::int64_t> type = decode_raw(kType, bytes);
+  if (!type.ok()) return type.status() == Status::kNotReady ? Status::kUnsupported : type.status();
+  if (type.value() != kBatteryType) return std::optional<double>{};
+  const Result<double> percent = decode(kCharge, bytes);
+  if (!percent.ok()) return percent.status();
+  if (percent.value() > 100.0) return Status::kOutOfRange;
+  return std::optional(percent.value());
+}
+
 std::optional<std::uint8_t> rudder_instance(Bytes bytes) {
   constexpr Signal kInstance = field(table::kRudder, "Instance");
   return instance_in(kInstance, bytes);
@@ -198,6 +211,11 @@ std::optional<std::uint8_t> temperature_instance(Bytes bytes) {
 
 std::optional<std::uint8_t> battery_instance(Bytes bytes) {
   constexpr Signal kInstance = field(table::kBattery, "Instance");
+  return instance_in(kInstance, bytes);
+}
+
+std::optional<std::uint8_t> charge_instance(Bytes bytes) {
+  constexpr Signal kInstance = field(table::kCharge, "Instance");
   return instance_in(kInstance, bytes);
 }
 

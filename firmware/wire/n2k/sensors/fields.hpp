@@ -51,9 +51,13 @@ using ReferenceStations = FixedVector<ReferenceStation, kMostReferenceStations>;
 /// kNotReady: neither voltage, current nor temperature is there.
 [[nodiscard]] Result<Battery> battery(Bytes bytes);
 
+/// Percent that is left in a battery, 0 to 100; nothing of another source of direct current.
+[[nodiscard]] Result<std::optional<double>> charge(Bytes bytes);
+
 [[nodiscard]] std::optional<std::uint8_t> rudder_instance(Bytes bytes);
 [[nodiscard]] std::optional<std::uint8_t> pressure_instance(Bytes bytes);
 [[nodiscard]] std::optional<std::uint8_t> temperature_instance(Bytes bytes);
 [[nodiscard]] std::optional<std::uint8_t> battery_instance(Bytes bytes);
+[[nodiscard]] std::optional<std::uint8_t> charge_instance(Bytes bytes);
 
 }  // namespace earshot::n2k::fields

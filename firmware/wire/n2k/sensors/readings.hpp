@@ -59,6 +59,7 @@ struct Readings {
   std::optional<Reading<Meters>> altitude;     ///< of the transducer over the seabed
   std::optional<Reading<double>> water_temperature_k;
   std::optional<Reading<Battery>> battery;
+  std::optional<Reading<double>> charge_percent;  ///< that is left in the battery
   std::optional<Reading<Radians>> rudder;
 };
 

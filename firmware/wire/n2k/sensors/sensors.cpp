@@ -38,9 +38,8 @@ Status Sensors::accept(const Frame& frame, Time now, Measured& measured) {
   Status status = Status::kNotReady;
   if (identifier.pgn == kAddressClaimPgn) {
     directory_.accept(identifier.source, frame);
-  } else if (identifier.pgn == kGnssPgn) {
-    measured = Measured::kPosition;
-    status = take_gnss(identifier, frame, now);
+  } else if (identifier.pgn == kGnssPgn || identifier.pgn == kChargePgn) {
+    status = take_packet(identifier, frame, now, measured);
   } else {
     status = take({.identifier = identifier, .bytes = frame.bytes(), .time = now}, measured);
   }
@@ -120,6 +119,7 @@ Status Sensors::keep_admitted(Measured measured, const Arrival& arrival, const M
     return Status::kNotReady;
   }
   const Result<T> value = read(arrival.bytes);
+  if (value.ok() || value.status() == Status::kNotReady) heard_[static_cast<std::size_t>(measured)] = arrival.time;
   if (value.ok()) gate.hold(origin, directory_, arrival.time);
   if (standing == Standing::kHolds || value.ok()) return keep<T>(reading, value, arrival.time);
   if (value.status() == Status::kNotReady) ++counters_.unavailable;
@@ -139,11 +139,13 @@ Result<Radians> Sensors::true_heading(Bytes bytes, Time now) {
   return wrap_to_pi(heading.value + readings_.variation->value);
 }
 
-Status Sensors::take_gnss(const Identifier& identifier, const Frame& frame, Time now) {
+Status Sensors::take_packet(const Identifier& identifier, const Frame& frame, Time now, Measured& measured) {
+  measured = identifier.pgn == kGnssPgn ? Measured::kPosition : Measured::kCharge;
   Assembled message;
   const Status status = assembly_.accept(identifier, frame, now, message);
   if (status != Status::kOk) return status == Status::kNotReady ? status : Status::kMalformed;
   const Arrival arrival{.identifier = identifier, .bytes = message.bytes, .time = message.began};
+  if (measured == Measured::kCharge) return take_charge(arrival);
   return keep_admitted(Measured::kPosition, arrival, table::kGnss, readings_.position, by<fields::gnss_position>);
 }
 
@@ -188,6 +190,16 @@ Status Sensors::take_temperature(const Arrival& arrival) {
   if (!said.ok() && said.status() != Status::kNotReady) return said.status();
   return keep_admitted(Measured::kTemperature, arrival, table::kTemperature, readings_.water_temperature_k, value_of(said),
                        fields::temperature_instance(arrival.bytes));
+}
+
+Status Sensors::take_charge(const Arrival& arrival) {
+  const Result<std::optional<double>> said = fields::charge(arrival.bytes);
+  if (said.ok() && !said.value()) {
+    ++counters_.of_no_interest;
+    return Status::kNotReady;
+  }
+  const auto read = [&said](Bytes /*bytes*/) { return said.ok() ? Result<double>(*said.value()) : Result<double>(said.status()); };
+  return keep_admitted(Measured::kCharge, arrival, table::kCharge, readings_.charge_percent, read, fields::charge_instance(arrival.bytes));
 }
 
 }  // namespace earshot::n2k

@@ -28,9 +28,10 @@ enum class Measured : std::uint8_t {
   kAltitude,
   kTemperature,
   kBattery,
+  kCharge,
   kRudder,
 };
-inline constexpr std::size_t kMeasured = 12;
+inline constexpr std::size_t kMeasured = 13;
 
 /// What a pressure sensor counts from.
 enum class PressureKind : std::uint8_t {
@@ -72,6 +73,9 @@ class Sensors {
   [[nodiscard]] Status zero_at_surface();
 
   [[nodiscard]] const Readings& readings() const { return readings_; }
+  /// When the device that this is taken from spoke last, with a value or saying that it has none. While it is taken from nobody, whoever
+  /// says that he has none counts.
+  [[nodiscard]] std::optional<Time> heard(Measured measured) const { return heard_[static_cast<std::size_t>(measured)]; }
   [[nodiscard]] const Directory& directory() const { return directory_; }
   [[nodiscard]] const SensorCounters& counters() const { return counters_; }
   [[nodiscard]] const FastPacketCounters& fast_packet_counters() const { return assembly_.counters(); }
@@ -84,7 +88,7 @@ class Sensors {
     Time time;
   };
   [[nodiscard]] Status take(const Arrival& arrival, Measured& measured);
-  [[nodiscard]] Status take_gnss(const Identifier& identifier, const Frame& frame, Time now);
+  [[nodiscard]] Status take_packet(const Identifier& identifier, const Frame& frame, Time now, Measured& measured);
   template <class T>
   [[nodiscard]] Status keep(std::optional<Reading<T>>& reading, Result<T> value, Time time);
   /// What `read` makes of a message, if it is of the device that this is taken from. Only a value makes it that device: one that has none
@@ -95,9 +99,11 @@ class Sensors {
   [[nodiscard]] Result<Radians> true_heading(Bytes bytes, Time now);
   [[nodiscard]] Status take_pressure(const Arrival& arrival);
   [[nodiscard]] Status take_temperature(const Arrival& arrival);
+  [[nodiscard]] Status take_charge(const Arrival& arrival);
 
   SensorSettings settings_;
   std::array<SourceGate, kMeasured> gates_{};
+  std::array<std::optional<Time>, kMeasured> heard_{};
   Directory directory_;
   FastPacketAssembly assembly_;
   Readings readings_;

@@ -35,6 +35,7 @@ inline constexpr Choice kTemperatureSource[]{{0, "Sea Temperature"},
                                              {13, "Freezer Temperature"},
                                              {14, "Exhaust Gas Temperature"},
                                              {15, "Shaft Seal Temperature"}};
+inline constexpr Choice kDcType[]{{0, "Battery"}, {1, "Alternator"}, {2, "Convertor"}, {3, "Solar cell"}, {4, "Wind generator"}};
 inline constexpr Choice kWindReference[]{{0, "True (ground referenced to North)"},
                                          {1, "Magnetic (ground referenced to Magnetic North)"},
                                          {2, "Apparent"},

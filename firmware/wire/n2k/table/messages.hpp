@@ -27,6 +27,7 @@ inline constexpr std::uint32_t kHeadingPgn = 127250;
 inline constexpr std::uint32_t kRateOfTurnPgn = 127251;
 inline constexpr std::uint32_t kAttitudePgn = 127257;
 inline constexpr std::uint32_t kVariationPgn = 127258;
+inline constexpr std::uint32_t kChargePgn = 127506;
 inline constexpr std::uint32_t kBatteryPgn = 127508;
 inline constexpr std::uint32_t kSpeedPgn = 128259;
 inline constexpr std::uint32_t kWaterDepthPgn = 128267;
@@ -42,6 +43,7 @@ inline constexpr std::uint32_t kSpeedDepthPgn = 65290;
 inline constexpr std::uint32_t kSnrPgn = 65291;
 inline constexpr std::uint32_t kAltitudePgn = 65292;
 inline constexpr std::uint32_t kLeakPgn = 65293;
+inline constexpr std::uint32_t kAutopilotStatusPgn = 65294;
 inline constexpr std::uint32_t kPeerPgn = 126720;  ///< command, acknowledgement, abort: from one device to one other
 inline constexpr std::uint32_t kHealthPgn = 130950;
 inline constexpr std::uint32_t kPortHealthPgn = 130951;
@@ -101,6 +103,7 @@ inline constexpr Message kRudder = single("Rudder", kRudderPgn, 2, kToRuntime, k
 inline constexpr Message kRateOfTurn = single("RateOfTurn", kRateOfTurnPgn, 2, kToRuntime, kSecond, kRateOfTurnSignals);
 inline constexpr Message kAttitude = single("Attitude", kAttitudePgn, 3, kToRuntime, kSecond, kAttitudeSignals);
 inline constexpr Message kVariation = single("MagneticVariation", kVariationPgn, 7, kToRuntime, kSecond, kVariationSignals);
+inline constexpr Message kCharge = fast("DCDetailedStatus", kChargePgn, 6, kToRuntime, Duration::milliseconds(1500), kChargeSignals, 11);
 inline constexpr Message kBattery = single("BatteryStatus", kBatteryPgn, 6, kToRuntime, Duration::milliseconds(1500), kBatterySignals);
 inline constexpr Message kWaterDepth = single("WaterDepth", kWaterDepthPgn, 3, kToRuntime, kSecond, kWaterDepthSignals);
 inline constexpr Message kDistanceLog = fast("DistanceLog", kDistanceLogPgn, 6, kToRuntime, kSecond, kDistanceLogSignals, 14);
@@ -127,6 +130,8 @@ inline constexpr Message kConfiguration =
 inline constexpr Message kSnr = single("EarshotSNR", kSnrPgn, 5, kBoth, kSecond, kSnrSignals);
 inline constexpr Message kAltitude = single("EarshotAltitude", kAltitudePgn, 5, kToRuntime, kSecond, kAltitudeSignals);
 inline constexpr Message kLeak = single("EarshotLeak", kLeakPgn, 1, kToRuntime, kSecond, kLeakSignals);
+inline constexpr Message kAutopilotStatus =
+    single("EarshotAutopilotStatus", kAutopilotStatusPgn, 3, kToRuntime, kSecond, kAutopilotStatusSignals);
 inline constexpr Message kHealth = fast("EarshotHealth", kHealthPgn, 6, kFromRuntime, kSecond, kHealthSignals, 58);
 inline constexpr Message kPortHealth = fast("EarshotPortHealth", kPortHealthPgn, 6, kFromRuntime, kSecond, kPortHealthSignals, 28);
 inline constexpr Message kDecision = fast("EarshotDecision", kDecisionPgn, 6, kFromRuntime, kOnOccasion, kDecisionSignals, 60);
@@ -148,6 +153,7 @@ inline constexpr Message kMessages[]{
     kRateOfTurn,
     kAttitude,
     kVariation,
+    kCharge,
     kBattery,
     kWaterDepth,
     kDistanceLog,
@@ -166,6 +172,7 @@ inline constexpr Message kMessages[]{
     kSnr,
     kAltitude,
     kLeak,
+    kAutopilotStatus,
     kHealth,
     kPortHealth,
     kDecision,

@@ -15,9 +15,9 @@ inline constexpr Choice kOutcomes[]{
     {0, "obeyed"},         {1, "repeated"},     {2, "too old"},      {3, "expired"},     {4, "not in this state"}, {5, "unknown order"},
     {6, "not configured"}, {7, "out of order"}, {8, "not verified"}, {9, "not tighter"}, {10, "autopilot silent"}};
 inline constexpr Choice kMissionStates[]{{0, "STANDBY"}, {1, "SEARCH"}, {2, "DONE"}, {3, "ABORT"}};
-inline constexpr Choice kEndReasons[]{{0, "not over"},         {1, "completed"}, {2, "steps used up"},       {3, "operator abort"},
-                                      {4, "navigation stale"}, {5, "SNR stale"}, {6, "left operating area"}, {7, "time used up"},
-                                      {8, "safety rule"}};
+inline constexpr Choice kEndReasons[]{{0, "not over"},         {1, "completed"},   {2, "steps used up"},       {3, "operator abort"},
+                                      {4, "navigation stale"}, {5, "SNR stale"},   {6, "left operating area"}, {7, "time used up"},
+                                      {8, "safety rule"},      {9, "memory fault"}};
 inline constexpr Choice kAuthorities[]{{0, "DISCONNECTED"}, {1, "STANDBY"}, {2, "LISTEN"}, {3, "COMMAND"}, {4, "ABORT"}};
 inline constexpr Choice kLeakStates[]{{0, "dry"}, {1, "wet"}};
 inline constexpr Choice kPeers[]{{1, "command"}, {2, "acknowledgement"}, {3, "abort"}};
@@ -63,6 +63,7 @@ inline constexpr Signal kSnrSignals[]{
     choice("TooFaint", 34, 2, kYesNo),
     number("BandLevel", 36, 16, kUnsigned, kHundredth, "dB re 1 uPa"),
     sequence_identifier(52),
+    choice("Deaf", 60, 2, kYesNo),
 };
 
 inline constexpr Signal kAltitudeSignals[]{
@@ -73,10 +74,15 @@ inline constexpr Signal kAltitudeSignals[]{
 };
 
 inline constexpr Signal kLeakSignals[]{
+    manufacturer(), industry(), number("Instance", 16, 8), choice("State", 24, 2, kLeakStates), choice("GroundFault", 26, 2, kYesNo),
+};
+
+// HeadingSequence is that of the last set-point that was taken (65290).
+inline constexpr Signal kAutopilotStatusSignals[]{
     manufacturer(),
     industry(),
-    number("Instance", 16, 8),
-    choice("State", 24, 2, kLeakStates),
+    choice("FollowsSetpoints", 16, 2, kYesNo),
+    number("HeadingSequence", 24, 8),
 };
 
 inline constexpr Signal kHealthSignals[]{

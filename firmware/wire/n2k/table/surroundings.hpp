@@ -36,4 +36,15 @@ inline constexpr Signal kBatterySignals[]{
     sequence_identifier(56),
 };
 
+inline constexpr Signal kChargeSignals[]{
+    sequence_identifier(0),
+    number("Instance", 8, 8),
+    choice("DCType", 16, 8, kDcType),
+    number("StateOfCharge", 24, 8, kUnsigned, kOne, "%"),
+    number("StateOfHealth", 32, 8, kUnsigned, kOne, "%"),
+    number("TimeRemaining", 40, 16, kUnsigned, {60, 1}, "s"),
+    number("RippleVoltage", 56, 16, kUnsigned, kThousandth, "V"),
+    number("RemainingCapacity", 72, 16, kUnsigned, kOne, "Ah"),
+};
+
 }  // namespace earshot::n2k::table

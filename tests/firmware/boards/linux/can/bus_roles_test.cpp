@@ -25,7 +25,8 @@ TEST(BusRoles, SendAndReadNoGroupOfAnotherRole) {
   const Pgns read = pgns_read({host::Role::kAutopilot});
   for (const std::uint32_t pgn : {n2k::kSpeedDepthPgn, n2k::kHeadingControlPgn, n2k::kPeerPgn, n2k::kHealthPgn, n2k::kDecisionPgn})
     EXPECT_FALSE(has(sent, pgn)) << pgn;
-  for (const std::uint32_t pgn : {n2k::kHeadingPgn, n2k::kPositionPgn, n2k::kSnrPgn, n2k::kPeerPgn}) EXPECT_FALSE(has(read, pgn)) << pgn;
+  for (const std::uint32_t pgn : {n2k::kHeadingPgn, n2k::kPositionPgn, n2k::kLeakPgn, n2k::kSnrPgn, n2k::kPeerPgn})
+    EXPECT_FALSE(has(read, pgn)) << pgn;
 }
 
 TEST(BusRoles, LetEveryGroupThatIsReadThroughTheKernelsFilterAndNoOther) {
@@ -38,9 +39,13 @@ TEST(BusRoles, LetEveryGroupThatIsReadThroughTheKernelsFilterAndNoOther) {
   };
   EXPECT_TRUE(passes(0x09F1'1223)) << "127250 heading";
   EXPECT_TRUE(passes(0x15FD'0A26)) << "130314 pressure";
+  EXPECT_TRUE(passes(0x0DF5'0B2A)) << "128267 altitude";
+  EXPECT_TRUE(passes(0x19F2'122B)) << "127506 charge";
+  EXPECT_TRUE(passes(0x04FF'0D2C)) << "65293 leak";
   EXPECT_TRUE(passes(0x18EE'FF55)) << "60928 claim";
   EXPECT_TRUE(passes(0x18EA'4055)) << "59904 request, to us";
   EXPECT_FALSE(passes(0x14FF'0B28)) << "65291 SNR";
+  EXPECT_FALSE(passes(0x0CFF'0E23)) << "65294 autopilot";
   EXPECT_FALSE(passes(0x0DEF'4029)) << "126720 orders";
 }
 

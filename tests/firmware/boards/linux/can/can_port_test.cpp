@@ -139,7 +139,7 @@ TEST_F(CanPortTest, SaysWhatItSendsAndReadsAsItsRolesHaveIt) {
     return pgns;
   };
   EXPECT_EQ(pgns_of(lists[0]), (std::vector{59392U, 59904U, 60928U, 126464U, 126208U, 126993U, 126996U, 126998U, 65290U, 127237U}));
-  EXPECT_EQ(pgns_of(lists[1]), (std::vector{59904U, 60928U, 65240U, 60416U, 60160U, 126208U, 65291U}));
+  EXPECT_EQ(pgns_of(lists[1]), (std::vector{59904U, 60928U, 65240U, 60416U, 60160U, 126208U, 65291U, 65294U}));
 }
 
 TEST_F(CanPortTest, RefusesToItsAskerWhatItDoesNotSend) {

@@ -18,8 +18,6 @@ TEST(Measurements, AreLaidOutByteForByteAsTheTableSays) {
   EXPECT_EQ(frame, (Frame{0x14FF0B40, 8, {0xFC, 0x9F, 0xBB, 0xFE, 0x27, 0x42, 0xF2, 0xFF}}));
   ASSERT_EQ(compose_altitude(Meters{12.34}, kSource, frame), Status::kOk);
   EXPECT_EQ(frame, (Frame{0x14FF0C40, 8, {0xFC, 0x9F, 0xFF, 0xD2, 0x04, 0x00, 0x00, 0xFF}}));  // 1234 = 0x04D2
-  ASSERT_EQ(compose_leak({.instance = 2, .wet = true}, kSource, frame), Status::kOk);
-  EXPECT_EQ(frame, (Frame{0x04FF0D40, 8, {0xFC, 0x9F, 0x02, 0xFD, 0xFF, 0xFF, 0xFF, 0xFF}}));
 }
 
 TEST(Measurements, ComeBack) {
@@ -35,9 +33,6 @@ TEST(Measurements, ComeBack) {
   }
   ASSERT_EQ(compose_altitude(Meters{12.34}, kSource, frame), Status::kOk);
   EXPECT_EQ(read_altitude(frame.bytes()).value().value, 12.34);
-  ASSERT_EQ(compose_leak({.instance = 2, .wet = true}, kSource, frame), Status::kOk);
-  EXPECT_TRUE(read_leak(frame.bytes()).value().wet);
-  EXPECT_EQ(read_leak(frame.bytes()).value().instance, 2);
 }
 
 TEST(Measurements, OfOtherMakersAndWithoutAValueAreNotTaken) {
@@ -47,11 +42,9 @@ TEST(Measurements, OfOtherMakersAndWithoutAValueAreNotTaken) {
   EXPECT_EQ(read_snr(blank).status(), Status::kNotReady);
   const std::array<std::uint8_t, 8> stranger{0xFB, 0x9F, 0xBB, 0xFE, 0x27, 0x42, 0xF2, 0xFF};
   EXPECT_EQ(read_snr(stranger).status(), Status::kUnsupported);
-  EXPECT_EQ(read_leak(stranger).status(), Status::kUnsupported);
   EXPECT_EQ(read_altitude(stranger).status(), Status::kUnsupported);
   EXPECT_EQ(read_snr(std::span(stranger).first(1)).status(), Status::kUnsupported);
   EXPECT_EQ(read_altitude(std::array<std::uint8_t, 8>{0xFC, 0x9F, 2, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}).status(), Status::kNotReady);
-  EXPECT_EQ(read_leak(std::array<std::uint8_t, 8>{0xFC, 0x9F, 2, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}).status(), Status::kNotReady);
 }
 
 TEST(Measurements, OfAnotherIndustryAreNotTakenThoughTheReservedBitsMaySayAnything) {
@@ -65,15 +58,7 @@ TEST(Measurements, OfAnotherIndustryAreNotTakenThoughTheReservedBitsMaySayAnythi
     bytes[1] = static_cast<std::uint8_t>(0x1FU | (industry << 5U));
     EXPECT_EQ(read_altitude(bytes).status(), Status::kUnsupported) << industry;
     EXPECT_EQ(read_snr(bytes).status(), Status::kUnsupported) << industry;
-    EXPECT_EQ(read_leak(bytes).status(), Status::kUnsupported) << industry;
   }
-}
-
-TEST(Measurements, SayOfALeakSensorThatItIsDry) {
-  Frame frame;
-  ASSERT_EQ(compose_leak({}, kSource, frame), Status::kOk);
-  EXPECT_EQ(frame, (Frame{0x04FF0D40, 8, {0xFC, 0x9F, 0x00, 0xFC, 0xFF, 0xFF, 0xFF, 0xFF}}));
-  EXPECT_FALSE(read_leak(frame.bytes()).value().wet);
 }
 
 TEST(Measurements, OfAHydrophoneAreWhatTheRuntimeTakes) {

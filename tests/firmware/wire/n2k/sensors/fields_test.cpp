@@ -143,6 +143,22 @@ TEST(Fields, OfABatteryAreTheOnesThatItHas) {
   EXPECT_EQ(fields::battery(Bytes(2, 0)).status(), Status::kMalformed);
 }
 
+TEST(Fields, OfAChargeArePercentOfABatteryAndNothingOfAnotherSource) {
+  // Type at byte 2, charge at byte 3, 11 bytes.
+  const auto bytes = [](std::uint8_t type, std::uint8_t percent) {
+    return Bytes{0xFF, 7, type, percent, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+  };
+  EXPECT_EQ(fields::charge(bytes(0, 73)).value(), 73.0);
+  EXPECT_EQ(fields::charge(bytes(0, 0)).value(), 0.0);
+  EXPECT_EQ(fields::charge(bytes(0, 100)).value(), 100.0);
+  EXPECT_EQ(fields::charge(bytes(0, 101)).status(), Status::kOutOfRange);
+  EXPECT_EQ(fields::charge(bytes(0, 0xFE)).status(), Status::kOutOfRange);
+  EXPECT_EQ(fields::charge(bytes(0, 0xFF)).status(), Status::kNotReady);
+  EXPECT_FALSE(fields::charge(bytes(3, 73)).value().has_value()) << "a solar cell";
+  EXPECT_EQ(fields::charge(bytes(0xFF, 73)).status(), Status::kUnsupported) << "of what it does not say";
+  EXPECT_EQ(fields::charge_instance(bytes(0, 73)), 7);
+}
+
 TEST(Fields, OfEverySensorOfSeveralHaveTheirInstance) {
   EXPECT_EQ(fields::rudder_instance(message_with(kRudderPgn, {{"Instance", 3}})), 3);
   EXPECT_EQ(fields::pressure_instance(message_with(kPressurePgn, {{"Instance", 4}})), 4);

@@ -251,6 +251,47 @@ TEST_F(SensorsTest, ReadTheRestOfWhatTheyKnow) {
   EXPECT_EQ(readings().water_temperature_k->value, 280.15);
 }
 
+/// A fast packet (127506) of 11 bytes from device A.
+struct ChargeFrames {
+  ChargeFrames(std::uint8_t instance, std::uint8_t type, std::uint8_t percent)
+      : first{.identifier = 0x19F2120A, .size = 8, .data = {0x00, 11, 0xFF, instance, type, percent, 0xFF, 0xFF}},
+        second{.identifier = 0x19F2120A, .size = 8, .data = {0x01, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}} {}
+  Frame first;
+  Frame second;
+};
+
+TEST_F(SensorsTest, ReadTheChargeOfOneBatteryOutOfAFastPacket) {
+  choose(Measured::kCharge, {.name = {}, .instance = 1});
+  const ChargeFrames ours(1, 0, 73);
+  EXPECT_EQ(accept(ours.first), Status::kNotReady);
+  ASSERT_EQ(accept(ours.second, kNow + Duration{1000}), Status::kOk);
+  EXPECT_EQ(measured_, Measured::kCharge);
+  EXPECT_EQ(readings().charge_percent->value, 73.0);
+  EXPECT_EQ(readings().charge_percent->time, kNow) << "of its first frame";
+  const ChargeFrames others(2, 0, 20);
+  EXPECT_EQ(accept(others.first), Status::kNotReady);
+  EXPECT_EQ(accept(others.second), Status::kNotReady);
+  EXPECT_EQ(sensors_.counters().other_device, 1U);
+  const ChargeFrames solar(1, 3, 20);
+  EXPECT_EQ(accept(solar.first), Status::kNotReady);
+  EXPECT_EQ(accept(solar.second), Status::kNotReady);
+  EXPECT_EQ(sensors_.counters().of_no_interest, 1U);
+  EXPECT_EQ(readings().charge_percent->value, 73.0);
+}
+
+TEST_F(SensorsTest, KnowWhenTheDeviceThatAQuantityIsTakenFromSpokeLast) {
+  const auto altitude = [this](std::initializer_list<Value> values, std::uint8_t source, Time now) {
+    (void)accept(frame_of(kWaterDepthPgn, values, source), now);
+    return sensors_.heard(Measured::kAltitude);
+  };
+  EXPECT_FALSE(sensors_.heard(Measured::kAltitude));
+  EXPECT_EQ(altitude({}, kA, kNow), kNow) << "that it has no value is said, too";
+  EXPECT_EQ(altitude({{"Depth", 5}}, kA, kNow + Duration{1}), kNow + Duration{1});
+  EXPECT_EQ(altitude({}, kA, kNow + Duration{2}), kNow + Duration{2});
+  EXPECT_EQ(altitude({{"Depth", 5}}, kB, kNow + Duration{3}), kNow + Duration{2}) << "another's";
+  EXPECT_FALSE(sensors_.heard(Measured::kCharge));
+}
+
 TEST_F(SensorsTest, CountNothingBeforeAnythingCame) {
   const SensorCounters& counters = sensors_.counters();
   EXPECT_EQ(counters.taken + counters.refused + counters.unavailable + counters.other_device, 0U);
