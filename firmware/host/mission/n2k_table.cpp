@@ -28,10 +28,12 @@ constexpr std::array kNavigationKeys{kOldestPart, kPressure, kZero};
 struct Quantity {
   const char* key;
   Measured measured;
+  bool has_instance = false;  ///< whether its messages bear one
 };
-constexpr std::array kQuantities{Quantity{"position", Measured::kPosition}, Quantity{"heading", Measured::kHeading},
-                                 Quantity{"variation", Measured::kVariation}, Quantity{"speed", Measured::kSpeed},
-                                 Quantity{"depth", Measured::kPressure}};
+constexpr std::array kQuantities{Quantity{"position", Measured::kPosition},    Quantity{"heading", Measured::kHeading},
+                                 Quantity{"variation", Measured::kVariation},  Quantity{"speed", Measured::kSpeed},
+                                 Quantity{"depth", Measured::kPressure, true}, Quantity{"altitude", Measured::kAltitude},
+                                 Quantity{"battery", Measured::kCharge, true}};
 
 /// "0xC0328600D0E4F1A2"; nothing if it is no NAME.
 std::optional<n2k::Name> name_in(std::string_view text) {
@@ -56,7 +58,7 @@ n2k::SourceChoice read_source(TableReader sources, const char* key, bool has_ins
   }
   if (table->has("instance")) {
     choice.instance = static_cast<std::uint8_t>(table->integer("instance", 0, 252));
-    if (!has_instance) table->problem("instance", "only messages of pressure (depth) bear an instance: give the device's name");
+    if (!has_instance) table->problem("instance", "only messages of depth (pressure) and battery bear an instance: give the device's name");
   }
   if (!table->has("name") && !table->has("instance"))
     sources.problem(key, has_instance ? "must say a device's name, an instance, or both" : "must say a device's name");
@@ -64,12 +66,15 @@ n2k::SourceChoice read_source(TableReader sources, const char* key, bool has_ins
 }
 
 void read_sources(TableReader sources, Roles roles, N2kSettings& settings) {
-  for (const auto& [key, measured] : kQuantities) {
-    settings.navigation.sensors.sources[static_cast<std::size_t>(measured)] = read_source(sources, key, measured == Measured::kPressure);
+  for (const auto& [key, measured, has_instance] : kQuantities) {
+    settings.navigation.sensors.sources[static_cast<std::size_t>(measured)] = read_source(sources, key, has_instance);
     if (sources.has(key) && !roles.has(Role::kNavigation)) sources.problem(key, "of use only to a port with the role \"navigation\"");
   }
   settings.snr_source = read_source(sources, "snr", false);
   if (sources.has("snr") && !roles.has(Role::kSnr)) sources.problem("snr", "of use only to a port with the role \"snr\"");
+  settings.autopilot_source = read_source(sources, "autopilot", false);
+  if (sources.has("autopilot") && !roles.has(Role::kAutopilot))
+    sources.problem("autopilot", "of use only to a port with the role \"autopilot\"");
 }
 
 void read_pressure(TableReader& table, N2kSettings& settings) {

@@ -50,6 +50,7 @@ struct N2kSettings {
   std::uint8_t device_instance = 0;             ///< of its NAME
   n2k::NavigationSettings navigation;
   n2k::SourceChoice snr_source;
+  n2k::SourceChoice autopilot_source;     ///< of the status
   bool zero_pressure_at_surface = false;  ///< with the START that is obeyed, if the vehicle is at the surface then
 };
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "firmware/config/safety.hpp"
+#include "firmware/host/mission/rule_words.hpp"
 #include "firmware/safety/check.hpp"
 #include "firmware/safety/supervisor.hpp"
 
@@ -102,16 +103,6 @@ std::string corner_words(const safety::SafetyComplaint& complaint) {
   return "a corner is no place";
 }
 
-/// "navigation_age_s above 5 then abort"
-std::string rule_words(const Rule& rule) {
-  const ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(rule.condition));
-  std::string text(traits.key);
-  if (traits.kind == ConditionTraits::Kind::kAbove) text += " above " + shortly(rule.limit);
-  if (traits.kind == ConditionTraits::Kind::kBelow) text += " below " + shortly(rule.limit);
-  if (rule.persistence > Duration{}) text += " for " + shortly(rule.persistence.to_seconds()) + " s";
-  return text + " then " + std::string(config::kResponseWords.at(static_cast<std::size_t>(rule.response)));
-}
-
 void complain_of_fence(TableReader fence, const SafetyComplaint& complaint, const config::Mission& mission) {
   switch (complaint.fault) {
     case SafetyFault::kFence:
@@ -136,7 +127,7 @@ void complain_of_rule(TableReader rule, const SafetyComplaint& complaint, const 
     case SafetyFault::kRuleNeverActs: {
       const Rule other = safety::rules_of(mission)[complaint.other];
       const bool is_standing = complaint.other < safety::standing_rules(mission);
-      return rule.problem("when", "never does anything: another rule does as much, and sooner: " + rule_words(other) +
+      return rule.problem("when", "never does anything: another rule does as much, and sooner: " + to_string(other) +
                                       (is_standing ? " (which stands in every mission)" : ""));
     }
     default:

@@ -6,18 +6,24 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <iomanip>
 #include <iterator>
+#include <sstream>
 #include <variant>
 
 #include "earshot/command_acknowledgement_t.hpp"
 #include "earshot/health_t.hpp"
 #include "earshot/mission_t.hpp"
+#include "earshot/safety_event_t.hpp"
+#include "firmware/config/safety.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/messages/operator_command.hpp"
+#include "firmware/messages/safety_event.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::report {
@@ -106,12 +112,32 @@ void note_health(double time_s, const health_t& health, SeaFlight& flight) {
   if (before == MissionState::kSearch) flight.search_ended_s = time_s;
 }
 
+/// "rule 11, battery_percent: 14.9, below 15: return"
+std::string words_for(const messages::SafetyEvent& event) {
+  using config::ConditionTraits;
+  const auto condition = static_cast<std::size_t>(event.condition);
+  const auto response = static_cast<std::size_t>(event.response);
+  std::ostringstream text;
+  text << "rule " << event.rule + 1 << ", ";
+  if (condition >= config::kConditions || response >= config::kResponses) return text.str() + "which this program does not know";
+  const ConditionTraits& traits = config::kConditionTraits.at(condition);
+  text << traits.key << ": ";
+  if (!event.begins) return text.str() + "no longer";
+  if (traits.kind != ConditionTraits::Kind::kFlag) {
+    text << std::setprecision(4) << event.measure << (traits.kind == ConditionTraits::Kind::kAbove ? ", above " : ", below ")
+         << std::setprecision(6) << event.limit << ": ";
+  }
+  text << config::kResponseWords.at(response);
+  return text.str();
+}
+
 void note(const host::JournalRecord& record, SeaFlight& flight) {
   const double time_s = static_cast<double>(record.time.us) * kSecondsPerMicrosecond - flight.began_s;
   flight.ended_s = std::max(flight.ended_s, time_s);
   messages::Input input;
   health_t health{};
   command_acknowledgement_t acknowledgement{};
+  safety_event_t event{};
   if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
     if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix))
       flight.fixes.push_back({.time_s = time_s, .position = fix->position, .depth = fix->depth});
@@ -119,6 +145,8 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
       flight.measurements.push_back({.time_s = time_s, .snr_db = snr->snr.value, .too_faint = snr->too_faint});
   } else if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
     note_health(time_s, health, flight);
+  } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
+    flight.events.push_back({time_s, words_for(wire::from_message(event))});
   } else if (record.channel == wire::kAcknowledgementChannel && wire::decode(record.data, acknowledgement) == Status::kOk) {
     flight.events.push_back({time_s, std::string("order ") + to_string(static_cast<Order>(acknowledgement.command)) + ", " +
                                          to_string(static_cast<CommandOutcome>(acknowledgement.outcome))});

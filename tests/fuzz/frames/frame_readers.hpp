@@ -11,11 +11,13 @@
 #include "firmware/wire/n2k/navigation.hpp"
 #include "firmware/wire/n2k/node/information.hpp"
 #include "firmware/wire/n2k/node/node.hpp"
+#include "firmware/wire/n2k/own/conditions.hpp"
 #include "firmware/wire/n2k/own/measurements.hpp"
 #include "firmware/wire/n2k/own/orders.hpp"
 #include "firmware/wire/n2k/own/reports.hpp"
 #include "firmware/wire/n2k/sensors/fields.hpp"
 #include "firmware/wire/n2k/setpoint.hpp"
+#include "firmware/wire/n2k/vehicle_condition.hpp"
 
 namespace earshot::fuzz {
 
@@ -61,6 +63,11 @@ class FrameReaders {
     return !readings.over_ground || readings.over_ground->value.speed.value >= 0.0;
   }
 
+  /// NaN is not known.
+  static bool is_sound(const messages::VehicleStatus& status, Time now) {
+    return status.time <= now && !(status.altitude.value < 0.0) && !(status.battery_percent < 0.0) && !(status.battery_percent > 100.0);
+  }
+
   const char* navigate(const n2k::Frame& frame, Time now) {
     n2k::Fix fix;
     if (receiver_.accept(frame, now, fix) == Status::kOk) {
@@ -68,6 +75,9 @@ class FrameReaders {
       if (!is_sound(fix) || fix.time > now) return "a fix that cannot be";
     }
     static_cast<void>(receiver_.zero_at_surface());
+    static_cast<void>(condition_.accept_hull(frame, receiver_.sensors().directory(), now));
+    messages::VehicleStatus status;
+    if (condition_.give(receiver_.sensors(), now, status) == Status::kOk && !is_sound(status, now)) return "a status that cannot be";
     return is_sound(receiver_.sensors().readings()) ? nullptr : "a reading that cannot be";
   }
 
@@ -90,7 +100,8 @@ class FrameReaders {
   /// What the vehicle measures and says of itself, as another device reads it.
   const char* report(const n2k::Frame& frame, Time now) {
     static_cast<void>(n2k::read_snr(frame.bytes()));
-    static_cast<void>(n2k::read_leak(frame.bytes()));
+    static_cast<void>(n2k::read_deaf(frame.bytes()));
+    static_cast<void>(n2k::read_autopilot_status(frame.bytes()));
     n2k::Assembled message;
     const Result<n2k::Identifier> identifier = n2k::parse_identifier(frame.identifier);
     if (!identifier.ok() || packets_.accept(identifier.value(), frame, now, message) != Status::kOk) return nullptr;
@@ -119,6 +130,7 @@ class FrameReaders {
   }
 
   n2k::NavigationReceiver receiver_{n2k::LocalPlane{}, {.sensors = {}, .oldest_part = Duration::seconds(60)}};
+  n2k::VehicleCondition condition_{Duration::seconds(3)};
   n2k::OrderReceiver orders_;
   n2k::SetpointReceiver setpoints_;
   n2k::FastPacketAssembly packets_;

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/boards/linux/checklist/chart.hpp"
+#include "firmware/boards/linux/checklist/checklist.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/host_mission_clock.hpp"
 #include "firmware/boards/linux/memory_proof.hpp"
@@ -64,6 +66,8 @@ struct Options {
   bool hear = false;
   bool replace = false;
   bool prove_no_alloc = false;
+  bool check = false;
+  std::optional<std::filesystem::path> chart;
   std::optional<std::string> journal_survives;
 };
 
@@ -105,6 +109,14 @@ void declare(program::CommandLine& line, Options& o) {
             "the hydrophone is heard in any case");
   line.flag("--prove-no-alloc", &o.prove_no_alloc,
             "show that no thread asks for memory from the first turn to the last, and print what memory is spent on; at sea only");
+  line.flag("--check", &o.check, "do not fly: judge the mission and all its files, and print the checklist before a dive; opens no bus");
+  line.option("--chart", &o.chart, "with --check: draw area, fence, zones and safe point into this SVG file")
+      .checked([](const std::string& file) { return file.empty() ? "names no file" : ""; });
+}
+
+void require_check_possible(const Options& o) {
+  if (o.chart && !o.check) throw host::BadInput("--chart: only with --check");
+  if (o.check && o.simulation) throw host::BadInput("--check: not with --simulation; it is the checklist before a dive");
 }
 
 void require_hearing_possible(const Options& o) {
@@ -275,7 +287,28 @@ int fly(const Flight& f) {
   return kLost;
 }
 
+/// The checklist before a dive.
+/// @return exit status
+int check(const Options& o) {
+  const host::MissionFile file = load(o);
+  const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
+  (void)make_runtime(file, policy, o.mission.string());
+  if (std::filesystem::exists(o.out))
+    host::require_writable(o.out / "journal.lcmlog", host::kJournalOutput, host::Replace::kOwnKind, "name another folder with --out");
+  if (o.chart) {
+    host::require_writable(*o.chart, host::kSvgOutput, host::Replace::kOwnKind, "name another file");
+    host::write_whole(*o.chart, board::chart(file.mission, host::printable(o.mission.filename().string())));
+  }
+  program::say() << board::checklist(file, *policy.policy, o.mission.string());
+  if (o.chart) program::say() << "chart         " << host::printable(o.chart->string()) << "\n";
+  for (const std::string& doubt : board::doubts_about(file)) program::say() << "doubt: " << doubt << "\n";
+  program::say() << "ready to dive\n";
+  return program::kDone;
+}
+
 int fly(const Options& o) {
+  require_check_possible(o);
+  if (o.check) return check(o);
   require_hearing_possible(o);
   require_proof_possible(o);
   const host::MissionFile file = load(o);

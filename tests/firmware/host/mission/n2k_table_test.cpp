@@ -86,7 +86,8 @@ TEST(N2kTable, GivesEveryKey) {
           "[port.n2k]\naddress = 251\nunique_number = 2097151\ndevice_instance = 255\noldest_part_s = 1.5\npressure = \"absolute\"\n"
           "zero_pressure_at_surface = true\n[port.n2k.sources]\nheading = { name = \"0xC0328600D0E4F1A2\" }\n"
           "depth = { instance = 1, name = \"0x1\" }\nposition = { name = \"0xffffffffffffffff\" }\nvariation = { name = \"0x2\" }\n"
-          "speed = { name = \"0x3\" }\nsnr = { name = \"0x4\" }")
+          "speed = { name = \"0x3\" }\nsnr = { name = \"0x4\" }\naltitude = { name = \"0x5\" }\nbattery = { instance = 6 }\n"
+          "autopilot = { name = \"0x7\" }")
           .settings();
   EXPECT_EQ(settings.address, 251);
   EXPECT_EQ(settings.unique_number, 2'097'151U);
@@ -102,6 +103,9 @@ TEST(N2kTable, GivesEveryKey) {
   EXPECT_EQ(source(settings, Measured::kVariation).name, 2U);
   EXPECT_EQ(source(settings, Measured::kSpeed).name, 3U);
   EXPECT_EQ(settings.snr_source.name, 4U);
+  EXPECT_EQ(source(settings, Measured::kAltitude).name, 5U);
+  EXPECT_EQ(source(settings, Measured::kCharge).instance, 6);
+  EXPECT_EQ(settings.autopilot_source.name, 7U);
 }
 
 TEST(N2kTable, HasNoPartOfAFixOlderThanNavigationMayBe) {
@@ -142,9 +146,9 @@ TEST(N2kTable, RefusesASourceThatNamesNoDevice) {
   EXPECT_EQ(complaint("[port.n2k.sources]\nheading = {}"), "FILE:35: port[0].n2k.sources.heading: must say a device's name");
   EXPECT_EQ(complaint("[port.n2k.sources]\ndepth = {}"),
             "FILE:35: port[0].n2k.sources.depth: must say a device's name, an instance, or both");
-  EXPECT_EQ(
-      complaint("[port.n2k.sources]\nheading = { instance = 1 }"),
-      "FILE:35: port[0].n2k.sources.heading.instance = 1: only messages of pressure (depth) bear an instance: give the device's name");
+  EXPECT_EQ(complaint("[port.n2k.sources]\nheading = { instance = 1 }"),
+            "FILE:35: port[0].n2k.sources.heading.instance = 1: only messages of depth (pressure) and battery bear an instance: give the "
+            "device's name");
 }
 
 TEST(N2kTable, RefusesUnknownKeysOnEveryLevelAndATableOfAnLcmPort) {
@@ -167,6 +171,11 @@ TEST(N2kTable, RefusesKeysThatThePortsRolesHaveNoUseFor) {
             "FILE:37: port[0].n2k.zero_pressure_at_surface = true: of use only to a port with the role \"navigation\"\n"
             "FILE:39: port[0].n2k.sources.heading: of use only to a port with the role \"navigation\"\n"
             "FILE:40: port[0].n2k.sources.snr: of use only to a port with the role \"snr\"");
+}
+
+TEST(N2kTable, RefusesAnAutopilotsNameForAPortWithoutThatRole) {
+  EXPECT_EQ(complaint("[port.n2k.sources]\nautopilot = { name = \"0x1\" }", "\"navigation\""),
+            "FILE:35: port[0].n2k.sources.autopilot: of use only to a port with the role \"autopilot\"");
 }
 
 TEST(N2kTable, RefusesSoundOverCan) {

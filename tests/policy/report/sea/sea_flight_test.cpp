@@ -63,6 +63,42 @@ TEST_F(SeaFlightTest, TellsItsOrdersAndStatesAndHowFarItSailedInItsSearchAlone) 
   EXPECT_NEAR(flight.events[2].time_s, 50.0, 1e-5);
 }
 
+TEST_F(SeaFlightTest, TellsWhichRulesActedAndOnWhatEvidence) {
+  SeaJournal journal(path_);
+  messages::SafetyEvent battery{.time = {},
+                                .rule = 10,
+                                .condition = config::Condition::kBattery,
+                                .response = config::Response::kReturn,
+                                .begins = true,
+                                .measure = 14.938,
+                                .limit = 15};
+  journal.rule(20, battery);
+  battery.begins = false;
+  journal.rule(30, battery);
+  journal.rule(40, {.time = {},
+                    .rule = 12,
+                    .condition = config::Condition::kLeak,
+                    .response = config::Response::kRelease,
+                    .begins = true,
+                    .measure = 1,
+                    .limit = 0});
+  journal.rule(50, {.time = {},
+                    .rule = 4,
+                    .condition = config::Condition::kDepth,
+                    .response = config::Response::kAbort,
+                    .begins = true,
+                    .measure = 412.25,
+                    .limit = 400});
+  journal.end(wire::Ending::kStopped);
+  const SeaFlight flight = read_sea_flight(path_).value();
+  ASSERT_EQ(flight.events.size(), 4U);
+  EXPECT_EQ(flight.events[0].what, "rule 11, battery_percent: 14.94, below 15: return");
+  EXPECT_NEAR(flight.events[0].time_s, 20.0, 1e-5);
+  EXPECT_EQ(flight.events[1].what, "rule 11, battery_percent: no longer");
+  EXPECT_EQ(flight.events[2].what, "rule 13, leak: release");
+  EXPECT_EQ(flight.events[3].what, "rule 5, depth_m: 412.2, above 400: abort");
+}
+
 TEST_F(SeaFlightTest, DrawsTheFixesWhoseSpeedNobodyKnew) {
   SeaJournal journal(path_);
   journal.fix(20, 300, 0, messages::kUnknownSpeed);

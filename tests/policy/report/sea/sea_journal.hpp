@@ -60,6 +60,10 @@ class SeaJournal {
     const messages::CommandAcknowledgement acknowledgement{.time = at(s), .issuer = 1, .number = 1, .order = order, .outcome = outcome};
     append(s, wire::kAcknowledgementChannel, wire::Encoded(wire::to_message(acknowledgement)), host::Weight::kOrder);
   }
+  void rule(double s, messages::SafetyEvent event) {
+    event.time = at(s);
+    append(s, wire::kSafetyEventChannel, wire::Encoded(wire::to_message(event)), host::Weight::kSteering);
+  }
   void end(wire::Ending ending) {
     wire::ClosingRecord closing;
     closing.ending = ending;

@@ -1,0 +1,76 @@
+#include "firmware/host/mission/rule_words.hpp"
+
+#include <array>
+#include <cstddef>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace earshot::host {
+namespace {
+
+using config::ConditionTraits;
+
+const ConditionTraits& traits_of(const config::Rule& rule) {
+  return config::kConditionTraits.at(static_cast<std::size_t>(rule.condition));
+}
+
+std::string_view response_of(const config::Rule& rule) {
+  return config::kResponseWords.at(static_cast<std::size_t>(rule.response));
+}
+
+std::string shortly(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string lasting(const config::Rule& rule) {
+  return rule.persistence > Duration{} ? " for " + shortly(rule.persistence.to_seconds()) + " s" : "";
+}
+
+/// The unit that a key ends with, with a blank before it.
+std::string_view unit_of(std::string_view key) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kUnits{
+      {{"_deg_per_s", " degrees a second"}, {"_percent", " %"}, {"_mps", " m/s"}, {"_deg", " degrees"}, {"_s", " s"}, {"_m", " m"}}};
+  for (const auto& [end, unit] : kUnits) {
+    if (key.ends_with(end)) return unit;
+  }
+  return {};
+}
+
+/// What is done, before "once".
+std::string_view done_by(config::Response response) {
+  constexpr std::array<std::string_view, config::kResponses> kDone{"warn",
+                                                                   "steer back into the fence",
+                                                                   "hold the place",
+                                                                   "return to the safe point",
+                                                                   "surface",
+                                                                   "abort",
+                                                                   "abort and ask for the drop weight to be released"};
+  return kDone.at(static_cast<std::size_t>(response));
+}
+
+}  // namespace
+
+std::string to_string(const config::Rule& rule) {
+  const ConditionTraits& traits = traits_of(rule);
+  std::string text(traits.key);
+  if (traits.kind == ConditionTraits::Kind::kAbove) text += " above " + shortly(rule.limit);
+  if (traits.kind == ConditionTraits::Kind::kBelow) text += " below " + shortly(rule.limit);
+  return text + lasting(rule) + " then " + std::string(response_of(rule));
+}
+
+std::string in_words(const config::Rule& rule) {
+  const ConditionTraits& traits = traits_of(rule);
+  std::string text = std::string(done_by(rule.response)) + " once " + std::string(traits.meaning);
+  if (traits.kind != ConditionTraits::Kind::kFlag) {
+    text += traits.kind == ConditionTraits::Kind::kAbove ? " is above " : " is below ";
+    text += shortly(rule.limit) + std::string(unit_of(traits.key));
+  }
+  text += lasting(rule);
+  const bool ends_the_mission = rule.response >= config::Response::kAbort;
+  return rule.is_latched && !ends_the_mission ? text + ", and until the mission ends" : text;
+}
+
+}  // namespace earshot::host

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "firmware/config/safety.hpp"
+
+namespace earshot::host {
+
+/// As a mission file says it: "battery_percent below 15 for 10 s then return".
+[[nodiscard]] std::string to_string(const config::Rule& rule);
+
+/// As a person would: "return once the battery's charge is below 15 % for 10 s, and until the mission ends".
+[[nodiscard]] std::string in_words(const config::Rule& rule);
+
+}  // namespace earshot::host

@@ -1,0 +1,76 @@
+// GIVEN a mission, WHEN earshotd --check judges it, THEN it says what will happen or what is wrong, and changes nothing but the chart.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::board {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::filesystem::path kMissions = std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions";
+
+class CheckRun : public ::testing::Test {
+ protected:
+  int check(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--out", (folder_ / "out").string()});
+    support::Process process(std::filesystem::path(EARSHOT_BIN_DIR) / "earshotd", arguments, folder_ / "said.txt");
+    const int status = process.wait(30s);
+    said_ = process.output();
+    return status;
+  }
+
+  const support::TemporaryFolder folder_;
+  std::string said_;
+};
+
+TEST_F(CheckRun, IsReadyToDiveAndLeavesNothingBehind) {
+  EXPECT_EQ(check({"--check", (kMissions / "fenced_search.toml").string()}), 0);
+  EXPECT_TRUE(said_.ends_with("ready to dive\n")) << said_;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(CheckRun, JudgesAMissionOverCanWhereThereIsNoBus) {
+  EXPECT_EQ(check({"--check", (kMissions / "search_over_can.toml").string(), "--can-interface", "nosuchbus0"}), 0);
+  EXPECT_NE(said_.find("doubt: this computer has no interface nosuchbus0 now"), std::string::npos) << said_;
+}
+
+TEST_F(CheckRun, DrawsTheChartAndReplacesItButNothingElse) {
+  const std::filesystem::path chart = folder_ / "chart.svg";
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(check({"--check", (kMissions / "search.toml").string(), "--chart", chart.string()}), 0) << said_;
+  EXPECT_EQ(support::read_text(chart).rfind("<svg ", 0), 0U);
+  std::ofstream(chart) << "notes of mine";
+  EXPECT_EQ(check({"--check", (kMissions / "search.toml").string(), "--chart", chart.string()}), 2);
+  EXPECT_NE(said_.find("chart.svg"), std::string::npos) << said_;
+  EXPECT_EQ(support::read_text(chart), "notes of mine");
+}
+
+TEST_F(CheckRun, NamesWhatIsWrongWithTheMission) {
+  std::string text = support::read_text(kMissions / "search.toml");
+  text.replace(text.find("max_depth_m = 400.0"), 19, "max_depth_m = 100.0");
+  std::ofstream(folder_ / "shallow.toml") << text;
+  EXPECT_EQ(check({"--check", (folder_ / "shallow.toml").string()}), 2);
+  EXPECT_NE(said_.find("limits.max_depth_m = 100.0: must be at least search.depth_m"), std::string::npos) << said_;
+}
+
+TEST_F(CheckRun, NamesThePolicyThatDoesNotFit) {
+  EXPECT_EQ(check({"--check", (kMissions / "search.toml").string(), "--policy", (kMissions / "search.toml").string()}), 2);
+  EXPECT_NE(said_.find("search.toml"), std::string::npos) << said_;
+}
+
+TEST_F(CheckRun, RefusesAChartWithoutACheckAndACheckInSimulation) {
+  EXPECT_EQ(check({(kMissions / "search.toml").string(), "--chart", (folder_ / "chart.svg").string()}), 2);
+  EXPECT_NE(said_.find("--chart: only with --check"), std::string::npos) << said_;
+  EXPECT_EQ(check({"--check", (kMissions / "search.toml").string(), "--simulation", "3"}), 2);
+  EXPECT_NE(said_.find("--check: not with --simulation"), std::string::npos) << said_;
+}
+
+}  // namespace
+}  // namespace earshot::board

@@ -1,0 +1,33 @@
+#include "firmware/host/mission/rule_words.hpp"
+
+#include <gtest/gtest.h>
+
+namespace earshot::host {
+namespace {
+
+using config::Condition;
+using config::Response;
+using config::Rule;
+
+TEST(RuleWords, SayARuleAsAMissionFileDoes) {
+  EXPECT_EQ(to_string(Rule{Condition::kBattery, 15.5, Duration::seconds(10), Response::kReturn, true}),
+            "battery_percent below 15.5 for 10 s then return");
+  EXPECT_EQ(to_string(Rule{Condition::kLeak, 0.0, {}, Response::kRelease, true}), "leak then release");
+}
+
+TEST(RuleWords, SayARuleAsAPersonDoesWithItsUnit) {
+  EXPECT_EQ(in_words(Rule{Condition::kBattery, 15.5, Duration::seconds(10), Response::kReturn, true}),
+            "return to the safe point once the battery's charge is below 15.5 % for 10 s, and until the mission ends");
+  EXPECT_EQ(in_words(Rule{Condition::kTurnRate, 30, {}, Response::kWarn, false}),
+            "warn once the rate of turn is above 30 degrees a second");
+  EXPECT_EQ(in_words(Rule{Condition::kSpeed, 3, {}, Response::kSurface, false}), "surface once the speed through the water is above 3 m/s");
+  EXPECT_EQ(in_words(Rule{Condition::kHeadingIgnored, 60, {}, Response::kHold, false}),
+            "hold the place once the angle between heading and set-point is above 60 degrees");
+  EXPECT_EQ(in_words(Rule{Condition::kDepth, 400, Duration::seconds(5), Response::kAbort, true}),
+            "abort once the vehicle's depth is above 400 m for 5 s");
+  EXPECT_EQ(in_words(Rule{Condition::kLeak, 0, {}, Response::kRelease, true}),
+            "abort and ask for the drop weight to be released once there is water in the hull");
+}
+
+}  // namespace
+}  // namespace earshot::host
