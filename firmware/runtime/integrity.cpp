@@ -14,12 +14,15 @@ using messages::MissionState;
 
 /// Of any vehicle that a mission may speak of.
 constexpr MetersPerSecond kMostSpeed{20.0};
+constexpr MetersPerSecond kNoSpeed{0.0};
+
+bool is_possible(MetersPerSecond speed) {
+  return speed >= kNoSpeed && speed <= kMostSpeed;
+}
 
 /// Of two speeds that were one, of which a bit may have flipped. A flipped exponent or sign makes one that is impossible.
 MetersPerSecond lower_of_possible(MetersPerSecond a, MetersPerSecond b) {
-  constexpr MetersPerSecond kNone{0.0};
-  const auto is_possible = [](MetersPerSecond speed) { return speed >= kNone && speed <= kMostSpeed; };
-  if (!is_possible(a)) return is_possible(b) ? b : kNone;
+  if (!is_possible(a)) return is_possible(b) ? b : kNoSpeed;
   return is_possible(b) ? std::min(a, b) : a;
 }
 
