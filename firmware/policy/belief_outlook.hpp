@@ -37,10 +37,16 @@ struct RangeOutlook {
 ///   cost_a     = E[C(way(x_a, s))] + e border_a - r reach_a
 ///   regret_a   = min(cost_a - min over a' of cost_a', most_regret)
 ///
-/// with g, r, e, most_regret = costs.reach_discount, .reach, .edge, .most_regret. The way to a source in the border ends where it is found
-/// without entering the border: way(x, s) = max(|s - x|, |c - x| + l - sqrt(l^2 - |s - c|^2)), c: the place outside the border nearest to
-/// s (the root is 0 where |s - c| > l). P counts a cell by as much of it as lies within l; E takes blocks of 2 x 2 cells as a point each.
-/// The reach is 0 where hardly any of the belief is near. Unlikely cells and blocks are left out: README.md says what that costs.
+/// where a search that goes straight to a source at range r is silent in S(r) of its steps, and pays for each of them, and c g_s^k for its
+/// k-th:
+///
+///   C(r) = S(r) + c (1 - g_s^((r - l) / l)) / (1 - g_s),   S(r) = (1 - D(r)) min(1, (r - l) / l) + S(r - l) for r > l, else 0
+///
+/// with c, log g_s = costs.step, .log_step_discount; g, r, e, most_regret = costs.reach_discount, .reach, .edge, .most_regret. The way to a
+/// source in the border ends where it is found without entering the border: way(x, s) = max(|s - x|, |c - x| + l - sqrt(l^2 - |s - c|^2)),
+/// c: the place outside the border nearest to s (the root is 0 where |s - c| > l). P counts a cell by as much of it as lies within l; E
+/// takes blocks of 2 x 2 cells as a point each. The reach is 0 where hardly any of the belief is near. Unlikely cells and blocks are left
+/// out: README.md says what that costs.
 /// @param probabilities  b: of the cells of the model's grid, [north x east]
 /// @param position       x, relative to the area's south-west corner
 /// @param outlooks       [actions]; the result

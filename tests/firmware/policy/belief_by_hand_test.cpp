@@ -215,6 +215,26 @@ TEST_F(BeliefTest, CostsASearchItsStepsAndThoseOfThemWithoutADetection) {
   EXPECT_NEAR(belief->outlook(kNorth).regret, 1.804141F, 1e-4F);
 }
 
+/// A step is as likely to be silent as where it begins. Tables in steps of 2 km, as long as a step of the vehicle; a source 30 km east of
+/// it. Detections are certain up to 26 km, every second at 28 km, and none beyond: from the end of a step east, 28 km, half a step is
+/// silent; from that of a step west, 32 km, two more.
+TEST_F(BeliefTest, CostsAStepWhatItsBeginningLeavesUnheard) {
+  BeliefModel model = bare_model(at(2'000, 2'000), 2, 2);
+  model.range_step = Meters{2'000};
+  model.step_length = Meters{2'000};
+  model.detection_threshold = Decibels{10.0};
+  model.costs = {.step = 0.0F, .reach = 1.0F, .edge = 0.0F};
+  EXPECT_EQ(model.hypotheses.push_back({.level_offset_db = 0.0F, .spread_db = 1.0F, .prior = 1.0F}), Status::kOk);
+  for (int i = 0; i < 50; ++i) {
+    const float beyond_db = i < 14 ? 20.0F : 0.0F;
+    EXPECT_EQ(model.snr_db.push_back(i == 14 ? 10.0F : beyond_db), Status::kOk);
+  }
+  belief->start(model);
+  hear(model, at(1'000, -29'000), 0.0);  // all four cells are as far away, to a step of the tables
+  EXPECT_EQ(belief->outlook(kEast).regret, 0.0F);
+  EXPECT_NEAR(belief->outlook(kWest).regret, 2.0F, 1e-4F);
+}
+
 TEST_F(BeliefTest, HoldsTheLargestModelThereIsRoomFor) {
   BeliefModel model = bare_model(at(25'000, 25'000), 50, 50);
   while (model.actions.push_back({1, 0}) == Status::kOk) {
