@@ -37,7 +37,7 @@ Result<config::Mission> tightened(const config::Mission& mission, const messages
   if (limits.max_speed) tighter.search_speed = *limits.max_speed;
   if (limits.max_time_s) tighter.max_time = of_seconds(*limits.max_time_s);
   // As far from its limit as before, by share: a depth control that comes to rest at the limit itself would be beyond it again and again.
-  if (limits.max_depth) tighter.search_depth = mission.search_depth * (tighter.max_depth / mission.max_depth);
+  tighter.search_depth = mission.search_depth * (tighter.max_depth / mission.max_depth);
   if (!can_be_flown(tighter)) return Status::kOutOfRange;
   return tighter;
 }

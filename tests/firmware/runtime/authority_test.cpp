@@ -68,6 +68,16 @@ TEST(Listening, EndsWithoutAWordToTheAutopilot) {
   EXPECT_FALSE(rig.outputs.setpoint);
 }
 
+TEST(Refused, OrdersChangeNothingOfASearch) {
+  Rig rig = under_way();
+  for (const Order order : {Order::kStart, Order::kListen, Order::kResume}) {
+    rig.sail(order);
+    EXPECT_EQ(outcome_of(rig.outputs), CommandOutcome::kNotInThisState);
+    EXPECT_FALSE(rig.outputs.decision);
+    EXPECT_EQ(rig.outputs.setpoint->speed.value, 2.0);
+  }
+}
+
 TEST(Listening, TakesTheVehicleFromWhereItIsOnceToldToStart) {
   Rig rig(*policy_that_goes(kNorthward));
   rig.sail(Order::kListen);

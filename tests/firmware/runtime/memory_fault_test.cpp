@@ -65,6 +65,9 @@ TEST(MemoryFault, InTheSpeedToComeUpWithCommandsTheLowerOfTheTwo) {
     ASSERT_TRUE(rig.outputs.setpoint);
     EXPECT_GE(rig.outputs.setpoint->speed.value, 0.0) << bit;
     EXPECT_LE(rig.outputs.setpoint->speed.value, 1.0625) << bit;
+    if (bit >= 62) {
+      EXPECT_EQ(rig.outputs.setpoint->speed.value, 1.0625) << "one is impossible: the other is right";
+    }
   }
 }
 
@@ -77,6 +80,29 @@ TEST(MemoryFault, EndsTheMissionForGood) {
   for (int i = 0; i < 10; ++i) rig.sail(i == 5 ? std::optional(Order::kStart) : std::nullopt);
   EXPECT_EQ(rig.state(), MissionState::kAbort);
   EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+}
+
+TEST(MemoryFault, StopsTheCountOfTurns) {
+  Rig rig = under_way(mission_with_marks());
+  const std::uint64_t turn = rig.outputs.health.turn;
+  flip(*rig.runtime, 8 * place_of(*rig.runtime, 321.125));
+  for (int i = 0; i < 3; ++i) rig.sail();
+  EXPECT_EQ(rig.outputs.health.turn, turn);
+}
+
+/// The lowest bit of every byte of state and of what it is compared with: a flag among them says whether the vehicle is commanded.
+TEST(MemoryFault, NeitherTakesAVehicleNorLeavesOneAlone) {
+  constexpr std::size_t kState = 14'000;  // bytes at the end
+  for (const bool is_searching : {false, true}) {
+    Rig rig = is_searching ? under_way(mission_with_marks()) : Rig(*policy_that_goes(kNorthward), mission_with_marks());
+    if (!is_searching) rig.sail();
+    const auto untouched = std::make_unique<Runtime>(*rig.runtime);
+    for (std::size_t byte = sizeof(Runtime) - kState; byte < sizeof(Runtime); ++byte) {
+      *rig.runtime = *untouched;
+      flip(*rig.runtime, 8 * byte);
+      EXPECT_EQ(rig.runtime->step(rig.now).setpoint.has_value(), is_searching) << byte;
+    }
+  }
 }
 
 TEST(MemoryFault, IsForgottenByAMissionThatIsConfiguredAnew) {

@@ -124,6 +124,20 @@ TEST(SafetyCheck, RefusesARuleThatLacksAPlaceToGoTo) {
   EXPECT_EQ(without(false, rule(Condition::kBatteryAtHome, 10, Response::kSurface)), SafetyFault::kRuleNeedsSafePoint);
 }
 
+TEST(SafetyCheck, TakesTiersAndWayPointsThatAlmostTouch) {
+  config::Mission mission = fenced_mission();
+  mission.edge_margin = Meters{0.5};  // the polygon inside is the area
+  mission.safety.fence->save = square(-0.5, 10'000.5);
+  EXPECT_EQ(safety::check(mission).fault, SafetyFault::kNone);
+}
+
+TEST(SafetyCheck, NamesWhicheverRuleHasNothingToDo) {
+  const SafetyComplaint complaint =
+      complaint_of_rules({rule(Condition::kBattery, 10, Response::kWarn), rule(Condition::kNavigationAge, 6, Response::kSurface)});
+  EXPECT_EQ(complaint.fault, SafetyFault::kRuleNeverActs);
+  EXPECT_EQ(complaint.index, 1U);
+}
+
 TEST(SafetyCheck, RefusesARuleThatAnotherLeavesNothingToDo) {
   const SafetyComplaint complaint =
       complaint_of_rules({rule(Condition::kBattery, 10, Response::kWarn), rule(Condition::kBattery, 20, Response::kReturn)});

@@ -129,6 +129,14 @@ TEST_F(Measures, OfWhatIsTrueOrFalseAreOneOrZeroAndNothingWhileNobodySays) {
   EXPECT_EQ(of(Condition::kPolicyUnhealthy), 1.0);
 }
 
+TEST_F(Measures, OfSmallDifferencesAreNotNegative) {
+  situation_ = well(mission_, at(5000, 5000), 0.5, 300.5);
+  situation_.commanded =
+      messages::Setpoint{.heading = Radians{0.0}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = at(6000, 5000)};
+  EXPECT_EQ(of(Condition::kDepthIgnored), 0.5);
+  EXPECT_NEAR(*of(Condition::kHeadingIgnored), 28.64788975654116, 1e-12) << "half a radian";
+}
+
 TEST_F(Measures, OfSetpointsThatAreIgnoredAreTheWayToThem) {
   EXPECT_EQ(of(Condition::kHeadingIgnored), std::nullopt) << "nothing was commanded yet";
   EXPECT_EQ(of(Condition::kDepthIgnored), std::nullopt);

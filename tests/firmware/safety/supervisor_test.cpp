@@ -140,6 +140,38 @@ TEST_F(Supervised, AbortsAVehicleThatMakesNoWayInThreeTimesWhatALegTakes) {
   EXPECT_EQ(supervisor_.response(), Response::kAbort);
 }
 
+TEST_F(Supervised, TellsTheFirstOfSeveralRulesThatWantTheSame) {
+  begin();
+  situation_.now = situation_.now + Duration::seconds(100);  // navigation and SNR are too old, both in one turn
+  (void)supervisor_.watch(mission_, situation_);
+  EXPECT_TRUE(supervisor_.acts_on(Condition::kSnrAge));
+  EXPECT_EQ(supervisor_.cause(), Condition::kNavigationAge);
+}
+
+TEST_F(Supervised, HoldsAVehicleToATighterDepthFromWhenItHasComeThere) {
+  begin();
+  const auto at_depth = [this](double depth_m, int seconds) {
+    for (int i = 0; i < seconds; ++i) {
+      const Time now = situation_.now + Duration::seconds(1);
+      situation_ = well(mission_, at(5000 + 2 * i, 5000), 0.0, depth_m);
+      situation_.now = now;
+      situation_.snr = now;
+      messages::Navigation fix = fix_at(now, at(5000 + 2 * i, 5000), 0.0, depth_m);
+      static_cast<void>(situation_.navigation.take(now, fix, true));
+      (void)supervisor_.watch(mission_, situation_);
+    }
+  };
+  mission_.max_depth = Meters{200};
+  supervisor_.tighten(mission_);
+  at_depth(300, 20);
+  EXPECT_FALSE(supervisor_.acts_on(Condition::kDepth)) << "on its way up";
+  at_depth(200, 1);  // as deep as it may be
+  at_depth(201, 4);
+  EXPECT_FALSE(supervisor_.acts_on(Condition::kDepth));
+  at_depth(201, 4);
+  EXPECT_TRUE(supervisor_.acts_on(Condition::kDepth));
+}
+
 TEST_F(Supervised, ForgetsEverythingWithANewMission) {
   arm(battery_below(20, Response::kSurface, 0, true));
   begin();
