@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -17,12 +16,6 @@ const ConditionTraits& traits_of(const config::Rule& rule) {
 
 std::string_view response_of(const config::Rule& rule) {
   return config::kResponseWords.at(static_cast<std::size_t>(rule.response));
-}
-
-std::string shortly(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
 }
 
 std::string lasting(const config::Rule& rule) {
@@ -52,6 +45,13 @@ std::string_view done_by(config::Response response) {
 }
 
 }  // namespace
+
+std::string shortly(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
 
 std::string to_string(const config::Rule& rule) {
   const ConditionTraits& traits = traits_of(rule);

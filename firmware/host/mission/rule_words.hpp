@@ -6,6 +6,9 @@
 
 namespace earshot::host {
 
+/// "15.5"
+[[nodiscard]] std::string shortly(double value);
+
 /// As a mission file says it: "battery_percent below 15 for 10 s then return".
 [[nodiscard]] std::string to_string(const config::Rule& rule);
 

@@ -26,13 +26,6 @@ using safety::SafetyFault;
 constexpr double kFarthest_m = 1e6;  // of a local plane
 constexpr std::array<const char*, 3> kTiers{"inside", "save", "halt"};
 
-std::string shortly(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return text;
-}
-
 config::VehicleLimits read_vehicle(TableReader vehicle) {
   config::VehicleLimits limits;
   const auto speed = [&vehicle](const char* key, MetersPerSecond fallback) {

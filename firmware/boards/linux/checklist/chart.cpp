@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
+
+#include "firmware/boards/linux/checklist/formatted.hpp"
 
 namespace earshot::board {
 namespace {
@@ -36,13 +37,6 @@ constexpr Style kInside{"#1b7f5c", "none", 2.0, ""};
 constexpr Style kSave{"#c77700", "none", 2.0, "9 5"};
 constexpr Style kHalt{"#b3261e", "none", 2.5, ""};
 constexpr Style kZone{"#6a3d9a", "#d9c8ea", 1.5, ""};
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  std::array<char, 512> text{};
-  (void)std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 std::string escaped(std::string_view text) {
   std::string safe;

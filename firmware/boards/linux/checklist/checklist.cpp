@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <string_view>
 #include <utility>
 
+#include "firmware/boards/linux/checklist/formatted.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/rule_words.hpp"
 #include "firmware/runtime/runtime.hpp"
@@ -15,13 +15,6 @@
 
 namespace earshot::board {
 namespace {
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  std::array<char, 256> text{};
-  (void)std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 /// "  depth       300 m, and never below 400 m"
 std::string row(std::string_view what, const std::string& value) {

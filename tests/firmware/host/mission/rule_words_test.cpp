@@ -12,6 +12,7 @@ using config::Rule;
 TEST(RuleWords, SayARuleAsAMissionFileDoes) {
   EXPECT_EQ(to_string(Rule{Condition::kBattery, 15.5, Duration::seconds(10), Response::kReturn, true}),
             "battery_percent below 15.5 for 10 s then return");
+  EXPECT_EQ(to_string(Rule{Condition::kSearchTime, 1e7, {}, Response::kAbort, true}), "search_time_s above 10000000 then abort");
   EXPECT_EQ(to_string(Rule{Condition::kLeak, 0.0, {}, Response::kRelease, true}), "leak then release");
 }
 
