@@ -11,7 +11,6 @@ void Track::begin(const messages::Navigation& fix) {
   older_ = fix;
   old_ = fix;
   counted_ = fix.position;
-  came_nearer_ = fix.time;
   newest_ = fix.time;
 }
 

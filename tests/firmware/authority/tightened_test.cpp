@@ -57,7 +57,7 @@ TEST(Tightened, MayBeAsItWasAndNeverLooser) {
 
 TEST(Tightened, IsNothingWithoutALimitOrWithoutRoom) {
   EXPECT_EQ(tightened(mission(), {}).status(), Status::kOutOfRange);
-  for (const auto& limits : {depth(0), depth(-1), depth(-kInfinity), speed(0), speed(-1), time(0), time(-1)})
+  for (const auto& limits : {depth(0), depth(-1), depth(-kInfinity), speed(0), speed(-1), time(0), time(-1), time(1e-7)})
     EXPECT_EQ(tightened(mission(), limits).status(), Status::kOutOfRange);
 }
 

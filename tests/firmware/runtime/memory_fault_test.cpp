@@ -14,10 +14,11 @@ std::span<unsigned char> bytes_of(Runtime& runtime) {
   return {reinterpret_cast<unsigned char*>(&runtime), sizeof(Runtime)};
 }
 
+/// The first place from `from` on.
 template <class Value>
-std::size_t place_of(Runtime& runtime, const Value& value) {
+std::size_t place_of(Runtime& runtime, const Value& value, std::size_t from = 0) {
   const std::span<unsigned char> bytes = bytes_of(runtime);
-  for (std::size_t i = 0; i + sizeof value <= bytes.size(); ++i) {
+  for (std::size_t i = from; i + sizeof value <= bytes.size(); ++i) {
     if (std::memcmp(&bytes[i], &value, sizeof value) == 0) return i;
   }
   ADD_FAILURE() << "it stands nowhere";
@@ -57,16 +58,20 @@ TEST(MemoryFault, InALimitEndsTheMissionAndBringsTheVehicleUpAsSlowlyAsItCan) {
 }
 
 TEST(MemoryFault, InTheSpeedToComeUpWithCommandsTheLowerOfTheTwo) {
-  for (std::size_t bit = 0; bit < 64; ++bit) {
-    Rig rig = under_way(mission_with_marks());
-    flip(*rig.runtime, 8 * place_of(*rig.runtime, 1.0625) + bit);
-    rig.sail();
-    EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
-    ASSERT_TRUE(rig.outputs.setpoint);
-    EXPECT_GE(rig.outputs.setpoint->speed.value, 0.0) << bit;
-    EXPECT_LE(rig.outputs.setpoint->speed.value, 1.0625) << bit;
-    if (bit >= 62) {
-      EXPECT_EQ(rig.outputs.setpoint->speed.value, 1.0625) << "one is impossible: the other is right";
+  for (const bool is_in_copy : {false, true}) {
+    for (std::size_t bit = 0; bit < 64; ++bit) {
+      Rig rig = under_way(mission_with_marks());
+      const std::size_t first = place_of(*rig.runtime, 1.0625);
+      const std::size_t copy = place_of(*rig.runtime, 1.0625, sizeof(Runtime) / 2);
+      flip(*rig.runtime, 8 * (is_in_copy ? copy : first) + bit);
+      rig.sail();
+      EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+      ASSERT_TRUE(rig.outputs.setpoint);
+      EXPECT_GE(rig.outputs.setpoint->speed.value, 0.0) << bit;
+      EXPECT_LE(rig.outputs.setpoint->speed.value, 1.0625) << bit;
+      if (bit >= 62) {
+        EXPECT_EQ(rig.outputs.setpoint->speed.value, 1.0625) << "one is impossible: the other is right";
+      }
     }
   }
 }

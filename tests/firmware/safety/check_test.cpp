@@ -86,6 +86,11 @@ TEST(SafetyCheck, RefusesAZoneThatIsNoneAndASafePointThatIsNotSafe) {
   });
   EXPECT_EQ(complaint.fault, SafetyFault::kZone);
   EXPECT_EQ(complaint.index, 1U);
+  EXPECT_EQ(fault_of([](config::Mission& m) {
+              static_cast<void>(m.safety.no_surface.push_back(polygon({at(0, 0), at(0, 1)})));
+            }),
+            SafetyFault::kZone)
+      << "the first";
   EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.safe_point = at(-50, 0); }), SafetyFault::kSafePoint);
   EXPECT_EQ(fault_of([](config::Mission& m) { static_cast<void>(m.safety.no_surface.push_back(square(4000, 6000))); }),
             SafetyFault::kSafePoint);

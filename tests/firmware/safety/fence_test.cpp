@@ -29,6 +29,14 @@ TEST(PlaceAfterTurning, IsAsFarAheadAsReactionTurnAndCurrentTake) {
   EXPECT_NEAR(place_after_turning(mission.safety.vehicle, situation).north.value, 1000, 1e-9);
 }
 
+// 33.854 m ahead, 60 degrees from north: half of it north.
+TEST(PlaceAfterTurning, LiesWhereTheVehiclePointsWhileNobodyKnowsItsWayOverGround) {
+  const config::Mission mission = fenced_mission();
+  const NorthEast place = place_after_turning(mission.safety.vehicle, well(mission, at(1000, 2000), 1.0471975511965976));
+  EXPECT_NEAR(place.north.value, 1000 + 16.926990816987242, 1e-9);
+  EXPECT_NEAR(place.east.value, 2000 + 29.318408114273723, 1e-9);
+}
+
 TEST(PlaceAfterTurning, IsWhereTheVehicleStands) {
   const config::Mission mission = fenced_mission();
   Situation situation = well(mission, at(1000, 2000));

@@ -173,7 +173,7 @@ TEST(ComeUp, StopsWhereTheVehicleIsWhenItFloatsUpByItself) {
 
 TEST(ComeUp, KeepsAHullThatNeedsSpeedGoingRoundUntilItIsAtTheSurface) {
   config::VehicleLimits torpedo;
-  torpedo.ascent_speed = MetersPerSecond{1.2};
+  torpedo.ascent_speed = MetersPerSecond{0.7};
   const messages::Setpoint deep = come_up(torpedo, fix_of(3.0, 2.5));
   EXPECT_EQ(deep.speed, MetersPerSecond{1.2});
   EXPECT_EQ(deep.depth, Meters{0});
