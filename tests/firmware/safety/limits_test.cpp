@@ -175,7 +175,7 @@ TEST(ComeUp, KeepsAHullThatNeedsSpeedGoingRoundUntilItIsAtTheSurface) {
   config::VehicleLimits torpedo;
   torpedo.ascent_speed = MetersPerSecond{0.7};
   const messages::Setpoint deep = come_up(torpedo, fix_of(3.0, 2.5));
-  EXPECT_EQ(deep.speed, MetersPerSecond{1.2});
+  EXPECT_EQ(deep.speed, MetersPerSecond{0.7});
   EXPECT_EQ(deep.depth, Meters{0});
   EXPECT_NEAR(deep.heading.value, 3.0 - 1.5 * kPi, 1e-15) << "a quarter of a turn to the right, over south";
   const messages::Setpoint up = come_up(torpedo, fix_of(3.0, 2.0));

@@ -287,14 +287,24 @@ int fly(const Flight& f) {
   return kLost;
 }
 
+/// Makes nothing: of a folder that is not there yet, what would be made first is judged.
+/// @throws host::BadInput when a flight could not write its journal.
+void require_room_for_journal(const Options& o) {
+  std::filesystem::path made = std::filesystem::absolute(o.out) / "journal.lcmlog";
+  std::error_code error;
+  while (!std::filesystem::exists(made.parent_path(), error)) made = made.parent_path();
+  // Without --replace a flight leaves a journal that is there, and numbers its own.
+  host::require_writable(made, host::kJournalOutput, o.replace ? host::Replace::kOwnKind : host::Replace::kAny,
+                         "move it away, or name another folder with --out");
+}
+
 /// The checklist before a dive.
 /// @return exit status
 int check(const Options& o) {
   const host::MissionFile file = load(o);
   const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
   (void)make_runtime(file, policy, o.mission.string());
-  if (std::filesystem::exists(o.out))
-    host::require_writable(o.out / "journal.lcmlog", host::kJournalOutput, host::Replace::kOwnKind, "name another folder with --out");
+  require_room_for_journal(o);
   if (o.chart) {
     host::require_writable(*o.chart, host::kSvgOutput, host::Replace::kOwnKind, "name another file");
     host::write_whole(*o.chart, board::chart(file.mission, host::printable(o.mission.filename().string())));
@@ -308,9 +318,9 @@ int check(const Options& o) {
 
 int fly(const Options& o) {
   require_check_possible(o);
-  if (o.check) return check(o);
   require_hearing_possible(o);
   require_proof_possible(o);
+  if (o.check) return check(o);
   const host::MissionFile file = load(o);
   const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
   const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, policy, o.mission.string());

@@ -163,7 +163,7 @@ class Legend {
  private:
   void add_words(const std::string& words, const std::string& more) {
     text_ += text_at(kLegendLeft + 42, y_ + 13, words, "start");
-    if (!more.empty()) text_ += text_at(kLegendLeft + 42, y_ + 31, more, "start", 12, "#5b6b78");
+    if (!more.empty()) text_ += text_at(kLegendLeft + 42, y_ + 31, more, "start", 14, "#5b6b78");
     y_ += more.empty() ? 30 : 48;
   }
 

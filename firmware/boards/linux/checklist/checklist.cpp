@@ -16,9 +16,13 @@
 namespace earshot::board {
 namespace {
 
+constexpr std::size_t kNameWidth = 11;
+
 /// "  depth       300 m, and never below 400 m"
 std::string row(std::string_view what, const std::string& value) {
-  return formatted("  %-12s", std::string(what).c_str()) + value + "\n";
+  std::string name(what);
+  name.resize(std::max(name.size(), kNameWidth), ' ');
+  return "  " + name + " " + value + "\n";
 }
 
 /// "13 h 53 min"
@@ -44,6 +48,23 @@ double longest_way_home_m(const config::Mission& mission) {
        {r.south_west, NorthEast{r.north_east.north, r.south_west.east}, r.north_east, NorthEast{r.south_west.north, r.north_east.east}})
     longest = std::max(longest, range_between(corner, *mission.safety.safe_point).value);
   return longest;
+}
+
+double percent_for(const config::Mission& mission, double way_m) {
+  return way_m * 1e-3 * mission.safety.vehicle.battery_percent_per_km;
+}
+
+bool has_rule_about(const config::Mission& mission, config::Condition condition) {
+  return std::ranges::any_of(mission.safety.rules, [condition](const config::Rule& rule) { return rule.condition == condition; });
+}
+
+/// What a battery is doubted for; empty: it is not.
+std::string battery_doubt(const config::Mission& mission) {
+  const double steps_percent = percent_for(mission, longest_way_m(mission));
+  if (steps_percent > 100.0) return formatted("all steps need %.0f %% of a battery", steps_percent);
+  if (!mission.safety.safe_point) return {};
+  const double percent = steps_percent + percent_for(mission, longest_way_home_m(mission));
+  return percent > 100.0 ? formatted("all steps and the longest way home need %.0f %% of a battery", percent) : std::string();
 }
 
 std::string roles_of(const host::PortSettings& port) {
@@ -88,11 +109,9 @@ std::string search(const config::Mission& mission) {
 }
 
 std::string energy(const config::Mission& mission) {
-  const double percent_per_km = mission.safety.vehicle.battery_percent_per_km;
-  if (percent_per_km == 0.0) return "not known: vehicle.battery_percent_per_km is not given";
-  std::string text = formatted("%.1f %% of the battery for all steps", longest_way_m(mission) * 1e-3 * percent_per_km);
-  if (mission.safety.safe_point)
-    text += formatted(", %.1f %% for the longest way home", longest_way_home_m(mission) * 1e-3 * percent_per_km);
+  if (mission.safety.vehicle.battery_percent_per_km == 0.0) return "not known: vehicle.battery_percent_per_km is not given";
+  std::string text = formatted("%.1f %% of the battery for all steps", percent_for(mission, longest_way_m(mission)));
+  if (mission.safety.safe_point) text += formatted(", %.1f %% for the longest way home", percent_for(mission, longest_way_home_m(mission)));
   return text;
 }
 
@@ -136,12 +155,16 @@ std::vector<std::string> doubts_about(const host::MissionFile& file) {
   doubt_if(mission.search_depth == mission.max_depth,
            "search.depth_m is limits.max_depth_m: a vehicle that is the least bit deeper for 5 s is aborted");
   doubt_if(shortest_time_s(mission) > mission.max_time.to_seconds(), "limits.max_time_s is over before all steps are taken");
-  const double used_percent = longest_way_m(mission) * 1e-3 * mission.safety.vehicle.battery_percent_per_km;
-  doubt_if(used_percent > 100.0, formatted("all steps need %.0f %% of a battery", used_percent));
-  const bool watches_battery = std::ranges::any_of(mission.safety.rules, [](const config::Rule& rule) {
-    return rule.condition == config::Condition::kBattery || rule.condition == config::Condition::kBatteryAtHome;
-  });
-  doubt_if(!watches_battery, "no rule watches the battery");
+  const std::string battery = battery_doubt(mission);
+  doubt_if(!battery.empty(), battery);
+  const bool watches_way_home = has_rule_about(mission, config::Condition::kBatteryAtHome);
+  doubt_if(!watches_way_home && !has_rule_about(mission, config::Condition::kBattery), "no rule watches the battery");
+  doubt_if(watches_way_home && mission.safety.vehicle.battery_percent_per_km == 0.0,
+           "vehicle.battery_percent_per_km is not given: battery_at_home_percent counts no way home");
+  const bool is_deafness_told =
+      std::ranges::any_of(file.ports, [](const host::PortSettings& port) { return port.roles.has(host::Role::kSnr); });
+  doubt_if(!is_deafness_told && has_rule_about(mission, config::Condition::kHydrophoneDeaf),
+           "no port has the role \"snr\", the only one that tells of hydrophone_deaf: the rule about it never acts");
   doubt_if(!file.command_key, "there is no authority.key_file: anybody on the bus may command the vehicle");
   for (const host::PortSettings& port : file.ports) {
     std::error_code error;

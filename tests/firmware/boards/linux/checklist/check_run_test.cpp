@@ -19,8 +19,9 @@ const std::filesystem::path kMissions = std::filesystem::path(EARSHOT_SOURCE_DIR
 
 class CheckRun : public ::testing::Test {
  protected:
-  int check(std::vector<std::string> arguments) {
-    arguments.insert(arguments.end(), {"--out", (folder_ / "out").string()});
+  int check(const std::vector<std::string>& arguments) { return check(arguments, folder_ / "out"); }
+  int check(std::vector<std::string> arguments, const std::filesystem::path& out) {
+    arguments.insert(arguments.end(), {"--out", out.string()});
     support::Process process(std::filesystem::path(EARSHOT_BIN_DIR) / "earshotd", arguments, folder_ / "said.txt");
     const int status = process.wait(30s);
     said_ = process.output();
@@ -63,6 +64,31 @@ TEST_F(CheckRun, NamesWhatIsWrongWithTheMission) {
 TEST_F(CheckRun, NamesThePolicyThatDoesNotFit) {
   EXPECT_EQ(check({"--check", (kMissions / "search.toml").string(), "--policy", (kMissions / "search.toml").string()}), 2);
   EXPECT_NE(said_.find("search.toml"), std::string::npos) << said_;
+}
+
+TEST_F(CheckRun, RefusesAnOutputFolderThatCannotBeMade) {
+  std::ofstream(folder_ / "out") << "no folder";
+  const std::filesystem::path below = folder_ / "out" / "day" / "two";
+  EXPECT_EQ(check({"--check", (kMissions / "search.toml").string()}, below), 2);
+  EXPECT_NE(said_.find((folder_ / "out" / "day").string() + ": cannot be written"), std::string::npos) << said_;
+  // Nobody, not even root, makes a folder there.
+  EXPECT_EQ(check({"--check", (kMissions / "search.toml").string()}, "/proc/nothing/here"), 2);
+  EXPECT_NE(said_.find("/proc/nothing: cannot be written"), std::string::npos) << said_;
+}
+
+// A flight leaves the file where it is, and writes journal-2.lcmlog beside it.
+TEST_F(CheckRun, RefusesAForeignJournalOnlyWhereItWouldBeReplaced) {
+  std::filesystem::create_directories(folder_ / "out");
+  std::ofstream(folder_ / "out" / "journal.lcmlog") << "notes of mine";
+  EXPECT_EQ(check({"--check", (kMissions / "search.toml").string()}), 0) << said_;
+  EXPECT_EQ(check({"--check", (kMissions / "search.toml").string(), "--replace"}), 2);
+  EXPECT_NE(said_.find("journal.lcmlog: is there already and is not a journal"), std::string::npos) << said_;
+  EXPECT_EQ(support::read_text(folder_ / "out" / "journal.lcmlog"), "notes of mine");
+}
+
+TEST_F(CheckRun, RefusesWhatAFlightWithTheSameOptionsWouldRefuse) {
+  EXPECT_EQ(check({"--check", (kMissions / "search.toml").string(), "--hear"}), 2);
+  EXPECT_NE(said_.find("--hear: only with --simulation"), std::string::npos) << said_;
 }
 
 TEST_F(CheckRun, RefusesAChartWithoutACheckAndACheckInSimulation) {

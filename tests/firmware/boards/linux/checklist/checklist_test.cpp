@@ -59,6 +59,40 @@ TEST(Checklist, DoubtsWhatIsAllowedAndUnwise) {
   EXPECT_TRUE(is_doubted(file, "this computer has no interface nosuchbus0 now"));
 }
 
+// Home from (25, 25) km to (2, 3) km: 31.83 km. At 0.9 % a kilometre the steps alone take 90 %, and with the way home 118.6 %.
+TEST(Checklist, DoubtsABatteryThatLastsForTheSearchButNotForTheWayHome) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  file.mission.safety.vehicle.battery_percent_per_km = 0.9;
+  EXPECT_TRUE(is_doubted(file, "all steps and the longest way home need 119 % of a battery"));
+  file.mission.safety.safe_point.reset();
+  EXPECT_FALSE(is_doubted(file, "of a battery"));
+}
+
+TEST(Checklist, DoubtsAChargeAtHomeThatCountsNoWay) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  file.mission.safety.vehicle.battery_percent_per_km = 0.0;
+  EXPECT_TRUE(is_doubted(file, "battery_at_home_percent counts no way home"));
+  file.mission.safety.rules.clear();
+  EXPECT_FALSE(is_doubted(file, "counts no way home"));
+}
+
+TEST(Checklist, DoubtsARuleAboutADeafHydrophoneThatNoPortCanTellOf) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  EXPECT_FALSE(is_doubted(file, "hydrophone_deaf"));
+  file.ports.at(0).roles.remove(host::Role::kSnr);
+  EXPECT_TRUE(is_doubted(file, "no port has the role \"snr\", the only one that tells of hydrophone_deaf: the rule about it never acts"));
+  file.mission.safety.rules.clear();
+  EXPECT_FALSE(is_doubted(file, "hydrophone_deaf"));
+}
+
+TEST(Checklist, KeepsTheWholeNameOfAPortApartFromItsAddress) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  for (const std::string& name : {std::string("twelve chars"), std::string(300, 'n')}) {
+    file.ports.at(0).name = name;
+    EXPECT_TRUE(has(checklist(file, support::random_walk_policy(), ""), "  " + name + " LCM udpm://"));
+  }
+}
+
 TEST(Checklist, SaysThatEnergyIsNotKnown) {
   const host::MissionFile file = host::load_mission(kMissions + "search.toml");
   EXPECT_TRUE(has(checklist(file, support::random_walk_policy(), ""), "not known: vehicle.battery_percent_per_km is not given"));
