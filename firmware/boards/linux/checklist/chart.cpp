@@ -18,7 +18,7 @@ constexpr double kLeft = 90;
 constexpr double kTop = 60;
 constexpr double kSide = 640;
 constexpr double kLegendLeft = kLeft + kSide + 30;
-constexpr double kWidth = kLegendLeft + 250;
+constexpr double kWidth = kLegendLeft + 280;
 constexpr double kHeight = kTop + kSide + 70;
 
 constexpr const char* kInk = "#24303a";
