@@ -117,9 +117,10 @@ SafetyComplaint check_rules(const config::Mission& mission) {
 Meters margin_to_halt(const config::Mission& mission) {
   const config::VehicleLimits& vehicle = mission.safety.vehicle;
   const double straight_s = mission.navigation_timeout.to_seconds() + kReaction.to_seconds();
-  const double turning_s = kHalfPi * vehicle.turn_radius.value / mission.search_speed.value;
+  const double k = vehicle.max_current / mission.search_speed;
+  const double turning_m = vehicle.turn_radius.value * (1.0 + kHalfPi * k + 0.571 * k * k);
   const double over_ground_mps = (mission.search_speed + vehicle.max_current).value;
-  return Meters{over_ground_mps * straight_s + vehicle.turn_radius.value + vehicle.max_current.value * turning_s};
+  return Meters{over_ground_mps * straight_s + turning_m};
 }
 
 SafetyComplaint check(const config::Mission& mission) {

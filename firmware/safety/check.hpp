@@ -41,9 +41,11 @@ struct SafetyComplaint {
 /// How far a vehicle may get beyond the save polygon before it is back, at the most: it goes straight out, no fix comes until they count as
 /// stale, and then it turns.
 ///
-///   margin = (v + c) (t_fix + t) + R + c (pi/2) R / v
+///   margin = (v + c) (t_fix + t) + R (1 + (pi/2) k + 0.571 k^2),   k = c / v
 ///
-/// v: search speed, c: strongest current, t_fix: navigation timeout, t: kReaction, R: turn radius
+/// v: search speed, c: strongest current, t_fix: navigation timeout, t: kReaction, R: turn radius. The turn is over when the vehicle swims
+/// back as fast as the current carries it out, after pi/2 + asin(k): R (sqrt(1 - k^2) + k (pi/2 + asin k)), which the last term of the
+/// margin is never below, for any k up to 1.
 [[nodiscard]] Meters margin_to_halt(const config::Mission& mission);
 
 }  // namespace earshot::safety

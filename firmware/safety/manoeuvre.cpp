@@ -60,10 +60,25 @@ messages::Setpoint Manoeuvre::setpoint(const config::Mission& mission, const Sit
   return come_up(mission.safety.vehicle, *situation.navigation.newest());
 }
 
+/// A vehicle that must turn by more than a right angle turns to where its circle lies less far beyond the fence: in a corner the shorter
+/// way round may lead out.
+Manoeuvre::Side Manoeuvre::open_side(const config::Mission& mission, const messages::Navigation& fix, Radians error) {
+  const Side shorter = error.value < 0.0 ? Side::kLeft : Side::kRight;
+  if (error <= kQuarterTurn && error >= -1.0 * kQuarterTurn) return shorter;
+  const Meters across = 2.0 * mission.safety.vehicle.turn_radius;
+  const SineCosine heading = sine_cosine(fix.heading);
+  const NorthEast to_the_right{.north = across * -heading.sine, .east = across * heading.cosine};
+  const Meters beyond_right = beyond(mission.safety.fence->save, fix.position + to_the_right);
+  const Meters beyond_left = beyond(mission.safety.fence->save, fix.position - to_the_right);
+  if (beyond_right == beyond_left) return shorter;
+  return beyond_right < beyond_left ? Side::kRight : Side::kLeft;
+}
+
 /// A quarter of a turn ahead at the most, always round the side of the first, however the nearest way back may change.
-Radians Manoeuvre::by_way_of_its_side(Radians heading, Radians wanted) {
+Radians Manoeuvre::by_way_of_its_side(const config::Mission& mission, const messages::Navigation& fix, Radians wanted) {
+  const Radians heading = fix.heading;
   const Radians error = wrap_to_pi(wanted - heading);
-  if (side_ == Side::kNone) side_ = error.value < 0.0 ? Side::kLeft : Side::kRight;
+  if (side_ == Side::kNone) side_ = open_side(mission, fix, error);
   const double side = static_cast<double>(side_);
   const Radians left = error.value * side < 0.0 ? side * error + kWholeTurn : side * error;  // to turn round that side
   const bool has_turned_round = left <= kQuarterTurn || left >= kWholeTurn - kTurnedRound;
@@ -77,7 +92,7 @@ messages::Setpoint Manoeuvre::steer_back(const config::Mission& mission, const S
   const NorthEast goal = nearest_within(mission.safety.fence->inside, position);
   const NorthEast outermost = place_after_turning(mission.safety.vehicle, situation);
   const Radians wanted = goal == position ? bearing_from(outermost, place_inside(mission, situation)) : bearing_from(position, goal);
-  return {.heading = by_way_of_its_side(fix.heading, wanted),
+  return {.heading = by_way_of_its_side(mission, fix, wanted),
           .speed = mission.search_speed,
           .depth = mission.search_depth,
           .waypoint = goal == position ? place_inside(mission, situation) : goal};

@@ -44,7 +44,11 @@ class Flight {
   FlightResult fly() {
     if (runtime_->configure(drawn_.mission, *drawn_.policy) != Status::kOk) return {.broken = "the mission is refused"};
     const double leg_s = drawn_.mission.step_length.value / drawn_.mission.search_speed.value;
-    const auto most_turns = static_cast<std::int64_t>(8.0 * leg_s * (drawn_.mission.max_steps + 2)) + 600;
+    // A way home may be longer than all steps of a short search.
+    const double way_home_s = 40.0 *
+                              range_between(drawn_.mission.operating_area.south_west, drawn_.mission.operating_area.north_east).value /
+                              drawn_.mission.search_speed.value;
+    const auto most_turns = static_cast<std::int64_t>(8.0 * leg_s * (drawn_.mission.max_steps + 2) + way_home_s) + 600;
     for (turns_ = 0; turns_ < most_turns && !is_over() && broken_.empty(); ++turns_) turn();
     if (broken_.empty() && !is_over()) broken_ = "it never ends";
     if (broken_.empty()) judge_end();
@@ -230,7 +234,7 @@ class Flight {
       case Fault::kLeak:
         return mission.safety.rules[0].persistence;
       case Fault::kStuck:
-        return Duration::seconds(static_cast<std::int64_t>(3.0 * leg_s) + 1);
+        return Duration::seconds(static_cast<std::int64_t>(3.0 * leg_s) + 10);  // what it shivers may end a leg
       default:
         return std::nullopt;
     }

@@ -74,9 +74,9 @@ TEST(SafetyCheck, RefusesAFenceThatIsNone) {
 
 // (2 + 0.5) m/s x (5 + 3) s + 20 m + 0.5 m/s x (pi/2) 20 m / (2 m/s) = 47.854 m
 TEST(SafetyCheck, AsksForRoomToTurnRoundBetweenSaveAndHalt) {
-  EXPECT_NEAR(margin_to_halt(fenced_mission()).value, 47.853981633974483, 1e-9);
-  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.fence->halt = square(-147.86, 10'300); }), SafetyFault::kNone);
-  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.fence->halt = square(-147.85, 10'300); }), SafetyFault::kSaveNearHalt);
+  EXPECT_NEAR(margin_to_halt(fenced_mission()).value, 48.567731633974483, 1e-9);
+  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.fence->halt = square(-148.57, 10'300); }), SafetyFault::kNone);
+  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.fence->halt = square(-148.56, 10'300); }), SafetyFault::kSaveNearHalt);
 }
 
 TEST(SafetyCheck, RefusesAZoneThatIsNoneAndASafePointThatIsNotSafe) {

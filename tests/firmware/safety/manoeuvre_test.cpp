@@ -50,6 +50,16 @@ TEST_F(ManoeuvreTest, KeepsTheSideOfItsTurnWhateverBecomesNearerMeanwhile) {
       << "anew: to the right, over south";
 }
 
+// Northwards over the northern edge and 1 m from the eastern one: its circle to the right, 200 m across, ends 99 m beyond the save polygon.
+TEST_F(ManoeuvreTest, TurnsInACornerToWhereThereIsRoom) {
+  mission_.safety.vehicle.turn_radius = Meters{100};
+  EXPECT_NEAR(of(Response::kSteerBack, at(10'090, 9'999), kNorth).heading.value, kWest, 1e-12);
+  manoeuvre_.end();
+  EXPECT_NEAR(of(Response::kSteerBack, at(10'090, 1), kNorth).heading.value, kEast, 1e-12);
+  manoeuvre_.end();
+  EXPECT_NEAR(of(Response::kSteerBack, at(10'090, 9'999), kEast).heading.value, kSouth, 1e-12) << "a right angle is no way round";
+}
+
 TEST_F(ManoeuvreTest, TurnsRoundBeforeTheFenceAwayFromWhereItWouldLeave) {
   const messages::Setpoint setpoint = of(Response::kSteerBack, at(9990, 5000), kNorth);
   // Its way round ends at 10 023.9 m: 23.9 m south of there it is inside.

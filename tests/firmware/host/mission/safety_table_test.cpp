@@ -123,7 +123,7 @@ TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
                 .find("the polygon crosses or touches itself: the edge after corner 2 meets the one after corner 4"),
             std::string::npos);
   EXPECT_NE(complaint("halt_north_m = [-300, 25300, 25300, -300]", "halt_north_m = [-110, 25300, 25300, -110]")
-                .find("must lie in the halt polygon and keep 48 m from its edges"),
+                .find("must lie in the halt polygon and keep 49 m from its edges"),
             std::string::npos);
   EXPECT_NE(
       complaint("inside_north_m = [0, 25000, 25000, 0]", "inside_north_m = [2000, 25000, 25000, 2000]").find("must hold every way-point"),
