@@ -162,5 +162,9 @@ class Run {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return earshot::fuzz::judge_numbered(argc, argv, "mutated_policies", "policy", [] { return Run(); });
+  return earshot::fuzz::judge_numbered(
+      argc, argv, "mutated_policies",
+      "changes good .policy files and lets a vehicle load and fly them: each must be refused in one line,\n"
+      "or flown within the mission's limits.",
+      "policy", [] { return Run(); });
 }

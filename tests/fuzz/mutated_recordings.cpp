@@ -163,5 +163,9 @@ class Run {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return earshot::fuzz::judge_numbered(argc, argv, "mutated_recordings", "recording", [] { return Run(); });
+  return earshot::fuzz::judge_numbered(
+      argc, argv, "mutated_recordings",
+      "changes good WAV and FLAC files and Raven tables and listens to them: each must be refused in lines\n"
+      "that begin with the file, or heard with every detection inside the sound.",
+      "recording", [] { return Run(); });
 }

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "firmware/host/program/run.hpp"
 #include "firmware/wire/n2k/fast_packet.hpp"
 #include "firmware/wire/n2k/signals.hpp"
 #include "tests/fuzz/frames/frame_readers.hpp"
@@ -123,15 +124,8 @@ class Frames {
   std::size_t at_ = 0;
 };
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc < 2) {
-    std::fprintf(stderr, "usage: random_frames COUNT [SEED]\n");
-    return 2;
-  }
-  const std::uint64_t count = std::strtoull(argv[1], nullptr, 10);
-  Frames frames(argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0);
+int try_frames(std::uint64_t count, std::uint64_t seed) {
+  Frames frames(seed);
   fuzz::FrameReaders readers;
   Time now{1'000'000'000};
   const std::uint64_t before = allocations;
@@ -142,4 +136,19 @@ int main(int argc, char** argv) {
   }
   std::printf("%s frames: %s, no memory asked for\n", std::to_string(count).c_str(), readers.account().c_str());
   return readers.has_seen_all() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  constexpr std::int64_t kMost = 1'000'000'000'000;
+  std::uint64_t count = 0;
+  std::uint64_t seed = 0;
+  program::CommandLine line("random_frames",
+                            "random_frames gives CAN frames to everything that reads them on a vehicle: nothing impossible may come of\n"
+                            "them, and nobody may ask for memory.\n"
+                            "Exit status: 0 nothing did; 1 something did, or too few frames were tried to meet every kind.");
+  line.option("COUNT", &count, "how many frames").required().from(1, kMost);
+  line.option("SEED", &seed, "which frames").from(0, kMost).shows_default();
+  return program::run(line, argc, argv, [&] { return try_frames(count, seed); });
 }
