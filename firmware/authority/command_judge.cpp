@@ -25,12 +25,14 @@ CommandJudge::Verdict CommandJudge::judge(Time arrival, const messages::Operator
   if (!is_known(command.order)) return {.outcome = CommandOutcome::kUnknownOrder};
   if (command.order == Order::kAbort) return {};
   if (needs_verified_ && !command.is_verified) return {.outcome = CommandOutcome::kNotVerified};
+  const CommandOutcome by_date = judge_date(arrival, command);
+  const bool is_from_now = by_date == CommandOutcome::kObeyed;
   const auto known = std::find_if(issuers_.begin(), issuers_.end(), [&](const Issuer& i) { return i.issuer == command.issuer; });
-  if (known == issuers_.end()) return {.outcome = judge_date(arrival, command)};
+  if (known == issuers_.end()) return {.outcome = by_date, .is_from_now = is_from_now};
   known->last_heard = ++heard_;
-  if (command.number == known->last_number) return {.outcome = known->last_outcome, .is_repetition = true};
+  if (command.number == known->last_number) return {.outcome = known->last_outcome, .is_repetition = true, .is_from_now = is_from_now};
   if (command.number < known->last_number) return {.outcome = CommandOutcome::kOutOfOrder};
-  return {.outcome = judge_date(arrival, command)};
+  return {.outcome = by_date, .is_from_now = is_from_now};
 }
 
 void CommandJudge::remember(const messages::OperatorCommand& command, CommandOutcome outcome) {

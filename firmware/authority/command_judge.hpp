@@ -19,6 +19,7 @@ class CommandJudge {
   struct Verdict {
     messages::CommandOutcome outcome = messages::CommandOutcome::kObeyed;
     bool is_repetition = false;  ///< judged before: the outcome is what it was then, and nothing is to be done
+    bool is_from_now = false;    ///< somebody who may command says it now: it is no old recording, and verified where that is needed
   };
 
   /// kObeyed: nothing speaks against it; remember() what became of it. Nothing speaks against an ABORT, ever: stopping once too often costs

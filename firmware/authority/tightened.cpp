@@ -1,5 +1,6 @@
 #include "firmware/authority/tightened.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -21,6 +22,14 @@ bool can_be_flown(const config::Mission& mission) {
   return fault == safety::SafetyFault::kNone || fault == safety::SafetyFault::kRuleNeverActs;
 }
 
+/// As far from its limit as before, by share; and no nearer than before, or than 5 m: a depth control that comes to rest at the limit
+/// itself would be beyond it again and again.
+Meters search_depth_within(Meters max_depth, const config::Mission& mission) {
+  constexpr Meters kRoom{5.0};
+  const Meters room = std::min({kRoom, mission.max_depth - mission.search_depth, max_depth * 0.5});
+  return std::min(mission.search_depth * (max_depth / mission.max_depth), max_depth - room);
+}
+
 /// Of a duration that is shorter than another: it fits.
 Duration of_seconds(double seconds) {
   return {static_cast<std::int64_t>(seconds * 1e6)};
@@ -36,8 +45,7 @@ Result<config::Mission> tightened(const config::Mission& mission, const messages
   if (limits.max_depth) tighter.max_depth = *limits.max_depth;
   if (limits.max_speed) tighter.search_speed = *limits.max_speed;
   if (limits.max_time_s) tighter.max_time = of_seconds(*limits.max_time_s);
-  // As far from its limit as before, by share: a depth control that comes to rest at the limit itself would be beyond it again and again.
-  tighter.search_depth = mission.search_depth * (tighter.max_depth / mission.max_depth);
+  tighter.search_depth = search_depth_within(tighter.max_depth, mission);
   if (!can_be_flown(tighter)) return Status::kOutOfRange;
   return tighter;
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cassert>
 
+#include "firmware/core/math.hpp"
 #include "firmware/runtime/bytes_of_state.hpp"
 #include "firmware/runtime/runtime.hpp"
+#include "firmware/safety/limits.hpp"
 
 namespace earshot::runtime {
 namespace {
@@ -26,6 +28,13 @@ MetersPerSecond lower_of_possible(MetersPerSecond a, MetersPerSecond b) {
   return is_possible(b) ? std::min(a, b) : a;
 }
 
+/// Of a vehicle that goes round for as long as there is time; of which circle, two memories may not agree.
+Radians turned_on(Time now, MetersPerSecond speed, Meters turn_radius, Meters again) {
+  constexpr Meters kWideCircle{100.0};
+  const Meters radius = turn_radius == again ? safety::blind_radius(turn_radius) : kWideCircle;
+  return wrap_to_pi(Radians{speed.value / radius.value * static_cast<double>(now.us) * 1e-6});
+}
+
 }  // namespace
 
 bool Runtime::is_intact() const {
@@ -45,8 +54,9 @@ bool Runtime::may_decide() const {
   return checksum_of(policy_) == policy_checksum_ && checksum_of(memory_) == memory_checksum_;
 }
 
-/// Nothing here is believed that a single bit could have changed by itself.
-Outputs Runtime::step_of_damaged() const {
+/// Nothing here is believed that a single bit could have changed by itself. A vehicle that must move to come up goes round: where it points
+/// is not known, so that its heading turns on with the time.
+Outputs Runtime::step_of_damaged(Time now) const {
   Outputs outputs;
   outputs.health.turn = progress_.turn;
   outputs.health.authority = messages::Authority::kAbort;
@@ -57,6 +67,8 @@ Outputs Runtime::step_of_damaged() const {
   if (!was_commanding && !was_engaged) return outputs;
   messages::Setpoint& setpoint = outputs.setpoint.emplace();
   setpoint.speed = lower_of_possible(mission_.safety.vehicle.ascent_speed, sealed_.mission.safety.vehicle.ascent_speed);
+  if (setpoint.speed > kNoSpeed)
+    setpoint.heading = turned_on(now, setpoint.speed, mission_.safety.vehicle.turn_radius, sealed_.mission.safety.vehicle.turn_radius);
   return outputs;
 }
 
@@ -65,7 +77,7 @@ Outputs Runtime::step(Time now) {
   if (!is_intact() || !are_same_bytes(mission_, sealed_.mission)) integrity_ = 0;
   Outputs outputs;
   if (integrity_ == kIntact) turn(now, outputs);
-  if (integrity_ != kIntact) return step_of_damaged();
+  if (integrity_ != kIntact) return step_of_damaged(now);
   seal();
   return outputs;
 }

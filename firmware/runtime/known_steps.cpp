@@ -101,7 +101,7 @@ void fly_known_leg(const config::Mission& mission, std::size_t action, Pcg32& ra
   const messages::Setpoint wanted{
       .heading = leg.heading_to_steer(beside), .speed = mission.search_speed, .depth = mission.search_depth, .waypoint = leg.waypoint()};
   const safety::SafeSetpoint setpoint =
-      safety::safe_setpoint(mission, {.time = {}, .position = beside, .depth = {}, .heading = wanted.heading, .speed = {}}, wanted);
+      safety::safe_setpoint(mission, {.time = {}, .position = beside, .depth = {}, .heading = wanted.heading, .speed = {}}, wanted, {});
   fingerprint.add(setpoint.setpoint.heading.value);
   fingerprint.add(setpoint.setpoint.depth.value);
 }

@@ -89,7 +89,11 @@ void Runtime::turn(Time now, Outputs& outputs) {
   ++progress_.turn;
   const bool is_ready = navigation_is_fresh(now) && snr_is_fresh(now) && autopilot_is_connected(now);
   if (progress_.state == MissionState::kStandby && progress_.command.is_search_ordered(now) && is_ready) begin_search(now);
-  if (progress_.state == MissionState::kSearch) search(now, outputs);
+  if (progress_.state == MissionState::kSearch) {
+    search(now, outputs);
+  } else if (progress_.command.is_engaged()) {
+    watch_for_release(now, outputs);
+  }
   outputs.setpoint = setpoint();
   outputs.acknowledgements = progress_.acknowledgements;
   progress_.acknowledgements.clear();
@@ -147,8 +151,8 @@ void Runtime::take(const messages::PortReport& report) {
 }
 
 void Runtime::take_command(Time arrival, std::uint8_t port, const messages::OperatorCommand& command) {
-  progress_.situation.operator_heard = arrival;
   const authority::CommandJudge::Verdict verdict = progress_.judge.judge(arrival, command);
+  if (verdict.is_from_now) progress_.situation.operator_heard = arrival;
   CommandOutcome outcome = verdict.outcome;
   if (!verdict.is_repetition) {
     if (outcome == CommandOutcome::kObeyed) outcome = obey(arrival, command);
@@ -227,6 +231,12 @@ void Runtime::supervise(Time now, Outputs& outputs) {
     static_cast<void>(outputs.safety_events.push_back(event));  // there is room: an event per rule
   situation.is_steered_back = progress_.supervisor.acts_on(config::Condition::kOutsideFence);
   if (progress_.supervisor.response() >= config::Response::kAbort) end(MissionState::kAbort, end_reason_of(*progress_.supervisor.cause()));
+}
+
+void Runtime::watch_for_release(Time now, Outputs& outputs) {
+  progress_.situation.now = now;
+  progress_.situation.snr = progress_.listener.newest()->time;
+  outputs.safety_events = progress_.supervisor.watch_for_release(mission_, progress_.situation);
 }
 
 NorthEast Runtime::place_in_area() const {
@@ -325,8 +335,7 @@ bool Runtime::decide(Time now, policy::Reception reception, messages::Decision& 
 messages::Setpoint Runtime::wanted_setpoint() {
   const messages::Navigation& fix = *progress_.situation.navigation.newest();
   const std::optional<config::Response> wanted = response();
-  if (progress_.state == MissionState::kDone) return safety::come_up(mission_.safety.vehicle, fix);
-  if (progress_.state == MissionState::kAbort)  // of an operator, or of a rule
+  if (progress_.state != MissionState::kSearch)  // whoever ended it
     return progress_.manoeuvre.setpoint(mission_, progress_.situation,
                                         std::max(wanted.value_or(config::Response::kAbort), config::Response::kAbort));
   if (wanted > config::Response::kWarn) return progress_.manoeuvre.setpoint(mission_, progress_.situation, *wanted);
@@ -339,7 +348,8 @@ messages::Setpoint Runtime::wanted_setpoint() {
 std::optional<messages::Setpoint> Runtime::setpoint() {
   if (!progress_.command.is_engaged()) return std::nullopt;
   assert(progress_.situation.navigation.newest());  // no search begins without
-  const safety::SafeSetpoint safe = safety::safe_setpoint(mission_, *progress_.situation.navigation.newest(), wanted_setpoint());
+  const safety::SafeSetpoint safe =
+      safety::safe_setpoint(mission_, *progress_.situation.navigation.newest(), wanted_setpoint(), progress_.situation.unseen());
   if (safe.limited) ++progress_.counters.setpoints_limited;
   progress_.situation.commanded = safe.setpoint;
   return safe.setpoint;

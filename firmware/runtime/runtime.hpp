@@ -43,7 +43,8 @@ struct Outputs {
 ///   SEARCH -- a rule of the safety supervisor that aborts --> ABORT;   any state -- ABORT --> ABORT
 ///
 /// START and LISTEN are remembered until navigation and SNR are there (and the autopilot, where the mission waits for it), or they expire.
-/// Once a search commands the vehicle, the set-point says in DONE and ABORT: stop and come up; before, and while it only listens, nothing
+/// Once a search commands the vehicle, the set-point says in DONE and ABORT: stop and come up (and release the weight, if a rule says so
+/// then or later); before, and while it only listens, nothing
 /// is commanded, whatever becomes of the mission.
 class Runtime {
  public:
@@ -102,7 +103,7 @@ class Runtime {
   /// Whether policy and memory of the search are what they were after the last decision.
   [[nodiscard]] bool may_decide() const;
   /// What is left to say when the memory cannot be trusted.
-  [[nodiscard]] Outputs step_of_damaged() const;
+  [[nodiscard]] Outputs step_of_damaged(Time now) const;
 
   void judge(const messages::Input& input);
   void turn(Time now, Outputs& outputs);
@@ -125,6 +126,8 @@ class Runtime {
   [[nodiscard]] bool leg_goes_on(Time now) const;
   /// Lets the supervisor look; ends the mission if it says so.
   void supervise(Time now, Outputs& outputs);
+  /// When a mission is over that commands the vehicle: a leak may come after it.
+  void watch_for_release(Time now, Outputs& outputs);
   [[nodiscard]] NorthEast place_in_area() const;
   [[nodiscard]] policy::Reception reception(Time now) const;
   [[nodiscard]] messages::BeliefSummary belief() const;

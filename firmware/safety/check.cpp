@@ -27,7 +27,8 @@ bool is_length(double value) {
 bool is_usable(const config::VehicleLimits& vehicle, MetersPerSecond search_speed) {
   const std::array values{vehicle.max_speed.value,  vehicle.max_current.value,  vehicle.turn_radius.value,
                           vehicle.hold_speed.value, vehicle.ascent_speed.value, vehicle.battery_percent_per_km};
-  return std::all_of(values.begin(), values.end(), is_length) && vehicle.max_speed >= search_speed && vehicle.max_current < search_speed;
+  return std::all_of(values.begin(), values.end(), is_length) && vehicle.max_speed >= search_speed && vehicle.max_current < search_speed &&
+         vehicle.hold_speed <= search_speed && vehicle.ascent_speed <= vehicle.max_speed;
 }
 
 const Polygon& polygon_of(const config::Fence& fence, std::size_t index) {

@@ -11,7 +11,7 @@ namespace earshot::safety {
 
 enum class SafetyFault : std::uint8_t {
   kNone = 0,
-  kVehicle,             ///< a number of the vehicle's is not finite or negative, or the current is as fast as the vehicle searches
+  kVehicle,             ///< a number of the vehicle's is not finite or negative, or they contradict each other or the search's speed
   kFence,               ///< `polygon` says what is wrong with the fence's polygon `index` (0 inside, 1 save, 2 halt)
   kZone,                ///< the same of a zone where it may not surface
   kInsideBeyondSave,    ///< the polygon inside does not lie in the save polygon

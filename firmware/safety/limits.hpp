@@ -2,6 +2,7 @@
 
 #include "firmware/config/mission.hpp"
 #include "firmware/core/geometry.hpp"
+#include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/messages/navigation.hpp"
 #include "firmware/messages/setpoint.hpp"
@@ -28,13 +29,26 @@ struct SafeSetpoint {
 
 /// Depth kept within [0, max_depth] and speed within [0, search_speed] or what the vehicle needs to come up; come_up() if anything is not
 /// finite.
-[[nodiscard]] SafeSetpoint safe_setpoint(const config::Mission& mission, const messages::Navigation& fix, const messages::Setpoint& wanted);
+[[nodiscard]] SafeSetpoint safe_setpoint(const config::Mission& mission, const messages::Navigation& fix, const messages::Setpoint& wanted,
+                                         Duration unseen);
 
 /// The set-point that says stop and come up, as the vehicle can: straight up, heading and place kept, or round and round at the speed that
 /// it needs until it is at the surface. It is sent in DONE and ABORT, and in place of one that is not finite.
-[[nodiscard]] messages::Setpoint come_up(const config::VehicleLimits& vehicle, const messages::Navigation& fix);
+///
+/// A vehicle that goes round is told a quarter of a turn from where it points. When fixes cease or freeze nobody knows where it points: the
+/// heading it is told then turns on by itself,
+///
+///   heading = heading of the fix + pi/2 + v t / blind_radius
+///
+/// t: how long it was unseen (Situation::unseen), v: ascent speed. When it has had the time to come up from its deepest at kSlowestAscent,
+/// it stops.
+[[nodiscard]] messages::Setpoint come_up(const config::Mission& mission, const messages::Navigation& fix, Duration unseen);
 
 /// Above this, the vehicle has come up.
 inline constexpr Meters kAtSurface{2.0};
+/// No vehicle that is able to come up does so more slowly.
+inline constexpr MetersPerSecond kSlowestAscent{0.1};
+/// Of the circle on which a vehicle is sent up that cannot be seen: twice as wide as its tightest, and 20 m where that is not known.
+[[nodiscard]] Meters blind_radius(Meters turn_radius);
 
 }  // namespace earshot::safety

@@ -38,6 +38,8 @@ NorthEast place_inside(const config::Mission& mission, const Situation& situatio
 }  // namespace
 
 messages::Setpoint Manoeuvre::setpoint(const config::Mission& mission, const Situation& situation, config::Response response) {
+  const bool steers_back = situation.is_steered_back || response <= config::Response::kSteerBack;
+  if (!steers_back) side_ = Side::kNone;  // the next time that it is beyond the fence is another
   switch (response) {
     case config::Response::kWarn:
     case config::Response::kSteerBack:
@@ -52,12 +54,12 @@ messages::Setpoint Manoeuvre::setpoint(const config::Mission& mission, const Sit
     case config::Response::kAbort:
       break;
     case config::Response::kRelease: {
-      messages::Setpoint setpoint = come_up(mission.safety.vehicle, *situation.navigation.newest());
+      messages::Setpoint setpoint = come_up(mission, *situation.navigation.newest(), situation.unseen());
       setpoint.release_weight = true;
       return setpoint;
     }
   }
-  return come_up(mission.safety.vehicle, *situation.navigation.newest());
+  return come_up(mission, *situation.navigation.newest(), situation.unseen());
 }
 
 /// A vehicle that must turn by more than a right angle turns to where its circle lies less far beyond the fence: in a corner the shorter
@@ -119,7 +121,7 @@ messages::Setpoint Manoeuvre::hold(const config::Mission& mission, const Situati
 messages::Setpoint Manoeuvre::surface(const config::Mission& mission, const Situation& situation) {
   const messages::Navigation& fix = *situation.navigation.newest();
   const config::Polygon* zone = zone_at(mission.safety, fix.position);
-  if (zone == nullptr || fix.depth <= kAtSurface) return come_up(mission.safety.vehicle, fix);
+  if (zone == nullptr || fix.depth <= kAtSurface) return come_up(mission, fix, situation.unseen());
   const NorthEast edge = nearest_on_edges(zone->span(), fix.position);
   const NorthEast way = edge - fix.position;
   return {.heading = edge == fix.position ? wrap_to_pi(fix.heading) : bearing_of(way.north.value, way.east.value),

@@ -30,14 +30,15 @@ std::optional<double> known(double value) {
   return is_finite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// How far the vehicle's depth is going to change, positive down.
+/// How much deeper the vehicle is going to be.
 double sinking_m(const Situation& situation) {
-  return situation.track.sink_rate().value * kForesight.to_seconds();
+  const MetersPerSecond rate = situation.track.sink_rate();
+  return rate > kKeepsDepth ? rate.value * kForesight.to_seconds() : 0.0;
 }
 
 std::optional<double> altitude_m(const Situation& situation) {
   if (!situation.vehicle) return std::nullopt;
-  return known(situation.vehicle->altitude.value - std::max(sinking_m(situation), 0.0));
+  return known(situation.vehicle->altitude.value - sinking_m(situation));
 }
 
 std::optional<double> battery_percent(const Situation& situation) {
@@ -104,7 +105,7 @@ std::optional<double> measure(Condition condition, const config::Mission& missio
     case Condition::kOutsideHalt:
       return outside_halt_m(mission, fix.position);
     case Condition::kDepth:
-      return fix.depth.value + std::max(sinking_m(situation), 0.0);
+      return fix.depth.value + sinking_m(situation);
     case Condition::kAltitude:
       return altitude_m(situation);
     case Condition::kSpeed:

@@ -8,33 +8,59 @@ bool NavigationJudge::take(Time arrival, const messages::Navigation& fix, bool i
   if (!messages::is_usable(fix) || !lies_within(fix.time, arrival, timeout_) || fix.time > arrival + kMostAhead) return false;
   messages::Navigation dated = fix;
   dated.time = std::min(fix.time, arrival);  // a sender whose clock is fast does not stay fresh for longer
-  if (newest_) {
-    if (dated.time < newest_->time) return false;
-    const Meters jump = excess(*newest_, dated);
-    const bool starts_over = !is_to_move && arrival - newest_->time > timeout_;  // carried about before its search, as on a ship's deck
-    if (jump > Meters{0.0} && !starts_over && !is_correction(dated, jump)) {
-      jump_ = jump;
-      jump_seen_ = arrival;
-      return false;
-    }
+  if (newest_ && dated.time < newest_->time) return false;
+  const bool starts_over = !newest_ || (!is_to_move && arrival - newest_->time > timeout_);  // carried about, as on a ship's deck
+  const Meters jump = starts_over ? Meters{0.0} : excess(dated);
+  const bool corrects = jump > Meters{0.0} && is_correction(dated, jump);
+  const bool is_believed = corrects || !(jump > Meters{0.0});
+  count(!is_believed);
+  if (!is_believed) {
+    jump_ = jump;
+    jump_seen_ = arrival;
+    return false;
+  }
+  if (corrects) correct(dated, jump);
+  if (starts_over || corrects) {
+    anchor_ = dated;
+    next_anchor_ = dated;
   }
   believe(dated, is_to_move);
   return true;
 }
 
 /// By how much they lie further apart than the vehicle can have gone; zero if it can.
-Meters NavigationJudge::excess(const messages::Navigation& from, const messages::Navigation& to) const {
+Meters NavigationJudge::excess(const messages::Navigation& from, const messages::Navigation& to, Meters noise) const {
   const double seconds = (to.time - from.time).to_seconds();
-  const Meters way = (vehicle_.max_speed + vehicle_.max_current).value * seconds * Meters{1.0} + kNoise;
+  const Meters way = (vehicle_.max_speed + vehicle_.max_current).value * seconds * Meters{1.0} + noise;
   return std::max(range_between(from.position, to.position) - way, Meters{0.0});
+}
+
+/// The anchor may be as far off as a fix that was believed may be, and so may this one.
+Meters NavigationJudge::excess(const messages::Navigation& fix) const {
+  return std::max(excess(*newest_, fix, kNoise), excess(anchor_, fix, 2.0 * kNoise));
 }
 
 /// Remembers a fix that lies too far off.
 bool NavigationJudge::is_correction(const messages::Navigation& fix, Meters jump) {
-  const bool goes_on = refused_ && fix.time >= refused_->time && !(excess(*refused_, fix) > Meters{0.0});
+  const bool goes_on = refused_ && fix.time >= refused_->time && !(excess(*refused_, fix, kNoise) > Meters{0.0});
   if (!goes_on) correction_began_ = fix.time;
   refused_ = fix;
-  return goes_on && jump <= kMostCorrection && fix.time - correction_began_ >= kCorrectionPatience;
+  const bool is_another = fix.time - corrected_since_ > kCorrectionPeriod;
+  const Meters corrected = is_another ? jump : corrected_ + jump;
+  return goes_on && corrected <= kMostCorrection && fix.time - correction_began_ >= kCorrectionPatience;
+}
+
+void NavigationJudge::correct(const messages::Navigation& fix, Meters jump) {
+  if (fix.time - corrected_since_ > kCorrectionPeriod) {
+    corrected_ = Meters{0.0};
+    corrected_since_ = fix.time;
+  }
+  corrected_ += jump;
+}
+
+void NavigationJudge::count(bool is_refused) {
+  constexpr double kOfOne = 1.0 / 16.0;
+  refused_share_ += kOfOne * ((is_refused ? 1.0 : 0.0) - refused_share_);
 }
 
 void NavigationJudge::believe(const messages::Navigation& fix, bool is_to_move) {
@@ -42,10 +68,14 @@ void NavigationJudge::believe(const messages::Navigation& fix, bool is_to_move) 
   if (!stays) moved_ = fix.time;
   newest_ = fix;
   refused_.reset();
+  if (fix.time - next_anchor_.time < kAnchorAge) return;
+  anchor_ = next_anchor_;
+  next_anchor_ = fix;
 }
 
 Meters NavigationJudge::jump(Time now) const {
-  return jump_ > Meters{0.0} && now - jump_seen_ <= kJumpMemory ? jump_ : Meters{0.0};
+  if (now - jump_seen_ > kJumpMemory) return Meters{0.0};
+  return jump_ > kMostCorrection || refused_share_ > kNoisyShare ? jump_ : Meters{0.0};
 }
 
 Duration NavigationJudge::frozen() const {

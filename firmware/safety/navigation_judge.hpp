@@ -9,9 +9,9 @@
 
 namespace earshot::safety {
 
-/// Tells a fix that may be true from one that cannot be. One that lies where the vehicle cannot have gone since the last (a stray echo, a
-/// second sender) is refused and remembered; fixes that go on from a refused one, and lie no further off than a dead reckoning that is put
-/// right may jump, are believed after a while.
+/// Tells a fix that may be true from one that cannot be. One that lies where the vehicle cannot have gone since the last, or since a minute
+/// ago (a stray echo, a second sender, a place that creeps away), is refused and remembered; fixes that go on from a refused one, and lie
+/// no further off than a dead reckoning that is put right may jump, are believed after a while.
 class NavigationJudge {
  public:
   /// @param timeout  the mission's: a fix dated longer before its arrival is refused
@@ -26,7 +26,8 @@ class NavigationJudge {
 
   [[nodiscard]] const std::optional<messages::Navigation>& newest() const { return newest_; }
 
-  /// How far the newest refused fix lay from where the vehicle can have been; none once no fix was refused for kJumpMemory.
+  /// How far the newest refused fix lay from where the vehicle can have been; none once no fix was refused for kJumpMemory, and none as
+  /// long as no more than kNoisyShare of the fixes are, and by no more than kMostCorrection: that is noise.
   [[nodiscard]] Meters jump(Time now) const;
   /// For how long fixes have said one place although the vehicle was to move.
   [[nodiscard]] Duration frozen() const;
@@ -35,22 +36,34 @@ class NavigationJudge {
   static constexpr Duration kMostAhead = Duration::milliseconds(500);
   /// Of two fixes of one place, made by different ways.
   static constexpr Meters kNoise{25.0};
-  /// No dead reckoning that is put right at the surface jumps further.
+  /// Fixes are held against one that is at least so old, too, and at the most twice.
+  static constexpr Duration kAnchorAge = Duration::seconds(60);
+  /// No dead reckoning that is put right at the surface jumps further, in one or several jumps within kCorrectionPeriod.
   static constexpr Meters kMostCorrection{500.0};
+  static constexpr Duration kCorrectionPeriod = Duration::seconds(600);
   /// Fixes that go on from a refused one are believed when they have done so for this long.
   static constexpr Duration kCorrectionPatience = Duration::seconds(3);
   static constexpr Duration kJumpMemory = Duration::seconds(2);
+  static constexpr double kNoisyShare = 1.0 / 3.0;  ///< of some sixteen fixes
 
  private:
-  [[nodiscard]] Meters excess(const messages::Navigation& from, const messages::Navigation& to) const;
+  [[nodiscard]] Meters excess(const messages::Navigation& from, const messages::Navigation& to, Meters noise) const;
+  [[nodiscard]] Meters excess(const messages::Navigation& fix) const;
   [[nodiscard]] bool is_correction(const messages::Navigation& fix, Meters jump);
+  void correct(const messages::Navigation& fix, Meters jump);
+  void count(bool is_refused);
   void believe(const messages::Navigation& fix, bool is_to_move);
 
   config::VehicleLimits vehicle_;
   Duration timeout_;
   std::optional<messages::Navigation> newest_;
+  messages::Navigation anchor_;  ///< one that was believed kAnchorAge before, or the first
+  messages::Navigation next_anchor_;
   std::optional<messages::Navigation> refused_;  ///< the newest of those that go on from correction_began_
   Time correction_began_;
+  Meters corrected_;  ///< by the corrections since
+  Time corrected_since_;
+  double refused_share_ = 0.0;  ///< of the fixes, the older the less
   Time jump_seen_;
   Meters jump_;
   Time moved_;  ///< date of the last fix of another place, or after which the vehicle was not told to move

@@ -27,6 +27,10 @@ struct Situation {
   std::optional<messages::Setpoint> commanded;  ///< the last set-point
   bool is_policy_unhealthy = false;
   bool is_steered_back = false;  ///< the fence has it: it is not free again before it is inside
+
+  /// For how long no fix has told of a movement, the newest's age and the time for which fixes said one place.
+  /// @pre there is a fix
+  [[nodiscard]] Duration unseen() const { return now - navigation.newest()->time + navigation.frozen(); }
 };
 
 }  // namespace earshot::safety

@@ -1,5 +1,8 @@
 #include "firmware/safety/supervisor.hpp"
 
+#include <algorithm>
+
+#include "firmware/safety/limits.hpp"
 #include "firmware/safety/measures.hpp"
 
 namespace earshot::safety {
@@ -24,6 +27,10 @@ bool is_beyond(const Rule& rule, double measure) {
       return measure < rule.limit;
   }
   return true;
+}
+
+Duration time_to_come_up(double way_m) {
+  return Duration::seconds(static_cast<std::int64_t>(std::max(way_m, 0.0) / kSlowestAscent.value));
 }
 
 Rule aborting(Condition condition, double limit, Duration persistence = {}) {
@@ -69,43 +76,62 @@ void Supervisor::tighten(const config::Mission& mission) {
   for (std::size_t i = 0; i < tighter.size(); ++i) {
     if (rules_[i].condition == Condition::kDepth) {
       watches_[i].next_limit = tighter[i].limit;
+      watches_[i].next_by.reset();
     } else {
       rules_[i].limit = tighter[i].limit;
     }
   }
 }
 
-void Supervisor::take_next_limit(std::size_t rule, std::optional<double> measured) {
-  std::optional<double>& next = watches_[rule].next_limit;
-  if (!next || !measured || *measured > *next) return;
-  rules_[rule].limit = *next;
-  next.reset();
+void Supervisor::take_next_limit(std::size_t rule, double measured, Time now) {
+  Watch& watch = watches_[rule];
+  if (!watch.next_limit) return;
+  const double next = *watch.next_limit;
+  if (!watch.next_by) watch.next_by = now + kTimeToTurnUp + time_to_come_up(measured - next);
+  rules_[rule].limit = std::min(rules_[rule].limit, std::max(next, measured + kOvershoot.value));
+  if (measured > next && now < *watch.next_by) return;
+  rules_[rule].limit = next;
+  watch.next_limit.reset();
+  watch.next_by.reset();
 }
 
 SafetyEvents Supervisor::watch(const config::Mission& mission, const Situation& situation) {
   SafetyEvents events;
+  for (std::size_t i = 0; i < rules_.size(); ++i) watch(i, mission, situation, events);
+  return events;
+}
+
+SafetyEvents Supervisor::watch_for_release(const config::Mission& mission, const Situation& situation) {
+  SafetyEvents events;
   for (std::size_t i = 0; i < rules_.size(); ++i) {
-    const Rule& rule = rules_[i];
-    Watch& watch = watches_[i];
-    const std::optional<double> measured = measure(rule.condition, mission, situation);
-    take_next_limit(i, measured);
-    const bool holds = measured && is_beyond(rule, *measured);
-    if (!holds) watch.since.reset();
-    if (holds && !watch.since) watch.since = situation.now;
-    const bool is_lasting = watch.since && situation.now - *watch.since >= rule.persistence;
-    const bool acts = is_lasting || (watch.acts && rule.is_latched);
-    if (acts != watch.acts) {
-      static_cast<void>(events.push_back({.time = situation.now,
-                                          .rule = static_cast<std::uint8_t>(i),
-                                          .condition = rule.condition,
-                                          .response = rule.response,
-                                          .begins = acts,
-                                          .measure = measured.value_or(0.0),
-                                          .limit = rule.limit}));
-    }
-    watch.acts = acts;
+    if (rules_[i].response == Response::kRelease) watch(i, mission, situation, events);
   }
   return events;
+}
+
+void Supervisor::watch(std::size_t i, const config::Mission& mission, const Situation& situation, SafetyEvents& events) {
+  const Rule& rule = rules_[i];
+  Watch& watch = watches_[i];
+  const std::optional<double> measured = measure(rule.condition, mission, situation);
+  if (measured) {
+    watch.measure = *measured;
+    take_next_limit(i, *measured, situation.now);
+    const bool holds = is_beyond(rule, *measured);
+    if (!holds) watch.since.reset();
+    if (holds && !watch.since) watch.since = situation.now;
+  }
+  const bool is_lasting = watch.since && situation.now - *watch.since >= rule.persistence;
+  const bool acts = is_lasting || (watch.acts && rule.is_latched);
+  if (acts != watch.acts) {
+    static_cast<void>(events.push_back({.time = situation.now,
+                                        .rule = static_cast<std::uint8_t>(i),
+                                        .condition = rule.condition,
+                                        .response = rule.response,
+                                        .begins = acts,
+                                        .measure = watch.measure,
+                                        .limit = rule.limit}));
+  }
+  watch.acts = acts;
 }
 
 std::optional<std::size_t> Supervisor::strongest() const {

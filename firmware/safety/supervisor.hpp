@@ -9,6 +9,7 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/core/units.hpp"
 #include "firmware/messages/safety_event.hpp"
 #include "firmware/safety/situation.hpp"
 
@@ -22,6 +23,10 @@ using SafetyEvents = FixedVector<messages::SafetyEvent, config::kMaxRules>;
 /// How many of them no mission can switch off.
 [[nodiscard]] std::size_t standing_rules(const config::Mission& mission);
 
+/// A vehicle that is told to come up while it goes down gets no deeper than so much more, and turns up within so long.
+inline constexpr Meters kOvershoot{25.0};
+inline constexpr Duration kTimeToTurnUp = Duration::seconds(60);
+
 /// Watches a search by its mission's rules. It knows nothing of the policy: what it says depends on the situation alone.
 class Supervisor {
  public:
@@ -29,12 +34,17 @@ class Supervisor {
   void configure(const config::Mission& mission);
 
   /// In the midst of a mission whose limits have become tighter: what each rule watches it goes on watching. A vehicle that is deeper than
-  /// its new limit is on its way up: that limit holds from when it has come there, and until then the old one.
+  /// its new limit is on its way up: until it has come there, or has had the time to (kSlowestAscent and kTimeToTurnUp), it may go no
+  /// deeper than it is and kOvershoot below; then the new limit holds.
   void tighten(const config::Mission& mission);
 
-  /// Once a turn of a search, in the order of time.
+  /// Once a turn of a search, in the order of time. A measure that nobody knows leaves its rule as it is: what was last known of it counts
+  /// until something else is.
   /// @return the rules that begin to act or no longer do, in this turn
   [[nodiscard]] SafetyEvents watch(const config::Mission& mission, const Situation& situation);
+
+  /// In place of it once a turn when the mission has ended: only rules that release the weight are watched, all others stay as they are.
+  [[nodiscard]] SafetyEvents watch_for_release(const config::Mission& mission, const Situation& situation);
 
   /// What the strongest rule that acts wants; nothing when none does.
   [[nodiscard]] std::optional<config::Response> response() const;
@@ -47,11 +57,14 @@ class Supervisor {
   struct Watch {
     std::optional<Time> since;         ///< its condition has been beyond its limit
     std::optional<double> next_limit;  ///< is the rule's once the measure is within it
+    std::optional<Time> next_by;       ///< or at this time
+    double measure = 0.0;              ///< the last that was known
     bool acts = false;
   };
 
   [[nodiscard]] std::optional<std::size_t> strongest() const;
-  void take_next_limit(std::size_t rule, std::optional<double> measured);
+  void watch(std::size_t rule, const config::Mission& mission, const Situation& situation, SafetyEvents& events);
+  void take_next_limit(std::size_t rule, double measured, Time now);
 
   Rules rules_;
   FixedVector<Watch, config::kMaxRules> watches_;

@@ -12,6 +12,7 @@
 
 #include "firmware/runtime/runtime.hpp"
 #include "firmware/safety/fence.hpp"
+#include "firmware/safety/limits.hpp"
 #include "tests/safety/true_vehicle.hpp"
 
 namespace earshot::campaign {
@@ -25,6 +26,7 @@ constexpr Time kBegin{1'000'000'000};
 /// Turns between what happens and what follows: of the message, and of the turn that it is judged in.
 constexpr Duration kPauseLasts = Duration::seconds(200);
 constexpr Duration kSlack = Duration::seconds(2);
+constexpr std::int64_t kLeakAfterEnd_s = 20;
 
 /// Puts another number wherever one stands in a runtime, as flipped bits might.
 template <class Number>
@@ -52,6 +54,7 @@ class Flight {
     for (turns_ = 0; turns_ < most_turns && !is_over() && broken_.empty(); ++turns_) turn();
     if (broken_.empty() && !is_over()) broken_ = "it never ends";
     if (broken_.empty()) judge_end();
+    if (broken_.empty() && outputs_.health.state >= MissionState::kDone && outputs_.setpoint && !breaks_vehicle(drawn_.fault)) come_up();
     const messages::Health& health = outputs_.health;
     return {.state = health.state,
             .end_reason = health.end_reason,
@@ -86,8 +89,34 @@ class Flight {
       was_steered_back_ = was_steered_back_ || event.condition == config::Condition::kOutsideFence;
     check_setpoint();
     check_return();
-    check_vehicle();
+    if (!is_coming_up_) check_vehicle();
     check_abort();
+  }
+
+  /// The mission is over: the vehicle comes up near to where it is, whatever fails, and a leak still releases its weight.
+  void come_up() {
+    const NorthEast from = vehicle_.position();
+    const messages::EndReason reason = outputs_.health.end_reason;
+    const Vehicle& vehicle = drawn_.vehicle;
+    const double current_mps = std::hypot(vehicle.current_north_mps, vehicle.current_east_mps);
+    // Once round, and half a circle more while it turns into it.
+    const double round_m = 6.0 * safety::blind_radius(drawn_.mission.safety.vehicle.turn_radius).value;
+    const Time ended = now_;
+    is_coming_up_ = true;
+    const auto comes_up_s = static_cast<std::int64_t>(vehicle_.depth_m() / vehicle.climb_mps) + 60;
+    for (std::int64_t s = 0; s < comes_up_s && broken_.empty(); ++s) {
+      leaks_ = s >= kLeakAfterEnd_s;
+      turn();
+      const double drifted_m = current_mps * (now_ - ended).to_seconds();
+      const double far_m = range_between(from, vehicle_.position()).value;
+      if (far_m > round_m + drifted_m + 5.0) broken_ = "it comes up " + std::to_string(far_m) + " m off";
+      if (outputs_.health.end_reason != reason) broken_ = "it ends twice";
+      const Duration leak_lasts = drawn_.mission.safety.rules[0].persistence + kSlack;
+      const bool is_watched = reason != messages::EndReason::kMemoryFault;
+      const bool must_release = is_watched && leaks_ && now_ > ended + Duration::seconds(kLeakAfterEnd_s) + leak_lasts;
+      if (must_release && !outputs_.setpoint->release_weight) broken_ = "the weight is not released after the end";
+    }
+    if (broken_.empty() && vehicle_.depth_m() > safety::kAtSurface.value) broken_ = "it does not come up";
   }
 
   void break_vehicle() {
@@ -166,7 +195,7 @@ class Flight {
     if (is_first_faulty_turn() && drawn_.fault == Fault::kOutwardWaypoints) replace(*runtime_, drawn_.mission.edge_margin.value, -20'000.0);
     const double battery_percent = has(Fault::kLowBattery) ? drawn_.battery_at_home_percent - 1.0 : 90.0;
     take(messages::VehicleStatus{
-        .time = now_, .altitude = Meters{100.0}, .battery_percent = battery_percent, .has_leak = has(Fault::kLeak)});
+        .time = now_, .altitude = Meters{100.0}, .battery_percent = battery_percent, .has_leak = has(Fault::kLeak) || leaks_});
   }
 
   /// To a little less than what the mission has; the vehicle has then to come up.
@@ -278,6 +307,8 @@ class Flight {
   std::optional<Navigation> frozen_;
   std::vector<Navigation> fixes_;
   bool is_spoiled_ = false;
+  bool is_coming_up_ = false;  ///< after the end
+  bool leaks_ = false;         ///< likewise
   bool was_steered_back_ = false;
   std::optional<Time> tightened_at_;
   std::optional<Time> home_by_;

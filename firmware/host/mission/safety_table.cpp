@@ -169,6 +169,11 @@ void check_safety(SafetyTables& tables, TableReader root, const config::Mission&
       return;
     case SafetyFault::kVehicle: {
       TableReader& vehicle = tables.vehicle ? *tables.vehicle : root;
+      const config::VehicleLimits& limits = mission.safety.vehicle;
+      if (limits.hold_speed > mission.search_speed)
+        return vehicle.problem("hold_speed_mps", "the search must be fast enough to obey the rudders: hold_speed_mps <= search.speed_mps");
+      if (limits.ascent_speed > limits.max_speed)
+        return vehicle.problem("ascent_speed_mps", "the vehicle must be able to come up: ascent_speed_mps <= max_speed_mps");
       return vehicle.problem("max_current_mps",
                              "the vehicle must be able to go faster than the current: max_current_mps < search.speed_mps <= max_speed_mps");
     }

@@ -43,6 +43,28 @@ TEST(CommandJudge, ObeysTheSameCommandOnceHoweverOftenItIsSent) {
   EXPECT_FALSE(court.last.is_repetition);
 }
 
+TEST(CommandJudge, HearsAnOperatorInWhatIsSaidNowByWhomeverItKnowsToBeOne) {
+  Court court;
+  const auto is_from_now = [&court](const OperatorCommand& command) {
+    (void)court.hear(command);
+    return court.last.is_from_now;
+  };
+  EXPECT_TRUE(is_from_now(start(3)));
+  EXPECT_TRUE(is_from_now(start(3))) << "again";
+  EXPECT_FALSE(is_from_now(start(2))) << "an old recording";
+  EXPECT_FALSE(is_from_now(start(3, kNow + Duration::seconds(-31)))) << "a repetition of half a minute ago";
+  EXPECT_FALSE(is_from_now(start(4, kNow + Duration::seconds(-31))));
+  EXPECT_FALSE(is_from_now(start(5, kNow + Duration::seconds(-31), 8))) << "of an issuer that it does not know";
+  OperatorCommand unknown = start(6);
+  unknown.order = static_cast<Order>(99);
+  EXPECT_FALSE(is_from_now(unknown));
+  court.judge = CommandJudge(true);
+  EXPECT_FALSE(is_from_now(start(1)));
+  OperatorCommand verified = start(1);
+  verified.is_verified = true;
+  EXPECT_TRUE(is_from_now(verified));
+}
+
 TEST(CommandJudge, AnswersARepeatedCommandAsItDidTheFirstTime) {
   Court court;
   EXPECT_EQ(court.hear(start(3), kNow, CommandOutcome::kNotInThisState), CommandOutcome::kNotInThisState);

@@ -69,6 +69,26 @@ TEST(Tightened, MustStillBeAMissionThatTheVehicleCanFly) {
   EXPECT_EQ(tightened(against_current, speed(0.75)).status(), Status::kOutOfRange) << "the current would carry it away";
 }
 
+TEST(Tightened, KeepsTheSearchAsFarFromItsLimitAsItWasUpToFiveMetres) {
+  const auto search_depth_m = [](double search_m, double max_m, double tighter_m) {
+    config::Mission deep = mission();
+    deep.search_depth = Meters{search_m};
+    deep.max_depth = Meters{max_m};
+    return tightened(deep, depth(tighter_m)).value().search_depth.value;
+  };
+  EXPECT_EQ(search_depth_m(300, 310, 100), 95.0) << "by share 96.8";
+  EXPECT_EQ(search_depth_m(300, 302, 100), 98.0);
+  EXPECT_EQ(search_depth_m(300, 302, 3), 1.5) << "half of what there is";
+  EXPECT_EQ(search_depth_m(50, 400, 300), 37.5) << "by share";
+}
+
+TEST(Tightened, LeavesTheSpeedThatTheVehicleNeedsToObeyItsRudders) {
+  config::Mission glides = mission();
+  glides.safety.vehicle.hold_speed = MetersPerSecond{0.8};
+  EXPECT_TRUE(tightened(glides, speed(0.8)).ok());
+  EXPECT_EQ(tightened(glides, speed(0.7)).status(), Status::kOutOfRange);
+}
+
 TEST(Tightened, MayForestallARuleOfTheMissionsOwn) {
   config::Mission warned = mission();
   ASSERT_EQ(warned.safety.rules.push_back({.condition = config::Condition::kDepth,

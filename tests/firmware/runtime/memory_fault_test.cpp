@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <span>
 
+#include "firmware/core/math.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 
 namespace earshot::runtime {
@@ -55,6 +57,31 @@ TEST(MemoryFault, InALimitEndsTheMissionAndBringsTheVehicleUpAsSlowlyAsItCan) {
   ASSERT_TRUE(rig.outputs.setpoint);
   EXPECT_EQ(rig.outputs.setpoint->depth.value, 0.0);
   EXPECT_EQ(rig.outputs.setpoint->speed.value, 1.0625);
+}
+
+TEST(MemoryFault, SendsAVehicleThatMustMoveToComeUpRoundACircle) {
+  Rig rig = under_way(mission_with_marks());
+  flip(*rig.runtime, 8 * place_of(*rig.runtime, 321.125) + 62);
+  rig.sail();
+  ASSERT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+  const NorthEast from = rig.position;
+  double farthest_m = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    rig.sail();
+    farthest_m = std::max(farthest_m, range_between(rig.position, from).value);
+  }
+  EXPECT_NEAR(farthest_m, 40.0, 1.0) << "straight on it would be 1 km";
+}
+
+TEST(MemoryFault, InTheTurningCircleMakesItWide) {
+  config::Mission mission = mission_with_marks();
+  mission.safety.vehicle.turn_radius = Meters{12.5};
+  Rig rig = under_way(mission);
+  flip(*rig.runtime, 8 * place_of(*rig.runtime, 12.5) + 61);
+  rig.sail();
+  const double heading = rig.outputs.setpoint->heading.value;
+  rig.sail();
+  EXPECT_NEAR(wrap_to_pi(Radians{rig.outputs.setpoint->heading.value - heading}).value, 1.0625 / 100.0, 1e-6);
 }
 
 TEST(MemoryFault, InTheSpeedToComeUpWithCommandsTheLowerOfTheTwo) {

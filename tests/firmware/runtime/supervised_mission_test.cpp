@@ -173,6 +173,134 @@ TEST(SupervisedMission, DropsItsWeightWhenThereIsALeakAndARuleSaysSo) {
   EXPECT_TRUE(rig.setpoint.release_weight) << "it is latched";
 }
 
+config::Mission with_release() {
+  config::Mission mission = with_rule(
+      {.condition = Condition::kLeak, .limit = 0, .persistence = Duration::seconds(2), .response = Response::kRelease, .is_latched = true});
+  mission.max_steps = 2;
+  return mission;
+}
+
+/// A leak in a mission that is over.
+void expect_release_of(Rig& rig, EndReason reason) {
+  const MissionState state = rig.state();
+  ASSERT_EQ(rig.end_reason(), reason);
+  for (int i = 0; i < 20; ++i) rig.sail();
+  EXPECT_FALSE(rig.setpoint.release_weight);
+  rig.take(messages::VehicleStatus{.time = rig.now, .has_leak = true});
+  for (int i = 0; i < 2; ++i) rig.sail();
+  EXPECT_FALSE(rig.setpoint.release_weight);
+  rig.sail();
+  EXPECT_TRUE(rig.setpoint.release_weight);
+  EXPECT_EQ(rig.setpoint.depth, Meters{0});
+  EXPECT_NE(event_of(rig.outputs, Condition::kLeak), nullptr);
+  EXPECT_EQ(rig.outputs.health.response, Response::kRelease);
+  EXPECT_EQ(rig.state(), state) << "it ended as it did";
+  EXPECT_EQ(rig.end_reason(), reason);
+}
+
+TEST(SupervisedMission, DropsItsWeightWhenTheLeakComesAfterAnOperatorsAbort) {
+  Rig rig = under_way(with_release());
+  rig.sail(Order::kAbort);
+  expect_release_of(rig, EndReason::kOperatorAbort);
+}
+
+TEST(SupervisedMission, DropsItsWeightWhenTheLeakComesAfterAnotherRulesAbort) {
+  Rig rig = under_way(with_release());
+  for (int i = 0; i < 6; ++i) rig.step({.snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
+  expect_release_of(rig, EndReason::kNavigationStale);
+}
+
+TEST(SupervisedMission, DropsItsWeightWhenTheLeakComesAfterItIsDone) {
+  Rig rig = under_way(with_release());
+  while (rig.state() == MissionState::kSearch) rig.sail();
+  expect_release_of(rig, EndReason::kStepsUsedUp);
+}
+
+TEST(SupervisedMission, TellsNothingOfItsOtherRulesWhenItIsOver) {
+  Rig rig = under_way(with_rule({.condition = Condition::kAltitude, .limit = 50.0, .persistence = {}, .response = Response::kWarn}));
+  rig.sail(Order::kAbort);
+  rig.take(messages::VehicleStatus{.time = rig.now, .altitude = Meters{40}});
+  for (int i = 0; i < 60; ++i) {
+    rig.step({});  // no fix, no SNR
+    EXPECT_TRUE(rig.outputs.safety_events.empty()) << i;
+  }
+  EXPECT_EQ(rig.end_reason(), EndReason::kOperatorAbort);
+}
+
+TEST(SupervisedMission, SaysNothingAfterASearchThatOnlyListened) {
+  Rig rig(*policy_that_goes(kNorthward), with_release());
+  rig.sail(Order::kListen);
+  rig.sail(Order::kAbort);
+  rig.take(messages::VehicleStatus{.time = rig.now, .has_leak = true});
+  for (int i = 0; i < 5; ++i) {
+    rig.sail();
+    EXPECT_TRUE(rig.outputs.safety_events.empty());
+    EXPECT_FALSE(rig.outputs.setpoint);
+  }
+}
+
+// 320 m at 0.1 m/s are 3200 s, from the last fix on; its circle is 20 m in radius.
+TEST(SupervisedMission, BringsATorpedoUpWithoutFixesRoundACircleAndThenStops) {
+  config::Mission mission = fenced_mission();
+  mission.safety.vehicle.ascent_speed = MetersPerSecond{1};
+  Rig rig = under_way(mission);
+  NorthEast from = rig.position;
+  double farthest_m = 0.0;
+  for (int i = 1; i <= 3300; ++i) {
+    rig.step({.snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
+    if (i == 6) from = rig.position;
+    rig.move();
+    if (i >= 6) farthest_m = std::max(farthest_m, range_between(rig.position, from).value);
+    EXPECT_EQ(rig.state(), i <= 5 ? MissionState::kSearch : MissionState::kAbort) << i;
+    if (i >= 6) {
+      EXPECT_EQ(rig.setpoint.speed.value, i <= 3200 ? 1.0 : 0.0) << i;
+    }
+  }
+  EXPECT_NEAR(farthest_m, 40.0, 1.0) << "straight on it would be 3 km";
+}
+
+TEST(SupervisedMission, BringsATorpedoUpRoundACircleWhenItsFixesFreeze) {
+  config::Mission mission = fenced_mission();
+  mission.safety.vehicle.ascent_speed = MetersPerSecond{1};
+  Rig rig = under_way(mission);
+  const messages::Navigation frozen = rig.navigation_at(rig.now);
+  NorthEast from = rig.position;
+  double farthest_m = 0.0;
+  for (int i = 1; i <= 1000; ++i) {
+    messages::Navigation fix = frozen;
+    fix.time = rig.now + Duration::seconds(1);
+    rig.step({.navigation = fix, .snr = messages::SnrMeasurement{.time = rig.now, .snr = rig.snr}});
+    rig.move();
+    if (i == 10) from = rig.position;
+    if (i > 10) farthest_m = std::max(farthest_m, range_between(rig.position, from).value);
+  }
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_NEAR(farthest_m, 40.0, 1.0);
+}
+
+TEST(SupervisedMission, HearsAnOperatorInVerifiedOrdersOnly) {
+  config::Mission mission =
+      with_rule({.condition = Condition::kOperatorAge, .limit = 60, .persistence = {}, .response = Response::kHold, .is_latched = false});
+  mission.authority.needs_verified_commands = true;
+  Rig rig(*policy_that_goes(kNorthward), mission);
+  const auto say = [&rig](bool is_verified, std::uint32_t number) {
+    messages::OperatorCommand command = command_of(number == 1 ? Order::kStart : Order::kResume, rig.now, number);
+    command.is_verified = is_verified;
+    rig.take(command);
+  };
+  say(true, 1);
+  for (int i = 0; i < 60; ++i) {
+    rig.sail();
+    say(false, 2);
+  }
+  EXPECT_EQ(rig.outputs.health.response, Response::kWarn);
+  rig.sail();
+  EXPECT_EQ(rig.outputs.health.response, Response::kHold) << "none that it knows was heard for a minute";
+  say(true, 2);
+  rig.sail();
+  EXPECT_EQ(rig.outputs.health.response, Response::kWarn);
+}
+
 TEST(SupervisedMission, KeepsTheWeightInAnOperatorsAbort) {
   Rig rig = under_way(fenced_mission());
   rig.sail(Order::kAbort);

@@ -55,6 +55,10 @@ TEST(SafetyCheck, RefusesAVehicleThatCannotBe) {
   EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.vehicle.max_speed = MetersPerSecond{2}; }), SafetyFault::kNone);
   EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.vehicle.max_current = MetersPerSecond{2}; }), SafetyFault::kVehicle)
       << "it could not come back against it";
+  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.vehicle.hold_speed = MetersPerSecond{2}; }), SafetyFault::kNone);
+  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.vehicle.hold_speed = MetersPerSecond{2.1}; }), SafetyFault::kVehicle);
+  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.vehicle.ascent_speed = MetersPerSecond{3}; }), SafetyFault::kNone);
+  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.vehicle.ascent_speed = MetersPerSecond{3.1}; }), SafetyFault::kVehicle);
 }
 
 TEST(SafetyCheck, RefusesAFenceThatIsNone) {

@@ -113,7 +113,7 @@ TEST(SafeWaypoint, NeverLeavesTheMarginsNorGivesLessThanHalfAStepInTheSmallestAr
 }
 
 TEST(SafeSetpoint, LeavesASetpointWithinItsLimitsAlone) {
-  const SafeSetpoint safe = safe_setpoint(mission(), kFix, kWanted);
+  const SafeSetpoint safe = safe_setpoint(mission(), kFix, kWanted, {});
   EXPECT_EQ(safe.setpoint, kWanted);
   EXPECT_FALSE(safe.limited);
 }
@@ -122,13 +122,13 @@ TEST(SafeSetpoint, KeepsDepthAndSpeedWithinTheirLimits) {
   messages::Setpoint wanted = kWanted;
   wanted.depth = Meters{351};
   wanted.speed = MetersPerSecond{2.1};
-  SafeSetpoint safe = safe_setpoint(mission(), kFix, wanted);
+  SafeSetpoint safe = safe_setpoint(mission(), kFix, wanted, {});
   EXPECT_TRUE(safe.limited);
   EXPECT_EQ(safe.setpoint.depth, Meters{350});
   EXPECT_EQ(safe.setpoint.speed, MetersPerSecond{2});
   wanted.depth = Meters{-1};
   wanted.speed = MetersPerSecond{-0.1};
-  safe = safe_setpoint(mission(), kFix, wanted);
+  safe = safe_setpoint(mission(), kFix, wanted, {});
   EXPECT_TRUE(safe.limited);
   EXPECT_EQ(safe.setpoint.depth, Meters{0});
   EXPECT_EQ(safe.setpoint.speed, MetersPerSecond{0});
@@ -143,9 +143,9 @@ TEST(SafeSetpoint, BringsTheVehicleUpWhenAnythingIsNotFinite) {
       if (field == 2) wanted.depth = Meters{bad};
       if (field == 3) wanted.waypoint.north = Meters{bad};
       if (field == 4) wanted.waypoint.east = Meters{bad};
-      const SafeSetpoint safe = safe_setpoint(mission(), kFix, wanted);
+      const SafeSetpoint safe = safe_setpoint(mission(), kFix, wanted, {});
       EXPECT_TRUE(safe.limited) << field;
-      EXPECT_EQ(safe.setpoint, come_up({}, kFix)) << field;
+      EXPECT_EQ(safe.setpoint, come_up(mission(), kFix, {})) << field;
     }
   }
 }
@@ -157,13 +157,13 @@ messages::Navigation fix_of(double heading, double depth) {
 constexpr double kPi = 3.141592653589793;
 
 TEST(ComeUp, KeepsAHeadingBeyondHalfATurnAsTheSameDirectionWithin) {
-  const auto heading_of = [](double heading) { return come_up({}, fix_of(heading, 300)).heading.value; };
+  const auto heading_of = [](double heading) { return come_up(mission(), fix_of(heading, 300), {}).heading.value; };
   EXPECT_NEAR(heading_of(4.0), 4.0 - 2.0 * kPi, 1e-15);   // doubles near 4
   EXPECT_NEAR(heading_of(-4.0), 2.0 * kPi - 4.0, 1e-15);  // as above
 }
 
 TEST(ComeUp, StopsWhereTheVehicleIsWhenItFloatsUpByItself) {
-  const messages::Setpoint setpoint = come_up({}, fix_of(1.5, 300));
+  const messages::Setpoint setpoint = come_up(mission(), fix_of(1.5, 300), {});
   EXPECT_EQ(setpoint.speed, MetersPerSecond{0});
   EXPECT_EQ(setpoint.depth, Meters{0});
   EXPECT_EQ(setpoint.heading, Radians{1.5});
@@ -171,16 +171,44 @@ TEST(ComeUp, StopsWhereTheVehicleIsWhenItFloatsUpByItself) {
   EXPECT_FALSE(setpoint.release_weight);
 }
 
+config::Mission mission_of_a_torpedo() {
+  config::Mission torpedo = mission();
+  torpedo.max_depth = Meters{400};
+  torpedo.safety.vehicle.ascent_speed = MetersPerSecond{0.7};
+  torpedo.safety.vehicle.turn_radius = Meters{35};
+  return torpedo;
+}
+
 TEST(ComeUp, KeepsAHullThatNeedsSpeedGoingRoundUntilItIsAtTheSurface) {
-  config::VehicleLimits torpedo;
-  torpedo.ascent_speed = MetersPerSecond{0.7};
-  const messages::Setpoint deep = come_up(torpedo, fix_of(3.0, 2.5));
+  const messages::Setpoint deep = come_up(mission_of_a_torpedo(), fix_of(3.0, 2.5), {});
   EXPECT_EQ(deep.speed, MetersPerSecond{0.7});
   EXPECT_EQ(deep.depth, Meters{0});
   EXPECT_NEAR(deep.heading.value, 3.0 - 1.5 * kPi, 1e-15) << "a quarter of a turn to the right, over south";
-  const messages::Setpoint up = come_up(torpedo, fix_of(3.0, 2.0));
+  const messages::Setpoint up = come_up(mission_of_a_torpedo(), fix_of(3.0, 2.0), {});
   EXPECT_EQ(up.speed, MetersPerSecond{0});
   EXPECT_EQ(up.heading, Radians{3.0});
+}
+
+TEST(ComeUp, GoesOnTurningWhenNobodySaysWhereTheVehiclePoints) {
+  const auto heading_after = [](std::int64_t s) {
+    return come_up(mission_of_a_torpedo(), fix_of(0.5, 300), Duration::seconds(s)).heading.value;
+  };
+  EXPECT_NEAR(heading_after(10), 0.5 + kPi / 2 + 0.1, 1e-12) << "7 m round a circle of 70 m";
+  EXPECT_NEAR(heading_after(300), 0.5 + kPi / 2 + 3.0 - 2 * kPi, 1e-12);
+}
+
+// 400 m at 0.1 m/s.
+TEST(ComeUp, StopsWithoutFixesOnceTheVehicleHadTheTimeToComeUp) {
+  const auto after = [](Duration unseen) { return come_up(mission_of_a_torpedo(), fix_of(0.5, 300), unseen); };
+  EXPECT_EQ(after(Duration::seconds(4000)).speed, MetersPerSecond{0.7});
+  EXPECT_EQ(after(Duration{4'000'000'001}).speed, MetersPerSecond{0});
+  EXPECT_EQ(after(Duration{4'000'000'001}).heading, Radians{0.5});
+}
+
+TEST(BlindRadius, IsTwiceTheVehiclesAndNoneIsTighterThanTwentyMetres) {
+  EXPECT_EQ(blind_radius(Meters{0}), Meters{20});
+  EXPECT_EQ(blind_radius(Meters{10}), Meters{20});
+  EXPECT_EQ(blind_radius(Meters{30}), Meters{60});
 }
 
 }  // namespace

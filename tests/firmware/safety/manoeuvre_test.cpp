@@ -51,6 +51,19 @@ TEST_F(ManoeuvreTest, KeepsTheSideOfItsTurnWhateverBecomesNearerMeanwhile) {
 }
 
 // Northwards over the northern edge and 1 m from the eastern one: its circle to the right, 200 m across, ends 99 m beyond the save polygon.
+TEST_F(ManoeuvreTest, ChoosesItsSideAnewWhenItWasInsideMeanwhile) {
+  for (const Response response : {Response::kHold, Response::kReturn}) {
+    is_steered_back_ = true;
+    EXPECT_NEAR(of(response, at(5000, 10'200), kEast - 0.1).heading.value, -0.1, 1e-12) << "to the left, over north";
+    is_steered_back_ = false;
+    (void)of(response, at(5000, 9000), kNorth);
+    is_steered_back_ = true;
+    EXPECT_NEAR(of(response, at(5000, 10'200), kEast + 0.1).heading.value, kSouth + 0.1 - 2 * kSouth, 1e-12) << "to the right, over south";
+    is_steered_back_ = false;
+    (void)of(response, at(5000, 9000), kNorth);
+  }
+}
+
 TEST_F(ManoeuvreTest, TurnsInACornerToWhereThereIsRoom) {
   mission_.safety.vehicle.turn_radius = Meters{100};
   EXPECT_NEAR(of(Response::kSteerBack, at(10'090, 9'999), kNorth).heading.value, kWest, 1e-12);

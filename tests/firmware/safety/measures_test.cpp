@@ -74,6 +74,11 @@ TEST_F(Measures, OfDepthAndAltitudeAreWhatTheyWillBeInFiveSeconds) {
   put(fix_at(after(4), at(5012, 5000), 0.0, 290.0));
   EXPECT_EQ(of(Condition::kDepth), 290.0) << "on its way up it is as deep as it is";
   EXPECT_EQ(of(Condition::kAltitude), 80.0);
+  put(fix_at(after(2), at(5016, 5000), 0.0, 290.4));  // 0.2 m/s down
+  EXPECT_EQ(of(Condition::kDepth), 290.4) << "so much, a vehicle that keeps its depth goes up and down";
+  EXPECT_EQ(of(Condition::kAltitude), 80.0);
+  put(fix_at(after(2), at(5020, 5000), 0.0, 290.9));  // 0.25 m/s down
+  EXPECT_NEAR(*of(Condition::kDepth), 292.15, 1e-9);
   situation_.vehicle->altitude = Meters{std::numeric_limits<double>::quiet_NaN()};
   EXPECT_EQ(of(Condition::kAltitude), std::nullopt) << "no bottom in reach";
 }

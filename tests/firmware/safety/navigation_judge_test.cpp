@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+
+#include "firmware/core/random.hpp"
 
 namespace earshot::safety {
 namespace {
@@ -38,7 +41,9 @@ TEST_F(Judged, BelievesAFixAsFarAsTheVehicleCanHaveGoneAndNoFurther) {
   EXPECT_TRUE(takes(fix(1000, 0)));
   EXPECT_FALSE(takes(fix(2000, 29.1))) << "4 m and 25 m of noise";
   EXPECT_EQ(judge_.newest()->position.north, Meters{0});
-  EXPECT_NEAR(judge_.jump(at_ms(2000)).value, 0.1, 1e-12);  // a difference of numbers about 29
+  EXPECT_EQ(judge_.jump(at_ms(2000)), Meters{0}) << "one may be noise";
+  EXPECT_FALSE(takes(fix(2000, 629)));
+  EXPECT_EQ(judge_.jump(at_ms(2000)), Meters{600});
   EXPECT_TRUE(takes(fix(2000, 29)));
   EXPECT_TRUE(takes(fix(3000, 0))) << "and back";
 }
@@ -74,8 +79,56 @@ TEST_F(Judged, StaysWithTheFirstOfTwoSenders) {
   for (int ms = 1000; ms < 30'000; ms += 1000) {
     EXPECT_TRUE(takes(fix(ms, 0.002 * ms)));
     EXPECT_FALSE(takes(fix(ms + 500, 300 + 0.002 * ms)));
-    EXPECT_GT(judge_.jump(at_ms(ms + 500)), Meters{250});
+    if (ms > 10'000) {
+      EXPECT_GT(judge_.jump(at_ms(ms + 500)), Meters{250}) << "half of the fixes: no noise";
+    }
   }
+}
+
+// Ten fixes a second, each up to 15 m north or south and east or west.
+TEST_F(Judged, CallsNoiseNoJumpThatLasts) {
+  Pcg32 random(3);
+  int refused = 0;
+  int lasts = 0;
+  int longest = 0;
+  for (int i = 0; i < 36'000; ++i) {
+    const double north_m = 0.2 * i + 30.0 * random.uniform_double() - 15.0;
+    if (!takes(fix(1000 + 100 * i, north_m, 30.0 * random.uniform_double() - 15.0))) ++refused;
+    lasts = judge_.jump(at_ms(1000 + 100 * i)) > Meters{0} ? lasts + 1 : 0;
+    longest = std::max(longest, lasts);
+  }
+  EXPECT_LT(longest, 20) << "two seconds; the rule waits for ten";
+  EXPECT_GT(refused, 500) << "there is noise";
+}
+
+// 20 m further off every second than the vehicle can have gone.
+TEST_F(Judged, RefusesAPlaceThatCreepsAwayFromWhereTheVehicleCanBe) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  int believed = 0;
+  while (believed < 100 && takes(fix(2000 + 1000 * believed, 24.0 * (believed + 1)))) ++believed;
+  EXPECT_EQ(believed, 2) << "50 m more than 4 m/s make";
+}
+
+TEST_F(Judged, HoldsAFixAgainstOneOfAMinuteAgo) {
+  for (int s = 1; s <= 200; ++s) EXPECT_TRUE(takes(fix(1000 * s, 4.2 * s))) << "0.2 m/s too fast are 24 m in two minutes: " << s;
+  int s = 201;
+  while (s < 400 && takes(fix(1000 * s, 840 + 4.9 * (s - 200)))) ++s;
+  EXPECT_LT(s, 280) << "0.9 m/s too fast are more than 50 m";
+}
+
+TEST_F(Judged, BelievesCorrectionsOfFiveHundredMetresInTenMinutes) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  const auto jump_to = [this](int from_ms, double north_m) {
+    bool is_believed = false;
+    for (int ms = from_ms; ms <= from_ms + 4000; ms += 500) is_believed = takes(fix(ms, north_m)) || is_believed;
+    return is_believed;
+  };
+  EXPECT_TRUE(jump_to(5000, 300));
+  EXPECT_FALSE(jump_to(10'000, 600)) << "some 250 m of corrections each";
+  EXPECT_TRUE(jump_to(15'000, 300));
+  EXPECT_TRUE(jump_to(20'000, 500)) << "but 170 m more";
+  EXPECT_TRUE(takes(fix(609'000, 500)));
+  EXPECT_TRUE(jump_to(620'000, 900)) << "ten minutes later";
 }
 
 TEST_F(Judged, RefusesDatesFarFromTheirArrival) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/firmware/safety/rule_rig.hpp"
 
 namespace earshot::safety {
@@ -116,6 +118,43 @@ TEST_F(Supervised, LeavesARuleAtRestWhoseMeasureNobodyKnows) {
   EXPECT_TRUE(second().empty());
 }
 
+TEST_F(Supervised, GoesOnWithWhatWasLastKnownOfAMeasureThatIsKnownNoLonger) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  arm({.condition = Condition::kAltitude, .limit = 10, .persistence = Duration::seconds(3), .response = Response::kSurface});
+  begin();
+  situation_.vehicle->altitude = Meters{kUnknown};
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(second().empty()) << "nothing was ever known";
+  situation_.vehicle->altitude = Meters{5};
+  EXPECT_TRUE(second().empty());
+  situation_.vehicle->altitude = Meters{kUnknown};
+  EXPECT_TRUE(second().empty());
+  EXPECT_TRUE(second().empty());
+  const SafetyEvents events = second();
+  ASSERT_EQ(events.size(), 1U) << "too near to the bottom to see it is no way out";
+  EXPECT_TRUE(events[0].begins);
+  EXPECT_EQ(events[0].measure, 5.0);
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(second().empty());
+  EXPECT_EQ(supervisor_.response(), Response::kSurface);
+  situation_.vehicle->altitude = Meters{30};
+  EXPECT_EQ(second().size(), 1U);
+  EXPECT_EQ(supervisor_.response(), std::nullopt);
+}
+
+TEST_F(Supervised, WatchesAfterAMissionForWhatReleasesTheWeightOnly) {
+  arm(battery_below(20, Response::kAbort));
+  arm({.condition = Condition::kLeak, .limit = 0, .persistence = Duration::seconds(2), .response = Response::kRelease, .is_latched = true});
+  begin();
+  situation_.vehicle->battery_percent = 5;
+  situation_.vehicle->has_leak = true;
+  for (int i = 0; i < 2; ++i) {
+    situation_.now = situation_.now + Duration::seconds(1);
+    EXPECT_TRUE(supervisor_.watch_for_release(mission_, situation_).empty()) << "an abort says nothing new";
+  }
+  situation_.now = situation_.now + Duration::seconds(1);
+  ASSERT_EQ(supervisor_.watch_for_release(mission_, situation_).size(), 1U);
+  EXPECT_EQ(supervisor_.cause(), Condition::kLeak);
+}
+
 TEST_F(Supervised, HasRulesThatNoMissionCanSwitchOff) {
   const config::Mission bare = [] {
     config::Mission mission = fenced_mission();
@@ -148,9 +187,9 @@ TEST_F(Supervised, TellsTheFirstOfSeveralRulesThatWantTheSame) {
   EXPECT_EQ(supervisor_.cause(), Condition::kNavigationAge);
 }
 
-TEST_F(Supervised, HoldsAVehicleToATighterDepthFromWhenItHasComeThere) {
-  begin();
-  const auto at_depth = [this](double depth_m, int seconds) {
+class ToldToComeUp : public Supervised {
+ protected:
+  void at_depth(double depth_m, int seconds) {
     for (int i = 0; i < seconds; ++i) {
       const Time now = situation_.now + Duration::seconds(1);
       situation_ = well(mission_, at(5000 + 2 * i, 5000), 0.0, depth_m);
@@ -160,7 +199,57 @@ TEST_F(Supervised, HoldsAVehicleToATighterDepthFromWhenItHasComeThere) {
       static_cast<void>(situation_.navigation.take(now, fix, true));
       (void)supervisor_.watch(mission_, situation_);
     }
-  };
+  }
+  void tighten(double max_depth_m) {
+    mission_.max_depth = Meters{max_depth_m};
+    supervisor_.tighten(mission_);
+  }
+};
+
+// Of 320 m; 100 m at 0.1 m/s and a minute.
+TEST_F(ToldToComeUp, HasTheTimeToAndNoLonger) {
+  begin();
+  tighten(200);
+  at_depth(300, 1060);
+  EXPECT_FALSE(supervisor_.acts_on(Condition::kDepth));
+  at_depth(300, 5);
+  EXPECT_FALSE(supervisor_.acts_on(Condition::kDepth)) << "5 s are nothing yet";
+  at_depth(300, 1);
+  EXPECT_TRUE(supervisor_.acts_on(Condition::kDepth));
+}
+
+TEST_F(ToldToComeUp, MayGoNoDeeperMeanwhileThanItWasAndALittle) {
+  begin();
+  tighten(100);
+  at_depth(250, 1);
+  at_depth(275, 10);
+  EXPECT_FALSE(supervisor_.acts_on(Condition::kDepth));
+  at_depth(275.5, 6);
+  EXPECT_TRUE(supervisor_.acts_on(Condition::kDepth));
+}
+
+TEST_F(ToldToComeUp, TwiceIsHeldToWhatItReachedOfTheFirst) {
+  begin();
+  tighten(200);
+  at_depth(300, 1);
+  tighten(150);
+  for (int depth_m = 299; depth_m > 180; --depth_m) at_depth(depth_m, 2);
+  EXPECT_FALSE(supervisor_.acts_on(Condition::kDepth));
+  at_depth(210, 7);
+  EXPECT_TRUE(supervisor_.acts_on(Condition::kDepth)) << "from 181 m it may go to 206 m";
+}
+
+TEST_F(ToldToComeUp, AgainHasTheTimeAnew) {
+  begin();
+  tighten(200);
+  at_depth(300, 1000);
+  tighten(190);
+  at_depth(300, 1000);
+  EXPECT_FALSE(supervisor_.acts_on(Condition::kDepth));
+}
+
+TEST_F(ToldToComeUp, IsHeldToATighterDepthFromWhenItHasComeThere) {
+  begin();
   mission_.max_depth = Meters{200};
   supervisor_.tighten(mission_);
   at_depth(300, 20);

@@ -116,6 +116,8 @@ TEST(SafetyTable, MayBeLeftOut) {
 
 TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
   EXPECT_EQ(complaint("max_current_mps = 0.5", "max_current_mps = 2.0").substr(0, 23), "vehicle.max_current_mps");
+  EXPECT_EQ(complaint("hold_speed_mps = 1.0", "hold_speed_mps = 2.1").substr(0, 22), "vehicle.hold_speed_mps");
+  EXPECT_EQ(complaint("ascent_speed_mps = 1.5", "ascent_speed_mps = 3.1").substr(0, 24), "vehicle.ascent_speed_mps");
   EXPECT_NE(complaint("inside_east_m = [0, 0, 25000, 25000]", "inside_east_m = [0, 0, 25000]")
                 .find("must have as many numbers as inside_north_m"),
             std::string::npos);
