@@ -50,10 +50,11 @@ Meters blind_radius(Meters turn_radius) {
   return std::max(2.0 * turn_radius, Meters{20.0});
 }
 
-messages::Setpoint come_up(const config::Mission& mission, const messages::Navigation& fix, Duration unseen) {
+messages::Setpoint come_up(const config::Mission& mission, const messages::Navigation& fix, Duration unseen, Duration told) {
   const config::VehicleLimits& vehicle = mission.safety.vehicle;
   const bool had_time = unseen.to_seconds() > mission.max_depth.value / kSlowestAscent.value;
-  const bool must_move = vehicle.ascent_speed.value > 0.0 && fix.depth > kAtSurface && !had_time;
+  const bool is_up = fix.depth <= kAtSurface && unseen - told < kDivesAgain;
+  const bool must_move = vehicle.ascent_speed.value > 0.0 && !is_up && !had_time;
   const Radians turned_on{vehicle.ascent_speed.value / blind_radius(vehicle.turn_radius).value * unseen.to_seconds()};
   return {.heading = wrap_to_pi(must_move ? fix.heading + kQuarterTurn + turned_on : fix.heading),
           .speed = must_move ? vehicle.ascent_speed : MetersPerSecond{0.0},

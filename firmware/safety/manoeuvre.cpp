@@ -40,6 +40,7 @@ NorthEast place_inside(const config::Mission& mission, const Situation& situatio
 messages::Setpoint Manoeuvre::setpoint(const config::Mission& mission, const Situation& situation, config::Response response) {
   const bool steers_back = situation.is_steered_back || response <= config::Response::kSteerBack;
   if (!steers_back) side_ = Side::kNone;  // the next time that it is beyond the fence is another
+  if (response < config::Response::kSurface) coming_up_.reset();
   switch (response) {
     case config::Response::kWarn:
     case config::Response::kSteerBack:
@@ -54,12 +55,12 @@ messages::Setpoint Manoeuvre::setpoint(const config::Mission& mission, const Sit
     case config::Response::kAbort:
       break;
     case config::Response::kRelease: {
-      messages::Setpoint setpoint = come_up(mission, *situation.navigation.newest(), situation.unseen());
+      messages::Setpoint setpoint = come_up_from(mission, situation);
       setpoint.release_weight = true;
       return setpoint;
     }
   }
-  return come_up(mission, *situation.navigation.newest(), situation.unseen());
+  return come_up_from(mission, situation);
 }
 
 /// A vehicle that must turn by more than a right angle turns to where its circle lies less far beyond the fence: in a corner the shorter
@@ -118,10 +119,15 @@ messages::Setpoint Manoeuvre::hold(const config::Mission& mission, const Situati
   return stay_at(mission, situation, *holding_);
 }
 
+messages::Setpoint Manoeuvre::come_up_from(const config::Mission& mission, const Situation& situation) {
+  if (!coming_up_) coming_up_ = situation.now;
+  return come_up(mission, *situation.navigation.newest(), situation.unseen(), situation.now - *coming_up_);
+}
+
 messages::Setpoint Manoeuvre::surface(const config::Mission& mission, const Situation& situation) {
   const messages::Navigation& fix = *situation.navigation.newest();
   const config::Polygon* zone = zone_at(mission.safety, fix.position);
-  if (zone == nullptr || fix.depth <= kAtSurface) return come_up(mission, fix, situation.unseen());
+  if (zone == nullptr || fix.depth <= kAtSurface) return come_up_from(mission, situation);
   const NorthEast edge = nearest_on_edges(zone->span(), fix.position);
   const NorthEast way = edge - fix.position;
   return {.heading = edge == fix.position ? wrap_to_pi(fix.heading) : bearing_of(way.north.value, way.east.value),

@@ -110,7 +110,8 @@ class Flight {
       const double drifted_m = current_mps * (now_ - ended).to_seconds();
       const double far_m = range_between(from, vehicle_.position()).value;
       if (far_m > round_m + drifted_m + 5.0) broken_ = "it comes up " + std::to_string(far_m) + " m off";
-      if (outputs_.health.end_reason != reason) broken_ = "it ends twice";
+      const bool is_aborted = has(Fault::kAbortOrder) && outputs_.health.state == MissionState::kAbort;
+      if (outputs_.health.end_reason != reason && !is_aborted) broken_ = "it ends twice";
       const Duration leak_lasts = drawn_.mission.safety.rules[0].persistence + kSlack;
       const bool is_watched = reason != messages::EndReason::kMemoryFault;
       const bool must_release = is_watched && leaks_ && now_ > ended + Duration::seconds(kLeakAfterEnd_s) + leak_lasts;

@@ -205,6 +205,19 @@ TEST(ComeUp, StopsWithoutFixesOnceTheVehicleHadTheTimeToComeUp) {
   EXPECT_EQ(after(Duration{4'000'000'001}).heading, Radians{0.5});
 }
 
+// It dives from 2 m down to 5 m, say, while nobody sees it.
+TEST(ComeUp, DoesNotBelieveAFixAtTheSurfaceFromBeforeItWasTold) {
+  const auto after = [](double unseen_s, double told_s) {
+    const auto of = [](double s) { return Duration{static_cast<std::int64_t>(s * 1e6)}; };
+    return come_up(mission_of_a_torpedo(), fix_of(0.5, 2.0), of(unseen_s), of(told_s)).speed;
+  };
+  EXPECT_EQ(after(1.9, 0.0), MetersPerSecond{0.0});
+  EXPECT_EQ(after(2.0, 0.0), MetersPerSecond{0.7});
+  EXPECT_EQ(after(12.0, 10.0), MetersPerSecond{0.7}) << "2 s before it was told";
+  EXPECT_EQ(after(100.0, 110.0), MetersPerSecond{0.0}) << "10 s after it was told, when it came up";
+  EXPECT_EQ(after(4000.1, 10.0), MetersPerSecond{0.0}) << "it had the time";
+}
+
 TEST(BlindRadius, IsTwiceTheVehiclesAndNoneIsTighterThanTwentyMetres) {
   EXPECT_EQ(blind_radius(Meters{0}), Meters{20});
   EXPECT_EQ(blind_radius(Meters{10}), Meters{20});

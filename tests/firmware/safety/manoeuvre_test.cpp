@@ -124,6 +124,25 @@ TEST_F(ManoeuvreTest, LeavesAZoneBeforeItComesUp) {
   EXPECT_EQ(of(Response::kAbort, at(2900, 2500), kSouth).depth, Meters{0}) << "an abort asks nobody";
 }
 
+// The fix at 1 m is as old as it is unseen; it was taken before, or after, the vehicle was told to come up.
+TEST_F(ManoeuvreTest, IsAtTheSurfaceOnceItWasSeenThereAfterItWasTold) {
+  mission_.safety.vehicle.ascent_speed = MetersPerSecond{0.7};
+  const Situation seen = well(mission_, at(5000, 5000), kNorth, 1.0);
+  const auto speed_after = [&](std::int64_t s, Response response) {
+    Situation later = seen;
+    later.now = seen.now + Duration::seconds(s);
+    return manoeuvre_.setpoint(mission_, later, response).speed;
+  };
+  for (const Response response : {Response::kSurface, Response::kAbort, Response::kRelease}) {
+    EXPECT_EQ(speed_after(3, response), MetersPerSecond{0.7}) << "it may have dived for 3 s";
+    EXPECT_EQ(speed_after(60, response), MetersPerSecond{0.7});
+    (void)speed_after(60, Response::kHold);
+    EXPECT_EQ(speed_after(0, response), MetersPerSecond{0.0});
+    EXPECT_EQ(speed_after(60, response), MetersPerSecond{0.0}) << "it was up when it was told";
+    (void)speed_after(60, Response::kHold);
+  }
+}
+
 TEST_F(ManoeuvreTest, AsksForTheWeightOnlyWhereARuleSaysSo) {
   EXPECT_FALSE(of(Response::kAbort, at(5000, 5000), kNorth).release_weight);
   EXPECT_TRUE(of(Response::kRelease, at(5000, 5000), kNorth).release_weight);
