@@ -1,7 +1,4 @@
-"""Plants small faults one at a time in C++ files and says which of them the tests notice.
-
-usage: tests/mutation/run [FILE...] [--seed N] [--count N] [--far] [--seconds S] [--at-least PERCENT]
-"""
+"""Plants every fault of some files, runs the tests that come by each, and reports which were noticed."""
 
 from __future__ import annotations
 
@@ -16,29 +13,22 @@ import subprocess
 import sys
 import threading
 import time
-import tomllib
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType
 
-from project import BadInput, Project, Test
+from equivalents import Entry, complain_of, faults_meant, read_entries
+from project import BadInput, Commands, Project, Test
 from sites import Fault, arguments_for_clang, faults_of
 from switch import HEADER, switched
-
-ROOT = Path(__file__).resolve().parents[2]
-USUAL = [
-    f"firmware/{part}"
-    for part in ["core", "config", "messages", "policy", "guidance", "safety", "runtime", "wire", "host"]
-]
-USUAL += ["sim/pe", "sim/sonar", "sim/search", "policy/ppo", "policy/freeze"]
 
 
 @dataclass
 class Planted:
     file: str
     fault: Fault
+    excuse: Entry | None = None  # the list says that nobody can notice it
     seen_by: str = ""
     reached: bool = False
     left_out: float = 0.0  # seconds of tests for which there was no time
@@ -190,36 +180,12 @@ def look_for(planted: Planted, number: int, baseline: Baseline, seconds: float, 
             return
 
 
-Equivalents = dict[tuple[str, str, str], str]  # (file, its line without blanks around, change) -> why nobody can notice
+def time_told(seconds: float) -> str:
+    return f"{1000.0 * seconds:.0f} ms" if seconds < 1.0 else f"{seconds:.1f} s"
 
 
-def key_of(name: str, lines: list[str], fault: Fault) -> tuple[str, str, str]:
-    return name, lines[fault.line - 1].strip(), fault.change
-
-
-def read_equivalents(path: Path, root: Path, plans: dict[str, dict[int, Fault]]) -> Equivalents:
-    """What the list says of the files in `plans`. An entry that names no fault of its file, or no file, is an error."""
-    try:
-        listed = tomllib.loads(path.read_text()).get("equivalent", [])
-    except (OSError, tomllib.TOMLDecodeError) as e:
-        raise BadInput(f"{path}: {e}") from None
-    for entry in listed:
-        if entry.keys() != {"file", "line", "change", "reason"}:
-            raise BadInput(f"{path}: an entry needs file, line, change, reason and nothing else; it has {entry}")
-    same: Equivalents = {(e["file"], e["line"], e["change"]): e["reason"] for e in listed}
-    possible: set[tuple[str, str, str]] = set()
-    for name, plan in plans.items():
-        lines = (root / name).read_text().split("\n")
-        possible |= {key_of(name, lines, fault) for fault in plan.values()}
-    stale = [key for key in same if not (root / key[0]).is_file() or (key[0] in plans and key not in possible)]
-    if stale:
-        told = "".join(f"\n  {file}: {line}\n    {change}" for file, line, change in stale)
-        raise BadInput(f"{path}: no such fault (any more):{told}")
-    return same
-
-
-def report(name: str, planted: list[Planted], skipped: str, lines: list[str], same: Equivalents) -> tuple[int, int]:
-    counted = [p for p in planted if p.seen_by or key_of(name, lines, p.fault) not in same]
+def report(name: str, planted: list[Planted], skipped: str) -> tuple[int, int]:
+    counted = [p for p in planted if p.excuse is None]
     noticed = sum(1 for p in counted if p.seen_by)
     if not counted:
         return 0, 0
@@ -228,86 +194,21 @@ def report(name: str, planted: list[Planted], skipped: str, lines: list[str], sa
     for p in sorted(counted, key=lambda p: p.fault.line):
         if not p.seen_by:
             why = "" if p.reached else " (no test comes by)"
-            why += f" (tests of {p.left_out:.0f} s were not run)" if p.left_out else ""
+            why += f" (tests of {time_told(p.left_out)} were not run)" if p.left_out else ""
             print(f"  {name}:{p.fault.line}: survived: {p.fault.kind}: {p.fault.change}{why}")
     return noticed, len(counted)
 
 
-def number_from(lowest: float, highest: float, kind: type[int] | type[float]) -> Callable[[str], float]:
-    """A reader of numbers of a command line."""
-
-    def read(text: str) -> float:
-        with contextlib.suppress(ValueError):
-            value = kind(text)
-            if lowest <= value <= highest:
-                return value
-        raise argparse.ArgumentTypeError(f"{text} is no {'whole ' * (kind is int)}number from {lowest} to {highest}")
-
-    return read
+def report_refuted(planted: list[Planted]) -> bool:
+    """Names the entries of the list of equivalents whose fault a test notices. @return whether there is one"""
+    refuted = [p for p in planted if p.excuse is not None and p.seen_by]
+    for p in refuted:
+        print(f"no equivalent, a test notices it: {p.file}:{p.fault.line}: {p.fault.change}: {p.seen_by}")
+    return bool(refuted)
 
 
-def read_command_line() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="tests/mutation/run", description=(__doc__ or "").split("\n")[0])
-    parser.add_argument(
-        "files", nargs="*", metavar="FILE", help="a C++ source or header, or a folder of them (default: all that fly)"
-    )
-    parser.add_argument(
-        "--seed", type=number_from(0, 2**63, int), default=1, help="which faults are chosen (default 1)"
-    )
-    parser.add_argument(
-        "--count",
-        type=number_from(0, 10**6, int),
-        default=60,
-        help="faults chosen of all in the files; 0 for all (default 60)",
-    )
-    parser.add_argument(
-        "--far", action="store_true", help="also tests outside the mirrored folder that do not include the file"
-    )
-    seconds = number_from(0.001, 86_400, float)
-    parser.add_argument("--seconds", type=seconds, default=60.0, help="tests of that long for one fault (default 60)")
-    parser.add_argument(
-        "--at-least",
-        type=number_from(0, 100, float),
-        default=0.0,
-        metavar="PERCENT",
-        help="exit status 1 when fewer are noticed",
-    )
-    options = parser.parse_args()
-    if options.count < 0:
-        parser.error("argument --count: 0 for all faults, or how many")
-    if not options.seconds > 0:
-        parser.error("argument --seconds: more than 0")
-    if not 0 <= options.at_least <= 100:
-        parser.error("argument --at-least: 0 to 100")
-    return options
-
-
-def files_named(named: list[str]) -> list[str]:
-    """The C++ files of the tree that are named, or lie in a folder that is, each once, from the root on."""
-    command = ["git", "ls-files", "-z", "-co", "--exclude-standard", "*.cpp", "*.hpp"]
-    listed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout.split("\0")
-    found: dict[str, None] = {}
-    for name in named:
-        path = Path(name).resolve() if Path(name).exists() else ROOT / name
-        inside = [f for f in listed if f and (ROOT / f == path or path in (ROOT / f).parents)]
-        if not inside or not name:
-            raise BadInput(f'"{name}": no C++ file or folder with one in this tree')
-        found |= dict.fromkeys(inside)
-    return list(found)
-
-
-def main() -> int:
-    options = read_command_line()
-    try:
-        return run(options)
-    except BadInput as e:
-        print(f"tests/mutation/run: {e}", file=sys.stderr)
-        return 2
-
-
-def run(options: argparse.Namespace) -> int:
-    names = files_named(options.files or USUAL)
-    place = ROOT / "build" / "mutation"
+def run(options: argparse.Namespace, names: list[str], root: Path, listed: Path) -> int:
+    place = root / "build" / "mutation"
     with contextlib.ExitStack() as stack:
         try:
             place.mkdir(parents=True, exist_ok=True)
@@ -319,36 +220,46 @@ def run(options: argparse.Namespace) -> int:
             raise BadInput(f"{e.filename}: {e.strerror}") from None
         for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
             signal.signal(number, RUNNING.stop)
-        return measure(options, names, Project(ROOT, place), Path(__file__).with_name("equivalents.toml"))
+        return measure(options, names, Project(root, place), listed)
 
 
 def measure(options: argparse.Namespace, names: list[str], project: Project, listed: Path) -> int:
+    entries = read_entries(listed, project.root)
     project.copy({})
     project.configure(HEADER)
+    commands = Commands(project.tree, project.build)
     sources = {name: (project.root / name).read_bytes() for name in names}
     plans: dict[str, dict[int, Fault]] = {}
     constant: dict[str, int] = {}
+    excuses: dict[int, Entry] = {}
+    complaints: list[str] = []
     near: set[str] = set()
     programs: set[str] = set()
     next_number = 1
     for name in names:
-        found = faults_of(project.tree / name, arguments_for_clang(project.command_of(name)))
+        near_here, far_here = project.programs_of(name)
+        if not near_here:
+            print(f"{name}: not tried, it is part of no test program")
+            continue
+        found = faults_of(project.tree / name, arguments_for_clang(commands.of(name)))
+        meant, wrong = faults_meant(entries, name, sources[name].decode(), found)
+        complaints += wrong
         switchable = [f for f in found if f.switchable]
         constant[name] = len(found) - len(switchable)
         plans[name] = dict(enumerate(switchable, next_number))
+        excuses |= {number: meant[fault] for number, fault in plans[name].items() if fault in meant}
         next_number += len(switchable)
-        near_here, far_here = project.programs_of(name)
         near |= set(near_here)
         programs |= {*near_here, *(far_here if options.far else [])}
     if not programs:  # ninja would build everything
-        raise BadInput("no near test is made of these files; --far takes the others too")
-    same = read_equivalents(listed, project.root, plans)
+        raise BadInput("no test program is made of these files")
+    complain_of(listed, complaints)
     say(f"building {len(programs)} test programs with {next_number - 1} faults")
     dropped = build_without_errors(project, plans, sources, sorted(programs))
     baseline = measure_baseline(project, project.tests(programs), next_number)
     for failing in baseline.failing:
         print(f"left out, it fails with no fault planted: {failing}")
-    return run_all(options, plans, constant, dropped, baseline, near, sources, same)
+    return run_all(options, plans, constant, dropped, baseline, near, excuses)
 
 
 def run_all(
@@ -358,14 +269,13 @@ def run_all(
     dropped: dict[int, str],
     baseline: Baseline,
     near: set[str],
-    sources: dict[str, bytes],
-    same: Equivalents,
+    excuses: dict[int, Entry],
 ) -> int:
     chosen = sorted(number for plan in plans.values() for number in plan)
     if options.count and options.count < len(chosen):
         chosen = sorted(random.Random(options.seed).sample(chosen, options.count))
     of_file = {number: name for name, plan in plans.items() for number in plan}
-    planted = {number: Planted(of_file[number], plans[of_file[number]][number]) for number in chosen}
+    planted = {n: Planted(of_file[n], plans[of_file[n]][n], excuses.get(n)) for n in chosen}
     began = time.monotonic()
     with ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
         looking = [pool.submit(look_for, planted[number], number, baseline, options.seconds, near) for number in chosen]
@@ -373,12 +283,19 @@ def run_all(
             future.result()
             say(f"{done} of {len(looking)} faults")
     say("")
+    each = time_told((time.monotonic() - began) / max(len(chosen), 1))
+    return report_all(options.at_least, list(planted.values()), constant, dropped, each)
+
+
+def report_all(
+    at_least: float, planted: list[Planted], constant: dict[str, int], dropped: dict[int, str], each: str
+) -> int:
+    """@return exit status"""
     counts: dict[str, list[int]] = {}
-    for name in plans:
-        results = [planted[number] for number in chosen if of_file[number] == name]
+    for name, untried in constant.items():
         did_not_compile = sum(1 for n in dropped.values() if n == name)
-        skipped = f"{constant[name]} in constants not tried, {did_not_compile} did not compile, "
-        one, all_of_it = report(name, results, skipped, sources[name].decode().split("\n"), same)
+        skipped = f"{untried} in constants not tried, {did_not_compile} did not compile, "
+        one, all_of_it = report(name, [p for p in planted if p.file == name], skipped)
         of_folder = counts.setdefault(str(Path(name).parent), [0, 0])
         of_folder[0], of_folder[1] = of_folder[0] + one, of_folder[1] + all_of_it
     for folder, (noticed, counted) in counts.items():
@@ -386,11 +303,5 @@ def run_all(
     noticed = sum(n for n, _ in counts.values())
     counted = sum(c for _, c in counts.values())
     rate = 100.0 * noticed / counted if counted else 100.0
-    print(
-        f"{noticed} of {counted} noticed, {rate:.0f} %; {(time.monotonic() - began) / max(len(chosen), 1):.2f} s each"
-    )
-    return 0 if rate >= options.at_least else 1
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    print(f"{noticed} of {counted} noticed, {rate:.0f} %; {each} each")
+    return 1 if report_refuted(planted) or rate < at_least else 0

@@ -4,6 +4,7 @@ import argparse
 import contextlib
 import io
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -11,6 +12,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import equivalents
 import measure
 import sites
 import switch
@@ -76,7 +78,9 @@ class Finding(unittest.TestCase):
     def test_plants_nothing_where_only_the_compiler_looks(self):
         text = "constexpr int kSize = 3;\nint list[kSize + 1];\nconsteval int f(int a) { return a - 1; }"
         text += "\ntypedef int V __attribute__((vector_size(8)));\nV v = __builtin_shufflevector(V{}, V{}, 1, 0);"
-        self.assertEqual([f.change for f in faults(text) if f.switchable], [])
+        text += "\ntemplate <class T>\nconstexpr int kLanes = sizeof(T) / sizeof(char);"
+        text += "\nint lanes() { return kLanes<int>; }"
+        self.assertEqual({f.change for f in faults(text) if f.switchable}, {"lanes begins with return {};"})
 
     def test_plants_nothing_in_a_function_that_is_defaulted(self):
         text = "struct A { A& operator=(A&&) noexcept; int b; };\nA& A::operator=(A&& other) noexcept = default;"
@@ -135,6 +139,128 @@ int main() { std::printf("%d %d %d", f(1, 2), f(2, 2), f(3, 2)); }
             self.assertEqual(reached.read_bytes(), b"\0" + b"\1" * len(numbered))
 
 
+class Listing(unittest.TestCase):
+    """Two faults of its first line are alike, a third on its second."""
+
+    TEXT = "int f(int a) { return a < 0 ? 0 : a; }\n  int g(int a) { return a < 0 ? 0 : a; }\n"
+
+    def meant(self, *entries: equivalents.Entry) -> tuple[list[tuple[int, int]], list[str]]:
+        """The places of the faults that are meant: line and column, from 1; and the complaints."""
+        found, complaints = equivalents.faults_meant(list(entries), "some.cpp", self.TEXT, faults(self.TEXT))
+        places = [(f.line, f.start - self.TEXT.rfind("\n", 0, f.start)) for f in found]
+        return places, [c.split(":")[0] for c in complaints]
+
+    @staticmethod
+    def entry(function: str, change: str, occurrence: int | None = None) -> equivalents.Entry:
+        line = f"int {function}(int a) {{ return a < 0 ? 0 : a; }}"
+        return equivalents.Entry("some.cpp", line, change, "none", occurrence)
+
+    def test_means_the_one_fault_of_a_line_and_a_change(self):
+        self.assertEqual(self.meant(self.entry("f", "a < 0: < -> <=")), ([(1, 23)], []))
+        self.assertEqual(self.meant(self.entry("g", "a < 0: < -> <=")), ([(2, 25)], []))
+
+    def test_refuses_an_entry_that_several_faults_fit_unless_it_says_which(self):
+        self.assertEqual(
+            self.meant(self.entry("f", "0 -> 0 + 1")),
+            ([], ["2 faults are alike, say which by occurrence = 1 on line 1, 2 on line 1"]),
+        )
+        self.assertEqual(self.meant(self.entry("f", "0 -> 0 + 1", 1)), ([(1, 27)], []))
+        self.assertEqual(self.meant(self.entry("f", "0 -> 0 + 1", 2)), ([(1, 31)], []))
+        self.assertEqual(self.meant(self.entry("f", "0 -> 0 + 1", 3)), ([], ["no more than 2 such faults"]))
+
+    def test_counts_occurrences_through_all_lines_that_are_alike(self):
+        self.TEXT = "struct A { int f(); int g(); };\nint A::f() {\nreturn 3;\n}\nint A::g() {\n  return 3;\n}\n"
+        alike = [equivalents.Entry("some.cpp", "return 3;", "3 -> 3 + 1", "none", n) for n in (1, 2, 3)]
+        self.assertEqual(self.meant(*alike), ([(3, 8), (6, 10)], ["no more than 2 such faults"]))
+
+    def test_refuses_what_no_fault_fits_what_is_listed_twice_and_what_the_compiler_computes(self):
+        self.assertEqual(self.meant(self.entry("f", "0 -> 1")), ([], ["no such fault (any more)"]))
+        self.assertEqual(self.meant(self.entry("h", "a < 0: < -> <=")), ([], ["no such fault (any more)"]))
+        twice = self.entry("f", "a < 0: < -> <=")
+        self.assertEqual(self.meant(twice, twice), ([(1, 23)], ["listed twice"]))
+        self.TEXT = "constexpr int kSize = 3;\n"
+        constant = equivalents.Entry("some.cpp", "constexpr int kSize = 3;", "3 -> 3 + 1", "none")
+        self.assertEqual(self.meant(constant), ([], ["only the compiler computes this, so it is not tried"]))
+
+    def test_reads_entries_of_just_their_fields_for_files_that_are_there(self):
+        with tempfile.TemporaryDirectory() as place:
+            root, listed = Path(place), Path(place) / "equivalents.toml"
+            (root / "some.cpp").touch()
+            whole = '[[equivalent]]\nfile = "some.cpp"\nline = "a"\nchange = "b"\nreason = "c"\n'
+            listed.write_text(whole + "occurrence = 2\n" + whole)
+            there = equivalents.Entry("some.cpp", "a", "b", "c")
+            second = equivalents.Entry("some.cpp", "a", "b", "c", 2)
+            self.assertEqual(equivalents.read_entries(listed, root), [second, there])
+            needs = r"equivalents.toml: an entry needs the texts file, line, change, reason"
+            for wrong, complaint in {
+                whole.replace('reason = "c"\n', ""): needs,
+                whole.replace('"c"', "3"): needs,
+                whole + 'author = "d"\n': needs,
+                whole + "occurrence = 0\n": needs,
+                whole + "occurrence = true\n": needs,
+                whole + 'occurrence = "2"\n': needs,
+                whole.replace("some.cpp", "other.cpp"): r"equivalents.toml: no such file \(any more\):\s+other.cpp: a",
+                "[[equivalent\n": r"equivalents.toml: .*at line 1",
+            }.items():
+                listed.write_text(wrong)
+                with self.assertRaisesRegex(equivalents.BadInput, complaint):
+                    equivalents.read_entries(listed, root)
+
+
+class CommandLine(unittest.TestCase):
+    """On a machine whose set-up fails, in a tree of one C++ file."""
+
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.root = Path(place.name)
+        self.tool = self.root / "tests" / "mutation"
+        (self.root / "toolchains").mkdir()
+        (self.root / "toolchains" / "setup").write_text("#!/bin/sh\necho cannot set up >&2\nexit 9\n")
+        (self.root / "toolchains" / "setup").chmod(0o755)
+        (self.root / "firmware").mkdir()
+        (self.root / "firmware" / "some.cpp").write_text("int a = 0;\n")
+        here = Path(__file__).resolve().parent
+        shutil.copytree(here, self.tool, ignore=shutil.ignore_patterns("__pycache__", "*.toml"))
+        (self.tool / "equivalents.toml").write_text(
+            '[[equivalent]]\nfile = "firmware/some.cpp"\nline = "int a = 0;"\nchange = "0 -> 0 + 1"\n'
+            'reason = "nobody looks"\n'
+        )
+        subprocess.run(["git", "init", "-q", self.root], check=True)
+
+    def ran(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        command = [str(self.tool / "run"), *arguments]
+        return subprocess.run(command, cwd=self.root, capture_output=True, text=True, check=False)
+
+    def test_shows_help_and_equivalents_before_anything_is_set_up(self):
+        told = self.ran("--help")
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+        self.assertIn("--show-equivalents", told.stdout)
+        told = self.ran("--show-equivalents", "firmware")
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+        self.assertEqual(
+            told.stdout,
+            "firmware/some.cpp: int a = 0;\n    0 -> 0 + 1\n    nobody looks\n1 fault is listed as equivalent\n",
+        )
+        self.assertEqual(self.ran("--show-equivalents").stdout, told.stdout)
+
+    def test_refuses_what_it_cannot_do_before_anything_is_set_up(self):
+        for wrong in (
+            ["firmware/none.cpp"],
+            ["--count", "-1"],
+            ["--seconds", "0"],
+            ["--at-least", "101"],
+            ["--colour"],
+        ):
+            told = self.ran(*wrong)
+            self.assertEqual((told.returncode, told.stdout), (2, ""), wrong)
+            self.assertNotIn("cannot set up", told.stderr)
+
+    def test_plants_nothing_where_the_set_up_fails(self):
+        told = self.ran("firmware/some.cpp")
+        self.assertEqual((told.returncode, told.stdout, told.stderr), (9, "", "cannot set up\n"))
+
+
 PROJECT = {
     "CMakeLists.txt": """\
 cmake_minimum_required(VERSION 3.25)
@@ -154,6 +280,7 @@ bool is_deep(int depth) {
   return depth > 400;
 }
 """,
+    "firmware/core/unused.cpp": "int nobody_calls() { return 3; }\n",
     "tests/firmware/core/bounds_test.cpp": """\
 #include <cstring>
 #include "firmware/core/bounds.hpp"
@@ -181,13 +308,14 @@ class Measuring(unittest.TestCase):
         subprocess.run(["git", "init", "-q", self.root], check=True)
         self.listed = Path(place.name) / "equivalents.toml"
 
-    def measured(self, equivalents: str) -> tuple[int, str]:
+    def measured(self, equivalents: str, *files: str) -> tuple[int, str]:
+        files = files or ("firmware/core/bounds.cpp",)
         self.listed.write_text(equivalents)
         options = argparse.Namespace(far=False, count=0, seed=1, seconds=60.0, at_least=90.0)
         project = Project(self.root, self.root.parent / "place")
         said = io.StringIO()
         with contextlib.redirect_stdout(said):
-            status = measure.measure(options, ["firmware/core/bounds.cpp"], project, self.listed)
+            status = measure.measure(options, list(files), project, self.listed)
         return status, said.getvalue()
 
     def test_names_what_a_blunt_test_does_not_notice_and_nothing_else(self):
@@ -201,13 +329,34 @@ class Measuring(unittest.TestCase):
         self.assertIn("bounds.cpp: 3 of 3 noticed, 100 %", said)
 
         with self.assertRaisesRegex(
-            measure.BadInput, r"no such fault \(any more\):\s+firmware/core/bounds.cpp: return depth"
+            measure.BadInput, r"no such fault \(any more\): firmware/core/bounds.cpp: return depth"
         ):
             self.measured(entry + 'change = "500 -> 500 + 1"\n')
-        with self.assertRaisesRegex(measure.BadInput, r"equivalents.toml: an entry needs file, line, change, reason"):
-            self.measured(entry)
-        with self.assertRaisesRegex(measure.BadInput, r"equivalents.toml: .*at line 1"):
-            self.measured("[[equivalent\n")
+
+    def test_refutes_at_the_end_what_a_test_notices_though_it_is_listed(self):
+        entry = '[[equivalent]]\nfile = "firmware/core/bounds.cpp"\nline = "return depth > 400;"\nreason = "none"\n'
+        status, said = self.measured(
+            entry + 'change = "400 -> 400 + 1"\n' + entry + 'change = "depth > 400: > -> <="\n'
+        )
+        self.assertIn("bounds.cpp: 2 of 2 noticed, 100 %", said)
+        refuted = (
+            "no equivalent, a test notices it: firmware/core/bounds.cpp:3: depth > 400: > -> <=: tests/bounds_test"
+        )
+        self.assertEqual(said.strip().split("\n")[-1].split(" (")[0], refuted)
+        self.assertEqual((said.count("no equivalent"), status), (1, 1))
+
+    def test_leaves_out_and_names_a_file_of_no_test_program(self):
+        unused = "firmware/core/unused.cpp"
+        status, said = self.measured("", unused, "firmware/core/bounds.cpp")
+        self.assertIn(f"{unused}: not tried, it is part of no test program\n", said)
+        self.assertIn("\n3 of 4 noticed", said)
+        with self.assertRaisesRegex(measure.BadInput, "no test program is made of these files"):
+            self.measured("", unused)
+
+    def test_tells_short_times_in_milliseconds(self):
+        self.assertEqual(
+            [measure.time_told(s) for s in (0.0042, 0.25, 1.0, 61.04)], ["4 ms", "250 ms", "1.0 s", "61.0 s"]
+        )
 
 
 if __name__ == "__main__":

@@ -25,6 +25,38 @@ class Test:
     program: str
 
 
+class Commands:
+    """How the compiler is called for a tree's files, from the compile_commands.json of a build folder."""
+
+    def __init__(self, tree: Path, build: Path) -> None:
+        self.tree = tree
+        listed = json.loads((build / "compile_commands.json").read_text())
+        self.by_name = {c["file"].removeprefix(f"{tree}/"): c["command"].split() for c in listed}
+
+    def of(self, name: str) -> list[str]:
+        """For a source its command; for a header that of the first source that includes it."""
+        if name in self.by_name:
+            return self.by_name[name]
+        folder = str(Path(name).parent)
+        near_first = sorted(self.by_name, key=lambda n: (not n.startswith(folder), n))
+        for other in near_first:
+            if (self.tree / other).is_file() and name in included_by(self.tree, other):
+                return self.by_name[other]
+        raise BadInput(f"{name}: nothing that is built includes it")
+
+
+def included_by(tree: Path, name: str) -> set[str]:
+    """The files of the tree that a file includes, itself among them, at any depth."""
+    found, left = {name}, [name]
+    while left:
+        path = tree / left.pop()
+        for header in re.findall(r'^#include "([^"]+)"', path.read_text(errors="replace"), re.MULTILINE):
+            if header not in found and (tree / header).is_file():
+                found.add(header)
+                left.append(header)
+    return found
+
+
 class Project:
     def __init__(self, root: Path, place: Path) -> None:
         self.root, self.tree, self.build = root, place / "tree", place / "build"
@@ -77,17 +109,6 @@ class Project:
             prefix = str(self.tree) + "/"
             self.programs[program] = {line.strip()[len(prefix) :] for line in inputs if line.strip().startswith(prefix)}
 
-    def included_by(self, name: str) -> set[str]:
-        """The files of the tree that a file includes, itself among them, at any depth."""
-        found, left = {name}, [name]
-        while left:
-            path = self.tree / left.pop()
-            for header in re.findall(r'^#include "([^"]+)"', path.read_text(errors="replace"), re.MULTILINE):
-                if header not in found and (self.tree / header).is_file():
-                    found.add(header)
-                    left.append(header)
-        return found
-
     def programs_of(self, name: str) -> tuple[list[str], list[str]]:
         """Test programs that `name` is part of: those of the mirrored folder or that include it, and others."""
         header = re.sub(r"\.cpp$", ".hpp", name)
@@ -96,7 +117,7 @@ class Project:
         far: list[str] = []
         for program, sources in sorted(self.programs.items()):
             units = [s for s in sources if s.endswith(".cpp")]
-            if name not in sources and not any(name in self.included_by(u) for u in units):
+            if name not in sources and not any(name in included_by(self.tree, u) for u in units):
                 continue
             own = [u for u in units if u.startswith(f"tests/{part}/")]
             mirrored = any(str(Path(u).parent) == f"tests/{Path(name).parent}" for u in own)
@@ -106,19 +127,6 @@ class Project:
             far.sort(key=lambda program: len(self.programs[program]))
             near, far = far[:4], far[4:]
         return near, far
-
-    def command_of(self, name: str) -> list[str]:
-        """The compiler's command for a source; for a header that of the first source that includes it."""
-        commands = json.loads((self.build / "compile_commands.json").read_text())
-        by_name = {str(Path(c["file"])).removeprefix(f"{self.tree}/"): c["command"].split() for c in commands}
-        if name in by_name:
-            return by_name[name]
-        folder = str(Path(name).parent)
-        near_first = sorted(by_name, key=lambda n: (not n.startswith(folder), n))
-        for other in near_first:
-            if (self.tree / other).is_file() and name in self.included_by(other):
-                return by_name[other]
-        raise BadInput(f"{name}: nothing that is built includes it")
 
     def tests(self, programs: set[str]) -> list[Test]:
         shown = subprocess.run(

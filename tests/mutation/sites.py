@@ -152,7 +152,8 @@ class _Reader:
             return
         if kind in _FUNCTIONS:
             return self.function(cursor, children)
-        if kind in (CursorKind.VAR_DECL, CursorKind.FIELD_DECL, CursorKind.PARM_DECL):
+        is_template_variable = kind == CursorKind.UNEXPOSED_DECL and bool(cursor.spelling)
+        if is_template_variable or kind in (CursorKind.VAR_DECL, CursorKind.FIELD_DECL, CursorKind.PARM_DECL):
             return self.variable(cursor, children)
         if kind in (CursorKind.STATIC_ASSERT, CursorKind.ENUM_CONSTANT_DECL):
             return self.visit_constant(children)

@@ -13,6 +13,14 @@
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::search {
+namespace {
+
+/// One value for each bearing and range, at its one depth.
+[[maybe_unused]] bool is_filled(const SnrFan& f) {
+  return f.fan.transmission_loss_db.size() == f.fan.bearings * f.fan.ranges;
+}
+
+}  // namespace
 
 Soundscape::Soundscape(std::vector<sonar::SnrCurve> curves) : curves_(std::move(curves)) {
   assert(!curves_.empty());
@@ -20,6 +28,7 @@ Soundscape::Soundscape(std::vector<sonar::SnrCurve> curves) : curves_(std::move(
 
 Soundscape::Soundscape(sonar::SnrCurve expected, std::vector<SnrFan> fans) : curves_{std::move(expected)}, fans_(std::move(fans)) {
   assert(!fans_.empty());
+  assert(std::ranges::all_of(fans_, is_filled));
 }
 
 std::size_t Soundscape::field_of(std::size_t ocean, NorthEast source) const {

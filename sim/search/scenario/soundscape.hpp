@@ -25,7 +25,7 @@ class Soundscape {
   explicit Soundscape(std::vector<sonar::SnrCurve> curves);
   /// One ocean that differs with place; around a source it is as around the nearest of the fans' centres.
   /// @param expected  what a vehicle that does not know the fans goes by
-  /// @param fans      at least one
+  /// @param fans      at least one; each holds one value a bearing and range
   Soundscape(sonar::SnrCurve expected, std::vector<SnrFan> fans);
 
   [[nodiscard]] bool is_one_curve() const { return fans_.empty() && curves_.size() == 1; }

@@ -89,6 +89,36 @@ TEST(CommandJudge, RefusesACommandDatedMoreThanHalfAMinuteFromItsArrival) {
   EXPECT_EQ(court.hear(start(1, kNow + Duration{-most.us})), CommandOutcome::kObeyed);
 }
 
+TEST(CommandJudge, KnowsEveryOrderFromTheFirstToTheLastAndNoOther) {
+  Court court;
+  for (const Order order : {Order::kStart, Order::kComplete, Order::kListen, Order::kPause, Order::kResume, Order::kTighten}) {
+    OperatorCommand command = start(static_cast<std::uint32_t>(order));
+    command.order = order;
+    EXPECT_EQ(court.hear(command), CommandOutcome::kObeyed) << static_cast<int>(order);
+  }
+  for (const int number : {0, 8, 255}) {
+    OperatorCommand command = start(100);
+    command.order = static_cast<Order>(number);
+    EXPECT_EQ(court.hear(command), CommandOutcome::kUnknownOrder) << number;
+  }
+}
+
+TEST(CommandJudge, RefusesWhatIsNotVerifiedWhereTheMissionNamesAKeyButNoAbort) {
+  Court court{.judge = CommandJudge(true), .last = {}};
+  OperatorCommand command = start(1);
+  EXPECT_EQ(court.hear(command), CommandOutcome::kNotVerified);
+  command.is_verified = true;
+  EXPECT_EQ(court.hear(command), CommandOutcome::kObeyed);
+  const OperatorCommand abort{.time = kNow, .expiry = kFarAhead, .issuer = 99, .number = 1, .order = Order::kAbort};
+  EXPECT_EQ(court.hear(abort), CommandOutcome::kObeyed);
+}
+
+TEST(CommandJudge, RefusesACommandDatedBeforeTheClockBegan) {
+  Court court;
+  EXPECT_EQ(court.hear(start(1, Time{-1}), Time{1'000'000}), CommandOutcome::kTooOld);
+  EXPECT_EQ(court.hear(start(1, Time{0}), Time{1'000'000}), CommandOutcome::kObeyed);
+}
+
 TEST(CommandJudge, RefusesACommandAfterItsOwnExpiry) {
   Court court;
   OperatorCommand command = start(1, kNow + Duration::seconds(-10));

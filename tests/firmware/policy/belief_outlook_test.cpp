@@ -71,6 +71,16 @@ TEST(FindOutlooks, CostsWhatTheTablesSayAtTheRangesOfASourceThatIsKnown) {
   EXPECT_EQ(outlooks[kNorth].reach, 0.0F);
 }
 
+/// What lies near a vehicle at (0, 4500) m reaches north by 4.5 km, the middle of the one cell: just one cell is to be looked at.
+TEST(FindOutlooks, FindsInTheOneCellOfAnAreaAsMuchAsLiesWithinAStep) {
+  const BeliefModel model = bare_model(at(9'000, 9'000), 1, 1);
+  const std::array probabilities = {1.0F};
+  const std::array<float, 2> table{};
+  std::array<ActionOutlook, 4> outlooks;
+  find_outlooks(model, probabilities, {table, table}, at(0, 4'500), outlooks);
+  EXPECT_FLOAT_EQ(outlooks[kNorth].found, 2.0F / 9.0F);  // 3.5 km from its centre: 1 - 3.5 + 9 / 2 km of its side
+}
+
 TEST_F(OutlookTest, GoesAlongTheBorderForASourceBehindIt) {
   const NorthEast source = centre(30, 39);  // 250 m from the east edge, within the border
   know(source, at(15'250, 18'500));         // 1250 m west of it: one step east would find it 500 m deep in the border

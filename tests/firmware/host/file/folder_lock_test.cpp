@@ -82,5 +82,25 @@ TEST_F(FolderLock, TellsAFileThatIsBeingWrittenFromOneThatIsNot) {
   }
 }
 
+/// Without standard input the next file that is opened is descriptor 0, a good one.
+TEST_F(FolderLock, TellsAFileThatIsBeingWrittenWhereStandardInputIsClosed) {
+  const fs::path path = folder_ / "journal";
+  const FileDescriptor writer(::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600));
+  mark_as_written(writer, path);
+  const pid_t reader = ::fork();
+  if (reader == 0) {
+    ::close(STDIN_FILENO);
+    try {
+      require_not_being_written(path);
+      std::_Exit(0);
+    } catch (const FolderInUse&) {
+      std::_Exit(3);
+    }
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(reader, &status, 0), reader);
+  EXPECT_EQ(WEXITSTATUS(status), 3) << "it is read while it is written";
+}
+
 }  // namespace
 }  // namespace earshot::host

@@ -79,5 +79,17 @@ TEST(CallConditions, OfASongAreAsManyAsBeginInIt) {
   }
 }
 
+/// A listening time holds the moment at which it begins, not the one at which it ends: a call is heard for no more than that.
+TEST(CallConditions, AreHeardFromTheirBeginningToJustBeforeTheListeningTimeEnds) {
+  const World world = world_of({.interval_s = 15.0, .song_s = 600.0, .pause_s = 300.0, .listening_s = 5.0});
+  for (const double at_s : {900.0, 905.0}) {  // of the song that follows
+    Surroundings surroundings = search_in(world, 3);
+    const double sung_s = surroundings.arrivals(world, kVehicle)[0].sung_s;
+    (void)surroundings.pass(world, {}, at_s - sung_s);
+    ASSERT_EQ(sung_s + (at_s - sung_s), at_s) << "another seed is needed, where this is not rounded";
+    EXPECT_EQ(surroundings.listen(world, kVehicle).too_faint, at_s == 905.0) << at_s;
+  }
+}
+
 }  // namespace
 }  // namespace earshot::search

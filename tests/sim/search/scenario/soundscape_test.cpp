@@ -103,9 +103,13 @@ std::string complaint_of(const Scenario& scenario, Meters vehicle_depth = Meters
 
 TEST(SoundscapeOf, TakesTheVehiclesDepthFromALibraryOfSeveral) {
   const support::TemporaryFolder folder;
-  const Soundscape soundscape = soundscape_of(with_library(folder / "library.nc", 30.0, 20.0), Meters{300.0}, Meters{200.0});
-  EXPECT_EQ(soundscape.snr(0, at(0, 0), at(200, 0)), Decibels{190.0 - 11.0 - 90.0});
-  EXPECT_EQ(soundscape.snr(0, at(0, 0), at(-100, 0)), Decibels{190.0 - 101.0 - 90.0});
+  const Scenario scenario = with_library(folder / "library.nc", 30.0, 20.0);
+  const Soundscape lower = soundscape_of(scenario, Meters{300.0}, Meters{200.0});
+  EXPECT_EQ(lower.snr(0, at(0, 0), at(200, 0)), Decibels{190.0 - 11.0 - 90.0});
+  EXPECT_EQ(lower.snr(0, at(0, 0), at(-100, 0)), Decibels{190.0 - 101.0 - 90.0});
+  const Soundscape upper = soundscape_of(scenario, Meters{100.0}, Meters{200.0});
+  EXPECT_EQ(upper.snr(0, at(0, 0), at(200, 0)), Decibels{190.0 - 10.0 - 90.0});
+  EXPECT_EQ(upper.snr(0, at(0, 0), at(-100, 0)), Decibels{190.0 - 100.0 - 90.0});
 }
 
 TEST(SoundscapeOf, TakesALibraryWhoseDepthsDifferByLessThanHalfAMetre) {
