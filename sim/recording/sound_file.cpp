@@ -12,16 +12,6 @@
 
 namespace earshot::recording {
 
-struct SoundFile::Handle {
-  SNDFILE* file = nullptr;
-  Handle() = default;
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() {
-    if (file != nullptr) sf_close(file);
-  }
-};
-
 namespace {
 
 constexpr std::size_t kPiece_samples = 65'536;
@@ -29,6 +19,32 @@ constexpr std::size_t kPiece_samples = 65'536;
 host::BadInput refused(const std::filesystem::path& path, const std::string& why) {
   return host::BadInput(path.string() + ": " + why);
 }
+
+}  // namespace
+
+struct SoundFile::Handle {
+  SNDFILE* file = nullptr;
+  Handle() = default;
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() { close(); }
+
+  /// @return what its header says
+  SF_INFO open(const std::filesystem::path& path) {
+    SF_INFO info{};
+    // Absolute: libsndfile takes - for standard input.
+    file = sf_open(std::filesystem::absolute(path).c_str(), SFM_READ, &info);
+    if (file == nullptr) throw refused(path, std::string("is no sound file that can be read: ") + sf_strerror(nullptr));
+    return info;
+  }
+
+  void close() {
+    if (file != nullptr) sf_close(file);
+    file = nullptr;
+  }
+};
+
+namespace {
 
 /// Of one sample; zero where the coding loses something.
 int bits_of(int subtype) {
@@ -76,16 +92,29 @@ std::uint64_t missing_frames_of(const std::filesystem::path& path, std::uint64_t
   return static_cast<std::uint64_t>(std::llround(static_cast<double>(frames) * share)) - frames;
 }
 
+/// From where it stands to its end.
+std::uint64_t frames_to_end(SNDFILE* file, std::size_t channels) {
+  std::vector<float> piece(std::max<std::size_t>(kPiece_samples / channels, 1) * channels);
+  std::uint64_t frames = 0;
+  while (const sf_count_t read = sf_readf_float(file, piece.data(), static_cast<sf_count_t>(piece.size() / channels))) {
+    if (read < 0) break;
+    frames += static_cast<std::uint64_t>(read);
+  }
+  return frames;
+}
+
 }  // namespace
 
 SoundFile::SoundFile(const std::filesystem::path& path) : handle_(std::make_unique<Handle>()) {
   { const host::InputFile is_regular(path, host::kAnySize); }
-  SF_INFO info{};
-  // Absolute: libsndfile takes - for standard input.
-  handle_->file = sf_open(std::filesystem::absolute(path).c_str(), SFM_READ, &info);
-  if (handle_->file == nullptr) throw refused(path, std::string("is no sound file that can be read: ") + sf_strerror(nullptr));
+  const SF_INFO info = handle_->open(path);
   format_ = format_of(info, path);
   frames_ = static_cast<std::uint64_t>(std::max<sf_count_t>(info.frames, 0));
+  if (info.frames == SF_COUNT_MAX) {  // a FLAC file that was written into a pipe does not say how long it is
+    frames_ = frames_to_end(handle_->file, format_.channels);
+    handle_->close();
+    (void)handle_->open(path);
+  }
   if (frames_ == 0) throw refused(path, "holds no sample");
   missing_frames_ = missing_frames_of(path, frames_);
   texts_ = {.artist = text_of(handle_->file, SF_STR_ARTIST),

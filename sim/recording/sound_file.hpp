@@ -33,6 +33,7 @@ struct SoundTexts {
 /// Oracle: SoundFile.*
 class SoundFile {
  public:
+  /// A file that does not say how long it is (FLAC out of a pipe) is read to its end once.
   /// Throws host::BadInput naming the file where it is none, holds no sample, or is coded with loss.
   explicit SoundFile(const std::filesystem::path& path);
   ~SoundFile();

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <vector>
 
@@ -84,6 +85,21 @@ TEST(SoundFile, ReadsFlacWithItsComment) {
   SoundFile file(folder / "a.flac");
   EXPECT_EQ(file.texts().comment, "Recorded at 19:17:30 24/09/2019 (UTC) by AudioMoth 0");
   EXPECT_EQ(all_of(file), (std::vector<float>{0.0F, 0.5F, -1.0F}));
+}
+
+// Its STREAMINFO tells the samples in 36 bits from the lower half of the file's byte 21 on; 0 is "not known" (RFC 9639, 8.2).
+TEST(SoundFile, CountsTheSamplesOfAFlacThatDoesNotTellThem) {
+  const TemporaryFolder folder;
+  write_flac(folder / "a.flac", {0, 16384, -32768});
+  std::fstream file(folder / "a.flac", std::ios::binary | std::ios::in | std::ios::out);
+  file.seekg(21);
+  const char byte = static_cast<char>(file.get() & 0xF0);
+  file.seekp(21);
+  file.write(std::array<char, 5>{byte, 0, 0, 0, 0}.data(), 5);
+  file.close();
+  SoundFile unknown(folder / "a.flac");
+  EXPECT_EQ(unknown.frames(), 3U);
+  EXPECT_EQ(all_of(unknown), (std::vector<float>{0.0F, 0.5F, -1.0F}));
 }
 
 TEST(SoundFile, ReadsTheTextsThatAnIcListenWritesBeforeTheFormat) {

@@ -160,13 +160,15 @@ TEST(FanFile, SaysOfEveryNumberWhatItIsAndInWhichUnit) {
 
 TEST(FanFile, SaysWhatMadeItAndHowItIsRead) {
   const support::TemporaryFolder folder;
-  write_fan(folder / "fan.nc", fan(), std::nullopt, charted_environment(), {Hertz{20.0}, Hertz{20.0}}, kDetector, "by hand");
+  ocean::Environment sea = charted_environment();
+  sea.file_crc32 = 0x0A1B2C3D;
+  write_fan(folder / "fan.nc", fan(), std::nullopt, sea, {Hertz{20.0}, Hertz{20.0}}, kDetector, "by hand");
   const Attributes attributes(folder / "fan.nc");
   EXPECT_EQ(attributes.text("", "Conventions"), "CF-1.8");
   EXPECT_EQ(attributes.text("", "title"), "Sound around one source: charted");
   EXPECT_EQ(attributes.text("", "source"), "Earshot, one-way parabolic equation");
   EXPECT_EQ(attributes.text("", "history"), "by hand");
-  EXPECT_EQ(attributes.text("", "environment_crc32"), "0x00000000");
+  EXPECT_EQ(attributes.text("", "environment_crc32"), "0x0a1b2c3d");
   EXPECT_NE(attributes.text("", "interpolation").find("N x 2D"), std::string::npos);
   EXPECT_EQ(attributes.text("", "unmeasured_water").find("woa.nc: temperature and salinity end at 1500 m"), 0U);
   write_fan(folder / "fan.nc", fan(), std::nullopt, environment(), {Hertz{20.0}, Hertz{20.0}}, kDetector, "by hand");

@@ -152,6 +152,7 @@ TEST(Radial, RefusesASourceBelowTheSeaFloor) {
   EXPECT_THROW(loss_of(papers_ocean(), plan(3100.0, {300.0})), std::invalid_argument);
 }
 
+// The solver against itself on a finer grid, which tells nothing of what both leave out: the tests of sim/pe do.
 TEST(GridCheck, FindsTheAutomaticGridAsGoodAsItPromises) {
   const GridCheck check = check_grid(papers_ocean(), {}, Radians{}, plan(30.0, {300.0}));
   EXPECT_LT(check.mean_db, 0.05);  // promised are 0.02 dB without the interference minima, which count here

@@ -129,7 +129,9 @@ TEST(SearchConditions, PutNoFurtherSourceWithinReachOfTheStart) {
   small.domain = small.start_region = {at(20'000, 8'000), at(24'000, 12'000)};  // a fifth of it lies within 1 km of its middle
   const World world = world_of(conditions, small);
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    for (const Arrival& arrival : search_in(world, seed).arrivals(world, kVehicle)) EXPECT_GT(arrival.range, Meters{1'000.0});
+    const Arrivals arrivals = search_in(world, seed).arrivals(world, kVehicle);
+    EXPECT_EQ(arrivals.size(), 8U);
+    for (const Arrival& arrival : arrivals) EXPECT_GT(arrival.range, Meters{1'000.0});
   }
 }
 
@@ -183,10 +185,13 @@ TEST(SearchConditions, OfACalmWorldAreItsOneOceanAndASourceThatAlwaysCalls) {
   EXPECT_TRUE(arrivals[0].has_called);
   EXPECT_EQ(arrivals[0].sung_s, 0.0);
   const World two({}, Soundscape({sonar::SnrCurve(Meters{1'000.0}, {20.0F}), sonar::SnrCurve(Meters{1'000.0}, {10.0F})}), Conditions{});
+  std::set<std::size_t> oceans;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Surroundings other = search_in(two, seed);
+    oceans.insert(other.ocean());
     EXPECT_EQ(other.listen(two, kVehicle).snr, Decibels{other.ocean() == 0 ? 20.0 : 10.0}) << seed;
   }
+  EXPECT_EQ(oceans, (std::set<std::size_t>{0, 1}));
 }
 
 TEST(SearchConditions, AreHeardFromTheSourceTowardsTheVehicle) {
