@@ -17,6 +17,8 @@ namespace earshot::board {
 namespace {
 
 constexpr std::size_t kNameWidth = 11;
+/// By so much a vehicle that keeps its depth is deeper now and then.
+constexpr Meters kDepthRoom{2.0};
 
 /// "  depth       300 m, and never below 400 m"
 std::string row(std::string_view what, const std::string& value) {
@@ -152,8 +154,9 @@ std::vector<std::string> doubts_about(const host::MissionFile& file) {
   doubt_if(mission.safety.vehicle == config::VehicleLimits{},
            "there is no [vehicle]: fixes are believed that only 20 m/s can explain, and the vehicle is taken to hover and to float up by "
            "itself");
-  doubt_if(mission.search_depth == mission.max_depth,
-           "search.depth_m is limits.max_depth_m: a vehicle that is the least bit deeper for 5 s is aborted");
+  doubt_if(mission.max_depth - mission.search_depth < kDepthRoom,
+           formatted("search.depth_m is %g m above limits.max_depth_m: a vehicle that is deeper than that for 5 s is aborted; leave 2 m",
+                     (mission.max_depth - mission.search_depth).value));
   doubt_if(shortest_time_s(mission) > mission.max_time.to_seconds(), "limits.max_time_s is over before all steps are taken");
   const std::string battery = battery_doubt(mission);
   doubt_if(!battery.empty(), battery);

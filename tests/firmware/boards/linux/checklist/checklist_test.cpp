@@ -43,8 +43,10 @@ TEST(Checklist, DoubtsWhatIsAllowedAndUnwise) {
   EXPECT_EQ(doubts_about(file).size(), 1U);
   file.command_key = host::CommandKey(host::KeyBytes{});
   EXPECT_TRUE(doubts_about(file).empty());
-  file.mission.max_depth = file.mission.search_depth;
-  EXPECT_TRUE(is_doubted(file, "search.depth_m is limits.max_depth_m"));
+  file.mission.max_depth = file.mission.search_depth + Meters{2.0};
+  EXPECT_TRUE(doubts_about(file).empty());
+  file.mission.max_depth = file.mission.search_depth + Meters{1.5};
+  EXPECT_TRUE(is_doubted(file, "search.depth_m is 1.5 m above limits.max_depth_m"));
   file.mission.max_time = Duration::seconds(49'999);
   EXPECT_TRUE(is_doubted(file, "limits.max_time_s is over before all steps are taken"));
   file.mission.safety.vehicle.battery_percent_per_km = 1.01;
