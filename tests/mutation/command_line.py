@@ -70,6 +70,11 @@ def read_command_line() -> argparse.Namespace:
         help="exit status 1 when fewer are noticed",
     )
     parser.add_argument(
+        "--only-equivalents",
+        action="store_true",
+        help="plant just the faults that are listed as changing nothing: does a test notice one after all?",
+    )
+    parser.add_argument(
         "--show-equivalents",
         action="store_true",
         help="plant nothing; print the faults of FILE (default: of all files) that are listed as changing nothing, "

@@ -271,8 +271,8 @@ def run_all(
     near: set[str],
     excuses: dict[int, Entry],
 ) -> int:
-    chosen = sorted(number for plan in plans.values() for number in plan)
-    if options.count and options.count < len(chosen):
+    chosen = sorted(excuses) if options.only_equivalents else sorted(n for plan in plans.values() for n in plan)
+    if not options.only_equivalents and options.count and options.count < len(chosen):
         chosen = sorted(random.Random(options.seed).sample(chosen, options.count))
     of_file = {number: name for name, plan in plans.items() for number in plan}
     planted = {n: Planted(of_file[n], plans[of_file[n]][n], excuses.get(n)) for n in chosen}

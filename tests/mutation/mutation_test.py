@@ -308,10 +308,11 @@ class Measuring(unittest.TestCase):
         subprocess.run(["git", "init", "-q", self.root], check=True)
         self.listed = Path(place.name) / "equivalents.toml"
 
-    def measured(self, equivalents: str, *files: str) -> tuple[int, str]:
+    def measured(self, equivalents: str, *files: str, only_equivalents: bool = False) -> tuple[int, str]:
         files = files or ("firmware/core/bounds.cpp",)
         self.listed.write_text(equivalents)
         options = argparse.Namespace(far=False, count=0, seed=1, seconds=60.0, at_least=90.0)
+        options.only_equivalents = only_equivalents
         project = Project(self.root, self.root.parent / "place")
         said = io.StringIO()
         with contextlib.redirect_stdout(said):
@@ -344,6 +345,13 @@ class Measuring(unittest.TestCase):
         )
         self.assertEqual(said.strip().split("\n")[-1].split(" (")[0], refuted)
         self.assertEqual((said.count("no equivalent"), status), (1, 1))
+
+    def test_plants_just_what_is_listed_when_told(self):
+        entry = '[[equivalent]]\nfile = "firmware/core/bounds.cpp"\nline = "return depth > 400;"\nreason = "none"\n'
+        status, said = self.measured(entry + 'change = "400 -> 400 + 1"\n', only_equivalents=True)
+        self.assertEqual((said.count("no equivalent"), said.count("survived"), status), (0, 0, 0))
+        status, said = self.measured(entry + 'change = "depth > 400: > -> <="\n', only_equivalents=True)
+        self.assertEqual((said.count("no equivalent"), said.count("survived"), status), (1, 0, 1))
 
     def test_leaves_out_and_names_a_file_of_no_test_program(self):
         unused = "firmware/core/unused.cpp"
