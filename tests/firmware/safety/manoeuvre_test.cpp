@@ -50,6 +50,12 @@ TEST_F(ManoeuvreTest, KeepsTheSideOfItsTurnWhateverBecomesNearerMeanwhile) {
       << "anew: to the right, over south";
 }
 
+TEST_F(ManoeuvreTest, KeepsTheSideOfItsTurnWhileItHoldsToo) {
+  is_steered_back_ = true;
+  EXPECT_NEAR(of(Response::kHold, at(5000, 10'200), kEast - 0.1).heading.value, -0.1, 1e-12);
+  EXPECT_NEAR(of(Response::kHold, at(5000, 10'210), kEast + 0.1).heading.value, 0.1, 1e-12) << "still to the left";
+}
+
 // Northwards over the northern edge and 1 m from the eastern one: its circle to the right, 200 m across, ends 99 m beyond the save polygon.
 TEST_F(ManoeuvreTest, ChoosesItsSideAnewWhenItWasInsideMeanwhile) {
   for (const Response response : {Response::kHold, Response::kReturn}) {
@@ -122,6 +128,16 @@ TEST_F(ManoeuvreTest, LeavesAZoneBeforeItComesUp) {
   EXPECT_NEAR(under.heading.value, kNorth, 1e-12);
   EXPECT_EQ(of(Response::kSurface, at(3000.1, 2500), kNorth).depth, Meters{0});
   EXPECT_EQ(of(Response::kAbort, at(2900, 2500), kSouth).depth, Meters{0}) << "an abort asks nobody";
+}
+
+// Two fixes 4 s apart say one place; the newer is 3 s old.
+TEST(SituationUnseen, CountsFromWhenTheVehicleWasSeenToMove) {
+  Situation situation = well(fenced_mission());
+  messages::Navigation same = *situation.navigation.newest();
+  same.time = same.time + Duration::seconds(4);
+  ASSERT_TRUE(situation.navigation.take(same.time, same, true));
+  situation.now = same.time + Duration::seconds(3);
+  EXPECT_EQ(situation.unseen(), Duration::seconds(7));
 }
 
 // The fix at 1 m is as old as it is unseen; it was taken before, or after, the vehicle was told to come up.

@@ -129,6 +129,7 @@ TEST_F(Judged, BelievesCorrectionsOfFiveHundredMetresInTenMinutes) {
   EXPECT_TRUE(jump_to(20'000, 500)) << "but 170 m more";
   EXPECT_TRUE(takes(fix(609'000, 500)));
   EXPECT_TRUE(jump_to(620'000, 900)) << "ten minutes later";
+  EXPECT_FALSE(jump_to(640'000, 1300)) << "and these count from then on";
 }
 
 TEST_F(Judged, RefusesDatesFarFromTheirArrival) {

@@ -27,6 +27,9 @@ TEST(Track, TakesRatesOverTwoSecondsOrMore) {
   EXPECT_EQ(track.sink_rate(), MetersPerSecond{2});
   // From 3 to -3 rad it is 0.2831853 rad, over south, in 2 s.
   EXPECT_NEAR(track.turn_rate().value, 0.1415926535897931, 1e-15);
+  track.begin(fix(20, at(0, 0), 100, -3.0));
+  track.take(fix(22, at(0, 0), 100, 3.0));
+  EXPECT_NEAR(track.turn_rate().value, 0.1415926535897931, 1e-15) << "to the left";
 }
 
 TEST(Track, KeepsItsBaseShort) {
