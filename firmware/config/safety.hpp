@@ -117,12 +117,12 @@ inline constexpr std::array<ConditionTraits, kConditions> kConditionTraits{{
 
 /// How the vehicle moves, as far as the supervisor must know. Not known: what stands here, which asks for nothing.
 struct VehicleLimits {
-  MetersPerSecond max_speed{20.0};    ///< through the water; no fix is believed that needs more
-  MetersPerSecond max_current{0.0};   ///< of the water over ground, anywhere in the area
-  Meters turn_radius{0.0};            ///< of its tightest turn at search speed
-  MetersPerSecond hold_speed{0.0};    ///< that it must keep to obey its rudders; 0: it can hover
-  MetersPerSecond ascent_speed{0.0};  ///< that it must keep to come up; 0: it floats up by itself
-  double battery_percent_per_km = 0.0;
+  MetersPerSecond max_speed{20.0};      ///< through the water; no fix is believed that needs more
+  MetersPerSecond max_current{0.0};     ///< of the water over ground, anywhere in the area
+  Meters turn_radius{0.0};              ///< of its tightest turn at search speed
+  MetersPerSecond hold_speed{0.0};      ///< that it must keep to obey its rudders; 0: it can hover
+  MetersPerSecond ascent_speed{0.0};    ///< that it must keep to come up; 0: it floats up by itself
+  double battery_percent_per_km = 0.0;  ///< through the water, at search speed
   friend constexpr bool operator==(const VehicleLimits&, const VehicleLimits&) = default;
 };
 

@@ -45,10 +45,12 @@ std::optional<double> battery_percent(const Situation& situation) {
   return situation.vehicle ? known(situation.vehicle->battery_percent) : std::nullopt;
 }
 
-std::optional<double> battery_at_home_percent(const config::Safety& safety, const Situation& situation) {
+std::optional<double> battery_at_home_percent(const config::Mission& mission, const Situation& situation) {
+  const config::Safety& safety = mission.safety;
   const std::optional<double> charge = battery_percent(situation);
   if (!charge || !safety.safe_point) return std::nullopt;
-  const double way_km = range_between(situation.navigation.newest()->position, *safety.safe_point).value * 1e-3;
+  const Meters way = range_between(situation.navigation.newest()->position, *safety.safe_point);
+  const double way_km = against_current(mission, way).value * 1e-3;
   return *charge - way_km * safety.vehicle.battery_percent_per_km;
 }
 
@@ -81,6 +83,11 @@ double as_number(bool flag) {
 }
 
 }  // namespace
+
+Meters against_current(const config::Mission& mission, Meters way) {
+  const MetersPerSecond made_good = mission.search_speed - mission.safety.vehicle.max_current;
+  return way * (mission.search_speed / made_good);
+}
 
 std::optional<double> measure(Condition condition, const config::Mission& mission, const Situation& situation) {
   const messages::Navigation& fix = *situation.navigation.newest();
@@ -119,7 +126,7 @@ std::optional<double> measure(Condition condition, const config::Mission& missio
     case Condition::kBattery:
       return battery_percent(situation);
     case Condition::kBatteryAtHome:
-      return battery_at_home_percent(safety, situation);
+      return battery_at_home_percent(mission, situation);
     case Condition::kLeak:
       return situation.vehicle ? std::optional(as_number(situation.vehicle->has_leak)) : std::nullopt;
     case Condition::kGroundFault:

@@ -15,6 +15,10 @@ namespace earshot::safety {
 /// @pre the situation has a fix
 [[nodiscard]] std::optional<double> measure(config::Condition condition, const config::Mission& mission, const Situation& situation);
 
+/// Through the water, at search speed, for a way over ground with the strongest current against it all along:  way v / (v - c).
+/// @param mission  one that check() accepts, so that the current is slower than the search
+[[nodiscard]] Meters against_current(const config::Mission& mission, Meters way);
+
 /// Depth and altitude are those that the vehicle will have so much later if it goes on down as it does. A rule about them that waits at
 /// least as long never acts on a vehicle that levels out before its limit.
 inline constexpr Duration kForesight = Duration::seconds(5);

@@ -163,15 +163,15 @@ const std::array<Scenario, config::kConditions> kScenarios{{
      {"21 %", [](Situation& s) { tell(s, 100.0, 21.0); }}},
     {Condition::kBatteryAtHome,
      20.0,
-     {"25 % are left, 3 km from the safe point at 2 % a kilometre",
-      [](Situation& s) {
-        place(s, fix_at(s.now, at(5000, 8000)));
-        tell(s, 100.0, 25.0);
-      }},
-     {"27 %",
+     {"27 % are left, 3 km from the safe point (4 km against the current) at 2 % a kilometre",
       [](Situation& s) {
         place(s, fix_at(s.now, at(5000, 8000)));
         tell(s, 100.0, 27.0);
+      }},
+     {"29 %",
+      [](Situation& s) {
+        place(s, fix_at(s.now, at(5000, 8000)));
+        tell(s, 100.0, 29.0);
       }}},
     {Condition::kLeak,
      0.0,

@@ -109,7 +109,7 @@ TEST_F(Measures, OfTheBatteryKnowTheWayHome) {
   situation_ = well(mission_, at(5000, 2000));
   situation_.vehicle = messages::VehicleStatus{.time = situation_.now, .battery_percent = 40};
   EXPECT_EQ(of(Condition::kBattery), 40.0);
-  EXPECT_EQ(of(Condition::kBatteryAtHome), 34.0) << "3 km at 2 % each";
+  EXPECT_EQ(of(Condition::kBatteryAtHome), 32.0) << "3 km against 0.5 m/s at 2 m/s are 4 km, at 2 % each";
   mission_.safety.safe_point.reset();
   EXPECT_EQ(of(Condition::kBatteryAtHome), std::nullopt);
 }

@@ -11,6 +11,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/rule_words.hpp"
 #include "firmware/runtime/runtime.hpp"
+#include "firmware/safety/measures.hpp"
 #include "firmware/safety/supervisor.hpp"
 
 namespace earshot::board {
@@ -42,7 +43,7 @@ double shortest_time_s(const config::Mission& mission) {
   return longest_way_m(mission) / mission.search_speed.value;
 }
 
-/// From the farthest corner of the search area to the safe point.
+/// Over ground, from the farthest corner of the search area to the safe point.
 double longest_way_home_m(const config::Mission& mission) {
   double longest = 0.0;
   const Rectangle& r = mission.operating_area;
@@ -56,6 +57,10 @@ double percent_for(const config::Mission& mission, double way_m) {
   return way_m * 1e-3 * mission.safety.vehicle.battery_percent_per_km;
 }
 
+double percent_for_way_home(const config::Mission& mission) {
+  return percent_for(mission, safety::against_current(mission, Meters{longest_way_home_m(mission)}).value);
+}
+
 bool has_rule_about(const config::Mission& mission, config::Condition condition) {
   return std::ranges::any_of(mission.safety.rules, [condition](const config::Rule& rule) { return rule.condition == condition; });
 }
@@ -65,7 +70,7 @@ std::string battery_doubt(const config::Mission& mission) {
   const double steps_percent = percent_for(mission, longest_way_m(mission));
   if (steps_percent > 100.0) return formatted("all steps need %.0f %% of a battery", steps_percent);
   if (!mission.safety.safe_point) return {};
-  const double percent = steps_percent + percent_for(mission, longest_way_home_m(mission));
+  const double percent = steps_percent + percent_for_way_home(mission);
   return percent > 100.0 ? formatted("all steps and the longest way home need %.0f %% of a battery", percent) : std::string();
 }
 
@@ -112,8 +117,8 @@ std::string search(const config::Mission& mission) {
 
 std::string energy(const config::Mission& mission) {
   if (mission.safety.vehicle.battery_percent_per_km == 0.0) return "not known: vehicle.battery_percent_per_km is not given";
-  std::string text = formatted("%.1f %% of the battery for all steps", percent_for(mission, longest_way_m(mission)));
-  if (mission.safety.safe_point) text += formatted(", %.1f %% for the longest way home", percent_for(mission, longest_way_home_m(mission)));
+  std::string text = formatted("%.1f %% of the battery for all steps in still water", percent_for(mission, longest_way_m(mission)));
+  if (mission.safety.safe_point) text += formatted(", %.1f %% for the longest way home against the current", percent_for_way_home(mission));
   return text;
 }
 
