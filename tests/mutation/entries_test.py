@@ -1,7 +1,8 @@
 """Whether every entry of equivalents.toml still means just one fault of the code.
 
 usage: entries_test.py BUILD_FOLDER [PIECE PIECES]
-BUILD_FOLDER has been built: clang reads the headers that the build writes. PIECE, from 0: one of PIECES parts of the files.
+BUILD_FOLDER has been built: clang reads the headers that the build writes.
+PIECE, from 0: one of PIECES parts of the files.
 """
 
 import sys
