@@ -92,15 +92,9 @@ std::uint64_t missing_frames_of(const std::filesystem::path& path, std::uint64_t
   return static_cast<std::uint64_t>(std::llround(static_cast<double>(frames) * share)) - frames;
 }
 
-/// From where it stands to its end.
-std::uint64_t frames_to_end(SNDFILE* file, std::size_t channels) {
-  std::vector<float> piece(std::max<std::size_t>(kPiece_samples / channels, 1) * channels);
-  std::uint64_t frames = 0;
-  while (const sf_count_t read = sf_readf_float(file, piece.data(), static_cast<sf_count_t>(piece.size() / channels))) {
-    if (read < 0) break;
-    frames += static_cast<std::uint64_t>(read);
-  }
-  return frames;
+/// Room for some whole frames.
+std::vector<float> piece_of(const SoundFormat& format) {
+  return std::vector<float>(std::max<std::size_t>(kPiece_samples / format.channels, 1) * format.channels);
 }
 
 }  // namespace
@@ -111,7 +105,9 @@ SoundFile::SoundFile(const std::filesystem::path& path) : handle_(std::make_uniq
   format_ = format_of(info, path);
   frames_ = static_cast<std::uint64_t>(std::max<sf_count_t>(info.frames, 0));
   if (info.frames == SF_COUNT_MAX) {  // a FLAC file that was written into a pipe does not say how long it is
-    frames_ = frames_to_end(handle_->file, format_.channels);
+    frames_ = 0;
+    std::vector<float> piece = piece_of(format_);
+    while (const std::size_t frames = read(piece)) frames_ += frames;
     handle_->close();
     (void)handle_->open(path);
   }
@@ -133,7 +129,7 @@ std::size_t SoundFile::read(std::span<float> into) {
 
 double largest_magnitude(const std::filesystem::path& path) {
   SoundFile file(path);
-  std::vector<float> piece(std::max<std::size_t>(kPiece_samples / file.format().channels, 1) * file.format().channels);
+  std::vector<float> piece = piece_of(file.format());
   float largest = 0.0F;
   while (const std::size_t frames = file.read(piece)) {
     for (const float sample : std::span(piece).first(frames * file.format().channels))

@@ -72,7 +72,7 @@ def read_command_line() -> argparse.Namespace:
     parser.add_argument(
         "--only-equivalents",
         action="store_true",
-        help="plant just the faults that are listed as changing nothing: does a test notice one after all?",
+        help="plant just all faults that are listed as changing nothing: does a test notice one after all?",
     )
     parser.add_argument(
         "--show-equivalents",
@@ -80,7 +80,10 @@ def read_command_line() -> argparse.Namespace:
         help="plant nothing; print the faults of FILE (default: of all files) that are listed as changing nothing, "
         "with the reasons",
     )
-    return parser.parse_args()
+    options = parser.parse_args()
+    if options.only_equivalents:
+        options.count = 0
+    return options
 
 
 def files_named(named: list[str]) -> list[str]:

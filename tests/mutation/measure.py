@@ -225,6 +225,11 @@ def run(options: argparse.Namespace, names: list[str], root: Path, listed: Path)
 
 def measure(options: argparse.Namespace, names: list[str], project: Project, listed: Path) -> int:
     entries = read_entries(listed, project.root)
+    only_listed = options.only_equivalents
+    if only_listed:
+        names = [name for name in names if any(entry.file == name for entry in entries)]
+        if not names:
+            raise BadInput("no fault of these files is listed as an equivalent")
     project.copy({})
     project.configure(HEADER)
     commands = Commands(project.tree, project.build)
@@ -244,11 +249,12 @@ def measure(options: argparse.Namespace, names: list[str], project: Project, lis
         found = faults_of(project.tree / name, arguments_for_clang(commands.of(name)))
         meant, wrong = faults_meant(entries, name, sources[name].decode(), found)
         complaints += wrong
-        switchable = [f for f in found if f.switchable]
-        constant[name] = len(found) - len(switchable)
-        plans[name] = dict(enumerate(switchable, next_number))
+        constant[name] = sum(1 for f in found if not f.switchable)
+        plans[name] = dict(
+            enumerate((f for f in found if f.switchable and (f in meant or not only_listed)), next_number)
+        )
         excuses |= {number: meant[fault] for number, fault in plans[name].items() if fault in meant}
-        next_number += len(switchable)
+        next_number += len(plans[name])
         near |= set(near_here)
         programs |= {*near_here, *(far_here if options.far else [])}
     if not programs:  # ninja would build everything
@@ -271,8 +277,8 @@ def run_all(
     near: set[str],
     excuses: dict[int, Entry],
 ) -> int:
-    chosen = sorted(excuses) if options.only_equivalents else sorted(n for plan in plans.values() for n in plan)
-    if not options.only_equivalents and options.count and options.count < len(chosen):
+    chosen = sorted(n for plan in plans.values() for n in plan)
+    if options.count and options.count < len(chosen):
         chosen = sorted(random.Random(options.seed).sample(chosen, options.count))
     of_file = {number: name for name, plan in plans.items() for number in plan}
     planted = {n: Planted(of_file[n], plans[of_file[n]][n], excuses.get(n)) for n in chosen}

@@ -352,6 +352,8 @@ class Measuring(unittest.TestCase):
         self.assertEqual((said.count("no equivalent"), said.count("survived"), status), (0, 0, 0))
         status, said = self.measured(entry + 'change = "depth > 400: > -> <="\n', only_equivalents=True)
         self.assertEqual((said.count("no equivalent"), said.count("survived"), status), (1, 0, 1))
+        with self.assertRaisesRegex(measure.BadInput, "no fault of these files is listed as an equivalent"):
+            self.measured("", only_equivalents=True)
 
     def test_leaves_out_and_names_a_file_of_no_test_program(self):
         unused = "firmware/core/unused.cpp"

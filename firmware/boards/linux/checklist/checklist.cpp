@@ -159,9 +159,10 @@ std::vector<std::string> doubts_about(const host::MissionFile& file) {
   doubt_if(mission.safety.vehicle == config::VehicleLimits{},
            "there is no [vehicle]: fixes are believed that only 20 m/s can explain, and the vehicle is taken to hover and to float up by "
            "itself");
-  doubt_if(mission.max_depth - mission.search_depth < kDepthRoom,
-           formatted("search.depth_m is %g m above limits.max_depth_m: a vehicle that is deeper than that for 5 s is aborted; leave 2 m",
-                     (mission.max_depth - mission.search_depth).value));
+  const Meters room = mission.max_depth - mission.search_depth;
+  doubt_if(room < kDepthRoom,
+           formatted("search.depth_m is %g m above limits.max_depth_m: a vehicle that is deeper than that for 5 s is aborted; leave %g m",
+                     room.value, kDepthRoom.value));
   doubt_if(shortest_time_s(mission) > mission.max_time.to_seconds(), "limits.max_time_s is over before all steps are taken");
   const std::string battery = battery_doubt(mission);
   doubt_if(!battery.empty(), battery);
