@@ -130,26 +130,50 @@ std::string lost_to_string(const wire::ClosingRecord::Lost& lost) {
          " set-points and decisions, and " + std::to_string(lost.orders) + " commands and changes of state.";
 }
 
+std::string bytes_to_string(const host::JournalDamage& damage) {
+  return std::to_string(damage.bytes) + (damage.bytes == 1 ? " byte" : " bytes") + " from byte " + std::to_string(damage.offset) + " on";
+}
+
+/// What was passed over before the journal's last record; "" for nothing.
+std::string damage_within(const JournalledSearch& journal) {
+  const bool is_end_damaged = journal.end != host::JournalReader::End::kWhole;
+  const auto within = std::span(journal.damages).first(journal.damages.size() - (is_end_damaged ? 1 : 0));
+  if (within.empty()) return "";
+  std::uint64_t sum = 0;
+  for (const host::JournalDamage& damage : within) sum += damage.bytes;
+  if (within.size() == 1)
+    return "The journal is damaged: " + bytes_to_string(within.front()) + " are no record. What stands behind was read.";
+  return "The journal is damaged in " + std::to_string(within.size()) + " places, " + std::to_string(sum) + " bytes in all, the first " +
+         bytes_to_string(within.front()) + ". What stands between and behind was read.";
+}
+
+std::string missing_records(const JournalledSearch& journal) {
+  if (journal.missing == 0) return "";
+  std::string text =
+      "The journal lacks " + std::to_string(journal.missing) + " records from number " + std::to_string(journal.first_missing) + " on: ";
+  text += journal.damages.empty() ? "the disk was full or too slow." : "damaged, or the disk was full or too slow.";
+  if (journal.closing && journal.closing->lost.all() > 0) text += " " + lost_to_string(journal.closing->lost);
+  return text;
+}
+
 /// Where and why a journal ends before its end; "" for one that does not.
 std::string ending_of(const JournalledSearch& journal) {
-  if (journal.closing) return "";
-  if (journal.end == JournalledSearch::End::kWhole)
+  using End = host::JournalReader::End;
+  if (journal.end == End::kWhole && journal.closing) return "";
+  if (journal.end == End::kWhole)
     return "The journal's end is missing: no closing record stands behind its last record, for the runtime was killed, lost its power, met "
            "an error, or is of a version that wrote none.";
-  const std::string where = " at byte " + std::to_string(journal.bytes_read) + " of " + std::to_string(journal.bytes) + ", in record " +
-                            std::to_string(journal.records);
+  const std::string last = bytes_to_string(journal.damages.back()) + " of " + std::to_string(journal.bytes);
   const std::string read = " Read before it: " + std::to_string(journal.records) + " records, " + std::to_string(journal.decisions.size()) +
-                           " decisions among them";
-  if (journal.end == JournalledSearch::End::kCut)
-    return "The journal ends" + where + ", which is not whole: the runtime was stopped while it wrote." + read + ".";
-  return "The journal is damaged" + where + ", which does not match its checksum or is none." + read +
-         "; what stands after it is not read.";
+                           " decisions among them.";
+  if (journal.end == End::kCut)
+    return "The journal ends with " + last + ", which are no whole record: the runtime was stopped while it wrote." + read;
+  return "The journal's end is damaged: the last " + last + " are no record." + read;
 }
 
 }  // namespace
 
 JournalledSearch read_journal(const std::filesystem::path& path) {
-  using End = host::JournalReader::End;
   JournalledSearch search;
   host::JournalReader journal(path);
   std::uint64_t expected_number = 0;
@@ -166,23 +190,17 @@ JournalledSearch read_journal(const std::filesystem::path& path) {
     if (record.channel != wire::kDecisionChannel || wire::decode(record.data, decision) != Status::kOk) continue;
     search.decisions.push_back(decision_of(decision));
   }
-  search.end = journal.end() == End::kWhole ? JournalledSearch::End::kWhole
-               : journal.end() == End::kCut ? JournalledSearch::End::kCut
-                                            : JournalledSearch::End::kDamaged;
-  search.bytes_read = journal.offset();
+  search.end = journal.end();
+  search.damages = journal.damages();
   search.bytes = journal.file_size();
   return search;
 }
 
 std::string lack_of(const JournalledSearch& journal) {
   std::string lack;
-  if (journal.missing > 0) {
-    lack = "The journal lacks " + std::to_string(journal.missing) + " records from number " + std::to_string(journal.first_missing) +
-           " on: the disk was full or too slow.";
-    if (journal.closing && journal.closing->lost.all() > 0) lack += " " + lost_to_string(journal.closing->lost);
-  }
-  const std::string ending = ending_of(journal);
-  return lack + (lack.empty() || ending.empty() ? "" : " ") + ending;
+  for (const std::string& sentence : {damage_within(journal), missing_records(journal), ending_of(journal)})
+    if (!sentence.empty()) lack += (lack.empty() ? "" : " ") + sentence;
+  return lack;
 }
 
 std::optional<std::filesystem::path> policy_beside(const std::filesystem::path& journal) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/closing_record.hpp"
 #include "policy/explain/recorded_decision.hpp"
 #include "policy/report/sea/sea_flight.hpp"
@@ -32,20 +33,20 @@ struct SnrRow {
 /// The decisions of one search, as the vehicle journalled them.
 struct JournalledSearch {
   std::vector<explain::RecordedDecision> decisions;
-  enum class End : std::uint8_t { kWhole, kCut, kDamaged } end = End::kWhole;
-  std::uint64_t records = 0;     ///< that were read, decisions and others
-  std::uint64_t bytes_read = 0;  ///< where the cut or damaged record begins
-  std::uint64_t bytes = 0;       ///< of the file
-  std::uint64_t missing = 0;     ///< records that a full or slow disk did not take, by their numbers
+  host::JournalReader::End end = host::JournalReader::End::kWhole;
+  std::vector<host::JournalDamage> damages;  ///< what was passed over, that of the end included
+  std::uint64_t records = 0;                 ///< that were read, decisions and others
+  std::uint64_t bytes = 0;                   ///< of the file
+  std::uint64_t missing = 0;                 ///< records that are not there, by their numbers
   std::uint64_t first_missing = 0;
   std::optional<wire::ClosingRecord> closing;  ///< nothing: the program that wrote it did not end in order
 
-  [[nodiscard]] bool is_whole() const { return end == End::kWhole && missing == 0 && closing; }
-  /// False: no record at all where the first should begin.
-  [[nodiscard]] bool is_journal() const { return end == End::kWhole || records > 0; }
+  [[nodiscard]] bool is_whole() const { return damages.empty() && missing == 0 && closing; }
+  /// False: no record at all.
+  [[nodiscard]] bool is_journal() const { return damages.empty() || records > 0; }
 };
 
-/// What a journal lacks that is not whole, in sentences with the byte, the record, and how much of it was read; "" for a whole one.
+/// What a journal lacks that is not whole, in sentences with the bytes and the records; "" for a whole one.
 [[nodiscard]] std::string lack_of(const JournalledSearch& journal);
 
 /// A flight at sea leaves its journal alone, and so does one whose simulator was killed: whatever else is not there is empty.

@@ -88,6 +88,12 @@ std::size_t InputFile::read(std::span<std::uint8_t> into) {
   return size;
 }
 
+void InputFile::go_to(std::uint64_t offset) {
+  const auto wanted = static_cast<off_t>(offset);
+  if (::lseek(file_.number(), wanted, SEEK_SET) != wanted) fail(path_, errno);
+  read_ = offset;
+}
+
 std::string read_text(const std::filesystem::path& path, FileKind kind) {
   return content_of<std::string>(path, kind);
 }

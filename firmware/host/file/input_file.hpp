@@ -47,6 +47,9 @@ class InputFile {
   /// Fills `into`; less is read only at the end of the file. Throws BadInput when the disk fails or the file has outgrown its kind.
   [[nodiscard]] std::size_t read(std::span<std::uint8_t> into);
 
+  /// The next read() begins so many bytes behind the file's beginning. Throws BadInput when the disk fails.
+  void go_to(std::uint64_t offset);
+
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::uint64_t size() const { return size_; }  ///< bytes, when it was opened
 

@@ -13,6 +13,7 @@ namespace earshot::host {
 namespace {
 
 constexpr std::size_t kWindow_bytes = std::size_t{1} << 20U;
+constexpr std::uint8_t kFirstByteOfSync = kRecordSync >> 24U;
 static_assert(kWindow_bytes >= kRecordHeaderSize + wire::kMaxChannelLength + config::kLcmMessageBytes, "the largest record fits");
 
 }  // namespace
@@ -29,31 +30,71 @@ std::span<const std::uint8_t> JournalReader::look_ahead(std::size_t size) {
   return std::span(window_).subspan(at_, std::min(size, filled_ - at_));
 }
 
-bool JournalReader::next(JournalRecord& record) {
+JournalReader::Found JournalReader::look(std::uint64_t& size) {
   std::span<const std::uint8_t> rest = look_ahead(kRecordHeaderSize);
-  const auto stop = [this](End end) {
-    end_ = end;
-    return false;
-  };
-  if (rest.empty()) return stop(End::kWhole);
-  if (rest.size() < kRecordHeaderSize) return stop(End::kCut);
-  if (load(rest.first(4)) != kRecordSync) return stop(End::kCorrupt);
+  if (rest.empty()) return Found::kNothing;
+  if (rest.size() < kRecordHeaderSize) return Found::kBeginning;
+  if (load(rest.first(4)) != kRecordSync) return Found::kOther;
   const std::uint64_t channel_size = load(rest.subspan(20, 4));
   const std::uint64_t data_size = load(rest.subspan(24, 4));
-  if (channel_size < 1 || channel_size > wire::kMaxChannelLength || data_size > config::kLcmMessageBytes) return stop(End::kCorrupt);
-  const std::uint64_t size = kRecordHeaderSize + channel_size + data_size;
+  if (channel_size < 1 || channel_size > wire::kMaxChannelLength || data_size > config::kLcmMessageBytes) return Found::kOther;
+  size = kRecordHeaderSize + channel_size + data_size;
   rest = look_ahead(size);
-  if (rest.size() < size) return stop(End::kCut);
-  if (load(rest.subspan(4, 4)) != crc32(rest.subspan(kCheckedFrom, size - kCheckedFrom))) return stop(End::kCorrupt);
+  if (rest.size() < size) return Found::kBeginning;
+  return load(rest.subspan(4, 4)) == crc32(rest.subspan(kCheckedFrom, size - kCheckedFrom)) ? Found::kRecord : Found::kOther;
+}
 
-  const auto channel = rest.subspan(kRecordHeaderSize, channel_size);
-  const auto data = rest.subspan(kRecordHeaderSize + channel_size, data_size);
-  record.number = static_cast<std::uint32_t>(load(rest.subspan(8, 4)));
-  record.time = Time{static_cast<std::int64_t>(load(rest.subspan(12, 8)))};
+bool JournalReader::pass_over(std::uint64_t& passed) {
+  const std::span<const std::uint8_t> rest = std::span(window_).subspan(at_, filled_ - at_);
+  const auto next = std::find(rest.begin() + 1, rest.end(), kFirstByteOfSync);
+  const auto count = static_cast<std::size_t>(next - rest.begin());
+  passed += count;
+  at_ += count;
+  return std::all_of(rest.begin(), next, [](std::uint8_t byte) { return byte == 0; });
+}
+
+void JournalReader::keep(std::span<const std::uint8_t> bytes, JournalRecord& record) const {
+  const auto channel = bytes.subspan(kRecordHeaderSize, load(bytes.subspan(20, 4)));
+  const auto data = bytes.subspan(kRecordHeaderSize + channel.size());
+  record.number = static_cast<std::uint32_t>(load(bytes.subspan(8, 4)));
+  record.time = Time{static_cast<std::int64_t>(load(bytes.subspan(12, 8)))};
   record.channel.assign(channel.begin(), channel.end());
   record.data.assign(data.begin(), data.end());
+}
+
+bool JournalReader::stop(End end, std::uint64_t passed) {
+  end_ = end;
+  const std::uint64_t left = file_.size() > offset_ ? file_.size() - offset_ : 0;  // a file may grow while it is read
+  is_end_damaged_ = passed > 0;
+  if (is_end_damaged_) damages_.push_back({.offset = offset_, .bytes = std::max(passed, left)});
+  return false;
+}
+
+void JournalReader::look_again() {
+  if (is_end_damaged_) damages_.pop_back();
+  is_end_damaged_ = false;
+  file_.go_to(offset_);
+  at_ = filled_ = 0;
+  end_ = End::kWhole;
+}
+
+bool JournalReader::next(JournalRecord& record) {
+  std::uint64_t size = 0;
+  std::uint64_t passed = 0;
+  bool is_beginning = false;  // of a record that the file's end cuts off
+  bool is_empty = true;
+  for (;;) {
+    const Found found = look(size);
+    if (found == Found::kRecord) break;
+    if (found == Found::kNothing) return stop(passed == 0 ? End::kWhole : (is_beginning || is_empty ? End::kCut : End::kCorrupt), passed);
+    if (passed == 0) is_beginning = found == Found::kBeginning;
+    if (passed > kMostPassedOver_bytes) return stop(End::kCorrupt, passed);
+    is_empty = pass_over(passed) && is_empty;
+  }
+  if (passed > 0) damages_.push_back({.offset = offset_, .bytes = passed});
+  keep(look_ahead(size), record);
   at_ += size;
-  offset_ += size;
+  offset_ += passed + size;
   return true;
 }
 

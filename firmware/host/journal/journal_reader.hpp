@@ -19,36 +19,62 @@ struct JournalRecord {
   std::vector<std::uint8_t> data;
 };
 
-/// Reads a journal from its beginning, a piece of it at a time: a journal of any size takes 1 MiB of memory. For desktop tools: it
-/// allocates.
+/// Bytes of a journal that are no record: torn by a power cut, flipped, written over.
+struct JournalDamage {
+  std::uint64_t offset = 0;  ///< bytes from the beginning of the file
+  std::uint64_t bytes = 0;
+  friend bool operator==(const JournalDamage&, const JournalDamage&) = default;
+};
+
+/// Reads a journal from its beginning, a piece of it at a time: a journal of any size takes 1 MiB of memory. Where no record matches its
+/// checksum it reads on at the next that does, and remembers what it passed over: damage costs the records that it hit, and no others. For
+/// desktop tools, and for a vehicle before its first turn: it allocates.
 class JournalReader {
  public:
   enum class End : std::uint8_t {
-    kWhole,    ///< the file ends with its last record
-    kCut,      ///< the last record is incomplete: the writer was stopped in it
-    kCorrupt,  ///< a record does not match its checksum, or there is no record where one should begin
+    kWhole,    ///< the file ends with a record
+    kCut,      ///< the last record is incomplete, or what stands behind it is empty: the writer was stopped in it, or lost its power
+    kCorrupt,  ///< what stands behind the last record is none, and no record follows
   };
+  /// Without a record for so many bytes it gives up: a file of holes may be larger than anybody can wait for.
+  static constexpr std::uint64_t kMostPassedOver_bytes = std::uint64_t{64} << 20U;
 
   /// @throws host::BadInput naming the file if it cannot be read or is no regular file.
   explicit JournalReader(const std::filesystem::path& path);
 
-  /// False at the end; end() and offset() then say where and why. @throws host::BadInput if the disk fails.
+  /// False at the end; end(), offset() and damages() then say where and why. @throws host::BadInput if the disk fails.
   [[nodiscard]] bool next(JournalRecord& record);
 
+  /// Behind the last record, once next() has come to the end: whoever follows a journal that is being written asks next() again then. An
+  /// end that was damaged may be whole by now. @throws host::BadInput if the disk fails.
+  void look_again();
+
   [[nodiscard]] End end() const { return end_; }
-  /// Where the next record begins (or would), bytes from the beginning of the file.
+  /// Behind the last record that was read, bytes from the beginning of the file.
   [[nodiscard]] std::uint64_t offset() const { return offset_; }
   [[nodiscard]] std::uint64_t file_size() const { return file_.size(); }  ///< bytes, when it was opened
+  /// What was passed over so far, in the order of the file; at the end, the end's own damage too (kCut, kCorrupt).
+  [[nodiscard]] const std::vector<JournalDamage>& damages() const { return damages_; }
 
  private:
+  enum class Found : std::uint8_t { kRecord, kNothing, kBeginning, kOther };
+
   /// What comes next, `size` bytes of it or all that is left.
   [[nodiscard]] std::span<const std::uint8_t> look_ahead(std::size_t size);
+  /// What stands where the window is. @param size  of the record
+  [[nodiscard]] Found look(std::uint64_t& size);
+  /// To the next byte that could begin a record. @return whether all that was passed was zero
+  bool pass_over(std::uint64_t& passed);
+  void keep(std::span<const std::uint8_t> bytes, JournalRecord& record) const;
+  bool stop(End end, std::uint64_t passed);
 
   host::InputFile file_;
   std::vector<std::uint8_t> window_;
-  std::size_t at_ = 0;      ///< in the window: where the next record begins
+  std::size_t at_ = 0;      ///< in the window: what is looked at
   std::size_t filled_ = 0;  ///< bytes of the window that hold the file's
   std::uint64_t offset_ = 0;
+  std::vector<JournalDamage> damages_;
+  bool is_end_damaged_ = false;  ///< the last of damages_ is the end's
   End end_ = End::kWhole;
 };
 

@@ -92,10 +92,11 @@ TEST_F(PageTest, SaysWhereTheJournalIsDamagedAndHowMuchOfItIsRead) {
     file.seekp(static_cast<std::streamoff>(of_decisions / 3 + 100));
     file.put('\x55');
   }
-  const std::string byte = "at byte " + std::to_string(of_decisions / 3) + " of " + std::to_string(size) + ", in record 1";
-  const std::string said = "The journal is damaged " + byte +
-                           ", which does not match its checksum or is none. Read before it: 1 records, 1 decisions among them; what stands "
-                           "after it is not read.";
+  const std::string said = "The journal is damaged: " + std::to_string(of_decisions / 3) + " bytes from byte " +
+                           std::to_string(of_decisions / 3) +
+                           " on are no record. What stands behind was read. The journal lacks 1 records from number 1 on: damaged, or the "
+                           "disk was full or too slow.";
+  EXPECT_EQ(read_journal(journal).decisions.size(), 2U);
   EXPECT_EQ(lack_of(read_journal(journal)), said);
   EXPECT_EQ(count(page(read_flight(folder_), {}, {}), said), 1U);
 }
@@ -103,12 +104,14 @@ TEST_F(PageTest, SaysWhereTheJournalIsDamagedAndHowMuchOfItIsRead) {
 TEST_F(PageTest, TellsACutJournalFromADamagedOne) {
   const fs::path journal = folder_ / "journal.lcmlog";
   EXPECT_EQ(lack_of(read_journal(journal)), "");
-  fs::resize_file(journal, fs::file_size(journal) - kClosingBytes - 1);
+  const auto record = (fs::file_size(journal) - kClosingBytes) / 3;  // three decisions of one length
+  fs::resize_file(journal, 3 * record - 1);
   const std::string said = lack_of(read_journal(journal));
-  EXPECT_EQ(said.rfind("The journal ends at byte ", 0), 0U) << said;
-  EXPECT_NE(said.find("in record 2, which is not whole: the runtime was stopped while it wrote. Read before it: 2 records"),
-            std::string::npos)
-      << said;
+  const std::string third = std::to_string(2 * record);
+  EXPECT_EQ(said, "The journal ends with " + std::to_string(record - 1) + " bytes from byte " + third + " on of " +
+                      std::to_string(3 * record - 1) +
+                      ", which are no whole record: the runtime was stopped while it wrote. Read before it: 2 records, 2 decisions among "
+                      "them.");
 }
 
 TEST_F(PageTest, SaysFromWhichNumberOnAJournalLacksWhatAFullDiskDidNotTake) {
