@@ -18,7 +18,7 @@ using explain::RecordedDecision;
 using host::BadInput;
 
 std::string how_it_ends(const JournalledSearch& journal) {
-  return journal.end == JournalledSearch::End::kWhole ? "" : "; the journal is cut short or damaged after it";
+  return journal.damages.empty() ? "" : "; the journal is cut short or damaged";
 }
 
 void require_decisions(const fs::path& path, const JournalledSearch& journal) {

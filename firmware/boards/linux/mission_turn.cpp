@@ -22,9 +22,15 @@ void append(host::Journal& journal, Time now, std::string_view channel, const Me
   (void)journal.append(now, channel, wire::Encoded(message).bytes(), weight);  // the journal counts what it loses
 }
 
-Weight weight_of(const InputSink::Value& value) {
-  return std::holds_alternative<messages::OperatorCommand>(value) ? Weight::kOrder : Weight::kStream;
+/// A report of the journal itself outlives the streams on the full disk that it is about; it claims nothing of the orders' reserve, for
+/// which streams that still wait would be given up.
+Weight weight_of(std::uint8_t port, const InputSink::Value& value) {
+  if (std::holds_alternative<messages::OperatorCommand>(value)) return Weight::kOrder;
+  return port == kOwnPort ? Weight::kSteering : Weight::kStream;
 }
+
+/// Between two reports of a journal whose disk comes and goes.
+constexpr Duration kBetweenJournalReports = Duration::seconds(60);
 
 }  // namespace
 
@@ -48,8 +54,8 @@ void MissionTurn::take(std::uint8_t port, const Value& value) {
   if (navigation != nullptr && messages::is_usable(*navigation)) speed_ = navigation->speed;
   if (navigation != nullptr && navigation->time >= Time{}) ++navigation_taken_;
   const wire::InputRecord record(input);
-  (void)journal_.append(input.arrival, record.channel(), record.data(), weight_of(value));
-  if (news_ != nullptr && port == kOwnPort) news_->tell_stop();
+  (void)journal_.append(input.arrival, record.channel(), record.data(), weight_of(port, value));
+  if (news_ != nullptr && port == kOwnPort && std::holds_alternative<messages::OperatorCommand>(value)) news_->tell_stop();
   runtime_.take(input);
 }
 
@@ -69,6 +75,7 @@ void MissionTurn::tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_th
 runtime::Outputs MissionTurn::operator()() {
   ports_.report_changes(*this);
   const Time turn = now();
+  report_journal(turn);
   const runtime::Outputs outputs = runtime_.step(turn);
   record(turn, outputs);
   if (outputs.setpoint) commanded_speed_ = outputs.setpoint->speed;
@@ -78,6 +85,17 @@ runtime::Outputs MissionTurn::operator()() {
   for (const messages::SafetyEvent& event : outputs.safety_events) news_->tell(event);
   news_->tell(turn, outputs.health);
   return outputs;
+}
+
+void MissionTurn::report_journal(Time now) {
+  const bool is_fine = journal_.trouble() == host::JournalTrouble::kNone;
+  if (is_fine == journal_report_.link_up || now < journal_report_due_) return;
+  const host::JournalCounters counters = journal_.counters();
+  journal_report_.link_up = is_fine;
+  journal_report_.lost = counters.all_lost();
+  journal_report_.unsent = counters.write_errors;
+  journal_report_due_ = now + kBetweenJournalReports;
+  take(kOwnPort, journal_report_);
 }
 
 void MissionTurn::record(Time now, const runtime::Outputs& outputs) {

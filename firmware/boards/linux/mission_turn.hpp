@@ -12,6 +12,7 @@
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/journal/journal.hpp"
+#include "firmware/messages/port_report.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::board {
@@ -22,6 +23,7 @@ namespace earshot::board {
 /// In the journal a turn is: its inputs, each with its arrival; then set-point, decision and acknowledgements, if there are any; then
 /// health, always, with the turn's time. With the mission and the policy at its beginning the journal thus holds all that the runtime was
 /// ever given: whoever takes the same inputs and steps at every health record gets every output again, bit for bit.
+/// A journal that its disk does not take is reported as Earshot's own port (kOwnPort): its link is down.
 /// Commands and what steered the vehicle weigh more than streams: on a full disk they are lost last (host::Weight).
 class MissionTurn final : public InputSink {
  public:
@@ -52,6 +54,8 @@ class MissionTurn final : public InputSink {
   /// The mission clock's time; it never goes back, though a clock were read by several.
   [[nodiscard]] Time now();
   void record(Time now, const runtime::Outputs& outputs);
+  /// The journal's trouble is an input like a port's: it stands in the health, and a replay gives it again.
+  void report_journal(Time now);
 
   runtime::Runtime& runtime_;
   PortSet& ports_;
@@ -59,6 +63,8 @@ class MissionTurn final : public InputSink {
   Clock& clock_;
   Time last_;
   std::uint64_t sequence_ = 0;
+  messages::PortReport journal_report_{.port = kOwnPort};
+  Time journal_report_due_;
   std::uint64_t navigation_taken_ = 0;
   std::optional<messages::MissionState> recorded_state_;
   MetersPerSecond speed_;            ///< through the water, by the last fix that could be one; NaN: it does not know

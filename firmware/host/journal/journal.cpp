@@ -66,6 +66,9 @@ struct Journal::Writer {
     std::uint64_t records = 0;
   };
 
+  using Clock = std::chrono::steady_clock;
+  static constexpr Clock::time_point kIdle = Clock::time_point::max();
+
   JournalFile file;
   JournalOptions options;
   RecordRing ring;
@@ -79,9 +82,11 @@ struct Journal::Writer {
   std::uint64_t taken = 0;  ///< bytes: those before `whole`, and what is in the file of the record behind it, which is kept in the ring
   bool idle = false;        ///< the writer waits for `more`
   bool ending = false;
-  bool failing = false;   ///< the last write took nothing
-  bool is_whole = true;   ///< of who closes: everything is in the file
-  bool unsynced = false;  ///< the kernel failed to bring something to the disk, and does not try again; of the writer until it has ended
+  std::atomic<bool> failing = false;            ///< the last write took nothing; changed under the lock
+  bool is_whole = true;                         ///< of who closes: everything is in the file
+  std::atomic<bool> unsynced = false;           ///< the kernel failed to bring something to the disk, and does not try again
+  std::atomic<Clock::time_point> seen = kIdle;  ///< what waits was appended after it
+  std::atomic<Clock::duration> longest_wait{};
   std::uint32_t next_number = 0;
   PerWeight lost{};
   std::uint64_t accepted = 0;                  ///< of the appender
@@ -116,17 +121,24 @@ struct Journal::Writer {
   void run() {
     (void)::pthread_setname_np(::pthread_self(), "journal");  // for who looks at the threads of a flight
     std::unique_lock lock(mutex);
+    seen = Clock::now();
     for (;;) {
       while (appended.bytes == taken && !ending) {
         idle = true;
+        seen = kIdle;
         more.wait(lock);
+        seen = Clock::now();
       }
       idle = false;
       if (appended.bytes == taken || (ending && failing)) return;
       const Place end = appended;
       lock.unlock();
+      const Clock::time_point looked = Clock::now();
       const std::size_t done = write_some(ring.piece(taken, end.bytes));
       const std::optional<PerWeight> given_up = done == 0 ? write_orders_into_reserve(end) : std::nullopt;
+      // A failing disk lets records wait for longer; its trouble is told in its own words.
+      if (done > 0 && !failing) longest_wait = std::max(longest_wait.load(), Clock::now() - seen.load());
+      if (taken + done == end.bytes) seen = looked;
       lock.lock();
       failing = done == 0;
       if (failing) ++write_errors;
@@ -329,6 +341,18 @@ Status Journal::close() {
 JournalCounters Journal::counters() const {
   const std::lock_guard lock(writer_->mutex);
   return {.appended = writer_->accepted, .lost = writer_->lost, .refused = writer_->refused, .write_errors = writer_->write_errors};
+}
+
+JournalTrouble Journal::trouble() const {
+  if (writer_->failing) return JournalTrouble::kTakesNothing;
+  if (writer_->unsynced) return JournalTrouble::kMayNotSurvive;
+  if (writer_->options.when_full == JournalOptions::WhenFull::kWait) return JournalTrouble::kNone;
+  const Writer::Clock::time_point seen = writer_->seen;
+  return seen != Writer::kIdle && Writer::Clock::now() - seen > kJournalBudget ? JournalTrouble::kLags : JournalTrouble::kNone;
+}
+
+double Journal::longest_wait_s() const {
+  return std::chrono::duration<double>(writer_->longest_wait.load()).count();
 }
 
 const std::filesystem::path& Journal::path() const {

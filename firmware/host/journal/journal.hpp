@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -45,6 +46,17 @@ struct JournalCounters {
   [[nodiscard]] std::uint64_t all_lost() const { return std::accumulate(lost.begin(), lost.end(), std::uint64_t{0}); }
 };
 
+/// A record is on the disk within this time, or the journal is in trouble and says so: what a power cut may cost unannounced.
+inline constexpr std::chrono::milliseconds kJournalBudget{1000};
+
+/// What is wrong with the disk at present.
+enum class JournalTrouble : std::uint8_t {
+  kNone,
+  kLags,           ///< (kDrop) a record has waited for the disk for longer than kJournalBudget
+  kTakesNothing,   ///< the last write took nothing: the disk is full, read-only or broken; what comes waits in the buffer, then is lost
+  kMayNotSurvive,  ///< (kPowerCut) a failed fdatasync(2): the kernel may have dropped what was written, and does not try again
+};
+
 /// A log of everything that goes in and out of the runtime: an LCM event log (lcm-logplayer, lcm-spy and Python's lcm.EventLog read it),
 /// each record of which carries a checksum. append() copies into a fixed buffer; a thread of the journal's own writes it to the file. A
 /// file cut at any byte reads back up to its last complete record (JournalReader).
@@ -85,6 +97,11 @@ class Journal {
   [[nodiscard]] Status close();
 
   [[nodiscard]] JournalCounters counters() const;
+  /// Never waits.
+  [[nodiscard]] JournalTrouble trouble() const;
+  /// The longest that a record which is in the file waited for it, and (kPowerCut) for the disk, seconds: so much would have been lost had
+  /// the power failed then.
+  [[nodiscard]] double longest_wait_s() const;
   /// The file that is written.
   [[nodiscard]] const std::filesystem::path& path() const;
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -280,6 +281,10 @@ int fly(const Flight& f) {
   const int status = report(result, f.clock, f.ports, journal.path());
   const int proven = f.options.prove_no_alloc ? report(proof, f.ports) : program::kDone;
   const host::JournalCounters counters = journal.counters();
+  if (!f.options.simulation && program::talk() != program::Talk::kQuiet) {
+    std::cerr << "earshotd: every record that is in the journal was there within " << std::fixed << std::setprecision(3)
+              << journal.longest_wait_s() << " s, which is what a power cut could have cost\n";
+  }
   if (kept == Status::kOk && counters.all_lost() == 0) return status == program::kDone ? proven : status;
   std::cerr << "earshotd: the journal is not whole: " << counters.all_lost() << " records lost, of these "
             << of(counters.lost, host::Weight::kSteering) << " set-points and decisions and " << of(counters.lost, host::Weight::kOrder)

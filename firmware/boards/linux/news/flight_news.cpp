@@ -213,7 +213,23 @@ void FlightNews::tell_refused(Time now, std::string_view sensor, std::uint64_t c
   writer_.say(line.text());
 }
 
+/// Of the journal's own limit on such reports there are few.
+void FlightNews::tell_journal(Time now, const messages::PortReport& report) {
+  if (report.link_up == is_journal_up_) return;
+  is_journal_up_ = report.link_up;
+  Line line = line_at(now);
+  if (is_journal_up_) {
+    line << "journal: the disk takes it again; " << report.lost << " records are lost";
+  } else {
+    line
+        << "journal: the disk does not take it in time (full, read-only, broken or slow): the flight goes on; once the buffer is full only "
+           "orders, changes of state and some set-points are kept";
+  }
+  writer_.say(line.text());
+}
+
 void FlightNews::tell_link(Time now, const messages::PortReport& report) {
+  if (report.port == kOwnPort) return tell_journal(now, report);
   Link& link = links_.at(report.port);
   if (report.link_up != link.is_up) ++link.changes;
   link.is_up = report.link_up;

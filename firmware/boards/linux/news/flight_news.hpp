@@ -20,8 +20,8 @@
 namespace earshot::board {
 
 /// Tells a person what changes while a flight lasts, a line each: the state of the mission and why, every link that goes down or comes
-/// back, what the safety supervisor does and why, what is wrong with a CAN bus and when it is over, and in each state once that navigation
-/// or SNR is refused. Nothing allocates or waits after construction.
+/// back, a disk that does not take the journal, what the safety supervisor does and why, what is wrong with a CAN bus and when it is over,
+/// and in each state once that navigation or SNR is refused. Nothing allocates or waits after construction.
 ///
 ///     earshotd: 2026-11-22 15:04:07 UTC: ABORT, navigation went silent, after 12 steps
 ///     earshotd: 2026-11-22 15:04:07 UTC: navigation: 31 messages refused so far, for their date, their order or what is in them; look at
@@ -31,6 +31,7 @@ namespace earshot::board {
 ///     earshotd: 2026-11-22 15:03:40 UTC: heard for 1.2 s from 2026-11-22 15:03:38 UTC: level 104.2 dB re 1 uPa, SNR 14.1 dB
 ///     earshotd: 2026-11-22 15:03:59 UTC: rule 11, battery_percent: 14.9, below 15.0: return
 ///     earshotd: 2026-11-22 15:04:09 UTC: port 1, vehicle, CAN can0: its link is down; tried again once a second
+///     earshotd: 2026-11-22 15:04:10 UTC: journal: the disk takes it again; 0 records are lost
 ///     earshotd: 2026-11-22 15:04:12 UTC: port 1, vehicle, CAN can0: headings are magnetic, and nobody says the variation (127258)
 class FlightNews {
  public:
@@ -87,6 +88,7 @@ class FlightNews {
   void tell_troubles(Time now, std::size_t port);
   void tell_chain(Time now, std::size_t port);
   void tell_link(Time now, const messages::PortReport& report);
+  void tell_journal(Time now, const messages::PortReport& report);
   void tell_state(Time now, const messages::Health& health);
   void tell_refused(Time now, std::string_view sensor, std::uint64_t count, Refused& refused);
 
@@ -95,6 +97,7 @@ class FlightNews {
   std::optional<messages::MissionState> state_;
   std::string_view remark_;  ///< on it
   bool is_stopping_ = false;
+  bool is_journal_up_ = true;
   Refused navigation_;
   Refused snr_;
   std::array<Sound, config::kMaxPorts> sounds_;

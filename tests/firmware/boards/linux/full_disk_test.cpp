@@ -118,6 +118,12 @@ class FullDisk : public testing::Test {
     const runtime::Outputs outputs = (*turn_)();
     if (outputs.setpoint) ++setpoints_;
     if (outputs.decision) ++decisions_;
+    health_ = outputs.health;
+  }
+
+  /// What the health says of the journal; of the only port that has anything to say.
+  [[nodiscard]] std::optional<messages::PortReport> journal_in_health() const {
+    return health_.ports.empty() ? std::nullopt : std::optional(health_.ports[0]);
   }
 
   void order(Order order) { turn_->take(1, runtime::command_of(order, clock_.time, ++commands_)); }
@@ -141,6 +147,7 @@ class FullDisk : public testing::Test {
   std::uint32_t commands_ = 0;
   std::uint64_t setpoints_ = 0;  ///< that came out
   std::uint64_t decisions_ = 0;  ///< likewise
+  messages::Health health_;      ///< of the last turn
 };
 
 TEST_F(FullDisk, WhenAnAbortComesAndThenRoomTheAbortAndAllSetPointsAreInTheFileAndReplaySaysWhereItIsNoLongerWhole) {
@@ -188,6 +195,20 @@ TEST_F(FullDisk, WhenItStaysFullToTheEndEveryOrderIsInTheFileAndTheLastRecordCou
   EXPECT_EQ(replayed.gap, contents.first_missing);
   ASSERT_TRUE(replayed.closing);
   EXPECT_EQ(replayed.closing->lost, contents.closing->lost);
+}
+
+TEST_F(FullDisk, IsInTheHealthWhileItIsFullAndNoLongerWhenThereIsRoomAgain) {
+  ASSERT_TRUE(journal_in_health());
+  EXPECT_EQ(journal_in_health()->port, kOwnPort);
+  EXPECT_FALSE(journal_in_health()->link_up);
+  EXPECT_EQ(journal_->trouble(), host::JournalTrouble::kTakesNothing);
+  ASSERT_TRUE(disk_->resize(kLarge_bytes));
+  ASSERT_TRUE(is_flushed());
+  EXPECT_EQ(journal_->trouble(), host::JournalTrouble::kNone);
+  make_turn(1);
+  EXPECT_TRUE(journal_in_health()->link_up);
+  EXPECT_GT(journal_in_health()->unsent, 0U) << "writes that failed";
+  EXPECT_EQ(journal_in_health()->lost, journal_->counters().all_lost());
 }
 
 }  // namespace

@@ -167,6 +167,20 @@ TEST_F(FlightNewsTest, TellsEveryLinkThatGoesDownOrComesBackButNotWhatWasDownAtT
             "earshotd: 2026-11-18 11:06:56 UTC: port 2, ev\\x1bil: its link is up again\n");
 }
 
+TEST_F(FlightNewsTest, TellsOnceThatTheDiskDoesNotTakeTheJournalAndOnceThatItDoesAgain) {
+  tell_link(0, kOwnPort, true);
+  tell_link(1, kOwnPort, false);
+  tell_link(2, kOwnPort, false);
+  Health h = health(MissionState::kStandby);
+  ASSERT_EQ(h.ports.push_back({.port = kOwnPort, .lost = 12}), Status::kOk);
+  news_->tell(kUtc + Duration::seconds(62), h);
+  EXPECT_EQ(all_told(),
+            "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\n"
+            "earshotd: 2026-11-18 11:06:41 UTC: journal: the disk does not take it in time (full, read-only, broken or slow): the flight "
+            "goes on; once the buffer is full only orders, changes of state and some set-points are kept\n"
+            "earshotd: 2026-11-18 11:07:42 UTC: journal: the disk takes it again; 12 records are lost\n");
+}
+
 TEST_F(FlightNewsTest, TellsInEachStateOnceHowManyMessagesWereRefusedAndWhereToLook) {
   const auto tell = [this](int second, MissionState state, std::uint64_t navigation, std::uint64_t snr) {
     Health h = health(state, state == MissionState::kAbort ? EndReason::kNavigationStale : EndReason::kNone, 2);
