@@ -7,7 +7,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -25,42 +24,12 @@
 #include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/journal/journal_format.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/firmware/host/journal/journal_folder.hpp"
 
 namespace earshot::host {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
-class JournalTest : public ::testing::Test {
- protected:
-  [[nodiscard]] Bytes contents() const {
-    std::ifstream file(path_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  void overwrite(const Bytes& bytes) const {
-    std::ofstream file(path_, std::ios::binary | std::ios::trunc);
-    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  }
-  [[nodiscard]] std::size_t records_until(JournalReader::End end) const {
-    JournalReader reader(path_);
-    JournalRecord record;
-    std::size_t count = 0;
-    while (reader.next(record)) ++count;
-    EXPECT_EQ(reader.end(), end);
-    return count;
-  }
-  void write_three_records() const {
-    Journal journal(path_, {.existing = ExistingJournal::kReplace});
-    ASSERT_EQ(journal.append(Time{1}, "A", Bytes{1, 2, 3}), Status::kOk);
-    ASSERT_EQ(journal.append(Time{2}, "BB", Bytes{}), Status::kOk);
-    ASSERT_EQ(journal.append(Time{3}, "CCC", Bytes(40, 0x55)), Status::kOk);
-    ASSERT_EQ(journal.close(), Status::kOk);
-  }
-
-  const support::TemporaryFolder folder_;
-  const std::filesystem::path path_ = folder_ / "journal.lcmlog";
-};
+class JournalTest : public JournalFolder {};
 
 TEST_F(JournalTest, WritesARecordByteForByteAsItsHeaderPrintsIt) {
   {
@@ -107,102 +76,6 @@ TEST_F(JournalTest, IsAnEventLogToLiblcm) {
     EXPECT_EQ(event->datalen, sizes[i]);
   }
   EXPECT_EQ(log.readNextEvent(), nullptr);
-}
-
-TEST_F(JournalTest, CutAtAnyByteReadsBackToTheLastCompleteRecord) {
-  write_three_records();
-  const Bytes whole = contents();
-  const std::size_t first = 28 + 1 + 3;
-  const std::size_t second = first + 28 + 2;
-  for (std::size_t size = 0; size < whole.size(); ++size) {
-    overwrite(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
-    const bool at_end_of_record = size == 0 || size == first || size == second;
-    const std::size_t complete = size < first ? 0 : size < second ? 1 : 2;
-    EXPECT_EQ(records_until(at_end_of_record ? JournalReader::End::kWhole : JournalReader::End::kCut), complete) << size;
-  }
-}
-
-/// The damage of a journal all of which can be read but a stretch.
-using Damages = std::vector<JournalDamage>;
-
-TEST_F(JournalTest, LosesToAFlippedBitTheRecordThatItHitsAndNoOther) {
-  write_three_records();
-  const Bytes whole = contents();
-  const std::vector<std::size_t> begins{0, 28 + 1 + 3, 28 + 1 + 3 + 28 + 2, whole.size()};
-  for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
-    Bytes flipped = whole;
-    flipped[bit / 8] = static_cast<std::uint8_t>(flipped[bit / 8] ^ (1U << (bit % 8)));
-    overwrite(flipped);
-    const std::size_t hit = bit / 8 < begins[1] ? 0 : bit / 8 < begins[2] ? 1 : 2;
-    JournalReader reader(path_);
-    std::vector<std::uint32_t> numbers;
-    for (JournalRecord record; reader.next(record);) numbers.push_back(record.number);
-    std::vector<std::uint32_t> others{0, 1, 2};
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(hit));
-    ASSERT_EQ(numbers, others) << bit;
-    ASSERT_EQ(reader.damages(), (Damages{{begins[hit], begins[hit + 1] - begins[hit]}})) << bit;
-    ASSERT_EQ(reader.end() != JournalReader::End::kWhole, hit == 2) << bit;
-  }
-}
-
-TEST_F(JournalTest, ReadsOnBehindALengthThatReachesBeyondTheFile) {
-  write_three_records();
-  Bytes bytes = contents();
-  store(std::span(bytes).subspan(24, 4), config::kLcmMessageBytes);
-  overwrite(bytes);
-  JournalReader reader(path_);
-  JournalRecord record;
-  ASSERT_TRUE(reader.next(record));
-  EXPECT_EQ(record.number, 1U);
-  EXPECT_EQ(reader.damages(), (Damages{{0, 32}}));
-}
-
-TEST_F(JournalTest, FindsEveryRecordBetweenStretchesOfNoise) {
-  // Noise that begins like a record again and again, of every length around the 1 MiB that a reader looks at.
-  write_three_records();
-  const Bytes whole = contents();
-  Bytes bytes;
-  Damages damages;
-  for (const std::size_t length : {1U, 4U, 27U, 28U, 100U, 1'048'575U, 1'048'576U, 3'000'001U}) {
-    damages.push_back({bytes.size(), length});
-    for (std::size_t i = 0; i < length; ++i) bytes.push_back(std::array<std::uint8_t, 5>{0xED, 0xA1, 0xDA, 0x01, 0x00}[i * i % 5]);
-    bytes.insert(bytes.end(), whole.begin(), whole.end());
-  }
-  overwrite(bytes);
-  JournalReader reader(path_);
-  std::size_t count = 0;
-  for (JournalRecord record; reader.next(record); ++count) ASSERT_EQ(record.number, count % 3);
-  EXPECT_EQ(count, 3U * 8U);
-  EXPECT_EQ(reader.damages(), damages);
-  EXPECT_EQ(reader.end(), JournalReader::End::kWhole);
-}
-
-TEST_F(JournalTest, TakesAnEmptyEndForAPowerCut) {
-  write_three_records();
-  const auto size = std::filesystem::file_size(path_);
-  std::filesystem::resize_file(path_, size + 4096);  // as a file system leaves it that knew the length and not yet the bytes
-  JournalReader reader(path_);
-  std::size_t count = 0;
-  for (JournalRecord record; reader.next(record);) ++count;
-  EXPECT_EQ(count, 3U);
-  EXPECT_EQ(reader.end(), JournalReader::End::kCut);
-  EXPECT_EQ(reader.offset(), size);
-  EXPECT_EQ(reader.damages(), (Damages{{size, 4096}}));
-}
-
-TEST_F(JournalTest, FollowsAJournalThatGrowsByteByByte) {
-  write_three_records();
-  const Bytes whole = contents();
-  overwrite({});
-  JournalReader reader(path_);
-  std::size_t count = 0;
-  for (std::size_t size = 0; size <= whole.size(); ++size) {
-    overwrite(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
-    for (JournalRecord record; reader.next(record); ++count) ASSERT_EQ(record.number, count);
-    reader.look_again();
-  }
-  EXPECT_EQ(count, 3U);
-  EXPECT_TRUE(reader.damages().empty());
 }
 
 TEST_F(JournalTest, ReadsOnWhereItsNumbersBeginAnew) {
