@@ -37,9 +37,15 @@ board::Clock::Wake LockStepClock::receive() {
   // What has come meanwhile belongs to the tick that follows it: it is read when that is here.
   if (delivery == Delivery::kNothing) return Wake::kNothing;
   tick_ = tick;
+  if (turns_made_ > 0 && tick.number == turns_made_) return Wake::kAgain;
   is_waiting_ = true;
   deadline_ = steady_clock::now() + kPortPatience;
   return Wake::kPorts;
+}
+
+void LockStepClock::go_on_after(const messages::Health& last) {
+  turns_made_ = last.turn;
+  link_.go_on_after(last.turn);
 }
 
 Time LockStepClock::time_heard(Time utc) {
@@ -77,7 +83,7 @@ void LockStepPort::collect(board::Clock& /*clock*/, board::InputSink& sink) {
     sink.take(index(), messages::OperatorCommand{.time = tick->time,
                                                  .expiry = tick->time,
                                                  .issuer = kIssuer,
-                                                 .number = ++commands_,
+                                                 .number = static_cast<std::uint32_t>(tick->number),
                                                  .order = static_cast<messages::Order>(tick->command),
                                                  .is_verified = true});  // it drives the clock: nobody else is there to give orders
   }

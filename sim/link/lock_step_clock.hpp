@@ -32,6 +32,8 @@ class LockStepClock final : public board::Clock {
   [[nodiscard]] Wake wait(const Awaited& awaited) override;
   [[nodiscard]] bool answered(const runtime::Outputs& outputs, std::uint64_t setpoints_sent) override;
 
+  void go_on_after(const messages::Health& last) override;
+
   /// The tick of the turn that is due, once.
   [[nodiscard]] std::optional<Tick> take_due();
 
@@ -46,6 +48,7 @@ class LockStepClock final : public board::Clock {
   Tick tick_;
   bool is_waiting_ = false;  ///< for the navigation and the sound that the tick announces
   bool is_due_ = false;
+  std::uint64_t turns_made_ = 0;  ///< by a process before this one; its last tick may be asked for again
   steady_clock::time_point deadline_;
   std::optional<NorthEast> believed_source_;  ///< as of the last decision
 };
@@ -62,7 +65,6 @@ class LockStepPort final : public board::Port {
 
  private:
   LockStepClock& clock_;
-  std::uint32_t commands_ = 0;
 };
 
 }  // namespace earshot::link

@@ -23,11 +23,12 @@ struct Tick {
 
 struct Answer {
   std::uint64_t number = 0;
+  std::uint64_t turns_made = 0;
   std::uint64_t setpoint_messages = 0;
   std::uint32_t steps_taken = 0;
   std::uint8_t state = 0;
   std::uint8_t end_reason = 0;
-  std::optional<NorthEast> believed_source;  ///< where it was likeliest at the last decision
+  std::optional<NorthEast> believed_source = std::nullopt;  ///< where it was likeliest at the last decision
 };
 
 struct GroundTruth {

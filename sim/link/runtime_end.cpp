@@ -21,6 +21,7 @@ Tick from_wire(const earshot_sim_Tick& sample) {
 earshot_sim_Answer to_wire(const Answer& answer, RunId run) {
   return {.run = run,
           .number = answer.number,
+          .turns_made = answer.turns_made,
           .setpoint_messages = answer.setpoint_messages,
           .steps_taken = answer.steps_taken,
           .state = answer.state,
@@ -71,7 +72,7 @@ Delivery RuntimeEnd::receive(Tick& tick, std::chrono::milliseconds timeout) {
   for (;;) {
     const Delivery delivery = entities_->ticks.take(tick, timeout);
     if (delivery != Delivery::kArrived || tick.number != 0) return delivery;
-    send({});
+    send({.turns_made = turns_made_});
   }
 }
 

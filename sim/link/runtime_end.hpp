@@ -24,12 +24,15 @@ class RuntimeEnd {
   /// kLost when the simulator has left or has not been heard of for kLeaseSeconds.
   [[nodiscard]] Delivery receive(Tick& tick, std::chrono::milliseconds timeout);
   void send(const Answer& answer);
+  /// What a knock is answered with: turns that another process made before this one.
+  void go_on_after(std::uint64_t turns_made) { turns_made_ = turns_made; }
   /// Ticks of other simulators in the domain that were ignored.
   [[nodiscard]] std::uint64_t strangers() const;
 
  private:
   struct Entities;
   std::unique_ptr<Entities> entities_;
+  std::uint64_t turns_made_ = 0;
 };
 
 }  // namespace earshot::link

@@ -8,6 +8,7 @@ namespace {
 
 Answer from_wire(const earshot_sim_Answer& sample) {
   return {.number = sample.number,
+          .turns_made = sample.turns_made,
           .setpoint_messages = sample.setpoint_messages,
           .steps_taken = sample.steps_taken,
           .state = sample.state,
@@ -28,7 +29,8 @@ struct SimulatorEnd::Entities {
   Delivering<earshot_sim_Answer, Answer, from_wire> delivering;
 };
 
-SimulatorEnd::SimulatorEnd(std::uint32_t domain, RunId run) : entities_(std::make_unique<Entities>(domain, run)) {}
+SimulatorEnd::SimulatorEnd(std::uint32_t domain, RunId run)
+    : domain_(domain), run_(run), entities_(std::make_unique<Entities>(domain, run)) {}
 SimulatorEnd::~SimulatorEnd() = default;
 
 bool SimulatorEnd::wait_for_runtime(std::chrono::milliseconds timeout) {
@@ -39,10 +41,20 @@ bool SimulatorEnd::wait_for_runtime(std::chrono::milliseconds timeout) {
     send({});
     Answer answer;
     const Delivery delivery = receive(answer, kBetweenKnocks);
-    if (delivery == Delivery::kArrived) return true;
+    if (delivery == Delivery::kArrived) {
+      turns_made_ = answer.turns_made;
+      return true;
+    }
     if (delivery == Delivery::kLost) throw LinkError("simulation link: the runtime left before the first tick");
   } while (steady_clock::now() < deadline);
   return false;
+}
+
+void SimulatorEnd::give_up_runtime() {
+  const std::uint64_t strangers = this->strangers();
+  entities_.reset();  // before the next session of the domain begins
+  entities_ = std::make_unique<Entities>(domain_, run_);
+  strangers_before_ = strangers;
 }
 
 void SimulatorEnd::send(const Tick& tick) {
@@ -63,7 +75,7 @@ Delivery SimulatorEnd::receive(Answer& answer, std::chrono::milliseconds timeout
 }
 
 std::uint64_t SimulatorEnd::strangers() const {
-  return entities_->delivering.strangers();
+  return strangers_before_ + entities_->delivering.strangers();
 }
 
 void SimulatorEnd::observe(const GroundTruth& truth) {

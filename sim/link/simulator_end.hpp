@@ -19,6 +19,10 @@ class SimulatorEnd {
 
   /// Knocks until a runtime answers that it is ready for the first tick. From then on only that one is heard. Throws LinkError.
   [[nodiscard]] bool wait_for_runtime(std::chrono::milliseconds timeout);
+  /// Turns that the runtime that answered had behind it already: it goes on from its journal.
+  [[nodiscard]] std::uint64_t turns_made() const { return turns_made_; }
+  /// The runtime is lost: the next wait_for_runtime() waits for another of the same run. Throws LinkError.
+  void give_up_runtime();
   /// Throws LinkError.
   void send(const Tick& tick);
   /// kLost when the runtime has left or has not been heard of for kLeaseSeconds.
@@ -29,6 +33,10 @@ class SimulatorEnd {
 
  private:
   struct Entities;
+  std::uint32_t domain_;
+  RunId run_;
+  std::uint64_t turns_made_ = 0;
+  std::uint64_t strangers_before_ = 0;  ///< of the runtimes before this one
   std::unique_ptr<Entities> entities_;
 };
 

@@ -25,7 +25,7 @@
 #include "earshot/operator_command_t.hpp"
 #include "earshot/snr_estimate_t.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
-#include "firmware/boards/linux/replay.hpp"
+#include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/health.hpp"

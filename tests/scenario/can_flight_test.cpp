@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/boards/linux/replay.hpp"
+#include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"

@@ -10,7 +10,7 @@
 
 #include "earshot/health_t.hpp"
 #include "earshot/nav_state_t.hpp"
-#include "firmware/boards/linux/replay.hpp"
+#include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "firmware/boards/linux/replay.hpp"
+#include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/journal/input_record.hpp"

@@ -16,7 +16,7 @@
 
 #include "earshot/command_acknowledgement_t.hpp"
 #include "earshot/setpoint_t.hpp"
-#include "firmware/boards/linux/replay.hpp"
+#include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/messages/input.hpp"

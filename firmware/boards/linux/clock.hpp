@@ -25,6 +25,7 @@ class Clock {
     kNothing,  ///< look whether to stop; what the ports bring is not due yet, because the clock cannot date it
     kPorts,    ///< a port may have brought something, or it is time to look whether to stop
     kTurn,     ///< a turn is due once the ports have been read
+    kAgain,    ///< who drives the clock asks again for what the last turn said (go_on_after())
     kLost,     ///< who drives the clock is gone, or what it announced does not arrive
   };
 
@@ -51,6 +52,9 @@ class Clock {
   [[nodiscard]] virtual bool takes_sound_now() const { return true; }
   /// Converts the arrival of something that bears no date to the mission clock. @param utc  when the kernel received it
   [[nodiscard]] virtual Time arrival_of(Time utc) = 0;
+
+  /// Before the first wait(): the mission goes on from its journal, and this is the health of its last turn.
+  virtual void go_on_after(const messages::Health& /*last*/) {}
 
   /// What the loop waits for.
   struct Awaited {

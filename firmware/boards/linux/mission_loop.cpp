@@ -97,10 +97,16 @@ wire::ClosingRecord closing_record_of(const LoopResult& result) {
           .steps_taken = health.steps_taken};
 }
 
-LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period, const std::atomic<bool>& stop) {
+LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period, const std::atomic<bool>& stop, Duration hold) {
   LoopResult result;
   result.began = clock.now();
   Time next_turn = result.began + period;
+  const std::uint64_t navigation_before = turn.navigation_taken();
+  const std::uint64_t snr_before = turn.snr_taken();
+  const auto waits_for_sensors = [&] {
+    const bool hears = turn.navigation_taken() > navigation_before && turn.snr_taken() > snr_before;
+    return result.turns == 0 && !hears && clock.now() - result.began < hold;
+  };
   int said = 0;  // turns since the mission was over
   while (!stop) {
     const Clock::Wake wake = clock.wait(awaited(ports, next_turn, turn));
@@ -112,8 +118,13 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period,
     if (stop) break;
     if (wake == Clock::Wake::kNothing) continue;
     collect(ports, clock, turn);
+    if (wake == Clock::Wake::kAgain) (void)clock.answered(turn.say_again(), ports.setpoints_sent());
     if (wake != Clock::Wake::kTurn) continue;
     ports.tend();
+    if (waits_for_sensors()) {
+      next_turn = clock.now() + period;
+      continue;
+    }
     make_turn(turn, result);
     if (is_over(result.last.health) && said < kLastSetpoints) ++said;
     next_turn = std::max(next_turn + period, clock.now());

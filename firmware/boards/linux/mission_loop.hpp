@@ -41,6 +41,9 @@ struct LoopResult {
 /// waits for turns.
 /// @param period  between two turns
 /// @param stop    set by a signal handler
-[[nodiscard]] LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period, const std::atomic<bool>& stop);
+/// @param hold    of a mission that goes on from its journal: for so long its first turn waits for navigation and SNR, so that it is not
+///                ended for the silence of its own outage
+[[nodiscard]] LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period, const std::atomic<bool>& stop,
+                             Duration hold = {});
 
 }  // namespace earshot::board

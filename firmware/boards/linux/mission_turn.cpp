@@ -1,10 +1,13 @@
 #include "firmware/boards/linux/mission_turn.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <iterator>
 #include <variant>
 
+#include "earshot/journal_resumed_t.hpp"
+#include "firmware/boards/linux/turn_records.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/wire/journal/input_record.hpp"
@@ -32,27 +35,29 @@ Weight weight_of(std::uint8_t port, const InputSink::Value& value) {
 /// Between two reports of a journal whose disk comes and goes.
 constexpr Duration kBetweenJournalReports = Duration::seconds(60);
 
+template <class Bytes>
+void write_build(std::string_view build, Bytes& bytes) {
+  std::copy_n(build.begin(), std::min(build.size(), std::size(bytes)), std::begin(bytes));
+}
+
 }  // namespace
 
 void MissionTurn::record_mission(const config::Mission& mission, std::span<const std::uint8_t> policy, std::string_view build) {
-  last_ = clock_.now();
-  mission_t m = wire::to_message(mission, last_);
+  const Time begin = memory_.last = clock_.now();
+  mission_t m = wire::to_message(mission, begin);
   m.policy_crc32 = static_cast<std::int32_t>(crc32(policy));
-  std::copy_n(build.begin(), std::min(build.size(), std::size(m.build)), std::begin(m.build));
-  append(journal_, last_, wire::kMissionChannel, m, Weight::kOrder);
-  (void)journal_.append(last_, wire::kPolicyChannel, policy, Weight::kOrder);
+  write_build(build, m.build);
+  append(journal_, begin, wire::kMissionChannel, m, Weight::kOrder);
+  (void)journal_.append(begin, wire::kPolicyChannel, policy, Weight::kOrder);
 }
 
 Time MissionTurn::now() {
-  last_ = std::max(last_, clock_.now());
-  return last_;
+  return memory_.last = std::max(memory_.last, clock_.now());
 }
 
 void MissionTurn::take(std::uint8_t port, const Value& value) {
-  const messages::Input input{.arrival = now(), .port = port, .sequence = sequence_++, .value = value};
-  const auto* navigation = std::get_if<messages::Navigation>(&value);
-  if (navigation != nullptr && messages::is_usable(*navigation)) speed_ = navigation->speed;
-  if (navigation != nullptr && navigation->time >= Time{}) ++navigation_taken_;
+  const messages::Input input{.arrival = now(), .port = port, .sequence = memory_.inputs, .value = value};
+  memory_.note(input);
   const wire::InputRecord record(input);
   (void)journal_.append(input.arrival, record.channel(), record.data(), weight_of(port, value));
   if (news_ != nullptr && port == kOwnPort && std::holds_alternative<messages::OperatorCommand>(value)) news_->tell_stop();
@@ -72,43 +77,61 @@ void MissionTurn::tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_th
   if (news_ != nullptr) news_->tell(port, trouble, is_there);
 }
 
+void MissionTurn::go_on_after(const Resumption& before, std::string_view build) {
+  memory_ = before.memory;
+  outputs_ = before.last;
+  for (const Playback::Unwritten& record : before.unwritten)
+    (void)journal_.append(memory_.last, record.channel, record.message.bytes(), record.weight);
+  journal_resumed_t resumed{.utime = now().us, .cut_bytes = static_cast<std::int64_t>(before.cut_bytes), .build = {}};
+  write_build(build, resumed.build);
+  append(journal_, memory_.last, wire::kJournalResumedChannel, resumed, Weight::kOrder);
+}
+
 runtime::Outputs MissionTurn::operator()() {
   ports_.report_changes(*this);
   const Time turn = now();
   report_journal(turn);
-  const runtime::Outputs outputs = runtime_.step(turn);
-  record(turn, outputs);
-  if (outputs.setpoint) commanded_speed_ = outputs.setpoint->speed;
-  ports_.note_speed(is_finite(speed_.value) ? speed_ : commanded_speed_);
-  ports_.publish(turn, outputs);
-  if (news_ == nullptr) return outputs;
-  for (const messages::SafetyEvent& event : outputs.safety_events) news_->tell(event);
-  news_->tell(turn, outputs.health);
-  return outputs;
+  outputs_ = runtime_.step(turn);
+  record(turn, outputs_);
+  memory_.note(turn, outputs_);
+  write_ahead_of(outputs_);
+  ports_.note_speed(is_finite(memory_.speed.value) ? memory_.speed : memory_.commanded_speed);
+  ports_.publish(turn, outputs_);
+  if (news_ == nullptr) return outputs_;
+  for (const messages::SafetyEvent& event : outputs_.safety_events) news_->tell(event);
+  news_->tell(turn, outputs_.health);
+  return outputs_;
+}
+
+runtime::Outputs MissionTurn::say_again() {
+  ports_.publish(memory_.last, outputs_);
+  return outputs_;
+}
+
+void MissionTurn::write_ahead_of(const runtime::Outputs& outputs) {
+  constexpr std::chrono::milliseconds kPatience{100};
+  const bool has_obeyed = std::ranges::any_of(outputs.acknowledgements, [](const messages::CommandAcknowledgement& acknowledgement) {
+    return acknowledgement.outcome == messages::CommandOutcome::kObeyed;
+  });
+  if (writes_ahead_) {
+    (void)journal_.flush();  // what the disk does not take stands in the health
+  } else if (has_obeyed) {
+    (void)journal_.flush(kPatience);
+  }
 }
 
 void MissionTurn::report_journal(Time now) {
   const bool is_fine = journal_.trouble() == host::JournalTrouble::kNone;
-  if (is_fine == journal_report_.link_up || now < journal_report_due_) return;
+  if (is_fine == memory_.reports[kOwnPort].link_up || now < journal_report_due_) return;
   const host::JournalCounters counters = journal_.counters();
-  journal_report_.link_up = is_fine;
-  journal_report_.lost = counters.all_lost();
-  journal_report_.unsent = counters.write_errors;
   journal_report_due_ = now + kBetweenJournalReports;
-  take(kOwnPort, journal_report_);
+  take(kOwnPort, messages::PortReport{.port = kOwnPort, .link_up = is_fine, .lost = counters.all_lost(), .unsent = counters.write_errors});
 }
 
 void MissionTurn::record(Time now, const runtime::Outputs& outputs) {
-  if (outputs.setpoint)
-    append(journal_, now, wire::kJournalledSetpointChannel, wire::to_message(*outputs.setpoint, now), Weight::kSteering);
-  if (outputs.decision) append(journal_, now, wire::kDecisionChannel, wire::to_message(*outputs.decision), Weight::kSteering);
-  for (const messages::SafetyEvent& event : outputs.safety_events)
-    append(journal_, now, wire::kSafetyEventChannel, wire::to_message(event), Weight::kSteering);
-  for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements)
-    append(journal_, now, wire::kAcknowledgementChannel, wire::to_message(acknowledgement), Weight::kOrder);
-  const bool is_new_state = recorded_state_ != outputs.health.state;
-  recorded_state_ = outputs.health.state;
-  append(journal_, now, wire::kHealthChannel, wire::to_message(outputs.health, now), is_new_state ? Weight::kOrder : Weight::kStream);
+  const bool is_new_state = memory_.recorded_state != outputs.health.state;
+  for_each_record(now, outputs, is_new_state,
+                  [&](std::string_view channel, const auto& message, Weight weight) { append(journal_, now, channel, message, weight); });
 }
 
 }  // namespace earshot::board

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -9,10 +8,11 @@
 #include "firmware/boards/linux/news/flight_news.hpp"
 #include "firmware/boards/linux/port.hpp"
 #include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/replay/resume.hpp"
+#include "firmware/boards/linux/turn_memory.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/host/journal/journal.hpp"
-#include "firmware/messages/port_report.hpp"
 #include "firmware/runtime/runtime.hpp"
 
 namespace earshot::board {
@@ -35,6 +35,13 @@ class MissionTurn final : public InputSink {
   /// @param policy  bytes of the .policy file; build  version and commit of this program
   void record_mission(const config::Mission& mission, std::span<const std::uint8_t> policy, std::string_view build);
 
+  /// In place of record_mission(): goes on where another process ended, whose journal is this one's now, and whose runtime this one has.
+  void go_on_after(const Resumption& before, std::string_view build);
+
+  /// From now on what a turn says is in the journal's file before it is sent: who resumes from the journal has forgotten nothing that
+  /// anybody heard. Otherwise that holds of obeyed commands alone, and for a tenth of a second at most.
+  void write_ahead() { writes_ahead_ = true; }
+
   /// From now on every turn is told to a person, too. @param news  must outlive it
   void tell(FlightNews& news) { news_ = &news; }
 
@@ -44,11 +51,14 @@ class MissionTurn final : public InputSink {
   void tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) override;
 
   runtime::Outputs operator()();
+  /// Sends what the last turn said: the process that made it may not have come to it.
+  runtime::Outputs say_again();
 
   /// Fixes taken so far, but for those without a date that the clock knows.
-  [[nodiscard]] std::uint64_t navigation_taken() const { return navigation_taken_; }
+  [[nodiscard]] std::uint64_t navigation_taken() const { return memory_.navigation_taken; }
+  [[nodiscard]] std::uint64_t snr_taken() const { return memory_.snr_taken; }
   /// The time of the last turn or input.
-  [[nodiscard]] Time last() const { return last_; }
+  [[nodiscard]] Time last() const { return memory_.last; }
 
  private:
   /// The mission clock's time; it never goes back, though a clock were read by several.
@@ -56,19 +66,16 @@ class MissionTurn final : public InputSink {
   void record(Time now, const runtime::Outputs& outputs);
   /// The journal's trouble is an input like a port's: it stands in the health, and a replay gives it again.
   void report_journal(Time now);
+  void write_ahead_of(const runtime::Outputs& outputs);
 
   runtime::Runtime& runtime_;
   PortSet& ports_;
   host::Journal& journal_;
   Clock& clock_;
-  Time last_;
-  std::uint64_t sequence_ = 0;
-  messages::PortReport journal_report_{.port = kOwnPort};
+  TurnMemory memory_;
   Time journal_report_due_;
-  std::uint64_t navigation_taken_ = 0;
-  std::optional<messages::MissionState> recorded_state_;
-  MetersPerSecond speed_;            ///< through the water, by the last fix that could be one; NaN: it does not know
-  MetersPerSecond commanded_speed_;  ///< of the last set-point; stands in for a speed that nobody knows
+  runtime::Outputs outputs_;  ///< of the last turn
+  bool writes_ahead_ = false;
   FlightNews* news_ = nullptr;
 };
 

@@ -17,6 +17,15 @@ std::string line_of(const Port& port) {
   return "  port " + std::to_string(port.index()) + ": " + port.description() + "\n";
 }
 
+/// @param report  whose port and link it is
+messages::PortReport summed(messages::PortReport report, const messages::PortReport& other) {
+  report.received += other.received;
+  report.lost += other.lost;
+  report.malformed += other.malformed;
+  report.unsent += other.unsent;
+  return report;
+}
+
 }  // namespace
 
 void PortSet::add(std::unique_ptr<Port> port) {
@@ -42,12 +51,16 @@ void PortSet::note_speed(MetersPerSecond speed) {
 
 void PortSet::report_changes(InputSink& sink) {
   for (const auto& port : ports_) {
-    const messages::PortReport report = port->report();
+    const messages::PortReport report = summed(port->report(), before_[port->index()]);
     messages::PortReport& reported = reported_[port->index()];
     if (report == reported) continue;
     reported = report;
     sink.take(port->index(), report);
   }
+}
+
+void PortSet::count_on_from(const std::array<messages::PortReport, config::kMaxPorts>& reported) {
+  before_ = reported_ = reported;
 }
 
 void PortSet::serve() {
@@ -129,11 +142,9 @@ messages::PortReport PortSet::sum() const {
   for (const auto& port : ports_) {
     if (port->has(host::Role::kHydrophone)) continue;
     const messages::PortReport report = port->report();
-    sum.link_up = sum.link_up && report.link_up;
-    sum.received += report.received;
-    sum.lost += report.lost;
-    sum.malformed += report.malformed;
-    sum.unsent += report.unsent;
+    const bool link_up = sum.link_up && report.link_up;
+    sum = summed(sum, report);
+    sum.link_up = link_up;
   }
   return sum;
 }

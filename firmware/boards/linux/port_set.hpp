@@ -38,6 +38,8 @@ class PortSet {
   void note_speed(MetersPerSecond speed);
   /// Gives `sink` the report of every port that has changed since it was last given.
   void report_changes(InputSink& sink);
+  /// Counts on from what a process before this one reported: counters only grow.
+  void count_on_from(const std::array<messages::PortReport, config::kMaxPorts>& reported);
   /// Lets every port do what its bus wants of it; to be called at least ten times a second of the host's time.
   void serve();
   /// Waits until every port whose link is up could send, but no longer than `most`.
@@ -74,6 +76,7 @@ class PortSet {
  private:
   std::vector<std::unique_ptr<Port>> ports_;
   std::array<messages::PortReport, config::kMaxPorts> reported_{};
+  std::array<messages::PortReport, config::kMaxPorts> before_{};  ///< counted by a process before this one
   std::array<pollfd, config::kMaxPorts> readable_{};
   std::uint64_t setpoints_sent_ = 0;
   std::chrono::steady_clock::time_point last_tended_ = std::chrono::steady_clock::now();

@@ -49,8 +49,7 @@ std::array<std::uint8_t, kRecordHeaderSize> header_of(std::uint32_t number, Time
   return header;
 }
 
-JournalFile create(const std::filesystem::path& wanted, const JournalOptions& options) {
-  JournalFile file(wanted, options.existing);
+JournalFile kept(JournalFile file, const JournalOptions& options) {
   if (options.survives == JournalOptions::Survives::kPowerCut) file.keep_entry();
   return file;
 }
@@ -95,8 +94,8 @@ struct Journal::Writer {
   std::atomic<std::uint64_t> write_errors = 0;
   std::thread thread;
 
-  Writer(const std::filesystem::path& path, JournalOptions chosen)
-      : file(create(path, chosen)), options(chosen), thread([this] { run(); }) {}
+  Writer(JournalFile opened, std::uint32_t number, JournalOptions chosen)
+      : file(kept(std::move(opened), chosen)), options(chosen), next_number(number), thread([this] { run(); }) {}
 
   /// Waits, if it may, until `size` bytes fit; not for a disk that takes nothing.
   bool make_room(std::size_t size, Weight weight) {
@@ -286,7 +285,10 @@ struct Journal::Writer {
   }
 };
 
-Journal::Journal(const std::filesystem::path& path, JournalOptions options) : writer_(new Writer(path, options)) {}
+Journal::Journal(const std::filesystem::path& path, JournalOptions options) : Journal(JournalFile(path, options.existing), 0, options) {}
+
+Journal::Journal(JournalFile file, std::uint32_t next_number, JournalOptions options)
+    : writer_(new Writer(std::move(file), next_number, options)) {}
 
 Journal::~Journal() {
   static_cast<void>(close());
@@ -320,6 +322,13 @@ Status Journal::flush() {
   std::unique_lock lock(writer_->mutex);
   const auto is_done = [this] { return writer_->appended.bytes == writer_->taken; };
   writer_->less.wait(lock, [&] { return is_done() || writer_->failing; });
+  return is_done() ? Status::kOk : Status::kNotReady;
+}
+
+Status Journal::flush(std::chrono::milliseconds most) {
+  std::unique_lock lock(writer_->mutex);
+  const auto is_done = [this] { return writer_->appended.bytes == writer_->taken; };
+  (void)writer_->less.wait_for(lock, most, [&] { return is_done() || writer_->failing; });
   return is_done() ? Status::kOk : Status::kNotReady;
 }
 

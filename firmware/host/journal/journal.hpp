@@ -78,6 +78,8 @@ class Journal {
   /// What is to be replaced may be anything: who has that from a person asks require_writable(path, kJournalOutput, ...) first.
   /// @throws as JournalFile.
   explicit Journal(const std::filesystem::path& path, JournalOptions options = {});
+  /// Goes on with a journal that another process began. @param next_number  of the next record
+  Journal(JournalFile file, std::uint32_t next_number, JournalOptions options = {});
   /// close().
   ~Journal();
 
@@ -87,6 +89,8 @@ class Journal {
 
   /// Waits until nothing of what was appended waits for the disk. kNotReady if the disk takes nothing.
   [[nodiscard]] Status flush();
+  /// Likewise, but no longer than `most`. kNotReady also if something still waits then.
+  [[nodiscard]] Status flush(std::chrono::milliseconds most);
 
   /// From now on close() ends the file with this record; what was lost is filled in by close(). Of the appending thread.
   void conclude(const wire::ClosingRecord& closing);

@@ -31,11 +31,19 @@ std::filesystem::path numbered(const std::filesystem::path& path, int number) {
 
 }  // namespace
 
+std::optional<std::filesystem::path> newest_journal(const std::filesystem::path& wanted) {
+  std::optional<std::filesystem::path> newest;
+  std::error_code error;
+  std::filesystem::path path = wanted;
+  for (int number = 2; std::filesystem::exists(path, error); path = numbered(wanted, number++)) newest = path;
+  return newest;
+}
+
 JournalFile::JournalFile(const std::filesystem::path& wanted, ExistingJournal existing) : path_(wanted) {
   // What is replaced is emptied only when nobody writes it.
-  const int mode = existing == ExistingJournal::kReplace ? 0 : O_EXCL;
+  const int mode = existing == ExistingJournal::kGoOn ? 0 : (existing == ExistingJournal::kReplace ? O_CREAT : O_CREAT | O_EXCL);
   for (int number = 2;; ++number) {
-    file_ = FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, 0644));
+    file_ = FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CLOEXEC | mode, 0644));
     if (file_.number() >= 0) break;
     if (errno != EEXIST || existing != ExistingJournal::kKeep || number > kMostJournals) fail(path_);
     path_ = numbered(wanted, number);
@@ -44,7 +52,13 @@ JournalFile::JournalFile(const std::filesystem::path& wanted, ExistingJournal ex
   if (::fstat(file_.number(), &status) != 0) fail(path_);
   if (!S_ISREG(status.st_mode)) return;
   mark_as_written(file_, path_);
-  if (::ftruncate(file_.number(), 0) != 0) fail(path_);
+  cut(existing == ExistingJournal::kGoOn ? static_cast<std::uint64_t>(status.st_size) : 0);
+}
+
+void JournalFile::cut(std::uint64_t size) {
+  const auto end = static_cast<off_t>(size);
+  if (::ftruncate(file_.number(), end) != 0 || ::lseek(file_.number(), end, SEEK_SET) != end) fail(path_);
+  size_ = held_ = size;
 }
 
 void JournalFile::keep_entry() const {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include "firmware/host/file/file_descriptor.hpp"
@@ -13,8 +14,12 @@ namespace earshot::host {
 enum class ExistingJournal : std::uint8_t {
   kRefuse,
   kReplace,
+  kGoOn,  ///< it must be there, and is written on at its end (cut())
   kKeep,  ///< at sea: it stays, and this journal is NAME-2, NAME-3, ... so that a process that died can be started again
 };
+
+/// The last of the journals that kKeep has numbered; nothing when there is none of that name.
+[[nodiscard]] std::optional<std::filesystem::path> newest_journal(const std::filesystem::path& wanted);
 
 /// Space on the disk that is kept behind the end of a journal for what must be written though the disk is full: 300 set-points and as much
 /// again for orders and the closing record.
@@ -26,8 +31,12 @@ inline constexpr std::uint64_t kJournalReserveBytes = 65'536;
 /// system that cannot do that (EOPNOTSUPP: ext2, NFS before 4.2) has no reserve: every write may take what it gets.
 class JournalFile {
  public:
-  /// @throws std::system_error naming the file if it cannot be created (or exists: kRefuse); FolderInUse naming who writes it (kReplace)
+  /// @throws std::system_error naming the file if it cannot be created (or exists: kRefuse; or does not: kGoOn); FolderInUse naming who
+  /// writes it (kReplace, kGoOn)
   JournalFile(const std::filesystem::path& wanted, ExistingJournal existing);
+
+  /// Before anything is written: what stands behind `size` bytes is cut off. @throws std::system_error naming the file
+  void cut(std::uint64_t size);
 
   /// Brings the folder's entry of the file to the disk. @throws std::system_error naming the folder
   void keep_entry() const;

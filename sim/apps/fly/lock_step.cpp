@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "firmware/boards/linux/waiting.hpp"
 #include "firmware/host/program/live_line.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "sim/apps/fly/flight_progress.hpp"
@@ -107,13 +108,14 @@ class Stepper {
     const policy::Reception reception = listen();
     const bool reached = flight_.setup.may_be_found && range <= flight_.setup.found_within;
     flight_.bus.publish(now_, believed());
-    flight_.link.send({.number = ++number_,
-                       .time = now_,
-                       .navigation_messages = flight_.bus.navigation_messages(),
-                       .hydrophone_blocks = sound_ ? sound_->blocks() : 0,
-                       .snr = sound_ ? std::nullopt : std::optional(reception.snr),
-                       .snr_too_faint = !sound_ && reception.too_faint,
-                       .command = order(reached)});
+    const link::Tick tick{.number = ++number_,
+                          .time = now_,
+                          .navigation_messages = flight_.bus.navigation_messages() - said_again_,
+                          .hydrophone_blocks = sound_ ? sound_->blocks() : 0,
+                          .snr = sound_ ? std::nullopt : std::optional(reception.snr),
+                          .snr_too_faint = !sound_ && reception.too_faint,
+                          .command = order(reached)};
+    flight_.link.send(tick);
     flight_.link.observe({.time = now_,
                           .vehicle = vehicle_.position,
                           .vehicle_depth = vehicle_.depth,
@@ -121,7 +123,7 @@ class Stepper {
                           .source = source_,
                           .range = range});
     link::Answer answer;
-    if (!receive(answer) || !collect(answer)) return;
+    if (!receive(tick, answer) || !collect(answer)) return;
     const TrackPoint point{.time = now_,
                            .vehicle = vehicle_,
                            .reception = reception,
@@ -168,19 +170,54 @@ class Stepper {
     return reached ? static_cast<std::uint8_t>(messages::Order::kComplete) : std::uint8_t{0};
   }
 
-  [[nodiscard]] bool receive(link::Answer& answer) {
+  [[nodiscard]] bool receive(const link::Tick& tick, link::Answer& answer) {
+    for (;;) {
+      const char* const lost = wait_for_answer(answer);
+      if (lost == nullptr) return true;
+      if (!has_returned()) return fail("earshotd_lost", std::string("lost earshotd (") + lost + ")");
+      if (!say_again(tick)) return false;
+    }
+  }
+
+  /// @return null, or how the runtime was lost
+  [[nodiscard]] const char* wait_for_answer(link::Answer& answer) {
     for (auto waited = milliseconds{0}; waited < kRuntimePatience; waited += kLookUp) {
       const link::Delivery delivery = flight_.link.receive(answer, kLookUp);
-      if (delivery == link::Delivery::kLost) return fail("earshotd_lost", "lost earshotd (it left or died)");
-      if (delivery == link::Delivery::kArrived && answer.number == number_) return true;
+      if (delivery == link::Delivery::kLost) return "it left or died";
+      if (delivery == link::Delivery::kArrived && answer.number == number_) return nullptr;
     }
-    return fail("earshotd_lost", "lost earshotd (it does not answer)");
+    return "it does not answer";
+  }
+
+  [[nodiscard]] bool has_returned() {
+    if (flight_.setup.wait_for_runtime.count() == 0 || sound_) return false;
+    flight_.link.give_up_runtime();
+    return board::wait_for("earshot-sim", "the return of earshotd, which was lost at " + std::to_string(now_.us / 1'000'000) + " s",
+                           flight_.setup.wait_for_runtime,
+                           [this](milliseconds most) { return flight_.link.wait_for_runtime(most); }) == board::Waited::kCame;
+  }
+
+  /// To a runtime that goes on from its journal: that holds the tick's turn, whose answer may be lost, or all turns before it.
+  [[nodiscard]] bool say_again(const link::Tick& tick) {
+    const std::uint64_t turns_made = flight_.link.turns_made();
+    if (turns_made != number_ && turns_made + 1 != number_)
+      return fail("earshotd_lost", "earshotd came back with " + std::to_string(turns_made) + " turns in its journal, and had made " +
+                                       std::to_string(number_ - 1) + " (earshotd goes on with --resume)");
+    flight_.bus.collect(command_);
+    setpoints_before_ = flight_.bus.setpoint_messages();
+    if (turns_made + 1 == number_) {
+      const std::uint64_t before = flight_.bus.navigation_messages();
+      flight_.bus.publish(now_, believed());
+      said_again_ += flight_.bus.navigation_messages() - before;
+    }
+    flight_.link.send(tick);
+    return true;
   }
 
   [[nodiscard]] bool collect(const link::Answer& answer) {
     flight_.bus.collect(command_);
     const auto deadline = steady_clock::now() + kBusPatience;
-    while (flight_.bus.setpoint_messages() < answer.setpoint_messages) {
+    while (flight_.bus.setpoint_messages() - setpoints_before_ < answer.setpoint_messages) {
       if (steady_clock::now() >= deadline) return fail("bus_lost", "lost the bus (a set-point that earshotd sent did not arrive)");
       flight_.bus.wait(Duration::milliseconds(kLookUp.count()));
       flight_.bus.collect(command_);
@@ -229,6 +266,8 @@ class Stepper {
   const std::atomic<bool>& stop_;
   Time now_;
   std::uint64_t number_ = 0;
+  std::uint64_t said_again_ = 0;        ///< fixes, to a runtime that had lost them
+  std::uint64_t setpoints_before_ = 0;  ///< of runtimes before this one
   bool over_ = false;
   FlightResult result_;
   program::LiveLine live_;

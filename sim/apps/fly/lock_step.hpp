@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,8 +27,9 @@ struct FlightSetup {
   bool may_be_found = true;    ///< false: fly on to the last step even so (benchmarks)
   vehicle::Limits vehicle;
   Duration tick = search::kLookInterval;
-  std::uint64_t seed = 1;  ///< of what the conditions draw
-  double speed = 0.0;      ///< simulated seconds per second; 0: as fast as it goes
+  std::uint64_t seed = 1;                    ///< of what the conditions draw
+  std::chrono::seconds wait_for_runtime{0};  ///< for the return of a runtime that is lost; 0: the flight ends then
+  double speed = 0.0;                        ///< simulated seconds per second; 0: as fast as it goes
 };
 
 struct FlightResult {

@@ -15,6 +15,7 @@
 
 #include "firmware/boards/linux/waiting.hpp"
 #include "firmware/core/random.hpp"
+#include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/mission/lock_buses.hpp"
@@ -55,6 +56,7 @@ struct Options {
   std::uint32_t domain = link::kLowestDomain;
   std::optional<link::RunId> run;
   host::PortOverride ports;
+  std::uint32_t wait_for_runtime_s = 0;
   bool ignore_source = false;
   std::optional<std::string> hear;
 };
@@ -85,6 +87,11 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--hydrophone-url", &o.ports.hydrophone_url, "address of the hydrophone's port instead of the mission's");
   line.option("--hear", &o.hear, fly::kHearHelp).checked(fly::hear_complaint, fly::kHearsAllowed);
   line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
+  line.option("--wait-for-runtime", &o.wait_for_runtime_s,
+              "how many seconds to wait for the return of an earshotd that is lost in mid-flight (it goes on with --resume); 0: the flight "
+              "ends then")
+      .from(0, 86'400)
+      .shows_default();
   line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
 }
 
@@ -202,6 +209,8 @@ int simulate(const Options& o) {
   FlightPlan plan = load_flight_plan(o.mission, o.environment);
   host::override_ports(plan.mission, o.ports);
   if (o.hear) host::require_hydrophone(plan.mission, o.mission);
+  if (o.hear && o.wait_for_runtime_s > 0)
+    throw host::BadInput("--wait-for-runtime: not with --hear: what a detector has learnt of the noise is in no journal");
   plan.search.placement = search::placement_named(o.source).value_or(plan.search.placement);
   const auto& [file, scenario, settings] = plan;
   const search::World world = search::assemble(scenario, settings, file.mission.search_depth, longest_range(settings, scenario.conditions));
@@ -213,6 +222,7 @@ int simulate(const Options& o) {
                           .may_be_found = !o.ignore_source,
                           .vehicle = {},
                           .seed = o.seed,
+                          .wait_for_runtime = std::chrono::seconds(o.wait_for_runtime_s),
                           .speed = o.speed};
 
   const std::vector<host::BusLock> locks = host::lock_buses(file, host::BusPlace::kSimulator);

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <exception>
@@ -26,8 +27,10 @@
 #include "firmware/boards/linux/news/health_words.hpp"
 #include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/port_set.hpp"
+#include "firmware/boards/linux/replay/resume.hpp"
 #include "firmware/boards/linux/simulation_plugin.hpp"
 #include "firmware/boards/linux/waiting.hpp"
+#include "firmware/core/crc32.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/file/printable.hpp"
@@ -66,6 +69,7 @@ struct Options {
   std::uint32_t wait_s = 60;
   bool hear = false;
   bool replace = false;
+  bool resume = false;
   bool prove_no_alloc = false;
   bool check = false;
   std::optional<std::filesystem::path> chart;
@@ -79,6 +83,10 @@ void declare(program::CommandLine& line, Options& o) {
       .shows_default();
   line.flag("--replace", &o.replace,
             "replace a journal that is there already; without it: refuse to start in simulation, write journal-2.lcmlog and so on at sea");
+  line.flag(
+      "--resume", &o.resume,
+      "go on with the mission of the newest journal in the folder when its process was killed or lost its power; when that journal was "
+      "ended in order, or there is none, begin a new one; without it: begin a new one");
   line.option(
           "--journal-survives", &o.journal_survives,
           "what a record in the journal survives: power-cut: it is brought to the disk within milliseconds; process: the kernel writes it "
@@ -118,6 +126,12 @@ void declare(program::CommandLine& line, Options& o) {
 void require_check_possible(const Options& o) {
   if (o.chart && !o.check) throw host::BadInput("--chart: only with --check");
   if (o.check && o.simulation) throw host::BadInput("--check: not with --simulation; it is the checklist before a dive");
+}
+
+void require_resuming_possible(const Options& o) {
+  if (o.resume && o.replace) throw host::BadInput("--resume: not with --replace, which throws the journal away");
+  if (o.resume && o.hear) throw host::BadInput("--resume: not with --hear: what a detector has learnt of the noise is in no journal");
+  if (o.resume && o.check) throw host::BadInput("--resume: not with --check, which flies nothing");
 }
 
 void require_hearing_possible(const Options& o) {
@@ -169,7 +183,7 @@ host::JournalOptions journal_options(const Options& o) {
   const bool survives_power_cut = o.journal_survives.value_or(o.simulation ? "process" : "power-cut") == "power-cut";
   return {.when_full = o.simulation ? J::WhenFull::kWait : J::WhenFull::kDrop,
           .survives = survives_power_cut ? J::Survives::kPowerCut : J::Survives::kProcess,
-          .existing = o.replace ? Existing::kReplace : (o.simulation ? Existing::kRefuse : Existing::kKeep)};
+          .existing = o.replace ? Existing::kReplace : (o.simulation && !o.resume ? Existing::kRefuse : Existing::kKeep)};
 }
 
 /// Beside the journal, under its name: what was decided can be explained only with the policy that decided it. A disk that does not take it
@@ -230,13 +244,13 @@ struct Flight {
   const Options& options;
   const host::MissionFile& file;
   const host::SignedPolicy& policy;
-  runtime::Runtime& runtime;
+  std::unique_ptr<runtime::Runtime> runtime;
   board::PortSet& ports;
   board::Clock& clock;
 };
 
 /// Flies, and tells meanwhile what changes; all of it is told when this returns.
-board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryProof& proof) {
+board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryProof& proof, Duration hold) {
   std::optional<board::LineWriter> writer;
   std::optional<board::FlightNews> news;
   if (program::talk() != program::Talk::kQuiet) {
@@ -246,7 +260,7 @@ board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryPr
   }
   settle_memory(f.options);
   if (f.options.prove_no_alloc) proof.arm();
-  const board::LoopResult result = board::fly(turn, f.ports, f.clock, f.file.step_period, stop_requested);
+  const board::LoopResult result = board::fly(turn, f.ports, f.clock, f.file.step_period, stop_requested, hold);
   if (f.options.prove_no_alloc) proof.disarm(result);
   const std::uint64_t left_out = writer ? writer->left_out() : 0;
   writer.reset();
@@ -254,24 +268,52 @@ board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryPr
   return result;
 }
 
-/// @return exit status
-int fly(const Flight& f) {
-  std::filesystem::create_directories(f.options.out);
-  const std::filesystem::path wanted = f.options.out / "journal.lcmlog";
-  if (f.options.replace)
-    host::require_writable(wanted, host::kJournalOutput, host::Replace::kOwnKind, "move it away, or name another folder with --out");
-  host::Journal journal(wanted, journal_options(f.options));
-  keep_policy(f.policy, journal.path());
-  board::MissionTurn turn(f.runtime, f.ports, journal, f.clock);
-  turn.record_mission(f.file.mission, f.policy.bytes, program::version() + " " + program::build_commit());
+/// The mission that the newest journal in the folder did not end. Nothing: a new one begins.
+std::optional<board::Unfinished> unfinished_mission(const Flight& f, const std::filesystem::path& wanted) {
+  if (!f.options.resume) return std::nullopt;
+  return board::find_unfinished(wanted, {.mission = f.file.mission, .policy_crc32 = crc32(f.policy.bytes)},
+                                f.options.simulation ? board::GoOnAfter::kLastTurn : board::GoOnAfter::kLastInput, f.clock.now());
+}
+
+/// Begins the mission, or goes on with it. @return how long its first turn waits for its sensors
+Duration begin(const Flight& f, const board::Resumption* before, const std::filesystem::path& journal, board::MissionTurn& turn) {
+  const std::string build = program::version() + " " + program::build_commit();
+  if (f.options.resume) turn.write_ahead();
+  if (before != nullptr) {
+    f.clock.go_on_after(before->last.health);
+    f.ports.count_on_from(before->memory.reports);
+    turn.go_on_after(*before, build);
+    if (program::talk() != program::Talk::kQuiet)
+      std::cerr << "earshotd: goes on from " << host::printable(journal.string()) << ": " << board::to_string(*before, f.clock.now())
+                << "\n";
+    return f.options.simulation ? Duration{} : board::hold_of(f.file.mission, f.file.hearing);
+  }
+  turn.record_mission(f.file.mission, f.policy.bytes, build);
   if (!f.options.simulation && program::talk() != program::Talk::kQuiet) {
     std::cerr << "earshotd: waiting for navigation, SNR and an operator's START, as long as it takes, on\n"
-              << f.ports.description() << "earshotd: journal " << host::printable(journal.path().string()) << "\n";
+              << f.ports.description() << "earshotd: journal " << host::printable(journal.string()) << "\n";
   }
+  return {};
+}
+
+/// @return exit status
+int fly(Flight& f) {
+  std::filesystem::create_directories(f.options.out);
+  const std::filesystem::path wanted = f.options.out / "journal.lcmlog";
+  std::optional<board::Unfinished> unfinished = unfinished_mission(f, wanted);
+  if (f.options.replace)
+    host::require_writable(wanted, host::kJournalOutput, host::Replace::kOwnKind, "move it away, or name another folder with --out");
+  host::Journal journal = unfinished
+                              ? host::Journal(std::move(unfinished->file), unfinished->before.next_number, journal_options(f.options))
+                              : host::Journal(wanted, journal_options(f.options));
+  keep_policy(f.policy, journal.path());
+  if (unfinished) f.runtime = std::move(unfinished->before.runtime);
+  board::MissionTurn turn(*f.runtime, f.ports, journal, f.clock);
+  const Duration hold = begin(f, unfinished ? &unfinished->before : nullptr, journal.path(), turn);
   board::MemoryProof proof;
   board::LoopResult result;
   try {
-    result = fly(f, turn, proof);
+    result = fly(f, turn, proof, hold);
   } catch (const std::exception& e) {  // no bad input: the journal has begun, and its destructor keeps it
     std::cerr << "earshotd: " << e.what() << "; journal up to then: " << host::printable(journal.path().string()) << "\n";
     return kLost;
@@ -324,11 +366,12 @@ int check(const Options& o) {
 int fly(const Options& o) {
   require_check_possible(o);
   require_hearing_possible(o);
+  require_resuming_possible(o);
   require_proof_possible(o);
   if (o.check) return check(o);
   const host::MissionFile file = load(o);
   const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
-  const std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, policy, o.mission.string());
+  std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, policy, o.mission.string());
   const std::vector<host::BusLock> locks = host::lock_buses(file, o.simulation ? std::optional(host::BusPlace::kVehicle) : std::nullopt);
   if (!o.simulation) host::set_thread_stack(board::kThreadStackBytes);
   const board::HostClock host;
@@ -359,7 +402,8 @@ int fly(const Options& o) {
       board::wait_for("earshotd", o.simulation ? "a simulator in DDS domain " + std::to_string(*o.simulation) : std::string(),
                       std::chrono::seconds(o.wait_s), [&](std::chrono::milliseconds most) { return clock->has_come(most); });
   if (waited != board::Waited::kCame) return waited == board::Waited::kStopped ? program::kStopped : kLost;
-  return fly({.options = o, .file = file, .policy = policy, .runtime = *runtime, .ports = ports, .clock = *clock});
+  Flight flight{.options = o, .file = file, .policy = policy, .runtime = std::move(runtime), .ports = ports, .clock = *clock};
+  return fly(flight);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 #include "earshot/health_t.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/port_set.hpp"
-#include "firmware/boards/linux/replay.hpp"
+#include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/closing_record.hpp"

@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <string>
+#include <vector>
 
+#include "firmware/boards/linux/replay/playback.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/closing_record.hpp"
 
@@ -16,18 +17,15 @@ struct ReplayResult {
   std::size_t inputs = 0;
   std::size_t turns = 0;
   std::size_t decisions = 0;
-  /// The first record that the runtime does not give again, byte for byte; nothing when it gives them all.
-  struct Difference {
-    std::uint32_t record = 0;  ///< its number
-    std::string channel;
-  };
-  std::optional<Difference> difference;
-  /// Number of the first record that is missing, because the disk was full or too slow: the journal is whole up to it, and what follows was
-  /// not replayed. One that is missing at the end is found by the closing record behind it.
+  /// The first record that the runtime does not give again; nothing when it gives them all.
+  std::optional<Playback::Difference> difference;
+  /// Number of the first record that is missing, because it is damaged, or the disk was full or too slow: the journal is whole up to it,
+  /// and what follows was not replayed. One that is missing at the end is found by the closing record behind it.
   std::optional<std::uint32_t> gap;
-  host::JournalReader::End end = host::JournalReader::End::kWhole;
   /// The journal's last record; nothing when its end is missing, because earshotd was killed or lost its power.
   std::optional<wire::ClosingRecord> closing;
+  host::JournalReader::End end = host::JournalReader::End::kWhole;
+  std::vector<host::JournalDamage> damages;  ///< bytes of the file that are no record
 
   [[nodiscard]] bool is_same() const { return !difference && !gap; }
 };

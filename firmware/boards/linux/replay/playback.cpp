@@ -1,0 +1,93 @@
+#include "firmware/boards/linux/replay/playback.hpp"
+
+#include <algorithm>
+
+#include "firmware/boards/linux/turn_records.hpp"
+#include "firmware/core/crc32.hpp"
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/policy/format/policy_format.hpp"
+#include "firmware/wire/journal/input_record.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+
+namespace earshot::board {
+
+Playback::Playback(const std::filesystem::path& journal) : file_(journal) {
+  begin(journal);
+}
+
+void Playback::begin(const std::filesystem::path& path) {
+  const auto refuse = [&path](const std::string& what) { return host::BadInput(path.string() + ": cannot be replayed: " + what); };
+  mission_t mission{};
+  if (!file_.next(record_) || record_.number != 0 || record_.channel != wire::kMissionChannel ||
+      wire::decode(record_.data, mission) != Status::kOk)
+    throw refuse("its first record is no mission");
+  memory_.last = record_.time;
+  if (!file_.next(record_) || record_.number != 1 || record_.channel != wire::kPolicyChannel)
+    throw refuse("its second record is no policy");
+  beginning_ = {.mission = wire::from_message(mission), .policy_crc32 = static_cast<std::uint32_t>(mission.policy_crc32)};
+  if (crc32(record_.data) != beginning_.policy_crc32) throw refuse("its policy is not the one that its mission names");
+  const auto policy = std::make_unique<policy::FrozenPolicy>();
+  policy::PolicyComplaint complaint;
+  if (policy::parse(record_.data, *policy, complaint) != Status::kOk) throw refuse("its policy " + std::string(to_string(complaint.fault)));
+  const Status configured = runtime_->configure(beginning_.mission, *policy);
+  if (configured == Status::kCorrupt) throw refuse("its policy " + std::string(to_string(policy::PolicyFault::kGoldenMismatch)));
+  if (configured != Status::kOk) throw refuse("its mission does not fit its policy");
+  next_number_ = 2;
+}
+
+bool Playback::next() {
+  if (gap_ || difference_ || closing_ || !file_.next(record_)) return false;
+  if (record_.number != next_number_) {
+    gap_ = next_number_;
+    return false;
+  }
+  return take(record_);
+}
+
+std::optional<wire::ClosingRecord> Playback::closing() {
+  while (!closing_ && record_.channel != wire::kJournalEndChannel && file_.next(record_)) {
+  }
+  if (wire::ClosingRecord closing;
+      record_.channel == wire::kJournalEndChannel && wire::read_closing_record(record_.data, closing) == Status::kOk)
+    closing_ = closing;
+  return closing_;
+}
+
+bool Playback::take(const host::JournalRecord& record) {
+  if (record.channel == wire::kJournalEndChannel) return false;
+  ++next_number_;
+  if (record.channel == wire::kJournalResumedChannel && is_compared()) return true;
+  messages::Input input;
+  const Status read = wire::read_input(record.channel, record.time, record.data, memory_.inputs, input);
+  if (read == Status::kOk && is_compared()) {
+    memory_.note(input);
+    runtime_->take(input);
+    return true;
+  }
+  if (read == Status::kUnsupported && is_compared()) step(record.time);
+  if (is_as_expected(record)) return true;
+  difference_ = {.record = record.number, .channel = record.channel};
+  return false;
+}
+
+void Playback::step(Time now) {
+  outputs_ = runtime_->step(now);
+  expected_.clear();
+  compared_ = 0;
+  const bool is_new_state = memory_.recorded_state != outputs_.health.state;
+  for_each_record(now, outputs_, is_new_state, [this](std::string_view channel, const auto& message, host::Weight weight) {
+    expected_.push_back({channel, wire::Encoded(message), weight});
+  });
+  memory_.note(now, outputs_);
+  ++turns_;
+  if (outputs_.decision) ++decisions_;
+}
+
+bool Playback::is_as_expected(const host::JournalRecord& record) {
+  if (is_compared()) return false;
+  const Unwritten& expected = expected_[compared_++];
+  return expected.channel == record.channel && std::ranges::equal(expected.message.bytes(), record.data);
+}
+
+}  // namespace earshot::board

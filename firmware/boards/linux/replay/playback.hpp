@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "firmware/boards/linux/turn_memory.hpp"
+#include "firmware/config/mission.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/journal/record_ring.hpp"
+#include "firmware/runtime/runtime.hpp"
+#include "firmware/wire/journal/closing_record.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot::board {
+
+/// A journal given to a fresh runtime again, record by record: its inputs are taken, and its outputs compared with what the runtime says.
+class Playback {
+ public:
+  /// What a journal begins with.
+  struct Beginning {
+    config::Mission mission;
+    std::uint32_t policy_crc32 = 0;  ///< of the whole .policy file
+  };
+  /// An output that the runtime does not give again, byte for byte.
+  struct Difference {
+    std::uint32_t record = 0;  ///< its number
+    std::string channel;
+  };
+  /// An output of the last turn that is not in the journal.
+  struct Unwritten {
+    std::string_view channel;
+    wire::Encoded message;
+    host::Weight weight;
+  };
+
+  /// @throws host::BadInput when the file cannot be read, does not begin with a mission and its policy, or this build cannot fly them.
+  explicit Playback(const std::filesystem::path& journal);
+
+  /// One record more. False: the end, a difference or a gap; what stands behind is looked at by end_of_file().
+  [[nodiscard]] bool next();
+  /// The last record of a journal that was ended in order, wherever the playback stopped.
+  [[nodiscard]] std::optional<wire::ClosingRecord> closing();
+
+  [[nodiscard]] const Beginning& beginning() const { return beginning_; }
+  [[nodiscard]] const host::JournalReader& file() const { return file_; }
+  [[nodiscard]] const std::optional<Difference>& difference() const { return difference_; }
+  /// Number of the first record that is missing: damaged, or a full or slow disk did not take it.
+  [[nodiscard]] std::optional<std::uint32_t> gap() const { return gap_; }
+  [[nodiscard]] std::uint32_t next_number() const { return next_number_; }
+  [[nodiscard]] const TurnMemory& memory() const { return memory_; }
+  /// Of the last turn.
+  [[nodiscard]] const runtime::Outputs& outputs() const { return outputs_; }
+  /// Of the last turn, whose journal may end in the middle.
+  [[nodiscard]] std::vector<Unwritten> unwritten() const {
+    return {expected_.begin() + static_cast<std::ptrdiff_t>(compared_), expected_.end()};
+  }
+  [[nodiscard]] std::size_t turns() const { return turns_; }
+  [[nodiscard]] std::size_t decisions() const { return decisions_; }
+  /// The runtime, as it was then.
+  [[nodiscard]] std::unique_ptr<runtime::Runtime> release() { return std::move(runtime_); }
+
+ private:
+  void begin(const std::filesystem::path& path);
+  [[nodiscard]] bool take(const host::JournalRecord& record);
+  void step(Time now);
+  [[nodiscard]] bool is_compared() const { return compared_ == expected_.size(); }
+  [[nodiscard]] bool is_as_expected(const host::JournalRecord& record);
+
+  host::JournalReader file_;
+  host::JournalRecord record_;
+  Beginning beginning_;
+  std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
+  TurnMemory memory_;
+  runtime::Outputs outputs_;
+  std::vector<Unwritten> expected_;  ///< what the last turn says, in the order of the journal
+  std::size_t compared_ = 0;         ///< so many of them are in the journal
+  std::optional<Difference> difference_;
+  std::optional<std::uint32_t> gap_;
+  std::optional<wire::ClosingRecord> closing_;
+  std::uint32_t next_number_ = 0;
+  std::size_t turns_ = 0;
+  std::size_t decisions_ = 0;
+};
+
+}  // namespace earshot::board

@@ -1,0 +1,109 @@
+#include "firmware/boards/linux/replay/replay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "firmware/host/journal/journal.hpp"
+#include "firmware/host/toml/table_reader.hpp"
+#include "tests/firmware/boards/linux/replay/random_mission.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::board {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Replay : public testing::Test {
+ protected:
+  const support::TemporaryFolder folder_;
+  const fs::path path_ = folder_ / "journal";
+};
+
+TEST_F(Replay, GivesEveryByteOfTenThousandJournalsOfRandomInputsAgain) {
+  std::size_t decisions = 0;
+  for (std::uint64_t seed = 0; seed < 10'000; ++seed) {
+    fly_random_mission(seed, path_, 30);
+    const ReplayResult result = replay(path_);
+    ASSERT_TRUE(result.is_same()) << "seed " << seed << ", record " << (result.difference ? result.difference->record : *result.gap);
+    ASSERT_EQ(result.turns, 30U) << "seed " << seed;
+    decisions += result.decisions;
+  }
+  EXPECT_GT(decisions, 1000U) << "most missions never began to search";
+}
+
+TEST_F(Replay, FindsTheOutputInWhichOneBitDiffers) {
+  fly_random_mission(1, path_, 30);
+  // The last record is a health record: its byte of the mission's state follows header (28), channel (14), fingerprint (8) and date (8).
+  host::JournalReader reader(path_);
+  std::size_t last = 0;
+  std::uint32_t number = 0;
+  for (host::JournalRecord record;;) {
+    const std::size_t begins = reader.offset();
+    if (!reader.next(record)) break;
+    last = begins;
+    number = record.number;
+  }
+  const fs::path forged = path_.string() + "-forged";
+  host::Journal journal(forged, {.existing = host::ExistingJournal::kReplace});
+  host::JournalReader again(path_);
+  for (host::JournalRecord record; again.next(record);) {
+    if (record.number == number) record.data[16] ^= 1U;
+    ASSERT_EQ(journal.append(record.time, record.channel, record.data), Status::kOk);
+  }
+  ASSERT_EQ(journal.close(), Status::kOk);
+  const ReplayResult result = replay(forged);
+  fs::remove(forged);
+  ASSERT_TRUE(result.difference) << last;
+  EXPECT_EQ(result.difference->record, number);
+  EXPECT_EQ(result.difference->channel, "EARSHOT_HEALTH");
+}
+
+TEST_F(Replay, TellsAJournalThatWasEndedInOrderFromOneWhoseEndIsMissing) {
+  const wire::ClosingRecord said{.time = Time{7}, .ending = wire::Ending::kMissionOver, .steps_taken = 5};
+  fly_random_mission(1, path_, 30, said);
+  const ReplayResult whole = replay(path_);
+  EXPECT_TRUE(whole.is_same());
+  EXPECT_EQ(whole.closing, said);
+  fs::resize_file(path_, fs::file_size(path_) - 94);  // 28 + 19 + 47: as if it had been killed
+  const ReplayResult killed = replay(path_);
+  EXPECT_TRUE(killed.is_same());
+  EXPECT_EQ(killed.end, host::JournalReader::End::kWhole);
+  EXPECT_EQ(killed.turns, whole.turns);
+  EXPECT_FALSE(killed.closing);
+}
+
+TEST_F(Replay, FindsRecordsThatAreMissingAtTheEndByTheNumberOfTheClosingRecord) {
+  fly_random_mission(1, path_, 30, wire::ClosingRecord{});
+  std::vector<std::uint64_t> begins;
+  host::JournalReader reader(path_);
+  for (host::JournalRecord record;;) {
+    begins.push_back(reader.offset());
+    if (!reader.next(record)) break;
+  }
+  const std::uint64_t closing = begins[begins.size() - 2];
+  const std::uint64_t last_turn = begins[begins.size() - 3];
+  std::ifstream file(path_, std::ios::binary);
+  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+  bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(last_turn), bytes.begin() + static_cast<std::ptrdiff_t>(closing));
+  support::write_bytes(path_, bytes);
+  const ReplayResult result = replay(path_);
+  EXPECT_EQ(result.gap, begins.size() - 3);
+  EXPECT_TRUE(result.closing);
+}
+
+TEST_F(Replay, RefusesAJournalThatDoesNotBeginWithItsMission) {
+  {
+    host::Journal journal(path_, {.existing = host::ExistingJournal::kReplace});
+    ASSERT_EQ(journal.append(Time{1}, "EARSHOT_HEALTH", std::array<std::uint8_t, 3>{1, 2, 3}), Status::kOk);
+  }
+  EXPECT_THROW((void)replay(path_), host::BadInput);
+}
+
+}  // namespace
+}  // namespace earshot::board
