@@ -17,9 +17,9 @@
 #include "earshot/safety_event_t.hpp"
 #include "firmware/config/safety.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/messages/command_words.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/messages/input.hpp"
-#include "firmware/messages/operator_command.hpp"
 #include "firmware/messages/safety_event.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -35,54 +35,6 @@ using messages::MissionState;
 using messages::Order;
 
 constexpr double kSecondsPerMicrosecond = 1e-6;
-
-const char* to_string(Order order) {
-  switch (order) {
-    case Order::kStart:
-      return "START";
-    case Order::kComplete:
-      return "COMPLETE";
-    case Order::kAbort:
-      return "ABORT";
-    case Order::kListen:
-      return "LISTEN";
-    case Order::kPause:
-      return "PAUSE";
-    case Order::kResume:
-      return "RESUME";
-    case Order::kTighten:
-      return "TIGHTEN";
-  }
-  return "an unknown order";
-}
-
-const char* to_string(CommandOutcome outcome) {
-  switch (outcome) {
-    case CommandOutcome::kObeyed:
-      return "obeyed";
-    case CommandOutcome::kRepeated:
-      return "repeated";
-    case CommandOutcome::kTooOld:
-      return "refused: too old";
-    case CommandOutcome::kExpired:
-      return "refused: expired";
-    case CommandOutcome::kNotInThisState:
-      return "refused: not in this state";
-    case CommandOutcome::kUnknownOrder:
-      return "refused: unknown";
-    case CommandOutcome::kNotConfigured:
-      return "refused: no mission";
-    case CommandOutcome::kOutOfOrder:
-      return "refused: out of order";
-    case CommandOutcome::kNotVerified:
-      return "refused: not verified";
-    case CommandOutcome::kNotTighter:
-      return "refused: not tighter";
-    case CommandOutcome::kAutopilotSilent:
-      return "refused: the autopilot is silent";
-  }
-  return "refused";
-}
 
 std::optional<SeaFlight> begun_with(const host::JournalRecord& record) {
   mission_t mission{};
@@ -148,8 +100,8 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
   } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
     flight.events.push_back({time_s, words_for(wire::from_message(event))});
   } else if (record.channel == wire::kAcknowledgementChannel && wire::decode(record.data, acknowledgement) == Status::kOk) {
-    flight.events.push_back({time_s, std::string("order ") + to_string(static_cast<Order>(acknowledgement.command)) + ", " +
-                                         to_string(static_cast<CommandOutcome>(acknowledgement.outcome))});
+    flight.events.push_back({time_s, std::string("order ") + messages::to_string(static_cast<Order>(acknowledgement.command)) + ", " +
+                                         messages::to_string(static_cast<CommandOutcome>(acknowledgement.outcome))});
   }
 }
 

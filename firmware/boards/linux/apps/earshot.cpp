@@ -52,6 +52,7 @@ constexpr std::array kDescriptions{
     Description{"field", "computes how loud a source is at every range and depth (NetCDF)"},
     Description{"fly", "flies one search, from start to report"},
     Description{"freeze", "freezes and signs a trained policy for the vehicle"},
+    Description{"journal", "says what happened on a mission, and writes its journal for other programs"},
     Description{"listen", "hears calls in recordings with the vehicle's detector"},
     Description{"report", "writes the page about a flight again"},
     Description{"sim", "the ocean and the vehicle of a flight; earshot fly starts it"},

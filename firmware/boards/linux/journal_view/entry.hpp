@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "earshot/command_acknowledgement_t.hpp"
+#include "earshot/decision_t.hpp"
+#include "earshot/health_t.hpp"
+#include "earshot/mission_t.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/messages/input.hpp"
+#include "firmware/messages/safety_event.hpp"
+#include "firmware/messages/setpoint.hpp"
+#include "firmware/wire/journal/closing_record.hpp"
+
+namespace earshot::journal_view {
+
+// What a journal holds, one entry after the other.
+
+/// Bytes of the policy that flew.
+struct PolicyBytes {
+  std::size_t size = 0;
+  std::uint32_t crc32 = 0;
+};
+
+/// A whole record that this program cannot read: of a channel it does not know, or of another version's message.
+struct Unreadable {
+  bool is_known_channel = false;
+};
+
+using Content = std::variant<Unreadable, mission_t, PolicyBytes, messages::Input, messages::Setpoint, decision_t, messages::SafetyEvent,
+                             command_acknowledgement_t, health_t, wire::ClosingRecord>;
+
+struct Record {
+  std::uint32_t number = 0;  ///< counts all records that the journal was given, from 0
+  Time time;                 ///< of the mission's clock
+  std::string channel;
+  std::size_t size_bytes = 0;  ///< of its message
+  Content content;
+};
+
+/// Records whose numbers are not there.
+struct MissingRecords {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  bool was_damaged = false;  ///< damaged bytes stand in their place; else the disk did not take them
+};
+
+/// Bytes of the file that are no whole record.
+struct DamagedBytes {
+  std::uint64_t offset = 0;  ///< from the beginning of the file
+  std::uint64_t bytes = 0;
+};
+
+/// A record whose number is not above the one before it: the file was not written in one piece by one program.
+struct NumbersGoBack {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+};
+
+/// What stands behind the last record.
+struct TornEnd {
+  DamagedBytes where;
+  bool is_cut = false;  ///< it is the beginning of a record: the writer was stopped in it
+};
+
+using Entry = std::variant<Record, MissingRecords, DamagedBytes, NumbersGoBack>;
+
+}  // namespace earshot::journal_view

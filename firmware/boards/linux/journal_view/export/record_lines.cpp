@@ -1,0 +1,23 @@
+#include "firmware/boards/linux/journal_view/export/record_lines.hpp"
+
+#include "firmware/boards/linux/journal_view/export/fields.hpp"
+#include "firmware/boards/linux/journal_view/wording.hpp"
+
+namespace earshot::journal_view {
+
+void RecordLines::take(const Entry& entry, std::span<const Event> /*events*/) {
+  const auto* const record = std::get_if<Record>(&entry);
+  if (record == nullptr) return;
+  ++records_;
+  const nlohmann::ordered_json line{{"number", record->number},
+                                    {"time_s", seconds_of(record->time)},
+                                    {"channel", record->channel},
+                                    {"fields", fields_of(record->content)}};
+  file_.write(to_line(line) + "\n");
+}
+
+std::string RecordLines::what() const {
+  return counted(records_, "record");
+}
+
+}  // namespace earshot::journal_view

@@ -1,0 +1,55 @@
+#include "firmware/boards/linux/journal_view/record_source.hpp"
+
+#include <utility>
+
+#include "firmware/boards/linux/journal_view/content.hpp"
+
+namespace earshot::journal_view {
+
+std::optional<Entry> RecordSource::next() {
+  if (waiting_.empty()) {
+    host::JournalRecord record;
+    if (!reader_.next(record)) return std::nullopt;
+    keep(std::move(record));
+  }
+  Entry entry = std::move(waiting_.front());
+  waiting_.pop_front();
+  return entry;
+}
+
+void RecordSource::keep(host::JournalRecord record) {
+  const bool was_damaged = reader_.damages().size() > damages_told_;
+  for (; damages_told_ < reader_.damages().size(); ++damages_told_) {
+    const host::JournalDamage& damage = reader_.damages()[damages_told_];
+    waiting_.emplace_back(DamagedBytes{.offset = damage.offset, .bytes = damage.bytes});
+  }
+  keep_gap_before(record.number, was_damaged);
+  expected_number_ = record.number + 1;
+  ++records_;
+  Content content = content_of(record.channel, record.time, record.data);
+  waiting_.emplace_back(Record{.number = record.number,
+                               .time = record.time,
+                               .channel = std::move(record.channel),
+                               .size_bytes = record.data.size(),
+                               .content = std::move(content)});
+}
+
+void RecordSource::keep_gap_before(std::uint32_t number, bool was_damaged) {
+  // Numbers begin again at 0 after 2^32 - 1: of two that differ the nearer way round is the one that was gone.
+  constexpr std::uint32_t kHalfWayRound = std::uint32_t{1} << 31U;
+  const std::uint32_t count = number - expected_number_;
+  if (count == 0) return;
+  if (count < kHalfWayRound)
+    waiting_.emplace_back(MissingRecords{.first = expected_number_, .count = count, .was_damaged = was_damaged});
+  else
+    waiting_.emplace_back(NumbersGoBack{.from = expected_number_ - 1, .to = number});
+}
+
+std::optional<TornEnd> RecordSource::torn_end() const {
+  using End = host::JournalReader::End;
+  if (reader_.end() == End::kWhole || reader_.damages().size() <= damages_told_) return std::nullopt;
+  const host::JournalDamage& damage = reader_.damages().back();
+  return TornEnd{.where = {.offset = damage.offset, .bytes = damage.bytes}, .is_cut = reader_.end() == End::kCut};
+}
+
+}  // namespace earshot::journal_view

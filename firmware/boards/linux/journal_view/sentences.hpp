@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "firmware/boards/linux/journal_view/entry.hpp"
+
+namespace earshot::journal_view {
+
+// One entry in words, on one line: whatever another wrote into the journal is spelled out (host::printable).
+
+/// "mission begins: area of 25.0 km x 25.0 km, at 300 m depth and 2.0 m/s, up to 100 steps of 1000 m in 60000 s; ..."
+[[nodiscard]] std::string to_string(const mission_t& mission);
+
+/// "order START, number 1 of issuer 77, by port 2"; "... TIGHTEN to 280 m depth, ..."
+[[nodiscard]] std::string to_string(const messages::OperatorCommand& command, std::uint8_t port);
+
+/// "order START, number 1 of issuer 77: obeyed"
+[[nodiscard]] std::string to_string(const command_acknowledgement_t& acknowledgement);
+
+/// "step 3: SNR 12.3 dB, heard; from 100 m north, 200 m east 1000 m towards 090 deg, to ..."
+[[nodiscard]] std::string to_string(const decision_t& decision);
+
+/// "rule 11, battery_percent: 14.9, below 15.0: return"; "rule 11, battery_percent: no longer"
+[[nodiscard]] std::string to_string(const messages::SafetyEvent& event);
+
+/// "ABORT: navigation went silent, after 12 steps"; "SEARCH, listening: it commands nothing"
+[[nodiscard]] std::string to_string(const health_t& health);
+
+/// "end: the mission was over; DONE: the source is reached, after 37 steps; no record was lost"
+[[nodiscard]] std::string to_string(const wire::ClosingRecord& closing);
+
+[[nodiscard]] std::string to_string(const MissingRecords& missing);
+[[nodiscard]] std::string to_string(const DamagedBytes& damage);
+[[nodiscard]] std::string to_string(const NumbersGoBack& numbers);
+[[nodiscard]] std::string to_string(const TornEnd& end);
+
+}  // namespace earshot::journal_view

@@ -1,0 +1,181 @@
+#include "firmware/boards/linux/journal_view/timeline.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "firmware/boards/linux/journal_view/sentences.hpp"
+#include "firmware/boards/linux/journal_view/wording.hpp"
+#include "firmware/config/safety.hpp"
+#include "firmware/host/file/checksum_text.hpp"
+#include "firmware/host/file/printable.hpp"
+
+namespace earshot::journal_view {
+
+using Severity = Event::Severity;
+
+namespace {
+
+const char* link_to_string(const messages::PortReport& report) {
+  if (report.port == 0) return report.link_up ? "the disk takes it again" : "the disk does not take it";
+  return report.link_up ? "its link is up again" : "its link is down";
+}
+
+}  // namespace
+
+bool Timeline::Grown::is_news(std::uint64_t now) {
+  const bool grows = now > seen;
+  seen = now;
+  return grows && !std::exchange(is_told, is_told || grows);
+}
+
+std::string to_line(const Event& event, Time began) {
+  constexpr std::size_t kSecondsWidth = 9;  // a day has 86400.0
+  std::string seconds = decimal((event.time - began).to_seconds(), 1);
+  seconds.insert(0, seconds.size() < kSecondsWidth ? kSecondsWidth - seconds.size() : 0, ' ');
+  return (is_dated(event.time) ? utc(event.time) + " " : "") + seconds + " s  " + event.text;
+}
+
+std::vector<Event> Timeline::take(const Entry& entry) {
+  events_.clear();
+  std::visit([this](const auto& value) { note(value); }, entry);
+  return std::move(events_);
+}
+
+std::vector<Event> Timeline::finish(const std::optional<TornEnd>& torn) {
+  events_.clear();
+  if (torn) tell_lack(to_string(*torn));
+  if (!is_closed_)
+    tell_lack(
+        "the journal's end is missing: its program was killed, lost its power, met an error, or still writes (--follow waits for it)");
+  return std::move(events_);
+}
+
+void Timeline::tell(Severity severity, std::string text, bool is_lack) {
+  events_.push_back({.severity = severity, .time = now_, .text = std::move(text), .is_lack = is_lack});
+}
+
+void Timeline::tell_lack(std::string text) {
+  tell(Severity::kError, std::move(text), true);
+}
+
+void Timeline::note(const Record& record) {
+  if (!began_) began_ = record.time;
+  now_ = record.time;
+  std::visit([&](const auto& content) { note_content(content, record); }, record.content);
+}
+
+void Timeline::note(const MissingRecords& missing) {
+  tell_lack(to_string(missing));
+}
+
+void Timeline::note(const DamagedBytes& damage) {
+  tell_lack(to_string(damage));
+}
+
+void Timeline::note(const NumbersGoBack& numbers) {
+  tell_lack(to_string(numbers));
+}
+
+void Timeline::note_content(const Unreadable& unreadable, const Record& record) {
+  if (!unreadable_.is_news(unreadable_.seen + 1)) return;
+  tell_lack("record " + std::to_string(record.number) + " on " + host::printable(record.channel) + " cannot be read: " +
+            (unreadable.is_known_channel ? "its message is of another version of Earshot" : "this program knows no such channel") +
+            "; of more like it nothing is told");
+}
+
+void Timeline::note_content(const mission_t& mission, const Record& /*record*/) {
+  policy_crc32_ = static_cast<std::uint32_t>(mission.policy_crc32);
+  inform(to_string(mission));
+}
+
+void Timeline::note_content(const PolicyBytes& policy, const Record& /*record*/) {
+  const std::string text = "policy: " + counted(policy.size, "byte") + ", CRC-32 " + host::crc32_text(policy.crc32);
+  if (policy_crc32_ && *policy_crc32_ != policy.crc32)
+    tell_lack(text + ", which is not the " + host::crc32_text(*policy_crc32_) + " that its mission names");
+  else
+    inform(text);
+}
+
+void Timeline::note_content(const messages::Input& input, const Record& /*record*/) {
+  std::visit([&](const auto& value) { note_input(value, input.port); }, input.value);
+}
+
+void Timeline::note_content(const messages::Setpoint& setpoint, const Record& /*record*/) {
+  if (releases_weight_.changes_to(setpoint.release_weight) && setpoint.release_weight) warn("the drop weight is asked to be released");
+}
+
+void Timeline::note_content(const decision_t& decision, const Record& /*record*/) {
+  inform(to_string(decision));
+}
+
+void Timeline::note_content(const messages::SafetyEvent& event, const Record& /*record*/) {
+  const bool ends_it = event.response >= config::Response::kAbort;
+  tell(!event.begins ? Severity::kInformation : ends_it ? Severity::kError : Severity::kWarning, to_string(event));
+}
+
+void Timeline::note_content(const command_acknowledgement_t& acknowledgement, const Record& /*record*/) {
+  const auto outcome = static_cast<messages::CommandOutcome>(acknowledgement.outcome);
+  const bool is_good = outcome == messages::CommandOutcome::kObeyed || outcome == messages::CommandOutcome::kRepeated;
+  tell(is_good ? Severity::kInformation : Severity::kWarning, to_string(acknowledgement));
+}
+
+void Timeline::note_content(const health_t& health, const Record& /*record*/) {
+  if (mission_state_.changes_to(health.state)) {
+    for (Grown* counter : {&navigation_refused_, &snr_refused_, &status_refused_}) counter->is_told = false;
+    for (Port& port : ports_) port.failures.is_told = false;
+  }
+  const bool is_abort = health.state == health_t::ABORT;
+  if (const std::string state = to_string(health); state_.changes_to(state))
+    tell(is_abort ? Severity::kWarning : Severity::kInformation, state);
+  note_refused(health);
+}
+
+void Timeline::note_refused(const health_t& health) {
+  const auto tell_of = [this](Grown& counter, std::int64_t count, const char* what) {
+    if (counter.is_news(static_cast<std::uint64_t>(count)))
+      warn(std::string(what) + ": " + counted(counter.seen, "message") + " refused so far, for their date, their order or what is in them");
+  };
+  tell_of(navigation_refused_, health.navigation_refused, "navigation");
+  tell_of(snr_refused_, health.snr_refused, "SNR");
+  tell_of(status_refused_, health.status_refused, "status");
+}
+
+void Timeline::note_content(const wire::ClosingRecord& closing, const Record& /*record*/) {
+  is_closed_ = true;
+  if (closing.lost.all() > 0)
+    tell_lack(to_string(closing));
+  else
+    inform(to_string(closing));
+}
+
+void Timeline::note_input(const messages::PortReport& report, std::uint8_t /*port*/) {
+  if (report.port >= ports_.size()) return;
+  Port& port = ports_.at(report.port);
+  // Port 0 is the program's own: its journal.
+  const std::string name = report.port == 0 ? "the journal: " : "port " + std::to_string(report.port) + ": ";
+  if (port.is_down.changes_to(!report.link_up))
+    tell(report.link_up ? Severity::kInformation : Severity::kWarning, name + link_to_string(report));
+  if (port.failures.is_news(report.lost + report.malformed + report.unsent))
+    warn(name + "so far " + std::to_string(report.lost) + " lost, " + std::to_string(report.malformed) + " malformed and " +
+         std::to_string(report.unsent) + " not sent");
+}
+
+void Timeline::note_input(const messages::VehicleStatus& status, std::uint8_t /*port*/) {
+  if (has_leak_.changes_to(status.has_leak)) warn(status.has_leak ? "water in the hull" : "no more water in the hull");
+  if (has_ground_fault_.changes_to(status.has_ground_fault)) warn(status.has_ground_fault ? "a ground fault" : "no more ground fault");
+}
+
+void Timeline::note_input(const messages::AutopilotStatus& status, std::uint8_t /*port*/) {
+  if (follows_.changes_to(status.follows_setpoints))
+    inform(status.follows_setpoints ? "the autopilot follows set-points" : "the autopilot follows no set-points");
+}
+
+void Timeline::note_input(const messages::HydrophoneStatus& status, std::uint8_t /*port*/) {
+  if (is_deaf_.changes_to(status.is_deaf)) warn(status.is_deaf ? "the hydrophone is deaf" : "the hydrophone hears again");
+}
+
+void Timeline::note_input(const messages::OperatorCommand& command, std::uint8_t port) {
+  inform(to_string(command, port));
+}
+
+}  // namespace earshot::journal_view

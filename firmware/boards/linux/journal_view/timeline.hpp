@@ -1,0 +1,115 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/boards/linux/journal_view/entry.hpp"
+#include "firmware/config/capacities.hpp"
+#include "firmware/messages/port_report.hpp"
+
+namespace earshot::journal_view {
+
+/// One thing that happened.
+struct Event {
+  enum class Severity : std::uint8_t { kInformation, kWarning, kError } severity = Severity::kInformation;
+  Time time;
+  std::string text;
+  bool is_lack = false;  ///< the journal itself is damaged, or misses something
+};
+
+/// "2026-11-22 15:04:07 UTC     187.0 s  ABORT: navigation went silent, after 12 steps"; of a simulator's clock without the date.
+/// @param began  when the seconds count from
+[[nodiscard]] std::string to_line(const Event& event, Time began);
+
+/// What happened on a mission, out of the entries of its journal: orders, states, decisions, rules that act, what comes and goes, and what
+/// the journal lacks. What comes in a stream (fixes, SNR, set-points, health) is an event only where it changes something.
+class Timeline {
+ public:
+  /// The events of the next entry, in order; mostly none.
+  [[nodiscard]] std::vector<Event> take(const Entry& entry);
+  /// At the journal's end: what is missing there. @param torn  what stands behind its last record
+  [[nodiscard]] std::vector<Event> finish(const std::optional<TornEnd>& torn);
+
+  /// Of the journal's first record.
+  [[nodiscard]] Time began() const { return began_.value_or(Time{}); }
+  /// The closing record has been.
+  [[nodiscard]] bool is_closed() const { return is_closed_; }
+
+ private:
+  /// Something that is said anew whenever it changes; what it was before it was first heard of needs no words.
+  template <class Value>
+  struct Told {
+    Value value{};
+    [[nodiscard]] bool changes_to(const Value& now) {
+      const bool is_new = value != now;
+      value = now;
+      return is_new;
+    }
+  };
+  /// A counter of what went wrong that only grows: told when it first does in a state of the mission.
+  struct Grown {
+    std::uint64_t seen = 0;
+    bool is_told = false;
+    [[nodiscard]] bool is_news(std::uint64_t now);
+  };
+
+  void tell(Event::Severity severity, std::string text, bool is_lack = false);
+  void inform(std::string text) { tell(Event::Severity::kInformation, std::move(text)); }
+  /// Of the journal itself.
+  void tell_lack(std::string text);
+  void warn(std::string text) { tell(Event::Severity::kWarning, std::move(text)); }
+
+  void note(const Record& record);
+  void note(const MissingRecords& missing);
+  void note(const DamagedBytes& damage);
+  void note(const NumbersGoBack& numbers);
+
+  void note_content(const Unreadable& unreadable, const Record& record);
+  void note_content(const mission_t& mission, const Record& record);
+  void note_content(const PolicyBytes& policy, const Record& record);
+  void note_content(const messages::Input& input, const Record& record);
+  void note_content(const messages::Setpoint& setpoint, const Record& record);
+  void note_content(const decision_t& decision, const Record& record);
+  void note_content(const messages::SafetyEvent& event, const Record& record);
+  void note_content(const command_acknowledgement_t& acknowledgement, const Record& record);
+  void note_content(const health_t& health, const Record& record);
+  void note_content(const wire::ClosingRecord& closing, const Record& record);
+
+  void note_input(const messages::PortReport& report, std::uint8_t port);
+  void note_input(const messages::VehicleStatus& status, std::uint8_t port);
+  void note_input(const messages::AutopilotStatus& status, std::uint8_t port);
+  void note_input(const messages::HydrophoneStatus& status, std::uint8_t port);
+  void note_input(const messages::OperatorCommand& command, std::uint8_t port);
+  /// Fixes and looks.
+  template <class Stream>
+  void note_input(const Stream& /*value*/, std::uint8_t /*port*/) {}
+  void note_refused(const health_t& health);
+
+  struct Port {
+    Told<bool> is_down;
+    Grown failures;  ///< messages lost, malformed or not sent
+  };
+
+  std::vector<Event> events_;  ///< of the entry that is taken
+  std::optional<Time> began_;
+  Time now_;
+  bool is_closed_ = false;
+  std::optional<std::uint32_t> policy_crc32_;  ///< that the mission names
+  Told<std::string> state_;
+  Told<std::int8_t> mission_state_{-1};
+  Told<bool> releases_weight_;
+  Told<bool> has_leak_;
+  Told<bool> has_ground_fault_;
+  Told<std::optional<bool>> follows_;
+  Told<bool> is_deaf_;
+  Grown navigation_refused_;
+  Grown snr_refused_;
+  Grown status_refused_;
+  Grown unreadable_;
+  std::array<Port, config::kMaxPorts + 1> ports_{};
+};
+
+}  // namespace earshot::journal_view

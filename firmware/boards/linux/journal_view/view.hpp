@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "firmware/host/file/output_file.hpp"
+#include "firmware/wire/n2k/local_plane.hpp"
+
+namespace earshot::journal_view {
+
+/// What is to be made of a journal; with none of the files its timeline is printed.
+struct ViewOptions {
+  std::filesystem::path journal;
+  std::optional<std::filesystem::path> csv = std::nullopt;
+  std::optional<std::filesystem::path> jsonl = std::nullopt;
+  std::optional<std::filesystem::path> mcap = std::nullopt;
+  std::optional<n2k::LocalPlane> plane = std::nullopt;  ///< about the mission's origin, which no journal says
+  bool follow = false;                                  ///< the mission may still be under way: wait for its end
+  host::Replace replace = host::Replace::kOwnKind;
+};
+
+/// Prints the timeline or writes the files, and says on standard error what the journal lacks.
+/// @return kDone; kIncomplete when it lacks something; kLost when standard output takes no more; kStopped by a signal (follow)
+/// @throws host::BadInput when there is no record in the journal, or a file may not be or cannot be written: then none is.
+[[nodiscard]] int view(const ViewOptions& options);
+
+}  // namespace earshot::journal_view
