@@ -1,0 +1,51 @@
+#include "firmware/boards/linux/journal_view/content.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+
+namespace earshot::journal_view {
+namespace {
+
+Content content_of_message(std::string_view channel, const auto& message) {
+  return content_of(channel, kBegan, wire::Encoded(message).bytes());
+}
+
+TEST(JournalContent, TellsAnInputWithItsPortAndArrival) {
+  const Content content = content_of_message("EARSHOT_NAV_STATE.3", wire::to_message(known_fix(after(5))));
+  const auto& input = std::get<messages::Input>(content);
+  EXPECT_EQ(input.port, 3);
+  EXPECT_EQ(input.arrival, kBegan);
+  EXPECT_EQ(std::get<messages::Navigation>(input.value), known_fix(after(5)));
+}
+
+TEST(JournalContent, KnowsAPolicyByItsChecksum) {
+  const Content content = content_of("EARSHOT_POLICY", kBegan, kPolicy);
+  EXPECT_EQ(std::get<PolicyBytes>(content).size, 3U);
+  EXPECT_EQ(std::get<PolicyBytes>(content).crc32, kPolicyCrc);
+}
+
+TEST(JournalContent, ReadsASetpointThatWasJournalledAndNoneOfABus) {
+  const setpoint_t message = wire::to_message(some_setpoint(), kBegan);
+  EXPECT_EQ(std::get<messages::Setpoint>(content_of_message("EARSHOT_SETPOINT.0", message)).depth, Meters{300});
+  EXPECT_FALSE(std::get<Unreadable>(content_of_message("EARSHOT_SETPOINT", message)).is_known_channel);
+}
+
+TEST(JournalContent, TellsAMessageOfAnotherVersionFromAnUnknownChannel) {
+  constexpr std::array<std::uint8_t, 12> kBytes{1, 2, 3};
+  for (const char* channel : {"EARSHOT_NAV_STATE.1", "EARSHOT_HEALTH", "EARSHOT_MISSION", "EARSHOT_DECISION", "EARSHOT_SAFETY_EVENT",
+                              "EARSHOT_COMMAND_ACKNOWLEDGEMENT", "EARSHOT_JOURNAL_END", "EARSHOT_SETPOINT.0"})
+    EXPECT_TRUE(std::get<Unreadable>(content_of(channel, kBegan, kBytes)).is_known_channel) << channel;
+  EXPECT_FALSE(std::get<Unreadable>(content_of("SOMEBODY_ELSES", kBegan, kBytes)).is_known_channel);
+  EXPECT_FALSE(std::get<Unreadable>(content_of("", kBegan, {})).is_known_channel);
+}
+
+TEST(JournalContent, ReadsTheClosingRecord) {
+  const wire::ClosingRecord closing{.time = kBegan, .ending = wire::Ending::kClockLost, .steps_taken = 3};
+  EXPECT_EQ(std::get<wire::ClosingRecord>(content_of("EARSHOT_JOURNAL_END", kBegan, wire::encoded(closing).bytes())), closing);
+}
+
+}  // namespace
+}  // namespace earshot::journal_view

@@ -1,0 +1,97 @@
+#include "firmware/boards/linux/journal_view/export/fields.hpp"
+
+#include <gtest/gtest.h>
+
+#include "firmware/boards/linux/journal_view/content.hpp"
+#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+
+namespace earshot::journal_view {
+namespace {
+
+Content input(const auto& value) {
+  return messages::Input{.arrival = kBegan, .port = 2, .sequence = 0, .value = value};
+}
+
+TEST(JournalFields, HaveUnitsInTheirNamesAndSecondsForTimes) {
+  EXPECT_EQ(to_line(fields_of(input(messages::SnrMeasurement{.time = Time{1'500'000}, .snr = Decibels{-3.5}, .too_faint = true}))),
+            R"({"port":2,"valid_time_s":1.5,"snr_db":-3.5,"too_faint":true})");
+  EXPECT_EQ(to_line(fields_of(some_setpoint())),
+            R"({"heading_rad":0.5,"speed_mps":2.0,"depth_m":300.0,"waypoint_north_m":0.0,"waypoint_east_m":0.0,"release_weight":false})");
+}
+
+TEST(JournalFields, SayNullForWhatIsNotKnown) {
+  EXPECT_EQ(to_line(fields_of(input(messages::VehicleStatus{.time = Time{}, .battery_percent = 80.5}))),
+            R"({"port":2,"valid_time_s":0.0,"altitude_m":null,"battery_percent":80.5,"leak":false,"ground_fault":false})");
+  EXPECT_EQ(to_line(fields_of(Unreadable{})), "null");
+}
+
+TEST(JournalFields, SayStatesAndOrdersInWords) {
+  health_t health{};
+  health.state = health_t::ABORT;
+  health.authority = health_t::COMMAND;
+  health.response = 5;
+  health.end_reason = 4;
+  const nlohmann::ordered_json fields = fields_of(health);
+  EXPECT_EQ(fields.at("state"), "ABORT");
+  EXPECT_EQ(fields.at("authority"), "COMMAND");
+  EXPECT_EQ(fields.at("response"), "abort");
+  EXPECT_EQ(fields.at("end_reason"), "navigation went silent");
+  EXPECT_EQ(fields_of(input(command_to(messages::Order::kPause))).at("order"), "PAUSE");
+}
+
+TEST(JournalFields, HoldAsMuchOfAnArrayAsItsCountSaysAndNoMoreThanThereIs) {
+  decision_t decision{};
+  decision.observation_size = 2;
+  decision.observation[1] = 0.5F;
+  decision.action_count = -1;
+  const nlohmann::ordered_json fields = fields_of(decision);
+  EXPECT_EQ(to_line(fields.at("observation")), "[0.0,0.5]");
+  EXPECT_TRUE(fields.at("logits").empty());
+  EXPECT_TRUE(fields.at("likeliest_north_m").is_number());  // NaN, which is written as null
+  health_t health{};
+  health.port_count = 127;
+  EXPECT_EQ(fields_of(health).at("ports").size(), 8U);
+}
+
+TEST(JournalFields, SayNumbersForWordsThatThisProgramDoesNotKnow) {
+  health_t health{};
+  health.authority = -1;
+  health.response = 7;
+  EXPECT_EQ(fields_of(health).at("authority"), "255");
+  EXPECT_EQ(fields_of(health).at("response"), "7");
+  EXPECT_EQ(fields_of(event_of(static_cast<config::Condition>(25), config::Response::kWarn)).at("condition"), "25");
+}
+
+TEST(JournalFields, KeepBytesOfABuildThatAreNoTextOutOfTheJson) {
+  mission_t mission = known_mission();
+  mission.build[0] = 0xFF;
+  EXPECT_NE(to_line(fields_of(mission)).find("\"build\":\"\xEF\xBF\xBD.1.0 abc\""), std::string::npos);  // U+FFFD
+}
+
+TEST(JournalFields, HoldAFenceItsZonesAndItsRules) {
+  mission_t mission = known_mission();
+  mission.corners[1] = 1;
+  mission.corner_north_m[1][0] = 5;
+  mission.corner_east_m[1][0] = 6;
+  mission.rules = 1;
+  mission.rule_condition[0] = static_cast<std::int8_t>(config::Condition::kDepth);
+  mission.rule_limit[0] = 350;
+  mission.rule_persistence_us[0] = 2'000'000;
+  mission.rule_response[0] = 5;
+  const nlohmann::ordered_json fields = fields_of(mission);
+  EXPECT_EQ(to_line(fields.at("fence_save")), R"([{"north_m":5.0,"east_m":6.0}])");
+  EXPECT_EQ(to_line(fields.at("rules")),
+            R"([{"condition":"depth_m","limit":350.0,"persistence_s":2.0,"response":"abort","latched":false}])");
+  EXPECT_EQ(fields.at("policy_crc32"), "55bc801d");
+}
+
+TEST(JournalTopic, NamesEachKindOfRecord) {
+  EXPECT_STREQ(topic_of(input(messages::Navigation{})), "navigation");
+  EXPECT_STREQ(topic_of(input(messages::HydrophoneStatus{})), "hydrophone_status");
+  EXPECT_STREQ(topic_of(health_t{}), "health");
+  EXPECT_STREQ(topic_of(wire::ClosingRecord{}), "journal_end");
+  EXPECT_STREQ(topic_of(Unreadable{}), "unknown");
+}
+
+}  // namespace
+}  // namespace earshot::journal_view

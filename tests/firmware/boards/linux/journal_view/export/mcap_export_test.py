@@ -1,0 +1,149 @@
+"""An MCAP file of earshot journal, read by Foxglove's own reader (PyPI's mcap).
+
+usage: mcap_export_test.py EARSHOT_JOURNAL WRITE_KNOWN_JOURNAL
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+from mcap.reader import NonSeekingReader, SeekingReader, make_reader
+from mcap.records import DataEnd, Footer
+from mcap.stream_reader import CRCValidationError, StreamReader
+
+PROGRAM, WRITER = sys.argv[1:3]
+BEGAN_NS = 1_795_359_840 * 10**9  # 2026-11-22 15:04:00 UTC
+
+
+class McapExport(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.journal = Path(folder.name) / "journal"
+        self.path = Path(folder.name) / "flight.mcap"
+
+    def write(self, *options: str, turns: int | None = None) -> None:
+        subprocess.run([WRITER, self.journal, *([] if turns is None else [str(turns)])], check=True)
+        command = [PROGRAM, self.journal, "--mcap", self.path, *options, "--quiet"]
+        ended = subprocess.run(command, stderr=subprocess.DEVNULL)
+        self.assertEqual(ended.returncode, 0 if turns is None else 1)  # without a closing record
+
+    def read(self) -> list[tuple[str, Any, Any]]:
+        with self.path.open("rb") as file:
+            reader = make_reader(file, validate_crcs=True)
+            self.assertIsInstance(reader, SeekingReader)
+            return [(channel.topic, message, json.loads(message.data)) for _, channel, message in reader.iter_messages()]
+
+    def on(self, topic: str) -> list[tuple[Any, Any]]:
+        return [(message, data) for t, message, data in self.read() if t == topic]
+
+    def test_has_every_record_on_a_topic_of_its_kind(self) -> None:
+        self.write("--origin", "38.5,-20.1")
+        counts = Counter(topic for topic, _, _ in self.read())
+        expected = {"/mission": 1, "/policy": 1, "/health": 4, "/order": 1, "/navigation": 2, "/snr": 1, "/setpoint": 1}
+        expected |= {"/vehicle_status": 1, "/decision": 1, "/acknowledgement": 1, "/port_report": 2, "/safety_event": 1}
+        self.assertEqual(sum(expected.values()), 17)
+        # A fix of two has a place; the timeline has 13 lines.
+        self.assertEqual(counts, expected | {"/journal_end": 1, "/pose": 1, "/position": 1, "/log": 13})
+
+    def test_dates_messages_by_the_record_and_by_their_sender(self) -> None:
+        self.write()
+        ((message, data),) = self.on("/snr")
+        self.assertEqual(message.log_time, BEGAN_NS + 1_900_000_000)
+        self.assertEqual(message.publish_time, BEGAN_NS + 1_700_000_000)
+        self.assertEqual(message.sequence, 5)  # the journal's sixth record
+        self.assertEqual(data, {"port": 2, "valid_time_s": 1795359841.7, "snr_db": 12.25, "too_faint": False})
+
+    def test_leaves_out_what_is_not_known(self) -> None:
+        self.write()
+        ((_, data),) = self.on("/vehicle_status")
+        expected = {"port": 1, "valid_time_s": 1795359841.94, "battery_percent": 80.5, "leak": False, "ground_fault": False}
+        self.assertEqual(data, expected)
+
+    def test_shows_the_vehicle_in_space_on_a_map_and_in_the_log(self) -> None:
+        self.write("--origin", "38.5,-20.1")
+        ((_, pose),) = self.on("/pose")
+        self.assertEqual(pose["timestamp"], {"sec": 1795359841, "nsec": 800_000_000})
+        self.assertEqual(pose["pose"]["position"], {"x": 2000.0, "y": 1000.0, "z": -299.5})
+        ((_, fix),) = self.on("/position")
+        # 111010.7 and 87236.7 m a degree at 38.5 N (WGS-84); the plane's own error is millimetres here.
+        self.assertAlmostEqual(fix["latitude"], 38.5 + 1000 / 111_010.7, places=6)
+        self.assertAlmostEqual(fix["longitude"], -20.1 + 2000 / 87_236.7, places=5)
+        self.assertEqual(fix["altitude"], -299.5)
+        levels = {data["message"]: data["level"] for _, data in self.on("/log")}
+        self.assertEqual(levels["STANDBY"], 2)
+        self.assertEqual(levels["rule 11, battery_percent: 14.9, below 15.0: abort"], 4)
+
+    def test_has_no_map_without_an_origin(self) -> None:
+        self.write()
+        self.assertEqual(self.on("/position"), [])
+
+    def test_says_of_every_field_what_it_is(self) -> None:
+        self.write("--origin", "38.5,-20.1")
+        kinds = {int: "integer", float: "number", str: "string", bool: "boolean", list: "array", dict: "object"}
+        with self.path.open("rb") as file:
+            for schema, channel, message in make_reader(file).iter_messages():
+                assert schema is not None
+                self.assertEqual((schema.encoding, channel.message_encoding), ("jsonschema", "json"))
+                properties = json.loads(schema.data)["properties"]
+                for name, value in json.loads(message.data).items():
+                    if value != []:
+                        self.assertEqual(properties[name]["type"], kinds[type(value)], f"{channel.topic} {name}")
+
+    def test_sums_up_in_statistics_what_it_holds(self) -> None:
+        self.write(turns=20_000)
+        with self.path.open("rb") as file:
+            summary = make_reader(file).get_summary()
+        assert summary is not None and summary.statistics is not None
+        statistics = summary.statistics
+        # Beside the turns: SEARCH, and that the end is missing.
+        self.assertEqual(statistics.message_count, 20_002)
+        self.assertEqual((statistics.message_start_time, statistics.message_end_time), (BEGAN_NS + 10**6, BEGAN_NS + 20_000 * 10**6))
+        counts = {summary.channels[i].topic: n for i, n in statistics.channel_message_counts.items()}
+        self.assertEqual(counts, {"/health": 20_000, "/log": 2})
+        self.assertGreater(statistics.chunk_count, 1)
+        self.assertEqual(statistics.chunk_count, len(summary.chunk_indexes))
+
+    def test_finds_a_moment_without_reading_the_rest(self) -> None:
+        self.write(turns=20_000)
+        begin, end = BEGAN_NS + 15_000 * 10**6, BEGAN_NS + 15_003 * 10**6
+        with self.path.open("rb") as file:
+            found = make_reader(file).iter_messages(topics=["/health"], starting_at=begin, ending_before=end)
+            self.assertEqual([json.loads(message.data)["turn"] for _, _, message in found], [15_000, 15_001, 15_002])
+
+    def test_reads_the_same_from_beginning_to_end_without_an_index(self) -> None:
+        self.write(turns=20_000)
+        with self.path.open("rb") as file:
+            turns = [m.sequence for _, c, m in NonSeekingReader(file).iter_messages() if c.topic == "/health"]
+        self.assertEqual(turns, list(range(20_000)))
+
+    def test_has_checksums_of_its_data_and_of_its_summary(self) -> None:
+        self.write()
+        content = self.path.read_bytes()
+        with self.path.open("rb") as file:
+            records = list(StreamReader(file, emit_chunks=True).records)
+        (data_end,) = (record for record in records if isinstance(record, DataEnd))
+        (footer,) = (record for record in records if isinstance(record, Footer))
+        # Behind the data: DataEnd of 1 + 8 + 4 bytes; at the end: the checksum's 4 bytes and the magic's 8.
+        self.assertEqual(data_end.data_section_crc, zlib.crc32(content[: footer.summary_start - 13]))
+        self.assertEqual(footer.summary_crc, zlib.crc32(content[footer.summary_start : -12]))
+
+    def test_shows_by_its_checksums_that_a_byte_was_flipped(self) -> None:
+        self.write()
+        whole = self.path.read_bytes()
+        at = whole.index(b'"snr_db":12.25') + len(b'"snr_db":1')
+        self.path.write_bytes(whole[:at] + b"3" + whole[at + 1 :])
+        with self.assertRaises(CRCValidationError):
+            self.read()
+        self.path.write_bytes(whole)
+        self.assertEqual(len(self.read()), 32)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

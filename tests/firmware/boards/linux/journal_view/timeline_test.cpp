@@ -1,0 +1,172 @@
+#include "firmware/boards/linux/journal_view/timeline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "firmware/boards/linux/journal_view/record_source.hpp"
+#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::journal_view {
+namespace {
+
+using Severity = Event::Severity;
+
+messages::VehicleStatus status(bool has_leak, bool has_ground_fault) {
+  messages::VehicleStatus status;
+  status.has_leak = has_leak;
+  status.has_ground_fault = has_ground_fault;
+  return status;
+}
+
+Entry record_of(const Content& content) {
+  return Record{.number = 0, .time = kBegan, .channel = {}, .size_bytes = 0, .content = content};
+}
+
+/// What a timeline tells of records that a test makes.
+class TimelineTest : public ::testing::Test {
+ protected:
+  std::vector<std::string> tell(const Entry& entry) {
+    std::vector<std::string> lines;
+    for (const Event& event : timeline_.take(entry)) lines.push_back(event.text);
+    return lines;
+  }
+  std::vector<std::string> tell(const Content& content) { return tell(record_of(content)); }
+  template <class Value>
+  std::vector<std::string> tell_input(const Value& value) {
+    return tell(Content(messages::Input{.arrival = kBegan, .port = 1, .sequence = 0, .value = value}));
+  }
+
+  Timeline timeline_;
+};
+using Lines = std::vector<std::string>;
+
+TEST_F(TimelineTest, TellsAKnownMissionLineByLine) {
+  const support::TemporaryFolder folder;
+  write_known_journal(folder / "journal");
+  RecordSource source(folder / "journal");
+  std::string text;
+  while (const std::optional<Entry> entry = source.next())
+    for (const Event& event : timeline_.take(*entry)) text += to_line(event, timeline_.began()) + "\n";
+  EXPECT_TRUE(timeline_.finish(source.torn_end()).empty());
+  EXPECT_EQ(
+      text,
+      "2026-11-22 15:04:00 UTC       0.0 s  mission begins: area of 25.0 km x 20.0 km, at 300 m depth and 2.0 m/s, up to 100 steps of 1000 "
+      "m "
+      "in 60000 s; heard from 10.0 dB; flown by 0.1.0 abc\n"
+      "2026-11-22 15:04:00 UTC       0.0 s  policy: 3 bytes, CRC-32 55bc801d\n"
+      "2026-11-22 15:04:01 UTC       1.0 s  STANDBY\n"
+      "2026-11-22 15:04:01 UTC       1.5 s  order START, number 1 of issuer 77, by port 2\n"
+      "2026-11-22 15:04:02 UTC       2.0 s  step 0: SNR 12.2 dB, heard; from 1000 m north, 2000 m east goes 1000 m towards 270 deg\n"
+      "2026-11-22 15:04:02 UTC       2.0 s  order START, number 1 of issuer 77: obeyed\n"
+      "2026-11-22 15:04:02 UTC       2.0 s  SEARCH\n"
+      "2026-11-22 15:04:02 UTC       2.9 s  port 2: its link is down\n"
+      "2026-11-22 15:04:03 UTC       3.9 s  port 2: its link is up again\n"
+      "2026-11-22 15:04:03 UTC       3.9 s  port 2: so far 2 lost, 0 malformed and 0 not sent\n"
+      "2026-11-22 15:04:04 UTC       4.0 s  rule 11, battery_percent: 14.9, below 15.0: abort\n"
+      "2026-11-22 15:04:04 UTC       4.0 s  ABORT: a safety rule ended it, after 1 step\n"
+      "2026-11-22 15:04:04 UTC       4.0 s  end: the mission was over; ABORT: a safety rule ended it, after 1 step; no record was lost\n");
+}
+
+TEST(TimelineLine, HasNoDateOnASimulatorsClock) {
+  EXPECT_EQ(to_line({.severity = Severity::kWarning, .time = Time{1'500'000}, .text = "SEARCH"}, Time{}), "      1.5 s  SEARCH");
+}
+
+TEST_F(TimelineTest, TellsAStateOnceHoweverLongItLasts) {
+  health_t health{};
+  health.state = health_t::SEARCH;
+  health.authority = health_t::COMMAND;
+  EXPECT_EQ(tell(health), Lines{"SEARCH"});
+  EXPECT_EQ(tell(health), Lines{});
+  health.paused = 1;
+  EXPECT_EQ(tell(health), Lines{"SEARCH, paused by an operator"});
+}
+
+TEST_F(TimelineTest, TellsWhatIsRefusedOnceInAState) {
+  health_t health{};
+  health.authority = health_t::COMMAND;
+  (void)tell(health);
+  health.navigation_refused = 3;
+  EXPECT_EQ(tell(health), Lines{"navigation: 3 messages refused so far, for their date, their order or what is in them"});
+  health.navigation_refused = 4;
+  EXPECT_EQ(tell(health), Lines{});
+  health.state = health_t::SEARCH;
+  health.snr_refused = 1;
+  EXPECT_EQ(tell(health), (Lines{"SEARCH", "SNR: 1 message refused so far, for their date, their order or what is in them"}));
+  health.navigation_refused = 5;
+  EXPECT_EQ(tell(health).size(), 1U);
+}
+
+TEST_F(TimelineTest, SaysThatADiskDoesNotTakeTheJournal) {
+  EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = true}), Lines{});
+  EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = false}), Lines{"the journal: the disk does not take it"});
+  EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = true}), Lines{"the journal: the disk takes it again"});
+}
+
+TEST_F(TimelineTest, LeavesOutAPortThatNoMissionHas) {
+  EXPECT_EQ(tell_input(messages::PortReport{.port = 255, .link_up = false, .lost = 3}), Lines{});
+}
+
+TEST_F(TimelineTest, TellsWhatComesOverTheVehicleAndGoesAgain) {
+  EXPECT_EQ(tell_input(status(false, false)), Lines{});
+  EXPECT_EQ(tell_input(status(true, true)), (Lines{"water in the hull", "a ground fault"}));
+  EXPECT_EQ(tell_input(status(false, true)), Lines{"no more water in the hull"});
+  EXPECT_EQ(tell_input(messages::HydrophoneStatus{.time = kBegan, .is_deaf = true}), Lines{"the hydrophone is deaf"});
+  EXPECT_EQ(tell_input(messages::HydrophoneStatus{.time = kBegan, .is_deaf = false}), Lines{"the hydrophone hears again"});
+  EXPECT_EQ(tell_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = false}),
+            Lines{"the autopilot follows no set-points"});
+  EXPECT_EQ(tell_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = true}), Lines{"the autopilot follows set-points"});
+  EXPECT_EQ(tell_input(messages::AutopilotStatus{.time = kBegan, .follows_setpoints = true}), Lines{});
+}
+
+TEST_F(TimelineTest, TellsThatTheDropWeightIsToGo) {
+  EXPECT_EQ(tell(some_setpoint()), Lines{});
+  EXPECT_EQ(tell(some_setpoint(true)), Lines{"the drop weight is asked to be released"});
+  EXPECT_EQ(tell(some_setpoint(true)), Lines{});
+}
+
+TEST_F(TimelineTest, MindsAPolicyThatIsNotTheMissions) {
+  (void)tell(known_mission());
+  const std::vector<Event> events = timeline_.take(record_of(PolicyBytes{.size = 3, .crc32 = 0x12}));
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_TRUE(events[0].is_lack);
+  EXPECT_EQ(events[0].text, "policy: 3 bytes, CRC-32 00000012, which is not the 55bc801d that its mission names");
+}
+
+TEST_F(TimelineTest, TellsTheFirstOfTheRecordsThatItCannotRead) {
+  const Record record{
+      .number = 5, .time = kBegan, .channel = "EARSHOT_HEALTH", .size_bytes = 1, .content = Unreadable{.is_known_channel = true}};
+  EXPECT_EQ(tell(Entry(record)),
+            Lines{"record 5 on EARSHOT_HEALTH cannot be read: its message is of another version of Earshot; of more like "
+                  "it nothing is told"});
+  EXPECT_EQ(tell(Entry(record)), Lines{});
+}
+
+TEST_F(TimelineTest, SaysWhatIsMissingAtTheEndAndThatItIsALack) {
+  const std::vector<Event> events = timeline_.finish(TornEnd{.where = {.offset = 90, .bytes = 12}, .is_cut = true});
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_TRUE(events[0].is_lack && events[1].is_lack);
+  EXPECT_EQ(events[0].severity, Severity::kError);
+  EXPECT_EQ(events[1].text.find("the journal's end is missing"), 0U);
+}
+
+TEST_F(TimelineTest, CountsRecordsThatAreLostAsALack) {
+  const std::vector<Event> events = timeline_.take(record_of(wire::ClosingRecord{.time = kBegan, .lost = {.streams = 1}}));
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_TRUE(events[0].is_lack);
+  EXPECT_TRUE(timeline_.is_closed());
+}
+
+TEST_F(TimelineTest, WarnsOfARuleThatActsAndNotOfOneThatEnds) {
+  using enum config::Response;
+  constexpr auto kLeak = config::Condition::kLeak;
+  EXPECT_EQ(timeline_.take(record_of(event_of(kLeak, kHold))).at(0).severity, Severity::kWarning);
+  EXPECT_EQ(timeline_.take(record_of(event_of(kLeak, kAbort))).at(0).severity, Severity::kError);
+  EXPECT_EQ(timeline_.take(record_of(event_of(kLeak, kAbort, false))).at(0).severity, Severity::kInformation);
+}
+
+}  // namespace
+}  // namespace earshot::journal_view

@@ -1,0 +1,167 @@
+// GIVEN a journal, WHEN earshot journal is asked about it, THEN it tells or writes what is there, and never passes over what is not.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::journal_view {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+const fs::path kProgram = fs::path(EARSHOT_BIN_DIR) / "earshot-journal";
+
+class JournalView : public ::testing::Test {
+ protected:
+  JournalView() { write_known_journal(journal_); }
+
+  int view(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), journal_.string());
+    support::Process process(kProgram, arguments, {.folder = folder_, .output = folder_ / "said.txt", .errors = folder_ / "errors.txt"});
+    const int status = process.wait(30s);
+    said_ = support::read_text(folder_ / "said.txt");
+    errors_ = support::read_text(folder_ / "errors.txt");
+    return status;
+  }
+  [[nodiscard]] std::string file(const char* name) const { return (folder_ / name).string(); }
+  /// One bit of the journal's byte, counted from its end.
+  void flip_bit_before_end(std::streamoff bytes) const {
+    std::fstream bits(journal_, std::ios::binary | std::ios::in | std::ios::out);
+    bits.seekg(-bytes, std::ios::end);
+    const int byte = bits.get();
+    bits.seekp(-bytes, std::ios::end);
+    bits.put(static_cast<char>(byte ^ 1));
+  }
+
+  const support::TemporaryFolder folder_;
+  const fs::path journal_ = folder_ / "journal.lcmlog";
+  std::string said_;
+  std::string errors_;
+};
+
+TEST_F(JournalView, PrintsTheTimelineOfAWholeJournal) {
+  EXPECT_EQ(view({}), 0);
+  EXPECT_EQ(std::ranges::count(said_, '\n'), 13);
+  EXPECT_TRUE(said_.starts_with("2026-11-22 15:04:00 UTC       0.0 s  mission begins: ")) << said_;
+  EXPECT_NE(said_.find("2026-11-22 15:04:04 UTC       4.0 s  ABORT: a safety rule ended it, after 1 step\n"), std::string::npos) << said_;
+  EXPECT_EQ(errors_, "");
+}
+
+TEST_F(JournalView, SaysNothingButWhatIsWrongWhenItIsToBeQuiet) {
+  fs::resize_file(journal_, fs::file_size(journal_) - 94);  // the closing record: 28 + 19 + 47
+  EXPECT_EQ(view({"--quiet"}), 1);
+  EXPECT_EQ(said_, "");
+  EXPECT_EQ(errors_.find(journal_.string() + ": the journal's end is missing"), 0U) << errors_;
+}
+
+TEST_F(JournalView, ReadsOnBehindDamageAndSaysWhereItIs) {
+  flip_bit_before_end(94 + 20);  // in the last health record
+  EXPECT_EQ(view({"--csv", file("t.csv")}), 1);
+  EXPECT_NE(errors_.find(": damaged: "), std::string::npos) << errors_;
+  EXPECT_NE(errors_.find(": 1 record is missing, number 16, where the file is damaged\n"), std::string::npos) << errors_;
+  EXPECT_EQ(said_, file("t.csv") + ": 3 turns\n");
+  EXPECT_EQ(view({}), 1);
+  EXPECT_NE(said_.find("1 record is missing"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("end: the mission was over"), std::string::npos) << said_;
+}
+
+TEST_F(JournalView, RefusesWhatIsNoJournal) {
+  std::ofstream(journal_) << "notes of mine, which are long enough to hold the header of a record";
+  EXPECT_EQ(view({"--csv", file("t.csv")}), 2);
+  EXPECT_EQ(errors_, journal_.string() + ": not a journal: no record in it\n");
+  EXPECT_FALSE(fs::exists(file("t.csv")));
+  fs::remove(journal_);
+  EXPECT_EQ(view({}), 2);
+  EXPECT_EQ(errors_, journal_.string() + ": no such file\n");
+}
+
+TEST_F(JournalView, WritesAllThreeFilesInOneGoAndReplacesItsOwnKind) {
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(view({"--csv", file("t.csv"), "--jsonl", file("r.jsonl"), "--mcap", file("m.mcap")}), 0) << errors_;
+    EXPECT_EQ(said_, file("t.csv") + ": 4 turns\n" + file("r.jsonl") + ": 18 records\n" + file("m.mcap") + ": 32 messages\n");
+  }
+}
+
+TEST_F(JournalView, ReplacesNothingOfAnotherKindUnlessItIsForced) {
+  std::ofstream(file("t.csv")) << "notes of mine";
+  EXPECT_EQ(view({"--jsonl", file("r.jsonl"), "--csv", file("t.csv")}), 2);
+  EXPECT_NE(errors_.find("t.csv: is there already and is not a table of a journal's turns; --force replaces it"), std::string::npos);
+  EXPECT_EQ(support::read_text(file("t.csv")), "notes of mine");
+  EXPECT_FALSE(fs::exists(file("r.jsonl")));
+  EXPECT_EQ(view({"--csv", file("t.csv"), "--force"}), 0) << errors_;
+}
+
+TEST_F(JournalView, NeverWritesOverTheJournalThatItReads) {
+  const std::string before = support::read_text(journal_);
+  fs::create_symlink(journal_, file("link"));
+  for (const std::string& name : {journal_.string(), file("link")}) EXPECT_EQ(view({"--mcap", name, "--force"}), 2) << errors_;
+  EXPECT_EQ(support::read_text(journal_), before);
+  EXPECT_EQ(view({"--csv", file("x"), "--jsonl", file("./x")}), 2);
+  EXPECT_NE(errors_.find("the same file is read, or written already"), std::string::npos) << errors_;
+}
+
+TEST_F(JournalView, RefusesAnOriginThatIsNone) {
+  for (const char* origin : {"38.5", "38.5,x", "85,0", "0,181", "nan,0", ","}) {
+    EXPECT_EQ(view({"--csv", file("t.csv"), "--origin", origin}), 2) << origin;
+    EXPECT_NE(errors_.find(std::string("--origin ") + origin + ": "), std::string::npos) << errors_;
+  }
+  EXPECT_EQ(view({"--origin", "38.5,-20.1"}), 2);
+  EXPECT_EQ(view({"--csv", file("t.csv"), "--origin", "38.5,-20.1"}), 0) << errors_;
+}
+
+/// A mission that is under way while earshot journal follows it.
+class JournalFollowed : public ::testing::Test {
+ protected:
+  /// Waits, for as long as it takes but not for ever, until this was said.
+  [[nodiscard]] bool hears(const std::string& text) const {
+    for (int i = 0; i < 600; ++i, std::this_thread::sleep_for(50ms))
+      if (process_.output().find(text) != std::string::npos) return true;
+    return false;
+  }
+  static fs::path begun(const fs::path& path, WrittenJournal& journal) {
+    journal.message(kBegan, wire::kMissionChannel, known_mission());
+    journal.flush();
+    return path;
+  }
+
+  const support::TemporaryFolder folder_;
+  const fs::path path_ = folder_ / "journal.lcmlog";
+  WrittenJournal journal_{path_};
+  support::Process process_{kProgram, {begun(path_, journal_).string(), "--follow"}, folder_ / "said.txt"};
+};
+
+TEST_F(JournalFollowed, SaysWhatHappensAsItIsWrittenUntilTheMissionEnds) {
+  EXPECT_TRUE(hears("mission begins"));
+  journal_.health(after(1000), 1, messages::MissionState::kSearch);
+  journal_.flush();
+  EXPECT_TRUE(hears("1.0 s  SEARCH\n")) << process_.output();
+  journal_.close({.time = after(2000), .ending = wire::Ending::kStopped});
+  EXPECT_EQ(process_.wait(30s), 0);
+  EXPECT_NE(process_.output().find("end: the program was told to stop"), std::string::npos) << process_.output();
+}
+
+TEST_F(JournalFollowed, EndsOnCtrlC) {
+  EXPECT_TRUE(hears("mission begins"));
+  process_.signal(SIGINT);
+  EXPECT_EQ(process_.wait(30s), 130);
+}
+
+TEST_F(JournalFollowed, EndsWhenTheProgramThatWroteIsGone) {
+  journal_.close();  // without a closing record, as if it had been killed
+  EXPECT_EQ(process_.wait(30s), 1);
+  EXPECT_NE(process_.output().find("the journal's end is missing"), std::string::npos) << process_.output();
+}
+
+}  // namespace
+}  // namespace earshot::journal_view

@@ -1,0 +1,50 @@
+#include "firmware/boards/linux/journal_view/wording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+
+namespace earshot::journal_view {
+namespace {
+
+// Dates: GNU date.
+TEST(JournalWording, SaysADateOfAClockThatHasOne) {
+  EXPECT_EQ(utc(Time{1'795'359'847'999'999}), "2026-11-22 15:04:07 UTC");
+  EXPECT_EQ(utc(Time{951'782'400'000'000}), "2000-02-29 00:00:00 UTC");
+}
+
+TEST(JournalWording, TakesASimulatorsClockAndAnImpossibleOneForUndated) {
+  EXPECT_FALSE(is_dated(Time{}));
+  EXPECT_FALSE(is_dated(Time{-1}));
+  EXPECT_FALSE(is_dated(Time{946'684'799'999'999}));
+  EXPECT_TRUE(is_dated(Time{946'684'800'000'000}));  // 2000-01-01
+  EXPECT_FALSE(is_dated(Time{std::numeric_limits<std::int64_t>::max()}));
+}
+
+TEST(JournalWording, WritesNumbersOfAnySizeWithTheirPlaces) {
+  EXPECT_EQ(decimal(12.345, 2), "12.35");
+  EXPECT_EQ(decimal(-0.5, 0), "-0");
+  EXPECT_EQ(decimal(std::numeric_limits<double>::max(), 6).size(), 316U);
+  EXPECT_EQ(decimal(std::numeric_limits<double>::quiet_NaN(), 1), "nan");
+}
+
+TEST(JournalWording, CountsOneAndMany) {
+  EXPECT_EQ(counted(0, "record"), "0 records");
+  EXPECT_EQ(counted(1, "record"), "1 record");
+}
+
+// sin and cos of the quarters are exact to a rounding: a thousandth of a degree shows no more.
+TEST(JournalWording, TurnsHeadingsIntoCompassDegrees) {
+  EXPECT_DOUBLE_EQ(compass_degrees(Radians{std::numbers::pi / 2}), 90.0);
+  EXPECT_DOUBLE_EQ(compass_degrees(Radians{-std::numbers::pi / 2}), 270.0);
+  EXPECT_DOUBLE_EQ(compass_degrees(Radians{3 * std::numbers::pi}), 180.0);
+  EXPECT_EQ(compass_degrees(Radians{-1e-300}), 0.0);
+}
+
+TEST(JournalWording, KeepsTheMicrosecondsOfADate) {
+  EXPECT_EQ(decimal(seconds_of(Time{1'795'359'847'080'925}), 6), "1795359847.080925");
+}
+
+}  // namespace
+}  // namespace earshot::journal_view
