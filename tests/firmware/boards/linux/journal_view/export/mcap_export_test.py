@@ -4,6 +4,7 @@ usage: mcap_export_test.py EARSHOT_JOURNAL WRITE_KNOWN_JOURNAL
 """
 
 import json
+import struct
 import subprocess
 import sys
 import tempfile
@@ -18,6 +19,8 @@ from mcap.records import DataEnd, Footer
 from mcap.stream_reader import CRCValidationError, StreamReader
 
 PROGRAM, WRITER = sys.argv[1:3]
+MESSAGE, CHUNK, MESSAGE_INDEX, DATA_END = 0x05, 0x06, 0x07, 0x0F  # opcodes
+TURNS = 8_000  # fill more than two chunks of 1 MiB
 BEGAN_NS = 1_795_359_840 * 10**9  # 2026-11-22 15:04:00 UTC
 
 
@@ -30,15 +33,17 @@ class McapExport(unittest.TestCase):
 
     def write(self, *options: str, turns: int | None = None) -> None:
         subprocess.run([WRITER, self.journal, *([] if turns is None else [str(turns)])], check=True)
-        command = [PROGRAM, self.journal, "--mcap", self.path, *options, "--quiet"]
-        ended = subprocess.run(command, stderr=subprocess.DEVNULL)
+        command = [PROGRAM, str(self.journal), "--mcap", str(self.path), *options, "--quiet"]
+        ended = subprocess.run(command, check=False, stderr=subprocess.DEVNULL)
         self.assertEqual(ended.returncode, 0 if turns is None else 1)  # without a closing record
 
     def read(self) -> list[tuple[str, Any, Any]]:
         with self.path.open("rb") as file:
             reader = make_reader(file, validate_crcs=True)
             self.assertIsInstance(reader, SeekingReader)
-            return [(channel.topic, message, json.loads(message.data)) for _, channel, message in reader.iter_messages()]
+            return [
+                (channel.topic, message, json.loads(message.data)) for _, channel, message in reader.iter_messages()
+            ]
 
     def on(self, topic: str) -> list[tuple[Any, Any]]:
         return [(message, data) for t, message, data in self.read() if t == topic]
@@ -63,7 +68,13 @@ class McapExport(unittest.TestCase):
     def test_leaves_out_what_is_not_known(self) -> None:
         self.write()
         ((_, data),) = self.on("/vehicle_status")
-        expected = {"port": 1, "valid_time_s": 1795359841.94, "battery_percent": 80.5, "leak": False, "ground_fault": False}
+        expected = {
+            "port": 1,
+            "valid_time_s": 1795359841.94,
+            "battery_percent": 80.5,
+            "leak": False,
+            "ground_fault": False,
+        }
         self.assertEqual(data, expected)
 
     def test_shows_the_vehicle_in_space_on_a_map_and_in_the_log(self) -> None:
@@ -97,31 +108,68 @@ class McapExport(unittest.TestCase):
                         self.assertEqual(properties[name]["type"], kinds[type(value)], f"{channel.topic} {name}")
 
     def test_sums_up_in_statistics_what_it_holds(self) -> None:
-        self.write(turns=20_000)
+        self.write(turns=TURNS)
         with self.path.open("rb") as file:
             summary = make_reader(file).get_summary()
         assert summary is not None and summary.statistics is not None
         statistics = summary.statistics
         # Beside the turns: SEARCH, and that the end is missing.
-        self.assertEqual(statistics.message_count, 20_002)
-        self.assertEqual((statistics.message_start_time, statistics.message_end_time), (BEGAN_NS + 10**6, BEGAN_NS + 20_000 * 10**6))
+        self.assertEqual(statistics.message_count, TURNS + 2)
+        self.assertEqual(
+            (statistics.message_start_time, statistics.message_end_time), (BEGAN_NS + 10**6, BEGAN_NS + TURNS * 10**6)
+        )
         counts = {summary.channels[i].topic: n for i, n in statistics.channel_message_counts.items()}
-        self.assertEqual(counts, {"/health": 20_000, "/log": 2})
+        self.assertEqual(counts, {"/health": TURNS, "/log": 2})
         self.assertGreater(statistics.chunk_count, 1)
         self.assertEqual(statistics.chunk_count, len(summary.chunk_indexes))
 
     def test_finds_a_moment_without_reading_the_rest(self) -> None:
-        self.write(turns=20_000)
-        begin, end = BEGAN_NS + 15_000 * 10**6, BEGAN_NS + 15_003 * 10**6
+        self.write(turns=TURNS)
+        begin, end = BEGAN_NS + 6_000 * 10**6, BEGAN_NS + 6_003 * 10**6
         with self.path.open("rb") as file:
             found = make_reader(file).iter_messages(topics=["/health"], starting_at=begin, ending_before=end)
-            self.assertEqual([json.loads(message.data)["turn"] for _, _, message in found], [15_000, 15_001, 15_002])
+            self.assertEqual([json.loads(message.data)["turn"] for _, _, message in found], [6_000, 6_001, 6_002])
+
+    def test_points_at_every_chunk_index_and_message(self) -> None:
+        self.write(turns=TURNS)
+        content = self.path.read_bytes()
+        with self.path.open("rb") as file:
+            summary = make_reader(file).get_summary()
+        assert summary is not None
+        position, pointed_at = summary.chunk_indexes[0].chunk_start_offset, 0
+        for index in summary.chunk_indexes:  # they stand one behind the other
+            self.assertEqual((index.chunk_start_offset, content[position]), (position, CHUNK))
+            # Opcode and length, two times and size, checksum, no compression, size of the records.
+            records = position + 9 + 24 + 4 + 4 + 8
+            position += index.chunk_length
+            end = position + index.message_index_length
+            for channel, offset in index.message_index_offsets.items():
+                opcode, _, of_channel, size = struct.unpack_from("<BQHI", content, offset)
+                self.assertEqual((opcode, of_channel), (MESSAGE_INDEX, channel))
+                for log_time, at in struct.iter_unpack("<QQ", content[offset + 15 : offset + 15 + size]):
+                    opcode, _, *message = struct.unpack_from("<BQHIQ", content, records + at)
+                    self.assertEqual((opcode, message[0], message[2]), (MESSAGE, channel, log_time))
+                    pointed_at += 1
+            position = end
+        self.assertEqual(content[position], DATA_END)
+        self.assertEqual(pointed_at, TURNS + 2)
+
+    def test_points_at_the_parts_of_its_summary(self) -> None:
+        self.write()
+        content = self.path.read_bytes()
+        _, offsets_start, _ = struct.unpack("<QQI", content[-28:-8])
+        group_starts = {}
+        for _, size, opcode, start, length in struct.iter_unpack("<BQBQQ", content[offsets_start:-37]):
+            self.assertEqual((size, content[start]), (17, opcode))
+            group_starts[start] = start + length
+        self.assertEqual(len(group_starts), 4)  # schemas, channels, statistics, chunk indexes: one behind the other
+        self.assertEqual(sorted(group_starts)[1:] + [offsets_start], sorted(group_starts.values()))
 
     def test_reads_the_same_from_beginning_to_end_without_an_index(self) -> None:
-        self.write(turns=20_000)
+        self.write(turns=TURNS)
         with self.path.open("rb") as file:
             turns = [m.sequence for _, c, m in NonSeekingReader(file).iter_messages() if c.topic == "/health"]
-        self.assertEqual(turns, list(range(20_000)))
+        self.assertEqual(turns, list(range(TURNS)))
 
     def test_has_checksums_of_its_data_and_of_its_summary(self) -> None:
         self.write()
