@@ -26,12 +26,12 @@ void RecordSource::keep(host::JournalRecord record) {
   keep_gap_before(record.number, was_damaged);
   expected_number_ = record.number + 1;
   ++records_;
-  Content content = content_of(record.channel, record.time, record.data);
+  const Content content = content_of(record.channel, record.time, record.data);
   waiting_.emplace_back(Record{.number = record.number,
                                .time = record.time,
                                .channel = std::move(record.channel),
                                .size_bytes = record.data.size(),
-                               .content = std::move(content)});
+                               .content = content});
 }
 
 void RecordSource::keep_gap_before(std::uint32_t number, bool was_damaged) {
