@@ -25,6 +25,37 @@ TEST(JournalFields, SayNullForWhatIsNotKnown) {
   EXPECT_EQ(to_line(fields_of(Unreadable{})), "null");
 }
 
+TEST(JournalFields, HoldAllOfAnOrderItsAnswerAPortAndTheEnd) {
+  messages::OperatorCommand command = command_to(messages::Order::kTighten);
+  command.time = Time{1'000'000};
+  command.expiry = Time{2'500'000};
+  command.issuer = 4'294'967'295;
+  command.number = 3;
+  command.limits = {.max_depth = Meters{280}, .max_speed = MetersPerSecond{1.5}, .max_time_s = 600.0};
+  command.is_verified = true;
+  EXPECT_EQ(to_line(fields_of(input(command))),
+            R"({"port":2,"given_time_s":1.0,"expiry_time_s":2.5,"issuer":4294967295,"number":3,"order":"TIGHTEN","max_depth_m":280.0,)"
+            R"("max_speed_mps":1.5,"max_time_s":600.0,"verified":true})");
+  command_acknowledgement_t answer{};
+  answer.issuer = -1;
+  answer.number = 3;
+  answer.command = static_cast<std::int8_t>(messages::Order::kTighten);
+  answer.outcome = command_acknowledgement_t::NOT_TIGHTER;
+  EXPECT_EQ(to_line(fields_of(answer)), R"({"issuer":4294967295,"number":3,"order":"TIGHTEN","outcome":"refused: not tighter"})");
+  const messages::PortReport report{.port = 4, .link_up = false, .received = 1, .lost = 2, .malformed = 3, .unsent = 5};
+  EXPECT_EQ(to_line(fields_of(input(report))),
+            R"({"port":2,"reported_port":4,"link_up":false,"received":1,"lost":2,"malformed":3,"unsent":5})");
+  const wire::ClosingRecord closing{.time = kBegan,
+                                    .ending = wire::Ending::kStopped,
+                                    .state = messages::MissionState::kAbort,
+                                    .end_reason = messages::EndReason::kOperatorAbort,
+                                    .steps_taken = 7,
+                                    .lost = {.streams = 1, .steering = 2, .orders = 3}};
+  EXPECT_EQ(to_line(fields_of(closing)),
+            R"({"ending":"stopped","state":"ABORT","end_reason":"an operator aborted it","steps_taken":7,"streams_lost":1,)"
+            R"("steering_lost":2,"orders_lost":3})");
+}
+
 TEST(JournalFields, SayStatesAndOrdersInWords) {
   health_t health{};
   health.state = health_t::ABORT;
