@@ -238,7 +238,7 @@ TEST_F(Resuming, FindsTheNewestJournalCutsItToWhatIsKeptAndRefusesAClockThatIsBe
   const Playback::Beginning flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes())};
   const Time last = records_.back().time;
   try {
-    (void)find_unfinished(cut_, flown, GoOnAfter::kLastInput, last - Duration::seconds(7));
+    (void)find_unfinished(cut_, flown, GoOnAfter::kLastInput, last + Duration::seconds(-7));
     ADD_FAILURE();
   } catch (const host::BadInput& error) {
     EXPECT_NE(std::string(error.what()).find("this computer's clock is 8 s behind its last record"), std::string::npos) << error.what();
