@@ -8,12 +8,13 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/host/trust/key_file.hpp"
+#include "firmware/host/trust/key_pair.hpp"
 #include "policy/command_line/listening_options.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
 #include "policy/description/draw.hpp"
-#include "policy/freeze/keys.hpp"
 #include "policy/freeze/model_file.hpp"
 #include "policy/freeze/thaw.hpp"
 
@@ -53,65 +54,30 @@ void add_options(program::CommandLine& line, Options& options) {
   line.flag("--force", &options.force, command_line::kForceHelp);
 }
 
-std::filesystem::path public_file_of(std::filesystem::path key_file) {
-  return key_file.replace_extension(".pub");
-}
-
 /// A policy must not be written over the key that signs it.
 void check_output(const Options& options) {
   const command_line::Output output{"--output", *options.output, command_line::kPolicyOutput};
   command_line::check_distinct(std::array{command_line::Output{"--key", options.key, {}}, output});
-  command_line::check_distinct(std::array{command_line::Output{"the public half of --key", public_file_of(options.key), {}}, output});
+  command_line::check_distinct(std::array{command_line::Output{"the public half of --key", host::public_file_of(options.key), {}}, output});
 }
 
-/// Both halves or none: they are written before either has its name, and the secret one goes again when the public one cannot have its own.
-void write_pair(const std::filesystem::path& file, const std::string& secret_text, const std::filesystem::path& public_file,
-                const std::string& public_text, bool replaces) {
-  host::OutputFile secret_half(file, host::Access::kOwnerOnly);
-  host::OutputFile public_half(public_file);
-  secret_half.write(secret_text);
-  public_half.write(public_text);
-  secret_half.commit_as_new();
-  try {
-    replaces ? public_half.commit() : public_half.commit_as_new();
-  } catch (const BadInput&) {
-    std::error_code gone_already;
-    std::filesystem::remove(host::followed(file), gone_already);
-    throw;
-  }
-}
-
-/// Of two programs that make one key, one does: the other finds the secret half there. @param force  a .pub without its secret half goes
-freeze::SecretKey new_key(const std::filesystem::path& file, bool force) {
-  if (std::filesystem::exists(file)) throw BadInput(file.string() + ": exists already; --new-key does not replace keys");
-  const std::filesystem::path public_file = public_file_of(file);
-  const bool replaces = std::filesystem::exists(public_file);
-  if (replaces) (void)freeze::public_key_from(host::read_text(public_file, host::kKeyFile), public_file.string());
-  if (replaces && !force)
-    throw BadInput(public_file.string() + ": is the public half of a key that is not here, which a vehicle may trust; --force replaces it");
-  const freeze::SecretKey key = freeze::make_key();
-  const std::string public_text = freeze::to_text(freeze::public_key_of(key));
-  write_pair(file, to_text(key), public_file, public_text, replaces);
-  program::say() << file.string() << " (secret: keep it), " << public_file.string() << "\n";
+host::SecretKey new_key(const Options& options) {
+  const host::SecretKey key =
+      host::make_key_pair(options.key, options.force ? host::LonePublicHalf::kReplaced : host::LonePublicHalf::kStays);
+  program::say() << options.key << " (secret: keep it), " << host::public_file_of(options.key).string() << "\n";
   return key;
 }
 
-/// A policy signed with one key and shipped with another's public half would be refused at sea.
-void check_public_half(const std::filesystem::path& public_file, const freeze::SecretKey& key, const std::string& key_file) {
-  const freeze::PublicKey beside = freeze::public_key_from(host::read_text(public_file, host::kKeyFile), public_file.string());
-  if (beside != freeze::public_key_of(key)) throw BadInput(public_file.string() + ": is not the public half of " + key_file);
-}
-
-freeze::SecretKey key_of(const Options& options) {
-  const std::filesystem::path public_file = public_file_of(options.key);
-  if (public_file == options.key) throw BadInput(options.key + ": a secret key must not end in .pub, the public key's name");
-  if (options.new_key) return new_key(options.key, options.force);
+host::SecretKey key_of(const Options& options) {
+  host::require_secret_name(options.key);
+  if (options.new_key) return new_key(options);
   if (!std::filesystem::exists(options.key)) throw BadInput(options.key + ": no such key; --new-key makes one");
-  const freeze::SecretKey key = freeze::secret_key_from(host::read_text(options.key, host::kKeyFile), options.key);
+  const host::SecretKey key = host::read_signing_key(options.key);
+  const std::filesystem::path public_file = host::public_file_of(options.key);
   if (std::filesystem::exists(public_file)) {
-    check_public_half(public_file, key, options.key);
+    host::require_public_half(key, options.key);
   } else if (options.public_key) {
-    host::write_new(public_file, freeze::to_text(freeze::public_key_of(key)));
+    host::write_new(public_file, host::to_text(host::public_key_of(key)));
     program::say() << public_file.string() << "\n";
   } else {
     program::say() << public_file.string() << ": the public half, which a vehicle needs, is missing; --public-key writes it\n";
@@ -154,7 +120,7 @@ std::unique_ptr<policy::FrozenPolicy> freeze_again(const std::string& text, cons
   if (options.search) throw BadInput("--search: a policy says itself what it was trained to search");
   const std::vector<std::uint8_t> bytes(text.begin(), text.end());
   std::unique_ptr<policy::FrozenPolicy> policy = freeze::thaw(bytes, file.string());
-  const std::string key = freeze::to_text(freeze::signer_of(bytes));
+  const std::string key = host::to_text(freeze::signer_of(bytes));
   program::detail() << file.string() << ": was signed with the secret half of " << key;
   if (options.draw) policy->draw = description::draw_named(*options.draw).value();
   return policy;
@@ -195,12 +161,12 @@ void run(const Options& options) {
     policy = policy_of(options);
     host::require_writable(*options.output, command_line::kPolicyOutput, host::replaced_by(options.force));
   }
-  const freeze::SecretKey key = key_of(options);
+  const host::SecretKey key = key_of(options);
   if (!options.model) return;
   const std::vector<std::uint8_t> bytes = freeze::sign(*policy, key);
   host::write_whole(*options.output, std::string(bytes.begin(), bytes.end()));
   command_line::print_policy_details(*options.model, *policy);
-  program::detail() << options.key << ": signed with it; a vehicle trusts " << public_file_of(options.key).string() << "\n";
+  program::detail() << options.key << ": signed with it; a vehicle trusts " << host::public_file_of(options.key).string() << "\n";
   program::say() << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " elements of observation, "
                  << policy->actions.size() << " actions, " << description::name_of(policy->draw) << "\n";
 }

@@ -1,7 +1,5 @@
 #include "policy/freeze/freeze.hpp"
 
-#include <sodium.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -164,25 +162,20 @@ void check_flies(const policy::FrozenPolicy& policy, const std::string& name) {
   host::require_provenance(policy, name);
 }
 
-std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const SecretKey& key) {
-  ready_libsodium();
-  std::array<std::uint8_t, crypto_sign_SECRETKEYBYTES> expanded{};
-  PublicKey public_key{};
-  crypto_sign_seed_keypair(public_key.data(), expanded.data(), key.seed.data());
+std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const host::SecretKey& key) {
   std::vector<std::uint8_t> bytes(policy::max_serialised_size());
-  const Result<std::size_t> size = policy::serialise(policy, public_key, bytes);
+  const Result<std::size_t> size = policy::serialise(policy, host::public_key_of(key), bytes);
   if (!size.ok()) throw BadInput("the policy does not fit the vehicle: a size, weight or scale is out of range");
   bytes.resize(size.value());
-  const std::size_t signed_size = bytes.size() - policy::kSignatureSize;
-  crypto_sign_detached(bytes.data() + signed_size, nullptr, bytes.data(), signed_size, expanded.data());
+  const std::span<std::uint8_t> all(bytes);
+  const host::Signature signature = host::sign(all.first(all.size() - policy::kSignatureSize), key);
+  std::ranges::copy(signature, all.last(policy::kSignatureSize).begin());
   return bytes;
 }
 
-bool is_signed_by(std::span<const std::uint8_t> bytes, const PublicKey& key) {
+bool is_signed_by(std::span<const std::uint8_t> bytes, const host::PublicKey& key) {
   if (bytes.size() < policy::kSignatureSize) return false;
-  ready_libsodium();
-  const std::size_t signed_size = bytes.size() - policy::kSignatureSize;
-  return crypto_sign_verify_detached(bytes.data() + signed_size, bytes.data(), signed_size, key.data()) == 0;
+  return host::is_signed(bytes.first(bytes.size() - policy::kSignatureSize), bytes.last<policy::kSignatureSize>(), key);
 }
 
 }  // namespace earshot::freeze

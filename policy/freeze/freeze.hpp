@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "firmware/config/listening_window.hpp"
+#include "firmware/host/trust/keys.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "policy/description/search_description.hpp"
-#include "policy/freeze/keys.hpp"
 #include "policy/freeze/trained_actor.hpp"
 #include "policy/ppo/checkpoint/checkpoint.hpp"
 
@@ -35,9 +35,9 @@ void check_flies(const policy::FrozenPolicy& policy, const std::string& name);
 
 /// The bytes of a `.policy` file, signed: Ed25519 over every byte before the signature.
 /// Throws host::BadInput for a policy that a vehicle would refuse.
-[[nodiscard]] std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const SecretKey& key);
+[[nodiscard]] std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const host::SecretKey& key);
 
 /// Whether the signature at the end of `bytes` was made with the secret half of `key`.
-[[nodiscard]] bool is_signed_by(std::span<const std::uint8_t> bytes, const PublicKey& key);
+[[nodiscard]] bool is_signed_by(std::span<const std::uint8_t> bytes, const host::PublicKey& key);
 
 }  // namespace earshot::freeze

@@ -152,8 +152,8 @@ bool is_policy(std::string_view bytes) {
   return bytes.starts_with(kMagic);
 }
 
-PublicKey signer_of(std::span<const std::uint8_t> bytes) {
-  PublicKey key{};
+host::PublicKey signer_of(std::span<const std::uint8_t> bytes) {
+  host::PublicKey key{};
   std::ranges::copy(bytes.last(kTrailerSize).first(key.size()), key.begin());
   return key;
 }

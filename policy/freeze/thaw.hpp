@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "firmware/host/trust/keys.hpp"
 #include "firmware/policy/frozen_policy.hpp"
-#include "policy/freeze/keys.hpp"
 
 namespace earshot::freeze {
 
@@ -21,6 +21,6 @@ namespace earshot::freeze {
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> thaw(std::span<const std::uint8_t> bytes, const std::string& file);
 
 /// Who signed the bytes of a `.policy` that thaw() takes.
-[[nodiscard]] PublicKey signer_of(std::span<const std::uint8_t> bytes);
+[[nodiscard]] host::PublicKey signer_of(std::span<const std::uint8_t> bytes);
 
 }  // namespace earshot::freeze

@@ -72,6 +72,7 @@ InputFile::InputFile(std::filesystem::path path, FileKind kind) : path_(std::mov
   if (file_.number() < 0 || ::fstat(file_.number(), &status) != 0) fail(path_, errno);
   require_acceptable(path_, kind_, status);
   size_ = static_cast<std::uint64_t>(status.st_size);
+  mode_ = status.st_mode;
 }
 
 std::size_t InputFile::read(std::span<std::uint8_t> into) {

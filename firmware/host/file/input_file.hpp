@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -52,12 +54,14 @@ class InputFile {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::uint64_t size() const { return size_; }  ///< bytes, when it was opened
+  [[nodiscard]] mode_t mode() const { return mode_; }         ///< who might read and write it, when it was opened
 
  private:
   std::filesystem::path path_;
   FileKind kind_;
   FileDescriptor file_;
   std::uint64_t size_ = 0;
+  mode_t mode_ = 0;
   std::uint64_t read_ = 0;
 };
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "firmware/host/mission/key_file.hpp"
+#include "firmware/host/trust/key_file.hpp"
 #include "firmware/messages/operator_command.hpp"
 
 namespace earshot::host {
@@ -17,8 +17,8 @@ namespace earshot::host {
 class CommandKey {
  public:
   explicit CommandKey(const KeyBytes& key) : key_(key) {}
-  /// @throws host::BadInput as read_key_file does
-  explicit CommandKey(const std::filesystem::path& file) : CommandKey(read_key_file(file, "a command key")) {}
+  /// @throws host::BadInput as read_secret_key_file does
+  explicit CommandKey(const std::filesystem::path& file) : CommandKey(read_secret_key_file(file, "a command key")) {}
 
   [[nodiscard]] messages::CommandMark mark_of(const messages::OperatorCommand& command) const;
   /// In a time that does not tell how much of the mark is right.

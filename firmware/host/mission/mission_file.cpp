@@ -21,6 +21,7 @@
 namespace earshot::host {
 namespace {
 
+constexpr const char* kCommandKeyFile = "key_file";
 constexpr double kFarthest_m = 1e6;    // of a local plane
 constexpr double kDeepest_m = 11'000;  // of any ocean
 constexpr double kLongest_s = 1e7;     // four months
@@ -208,19 +209,35 @@ void check_patience(TableReader limits, const MissionFile& file) {
                      " where the hydrophone is listened to: for nearly so long no SNR comes after one lost block of sound");
 }
 
-void read_authority(TableReader table, const TomlFile& toml, MissionFile& file) {
-  config::Authority& authority = file.mission.authority;
-  if (table.has("autopilot_timeout_s"))
-    authority.autopilot_timeout = seconds(table.number("autopilot_timeout_s", Range::between(0.5, 3600.0)));
-  if (!table.has("key_file")) return;
-  const std::string key_file = table.text("key_file");
-  if (table.is_noted("key_file")) return;
-  authority.needs_verified_commands = true;
+void read_command_key(TableReader table, const TomlFile& toml, MissionFile& file) {
+  const std::string key_file = table.text(kCommandKeyFile);
+  if (table.is_noted(kCommandKeyFile)) return;
+  file.mission.authority.needs_verified_commands = true;
   try {
     file.command_key = CommandKey(toml.resolve(key_file));
   } catch (const BadInput& e) {
-    table.problem("key_file", e.what());
+    table.problem(kCommandKeyFile, e.what());
   }
+}
+
+void read_authority(TableReader table, const TomlFile& toml, const VehicleTrust* vehicle, MissionFile& file) {
+  config::Authority& authority = file.mission.authority;
+  if (table.has("autopilot_timeout_s"))
+    authority.autopilot_timeout = seconds(table.number("autopilot_timeout_s", Range::between(0.5, 3600.0)));
+  if (!table.has(kCommandKeyFile)) return;
+  const bool has_vehicles = vehicle != nullptr && vehicle->command_key;
+  if (vehicle == nullptr || (vehicle->reads_own_command_key && !has_vehicles)) return read_command_key(table, toml, file);
+  (void)table.text(kCommandKeyFile);
+  if (!has_vehicles)
+    table.problem(kCommandKeyFile,
+                  "no signature covers that key: this vehicle takes the key of its commands from trust.command_key_file in " +
+                      vehicle->said_in + ", which names none");
+}
+
+void take_command_key(const VehicleTrust& vehicle, MissionFile& file) {
+  if (!vehicle.command_key) return;
+  file.command_key = vehicle.command_key;
+  file.mission.authority.needs_verified_commands = true;
 }
 
 void give_command_key(MissionFile& file) {
@@ -234,15 +251,19 @@ void require_named(const std::filesystem::path& path, const std::string& named_a
                  ": no such file; relative paths are relative to the mission's folder, " + option + " names another");
 }
 
-}  // namespace
-
-void require_named_files(const MissionFile& file) {
-  require_named(file.policy, file.policy_named_at, "--policy");
-  require_named(file.public_key, file.public_key_named_at, "--public-key");
+/// A vehicle that has keys of its own has no use for the mission's.
+void read_public_key(TableReader policy, const TomlFile& toml, const VehicleTrust* vehicle, MissionFile& file) {
+  constexpr const char* kKey = "public_key_file";
+  if (vehicle != nullptr) {
+    (void)policy.text_or(kKey, "");
+    return;
+  }
+  file.public_key = toml.resolve(policy.text(kKey));
+  file.public_key_named_at = policy.place_of(kKey);
 }
 
-MissionFile load_mission(const std::filesystem::path& path) {
-  const TomlFile toml{path};
+/// @param vehicle  null: none judges it but itself
+MissionFile read_mission(const TomlFile& toml, const VehicleTrust* vehicle) {
   TableReader root = toml.root();
   MissionFile file;
   file.step_period = seconds(root.number_or("step_period_s", 1.0, Range::between(0.1, 1.0)));
@@ -255,15 +276,15 @@ MissionFile load_mission(const std::filesystem::path& path) {
   SafetyTables safety = safety_tables(root);
   file.mission.safety = read_safety(safety);
   read_ports(root, file);
-  if (const std::optional<TableReader> authority = root.optional_table("authority")) read_authority(*authority, toml, file);
+  if (const std::optional<TableReader> authority = root.optional_table("authority")) read_authority(*authority, toml, vehicle, file);
+  if (vehicle != nullptr) take_command_key(*vehicle, file);
   give_command_key(file);
   if (const std::optional<TableReader> hydrophone = root.optional_table("hydrophone")) read_hearing(*hydrophone, search, file);
   read_origin(root.table("origin"), file);
   TableReader policy = root.table("policy");
   file.policy = toml.resolve(policy.text("file"));
-  file.public_key = toml.resolve(policy.text("public_key_file"));
   file.policy_named_at = policy.place_of("file");
-  file.public_key_named_at = policy.place_of("public_key_file");
+  read_public_key(policy, toml, vehicle, file);
   file.mission.action_seed = static_cast<std::uint64_t>(policy.integer_or("action_seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
   toml.finish();
   check_together(area, limits, file.mission);
@@ -272,6 +293,21 @@ MissionFile load_mission(const std::filesystem::path& path) {
   check_safety(safety, root, file.mission);
   toml.finish();
   return file;
+}
+
+}  // namespace
+
+void require_named_files(const MissionFile& file) {
+  require_named(file.policy, file.policy_named_at, "--policy");
+  require_named(file.public_key, file.public_key_named_at, "--public-key");
+}
+
+MissionFile load_mission(const std::filesystem::path& path) {
+  return read_mission(TomlFile{path}, nullptr);
+}
+
+MissionFile load_mission(const std::filesystem::path& path, const std::string& text, const VehicleTrust& vehicle) {
+  return read_mission(TomlFile{path, text}, &vehicle);
 }
 
 void override_ports(MissionFile& file, const PortOverride& said) {

@@ -32,6 +32,15 @@ struct MissionFile {
 /// @throws host::BadInput with everything that is wrong with the file.
 [[nodiscard]] MissionFile load_mission(const std::filesystem::path& path);
 
+/// What a vehicle that has a configuration says of every mission, whatever that says itself.
+struct VehicleTrust {
+  std::string said_in;                    ///< the configuration's file
+  std::optional<CommandKey> command_key;  ///< of who may command it
+  bool reads_own_command_key = false;     ///< of the mission, whose signature covers no other file
+};
+/// A mission whose bytes have been read from `path`, for such a vehicle: which key vouches for its policy is not the mission's to say.
+[[nodiscard]] MissionFile load_mission(const std::filesystem::path& path, const std::string& text, const VehicleTrust& vehicle);
+
 /// @throws host::BadInput with the mission's line and the path that was tried, when the policy or the key is not there that the
 /// mission names. Apart from load_mission, because a command line may name others.
 void require_named_files(const MissionFile& file);

@@ -1,7 +1,6 @@
 #include "firmware/host/mission/policy_file.hpp"
 
-#include <sodium.h>
-
+#include <algorithm>
 #include <cstdint>
 #include <iomanip>
 #include <iterator>
@@ -13,7 +12,6 @@
 
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/listening/listening_words.hpp"
-#include "firmware/host/mission/key_file.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/format/policy_format.hpp"
@@ -54,30 +52,35 @@ std::string complaint_about(const policy::FrozenPolicy& policy, const config::Mi
 }
 
 bool is_signed_by(const TrustedKey& trusted, std::span<const std::uint8_t> bytes) {
-  const std::span<const std::uint8_t> message = bytes.first(bytes.size() - policy::kSignatureSize);
-  const std::span<const std::uint8_t> signature = bytes.last(policy::kSignatureSize);
-  return crypto_sign_verify_detached(signature.data(), message.data(), message.size(), trusted.key.data()) == 0;
+  return is_signed(bytes.first(bytes.size() - policy::kSignatureSize), bytes.last<policy::kSignatureSize>(), trusted.key);
 }
 
 }  // namespace
 
-TrustedKey load_public_key(const std::filesystem::path& path) {
-  return {.key = host::read_key_file(path, "a public key"), .file = path};
+std::vector<std::uint8_t> read_policy_bytes(const std::filesystem::path& path) {
+  return host::read_bytes(path, {"a .policy file", policy::max_serialised_size()});
 }
 
 SignedPolicy signed_policy_from(Bytes bytes, const std::filesystem::path& path, const TrustedKey& trusted) {
-  if (sodium_init() < 0) throw BadInput(path.string() + ": libsodium cannot start");
   // The file is taken apart before its signature is checked: parse() is built for hostile bytes, and "damaged" says more than "not signed".
   std::unique_ptr<policy::FrozenPolicy> parsed = policy_from(bytes, path);
   if (!is_signed_by(trusted, bytes))
     throw BadInput(path.string() + ": is not signed by the trusted key " + trusted.file.string() +
                    "; --public-key names the public half of the key that signed it");
-  return {.policy = std::move(parsed), .bytes = std::move(bytes)};
+  return {.policy = std::move(parsed), .bytes = std::move(bytes), .signer = trusted.file};
+}
+
+SignedPolicy signed_policy_from(Bytes bytes, const std::filesystem::path& path, const std::vector<TrustedKey>& trusted,
+                                const std::string& trusted_by) {
+  std::unique_ptr<policy::FrozenPolicy> parsed = policy_from(bytes, path);
+  const auto signer = std::ranges::find_if(trusted, [&](const TrustedKey& key) { return is_signed_by(key, bytes); });
+  if (signer == trusted.end()) throw BadInput(path.string() + ": is signed by none of " + trusted_by + " (" + files_of(trusted) + ")");
+  return {.policy = std::move(parsed), .bytes = std::move(bytes), .signer = signer->file};
 }
 
 SignedPolicy load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key) {
   const TrustedKey trusted = load_public_key(public_key);
-  return signed_policy_from(host::read_bytes(path, {"a .policy file", policy::max_serialised_size()}), path, trusted);
+  return signed_policy_from(read_policy_bytes(path), path, trusted);
 }
 
 void check_fits(const policy::FrozenPolicy& policy, const std::filesystem::path& policy_path, const config::Mission& mission,

@@ -253,6 +253,27 @@ std::vector<double> TableReader::numbers(std::string_view key, Range range) {
   return values;
 }
 
+std::vector<std::string> TableReader::texts(std::string_view key) {
+  const char* const wanted = "must be an array of texts";
+  const toml::node* node = node_->find(key);
+  if (node == nullptr) {
+    node_->note_missing(key, wanted);
+    return {};
+  }
+  if (!node->is_array()) {
+    node_->note_value(key, *node, wanted);
+    return {};
+  }
+  std::vector<std::string> values;
+  std::size_t index = 0;
+  for (const toml::node& element : *node->as_array()) {
+    const std::string name = std::string(key) + "[" + std::to_string(index++) + "]";
+    values.push_back(element.value<std::string>().value_or(""));
+    if (!element.is_string() || values.back().empty()) node_->note_value(name, element, kText);
+  }
+  return values;
+}
+
 TableReader TableReader::table(std::string_view key) {
   const toml::node* node = node_->find(key);
   if (node == nullptr) {
@@ -298,10 +319,11 @@ void TableReader::problem(std::string_view key, std::string_view what) {
   }
 }
 
-TomlFile::TomlFile(std::filesystem::path path)
+TomlFile::TomlFile(std::filesystem::path path) : TomlFile(path, host::read_text(path, host::kTomlFile)) {}
+
+TomlFile::TomlFile(std::filesystem::path path, const std::string& text)
     : path_(std::move(path)), problems_(std::make_shared<Problems>()), root_(std::make_shared<TableNode>()) {
   problems_->path = path_;
-  const std::string text = host::read_text(path_, host::kTomlFile);
   const auto refused = [this](std::size_t line, const std::string& what) {
     return BadInput(host::printable(path_.string()) + ":" + std::to_string(line) + ": " + what);
   };

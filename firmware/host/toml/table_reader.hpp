@@ -34,6 +34,8 @@ class TableReader {
   [[nodiscard]] std::vector<std::size_t> choices(std::string_view key, const std::vector<std::string>& allowed);
   /// An array of numbers, each within `range`.
   [[nodiscard]] std::vector<double> numbers(std::string_view key, Range range = {});
+  /// An array of texts, each of at least one character.
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key);
   [[nodiscard]] bool has(std::string_view key) const;
 
   /// The table under `key`; a missing one is noted and reads as empty.
@@ -67,6 +69,8 @@ class TomlFile {
  public:
   /// Throws BadInput when the file cannot be read or is not TOML.
   explicit TomlFile(std::filesystem::path path);
+  /// Of text that has been read from `path`.
+  TomlFile(std::filesystem::path path, const std::string& text);
   [[nodiscard]] TableReader root() const;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// `relative` as written in this file: relative paths are relative to the file's own folder.

@@ -256,8 +256,8 @@ bool conclude(const Options& o, FlightFolder& folder, bool is_whole) {
 /// Says when the policy is about to search for another kind of source than its provenance names: it never learned that.
 void warn_of_another_source(const Options& o, const host::MissionFile& mission) try {
   const fs::path path = o.policy.value_or(mission.policy);
-  const auto [policy, bytes] = host::load_policy(path, o.public_key.value_or(mission.public_key));
-  const std::string lines = "\n" + std::string(policy->provenance.begin(), policy->provenance.end()) + "\n";
+  const host::SignedPolicy policy = host::load_policy(path, o.public_key.value_or(mission.public_key));
+  const std::string lines = "\n" + std::string(policy.policy->provenance.begin(), policy.policy->provenance.end()) + "\n";
   for (const std::string trained : {"fixed", "changing"}) {
     if (trained == o.source || lines.find("\nsource = " + trained + "\n") == std::string::npos) continue;
     std::cerr << "earshot fly: warning: " << host::printable(path.string()) << " was trained with a " << trained << " source; use --source "

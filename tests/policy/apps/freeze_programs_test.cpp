@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "tests/policy/apps/programs.hpp"
+#include "tests/support/secret_file.hpp"
 
 namespace earshot::policy_programs {
 namespace {
@@ -11,12 +12,15 @@ TEST_F(Programs, FreezeRefusesBadInputInOneLine) {
   ASSERT_EQ(run("train" + kOcean + " --episodes 1 -o a.checkpoint"), 0);
   ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
   std::ofstream(folder / "cut.checkpoint") << content(folder / "a.checkpoint").substr(0, 1'000);
-  std::ofstream(folder / "word.key") << "swordfish\n";
+  support::write_secret_file(folder / "word.key", "swordfish\n");
+  support::write_secret_file(folder / "open.key", std::string(64, '7') + "\n");
+  fs::permissions(folder / "open.key", fs::perms::others_read, fs::perm_options::add);
   const std::string key = content(folder / "a.key");
   refuses("freeze none.checkpoint -o a.policy --key a.key", {"none.checkpoint", "no such file"});
   refuses("freeze cut.checkpoint -o a.policy --key a.key", {"cut.checkpoint", "cut short"});
   refuses("freeze a.checkpoint -o a.policy --key none.key", {"none.key", "--new-key"});
   refuses("freeze a.checkpoint -o a.policy --key word.key", {"word.key", "64 hexadecimal digits"});
+  refuses("freeze a.checkpoint -o a.policy --key open.key", {"open.key", "chmod 600 open.key"});
   refuses("freeze a.checkpoint -o a.policy --key a.key --new-key", {"a.key", "exists"});
   refuses("freeze a.checkpoint -o nowhere/a.policy --key a.key", {"nowhere/a.policy", "cannot be written"});
   refuses("freeze a.checkpoint --key a.key", {"MODEL", "--output"});

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "firmware/host/policy/unverified_policy.hpp"
+#include "firmware/host/trust/key_file.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/freeze/freeze.hpp"
 #include "sim/ocean/file/environment_file.hpp"
@@ -35,7 +36,7 @@ TEST(ShippedPolicy, IsSignedByTheShippedPublicKey) {
   const std::string bytes = bytes_of(kShipped);
   const std::string key_file = EARSHOT_SOURCE_DIR "/policy/frozen/earshot.pub";
   const std::vector<std::uint8_t> raw(bytes.begin(), bytes.end());
-  EXPECT_TRUE(freeze::is_signed_by(raw, freeze::public_key_from(bytes_of(key_file), key_file)));
+  EXPECT_TRUE(freeze::is_signed_by(raw, host::load_public_key(key_file).key));
 }
 
 }  // namespace

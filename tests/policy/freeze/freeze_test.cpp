@@ -192,12 +192,12 @@ TEST(Freeze, RefusesWeightsWithWhichLogitsCouldOverflow) {
 TEST(Sign, RefusesAPolicyOfASizeThatNoFileHolds) {
   const auto frozen = freeze(made_up_checkpoint(), policy::ActionDraw::kSampled);
   frozen->network.hidden_sizes[0] = 65;
-  EXPECT_THROW((void)sign(*frozen, make_key()), host::BadInput);
+  EXPECT_THROW((void)sign(*frozen, host::make_key()), host::BadInput);
 }
 
 TEST(Sign, MakesBytesThatTheVehicleParses) {
   const auto frozen = freeze(made_up_checkpoint(), policy::ActionDraw::kSampled);
-  const std::vector<std::uint8_t> bytes = sign(*frozen, make_key());
+  const std::vector<std::uint8_t> bytes = sign(*frozen, host::make_key());
   auto parsed = std::make_unique<policy::FrozenPolicy>();
   policy::PolicyComplaint complaint;
   ASSERT_EQ(policy::parse(bytes, *parsed, complaint), Status::kOk);
@@ -205,33 +205,15 @@ TEST(Sign, MakesBytesThatTheVehicleParses) {
 }
 
 TEST(Sign, CoversEveryByteAndOnlyItsOwnKey) {
-  const SecretKey key = make_key();
+  const host::SecretKey key = host::make_key();
   std::vector<std::uint8_t> bytes = sign(*freeze(made_up_checkpoint(), policy::ActionDraw::kSampled), key);
-  EXPECT_TRUE(is_signed_by(bytes, public_key_of(key)));
-  EXPECT_FALSE(is_signed_by(bytes, public_key_of(make_key())));
-  EXPECT_FALSE(is_signed_by(std::span(bytes).first(10), public_key_of(key)));
+  EXPECT_TRUE(is_signed_by(bytes, host::public_key_of(key)));
+  EXPECT_FALSE(is_signed_by(bytes, host::public_key_of(host::make_key())));
+  EXPECT_FALSE(is_signed_by(std::span(bytes).first(10), host::public_key_of(key)));
   for (std::size_t i = 0; i < bytes.size(); i += 97) {
     bytes[i] ^= 1U;
-    EXPECT_FALSE(is_signed_by(bytes, public_key_of(key))) << "byte " << i;
+    EXPECT_FALSE(is_signed_by(bytes, host::public_key_of(key))) << "byte " << i;
     bytes[i] ^= 1U;
-  }
-}
-
-TEST(Keys, FollowTheFirstTestVectorOfRfc8032) {
-  const SecretKey key = secret_key_from("9d61b19deffd5a60ba844af492ec2cc44449c5697b326919703bac031cae7f60\n", "rfc");
-  EXPECT_EQ(to_text(public_key_of(key)), "d75a980182b10ab7d54bfed3c964073a0ee172f3daa62325af021a68f707511a\n");
-}
-
-TEST(Keys, SurviveTheirText) {
-  const SecretKey key = make_key();
-  EXPECT_EQ(secret_key_from(to_text(key), "k").seed, key.seed);
-  EXPECT_EQ(public_key_from(to_text(public_key_of(key)), "k"), public_key_of(key));
-}
-
-TEST(Keys, AreRefusedUnlessOneLineOfSixtyFourDigits) {
-  const std::string whole = to_text(make_key());
-  for (const std::string& bad : {std::string(), whole.substr(2), whole + "00", "g" + whole.substr(1), std::string(64, ' ')}) {
-    EXPECT_THROW((void)secret_key_from(bad, "k"), host::BadInput) << bad;
   }
 }
 

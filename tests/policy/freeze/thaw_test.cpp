@@ -90,17 +90,17 @@ TEST(Thaw, KeepsTheBeliefOfVersion3AndGivesItTheCostsItFlewWith) {
 }
 
 TEST(Thaw, GivesWhatIsFrozenAgainIntoBytesThatFly) {
-  const SecretKey key = make_key();
+  const host::SecretKey key = host::make_key();
   for (const char* name : {"version_3_simple.policy", "version_3_belief.policy"}) {
     const Bytes bytes = sign(*thaw(bytes_of(name), "old.policy"), key);
     EXPECT_NO_THROW((void)host::policy_from(bytes, name));
-    EXPECT_EQ(signer_of(bytes), public_key_of(key));
+    EXPECT_EQ(signer_of(bytes), host::public_key_of(key));
     EXPECT_EQ(sign(*thaw(bytes, "new.policy"), key), bytes) << "frozen again without need, it is the same";
   }
 }
 
 TEST(Thaw, FliesTheGoldenSearchesAnewWhereAnotherBuildsArithmeticMadeThem) {
-  const SecretKey key = make_key();
+  const host::SecretKey key = host::make_key();
   auto policy = thaw(bytes_of("version_3_belief.policy"), "old.policy");
   const Bytes right = sign(*policy, key);
   policy->golden[0][3].logits[1] += 1.0F;

@@ -53,10 +53,13 @@ constexpr std::array kDescriptions{
     Description{"fly", "flies one search, from start to report"},
     Description{"freeze", "freezes and signs a trained policy for the vehicle"},
     Description{"journal", "says what happened on a mission, and writes its journal for other programs"},
+    Description{"key", "makes a pair of keys, with which missions and policies are signed"},
     Description{"listen", "hears calls in recordings with the vehicle's detector"},
     Description{"report", "writes the page about a flight again"},
+    Description{"sign", "signs a mission for vehicles that fly signed ones alone"},
     Description{"sim", "the ocean and the vehicle of a flight; earshot fly starts it"},
     Description{"train", "trains a policy"},
+    Description{"verify", "says whether a vehicle would fly a mission or a policy, who signed it, and which counter it bears"},
 };
 
 std::string_view description_of(std::string_view verb) {

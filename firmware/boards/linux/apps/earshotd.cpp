@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/boards/linux/apps/vehicle_trust.hpp"
 #include "firmware/boards/linux/checklist/chart.hpp"
 #include "firmware/boards/linux/checklist/checklist.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
@@ -39,6 +40,7 @@
 #include "firmware/host/memory/process_memory.hpp"
 #include "firmware/host/mission/lock_buses.hpp"
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/mission_judge.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
@@ -46,6 +48,7 @@
 #include "firmware/host/program/version.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
+#include "firmware/host/trust/vehicle_file.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/runtime/runtime.hpp"
 
@@ -59,6 +62,7 @@ using program::stop_requested;
 struct Options {
   std::filesystem::path mission;
   std::filesystem::path out = ".";
+  std::optional<std::filesystem::path> vehicle;
   std::optional<std::filesystem::path> policy;
   std::optional<std::filesystem::path> public_key;
   std::optional<std::uint64_t> seed;
@@ -92,6 +96,9 @@ void declare(program::CommandLine& line, Options& o) {
           "what a record in the journal survives: power-cut: it is brought to the disk within milliseconds; process: the kernel writes it "
           "when it likes; default: power-cut at sea, process in simulation")
       .one_of({"power-cut", "process"});
+  line.option("--vehicle", &o.vehicle,
+              std::string("the vehicle's configuration (TOML): whose missions and policies it flies; default: ") + host::kVehicleFile +
+                  " if there is one, in simulation none");
   line.option("--policy", &o.policy, "policy file instead of the mission's");
   line.option("--public-key", &o.public_key, "file of the trusted public key instead of the mission's");
   line.option("--seed", &o.seed, "seed of a policy that draws its actions, instead of the mission's")
@@ -144,8 +151,16 @@ void require_proof_possible(const Options& o) {
   if (!host::kHeapTrapCounts) throw host::BadInput("--prove-no-alloc: this build has a sanitizer's heap, which cannot be counted");
 }
 
-host::MissionFile load(const Options& o) {
-  host::MissionFile file = host::load_mission(o.mission);
+board::Venture venture_of(const Options& o) {
+  if (o.simulation) return board::Venture::kSimulation;
+  return o.check ? board::Venture::kChecklist : board::Venture::kAtSea;
+}
+
+host::MissionFile load(const Options& o, host::MissionJudge& judge) {
+  board::require_as_signed(
+      judge, {.policy = o.policy.has_value(), .public_key = o.public_key.has_value(), .seed = o.seed.has_value(), .ports = o.ports},
+      venture_of(o));
+  host::MissionFile file = judge.load_mission(o.mission);
   if (o.policy) {
     file.policy = *o.policy;
     file.policy_named_at.clear();
@@ -348,8 +363,9 @@ void require_room_for_journal(const Options& o) {
 /// The checklist before a dive.
 /// @return exit status
 int check(const Options& o) {
-  const host::MissionFile file = load(o);
-  const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
+  host::MissionJudge judge = board::judge_of(o.vehicle, venture_of(o));
+  const host::MissionFile file = load(o, judge);
+  const host::SignedPolicy policy = judge.load_policy(file);
   (void)make_runtime(file, policy, o.mission.string());
   require_room_for_journal(o);
   if (o.chart) {
@@ -369,8 +385,9 @@ int fly(const Options& o) {
   require_resuming_possible(o);
   require_proof_possible(o);
   if (o.check) return check(o);
-  const host::MissionFile file = load(o);
-  const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
+  host::MissionJudge judge = board::judge_of(o.vehicle, venture_of(o));
+  const host::MissionFile file = load(o, judge);
+  const host::SignedPolicy policy = judge.load_policy(file);
   std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, policy, o.mission.string());
   const std::vector<host::BusLock> locks = host::lock_buses(file, o.simulation ? std::optional(host::BusPlace::kVehicle) : std::nullopt);
   if (!o.simulation) host::set_thread_stack(board::kThreadStackBytes);
@@ -402,6 +419,7 @@ int fly(const Options& o) {
       board::wait_for("earshotd", o.simulation ? "a simulator in DDS domain " + std::to_string(*o.simulation) : std::string(),
                       std::chrono::seconds(o.wait_s), [&](std::chrono::milliseconds most) { return clock->has_come(most); });
   if (waited != board::Waited::kCame) return waited == board::Waited::kStopped ? program::kStopped : kLost;
+  judge.record_flight();
   Flight flight{.options = o, .file = file, .policy = policy, .runtime = std::move(runtime), .ports = ports, .clock = *clock};
   return fly(flight);
 }

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
 #include <string>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "tests/support/secret_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
@@ -70,17 +70,29 @@ TEST(CommandKey, VerifiesItsOwnMarkOnTheVeryCommandAlone) {
 
 TEST(CommandKey, IsReadFromAFileOf64HexadecimalDigits) {
   const support::TemporaryFolder folder;
-  std::ofstream(folder / "good.key") << "000102030405060708090a0b0c0d0e0f101112131415161718191a1b1c1d1e1f\n";
+  support::write_secret_file(folder / "good.key", "000102030405060708090a0b0c0d0e0f101112131415161718191a1b1c1d1e1f\n");
   EXPECT_EQ(CommandKey(folder / "good.key").mark_of(start()), key().mark_of(start()));
   for (const char* const text : {"", "00", "000102030405060708090a0b0c0d0e0f101112131415161718191a1b1c1d1e1f20",
                                  "000102030405060708090a0b0c0d0e0f101112131415161718191a1b1c1d1e1f x", "no key"}) {
-    std::ofstream(folder / "bad.key") << text;
+    support::write_secret_file(folder / "bad.key", text);
     try {
       (void)CommandKey(folder / "bad.key");
       ADD_FAILURE() << text;
     } catch (const BadInput& e) {
       EXPECT_NE(std::string(e.what()).find("bad.key: must hold a command key of 64 hexadecimal digits"), std::string::npos) << e.what();
     }
+  }
+}
+
+TEST(CommandKey, ThatOthersCanReadIsRefusedWithTheChmodThatMendsIt) {
+  const support::TemporaryFolder folder;
+  support::write_secret_file(folder / "vehicle.key", "000102030405060708090a0b0c0d0e0f101112131415161718191a1b1c1d1e1f\n");
+  std::filesystem::permissions(folder / "vehicle.key", std::filesystem::perms::others_read, std::filesystem::perm_options::add);
+  try {
+    (void)CommandKey(folder / "vehicle.key");
+    ADD_FAILURE() << "it is taken";
+  } catch (const BadInput& e) {
+    EXPECT_NE(std::string(e.what()).find("chmod 600 " + (folder / "vehicle.key").string()), std::string::npos) << e.what();
   }
 }
 

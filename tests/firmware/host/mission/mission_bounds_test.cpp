@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/firmware/host/mission/shipped_mission.hpp"
+#include "tests/support/secret_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
@@ -48,7 +49,7 @@ TEST(MissionFile, NamesTheKeyAndTheAutopilotThatItWaitsFor) {
   EXPECT_FALSE(load_mission(kShipped).mission.authority.needs_verified_commands);
   EXPECT_EQ(load_mission(kShipped).mission.authority.autopilot_timeout, Duration{});
   const support::TemporaryFolder folder;
-  std::ofstream(folder / "vehicle.key") << std::string(64, '7') << "\n";
+  support::write_secret_file(folder / "vehicle.key", std::string(64, '7') + "\n");
   std::ofstream(folder / "mission.toml") << text_of(kShipped) << "\n[authority]\nkey_file = \"vehicle.key\"\nautopilot_timeout_s = 2.5\n";
   MissionFile file = load_mission(folder / "mission.toml");
   EXPECT_TRUE(file.mission.authority.needs_verified_commands);

@@ -1,0 +1,35 @@
+#include "firmware/boards/linux/apps/vehicle_trust.hpp"
+
+#include <iostream>
+#include <string>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/trust/vehicle_file.hpp"
+
+namespace earshot::board {
+
+host::MissionJudge judge_of(const std::optional<std::filesystem::path>& vehicle, Venture venture) {
+  const std::optional<std::filesystem::path> file = venture == Venture::kSimulation ? vehicle : host::vehicle_file_of(vehicle);
+  if (file) return {host::load_vehicle(*file), venture == Venture::kAtSea ? host::Counting::kRecorded : host::Counting::kOnlyRead};
+  if (venture != Venture::kSimulation)
+    std::cerr << "earshotd: warning: no vehicle's configuration (--vehicle): whoever wrote the mission named the key that its policy is "
+                 "judged by\n";
+  return {};
+}
+
+void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said, Venture venture) {
+  const auto refuse_if = [](bool is_given, const std::string& option) {
+    if (is_given) throw host::BadInput(option + ": not with a vehicle's configuration, which says what is flown as it was signed");
+  };
+  refuse_if(judge.has_vehicle() && said.public_key, "--public-key");
+  if (!judge.requires_signed_mission()) return;
+  refuse_if(said.policy, "--policy");
+  refuse_if(said.seed, "--seed");
+  if (venture == Venture::kSimulation) return;
+  refuse_if(said.ports.bus.has_value(), "--bus");
+  refuse_if(said.ports.lcm_url.has_value(), "--lcm-url");
+  refuse_if(said.ports.hydrophone_url.has_value(), "--hydrophone-url");
+  refuse_if(said.ports.can_interface.has_value(), "--can-interface");
+}
+
+}  // namespace earshot::board

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/mission_judge.hpp"
+
+namespace earshot::board {
+
+enum class Venture : std::uint8_t { kAtSea, kChecklist, kSimulation };
+
+/// Who judges the mission of a flight: the named configuration of a vehicle, else the one at its usual place, else the mission itself,
+/// which standard error warns of in one line. A simulation moves no vehicle: unless a configuration is named, it flies anybody's mission.
+/// @throws host::BadInput as host::load_vehicle()
+[[nodiscard]] host::MissionJudge judge_of(const std::optional<std::filesystem::path>& vehicle, Venture venture);
+
+/// What a command line says in place of a mission.
+struct SaidInstead {
+  bool policy = false;
+  bool public_key = false;
+  bool seed = false;
+  const host::PortOverride& ports;
+};
+
+/// What is signed is flown as it stands; but a simulator has ports of its own.
+/// @throws host::BadInput naming the option
+void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said, Venture venture);
+
+}  // namespace earshot::board

@@ -1,0 +1,96 @@
+// earshot verify: what a vehicle would say to a mission or a policy.
+
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/input_file.hpp"
+#include "firmware/host/file/printable.hpp"
+#include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/program/run.hpp"
+#include "firmware/host/program/talk.hpp"
+
+namespace {
+
+using namespace earshot;
+
+struct Options {
+  std::optional<std::filesystem::path> vehicle;
+  std::optional<std::filesystem::path> file;
+  std::optional<std::uint64_t> new_counter;
+};
+
+bool is_policy(const std::filesystem::path& path) {
+  std::string start(8, '\0');
+  host::InputFile file(path, host::kAnySize);
+  return file.read({reinterpret_cast<std::uint8_t*>(start.data()), start.size()}) == start.size() && start == "EARSHOTP";
+}
+
+int verify_policy(const std::filesystem::path& path, const host::VehicleFile& vehicle) {
+  const host::SignedPolicy policy =
+      host::signed_policy_from(host::read_policy_bytes(path), path, vehicle.policy_keys, "trust.policy_keys of " + vehicle.path.string());
+  program::say() << "policy   " << host::printable(path.string()) << "\n         signed by " << host::printable(policy.signer.string())
+                 << "\n";
+  return program::kDone;
+}
+
+/// A desk ashore has a copy of the vehicle's configuration, and not its counter.
+int verify_mission(const std::filesystem::path& path, const host::VehicleFile& vehicle) {
+  std::error_code error;
+  const bool has_counter = vehicle.requires_signed_mission && std::filesystem::exists(vehicle.counter_file, error);
+  host::MissionJudge judge(vehicle, has_counter ? host::Counting::kOnlyRead : host::Counting::kLeftOut);
+  const host::MissionFile file = judge.load_mission(path);
+  const host::SignedPolicy policy = judge.load_policy(file);
+  host::check_fits(*policy.policy, file.policy, file.mission, path);
+  std::ostream& out = program::say();
+  out << "mission  " << host::printable(path.string()) << "\n";
+  if (judge.manifest()) {
+    out << "         signed by " << host::printable(judge.mission_signer().string()) << "\ncounter  " << judge.manifest()->counter << "\n";
+    if (has_counter) out << "         flown last: " << judge.flown_last().counter << "\n";
+  } else {
+    out << "         needs no signature: trust.require_signed_mission is false\n";
+  }
+  out << "policy   " << host::printable(file.policy.string()) << "\n         signed by " << host::printable(policy.signer.string()) << "\n";
+  if (has_counter || !judge.manifest()) return program::kDone;
+  std::cerr << "earshot verify: " << host::printable(vehicle.counter_file.string())
+            << ": no such file: whether a later mission has flown was not judged\n";
+  return program::kIncomplete;
+}
+
+int run(const Options& o) {
+  const std::optional<std::filesystem::path> vehicle_file = host::vehicle_file_of(o.vehicle);
+  if (!vehicle_file) throw host::BadInput(std::string("--vehicle: names no file, and there is no ") + host::kVehicleFile);
+  const host::VehicleFile vehicle = host::load_vehicle(*vehicle_file);
+  if (!o.file && !o.new_counter) throw host::BadInput("earshot verify: nothing to do: no FILE and no --new-counter");
+  if (o.new_counter) {
+    if (vehicle.counter_file.empty())
+      throw host::BadInput(vehicle.path.string() + ": trust.counter_file is missing: there is no name for it");
+    host::begin_counter(vehicle.counter_file, *o.new_counter);
+    program::say() << host::printable(vehicle.counter_file.string()) << ": missions with a counter above " << *o.new_counter
+                   << " may be flown\n";
+  }
+  if (!o.file) return program::kDone;
+  return is_policy(*o.file) ? verify_policy(*o.file, vehicle) : verify_mission(*o.file, vehicle);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  program::CommandLine line("earshot verify",
+                            "Says whether a vehicle would fly a mission or a policy, who signed it, and which counter it bears.\n"
+                            "Exit status: 0 it would, 1 as far as can be said without the vehicle's counter, 2 it would not.");
+  line.footer("Example: earshot verify --vehicle vehicle.toml search.toml");
+  Options options;
+  line.option("FILE", &options.file, "mission file (TOML) or policy");
+  line.option("--vehicle", &options.vehicle,
+              std::string("the vehicle's configuration (TOML); default: ") + host::kVehicleFile + " if there is one");
+  line.option("--new-counter", &options.new_counter,
+              "make the vehicle's counter file, which must not be there: 0 for a new vehicle; else the counter of the last mission that it "
+              "may have flown")
+      .from(0, std::numeric_limits<std::int64_t>::max());
+  return program::run(line, argc, argv, [&] { return run(options); });
+}

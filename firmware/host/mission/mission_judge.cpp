@@ -1,0 +1,108 @@
+#include "firmware/host/mission/mission_judge.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/input_file.hpp"
+#include "firmware/host/trust/signature_file.hpp"
+
+namespace earshot::host {
+namespace {
+
+using authority::ManifestVerdict;
+using authority::SignedManifest;
+
+/// @throws BadInput that says more than "no such file"
+SignedManifest signature_beside(const std::filesystem::path& mission, const std::string& required_by) {
+  const std::filesystem::path file = signature_file_of(mission);
+  std::error_code error;
+  if (std::filesystem::symlink_status(file, error).type() == std::filesystem::file_type::not_found)
+    throw BadInput(mission.string() + ": is not signed, which " + required_by + " asks for: there is no " + file.string() +
+                   "; earshot sign makes one");
+  return read_signature(file);
+}
+
+std::vector<PublicKey> keys_of(const std::vector<TrustedKey>& trusted) {
+  std::vector<PublicKey> keys;
+  for (const TrustedKey& key : trusted) keys.push_back(key.key);
+  return keys;
+}
+
+}  // namespace
+
+MissionJudge::MissionJudge(VehicleFile vehicle, Counting counting) : vehicle_(std::move(vehicle)), counting_(counting) {}
+
+std::string MissionJudge::setting(const char* key) const {
+  return std::string("trust.") + key + " of " + vehicle_->path.string();
+}
+
+VehicleTrust MissionJudge::trust() const {
+  VehicleTrust trust{
+      .said_in = vehicle_->path.string(), .command_key = std::nullopt, .reads_own_command_key = !vehicle_->requires_signed_mission};
+  if (vehicle_->command_key_file) trust.command_key = CommandKey(*vehicle_->command_key_file);
+  return trust;
+}
+
+MissionFile MissionJudge::load_mission(const std::filesystem::path& path) {
+  mission_ = path;
+  if (!vehicle_) return host::load_mission(path);
+  const std::string text = read_text(path, kTomlFile);
+  if (vehicle_->requires_signed_mission) judge_signature(text);
+  return host::load_mission(path, text, trust());
+}
+
+void MissionJudge::judge_signature(const std::string& text) {
+  const SignedManifest found = signature_beside(mission_, setting("require_signed_mission"));
+  const std::filesystem::path file = signature_file_of(mission_);
+  const ManifestVerdict verdict =
+      authority::judge_mission(found, keys_of(vehicle_->mission_keys), is_signed(found), sha256_of(std::string_view(text)));
+  const auto signer = std::ranges::find(vehicle_->mission_keys, found.key, &TrustedKey::key);
+  if (verdict == ManifestVerdict::kForeignKey)
+    throw BadInput(file.string() + ": is of the key " + to_hex(found.key) + ", which is none of " + setting("mission_keys") + " (" +
+                   files_of(vehicle_->mission_keys) + ")");
+  if (verdict == ManifestVerdict::kFalseSignature)
+    throw BadInput(file.string() + ": is forged or damaged: the holder of " + signer->file.string() + " did not sign what it says");
+  if (verdict == ManifestVerdict::kOtherMission)
+    throw BadInput(mission_.string() + ": has been changed since " + signer->file.string() + " signed it (" + file.string() + ")");
+  manifest_ = found.manifest;
+  mission_signer_ = signer->file;
+}
+
+SignedPolicy MissionJudge::load_policy(const MissionFile& file) {
+  if (!vehicle_) return host::load_policy(file.policy, file.public_key);
+  SignedPolicy policy = signed_policy_from(read_policy_bytes(file.policy), file.policy, vehicle_->policy_keys, setting("policy_keys"));
+  if (manifest_) judge_counter(policy, file.policy);
+  return policy;
+}
+
+void MissionJudge::judge_counter(const SignedPolicy& policy, const std::filesystem::path& policy_path) {
+  if (counting_ == Counting::kRecorded) counter_.emplace(vehicle_->counter_file);
+  if (counter_) flown_last_ = counter_->flown_last();
+  if (counting_ == Counting::kOnlyRead) flown_last_ = read_flown_last(vehicle_->counter_file);
+  const std::string counter = signature_file_of(mission_).string() + ": counter " + std::to_string(manifest_->counter);
+  const std::string last = std::to_string(flown_last_.counter);
+  const std::string flown = " (" + vehicle_->counter_file.string() + "); sign what is to be flown now with a greater counter";
+  switch (authority::judge_flight(*manifest_, sha256_of(std::span<const std::uint8_t>(policy.bytes)), flown_last_)) {
+    case ManifestVerdict::kOtherPolicy:
+      throw BadInput(policy_path.string() + ": is not the policy that " + mission_.string() +
+                     " was signed with: it has been changed, or is another");
+    case ManifestVerdict::kRolledBack:
+      throw BadInput(counter + " is rolled back: the vehicle has flown " + last + flown);
+    case ManifestVerdict::kCounterInUse:
+      throw BadInput(counter + " has been used, and not for this mission and policy" + flown);
+    case ManifestVerdict::kAccepted:
+    case ManifestVerdict::kForeignKey:
+    case ManifestVerdict::kFalseSignature:
+    case ManifestVerdict::kOtherMission:
+      break;
+  }
+}
+
+void MissionJudge::record_flight() {
+  if (counter_) counter_->record(*manifest_);
+}
+
+}  // namespace earshot::host

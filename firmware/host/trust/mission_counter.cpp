@@ -1,0 +1,69 @@
+#include "firmware/host/trust/mission_counter.hpp"
+
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/checksum_text.hpp"
+#include "firmware/host/file/folder_lock.hpp"
+#include "firmware/host/file/input_file.hpp"
+#include "firmware/host/file/output_file.hpp"
+#include "firmware/host/trust/line_reader.hpp"
+
+namespace earshot::host {
+namespace {
+
+constexpr FileKind kCounterFile{"a mission counter", 1024};
+constexpr OutputKind kCounterOutput{"a mission counter", {"earshot mission counter ", {}}};
+constexpr const char* kTitle = "earshot mission counter 1";
+constexpr const char* kChecksum = "crc32 ";
+
+std::string text_of(const authority::MissionManifest& manifest) {
+  const std::string told = std::string(kTitle) + "\n" + lines_of(manifest);
+  return told + kChecksum + crc32_text(crc32_of(told)) + "\n";
+}
+
+FileDescriptor locked_folder_of(const std::filesystem::path& counter_file) {
+  try {
+    return lock_folder(followed(counter_file).parent_path());
+  } catch (const std::system_error& e) {
+    throw BadInput(counter_file.string() + ": its folder cannot be locked: " + e.what());
+  }
+}
+
+}  // namespace
+
+authority::MissionManifest read_flown_last(const std::filesystem::path& counter_file) {
+  try {
+    const std::string text = read_text(counter_file, kCounterFile);
+    LineReader reader(text, counter_file);
+    reader.title(kTitle);
+    const authority::MissionManifest manifest = reader.manifest();
+    // What stands behind is not read but compared: there is one text for each manifest.
+    if (text != text_of(manifest)) throw BadInput(counter_file.string() + ": is damaged: its CRC-32 is wrong");
+    return manifest;
+  } catch (const BadInput& e) {
+    throw BadInput(std::string(e.what()) + "; without the counter of the mission flown last none is flown. " +
+                   "earshot verify --new-counter N makes such a file where none is");
+  }
+}
+
+void begin_counter(const std::filesystem::path& counter_file, std::uint64_t counter) {
+  write_new(counter_file, text_of({.counter = counter, .mission = {}, .policy = {}}));
+}
+
+MissionCounter::MissionCounter(std::filesystem::path counter_file) : file_(std::move(counter_file)) {
+  (void)read_flown_last(file_);  // says more of a file that is not there than its lock
+  lock_ = locked_folder_of(file_);
+  flown_last_ = read_flown_last(file_);
+  require_writable(file_, kCounterOutput, Replace::kOwnKind, "it stays");
+}
+
+void MissionCounter::record(const authority::MissionManifest& manifest) {
+  if (manifest == flown_last_) return;
+  write_whole(file_, text_of(manifest));
+  flown_last_ = manifest;
+}
+
+}  // namespace earshot::host

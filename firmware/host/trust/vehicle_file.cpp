@@ -1,0 +1,60 @@
+#include "firmware/host/trust/vehicle_file.hpp"
+
+#include <algorithm>
+#include <string>
+#include <system_error>
+
+#include "firmware/host/toml/table_reader.hpp"
+
+namespace earshot::host {
+namespace {
+
+constexpr const char* kPolicyKeys = "policy_keys";
+constexpr const char* kMissionKeys = "mission_keys";
+constexpr const char* kRequire = "require_signed_mission";
+constexpr const char* kCounter = "counter_file";
+constexpr const char* kCommandKey = "command_key_file";
+
+std::vector<TrustedKey> read_keys(TableReader& trust, const char* name, const TomlFile& toml) {
+  std::vector<TrustedKey> keys;
+  for (const std::string& file : trust.texts(name)) {
+    try {
+      keys.push_back(load_public_key(toml.resolve(file)));
+    } catch (const BadInput& e) {
+      trust.problem(name, e.what());
+      continue;
+    }
+    const auto same = [&](const TrustedKey& key) { return key.key == keys.back().key; };
+    if (std::ranges::count_if(keys, same) > 1) trust.problem(name, "\"" + file + "\" is a key that stands there already");
+  }
+  if (keys.empty() && !trust.is_noted(name)) trust.problem(name, "must name at least one file of a public key");
+  return keys;
+}
+
+}  // namespace
+
+VehicleFile load_vehicle(const std::filesystem::path& path) {
+  const TomlFile toml{path};
+  TableReader root = toml.root();
+  TableReader trust = root.table("trust");
+  VehicleFile vehicle;
+  vehicle.path = path;
+  vehicle.policy_keys = read_keys(trust, kPolicyKeys, toml);
+  vehicle.requires_signed_mission = trust.boolean_or(kRequire, true);
+  // What is not required may be there: the key that turns it off is the only one to change.
+  if (vehicle.requires_signed_mission || trust.has(kMissionKeys)) vehicle.mission_keys = read_keys(trust, kMissionKeys, toml);
+  if (vehicle.requires_signed_mission || trust.has(kCounter)) vehicle.counter_file = toml.resolve(trust.text(kCounter));
+  if (trust.has(kCommandKey)) vehicle.command_key_file = toml.resolve(trust.text(kCommandKey));
+  toml.finish();
+  return vehicle;
+}
+
+std::optional<std::filesystem::path> vehicle_file_of(const std::optional<std::filesystem::path>& named,
+                                                     const std::filesystem::path& usual) {
+  if (named) return named;
+  std::error_code error;
+  const std::filesystem::file_type type = std::filesystem::symlink_status(usual, error).type();
+  return type == std::filesystem::file_type::not_found ? std::nullopt : std::optional(usual);
+}
+
+}  // namespace earshot::host

@@ -1,0 +1,180 @@
+#include "firmware/host/mission/mission_judge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "tests/firmware/host/trust/complaint.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/signed_mission.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::host {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kShipped = EARSHOT_SOURCE_DIR "/firmware/boards/linux/missions/search.toml";
+
+class MissionJudged : public testing::Test {
+ protected:
+  MissionJudged() {
+    mission_.write(text_);
+    mission_.sign(7);
+    begin_counter(folder_ / "mission.counter", 0);
+  }
+
+  /// Judges all of it, and flies it if it may.
+  void fly(Counting counting = Counting::kRecorded) {
+    MissionJudge judge(load_vehicle(folder_ / "vehicle.toml"), counting);
+    file_ = judge.load_mission(folder_ / "mission.toml");
+    (void)judge.load_policy(file_);
+    judge.record_flight();
+  }
+  std::string complaint() {
+    return complaint_of([this] { fly(); });
+  }
+  void expect_refused(const std::string& why) {
+    const std::string counter = mission_.content("mission.counter");
+    const std::string said = complaint();
+    EXPECT_NE(said.find(why), std::string::npos) << why << " is not in: " << said;
+    EXPECT_EQ(mission_.content("mission.counter"), counter) << "what is refused leaves the counter";
+  }
+
+  const support::TemporaryFolder folder_;
+  const support::SignedMission mission_{folder_};
+  const std::string text_ = support::mission_of_the_walk(support::read_text(kShipped));
+  MissionFile file_;
+};
+
+TEST_F(MissionJudged, FliesWhenItIsSignedByWhoIsTrusted) {
+  ASSERT_EQ(complaint(), "");
+  EXPECT_EQ(read_flown_last(folder_ / "mission.counter").counter, 7U);
+  EXPECT_EQ(file_.policy, folder_ / "walk.policy");
+  EXPECT_FALSE(file_.mission.authority.needs_verified_commands);
+}
+
+TEST_F(MissionJudged, IsRefusedWithoutASignature) {
+  fs::remove(folder_ / "mission.toml.sig");
+  expect_refused("mission.toml: is not signed, which trust.require_signed_mission of");
+}
+
+TEST_F(MissionJudged, IsRefusedWhenAnyByteOfItHasChanged) {
+  mission_.write(text_ + " ");
+  expect_refused("mission.toml: has been changed since");
+}
+
+TEST_F(MissionJudged, IsNotReadAsTomlBeforeItsSignatureHolds) {
+  mission_.write("[[[[[");
+  expect_refused("has been changed since");
+}
+
+TEST_F(MissionJudged, IsRefusedWhenAStrangerSignedIt) {
+  SecretKey stranger;
+  stranger.seed.fill(9);
+  mission_.sign(7, stranger);
+  expect_refused("is of the key " + to_hex(public_key_of(stranger)) + ", which is none of trust.mission_keys of");
+}
+
+// The key that signs policies must not be able to send a vehicle to sea.
+TEST_F(MissionJudged, IsRefusedWhenWhoMaySignPoliciesSignedIt) {
+  SecretKey policys;
+  policys.seed.fill(7);
+  ASSERT_EQ(public_key_of(policys), support::public_key());
+  mission_.sign(7, policys);
+  expect_refused("which is none of trust.mission_keys of");
+}
+
+TEST_F(MissionJudged, IsRefusedWhenItsSignatureIsForged) {
+  std::string text = mission_.content("mission.toml.sig");
+  text.replace(text.find("counter 7"), 9, "counter 8");
+  std::ofstream(folder_ / "mission.toml.sig") << text;
+  expect_refused("mission.toml.sig: is forged or damaged: the holder of");
+}
+
+TEST_F(MissionJudged, IsRefusedWithAnotherPolicyThoughThatIsTrusted) {
+  policy::FrozenPolicy other = support::random_walk_policy();
+  other.draw = policy::ActionDraw::kArgmax;
+  support::write_bytes(folder_ / "walk.policy", support::signed_bytes(other));
+  expect_refused("walk.policy: is not the policy that");
+}
+
+TEST_F(MissionJudged, IsRefusedWithAPolicyOfAStrangerThoughTheMissionVouchesForIt) {
+  fs::copy_file(EARSHOT_SOURCE_DIR "/policy/frozen/shipped.policy", folder_ / "walk.policy", fs::copy_options::overwrite_existing);
+  mission_.sign(7);
+  expect_refused("walk.policy: is signed by none of trust.policy_keys of");
+}
+
+TEST_F(MissionJudged, IsRefusedWhenALaterOneHasFlown) {
+  mission_.sign(8);
+  ASSERT_EQ(complaint(), "");
+  mission_.sign(7);
+  expect_refused("counter 7 is rolled back: the vehicle has flown 8");
+}
+
+TEST_F(MissionJudged, FliesAgainWithItsCounterOnlyAsTheSameBytes) {
+  ASSERT_EQ(complaint(), "");
+  EXPECT_EQ(complaint(), "") << "after a restart";
+  mission_.write(text_ + "# another\n");
+  mission_.sign(7);
+  expect_refused("counter 7 has been used, and not for this mission and policy");
+}
+
+TEST_F(MissionJudged, IsRefusedWithoutTheCounterOfWhatFlewLast) {
+  fs::remove(folder_ / "mission.counter");
+  EXPECT_NE(complaint().find("mission.counter: no such file"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "mission.counter"));
+}
+
+TEST_F(MissionJudged, LeavesTheCounterInASimulationAndInAChecklist) {
+  fly(Counting::kOnlyRead);
+  fly(Counting::kLeftOut);
+  EXPECT_EQ(read_flown_last(folder_ / "mission.counter").counter, 0U);
+}
+
+TEST_F(MissionJudged, TakesTheKeyOfItsCommandsFromTheVehicleAlone) {
+  support::write_secret_file(folder_ / "mission.key", std::string(64, '1'));
+  support::write_secret_file(folder_ / "vehicle.key", std::string(64, '2'));
+  mission_.write(text_ + "\n[authority]\nkey_file = \"mission.key\"\n");
+  mission_.sign(7);
+  expect_refused("authority.key_file = 'mission.key': no signature covers that key");
+  mission_.write_vehicle("command_key_file = \"vehicle.key\"\n");
+  ASSERT_EQ(complaint(), "");
+  EXPECT_TRUE(file_.mission.authority.needs_verified_commands);
+  KeyBytes vehicles;
+  vehicles.fill(0x22);
+  messages::OperatorCommand command;
+  ASSERT_TRUE(file_.command_key);
+  command.mark = CommandKey(vehicles).mark_of(command);
+  EXPECT_TRUE(file_.command_key->verifies(command));
+}
+
+TEST_F(MissionJudged, ObeysTheVehiclesCommandKeyAlsoWhereItNamesNone) {
+  support::write_secret_file(folder_ / "vehicle.key", std::string(64, '2'));
+  mission_.write_vehicle("command_key_file = \"vehicle.key\"\n");
+  ASSERT_EQ(complaint(), "");
+  EXPECT_TRUE(file_.mission.authority.needs_verified_commands);
+  for (const PortSettings& port : file_.ports) EXPECT_EQ(port.command_key.has_value(), port.roles.has(Role::kOperator)) << port.name;
+}
+
+TEST_F(MissionJudged, NeedsNoSignatureWhereTheVehicleAsksForNone) {
+  mission_.write_vehicle("require_signed_mission = false\n");
+  fs::remove(folder_ / "mission.toml.sig");
+  fs::remove(folder_ / "mission.counter");
+  EXPECT_EQ(complaint(), "");
+  fs::copy_file(EARSHOT_SOURCE_DIR "/policy/frozen/shipped.policy", folder_ / "walk.policy", fs::copy_options::overwrite_existing);
+  EXPECT_NE(complaint().find("is signed by none of trust.policy_keys of"), std::string::npos);
+}
+
+TEST_F(MissionJudged, IsJudgedByItsOwnWordWhereThereIsNoVehicle) {
+  MissionJudge judge;
+  EXPECT_NE(complaint_of([&] { (void)judge.load_mission(folder_ / "mission.toml"); }).find("policy.public_key_file is missing"),
+            std::string::npos);
+  EXPECT_NO_THROW((void)judge.load_policy(judge.load_mission(kShipped)));
+}
+
+}  // namespace
+}  // namespace earshot::host

@@ -1,0 +1,185 @@
+// GIVEN a vehicle that flies signed missions alone, WHEN missions are signed ashore and flown at sea, THEN no other is.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "firmware/host/trust/mission_counter.hpp"
+#include "tests/support/private_network.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/signed_mission.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+class SignedMissions : public testing::Test {
+ protected:
+  SignedMissions() {
+    mission_.write(support::mission_of_the_walk(support::read_text(EARSHOT_SOURCE_DIR "/firmware/boards/linux/missions/search.toml")));
+  }
+
+  [[nodiscard]] support::Process start(const std::string& program, const Words& words, const std::string& said = "said.txt") const {
+    return {fs::path(EARSHOT_BIN_DIR) / program, words, {.folder = folder_, .output = folder_ / "out.txt", .errors = folder_ / said}};
+  }
+  int run(const std::string& program, const Words& words) { return start(program, words).wait(60s); }
+  [[nodiscard]] std::string said() const { return mission_.content("said.txt"); }
+  [[nodiscard]] std::string printed() const { return mission_.content("out.txt"); }
+  void expect_refused(const std::string& program, const Words& words, const std::string& why) {
+    EXPECT_EQ(run(program, words), 2) << said();
+    EXPECT_NE(said().find(why), std::string::npos) << why << " is not in: " << said();
+    EXPECT_EQ(std::ranges::count(said(), '\n'), 1) << said();
+  }
+
+  int sign(std::uint64_t counter) {
+    return run("earshot-sign", {"--key", "ops.key", "--counter", std::to_string(counter), "mission.toml"});
+  }
+  int verify() { return run("earshot-verify", {"--vehicle", "vehicle.toml", "mission.toml"}); }
+  [[nodiscard]] std::uint64_t flown_last() const { return host::read_flown_last(folder_ / "mission.counter").counter; }
+
+  /// At sea until its journal has begun; then a person ends it.
+  int fly_for_a_moment() {
+    const auto is_begun = [this](const fs::directory_entry& entry) {
+      return entry.path().extension() == ".lcmlog" && entry.file_size() > 0 && !flown_.contains(entry.path());
+    };
+    support::Process earshotd = start("earshotd", kFly);
+    for (const auto deadline = std::chrono::steady_clock::now() + 30s; std::chrono::steady_clock::now() < deadline;) {
+      const auto found = std::find_if(fs::directory_iterator(folder_), fs::directory_iterator(), is_begun);
+      if (found != fs::directory_iterator()) {
+        flown_.insert(found->path());
+        break;
+      }
+      if (const int status = earshotd.wait(10ms); status >= 0) return status;
+    }
+    earshotd.signal(SIGTERM);
+    return earshotd.wait(30s);
+  }
+
+  const Words kFly{"--vehicle", "vehicle.toml", "mission.toml", "--out", "."};
+  const support::TemporaryFolder folder_;
+  const support::SignedMission mission_{folder_};
+  std::set<fs::path> flown_;
+};
+
+TEST_F(SignedMissions, AreFlownAndNeverAgainWhenALaterOneHasFlown) {
+  ENTER_PRIVATE_NETWORK_OR_SKIP();
+  ASSERT_EQ(run("earshot-verify", {"--vehicle", "vehicle.toml", "--new-counter", "0"}), 0) << said();
+  ASSERT_EQ(sign(5), 0) << said();
+  EXPECT_EQ(fly_for_a_moment(), 0) << said();
+  EXPECT_EQ(flown_last(), 5U);
+  EXPECT_EQ(fly_for_a_moment(), 0) << "after a restart: " << said();
+  ASSERT_EQ(sign(6), 0);
+  EXPECT_EQ(fly_for_a_moment(), 0) << said();
+  ASSERT_EQ(sign(5), 0);
+  expect_refused("earshotd", kFly, "mission.toml.sig: counter 5 is rolled back: the vehicle has flown 6");
+  EXPECT_EQ(flown_last(), 6U);
+}
+
+TEST_F(SignedMissions, OfTwoProgramsOnOneVehicleOneFlies) {
+  ENTER_PRIVATE_NETWORK_OR_SKIP();
+  host::begin_counter(folder_ / "mission.counter", 0);
+  ASSERT_EQ(sign(1), 0);
+  const host::MissionCounter held(folder_ / "mission.counter");
+  expect_refused("earshotd", kFly, "is writing into this folder");
+  EXPECT_EQ(run("earshotd", {"--vehicle", "vehicle.toml", "--check", "mission.toml", "--out", "."}), 0) << said();
+}
+
+TEST_F(SignedMissions, AreFlownAsTheyStand) {
+  host::begin_counter(folder_ / "mission.counter", 0);
+  ASSERT_EQ(sign(1), 0);
+  for (const Words& option : {Words{"--policy", "walk.policy"}, Words{"--public-key", "walk.pub"}, Words{"--seed", "2"},
+                              Words{"--bus", "can"}, Words{"--lcm-url", "udpm://239.255.76.67:7668?ttl=0"},
+                              Words{"--can-interface", "can1"}, Words{"--hydrophone-url", "udpm://239.255.76.67:7669?ttl=0"}}) {
+    Words words = kFly;
+    words.insert(words.end(), option.begin(), option.end());
+    expect_refused("earshotd", words, option.front() + ": not with a vehicle's configuration");
+  }
+}
+
+TEST_F(SignedMissions, AreTheOnlyOnesOfAVehicleThatAsksForThem) {
+  host::begin_counter(folder_ / "mission.counter", 0);
+  expect_refused("earshotd", kFly, "mission.toml: is not signed");
+  expect_refused("earshotd", {"--vehicle", "none.toml", "mission.toml"}, "none.toml: no such file");
+  EXPECT_EQ(flown_last(), 0U);
+}
+
+TEST_F(SignedMissions, AreVerifiedBeforeADive) {
+  host::begin_counter(folder_ / "mission.counter", 4);
+  ASSERT_EQ(sign(5), 0);
+  EXPECT_EQ(verify(), 0) << said();
+  EXPECT_EQ(printed(),
+            "mission  mission.toml\n         signed by ops.pub\ncounter  5\n         flown last: 4\npolicy   walk.policy\n"
+            "         signed by walk.pub\n");
+  EXPECT_EQ(run("earshot-verify", {"--vehicle", "vehicle.toml", "walk.policy"}), 0);
+  EXPECT_EQ(printed(), "policy   walk.policy\n         signed by walk.pub\n");
+  ASSERT_EQ(sign(4), 0);
+  EXPECT_EQ(verify(), 2);
+  EXPECT_EQ(flown_last(), 4U) << "nothing has flown";
+  expect_refused("earshot-verify", {"--vehicle", "vehicle.toml", EARSHOT_SOURCE_DIR "/policy/frozen/shipped.policy"},
+                 "is signed by none of trust.policy_keys of vehicle.toml (walk.pub)");
+}
+
+TEST_F(SignedMissions, AreVerifiedAsFarAsItGoesWhereTheCounterIsNot) {
+  ASSERT_EQ(sign(5), 0);
+  EXPECT_EQ(verify(), 1);
+  EXPECT_EQ(said(), "earshot verify: mission.counter: no such file: whether a later mission has flown was not judged\n");
+  expect_refused("earshotd", kFly, "mission.counter: no such file");
+}
+
+TEST_F(SignedMissions, AreSignedAgainInPlaceAndNothingElseIsReplaced) {
+  ASSERT_EQ(sign(1), 0);
+  ASSERT_EQ(sign(2), 0);
+  EXPECT_NE(mission_.content("mission.toml.sig").find("counter 2\n"), std::string::npos);
+  std::ofstream(folder_ / "mission.toml.sig") << "notes of mine\n";
+  EXPECT_EQ(sign(3), 2);
+  EXPECT_EQ(mission_.content("mission.toml.sig"), "notes of mine\n");
+}
+
+TEST_F(SignedMissions, AreNotSignedWhereTheyCouldNotBeFlown) {
+  const Words words{"--key", "ops.key", "--counter", "1", "mission.toml"};
+  const std::string good = mission_.content("mission.toml");
+  std::string wrong = good;
+  wrong.replace(wrong.find("step_length_m = 1000.0"), 22, "step_length_m = 1001.0");
+  mission_.write(wrong);
+  expect_refused("earshot-sign", words, "search.step_length_m = 1001: must be 1000");
+  mission_.write(good);
+  expect_refused("earshot-sign", {"--key", "ops.key", "--counter", "1", "walk.policy"}, "a policy carries its signature within it");
+  expect_refused("earshot-sign", {"--key", "ops.key", "--counter", "0", "mission.toml"}, "--counter");
+  fs::permissions(folder_ / "ops.key", fs::perms::group_read, fs::perm_options::add);
+  expect_refused("earshot-sign", words, "chmod 600 ops.key");
+  fs::permissions(folder_ / "ops.key", fs::perms::group_read, fs::perm_options::remove);
+  std::ofstream(folder_ / "ops.pub") << mission_.content("walk.pub");
+  expect_refused("earshot-sign", words, "ops.pub: is not the public half of ops.key");
+  EXPECT_FALSE(fs::exists(folder_ / "mission.toml.sig"));
+}
+
+TEST_F(SignedMissions, AreSignedWithAPairThatIsMadeOnce) {
+  ASSERT_EQ(run("earshot-key", {"new.key"}), 0) << said();
+  EXPECT_EQ(printed(), "new.key (secret: keep it), new.pub (a vehicle trusts it)\n");
+  const std::string key = mission_.content("new.key");
+  expect_refused("earshot-key", {"new.key"}, "new.key: exists already");
+  EXPECT_EQ(mission_.content("new.key"), key);
+  EXPECT_EQ(run("earshot-sign", {"--key", "new.key", "--counter", "1", "mission.toml"}), 0) << said();
+  expect_refused("earshotd", kFly, "which is none of trust.mission_keys of vehicle.toml (ops.pub)");
+}
+
+TEST_F(SignedMissions, AreMissedInOneLineWhereAMissionNamesTheKeyThatJudgesIt) {
+  const std::string mission = EARSHOT_SOURCE_DIR "/firmware/boards/linux/missions/search.toml";
+  EXPECT_EQ(run("earshotd", {"--check", mission, "--out", "."}), 0);
+  const std::string before = said().substr(0, said().find('\n'));
+  EXPECT_TRUE(before.starts_with("earshotd: warning: no vehicle's configuration (--vehicle)")) << said();
+}
+
+}  // namespace
+}  // namespace earshot
