@@ -93,7 +93,7 @@ std::string files(const host::MissionFile& file, const policy::FrozenPolicy& pol
          row("policy", host::printable(file.policy.lexically_normal().string()) + ": " + std::to_string(policy.actions.size()) +
                            " directions, an observation of " + std::to_string(policy.observation.spec.size()) + " numbers") +
          row("signed by", host::printable(file.public_key.lexically_normal().string())) +
-         row("orders", file.command_key ? "must bear the mark of the key in the mission" : "of anybody on the bus");
+         row("orders", file.command_key ? "must bear the mark of the command key" : "of anybody on the bus");
 }
 
 std::string ports(const host::MissionFile& file) {
