@@ -15,8 +15,8 @@ namespace earshot::host {
 namespace {
 
 constexpr FileKind kCounterFile{"a mission counter", 1024};
-constexpr OutputKind kCounterOutput{"a mission counter", {"earshot mission counter ", {}}};
-constexpr const char* kTitle = "earshot mission counter 1";
+constexpr OutputKind kCounterOutput{"a mission counter", {"Earshot mission counter ", {}}};
+constexpr const char* kTitle = "Earshot mission counter 1";
 constexpr const char* kChecksum = "crc32 ";
 
 std::string text_of(const authority::MissionManifest& manifest) {

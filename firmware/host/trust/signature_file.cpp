@@ -7,7 +7,7 @@ namespace earshot::host {
 namespace {
 
 constexpr FileKind kSignatureFile{"a mission's signature", 1024};
-constexpr const char* kTitle = "earshot mission signature 1";
+constexpr const char* kTitle = "Earshot mission signature 1";
 constexpr const char* kKey = "public_key";
 constexpr const char* kSignature = "ed25519";
 

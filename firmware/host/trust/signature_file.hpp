@@ -9,7 +9,7 @@
 
 namespace earshot::host {
 
-inline constexpr OutputKind kSignatureOutput{"a mission's signature", {"earshot mission signature ", {}}};
+inline constexpr OutputKind kSignatureOutput{"a mission's signature", {"Earshot mission signature ", {}}};
 
 /// A mission's signature stands beside it: "search.toml.sig". The mission itself stays as it was written.
 [[nodiscard]] std::filesystem::path signature_file_of(std::filesystem::path mission);

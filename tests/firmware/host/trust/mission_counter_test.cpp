@@ -35,11 +35,11 @@ namespace fs = std::filesystem;
 
 /// CRC-32 by Python's zlib.crc32, the hashes those of "a mission\n" and "a policy\n".
 const std::string kText =
-    "earshot mission counter 1\n"
+    "Earshot mission counter 1\n"
     "counter 258\n"
     "mission_sha256 879cf39c20fd722801faebd0d7d422baf59057129ba2886ef2240a1e27b78bc4\n"
     "policy_sha256 8f20683e4c9e991589cad8b12dbd690d94972e3638de384889ef7524abb0e11b\n"
-    "crc32 18f59f96\n";
+    "crc32 8f6fafa8\n";
 
 authority::MissionManifest numbered(std::uint64_t counter) {
   return {.counter = counter, .mission = sha256_of(std::string_view("a mission\n")), .policy = sha256_of(std::string_view("a policy\n"))};

@@ -16,7 +16,7 @@ namespace {
 /// By the secret key of RFC 8032, 7.1, test 1, with Python's cryptography 48: Ed25519PrivateKey.from_private_bytes(...).sign(
 /// b"EARSHOT MISSION1" + struct.pack("<Q", 258) + sha256(b"a mission\n").digest() + sha256(b"a policy\n").digest())
 const std::string kText =
-    "earshot mission signature 1\n"
+    "Earshot mission signature 1\n"
     "counter 258\n"
     "mission_sha256 879cf39c20fd722801faebd0d7d422baf59057129ba2886ef2240a1e27b78bc4\n"
     "policy_sha256 8f20683e4c9e991589cad8b12dbd690d94972e3638de384889ef7524abb0e11b\n"
@@ -68,7 +68,7 @@ TEST_F(SignatureFile, CutAnywhereOrWithMoreBehindItIsRefused) {
 TEST_F(SignatureFile, OfALaterFormatIsRefused) {
   std::string later = kText;
   later.replace(later.find(" 1\n"), 3, " 2\n");
-  EXPECT_EQ(complaint(later), file_.string() + ":1: must be \"earshot mission signature 1\"");
+  EXPECT_EQ(complaint(later), file_.string() + ":1: must be \"Earshot mission signature 1\"");
 }
 
 TEST_F(SignatureFile, ThatIsAPipeIsRefusedAndNotWaitedFor) {
