@@ -33,7 +33,7 @@ class SignedMissions : public testing::Test {
   [[nodiscard]] support::Process start(const std::string& program, const Words& words, const std::string& said = "said.txt") const {
     return {fs::path(EARSHOT_BIN_DIR) / program, words, {.folder = folder_, .output = folder_ / "out.txt", .errors = folder_ / said}};
   }
-  int run(const std::string& program, const Words& words) { return start(program, words).wait(60s); }
+  int run(const std::string& program, const Words& words) { return start(program, words).wait(10s); }
   [[nodiscard]] std::string said() const { return mission_.content("said.txt"); }
   [[nodiscard]] std::string printed() const { return mission_.content("out.txt"); }
   void expect_refused(const std::string& program, const Words& words, const std::string& why) {
