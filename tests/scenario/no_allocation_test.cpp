@@ -190,7 +190,8 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
   expect_said(" s, in DONE; it ended in DONE, all steps are taken, after 20 steps; journal ");
   expect_said(" in STANDBY, ");
   expect_said(" in SEARCH, ");
-  EXPECT_EQ(earshotd_->output().find("warning"), std::string::npos) << earshotd_->output();
+  // Of the vehicle that has no configuration; of the proof there is none.
+  EXPECT_EQ(earshotd_->output().rfind("warning"), earshotd_->output().find("warning: no vehicle's configuration")) << earshotd_->output();
   EXPECT_EQ(earshotd_->output().find("has grown"), std::string::npos);
 }
 
