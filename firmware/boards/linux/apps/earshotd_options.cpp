@@ -1,0 +1,92 @@
+#include "firmware/boards/linux/apps/earshotd_options.hpp"
+
+#include <limits>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/memory/heap_trap.hpp"
+#include "firmware/host/trust/vehicle_file.hpp"
+
+namespace earshot::board {
+namespace {
+
+void require_check_possible(const Options& o) {
+  if (o.chart && !o.check) throw host::BadInput("--chart: only with --check");
+  if (o.check && o.simulation) throw host::BadInput("--check: not with --simulation; it is the checklist before a dive");
+}
+
+void require_resuming_possible(const Options& o) {
+  if (o.resume && o.replace) throw host::BadInput("--resume: not with --replace, which throws the journal away");
+  if (o.resume && o.hear) throw host::BadInput("--resume: not with --hear: what a detector has learnt of the noise is in no journal");
+  if (o.resume && o.check) throw host::BadInput("--resume: not with --check, which flies nothing");
+}
+
+void require_hearing_possible(const Options& o) {
+  if (o.hear && !o.simulation) throw host::BadInput("--hear: only with --simulation; at sea the mission's hydrophone is heard in any case");
+}
+
+void require_proof_possible(const Options& o) {
+  if (!o.prove_no_alloc) return;
+  if (o.simulation) throw host::BadInput("--prove-no-alloc: not with --simulation, whose middleware allocates as it likes");
+  if (!host::kHeapTrapCounts) throw host::BadInput("--prove-no-alloc: this build has a sanitizer's heap, which cannot be counted");
+}
+
+}  // namespace
+
+void declare(program::CommandLine& line, Options& o) {
+  line.option("MISSION", &o.mission, "mission file (TOML)").required();
+  line.option("--out", &o.out, "folder for journal.lcmlog, made if it is missing")
+      .checked([](const std::string& folder) { return folder.empty() ? "names no folder; . is the one that you are in" : ""; })
+      .shows_default();
+  line.flag("--replace", &o.replace,
+            "replace a journal that is there already; without it: refuse to start in simulation, write journal-2.lcmlog and so on at sea");
+  line.flag(
+      "--resume", &o.resume,
+      "go on with the mission of the newest journal in the folder when its process was killed or lost its power; when that journal was "
+      "ended in order, or there is none, begin a new one; without it: begin a new one");
+  line.option(
+          "--journal-survives", &o.journal_survives,
+          "what a record in the journal survives: power-cut: it is brought to the disk within milliseconds; process: the kernel writes it "
+          "when it likes; default: power-cut at sea, process in simulation")
+      .one_of({"power-cut", "process"});
+  line.option("--vehicle", &o.vehicle,
+              std::string("the vehicle's configuration (TOML): whose missions and policies it flies; default: ") + host::kVehicleFile +
+                  " if there is one, in simulation none");
+  line.option("--policy", &o.policy, "policy file instead of the mission's");
+  line.option("--public-key", &o.public_key, "file of the trusted public key instead of the mission's");
+  line.option("--seed", &o.seed, "seed of a policy that draws its actions, instead of the mission's")
+      .from(0, std::numeric_limits<std::int64_t>::max());
+  line.option(
+          "--bus", &o.ports.bus,
+          "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM; not a hydrophone's")
+      .one_of({"lcm", "can", "mixed"});
+  line.option("--lcm-url", &o.ports.lcm_url, "address of every LCM port but a hydrophone's instead of the mission's");
+  line.option("--hydrophone-url", &o.ports.hydrophone_url, "address of the hydrophone's port instead of the mission's");
+  line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
+  line.option("--speed", &o.speed, "mission seconds per second of this host's clock, for a rehearsal ashore; not with --simulation")
+      .between(0.01, 100.0)
+      .shows_default();
+  line.option("--simulation", &o.simulation,
+              "fly in lock-step with a simulator in this DDS domain; without it: at sea, on this host's clock")
+      .from(0, 230);
+  line.option("--run", &o.run, "in simulation: number of the run whose simulator is waited for; 0: of the first that knocks")
+      .from(0, std::numeric_limits<std::int64_t>::max())
+      .shows_default();
+  line.option("--wait", &o.wait_s, "in simulation: how many seconds to wait for the simulator").from(1, 86'400).shows_default();
+  line.flag("--hear", &o.hear,
+            "in simulation: measure the SNR in the sound that the simulator puts on the hydrophone's bus, instead of being told it; at sea "
+            "the hydrophone is heard in any case");
+  line.flag("--prove-no-alloc", &o.prove_no_alloc,
+            "show that no thread asks for memory from the first turn to the last, and print what memory is spent on; at sea only");
+  line.flag("--check", &o.check, "do not fly: judge the mission and all its files, and print the checklist before a dive; opens no bus");
+  line.option("--chart", &o.chart, "with --check: draw area, fence, zones and safe point into this SVG file")
+      .checked([](const std::string& file) { return file.empty() ? "names no file" : ""; });
+}
+
+void require_possible(const Options& o) {
+  require_check_possible(o);
+  require_hearing_possible(o);
+  require_resuming_possible(o);
+  require_proof_possible(o);
+}
+
+}  // namespace earshot::board
