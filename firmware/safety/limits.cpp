@@ -14,25 +14,27 @@ NorthEast clamped_into(const Rectangle& area, NorthEast place) {
           .east = std::clamp(place.east, area.south_west.east, area.north_east.east)};
 }
 
-/// One step towards the middle of the area, or the middle itself when it is nearer.
-NorthEast inwards(const config::Mission& mission, NorthEast position) {
+/// One step towards the middle of the area, or the middle itself when it is nearer. From beyond the margin of a long area such a step may
+/// end beyond it, as the middle lies far along it: then it goes across to the margin, which is further than a step.
+NorthEast inwards(const config::Mission& mission, const Rectangle& allowed, NorthEast position) {
   const NorthEast diagonal = mission.operating_area.north_east - mission.operating_area.south_west;
   const NorthEast middle = mission.operating_area.south_west + NorthEast{.north = diagonal.north * 0.5, .east = diagonal.east * 0.5};
   const NorthEast way = middle - position;
   const Meters distance = length_of(way);
   if (distance <= mission.step_length) return middle;
   const double share = mission.step_length / distance;
-  return position + NorthEast{.north = way.north * share, .east = way.east * share};
+  return clamped_into(allowed, position + NorthEast{.north = way.north * share, .east = way.east * share});
 }
 
 }  // namespace
 
 SafeWaypoint safe_waypoint(const config::Mission& mission, NorthEast position, NorthEast wanted) {
-  if (!is_finite(wanted)) return {.waypoint = inwards(mission, position), .overridden = true};
-  const NorthEast allowed = clamped_into(mission.operating_area.moved_in(mission.edge_margin), wanted);
+  const Rectangle within_margin = mission.operating_area.moved_in(mission.edge_margin);
+  if (!is_finite(wanted)) return {.waypoint = inwards(mission, within_margin, position), .overridden = true};
+  const NorthEast allowed = clamped_into(within_margin, wanted);
   if (allowed == wanted) return {.waypoint = wanted, .overridden = false};
   const bool goes_on = range_between(position, allowed) >= 0.5 * mission.step_length;
-  return {.waypoint = goes_on ? allowed : inwards(mission, position), .overridden = true};
+  return {.waypoint = goes_on ? allowed : inwards(mission, within_margin, position), .overridden = true};
 }
 
 SafeSetpoint safe_setpoint(const config::Mission& mission, const messages::Navigation& fix, const messages::Setpoint& wanted,

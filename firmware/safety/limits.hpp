@@ -18,7 +18,7 @@ struct SafeWaypoint {
 
 /// The nearest way-point to the wanted one that keeps edge_margin from the edge of the operating area. Where that leaves less than half a
 /// step to go (the policy pushes against the edge), one step towards the middle of the area instead, so that every decision moves the
-/// vehicle; so too if the wanted way-point is not finite.
+/// vehicle; so too if the wanted way-point is not finite. That step keeps edge_margin as well, from wherever the vehicle is.
 /// @param mission  one that config::check accepts
 [[nodiscard]] SafeWaypoint safe_waypoint(const config::Mission& mission, NorthEast position, NorthEast wanted);
 

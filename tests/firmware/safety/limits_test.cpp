@@ -112,6 +112,39 @@ TEST(SafeWaypoint, NeverLeavesTheMarginsNorGivesLessThanHalfAStepInTheSmallestAr
   }
 }
 
+// 25 km long and 2.5 km wide, 100 m from its long edge: the middle lies (11500, -1150) away, so that a step towards it makes 995 m along
+// the area and 99.5 m across; the margin is 150 m across.
+TEST(SafeWaypoint, KeepsTheMarginWhereAStepToTheMiddleOfALongAreaDoesNot) {
+  config::Mission mission_of_long_area = mission();
+  mission_of_long_area.operating_area.north_east = at(25'000, 2500);
+  mission_of_long_area.edge_margin = Meters{250};
+  ASSERT_EQ(config::check(mission_of_long_area), Status::kOk);
+  const double along = 1000 * 11'500 / std::sqrt(11'500.0 * 11'500 + 1150.0 * 1150);
+  for (const double wanted_north : {1000.0, kNan}) {
+    const SafeWaypoint safe = safe_waypoint(mission_of_long_area, at(1000, 2400), at(wanted_north, 3400));
+    EXPECT_NEAR(safe.waypoint.north.value, 1000 + along, 1e-9);  // metres, a few roundings
+    EXPECT_EQ(safe.waypoint.east.value, 2250.0);
+    EXPECT_TRUE(safe.overridden);
+  }
+}
+
+TEST(SafeWaypoint, NeverLeavesTheMarginsNorGivesLessThanHalfAStepFromAnywhereInALongArea) {
+  config::Mission mission_of_long_area = mission();
+  mission_of_long_area.operating_area.north_east = at(25'000, 2500);
+  mission_of_long_area.edge_margin = Meters{250};
+  const Rectangle allowed{.south_west = at(250, 250), .north_east = at(24'750, 2250)};
+  Pcg32 random(2);
+  for (int i = 0; i < 100'000; ++i) {
+    const NorthEast position = at(25'000 * random.uniform_double(), 2500 * random.uniform_double());
+    const double bearing = 6.283 * random.uniform_double();
+    const NorthEast given =
+        safe_waypoint(mission_of_long_area, position, position + at(1000 * std::cos(bearing), 1000 * std::sin(bearing))).waypoint;
+    ASSERT_TRUE(allowed.contains(given)) << position.north.value << " " << position.east.value;
+    const NorthEast leg = given - position;
+    ASSERT_GE(std::hypot(leg.north.value, leg.east.value), 500.0 - 1e-9);  // rounding of metres near 25 000
+  }
+}
+
 TEST(SafeSetpoint, LeavesASetpointWithinItsLimitsAlone) {
   const SafeSetpoint safe = safe_setpoint(mission(), kFix, kWanted, {});
   EXPECT_EQ(safe.setpoint, kWanted);
