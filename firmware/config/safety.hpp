@@ -85,6 +85,10 @@ struct ConditionTraits {
   double highest = 0.0;
 };
 
+/// Fixes a second apart tell up to 180 degrees a second, and make slower what is faster (190 look like 170). All from this limit to three
+/// times as fast look faster than it.
+inline constexpr double kMostTurnRateLimit_deg_per_s = 90.0;
+
 /// In the order of Condition.
 inline constexpr std::array<ConditionTraits, kConditions> kConditionTraits{{
     {"navigation_age_s", "the age of the newest fix", ConditionTraits::Kind::kAbove, 1e-6, 3600.0},
@@ -100,7 +104,7 @@ inline constexpr std::array<ConditionTraits, kConditions> kConditionTraits{{
     {"depth_m", "the vehicle's depth", ConditionTraits::Kind::kAbove, 0.0, 11'000.0},
     {"altitude_m", "the height above the sea floor", ConditionTraits::Kind::kBelow, 0.0, 11'000.0},
     {"speed_mps", "the speed through the water", ConditionTraits::Kind::kAbove, 0.0, 20.0},
-    {"turn_rate_deg_per_s", "the rate of turn", ConditionTraits::Kind::kAbove, 0.0, 360.0},
+    {"turn_rate_deg_per_s", "the rate of turn", ConditionTraits::Kind::kAbove, 0.0, kMostTurnRateLimit_deg_per_s},
     {"search_time_s", "the time since the search began", ConditionTraits::Kind::kAbove, 1e-6, 1e7},
     {"distance_m", "the distance travelled", ConditionTraits::Kind::kAbove, 0.0, 1e8},
     {"battery_percent", "the battery's charge", ConditionTraits::Kind::kBelow, 0.0, 100.0},

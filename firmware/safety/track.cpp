@@ -11,21 +11,25 @@ void Track::begin(const messages::Navigation& fix) {
   older_ = fix;
   old_ = fix;
   counted_ = fix.position;
-  newest_ = fix.time;
+  newest_ = fix;
 }
 
 void Track::take(const messages::Navigation& fix) {
-  newest_ = fix.time;
+  const Radians turned = wrap_to_pi(fix.heading - newest_.heading);
+  turned_since_older_ = turned_since_older_ + turned;
+  turned_since_old_ = turned_since_old_ + turned;
+  newest_ = fix;
   if (fix.time - old_.time >= kBase) {
     older_ = old_;
+    turned_since_older_ = turned_since_old_;
     old_ = fix;
+    turned_since_old_ = Radians{};
   }
   if (const Duration base = fix.time - older_.time; base >= kBase) {
     const double seconds = base.to_seconds();
     const NorthEast way = fix.position - older_.position;
     velocity_ = NorthEast{.north = way.north / seconds, .east = way.east / seconds};
-    const double turned = wrap_to_pi(fix.heading - older_.heading).value;
-    turn_rate_ = RadiansPerSecond{std::max(turned, -turned) / seconds};
+    turn_rate_ = RadiansPerSecond{std::max(turned_since_older_, -1.0 * turned_since_older_).value / seconds};
     sink_rate_ = MetersPerSecond{(fix.depth - older_.depth).value / seconds};
   }
   if (const Meters way = range_between(counted_, fix.position); way >= kStride) {
@@ -42,7 +46,7 @@ void Track::take(const messages::Navigation& fix) {
 void Track::set_waypoint(NorthEast waypoint) {
   waypoint_ = waypoint;
   nearest_.reset();
-  came_nearer_ = newest_;
+  came_nearer_ = newest_.time;
 }
 
 Duration Track::without_progress(Time now) const {

@@ -23,7 +23,8 @@ class Track {
   [[nodiscard]] Meters distance() const { return distance_; }
   /// Over ground, per second, over the last two to four seconds; none before that.
   [[nodiscard]] std::optional<NorthEast> velocity_per_s() const { return velocity_; }
-  /// Of the heading, likewise, without its sign.
+  /// Of the heading, likewise, without its sign. From one fix to the next it is taken to turn the shorter way: what turns further than a
+  /// half circle between two fixes looks slower than it is.
   [[nodiscard]] RadiansPerSecond turn_rate() const { return turn_rate_; }
   /// Of the depth, likewise; positive: it goes down.
   [[nodiscard]] MetersPerSecond sink_rate() const { return sink_rate_; }
@@ -38,6 +39,8 @@ class Track {
  private:
   messages::Navigation older_;  ///< at least kBase before the newest
   messages::Navigation old_;    ///< will be the next older_
+  Radians turned_since_older_;  ///< to the right, round and round
+  Radians turned_since_old_;
   std::optional<NorthEast> velocity_;
   RadiansPerSecond turn_rate_;
   MetersPerSecond sink_rate_;
@@ -46,7 +49,7 @@ class Track {
   std::optional<NorthEast> waypoint_;
   std::optional<Meters> nearest_;  ///< to it so far
   Time came_nearer_;
-  Time newest_;
+  messages::Navigation newest_;
 };
 
 }  // namespace earshot::safety

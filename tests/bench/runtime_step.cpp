@@ -56,7 +56,7 @@ config::Mission mission_with(bool all_rules) {
   for (const auto& [condition, limit, warning] :
        {Watched{Condition::kVehicleStatusAge, 20, 10}, Watched{Condition::kAutopilotAge, 20, 10},
         Watched{Condition::kOperatorAge, 1e7, 9e6}, Watched{Condition::kAltitude, 5, 10}, Watched{Condition::kSpeed, 10, 5},
-        Watched{Condition::kTurnRate, 300, 200}, Watched{Condition::kDistanceTravelled, 1e8, 9e7}, Watched{Condition::kBattery, 5, 10},
+        Watched{Condition::kTurnRate, 90, 60}, Watched{Condition::kDistanceTravelled, 1e8, 9e7}, Watched{Condition::kBattery, 5, 10},
         Watched{Condition::kBatteryAtHome, 5, 10}, Watched{Condition::kHeadingIgnored, 180, 179},
         Watched{Condition::kDepthIgnored, 1000, 900}}) {
     static_cast<void>(

@@ -119,6 +119,12 @@ TEST(SafetyCheck, RefusesARuleThatCannotBe) {
             SafetyFault::kRuleLimit);
 }
 
+// Fixes a second apart cannot tell 200 degrees a second from 160 the other way.
+TEST(SafetyCheck, RefusesALimitOnTheTurnRateThatASpinMayNeverSeemToReach) {
+  EXPECT_TRUE(complaint_of_rules({rule(Condition::kTurnRate, 90, Response::kHold)}).is_none());
+  EXPECT_EQ(complaint_of_rules({rule(Condition::kTurnRate, 91, Response::kHold)}).fault, SafetyFault::kRuleLimit);
+}
+
 TEST(SafetyCheck, RefusesARuleThatLacksAPlaceToGoTo) {
   const auto without = [](bool fence, const Rule& own) {
     return fault_of([&](config::Mission& m) {

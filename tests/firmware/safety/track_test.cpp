@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "firmware/core/math.hpp"
+
 namespace earshot::safety {
 namespace {
 
@@ -30,6 +34,19 @@ TEST(Track, TakesRatesOverTwoSecondsOrMore) {
   track.begin(fix(20, at(0, 0), 100, -3.0));
   track.take(fix(22, at(0, 0), 100, 3.0));
   EXPECT_NEAR(track.turn_rate().value, 0.1415926535897931, 1e-15) << "to the left";
+}
+
+// At 3 rad/s (172 degrees a second) seen every second: 3 rad to the right, 12 rad in four seconds, whichever fix is the newest.
+TEST(Track, CountsRoundAndRoundWhateverTurnsAtMostAHalfCircleBetweenTwoFixes) {
+  for (const double rate : {3.0, -3.0, 1.0, 0.25}) {
+    Track track;
+    track.begin(fix(0, at(0, 0)));
+    for (int second = 1; second <= 60; ++second) {
+      track.take(fix(second, at(0, 0), 0.0, wrap_to_pi(Radians{rate * second}).value));
+      if (second < 2) continue;
+      EXPECT_NEAR(track.turn_rate().value, std::abs(rate), 1e-12) << rate << " after " << second << " s";  // headings are rounded
+    }
+  }
 }
 
 TEST(Track, KeepsItsBaseShort) {
