@@ -116,6 +116,8 @@ void Runtime::take(Time arrival, const messages::Navigation& navigation) {
   const bool is_to_move = situation.commanded && situation.commanded->speed.value > 0.0;
   if (!situation.navigation.take(arrival, navigation, is_to_move)) {
     ++progress_.counters.navigation_refused;
+  } else if (progress_.state == MissionState::kSearch && situation.navigation.newest_is_correction()) {
+    situation.track.correct(*situation.navigation.newest());
   } else if (progress_.state == MissionState::kSearch) {
     situation.track.take(*situation.navigation.newest());
   }

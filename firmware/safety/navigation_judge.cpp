@@ -20,7 +20,8 @@ bool NavigationJudge::take(Time arrival, const messages::Navigation& fix, bool i
     return false;
   }
   if (corrects) correct(dated, jump);
-  if (starts_over || corrects) {
+  newest_is_correction_ = starts_over || corrects;
+  if (newest_is_correction_) {
     anchor_ = dated;
     next_anchor_ = dated;
   }

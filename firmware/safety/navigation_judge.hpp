@@ -26,6 +26,9 @@ class NavigationJudge {
 
   [[nodiscard]] const std::optional<messages::Navigation>& newest() const { return newest_; }
 
+  /// Whether newest() goes on from no fix before: it puts a dead reckoning right, or the vehicle was carried.
+  [[nodiscard]] bool newest_is_correction() const { return newest_is_correction_; }
+
   /// How far the newest refused fix lay from where the vehicle can have been; none once no fix was refused for kJumpMemory, and none as
   /// long as no more than kNoisyShare of the fixes are, and by no more than kMostCorrection: that is noise.
   [[nodiscard]] Meters jump(Time now) const;
@@ -57,6 +60,7 @@ class NavigationJudge {
   config::VehicleLimits vehicle_;
   Duration timeout_;
   std::optional<messages::Navigation> newest_;
+  bool newest_is_correction_ = false;
   messages::Navigation anchor_;  ///< one that was believed kAnchorAge before, or the first
   messages::Navigation next_anchor_;
   std::optional<messages::Navigation> refused_;  ///< the newest of those that go on from correction_began_

@@ -43,6 +43,16 @@ void Track::take(const messages::Navigation& fix) {
   came_nearer_ = fix.time;
 }
 
+void Track::correct(const messages::Navigation& fix) {
+  counted_ = counted_ + (fix.position - newest_.position);
+  older_ = fix;
+  old_ = fix;
+  turned_since_older_ = Radians{};
+  turned_since_old_ = Radians{};
+  newest_ = fix;
+  if (nearest_) nearest_ = range_between(fix.position, *waypoint_);  // as far as it is from now on: that is no progress
+}
+
 void Track::set_waypoint(NorthEast waypoint) {
   waypoint_ = waypoint;
   nearest_.reset();

@@ -15,6 +15,9 @@ class Track {
   void begin(const messages::Navigation& fix);
   /// In the order of their dates.
   void take(const messages::Navigation& fix);
+  /// Likewise, one that puts a dead reckoning right: where the vehicle is, but no way that it has gone. How it moves is known from before
+  /// until there are fixes kBase apart again.
+  void correct(const messages::Navigation& fix);
   /// A new way-point to go to.
   void set_waypoint(NorthEast waypoint);
   /// It goes nowhere for now.

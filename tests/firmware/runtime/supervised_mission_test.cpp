@@ -104,6 +104,24 @@ TEST(SupervisedMission, AbortsWhenTheVehicleItselfIsDeeperThanItMayBe) {
   EXPECT_EQ(event->limit, 320.0);
 }
 
+// 400 m further east than it was reckoned, 200 m from the fence: those 400 m are no way that it made, and no way that it goes.
+TEST(SupervisedMission, TakesACorrectionOfItsPlaceForNoWayThatItMade) {
+  Rig rig(*policy_that_goes(kNorthward), with_rule({.condition = Condition::kDistanceTravelled,
+                                                    .limit = 300.0,
+                                                    .persistence = {},
+                                                    .response = Response::kWarn,
+                                                    .is_latched = false}));
+  rig.position = at(7000, 25'500);
+  rig.sail(Order::kStart);
+  for (int i = 0; i < 10; ++i) rig.sail();
+  rig.position = rig.position + at(0, 400);
+  for (int i = 0; i < 60; ++i) {
+    rig.sail();
+    EXPECT_TRUE(rig.outputs.safety_events.empty()) << i;
+  }
+  EXPECT_EQ(rig.outputs.health.counters.navigation_refused, 3U) << "and then believed";
+}
+
 // A leg takes 500 s; fixes creep, so that they are not frozen.
 TEST(SupervisedMission, AbortsAVehicleThatNeverMoves) {
   Rig rig = under_way(fenced_mission());

@@ -62,6 +62,9 @@ TEST_F(Judged, BelievesADeadReckoningThatIsPutRightOnceItHasGoneOnForThreeSecond
   for (int ms = 2000; ms < 5000; ms += 500) EXPECT_FALSE(takes(fix(ms, 400))) << ms;
   EXPECT_TRUE(takes(fix(5000, 400)));
   EXPECT_EQ(judge_.newest()->position.north, Meters{400});
+  EXPECT_TRUE(judge_.newest_is_correction());
+  EXPECT_TRUE(takes(fix(5500, 401)));
+  EXPECT_FALSE(judge_.newest_is_correction()) << "it goes on from there";
 }
 
 TEST_F(Judged, NeverBelievesAJumpThatNoDeadReckoningMakes) {

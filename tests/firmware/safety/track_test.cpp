@@ -65,6 +65,51 @@ TEST(Track, CountsWayInStridesSoThatNoiseIsNone) {
   EXPECT_EQ(track.distance(), Meters{200});
 }
 
+/// Northwards at 2 m/s for 10 s.
+Track under_way() {
+  Track track;
+  track.begin(fix(0, at(0, 0)));
+  for (int second = 1; second <= 10; ++second) track.take(fix(second, at(2 * second, 0)));
+  return track;
+}
+
+// 400 m beside where it was reckoned to be.
+TEST(Track, TakesACorrectionForNoWay) {
+  Track track = under_way();
+  track.correct(fix(14, at(20, 400)));
+  EXPECT_EQ(track.velocity_per_s(), at(2, 0));
+  for (int second = 15; second <= 28; ++second) {
+    track.take(fix(second, at(20 + 2 * (second - 14), 400)));
+    EXPECT_EQ(track.velocity_per_s(), at(2, 0)) << second;
+  }
+  EXPECT_EQ(track.distance(), Meters{0}) << "20 m before and 28 m after";
+  track.take(fix(29, at(50, 400)));
+  EXPECT_EQ(track.distance(), Meters{50});
+}
+
+TEST(Track, TakesNoTurnFromBeforeACorrection) {
+  Track track;
+  track.begin(fix(0, at(0, 0)));
+  track.take(fix(1, at(0, 0), 0, 1.0));
+  track.correct(fix(5, at(0, 400), 0, 1.0));
+  track.take(fix(7, at(4, 400), 0, 1.5));
+  EXPECT_EQ(track.turn_rate(), RadiansPerSecond{0.25});
+  track.take(fix(9, at(8, 400), 0, 2.5));
+  EXPECT_EQ(track.turn_rate(), RadiansPerSecond{0.5}) << "1 rad since 7 s";
+}
+
+TEST(Track, TakesACorrectionForNoProgressAndCountsItFromThere) {
+  for (const double to_north : {-400.0, 400.0}) {
+    Track track = under_way();
+    track.set_waypoint(at(1000, 0));
+    track.take(fix(11, at(22, 0)));
+    track.correct(fix(15, at(to_north, 0)));
+    EXPECT_EQ(track.without_progress(Time{} + Duration::seconds(15)), Duration::seconds(4)) << "since 11 s";
+    track.take(fix(18, at(to_north + 6, 0)));
+    EXPECT_EQ(track.without_progress(Time{} + Duration::seconds(18)), Duration{}) << "6 m";
+  }
+}
+
 TEST(Track, KnowsSinceWhenTheVehicleComesNoNearer) {
   Track track;
   track.begin(fix(0, at(0, 0)));
