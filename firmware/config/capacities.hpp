@@ -50,7 +50,7 @@ inline constexpr std::size_t kGoldenSteps = 6;
 /// Bytes of provenance text in a policy; full: refused at freeze.
 inline constexpr std::size_t kMaxProvenance = 1024;
 /// Bytes of the whole on-vehicle state (nearly all of them policy weights and belief); full: does not compile.
-inline constexpr std::size_t kRuntimeBytes = by_profile(134, 80) * 1024;
+inline constexpr std::size_t kRuntimeBytes = by_profile(134, 81) * 1024;
 
 // Inputs and commands (firmware/messages, firmware/runtime).
 /// Ports of a vehicle (buses, serial lines, the simulation link); full: mission refused.
@@ -67,6 +67,8 @@ inline constexpr std::int64_t kCommandMaxAge_us = 30'000'000;
 inline constexpr std::size_t kMaxPolygonCorners = 16;
 /// Zones where the vehicle may not surface (a fairway, a port, two wind farms); more: mission refused.
 inline constexpr std::size_t kMaxNoSurfaceZones = 4;
+/// Corrections of a dead reckoning that count at once (500 m within ten minutes, each more than 25 m); more: not believed.
+inline constexpr std::size_t kMaxCorrections = 20;
 /// Rules of a mission's own (each of the conditions once); more: mission refused.
 inline constexpr std::size_t kMaxOwnRules = 25;
 /// Rules with those that no mission can switch off (at most 10).

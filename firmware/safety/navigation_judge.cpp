@@ -46,17 +46,24 @@ bool NavigationJudge::is_correction(const messages::Navigation& fix, Meters jump
   const bool goes_on = refused_ && fix.time >= refused_->time && !(excess(*refused_, fix, kNoise) > Meters{0.0});
   if (!goes_on) correction_began_ = fix.time;
   refused_ = fix;
-  const bool is_another = fix.time - corrected_since_ > kCorrectionPeriod;
-  const Meters corrected = is_another ? jump : corrected_ + jump;
+  const Meters corrected = corrected_before(fix.time) + jump;
   return goes_on && corrected <= kMostCorrection && fix.time - correction_began_ >= kCorrectionPatience;
 }
 
+Meters NavigationJudge::corrected_before(Time time) const {
+  Meters sum;
+  for (const Correction& correction : corrections_) sum = sum + (is_recent(correction, time) ? correction.by : Meters{0.0});
+  return sum;
+}
+
 void NavigationJudge::correct(const messages::Navigation& fix, Meters jump) {
-  if (fix.time - corrected_since_ > kCorrectionPeriod) {
-    corrected_ = Meters{0.0};
-    corrected_since_ = fix.time;
+  FixedVector<Correction, config::kMaxCorrections> recent;
+  const auto add = [&recent](const Correction& correction) { static_cast<void>(recent.push_back(correction)); };  // there is room
+  for (const Correction& correction : corrections_) {
+    if (is_recent(correction, fix.time)) add(correction);
   }
-  corrected_ += jump;
+  add({.time = fix.time, .by = jump + kNoise});
+  corrections_ = recent;
 }
 
 void NavigationJudge::count(bool is_refused) {

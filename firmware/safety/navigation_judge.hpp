@@ -2,7 +2,9 @@
 
 #include <optional>
 
+#include "firmware/config/capacities.hpp"
 #include "firmware/config/safety.hpp"
+#include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/messages/navigation.hpp"
@@ -41,7 +43,8 @@ class NavigationJudge {
   static constexpr Meters kNoise{25.0};
   /// Fixes are held against one that is at least so old, too, and at the most twice.
   static constexpr Duration kAnchorAge = Duration::seconds(60);
-  /// No dead reckoning that is put right at the surface jumps further, in one or several jumps within kCorrectionPeriod.
+  /// No dead reckoning that is put right at the surface jumps further, in one or several jumps within kCorrectionPeriod. Of those before,
+  /// kNoise counts as well: a place that goes away by many small jumps goes no further.
   static constexpr Meters kMostCorrection{500.0};
   static constexpr Duration kCorrectionPeriod = Duration::seconds(600);
   /// Fixes that go on from a refused one are believed when they have done so for this long.
@@ -52,7 +55,14 @@ class NavigationJudge {
  private:
   [[nodiscard]] Meters excess(const messages::Navigation& from, const messages::Navigation& to, Meters noise) const;
   [[nodiscard]] Meters excess(const messages::Navigation& fix) const;
+  struct Correction {
+    Time time;
+    Meters by;
+  };
+
   [[nodiscard]] bool is_correction(const messages::Navigation& fix, Meters jump);
+  [[nodiscard]] static bool is_recent(const Correction& correction, Time time) { return time - correction.time <= kCorrectionPeriod; }
+  [[nodiscard]] Meters corrected_before(Time time) const;
   void correct(const messages::Navigation& fix, Meters jump);
   void count(bool is_refused);
   void believe(const messages::Navigation& fix, bool is_to_move);
@@ -65,9 +75,8 @@ class NavigationJudge {
   messages::Navigation next_anchor_;
   std::optional<messages::Navigation> refused_;  ///< the newest of those that go on from correction_began_
   Time correction_began_;
-  Meters corrected_;  ///< by the corrections since
-  Time corrected_since_;
-  double refused_share_ = 0.0;  ///< of the fixes, the older the less
+  FixedVector<Correction, config::kMaxCorrections> corrections_;  ///< that were believed, those that were recent when the last was
+  double refused_share_ = 0.0;                                    ///< of the fixes, the older the less
   Time jump_seen_;
   Meters jump_;
   Time moved_;  ///< date of the last fix of another place, or after which the vehicle was not told to move

@@ -23,7 +23,7 @@ using messages::Order;
 
 static_assert(kProfile == Profile::kMicrocontroller);
 // Of a Cortex-M7's 128 KiB of tightly coupled memory.
-static_assert(sizeof(runtime::Runtime) <= 80 * 1024);
+static_assert(sizeof(runtime::Runtime) <= 81 * 1024);
 
 std::uint32_t steps_of_a_mission(const policy::FrozenPolicy& policy) {
   runtime::Rig rig(policy);

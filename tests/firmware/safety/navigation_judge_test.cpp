@@ -33,6 +33,13 @@ class Judged : public testing::Test {
   }
   /// It arrives when it is dated.
   bool takes(const messages::Navigation& navigation) { return judge_.take(navigation.time, navigation, true); }
+  /// From then on for 4 s, twice a second.
+  /// @return whether it was believed in the end
+  bool jumps(int from_ms, double north_m) {
+    bool is_believed = false;
+    for (int ms = from_ms; ms <= from_ms + 4000; ms += 500) is_believed = takes(fix(ms, north_m)) || is_believed;
+    return is_believed;
+  }
 
   NavigationJudge judge_{vehicle(), Duration::seconds(5)};
 };
@@ -121,18 +128,37 @@ TEST_F(Judged, HoldsAFixAgainstOneOfAMinuteAgo) {
 
 TEST_F(Judged, BelievesCorrectionsOfFiveHundredMetresInTenMinutes) {
   EXPECT_TRUE(takes(fix(1000, 0)));
-  const auto jump_to = [this](int from_ms, double north_m) {
-    bool is_believed = false;
-    for (int ms = from_ms; ms <= from_ms + 4000; ms += 500) is_believed = takes(fix(ms, north_m)) || is_believed;
-    return is_believed;
-  };
-  EXPECT_TRUE(jump_to(5000, 300));
-  EXPECT_FALSE(jump_to(10'000, 600)) << "some 250 m of corrections each";
-  EXPECT_TRUE(jump_to(15'000, 300));
-  EXPECT_TRUE(jump_to(20'000, 500)) << "but 170 m more";
+  EXPECT_TRUE(jumps(5000, 300));
+  EXPECT_FALSE(jumps(10'000, 600)) << "some 250 m of corrections each";
+  EXPECT_TRUE(jumps(15'000, 300));
+  EXPECT_TRUE(jumps(20'000, 500)) << "but 170 m more";
   EXPECT_TRUE(takes(fix(609'000, 500)));
-  EXPECT_TRUE(jump_to(620'000, 900)) << "ten minutes later";
-  EXPECT_FALSE(jump_to(640'000, 1300)) << "and these count from then on";
+  EXPECT_TRUE(jumps(620'000, 900)) << "ten minutes later";
+  EXPECT_FALSE(jumps(640'000, 1300)) << "and these count from then on";
+}
+
+// 60 m, 460 m ten minutes later, and 510 m 6 s after those.
+TEST_F(Judged, CountsTheCorrectionsOfTheLastTenMinutesWheneverTheFirstWas) {
+  EXPECT_TRUE(takes(fix(1'000'000, 0)));
+  EXPECT_TRUE(jumps(1'001'000, 60));
+  EXPECT_TRUE(takes(fix(1'600'000, 60)));
+  EXPECT_TRUE(jumps(1'601'000, 520));
+  EXPECT_FALSE(jumps(1'607'000, 1030)) << "970 m within 6 s";
+  EXPECT_TRUE(takes(fix(2'200'000, 520)));
+  EXPECT_TRUE(jumps(2'204'500, 1000)) << "ten minutes after that";
+}
+
+TEST_F(Judged, CountsCorrectionsAtTheBeginOfTheClockToo) {
+  EXPECT_TRUE(takes(fix(591'000, 0)));
+  EXPECT_TRUE(jumps(592'000, 500));
+  EXPECT_FALSE(jumps(601'000, 1020));
+}
+
+// 45 m every 3.5 s, 13 m/s: some 7 m more than 4 m/s and 25 m of noise each time.
+TEST_F(Judged, BelievesNoPlaceThatGoesAwayInManySmallCorrections) {
+  for (int i = 0; i < 600; ++i) (void)takes(fix(1000 + 500 * i, 45.0 * (i / 7)));
+  // 4 m/s for 300 s, corrections of 500 m, noise of a last one, and of the anchor.
+  EXPECT_LT(judge_.newest()->position.north, Meters{1200 + 500 + 25 + 50});
 }
 
 TEST_F(Judged, RefusesDatesFarFromTheirArrival) {
