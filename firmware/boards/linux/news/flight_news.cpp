@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "firmware/boards/linux/news/health_words.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::board {
@@ -110,6 +111,7 @@ void FlightNews::tell(Time now, const messages::Health& health) {
     tell_chain(now, port);
     tell_troubles(now, port);
   }
+  for (RuleNews& rule : rules_) tell_rule(now, rule);
   tell_state(now, health);
   tell_refused(now, "navigation", health.counters.navigation_refused, navigation_);
   tell_refused(now, "SNR", health.counters.snr_refused, snr_);
@@ -134,11 +136,19 @@ void FlightNews::tell(Time now, std::uint8_t port, const messages::SoundDetectio
 }
 
 void FlightNews::tell(const messages::SafetyEvent& event) {
-  Time& due = rule_due_.at(event.rule);
-  if (event.time < due && event.response < config::Response::kAbort) return;
-  due = event.time + kBetweenLinkLines;
+  RuleNews& rule = rules_.at(event.rule);
+  rule.last = event;
+  ++rule.changes;
+  tell_rule(event.time, rule);
+}
+
+/// A line that came too soon after the last of its rule is made up for when one is due: what was told last is what is.
+void FlightNews::tell_rule(Time now, RuleNews& rule) {
+  const messages::SafetyEvent& event = rule.last;
+  const bool ends_mission = event.begins && event.response >= config::Response::kAbort;
+  if (rule.changes == 0 || (now < rule.due && !ends_mission)) return;
   const config::ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(event.condition));
-  Line line = line_at(event.time);
+  Line line = line_at(now);
   line << "rule " << event.rule + 1 << ", " << traits.key;
   if (!event.begins) {
     line << ": no longer";
@@ -150,7 +160,10 @@ void FlightNews::tell(const messages::SafetyEvent& event) {
     }
     line << ": " << config::kResponseWords.at(static_cast<std::size_t>(event.response));
   }
+  if (rule.changes > 1) line << "; it changed " << rule.changes << " times since it was last told of";
   writer_.say(line.text());
+  rule.changes = 0;
+  rule.due = now + kBetweenLinkLines;
 }
 
 void FlightNews::tell(std::uint8_t port, const HeardChain& chain) {
@@ -196,8 +209,7 @@ void FlightNews::tell_state(Time now, const messages::Health& health) {
   line << to_string(health.state);
   const bool is_stopped = is_stopping_ && health.end_reason == messages::EndReason::kOperatorAbort;
   if (health.end_reason != messages::EndReason::kNone)
-    line << ", " << (is_stopped ? "this program was told to stop" : to_string(health.end_reason)) << ", after " << health.steps_taken
-         << " steps";
+    line << ", " << (is_stopped ? kToldToStop : to_string(health.end_reason)) << ", after " << health.steps_taken << " steps";
   if (!remark.empty()) line << ", " << remark;
   writer_.say(line.text());
 }

@@ -51,7 +51,7 @@ class FlightNews {
   /// A sound that was heard; of many within kBetweenDetectionLines the first, and how many since.
   void tell(Time now, std::uint8_t port, const messages::SoundDetection& detection);
   /// A rule of the safety supervisor begins to act, or no longer does; of each rule at most one line in kBetweenLinkLines, but for one that
-  /// ends the mission.
+  /// ends the mission. What comes too soon is made up for in the first turn that is due: how it is then, and how often it changed.
   void tell(const messages::SafetyEvent& event);
   /// With what chain a hydrophone is heard from now on, at the next turn.
   void tell(std::uint8_t port, const HeardChain& chain);
@@ -85,6 +85,13 @@ class FlightNews {
     bool is_told = false;
     Time due;
   };
+  /// What a rule of the safety supervisor does, as far as a person knows.
+  struct RuleNews {
+    messages::SafetyEvent last;
+    std::uint64_t changes = 0;  ///< since it was last told of
+    Time due;
+  };
+  void tell_rule(Time now, RuleNews& rule);
   void tell_troubles(Time now, std::size_t port);
   void tell_chain(Time now, std::size_t port);
   void tell_link(Time now, const messages::PortReport& report);
@@ -101,7 +108,7 @@ class FlightNews {
   Refused navigation_;
   Refused snr_;
   std::array<Sound, config::kMaxPorts> sounds_;
-  std::array<Time, config::kMaxRules> rule_due_{};
+  std::array<RuleNews, config::kMaxRules> rules_{};
   std::array<std::array<Trouble, kBusTroubleCount>, config::kMaxPorts> troubles_{};
 };
 

@@ -122,9 +122,7 @@ TEST_F(FlightNewsTest, TellsWhatARuleDoesAndWhyAndWhenItNoLongerDoes) {
                               .measure = 14.94,
                               .limit = 15};
   news_->tell(event);
-  event.time = kUtc + Duration::seconds(9);
   event.begins = false;
-  news_->tell(event);  // too soon to be told of
   event.time = kUtc + Duration::seconds(10);
   news_->tell(event);
   news_->tell(messages::SafetyEvent{.time = kUtc + Duration::seconds(11),
@@ -146,6 +144,48 @@ TEST_F(FlightNewsTest, TellsWhatARuleDoesAndWhyAndWhenItNoLongerDoes) {
             "earshotd: 2026-11-18 11:06:50 UTC: rule 11, battery_percent: no longer\n"
             "earshotd: 2026-11-18 11:06:51 UTC: rule 5, depth_m: 900.3, above 320.0: abort\n"
             "earshotd: 2026-11-18 11:06:52 UTC: rule 5, leak: release\n");
+}
+
+messages::SafetyEvent too_deep(int second, bool begins) {
+  return {.time = kUtc + Duration::seconds(second),
+          .rule = 11,
+          .condition = config::Condition::kDepth,
+          .response = config::Response::kHold,
+          .begins = begins,
+          .measure = begins ? 310.0 : 299.0,
+          .limit = 300};
+}
+
+TEST_F(FlightNewsTest, SaysLastOfARuleThatComesAndGoesWhatItDoes) {
+  const auto pass = [this](int from, int to) {
+    for (int second = from; second <= to; ++second) news_->tell(kUtc + Duration::seconds(second), health(MissionState::kSearch));
+  };
+  news_->tell(too_deep(0, true));
+  pass(0, 2);
+  news_->tell(too_deep(3, false));
+  pass(3, 5);
+  news_->tell(too_deep(6, true));
+  pass(6, 30);
+  news_->tell(too_deep(31, false));
+  news_->tell(too_deep(35, true));
+  pass(35, 60);
+  EXPECT_EQ(all_told(),
+            "earshotd: 2026-11-18 11:06:40 UTC: rule 12, depth_m: 310.0, above 300.0: hold\n"
+            "earshotd: 2026-11-18 11:06:40 UTC: SEARCH\n"
+            "earshotd: 2026-11-18 11:06:50 UTC: rule 12, depth_m: 310.0, above 300.0: hold; it changed 2 times since it was last told of\n"
+            "earshotd: 2026-11-18 11:07:11 UTC: rule 12, depth_m: no longer\n"
+            "earshotd: 2026-11-18 11:07:21 UTC: rule 12, depth_m: 310.0, above 300.0: hold\n");
+}
+
+TEST_F(FlightNewsTest, MakesUpForALineOfARuleThatCameTooSoonAfterItsLast) {
+  news_->tell(too_deep(0, true));
+  news_->tell(too_deep(3, false));
+  news_->tell(kUtc + Duration::seconds(9), health(MissionState::kSearch));
+  news_->tell(kUtc + Duration::seconds(10), health(MissionState::kSearch));
+  EXPECT_EQ(all_told(),
+            "earshotd: 2026-11-18 11:06:40 UTC: rule 12, depth_m: 310.0, above 300.0: hold\n"
+            "earshotd: 2026-11-18 11:06:49 UTC: SEARCH\n"
+            "earshotd: 2026-11-18 11:06:50 UTC: rule 12, depth_m: no longer\n");
 }
 
 TEST_F(FlightNewsTest, TellsTheSecondsOfASimulatorsClock) {
