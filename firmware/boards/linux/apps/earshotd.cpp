@@ -140,7 +140,7 @@ int report(const board::LoopResult& result, const board::Clock& clock, const boa
     case board::LoopEnd::kStopped:
       if (is_talkative)
         std::cerr << "earshotd: stopped by a signal" << after << ", in " << messages::to_string(result.found_in) << "; it ended in "
-                  << state << "; journal " << kept << "\n";
+                  << board::to_string(result.last.health, result.found_in) << "; journal " << kept << "\n";
       return 0;
     case board::LoopEnd::kClockLost:
       std::cerr << "earshotd: lost " << clock.lost() << after << ", in " << state << "; journal up to then: " << kept << "\n";

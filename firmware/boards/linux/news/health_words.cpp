@@ -4,10 +4,24 @@
 
 namespace earshot::board {
 
-std::string to_string(const messages::Health& health) {
+namespace {
+
+std::string state_and(const char* reason, const messages::Health& health) {
   std::string text = messages::to_string(health.state);
-  if (health.end_reason != messages::EndReason::kNone) text += std::string(", ") + messages::to_string(health.end_reason);
+  if (health.end_reason != messages::EndReason::kNone) text += std::string(", ") + reason;
   return text + ", after " + std::to_string(health.steps_taken) + " steps";
+}
+
+}  // namespace
+
+std::string to_string(const messages::Health& health) {
+  return state_and(messages::to_string(health.end_reason), health);
+}
+
+std::string to_string(const messages::Health& health, messages::MissionState found_in) {
+  const bool was_over = found_in == messages::MissionState::kDone || found_in == messages::MissionState::kAbort;
+  const bool is_own = !was_over && health.end_reason == messages::EndReason::kOperatorAbort;
+  return is_own ? state_and(kToldToStop, health) : to_string(health);
 }
 
 }  // namespace earshot::board

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace earshot::board {
 namespace {
 
@@ -18,6 +20,21 @@ TEST(HealthWords, TellNoReasonOfASearchThatIsNotOver) {
   health.state = messages::MissionState::kSearch;
   health.steps_taken = 3;
   EXPECT_EQ(to_string(health), "SEARCH, after 3 steps");
+}
+
+TEST(HealthWords, TellTheStopOfThisProgramFromAnAbortThatCameBeforeIt) {
+  messages::Health health;
+  health.state = messages::MissionState::kAbort;
+  health.end_reason = messages::EndReason::kOperatorAbort;
+  health.steps_taken = 3;
+  const std::string own = "ABORT, this program was told to stop, after 3 steps";
+  const std::string operators = "ABORT, an operator aborted it, after 3 steps";
+  EXPECT_EQ(to_string(health, messages::MissionState::kStandby), own);
+  EXPECT_EQ(to_string(health, messages::MissionState::kSearch), own);
+  EXPECT_EQ(to_string(health, messages::MissionState::kDone), operators);
+  EXPECT_EQ(to_string(health, messages::MissionState::kAbort), operators);
+  health.end_reason = messages::EndReason::kNavigationStale;
+  EXPECT_EQ(to_string(health, messages::MissionState::kSearch), "ABORT, navigation went silent, after 3 steps");
 }
 
 }  // namespace
