@@ -33,6 +33,8 @@ class Autopilot final : public Device {
   [[nodiscard]] std::uint64_t taken() const { return taken_; }  ///< set-points
   /// Whether it gave up waiting for a set-point, and has had none since.
   [[nodiscard]] bool is_forsaken() const { return is_forsaken_; }
+  /// Whether a set-point asked for the drop weight: once gone it is gone.
+  [[nodiscard]] bool is_weight_released() const { return is_weight_released_; }
   /// Somebody takes the helm: it goes on as it was told last, takes no set-point, and says so.
   void disengage() { is_engaged_ = false; }
   /// Called with every set-point that is taken.
@@ -48,6 +50,7 @@ class Autopilot final : public Device {
   std::optional<Time> last_;
   bool is_engaged_ = true;
   bool is_forsaken_ = false;
+  bool is_weight_released_ = false;
   std::uint64_t taken_ = 0;
   std::function<void(Time, const messages::Setpoint&)> listener_;
 };

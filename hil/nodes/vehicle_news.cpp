@@ -86,6 +86,8 @@ void VehicleNews::tell_of_course(const Autopilot& autopilot, std::vector<std::st
   if (autopilot.is_forsaken() && !is_forsaken_)
     lines.push_back(printed("autopilot: no set-point for %.0f s: stops and comes up", kAutopilotPatience.to_seconds()));
   is_forsaken_ = autopilot.is_forsaken();
+  if (autopilot.is_weight_released() && !is_weight_released_) lines.emplace_back("autopilot: releases the drop weight");
+  is_weight_released_ = autopilot.is_weight_released();
   if (autopilot.taken() == 0 || is_forsaken_ || (course_ && !is_another_course(command, *course_))) return;
   course_ = command;
   lines.push_back(printed("autopilot: steers %03ld degrees, %.1f m/s, %.0f m deep", whole_degrees(command.heading), command.speed.value,

@@ -14,7 +14,7 @@
 namespace earshot::hil {
 
 /// Tells a person what becomes of an emulated vehicle: a line for each state of Earshot, each answer to an order, each decision, each new
-/// course, and when set-points stay away.
+/// course, when set-points stay away, and when one asks for the drop weight.
 /// Oracle: VehicleNews tests
 class VehicleNews {
  public:
@@ -37,6 +37,7 @@ class VehicleNews {
   std::uint64_t decisions_ = 0;
   std::optional<vehicle::Command> course_;
   bool is_forsaken_ = false;
+  bool is_weight_released_ = false;
 };
 
 /// "12.50 km north, 3.20 km east"

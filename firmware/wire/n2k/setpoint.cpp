@@ -14,6 +14,7 @@ constexpr double kTrueNorth = 0.0;       ///< DIRECTION_REFERENCE
 constexpr double kHeadingControl = 4.0;  ///< STEERING_MODE
 constexpr double kManufacturer = table::kManufacturer;
 constexpr double kMarineIndustry = 4.0;  ///< INDUSTRY_CODE
+constexpr double kYes = 1.0;             ///< YES_NO
 constexpr unsigned kSequences = 8;       ///< of a fast packet: 3 bits
 constexpr double kTwoPi = 6.283185307179586;
 
@@ -29,6 +30,7 @@ Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source,
                       .set("CommandedSpeed", setpoint.speed.value)
                       .set("CommandedDepth", setpoint.depth.value)
                       .set("HeadingSequence", sequence % kSequences)
+                      .set_raw("ReleaseWeight", setpoint.release_weight ? 1 : 0)
                       .frame(source, speed_depth);
   if (status != Status::kOk) return status;
 
@@ -59,10 +61,11 @@ Status SetpointReceiver::accept(const Frame& frame, messages::Setpoint& setpoint
     const Result<double> speed = read(kSpeedDepthPgn, "CommandedSpeed", frame.bytes());
     const Result<double> depth = read(kSpeedDepthPgn, "CommandedDepth", frame.bytes());
     const Result<double> sequence = read(kSpeedDepthPgn, "HeadingSequence", frame.bytes());
+    const Result<double> release = read(kSpeedDepthPgn, "ReleaseWeight", frame.bytes());
     speed_depth_.reset();
     if (!speed.ok() || !depth.ok() || !sequence.ok() || !(sequence.value() < kSequences)) return Status::kOutOfRange;
     speed_depth_ = SpeedDepth{MetersPerSecond{speed.value()}, Meters{depth.value()}, static_cast<unsigned>(sequence.value()),
-                              identifier.value().source};
+                              identifier.value().source, release.ok() && release.value() == kYes};
     return Status::kNotReady;
   }
   if (identifier.value().pgn != kHeadingControlPgn) return Status::kNotReady;
@@ -78,7 +81,11 @@ Status SetpointReceiver::accept(const Frame& frame, messages::Setpoint& setpoint
   const std::optional<SpeedDepth> speed_depth = std::exchange(speed_depth_, std::nullopt);
   if (!speed_depth || speed_depth->sequence != frame.data[0] / (256U / kSequences)) return Status::kNotReady;
   last_sequence_ = static_cast<std::uint8_t>(speed_depth->sequence);
-  setpoint = {.heading = wrap_to_pi(Radians{heading.value()}), .speed = speed_depth->speed, .depth = speed_depth->depth, .waypoint = {}};
+  setpoint = {.heading = wrap_to_pi(Radians{heading.value()}),
+              .speed = speed_depth->speed,
+              .depth = speed_depth->depth,
+              .waypoint = {},
+              .release_weight = speed_depth->release_weight};
   return Status::kOk;
 }
 

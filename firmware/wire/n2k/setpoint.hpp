@@ -17,7 +17,8 @@ namespace earshot::n2k {
 /// only the beginning was sent changes nothing.
 using SetpointFrames = FixedVector<Frame, 1 + kMaxFastPacketFrames>;
 
-/// NMEA 2000 has no place for a way-point in these messages: the heading leads there.
+/// NMEA 2000 has no place for a way-point in these messages: the heading leads there. The order to release the drop weight goes with speed
+/// and depth.
 /// @param sequence  one higher for every set-point
 /// @return kOutOfRange if a value is not finite or does not fit its message.
 [[nodiscard]] Status compose_setpoint(const messages::Setpoint& setpoint, std::uint8_t source, std::uint8_t sequence,
@@ -25,6 +26,7 @@ using SetpointFrames = FixedVector<Frame, 1 + kMaxFastPacketFrames>;
 
 /// The autopilot's side (simulator, tests): a heading completes a set-point with the speed and depth that came before it and name the
 /// sequence of its fast packet, so that no set-point is made of halves of two; its way-point stays empty.
+/// The weight is to be released only where "Yes" says so: neither "not available" nor a value that nobody defined does.
 class SetpointReceiver {
  public:
   /// kOk: `setpoint` is new. kNotReady: kept, or not ours. Otherwise refused.
@@ -38,6 +40,7 @@ class SetpointReceiver {
     Meters depth;
     unsigned sequence;  ///< of the fast packet that goes with them
     std::uint8_t source;
+    bool release_weight;
   };
   std::optional<SpeedDepth> speed_depth_;
   std::optional<std::uint8_t> last_sequence_;

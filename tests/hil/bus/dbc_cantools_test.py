@@ -13,7 +13,7 @@ import cantools
 DBC = Path(__file__).resolve().parents[3] / "hil" / "bus" / "earshot.dbc"
 LINES = {
     "heading of the simulated vehicle": "  vcan0  09F11223   [8]  FF 70 5A FF 7F FF 7F FD",
-    "set-point of Earshot": "  vcan0  0CFF0A40   [8]  FC 9F C8 00 30 75 00 00",
+    "set-point of Earshot": "  vcan0  0CFF0A40   [8]  FC 9F C8 00 30 75 00 10",
     "heading of a device at 0xCC": "  can0  09F112CC   [8]  FF 70 5A FF 7F FF 7F FD",
     "speed without numbers": "  vcan0  09F50323   [8]  FF FF FF FE FF FD FF FF",
     "SNR of the simulated vehicle": "  vcan0  14FF0B23   [8]  FC 9F BB FE 27 42 F2 FF",
@@ -45,11 +45,12 @@ class DecodesWithCantools(unittest.TestCase):
         self.assertIn("Reference: Magnetic", text)
 
     def test_the_plain_call_names_what_earshot_sends(self):
-        # Speed 0x00C8 = 200 x 0.01 m/s; depth 0x00007530 = 30000 x 0.01 m.
+        # Speed 0x00C8 = 200 x 0.01 m/s; depth 0x00007530 = 30000 x 0.01 m; sequence 0, release 1.
         text = self.plain["set-point of Earshot"]
         self.assertIn("EarshotSpeedDepth(", text)
         self.assertIn("CommandedSpeed: 2.0 m/s", text)
         self.assertIn("CommandedDepth: 300.0 m", text)
+        self.assertIn("ReleaseWeight: Yes", text)
 
     def test_the_plain_call_names_what_no_standard_group_carries(self):
         # Behind two bytes of maker and industry: SNR -325 in 18 bits, too faint 1 in 2, level 9250 in 16, SID 255.

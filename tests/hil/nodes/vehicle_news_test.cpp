@@ -92,6 +92,20 @@ TEST_F(VehicleNewsTest, TellsOnceThatSetPointsStayAway) {
   EXPECT_EQ(news_.lines(Time{11'000'000}), Lines{});
 }
 
+TEST_F(VehicleNewsTest, TellsOnceThatTheDropWeightIsReleased) {
+  for (std::uint8_t i = 0; i < 2; ++i) {
+    n2k::SetpointFrames frames;
+    ASSERT_EQ(n2k::compose_setpoint({.heading = {}, .speed = {}, .depth = {}, .waypoint = {}, .release_weight = true}, kEarshot,
+                                    sequence_++, frames),
+              Status::kOk);
+    for (const n2k::Frame& frame : frames) vehicle_.accept(frame, Time{});
+    const Lines expected =
+        i == 0 ? Lines{"0:00:00  autopilot: releases the drop weight", "0:00:00  autopilot: steers 000 degrees, 0.0 m/s, 0 m deep"}
+               : Lines{};
+    EXPECT_EQ(news_.lines(Time{}), expected) << int{i};
+  }
+}
+
 TEST_F(VehicleNewsTest, TellsHowAnOrderWasAnswered) {
   (void)run(vehicle_, Time{}, Time{300'000});
   say(messages::MissionState::kStandby, messages::EndReason::kNone);

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "firmware/host/transport/can_socket.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
@@ -20,6 +21,7 @@ int main(int argc, char** argv) try {
   host::CanSocket bus(argv[1]);
   n2k::SetpointReceiver receiver;
   messages::Navigation vehicle;
+  bool is_released = false;
   vehicle.position = {.north = Meters{12'500}, .east = Meters{12'500}};  // the middle of the mission's area
   for (auto last = std::chrono::steady_clock::now();; std::this_thread::sleep_for(std::chrono::milliseconds(100))) {
     messages::Setpoint setpoint;
@@ -28,6 +30,7 @@ int main(int argc, char** argv) try {
       vehicle.heading = setpoint.heading;  // this vehicle obeys at once; here an autopilot would steer
       vehicle.speed = setpoint.speed;
       vehicle.depth = setpoint.depth;
+      if (setpoint.release_weight && !std::exchange(is_released, true)) std::cout << "releases its drop weight" << std::endl;
     }
     const auto now = std::chrono::steady_clock::now();
     const double travelled_m = vehicle.speed.value * std::chrono::duration<double>(now - last).count();

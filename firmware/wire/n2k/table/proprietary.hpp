@@ -48,12 +48,14 @@ consteval Signal metres(std::string_view name, unsigned first_bit) {
 }
 
 // HeadingSequence is the sequence counter of the fast packet (127237) that brings the heading of the same set-point.
+// ReleaseWeight has the half of the byte that the sequence, 0 to 7, leaves: "No" is as it was when all of the byte was the sequence's.
 inline constexpr Signal kSpeedDepthSignals[]{
     manufacturer(),
     industry(),
     number("CommandedSpeed", 16, 16, kUnsigned, kHundredth, "m/s"),
     within(0, 12'000, number("CommandedDepth", 32, 24, kUnsigned, kHundredth, "m")),
-    number("HeadingSequence", 56, 8),
+    number("HeadingSequence", 56, 4),
+    choice("ReleaseWeight", 60, 4, kYesNo),
 };
 
 inline constexpr Signal kSnrSignals[]{

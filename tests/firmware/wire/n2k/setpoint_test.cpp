@@ -31,6 +31,27 @@ TEST(Setpoint, IsLaidOutByteForByteAsTheStandardSays) {
   EXPECT_EQ(frames[4], (Frame{0x09F1052C, 8, {0x63, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}}));
 }
 
+// The last byte: the sequence, 3, in its lower half; in the upper one 0 for No, 1 for Yes.
+TEST(Setpoint, AsksForTheDropWeightInTheHalfByteAboveTheSequence) {
+  messages::Setpoint release = kSetpoint;
+  release.release_weight = true;
+  EXPECT_EQ(frames_of(release)[0], (Frame{0x0CFF0A2C, 8, {0xFC, 0x9F, 0xC8, 0x00, 0x30, 0x75, 0x00, 0x13}}));
+  EXPECT_EQ(frames_of(kSetpoint)[0].data[7], 0x03);
+}
+
+TEST(Setpoint, ReleasesTheWeightOnlyWhereItSaysYes) {
+  for (unsigned half = 0; half <= 15; ++half) {
+    SetpointFrames frames = frames_of(kSetpoint);
+    frames[0].data[7] = static_cast<std::uint8_t>(half << 4U | 3U);
+    SetpointReceiver receiver;
+    messages::Setpoint received;
+    Status status = Status::kNotReady;
+    for (const Frame& frame : frames) status = receiver.accept(frame, received);
+    EXPECT_EQ(status, Status::kOk) << half;
+    EXPECT_EQ(received.release_weight, half == 1) << half;
+  }
+}
+
 TEST(Setpoint, ComesBackToTheResolutionOfTheFrames) {
   for (const double heading : {-3.1, -0.00001, 0.0, 1.2345678, 3.14}) {
     SetpointReceiver receiver;
@@ -113,7 +134,7 @@ TEST(Setpoint, WithoutAHeadingOrAReferenceIsRefused) {
 TEST(Setpoint, IsNotMadeOfADepthThatWasTakenBack) {
   const SetpointFrames frames = frames_of(kSetpoint);
   Frame nonsense = frames[0];
-  nonsense.data[7] = 8;  // a fast packet counts from 0 to 7
+  nonsense.data[7] = 0x08;  // a fast packet counts from 0 to 7
   SetpointReceiver receiver;
   messages::Setpoint received;
   EXPECT_EQ(receiver.accept(frames[0], received), Status::kNotReady);
