@@ -257,6 +257,60 @@ TEST_F(Autopilot, GivenThePythonExampleThatOrdersASearchIsStartedAndAbortedAndWh
   EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
 }
 
+TEST_F(Autopilot, GivenAMissionWithAKeyThePythonVehicleThatKnowsItStartsTheSearchAndOneThatDoesNotSailsOnWithoutOne) {
+  ENTER_PRIVATE_NETWORK_OR_SKIP();
+  const std::string url(host::kDefaultLcmUrl);
+  Ashore ashore(url);
+  write_mission(mission_of_short_steps("search.toml") + "\n[authority]\nkey_file = \"vehicle.key\"\n");
+  std::ofstream(folder_ / "vehicle.key") << std::string(62, '0') + "2a\n";
+  start_earshotd({});
+  const auto snr = [&] { ashore.send_snr(); };
+  {
+    const auto stranger = python("autopilot_over_lcm", {url});
+    ASSERT_TRUE(ashore.hears([&] { return stranger->output() == "START: NOT_VERIFIED\n"; }, snr)) << stranger->output();
+    const std::int64_t received = ashore.health.ports[0].received;
+    EXPECT_TRUE(ashore.hears([&] { return ashore.health.ports[0].received > received + 20; }, snr)) << stranger->output();
+    EXPECT_EQ(ashore.state(), MissionState::kStandby);
+  }
+  const auto own = python("autopilot_over_lcm", {url, "--key-file", folder_ / "vehicle.key"});
+  EXPECT_TRUE(ashore.hears([&] { return ashore.state() == MissionState::kSearch; }, snr)) << own->output() << earshotd_->output();
+  EXPECT_EQ(own->output(), "START: OBEYED\n");
+  earshotd_->signal(SIGTERM);
+  EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+  EXPECT_NE(earshotd_->output().find("; it ended in ABORT, this program was told to stop, after "), std::string::npos)
+      << earshotd_->output();
+  EXPECT_EQ(earshotd_->output().find("an operator aborted it"), std::string::npos) << earshotd_->output();
+}
+
+TEST_F(Autopilot, GivenThePythonExampleThatSaysThatItLeaksARuleThatReleasesReachesThePythonVehicle) {
+  ENTER_PRIVATE_NETWORK_OR_SKIP();
+  const std::string url(host::kDefaultLcmUrl);
+  Ashore ashore(url);
+  write_mission(mission_of_short_steps("search.toml") + "\n[[rule]]\nwhen = \"leak\"\nthen = \"release\"\n");
+  start_earshotd({});
+  const auto snr = [&] { ashore.send_snr(); };
+  const auto vehicle = python("autopilot_over_lcm", {url});
+  ASSERT_TRUE(ashore.hears([&] { return ashore.state() == MissionState::kSearch; }, snr)) << vehicle->output() << earshotd_->output();
+  const auto leaking = python("status_over_lcm", {url, "--leak"});
+  const auto is_released = [&] { return vehicle->output() == "START: OBEYED\nreleases its drop weight\n"; };
+  EXPECT_TRUE(ashore.hears(is_released, snr)) << vehicle->output() << leaking->output() << earshotd_->output();
+  EXPECT_EQ(ashore.health.end_reason, static_cast<std::int8_t>(messages::EndReason::kSafetyRule));
+  earshotd_->signal(SIGTERM);
+  EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+}
+
+TEST_F(Autopilot, GivenAnOutcomeThatThePythonExamplesDoNotKnowTheySaySo) {
+  const char* interpreter = std::getenv("EARSHOT_PYTHON");
+  const std::string program = "import sys; sys.path.insert(0, '" + (kBoard / "examples").string() +
+                              "'); from marked_order import outcome_of; print(*map(outcome_of, range(-1, 12)), sep='\\n')";
+  support::Process python(interpreter == nullptr ? "" : interpreter, {"-c", program}, folder_ / "outcomes.txt");
+  EXPECT_EQ(python.wait(20s), 0);
+  EXPECT_EQ(python.output(),
+            "outcome -1, which this program does not know\nOBEYED\nREPEATED\nTOO_OLD\nEXPIRED\nNOT_IN_THIS_STATE\nUNKNOWN_ORDER\n"
+            "NOT_CONFIGURED\nOUT_OF_ORDER\nNOT_VERIFIED\nNOT_TIGHTER\nAUTOPILOT_SILENT\noutcome 11, which this program does not know\n");
+  EXPECT_EQ(static_cast<int>(messages::kLastCommandOutcome), 10) << "the Python examples know all";
+}
+
 TEST_F(Autopilot, GivenANetworkThatComesAfterItEarshotdWaitsAndThenHearsNavigation) {
   ENTER_PRIVATE_NETWORK_OR_SKIP();
   ASSERT_EQ(std::system("PATH=/usr/sbin:/usr/bin:/sbin:/bin; ip link set lo down"), 0);

@@ -2,51 +2,54 @@
 """A vehicle that follows Earshot's set-points over LCM, and starts the search.
 
 How to run it: ../connect_your_autopilot.md
-usage: autopilot_over_lcm.py LCM_URL
+usage: autopilot_over_lcm.py LCM_URL [--key-file FILE]
 """
 
+import argparse
 import math
+import pathlib
 import random
 import signal
-import sys
 import time
 
 import lcm
 from earshot import command_acknowledgement_t, nav_state_t, operator_command_t, setpoint_t
 
-OUTCOMES = (
-    "OBEYED",
-    "REPEATED",
-    "TOO_OLD",
-    "EXPIRED",
-    "NOT_IN_THIS_STATE",
-    "UNKNOWN_ORDER",
-    "NOT_CONFIGURED",
-    "OUT_OF_ORDER",
-)
+from marked_order import mark_of, outcome_of, read_key
+
+parser = argparse.ArgumentParser(description="A vehicle that follows Earshot's set-points over LCM.")
+parser.add_argument("url")
+parser.add_argument("--key-file", type=pathlib.Path, help="of a mission that names one: the START must bear its mark")
+said = parser.parse_args()
+
 vehicle = nav_state_t()
 vehicle.utime = time.time_ns() // 1000
 vehicle.north_m = vehicle.east_m = 12_500.0  # the middle of the mission's area
 start = operator_command_t()
 start.issuer, start.number, start.command = random.getrandbits(31), 1, operator_command_t.START
-start.mark = bytes(16)  # for a mission that names a key: order_over_lcm.py
+start.max_depth_m = start.max_speed_mps = start.max_time_s = math.nan  # a START tightens nothing
+key = read_key(said.key_file) if said.key_file else None
 answers: list[str] = []
+released: list[bool] = []
 
 
 def on_setpoint(_channel, data):
     setpoint = setpoint_t.decode(data)  # this vehicle obeys at once; here an autopilot would steer
     vehicle.heading_rad, vehicle.speed_mps, vehicle.depth_m = setpoint.heading_rad, setpoint.speed_mps, setpoint.depth_m
+    if setpoint.release_weight and not released:
+        released.append(True)  # here yours lets its drop weight go
+        print("releases its drop weight", flush=True)
 
 
 def on_acknowledgement(_channel, data):
     acknowledgement = command_acknowledgement_t.decode(data)
     if not answers and (acknowledgement.issuer, acknowledgement.number) == (start.issuer, start.number):
-        answers.append(OUTCOMES[acknowledgement.outcome])
+        answers.append(outcome_of(acknowledgement.outcome))
         print("START:", answers[0], flush=True)
 
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
-bus = lcm.LCM(sys.argv[1])
+bus = lcm.LCM(said.url)
 bus.subscribe("EARSHOT_SETPOINT", on_setpoint)
 bus.subscribe("EARSHOT_COMMAND_ACKNOWLEDGEMENT", on_acknowledgement)
 while True:
@@ -59,4 +62,5 @@ while True:
     bus.publish("EARSHOT_NAV_STATE", vehicle.encode())
     if not answers:  # the same numbers again: obeyed once however often it arrives
         start.utime, start.expiry_utime = now, now + 10_000_000
+        start.mark = mark_of(start, key)
         bus.publish("EARSHOT_OPERATOR_COMMAND", start.encode())

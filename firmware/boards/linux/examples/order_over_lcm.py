@@ -7,40 +7,19 @@ Ends with 0 once the order is obeyed, with 1 when it is not, or when nobody answ
 """
 
 import argparse
-import hashlib
 import math
 import pathlib
 import random
 import signal
-import struct
 import sys
 import time
 
 import lcm
 from earshot import command_acknowledgement_t, operator_command_t
 
+from marked_order import mark_of, outcome_of, read_key
+
 ORDERS = ("START", "COMPLETE", "ABORT", "LISTEN", "PAUSE", "RESUME", "TIGHTEN")
-OUTCOMES = (
-    "OBEYED",
-    "REPEATED",
-    "TOO_OLD",
-    "EXPIRED",
-    "NOT_IN_THIS_STATE",
-    "UNKNOWN_ORDER",
-    "NOT_CONFIGURED",
-    "OUT_OF_ORDER",
-    "NOT_VERIFIED",
-    "NOT_TIGHTER",
-    "AUTOPILOT_SILENT",
-)
-
-
-def mark_of(order: operator_command_t, key: bytes) -> bytes:
-    """What shows that the sender knows the vehicle's key: firmware/authority/README.md."""
-    numbers = (order.utime, order.expiry_utime, order.issuer & 0xFFFFFFFF, order.number & 0xFFFFFFFF, order.command)
-    limits = (order.max_depth_m, order.max_speed_mps, order.max_time_s)
-    return hashlib.blake2b(struct.pack("<qqIIB3d", *numbers, *limits), key=key, digest_size=16).digest()
-
 
 parser = argparse.ArgumentParser(description="Gives Earshot one order over LCM.")
 parser.add_argument("url")
@@ -55,14 +34,14 @@ order = operator_command_t()
 order.issuer, order.number = random.getrandbits(31), 1
 order.command = getattr(order, said.order)
 order.max_depth_m, order.max_speed_mps, order.max_time_s = said.max_depth, said.max_speed, said.max_time
-key = bytes.fromhex(said.key_file.read_text()) if said.key_file else None
+key = read_key(said.key_file) if said.key_file else None
 answers: list[str] = []
 
 
 def on_acknowledgement(_channel, data):
     acknowledgement = command_acknowledgement_t.decode(data)
     if not answers and (acknowledgement.issuer, acknowledgement.number) == (order.issuer, order.number):
-        answers.append(OUTCOMES[acknowledgement.outcome])
+        answers.append(outcome_of(acknowledgement.outcome))
 
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends it without a traceback
@@ -72,7 +51,7 @@ deadline = time.monotonic() + 10.0
 while not answers and time.monotonic() < deadline:
     order.utime = time.time_ns() // 1000
     order.expiry_utime = order.utime + 600_000_000  # a START waits so long for navigation and SNR
-    order.mark = mark_of(order, key) if key else bytes(16)
+    order.mark = mark_of(order, key)
     # The same numbers again: obeyed once however often it arrives.
     bus.publish("EARSHOT_OPERATOR_COMMAND", order.encode())
     bus.handle_timeout(200)
