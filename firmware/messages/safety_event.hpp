@@ -10,7 +10,7 @@ namespace earshot::messages {
 /// A rule of the safety supervisor begins to act, or no longer acts: the evidence for what the vehicle does.
 struct SafetyEvent {
   Time time;
-  std::uint8_t rule = 0;  ///< its place among the mission's rules (safety::rules_of)
+  std::uint8_t rule = 0;  ///< its place among the mission's rules (safety::rules_of), from 0; words count from 1
   config::Condition condition = config::Condition::kNavigationAge;
   config::Response response = config::Response::kWarn;
   bool begins = true;
