@@ -23,6 +23,8 @@ class CommandKey {
   [[nodiscard]] messages::CommandMark mark_of(const messages::OperatorCommand& command) const;
   /// In a time that does not tell how much of the mark is right.
   [[nodiscard]] bool verifies(const messages::OperatorCommand& command) const;
+  /// A key that nobody drew.
+  [[nodiscard]] bool is_all_zero() const { return key_ == KeyBytes{}; }
 
  private:
   KeyBytes key_;

@@ -13,6 +13,7 @@
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/mission/hydrophone_table.hpp"
 #include "firmware/host/mission/n2k_table.hpp"
+#include "firmware/host/mission/rule_words.hpp"
 #include "firmware/host/mission/safety_table.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/transport/interface_name.hpp"
@@ -186,13 +187,15 @@ void read_hearing(TableReader hydrophone, const TableReader& search, MissionFile
 }
 
 /// How values that are right by themselves must fit each other.
-void check_together(TableReader area, TableReader limits, const config::Mission& mission) {
+void check_together(TableReader area, TableReader limits, const TableReader& search, const config::Mission& mission) {
   const Rectangle& r = mission.operating_area;
   const bool is_area = r.north_east.north > r.south_west.north && r.north_east.east > r.south_west.east;
   if (!(r.north_east.north > r.south_west.north)) area.problem("north_m", "must be greater than south_m");
   if (!(r.north_east.east > r.south_west.east)) area.problem("east_m", "must be greater than west_m");
   const bool is_deep_enough = mission.search_depth <= mission.max_depth;
-  if (!is_deep_enough) limits.problem("max_depth_m", "must be at least search.depth_m");
+  if (!is_deep_enough)
+    limits.problem("max_depth_m",
+                   "must be at least search.depth_m (" + search.place_of("depth_m") + " = " + shortly(mission.search_depth.value) + ")");
   if (is_area && is_deep_enough && config::check(mission) != Status::kOk) {
     area.problem("edge_margin_m", "must leave room for two steps of search.step_length_m each way");
   }
@@ -213,8 +216,9 @@ void read_command_key(TableReader table, const TomlFile& toml, MissionFile& file
   const std::string key_file = table.text(kCommandKeyFile);
   if (table.is_noted(kCommandKeyFile)) return;
   file.mission.authority.needs_verified_commands = true;
+  file.command_key_file = toml.resolve(key_file);
   try {
-    file.command_key = CommandKey(toml.resolve(key_file));
+    file.command_key = CommandKey(file.command_key_file);
   } catch (const BadInput& e) {
     table.problem(kCommandKeyFile, e.what());
   }
@@ -237,6 +241,7 @@ void read_authority(TableReader table, const TomlFile& toml, const VehicleTrust*
 void take_command_key(const VehicleTrust& vehicle, MissionFile& file) {
   if (!vehicle.command_key) return;
   file.command_key = vehicle.command_key;
+  file.command_key_file = vehicle.command_key_file;
   file.mission.authority.needs_verified_commands = true;
 }
 
@@ -287,10 +292,10 @@ MissionFile read_mission(const TomlFile& toml, const VehicleTrust* vehicle) {
   read_public_key(policy, toml, vehicle, file);
   file.mission.action_seed = static_cast<std::uint64_t>(policy.integer_or("action_seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
   toml.finish();
-  check_together(area, limits, file.mission);
+  check_together(area, limits, search, file.mission);
   check_patience(limits, file);
   toml.finish();
-  check_safety(safety, root, file.mission);
+  check_safety(safety, root, search, file.mission);
   toml.finish();
   return file;
 }

@@ -23,6 +23,7 @@ struct MissionFile {
   std::optional<detector::SoundSettings> hearing;  ///< what the hydrophone's port listens for; none: it counts samples only
   n2k::LocalPlane plane;                           ///< about the mission's geographic origin; CAN speaks latitude and longitude
   std::optional<CommandKey> command_key;           ///< of those who may command the vehicle
+  std::filesystem::path command_key_file;          ///< that it stands in
   std::filesystem::path policy;
   std::filesystem::path public_key;
   std::string policy_named_at;      ///< "search.toml:31: policy.file"; empty: somewhere else
@@ -34,9 +35,10 @@ struct MissionFile {
 
 /// What a vehicle that has a configuration says of every mission, whatever that says itself.
 struct VehicleTrust {
-  std::string said_in;                    ///< the configuration's file
-  std::optional<CommandKey> command_key;  ///< of who may command it
-  bool reads_own_command_key = false;     ///< of the mission, whose signature covers no other file
+  std::string said_in;                     ///< the configuration's file
+  std::optional<CommandKey> command_key;   ///< of who may command it
+  std::filesystem::path command_key_file;  ///< that it stands in
+  bool reads_own_command_key = false;      ///< of the mission, whose signature covers no other file
 };
 /// A mission whose bytes have been read from `path`, for such a vehicle: which key vouches for its policy is not the mission's to say.
 [[nodiscard]] MissionFile load_mission(const std::filesystem::path& path, const std::string& text, const VehicleTrust& vehicle);

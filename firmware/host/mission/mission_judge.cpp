@@ -40,9 +40,11 @@ std::string MissionJudge::setting(const char* key) const {
 }
 
 VehicleTrust MissionJudge::trust() const {
-  VehicleTrust trust{
-      .said_in = vehicle_->path.string(), .command_key = std::nullopt, .reads_own_command_key = !vehicle_->requires_signed_mission};
-  if (vehicle_->command_key_file) trust.command_key = CommandKey(*vehicle_->command_key_file);
+  VehicleTrust trust{.said_in = vehicle_->path.string(),
+                     .command_key = std::nullopt,
+                     .command_key_file = vehicle_->command_key_file.value_or(""),
+                     .reads_own_command_key = !vehicle_->requires_signed_mission};
+  if (vehicle_->command_key_file) trust.command_key = CommandKey(trust.command_key_file);
   return trust;
 }
 

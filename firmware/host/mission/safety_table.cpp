@@ -96,6 +96,22 @@ std::string corner_words(const safety::SafetyComplaint& complaint) {
   return "a corner is no place";
 }
 
+/// Names both keys, whichever of them was changed.
+void complain_of_vehicle(TableReader vehicle, const TableReader& search, const config::Mission& mission) {
+  const config::VehicleLimits& limits = mission.safety.vehicle;
+  const std::string search_speed = " (" + search.place_of("speed_mps") + " = " + shortly(mission.search_speed.value) + ")";
+  if (limits.hold_speed > mission.search_speed)
+    return vehicle.problem("hold_speed_mps",
+                           "the search must be fast enough to obey the rudders: hold_speed_mps <= search.speed_mps" + search_speed);
+  if (limits.ascent_speed > limits.max_speed)
+    return vehicle.problem("ascent_speed_mps", "the vehicle must be able to come up: ascent_speed_mps <= max_speed_mps (" +
+                                                   vehicle.place_of("max_speed_mps") + " = " + shortly(limits.max_speed.value) + ")");
+  if (mission.search_speed > limits.max_speed)
+    return vehicle.problem("max_speed_mps", "the vehicle must be as fast as its search: search.speed_mps <= max_speed_mps" + search_speed);
+  return vehicle.problem("max_current_mps",
+                         "the vehicle must be able to go faster than the current: max_current_mps < search.speed_mps" + search_speed);
+}
+
 void complain_of_fence(TableReader fence, const SafetyComplaint& complaint, const config::Mission& mission) {
   switch (complaint.fault) {
     case SafetyFault::kFence:
@@ -162,21 +178,13 @@ config::Safety read_safety(SafetyTables& tables) {
   return safety;
 }
 
-void check_safety(SafetyTables& tables, TableReader root, const config::Mission& mission) {
+void check_safety(SafetyTables& tables, TableReader root, const TableReader& search, const config::Mission& mission) {
   const SafetyComplaint complaint = safety::check(mission);
   switch (complaint.fault) {
     case SafetyFault::kNone:
       return;
-    case SafetyFault::kVehicle: {
-      TableReader& vehicle = tables.vehicle ? *tables.vehicle : root;
-      const config::VehicleLimits& limits = mission.safety.vehicle;
-      if (limits.hold_speed > mission.search_speed)
-        return vehicle.problem("hold_speed_mps", "the search must be fast enough to obey the rudders: hold_speed_mps <= search.speed_mps");
-      if (limits.ascent_speed > limits.max_speed)
-        return vehicle.problem("ascent_speed_mps", "the vehicle must be able to come up: ascent_speed_mps <= max_speed_mps");
-      return vehicle.problem("max_current_mps",
-                             "the vehicle must be able to go faster than the current: max_current_mps < search.speed_mps <= max_speed_mps");
-    }
+    case SafetyFault::kVehicle:
+      return complain_of_vehicle(tables.vehicle ? *tables.vehicle : root, search, mission);
     case SafetyFault::kFence:
     case SafetyFault::kInsideBeyondSave:
     case SafetyFault::kSaveNearHalt:

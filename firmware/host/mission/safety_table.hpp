@@ -22,6 +22,7 @@ struct SafetyTables {
 [[nodiscard]] config::Safety read_safety(SafetyTables& tables);
 
 /// Notes how the safety part does not fit itself or the rest of a mission that is right so far.
-void check_safety(SafetyTables& tables, TableReader root, const config::Mission& mission);
+/// @param search  the table of that name, which is named where the vehicle and the search do not fit each other
+void check_safety(SafetyTables& tables, TableReader root, const TableReader& search, const config::Mission& mission);
 
 }  // namespace earshot::host

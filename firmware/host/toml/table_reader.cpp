@@ -2,6 +2,8 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -14,6 +16,22 @@
 #include "firmware/host/toml/nesting.hpp"
 
 namespace earshot::host {
+
+namespace {
+
+/// As it was written, or as short as it can be and still be the same number: 0.4, not 0.40000000000000002; with a point, as TOML has it.
+std::string shortest(double number) {
+  std::array<char, 32> text{};
+  // Left alone, to_chars writes 100000 as 1e+05.
+  const double size = std::abs(number);
+  const bool is_plain = number == 0.0 || (size >= 1e-4 && size < 1e10);
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), number, is_plain ? std::chars_format::fixed : std::chars_format::general).ptr;
+  const std::string digits(text.data(), end);
+  return digits.find_first_of(".en") == std::string::npos ? digits + ".0" : digits;
+}
+
+}  // namespace
 
 struct Problems {
   static constexpr std::size_t kMostLines = 20;         // a screen
@@ -81,7 +99,11 @@ struct TableNode {
     text << full(key);
     value.visit([&text](const auto& v) {
       using Value = std::remove_cvref_t<decltype(v)>;
-      if constexpr (!toml::is_table<Value> && !toml::is_array<Value>) text << " = " << v;
+      if constexpr (toml::is_floating_point<Value>) {
+        text << " = " << shortest(*v);
+      } else if constexpr (!toml::is_table<Value> && !toml::is_array<Value>) {
+        text << " = " << v;
+      }
     });
     problems->add(value.source().begin.line, text.str() + ": " + allowed);
   }

@@ -114,6 +114,16 @@ TEST(SafetyTable, MayBeLeftOut) {
   EXPECT_EQ(safety, config::Safety{});
 }
 
+// A key that was changed may be the other one: its line is named, too. The search's speed, 2 m/s, stands in the file's line 16.
+TEST(SafetyTable, NamesBothKeysThatDoNotFitEachOther) {
+  const std::string said = complaint("max_current_mps = 0.5", "max_current_mps = 2.4");
+  EXPECT_TRUE(said.starts_with("vehicle.max_current_mps = 2.4: ")) << said << " (as short as it was written)";
+  EXPECT_TRUE(said.ends_with("/mission.toml:16: search.speed_mps = 2)")) << said;
+  EXPECT_NE(complaint("max_speed_mps = 3.0", "max_speed_mps = 1.9").find("vehicle.max_speed_mps = 1.9: "), std::string::npos);
+  const std::string ascent = complaint("ascent_speed_mps = 1.5", "ascent_speed_mps = 3.1");
+  EXPECT_NE(ascent.find(": vehicle.max_speed_mps = 3)"), std::string::npos) << ascent;
+}
+
 TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
   EXPECT_EQ(complaint("max_current_mps = 0.5", "max_current_mps = 2.0").substr(0, 23), "vehicle.max_current_mps");
   EXPECT_EQ(complaint("hold_speed_mps = 1.0", "hold_speed_mps = 2.1").substr(0, 22), "vehicle.hold_speed_mps");

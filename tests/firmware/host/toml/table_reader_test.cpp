@@ -135,6 +135,17 @@ TEST(TableReader, RefusesNanAndInfinityWithoutAskingForARange) {
   EXPECT_EQ(complaint("x_m = -inf\n", read), ":1: x_m = -inf: must be a finite number");
 }
 
+TEST(TableReader, SaysANumberAsShortAsItWasWritten) {
+  const auto read = [](TableReader& root) { static_cast<void>(root.number("x", Range::between(1, 2))); };
+  const std::string within = ": must be a finite number of at least 1 and at most 2";
+  EXPECT_EQ(complaint("x = 0.4\n", read), ":1: x = 0.4" + within);
+  EXPECT_EQ(complaint("x = 100000.0\n", read), ":1: x = 100000.0" + within);
+  EXPECT_EQ(complaint("x = 9999999999.5\n", read), ":1: x = 9999999999.5" + within);
+  EXPECT_EQ(complaint("x = 0.0\n", read), ":1: x = 0.0" + within);
+  EXPECT_EQ(complaint("x = 1e-7\n", read), ":1: x = 1e-07" + within);
+  EXPECT_EQ(complaint("x = -2e30\n", read), ":1: x = -2e+30" + within);
+}
+
 TEST(TableReader, KeepsTheBoundsOfARange) {
   const auto within = [](TableReader& root) { static_cast<void>(root.number("x", Range::between(1, 2))); };
   EXPECT_EQ(complaint("x = 1", within), "");
