@@ -20,6 +20,7 @@
 #include "firmware/boards/linux/apps/vehicle_trust.hpp"
 #include "firmware/boards/linux/checklist/chart.hpp"
 #include "firmware/boards/linux/checklist/checklist.hpp"
+#include "firmware/boards/linux/checklist/doubts.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/host_mission_clock.hpp"
 #include "firmware/boards/linux/memory_proof.hpp"
@@ -284,8 +285,11 @@ int check(const Options& o) {
   }
   program::say() << board::checklist(file, *policy.policy, o.mission.string());
   if (o.chart) program::say() << "chart         " << host::printable(o.chart->string()) << "\n";
-  for (const std::string& doubt : board::doubts_about(file)) program::say() << "doubt: " << doubt << "\n";
-  program::say() << "ready to dive\n";
+  const std::vector<std::string> doubts = board::doubts_about(file);
+  // Of a mission that is flown after `--quiet --check` nobody may say that he was not told.
+  std::ostream& told = program::talk() == program::Talk::kQuiet ? std::cerr : program::say();
+  for (const std::string& doubt : doubts) told << "doubt: " << doubt << "\n";
+  program::say() << "ready to dive" << (doubts.empty() ? "" : ", but for what is in doubt") << "\n";
   return program::kDone;
 }
 

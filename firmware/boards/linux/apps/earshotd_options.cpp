@@ -79,7 +79,9 @@ void declare(program::CommandLine& line, Options& o) {
             "show that no thread asks for memory from the first turn to the last, and print what memory is spent on; at sea only");
   line.flag("--check", &o.check, "do not fly: judge the mission and all its files, and print the checklist before a dive; opens no bus");
   line.option("--chart", &o.chart, "with --check: draw area, fence, zones and safe point into this SVG file")
-      .checked([](const std::string& file) { return file.empty() ? "names no file" : ""; });
+      .checked([](const std::string& file) {
+        return file.ends_with(".svg") ? "" : "the chart is an SVG picture: name a file that ends with .svg";
+      });
 }
 
 void require_possible(const Options& o) {

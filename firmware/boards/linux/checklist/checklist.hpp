@@ -1,19 +1,15 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 
 namespace earshot::board {
 
-/// The checklist before a dive, as text: files, ports, search, budgets of time, way and energy, every rule in words, memory. Of a mission
-/// that has been read and judged. Opens nothing.
+/// The checklist before a dive, as text: files, ports, authority, vehicle, search, places, budgets of time, way and energy, every rule in
+/// words, memory. Of a mission that has been read and judged. Opens nothing.
 /// @param shown  the mission's path as it was given
 [[nodiscard]] std::string checklist(const host::MissionFile& file, const policy::FrozenPolicy& policy, const std::string& shown);
-
-/// What is allowed and still worth a thought before the dive, one line each.
-[[nodiscard]] std::vector<std::string> doubts_about(const host::MissionFile& file);
 
 }  // namespace earshot::board

@@ -34,7 +34,7 @@ class CheckRun : public ::testing::Test {
 
 TEST_F(CheckRun, IsReadyToDiveAndLeavesNothingBehind) {
   EXPECT_EQ(check({"--check", (kMissions / "fenced_search.toml").string()}), 0);
-  EXPECT_TRUE(said_.ends_with("ready to dive\n")) << said_;
+  EXPECT_TRUE(said_.ends_with("ready to dive, but for what is in doubt\n")) << said_;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
@@ -53,12 +53,37 @@ TEST_F(CheckRun, DrawsTheChartAndReplacesItButNothingElse) {
   EXPECT_EQ(support::read_text(chart), "notes of mine");
 }
 
+TEST_F(CheckRun, SaysItsDoubtsEvenWhenItIsToBeQuiet) {
+  EXPECT_EQ(check({"--quiet", "--check", (kMissions / "fenced_search.toml").string()}), 0);
+  EXPECT_EQ(said_, "doubt: there is no authority.key_file: anybody on the bus may command the vehicle\n");
+}
+
+TEST_F(CheckRun, IsReadyWithoutAWordMoreWhereThereIsNoDoubt) {
+  std::filesystem::create_directories(folder_ / "m");
+  std::string text = support::read_text(kMissions / "fenced_search.toml");
+  for (std::size_t at = 0; (at = text.find("../../../../policy", at)) != std::string::npos;)
+    text.replace(at, 12, std::string(EARSHOT_SOURCE_DIR) + "/");
+  std::ofstream(folder_ / "m/safe.toml") << text << "[authority]\nkey_file = \"vehicle.key\"\n";
+  std::ofstream(folder_ / "m/vehicle.key") << std::string(64, 'a');
+  std::filesystem::permissions(folder_ / "m/vehicle.key", std::filesystem::perms::owner_read);
+  EXPECT_EQ(check({"--check", (folder_ / "m/safe.toml").string()}), 0) << said_;
+  EXPECT_TRUE(said_.ends_with("allowed\nready to dive\n")) << said_;
+}
+
+TEST_F(CheckRun, DrawsNoPictureOfAnotherKindThanItsNameSays) {
+  EXPECT_EQ(check({"--check", (kMissions / "search.toml").string(), "--chart", (folder_ / "chart.png").string()}), 2);
+  EXPECT_NE(said_.find("the chart is an SVG picture: name a file that ends with .svg"), std::string::npos) << said_;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "chart.png"));
+}
+
 TEST_F(CheckRun, NamesWhatIsWrongWithTheMission) {
   std::string text = support::read_text(kMissions / "search.toml");
   text.replace(text.find("max_depth_m = 400.0"), 19, "max_depth_m = 100.0");
   std::ofstream(folder_ / "shallow.toml") << text;
   EXPECT_EQ(check({"--check", (folder_ / "shallow.toml").string()}), 2);
-  EXPECT_NE(said_.find("limits.max_depth_m = 100.0: must be at least search.depth_m"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("limits.max_depth_m = 100.0: must be at least search.depth_m (" + (folder_ / "shallow.toml").string() + ":"),
+            std::string::npos)
+      << said_;
 }
 
 TEST_F(CheckRun, NamesThePolicyThatDoesNotFit) {

@@ -1,0 +1,142 @@
+#include "firmware/boards/linux/checklist/doubts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+
+#include "firmware/boards/linux/checklist/budgets.hpp"
+#include "firmware/boards/linux/checklist/formatted.hpp"
+#include "firmware/boards/linux/checklist/rule_doubts.hpp"
+#include "firmware/core/polygon.hpp"
+#include "firmware/host/file/printable.hpp"
+
+namespace earshot::board {
+namespace {
+
+using Doubts = std::vector<std::string>;
+
+void doubt_if(bool is_so, Doubts& doubts, const std::string& words) {
+  if (is_so) doubts.push_back(words);
+}
+
+bool has_rule_about(const config::Mission& mission, config::Condition condition) {
+  return std::ranges::any_of(mission.safety.rules, [condition](const config::Rule& rule) { return rule.condition == condition; });
+}
+
+void doubt_limits(const config::Mission& mission, Doubts& doubts) {
+  doubt_if(!mission.safety.fence, doubts,
+           "there is no [fence]: nothing steers the vehicle back before it leaves the area, and that ends the mission");
+  doubt_if(mission.safety.vehicle == config::VehicleLimits{}, doubts,
+           "there is no [vehicle]: fixes are believed that only 20 m/s can explain, and the vehicle is taken to hover and to float up by "
+           "itself");
+  const Meters room = mission.max_depth - mission.search_depth;
+  doubt_if(room < kDepthRoom, doubts,
+           formatted("search.depth_m is %g m above limits.max_depth_m: a vehicle that is deeper than that for 5 s is aborted; leave %g m",
+                     room.value, kDepthRoom.value));
+}
+
+void doubt_time(const config::Mission& mission, Doubts& doubts) {
+  const double most_s = mission.max_time.to_seconds();
+  const double current_mps = mission.safety.vehicle.max_current.value;
+  const bool is_over_in_still_water = seconds_for_all_steps(mission) > most_s;
+  doubt_if(is_over_in_still_water, doubts, "limits.max_time_s is over before all steps are taken");
+  doubt_if(
+      !is_over_in_still_water && seconds_against_current(mission) > most_s, doubts,
+      formatted("limits.max_time_s, %.0f s, is over before all steps are taken against vehicle.max_current_mps, %g m/s: they take %.0f s",
+                most_s, current_mps, seconds_against_current(mission)));
+}
+
+void doubt_battery(const config::Mission& mission, Doubts& doubts) {
+  const double steps_percent = percent_for_all_steps(mission);
+  const double percent = steps_percent + (mission.safety.safe_point ? percent_for_way_home(mission) : 0.0);
+  if (steps_percent > 100.0) {
+    doubts.push_back(formatted("all steps need %.0f %% of a battery", steps_percent));
+  } else if (percent > 100.0) {
+    doubts.push_back(formatted("all steps and the longest way home need %.0f %% of a battery", percent));
+  }
+  const bool watches_way_home = has_rule_about(mission, config::Condition::kBatteryAtHome);
+  doubt_if(!watches_way_home && !has_rule_about(mission, config::Condition::kBattery), doubts, "no rule watches the battery");
+  doubt_if(watches_way_home && mission.safety.vehicle.battery_percent_per_km == 0.0, doubts,
+           "vehicle.battery_percent_per_km is not given: battery_at_home_percent counts no way home");
+}
+
+/// Twice the area of a triangle, positive where the corners are clockwise seen from above.
+double turn(NorthEast a, NorthEast b, NorthEast c) {
+  const NorthEast ab = b - a;
+  const NorthEast ac = c - a;
+  return ab.north.value * ac.east.value - ab.east.value * ac.north.value;
+}
+
+bool do_cross(NorthEast a, NorthEast b, NorthEast c, NorthEast d) {
+  return turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0;
+}
+
+/// Whether two polygons have any place in common.
+bool do_overlap(Corners a, Corners b) {
+  const auto holds_a_corner = [](Corners outer, Corners inner) {
+    return std::ranges::any_of(inner, [outer](NorthEast corner) { return contains(outer, corner); });
+  };
+  if (holds_a_corner(a, b) || holds_a_corner(b, a)) return true;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      if (do_cross(a[i], a[(i + 1) % a.size()], b[j], b[(j + 1) % b.size()])) return true;
+    }
+  }
+  return false;
+}
+
+void doubt_zones(const config::Mission& mission, Doubts& doubts) {
+  const Rectangle& r = mission.operating_area;
+  const std::array<NorthEast, 4> area{r.south_west, NorthEast{r.north_east.north, r.south_west.east}, r.north_east,
+                                      NorthEast{r.south_west.north, r.north_east.east}};
+  const Corners halt = mission.safety.fence ? mission.safety.fence->halt.span() : Corners(area);
+  for (std::size_t i = 0; i < mission.safety.no_surface.size(); ++i) {
+    doubt_if(
+        !do_overlap(mission.safety.no_surface[i].span(), halt), doubts,
+        formatted("no_surface[%zu] lies wholly beyond where a search is aborted: nothing ever surfaces there, and no search passes it", i));
+  }
+}
+
+void doubt_key(const host::MissionFile& file, Doubts& doubts) {
+  using std::filesystem::perms;
+  doubt_if(!file.command_key, doubts, "there is no authority.key_file: anybody on the bus may command the vehicle");
+  if (!file.command_key) return;
+  doubt_if(file.command_key->is_all_zero(), doubts, "the key in authority.key_file is all zeros, which anybody guesses");
+  std::error_code error;
+  const perms mode = std::filesystem::status(file.command_key_file, error).permissions();
+  const bool is_open = !error && (mode & (perms::group_read | perms::others_read)) != perms::none;
+  doubt_if(is_open, doubts,
+           host::printable(file.command_key_file.string()) +
+               formatted(": others than its owner may read the key (mode %03o): chmod 600", static_cast<unsigned>(mode & perms::all)));
+}
+
+void doubt_ports(const host::MissionFile& file, Doubts& doubts) {
+  const bool is_deafness_told =
+      std::ranges::any_of(file.ports, [](const host::PortSettings& port) { return port.roles.has(host::Role::kSnr); });
+  doubt_if(!is_deafness_told && has_rule_about(file.mission, config::Condition::kHydrophoneDeaf), doubts,
+           "no port has the role \"snr\", the only one that tells of hydrophone_deaf: the rule about it never acts");
+  for (const host::PortSettings& port : file.ports) {
+    std::error_code error;
+    const bool is_missing = port.kind == host::PortKind::kCan && !std::filesystem::exists("/sys/class/net/" + port.address, error);
+    doubt_if(is_missing, doubts, "this computer has no interface " + host::printable(port.address) + " now");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> doubts_about(const host::MissionFile& file) {
+  Doubts doubts;
+  doubt_limits(file.mission, doubts);
+  doubt_time(file.mission, doubts);
+  doubt_battery(file.mission, doubts);
+  doubt_zones(file.mission, doubts);
+  std::ranges::move(doubts_about_rules(file.mission), std::back_inserter(doubts));
+  doubt_key(file, doubts);
+  doubt_ports(file, doubts);
+  return doubts;
+}
+
+}  // namespace earshot::board

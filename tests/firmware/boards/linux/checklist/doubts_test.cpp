@@ -1,0 +1,136 @@
+#include "firmware/boards/linux/checklist/doubts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/signed_policy.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::board {
+namespace {
+
+const std::string kMissions = std::string(EARSHOT_SOURCE_DIR) + "/firmware/boards/linux/missions/";
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+bool is_doubted(const host::MissionFile& file, const std::string& part) {
+  const std::vector<std::string> doubts = doubts_about(file);
+  return std::ranges::any_of(doubts, [&part](const std::string& doubt) { return has(doubt, part); });
+}
+
+TEST(Doubts, DoubtsWhatIsAllowedAndUnwise) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  EXPECT_TRUE(is_doubted(file, "authority.key_file"));
+  EXPECT_EQ(doubts_about(file).size(), 1U);
+  file.command_key = host::CommandKey(host::KeyBytes{1});
+  EXPECT_TRUE(doubts_about(file).empty());
+  file.mission.max_depth = file.mission.search_depth + Meters{2.0};
+  EXPECT_TRUE(doubts_about(file).empty());
+  file.mission.max_depth = file.mission.search_depth + Meters{1.5};
+  EXPECT_TRUE(is_doubted(file, "search.depth_m is 1.5 m above limits.max_depth_m"));
+  file.mission.max_time = Duration::seconds(49'999);
+  EXPECT_TRUE(is_doubted(file, "limits.max_time_s is over before all steps are taken"));
+  file.mission.safety.vehicle.battery_percent_per_km = 1.01;
+  EXPECT_TRUE(is_doubted(file, "all steps need 101 % of a battery"));
+  file.mission.safety.rules.clear();
+  EXPECT_TRUE(is_doubted(file, "no rule watches the battery"));
+  file.mission.safety.fence.reset();
+  EXPECT_TRUE(is_doubted(file, "there is no [fence]"));
+  file.mission.safety.vehicle = {};
+  EXPECT_TRUE(is_doubted(file, "there is no [vehicle]"));
+  file.ports.push_back({.name = "bus", .kind = host::PortKind::kCan, .address = "nosuchbus0", .roles = {}});
+  EXPECT_TRUE(is_doubted(file, "this computer has no interface nosuchbus0 now"));
+}
+
+// Home from (25, 25) km to (2, 3) km: 31.83 km, against 0.4 m/s 39.79 km. At 0.9 % a kilometre the steps alone take 90 %, and with the way
+// home 125.8 %.
+TEST(Doubts, DoubtsABatteryThatLastsForTheSearchButNotForTheWayHome) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  file.mission.safety.vehicle.battery_percent_per_km = 0.9;
+  EXPECT_TRUE(is_doubted(file, "all steps and the longest way home need 126 % of a battery"));
+  file.mission.safety.safe_point.reset();
+  EXPECT_FALSE(is_doubted(file, "way home need"));
+}
+
+TEST(Doubts, DoubtsAChargeAtHomeThatCountsNoWay) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  file.mission.safety.vehicle.battery_percent_per_km = 0.0;
+  EXPECT_TRUE(is_doubted(file, "battery_at_home_percent counts no way home"));
+  file.mission.safety.rules.clear();
+  EXPECT_FALSE(is_doubted(file, "counts no way home"));
+}
+
+TEST(Doubts, DoubtsARuleAboutADeafHydrophoneThatNoPortCanTellOf) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  EXPECT_FALSE(is_doubted(file, "hydrophone_deaf"));
+  file.ports.at(0).roles.remove(host::Role::kSnr);
+  EXPECT_TRUE(is_doubted(file, "no port has the role \"snr\", the only one that tells of hydrophone_deaf: the rule about it never acts"));
+  file.mission.safety.rules.clear();
+  EXPECT_FALSE(is_doubted(file, "hydrophone_deaf"));
+}
+
+// 100 km over ground at 1.6 m/s: 62 500 s.
+TEST(Doubts, CountTheCurrentInTheTime) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  file.mission.max_time = Duration::seconds(62'499);
+  EXPECT_TRUE(is_doubted(file,
+                         "limits.max_time_s, 62499 s, is over before all steps are taken against vehicle.max_current_mps, 0.4 m/s: "
+                         "they take 62500 s"));
+  file.mission.max_time = Duration::seconds(62'500);
+  EXPECT_FALSE(is_doubted(file, "max_time_s"));
+}
+
+config::Polygon box(double south, double west, double side) {
+  config::Polygon polygon;
+  for (const auto& [north, east] : {std::pair{south, west}, {south + side, west}, {south + side, west + side}, {south, west + side}})
+    (void)polygon.push_back({.north = Meters{north}, .east = Meters{east}});
+  return polygon;
+}
+
+// The halt polygon: south of its tip, from -2000 to 27 000 m each way.
+TEST(Doubts, NameAZoneWhereNoSearchCanBe) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  const auto is_beyond = [&file](const config::Polygon& zone) {
+    file.mission.safety.no_surface.clear();
+    (void)file.mission.safety.no_surface.push_back(zone);
+    return is_doubted(file, "no_surface[0] lies wholly beyond");
+  };
+  EXPECT_TRUE(is_beyond(box(-9000, 0, 6000)));
+  EXPECT_FALSE(is_beyond(box(-9000, 0, 8000))) << "its northern corners are in it";
+  EXPECT_FALSE(is_beyond(box(-90'000, -90'000, 200'000))) << "all of the fence is in the zone";
+  config::Polygon strip;  // across, from west to east: no corner of either lies in the other
+  for (const auto& [north, east] : {std::pair{5000.0, -9000.0}, {6000.0, -9000.0}, {6000.0, 90'000.0}, {5000.0, 90'000.0}})
+    (void)strip.push_back({.north = Meters{north}, .east = Meters{east}});
+  EXPECT_FALSE(is_beyond(strip));
+  file.mission.safety.fence.reset();  // then the area, from 0 to 25 000 m
+  EXPECT_TRUE(is_beyond(box(-1500, 0, 1000)));
+  EXPECT_FALSE(is_beyond(box(24'000, 24'000, 5000)));
+}
+
+TEST(Doubts, NameAKeyThatIsNoSecret) {
+  const support::TemporaryFolder folder;
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  file.command_key_file = folder / "vehicle.key";
+  support::write_bytes(file.command_key_file, {});
+  using std::filesystem::perms;
+  const auto with_mode = [&file](perms mode) { std::filesystem::permissions(file.command_key_file, mode); };
+  file.command_key = host::CommandKey(host::KeyBytes{});
+  with_mode(perms::owner_read | perms::owner_write);
+  EXPECT_TRUE(is_doubted(file, "the key in authority.key_file is all zeros"));
+  file.command_key = host::CommandKey(host::KeyBytes{1});
+  EXPECT_TRUE(doubts_about(file).empty()) << doubts_about(file)[0];
+  with_mode(perms::owner_read | perms::group_read);
+  EXPECT_TRUE(is_doubted(file, "vehicle.key: others than its owner may read the key (mode 440): chmod 600"));
+  with_mode(perms::owner_read | perms::owner_write | perms::others_read);
+  EXPECT_TRUE(is_doubted(file, "(mode 604)"));
+}
+
+}  // namespace
+}  // namespace earshot::board
