@@ -61,6 +61,9 @@ class Runtime {
   /// ABORT ends the mission here and now, whatever its date: no order before or after it in the same turn can undo it.
   void take(const messages::Input& input);
 
+  /// The mission as it is flown: with the limits that an operator made tighter.
+  [[nodiscard]] const config::Mission& mission() const { return mission_; }
+
   /// One turn of the loop, with all that has been taken. `now` never goes back (over take() and step()) and is not negative.
   [[nodiscard]] Outputs step(Time now);
 

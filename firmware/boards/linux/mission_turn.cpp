@@ -51,6 +51,11 @@ void MissionTurn::record_mission(const config::Mission& mission, std::span<const
   (void)journal_.append(begin, wire::kPolicyChannel, policy, Weight::kOrder);
 }
 
+void MissionTurn::tell(FlightNews& news) {
+  news_ = &news;
+  news.tell(Time{}, runtime_.mission());
+}
+
 Time MissionTurn::now() {
   return memory_.last = std::max(memory_.last, clock_.now());
 }
@@ -98,6 +103,7 @@ runtime::Outputs MissionTurn::operator()() {
   ports_.note_speed(is_finite(memory_.speed.value) ? memory_.speed : memory_.commanded_speed);
   ports_.publish(turn, outputs_);
   if (news_ == nullptr) return outputs_;
+  news_->tell(turn, runtime_.mission());
   for (const messages::SafetyEvent& event : outputs_.safety_events) news_->tell(event);
   news_->tell(turn, outputs_.health);
   return outputs_;
@@ -109,15 +115,10 @@ runtime::Outputs MissionTurn::say_again() {
 }
 
 void MissionTurn::write_ahead_of(const runtime::Outputs& outputs) {
-  constexpr std::chrono::milliseconds kPatience{100};
   const bool has_obeyed = std::ranges::any_of(outputs.acknowledgements, [](const messages::CommandAcknowledgement& acknowledgement) {
     return acknowledgement.outcome == messages::CommandOutcome::kObeyed;
   });
-  if (writes_ahead_) {
-    (void)journal_.flush();  // what the disk does not take stands in the health
-  } else if (has_obeyed) {
-    (void)journal_.flush(kPatience);
-  }
+  if (is_ahead_always_ || has_obeyed) (void)journal_.flush(patience_);  // what the disk does not take stands in the health
 }
 
 void MissionTurn::report_journal(Time now) {

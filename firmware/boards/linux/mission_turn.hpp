@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -40,10 +41,14 @@ class MissionTurn final : public InputSink {
 
   /// From now on what a turn says is in the journal's file before it is sent: who resumes from the journal has forgotten nothing that
   /// anybody heard. Otherwise that holds of obeyed commands alone, and for a tenth of a second at most.
-  void write_ahead() { writes_ahead_ = true; }
+  /// @param patience  with a slow disk
+  void write_ahead(std::chrono::milliseconds patience) {
+    is_ahead_always_ = true;
+    patience_ = patience;
+  }
 
   /// From now on every turn is told to a person, too. @param news  must outlive it
-  void tell(FlightNews& news) { news_ = &news; }
+  void tell(FlightNews& news);
 
   void take(std::uint8_t port, const Value& value) override;
   void tell_detection(std::uint8_t port, const messages::SoundDetection& detection) override;
@@ -75,7 +80,8 @@ class MissionTurn final : public InputSink {
   TurnMemory memory_;
   Time journal_report_due_;
   runtime::Outputs outputs_;  ///< of the last turn
-  bool writes_ahead_ = false;
+  bool is_ahead_always_ = false;
+  std::chrono::milliseconds patience_{100};
   FlightNews* news_ = nullptr;
 };
 

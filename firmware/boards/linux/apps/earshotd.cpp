@@ -204,7 +204,9 @@ std::optional<board::Unfinished> unfinished_mission(const Flight& f, const std::
 /// Begins the mission, or goes on with it. @return how long its first turn waits for its sensors
 Duration begin(const Flight& f, const board::Resumption* before, const std::filesystem::path& journal, board::MissionTurn& turn) {
   const std::string build = program::version() + " " + program::build_commit();
-  if (f.options.resume) turn.write_ahead();
+  constexpr std::chrono::milliseconds kAtSea{100};
+  constexpr std::chrono::milliseconds kInLockStep{60'000};  // the simulator waits
+  if (f.options.resume) turn.write_ahead(f.options.simulation ? kInLockStep : kAtSea);
   if (before != nullptr) {
     f.clock.go_on_after(before->last.health);
     f.ports.count_on_from(before->memory.reports);

@@ -166,6 +166,24 @@ void FlightNews::tell_rule(Time now, RuleNews& rule) {
   rule.due = now + kBetweenLinkLines;
 }
 
+void FlightNews::tell(Time now, const config::Mission& mission) {
+  const Limits limits{.max_depth = mission.max_depth,
+                      .search_depth = mission.search_depth,
+                      .search_speed = mission.search_speed,
+                      .max_time = mission.max_time};
+  if (!limits_) limits_ = limits;
+  if (limits == *limits_ || now < limits_due_) return;
+  limits_ = limits;
+  limits_due_ = now + kBetweenLinkLines;
+  Line line = line_at(now);
+  line << "TIGHTEN obeyed: the search is at ";
+  line.decimal(limits.search_depth.value, 1) << " m and ";
+  line.decimal(limits.search_speed.value, 2) << " m/s, never below ";
+  line.decimal(limits.max_depth.value, 1) << " m, and ends after ";
+  line.decimal(limits.max_time.to_seconds(), 0) << " s";
+  writer_.say(line.text());
+}
+
 void FlightNews::tell(std::uint8_t port, const HeardChain& chain) {
   sounds_.at(port).chain = chain;
 }

@@ -12,7 +12,9 @@
 #include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/config/capacities.hpp"
+#include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/core/units.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/safety_event.hpp"
 #include "firmware/messages/sound_detection.hpp"
@@ -20,8 +22,9 @@
 namespace earshot::board {
 
 /// Tells a person what changes while a flight lasts, a line each: the state of the mission and why, every link that goes down or comes
-/// back, a disk that does not take the journal, what the safety supervisor does and why, what is wrong with a CAN bus and when it is over,
-/// and in each state once that navigation or SNR is refused. Nothing allocates or waits after construction.
+/// back, limits that an operator made tighter, a disk that does not take the journal, what the safety supervisor does and why, what is
+/// wrong with a CAN bus and when it is over, and in each state once that navigation or SNR is refused. Nothing allocates or waits after
+/// construction.
 ///
 ///     earshotd: 2026-11-22 15:04:07 UTC: ABORT, navigation went silent, after 12 steps
 ///     earshotd: 2026-11-22 15:04:07 UTC: navigation: 31 messages refused so far, for their date, their order or what is in them; look at
@@ -53,6 +56,8 @@ class FlightNews {
   /// A rule of the safety supervisor begins to act, or no longer does; of each rule at most one line in kBetweenLinkLines, but for one that
   /// ends the mission. What comes too soon is made up for in the first turn that is due: how it is then, and how often it changed.
   void tell(const messages::SafetyEvent& event);
+  /// How the mission is flown. The first time it says nothing; then, once in kBetweenLinkLines, that an operator made its limits tighter.
+  void tell(Time now, const config::Mission& mission);
   /// With what chain a hydrophone is heard from now on, at the next turn.
   void tell(std::uint8_t port, const HeardChain& chain);
   /// What is wrong with a CAN port from now on, or no longer, at the next turn; of each at most one line in kBetweenLinkLines.
@@ -79,6 +84,14 @@ class FlightNews {
     std::uint64_t detections = 0;  ///< since the last that was told of
     Time detection_due;
   };
+  /// What a TIGHTEN changes.
+  struct Limits {
+    Meters max_depth;
+    Meters search_depth;
+    MetersPerSecond search_speed;
+    Duration max_time;
+    friend bool operator==(const Limits&, const Limits&) = default;
+  };
   /// Something that may be wrong with a port, as far as a person knows.
   struct Trouble {
     bool is_there = false;
@@ -102,7 +115,9 @@ class FlightNews {
   LineWriter& writer_;
   std::array<Link, config::kMaxPorts> links_;
   std::optional<messages::MissionState> state_;
-  std::string_view remark_;  ///< on it
+  std::string_view remark_;       ///< on it
+  std::optional<Limits> limits_;  ///< as far as a person knows
+  Time limits_due_;
   bool is_stopping_ = false;
   bool is_journal_up_ = true;
   Refused navigation_;

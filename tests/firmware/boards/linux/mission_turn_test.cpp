@@ -1,17 +1,23 @@
 #include "firmware/boards/linux/mission_turn.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 
+#include "firmware/boards/linux/news/flight_news.hpp"
+#include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/port_set.hpp"
+#include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
+#include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::board {
@@ -88,6 +94,22 @@ TEST_F(MissionTurnTest, PassesOverTheSpeedOfAFixThatCannotBe) {
   EXPECT_EQ(told_after(1.25), 1.25);
   EXPECT_EQ(told_after(std::numeric_limits<double>::infinity()), 1.25);
   EXPECT_EQ(port_->refused, 1U);
+}
+
+TEST_F(MissionTurnTest, TellsAPersonThatATightenWasObeyedEvenBeforeTheFirstTurn) {
+  const std::filesystem::path said = folder_ / "said.txt";
+  host::FileDescriptor out(::open(said.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600));
+  {
+    LineWriter writer(out.number());
+    FlightNews news(ports_, writer);
+    turn_.tell(news);
+    messages::OperatorCommand tighten = runtime::command_of(messages::Order::kTighten, clock_.time, 1);
+    tighten.limits.max_speed = MetersPerSecond{1.5};
+    turn_.take(0, tighten);
+    (void)turn_();
+  }
+  const std::string text = support::read_text(said);
+  EXPECT_NE(text.find(" and 1.50 m/s, never below "), std::string::npos) << text;
 }
 
 }  // namespace

@@ -188,6 +188,27 @@ TEST_F(FlightNewsTest, MakesUpForALineOfARuleThatCameTooSoonAfterItsLast) {
             "earshotd: 2026-11-18 11:06:50 UTC: rule 12, depth_m: no longer\n");
 }
 
+TEST_F(FlightNewsTest, TellsThatAnOperatorMadeTheLimitsTighterAndLastWhatTheyAre) {
+  config::Mission mission;
+  mission.search_depth = Meters{300};
+  mission.max_depth = Meters{400};
+  mission.search_speed = MetersPerSecond{2};
+  mission.max_time = Duration::seconds(60'000);
+  news_->tell(Time{}, mission);
+  news_->tell(kUtc, mission);
+  mission.search_depth = Meters{187.5};
+  mission.max_depth = Meters{250};
+  for (int second = 1; second <= 3; ++second) news_->tell(kUtc + Duration::seconds(second), mission);
+  mission.search_speed = MetersPerSecond{1.25};
+  mission.max_time = Duration::seconds(3600);
+  for (int second = 4; second <= 20; ++second) news_->tell(kUtc + Duration::seconds(second), mission);
+  EXPECT_EQ(all_told(),
+            "earshotd: 2026-11-18 11:06:41 UTC: TIGHTEN obeyed: the search is at 187.5 m and 2.00 m/s, never below 250.0 m, and ends after "
+            "60000 s\n"
+            "earshotd: 2026-11-18 11:06:51 UTC: TIGHTEN obeyed: the search is at 187.5 m and 1.25 m/s, never below 250.0 m, and ends after "
+            "3600 s\n");
+}
+
 TEST_F(FlightNewsTest, TellsTheSecondsOfASimulatorsClock) {
   news_->tell(Time{4'711'900'000}, health(MissionState::kDone, EndReason::kCompleted, 37));
   EXPECT_EQ(all_told(), "earshotd: 4711 s: DONE, the source is reached, after 37 steps\n");
