@@ -193,7 +193,8 @@ std::string chart(const config::Mission& mission, const std::string& title) {
   if (safety.fence) {
     drawn += polygon(safety.fence->inside.span(), to, kInside) + polygon(safety.fence->save.span(), to, kSave) +
              polygon(safety.fence->halt.span(), to, kHalt);
-    legend.add(kInside, "inside", "steered back until here");
+    const bool is_area = std::ranges::is_permutation(safety.fence->inside.span(), corners_of(mission.operating_area));
+    legend.add(kInside, is_area ? "inside, on the area's edges" : "inside", "steered back until here");
     legend.add(kSave, "save", "steered back from here");
     legend.add(kHalt, "halt", "aborted from here");
   } else {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "firmware/host/mission/mission_file.hpp"
 
@@ -42,6 +43,16 @@ TEST(Chart, SaysThatThereIsNoFence) {
   const std::string svg = chart(host::load_mission(kMissions + "search.toml").mission, "");
   EXPECT_NE(svg.find("halt: no fence"), std::string::npos);
   EXPECT_EQ(count_of(svg, "<circle "), 0U);
+}
+
+TEST(Chart, SaysThatOneLineCoversAnother) {
+  config::Mission mission = host::load_mission(kMissions + "fenced_search.toml").mission;
+  EXPECT_EQ(chart(mission, "").find("on the area's edges"), std::string::npos);
+  config::Polygon area;  // from its north-west corner, the other way round
+  for (const auto& [north, east] : {std::pair{25'000.0, 0.0}, {0.0, 0.0}, {0.0, 25'000.0}, {25'000.0, 25'000.0}})
+    (void)area.push_back({.north = Meters{north}, .east = Meters{east}});
+  mission.safety.fence->inside = area;
+  EXPECT_NE(chart(mission, "").find(">inside, on the area's edges<"), std::string::npos);
 }
 
 }  // namespace
