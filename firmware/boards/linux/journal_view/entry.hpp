@@ -8,6 +8,7 @@
 #include "earshot/command_acknowledgement_t.hpp"
 #include "earshot/decision_t.hpp"
 #include "earshot/health_t.hpp"
+#include "earshot/journal_resumed_t.hpp"
 #include "earshot/mission_t.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/messages/input.hpp"
@@ -31,7 +32,7 @@ struct Unreadable {
 };
 
 using Content = std::variant<Unreadable, mission_t, PolicyBytes, messages::Input, messages::Setpoint, decision_t, messages::SafetyEvent,
-                             command_acknowledgement_t, health_t, wire::ClosingRecord>;
+                             command_acknowledgement_t, health_t, wire::ClosingRecord, journal_resumed_t>;
 
 struct Record {
   std::uint32_t number = 0;  ///< counts all records that the journal was given, from 0

@@ -135,6 +135,11 @@ std::string to_string(const wire::ClosingRecord& closing) {
          "; " + what;
 }
 
+std::string to_string(const journal_resumed_t& resumed) {
+  return "another process goes on from here (earshotd --resume): the one before was killed or lost its power; " +
+         counted(static_cast<std::uint64_t>(resumed.cut_bytes), "byte") + " that it left behind were cut off";
+}
+
 std::string to_string(const MissingRecords& missing) {
   const std::string which = missing.count == 1
                                 ? "number " + std::to_string(missing.first)

@@ -29,6 +29,7 @@ namespace earshot::journal_view {
 
 /// "end: the mission was over; DONE: the source is reached, after 37 steps; no record was lost"
 [[nodiscard]] std::string to_string(const wire::ClosingRecord& closing);
+[[nodiscard]] std::string to_string(const journal_resumed_t& resumed);
 
 [[nodiscard]] std::string to_string(const MissingRecords& missing);
 [[nodiscard]] std::string to_string(const DamagedBytes& damage);

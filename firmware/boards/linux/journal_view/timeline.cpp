@@ -148,6 +148,10 @@ void Timeline::note_content(const wire::ClosingRecord& closing, const Record& /*
     inform(to_string(closing));
 }
 
+void Timeline::note_content(const journal_resumed_t& resumed, const Record& /*record*/) {
+  warn(to_string(resumed));
+}
+
 void Timeline::note_input(const messages::PortReport& report, std::uint8_t /*port*/) {
   if (report.port >= ports_.size()) return;
   Port& port = ports_.at(report.port);

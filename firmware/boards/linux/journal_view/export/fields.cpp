@@ -95,6 +95,11 @@ Json input_fields(const messages::HydrophoneStatus& m) {
   return {{"valid_time_s", seconds_of(m.time)}, {"deaf", m.is_deaf}};
 }
 
+/// @param bytes  padded with zeros
+std::string build_of(std::span<const std::uint8_t> bytes) {
+  return {bytes.begin(), std::ranges::find(bytes, 0)};
+}
+
 Json fields(const Unreadable& /*unreadable*/) {
   return nullptr;
 }
@@ -145,7 +150,6 @@ Json vehicle(const mission_t& m) {
 }
 
 Json fields(const mission_t& m) {
-  const char* const build = reinterpret_cast<const char*>(m.build);
   Json zones = Json::array();
   constexpr std::size_t kFirstZone = 3;  // behind inside, save and halt
   for (std::size_t place = kFirstZone; place < std::size(m.corners); ++place)
@@ -178,7 +182,7 @@ Json fields(const mission_t& m) {
           {"listening_window_s", seconds_at(m.listening_window_us)},
           {"action_seed", m.action_seed},
           {"policy_crc32", host::crc32_text(static_cast<std::uint32_t>(m.policy_crc32))},
-          {"build", std::string(build, ::strnlen(build, std::size(m.build)))}};
+          {"build", build_of(m.build)}};
 }
 
 Json fields(const decision_t& m) {
@@ -255,6 +259,10 @@ Json fields(const wire::ClosingRecord& m) {
           {"orders_lost", m.lost.orders}};
 }
 
+Json fields(const journal_resumed_t& m) {
+  return {{"cut_bytes", m.cut_bytes}, {"build", build_of(m.build)}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json fields_of(const Content& content) {
@@ -264,7 +272,8 @@ nlohmann::ordered_json fields_of(const Content& content) {
 const char* topic_of(const Content& content) {
   // In the order of the alternatives.
   static constexpr std::array<const char*, std::variant_size_v<Content>> kTopics{
-      "unknown", "mission", "policy", "", "setpoint", "decision", "safety_event", "acknowledgement", "health", "journal_end"};
+      "unknown", "mission",     "policy",         "", "setpoint", "decision", "safety_event", "acknowledgement",
+      "health",  "journal_end", "journal_resumed"};
   static constexpr std::array<const char*, std::variant_size_v<decltype(messages::Input::value)>> kInputTopics{
       "navigation", "snr", "order", "port_report", "vehicle_status", "autopilot_status", "hydrophone_status"};
   static_assert(std::is_same_v<std::variant_alternative_t<3, Content>, messages::Input>);

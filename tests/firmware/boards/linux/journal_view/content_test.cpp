@@ -4,6 +4,10 @@
 
 #include <array>
 
+#include "earshot/journal_resumed_t.hpp"
+#include "firmware/boards/linux/journal_view/export/fields.hpp"
+#include "firmware/boards/linux/journal_view/sentences.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
 
 namespace earshot::journal_view {
@@ -40,6 +44,16 @@ TEST(JournalContent, TellsAMessageOfAnotherVersionFromAnUnknownChannel) {
     EXPECT_TRUE(std::get<Unreadable>(content_of(channel, kBegan, kBytes)).is_known_channel) << channel;
   EXPECT_FALSE(std::get<Unreadable>(content_of("SOMEBODY_ELSES", kBegan, kBytes)).is_known_channel);
   EXPECT_FALSE(std::get<Unreadable>(content_of("", kBegan, {})).is_known_channel);
+}
+
+TEST(JournalContent, ReadsWhereAnotherProcessGoesOn) {
+  const journal_resumed_t resumed{.utime = 5, .cut_bytes = 17, .build = {'0', '.', '1'}};
+  const Content content = content_of("EARSHOT_JOURNAL_RESUMED", kBegan, wire::Encoded(resumed).bytes());
+  EXPECT_EQ(to_string(std::get<journal_resumed_t>(content)),
+            "another process goes on from here (earshotd --resume): the one before was killed or lost its power; 17 bytes that it left "
+            "behind were cut off");
+  EXPECT_STREQ(topic_of(content), "journal_resumed");
+  EXPECT_EQ(fields_of(content).dump(), R"({"cut_bytes":17,"build":"0.1"})");
 }
 
 TEST(JournalContent, ReadsTheClosingRecord) {
