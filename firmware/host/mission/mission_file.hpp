@@ -35,10 +35,10 @@ struct MissionFile {
 
 /// What a vehicle that has a configuration says of every mission, whatever that says itself.
 struct VehicleTrust {
-  std::string said_in;                     ///< the configuration's file
-  std::optional<CommandKey> command_key;   ///< of who may command it
-  std::filesystem::path command_key_file;  ///< that it stands in
-  bool reads_own_command_key = false;      ///< of the mission, whose signature covers no other file
+  std::string said_in;                          ///< the configuration's file
+  std::optional<CommandKey> command_key = {};   ///< of who may command it
+  std::filesystem::path command_key_file = {};  ///< that it stands in
+  bool reads_own_command_key = false;           ///< of the mission, whose signature covers no other file
 };
 /// A mission whose bytes have been read from `path`, for such a vehicle: which key vouches for its policy is not the mission's to say.
 [[nodiscard]] MissionFile load_mission(const std::filesystem::path& path, const std::string& text, const VehicleTrust& vehicle);
