@@ -17,6 +17,7 @@ bool NavigationJudge::take(Time arrival, const messages::Navigation& fix, bool i
   if (!is_believed) {
     jump_ = jump;
     jump_seen_ = arrival;
+    remember_sender(dated);
     return false;
   }
   if (corrects) correct(dated, jump);
@@ -66,6 +67,16 @@ void NavigationJudge::correct(const messages::Navigation& fix, Meters jump) {
   corrections_ = recent;
 }
 
+void NavigationJudge::remember_sender(const messages::Navigation& fix) {
+  constexpr std::uint32_t kOfOneSender = 3;  // two stray fixes may lie at one place by chance
+  const bool goes_on =
+      other_sender_ && lies_within(other_sender_->time, fix.time, kSlowestSender) && !(excess(*other_sender_, fix, kNoise) > Meters{0.0});
+  other_senders_fixes_ = goes_on ? std::min(other_senders_fixes_ + 1, kOfOneSender) : 1;
+  const Duration apart = goes_on ? fix.time - other_sender_->time : Duration{};
+  jump_memory_ = other_senders_fixes_ == kOfOneSender ? std::max(kJumpMemory, apart + apart) : kJumpMemory;
+  other_sender_ = fix;
+}
+
 void NavigationJudge::count(bool is_refused) {
   constexpr double kOfOne = 1.0 / 16.0;
   refused_share_ += kOfOne * ((is_refused ? 1.0 : 0.0) - refused_share_);
@@ -82,7 +93,7 @@ void NavigationJudge::believe(const messages::Navigation& fix, bool is_to_move) 
 }
 
 Meters NavigationJudge::jump(Time now) const {
-  if (now - jump_seen_ > kJumpMemory) return Meters{0.0};
+  if (now - jump_seen_ > jump_memory_) return Meters{0.0};
   return jump_ > kMostCorrection || refused_share_ > kNoisyShare ? jump_ : Meters{0.0};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "firmware/config/capacities.hpp"
@@ -32,7 +33,8 @@ class NavigationJudge {
   [[nodiscard]] bool newest_is_correction() const { return newest_is_correction_; }
 
   /// How far the newest refused fix lay from where the vehicle can have been; none once no fix was refused for kJumpMemory, and none as
-  /// long as no more than kNoisyShare of the fixes are, and by no more than kMostCorrection: that is noise.
+  /// long as no more than kNoisyShare of the fixes are, and by no more than kMostCorrection: that is noise. A sender that is slower than
+  /// kJumpMemory is remembered for twice the time between its fixes, once three have gone on from each other.
   [[nodiscard]] Meters jump(Time now) const;
   /// For how long fixes have said one place although the vehicle was to move.
   [[nodiscard]] Duration frozen() const;
@@ -50,6 +52,8 @@ class NavigationJudge {
   /// Fixes that go on from a refused one are believed when they have done so for this long.
   static constexpr Duration kCorrectionPatience = Duration::seconds(3);
   static constexpr Duration kJumpMemory = Duration::seconds(2);
+  /// Refused fixes further apart are not one sender's: in that time the vehicle gets to where a stray fix may be.
+  static constexpr Duration kSlowestSender = Duration::seconds(30);
   static constexpr double kNoisyShare = 1.0 / 3.0;  ///< of some sixteen fixes
 
  private:
@@ -65,6 +69,7 @@ class NavigationJudge {
   [[nodiscard]] Meters corrected_before(Time time) const;
   void correct(const messages::Navigation& fix, Meters jump);
   void count(bool is_refused);
+  void remember_sender(const messages::Navigation& fix);
   void believe(const messages::Navigation& fix, bool is_to_move);
 
   config::VehicleLimits vehicle_;
@@ -76,7 +81,11 @@ class NavigationJudge {
   std::optional<messages::Navigation> refused_;  ///< the newest of those that go on from correction_began_
   Time correction_began_;
   FixedVector<Correction, config::kMaxCorrections> corrections_;  ///< that were believed, those that were recent when the last was
-  double refused_share_ = 0.0;                                    ///< of the fixes, the older the less
+  /// Fixes that were refused and go on from each other, whatever is believed between them.
+  std::optional<messages::Navigation> other_sender_;  ///< its newest
+  std::uint32_t other_senders_fixes_ = 0;
+  Duration jump_memory_ = kJumpMemory;
+  double refused_share_ = 0.0;  ///< of the fixes, the older the less
   Time jump_seen_;
   Meters jump_;
   Time moved_;  ///< date of the last fix of another place, or after which the vehicle was not told to move

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "tests/firmware/runtime/mission_rig.hpp"
 
@@ -74,6 +75,27 @@ TEST(SupervisedMission, AbortsWhenTwoSendersTellOfPlacesFarApartForTenSeconds) {
   EXPECT_EQ(rig.state(), MissionState::kAbort);
   EXPECT_EQ(rig.end_reason(), EndReason::kSafetyRule);
   ASSERT_NE(event_of(rig.outputs, Condition::kNavigationJump), nullptr);
+}
+
+/// With an acoustic fix from a place where the vehicle is not every `period_s`.
+/// @return the second in which the search ended, counted from the first of them; none within ten minutes
+std::optional<int> end_with_second_sender(int period_s) {
+  Rig rig = under_way(fenced_mission());
+  for (int s = 0; s < 600; ++s) {
+    messages::Navigation other = rig.navigation_at(rig.now);
+    other.position = other.position + at(4'000, 0);
+    if (s % period_s == 0) rig.take(other);
+    rig.sail();
+    if (rig.state() == MissionState::kAbort) return s;
+  }
+  return std::nullopt;
+}
+
+// It is one sender when three of its fixes have gone on from each other; 10 s later nobody knows where the vehicle is.
+TEST(SupervisedMission, AbortsWhenASlowSenderGoesOnTellingOfAPlaceFarOff) {
+  for (const int period_s : {1, 2}) EXPECT_EQ(end_with_second_sender(period_s), 10) << "remembered from one to the next";
+  for (const int period_s : {4, 5, 10, 30}) EXPECT_EQ(end_with_second_sender(period_s), 2 * period_s + 10) << period_s;
+  EXPECT_EQ(end_with_second_sender(40), std::nullopt) << "stray fixes";
 }
 
 TEST(SupervisedMission, AbortsWhenFixesFreezeForLongerThanTheyMayBeOld) {

@@ -95,6 +95,39 @@ TEST_F(Judged, StaysWithTheFirstOfTwoSenders) {
   }
 }
 
+// An acoustic fix every so often, 4 km off: from the third on it is one sender.
+TEST_F(Judged, RemembersASlowSenderForTwiceTheTimeBetweenItsFixes) {
+  for (const int period_s : {3, 5, 10, 30}) {
+    judge_ = NavigationJudge(vehicle(), Duration::seconds(5));
+    const int last_s = 3 * period_s;
+    for (int s = 1; s <= last_s; ++s) {
+      EXPECT_TRUE(takes(fix(1000 * s, 2.0 * s)));
+      const bool comes = s % period_s == 0;
+      EXPECT_FALSE(comes && takes(fix(1000 * s, 4000 + 2.0 * s)));
+      const bool is_silent = s < last_s && s % period_s > 2;
+      EXPECT_EQ(judge_.jump(at_ms(1000 * s)) > Meters{0}, s >= period_s && !is_silent) << s << " of " << period_s;
+    }
+    EXPECT_GT(judge_.jump(at_ms(1000 * (last_s + 2 * period_s))), Meters{3900}) << period_s;
+    EXPECT_EQ(judge_.jump(at_ms(1000 * (last_s + 2 * period_s) + 1)), Meters{0}) << period_s;
+  }
+}
+
+// Two at one place, one elsewhere, one at the first place again; then three at one place, but 31 s apart.
+TEST_F(Judged, TakesStrayFixesForNoSlowSender) {
+  int ms = 1000;
+  EXPECT_TRUE(takes(fix(ms, 0)));
+  const auto is_remembered = [&](int apart_ms, double north_m) {
+    ms += apart_ms;
+    EXPECT_TRUE(takes(fix(ms, 0)));
+    EXPECT_FALSE(takes(fix(ms, north_m)));
+    return judge_.jump(at_ms(ms + 2001)) > Meters{0};
+  };
+  for (const double north_m : {4000.0, 4000.0, 9000.0, 4000.0}) EXPECT_FALSE(is_remembered(5000, north_m));
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(is_remembered(30'001, 6000.0));
+  EXPECT_FALSE(is_remembered(30'000, 6000.0)) << "the second";
+  EXPECT_TRUE(is_remembered(30'000, 6000.0)) << "the third";
+}
+
 // Ten fixes a second, each up to 15 m north or south and east or west.
 TEST_F(Judged, CallsNoiseNoJumpThatLasts) {
   Pcg32 random(3);
