@@ -32,7 +32,9 @@ NorthEast place_after_turning(const config::VehicleLimits& vehicle, const Situat
   const NorthEast velocity = velocity_of(vehicle, situation);
   const Meters each_second = length_of(velocity);
   if (!(each_second.value > kStandstill.value)) return position;
-  const double turning_s = kHalfPi * vehicle.turn_radius.value / each_second.value;
+  const MetersPerSecond own = situation.navigation.newest()->speed;
+  const double turns_at_mps = own.value > each_second.value ? own.value : each_second.value;  // over ground where its own is not known
+  const double turning_s = kHalfPi * vehicle.turn_radius.value / turns_at_mps;
   const Meters way = each_second * kReaction.to_seconds() + vehicle.turn_radius + Meters{vehicle.max_current.value * turning_s};
   const double share = way / each_second;
   return position + NorthEast{.north = velocity.north * share, .east = velocity.east * share};

@@ -23,9 +23,9 @@ TEST(PlaceAfterTurning, IsAsFarAheadAsReactionTurnAndCurrentTake) {
   EXPECT_NEAR(place_after_turning(mission.safety.vehicle, situation).north.value, 1000 + 6 + 20 + 7.853981633974483, 1e-9);
   EXPECT_NEAR(place_after_turning(mission.safety.vehicle, situation).east.value, 2000, 1e-9);
 
-  // Over ground it goes east, whatever its heading: at 1 m/s, so that the turn takes twice as long.
-  situation.track.take(fix_at(situation.now + Duration::seconds(4), at(1000, 2004)));
-  EXPECT_NEAR(place_after_turning(mission.safety.vehicle, situation).east.value, 2000 + 3 + 20 + 2 * 7.853981633974483, 1e-9);
+  // Over ground it goes east, whatever its heading: at 4 m/s, so that a right angle of that way takes half as long.
+  situation.track.take(fix_at(situation.now + Duration::seconds(4), at(1000, 2016)));
+  EXPECT_NEAR(place_after_turning(mission.safety.vehicle, situation).east.value, 2000 + 12 + 20 + 0.5 * 7.853981633974483, 1e-9);
   EXPECT_NEAR(place_after_turning(mission.safety.vehicle, situation).north.value, 1000, 1e-9);
 }
 
@@ -35,6 +35,14 @@ TEST(PlaceAfterTurning, LiesWhereTheVehiclePointsWhileNobodyKnowsItsWayOverGroun
   const NorthEast place = place_after_turning(mission.safety.vehicle, well(mission, at(1000, 2000), 1.0471975511965976));
   EXPECT_NEAR(place.north.value, 1000 + 16.926990816987242, 1e-9);
   EXPECT_NEAR(place.east.value, 2000 + 29.318408114273723, 1e-9);
+}
+
+// At 2 m/s through water that comes towards it at 1.875 m/s.
+TEST(PlaceAfterTurning, TurnsAgainstACurrentAsFastAsInStillWater) {
+  const config::Mission mission = fenced_mission();
+  Situation situation = well(mission, at(1000, 2000));
+  situation.track.take(fix_at(situation.now + Duration::seconds(4), at(1000.5, 2000)));
+  EXPECT_NEAR(place_after_turning(mission.safety.vehicle, situation).north.value, 1000 + 0.375 + 20 + 7.853981633974483, 1e-9);
 }
 
 TEST(PlaceAfterTurning, IsWhereTheVehicleStands) {
