@@ -16,6 +16,7 @@
 #include "firmware/boards/linux/journal_view/timeline.hpp"
 #include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/program/exit_status.hpp"
@@ -65,18 +66,11 @@ host::BadInput no_record_in(const std::filesystem::path& journal) {
   return host::BadInput(journal.string() + ": not a journal: no record in it");
 }
 
-/// Where a file will stand; what it is called may be several names for one.
-std::filesystem::path canonical_name(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::filesystem::path canonical = std::filesystem::weakly_canonical(host::followed(path), error);
-  return error ? path : canonical;
-}
-
 /// The files that are asked for, all judged before the first is begun.
 class Exports {
  public:
   explicit Exports(const ViewOptions& options) : options_(options) {
-    taken_.push_back(canonical_name(options.journal));
+    files_of_command_.read(options.journal);
     judge(options.csv, kTurnTableOutput);
     judge(options.jsonl, kRecordLinesOutput);
     judge(options.mcap, kMcapOutput);
@@ -104,16 +98,13 @@ class Exports {
 
   void judge(const std::optional<std::filesystem::path>& path, const host::OutputKind& kind) {
     if (!path) return;
-    const std::filesystem::path target = canonical_name(*path);
-    for (const std::filesystem::path& other : taken_)
-      if (other == target) throw host::BadInput(path->string() + ": cannot be written: the same file is read, or written already");
-    taken_.push_back(target);
+    files_of_command_.write(*path);
     host::require_writable(*path, kind, options_.replace);
   }
   void add(const std::filesystem::path& path, std::unique_ptr<Export> content) { files_.push_back({path, std::move(content)}); }
 
   const ViewOptions& options_;
-  std::vector<std::filesystem::path> taken_;
+  host::DistinctFiles files_of_command_;
   std::vector<File> files_;
 };
 
