@@ -28,20 +28,24 @@ class Playback {
     config::Mission mission;
     std::uint32_t policy_crc32 = 0;  ///< of the whole .policy file
   };
-  /// An output that the runtime does not give again, byte for byte.
-  struct Difference {
-    std::uint32_t record = 0;  ///< its number
-    std::string channel;
-  };
   /// An output of the last turn that is not in the journal.
   struct Unwritten {
     std::string_view channel;
     wire::Encoded message;
     host::Weight weight;
   };
+  /// A record that the runtime does not give again, byte for byte.
+  struct Difference {
+    std::uint32_t record = 0;  ///< its number
+    std::string channel;
+    Time time;
+    std::vector<std::uint8_t> data;  ///< its message, as it stands in the journal
+    std::optional<Unwritten> now;    ///< what the runtime says there; nothing: that is no place for an output
+  };
 
+  /// @param from_step  outputs are compared from the turn on that decides this step; what stands before it is given to the runtime alone
   /// @throws host::BadInput when the file cannot be read, does not begin with a mission and its policy, or this build cannot fly them.
-  explicit Playback(const std::filesystem::path& journal);
+  explicit Playback(const std::filesystem::path& journal, std::uint32_t from_step = 0);
 
   /// One record more. False: the end, a difference or a gap; what stands behind is looked at by end_of_file().
   [[nodiscard]] bool next();
@@ -63,6 +67,8 @@ class Playback {
   }
   [[nodiscard]] std::size_t turns() const { return turns_; }
   [[nodiscard]] std::size_t decisions() const { return decisions_; }
+  /// The runtime has made the decision from which on outputs are compared.
+  [[nodiscard]] bool is_comparing() const { return is_comparing_; }
   /// The runtime, as it was then.
   [[nodiscard]] std::unique_ptr<runtime::Runtime> release() { return std::move(runtime_); }
 
@@ -70,10 +76,13 @@ class Playback {
   void begin(const std::filesystem::path& path);
   [[nodiscard]] bool take(const host::JournalRecord& record);
   void step(Time now);
+  /// Of the last turn nothing is left to be found in the journal.
   [[nodiscard]] bool is_compared() const { return compared_ == expected_.size(); }
   [[nodiscard]] bool is_as_expected(const host::JournalRecord& record);
 
   host::JournalReader file_;
+  std::uint32_t from_step_;
+  bool is_comparing_ = from_step_ == 0;
   host::JournalRecord record_;
   Beginning beginning_;
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();

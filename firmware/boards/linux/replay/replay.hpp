@@ -3,20 +3,31 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "firmware/boards/linux/replay/playback.hpp"
+#include "firmware/core/time.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/closing_record.hpp"
 
 namespace earshot::board {
+
+struct ReplayOptions {
+  std::uint32_t from_step = 0;  ///< outputs are compared from the turn on that decides this step
+  /// Called now and then with how much of the file is done, 0 to 1.
+  std::function<void(double fraction)> progress = nullptr;
+};
 
 /// The outcome of giving a journal to the runtime again.
 struct ReplayResult {
   std::size_t inputs = 0;
   std::size_t turns = 0;
   std::size_t decisions = 0;
+  bool was_compared = false;  ///< the decision was made from which on outputs are compared
+  Time began;                 ///< of the first record
+  Time ended;                 ///< of the last turn or input that was given
   /// The first record that the runtime does not give again; nothing when it gives them all.
   std::optional<Playback::Difference> difference;
   /// Number of the first record that is missing, because it is damaged, or the disk was full or too slow: the journal is whole up to it,
@@ -33,6 +44,6 @@ struct ReplayResult {
 /// Gives a fresh runtime the inputs of a journal again and compares every output with what stands in it. The journal alone is needed: it
 /// begins with the mission and the policy.
 /// @throws std::system_error when it cannot be read, host::BadInput when it does not begin so or its policy is damaged.
-[[nodiscard]] ReplayResult replay(const std::filesystem::path& journal);
+[[nodiscard]] ReplayResult replay(const std::filesystem::path& journal, const ReplayOptions& options = {});
 
 }  // namespace earshot::board

@@ -21,6 +21,37 @@ namespace fs = std::filesystem;
 
 class Replay : public testing::Test {
  protected:
+  /// Writes the journal again, with one bit of a record's message (behind fingerprint and date) another and every checksum right.
+  static void flip_bit(const fs::path& from, std::uint32_t number, const fs::path& to) {
+    host::Journal journal(to, {.existing = host::ExistingJournal::kReplace});
+    host::JournalReader reader(from);
+    for (host::JournalRecord record; reader.next(record);) {
+      if (record.number == number) record.data[16] ^= 1U;
+      ASSERT_EQ(journal.append(record.time, record.channel, record.data), Status::kOk);
+    }
+  }
+
+  /// A search that only listens decides anew after the 500 s in which it would have sailed 1000 m at 2 m/s.
+  void listen_for_two_steps() const {
+    std::vector<Happening> script;
+    for (int second = 1; second <= 600; ++second) {
+      const Time now = Time{1'795'000'000'000'000} + Duration::seconds(second);
+      script.push_back({.time = now,
+                        .port = 1,
+                        .input = messages::Navigation{.time = now,
+                                                      .position = runtime::at(12'000, 12'000),
+                                                      .depth = Meters{300},
+                                                      .heading = Radians{0},
+                                                      .speed = MetersPerSecond{0}}});
+      script.push_back({.time = now, .port = 1, .input = messages::SnrMeasurement{.time = now, .snr = Decibels{12}}});
+      if (second == 2) script.push_back({.time = now, .port = 1, .input = runtime::command_of(messages::Order::kListen, now)});
+      script.push_back({.time = now});
+    }
+    Vessel vessel(walking_mission(1), path_);
+    vessel.live_through(script);
+    vessel.end();
+  }
+
   const support::TemporaryFolder folder_;
   const fs::path path_ = folder_ / "journal";
 };
@@ -62,6 +93,33 @@ TEST_F(Replay, FindsTheOutputInWhichOneBitDiffers) {
   ASSERT_TRUE(result.difference) << last;
   EXPECT_EQ(result.difference->record, number);
   EXPECT_EQ(result.difference->channel, "EARSHOT_HEALTH");
+}
+
+TEST_F(Replay, FromALaterStepOnPassesOverADifferenceBeforeItAndFindsOneBehindIt) {
+  listen_for_two_steps();
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  host::JournalReader reader(path_);
+  for (host::JournalRecord record; reader.next(record);) {
+    if (record.channel != "EARSHOT_HEALTH") continue;
+    if (first == 0) first = record.number;
+    last = record.number;
+  }
+  const fs::path forged = folder_ / "forged";
+  flip_bit(path_, first, forged);
+  const ReplayResult whole = replay(forged);
+  ASSERT_TRUE(whole.difference);
+  EXPECT_EQ(whole.difference->record, first);
+  const ReplayResult later = replay(forged, {.from_step = 1});
+  EXPECT_TRUE(later.is_same());
+  EXPECT_TRUE(later.was_compared);
+  EXPECT_EQ(later.decisions, 2U);
+  EXPECT_FALSE(replay(forged, {.from_step = 1000}).was_compared);
+  flip_bit(path_, last, forged);
+  const ReplayResult behind = replay(forged, {.from_step = 1});
+  ASSERT_TRUE(behind.difference);
+  EXPECT_EQ(behind.difference->record, last);
+  EXPECT_EQ(behind.difference->now->channel, "EARSHOT_HEALTH");
 }
 
 TEST_F(Replay, TellsAJournalThatWasEndedInOrderFromOneWhoseEndIsMissing) {
