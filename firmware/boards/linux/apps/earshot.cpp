@@ -55,6 +55,7 @@ constexpr std::array kDescriptions{
     Description{"journal", "says what happened on a mission, and writes its journal for other programs"},
     Description{"key", "makes a pair of keys, with which missions and policies are signed"},
     Description{"listen", "hears calls in recordings with the vehicle's detector"},
+    Description{"replay", "gives a journal to the vehicle's core again, also with another policy or mission"},
     Description{"report", "writes the page about a flight again"},
     Description{"sign", "signs a mission for vehicles that fly signed ones alone"},
     Description{"sim", "the ocean and the vehicle of a flight; earshot fly starts it"},

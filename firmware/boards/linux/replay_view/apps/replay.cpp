@@ -1,0 +1,34 @@
+// earshot-replay: a journal given to the vehicle's core again, also with another policy or mission.
+
+#include "firmware/boards/linux/replay_view/replay_command.hpp"
+#include "firmware/host/program/run.hpp"
+
+int main(int argc, char** argv) {
+  using namespace earshot;
+  program::CommandLine line(
+      "earshot replay",
+      "earshot replay JOURNAL gives a flight's inputs to the vehicle's core again and compares every output with the journal, byte for\n"
+      "byte. With --policy or --mission it says besides what another would have decided on the same inputs, and where the decisions part;\n"
+      "behind that the inputs are those of the vehicle that followed the journal, so that it is no forecast.\n"
+      "Exit status: 0 the journal is whole and every output the same, 1 an output differs or the journal is not whole, which standard\n"
+      "error says (where another policy or mission parts from it changes nothing in that), 2 bad input.");
+  replay_view::ReplayCommand command;
+  bool force = false;
+  line.option("JOURNAL", &command.journal, "journal of a flight (.lcmlog)").required();
+  line.option("--policy", &command.policy, "what would this policy have decided? (.policy; its signature is not looked at)");
+  line.option("--mission", &command.mission,
+              "what would have been decided on this mission? (TOML; with the journal's policy, unless --policy, and the journal's seed)");
+  line.option("--from", &command.from_step, "compare, and list, from this step on; what stands before it is given to the core alone");
+  line.option("--map", &command.map, "with --policy or --mission: draw the track and both decisions of every step into this SVG file");
+  line.option("--json", &command.json, "write what was found into this JSON file");
+  line.flag("--force", &force, "replace a file that is there already, of whatever kind it is");
+  line.footer(
+      "Examples:\n"
+      "  earshot replay out/journal.lcmlog\n"
+      "  earshot replay out/journal.lcmlog --policy other.policy --map parting.svg\n"
+      "  earshot replay out/journal.lcmlog --mission other.toml --from 10 --json parting.json");
+  return program::run(line, argc, argv, [&] {
+    command.replace = host::replaced_by(force);
+    return replay_view::replay(command);
+  });
+}

@@ -1,0 +1,128 @@
+#include "firmware/boards/linux/replay_view/counterfactual.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "earshot/mission_t.hpp"
+#include "earshot/setpoint_t.hpp"
+#include "firmware/boards/linux/replay_view/thinned_track.hpp"
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/policy/policy_bytes.hpp"
+#include "firmware/runtime/runtime.hpp"
+#include "firmware/wire/journal/input_record.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot::replay_view {
+namespace {
+
+void note(const health_t& health, Time time, Standing& standing) {
+  const bool is_news =
+      standing.health.turn == 0 || health.state != standing.health.state || health.end_reason != standing.health.end_reason;
+  if (is_news) standing.since = time;
+  standing.health = health;
+}
+
+class Flight {
+ public:
+  explicit Flight(const Plan& plan) {
+    if (runtime_->configure(plan.mission, *plan.policy) != Status::kOk) throw host::BadInput("the mission cannot be flown with the policy");
+  }
+
+  void take(const host::JournalRecord& record) {
+    messages::Input input;
+    if (wire::read_input(record.channel, record.time, record.data, inputs_, input) == Status::kOk) {
+      ++inputs_;
+      if (const auto* fix = std::get_if<messages::Navigation>(&input.value)) fix_ = fix->position;
+      runtime_->take(input);
+    } else if (record.channel == wire::kJournalledSetpointChannel) {
+      setpoint_ = record.data;
+    } else if (record.channel == wire::kDecisionChannel) {
+      if (decision_t decision{}; wire::decode(record.data, decision) == Status::kOk) told_.then.push_back(decision);
+    } else if (record.channel == wire::kHealthChannel) {
+      end_turn(record);
+    }
+  }
+
+  [[nodiscard]] Counterfactual told(std::optional<std::uint32_t> gap) && {
+    told_.track = track_.places();
+    told_.gap = gap;
+    return std::move(told_);
+  }
+
+ private:
+  /// Its health ends every turn.
+  void end_turn(const host::JournalRecord& record) {
+    const runtime::Outputs outputs = runtime_->step(record.time);
+    if (health_t health{}; wire::decode(record.data, health) == Status::kOk) note(health, record.time, told_.then_ended);
+    note(wire::to_message(outputs.health, record.time), record.time, told_.now_ended);
+    if (outputs.decision) told_.now.push_back(wire::to_message(*outputs.decision));
+    compare_steering(outputs, record.time);
+    const bool is_believed = outputs.health.counters.navigation_refused == refused_;
+    if (fix_ && is_believed) track_.add(*fix_);
+    refused_ = outputs.health.counters.navigation_refused;
+    fix_.reset();
+    setpoint_.reset();
+  }
+
+  void compare_steering(const runtime::Outputs& outputs, Time time) {
+    if (told_.steering) return;
+    if (outputs.setpoint.has_value() != setpoint_.has_value()) {
+      const auto words = [](bool is_steered) { return is_steered ? "given" : "not given"; };
+      told_.steering = {
+          .time = time,
+          .fields = {{.field = "a set-point", .then = words(setpoint_.has_value()), .now = words(outputs.setpoint.has_value())}}};
+    } else if (setpoint_) {
+      std::vector<FieldDifference> fields =
+          field_differences(wire::kJournalledSetpointChannel, *setpoint_, wire::Encoded(wire::to_message(*outputs.setpoint, time)).bytes());
+      if (!fields.empty()) told_.steering = {.time = time, .fields = std::move(fields)};
+    }
+  }
+
+  std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
+  Counterfactual told_;
+  ThinnedTrack track_;
+  std::optional<NorthEast> fix_;                       ///< the newest of this turn
+  std::optional<std::vector<std::uint8_t>> setpoint_;  ///< of this turn, in the journal
+  std::uint64_t refused_ = 0;                          ///< fixes, so far
+  std::uint64_t inputs_ = 0;
+};
+
+}  // namespace
+
+Plan plan_of(const std::filesystem::path& journal) {
+  host::JournalReader reader(journal);
+  host::JournalRecord record;
+  mission_t mission{};
+  const auto refuse = [&journal](const char* what) { return host::BadInput(journal.string() + ": cannot be replayed: " + what); };
+  if (!reader.next(record) || record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk)
+    throw refuse("its first record is no mission");
+  if (!reader.next(record) || record.channel != wire::kPolicyChannel) throw refuse("its second record is no policy");
+  return {.mission = wire::from_message(mission), .policy = host::policy_from(record.data, journal)};
+}
+
+Counterfactual fly_again(const std::filesystem::path& journal, const Plan& plan, const std::function<void(double fraction)>& progress) {
+  constexpr std::uint32_t kBetweenUpdates = 4096;
+  host::JournalReader reader(journal);
+  Flight flight(plan);
+  std::optional<std::uint32_t> gap;
+  std::optional<Time> began;
+  std::uint32_t number = 0;
+  for (host::JournalRecord record; reader.next(record); ++number) {
+    if (!began) began = record.time;
+    if (record.number != number) {
+      gap = number;
+      break;
+    }
+    flight.take(record);
+    if (progress && number % kBetweenUpdates == 0)
+      progress(static_cast<double>(reader.offset()) / static_cast<double>(reader.file_size() + 1));
+  }
+  Counterfactual told = std::move(flight).told(gap);
+  told.began = began.value_or(Time{});
+  return told;
+}
+
+}  // namespace earshot::replay_view

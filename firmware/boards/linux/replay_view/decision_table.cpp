@@ -1,0 +1,86 @@
+#include "firmware/boards/linux/replay_view/decision_table.hpp"
+
+#include <cmath>
+
+#include "firmware/boards/linux/checklist/formatted.hpp"
+#include "firmware/boards/linux/journal_view/sentences.hpp"
+#include "firmware/boards/linux/journal_view/wording.hpp"
+#include "firmware/core/geometry.hpp"
+#include "firmware/messages/health_words.hpp"
+
+namespace earshot::replay_view {
+namespace {
+
+using board::formatted;
+using journal_view::counted;
+
+double seconds_since(Time began, std::int64_t us) {
+  return static_cast<double>(us - began.us) / 1e6;
+}
+
+/// Whole degrees, 0 to 359.
+int degrees_towards(const decision_t& d) {
+  const Radians bearing = bearing_of(d.waypoint_north_m - d.north_m, d.waypoint_east_m - d.east_m);
+  return static_cast<int>(std::lround(journal_view::compass_degrees(bearing))) % 360;
+}
+
+std::string half_row(const std::optional<decision_t>& decision, Time began) {
+  if (!decision) return formatted("%50s", "not decided");
+  const decision_t& d = *decision;
+  return formatted("%10.1f %s%6.1f %-6s  %03d %9.3f %9.3f", seconds_since(began, d.utime), d.too_faint != 0 ? "<" : " ", d.snr_db,
+                   d.detected != 0 ? "heard" : "", degrees_towards(d), d.waypoint_north_m * 1e-3, d.waypoint_east_m * 1e-3);
+}
+
+std::string one_way(const std::optional<decision_t>& d, Time began) {
+  if (!d) return "not decided";
+  return formatted("at %.1f s towards %03d deg, to %.3f km north, %.3f km east", seconds_since(began, d->utime), degrees_towards(*d),
+                   d->waypoint_north_m * 1e-3, d->waypoint_east_m * 1e-3);
+}
+
+std::string to_string(const Standing& standing, Time began) {
+  return journal_view::to_string(standing.health) + formatted(" (since %.1f s)", seconds_since(began, standing.since.us));
+}
+
+}  // namespace
+
+std::string decision_table(std::span<const StepPair> pairs, Time began) {
+  const std::string head = formatted("%10s %7s %-6s  %3s %9s %9s", "time (s)", "SNR dB", "", "deg", "north km", "east km");
+  std::string text = formatted("%5s    %-47s   |   %s\n", "", "then, in the journal", "now") + " step " + head + "   |" + head + "\n";
+  const StepPair* const parts = parting(pairs);
+  for (const StepPair& pair : pairs) {
+    text += formatted("%5d ", pair.step) + half_row(pair.then, began) + "   |" + half_row(pair.now, began);
+    if (&pair == parts)
+      text += "  parts";
+    else if (!pair.is_same())
+      text += "  differs";
+    text += "\n";
+  }
+  return text;
+}
+
+std::string where_they_part(std::span<const StepPair> pairs, Time began) {
+  if (pairs.empty()) return "no decision, then or now";
+  const std::string first = std::to_string(pairs.front().step);
+  const StepPair* const parts = parting(pairs);
+  if (parts == nullptr)
+    return "the decisions do not part: " + counted(pairs.size(), "step") + " from step " + first + " on send the vehicle the same ways";
+  return "the decisions part at step " + std::to_string(parts->step) + ": then " + one_way(parts->then, began) + "; now " +
+         one_way(parts->now, began);
+}
+
+std::string what_it_means(const Counterfactual& told, std::span<const StepPair> pairs) {
+  std::string text;
+  if (told.steering)
+    text += formatted("set-points differ from %.1f s on: ", seconds_since(told.began, told.steering->time.us)) +
+            to_string(told.steering->fields) + "\n";
+  text +=
+      "at the journal's end, then: " + to_string(told.then_ended, told.began) + "; now: " + to_string(told.now_ended, told.began) + "\n";
+  if (told.steering || parting(pairs) != nullptr)
+    text +=
+        "What stands behind the first difference is no forecast: the fixes and SNRs are those of the vehicle that followed the journal. "
+        "One "
+        "that\nhad followed the other decisions would have been elsewhere, and would have heard something else.\n";
+  return text;
+}
+
+}  // namespace earshot::replay_view

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "firmware/boards/linux/replay_view/counterfactual.hpp"
+#include "firmware/boards/linux/replay_view/step_pair.hpp"
+#include "firmware/core/time.hpp"
+
+namespace earshot::replay_view {
+
+/// A row for every step: when, at which SNR, towards where and to which way-point, then and now. From the row on that says "parts" the
+/// inputs are those of a vehicle that followed the journal.
+[[nodiscard]] std::string decision_table(std::span<const StepPair> pairs, Time began);
+
+/// Where the decisions part, in a sentence: "the decisions part at step 3: ..."
+[[nodiscard]] std::string where_they_part(std::span<const StepPair> pairs, Time began);
+
+/// From when on the set-points differ, how both missions stood at the journal's end, and what all of it is worth; lines.
+[[nodiscard]] std::string what_it_means(const Counterfactual& told, std::span<const StepPair> pairs);
+
+}  // namespace earshot::replay_view

@@ -1,0 +1,68 @@
+#include "firmware/boards/linux/replay_view/findings.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "firmware/boards/linux/checklist/formatted.hpp"
+#include "firmware/boards/linux/journal_view/entry.hpp"
+#include "firmware/boards/linux/journal_view/sentences.hpp"
+#include "firmware/boards/linux/journal_view/wording.hpp"
+#include "firmware/host/file/printable.hpp"
+
+namespace earshot::replay_view {
+namespace {
+
+using board::formatted;
+using board::Playback;
+using board::ReplayResult;
+using journal_view::counted;
+using End = host::JournalReader::End;
+
+std::string what_is_wrong(const Playback::Difference& difference) {
+  if (!difference.now) return "no output has its place there, and it is no input that can be read";
+  if (difference.now->channel != difference.channel) return "the runtime says " + std::string(difference.now->channel) + " there now";
+  return to_string(fields_of(difference));
+}
+
+/// What follows a difference or a gap is not given to the runtime, which would not be as it was.
+constexpr const char* kRestIsOpen = "; what follows was not given again";
+
+}  // namespace
+
+std::string figures(const ReplayResult& result, double took_s) {
+  const double mission_s = static_cast<double>((result.ended - result.began).us) / 1e6;
+  return counted(result.inputs, "input") + ", " + counted(result.turns, "turn") + " and " + counted(result.decisions, "decision") +
+         formatted("; %.1f s of mission in %.2f s, %.0f times real time", mission_s, took_s, mission_s / std::max(took_s, 1e-6));
+}
+
+std::vector<FieldDifference> fields_of(const Playback::Difference& difference) {
+  if (!difference.now || difference.now->channel != difference.channel) return {};
+  return field_differences(difference.channel, difference.data, difference.now->message.bytes());
+}
+
+std::string to_string(const Playback::Difference& difference, Time began) {
+  return "record " + std::to_string(difference.record) + ", " + host::printable(difference.channel) +
+         formatted(" at %.3f s: ", journal_view::seconds_of(Time{(difference.time - began).us})) + what_is_wrong(difference);
+}
+
+std::vector<std::string> findings(const ReplayResult& result) {
+  constexpr std::size_t kMostDamages = 10;
+  std::vector<std::string> lines;
+  if (result.difference) lines.push_back(to_string(*result.difference, result.began) + kRestIsOpen);
+  if (result.gap) lines.push_back("record " + std::to_string(*result.gap) + " is missing" + kRestIsOpen);
+  for (std::size_t i = 0; i < std::min(kMostDamages, result.damages.size()); ++i)
+    lines.push_back(journal_view::to_string(journal_view::DamagedBytes{result.damages[i].offset, result.damages[i].bytes}));
+  if (result.damages.size() > kMostDamages)
+    lines.push_back("and " + counted(result.damages.size() - kMostDamages, "damaged place") + " more");
+  if (!result.closing && !result.difference)
+    lines.emplace_back("the journal's end is missing: its program was killed, lost its power, or writes it still");
+  return lines;
+}
+
+std::string praise(const ReplayResult& result, std::uint32_t from_step) {
+  const bool is_all = result.is_same() && result.closing && result.damages.empty();
+  const std::string which = from_step == 0 ? "every output" : "every output from step " + std::to_string(from_step) + " on";
+  return which + (is_all ? "" : " up to there") + " is the same, byte for byte";
+}
+
+}  // namespace earshot::replay_view

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "firmware/boards/linux/replay_view/counterfactual.hpp"
+#include "firmware/boards/linux/replay_view/step_pair.hpp"
+#include "firmware/core/geometry.hpp"
+
+namespace earshot::replay_view {
+
+/// The track as it was navigated, where each step sent the vehicle then and where it sends it now, and where they part, as an SVG picture;
+/// axes in kilometres.
+/// @param area   of the mission that is asked about
+/// @param title  above it, in UTF-8
+[[nodiscard]] std::string parting_map(const Counterfactual& told, std::span<const StepPair> pairs, const Rectangle& area,
+                                      const std::string& title);
+
+}  // namespace earshot::replay_view

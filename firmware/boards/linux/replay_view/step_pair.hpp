@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "earshot/decision_t.hpp"
+
+namespace earshot::replay_view {
+
+/// One step of a search as it was decided on the flight, and as it is decided now.
+struct StepPair {
+  std::int32_t step = 0;
+  std::optional<decision_t> then;
+  std::optional<decision_t> now;
+
+  /// Both send the vehicle to the same place at the same time, to the last bit.
+  [[nodiscard]] bool is_same() const;
+};
+
+/// By step, from this one on. @param then, now  in the order in which they were made
+[[nodiscard]] std::vector<StepPair> paired(std::span<const decision_t> then, std::span<const decision_t> now, std::uint32_t from_step);
+
+/// The first that is not the same; null: there is none.
+[[nodiscard]] const StepPair* parting(std::span<const StepPair> pairs);
+
+}  // namespace earshot::replay_view

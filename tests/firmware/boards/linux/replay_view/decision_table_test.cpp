@@ -1,0 +1,55 @@
+#include "firmware/boards/linux/replay_view/decision_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "tests/firmware/boards/linux/replay_view/known_decisions.hpp"
+
+namespace earshot::replay_view {
+namespace {
+
+const std::vector<StepPair>& known_pairs() {
+  static const std::array then{decision_to(0, 2, 13'000, 12'000), decision_to(1, 502.5, 12'000, 11'000)};
+  static const std::array now{decision_to(0, 2, 13'000, 12'000), decision_to(1, 502.5, 11'000, 12'000),
+                              decision_to(2, 900, 12'000, 13'000)};
+  static const std::vector<StepPair> pairs = paired(then, now, 0);
+  return pairs;
+}
+
+TEST(DecisionTable, SaysWhereTheDecisionsPart) {
+  EXPECT_EQ(where_they_part(known_pairs(), kBegan),
+            "the decisions part at step 1: then at 502.5 s towards 270 deg, to 12.000 km north, 11.000 km east; now at 502.5 s towards 180 "
+            "deg, to 11.000 km north, 12.000 km east");
+  EXPECT_EQ(where_they_part(std::span(known_pairs()).first(1), kBegan),
+            "the decisions do not part: 1 step from step 0 on send the vehicle the same ways");
+  EXPECT_EQ(where_they_part(std::span(known_pairs()).last(1), kBegan),
+            "the decisions part at step 2: then not decided; now at 900.0 s towards 090 deg, to 12.000 km north, 13.000 km east");
+  EXPECT_EQ(where_they_part({}, kBegan), "no decision, then or now");
+}
+
+TEST(DecisionTable, HasARowForEveryStepWithItsHalvesInColumns) {
+  const std::string table = decision_table(known_pairs(), kBegan);
+  EXPECT_NE(
+      table.find("\n    0        2.0    15.5 heard   000    13.000    12.000   |       2.0    15.5 heard   000    13.000    12.000\n"),
+      std::string::npos)
+      << table;
+  EXPECT_NE(table.find("270    12.000    11.000   |     502.5    15.5 heard   180    11.000    12.000  parts\n"), std::string::npos)
+      << table;
+  EXPECT_NE(table.find("not decided   |     900.0    15.5 heard   090    12.000    13.000  differs\n"), std::string::npos) << table;
+}
+
+TEST(DecisionTable, SaysThatItIsNoForecastOnlyWhereSomethingDiffers) {
+  Counterfactual told;
+  told.began = kBegan;
+  const auto same = std::span(known_pairs()).first(1);
+  EXPECT_EQ(what_it_means(told, same).find("no forecast"), std::string::npos);
+  EXPECT_NE(what_it_means(told, known_pairs()).find("no forecast"), std::string::npos);
+  told.steering = {.time = kBegan + Duration::seconds(3), .fields = {{.field = "depth_m", .then = "300.0", .now = "250.0"}}};
+  EXPECT_EQ(what_it_means(told, same).find("set-points differ from 3.0 s on: depth_m is 300.0 in the journal, 250.0 now\n"), 0U);
+  EXPECT_NE(what_it_means(told, same).find("no forecast"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace earshot::replay_view

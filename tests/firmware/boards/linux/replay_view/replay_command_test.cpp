@@ -1,0 +1,121 @@
+// GIVEN a journal, WHEN earshot replay is asked about it, THEN it says whether the core gives it again, and what another would have
+// decided.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/firmware/boards/linux/replay/random_mission.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::replay_view {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+/// Ten seconds of a search that begins 12 km north, 12 km east with a START in the second.
+std::vector<board::Happening> script() {
+  std::vector<board::Happening> happenings;
+  for (int second = 1; second <= 10; ++second) {
+    const Time now = Time{1'795'000'000'000'000} + Duration::seconds(second);
+    const auto add = [&](const auto& value) { happenings.push_back({.time = now, .port = 1, .input = value}); };
+    add(messages::Navigation{
+        .time = now, .position = runtime::at(12'000, 12'000), .depth = Meters{300}, .heading = Radians{0}, .speed = MetersPerSecond{0}});
+    add(messages::SnrMeasurement{.time = now, .snr = Decibels{12}});
+    if (second == 2) add(runtime::command_of(messages::Order::kStart, now));
+    happenings.push_back({.time = now});
+  }
+  return happenings;
+}
+
+class ReplayCommand : public ::testing::Test {
+ protected:
+  ReplayCommand() {
+    board::Vessel vessel(board::walking_mission(kSeed), journal_);
+    vessel.live_through(script());
+    vessel.end(wire::ClosingRecord{});
+    policy::FrozenPolicy north = board::walk();
+    north.draw = policy::ActionDraw::kArgmax;  // of logits that are all the same: the first action, north
+    support::write_bytes(folder_ / "north.policy", support::signed_bytes(north));
+    north.step_length = Meters{900};
+    support::write_bytes(folder_ / "short.policy", support::signed_bytes(north));
+  }
+
+  int replay(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), journal_.string());
+    support::Process process(fs::path(EARSHOT_BIN_DIR) / "earshot-replay", arguments,
+                             {.folder = folder_, .output = folder_ / "said.txt", .errors = folder_ / "errors.txt"});
+    const int status = process.wait(30s);
+    said_ = support::read_text(folder_ / "said.txt");
+    errors_ = support::read_text(folder_ / "errors.txt");
+    return status;
+  }
+  [[nodiscard]] std::string file(const char* name) const { return (folder_ / name).string(); }
+
+  static constexpr std::uint64_t kSeed = 1;  ///< whose first draw is not north
+  const support::TemporaryFolder folder_;
+  const fs::path journal_ = folder_ / "journal.lcmlog";
+  std::string said_;
+  std::string errors_;
+};
+
+TEST_F(ReplayCommand, SaysThatAWholeJournalIsTheSame) {
+  EXPECT_EQ(replay({}), 0) << errors_;
+  // Ten fixes, ten SNRs, the START, and the port's own first report.
+  EXPECT_EQ(said_.find(journal_.string() + ": 22 inputs, 10 turns and 1 decision; 10.0 s of mission in "), 0U) << said_;
+  EXPECT_TRUE(said_.ends_with("\nevery output is the same, byte for byte\n")) << said_;
+  EXPECT_EQ(errors_, "");
+}
+
+TEST_F(ReplayCommand, SaysThatTheEndIsMissing) {
+  fs::resize_file(journal_, fs::file_size(journal_) - 94);  // the closing record: 28 + 19 + 47
+  EXPECT_EQ(replay({"--quiet"}), 1);
+  EXPECT_EQ(said_, "");
+  EXPECT_EQ(errors_, journal_.string() + ": the journal's end is missing: its program was killed, lost its power, or writes it still\n");
+}
+
+TEST_F(ReplayCommand, SaysWhatAnotherPolicyWouldHaveDecidedAndDrawsIt) {
+  EXPECT_EQ(replay({"--policy", file("north.policy"), "--map", file("m.svg"), "--json", file("r.json")}), 0) << errors_;
+  EXPECT_NE(said_.find("the decisions part at step 0: then at 2.0 s towards "), std::string::npos) << said_;
+  EXPECT_NE(said_.find("; now at 2.0 s towards 000 deg, to 13.000 km north, 12.000 km east\n"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("set-points differ from 2.0 s on: "), std::string::npos) << said_;
+  EXPECT_NE(said_.find("no forecast"), std::string::npos) << said_;
+  EXPECT_EQ(support::read_text(file("m.svg")).find("<svg "), 0U);
+  const std::string json = support::read_text(file("r.json"));
+  EXPECT_NE(json.find("\"parting_step\": 0"), std::string::npos) << json;
+  EXPECT_EQ(replay({"--json", file("r.json")}), 0) << "of its own kind: " << errors_;
+  EXPECT_NE(support::read_text(file("r.json")).find("\"what_if\": null"), std::string::npos);
+}
+
+TEST_F(ReplayCommand, RefusesAPolicyOfAnotherMissionInOneLine) {
+  EXPECT_EQ(replay({"--policy", file("short.policy")}), 2);
+  EXPECT_EQ(errors_, journal_.string() + ": search.step_length_m = 1000: must be 900, which the policy " + file("short.policy") +
+                         " was trained with\n");
+  EXPECT_EQ(said_, "");
+}
+
+TEST_F(ReplayCommand, RefusesAStepThatIsNotDecidedAndAMapOfNothing) {
+  EXPECT_EQ(replay({"--from", "1"}), 2);
+  EXPECT_EQ(errors_, "--from 1: no such step is decided; there are 1, the first is step 0\n");
+  EXPECT_EQ(replay({"--map", file("m.svg")}), 2);
+  EXPECT_EQ(errors_, "--map: only with --policy or --mission\n");
+}
+
+TEST_F(ReplayCommand, ReplacesNothingOfAnotherKindAndNeverTheJournal) {
+  std::ofstream(file("r.json")) << "notes of mine";
+  EXPECT_EQ(replay({"--json", file("r.json")}), 2);
+  EXPECT_EQ(support::read_text(file("r.json")), "notes of mine");
+  EXPECT_EQ(replay({"--json", file("r.json"), "--force"}), 0) << errors_;
+  const std::string before = support::read_text(journal_);
+  EXPECT_EQ(replay({"--json", journal_.string(), "--force"}), 2);
+  EXPECT_EQ(support::read_text(journal_), before);
+}
+
+}  // namespace
+}  // namespace earshot::replay_view
