@@ -263,6 +263,7 @@ TEST_F(Autopilot, GivenAMissionWithAKeyThePythonVehicleThatKnowsItStartsTheSearc
   Ashore ashore(url);
   write_mission(mission_of_short_steps("search.toml") + "\n[authority]\nkey_file = \"vehicle.key\"\n");
   std::ofstream(folder_ / "vehicle.key") << std::string(62, '0') + "2a\n";
+  fs::permissions(folder_ / "vehicle.key", fs::perms::owner_read | fs::perms::owner_write);
   start_earshotd({});
   const auto snr = [&] { ashore.send_snr(); };
   {

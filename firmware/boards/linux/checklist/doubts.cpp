@@ -101,16 +101,9 @@ void doubt_zones(const config::Mission& mission, Doubts& doubts) {
 }
 
 void doubt_key(const host::MissionFile& file, Doubts& doubts) {
-  using std::filesystem::perms;
   doubt_if(!file.command_key, doubts, "there is no authority.key_file: anybody on the bus may command the vehicle");
   if (!file.command_key) return;
   doubt_if(file.command_key->is_all_zero(), doubts, "the key in authority.key_file is all zeros, which anybody guesses");
-  std::error_code error;
-  const perms mode = std::filesystem::status(file.command_key_file, error).permissions();
-  const bool is_open = !error && (mode & (perms::group_read | perms::others_read)) != perms::none;
-  doubt_if(is_open, doubts,
-           host::printable(file.command_key_file.string()) +
-               formatted(": others than its owner may read the key (mode %03o): chmod 600", static_cast<unsigned>(mode & perms::all)));
 }
 
 void doubt_ports(const host::MissionFile& file, Doubts& doubts) {
