@@ -3,13 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tests/support/signed_policy.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 namespace earshot::board {
 namespace {
