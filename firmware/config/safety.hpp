@@ -19,7 +19,7 @@ namespace earshot::config {
 /// What a rule does once its condition has lasted, from the mildest to the strongest. Of those that are in force the strongest acts.
 enum class Response : std::uint8_t {
   kWarn = 0,       ///< it is told; the search goes on
-  kSteerBack = 1,  ///< steers back into the fence, always round the same side until it is inside
+  kSteerBack = 1,  ///< steers back into the fence; a turn that has begun keeps its side
   kHold = 2,       ///< stays where it is, as well as the vehicle can
   kReturn = 3,     ///< goes to the safe point at the search's depth, and holds there
   kSurface = 4,    ///< leaves a zone where it may not surface, and comes up

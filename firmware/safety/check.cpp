@@ -120,8 +120,9 @@ Meters margin_to_halt(const config::Mission& mission) {
   const double straight_s = mission.navigation_timeout.to_seconds() + kReaction.to_seconds();
   const double k = vehicle.max_current / mission.search_speed;
   const double turning_m = vehicle.turn_radius.value * (1.0 + kHalfPi * k + 0.571 * k * k);
-  const double over_ground_mps = (mission.search_speed + vehicle.max_current).value;
-  return Meters{over_ground_mps * straight_s + turning_m};
+  const double along_edge_m = vehicle.turn_radius.value * (1.0 + kHalfPi * k);
+  const double straight_m = (mission.search_speed + vehicle.max_current).value * straight_s;
+  return Meters{std::max(straight_m, along_edge_m) + turning_m};
 }
 
 SafetyComplaint check(const config::Mission& mission) {

@@ -39,13 +39,15 @@ struct SafetyComplaint {
 [[nodiscard]] SafetyComplaint check(const config::Mission& mission);
 
 /// How far a vehicle may get beyond the save polygon before it is back, at the most: it goes straight out, no fix comes until they count as
-/// stale, and then it turns.
+/// stale, and then it turns; or it turns round in a fence that is narrower than its circle.
 ///
-///   margin = (v + c) (t_fix + t) + R (1 + (pi/2) k + 0.571 k^2),   k = c / v
+///   margin = max((v + c) (t_fix + t), R (1 + (pi/2) k)) + R (1 + (pi/2) k + 0.571 k^2),   k = c / v
 ///
-/// v: search speed, c: strongest current, t_fix: navigation timeout, t: kReaction, R: turn radius. The turn is over when the vehicle swims
-/// back as fast as the current carries it out, after pi/2 + asin(k): R (sqrt(1 - k^2) + k (pi/2 + asin k)), which the last term of the
-/// margin is never below, for any k up to 1.
+/// v: search speed, c: strongest current, t_fix: navigation timeout, t: kReaction, R: turn radius. The turn from straight out is over when
+/// the vehicle swims back as fast as the current carries it out, after pi/2 + asin(k): R (sqrt(1 - k^2) + k (pi/2 + asin k)), which the
+/// last term of the margin is never below, for any k up to 1. In an acute corner, or a strip, it goes along the edge when it begins to turn
+/// and beside it has turned by pi + asin(k): that takes R (1 + (pi/2) k) more, and no way straight out comes before it.
+/// Oracle: SafetyCheck.AsksForRoomToTurnRoundBetweenSaveAndHalt, FenceFlights.*
 [[nodiscard]] Meters margin_to_halt(const config::Mission& mission);
 
 }  // namespace earshot::safety

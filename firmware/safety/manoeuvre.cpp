@@ -11,9 +11,8 @@ namespace earshot::safety {
 namespace {
 
 constexpr Radians kQuarterTurn{1.5707963267948966};
-constexpr Radians kWholeTurn{6.283185307179586};
-/// A vehicle that points so near to where it should has turned round.
-constexpr Radians kTurnedRound{0.17};
+/// From so near to the save polygon's edge the way to it is no direction.
+constexpr Meters kAtEdge{1.0};
 /// A place is reached from this far, or from the width of a turning circle.
 constexpr Meters kNear{20.0};
 
@@ -33,6 +32,13 @@ const config::Polygon* zone_at(const config::Safety& safety, NorthEast place) {
 NorthEast place_inside(const config::Mission& mission, const Situation& situation) {
   const config::Polygon& inside = mission.safety.fence->inside;
   return nearest_within(inside, place_after_turning(mission.safety.vehicle, situation));
+}
+
+/// Beyond the save polygon straight to it, so that the vehicle makes way against whatever carries it out: in an acute corner the nearest
+/// place inside lies far along the edge.
+NorthEast way_back(const config::Fence& fence, NorthEast position) {
+  const NorthEast saved = nearest_within(fence.save, position);
+  return range_between(position, saved) > kAtEdge ? saved : nearest_within(fence.inside, position);
 }
 
 }  // namespace
@@ -63,11 +69,10 @@ messages::Setpoint Manoeuvre::setpoint(const config::Mission& mission, const Sit
   return come_up_from(mission, situation);
 }
 
-/// A vehicle that must turn by more than a right angle turns to where its circle lies less far beyond the fence: in a corner the shorter
-/// way round may lead out.
+/// Of a turn by more than a right angle: to where the vehicle's circle lies less far beyond the fence. In a corner the shorter way round
+/// may lead out.
 Manoeuvre::Side Manoeuvre::open_side(const config::Mission& mission, const messages::Navigation& fix, Radians error) {
   const Side shorter = error.value < 0.0 ? Side::kLeft : Side::kRight;
-  if (error <= kQuarterTurn && error >= -1.0 * kQuarterTurn) return shorter;
   const Meters across = 2.0 * mission.safety.vehicle.turn_radius;
   const SineCosine heading = sine_cosine(fix.heading);
   const NorthEast to_the_right{.north = across * -heading.sine, .east = across * heading.cosine};
@@ -77,15 +82,17 @@ Manoeuvre::Side Manoeuvre::open_side(const config::Mission& mission, const messa
   return beyond_right < beyond_left ? Side::kRight : Side::kLeft;
 }
 
-/// A quarter of a turn ahead at the most, always round the side of the first, however the nearest way back may change.
+/// A quarter of a turn ahead at the most, always round the side of the first, however the nearest way back may change, until no more than
+/// that is left to either side. Then the turn is over, and the next has a side of its own: kept for longer, it would lead the long way
+/// round, and out, when the way back has changed by a little.
 Radians Manoeuvre::by_way_of_its_side(const config::Mission& mission, const messages::Navigation& fix, Radians wanted) {
-  const Radians heading = fix.heading;
-  const Radians error = wrap_to_pi(wanted - heading);
+  const Radians error = wrap_to_pi(wanted - fix.heading);
+  if (error <= kQuarterTurn && error >= -1.0 * kQuarterTurn) {
+    side_ = Side::kNone;
+    return wanted;
+  }
   if (side_ == Side::kNone) side_ = open_side(mission, fix, error);
-  const double side = static_cast<double>(side_);
-  const Radians left = error.value * side < 0.0 ? side * error + kWholeTurn : side * error;  // to turn round that side
-  const bool has_turned_round = left <= kQuarterTurn || left >= kWholeTurn - kTurnedRound;
-  return has_turned_round ? wanted : wrap_to_pi(heading + side * kQuarterTurn);
+  return wrap_to_pi(fix.heading + static_cast<double>(side_) * kQuarterTurn);
 }
 
 messages::Setpoint Manoeuvre::steer_back(const config::Mission& mission, const Situation& situation) {
@@ -93,12 +100,13 @@ messages::Setpoint Manoeuvre::steer_back(const config::Mission& mission, const S
   const messages::Navigation& fix = *situation.navigation.newest();
   const NorthEast position = fix.position;
   const NorthEast goal = nearest_within(mission.safety.fence->inside, position);
-  const NorthEast outermost = place_after_turning(mission.safety.vehicle, situation);
-  const Radians wanted = goal == position ? bearing_from(outermost, place_inside(mission, situation)) : bearing_from(position, goal);
+  const bool is_inside = goal == position;
+  const Radians wanted = is_inside ? bearing_from(place_after_turning(mission.safety.vehicle, situation), place_inside(mission, situation))
+                                   : bearing_from(position, way_back(*mission.safety.fence, position));
   return {.heading = by_way_of_its_side(mission, fix, wanted),
           .speed = mission.search_speed,
           .depth = mission.search_depth,
-          .waypoint = goal == position ? place_inside(mission, situation) : goal};
+          .waypoint = is_inside ? place_inside(mission, situation) : goal};
 }
 
 /// A vehicle that cannot hover goes there again and again.

@@ -33,7 +33,7 @@ class Manoeuvre {
   [[nodiscard]] static Side open_side(const config::Mission& mission, const messages::Navigation& fix, Radians error);
   [[nodiscard]] Radians by_way_of_its_side(const config::Mission& mission, const messages::Navigation& fix, Radians wanted);
 
-  Side side_ = Side::kNone;           ///< round which it is steered back, until it is inside
+  Side side_ = Side::kNone;           ///< of a turn back by more than a right angle, until it is over
   std::optional<NorthEast> holding_;  ///< the place
   std::optional<Time> coming_up_;     ///< since when it is told to come up
 };

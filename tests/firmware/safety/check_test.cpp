@@ -76,11 +76,15 @@ TEST(SafetyCheck, RefusesAFenceThatIsNone) {
       << "way-points lie between 500 and 9500 m";
 }
 
-// (2 + 0.5) m/s x (5 + 3) s + 20 m + 0.5 m/s x (pi/2) 20 m / (2 m/s) = 47.854 m
+// A turn takes 20 m (1 + (pi/2) / 4 + 0.571 / 16) = 28.568 m. Before it (2 + 0.5) m/s x (10 + 3) s = 32.5 m straight out; with fixes that
+// are stale after 5 s those were 20 m, and a turn beside a narrow fence takes 20 m (1 + (pi/2) / 4) = 27.854 m more.
 TEST(SafetyCheck, AsksForRoomToTurnRoundBetweenSaveAndHalt) {
-  EXPECT_NEAR(margin_to_halt(fenced_mission()).value, 48.567731633974483, 1e-9);
-  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.fence->halt = square(-148.57, 10'300); }), SafetyFault::kNone);
-  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.fence->halt = square(-148.56, 10'300); }), SafetyFault::kSaveNearHalt);
+  config::Mission mission = fenced_mission();
+  mission.navigation_timeout = Duration::seconds(10);
+  EXPECT_NEAR(margin_to_halt(mission).value, 32.5 + 28.567731633974483, 1e-9);
+  EXPECT_NEAR(margin_to_halt(fenced_mission()).value, 27.853981633974483 + 28.567731633974483, 1e-9);
+  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.fence->halt = square(-156.43, 10'300); }), SafetyFault::kNone);
+  EXPECT_EQ(fault_of([](config::Mission& m) { m.safety.fence->halt = square(-156.42, 10'300); }), SafetyFault::kSaveNearHalt);
 }
 
 TEST(SafetyCheck, RefusesAZoneThatIsNoneAndASafePointThatIsNotSafe) {

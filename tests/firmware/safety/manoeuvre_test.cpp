@@ -57,6 +57,28 @@ TEST_F(ManoeuvreTest, KeepsTheSideOfItsTurnWhileItHoldsToo) {
 }
 
 // Northwards over the northern edge and 1 m from the eastern one: its circle to the right, 200 m across, ends 99 m beyond the save polygon.
+// 60 m north of the fence it turned to the left, over west, and a little further than south: back to the right it is 0.2 rad, on to the
+// left six.
+TEST_F(ManoeuvreTest, KeepsNoSideOnceItHasTurnedRound) {
+  EXPECT_NEAR(of(Response::kSteerBack, at(10'060, 5000), kNorth - 0.5).heading.value, kWest - 0.5, 1e-12) << "to the left";
+  EXPECT_NEAR(of(Response::kSteerBack, at(10'060, 5000), kWest).heading.value, kSouth, 1e-12);
+  EXPECT_NEAR(of(Response::kSteerBack, at(10'060, 5000), kSouth - 0.2).heading.value, kSouth, 1e-12);
+  // A right angle beyond that it is a turn of its own: by the shorter way, to the right over east and south.
+  EXPECT_NEAR(of(Response::kSteerBack, at(10'060, 5000), kEast - 0.1).heading.value, kSouth - 0.1, 1e-12);
+}
+
+// Two edges run from a tip at the origin to the north-east and north-west. 28 m south-east of the eastern one the way back is north-west,
+// though the nearest place inside is the inner tip, far to the north.
+TEST_F(ManoeuvreTest, GoesStraightBackOverTheEdgeOfAnAcuteCorner) {
+  mission_.safety.fence->inside = polygon({at(200, 0), at(900, 700), at(900, -700)});
+  mission_.safety.fence->save = polygon({at(0, 0), at(1000, 1000), at(1000, -1000)});
+  const messages::Setpoint beyond_save = of(Response::kSteerBack, at(20, 60), kNorth);
+  EXPECT_NEAR(beyond_save.heading.value, -std::numbers::pi / 4, 1e-12);
+  EXPECT_EQ(beyond_save.waypoint, at(200, 0));
+  EXPECT_NEAR(of(Response::kSteerBack, at(70, 60), kNorth).heading.value, std::atan2(-60, 130), 1e-12) << "it has crossed the edge";
+  EXPECT_NEAR(of(Response::kSteerBack, at(60, 60.7), kNorth).heading.value, std::atan2(-60.7, 140), 1e-12) << "half a metre beyond";
+}
+
 TEST_F(ManoeuvreTest, ChoosesItsSideAnewWhenItWasInsideMeanwhile) {
   for (const Response response : {Response::kHold, Response::kReturn}) {
     is_steered_back_ = true;
