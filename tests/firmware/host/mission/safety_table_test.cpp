@@ -134,8 +134,9 @@ TEST(SafetyTable, NamesTheKeyAndWhatIsWrongWithIt) {
   EXPECT_NE(complaint("save_north_m = [-100, 25100, 25100, -100]", "save_north_m = [-100, 25100, -100, 25100]")
                 .find("the polygon crosses or touches itself: the edge after corner 2 meets the one after corner 4"),
             std::string::npos);
+  // 2 m/s, 0.5 m/s, 20 m: 20 (1 + pi/8) + 20 (1 + pi/8 + 0.571 / 16) = 56.4 m; straight on for 8 s would be 48.6 m.
   EXPECT_NE(complaint("halt_north_m = [-300, 25300, 25300, -300]", "halt_north_m = [-110, 25300, 25300, -110]")
-                .find("must lie in the halt polygon and keep 49 m from its edges"),
+                .find("must lie in the halt polygon and keep 57 m from its edges"),
             std::string::npos);
   EXPECT_NE(
       complaint("inside_north_m = [0, 25000, 25000, 0]", "inside_north_m = [2000, 25000, 25000, 2000]").find("must hold every way-point"),
