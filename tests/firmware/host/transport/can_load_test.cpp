@@ -127,12 +127,16 @@ TEST_F(CanLoad, NeverSeesFramesOfCanFdAndTakesNoneForAMessageIfTheyComeAnyhow) {
   large.can_id = 0x09F112CC | CAN_EFF_FLAG;
   large.len = 8;  // in size a message, in kind none
   put(large);
-  EXPECT_EQ(waiting_bytes(bob), 0U);
+  ASSERT_EQ(alice.send(heading_frame(2)), Status::kOk);
+  n2k::Frame frame;
+  ASSERT_TRUE(wait_for(bob)) << "what came before it has been judged then: a bus delivers late on a busy computer";
+  ASSERT_EQ(bob.receive(frame), Status::kOk);
+  EXPECT_EQ(frame, heading_frame(2));
+  EXPECT_EQ(bob.counters().other_frames, 0U);
   const int on = 1;
   ASSERT_EQ(::setsockopt(bob.file_descriptor(), SOL_CAN_RAW, CAN_RAW_FD_FRAMES, &on, sizeof on), 0);
   put(large);
   ASSERT_EQ(alice.send(heading_frame(3)), Status::kOk);
-  n2k::Frame frame;
   ASSERT_TRUE(wait_for(bob));
   ASSERT_EQ(bob.receive(frame), Status::kOk);
   EXPECT_EQ(frame, heading_frame(3));
