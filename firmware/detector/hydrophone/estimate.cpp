@@ -34,4 +34,26 @@ const char* to_string(Hearing hearing) {
   return "?";
 }
 
+std::optional<bool> is_deaf(Hearing hearing) {
+  switch (hearing) {
+    case Hearing::kFillingUp:
+    case Hearing::kGainChanged:
+    case Hearing::kDropout:
+      return std::nullopt;
+    case Hearing::kHears:
+    case Hearing::kFloorUnsettled:
+    case Hearing::kFlowNoise:
+    case Hearing::kSelfNoise:
+    case Hearing::kClipped:
+      return false;
+    case Hearing::kOpen:
+    case Hearing::kStuck:
+    case Hearing::kSaturated:
+    case Hearing::kNotANumber:
+    case Hearing::kImpossible:
+      return true;
+  }
+  return std::nullopt;
+}
+
 }  // namespace earshot::detector

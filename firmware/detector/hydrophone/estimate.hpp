@@ -32,6 +32,10 @@ inline constexpr std::size_t kHearings = 13;
 /// "clipped"
 [[nodiscard]] const char* to_string(Hearing hearing);
 
+/// Whether the hydrophone itself, its cable or its ADC is in the way, so that nothing at sea could be heard. Nothing: it cannot be told
+/// from this, as at the beginning, where samples are missing, or when the gain has just changed.
+[[nodiscard]] std::optional<bool> is_deaf(Hearing hearing);
+
 /// One channel over one integration time.
 struct ChannelEstimate {
   Hearing hearing = Hearing::kFillingUp;

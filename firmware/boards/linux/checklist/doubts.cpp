@@ -107,10 +107,12 @@ void doubt_key(const host::MissionFile& file, Doubts& doubts) {
 }
 
 void doubt_ports(const host::MissionFile& file, Doubts& doubts) {
-  const bool is_deafness_told =
-      std::ranges::any_of(file.ports, [](const host::PortSettings& port) { return port.roles.has(host::Role::kSnr); });
-  doubt_if(!is_deafness_told && has_rule_about(file.mission, config::Condition::kHydrophoneDeaf), doubts,
-           "no port has the role \"snr\", the only one that tells of hydrophone_deaf: the rule about it never acts");
+  const bool is_deafness_told = std::ranges::any_of(file.ports, [&file](const host::PortSettings& port) {
+    return port.roles.has(host::Role::kSnr) || (file.hearing && port.roles.has(host::Role::kHydrophone));
+  });
+  doubt_if(
+      !is_deafness_told && has_rule_about(file.mission, config::Condition::kHydrophoneDeaf), doubts,
+      "no port has the role \"snr\", and no hydrophone is listened to: nobody tells of hydrophone_deaf, and the rule about it never acts");
   for (const host::PortSettings& port : file.ports) {
     std::error_code error;
     const bool is_missing = port.kind == host::PortKind::kCan && !std::filesystem::exists("/sys/class/net/" + port.address, error);

@@ -47,6 +47,7 @@ void Ear::take(const detector::Estimate& estimate, const messages::HydrophoneBlo
   const bool is_of_block = plan == nullptr || estimate.hearing == detector::Hearing::kImpossible;  // there is one then, of all the block
   const double us = is_of_block ? duration_us(block) : kMicroseconds * static_cast<double>(plan->quarter) / plan->low_rate.value;
   sound_us_.at(static_cast<std::size_t>(estimate.hearing)).add(static_cast<std::uint64_t>(us));
+  tell_deafness(estimate);
   bool is_put = true;
   if (estimate.ended) {
     detections_heard_.add(1);
@@ -68,6 +69,13 @@ void Ear::tell_chain(const messages::HydrophoneBlock& block) {
   if (!chains_.put(chain)) return;
   has_told_ = true;
   told_ = chain;
+  bell_.ring();
+}
+
+void Ear::tell_deafness(const detector::Estimate& estimate) {
+  const std::optional<bool> is_deaf = detector::is_deaf(estimate.hearing);
+  if (!is_deaf || *is_deaf == is_told_deaf_ || !statuses_.put({.time = {}, .is_deaf = *is_deaf})) return;
+  is_told_deaf_ = *is_deaf;
   bell_.ring();
 }
 

@@ -16,6 +16,7 @@
 #include "firmware/detector/hydrophone/settings.hpp"
 #include "firmware/detector/hydrophone/sound_detector.hpp"
 #include "firmware/host/transport/doorbell.hpp"
+#include "firmware/messages/hydrophone_status.hpp"
 #include "firmware/messages/snr_measurement.hpp"
 #include "firmware/messages/sound_detection.hpp"
 
@@ -45,6 +46,8 @@ class Ear final : public SampleListener {
   [[nodiscard]] bool take(messages::SnrMeasurement& oldest) { return looks_.take(oldest); }
   [[nodiscard]] bool take(messages::SoundDetection& oldest) { return detections_.take(oldest); }
   [[nodiscard]] bool take(HeardChain& oldest) { return chains_.take(oldest); }
+  /// That the hydrophone is deaf, and then that it is no longer; bears no date.
+  [[nodiscard]] bool take(messages::HydrophoneStatus& oldest) { return statuses_.take(oldest); }
   /// From the next block on.
   void note_speed(MetersPerSecond speed) { speed_mps_.store(speed.value, std::memory_order_relaxed); }
 
@@ -65,6 +68,7 @@ class Ear final : public SampleListener {
   void listen(const messages::HydrophoneBlock& block, std::span<const float> samples);
   void take(const detector::Estimate& estimate, const messages::HydrophoneBlock& block);
   void tell_chain(const messages::HydrophoneBlock& block);
+  void tell_deafness(const detector::Estimate& estimate);
   [[nodiscard]] HeardChain chain_of(const messages::HydrophoneBlock& block) const;
 
   std::optional<detector::SoundSettings> settings_;
@@ -73,9 +77,11 @@ class Ear final : public SampleListener {
   detector::SoundDetector detector_;  ///< of the listening thread
   HeardChain told_;                   ///< likewise
   bool has_told_ = false;
+  bool is_told_deaf_ = false;  ///< likewise
   HandOver<messages::SnrMeasurement, config::kHydrophoneLooks> looks_;
   HandOver<messages::SoundDetection, config::kHydrophoneDetections> detections_;
-  HandOver<HeardChain, 4> chains_;  ///< full: told at the next block
+  HandOver<HeardChain, 4> chains_;                    ///< full: told at the next block
+  HandOver<messages::HydrophoneStatus, 4> statuses_;  ///< full: told at the next estimate
   std::atomic<double> speed_mps_{0.0};
   std::atomic<std::uint64_t> blocks_heard_{0};
   SharedCounter looks_heard_;

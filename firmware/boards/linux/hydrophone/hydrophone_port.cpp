@@ -27,6 +27,10 @@ void HydrophonePort::collect(Clock& clock, InputSink& sink) {
   ear_.answer();
   if (!clock.takes_sound_now()) return;
   for (HeardChain chain; ear_.take(chain);) sink.tell_chain(index(), chain);
+  for (messages::HydrophoneStatus status; ear_.take(status);) {
+    status.time = clock.now();
+    sink.take(index(), status);
+  }
   for (messages::SnrMeasurement look; ear_.take(look);) {
     look.time = clock.time_heard(look.time);
     sink.take(index(), look);

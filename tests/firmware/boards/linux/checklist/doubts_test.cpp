@@ -69,7 +69,11 @@ TEST(Doubts, DoubtsARuleAboutADeafHydrophoneThatNoPortCanTellOf) {
   host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
   EXPECT_FALSE(is_doubted(file, "hydrophone_deaf"));
   file.ports.at(0).roles.remove(host::Role::kSnr);
-  EXPECT_TRUE(is_doubted(file, "no port has the role \"snr\", the only one that tells of hydrophone_deaf: the rule about it never acts"));
+  EXPECT_TRUE(is_doubted(file, "no port has the role \"snr\", and no hydrophone is listened to: nobody tells of hydrophone_deaf"));
+  file.ports.at(0).roles.add(host::Role::kHydrophone);
+  EXPECT_TRUE(is_doubted(file, "hydrophone_deaf")) << "its samples are counted only";
+  file.hearing = detector::fin_whale();
+  EXPECT_FALSE(is_doubted(file, "hydrophone_deaf"));
   file.mission.safety.rules.clear();
   EXPECT_FALSE(is_doubted(file, "hydrophone_deaf"));
 }

@@ -208,6 +208,27 @@ TEST(Ear, GivesNoLookOfWhatItCannotHearAndSaysForHowLong) {
   EXPECT_NE(words.find("the gain changed (set the gain before the search, not in it)"), std::string::npos) << words;
 }
 
+TEST(Ear, SaysOnceThatItsHydrophoneIsDeafAndOnceThatItHearsAgain) {
+  Ear ear(fin_whale_settings(), WakesFor::kLooks);
+  Sea sea(ear);
+  messages::HydrophoneStatus status;
+  sea.hear_until(20.0);
+  EXPECT_FALSE(ear.take(status)) << "it hears, as everybody expects";
+  sea.skip(1);
+  sea.hear_until(21.0);
+  EXPECT_FALSE(ear.take(status)) << "a lost sample is no deafness";
+  sea.offset = 1.0F;  // half of the noise's samples at full scale and more
+  sea.hear_until(30.0);
+  ASSERT_TRUE(ear.take(status));
+  EXPECT_TRUE(status.is_deaf);
+  EXPECT_FALSE(ear.take(status));
+  sea.offset = 0.0F;
+  sea.hear_until(40.0);
+  ASSERT_TRUE(ear.take(status));
+  EXPECT_FALSE(status.is_deaf);
+  EXPECT_FALSE(ear.take(status));
+}
+
 TEST(Ear, HearsNothingWhileTheVehicleIsFasterThanItsGate) {
   detector::SoundSettings settings = fin_whale_settings();
   settings.gate.speed = MetersPerSecond{1.5};
