@@ -25,6 +25,7 @@
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "tests/scenario/payload_over_can.hpp"
+#include "tests/scenario/vehicle_over_lcm.hpp"
 #include "tests/scenario/walk_at_sea.hpp"
 #include "tests/support/private_network.hpp"
 #include "tests/support/process.hpp"
@@ -39,83 +40,6 @@ using messages::MissionState;
 using messages::Order;
 
 const fs::path kBin = EARSHOT_BIN_DIR;
-/// Mission seconds in a second.
-constexpr double kSpeed = 10.0;
-
-/// A vehicle on the LCM bus that obeys at once, its hydrophone and its operator.
-class Vehicle {
- public:
-  explicit Vehicle(const std::string& url) : endpoint_(host::parse_lcm_url(url), {wire::kHealthChannel, wire::kSetpointChannel}) {
-    fix_.position = {.north = Meters{12'500}, .east = Meters{12'500}};  // the middle of the mission's area
-  }
-
-  /// Sails until `is_true`. @return false when it has not come true in a minute
-  [[nodiscard]] bool sails_until(const std::function<bool()>& is_true) {
-    for (const auto deadline = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < deadline;) {
-      listen();
-      if (is_true()) return true;
-      send_measurements();
-      std::this_thread::sleep_for(5ms);
-      move();
-    }
-    return false;
-  }
-
-  void order(Order order) {
-    const Time now = clock_.utc();
-    publish(wire::kOperatorCommandChannel,
-            wire::to_message(messages::OperatorCommand{
-                .time = now, .expiry = now + Duration::seconds(1000), .issuer = 4711, .number = ++orders_, .order = order}));
-  }
-  /// What no port can read.
-  void send_nonsense() {
-    const std::vector<std::uint8_t> nonsense(100'000, 0x5A);  // in several datagrams
-    (void)endpoint_.publish(wire::kNavStateChannel, nonsense);
-    (void)endpoint_.publish("NOBODYS", nonsense);
-  }
-  void take_new_routes() { endpoint_.refresh_interfaces(); }
-
-  [[nodiscard]] MissionState state() const { return static_cast<MissionState>(health.state); }
-  health_t health{};
-  int turns = 0;  ///< health messages heard
-
- private:
-  template <class Message>
-  void publish(std::string_view channel, const Message& message) {
-    (void)endpoint_.publish(channel, wire::Encoded(message).bytes());  // the network may be down
-  }
-  void listen() {
-    endpoint_.collect();
-    for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
-      setpoint_t setpoint{};
-      if (message.channel == wire::kHealthChannel && wire::decode(message.data, health) == Status::kOk) ++turns;
-      if (message.channel == wire::kSetpointChannel && wire::decode(message.data, setpoint) == Status::kOk) {
-        const messages::Setpoint wanted = wire::from_message(setpoint);
-        fix_.heading = wanted.heading;
-        fix_.speed = wanted.speed;
-        fix_.depth = wanted.depth;
-      }
-    }
-  }
-  void move() {
-    const auto now = std::chrono::steady_clock::now();
-    const double travelled_m = fix_.speed.value * kSpeed * std::chrono::duration<double>(now - moved_).count();
-    moved_ = now;
-    fix_.position.north += Meters{travelled_m * std::cos(fix_.heading.value)};
-    fix_.position.east += Meters{travelled_m * std::sin(fix_.heading.value)};
-  }
-  void send_measurements() {
-    fix_.time = clock_.utc();
-    publish(wire::kNavStateChannel, wire::to_message(fix_));
-    publish(wire::kSnrEstimateChannel, wire::to_message(messages::SnrMeasurement{.time = clock_.utc(), .snr = Decibels{3}}));
-  }
-
-  host::LcmEndpoint endpoint_;
-  board::HostClock clock_;
-  messages::Navigation fix_;
-  std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now();
-  std::uint32_t orders_ = 0;
-};
 
 class NoAllocation : public WalkAtSea {
  protected:
@@ -154,7 +78,7 @@ class NoAllocationOverLcm : public NoAllocation {
   /// @return exit status
   int stand_by_asking(const std::string& in, const std::string& how) {
     write_mission("search.toml", "3");
-    Vehicle vehicle{std::string(host::kDefaultLcmUrl)};
+    VehicleOverLcm vehicle{std::string(host::kDefaultLcmUrl)};
     ::setenv("LD_PRELOAD", EARSHOT_ASKS_FOR_MEMORY, 1);
     ::setenv("EARSHOT_TEST_ASKS_IN", in.c_str(), 1);
     ::setenv("EARSHOT_TEST_ASKS_BY", how.c_str(), 1);
@@ -168,7 +92,7 @@ class NoAllocationOverLcm : public NoAllocation {
 TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheBusThereIsNoneAndMemoryStaysAsItWas) {
   const std::string url(host::kDefaultLcmUrl);
   write_mission("search.toml", "20");
-  Vehicle vehicle(url);
+  VehicleOverLcm vehicle(url);
   start_proof({"--speed", "10"});
   ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.turns > 20; })) << earshotd_->output();
   vehicle.order(Order::kComplete);  // refused in STANDBY
@@ -197,7 +121,7 @@ TEST_F(NoAllocationOverLcm, GivenAWholeMissionWithRefusedOrdersAndNonsenseOnTheB
 
 TEST_F(NoAllocationOverLcm, GivenALinkThatGoesDownAndComesBackItIsOpenedAgainWithoutAny) {
   write_mission("search.toml", "20");
-  Vehicle vehicle{std::string(host::kDefaultLcmUrl)};
+  VehicleOverLcm vehicle{std::string(host::kDefaultLcmUrl)};
   start_proof({});
   ASSERT_TRUE(vehicle.sails_until([&] { return vehicle.turns > 3; })) << earshotd_->output();
   for (auto pause = 1s; vehicle.health.ports[0].unsent == 0 && pause <= 16s; pause *= 2) {
@@ -257,7 +181,7 @@ TEST_F(NoAllocation, GivenASimulationItIsRefused) {
 TEST_F(NoAllocation, GivenNavigationAndSetPointsOverCanThereIsNoneInAWholeMission) {
   const std::string url = "udpm://239.255.76.67:27498?ttl=0";  // beyond those of flights and other tests
   write_mission("search_over_can.toml", "3");
-  Vehicle payload(url);
+  VehicleOverLcm payload(url);
   start_proof({"--lcm-url", url, "--can-interface", "vcan0"});
   const support::Process vehicle(kBin / "autopilot_over_can", {"vcan0"}, folder_ / "vehicle.txt");
   ASSERT_TRUE(payload.sails_until([&] { return payload.health.port_count > 0 && payload.health.ports[0].received > 5; }))

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "earshot/health_t.hpp"
+#include "earshot/setpoint_t.hpp"
+#include "firmware/boards/linux/host_clock.hpp"
+#include "firmware/host/transport/lcm_endpoint.hpp"
+#include "firmware/messages/health.hpp"
+#include "firmware/messages/operator_command.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot {
+
+/// A vehicle on the LCM bus that obeys at once, its hydrophone and its operator.
+class VehicleOverLcm {
+ public:
+  /// Mission seconds in a second.
+  static constexpr double kSpeed = 10.0;
+
+  explicit VehicleOverLcm(const std::string& url) : endpoint_(host::parse_lcm_url(url), {wire::kHealthChannel, wire::kSetpointChannel}) {
+    fix_.position = {.north = Meters{12'500}, .east = Meters{12'500}};  // the middle of the mission's area
+  }
+
+  /// Sails until `is_true`. @return false when it has not come true in a minute
+  [[nodiscard]] bool sails_until(const std::function<bool()>& is_true) {
+    for (const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1); std::chrono::steady_clock::now() < deadline;) {
+      listen();
+      if (is_true()) return true;
+      send_measurements();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      move();
+    }
+    return false;
+  }
+
+  void order(messages::Order order) {
+    const Time now = clock_.utc();
+    publish(wire::kOperatorCommandChannel,
+            wire::to_message(messages::OperatorCommand{
+                .time = now, .expiry = now + Duration::seconds(1000), .issuer = 4711, .number = ++orders_, .order = order}));
+  }
+  /// What no port can read.
+  void send_nonsense() {
+    const std::vector<std::uint8_t> nonsense(100'000, 0x5A);  // in several datagrams
+    (void)endpoint_.publish(wire::kNavStateChannel, nonsense);
+    (void)endpoint_.publish("NOBODYS", nonsense);
+  }
+  void take_new_routes() { endpoint_.refresh_interfaces(); }
+
+  [[nodiscard]] messages::MissionState state() const { return static_cast<messages::MissionState>(health.state); }
+  health_t health{};
+  int turns = 0;  ///< health messages heard
+
+ private:
+  template <class Message>
+  void publish(std::string_view channel, const Message& message) {
+    (void)endpoint_.publish(channel, wire::Encoded(message).bytes());  // the network may be down
+  }
+  void listen() {
+    endpoint_.collect();
+    for (wire::Lc02Message message; endpoint_.take(message) == Status::kOk;) {
+      setpoint_t setpoint{};
+      if (message.channel == wire::kHealthChannel && wire::decode(message.data, health) == Status::kOk) ++turns;
+      if (message.channel == wire::kSetpointChannel && wire::decode(message.data, setpoint) == Status::kOk) {
+        const messages::Setpoint wanted = wire::from_message(setpoint);
+        fix_.heading = wanted.heading;
+        fix_.speed = wanted.speed;
+        fix_.depth = wanted.depth;
+      }
+    }
+  }
+  void move() {
+    const auto now = std::chrono::steady_clock::now();
+    const double travelled_m = fix_.speed.value * kSpeed * std::chrono::duration<double>(now - moved_).count();
+    moved_ = now;
+    fix_.position.north += Meters{travelled_m * std::cos(fix_.heading.value)};
+    fix_.position.east += Meters{travelled_m * std::sin(fix_.heading.value)};
+  }
+  void send_measurements() {
+    fix_.time = clock_.utc();
+    publish(wire::kNavStateChannel, wire::to_message(fix_));
+    publish(wire::kSnrEstimateChannel, wire::to_message(messages::SnrMeasurement{.time = clock_.utc(), .snr = Decibels{3}}));
+  }
+
+  host::LcmEndpoint endpoint_;
+  board::HostClock clock_;
+  messages::Navigation fix_;
+  std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now();
+  std::uint32_t orders_ = 0;
+};
+
+}  // namespace earshot
