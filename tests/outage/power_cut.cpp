@@ -50,8 +50,7 @@ void FolderOnDisk::follow(const DiskCall& call) {
 Files FolderOnDisk::after_power_cut(Unsynced unsynced, Pcg32& random) const {
   Files left;
   for (const auto& [name, file] : files_) {
-    const bool is_there =
-        file.is_entry_kept || unsynced == Unsynced::kThere || (unsynced == Unsynced::kTorn && below(random, 2) == 0);
+    const bool is_there = file.is_entry_kept || unsynced == Unsynced::kThere || (unsynced == Unsynced::kTorn && below(random, 2) == 0);
     if (!is_there) continue;
     left[name] = unsynced == Unsynced::kLost ? file.kept : (unsynced == Unsynced::kThere ? file.now : torn(file, random));
   }

@@ -58,7 +58,7 @@ struct Recording {
   std::vector<DiskCall> calls;
   std::uint64_t lost = 0;     ///< counted by the journal
   std::uint64_t refused = 0;  ///< of these, when they were to be appended
-  bool is_whole = false;   ///< as close() says
+  bool is_whole = false;      ///< as close() says
 };
 
 std::uint32_t below(Pcg32& random, std::uint32_t bound) {
@@ -151,8 +151,8 @@ struct Findings {
   double longest_untold_s = 0.0;    ///< likewise, while the journal had not said that it is in trouble
 };
 
-/// Whether the journal, asked last before the cut and after the record was older than the budget, said that it is in trouble; true also when
-/// nobody asked it in between.
+/// Whether the journal, asked last before the cut and after the record was older than the budget, said that it is in trouble; true also
+/// when nobody asked it in between.
 bool was_told(const std::vector<Told>& told, SteadyClock::time_point appended, SteadyClock::time_point cut) {
   const auto to = std::ranges::lower_bound(told, cut, {}, &Told::when);
   return to == told.begin() || std::prev(to)->when < appended + host::kJournalBudget || std::prev(to)->is_in_trouble;
@@ -193,8 +193,8 @@ Findings cut_everywhere(const Recording& recording, const Options& o) {
     for (std::uint64_t i = 0; i <= o.torn; ++i, ++findings.cuts) {
       const Unsynced unsynced = i == 0 ? Unsynced::kThere : Unsynced::kTorn;
       const std::set<std::uint32_t> read = read_back(folder.after_power_cut(unsynced, random), recording.appended, findings.is_invented);
-      findings.not_read_back += static_cast<std::uint64_t>(
-          std::ranges::count_if(kept, [&read](std::uint32_t number) { return !read.contains(number); }));
+      findings.not_read_back +=
+          static_cast<std::uint64_t>(std::ranges::count_if(kept, [&read](std::uint32_t number) { return !read.contains(number); }));
     }
   }
   return findings;
@@ -213,8 +213,8 @@ int judge(const Recording& recording, const Findings& findings) {
       "the oldest record that a power cut cost was %.3f s old; while the journal said nothing of trouble %.3f s, of %.1f s stated%s\n",
       recording.appended.size(), static_cast<unsigned long long>(recording.lost), recording.calls.size(),
       static_cast<unsigned long long>(findings.cuts), static_cast<unsigned long long>(findings.not_read_back),
-      findings.not_read_back > 0 ? "  WRONG" : "", static_cast<long long>(findings.not_counted), findings.not_counted != 0 ? "  WRONG" : "", findings.is_invented ? "some  WRONG" : "none", findings.longest_s,
-      findings.longest_untold_s, budget_s, is_told ? "" : "  WRONG");
+      findings.not_read_back > 0 ? "  WRONG" : "", static_cast<long long>(findings.not_counted), findings.not_counted != 0 ? "  WRONG" : "",
+      findings.is_invented ? "some  WRONG" : "none", findings.longest_s, findings.longest_untold_s, budget_s, is_told ? "" : "  WRONG");
   return findings.not_read_back == 0 && findings.not_counted == 0 && !findings.is_invented && is_told ? program::kDone : kNotHeld;
 }
 
@@ -223,9 +223,10 @@ int judge(const Recording& recording, const Findings& findings) {
 
 int main(int argc, char** argv) {
   using namespace earshot;
-  program::CommandLine line("power_cuts",
-                            "power_cuts writes a journal on a disk that is slow, stands still and runs full, and cuts the power behind every\n"
-                            "call of the disk. Exit status: 0 all as promised, 1 not, 2 bad input.");
+  program::CommandLine line(
+      "power_cuts",
+      "power_cuts writes a journal on a disk that is slow, stands still and runs full, and cuts the power behind every\n"
+      "call of the disk. Exit status: 0 all as promised, 1 not, 2 bad input.");
   outage::Options o;
   line.option("--seed", &o.seed, "of the records and the disk's moods").shows_default();
   line.option("--seconds", &o.seconds, "how long the journal is written").between(1.0, 3600.0).shows_default();
