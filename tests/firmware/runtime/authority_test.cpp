@@ -60,6 +60,23 @@ TEST(Listening, WatchesAVehicleThatOthersSteerWithoutCallingItStuck) {
   EXPECT_EQ(rig.state(), MissionState::kSearch);
 }
 
+TEST(Listening, HoldsNoWayPointAgainstAVehicleThatOthersSteer) {
+  config::Mission mission = paper_mission();
+  ASSERT_EQ(mission.safety.rules.push_back({.condition = config::Condition::kNoProgress,
+                                            .limit = 100.0,
+                                            .persistence = {},
+                                            .response = config::Response::kWarn,
+                                            .is_latched = false}),
+            Status::kOk);
+  Rig rig(*policy_that_goes(kNorthward), mission);
+  rig.sail(Order::kListen);
+  for (int i = 0; i < 300; ++i) {
+    rig.sail();
+    EXPECT_TRUE(rig.outputs.safety_events.empty()) << i;
+  }
+  EXPECT_EQ(rig.state(), MissionState::kSearch);
+}
+
 TEST(Listening, EndsWithoutAWordToTheAutopilot) {
   Rig rig(*policy_that_goes(kNorthward));
   rig.sail(Order::kListen);

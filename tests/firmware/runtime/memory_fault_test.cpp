@@ -122,6 +122,14 @@ TEST(MemoryFault, StopsTheCountOfTurns) {
   EXPECT_EQ(rig.outputs.health.turn, turn);
 }
 
+TEST(MemoryFault, InTheMarkThatMemoryIsIntactIsOne) {
+  Rig rig = under_way(mission_with_marks());
+  flip(*rig.runtime, 8 * place_of(*rig.runtime, std::uint64_t{0x5A3C'96E1'0F78'B42D}) + 17);
+  rig.sail();
+  EXPECT_EQ(rig.state(), MissionState::kAbort);
+  EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+}
+
 /// The lowest bit of every byte of state and of what it is compared with: a flag among them says whether the vehicle is commanded.
 TEST(MemoryFault, NeitherTakesAVehicleNorLeavesOneAlone) {
   constexpr std::size_t kState = 14'000;  // bytes at the end

@@ -135,7 +135,10 @@ TEST(SupervisedMission, TakesACorrectionOfItsPlaceForNoWayThatItMade) {
                                                     .is_latched = false}));
   rig.position = at(7000, 25'500);
   rig.sail(Order::kStart);
-  for (int i = 0; i < 10; ++i) rig.sail();
+  for (int i = 0; i < 10; ++i) {
+    rig.sail();
+    EXPECT_TRUE(rig.outputs.safety_events.empty()) << "the way to its start is none of this search's";
+  }
   rig.position = rig.position + at(0, 400);
   for (int i = 0; i < 60; ++i) {
     rig.sail();

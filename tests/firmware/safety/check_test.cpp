@@ -115,6 +115,7 @@ TEST(SafetyCheck, RefusesARuleThatCannotBe) {
       complaint_of_rules({rule(Condition::kLeak, 0, Response::kWarn), rule(static_cast<Condition>(99), 0, Response::kWarn)});
   EXPECT_EQ(unknown.fault, SafetyFault::kRuleUnknown);
   EXPECT_EQ(unknown.index, 1U);
+  EXPECT_EQ(complaint_of_rules({rule(static_cast<Condition>(config::kConditions), 0, Response::kWarn)}).fault, SafetyFault::kRuleUnknown);
   EXPECT_EQ(complaint_of_rules({rule(Condition::kLeak, 0, static_cast<Response>(7))}).fault, SafetyFault::kRuleUnknown);
   EXPECT_EQ(complaint_of_rules({rule(Condition::kBattery, 100.1, Response::kWarn)}).fault, SafetyFault::kRuleLimit);
   EXPECT_EQ(complaint_of_rules({rule(Condition::kLeak, 1, Response::kWarn)}).fault, SafetyFault::kRuleLimit);
@@ -164,6 +165,8 @@ TEST(SafetyCheck, RefusesARuleThatAnotherLeavesNothingToDo) {
   EXPECT_EQ(complaint.index, 0U);
   EXPECT_EQ(complaint.other, standing_rules(fenced_mission()) + 1);
   EXPECT_EQ(complaint_of_rules({rule(Condition::kLeak, 0, Response::kAbort), rule(Condition::kLeak, 0, Response::kAbort)}).fault,
+            SafetyFault::kRuleNeverActs);
+  EXPECT_EQ(complaint_of_rules({rule(Condition::kBattery, 10, Response::kWarn), rule(Condition::kBattery, 10, Response::kWarn)}).fault,
             SafetyFault::kRuleNeverActs);
   EXPECT_EQ(complaint_of_rules({rule(Condition::kNavigationAge, 6, Response::kSurface)}).fault, SafetyFault::kRuleNeverActs)
       << "every mission aborts at 5 s";

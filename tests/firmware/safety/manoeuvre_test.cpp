@@ -38,6 +38,7 @@ TEST_F(ManoeuvreTest, SteersBackToTheNearestPlaceInsideByTheShorterWayRound) {
   EXPECT_EQ(setpoint.speed, MetersPerSecond{2});
   EXPECT_EQ(setpoint.depth, Meters{300});
   EXPECT_NEAR(of(Response::kSteerBack, at(5000, 10'200), kNorth - 0.1).heading.value, kWest, 1e-12) << "less than that is left";
+  EXPECT_NEAR(of(Response::kSteerBack, at(5000, 10'200), kNorth + 0.009).heading.value, kWest + 0.009, 1e-12) << "a little more";
 }
 
 TEST_F(ManoeuvreTest, KeepsTheSideOfItsTurnWhateverBecomesNearerMeanwhile) {

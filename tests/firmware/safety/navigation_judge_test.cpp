@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "firmware/core/random.hpp"
 
@@ -150,6 +152,31 @@ TEST_F(Judged, RefusesAPlaceThatCreepsAwayFromWhereTheVehicleCanBe) {
   int believed = 0;
   while (believed < 100 && takes(fix(2000 + 1000 * believed, 24.0 * (believed + 1)))) ++believed;
   EXPECT_EQ(believed, 2) << "50 m more than 4 m/s make";
+}
+
+// 12 m, and the noise of both: 62 m from where it was three seconds ago.
+TEST_F(Judged, LetsTheAnchorBeAsFarOffAsNoiseMayAndNoFurther) {
+  for (const auto& [ms, north_m] : {std::pair{1000, 0.0}, {2000, 28.0}, {3000, 56.0}}) EXPECT_TRUE(takes(fix(ms, north_m)));
+  EXPECT_FALSE(takes(fix(4000, 62.3)));
+  EXPECT_TRUE(takes(fix(4000, 61.9)));
+}
+
+TEST_F(Judged, BelievesACorrectionByHalfAMetreToo) {
+  EXPECT_TRUE(takes(fix(1000, 0)));
+  for (int ms = 2000; ms <= 5000; ms += 500) EXPECT_EQ(takes(fix(ms, 25.5 + 0.004 * (ms - 1000))), ms == 5000) << ms;
+}
+
+// Each 700 s after the last, so that none but the last counts.
+TEST_F(Judged, HasRoomForTheNewestCorrectionAfterAnyNumberOfThem) {
+  double north_m = 0.0;
+  int ms = 1000;
+  const auto is_corrected_by = [&](double by_m) {
+    EXPECT_TRUE(takes(fix(ms, north_m)));
+    return jumps(ms + 1000, north_m += by_m);
+  };
+  for (std::size_t i = 0; i < config::kMaxCorrections; ++i, ms += 700'000) EXPECT_TRUE(is_corrected_by(60)) << i;
+  EXPECT_TRUE(is_corrected_by(480));
+  EXPECT_FALSE(jumps(ms + 7000, north_m + 480)) << "960 m within 6 s";
 }
 
 TEST_F(Judged, HoldsAFixAgainstOneOfAMinuteAgo) {

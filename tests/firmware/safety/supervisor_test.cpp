@@ -169,6 +169,22 @@ TEST_F(Supervised, HasRulesThatNoMissionCanSwitchOff) {
   for (const Rule& rule : rules_of(bare)) EXPECT_EQ(rule.response, Response::kAbort);
 }
 
+// Its circle would end 0.35 m beyond the save polygon.
+TEST_F(Supervised, SteersBackFromTheLeastThatLiesBeyondTheFence) {
+  begin();
+  situation_ = well(mission_, at(10'066.5, 5000));
+  ASSERT_EQ(supervisor_.watch(mission_, situation_).size(), 1U);
+  EXPECT_EQ(supervisor_.response(), Response::kSteerBack);
+}
+
+TEST_F(Supervised, KnowsThatItsFirstRuleActs) {
+  begin();
+  EXPECT_FALSE(supervisor_.acts_on(Condition::kNavigationAge));
+  situation_.now = situation_.now + Duration::seconds(6);
+  ASSERT_EQ(supervisor_.watch(mission_, situation_).size(), 1U);
+  EXPECT_TRUE(supervisor_.acts_on(Condition::kNavigationAge));
+}
+
 // 1000 m at 2 m/s take 500 s.
 TEST_F(Supervised, AbortsAVehicleThatMakesNoWayInThreeTimesWhatALegTakes) {
   begin();
