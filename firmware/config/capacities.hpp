@@ -86,6 +86,10 @@ inline constexpr std::size_t kLcmReassemblySlots = 4;
 /// Datagrams read in one turn (a flood cannot hold the loop); full: the rest waits for the next turn.
 inline constexpr std::size_t kLcmDatagramsPerCollect = 256;
 
+// The loop (firmware/boards/linux).
+/// Microseconds between two turns, at least, where arrivals make them (500 turns a second); sooner: what came waits for the next turn.
+inline constexpr std::int64_t kLeastBetweenTurns_us = 2000;
+
 // Sound (firmware/boards/linux/hydrophone).
 /// Channels of one ADC (a small array); full: the block is malformed, counted.
 inline constexpr std::size_t kHydrophoneChannels = 8;

@@ -142,7 +142,7 @@ int run(const Options& options) {
   if (!unlocked.empty()) std::printf("%s\n", unlocked.c_str());
 
   host::arm_heap_trap();
-  const board::LoopResult result = board::fly(turn, ports, clock, file.step_period, stop);
+  const board::LoopResult result = board::fly(turn, ports, clock, {.period = file.step_period}, stop);
   const host::ProcessMemory memory = host::process_memory();
   host::disarm_heap_trap();
   const bool held = is_held({.sea = sea,

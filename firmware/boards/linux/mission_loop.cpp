@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstddef>
 
+#include "firmware/config/capacities.hpp"
+
 namespace earshot::board {
 namespace {
 
@@ -33,6 +35,30 @@ Clock::Awaited awaited(PortSet& ports, Time next_turn, const MissionTurn& turn) 
 constexpr int kLastSetpoints = 5;
 /// Of the host's time, for turns that are not due because the clock stands still or is scaled.
 constexpr std::chrono::seconds kStopPatience{10};
+
+/// When the next turn is due.
+class Schedule {
+ public:
+  Schedule(const Pace& pace, Time began) : pace_(pace), last_(began), next_(began + pace.period) {}
+
+  [[nodiscard]] Time next() const { return next_; }
+  /// Something has come that may make a turn. @return whether that is due by now
+  [[nodiscard]] bool call(Time now) {
+    next_ = std::min(next_, std::max(now, last_ + Duration{config::kLeastBetweenTurns_us}));
+    return next_ <= now;
+  }
+  void put_off(Time now) { next_ = now + pace_.period; }
+  /// Missed turns are not made up for.
+  void note_turn(Time turn, Time now) {
+    last_ = turn;
+    next_ = pace_.turns == host::Turns::kOnArrival ? turn + pace_.period : std::max(next_ + pace_.period, now);
+  }
+
+ private:
+  Pace pace_;
+  Time last_;
+  Time next_;
+};
 
 /// What was asked is answered at once, not a tenth of a second later.
 void collect(PortSet& ports, Clock& clock, MissionTurn& turn) {
@@ -97,19 +123,19 @@ wire::ClosingRecord closing_record_of(const LoopResult& result) {
           .steps_taken = health.steps_taken};
 }
 
-LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period, const std::atomic<bool>& stop, Duration hold) {
+LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace, const std::atomic<bool>& stop, Duration hold) {
   LoopResult result;
   result.began = clock.now();
-  Time next_turn = result.began + period;
+  Schedule schedule(pace, result.began);
   const std::uint64_t navigation_before = turn.navigation_taken();
   const std::uint64_t snr_before = turn.snr_taken();
   const auto waits_for_sensors = [&] {
     const bool hears = turn.navigation_taken() > navigation_before && turn.snr_taken() > snr_before;
     return result.turns == 0 && !hears && clock.now() - result.began < hold;
   };
-  int said = 0;  // turns since the mission was over
+  int said = 0;  // turns since the mission was over, but for those that arrivals made: so close together a bus may lose all of them
   while (!stop) {
-    const Clock::Wake wake = clock.wait(awaited(ports, next_turn, turn));
+    const Clock::Wake wake = clock.wait(awaited(ports, schedule.next(), turn));
     ports.serve();
     if (wake == Clock::Wake::kLost) {
       result.end = LoopEnd::kClockLost;
@@ -119,22 +145,25 @@ LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period,
     if (wake == Clock::Wake::kNothing) continue;
     collect(ports, clock, turn);
     if (wake == Clock::Wake::kAgain) (void)clock.answered(turn.say_again(), ports.setpoints_sent());
-    if (wake != Clock::Wake::kTurn) continue;
-    ports.tend();
+    const bool is_due = wake == Clock::Wake::kTurn;
+    const bool is_called = turn.is_called() && pace.turns == host::Turns::kOnArrival;
+    if (is_due) ports.tend();
+    if (!is_due && !(is_called && schedule.call(clock.now()))) continue;
     if (waits_for_sensors()) {
-      next_turn = clock.now() + period;
+      schedule.put_off(clock.now());
       continue;
     }
     make_turn(turn, result);
-    if (is_over(result.last.health) && said < kLastSetpoints) ++said;
-    next_turn = std::max(next_turn + period, clock.now());
+    if (!is_due) ports.tend();  // what has come is answered first
+    if (!is_called && is_over(result.last.health) && said < kLastSetpoints) ++said;
+    schedule.note_turn(result.time, clock.now());
     if (!clock.answered(result.last, ports.setpoints_sent())) {
       result.end = LoopEnd::kMissionOver;
       return result;
     }
   }
   result.found_in = result.last.health.state;
-  return Stopping(result, turn, ports, clock).run(period, said);
+  return Stopping(result, turn, ports, clock).run(pace.period, said);
 }
 
 }  // namespace earshot::board

@@ -8,6 +8,7 @@
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/host/mission/mission_file.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "firmware/wire/journal/closing_record.hpp"
@@ -31,6 +32,12 @@ struct LoopResult {
   messages::MissionState found_in = messages::MissionState::kStandby;  ///< the state of the last turn before it was told to stop
 };
 
+/// What makes the turns of a loop at sea; in lock-step its clock does.
+struct Pace {
+  Duration period;  ///< between two turns, at most
+  host::Turns turns = host::Turns::kPeriodic;
+};
+
 /// The record that ends the journal of a flight that ended so.
 [[nodiscard]] wire::ClosingRecord closing_record_of(const LoopResult& result);
 
@@ -39,11 +46,12 @@ struct LoopResult {
 /// When it is told to stop and the mission is not over, it makes an ABORT, so that the autopilot does not go on with the last set-point,
 /// and then turns, the first at once, until the set-point that says so was sent five times (a bus may lose one), or as long as somebody
 /// waits for turns.
-/// @param period  between two turns
+/// Where arrivals make turns, a fix or an order that has been taken is answered by a turn at once, but no sooner than kLeastBetweenTurns_us
+/// after the last: a flood waits for the next turn. Silence makes a turn a period after the last.
 /// @param stop    set by a signal handler
 /// @param hold    of a mission that goes on from its journal: for so long its first turn waits for navigation and SNR, so that it is not
 ///                ended for the silence of its own outage
-[[nodiscard]] LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, Duration period, const std::atomic<bool>& stop,
+[[nodiscard]] LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace, const std::atomic<bool>& stop,
                              Duration hold = {});
 
 }  // namespace earshot::board

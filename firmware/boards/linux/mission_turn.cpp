@@ -32,6 +32,10 @@ Weight weight_of(std::uint8_t port, const InputSink::Value& value) {
   return port == kOwnPort ? Weight::kSteering : Weight::kStream;
 }
 
+bool calls_for_turn(const InputSink::Value& value) {
+  return std::holds_alternative<messages::Navigation>(value) || std::holds_alternative<messages::OperatorCommand>(value);
+}
+
 /// Between two reports of a journal whose disk comes and goes.
 constexpr Duration kBetweenJournalReports = Duration::seconds(60);
 
@@ -67,6 +71,7 @@ void MissionTurn::take(std::uint8_t port, const Value& value) {
   (void)journal_.append(input.arrival, record.channel(), record.data(), weight_of(port, value));
   if (news_ != nullptr && port == kOwnPort && std::holds_alternative<messages::OperatorCommand>(value)) news_->tell_stop();
   runtime_.take(input);
+  is_called_ = is_called_ || calls_for_turn(value);
 }
 
 void MissionTurn::tell_detection(std::uint8_t port, const messages::SoundDetection& detection) {
@@ -96,6 +101,7 @@ runtime::Outputs MissionTurn::operator()() {
   ports_.report_changes(*this);
   const Time turn = now();
   report_journal(turn);
+  is_called_ = false;
   outputs_ = runtime_.step(turn);
   record(turn, outputs_);
   memory_.note(turn, outputs_);

@@ -59,6 +59,8 @@ class MissionTurn final : public InputSink {
   /// Sends what the last turn said: the process that made it may not have come to it.
   runtime::Outputs say_again();
 
+  /// Whether something has come since the last turn that is to be answered at once, where arrivals make turns: a fix, or an order.
+  [[nodiscard]] bool is_called() const { return is_called_; }
   /// Fixes taken so far, but for those without a date that the clock knows.
   [[nodiscard]] std::uint64_t navigation_taken() const { return memory_.navigation_taken; }
   [[nodiscard]] std::uint64_t snr_taken() const { return memory_.snr_taken; }
@@ -80,6 +82,7 @@ class MissionTurn final : public InputSink {
   TurnMemory memory_;
   Time journal_report_due_;
   runtime::Outputs outputs_;  ///< of the last turn
+  bool is_called_ = false;
   bool is_ahead_always_ = false;
   std::chrono::milliseconds patience_{100};
   FlightNews* news_ = nullptr;

@@ -272,6 +272,7 @@ MissionFile read_mission(const TomlFile& toml, const VehicleTrust* vehicle) {
   TableReader root = toml.root();
   MissionFile file;
   file.step_period = seconds(root.number_or("step_period_s", 1.0, Range::between(0.1, 1.0)));
+  file.turns = static_cast<Turns>(root.choice_or("turns", static_cast<std::size_t>(Turns::kPeriodic), {"periodic", "on_arrival"}));
   const TableReader area = root.table("area");
   const TableReader limits = root.table("limits");
   read_area(area, file.mission);

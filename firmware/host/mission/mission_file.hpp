@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,10 +16,17 @@ namespace earshot::host {
 
 inline constexpr const char* kDefaultCanInterface = "can0";  ///< the bus of a vehicle at sea
 
+/// What makes a turn of the loop at sea.
+enum class Turns : std::uint8_t {
+  kPeriodic,   ///< step_period alone
+  kOnArrival,  ///< also a fix or an order, at once
+};
+
 /// A mission file: what the runtime is asked to do, and what this board needs to do it.
 struct MissionFile {
   config::Mission mission;
-  Duration step_period;  ///< between two turns of the loop at sea; in lock-step with a simulator every tick is one turn
+  Duration step_period;            ///< between two turns of the loop at sea; in lock-step with a simulator every tick is one turn
+  Turns turns = Turns::kPeriodic;  ///< likewise at sea
   std::vector<PortSettings> ports;
   std::optional<detector::SoundSettings> hearing;  ///< what the hydrophone's port listens for; none: it counts samples only
   n2k::LocalPlane plane;                           ///< about the mission's geographic origin; CAN speaks latitude and longitude

@@ -186,7 +186,8 @@ board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryPr
   }
   settle_memory(f.options);
   if (f.options.prove_no_alloc) proof.arm();
-  const board::LoopResult result = board::fly(turn, f.ports, f.clock, f.file.step_period, stop_requested, hold);
+  const board::Pace pace{.period = f.file.step_period, .turns = f.options.simulation ? host::Turns::kPeriodic : f.file.turns};
+  const board::LoopResult result = board::fly(turn, f.ports, f.clock, pace, stop_requested, hold);
   if (f.options.prove_no_alloc) proof.disarm(result);
   const std::uint64_t left_out = writer ? writer->left_out() : 0;
   writer.reset();

@@ -71,14 +71,23 @@ std::string ports(const host::MissionFile& file) {
   return text;
 }
 
-std::string search(const config::Mission& mission) {
+std::string set_points(const host::MissionFile& file) {
+  const std::string period = formatted("%g s", file.step_period.to_seconds());
+  if (file.turns == host::Turns::kPeriodic) return "every " + period;
+  return formatted("at once on every fix and order, at most %.0f a second; in silence every ", 1e6 / config::kLeastBetweenTurns_us) +
+         period;
+}
+
+std::string search(const host::MissionFile& file) {
+  const config::Mission& mission = file.mission;
   const NorthEast size = mission.operating_area.north_east - mission.operating_area.south_west;
   return "search\n" +
          row("area", formatted("%.1f km x %.1f km, way-points %.0f m from its edges", size.north.value * 1e-3, size.east.value * 1e-3,
                                mission.edge_margin.value)) +
          row("depth", formatted("%.1f m, and never below %.1f m", mission.search_depth.value, mission.max_depth.value)) +
          row("steps", formatted("%u of %.0f m at %.2f m/s", static_cast<unsigned>(mission.max_steps), mission.step_length.value,
-                                mission.search_speed.value));
+                                mission.search_speed.value)) +
+         row("set-points", set_points(file));
 }
 
 std::string vehicle(const config::Mission& mission) {
@@ -153,7 +162,7 @@ std::string rules(const config::Mission& mission) {
 }  // namespace
 
 std::string checklist(const host::MissionFile& file, const policy::FrozenPolicy& policy, const std::string& shown) {
-  return files(file, policy, shown) + ports(file) + authority(file) + vehicle(file.mission) + search(file.mission) + places(file.mission) +
+  return files(file, policy, shown) + ports(file) + authority(file) + vehicle(file.mission) + search(file) + places(file.mission) +
          budgets(file.mission) + rules(file.mission) + "memory\n" +
          row("runtime", std::to_string(sizeof(runtime::Runtime)) + " bytes, of " + std::to_string(config::kRuntimeBytes) + " allowed");
 }

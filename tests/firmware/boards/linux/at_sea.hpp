@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -14,6 +16,9 @@
 #include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/input_record.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/scripted_sea.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -82,7 +87,7 @@ class AtSea : public testing::Test {
   LoopResult fly() { return fly(clock_); }
   LoopResult fly(Clock& clock) {
     MissionTurn turn(*runtime_, ports_, *journal_, clock);
-    return board::fly(turn, ports_, clock, kPeriod, stop_);
+    return board::fly(turn, ports_, clock, {.period = kPeriod, .turns = turns_}, stop_);
   }
 
   std::vector<messages::Order> journalled_orders() {
@@ -97,6 +102,36 @@ class AtSea : public testing::Test {
     return orders;
   }
 
+  /// Every output of its journal, which is closed, comes again, bit for bit, from a runtime that is given the inputs.
+  void expect_journal_repeats() {
+    runtime::Runtime again;
+    ASSERT_EQ(again.configure(mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))), Status::kOk);
+    host::JournalReader reader(path_);
+    std::size_t turns = 0;
+    std::vector<std::vector<std::uint8_t>> outputs;
+    for (host::JournalRecord record; reader.next(record);) {
+      messages::Input input;
+      if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
+        again.take(input);
+        continue;
+      }
+      outputs.push_back(record.data);
+      if (record.channel != wire::kHealthChannel) continue;
+      const runtime::Outputs stepped = again.step(record.time);
+      std::vector<wire::Encoded> expected;
+      if (stepped.setpoint) expected.emplace_back(wire::to_message(*stepped.setpoint, record.time));
+      if (stepped.decision) expected.emplace_back(wire::to_message(*stepped.decision));
+      for (const auto& acknowledgement : stepped.acknowledgements) expected.emplace_back(wire::to_message(acknowledgement));
+      expected.emplace_back(wire::to_message(stepped.health, record.time));
+      ASSERT_EQ(outputs.size(), expected.size()) << "turn " << turns;
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        ASSERT_TRUE(std::ranges::equal(outputs[i], expected[i].bytes())) << "turn " << turns;
+      outputs.clear();
+      ++turns;
+    }
+    EXPECT_EQ(turns, port_->published.size());
+  }
+
   const support::TemporaryFolder folder_;
   const std::filesystem::path path_ = folder_ / "journal";
   FakeHost host_;
@@ -104,6 +139,7 @@ class AtSea : public testing::Test {
   FakeClock clock_{host_, script_};
   PortSet ports_;
   FakePort* port_ = nullptr;  ///< of ports_
+  host::Turns turns_ = host::Turns::kPeriodic;
   std::uint32_t commands_ = 0;
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
   std::unique_ptr<host::Journal> journal_;

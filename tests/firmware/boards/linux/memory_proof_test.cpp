@@ -186,7 +186,7 @@ class ProvenLoop : public testing::Test {
     MissionTurn turn(*runtime_, ports_, journal, *clock);
     (void)settle_memory();
     proof_.arm();
-    result_ = board::fly(turn, ports_, *clock, kPeriod, stop_);
+    result_ = board::fly(turn, ports_, *clock, {.period = kPeriod}, stop_);
     proof_.disarm(result_);
   }
 

@@ -90,31 +90,7 @@ TEST_F(AtSea, ItsJournalGivesTheSameOutputsAgainBitForBit) {
   stop_at(20);
   (void)fly();
   ASSERT_EQ(journal_->close(), Status::kOk);
-  runtime::Runtime again;
-  ASSERT_EQ(again.configure(mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))), Status::kOk);
-  host::JournalReader reader(path_);
-  std::size_t turns = 0;
-  std::vector<std::vector<std::uint8_t>> outputs;
-  for (host::JournalRecord record; reader.next(record);) {
-    messages::Input input;
-    if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
-      again.take(input);
-      continue;
-    }
-    outputs.push_back(record.data);
-    if (record.channel != wire::kHealthChannel) continue;
-    const runtime::Outputs stepped = again.step(record.time);
-    std::vector<wire::Encoded> expected;
-    if (stepped.setpoint) expected.emplace_back(wire::to_message(*stepped.setpoint, record.time));
-    if (stepped.decision) expected.emplace_back(wire::to_message(*stepped.decision));
-    for (const auto& acknowledgement : stepped.acknowledgements) expected.emplace_back(wire::to_message(acknowledgement));
-    expected.emplace_back(wire::to_message(stepped.health, record.time));
-    ASSERT_EQ(outputs.size(), expected.size()) << "turn " << turns;
-    for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_TRUE(std::ranges::equal(outputs[i], expected[i].bytes())) << "turn " << turns;
-    outputs.clear();
-    ++turns;
-  }
-  EXPECT_EQ(turns, port_->published.size());
+  expect_journal_repeats();
 }
 
 TEST_F(AtSea, AWallClockSetBackOrForthDisturbsNeitherTheSearchNorItsTime) {

@@ -45,6 +45,14 @@ TEST(MissionFile, RefusesATurnLongerThanASecondOrShorterThanATenth) {
   EXPECT_EQ(complaint("step_period_s = 1.0", "step_period_s = 0.1"), "");
 }
 
+TEST(MissionFile, TurnsOnceAPeriodUnlessArrivalsAreToMakeTurns) {
+  EXPECT_EQ(load_mission(kShipped).turns, Turns::kPeriodic);
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "mine.toml") << "turns = \"on_arrival\"\n" << text_of(kShipped);
+  EXPECT_EQ(load_mission(folder / "mine.toml").turns, Turns::kOnArrival);
+  EXPECT_NE(complaint("step_period_s", "turns = \"always\"\nstep_period_s").find("turns"), std::string::npos);
+}
+
 TEST(MissionFile, HasRoomForSevenPorts) {
   const auto ports = [](int count) {
     std::string text;
