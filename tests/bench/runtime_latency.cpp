@@ -1,6 +1,6 @@
-// Rows runtime.latency_added_*_us: from a fix on the bus to the set-point that answers it, by earshotd in a search whose turns arrivals make,
-// less the same by a bare echo: liblcm, which answers a fix with a message as long as a set-point. Both in this run, by turns, each in a
-// process and on a group of its own; one fix at a time, so that what comes next answers it.
+// Rows runtime.latency_added_*_us: from a fix on the bus to the set-point that answers it, by earshotd in a search whose turns arrivals
+// make, less the same by a bare echo: liblcm, which answers a fix with a message as long as a set-point. Both in this run, by turns, each
+// in a process and on a group of its own; one fix at a time, so that what comes next answers it.
 //   bench_runtime_latency p50|p999 [echo]     echo: the time of the echo itself
 
 #include <lcm/lcm.h>
@@ -71,12 +71,12 @@ class Vehicle {
     while (take()) {
     }
     const Time now = clock_.utc();
-    const wire::Encoded fix(wire::to_message(messages::Navigation{
-        .time = now,
-        .position = {.north = Meters{12'500 + 2.0 * (now - began_).to_seconds()}, .east = Meters{12'500}},
-        .depth = Meters{300},
-        .heading = Radians{0},
-        .speed = MetersPerSecond{2}}));
+    const wire::Encoded fix(wire::to_message(
+        messages::Navigation{.time = now,
+                             .position = {.north = Meters{12'500 + 2.0 * (now - began_).to_seconds()}, .east = Meters{12'500}},
+                             .depth = Meters{300},
+                             .heading = Radians{0},
+                             .speed = MetersPerSecond{2}}));
     const auto sent = steady_clock::now();
     (void)bus_.publish(wire::kNavStateChannel, fix.bytes());
     while (!take()) {
@@ -154,7 +154,10 @@ double at_share(std::vector<double>& values, double share) {
 
 std::filesystem::path write_mission(const std::filesystem::path& folder) {
   std::ifstream in(std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/search.toml");
-  std::ofstream(folder / "mission.toml") << "turns = \"on_arrival\"\n" << std::string{std::istreambuf_iterator<char>(in), {}};
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string_view periodic = "turns = \"periodic\"";
+  text.replace(text.find(periodic), periodic.size(), "turns = \"on_arrival\"");
+  std::ofstream(folder / "mission.toml") << text;
   return folder / "mission.toml";
 }
 

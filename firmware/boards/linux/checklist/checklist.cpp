@@ -8,6 +8,7 @@
 
 #include "firmware/boards/linux/checklist/budgets.hpp"
 #include "firmware/boards/linux/checklist/formatted.hpp"
+#include "firmware/config/capacities.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/rule_words.hpp"
 #include "firmware/runtime/runtime.hpp"

@@ -22,6 +22,7 @@ TEST(Checklist, TellsPortsSearchBudgetsAndRules) {
   EXPECT_TRUE(has(text, "  vehicle     LCM udpm://239.255.76.67:7667?ttl=0: navigation, snr, operator, autopilot, status\n")) << text;
   EXPECT_TRUE(has(text, "  area        25.0 km x 25.0 km, way-points 250 m from its edges\n")) << text;
   EXPECT_TRUE(has(text, "  depth       300.0 m, and never below 400.0 m\n")) << text;
+  EXPECT_TRUE(has(text, "  set-points  every 1 s\n")) << text;
   // 100 km at 2 m/s are 50 000 s, at 1.6 m/s over ground 62 500 s; 70 000 s are 19 h 27 min. Home from (25, 25) km to (2, 3) km: 31.83 km;
   // against 0.4 m/s that is 39.79 km through the water, at 0.6 % a kilometre 23.9 %.
   EXPECT_TRUE(
@@ -33,6 +34,13 @@ TEST(Checklist, TellsPortsSearchBudgetsAndRules) {
   EXPECT_TRUE(has(text, "rules (the first 10 stand")) << text;
   EXPECT_TRUE(has(text, "   1  abort once the age of the newest fix is above 5 s\n")) << text;
   EXPECT_TRUE(has(text, "  13  abort and ask for the drop weight to be released once there is water in the hull for 2 s\n")) << text;
+}
+
+TEST(Checklist, TellsThatArrivalsMakeTurns) {
+  host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  file.turns = host::Turns::kOnArrival;
+  const std::string text = checklist(file, support::random_walk_policy(), "fenced_search.toml");
+  EXPECT_TRUE(has(text, "  set-points  at once on every fix and order, at most 500 a second; in silence every 1 s\n")) << text;
 }
 
 TEST(Checklist, TellsWhoMayCommandTheVehicle) {
