@@ -154,10 +154,7 @@ double at_share(std::vector<double>& values, double share) {
 
 std::filesystem::path write_mission(const std::filesystem::path& folder) {
   std::ifstream in(std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/search.toml");
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  const std::string_view periodic = "turns = \"periodic\"";
-  text.replace(text.find(periodic), periodic.size(), "turns = \"on_arrival\"");
-  std::ofstream(folder / "mission.toml") << text;
+  std::ofstream(folder / "mission.toml") << "turns = \"on_arrival\"\n" << std::string{std::istreambuf_iterator<char>(in), {}};
   return folder / "mission.toml";
 }
 
