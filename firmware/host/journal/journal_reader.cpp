@@ -21,11 +21,13 @@ static_assert(kWindow_bytes >= kRecordHeaderSize + wire::kMaxChannelLength + con
 JournalReader::JournalReader(const std::filesystem::path& path) : file_(path, host::kAnySize), window_(kWindow_bytes) {}
 
 std::span<const std::uint8_t> JournalReader::look_ahead(std::size_t size) {
-  if (filled_ - at_ < size) {
+  if (filled_ - at_ < size && !has_all_) {
     std::copy(window_.begin() + static_cast<std::ptrdiff_t>(at_), window_.begin() + static_cast<std::ptrdiff_t>(filled_), window_.begin());
     filled_ -= at_;
     at_ = 0;
+    forget_sums();
     filled_ += file_.read(std::span(window_).subspan(filled_));
+    has_all_ = filled_ < window_.size();
   }
   return std::span(window_).subspan(at_, std::min(size, filled_ - at_));
 }
@@ -41,7 +43,21 @@ JournalReader::Found JournalReader::look(std::uint64_t& size) {
   size = kRecordHeaderSize + channel_size + data_size;
   rest = look_ahead(size);
   if (rest.size() < size) return Found::kBeginning;
-  return load(rest.subspan(4, 4)) == crc32(rest.subspan(kCheckedFrom, size - kCheckedFrom)) ? Found::kRecord : Found::kOther;
+  return load(rest.subspan(4, 4)) == checksum_of(rest) ? Found::kRecord : Found::kOther;
+}
+
+std::uint32_t JournalReader::checksum_of(std::span<const std::uint8_t> record) {
+  if (is_doubtful_) return sums_.of(std::span(window_).first(filled_), at_ + kCheckedFrom, at_ + record.size());
+  const std::uint32_t sum = crc32(record.subspan(kCheckedFrom));
+  checked_bytes_ += record.size() - kCheckedFrom;
+  is_doubtful_ = load(record.subspan(4, 4)) != sum;
+  return sum;
+}
+
+void JournalReader::forget_sums() {
+  checked_bytes_ += sums_.bytes_gone_through();
+  sums_.forget();
+  is_doubtful_ = false;
 }
 
 bool JournalReader::pass_over(std::uint64_t& passed) {
@@ -75,6 +91,8 @@ void JournalReader::look_again() {
   is_end_damaged_ = false;
   file_.go_to(offset_);
   at_ = filled_ = 0;
+  has_all_ = false;
+  forget_sums();
   end_ = End::kWhole;
 }
 

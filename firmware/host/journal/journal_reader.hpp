@@ -9,6 +9,7 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/journal/range_checksum.hpp"
 
 namespace earshot::host {
 
@@ -26,9 +27,9 @@ struct JournalDamage {
   friend bool operator==(const JournalDamage&, const JournalDamage&) = default;
 };
 
-/// Reads a journal from its beginning, a piece of it at a time: a journal of any size takes 1 MiB of memory. Where no record matches its
-/// checksum it reads on at the next that does, and remembers what it passed over: damage costs the records that it hit, and no others. For
-/// desktop tools, and for a vehicle before its first turn: it allocates.
+/// Reads a journal from its beginning, a piece of it at a time: a journal of any size takes 1 MiB of memory, a damaged one at most 9 MiB.
+/// Where no record matches its checksum it reads on at the next that does, and remembers what it passed over: damage costs the records
+/// that it hit, and no others. For desktop tools, and for a vehicle before its first turn: it allocates.
 class JournalReader {
  public:
   enum class End : std::uint8_t {
@@ -55,6 +56,8 @@ class JournalReader {
   [[nodiscard]] std::uint64_t file_size() const { return file_.size(); }  ///< bytes, when it was opened
   /// What was passed over so far, in the order of the file; at the end, the end's own damage too (kCut, kCorrupt).
   [[nodiscard]] const std::vector<JournalDamage>& damages() const { return damages_; }
+  /// What the checksums cost so far: at most three times the bytes that were read, whatever they are.
+  [[nodiscard]] std::uint64_t checked_bytes() const { return checked_bytes_ + sums_.bytes_gone_through(); }
 
  private:
   enum class Found : std::uint8_t { kRecord, kNothing, kBeginning, kOther };
@@ -63,6 +66,9 @@ class JournalReader {
   [[nodiscard]] std::span<const std::uint8_t> look_ahead(std::size_t size);
   /// What stands where the window is. @param size  of the record
   [[nodiscard]] Found look(std::uint64_t& size);
+  /// Of a record that stands where the window is.
+  [[nodiscard]] std::uint32_t checksum_of(std::span<const std::uint8_t> record);
+  void forget_sums();
   /// To the next byte that could begin a record. @return whether all that was passed was zero
   bool pass_over(std::uint64_t& passed);
   void keep(std::span<const std::uint8_t> bytes, JournalRecord& record) const;
@@ -70,8 +76,12 @@ class JournalReader {
 
   host::InputFile file_;
   std::vector<std::uint8_t> window_;
-  std::size_t at_ = 0;      ///< in the window: what is looked at
-  std::size_t filled_ = 0;  ///< bytes of the window that hold the file's
+  std::size_t at_ = 0;               ///< in the window: what is looked at
+  std::size_t filled_ = 0;           ///< bytes of the window that hold the file's
+  bool has_all_ = false;             ///< the file's end stands in the window
+  RangeChecksum sums_;               ///< of the window, once something in it began like a record and was none: many more may
+  bool is_doubtful_ = false;         ///< that has happened
+  std::uint64_t checked_bytes_ = 0;  ///< but those of sums_
   std::uint64_t offset_ = 0;
   std::vector<JournalDamage> damages_;
   bool is_end_damaged_ = false;  ///< the last of damages_ is the end's

@@ -85,6 +85,34 @@ TEST_F(JournalReaderTest, FindsEveryRecordBetweenStretchesOfNoise) {
   EXPECT_EQ(reader.end(), JournalReader::End::kWhole);
 }
 
+TEST_F(JournalReaderTest, ChecksNoByteMoreThanThriceThoughTheLargestRecordSeemsToBeginAgainAndAgain) {
+  write_three_records();
+  const Bytes whole = contents();
+  Bytes beginning(kRecordHeaderSize);
+  store(std::span(beginning).first(4), kRecordSync);
+  store(std::span(beginning).subspan(20, 4), 1);
+  store(std::span(beginning).subspan(24, 4), config::kLcmMessageBytes);
+  Bytes bytes;
+  for (int i = 0; i < 30; ++i) {
+    for (int j = 0; j < 4000; ++j) bytes.insert(bytes.end(), beginning.begin(), beginning.end());
+    bytes.insert(bytes.end(), whole.begin(), whole.end());
+  }
+  // At the end, where every second reaches beyond the file.
+  Bytes smaller = beginning;
+  store(std::span(smaller).subspan(24, 4), config::kLcmMessageBytes / 2);
+  for (int j = 0; j < 2000; ++j) {
+    bytes.insert(bytes.end(), smaller.begin(), smaller.end());
+    bytes.insert(bytes.end(), beginning.begin(), beginning.end());
+  }
+  overwrite(bytes);
+  JournalReader reader(path_);
+  std::size_t count = 0;
+  for (JournalRecord record; reader.next(record); ++count) ASSERT_EQ(record.number, count % 3);
+  EXPECT_EQ(count, 3U * 30U);
+  EXPECT_EQ(reader.end(), JournalReader::End::kCorrupt);
+  EXPECT_LE(reader.checked_bytes(), 3 * bytes.size()) << "each beginning by itself: 131 KiB for 28 bytes, 4700 times as much";
+}
+
 TEST_F(JournalReaderTest, TakesAnEmptyEndForAPowerCut) {
   write_three_records();
   const auto size = std::filesystem::file_size(path_);
