@@ -27,6 +27,7 @@
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/operator_command.hpp"
@@ -140,7 +141,7 @@ class Autopilot : public WalkAtSea {
     const std::int64_t received = ashore.health.ports[0].received;
     ASSERT_TRUE(ashore.hears([&] { return ashore.health.ports[0].received >= received + 20; }, meanwhile));
     earshotd_->signal(SIGTERM);
-    EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+    EXPECT_EQ(earshotd_->wait(20s), program::kAborted) << earshotd_->output();
     EXPECT_EQ(ashore.health.end_reason, static_cast<std::int8_t>(messages::EndReason::kOperatorAbort));
     EXPECT_GE(ashore.health.steps_taken, 3) << "a step is over only when the vehicle has sailed it";
     EXPECT_GE(ashore.decisions.size(), 4);
@@ -254,7 +255,7 @@ TEST_F(Autopilot, GivenThePythonExampleThatOrdersASearchIsStartedAndAbortedAndWh
   EXPECT_EQ(ashore.health.end_reason, static_cast<std::int8_t>(messages::EndReason::kOperatorAbort));
   gives("ABORT", 0, "ABORT: REPEATED\n");
   earshotd_->signal(SIGTERM);
-  EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+  EXPECT_EQ(earshotd_->wait(20s), program::kAborted) << earshotd_->output();
 }
 
 TEST_F(Autopilot, GivenAMissionWithAKeyThePythonVehicleThatKnowsItStartsTheSearchAndOneThatDoesNotSailsOnWithoutOne) {
@@ -277,7 +278,7 @@ TEST_F(Autopilot, GivenAMissionWithAKeyThePythonVehicleThatKnowsItStartsTheSearc
   EXPECT_TRUE(ashore.hears([&] { return ashore.state() == MissionState::kSearch; }, snr)) << own->output() << earshotd_->output();
   EXPECT_EQ(own->output(), "START: OBEYED\n");
   earshotd_->signal(SIGTERM);
-  EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+  EXPECT_EQ(earshotd_->wait(20s), program::kInterrupted) << earshotd_->output();
   EXPECT_NE(earshotd_->output().find("; it ended in ABORT, this program was told to stop, after "), std::string::npos)
       << earshotd_->output();
   EXPECT_EQ(earshotd_->output().find("an operator aborted it"), std::string::npos) << earshotd_->output();
@@ -297,7 +298,7 @@ TEST_F(Autopilot, GivenThePythonExampleThatSaysThatItLeaksARuleThatReleasesReach
   EXPECT_TRUE(ashore.hears(is_released, snr)) << vehicle->output() << leaking->output() << earshotd_->output();
   EXPECT_EQ(ashore.health.end_reason, static_cast<std::int8_t>(messages::EndReason::kSafetyRule));
   earshotd_->signal(SIGTERM);
-  EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+  EXPECT_EQ(earshotd_->wait(20s), program::kAborted) << earshotd_->output();
 }
 
 TEST_F(Autopilot, GivenAnOutcomeThatThePythonExamplesDoNotKnowTheySaySo) {

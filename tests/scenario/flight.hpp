@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/program/exit_status.hpp"
 #include "sim/link/run_slot.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/signed_policy.hpp"

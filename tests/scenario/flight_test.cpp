@@ -123,7 +123,7 @@ TEST_F(Flight, GivenAnotherFlightsNavigationOnItsBusItRefusesItAndSaysSoInHealth
     std::this_thread::sleep_for(5ms);
   }
   simulator_->signal(SIGINT);
-  EXPECT_EQ(runtime_->wait(5s), 0);
+  EXPECT_EQ(runtime_->wait(5s), program::kAborted);
   EXPECT_NE(runtime_->output().find("ABORT, an operator aborted it"), std::string::npos) << runtime_->output();
   health_t health{};
   host::JournalReader reader(folder_ / "journal.lcmlog");
@@ -191,7 +191,7 @@ TEST_F(Flight, GivenHalvesOfAFlightStartedByHandASecondRuntimeOnItsBusAndASecond
   EXPECT_THROW((void)host::lock_folder(folder_), host::FolderInUse) << "the simulator writes there";
   EXPECT_THROW(host::require_not_being_written(folder_ / "journal.lcmlog"), host::FolderInUse) << "earshotd writes it";
   runtime_->signal(SIGTERM);
-  EXPECT_EQ(runtime_->wait(20s), 0) << runtime_->output();
+  EXPECT_EQ(runtime_->wait(20s), program::kInterrupted) << runtime_->output();
   EXPECT_EQ(simulator_->wait(20s), 0) << "it was told of the ABORT: " << simulator_->output();
   EXPECT_EQ(nlohmann::json::parse(support::read_text(folder_ / "summary.json")).at("end_reason"), "interrupted");
 }

@@ -13,6 +13,7 @@
 
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -109,7 +110,7 @@ void fly(const support::TemporaryFolder& folder) {
       ASSERT_EQ(simulator.receive(answer, 10s), link::Delivery::kArrived) << "tick " << tick << "\n" << earshotd.output();
     } while (answer.number != number);  // those to knocks
   }
-  ASSERT_EQ(earshotd.wait(30s), 0) << earshotd.output();
+  ASSERT_EQ(earshotd.wait(30s), program::kAborted) << earshotd.output();
 }
 
 std::vector<messages::SnrMeasurement> looks_in(const fs::path& journal) {

@@ -83,7 +83,7 @@ class ResumedFlight : public Flight {
     const fs::path journal = folder_ / out / "journal.lcmlog";
     for (int i = 0; i < 3000 && !fs::exists(journal); ++i) std::this_thread::sleep_for(5ms);
     host::JournalReader reader(journal);
-    for (const auto deadline = std::chrono::steady_clock::now() + 20s; std::chrono::steady_clock::now() < deadline;) {
+    for (const auto deadline = std::chrono::steady_clock::now() + 120s; std::chrono::steady_clock::now() < deadline;) {
       for (host::JournalRecord record; reader.next(record);) {
         if (record.channel == wire::kDecisionChannel && --decisions == 0) return true;
       }

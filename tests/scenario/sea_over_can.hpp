@@ -19,6 +19,7 @@
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/program/exit_status.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -115,12 +116,13 @@ class SeaOverCan : public testing::Test {
   }
 
   /// Tells earshotd to end, and takes what it still says.
-  void end() {
+  /// @param status  that it is to end with
+  void end(int status_wanted = program::kDone) {
     earshotd_->signal(SIGTERM);
     int status = -1;
     EXPECT_TRUE(
         sails_until([&] { return (status = earshotd_->wait(std::chrono::milliseconds(0))) != -1; }, std::chrono::seconds(20), [] {}));
-    EXPECT_EQ(status, 0) << earshotd_->output();
+    EXPECT_EQ(status, status_wanted) << earshotd_->output();
     (void)sails_until([] { return false; }, std::chrono::seconds(1), [] {});
   }
 

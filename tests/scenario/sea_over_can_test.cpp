@@ -90,7 +90,7 @@ TEST_F(ShortWalk, GivenAnOperatorWhoAbortsOverCanTheSearchEndsAndTheVehicleComes
   vehicle_->operator_ashore()->abort();
   ASSERT_TRUE(sails_until([&] { return is_in(MissionState::kAbort) && has_surfaced(); }, 60s, nothing)) << earshotd_->output();
   EXPECT_EQ(ashore.health()->health.end_reason, EndReason::kOperatorAbort);
-  end();
+  end(program::kAborted);
   const Voyage voyage(folder_ / "journal.lcmlog");
   expect_replayed(2);
   expect_taken(voyage.setpoints);
@@ -116,7 +116,7 @@ TEST_F(ShortWalk, GivenALeakThatIsToldOnceARuleEndsTheSearchAndTheVehicleComesUp
   say(0xFD, 0);
   ASSERT_TRUE(sails_until([&] { return is_in(MissionState::kAbort) && has_surfaced(); }, 60s, dry_stern)) << earshotd_->output();
   EXPECT_EQ(ashore.health()->health.end_reason, EndReason::kSafetyRule);
-  end();
+  end(program::kAborted);
   EXPECT_NE(earshotd_->output().find(", leak"), std::string::npos) << earshotd_->output();
   expect_replayed(2);
 }
@@ -131,7 +131,7 @@ TEST_F(ShortWalk, GivenSomebodyWhoTakesTheHelmARuleEndsTheSearch) {
   vehicle_->autopilot()->disengage();
   ASSERT_TRUE(sails_until([&] { return is_in(MissionState::kAbort); }, 60s, nothing)) << earshotd_->output();
   EXPECT_EQ(ashore.health()->health.end_reason, EndReason::kSafetyRule);
-  end();
+  end(program::kAborted);
   EXPECT_NE(earshotd_->output().find(", autopilot_disengaged"), std::string::npos) << earshotd_->output();
 }
 
@@ -149,7 +149,7 @@ TEST_F(ShortWalk, GivenTheProgramThatEmulatesAVehicleItsOperatorStartsTheSearchA
     EXPECT_NE(said.find(line), std::string::npos) << line << "is not in\n" << said << earshotd_->output();
   }
   earshotd_->signal(SIGTERM);
-  EXPECT_EQ(earshotd_->wait(20s), 0) << earshotd_->output();
+  EXPECT_EQ(earshotd_->wait(20s), program::kInterrupted) << earshotd_->output();
 }
 
 /// The NAMEs that a vehicle of this seed claims addresses with.

@@ -25,6 +25,7 @@
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/memory/heap_trap.hpp"
+#include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -161,7 +162,7 @@ TEST_F(Sound, GivenEightChannelsAtNinetySixKilohertzEverySampleIsHeardOrCountedA
   ASSERT_TRUE(accounts_for_all(driver)) << earshotd_->output();
   ASSERT_TRUE(hears([](const health_t& health) { return health.state == health_t::ABORT; }));
   earshotd_->signal(SIGTERM);
-  ASSERT_EQ(earshotd_->wait(30s), 0) << earshotd_->output();
+  ASSERT_EQ(earshotd_->wait(30s), program::kAborted) << earshotd_->output();
 
   const auto [report, looks] = heard_by_journal();
   EXPECT_EQ(report.received + report.lost, driver.taken());

@@ -75,6 +75,7 @@ class Stopping {
   /// An ABORT if the mission is not over; then turns until its last set-point has been sent often enough.
   /// @param said  turns in which it was sent before
   LoopResult run(Duration period, int said) {
+    turn_.tell_stop();
     if (!is_over(result_.last.health)) turn_.take(kOwnPort, abort_of(clock_.now()));
     const auto deadline = std::chrono::steady_clock::now() + kStopPatience;
     Time next_turn = clock_.now();

@@ -69,9 +69,13 @@ void MissionTurn::take(std::uint8_t port, const Value& value) {
   memory_.note(input);
   const wire::InputRecord record(input);
   (void)journal_.append(input.arrival, record.channel(), record.data(), weight_of(port, value));
-  if (news_ != nullptr && port == kOwnPort && std::holds_alternative<messages::OperatorCommand>(value)) news_->tell_stop();
   runtime_.take(input);
   is_called_ = is_called_ || calls_for_turn(value);
+}
+
+void MissionTurn::tell_stop() {
+  if (news_ != nullptr) news_->tell_stop();
+  if (manager_ != nullptr) manager_->note_stop();
 }
 
 void MissionTurn::tell_detection(std::uint8_t port, const messages::SoundDetection& detection) {
@@ -108,6 +112,7 @@ runtime::Outputs MissionTurn::operator()() {
   write_ahead_of(outputs_);
   ports_.note_speed(is_finite(memory_.speed.value) ? memory_.speed : memory_.commanded_speed);
   ports_.publish(turn, outputs_);
+  if (manager_ != nullptr) manager_->note_turn(outputs_.health);
   if (news_ == nullptr) return outputs_;
   news_->tell(turn, runtime_.mission());
   for (const messages::SafetyEvent& event : outputs_.safety_events) news_->tell(event);

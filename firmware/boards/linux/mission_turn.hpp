@@ -10,6 +10,7 @@
 #include "firmware/boards/linux/port.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/boards/linux/replay/resume.hpp"
+#include "firmware/boards/linux/service/service_manager.hpp"
 #include "firmware/boards/linux/turn_memory.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
@@ -49,6 +50,10 @@ class MissionTurn final : public InputSink {
 
   /// From now on every turn is told to a person, too. @param news  must outlive it
   void tell(FlightNews& news);
+  /// From now on the service manager hears of every turn. It must outlive this.
+  void report_to(ServiceManager& manager) { manager_ = &manager; }
+  /// This program is told to stop: an abort from now on is its own.
+  void tell_stop();
 
   void take(std::uint8_t port, const Value& value) override;
   void tell_detection(std::uint8_t port, const messages::SoundDetection& detection) override;
@@ -85,6 +90,7 @@ class MissionTurn final : public InputSink {
   bool is_called_ = false;
   bool is_ahead_always_ = false;
   std::chrono::milliseconds patience_{100};
+  ServiceManager* manager_ = nullptr;
   FlightNews* news_ = nullptr;
 };
 

@@ -52,7 +52,18 @@ int PatientStream::sync() {
     left_out_ = 0;
     if (!write({remark.data(), static_cast<std::size_t>(count)}) || !is_writable()) return -1;
   }
-  return write({line_.data(), size}) ? 0 : -1;
+  return write_line({line_.data(), size}) ? 0 : -1;
+}
+
+bool PatientStream::write_line(std::string_view line) const {
+  if (!format_ || !line.ends_with('\n')) return write(line);
+  line.remove_suffix(1);
+  std::array<char, kLineBytes> said{};
+  const std::string_view text = format_(line, std::span(said).first(said.size() - 1));
+  std::array<char, kLineBytes> whole{};
+  const auto end = std::ranges::copy(text.substr(0, whole.size() - 1), whole.begin()).out;
+  *end = '\n';
+  return write({whole.data(), static_cast<std::size_t>(end - whole.begin()) + 1});
 }
 
 /// As much as a line fits into a pipe of which poll(2) says that it can be written to.

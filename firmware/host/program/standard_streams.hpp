@@ -4,9 +4,12 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <ostream>
+#include <span>
 #include <streambuf>
 #include <string_view>
+#include <utility>
 
 namespace earshot::program {
 
@@ -19,6 +22,9 @@ void open_standard_streams();
 /// is gone makes writing fail.
 class PatientStream : private std::streambuf {
  public:
+  /// Says a line otherwise. @param line  without its end   @param into  what it may be written into, kLineBytes
+  using LineFormat = std::function<std::string_view(std::string_view line, std::span<char> into)>;
+
   static constexpr std::chrono::milliseconds kPatience{1000};
   static constexpr std::size_t kLineBytes = 4096;  ///< PIPE_BUF: what a pipe takes at once; longer: in pieces
 
@@ -27,12 +33,17 @@ class PatientStream : private std::streambuf {
   PatientStream& operator=(const PatientStream&) = delete;
   ~PatientStream() override;
 
+  /// From the next line on.
+  void say_as(LineFormat format) { format_ = std::move(format); }
+
  private:
   int_type overflow(int_type character) override;
   int sync() override;
   [[nodiscard]] bool is_writable();
   [[nodiscard]] bool write(std::string_view text) const;
+  [[nodiscard]] bool write_line(std::string_view line) const;
 
+  LineFormat format_;  ///< empty: as they are
   std::ostream& stream_;
   std::streambuf* before_;
   std::ios_base::fmtflags flags_before_;
@@ -48,6 +59,9 @@ class PatientStream : private std::streambuf {
 class PatientStreams {
  public:
   PatientStreams();
+
+  /// Every line of standard error from now on.
+  void say_errors_as(PatientStream::LineFormat format) { error_.say_as(std::move(format)); }
 
  private:
   PatientStream output_;

@@ -53,6 +53,7 @@ struct Options {
   std::string speed = "0";
   std::optional<fs::path> policy;
   std::optional<fs::path> public_key;
+  std::optional<fs::path> vehicle;
   std::optional<std::string> bus;
   std::optional<std::string> lcm_url;
   std::optional<std::string> can_interface;
@@ -84,6 +85,8 @@ void declare(program::CommandLine& line, Options& o) {
       .shows_default();
   line.option("--policy", &o.policy, "policy file instead of the mission's");
   line.option("--public-key", &o.public_key, "file of the public key that signed it, instead of the mission's");
+  line.option("--vehicle", &o.vehicle,
+              "the vehicle's configuration (TOML): whose missions and policies it flies; what is signed draws with the mission's own seed");
   line.option(
           "--bus", &o.bus,
           "instead of the mission's ports: all over LCM, all over CAN, or navigation over CAN and the rest over LCM; not a hydrophone's")
@@ -112,8 +115,7 @@ void add(std::vector<std::string>& arguments, const char* name, const std::optio
 }
 
 std::vector<std::string> common_arguments(const Options& o, const Meeting& meeting) {
-  std::vector<std::string> a{"--out",     meeting.folder,  "--seed", std::to_string(o.seed),
-                             "--lcm-url", meeting.lcm_url, "--run",  std::to_string(meeting.run)};
+  std::vector<std::string> a{"--out", meeting.folder, "--lcm-url", meeting.lcm_url, "--run", std::to_string(meeting.run)};
   add(a, "--bus", o.bus);
   add(a, "--can-interface", o.can_interface);
   if (o.hear) a.insert(a.end(), {"--hydrophone-url", meeting.hydrophone_url});
@@ -123,7 +125,7 @@ std::vector<std::string> common_arguments(const Options& o, const Meeting& meeti
 std::vector<std::string> simulator_arguments(const Options& o, const Meeting& meeting) {
   std::vector<std::string> a = common_arguments(o, meeting);
   a.insert(a.end(), {"--environment", o.environment.string(), "--mission", o.mission.string(), "--domain", std::to_string(meeting.domain),
-                     "--source", o.source, "--speed", o.speed});
+                     "--seed", std::to_string(o.seed), "--source", o.source, "--speed", o.speed});
   add(a, "--hear", o.hear);
   if (o.ignore_source) a.emplace_back("--ignore-source");
   if (program::talk() == program::Talk::kQuiet) a.emplace_back("--quiet");
@@ -136,6 +138,8 @@ std::vector<std::string> runtime_arguments(const Options& o, const Meeting& meet
   a.insert(a.end(), {o.mission.string(), "--quiet", "--simulation", std::to_string(meeting.domain), "--wait", kWait_s});
   add(a, "--policy", o.policy);
   add(a, "--public-key", o.public_key);
+  add(a, "--vehicle", o.vehicle);
+  if (!o.vehicle) a.insert(a.end(), {"--seed", std::to_string(o.seed)});  // a signed mission names its own
   add(a, "--journal-survives", o.journal_survives);
   if (o.hear) a.emplace_back("--hear");
   return a;
@@ -207,11 +211,18 @@ bool writes_report(const fs::path& folder) {
   return report.status() == program::kDone || report.status() == program::kIncomplete;  // the page is written, and says what it lacks
 }
 
+/// A mission that ended in ABORT is flown, too; what ended it stands in the summary.
+bool is_flown(const ChildProcess& simulator, const ChildProcess& runtime) {
+  const bool has_ended =
+      runtime.status() == program::kDone || runtime.status() == program::kAborted || runtime.status() == program::kInterrupted;
+  return simulator.status() == program::kDone && has_ended;
+}
+
 /// A process that we ended because the other refused its input has a status of its own; the refusal is what counts.
 int exit_status(const ChildProcess& simulator, const ChildProcess& runtime, bool has_flown) {
   if (stop_requested) return program::kStopped;
   if (!has_flown && (simulator.status() == program::kBadInput || runtime.status() == program::kBadInput)) return program::kBadInput;
-  return simulator.status() == 0 && runtime.status() == 0 ? program::kDone : program::kLost;
+  return is_flown(simulator, runtime) ? program::kDone : program::kLost;
 }
 
 /// The LCM address that somebody chose; what a mission at sea uses when nobody did is never a simulation's.
@@ -323,8 +334,7 @@ int fly_search(Options o) {
 
   const bool has_flown = fs::exists(folder.unfinished() / "summary.json");
   const int status = exit_status(simulator, runtime, has_flown);
-  const bool is_whole = simulator.status() == 0 && runtime.status() == 0;
-  if (has_flown && conclude(o, folder, is_whole)) return status;
+  if (has_flown && conclude(o, folder, is_flown(simulator, runtime))) return status;
   if (stop_requested && !has_flown) std::cerr << "earshot fly: stopped before the flight began\n";
   if (fs::exists(folder.unfinished()))
     std::cerr << "earshot fly: this flight is not whole; what there is of it is in " << folder.unfinished().string() << "\n";

@@ -12,7 +12,9 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +33,7 @@
 #include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/boards/linux/replay/resume.hpp"
+#include "firmware/boards/linux/service/service_manager.hpp"
 #include "firmware/boards/linux/simulation_plugin.hpp"
 #include "firmware/boards/linux/waiting.hpp"
 #include "firmware/core/crc32.hpp"
@@ -124,7 +127,21 @@ void keep_policy(const host::SignedPolicy& policy, const std::filesystem::path& 
   }
 }
 
-/// Exit status: 0 for a mission flown to its end or stopped by a person, 3 when the other side was lost.
+/// What became of the mission, for scripts and service managers. @param found_in  its state when it ended, or was told to
+int status_of(messages::MissionState found_in) {
+  switch (found_in) {
+    case messages::MissionState::kStandby:
+    case messages::MissionState::kDone:
+      return program::kDone;
+    case messages::MissionState::kSearch:
+      return program::kInterrupted;
+    case messages::MissionState::kAbort:
+      return program::kAborted;
+  }
+  return program::kAborted;
+}
+
+/// @return exit status
 int report(const board::LoopResult& result, const board::Clock& clock, const board::PortSet& ports, const std::filesystem::path& journal) {
   const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
   const std::string state = board::to_string(result.last.health);
@@ -137,12 +154,12 @@ int report(const board::LoopResult& result, const board::Clock& clock, const boa
   switch (result.end) {
     case board::LoopEnd::kMissionOver:
       if (is_talkative) std::cerr << "earshotd: " << state << "; journal " << kept << "\n";
-      return 0;
+      return status_of(result.last.health.state);
     case board::LoopEnd::kStopped:
       if (is_talkative)
         std::cerr << "earshotd: stopped by a signal" << after << ", in " << messages::to_string(result.found_in) << "; it ended in "
                   << board::to_string(result.last.health, result.found_in) << "; journal " << kept << "\n";
-      return 0;
+      return status_of(result.found_in);
     case board::LoopEnd::kClockLost:
       std::cerr << "earshotd: lost " << clock.lost() << after << ", in " << state << "; journal up to then: " << kept << "\n";
       return kLost;
@@ -165,6 +182,13 @@ int report(const board::MemoryProof& proof, const board::PortSet& ports) {
   return proof.holds() ? program::kDone : program::kIncomplete;
 }
 
+/// Of a vehicle at sea; a simulation is nobody's service.
+board::ServiceManager service_manager(const Options& o) {
+  board::ServiceManager manager(o.simulation ? board::ServiceEnvironment{} : board::ServiceEnvironment::of_this_process());
+  if (!manager.complaint().empty()) std::cerr << "earshotd: warning: " << manager.complaint() << "\n";
+  return manager;
+}
+
 /// What the mission is flown with.
 struct Flight {
   const Options& options;
@@ -173,6 +197,7 @@ struct Flight {
   std::unique_ptr<runtime::Runtime> runtime;
   board::PortSet& ports;
   board::Clock& clock;
+  board::ServiceManager manager;
 };
 
 /// Flies, and tells meanwhile what changes; all of it is told when this returns.
@@ -181,7 +206,7 @@ board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryPr
   std::optional<board::FlightNews> news;
   if (program::talk() != program::Talk::kQuiet) {
     writer.emplace(STDERR_FILENO);
-    news.emplace(f.ports, *writer);
+    news.emplace(f.ports, *writer, f.options.log_format());
     turn.tell(*news);
   }
   settle_memory(f.options);
@@ -196,8 +221,9 @@ board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryPr
 }
 
 /// The mission that the newest journal in the folder did not end. Nothing: a new one begins.
-std::optional<board::Unfinished> unfinished_mission(const Flight& f, const std::filesystem::path& wanted) {
+std::optional<board::Unfinished> unfinished_mission(Flight& f, const std::filesystem::path& wanted) {
   if (!f.options.resume) return std::nullopt;
+  f.manager.ask_for(std::chrono::minutes(30));  // the journal of a month is read again
   return board::find_unfinished(wanted, {.mission = f.file.mission, .policy_crc32 = crc32(f.policy.bytes)},
                                 f.options.simulation ? board::GoOnAfter::kLastTurn : board::GoOnAfter::kLastInput, f.clock.now());
 }
@@ -238,6 +264,7 @@ int fly(Flight& f) {
   keep_policy(f.policy, journal.path());
   if (unfinished) f.runtime = std::move(unfinished->before.runtime);
   board::MissionTurn turn(*f.runtime, f.ports, journal, f.clock);
+  turn.report_to(f.manager);
   const Duration hold = begin(f, unfinished ? &unfinished->before : nullptr, journal.path(), turn);
   board::MemoryProof proof;
   board::LoopResult result;
@@ -256,7 +283,7 @@ int fly(Flight& f) {
     std::cerr << "earshotd: every record that is in the journal was there within " << std::fixed << std::setprecision(3)
               << journal.longest_wait_s() << " s, which is what a power cut could have cost\n";
   }
-  if (kept == Status::kOk && counters.all_lost() == 0) return status == program::kDone ? proven : status;
+  if (kept == Status::kOk && counters.all_lost() == 0) return proven == program::kDone ? status : proven;
   std::cerr << "earshotd: the journal is not whole: " << counters.all_lost() << " records lost, of these "
             << of(counters.lost, host::Weight::kSteering) << " set-points and decisions and " << of(counters.lost, host::Weight::kOrder)
             << " commands and changes of state; " << counters.write_errors << " writes failed\n";
@@ -334,19 +361,30 @@ int fly(const Options& o) {
                       std::chrono::seconds(o.wait_s), [&](std::chrono::milliseconds most) { return clock->has_come(most); });
   if (waited != board::Waited::kCame) return waited == board::Waited::kStopped ? program::kStopped : kLost;
   judge.record_flight();
-  Flight flight{.options = o, .file = file, .policy = policy, .runtime = std::move(runtime), .ports = ports, .clock = *clock};
+  Flight flight{.options = o,
+                .file = file,
+                .policy = policy,
+                .runtime = std::move(runtime),
+                .ports = ports,
+                .clock = *clock,
+                .manager = service_manager(o)};
   return fly(flight);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const program::PatientStreams streams;  // a vehicle waits for nobody who reads, and does not end with him
+  program::PatientStreams streams;  // a vehicle waits for nobody who reads, and does not end with him
   program::CommandLine line("earshotd",
                             "earshotd flies one mission: navigation and SNR in, frozen policy, set-points out.\n"
-                            "Exit status: 0 flown or stopped, 1 --prove-no-alloc found an allocation, 2 bad input,\n"
-                            "3 the simulator, the bus or the journal was lost, 130 stopped before the simulator came.");
+                            "Exit status: 0 the search ended DONE, or none was under way; 1 --prove-no-alloc found an allocation;\n"
+                            "2 bad input; 3 the simulator, the bus or the journal was lost; 4 the search ended in ABORT;\n"
+                            "5 a signal stopped a search under way; 130 stopped before the simulator came.");
   Options options;
   board::declare(line, options);
-  return program::run(line, argc, argv, [&] { return fly(options); });
+  return program::run(line, argc, argv, [&] {
+    streams.say_errors_as(
+        [format = options.log_format()](std::string_view said, std::span<char> into) { return board::formatted(said, format, into); });
+    return fly(options);
+  });
 }

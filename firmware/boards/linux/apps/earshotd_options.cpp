@@ -1,5 +1,7 @@
 #include "firmware/boards/linux/apps/earshotd_options.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "firmware/host/file/bad_input.hpp"
@@ -48,6 +50,10 @@ void declare(program::CommandLine& line, Options& o) {
           "what a record in the journal survives: power-cut: it is brought to the disk within milliseconds; process: the kernel writes it "
           "when it likes; default: power-cut at sea, process in simulation")
       .one_of({"power-cut", "process"});
+  line.option("--log", &o.log,
+              "how lines on standard error are written: text, for people; journal, with their severity, for systemd's journal; json, an "
+              "object a line; default: journal where standard error leads there, else text")
+      .one_of({kLogFormats[0].data(), kLogFormats[1].data(), kLogFormats[2].data()});
   line.option("--vehicle", &o.vehicle,
               std::string("the vehicle's configuration (TOML): whose missions and policies it flies; default: ") + host::kVehicleFile +
                   " if there is one, in simulation none");
@@ -82,6 +88,11 @@ void declare(program::CommandLine& line, Options& o) {
       .checked([](const std::string& file) {
         return file.ends_with(".svg") ? "" : "the chart is an SVG picture: name a file that ends with .svg";
       });
+}
+
+LogFormat Options::log_format() const {
+  if (!log) return log_format_of_standard_error();
+  return static_cast<LogFormat>(std::ranges::find(kLogFormats, *log) - std::begin(kLogFormats));
 }
 
 void require_possible(const Options& o) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "firmware/boards/linux/news/log_format.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/command_line.hpp"
 
@@ -30,6 +31,9 @@ struct Options {
   bool check = false;
   std::optional<std::filesystem::path> chart;
   std::optional<std::string> journal_survives;
+  std::optional<std::string> log;
+
+  [[nodiscard]] LogFormat log_format() const;
 };
 
 /// Names every option and what it is for.

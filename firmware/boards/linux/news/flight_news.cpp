@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <concepts>
 #include <cstddef>
 #include <string_view>
@@ -14,7 +13,9 @@
 namespace earshot::board {
 namespace {
 
-/// A line in the making, in memory of its own.
+constexpr std::size_t kMessageBytes = 256;
+
+/// What a line says, in the making, in memory of its own.
 class Line {
  public:
   Line& operator<<(std::string_view text) {
@@ -33,33 +34,12 @@ class Line {
     const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed, places);
     return *this << (error == std::errc{} ? std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())) : "?");
   }
-  Line& two_digits(unsigned number) { return *this << (number < 10 ? "0" : "") << number; }
   [[nodiscard]] std::string_view text() const { return {text_.data(), size_}; }
 
  private:
-  std::array<char, LineWriter::kLineBytes> text_{};
+  std::array<char, kMessageBytes> text_{};
   std::size_t size_ = 0;
 };
-
-/// "2026-11-22 15:04:07 UTC"; "4711 s" of a simulator's clock, which begins at 0.
-void write_time(Line& line, Time time) {
-  using namespace std::chrono;
-  constexpr Time kLongAgo{microseconds(sys_days(year(2000) / January / 1).time_since_epoch()).count()};
-  if (time < kLongAgo) {
-    line << time.us / 1'000'000 << " s";
-    return;
-  }
-  const sys_time<microseconds> utc{microseconds(time.us)};
-  const sys_days day = floor<days>(utc);
-  const year_month_day date{day};
-  const hh_mm_ss clock{floor<seconds>(utc) - day};
-  line << static_cast<int>(date.year()) << "-";
-  line.two_digits(static_cast<unsigned>(date.month())) << "-";
-  line.two_digits(static_cast<unsigned>(date.day())) << " ";
-  line.two_digits(static_cast<unsigned>(clock.hours().count())) << ":";
-  line.two_digits(static_cast<unsigned>(clock.minutes().count())) << ":";
-  line.two_digits(static_cast<unsigned>(clock.seconds().count())) << " UTC";
-}
 
 /// "hears 15.0 to 30.0 Hz of 8 channels at 96000.0 Hz: full scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; looks lag by 0.24 s"
 void write_chain(Line& line, const HeardChain& chain) {
@@ -90,19 +70,16 @@ std::string_view remark_on(const messages::Health& health) {
   return health.is_paused ? "paused by an operator" : std::string_view{};
 }
 
-Line line_at(Time time) {
-  Line line;
-  line << "earshotd: ";
-  write_time(line, time);
-  line << ": ";
-  return line;
-}
-
 }  // namespace
 
-FlightNews::FlightNews(const PortSet& ports, LineWriter& writer) : writer_(writer) {
+FlightNews::FlightNews(const PortSet& ports, LineWriter& writer, LogFormat format) : writer_(writer), format_(format) {
   for (const PortSet::Link& link : ports.links())
     links_.at(link.port) = {.label = link.label, .is_up = link.is_up, .changes = 0, .due = {}};
+}
+
+void FlightNews::say(const LogEntry& entry) {
+  std::array<char, kLogLineBytes> line{};
+  writer_.say(formatted(entry, format_, line));
 }
 
 void FlightNews::tell(Time now, const messages::Health& health) {
@@ -121,16 +98,17 @@ void FlightNews::tell(Time now, std::uint8_t port, const messages::SoundDetectio
   Sound& sound = sounds_.at(port);
   ++sound.detections;
   if (now < sound.detection_due) return;
-  Line line = line_at(now);
+  Line line;
   line << "heard for ";
   line.decimal(detection.duration.to_seconds(), 1) << " s from ";
-  write_time(line, detection.begin);
+  std::array<char, 32> date{};
+  line << written(detection.begin, date);
   line << ": level ";
   line.decimal(detection.level.value, 1) << " dB re 1 uPa, SNR ";
   line.decimal(detection.snr.value, 1) << " dB";
   if (detection.is_clipped) line << ", clipped";
   if (sound.detections > 1) line << "; " << sound.detections << " detections since it was last told of one";
-  writer_.say(line.text());
+  say({.severity = Severity::kInfo, .event = "heard", .time = now, .port = port, .message = line.text()});
   sound.detections = 0;
   sound.detection_due = now + kBetweenDetectionLines;
 }
@@ -148,7 +126,7 @@ void FlightNews::tell_rule(Time now, RuleNews& rule) {
   const bool ends_mission = event.begins && event.response >= config::Response::kAbort;
   if (rule.changes == 0 || (now < rule.due && !ends_mission)) return;
   const config::ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(event.condition));
-  Line line = line_at(now);
+  Line line;
   line << "rule " << event.rule + 1 << ", " << traits.key;
   if (!event.begins) {
     line << ": no longer";
@@ -161,7 +139,11 @@ void FlightNews::tell_rule(Time now, RuleNews& rule) {
     line << ": " << config::kResponseWords.at(static_cast<std::size_t>(event.response));
   }
   if (rule.changes > 1) line << "; it changed " << rule.changes << " times since it was last told of";
-  writer_.say(line.text());
+  say({.severity = ends_mission ? Severity::kError : Severity::kWarning,
+       .event = "rule",
+       .time = now,
+       .rule = static_cast<std::uint8_t>(event.rule + 1),
+       .message = line.text()});
   rule.changes = 0;
   rule.due = now + kBetweenLinkLines;
 }
@@ -175,13 +157,13 @@ void FlightNews::tell(Time now, const config::Mission& mission) {
   if (limits == *limits_ || now < limits_due_) return;
   limits_ = limits;
   limits_due_ = now + kBetweenLinkLines;
-  Line line = line_at(now);
+  Line line;
   line << "TIGHTEN obeyed: the search is at ";
   line.decimal(limits.search_depth.value, 1) << " m and ";
   line.decimal(limits.search_speed.value, 2) << " m/s, never below ";
   line.decimal(limits.max_depth.value, 1) << " m, and ends after ";
   line.decimal(limits.max_time.to_seconds(), 0) << " s";
-  writer_.say(line.text());
+  say({.severity = Severity::kNotice, .event = "limits", .time = now, .message = line.text()});
 }
 
 void FlightNews::tell(std::uint8_t port, const HeardChain& chain) {
@@ -199,9 +181,13 @@ void FlightNews::tell_troubles(Time now, std::size_t port) {
     trouble.is_told = trouble.is_there;
     const std::string_view words = trouble.is_there ? begin_of(static_cast<BusTrouble>(i)) : end_of(static_cast<BusTrouble>(i));
     if (words.empty()) continue;
-    Line line = line_at(now);
+    Line line;
     line << links_.at(port).label << ": " << words;
-    writer_.say(line.text());
+    say({.severity = trouble.is_there ? Severity::kWarning : Severity::kNotice,
+         .event = "bus",
+         .time = now,
+         .port = static_cast<std::uint8_t>(port),
+         .message = line.text()});
     trouble.due = now + kBetweenLinkLines;
   }
 }
@@ -209,10 +195,14 @@ void FlightNews::tell_troubles(Time now, std::size_t port) {
 void FlightNews::tell_chain(Time now, std::size_t port) {
   Sound& sound = sounds_.at(port);
   if (!sound.chain || now < sound.chain_due) return;
-  Line line = line_at(now);
+  Line line;
   line << links_.at(port).label << ": ";
   write_chain(line, *sound.chain);
-  writer_.say(line.text());
+  say({.severity = sound.chain->heard == HeardChain::Heard::kWell ? Severity::kInfo : Severity::kError,
+       .event = "hydrophone",
+       .time = now,
+       .port = static_cast<std::uint8_t>(port),
+       .message = line.text()});
   sound.chain.reset();
   sound.chain_due = now + kBetweenLinkLines;
 }
@@ -223,31 +213,32 @@ void FlightNews::tell_state(Time now, const messages::Health& health) {
   if (state_ != health.state) navigation_.is_told_in_state = snr_.is_told_in_state = false;
   state_ = health.state;
   remark_ = remark;
-  Line line = line_at(now);
+  Line line;
   line << to_string(health.state);
   const bool is_stopped = is_stopping_ && health.end_reason == messages::EndReason::kOperatorAbort;
   if (health.end_reason != messages::EndReason::kNone)
     line << ", " << (is_stopped ? kToldToStop : to_string(health.end_reason)) << ", after " << health.steps_taken << " steps";
   if (!remark.empty()) line << ", " << remark;
-  writer_.say(line.text());
+  const bool is_aborted = health.state == messages::MissionState::kAbort;
+  say({.severity = is_aborted ? Severity::kError : Severity::kNotice, .event = "state", .time = now, .message = line.text()});
 }
 
 /// Of two ports that bring the same, the slower one's messages are refused for their order as long as the flight lasts: no more lines then.
 void FlightNews::tell_refused(Time now, std::string_view sensor, std::uint64_t count, Refused& refused) {
   if (count == refused.told || refused.is_told_in_state) return;
   refused = {.told = count, .is_told_in_state = true};
-  Line line = line_at(now);
+  Line line;
   line << sensor << ": " << count << (count == 1 ? " message" : " messages")
        << " refused so far, for their date, their order or what is in them; look at their sender's clock "
           "(of CAN messages, which bear no date: at two ports that bring the same)";
-  writer_.say(line.text());
+  say({.severity = Severity::kWarning, .event = "refused", .time = now, .message = line.text()});
 }
 
 /// Of the journal's own limit on such reports there are few.
 void FlightNews::tell_journal(Time now, const messages::PortReport& report) {
   if (report.link_up == is_journal_up_) return;
   is_journal_up_ = report.link_up;
-  Line line = line_at(now);
+  Line line;
   if (is_journal_up_) {
     line << "journal: the disk takes it again; " << report.lost << " records are lost";
   } else {
@@ -255,7 +246,7 @@ void FlightNews::tell_journal(Time now, const messages::PortReport& report) {
         << "journal: the disk does not take it in time (full, read-only, broken or slow): the flight goes on; once the buffer is full only "
            "orders, changes of state and some set-points are kept";
   }
-  writer_.say(line.text());
+  say({.severity = is_journal_up_ ? Severity::kNotice : Severity::kError, .event = "journal", .time = now, .message = line.text()});
 }
 
 void FlightNews::tell_link(Time now, const messages::PortReport& report) {
@@ -265,10 +256,14 @@ void FlightNews::tell_link(Time now, const messages::PortReport& report) {
   link.is_up = report.link_up;
   constexpr Duration kMostAhead{(kLinkLinesAtOnce - 1) * kBetweenLinkLines.us};
   if (link.changes == 0 || link.due - now > kMostAhead) return;
-  Line line = line_at(now);
+  Line line;
   line << link.label << ": its link is " << (link.is_up ? "up again" : "down; tried again once a second");
   if (link.changes > 1) line << "; it changed " << link.changes << " times since it was last told of";
-  writer_.say(line.text());
+  say({.severity = link.is_up ? Severity::kNotice : Severity::kWarning,
+       .event = "link",
+       .time = now,
+       .port = report.port,
+       .message = line.text()});
   link.changes = 0;
   link.due = std::max(link.due, now) + kBetweenLinkLines;
 }

@@ -10,6 +10,7 @@
 #include "firmware/boards/linux/can/bus_trouble.hpp"
 #include "firmware/boards/linux/hydrophone/heard_chain.hpp"
 #include "firmware/boards/linux/news/line_writer.hpp"
+#include "firmware/boards/linux/news/log_format.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/config/mission.hpp"
@@ -46,7 +47,7 @@ class FlightNews {
 
   /// @param ports   a link that is down already has no line of its own
   /// @param writer  must outlive it
-  FlightNews(const PortSet& ports, LineWriter& writer);
+  FlightNews(const PortSet& ports, LineWriter& writer, LogFormat format = LogFormat::kText);
 
   /// Tells what the turn changed; to be called after every turn. @param now  of the turn, on the mission clock: UTC at sea, seconds from 0
   /// in simulation
@@ -104,6 +105,7 @@ class FlightNews {
     std::uint64_t changes = 0;  ///< since it was last told of
     Time due;
   };
+  void say(const LogEntry& entry);
   void tell_rule(Time now, RuleNews& rule);
   void tell_troubles(Time now, std::size_t port);
   void tell_chain(Time now, std::size_t port);
@@ -113,6 +115,7 @@ class FlightNews {
   void tell_refused(Time now, std::string_view sensor, std::uint64_t count, Refused& refused);
 
   LineWriter& writer_;
+  LogFormat format_;
   std::array<Link, config::kMaxPorts> links_;
   std::optional<messages::MissionState> state_;
   std::string_view remark_;       ///< on it

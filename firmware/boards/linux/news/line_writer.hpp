@@ -18,7 +18,7 @@ namespace earshot::board {
 class LineWriter {
  public:
   static constexpr std::size_t kLines = 64;       ///< waiting to be written; full: the newest goes, counted
-  static constexpr std::size_t kLineBytes = 256;  ///< of a line with its end; longer: cut
+  static constexpr std::size_t kLineBytes = 513;  ///< of a line with its end; longer: cut
 
   /// @param descriptor  must stay open while it lives; a reader who goes away ends nothing
   /// @throws std::system_error.

@@ -1,0 +1,149 @@
+#include "firmware/boards/linux/news/log_format.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <concepts>
+#include <cstdlib>
+#include <string>
+
+namespace earshot::board {
+namespace {
+
+/// Writes into memory of somebody else's, and leaves out what does not fit.
+class Writing {
+ public:
+  explicit Writing(std::span<char> into) : into_(into) {}
+  Writing& operator<<(std::string_view text) {
+    const std::size_t count = std::min(text.size(), into_.size() - size_);
+    std::copy_n(text.begin(), count, into_.begin() + static_cast<std::ptrdiff_t>(size_));
+    size_ += count;
+    return *this;
+  }
+  Writing& operator<<(std::integral auto number) {
+    std::array<char, 24> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  }
+  Writing& two_digits(unsigned number) { return *this << (number < 10 ? "0" : "") << number; }
+  [[nodiscard]] std::size_t left() const { return into_.size() - size_; }
+  [[nodiscard]] std::string_view text() const { return {into_.data(), size_}; }
+
+ private:
+  std::span<char> into_;
+  std::size_t size_ = 0;
+};
+
+constexpr Time kLongAgo{std::chrono::microseconds(
+                            std::chrono::sys_days(std::chrono::year(2000) / std::chrono::January / 1).time_since_epoch())
+                            .count()};
+
+void write_date(Writing& to, Time time, std::string_view between, std::string_view zone) {
+  using namespace std::chrono;
+  const sys_time<microseconds> utc{microseconds(time.us)};
+  const sys_days day = floor<days>(utc);
+  const year_month_day date{day};
+  const hh_mm_ss clock{floor<seconds>(utc) - day};
+  to << static_cast<int>(date.year()) << "-";
+  to.two_digits(static_cast<unsigned>(date.month())) << "-";
+  to.two_digits(static_cast<unsigned>(date.day())) << between;
+  to.two_digits(static_cast<unsigned>(clock.hours().count())) << ":";
+  to.two_digits(static_cast<unsigned>(clock.minutes().count())) << ":";
+  to.two_digits(static_cast<unsigned>(clock.seconds().count())) << zone;
+}
+
+std::string_view word_of(Severity severity) {
+  switch (severity) {
+    case Severity::kError:
+      return "error";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kNotice:
+      return "notice";
+    case Severity::kInfo:
+      return "info";
+  }
+  return "notice";
+}
+
+/// As JSON wants it, and no further than leaves room for the end of the object. Bytes that are no ASCII stand in what programs say only
+/// where host::printable() has let them pass as UTF-8.
+void write_escaped(Writing& to, std::string_view text, std::size_t room_for_end) {
+  constexpr std::string_view kHexadecimal = "0123456789abcdef";
+  constexpr std::size_t kLongest = 6;
+  for (const char character : text) {
+    if (to.left() < kLongest + room_for_end) return;
+    const auto code = static_cast<unsigned char>(character);
+    if (character == '"' || character == '\\') {
+      to << "\\" << std::string_view(&character, 1);
+    } else if (code < 0x20) {
+      to << "\\u00" << kHexadecimal.substr(code >> 4U, 1) << kHexadecimal.substr(code & 15U, 1);
+    } else {
+      to << std::string_view(&character, 1);
+    }
+  }
+}
+
+std::string_view as_json(const LogEntry& entry, Writing to) {
+  constexpr std::string_view kEnd = "\"}";
+  to << R"({"severity": ")" << word_of(entry.severity) << R"(", "event": ")" << entry.event << "\"" ;
+  if (entry.time && *entry.time < kLongAgo) {
+    to << R"(, "time_s": )" << entry.time->us / 1'000'000;
+  } else if (entry.time) {
+    to << R"(, "time": ")";
+    write_date(to, *entry.time, "T", "Z\"");
+  }
+  if (entry.port) to << R"(, "port": )" << unsigned{*entry.port};
+  if (entry.rule) to << R"(, "rule": )" << unsigned{*entry.rule};
+  to << R"(, "message": ")";
+  write_escaped(to, entry.message, kEnd.size());
+  return (to << kEnd).text();
+}
+
+}  // namespace
+
+LogFormat log_format_of_standard_error() {
+  const char* const stream = std::getenv("JOURNAL_STREAM");
+  struct stat status {};
+  if (stream == nullptr || ::fstat(STDERR_FILENO, &status) != 0) return LogFormat::kText;
+  const std::string ours = std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino);
+  return ours == stream ? LogFormat::kJournal : LogFormat::kText;
+}
+
+std::string_view written(Time time, std::span<char> into) {
+  Writing to(into);
+  if (time < kLongAgo) return (to << time.us / 1'000'000 << " s").text();
+  write_date(to, time, " ", " UTC");
+  return to.text();
+}
+
+std::string_view formatted(const LogEntry& entry, LogFormat format, std::span<char> into) {
+  Writing to(into.first(std::min(into.size(), kLogLineBytes)));
+  if (format == LogFormat::kJson) return as_json(entry, to);
+  if (format == LogFormat::kJournal) {
+    to << "<" << static_cast<unsigned>(entry.severity) << ">";
+  } else {
+    to << "earshotd: ";
+  }
+  if (entry.time) {
+    std::array<char, 32> date{};
+    to << written(*entry.time, date) << ": ";
+  }
+  return (to << entry.message).text();
+}
+
+std::string_view formatted(std::string_view said, LogFormat format, std::span<char> into) {
+  constexpr std::string_view kName = "earshotd: ";
+  if (format == LogFormat::kText || said.empty()) return said;
+  if (said.starts_with(kName)) said.remove_prefix(kName.size());
+  LogEntry entry{.message = said};
+  if (said.starts_with("warning: ")) entry.severity = Severity::kWarning;
+  if (said.starts_with("error: ")) entry.severity = Severity::kError;
+  return formatted(entry, format, into);
+}
+
+}  // namespace earshot::board
