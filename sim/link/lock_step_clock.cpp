@@ -75,18 +75,20 @@ std::optional<Tick> LockStepClock::take_due() {
   return tick_;
 }
 
-void LockStepPort::collect(board::Clock& /*clock*/, board::InputSink& sink) {
-  const std::optional<Tick> tick = clock_.take_due();
-  if (!tick) return;
-  if (tick->snr) sink.take(index(), messages::SnrMeasurement{.time = tick->time, .snr = *tick->snr, .too_faint = tick->snr_too_faint});
-  if (tick->command != 0) {
-    sink.take(index(), messages::OperatorCommand{.time = tick->time,
-                                                 .expiry = tick->time,
-                                                 .issuer = kIssuer,
-                                                 .number = static_cast<std::uint32_t>(tick->number),
-                                                 .order = static_cast<messages::Order>(tick->command),
-                                                 .is_verified = true});  // it drives the clock: nobody else is there to give orders
+void give_inputs(const Tick& tick, std::uint8_t port, board::InputSink& sink) {
+  if (tick.snr) sink.take(port, messages::SnrMeasurement{.time = tick.time, .snr = *tick.snr, .too_faint = tick.snr_too_faint});
+  if (tick.command != 0) {
+    sink.take(port, messages::OperatorCommand{.time = tick.time,
+                                              .expiry = tick.time,
+                                              .issuer = kIssuer,
+                                              .number = static_cast<std::uint32_t>(tick.number),
+                                              .order = static_cast<messages::Order>(tick.command),
+                                              .is_verified = true});  // it drives the clock: nobody else is there to give orders
   }
+}
+
+void LockStepPort::collect(board::Clock& /*clock*/, board::InputSink& sink) {
+  if (const std::optional<Tick> tick = clock_.take_due()) give_inputs(*tick, index(), sink);
 }
 
 }  // namespace earshot::link

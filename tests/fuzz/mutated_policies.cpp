@@ -10,15 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/core/math.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "firmware/policy/check/policy_check.hpp"
-#include "firmware/policy/format/policy_format.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "tests/fuzz/mutation.hpp"
 #include "tests/fuzz/numbered_mutants.hpp"
-#include "tests/support/mission_for.hpp"
+#include "tests/fuzz/policy_flight.hpp"
 #include "tests/support/signed_policy.hpp"
 
 namespace {
@@ -26,101 +23,10 @@ namespace {
 using namespace earshot;
 using fuzz::Bytes;
 
-constexpr int kTurns = 24;
 constexpr std::string_view kBegin = "a.policy: ";
-
-/// The random walk, and one that sees a belief of 12 x 10 cells: small, so that many can be flown.
-std::vector<Bytes> good_policies() {
-  policy::FrozenPolicy walk = support::random_walk_policy();
-  walk.network.output.bias[3] = 0.5F;
-  std::vector<Bytes> good{support::signed_bytes(walk)};
-  policy::BeliefModel& belief = walk.observation.belief;
-  belief.actions = walk.actions;
-  belief.step_length = walk.step_length;
-  belief.area_size = walk.area_size;
-  belief.detection_threshold = walk.detection_threshold;
-  belief.cells_north = 12;
-  belief.cells_east = 10;
-  (void)belief.hypotheses.push_back({.level_offset_db = 0.0F, .spread_db = 4.0F, .prior = 1.0F});
-  (void)belief.hypotheses.push_back({.level_offset_db = 6.0F, .spread_db = 2.0F, .prior = 2.0F});
-  belief.range_step = Meters{1'000.0};
-  for (int i = 0; i < 36; ++i) (void)belief.snr_db.push_back(static_cast<float>(30 - i));
-  walk.observation.spec = policy::belief_state(belief);
-  walk.network.observation_size = walk.observation.spec.size();
-  Pcg32 random(5);
-  for (float& weight : walk.network.first.packed) weight = random.uniform_float() - 0.5F;
-  for (float& weight : walk.network.second.packed) weight = random.uniform_float() - 0.5F;
-  for (float& weight : walk.network.output.packed) weight = random.uniform_float() - 0.5F;
-  good.push_back(support::signed_bytes(walk));
-  walk.draw = policy::ActionDraw::kArgmax;
-  good.push_back(support::signed_bytes(walk));
-  return good;
-}
 
 void require(bool holds, const char* what) {
   if (!holds) throw std::logic_error(what);
-}
-
-void require_within_limits(const config::Mission& mission, const messages::Setpoint& setpoint) {
-  require(is_finite(setpoint.waypoint) && is_finite(setpoint.heading.value), "a set-point is not finite");
-  require(setpoint.speed.value >= 0.0 && setpoint.speed <= mission.search_speed, "a set-point's speed is out of its limits");
-  require(setpoint.depth.value >= 0.0 && setpoint.depth <= mission.max_depth, "a set-point's depth is out of its limits");
-}
-
-void require_sound(const policy::FrozenPolicy& policy, const config::Mission& mission, const messages::Decision& decision) {
-  require(decision.action < policy.actions.size(), "an action is none of the policy's");
-  require(mission.operating_area.contains(decision.waypoint), "a way-point lies outside the area");
-  for (std::size_t i = 0; i < policy.observation.spec.size(); ++i)
-    require(is_finite(decision.observation[i]), "an observation is no number");
-  for (std::size_t i = 0; i < policy.actions.size(); ++i) require(is_finite(decision.logits[i]), "a logit is no number");
-}
-
-/// What may be heard: mostly what oceans do, sometimes all that the runtime lets in.
-messages::SnrMeasurement sound(Time now, Pcg32& random) {
-  const double span = random.next() % 8 == 0 ? messages::kMostSnr.value : 40.0;
-  return {
-      .time = now, .snr = Decibels{span * (2.0 * static_cast<double>(random.uniform_float()) - 1.0)}, .too_faint = random.next() % 4 == 0};
-}
-
-/// @return whether the runtime took the policy and flew it
-bool flies(const policy::FrozenPolicy& policy, runtime::Runtime& runtime, Pcg32& random) {
-  const config::Mission mission = support::mission_for(policy);
-  const Status configured = runtime.configure(mission, policy);
-  if (config::check(mission) != Status::kOk) {
-    require(configured == Status::kOutOfRange, "a mission without room to search was taken");
-    return false;
-  }
-  require(configured == Status::kOk, "the runtime refused what the loader took");
-  Time now{1'000'000};
-  messages::Navigation navigation;
-  navigation.position = {0.5 * policy.area_size.north, 0.25 * policy.area_size.east};
-  std::uint32_t sequence = 0;
-  const auto take = [&](const auto& value) { runtime.take({.arrival = now, .port = 0, .sequence = ++sequence, .value = value}); };
-  take(messages::OperatorCommand{
-      .time = now, .expiry = now + Duration::seconds(60), .issuer = 1, .number = 1, .order = messages::Order::kStart});
-  int decisions = 0;
-  for (int turn = 0; turn < kTurns; ++turn) {
-    navigation.time = now;
-    take(navigation);
-    take(sound(now, random));
-    const runtime::Outputs outputs = runtime.step(now);
-    require(outputs.setpoint.has_value(), "a search commands nothing");
-    require_within_limits(mission, *outputs.setpoint);
-    if (outputs.decision) require_sound(policy, mission, *outputs.decision);
-    decisions += outputs.decision ? 1 : 0;
-    navigation.position = outputs.setpoint->waypoint;
-    now = now + Duration::seconds(1);
-  }
-  require(decisions > 0, "no decision was taken");
-  return true;
-}
-
-/// The same policy as a careless freezer would have frozen it: its golden trajectories are those of its own numbers.
-Bytes frozen_anew(const Bytes& bytes) {
-  const auto policy = std::make_unique<policy::FrozenPolicy>();
-  policy::PolicyComplaint complaint;
-  if (policy::parse(bytes, *policy, complaint) != Status::kOk) return bytes;
-  return support::signed_bytes(*policy);
 }
 
 class Run {
@@ -129,10 +35,10 @@ class Run {
     Pcg32 random(number);
     Bytes bytes = fuzz::mutated(good_[random.next() % good_.size()], random);
     support::sign(bytes);
-    if (random.next() % 4 != 0) bytes = frozen_anew(bytes);
+    if (random.next() % 4 != 0) bytes = fuzz::frozen_anew(bytes);
     try {
       const host::SignedPolicy loaded = host::signed_policy_from(std::move(bytes), "a.policy", trusted_);
-      ++counts_[flies(*loaded.policy, *runtime_, random) ? "flown within limits" : "taken, but its area has no room for its steps"];
+      ++counts_[fuzz::flies(*loaded.policy, *runtime_, random) ? "flown within limits" : "taken, but its area has no room for its steps"];
     } catch (const host::BadInput& refusal) {
       const std::string message = refusal.what();
       require(message.starts_with(kBegin) && message.find('\n') == std::string::npos, "a refusal is no line that begins with its file");
@@ -153,7 +59,7 @@ class Run {
     return "refused: " + message;
   }
 
-  std::vector<Bytes> good_ = good_policies();
+  std::vector<Bytes> good_ = fuzz::good_policies();
   host::TrustedKey trusted_{.key = support::public_key(), .file = "a.pub"};
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
   std::map<std::string, std::uint64_t> counts_;

@@ -1,0 +1,121 @@
+// Journals, read record by record and given to a runtime again.
+//
+// The input is a row of changes to a good journal of a mission, its policy and some inputs (see spoil()), each with a first byte before it:
+// when that is odd, the checksum of every record that still begins as one is mended, so that what it holds is read. A first byte of 0xFF
+// cuts the file off, at the place that follows (2 bytes).
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "firmware/boards/linux/replay/playback.hpp"
+#include "firmware/core/crc32.hpp"
+#include "firmware/core/math.hpp"
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/input_file.hpp"
+#include "firmware/host/journal/journal.hpp"
+#include "firmware/host/journal/journal_format.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/wire/journal/input_record.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/lc02.hpp"
+#include "tests/fuzz/targets/fuzz_target.hpp"
+#include "tests/support/mission_for.hpp"
+#include "tests/support/signed_policy.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::fuzz {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes good_journal(const std::filesystem::path& path) {
+  const policy::FrozenPolicy policy = support::random_walk_policy();
+  const Bytes policy_bytes = support::signed_bytes(policy);
+  mission_t mission = wire::to_message(support::mission_for(policy), Time{});
+  mission.policy_crc32 = static_cast<std::int32_t>(crc32(policy_bytes));
+  {
+    host::Journal journal(path, {.when_full = host::JournalOptions::WhenFull::kWait});
+    const auto append = [&](Time time, std::string_view channel, std::span<const std::uint8_t> data) {
+      require(journal.append(time, channel, data) == Status::kOk, "the journal does not take a record");
+    };
+    append(Time{}, wire::kMissionChannel, wire::Encoded(mission).bytes());
+    append(Time{}, wire::kPolicyChannel, policy_bytes);
+    const Time now{1'000'000};
+    const auto take = [&](const auto& value) {
+      const wire::InputRecord record({.arrival = now, .port = 0, .sequence = 0, .value = value});
+      append(now, record.channel(), record.data());
+    };
+    take(messages::Navigation{.time = now});
+    take(messages::SnrMeasurement{.time = now});
+    take(messages::OperatorCommand{.time = now, .expiry = now, .issuer = 1, .number = 1, .order = messages::Order::kStart});
+    append(now, wire::kHealthChannel, wire::Encoded(wire::to_message(messages::Health{}, now)).bytes());
+  }
+  return host::read_bytes(path, host::kAnySize);
+}
+
+/// As somebody would who means harm.
+void mend_checksums(std::span<std::uint8_t> journal) {
+  while (journal.size() >= host::kRecordHeaderSize) {
+    const std::uint64_t size = host::kRecordHeaderSize + host::load(journal.subspan(20, 4)) + host::load(journal.subspan(24, 4));
+    if (size > journal.size()) return;
+    host::store(journal.subspan(4, 4), crc32(journal.subspan(host::kCheckedFrom, size - host::kCheckedFrom)));
+    journal = journal.subspan(size);
+  }
+}
+
+/// Every byte of the file is a record's or damage, each once.
+void require_all_told(const std::filesystem::path& path, std::uint64_t size) {
+  host::JournalReader reader(path);
+  host::JournalRecord record;
+  std::uint64_t told = 0;
+  while (reader.next(record)) {
+    require(!record.channel.empty() && record.channel.size() <= wire::kMaxChannelLength, "a record has no channel");
+    told += host::kRecordHeaderSize + record.channel.size() + record.data.size();
+    require(reader.offset() <= size, "a record ends behind the file");
+  }
+  std::uint64_t end = 0;
+  for (const host::JournalDamage& damage : reader.damages()) {
+    require(damage.offset >= end && damage.bytes > 0, "damages overlap");
+    end = damage.offset + damage.bytes;
+    told += damage.bytes;
+  }
+  require(told == size, "bytes of the journal are neither a record's nor damage");
+  require((reader.end() == host::JournalReader::End::kWhole) == (reader.offset() == size), "the end is told wrong");
+}
+
+void play(const std::filesystem::path& path) {
+  try {
+    board::Playback playback(path);
+    while (playback.next()) {
+    }
+    static_cast<void>(playback.closing());
+    if (playback.outputs().setpoint)
+      require(is_finite(playback.outputs().setpoint->waypoint), "a set-point is not finite");
+  } catch (const host::BadInput& refusal) {
+    require_names_file(refusal.what(), path.string());
+  }
+}
+
+}  // namespace
+
+void judge(std::span<const std::uint8_t> bytes) {
+  static const support::TemporaryFolder folder;
+  static const Bytes good = good_journal(folder / "good.journal");
+  Bytes spoilt = good;
+  for (Input input(bytes); !input.is_used_up();) {
+    const std::uint8_t what = input.byte();
+    if (what == 0xFF) spoilt.resize(std::min<std::size_t>(input.word(), spoilt.size()));
+    spoil(spoilt, input);
+    if (what % 2 == 1) mend_checksums(spoilt);
+  }
+  const std::filesystem::path path = folder / "spoilt.journal";
+  std::ofstream(path).write(reinterpret_cast<const char*>(spoilt.data()), static_cast<std::streamsize>(spoilt.size()));
+  require_all_told(path, spoilt.size());
+  play(path);
+}
+
+}  // namespace earshot::fuzz

@@ -1,0 +1,116 @@
+// LCM messages of every type that a vehicle reads, decoded and given to a runtime.
+//
+// The input is a row of messages, each: how much later it comes (1 byte, 20 ms each), of which type (1), how its bytes are spoilt (see
+// spoil()). A type's bytes begin as those of a message of zeros, with the type's fingerprint.
+
+#include <cmath>
+#include <vector>
+
+#include "earshot/hydrophone_block_t.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+#include "firmware/wire/lcm/hydrophone_block.hpp"
+#include "tests/fuzz/targets/flown_runtime.hpp"
+
+namespace earshot::fuzz {
+namespace {
+
+/// A message of zeros with the input's bytes over it; its last byte is cut off now and then.
+template <class Message>
+std::vector<std::uint8_t> bytes_in(Input& input, const Message& message = {}) {
+  const wire::Encoded encoded(message);
+  std::vector<std::uint8_t> bytes(encoded.bytes().begin(), encoded.bytes().end());
+  spoil(bytes, input);
+  if (!input.is_used_up() && input.byte() % 16 == 1) bytes.pop_back();
+  return bytes;
+}
+
+template <class Message>
+void give(FlownRuntime& runtime, Input& input, Duration later, const Message& zeros) {
+  Message message = zeros;
+  if (wire::decode(bytes_in(input, zeros), message) == Status::kOk) runtime.take(wire::from_message(message), later);
+}
+
+void read_block(Input& input) {
+  hydrophone_block_t zeros{};
+  zeros.sample_rate_hz = 8000.0;
+  zeros.channels = 1;
+  zeros.sample_count = 8;
+  zeros.samples.resize(8);
+  const std::vector<std::uint8_t> bytes = bytes_in(input, zeros);
+  wire::HydrophoneMessage message;
+  Status status = Status::kOk;
+  {
+    const WithoutHeap without;
+    status = wire::read_hydrophone_block(bytes, message);
+  }
+  if (status != Status::kOk) return;
+  require(message.sample_count() == std::size_t{message.block.samples_per_channel} * message.block.channels, "samples are missing");
+  require(message.block.sample_rate >= messages::kLowestSampleRate && message.block.sample_rate <= messages::kHighestSampleRate,
+          "a sample rate that cannot be");
+  require(std::abs(message.block.gain.value) <= messages::kHighestGain.value, "a gain that cannot be");
+  std::vector<float> samples(message.sample_count());
+  wire::copy_samples(message, samples);
+}
+
+void read_mission(Input& input) {
+  static const mission_t zeros = wire::to_message(support::mission_for(support::random_walk_policy()), Time{});
+  mission_t message{};
+  if (wire::decode(bytes_in(input, zeros), message) != Status::kOk) return;
+  const config::Mission mission = wire::from_message(message);
+  if (config::check(mission) != Status::kOk) return;
+  require(std::isfinite(mission.search_depth.value) && mission.search_depth <= mission.max_depth, "a mission dives too deep");
+  require(wire::from_message(wire::to_message(mission, Time{})) == mission, "a mission is another after it was written");
+}
+
+void start(FlownRuntime& runtime) {
+  messages::OperatorCommand command{.time = runtime.now(), .expiry = runtime.now() + Duration::seconds(60), .issuer = 1, .number = 1};
+  command.order = messages::Order::kStart;
+  runtime.take(command, {});
+}
+
+}  // namespace
+
+void judge(std::span<const std::uint8_t> bytes) {
+  FlownRuntime runtime;
+  start(runtime);
+  for (Input input(bytes); !input.is_used_up();) {
+    const Duration later = Duration::milliseconds(20 * input.byte());
+    const Time now = runtime.now() + later;
+    switch (input.byte() % 10) {
+      case 0:
+        give(runtime, input, later, wire::to_message(messages::Navigation{.time = now}));
+        break;
+      case 1:
+        give(runtime, input, later, wire::to_message(messages::SnrMeasurement{.time = now}));
+        break;
+      case 2:
+        give(runtime, input, later, wire::to_message(messages::OperatorCommand{.time = now}));
+        break;
+      case 3:
+        give(runtime, input, later, wire::to_message(messages::VehicleStatus{.time = now}));
+        break;
+      case 4:
+        give(runtime, input, later, wire::to_message(messages::AutopilotStatus{.time = now}));
+        break;
+      case 5:
+        give(runtime, input, later, wire::to_message(messages::HydrophoneStatus{.time = now}));
+        break;
+      case 6:
+        give(runtime, input, later, wire::to_message(messages::PortReport{}));
+        break;
+      case 7:
+        read_mission(input);
+        break;
+      case 8:
+        read_block(input);
+        break;
+      default:
+        runtime.take(messages::PortReport{}, later);
+        static_cast<void>(runtime.step());
+    }
+  }
+  static_cast<void>(runtime.step());
+}
+
+}  // namespace earshot::fuzz
