@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "sim/netcdf/classic_size.hpp"
 #include "sim/netcdf/library_exit.hpp"
 
@@ -83,7 +84,7 @@ std::vector<std::size_t> Reader::shape_of(const std::string& variable) const {
     int id = -1;
     std::size_t length = 0;
     if (nc_inq_dimid(file_, name.c_str(), &id) != NC_NOERR || nc_inq_dimlen(file_, id, &length) != NC_NOERR) {
-      throw error(variable, "its dimension " + name + " cannot be read");
+      throw error(variable, "its dimension " + host::printable(name) + " cannot be read");
     }
     shape.push_back(length);
   }

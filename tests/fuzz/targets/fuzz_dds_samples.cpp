@@ -22,7 +22,9 @@ link::Tick tick_in(Input& input, std::uint64_t number, Time time) {
     for (std::size_t i = 0; i < 8; ++i) value |= std::uint64_t{bytes[at + i]} << (8U * i);
     return value;
   };
-  link::Tick tick{.number = number ^ word(0), .time = {time.us ^ static_cast<std::int64_t>(word(8))}};
+  link::Tick tick;
+  tick.number = number ^ word(0);
+  tick.time = {time.us ^ static_cast<std::int64_t>(word(8))};
   tick.navigation_messages = word(16);
   tick.hydrophone_blocks = word(24);
   if (bytes[40] % 2 == 0) tick.snr = Decibels{std::bit_cast<double>(word(32))};
@@ -47,7 +49,7 @@ void judge(std::span<const std::uint8_t> bytes) {
   std::uint64_t number = 0;
   for (Input input(bytes); !input.is_used_up();) {
     const Duration later = Duration::milliseconds(100 * input.byte());
-    runtime.take(messages::Navigation{.time = runtime.now() + later}, later);
+    runtime.take(dated<messages::Navigation>(runtime.now() + later), later);
     Sink sink(runtime);
     link::give_inputs(tick_in(input, ++number, runtime.now()), 0, sink);
     static_cast<void>(runtime.step());

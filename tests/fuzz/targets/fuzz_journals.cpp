@@ -49,8 +49,8 @@ Bytes good_journal(const std::filesystem::path& path) {
       const wire::InputRecord record({.arrival = now, .port = 0, .sequence = 0, .value = value});
       append(now, record.channel(), record.data());
     };
-    take(messages::Navigation{.time = now});
-    take(messages::SnrMeasurement{.time = now});
+    take(dated<messages::Navigation>(now));
+    take(dated<messages::SnrMeasurement>(now));
     take(messages::OperatorCommand{.time = now, .expiry = now, .issuer = 1, .number = 1, .order = messages::Order::kStart});
     append(now, wire::kHealthChannel, wire::Encoded(wire::to_message(messages::Health{}, now)).bytes());
   }
@@ -93,8 +93,7 @@ void play(const std::filesystem::path& path) {
     while (playback.next()) {
     }
     static_cast<void>(playback.closing());
-    if (playback.outputs().setpoint)
-      require(is_finite(playback.outputs().setpoint->waypoint), "a set-point is not finite");
+    if (playback.outputs().setpoint) require(is_finite(playback.outputs().setpoint->waypoint), "a set-point is not finite");
   } catch (const host::BadInput& refusal) {
     require_names_file(refusal.what(), path.string());
   }

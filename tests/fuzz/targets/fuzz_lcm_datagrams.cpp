@@ -1,7 +1,7 @@
 // LCM's datagrams, whole and in fragments, in the reassembly of a vehicle's bus.
 //
-// The input is a row of datagrams, each: what it is (1 byte; bit 0: a fragment, bit 1: noise without a magic, bits 2 and 3: its sender), how
-// many bytes (2), the bytes. LCM's magic is laid over the first four by exclusive or: zeros there are LCM's.
+// The input is a row of datagrams, each: what it is (1 byte; bit 0: a fragment, bit 1: noise without a magic, bits 2 and 3: its sender),
+// how many bytes (2), the bytes. LCM's magic is laid over the first four by exclusive or: zeros there are LCM's.
 
 #include <memory>
 #include <vector>

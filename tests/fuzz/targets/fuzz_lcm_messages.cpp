@@ -79,22 +79,22 @@ void judge(std::span<const std::uint8_t> bytes) {
     const Time now = runtime.now() + later;
     switch (input.byte() % 10) {
       case 0:
-        give(runtime, input, later, wire::to_message(messages::Navigation{.time = now}));
+        give(runtime, input, later, wire::to_message(dated<messages::Navigation>(now)));
         break;
       case 1:
-        give(runtime, input, later, wire::to_message(messages::SnrMeasurement{.time = now}));
+        give(runtime, input, later, wire::to_message(dated<messages::SnrMeasurement>(now)));
         break;
       case 2:
-        give(runtime, input, later, wire::to_message(messages::OperatorCommand{.time = now}));
+        give(runtime, input, later, wire::to_message(dated<messages::OperatorCommand>(now)));
         break;
       case 3:
-        give(runtime, input, later, wire::to_message(messages::VehicleStatus{.time = now}));
+        give(runtime, input, later, wire::to_message(dated<messages::VehicleStatus>(now)));
         break;
       case 4:
-        give(runtime, input, later, wire::to_message(messages::AutopilotStatus{.time = now}));
+        give(runtime, input, later, wire::to_message(dated<messages::AutopilotStatus>(now)));
         break;
       case 5:
-        give(runtime, input, later, wire::to_message(messages::HydrophoneStatus{.time = now}));
+        give(runtime, input, later, wire::to_message(dated<messages::HydrophoneStatus>(now)));
         break;
       case 6:
         give(runtime, input, later, wire::to_message(messages::PortReport{}));

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "firmware/core/time.hpp"
+
 namespace earshot::fuzz {
 
 /// What a target is: tries one input. Throws std::logic_error when something came of it that must not.
@@ -33,6 +35,14 @@ inline void require_names_file(const std::string& refusal, const std::string& fi
     if (!refusal.substr(begin, end - begin).starts_with(file)) throw std::logic_error("a refusal does not begin with its file: " + refusal);
     begin = end + 1;
   }
+}
+
+/// A message of nothing but its date.
+template <class Message>
+Message dated(Time time) {
+  Message message;
+  message.time = time;
+  return message;
 }
 
 /// The bytes of an input, one after the other; behind its end there are zeros.
