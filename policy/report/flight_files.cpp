@@ -131,7 +131,8 @@ std::string lost_to_string(const wire::ClosingRecord::Lost& lost) {
 }
 
 std::string bytes_to_string(const host::JournalDamage& damage) {
-  return std::to_string(damage.bytes) + (damage.bytes == 1 ? " byte" : " bytes") + " from byte " + std::to_string(damage.offset) + " on";
+  return std::to_string(damage.bytes) + (damage.bytes == 1 ? " byte" : " bytes") + " from byte " + std::to_string(damage.offset) + " on" +
+         (damage.part.empty() ? "" : " of " + damage.part);
 }
 
 /// What was passed over before the journal's last record; "" for nothing.

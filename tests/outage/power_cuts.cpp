@@ -37,6 +37,7 @@ struct Options {
   std::uint64_t seed = 1;
   double seconds = 12.0;
   std::uint64_t torn = 3;
+  std::uint64_t part_kb = 40;
   std::string plant = "nothing";
 };
 
@@ -88,7 +89,7 @@ Recording record(const Options& o) {
   Recording recording;
   Pcg32 random(o.seed);
   using J = host::JournalOptions;
-  J options{.survives = o.plant == "no sync" ? J::Survives::kProcess : J::Survives::kPowerCut};
+  J options{.survives = o.plant == "no sync" ? J::Survives::kProcess : J::Survives::kPowerCut, .limits = {.part_bytes = o.part_kb * 1000}};
   host::Journal journal(folder / kFirstFile, options);
   std::uint32_t number = 0;
   std::uint64_t bytes = 0;
@@ -231,6 +232,7 @@ int main(int argc, char** argv) {
   line.option("--seed", &o.seed, "of the records and the disk's moods").shows_default();
   line.option("--seconds", &o.seconds, "how long the journal is written").between(1.0, 3600.0).shows_default();
   line.option("--torn", &o.torn, "how many ways what was not kept is torn at each cut").from(0, 1000).shows_default();
+  line.option("--part-kb", &o.part_kb, "size of a part of the journal, kilobytes; 0: it is one file").from(0, 1'000'000).shows_default();
   line.option("--plant", &o.plant, "a fault that must be found: the journal leaves its records to the kernel")
       .one_of({"nothing", "no sync"})
       .shows_default();

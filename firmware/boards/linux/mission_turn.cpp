@@ -106,6 +106,7 @@ runtime::Outputs MissionTurn::operator()() {
   const Time turn = now();
   report_journal(turn);
   is_called_ = false;
+  if (is_part_asked_for_ != nullptr && is_part_asked_for_->exchange(false)) journal_.begin_part();
   outputs_ = runtime_.step(turn);
   record(turn, outputs_);
   memory_.note(turn, outputs_);

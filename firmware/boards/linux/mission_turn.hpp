@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <span>
@@ -52,6 +53,8 @@ class MissionTurn final : public InputSink {
   void tell(FlightNews& news);
   /// From now on the service manager hears of every turn. It must outlive this.
   void report_to(ServiceManager& manager) { manager_ = &manager; }
+  /// From now on a turn that finds this set clears it, and begins a new part of the journal. It must outlive this.
+  void begin_parts_when(std::atomic<bool>& is_asked_for) { is_part_asked_for_ = &is_asked_for; }
   /// This program is told to stop: an abort from now on is its own.
   void tell_stop();
 
@@ -90,6 +93,7 @@ class MissionTurn final : public InputSink {
   bool is_called_ = false;
   bool is_ahead_always_ = false;
   std::chrono::milliseconds patience_{100};
+  std::atomic<bool>* is_part_asked_for_ = nullptr;
   ServiceManager* manager_ = nullptr;
   FlightNews* news_ = nullptr;
 };

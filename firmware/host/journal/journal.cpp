@@ -34,22 +34,8 @@ std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-std::array<std::uint8_t, kRecordHeaderSize> header_of(std::uint32_t number, Time time, std::string_view channel,
-                                                      std::span<const std::uint8_t> data) {
-  std::array<std::uint8_t, kRecordHeaderSize> header{};
-  HeaderWriter rest{header, kCheckedFrom};
-  rest.field(4, number);
-  rest.field(8, static_cast<std::uint64_t>(time.us));
-  rest.field(4, channel.size());
-  rest.field(4, data.size());
-  const std::uint32_t checksum = crc32(data, crc32(bytes_of(channel), crc32(std::span(header).subspan(kCheckedFrom))));
-  HeaderWriter start{header};
-  start.field(4, kRecordSync);
-  start.field(4, checksum);
-  return header;
-}
-
 JournalFile kept(JournalFile file, const JournalOptions& options) {
+  file.keep_to(options.limits);
   if (options.survives == JournalOptions::Survives::kPowerCut) file.keep_entry();
   return file;
 }
@@ -92,6 +78,8 @@ struct Journal::Writer {
   std::uint64_t refused = 0;                   ///< likewise
   std::optional<wire::ClosingRecord> closing;  ///< likewise
   std::atomic<std::uint64_t> write_errors = 0;
+  std::atomic<bool> is_part_asked_for = false;
+  std::atomic<std::uint64_t> deleted = 0;  ///< older journals
   std::thread thread;
 
   Writer(JournalFile opened, std::uint32_t number, JournalOptions chosen)
@@ -133,6 +121,7 @@ struct Journal::Writer {
       const Place end = appended;
       lock.unlock();
       const Clock::time_point looked = Clock::now();
+      if (taken == whole.bytes && (file.is_part_full() || is_part_asked_for)) begin_part();
       const std::size_t done = write_some(ring.piece(taken, end.bytes));
       const std::optional<PerWeight> given_up = done == 0 ? write_orders_into_reserve(end) : std::nullopt;
       // A failing disk lets records wait for longer; its trouble is told in its own words.
@@ -163,8 +152,16 @@ struct Journal::Writer {
   /// @return how many bytes are in the file now; 0 on failure, or when they would take of the reserve
   std::size_t write_some(std::span<const std::uint8_t> bytes) {
     const std::size_t count = file.write_some(bytes, kJournalReserveBytes);
+    deleted = file.deleted();
     if (count > 0) bring_to_disk();
     return count;
+  }
+
+  void begin_part() {
+    is_part_asked_for = false;
+    if (file.begin_part(options.survives == JournalOptions::Survives::kPowerCut) != PartBegun::kMayNotSurvive) return;
+    ++write_errors;
+    unsynced = true;
   }
 
   void bring_to_disk() {
@@ -276,12 +273,8 @@ struct Journal::Writer {
     if (!closing) return true;
     closing->lost = {.streams = of(lost, Weight::kStream), .steering = of(lost, Weight::kSteering), .orders = of(lost, Weight::kOrder)};
     const wire::Encoded data = encoded(*closing);
-    const auto header = header_of(next_number, closing->time, wire::kJournalEndChannel, data.bytes());
-    std::array<std::uint8_t, kClosingBytes> record{};
-    auto end = std::ranges::copy(header, record.begin()).out;
-    end = std::ranges::copy(bytes_of(wire::kJournalEndChannel), end).out;
-    std::ranges::copy(data.bytes(), end);
-    return file.write_some(record, 0) == record.size();
+    const LoneRecord record(next_number, closing->time, wire::kJournalEndChannel, data.bytes());
+    return file.write_some(record.bytes(), 0) == record.bytes().size();
   }
 };
 
@@ -303,7 +296,7 @@ Status Journal::append(Time time, std::string_view channel, std::span<const std:
   const std::uint32_t number = writer_->next_number++;
   const std::size_t size = kRecordHeaderSize + channel.size() + data.size();
   if (!writer_->make_room(size, weight)) return Status::kFull;
-  const auto header = header_of(number, time, channel, data);
+  const auto header = record_header(number, time, channel, data);
   Writer::Place place = writer_->appended;
   writer_->ring.copy_in(place.bytes, header);
   writer_->ring.copy_in(place.bytes, bytes_of(channel));
@@ -312,6 +305,10 @@ Status Journal::append(Time time, std::string_view channel, std::span<const std:
   writer_->publish(place);
   ++writer_->accepted;
   return Status::kOk;
+}
+
+void Journal::begin_part() {
+  writer_->is_part_asked_for = true;
 }
 
 void Journal::conclude(const wire::ClosingRecord& closing) {
@@ -349,7 +346,11 @@ Status Journal::close() {
 
 JournalCounters Journal::counters() const {
   const std::lock_guard lock(writer_->mutex);
-  return {.appended = writer_->accepted, .lost = writer_->lost, .refused = writer_->refused, .write_errors = writer_->write_errors};
+  return {.appended = writer_->accepted,
+          .lost = writer_->lost,
+          .refused = writer_->refused,
+          .write_errors = writer_->write_errors,
+          .deleted = writer_->deleted};
 }
 
 JournalTrouble Journal::trouble() const {

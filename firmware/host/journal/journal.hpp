@@ -30,6 +30,7 @@ struct JournalOptions {
     kPowerCut,  ///< a power cut: the writer calls fdatasync after every batch, and the folder's entry is on the disk before the first
   } survives = Survives::kProcess;
   ExistingJournal existing = ExistingJournal::kRefuse;
+  JournalLimits limits = {};
 };
 
 inline constexpr OutputKind kJournalOutput{"a journal", {"\xED\xA1\xDA\x01", {}}};  ///< how a journal begins
@@ -42,6 +43,7 @@ struct JournalCounters {
   /// Writes that the disk did not take or that would have taken of the reserve, tried again every 100 ms with the buffer filling meanwhile,
   /// so that the file has no hole; and failed fdatasync(2) (kPowerCut), after which what was written may not survive a power cut.
   std::uint64_t write_errors = 0;
+  std::uint64_t deleted = 0;  ///< journals of earlier flights, for the budget
 
   [[nodiscard]] std::uint64_t all_lost() const { return std::accumulate(lost.begin(), lost.end(), std::uint64_t{0}); }
 };
@@ -92,6 +94,9 @@ class Journal {
   /// Likewise, but no longer than `most`. kNotReady also if something still waits then.
   [[nodiscard]] Status flush(std::chrono::milliseconds most);
 
+  /// From the next record on another file is written, as when a part is full. Never waits.
+  void begin_part();
+
   /// From now on close() ends the file with this record; what was lost is filled in by close(). Of the appending thread.
   void conclude(const wire::ClosingRecord& closing);
 
@@ -106,7 +111,7 @@ class Journal {
   /// The longest that a record which is in the file waited for it, and (kPowerCut) for the disk, seconds: so much would have been lost had
   /// the power failed then.
   [[nodiscard]] double longest_wait_s() const;
-  /// The file that is written.
+  /// The first file of it.
   [[nodiscard]] const std::filesystem::path& path() const;
 
  private:

@@ -7,64 +7,115 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <string>
+#include <charconv>
+#include <optional>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "earshot/journal_part_t.hpp"
 #include "firmware/host/file/folder_lock.hpp"
+#include "firmware/host/journal/journal_format.hpp"
+#include "firmware/host/journal/journal_name.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 
 namespace earshot::host {
 namespace {
 
-constexpr int kMostJournals = 9999;  ///< in one folder
+constexpr std::string_view kPart = ".part";
+constexpr std::size_t kMostDigits = 6;
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
   throw std::system_error(errno, std::generic_category(), path.string());
 }
 
-/// "journal-2.lcmlog" for "journal.lcmlog"
-std::filesystem::path numbered(const std::filesystem::path& path, int number) {
-  std::filesystem::path name = path.stem();
-  name += "-" + std::to_string(number);
-  name += path.extension();
-  return path.parent_path() / name;
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+/// A journal that is there in any part, also one whose first part somebody took away.
+int highest_number(const std::filesystem::path& wanted) {
+  int highest = 0;
+  for (const JournalName& name : journals_beside(wanted)) highest = std::max(highest, name.journal);
+  return highest;
 }
 
 }  // namespace
 
-std::optional<std::filesystem::path> newest_journal(const std::filesystem::path& wanted) {
-  std::optional<std::filesystem::path> newest;
-  std::error_code error;
-  std::filesystem::path path = wanted;
-  for (int number = 2; std::filesystem::exists(path, error); path = numbered(wanted, number++)) newest = path;
-  return newest;
-}
-
-JournalFile::JournalFile(const std::filesystem::path& wanted, ExistingJournal existing) : path_(wanted) {
-  // What is replaced is emptied only when nobody writes it.
-  const int mode = existing == ExistingJournal::kGoOn ? 0 : (existing == ExistingJournal::kReplace ? O_CREAT : O_CREAT | O_EXCL);
-  for (int number = 2;; ++number) {
-    file_ = FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CLOEXEC | mode, 0644));
-    if (file_.number() >= 0) break;
-    if (errno != EEXIST || existing != ExistingJournal::kKeep || number > kMostJournals) fail(path_);
-    path_ = numbered(wanted, number);
-  }
+JournalFile::JournalFile(const std::filesystem::path& wanted, ExistingJournal existing) : path_(wanted), wanted_(wanted) {
+  open(wanted, existing);
   struct stat status {};
   if (::fstat(file_.number(), &status) != 0) fail(path_);
+  folder_ = FileDescriptor(::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!S_ISREG(status.st_mode)) return;
   mark_as_written(file_, path_);
-  cut(existing == ExistingJournal::kGoOn ? static_cast<std::uint64_t>(status.st_size) : 0);
+  name_ = (path_.parent_path() / path_.stem()).string();
+  name_ += kPart;
+  stem_bytes_ = name_.size();
+  extension_ = path_.extension().string();
+  name_ += std::string(kMostDigits, '0') + extension_;
+  if (existing == ExistingJournal::kGoOn) {
+    const JournalParts parts(path_);
+    const JournalParts::Place end = parts.place_of(parts.size());
+    write_on_at(end, parts.size() - end.offset);
+  } else {
+    if (existing == ExistingJournal::kReplace) delete_later_parts(path_);
+    cut(0);
+  }
+}
+
+void JournalFile::open(const std::filesystem::path& wanted, ExistingJournal existing) {
+  // What is replaced is emptied only when nobody writes it.
+  const int mode = existing == ExistingJournal::kGoOn ? 0 : (existing == ExistingJournal::kReplace ? O_CREAT : O_CREAT | O_EXCL);
+  const bool keeps = existing == ExistingJournal::kKeep;
+  int number = keeps ? highest_number(wanted) + 1 : 1;
+  for (;; ++number) {
+    path_ = named(wanted, {.journal = number});
+    file_ = FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CLOEXEC | mode, 0644));
+    if (file_.number() >= 0) return;
+    if (errno != EEXIST || !keeps || number >= kMostJournals) fail(path_);
+  }
+}
+
+void JournalFile::keep_to(JournalLimits limits) {
+  limits_ = limits;
+  next_part_at_ = limits.part_bytes;
+  if (limits.budget_bytes == 0) return;
+  const std::optional<JournalName> own = name_of(wanted_, path_);
+  old_ = OldJournals(wanted_, own ? own->journal : 0);
+  (void)has_budget_for(2 * kJournalReserveBytes);
 }
 
 void JournalFile::cut(std::uint64_t size) {
-  const auto end = static_cast<off_t>(size);
-  if (::ftruncate(file_.number(), end) != 0 || ::lseek(file_.number(), end, SEEK_SET) != end) fail(path_);
-  size_ = held_ = size;
+  JournalParts::Place place{.part = 1, .file = path_, .offset = 0};
+  if (size > 0) {
+    place = JournalParts(path_).place_of(size);
+    delete_later_parts(path_, place.part);
+  }
+  write_on_at(place, size - place.offset);
+  if (::ftruncate(file_.number(), static_cast<off_t>(place.offset)) != 0) fail(place.file);
+}
+
+void JournalFile::write_on_at(const JournalParts::Place& place, std::uint64_t earlier) {
+  if (place.offset + earlier > 0) {
+    const FileDescriptor beginning(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+    if (::read(beginning.number(), beginning_.data(), beginning_.size()) < 0) fail(path_);
+  }
+  if (place.part != part_) {
+    if (part_ == 1) first_ = std::move(file_);
+    file_ = FileDescriptor(::open(place.file.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file_.number() < 0) fail(place.file);
+  }
+  const auto end = static_cast<off_t>(place.offset);
+  if (::lseek(file_.number(), end, SEEK_SET) != end) fail(place.file);
+  part_ = place.part;
+  size_ = held_ = place.offset;
+  earlier_bytes_ = earlier;
 }
 
 void JournalFile::keep_entry() const {
-  const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : ".";
-  const FileDescriptor entries(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (entries.number() < 0 || ::fsync(entries.number()) != 0) fail(folder);
+  if (folder_.number() < 0 || ::fsync(folder_.number()) != 0) fail(folder_of(path_));
 }
 
 std::size_t JournalFile::write_some(std::span<const std::uint8_t> bytes, std::uint64_t kept) {
@@ -72,25 +123,87 @@ std::size_t JournalFile::write_some(std::span<const std::uint8_t> bytes, std::ui
     while (can_hold_ && room(size_, kept) < bytes.size() && hold_more()) {
     }
     if (can_hold_) bytes = bytes.first(std::min<std::size_t>(bytes.size(), room(size_, kept)));
+    if (!can_hold_ && !has_budget_for(bytes.size())) return 0;
+  } else if (const std::uint64_t end = size_ + bytes.size(); end > held_ && !has_budget_for(end - held_)) {
+    bytes = bytes.first(held_ - size_);
   }
   if (bytes.empty()) return 0;
   const ssize_t count = ::write(file_.number(), bytes.data(), bytes.size());
   if (count <= 0) return 0;
-  size_ += static_cast<std::uint64_t>(count);
+  const auto done = static_cast<std::size_t>(count);
+  note_first_bytes(bytes.first(done));
+  size_ += done;
   held_ = std::max(held_, size_);
-  return static_cast<std::size_t>(count);
+  return done;
+}
+
+void JournalFile::note_first_bytes(std::span<const std::uint8_t> bytes) {
+  if (part_ > 1 || size_ >= beginning_.size()) return;
+  std::ranges::copy(bytes.first(std::min(bytes.size(), beginning_.size() - size_)),
+                    beginning_.begin() + static_cast<std::ptrdiff_t>(size_));
+}
+
+bool JournalFile::has_budget_for(std::uint64_t bytes) {
+  if (limits_.budget_bytes == 0) return true;
+  while (old_.bytes() + earlier_bytes_ + std::max(held_, size_) + bytes > limits_.budget_bytes) {
+    if (!old_.delete_oldest()) return false;
+  }
+  return true;
 }
 
 bool JournalFile::hold_more() {
   // Not every file system looks at the limit while the file itself does not grow.
   rlimit limit{};
   if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && held_ + kJournalReserveBytes > limit.rlim_cur) return false;
+  if (!has_budget_for(kJournalReserveBytes)) return false;
   if (::fallocate(file_.number(), FALLOC_FL_KEEP_SIZE, static_cast<off_t>(held_), static_cast<off_t>(kJournalReserveBytes)) == 0) {
     held_ += kJournalReserveBytes;
     return true;
   }
   can_hold_ = errno == ENOSPC || errno == EDQUOT || errno == EFBIG || errno == EINTR;
   return false;
+}
+
+const char* JournalFile::name_of_part(int part) {
+  std::array<char, kMostDigits> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), part);
+  if (error != std::errc{}) return nullptr;
+  const auto count = static_cast<std::size_t>(end - digits.data());
+  char* const to = std::copy_n(digits.data(), count, name_.data() + stem_bytes_);
+  *std::ranges::copy(extension_, to).out = '\0';  // within what stood there, or the string's own end
+  return name_.c_str();
+}
+
+PartBegun JournalFile::refuse_part() {
+  next_part_at_ = size_ + kJournalReserveBytes;  // tried again then
+  return PartBegun::kNo;
+}
+
+PartBegun JournalFile::begin_part(bool is_to_survive) {
+  const char* const name = name_of_part(part_ + 1);
+  const std::uint64_t earlier = earlier_bytes_ + size_;
+  if (name == nullptr || !has_budget_for(2 * kJournalReserveBytes)) return refuse_part();
+  FileDescriptor next(::open(name, O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL | O_NOFOLLOW, 0644));
+  if (next.number() < 0) return refuse_part();
+  const journal_part_t part{.part = part_ + 1, .first_record_crc32 = static_cast<std::int32_t>(load(std::span(beginning_).subspan(4)))};
+  const wire::Encoded data(part);
+  const LoneRecord record(0, Time{}, wire::kJournalPartChannel, data.bytes());
+  const bool is_held = !can_hold_ || ::fallocate(next.number(), FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(2 * kJournalReserveBytes)) == 0;
+  const auto size = static_cast<ssize_t>(record.bytes().size());
+  if (!is_held || ::write(next.number(), record.bytes().data(), record.bytes().size()) != size) {
+    (void)::unlink(name);
+    return refuse_part();
+  }
+  (void)::ftruncate(file_.number(), static_cast<off_t>(size_));
+  const bool survives = !is_to_survive || (::fdatasync(next.number()) == 0 && folder_.number() >= 0 && ::fsync(folder_.number()) == 0);
+  if (part_ == 1) first_ = std::move(file_);
+  file_ = std::move(next);
+  ++part_;
+  earlier_bytes_ = earlier;
+  size_ = record.bytes().size();
+  held_ = can_hold_ ? 2 * kJournalReserveBytes : size_;
+  next_part_at_ = limits_.part_bytes;
+  return survives ? PartBegun::kYes : PartBegun::kMayNotSurvive;
 }
 
 bool JournalFile::go_back(std::uint64_t size) {
@@ -108,6 +221,7 @@ bool JournalFile::bring_to_disk() {
 bool JournalFile::close() {
   const bool is_cut = held_ == size_ || ::ftruncate(file_.number(), static_cast<off_t>(size_)) == 0;
   file_ = FileDescriptor();
+  first_ = FileDescriptor();
   return is_cut;
 }
 

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
+
+#include "firmware/core/time.hpp"
 
 namespace earshot::host {
 
@@ -32,6 +35,24 @@ struct HeaderWriter {
     store(std::span(header).subspan(at, size), value);
     at += size;
   }
+};
+
+/// The header of a record with its checksum.
+[[nodiscard]] std::array<std::uint8_t, kRecordHeaderSize> record_header(std::uint32_t number, Time time, std::string_view channel,
+                                                                        std::span<const std::uint8_t> data);
+
+/// A small record in memory of its own, that goes into the file by itself.
+class LoneRecord {
+ public:
+  static constexpr std::size_t kMostBytes = 192;
+
+  /// @pre it fits
+  LoneRecord(std::uint32_t number, Time time, std::string_view channel, std::span<const std::uint8_t> data);
+  [[nodiscard]] std::span<const std::uint8_t> bytes() const { return std::span(bytes_).first(size_); }
+
+ private:
+  std::array<std::uint8_t, kMostBytes> bytes_{};
+  std::size_t size_;
 };
 
 }  // namespace earshot::host

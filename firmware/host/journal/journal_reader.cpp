@@ -6,6 +6,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/journal/journal_format.hpp"
+#include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/lc02.hpp"
 
 namespace earshot::host {
@@ -18,7 +19,7 @@ static_assert(kWindow_bytes >= kRecordHeaderSize + wire::kMaxChannelLength + con
 
 }  // namespace
 
-JournalReader::JournalReader(const std::filesystem::path& path) : file_(path, host::kAnySize), window_(kWindow_bytes) {}
+JournalReader::JournalReader(const std::filesystem::path& path) : file_(path), window_(kWindow_bytes) {}
 
 std::span<const std::uint8_t> JournalReader::look_ahead(std::size_t size) {
   if (filled_ - at_ < size && !has_all_) {
@@ -82,8 +83,14 @@ bool JournalReader::stop(End end, std::uint64_t passed) {
   end_ = end;
   const std::uint64_t left = file_.size() > offset_ ? file_.size() - offset_ : 0;  // a file may grow while it is read
   is_end_damaged_ = passed > 0;
-  if (is_end_damaged_) damages_.push_back({.offset = offset_, .bytes = std::max(passed, left)});
+  if (is_end_damaged_) note_damage(std::max(passed, left));
   return false;
+}
+
+void JournalReader::note_damage(std::uint64_t bytes) {
+  const JournalParts::Place place = file_.place_of(offset_);
+  damages_.push_back(
+      {.offset = place.offset, .bytes = bytes, .part = file_.are_several() ? place.file.filename().string() : std::string()});
 }
 
 void JournalReader::look_again() {
@@ -97,6 +104,13 @@ void JournalReader::look_again() {
 }
 
 bool JournalReader::next(JournalRecord& record) {
+  do {
+    if (!next_of_parts(record)) return false;
+  } while (record.channel == wire::kJournalPartChannel);
+  return true;
+}
+
+bool JournalReader::next_of_parts(JournalRecord& record) {
   std::uint64_t size = 0;
   std::uint64_t passed = 0;
   bool is_beginning = false;  // of a record that the file's end cuts off
@@ -109,7 +123,7 @@ bool JournalReader::next(JournalRecord& record) {
     if (passed > kMostPassedOver_bytes) return stop(End::kCorrupt, passed);
     is_empty = pass_over(passed) && is_empty;
   }
-  if (passed > 0) damages_.push_back({.offset = offset_, .bytes = passed});
+  if (passed > 0) note_damage(passed);
   keep(look_ahead(size), record);
   at_ += size;
   offset_ += passed + size;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "firmware/core/time.hpp"
-#include "firmware/host/file/input_file.hpp"
+#include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/journal/range_checksum.hpp"
 
 namespace earshot::host {
@@ -24,12 +24,14 @@ struct JournalRecord {
 struct JournalDamage {
   std::uint64_t offset = 0;  ///< bytes from the beginning of the file
   std::uint64_t bytes = 0;
+  std::string part = {};  ///< name of the file, of a journal that has several parts
   friend bool operator==(const JournalDamage&, const JournalDamage&) = default;
 };
 
-/// Reads a journal from its beginning, a piece of it at a time: a journal of any size takes 1 MiB of memory, a damaged one at most 9 MiB.
-/// Where no record matches its checksum it reads on at the next that does, and remembers what it passed over: damage costs the records
-/// that it hit, and no others. For desktop tools, and for a vehicle before its first turn: it allocates.
+/// Reads a journal from its beginning, through all of its parts (JournalParts), a piece of it at a time: a journal of any size takes 1 MiB
+/// of memory, a damaged one at most 9 MiB. Where no record matches its checksum it reads on at the next that does, and remembers what it
+/// passed over: damage costs the records that it hit, and no others. For desktop tools, and for a vehicle before its first turn: it
+/// allocates.
 class JournalReader {
  public:
   enum class End : std::uint8_t {
@@ -51,9 +53,9 @@ class JournalReader {
   void look_again();
 
   [[nodiscard]] End end() const { return end_; }
-  /// Behind the last record that was read, bytes from the beginning of the file.
+  /// Behind the last record that was read, bytes from the beginning of the first part.
   [[nodiscard]] std::uint64_t offset() const { return offset_; }
-  [[nodiscard]] std::uint64_t file_size() const { return file_.size(); }  ///< bytes, when it was opened
+  [[nodiscard]] std::uint64_t file_size() const { return file_.size(); }  ///< bytes of all parts, when it was opened
   /// What was passed over so far, in the order of the file; at the end, the end's own damage too (kCut, kCorrupt).
   [[nodiscard]] const std::vector<JournalDamage>& damages() const { return damages_; }
   /// What the checksums cost so far: at most three times the bytes that were read, whatever they are.
@@ -72,9 +74,12 @@ class JournalReader {
   /// To the next byte that could begin a record. @return whether all that was passed was zero
   bool pass_over(std::uint64_t& passed);
   void keep(std::span<const std::uint8_t> bytes, JournalRecord& record) const;
+  /// The record that a part begins with, too.
+  [[nodiscard]] bool next_of_parts(JournalRecord& record);
   bool stop(End end, std::uint64_t passed);
+  void note_damage(std::uint64_t bytes);
 
-  host::InputFile file_;
+  JournalParts file_;
   std::vector<std::uint8_t> window_;
   std::size_t at_ = 0;               ///< in the window: what is looked at
   std::size_t filled_ = 0;           ///< bytes of the window that hold the file's

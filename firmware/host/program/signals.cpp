@@ -21,4 +21,11 @@ void outlive_accidents() {
   for (int number = SIGRTMIN; number <= SIGRTMAX; ++number) (void)std::signal(number, SIG_IGN);
 }
 
+void note_hang_ups() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { has_hung_up = true; };
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGHUP, &action, nullptr);
+}
+
 }  // namespace earshot::program

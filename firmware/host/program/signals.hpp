@@ -10,6 +10,9 @@ inline std::atomic<bool> stop_requested{false};
 // A signal handler sets it.
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+/// Set when a service manager, logrotate or a terminal that closes sends SIGHUP; see note_hang_ups().
+inline std::atomic<bool> has_hung_up{false};
+
 enum class SecondSignal : std::uint8_t { kIgnored, kEndsAtOnce };
 
 /// From now on the first SIGINT, SIGTERM or SIGQUIT sets stop_requested and does nothing else.
@@ -19,5 +22,8 @@ void stop_on_signals(SecondSignal second = SecondSignal::kIgnored);
 /// (SIGHUP), a slip of the keys (Ctrl-Z, SIGTSTP), a terminal that keeps background programs from it (SIGTTIN, SIGTTOU), a timer, a limit
 /// of processor time, and signals that mean something to other programs only (SIGUSR1, SIGUSR2 and their like, real-time signals).
 void outlive_accidents();
+
+/// From now on SIGHUP sets has_hung_up and does nothing else.
+void note_hang_ups();
 
 }  // namespace earshot::program

@@ -107,12 +107,14 @@ std::unique_ptr<runtime::Runtime> make_runtime(const host::MissionFile& file, co
 }
 
 host::JournalOptions journal_options(const Options& o) {
+  constexpr std::uint64_t kMegabyte = 1'000'000;
   using J = host::JournalOptions;
   using Existing = host::ExistingJournal;
   const bool survives_power_cut = o.journal_survives.value_or(o.simulation ? "process" : "power-cut") == "power-cut";
   return {.when_full = o.simulation ? J::WhenFull::kWait : J::WhenFull::kDrop,
           .survives = survives_power_cut ? J::Survives::kPowerCut : J::Survives::kProcess,
-          .existing = o.replace ? Existing::kReplace : (o.simulation && !o.resume ? Existing::kRefuse : Existing::kKeep)};
+          .existing = o.replace ? Existing::kReplace : (o.simulation && !o.resume ? Existing::kRefuse : Existing::kKeep),
+          .limits = {.part_bytes = kMegabyte * o.journal_part_mb.value_or(0), .budget_bytes = kMegabyte * o.journal_budget_mb.value_or(0)}};
 }
 
 /// Beside the journal, under its name: what was decided can be explained only with the policy that decided it. A disk that does not take it
@@ -265,6 +267,7 @@ int fly(Flight& f) {
   if (unfinished) f.runtime = std::move(unfinished->before.runtime);
   board::MissionTurn turn(*f.runtime, f.ports, journal, f.clock);
   turn.report_to(f.manager);
+  turn.begin_parts_when(program::has_hung_up);
   const Duration hold = begin(f, unfinished ? &unfinished->before : nullptr, journal.path(), turn);
   board::MemoryProof proof;
   board::LoopResult result;
@@ -283,6 +286,8 @@ int fly(Flight& f) {
     std::cerr << "earshotd: every record that is in the journal was there within " << std::fixed << std::setprecision(3)
               << journal.longest_wait_s() << " s, which is what a power cut could have cost\n";
   }
+  if (counters.deleted > 0)
+    std::cerr << "earshotd: " << counters.deleted << " journals of earlier flights were deleted to stay within --journal-budget-mb\n";
   if (kept == Status::kOk && counters.all_lost() == 0) return proven == program::kDone ? status : proven;
   std::cerr << "earshotd: the journal is not whole: " << counters.all_lost() << " records lost, of these "
             << of(counters.lost, host::Weight::kSteering) << " set-points and decisions and " << of(counters.lost, host::Weight::kOrder)
@@ -353,7 +358,10 @@ int fly(const Options& o) {
     clock = std::make_unique<board::HostMissionClock>(host, o.speed);
   }
   // A vehicle in mid-search must not be left alone with its last set-point because somebody's terminal closed or a key slipped.
-  if (!o.simulation) program::outlive_accidents();
+  if (!o.simulation) {
+    program::outlive_accidents();
+    program::note_hang_ups();
+  }
   program::stop_on_signals();  // up to here nothing is under way that would have to end in order
   // The journal of an earlier flight is not touched before a simulator has come, and that comes when it has judged its own input.
   const board::Waited waited =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <string>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/memory/heap_trap.hpp"
@@ -20,6 +21,12 @@ void require_resuming_possible(const Options& o) {
   if (o.resume && o.replace) throw host::BadInput("--resume: not with --replace, which throws the journal away");
   if (o.resume && o.hear) throw host::BadInput("--resume: not with --hear: what a detector has learnt of the noise is in no journal");
   if (o.resume && o.check) throw host::BadInput("--resume: not with --check, which flies nothing");
+}
+
+void require_budget_possible(const Options& o) {
+  if (o.journal_part_mb && o.journal_budget_mb && *o.journal_budget_mb < 2 * *o.journal_part_mb)
+    throw host::BadInput("--journal-budget-mb: " + std::to_string(*o.journal_budget_mb) + " is less than two parts of " +
+                         std::to_string(*o.journal_part_mb) + " (--journal-part-mb)");
 }
 
 void require_hearing_possible(const Options& o) {
@@ -50,6 +57,15 @@ void declare(program::CommandLine& line, Options& o) {
           "what a record in the journal survives: power-cut: it is brought to the disk within milliseconds; process: the kernel writes it "
           "when it likes; default: power-cut at sea, process in simulation")
       .one_of({"power-cut", "process"});
+  line.option("--journal-part-mb", &o.journal_part_mb,
+              "begin another file of the journal (journal.part2.lcmlog and so on) once one has grown to so many megabytes; default: when "
+              "SIGHUP asks for it")
+      .from(1, 1'000'000);
+  line.option(
+          "--journal-budget-mb", &o.journal_budget_mb,
+          "keep all journals in the folder together below so many megabytes: those of earlier flights are deleted, the oldest first, with "
+          "their policies; where none is left it is as if the disk were full; default: as the disk gives")
+      .from(1, 100'000'000);
   line.option("--log", &o.log,
               "how lines on standard error are written: text, for people; journal, with their severity, for systemd's journal; json, an "
               "object a line; default: journal where standard error leads there, else text")
@@ -100,6 +116,7 @@ void require_possible(const Options& o) {
   require_hearing_possible(o);
   require_resuming_possible(o);
   require_proof_possible(o);
+  require_budget_possible(o);
 }
 
 }  // namespace earshot::board

@@ -31,6 +31,8 @@ struct Options {
   bool check = false;
   std::optional<std::filesystem::path> chart;
   std::optional<std::string> journal_survives;
+  std::optional<std::uint32_t> journal_part_mb;
+  std::optional<std::uint32_t> journal_budget_mb;
   std::optional<std::string> log;
 
   [[nodiscard]] LogFormat log_format() const;

@@ -11,6 +11,7 @@
 #include "earshot/journal_resumed_t.hpp"
 #include "earshot/mission_t.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/messages/input.hpp"
 #include "firmware/messages/safety_event.hpp"
 #include "firmware/messages/setpoint.hpp"
@@ -50,10 +51,7 @@ struct MissingRecords {
 };
 
 /// Bytes of the file that are no whole record.
-struct DamagedBytes {
-  std::uint64_t offset = 0;  ///< from the beginning of the file
-  std::uint64_t bytes = 0;
-};
+using DamagedBytes = host::JournalDamage;
 
 /// A record whose number is not above the one before it: the file was not written in one piece by one program.
 struct NumbersGoBack {

@@ -21,7 +21,7 @@ void RecordSource::keep(host::JournalRecord record) {
   const bool was_damaged = reader_.damages().size() > damages_told_;
   for (; damages_told_ < reader_.damages().size(); ++damages_told_) {
     const host::JournalDamage& damage = reader_.damages()[damages_told_];
-    waiting_.emplace_back(DamagedBytes{.offset = damage.offset, .bytes = damage.bytes});
+    waiting_.emplace_back(damage);
   }
   keep_gap_before(record.number, was_damaged);
   expected_number_ = record.number + 1;
@@ -49,7 +49,7 @@ std::optional<TornEnd> RecordSource::torn_end() const {
   using End = host::JournalReader::End;
   if (reader_.end() == End::kWhole || reader_.damages().size() <= damages_told_) return std::nullopt;
   const host::JournalDamage& damage = reader_.damages().back();
-  return TornEnd{.where = {.offset = damage.offset, .bytes = damage.bytes}, .is_cut = reader_.end() == End::kCut};
+  return TornEnd{.where = damage, .is_cut = reader_.end() == End::kCut};
 }
 
 }  // namespace earshot::journal_view

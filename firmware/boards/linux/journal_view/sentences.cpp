@@ -43,7 +43,8 @@ std::string state_to_string(MissionState state, EndReason reason, std::int64_t s
 }
 
 std::string bytes_to_string(const DamagedBytes& damage) {
-  return counted(damage.bytes, "byte") + " from byte " + std::to_string(damage.offset) + " on";
+  return counted(damage.bytes, "byte") + " from byte " + std::to_string(damage.offset) + " on" +
+         (damage.part.empty() ? "" : " of " + damage.part);
 }
 
 const char* to_string(wire::Ending ending) {

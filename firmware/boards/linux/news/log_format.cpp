@@ -38,9 +38,8 @@ class Writing {
   std::size_t size_ = 0;
 };
 
-constexpr Time kLongAgo{std::chrono::microseconds(
-                            std::chrono::sys_days(std::chrono::year(2000) / std::chrono::January / 1).time_since_epoch())
-                            .count()};
+constexpr Time kLongAgo{
+    std::chrono::microseconds(std::chrono::sys_days(std::chrono::year(2000) / std::chrono::January / 1).time_since_epoch()).count()};
 
 void write_date(Writing& to, Time time, std::string_view between, std::string_view zone) {
   using namespace std::chrono;
@@ -90,7 +89,7 @@ void write_escaped(Writing& to, std::string_view text, std::size_t room_for_end)
 
 std::string_view as_json(const LogEntry& entry, Writing to) {
   constexpr std::string_view kEnd = "\"}";
-  to << R"({"severity": ")" << word_of(entry.severity) << R"(", "event": ")" << entry.event << "\"" ;
+  to << R"({"severity": ")" << word_of(entry.severity) << R"(", "event": ")" << entry.event << "\"";
   if (entry.time && *entry.time < kLongAgo) {
     to << R"(, "time_s": )" << entry.time->us / 1'000'000;
   } else if (entry.time) {

@@ -16,8 +16,8 @@ enum class Severity : std::uint8_t { kError = 3, kWarning = 4, kNotice = 5, kInf
 /// A line of the log.
 struct LogEntry {
   Severity severity = Severity::kNotice;
-  std::string_view event = "program";           ///< what it is about, one word that does not change: "state", "rule", "link"
-  std::optional<Time> time = std::nullopt;      ///< on the mission clock
+  std::string_view event = "program";       ///< what it is about, one word that does not change: "state", "rule", "link"
+  std::optional<Time> time = std::nullopt;  ///< on the mission clock
   std::optional<std::uint8_t> port = std::nullopt;
   std::optional<std::uint8_t> rule = std::nullopt;  ///< as people count, from 1
   std::string_view message;

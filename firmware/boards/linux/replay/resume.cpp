@@ -6,6 +6,7 @@
 
 #include "firmware/boards/linux/news/health_words.hpp"
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 

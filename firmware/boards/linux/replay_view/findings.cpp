@@ -51,7 +51,7 @@ std::vector<std::string> findings(const ReplayResult& result) {
   if (result.difference) lines.push_back(to_string(*result.difference, result.began) + kRestIsOpen);
   if (result.gap) lines.push_back("record " + std::to_string(*result.gap) + " is missing" + kRestIsOpen);
   for (std::size_t i = 0; i < std::min(kMostDamages, result.damages.size()); ++i)
-    lines.push_back(journal_view::to_string(journal_view::DamagedBytes{result.damages[i].offset, result.damages[i].bytes}));
+    lines.push_back(journal_view::to_string(result.damages[i]));
   if (result.damages.size() > kMostDamages)
     lines.push_back("and " + counted(result.damages.size() - kMostDamages, "damaged place") + " more");
   if (!result.closing && !result.difference)

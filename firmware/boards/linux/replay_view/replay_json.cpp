@@ -53,7 +53,10 @@ Json replay_json(const board::ReplayResult& result, double took_s, std::uint32_t
                   {"channel_now", d->now ? Json(d->now->channel) : Json()},
                   {"fields", fields_json(fields_of(*d))}};
   Json damages = Json::array();
-  for (const host::JournalDamage& damage : result.damages) damages.push_back({{"offset", damage.offset}, {"bytes", damage.bytes}});
+  for (const host::JournalDamage& damage : result.damages) {
+    damages.push_back({{"offset", damage.offset}, {"bytes", damage.bytes}});
+    if (!damage.part.empty()) damages.back()["file"] = damage.part;
+  }
   return {{"same", !result.difference},
           {"whole", !result.gap && result.closing.has_value() && result.damages.empty()},
           {"from_step", from_step},

@@ -15,18 +15,18 @@ namespace earshot::board {
 
 /// What a service manager has put into the environment of a program that it started.
 struct ServiceEnvironment {
-  std::string socket;                                    ///< NOTIFY_SOCKET; empty: nobody wants to know
-  std::optional<std::chrono::microseconds> watchdog{};   ///< WATCHDOG_USEC, where WATCHDOG_PID is this process or says nothing
+  std::string socket;                                   ///< NOTIFY_SOCKET; empty: nobody wants to know
+  std::optional<std::chrono::microseconds> watchdog{};  ///< WATCHDOG_USEC, where WATCHDOG_PID is this process or says nothing
 
   [[nodiscard]] static ServiceEnvironment of_this_process();
 };
 
-/// Tells systemd, or whoever speaks its protocol, how the mission goes: READY=1 after the first turn, STATUS= in words with every new state,
-/// WATCHDOG=1 at most four times in the time that the watchdog allows, and STOPPING=1. One datagram each; nothing waits or allocates after
-/// construction, and a manager who does not read is told nothing.
+/// Tells systemd, or whoever speaks its protocol, how the mission goes: READY=1 after the first turn, STATUS= in words with every new
+/// state, WATCHDOG=1 at most four times in the time that the watchdog allows, and STOPPING=1. One datagram each; nothing waits or allocates
+/// after construction, and a manager who does not read is told nothing.
 ///
-/// The watchdog is fed by the heartbeat alone: by a turn that the runtime has counted after its safety filter. A thread that lives while the
-/// runtime is hung feeds nothing. But for a runtime that has found its own memory damaged, which counts no turn any more: it brings the
+/// The watchdog is fed by the heartbeat alone: by a turn that the runtime has counted after its safety filter. A thread that lives while
+/// the runtime is hung feeds nothing. But for a runtime that has found its own memory damaged, which counts no turn any more: it brings the
 /// vehicle up, and a new process could do no better.
 /// Source: sd_notify(3).   Oracle: ServiceManager.* in tests/firmware/boards/linux/service
 class ServiceManager {

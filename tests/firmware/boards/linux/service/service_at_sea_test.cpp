@@ -108,7 +108,8 @@ TEST_F(ServiceAtSea, GivenAWatchdogItIsFedByTurnsAndNotByAProcessThatIsHalted) {
   std::string words = heard();
   EXPECT_EQ(words.find("READY=1\nSTATUS=STANDBY, after 0 steps\nWATCHDOG=1\n"), 0U) << words;
   search(vehicle);
-  EXPECT_TRUE(vehicle.sails_until([&] { return (words += heard()).find("STATUS=SEARCH, after 0 steps\nWATCHDOG=1\n") != std::string::npos; }));
+  EXPECT_TRUE(
+      vehicle.sails_until([&] { return (words += heard()).find("STATUS=SEARCH, after 0 steps\nWATCHDOG=1\n") != std::string::npos; }));
 
   earshotd_->signal(SIGSTOP);
   std::this_thread::sleep_for(milliseconds(100));  // what was on its way

@@ -128,7 +128,8 @@ TEST_F(ServiceManagerTest, MayHaveAnAbstractName) {
 }
 
 TEST_F(ServiceManagerTest, IsToldNothingWhereItsSocketIsNoneAndTheComplaintNamesIt) {
-  for (const std::string& name : {std::string("relative"), std::string("/"), std::string("@"), std::string(108, '/'), (folder_ / "none").string()}) {
+  for (const std::string& name :
+       {std::string("relative"), std::string("/"), std::string("@"), std::string(108, '/'), (folder_ / "none").string()}) {
     ServiceManager told({.socket = name, .watchdog = seconds(2)});
     EXPECT_EQ(told.complaint().find("NOTIFY_SOCKET=" + name + ": "), 0U) << told.complaint();
     told.note_turn(health(1));  // and nothing happens

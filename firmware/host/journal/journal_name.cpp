@@ -1,0 +1,77 @@
+#include "firmware/host/journal/journal_name.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace earshot::host {
+namespace {
+
+constexpr std::string_view kPart = ".part";
+
+/// Takes a whole number from 2 to `most` off the beginning. @return nothing: none stands there as it is written
+std::optional<int> take_number(std::string_view& text, int most) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || number < 2 || number > most || text.starts_with('0')) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return number;
+}
+
+bool take(std::string_view& text, std::string_view beginning) {
+  if (!text.starts_with(beginning)) return false;
+  text.remove_prefix(beginning.size());
+  return true;
+}
+
+}  // namespace
+
+std::filesystem::path named(const std::filesystem::path& wanted, JournalName name) {
+  std::string file = wanted.stem().string();
+  if (name.journal > 1) file += "-" + std::to_string(name.journal);
+  if (name.part > 1) file += std::string(kPart) + std::to_string(name.part);
+  return wanted.parent_path() / (file + wanted.extension().string());
+}
+
+std::optional<JournalName> name_of(const std::filesystem::path& wanted, const std::filesystem::path& file) {
+  const std::string text = file.filename().string();
+  const std::string stem = wanted.stem().string();
+  std::string_view rest = text;
+  JournalName name;
+  if (!take(rest, stem)) return std::nullopt;
+  if (take(rest, "-")) {
+    const std::optional<int> number = take_number(rest, kMostJournals);
+    if (!number) return std::nullopt;
+    name.journal = *number;
+  }
+  if (take(rest, kPart)) {
+    const std::optional<int> number = take_number(rest, kMostParts);
+    if (!number) return std::nullopt;
+    name.part = *number;
+  }
+  return rest == wanted.extension().string() ? std::optional(name) : std::nullopt;
+}
+
+std::filesystem::path part_of(const std::filesystem::path& first, int part) {
+  return named(first, {.journal = 1, .part = part});
+}
+
+std::vector<JournalName> journals_beside(const std::filesystem::path& wanted) {
+  std::vector<JournalName> names;
+  std::error_code error;
+  const std::filesystem::path folder = wanted.has_parent_path() ? wanted.parent_path() : ".";
+  for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
+    if (const std::optional<JournalName> name = name_of(wanted, file->path())) names.push_back(*name);
+  }
+  return names;
+}
+
+std::optional<std::filesystem::path> newest_journal(const std::filesystem::path& wanted) {
+  int newest = 0;
+  for (const JournalName& name : journals_beside(wanted)) newest = name.part == 1 ? std::max(newest, name.journal) : newest;
+  return newest > 0 ? std::optional(named(wanted, {.journal = newest})) : std::nullopt;
+}
+
+}  // namespace earshot::host

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace earshot::host {
+
+/// Which of the journals that a folder holds a file is, and which part of it: of a journal that is wanted as journal.lcmlog,
+/// "journal-2.part3.lcmlog" is the third part of the second.
+struct JournalName {
+  int journal = 1;
+  int part = 1;
+  friend bool operator==(const JournalName&, const JournalName&) = default;
+};
+
+inline constexpr int kMostJournals = 9999;  ///< in one folder
+inline constexpr int kMostParts = 999'999;  ///< of one journal
+
+/// The file of this name in the folder of `wanted`.
+[[nodiscard]] std::filesystem::path named(const std::filesystem::path& wanted, JournalName name);
+
+/// What a file of the folder is; nothing: none of the journals that are named after `wanted`.
+[[nodiscard]] std::optional<JournalName> name_of(const std::filesystem::path& wanted, const std::filesystem::path& file);
+
+/// Part `part` of a journal whose first is `first`, which may itself be numbered.
+[[nodiscard]] std::filesystem::path part_of(const std::filesystem::path& first, int part);
+
+/// All that the folder of `wanted` holds of them, in no order; nothing of a folder that cannot be read.
+[[nodiscard]] std::vector<JournalName> journals_beside(const std::filesystem::path& wanted);
+
+/// The first part of the newest of them; nothing when there is none of that name.
+[[nodiscard]] std::optional<std::filesystem::path> newest_journal(const std::filesystem::path& wanted);
+
+}  // namespace earshot::host

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace earshot::host {
+
+/// The journals of earlier flights in a folder, which may be deleted to make room for the next: the oldest first, with all of its parts and
+/// the policy beside it. Never touched is what is no regular file, does not begin as a journal does, or is written by another process.
+/// Nothing allocates after construction.
+class OldJournals {
+ public:
+  OldJournals() = default;
+  /// @param wanted  after which they are named   @param own  the number of the journal that is written now
+  OldJournals(const std::filesystem::path& wanted, int own);
+
+  /// Bytes of those that are there.
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  /// @return whether one was; false: none is left that may be
+  bool delete_oldest();
+  /// So far.
+  [[nodiscard]] std::size_t deleted() const { return deleted_; }
+
+ private:
+  struct Old {
+    int number = 0;
+    std::uint64_t bytes = 0;
+    std::vector<std::filesystem::path> files{};  ///< the first part first, the policy last
+  };
+  [[nodiscard]] static bool is_written(const Old& old);
+
+  std::vector<Old> journals_;  ///< the oldest first
+  std::size_t next_ = 0;
+  std::uint64_t bytes_ = 0;
+  std::size_t deleted_ = 0;
+};
+
+/// Deletes the parts of a journal that come after part `last`, whatever may be missing between them; nothing but regular files that begin as
+/// a journal does.
+void delete_later_parts(const std::filesystem::path& first, int last = 1);
+
+}  // namespace earshot::host

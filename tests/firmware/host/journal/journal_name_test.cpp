@@ -1,0 +1,41 @@
+#include "firmware/host/journal/journal_name.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::host {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(JournalNameTest, IsTheOneThatItWasMadeOf) {
+  const fs::path wanted = "out/journal.lcmlog";
+  EXPECT_EQ(named(wanted, {}), "out/journal.lcmlog");
+  EXPECT_EQ(named(wanted, {.journal = 12, .part = 3}), "out/journal-12.part3.lcmlog");
+  for (const JournalName name : {JournalName{}, {.journal = 2}, {.part = 2}, {.journal = 9999, .part = 999'999}})
+    EXPECT_EQ(name_of(wanted, named(wanted, name)), name);
+  EXPECT_EQ(part_of("out/journal-2.lcmlog", 3), "out/journal-2.part3.lcmlog");
+}
+
+TEST(JournalNameTest, IsNoneOfOtherFiles) {
+  for (const char* file : {"journal.policy", "journal-1.lcmlog", "journal-02.lcmlog", "journal-.lcmlog", "journal.part1.lcmlog", "journal.part.lcmlog",
+                           "journal-2x.lcmlog", "journal-10000.lcmlog", "journal.lcmlog.bak", "my-journal.lcmlog", "journal.part2.part3.lcmlog", ""})
+    EXPECT_FALSE(name_of("journal.lcmlog", file)) << file;
+}
+
+TEST(JournalNameTest, OfTheNewestHasTheHighestNumberAndAFirstPart) {
+  const support::TemporaryFolder folder;
+  const fs::path wanted = folder / "journal.lcmlog";
+  EXPECT_FALSE(newest_journal(wanted));
+  EXPECT_TRUE(journals_beside(folder / "none" / "journal.lcmlog").empty());
+  for (const char* file : {"journal-7.lcmlog", "journal-10.lcmlog", "journal-12.part2.lcmlog", "notes.txt"}) std::ofstream(folder / file) << "x";
+  EXPECT_EQ(newest_journal(wanted), folder / "journal-10.lcmlog") << "older ones were deleted, and of the twelfth the beginning";
+  EXPECT_EQ(journals_beside(wanted).size(), 3U);
+}
+
+}  // namespace
+}  // namespace earshot::host
