@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/file/file_descriptor.hpp"
 #include "tests/scenario/walk_at_sea.hpp"
 #include "tests/support/private_network.hpp"
@@ -57,16 +58,24 @@ class Accidents : public WalkAtSea {
 
   /// Until its journal has grown three times: it makes turns.
   [[nodiscard]] bool goes_on() const {
-    std::error_code error;
     int times = 0;
-    auto size = fs::file_size(folder_ / "journal.lcmlog", error);
+    auto size = journal_bytes();
     for (const auto deadline = std::chrono::steady_clock::now() + 20s; times < 3 && std::chrono::steady_clock::now() < deadline;) {
       std::this_thread::sleep_for(10ms);
-      const auto now = fs::file_size(folder_ / "journal.lcmlog", error);
-      if (!error && now > size) ++times;
+      const auto now = journal_bytes();
+      if (now > size) ++times;
       size = now;
     }
     return times == 3;
+  }
+  /// Of all its parts.
+  [[nodiscard]] std::uintmax_t journal_bytes() const {
+    std::uintmax_t bytes = 0;
+    std::error_code error;
+    for (const auto& file : fs::directory_iterator(folder_)) {
+      if (file.path().extension() == ".lcmlog") bytes += fs::file_size(file, error);
+    }
+    return bytes;
   }
 
   /// Until it is in its loop, in which it tells its state. @return what it has said
@@ -88,6 +97,22 @@ TEST_F(Accidents, GivenSignalsThatNobodyMeansItGoesOnAndQuitEndsItInOrder) {
   earshotd_->signal(SIGQUIT);
   EXPECT_EQ(earshotd_->wait(5s), 0) << earshotd_->output();
   EXPECT_NE(earshotd_->output().find("in STANDBY; it ended in ABORT"), std::string::npos) << earshotd_->output();
+}
+
+TEST_F(Accidents, GivenAHangUpItBeginsAnotherPartOfItsJournalWhichReplaysWithTheFirstAsOne) {
+  start_earshotd({});
+  ASSERT_NE(words_up_to_its_loop().find("STANDBY"), std::string::npos) << earshotd_->output();
+  ASSERT_TRUE(goes_on());
+  earshotd_->signal(SIGHUP);
+  for (int i = 0; i < 1000 && !fs::exists(folder_ / "journal.part2.lcmlog"); ++i) std::this_thread::sleep_for(10ms);
+  ASSERT_TRUE(fs::exists(folder_ / "journal.part2.lcmlog")) << earshotd_->output();
+  ASSERT_TRUE(goes_on());
+  earshotd_->signal(SIGTERM);
+  EXPECT_EQ(earshotd_->wait(5s), 0) << earshotd_->output();
+  const board::ReplayResult replayed = board::replay(folder_ / "journal.lcmlog");
+  EXPECT_TRUE(replayed.is_same());
+  EXPECT_TRUE(replayed.closing) << "it stands in the second part";
+  EXPECT_GT(replayed.turns, 6U);
 }
 
 TEST_F(Accidents, GivenItsReaderGoesAwayItFliesOnAndEndsInOrder) {

@@ -106,7 +106,8 @@ std::size_t JournalParts::read(std::span<std::uint8_t> into) {
 }
 
 std::size_t JournalParts::index_of(std::uint64_t offset) const {
-  const auto behind = std::lower_bound(parts_.begin() + 1, parts_.end(), offset, [](const Part& part, std::uint64_t at) { return part.begin < at; });
+  const auto behind =
+      std::lower_bound(parts_.begin() + 1, parts_.end(), offset, [](const Part& part, std::uint64_t at) { return part.begin < at; });
   return static_cast<std::size_t>(behind - parts_.begin()) - 1;
 }
 

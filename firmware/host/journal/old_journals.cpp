@@ -24,7 +24,8 @@ std::optional<std::uint64_t> size_of_journal(const std::filesystem::path& path) 
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   std::array<std::uint8_t, 4> beginning{};
   if (file.number() < 0) return std::nullopt;
-  const bool is_journal = status.st_size == 0 || (::read(file.number(), beginning.data(), beginning.size()) == 4 && load(beginning) == kRecordSync);
+  const bool is_journal =
+      status.st_size == 0 || (::read(file.number(), beginning.data(), beginning.size()) == 4 && load(beginning) == kRecordSync);
   return is_journal ? std::optional(static_cast<std::uint64_t>(status.st_size)) : std::nullopt;
 }
 

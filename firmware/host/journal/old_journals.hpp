@@ -37,8 +37,8 @@ class OldJournals {
   std::size_t deleted_ = 0;
 };
 
-/// Deletes the parts of a journal that come after part `last`, whatever may be missing between them; nothing but regular files that begin as
-/// a journal does.
+/// Deletes the parts of a journal that come after part `last`, whatever may be missing between them; nothing but regular files that begin
+/// as a journal does.
 void delete_later_parts(const std::filesystem::path& first, int last = 1);
 
 }  // namespace earshot::host

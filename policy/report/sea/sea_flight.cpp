@@ -35,6 +35,8 @@ using messages::MissionState;
 using messages::Order;
 
 constexpr double kSecondsPerMicrosecond = 1e-6;
+/// By which come the vehicle computer's own orders: the ABORT of a program that is told to stop.
+constexpr std::uint8_t kEarshotItself = 0;
 
 std::optional<SeaFlight> begun_with(const host::JournalRecord& record) {
   mission_t mission{};
@@ -58,7 +60,7 @@ void note_health(double time_s, const health_t& health, SeaFlight& flight) {
   flight.counters.snr_refused = static_cast<std::uint64_t>(health.snr_refused);
   flight.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
   if (flight.state == before) return;
-  const std::string reason = flight.end_reason == EndReason::kNone ? "" : std::string(": ") + messages::to_string(flight.end_reason);
+  const std::string reason = flight.end_reason == EndReason::kNone ? "" : std::string(": ") + flight.why_it_ended();
   flight.events.push_back({time_s, messages::to_string(flight.state) + reason});
   if (flight.state == MissionState::kSearch) flight.search_began_s = time_s;
   if (before == MissionState::kSearch) flight.search_ended_s = time_s;
@@ -95,6 +97,9 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
       flight.fixes.push_back({.time_s = time_s, .position = fix->position, .depth = fix->depth});
     if (const auto* snr = std::get_if<messages::SnrMeasurement>(&input.value); snr != nullptr && std::isfinite(snr->snr.value))
       flight.measurements.push_back({.time_s = time_s, .snr_db = snr->snr.value, .too_faint = snr->too_faint});
+    if (std::holds_alternative<messages::OperatorCommand>(input.value) && input.port == kEarshotItself &&
+        flight.end_reason == EndReason::kNone)
+      flight.is_stopped = true;
   } else if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
     note_health(time_s, health, flight);
   } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
@@ -106,6 +111,10 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
 }
 
 }  // namespace
+
+const char* SeaFlight::why_it_ended() const {
+  return is_stopped && end_reason == EndReason::kOperatorAbort ? "its program was told to stop" : messages::to_string(end_reason);
+}
 
 bool SeaFlight::is_dated() const {
   constexpr double kSecondsToTheYear2000 = 946'684'800.0;  // no simulated flight lasts so long

@@ -44,11 +44,14 @@ struct SeaFlight {
   double ended_s = 0.0;                                             ///< of the last record
   messages::MissionState state = messages::MissionState::kStandby;  ///< the last
   messages::EndReason end_reason = messages::EndReason::kNone;
+  bool is_stopped = false;  ///< by a signal to its program, before it was over
   std::uint32_t steps_taken = 0;
   messages::Counters counters;           ///< the last
   std::optional<double> search_began_s;  ///< the first turn of the search
   std::optional<double> search_ended_s;  ///< the first turn after it
 
+  /// Why its mission is over, in words: an abort of the program that was told to stop is not an operator's.
+  [[nodiscard]] const char* why_it_ended() const;
   /// Its clock says UTC.
   [[nodiscard]] bool is_dated() const;
   /// How far it sailed while it searched.

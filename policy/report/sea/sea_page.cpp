@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "firmware/messages/health_words.hpp"
 #include "policy/explain/wording.hpp"
 #include "policy/report/html.hpp"
 
@@ -27,7 +26,7 @@ std::string ending_to_string(const SeaFlight& flight) {
   const bool is_found = flight.end_reason == messages::EndReason::kCompleted;
   const std::string what = flight.state == MissionState::kAbort ? "aborted" : "ended";
   return "<h1 class=\"" + std::string(is_found ? "found" : "missed") + "\">Search " + what + " after " + steps + ": " +
-         messages::to_string(flight.end_reason) + "</h1>\n";
+         flight.why_it_ended() + "</h1>\n";
 }
 
 std::string program_to_string(const JournalledSearch& journal) {

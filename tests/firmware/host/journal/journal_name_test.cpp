@@ -22,8 +22,9 @@ TEST(JournalNameTest, IsTheOneThatItWasMadeOf) {
 }
 
 TEST(JournalNameTest, IsNoneOfOtherFiles) {
-  for (const char* file : {"journal.policy", "journal-1.lcmlog", "journal-02.lcmlog", "journal-.lcmlog", "journal.part1.lcmlog", "journal.part.lcmlog",
-                           "journal-2x.lcmlog", "journal-10000.lcmlog", "journal.lcmlog.bak", "my-journal.lcmlog", "journal.part2.part3.lcmlog", ""})
+  for (const char* file :
+       {"journal.policy", "journal-1.lcmlog", "journal-02.lcmlog", "journal-.lcmlog", "journal.part1.lcmlog", "journal.part.lcmlog",
+        "journal-2x.lcmlog", "journal-10000.lcmlog", "journal.lcmlog.bak", "my-journal.lcmlog", "journal.part2.part3.lcmlog", ""})
     EXPECT_FALSE(name_of("journal.lcmlog", file)) << file;
 }
 
@@ -32,7 +33,8 @@ TEST(JournalNameTest, OfTheNewestHasTheHighestNumberAndAFirstPart) {
   const fs::path wanted = folder / "journal.lcmlog";
   EXPECT_FALSE(newest_journal(wanted));
   EXPECT_TRUE(journals_beside(folder / "none" / "journal.lcmlog").empty());
-  for (const char* file : {"journal-7.lcmlog", "journal-10.lcmlog", "journal-12.part2.lcmlog", "notes.txt"}) std::ofstream(folder / file) << "x";
+  for (const char* file : {"journal-7.lcmlog", "journal-10.lcmlog", "journal-12.part2.lcmlog", "notes.txt"})
+    std::ofstream(folder / file) << "x";
   EXPECT_EQ(newest_journal(wanted), folder / "journal-10.lcmlog") << "older ones were deleted, and of the twelfth the beginning";
   EXPECT_EQ(journals_beside(wanted).size(), 3U);
 }

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kRecordBytes = 28 + 5 + 67;  ///< header, channel, data
+constexpr std::size_t kRecordBytes = 28 + 5 + 67;      ///< header, channel, data
 constexpr std::size_t kBeginningBytes = 28 + 20 + 16;  ///< of a later part: "EARSHOT_JOURNAL_PART", fingerprint, two numbers
 
 class JournalPartsTest : public JournalFolder {

@@ -64,6 +64,10 @@ class SeaJournal {
     event.time = at(s);
     append(s, wire::kSafetyEventChannel, wire::Encoded(wire::to_message(event)), host::Weight::kSteering);
   }
+  /// As earshotd writes it when a signal stops it.
+  void stop(double s) {
+    input(s, messages::OperatorCommand{.time = at(s), .expiry = at(s), .issuer = 0, .number = 1, .order = messages::Order::kAbort}, 0);
+  }
   void end(wire::Ending ending) {
     wire::ClosingRecord closing;
     closing.ending = ending;
@@ -73,8 +77,8 @@ class SeaJournal {
 
  private:
   static Time at(double s) { return Time{kBegan_s * 1'000'000 + static_cast<std::int64_t>(s * 1e6)}; }
-  void input(double s, const decltype(messages::Input::value)& v) {
-    const wire::InputRecord record({.arrival = at(s), .port = 1, .sequence = 0, .value = v});
+  void input(double s, const decltype(messages::Input::value)& v, std::uint8_t port = 1) {
+    const wire::InputRecord record({.arrival = at(s), .port = port, .sequence = 0, .value = v});
     if (journal_.append(at(s), record.channel(), record.data()) != Status::kOk) std::abort();
   }
   void append(double s, std::string_view channel, const wire::Encoded& data, host::Weight weight) {

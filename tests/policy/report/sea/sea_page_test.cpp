@@ -47,6 +47,18 @@ TEST_F(SeaPageTest, SaysHowAndWhyTheSearchEndedAndWhenTheFlightWas) {
   EXPECT_FALSE(has(text, "A flight without its end"));
 }
 
+TEST_F(SeaPageTest, OfASearchThatASignalBrokeOffSaysThatNoOperatorAbortedIt) {
+  SeaJournal journal(folder_ / kJournalName);
+  journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
+  journal.stop(599);
+  journal.state(600, MissionState::kAbort, EndReason::kOperatorAbort, 3);
+  journal.end(wire::Ending::kStopped);
+  const std::string text = page_of_it();
+  EXPECT_TRUE(has(text, "Search aborted after 3 steps: its program was told to stop</h1>"));
+  EXPECT_TRUE(has(text, "<td class=\"left\">ABORT: its program was told to stop</td>"));
+  EXPECT_FALSE(has(text, "an operator aborted it"));
+}
+
 TEST_F(SeaPageTest, DrawsTrackAndSnrOfTheJournal) {
   fly_until(MissionState::kDone, EndReason::kCompleted);
   const std::string text = page_of_it();
