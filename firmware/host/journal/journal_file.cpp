@@ -71,10 +71,11 @@ void JournalFile::open(const std::filesystem::path& wanted, ExistingJournal exis
   const bool keeps = existing == ExistingJournal::kKeep;
   int number = keeps ? highest_number(wanted) + 1 : 1;
   for (;; ++number) {
+    if (number > kMostJournals) throw std::system_error(ENOSPC, std::generic_category(), path_.string() + ": no number is left");
     path_ = named(wanted, {.journal = number});
     file_ = FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CLOEXEC | mode, 0644));
     if (file_.number() >= 0) return;
-    if (errno != EEXIST || !keeps || number >= kMostJournals) fail(path_);
+    if (errno != EEXIST || !keeps) fail(path_);
   }
 }
 
@@ -104,7 +105,8 @@ void JournalFile::write_on_at(const JournalParts::Place& place, std::uint64_t ea
   }
   if (place.part != part_) {
     if (part_ == 1) first_ = std::move(file_);
-    file_ = FileDescriptor(::open(place.file.c_str(), O_WRONLY | O_CLOEXEC));
+    // The mark hangs on the descriptor by which the first part was opened.
+    file_ = place.part == 1 ? std::move(first_) : FileDescriptor(::open(place.file.c_str(), O_WRONLY | O_CLOEXEC));
     if (file_.number() < 0) fail(place.file);
   }
   const auto end = static_cast<off_t>(place.offset);
@@ -180,6 +182,7 @@ PartBegun JournalFile::refuse_part() {
 }
 
 PartBegun JournalFile::begin_part(bool is_to_survive) {
+  if (earlier_bytes_ + size_ == 0) return PartBegun::kNo;  // what names the journal is still to come
   const char* const name = name_of_part(part_ + 1);
   const std::uint64_t earlier = earlier_bytes_ + size_;
   if (name == nullptr || !has_budget_for(2 * kJournalReserveBytes)) return refuse_part();

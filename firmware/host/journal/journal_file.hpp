@@ -54,6 +54,8 @@ class JournalFile {
   /// Before anything is written: what stands behind `size` bytes of all parts is cut off, and written on there. @throws std::system_error
   /// naming the file
   void cut(std::uint64_t size);
+  /// Likewise before: it is one of the journals that are named after `wanted`, which share a budget.
+  void count_among(const std::filesystem::path& wanted) { wanted_ = wanted; }
   /// Likewise before: as JournalLimits say.
   void keep_to(JournalLimits limits);
 

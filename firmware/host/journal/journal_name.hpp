@@ -14,8 +14,8 @@ struct JournalName {
   friend bool operator==(const JournalName&, const JournalName&) = default;
 };
 
-inline constexpr int kMostJournals = 9999;  ///< in one folder
-inline constexpr int kMostParts = 999'999;  ///< of one journal
+inline constexpr int kMostJournals = 999'999;  ///< in one folder, whose numbers only rise
+inline constexpr int kMostParts = 999'999;     ///< of one journal
 
 /// The file of this name in the folder of `wanted`.
 [[nodiscard]] std::filesystem::path named(const std::filesystem::path& wanted, JournalName name);

@@ -88,9 +88,9 @@ bool JournalReader::stop(End end, std::uint64_t passed) {
 }
 
 void JournalReader::note_damage(std::uint64_t bytes) {
-  const JournalParts::Place place = file_.place_of(offset_);
+  const JournalParts::Place place = file_.place_of(offset_ + 1);  // behind its first byte
   damages_.push_back(
-      {.offset = place.offset, .bytes = bytes, .part = file_.are_several() ? place.file.filename().string() : std::string()});
+      {.offset = place.offset - 1, .bytes = bytes, .part = file_.are_several() ? place.file.filename().string() : std::string()});
 }
 
 void JournalReader::look_again() {

@@ -3,13 +3,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace earshot::host {
 
 /// The journals of earlier flights in a folder, which may be deleted to make room for the next: the oldest first, with all of its parts and
-/// the policy beside it. Never touched is what is no regular file, does not begin as a journal does, or is written by another process.
-/// Nothing allocates after construction.
+/// the policy beside it. Never touched is what is no regular file, does not begin as a journal (or a policy) does, or is written by another
+/// process. A file is looked at again before it is deleted: what somebody took away counts no more, what he put in its place stays. Nothing
+/// allocates after construction.
 class OldJournals {
  public:
   OldJournals() = default;
@@ -18,18 +20,24 @@ class OldJournals {
 
   /// Bytes of those that are there.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-  /// @return whether one was; false: none is left that may be
+  /// @return whether bytes() is less now: one was, or somebody else had taken it away; false: none is left that may be
   bool delete_oldest();
-  /// So far.
+  /// Journals, so far.
   [[nodiscard]] std::size_t deleted() const { return deleted_; }
 
  private:
+  struct File {
+    std::filesystem::path path;
+    std::uint64_t bytes = 0;  ///< that count; a policy's do not
+    std::string_view magic;   ///< as it begins
+  };
   struct Old {
     int number = 0;
-    std::uint64_t bytes = 0;
-    std::vector<std::filesystem::path> files{};  ///< the first part first, the policy last
+    std::vector<File> files{};  ///< the first part first, the policy last
   };
   [[nodiscard]] static bool is_written(const Old& old);
+  /// @return whether bytes() is less now
+  bool remove(const Old& old);
 
   std::vector<Old> journals_;  ///< the oldest first
   std::size_t next_ = 0;

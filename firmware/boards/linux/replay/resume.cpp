@@ -83,6 +83,7 @@ std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, c
     throw refusal(*newest, "this computer's clock is " + std::to_string((before->memory.last - now).us / 1'000'000 + 1) +
                                " s behind its last record");
   file.cut(before->kept_bytes);
+  file.count_among(wanted);
   return Unfinished{.file = std::move(file), .before = *std::move(before)};
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <system_error>
 
+#include "firmware/host/journal/journal_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::host {
@@ -16,7 +18,7 @@ TEST(JournalNameTest, IsTheOneThatItWasMadeOf) {
   const fs::path wanted = "out/journal.lcmlog";
   EXPECT_EQ(named(wanted, {}), "out/journal.lcmlog");
   EXPECT_EQ(named(wanted, {.journal = 12, .part = 3}), "out/journal-12.part3.lcmlog");
-  for (const JournalName name : {JournalName{}, {.journal = 2}, {.part = 2}, {.journal = 9999, .part = 999'999}})
+  for (const JournalName name : {JournalName{}, {.journal = 2}, {.part = 2}, {.journal = 999'999, .part = 999'999}})
     EXPECT_EQ(name_of(wanted, named(wanted, name)), name);
   EXPECT_EQ(part_of("out/journal-2.lcmlog", 3), "out/journal-2.part3.lcmlog");
 }
@@ -24,7 +26,7 @@ TEST(JournalNameTest, IsTheOneThatItWasMadeOf) {
 TEST(JournalNameTest, IsNoneOfOtherFiles) {
   for (const char* file :
        {"journal.policy", "journal-1.lcmlog", "journal-02.lcmlog", "journal-.lcmlog", "journal.part1.lcmlog", "journal.part.lcmlog",
-        "journal-2x.lcmlog", "journal-10000.lcmlog", "journal.lcmlog.bak", "my-journal.lcmlog", "journal.part2.part3.lcmlog", ""})
+        "journal-2x.lcmlog", "journal-1000000.lcmlog", "journal.lcmlog.bak", "my-journal.lcmlog", "journal.part2.part3.lcmlog", ""})
     EXPECT_FALSE(name_of("journal.lcmlog", file)) << file;
 }
 
@@ -37,6 +39,15 @@ TEST(JournalNameTest, OfTheNewestHasTheHighestNumberAndAFirstPart) {
     std::ofstream(folder / file) << "x";
   EXPECT_EQ(newest_journal(wanted), folder / "journal-10.lcmlog") << "older ones were deleted, and of the twelfth the beginning";
   EXPECT_EQ(journals_beside(wanted).size(), 3U);
+}
+
+TEST(JournalNameTest, IsGivenToNoFileThatWouldNotBeFoundByIt) {
+  const support::TemporaryFolder folder;
+  const fs::path wanted = folder / "journal.lcmlog";
+  std::ofstream(folder / "journal-999999.lcmlog") << "x";
+  EXPECT_THROW(JournalFile(wanted, ExistingJournal::kKeep), std::system_error);
+  EXPECT_EQ(journals_beside(wanted).size(), 1U);
+  EXPECT_FALSE(fs::exists(folder / "journal-1000000.lcmlog"));
 }
 
 }  // namespace

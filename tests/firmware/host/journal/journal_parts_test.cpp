@@ -8,8 +8,10 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "tests/firmware/host/journal/journal_folder.hpp"
 
@@ -140,8 +142,8 @@ TEST_F(JournalPartsTest, LoseTheRecordThatADamageHitsWhereverItIsAndNoOther) {
     for (JournalRecord record; reader.next(record);) {
     }
     ASSERT_EQ(reader.damages().size(), 1U) << at;
-    EXPECT_EQ(reader.damages()[0].part, at < kBeginningBytes ? "journal.lcmlog" : "journal.part2.lcmlog")
-        << "the end of the one before is where nothing was found";
+    EXPECT_EQ(reader.damages()[0].part, "journal.part2.lcmlog");
+    EXPECT_EQ(reader.damages()[0].offset, at < kBeginningBytes ? 0U : kBeginningBytes);
     flip(part(2), at);
   }
 }
@@ -173,6 +175,28 @@ TEST_F(JournalPartsTest, AreWrittenOnWhereTheJournalIsCutAndThoseBehindAreGone) 
   }
   EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(records().back().data, Bytes(67, 10));
+}
+
+TEST_F(JournalPartsTest, LeaveTheFirstMarkedAsWrittenWhereverTheJournalIsCut) {
+  write(2, 1);
+  JournalFile file(path_, ExistingJournal::kGoOn);
+  file.cut(kRecordBytes);
+  EXPECT_THROW(require_not_being_written(path_), FolderInUse);
+  Journal journal(std::move(file), 1);
+  journal.begin_part();
+  ASSERT_EQ(journal.append(Time{9}, "PARTS", Bytes(67)), Status::kOk);
+  ASSERT_EQ(journal.flush(), Status::kOk);
+  EXPECT_TRUE(fs::exists(part(2)));
+  EXPECT_THROW(require_not_being_written(path_), FolderInUse);
+}
+
+TEST_F(JournalPartsTest, AreNotBegunBeforeTheFirstRecordWhichNamesTheJournal) {
+  Journal journal(path_);
+  journal.begin_part();
+  ASSERT_EQ(journal.append(Time{1}, "PARTS", Bytes(67)), Status::kOk);
+  ASSERT_EQ(journal.close(), Status::kOk);
+  EXPECT_EQ(fs::file_size(path_), kRecordBytes);
+  EXPECT_FALSE(fs::exists(part(2)));
 }
 
 TEST_F(JournalPartsTest, ComeWhileTheyAreRead) {

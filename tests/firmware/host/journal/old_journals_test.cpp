@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -33,8 +35,8 @@ TEST_F(OldJournalsTest, AreDeletedWholeTheOldestFirst) {
   make("journal-2.lcmlog", 30);
   make("journal-10.lcmlog", 20);
   make("journal-11.lcmlog", 1000);
-  std::ofstream(folder_ / "journal.policy") << "policy";
-  std::ofstream(folder_ / "journal-2.policy") << "policy";
+  std::ofstream(folder_ / "journal.policy") << "EARSHOTP and so on";
+  std::ofstream(folder_ / "journal-2.policy") << "EARSHOTP and so on";
   OldJournals old(path_, 11);
   EXPECT_EQ(old.bytes(), 200U);
   EXPECT_TRUE(old.delete_oldest());
@@ -69,6 +71,72 @@ TEST_F(OldJournalsTest, AreNotDeletedWhileAnotherProcessWritesThem) {
   EXPECT_TRUE(old.delete_oldest());
   EXPECT_TRUE(is_there("journal.lcmlog"));
   EXPECT_FALSE(is_there("journal-2.lcmlog"));
+}
+
+TEST_F(OldJournalsTest, CountNoMoreOnceSomebodyTookThemAway) {
+  make("journal.lcmlog", 400);
+  make("journal.part2.lcmlog", 100);
+  make("journal-2.lcmlog", 300);
+  OldJournals old(path_, 3);
+  fs::remove(path_);
+  fs::remove(folder_ / "journal.part2.lcmlog");
+  EXPECT_TRUE(old.delete_oldest());
+  EXPECT_EQ(old.bytes(), 300U);
+  EXPECT_EQ(old.deleted(), 0U);
+  EXPECT_TRUE(is_there("journal-2.lcmlog")) << "there may be room enough now";
+}
+
+TEST_F(OldJournalsTest, AreNotWhatSomebodyPutInTheirPlaceOrBesideThem) {
+  make("journal.lcmlog", 400);
+  std::ofstream(folder_ / "journal.policy") << "what I think of this policy";
+  make("journal-2.lcmlog", 300);
+  OldJournals old(path_, 3);
+  std::ofstream(path_) << "notes";
+  fs::remove(folder_ / "journal-2.lcmlog");
+  make("elsewhere.lcmlog", 300);
+  fs::create_symlink("elsewhere.lcmlog", folder_ / "journal-2.lcmlog");
+  while (old.delete_oldest()) {
+  }
+  EXPECT_EQ(old.deleted(), 0U);
+  for (const char* name : {"journal.lcmlog", "journal.policy", "journal-2.lcmlog", "elsewhere.lcmlog"}) EXPECT_TRUE(is_there(name)) << name;
+}
+
+TEST_F(OldJournalsTest, AreDeletedForAJournalThatIsGoneOnWith) {
+  make("journal.lcmlog", 900 * kKibibyte);
+  const fs::path second = folder_ / "journal-2.lcmlog";
+  { ASSERT_EQ(Journal(second).append(Time{1}, "X", Bytes(71)), Status::kOk); }
+  JournalFile file(second, ExistingJournal::kGoOn);
+  file.cut(100);
+  file.count_among(path_);
+  const Journal journal(std::move(file), 1, {.limits = {.part_bytes = 0, .budget_bytes = 1000 * kKibibyte}});
+  EXPECT_FALSE(is_there("journal.lcmlog")) << "900 and the 128 that are held for it are more than 1000";
+}
+
+TEST_F(OldJournalsTest, LeaveRoomForEveryOrderThoughTheBudgetEndsWhereAPartIsDue) {
+  constexpr std::uint64_t kBudget = 600'000;
+  constexpr int kOrders = 150;
+  {
+    Journal journal(path_, {.limits = {.part_bytes = 100'000, .budget_bytes = kBudget}});
+    for (int i = 0; i < 20 * kOrders; ++i) {
+      (void)journal.append(Time{i}, "STREAM", Bytes(400));
+      if (i % 20 == 0) {
+        EXPECT_EQ(journal.append(Time{i}, "ORDER", Bytes(20), Weight::kOrder), Status::kOk);
+      }
+      if (i % 50 == 0) (void)journal.flush(std::chrono::milliseconds(5));
+    }
+    journal.conclude({});
+    (void)journal.close();
+    EXPECT_GT(of(journal.counters().lost, Weight::kStream), 0U);
+  }
+  std::uint64_t bytes = 0;
+  for (const auto& file : fs::directory_iterator(folder_.path())) bytes += file.file_size();
+  EXPECT_LE(bytes, kBudget);
+  EXPECT_TRUE(is_there("journal.part2.lcmlog"));
+  JournalReader reader(path_);
+  int orders = 0;
+  for (JournalRecord record; reader.next(record);) orders += record.channel == "ORDER" ? 1 : 0;
+  EXPECT_EQ(orders, kOrders);
+  EXPECT_TRUE(reader.damages().empty());
 }
 
 TEST_F(OldJournalsTest, AreDeletedForTheBudgetWhenAJournalGrowsAndThenTheDiskIsAsGoodAsFull) {

@@ -244,12 +244,14 @@ TEST_F(Resuming, FindsTheNewestJournalCutsItToWhatIsKeptAndRefusesAClockThatIsBe
     EXPECT_NE(std::string(error.what()).find("this computer's clock is 8 s behind its last record"), std::string::npos) << error.what();
   }
   EXPECT_EQ(fs::file_size(newer), torn.size()) << "a refusal changes nothing";
-  const std::optional<Unfinished> found = find_unfinished(cut_, flown, GoOnAfter::kLastInput, last + Duration::seconds(7));
+  std::optional<Unfinished> found = find_unfinished(cut_, flown, GoOnAfter::kLastInput, last + Duration::seconds(7));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->file.path(), newer);
   EXPECT_EQ(fs::file_size(newer), bytes_.size());
   EXPECT_NE(to_string(found->before, last + Duration::seconds(7)).find("; 100 bytes behind them were cut off; 7 s have passed"),
             std::string::npos);
+  found->file.keep_to({.part_bytes = 0, .budget_bytes = 1});
+  EXPECT_FALSE(fs::exists(cut_)) << "the older one shares its budget";
 }
 
 TEST_F(Resuming, FindsNothingInAnEmptyFolder) {
