@@ -354,7 +354,7 @@ TomlFile::TomlFile(std::filesystem::path path, const std::string& text)
   try {
     root_->document = std::make_shared<const toml::table>(toml::parse(text, path_.string()));
   } catch (const toml::parse_error& e) {
-    throw refused(e.source().begin.line, "not TOML: " + std::string(e.description()));
+    throw refused(e.source().begin.line, "not TOML: " + host::printable(e.description()));
   }
   root_->problems = problems_;
   root_->table = root_->document.get();

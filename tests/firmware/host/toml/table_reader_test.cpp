@@ -289,6 +289,13 @@ TEST(TomlFile, NamesTheLineThatIsNotToml) {
   EXPECT_EQ(refusal(path).rfind(path.string() + ":2: not TOML: ", 0), 0U) << refusal(path);
 }
 
+TEST(TomlFile, SaysInOneLineWhatIsNotTomlWhereALineBreaksInAValue) {
+  const std::filesystem::path path = written("a = n\n");
+  const std::string said = refusal(path);
+  EXPECT_EQ(said.rfind(path.string() + ":1: not TOML: ", 0), 0U) << said;
+  EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+}
+
 TEST(TomlFile, RefusesAKeyOfFortyThousandDotsBeforeItIsParsed) {
   std::string key = "a";
   for (int i = 0; i < 40'000; ++i) key += ".a";
