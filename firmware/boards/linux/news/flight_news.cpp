@@ -1,48 +1,18 @@
 #include "firmware/boards/linux/news/flight_news.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <concepts>
 #include <cstddef>
 #include <string_view>
-#include <system_error>
 
 #include "firmware/boards/linux/news/health_words.hpp"
+#include "firmware/boards/linux/news/text_line.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::board {
 namespace {
 
-constexpr std::size_t kMessageBytes = 256;
-
-/// What a line says, in the making, in memory of its own.
-class Line {
- public:
-  Line& operator<<(std::string_view text) {
-    const std::size_t count = std::min(text.size(), text_.size() - size_);
-    std::copy_n(text.begin(), count, text_.begin() + static_cast<std::ptrdiff_t>(size_));
-    size_ += count;
-    return *this;
-  }
-  Line& operator<<(std::integral auto number) {
-    std::array<char, 24> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
-  }
-  Line& decimal(double number, int places) {
-    std::array<char, 32> digits{};
-    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed, places);
-    return *this << (error == std::errc{} ? std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())) : "?");
-  }
-  [[nodiscard]] std::string_view text() const { return {text_.data(), size_}; }
-
- private:
-  std::array<char, kMessageBytes> text_{};
-  std::size_t size_ = 0;
-};
-
 /// "hears 15.0 to 30.0 Hz of 8 channels at 96000.0 Hz: full scale 180.0, the ADC's own noise 8.4 dB re 1 uPa; looks lag by 0.24 s"
-void write_chain(Line& line, const HeardChain& chain) {
+void write_chain(TextInto& line, const HeardChain& chain) {
   if (chain.heard == HeardChain::Heard::kImpossibleChain) {
     line << "hears nothing: " << detector::to_string(chain.fault);
     return;
@@ -69,6 +39,9 @@ std::string_view remark_on(const messages::Health& health) {
   if (health.authority == messages::Authority::kListen) return "listening: it commands nothing";
   return health.is_paused ? "paused by an operator" : std::string_view{};
 }
+
+/// Of lines of which several may come at once: how far their time may run ahead.
+constexpr Duration kMostAhead{(FlightNews::kLinkLinesAtOnce - 1) * FlightNews::kBetweenLinkLines.us};
 
 }  // namespace
 
@@ -98,7 +71,7 @@ void FlightNews::tell(Time now, std::uint8_t port, const messages::SoundDetectio
   Sound& sound = sounds_.at(port);
   ++sound.detections;
   if (now < sound.detection_due) return;
-  Line line;
+  TextLine line;
   line << "heard for ";
   line.decimal(detection.duration.to_seconds(), 1) << " s from ";
   std::array<char, 32> date{};
@@ -123,10 +96,10 @@ void FlightNews::tell(const messages::SafetyEvent& event) {
 /// A line that came too soon after the last of its rule is made up for when one is due: what was told last is what is.
 void FlightNews::tell_rule(Time now, RuleNews& rule) {
   const messages::SafetyEvent& event = rule.last;
-  const bool ends_mission = event.begins && event.response >= config::Response::kAbort;
+  const bool ends_mission = event.begins && event.response >= config::Response::kAbort && event.response > rule.ended_by;
   if (rule.changes == 0 || (now < rule.due && !ends_mission)) return;
   const config::ConditionTraits& traits = config::kConditionTraits.at(static_cast<std::size_t>(event.condition));
-  Line line;
+  TextLine line;
   line << "rule " << event.rule + 1 << ", " << traits.key;
   if (!event.begins) {
     line << ": no longer";
@@ -139,6 +112,7 @@ void FlightNews::tell_rule(Time now, RuleNews& rule) {
     line << ": " << config::kResponseWords.at(static_cast<std::size_t>(event.response));
   }
   if (rule.changes > 1) line << "; it changed " << rule.changes << " times since it was last told of";
+  if (ends_mission) rule.ended_by = event.response;
   say({.severity = ends_mission ? Severity::kError : Severity::kWarning,
        .event = "rule",
        .time = now,
@@ -157,7 +131,7 @@ void FlightNews::tell(Time now, const config::Mission& mission) {
   if (limits == *limits_ || now < limits_due_) return;
   limits_ = limits;
   limits_due_ = now + kBetweenLinkLines;
-  Line line;
+  TextLine line;
   line << "TIGHTEN obeyed: the search is at ";
   line.decimal(limits.search_depth.value, 1) << " m and ";
   line.decimal(limits.search_speed.value, 2) << " m/s, never below ";
@@ -181,7 +155,7 @@ void FlightNews::tell_troubles(Time now, std::size_t port) {
     trouble.is_told = trouble.is_there;
     const std::string_view words = trouble.is_there ? begin_of(static_cast<BusTrouble>(i)) : end_of(static_cast<BusTrouble>(i));
     if (words.empty()) continue;
-    Line line;
+    TextLine line;
     line << links_.at(port).label << ": " << words;
     say({.severity = trouble.is_there ? Severity::kWarning : Severity::kNotice,
          .event = "bus",
@@ -195,7 +169,7 @@ void FlightNews::tell_troubles(Time now, std::size_t port) {
 void FlightNews::tell_chain(Time now, std::size_t port) {
   Sound& sound = sounds_.at(port);
   if (!sound.chain || now < sound.chain_due) return;
-  Line line;
+  TextLine line;
   line << links_.at(port).label << ": ";
   write_chain(line, *sound.chain);
   say({.severity = sound.chain->heard == HeardChain::Heard::kWell ? Severity::kInfo : Severity::kError,
@@ -209,11 +183,15 @@ void FlightNews::tell_chain(Time now, std::size_t port) {
 
 void FlightNews::tell_state(Time now, const messages::Health& health) {
   const std::string_view remark = remark_on(health);
-  if (state_ == health.state && remark_ == remark) return;
-  if (state_ != health.state) navigation_.is_told_in_state = snr_.is_told_in_state = false;
+  if (state_ == health.state && (remark_ == remark || remark_due_ - now > kMostAhead)) return;
+  if (state_ != health.state) {
+    navigation_.is_told_in_state = snr_.is_told_in_state = false;
+  } else {
+    remark_due_ = std::max(remark_due_, now) + kBetweenLinkLines;
+  }
   state_ = health.state;
   remark_ = remark;
-  Line line;
+  TextLine line;
   line << to_string(health.state);
   const bool is_stopped = is_stopping_ && health.end_reason == messages::EndReason::kOperatorAbort;
   if (health.end_reason != messages::EndReason::kNone)
@@ -227,7 +205,7 @@ void FlightNews::tell_state(Time now, const messages::Health& health) {
 void FlightNews::tell_refused(Time now, std::string_view sensor, std::uint64_t count, Refused& refused) {
   if (count == refused.told || refused.is_told_in_state) return;
   refused = {.told = count, .is_told_in_state = true};
-  Line line;
+  TextLine line;
   line << sensor << ": " << count << (count == 1 ? " message" : " messages")
        << " refused so far, for their date, their order or what is in them; look at their sender's clock "
           "(of CAN messages, which bear no date: at two ports that bring the same)";
@@ -238,7 +216,7 @@ void FlightNews::tell_refused(Time now, std::string_view sensor, std::uint64_t c
 void FlightNews::tell_journal(Time now, const messages::PortReport& report) {
   if (report.link_up == is_journal_up_) return;
   is_journal_up_ = report.link_up;
-  Line line;
+  TextLine line;
   if (is_journal_up_) {
     line << "journal: the disk takes it again; " << report.lost << " records are lost";
   } else {
@@ -254,9 +232,8 @@ void FlightNews::tell_link(Time now, const messages::PortReport& report) {
   Link& link = links_.at(report.port);
   if (report.link_up != link.is_up) ++link.changes;
   link.is_up = report.link_up;
-  constexpr Duration kMostAhead{(kLinkLinesAtOnce - 1) * kBetweenLinkLines.us};
   if (link.changes == 0 || link.due - now > kMostAhead) return;
-  Line line;
+  TextLine line;
   line << link.label << ": its link is " << (link.is_up ? "up again" : "down; tried again once a second");
   if (link.changes > 1) line << "; it changed " << link.changes << " times since it was last told of";
   say({.severity = link.is_up ? Severity::kNotice : Severity::kWarning,

@@ -104,6 +104,8 @@ class FlightNews {
     messages::SafetyEvent last;
     std::uint64_t changes = 0;  ///< since it was last told of
     Time due;
+    /// The strongest that ended the mission, as was told: a limit that is passed again and again ends it once.
+    config::Response ended_by = config::Response::kWarn;
   };
   void say(const LogEntry& entry);
   void tell_rule(Time now, RuleNews& rule);
@@ -119,6 +121,7 @@ class FlightNews {
   std::array<Link, config::kMaxPorts> links_;
   std::optional<messages::MissionState> state_;
   std::string_view remark_;       ///< on it
+  Time remark_due_;               ///< as of a link: an autopilot that comes and goes cannot flood
   std::optional<Limits> limits_;  ///< as far as a person knows
   Time limits_due_;
   bool is_stopping_ = false;

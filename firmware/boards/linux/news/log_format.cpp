@@ -5,43 +5,19 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
-#include <concepts>
 #include <cstdlib>
 #include <string>
+
+#include "firmware/boards/linux/news/text_line.hpp"
 
 namespace earshot::board {
 namespace {
 
-/// Writes into memory of somebody else's, and leaves out what does not fit.
-class Writing {
- public:
-  explicit Writing(std::span<char> into) : into_(into) {}
-  Writing& operator<<(std::string_view text) {
-    const std::size_t count = std::min(text.size(), into_.size() - size_);
-    std::copy_n(text.begin(), count, into_.begin() + static_cast<std::ptrdiff_t>(size_));
-    size_ += count;
-    return *this;
-  }
-  Writing& operator<<(std::integral auto number) {
-    std::array<char, 24> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
-  }
-  Writing& two_digits(unsigned number) { return *this << (number < 10 ? "0" : "") << number; }
-  [[nodiscard]] std::size_t left() const { return into_.size() - size_; }
-  [[nodiscard]] std::string_view text() const { return {into_.data(), size_}; }
-
- private:
-  std::span<char> into_;
-  std::size_t size_ = 0;
-};
-
 constexpr Time kLongAgo{
     std::chrono::microseconds(std::chrono::sys_days(std::chrono::year(2000) / std::chrono::January / 1).time_since_epoch()).count()};
 
-void write_date(Writing& to, Time time, std::string_view between, std::string_view zone) {
+void write_date(TextInto& to, Time time, std::string_view between, std::string_view zone) {
   using namespace std::chrono;
   const sys_time<microseconds> utc{microseconds(time.us)};
   const sys_days day = floor<days>(utc);
@@ -71,7 +47,7 @@ std::string_view word_of(Severity severity) {
 
 /// As JSON wants it, and no further than leaves room for the end of the object. Bytes that are no ASCII stand in what programs say only
 /// where host::printable() has let them pass as UTF-8.
-void write_escaped(Writing& to, std::string_view text, std::size_t room_for_end) {
+void write_escaped(TextInto& to, std::string_view text, std::size_t room_for_end) {
   constexpr std::string_view kHexadecimal = "0123456789abcdef";
   constexpr std::size_t kLongest = 6;
   for (const char character : text) {
@@ -87,7 +63,7 @@ void write_escaped(Writing& to, std::string_view text, std::size_t room_for_end)
   }
 }
 
-std::string_view as_json(const LogEntry& entry, Writing to) {
+std::string_view as_json(const LogEntry& entry, TextInto to) {
   constexpr std::string_view kEnd = "\"}";
   to << R"({"severity": ")" << word_of(entry.severity) << R"(", "event": ")" << entry.event << "\"";
   if (entry.time && *entry.time < kLongAgo) {
@@ -114,14 +90,14 @@ LogFormat log_format_of_standard_error() {
 }
 
 std::string_view written(Time time, std::span<char> into) {
-  Writing to(into);
+  TextInto to(into);
   if (time < kLongAgo) return (to << time.us / 1'000'000 << " s").text();
   write_date(to, time, " ", " UTC");
   return to.text();
 }
 
 std::string_view formatted(const LogEntry& entry, LogFormat format, std::span<char> into) {
-  Writing to(into.first(std::min(into.size(), kLogLineBytes)));
+  TextInto to(into.first(std::min(into.size(), kLogLineBytes)));
   if (format == LogFormat::kJson) return as_json(entry, to);
   if (format == LogFormat::kJournal) {
     to << "<" << static_cast<unsigned>(entry.severity) << ">";

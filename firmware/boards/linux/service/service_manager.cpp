@@ -12,32 +12,12 @@
 #include <system_error>
 #include <utility>
 
+#include "firmware/boards/linux/news/text_line.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::board {
 namespace {
-
-/// A message in the making, in memory of its own.
-class Message {
- public:
-  Message& operator<<(std::string_view text) {
-    const std::size_t count = std::min(text.size(), text_.size() - size_);
-    std::copy_n(text.begin(), count, text_.begin() + static_cast<std::ptrdiff_t>(size_));
-    size_ += count;
-    return *this;
-  }
-  Message& operator<<(std::uint64_t number) {
-    std::array<char, 24> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    return *this << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
-  }
-  [[nodiscard]] std::string_view text() const { return {text_.data(), size_}; }
-
- private:
-  std::array<char, 256> text_{};
-  std::size_t size_ = 0;
-};
 
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
@@ -97,10 +77,10 @@ void ServiceManager::say(std::string_view message) const {
 }
 
 void ServiceManager::say_state(const messages::Health& health) const {
-  Message message;
+  TextLine message;
   message << (is_ready_ ? "" : "READY=1\n") << "STATUS=" << messages::to_string(health.state);
   if (health.end_reason != messages::EndReason::kNone) message << ", " << messages::to_string(health.end_reason);
-  message << ", after " << std::uint64_t{health.steps_taken} << " steps";
+  message << ", after " << health.steps_taken << " steps";
   say(message.text());
 }
 
@@ -122,8 +102,8 @@ void ServiceManager::note_stop() {
 
 void ServiceManager::ask_for(std::chrono::seconds more) {
   if (is_ready_) return;
-  Message message;
-  message << "EXTEND_TIMEOUT_USEC=" << static_cast<std::uint64_t>(std::chrono::microseconds(more).count());
+  TextLine message;
+  message << "EXTEND_TIMEOUT_USEC=" << std::chrono::microseconds(more).count();
   say(message.text());
 }
 

@@ -113,6 +113,30 @@ TEST_F(FlightNewsTest, TellsWhetherASearchCommandsAndIsPausedEachOnce) {
             "earshotd: 2026-11-18 11:06:47 UTC: ABORT, an operator aborted it, after 0 steps\n");
 }
 
+TEST_F(FlightNewsTest, IsNotFloodedByAnAutopilotThatComesAndGoes) {
+  messages::Health standby = health(MissionState::kStandby);
+  for (int s = 0; s < 40; ++s) {
+    standby.authority = s % 2 == 0 ? messages::Authority::kDisconnected : messages::Authority::kStandby;
+    news_->tell(kUtc + Duration::seconds(s), standby);
+  }
+  const std::string told = all_told();
+  EXPECT_EQ(std::ranges::count(told, '\n'), 8) << "the state, four at once, and one every 10 s\n" << told;
+}
+
+TEST_F(FlightNewsTest, IsNotFloodedByALimitThatEndedTheMissionAndIsPassedAgainAndAgain) {
+  for (int s = 0; s < 40; ++s)
+    news_->tell(messages::SafetyEvent{.time = kUtc + Duration::seconds(s),
+                                      .rule = 4,
+                                      .condition = config::Condition::kDepth,
+                                      .response = config::Response::kAbort,
+                                      .begins = s % 2 == 1,
+                                      .measure = 301,
+                                      .limit = 300});
+  const std::string told = all_told();
+  EXPECT_LE(std::ranges::count(told, '\n'), 6) << told;
+  EXPECT_NE(told.find("11:06:41 UTC: rule 5, "), std::string::npos) << "the first end is told at once\n" << told;
+}
+
 TEST_F(FlightNewsTest, TellsWhatARuleDoesAndWhyAndWhenItNoLongerDoes) {
   messages::SafetyEvent event{.time = kUtc,
                               .rule = 10,
