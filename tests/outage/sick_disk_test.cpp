@@ -42,10 +42,8 @@ class SickDisk : public WalkAtSea {
 
   enum class From { kBeginning, kMiddle, kEnd };
 
-  /// GIVEN a mission whose disk falls ill. @return exit status
-  int sail(const std::string& sickness, From from) {
-    VehicleOverLcm vehicle{std::string(host::kDefaultLcmUrl)};
-    if (from == From::kBeginning) fall_ill();
+  /// A search under way, on a disk that falls ill when fall_ill() says so.
+  void search(VehicleOverLcm& vehicle, const std::string& sickness) {
     ::setenv("LD_PRELOAD", EARSHOT_SICK_DISK, 1);
     ::setenv("EARSHOT_TEST_DISK", sickness.c_str(), 1);
     ::setenv("EARSHOT_TEST_DISK_IS_SICK", (folder_ / "sick").c_str(), 1);
@@ -54,6 +52,13 @@ class SickDisk : public WalkAtSea {
     EXPECT_TRUE(vehicle.sails_until([&] { return vehicle.turns > 5; })) << earshotd_->output();
     vehicle.order(Order::kStart);
     EXPECT_TRUE(vehicle.sails_until([&] { return vehicle.state() == MissionState::kSearch; })) << earshotd_->output();
+  }
+
+  /// GIVEN a mission whose disk falls ill. @return exit status
+  int sail(const std::string& sickness, From from) {
+    VehicleOverLcm vehicle{std::string(host::kDefaultLcmUrl)};
+    if (from == From::kBeginning) fall_ill();
+    search(vehicle, sickness);
     EXPECT_TRUE(vehicle.sails_until([&] { return vehicle.health.steps_taken >= kSteps / 2; })) << earshotd_->output();
     if (from == From::kMiddle) fall_ill();
     EXPECT_TRUE(vehicle.sails_until([&] { return vehicle.state() == MissionState::kDone; })) << earshotd_->output();
@@ -114,6 +119,16 @@ TEST_F(SickDisk, GivenADiskThatBecomesReadOnlyTheMissionIsFlownAndWhatWasWritten
   EXPECT_TRUE(is_said(kTold)) << earshotd_->output();
   EXPECT_TRUE(is_said(kNotWhole)) << earshotd_->output();
   EXPECT_EQ(orders_in_journal(), 1);
+}
+
+TEST_F(SickDisk, GivenAFullDiskASearchThatASignalStopsEndsWithTheStatusOfTheLossAndNotOfTheSignal) {
+  VehicleOverLcm vehicle{std::string(host::kDefaultLcmUrl)};
+  fall_ill();
+  search(vehicle, "full");
+  earshotd_->signal(SIGTERM);
+  EXPECT_EQ(earshotd_->wait(std::chrono::seconds(60)), 3) << earshotd_->output();
+  EXPECT_TRUE(is_said("ABORT, this program was told to stop")) << earshotd_->output();
+  EXPECT_TRUE(is_said(kNotWhole)) << earshotd_->output();
 }
 
 }  // namespace
