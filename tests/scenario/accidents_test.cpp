@@ -115,6 +115,19 @@ TEST_F(Accidents, GivenAHangUpItBeginsAnotherPartOfItsJournalWhichReplaysWithThe
   EXPECT_GT(replayed.turns, 6U);
 }
 
+TEST_F(Accidents, GivenABudgetItDeletesTheJournalOfAnEarlierFlightAndSaysWhich) {
+  std::ofstream(folder_ / "journal.lcmlog", std::ios::binary) << "\xED\xA1\xDA\x01" << std::string(1'500'000, 'x');
+  start_earshotd({"--journal-budget-mb", "1"});
+  ASSERT_NE(words_up_to_its_loop().find("STANDBY"), std::string::npos) << earshotd_->output();
+  ASSERT_TRUE(goes_on());
+  earshotd_->signal(SIGTERM);
+  EXPECT_EQ(earshotd_->wait(5s), 0) << earshotd_->output();
+  EXPECT_FALSE(fs::exists(folder_ / "journal.lcmlog"));
+  EXPECT_TRUE(board::replay(folder_ / "journal-2.lcmlog").closing);
+  const std::string told = " deleted to stay within --journal-budget-mb, up to " + (folder_ / "journal.lcmlog").string() + "\n";
+  EXPECT_NE(earshotd_->output().find(told), std::string::npos) << earshotd_->output();
+}
+
 TEST_F(Accidents, GivenItsReaderGoesAwayItFliesOnAndEndsInOrder) {
   host::FileDescriptor reader = reader_of_its_words(O_RDONLY);
   start_earshotd({});

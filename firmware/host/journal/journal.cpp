@@ -80,6 +80,7 @@ struct Journal::Writer {
   std::atomic<std::uint64_t> write_errors = 0;
   std::atomic<bool> is_part_asked_for = false;
   std::atomic<std::uint64_t> deleted = 0;  ///< older journals
+  std::atomic<int> last_deleted = 0;
   std::thread thread;
 
   Writer(JournalFile opened, std::uint32_t number, JournalOptions chosen)
@@ -153,6 +154,7 @@ struct Journal::Writer {
   std::size_t write_some(std::span<const std::uint8_t> bytes) {
     const std::size_t count = file.write_some(bytes, kJournalReserveBytes);
     deleted = file.deleted();
+    last_deleted = file.last_deleted();
     if (count > 0) bring_to_disk();
     return count;
   }
@@ -350,7 +352,8 @@ JournalCounters Journal::counters() const {
           .lost = writer_->lost,
           .refused = writer_->refused,
           .write_errors = writer_->write_errors,
-          .deleted = writer_->deleted};
+          .deleted = writer_->deleted,
+          .last_deleted = writer_->last_deleted};
 }
 
 JournalTrouble Journal::trouble() const {

@@ -43,7 +43,8 @@ struct JournalCounters {
   /// Writes that the disk did not take or that would have taken of the reserve, tried again every 100 ms with the buffer filling meanwhile,
   /// so that the file has no hole; and failed fdatasync(2) (kPowerCut), after which what was written may not survive a power cut.
   std::uint64_t write_errors = 0;
-  std::uint64_t deleted = 0;  ///< journals of earlier flights, for the budget
+  std::uint64_t deleted = 0;  ///< journals of earlier flights, for the budget, the oldest first
+  int last_deleted = 0;       ///< the number of the last of them (JournalName); 0: none was
 
   [[nodiscard]] std::uint64_t all_lost() const { return std::accumulate(lost.begin(), lost.end(), std::uint64_t{0}); }
 };

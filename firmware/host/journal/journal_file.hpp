@@ -82,6 +82,8 @@ class JournalFile {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }  ///< of the first part
   /// Journals of earlier flights that were deleted for the budget.
   [[nodiscard]] std::size_t deleted() const { return old_.deleted(); }
+  /// The number of the last of them; 0: none was.
+  [[nodiscard]] int last_deleted() const { return old_.last_deleted(); }
 
  private:
   /// Holds another piece of space. False: there is none, or the file system cannot.

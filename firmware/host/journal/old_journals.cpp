@@ -80,7 +80,10 @@ bool OldJournals::remove(const Old& old) {
     freed += file->bytes;
   }
   bytes_ -= freed;
-  if (is_deleted) ++deleted_;
+  if (is_deleted) {
+    ++deleted_;
+    last_deleted_ = old.number;
+  }
   return freed > 0;
 }
 

@@ -24,6 +24,8 @@ class OldJournals {
   bool delete_oldest();
   /// Journals, so far.
   [[nodiscard]] std::size_t deleted() const { return deleted_; }
+  /// The number of the last of them; 0: none was.
+  [[nodiscard]] int last_deleted() const { return last_deleted_; }
 
  private:
   struct File {
@@ -43,6 +45,7 @@ class OldJournals {
   std::size_t next_ = 0;
   std::uint64_t bytes_ = 0;
   std::size_t deleted_ = 0;
+  int last_deleted_ = 0;
 };
 
 /// Deletes the parts of a journal that come after part `last`, whatever may be missing between them; nothing but regular files that begin

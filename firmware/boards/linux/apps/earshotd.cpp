@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "firmware/boards/linux/apps/earshotd_options.hpp"
+#include "firmware/boards/linux/apps/end_report.hpp"
 #include "firmware/boards/linux/apps/vehicle_trust.hpp"
 #include "firmware/boards/linux/checklist/chart.hpp"
 #include "firmware/boards/linux/checklist/checklist.hpp"
@@ -129,59 +130,11 @@ void keep_policy(const host::SignedPolicy& policy, const std::filesystem::path& 
   }
 }
 
-/// What became of the mission, for scripts and service managers. @param found_in  its state when it ended, or was told to
-int status_of(messages::MissionState found_in) {
-  switch (found_in) {
-    case messages::MissionState::kStandby:
-    case messages::MissionState::kDone:
-      return program::kDone;
-    case messages::MissionState::kSearch:
-      return program::kInterrupted;
-    case messages::MissionState::kAbort:
-      return program::kAborted;
-  }
-  return program::kAborted;
-}
-
-/// @return exit status
-int report(const board::LoopResult& result, const board::Clock& clock, const board::PortSet& ports, const std::filesystem::path& journal) {
-  const std::string after = " after " + std::to_string((result.time - result.began).us / 1'000'000) + " s";
-  const std::string state = board::to_string(result.last.health);
-  const std::string kept = host::printable(journal.string());
-  const bool is_talkative = program::talk() != program::Talk::kQuiet;
-  for (const std::string& remark : ports.remarks()) {
-    if (is_talkative) std::cerr << "earshotd: " << remark << "\n";
-  }
-  if (const std::string remark = clock.remark(); !remark.empty()) std::cerr << "earshotd: " << remark << "\n";
-  switch (result.end) {
-    case board::LoopEnd::kMissionOver:
-      if (is_talkative) std::cerr << "earshotd: " << state << "; journal " << kept << "\n";
-      return status_of(result.last.health.state);
-    case board::LoopEnd::kStopped:
-      if (is_talkative)
-        std::cerr << "earshotd: stopped by a signal" << after << ", in " << messages::to_string(result.found_in) << "; it ended in "
-                  << board::to_string(result.last.health, result.found_in) << "; journal " << kept << "\n";
-      return status_of(result.found_in);
-    case board::LoopEnd::kClockLost:
-      std::cerr << "earshotd: lost " << clock.lost() << after << ", in " << state << "; journal up to then: " << kept << "\n";
-      return kLost;
-  }
-  return kLost;
-}
-
 /// In simulation the simulator's middleware does as it likes with memory.
 void settle_memory(const Options& o) {
   if (o.simulation) return;
   const std::string remark = board::settle_memory();
   if (!remark.empty() && program::talk() != program::Talk::kQuiet) std::cerr << "earshotd: " << remark << "\n";
-}
-
-/// @return exit status
-int report(const board::MemoryProof& proof, const board::PortSet& ports) {
-  program::say() << proof.bill(ports);
-  (proof.holds() ? program::say() : std::cerr) << "earshotd: " << proof.verdict() << std::flush;
-  if (const std::string remark = proof.remark(); !remark.empty()) std::cerr << "earshotd: warning: " << remark << "\n";
-  return proof.holds() ? program::kDone : program::kIncomplete;
 }
 
 /// Of a vehicle at sea; a simulation is nobody's service.
@@ -279,20 +232,10 @@ int fly(Flight& f) {
   }
   journal.conclude(board::closing_record_of(result));
   const Status kept = journal.close();
-  const int status = report(result, f.clock, f.ports, journal.path());
-  const int proven = f.options.prove_no_alloc ? report(proof, f.ports) : program::kDone;
-  const host::JournalCounters counters = journal.counters();
-  if (!f.options.simulation && program::talk() != program::Talk::kQuiet) {
-    std::cerr << "earshotd: every record that is in the journal was there within " << std::fixed << std::setprecision(3)
-              << journal.longest_wait_s() << " s, which is what a power cut could have cost\n";
-  }
-  if (counters.deleted > 0)
-    std::cerr << "earshotd: " << counters.deleted << " journals of earlier flights were deleted to stay within --journal-budget-mb\n";
-  if (kept == Status::kOk && counters.all_lost() == 0) return proven == program::kDone ? status : proven;
-  std::cerr << "earshotd: the journal is not whole: " << counters.all_lost() << " records lost, of these "
-            << of(counters.lost, host::Weight::kSteering) << " set-points and decisions and " << of(counters.lost, host::Weight::kOrder)
-            << " commands and changes of state; " << counters.write_errors << " writes failed\n";
-  return kLost;
+  const int status = board::report(result, f.clock, f.ports, journal.path());
+  const int proven = f.options.prove_no_alloc ? board::report(proof, f.ports) : program::kDone;
+  const int in_journal = board::report(journal, kept, wanted, !f.options.simulation);
+  return in_journal != program::kDone ? in_journal : (proven != program::kDone ? proven : status);
 }
 
 /// Makes nothing: of a folder that is not there yet, what would be made first is judged.

@@ -48,6 +48,7 @@ TEST_F(OldJournalsTest, AreDeletedWholeTheOldestFirst) {
   EXPECT_TRUE(old.delete_oldest());
   EXPECT_FALSE(old.delete_oldest());
   EXPECT_EQ(old.deleted(), 3U);
+  EXPECT_EQ(old.last_deleted(), 10);
   EXPECT_TRUE(is_there("journal-11.lcmlog")) << "it is written now";
 }
 
