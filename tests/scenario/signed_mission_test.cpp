@@ -86,6 +86,16 @@ TEST_F(SignedMissions, AreFlownAndNeverAgainWhenALaterOneHasFlown) {
   EXPECT_EQ(flown_last(), 6U);
 }
 
+TEST_F(SignedMissions, AreFlownInSimulationByTheKeysOfTheVehicleAlone) {
+  host::begin_counter(folder_ / "mission.counter", 3);
+  ASSERT_EQ(mission_.content("mission.toml").find("public_key_file"), std::string::npos);
+  const Words kFlight{"--mission", "mission.toml", "--vehicle", "vehicle.toml", "--out", "flight", "--no-report", "--quiet"};
+  expect_refused("earshot-fly", kFlight, "mission.toml: is not signed");
+  ASSERT_EQ(sign(4), 0) << said();
+  EXPECT_EQ(start("earshot-fly", kFlight).wait(60s), 0) << said();
+  EXPECT_EQ(flown_last(), 3U) << "no vehicle has moved";
+}
+
 TEST_F(SignedMissions, OfTwoProgramsOnOneVehicleOneFlies) {
   ENTER_PRIVATE_NETWORK_OR_SKIP();
   host::begin_counter(folder_ / "mission.counter", 0);

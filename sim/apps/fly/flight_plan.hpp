@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "firmware/host/mission/mission_file.hpp"
 #include "sim/search/scenario/scenario.hpp"
@@ -16,7 +17,9 @@ struct FlightPlan {
 };
 
 /// Reads a mission and an ocean for it, and refuses two files that are right by themselves and do not fit each other.
+/// @param vehicle  the configuration that judges the mission; nothing: anybody's is flown, and names the key of its policy itself
 /// @throws host::BadInput naming file and key.
-[[nodiscard]] FlightPlan load_flight_plan(const std::filesystem::path& mission, const std::filesystem::path& environment);
+[[nodiscard]] FlightPlan load_flight_plan(const std::filesystem::path& mission, const std::filesystem::path& environment,
+                                          const std::optional<std::filesystem::path>& vehicle = std::nullopt);
 
 }  // namespace earshot::fly

@@ -118,6 +118,7 @@ std::vector<std::string> common_arguments(const Options& o, const Meeting& meeti
   std::vector<std::string> a{"--out", meeting.folder, "--lcm-url", meeting.lcm_url, "--run", std::to_string(meeting.run)};
   add(a, "--bus", o.bus);
   add(a, "--can-interface", o.can_interface);
+  add(a, "--vehicle", o.vehicle);
   if (o.hear) a.insert(a.end(), {"--hydrophone-url", meeting.hydrophone_url});
   return a;
 }
@@ -138,7 +139,6 @@ std::vector<std::string> runtime_arguments(const Options& o, const Meeting& meet
   a.insert(a.end(), {o.mission.string(), "--quiet", "--simulation", std::to_string(meeting.domain), "--wait", kWait_s});
   add(a, "--policy", o.policy);
   add(a, "--public-key", o.public_key);
-  add(a, "--vehicle", o.vehicle);
   if (!o.vehicle) a.insert(a.end(), {"--seed", std::to_string(o.seed)});  // a signed mission names its own
   add(a, "--journal-survives", o.journal_survives);
   if (o.hear) a.emplace_back("--hear");
@@ -297,7 +297,7 @@ void require_pauses(const Options& o, const fly::FlightPlan& plan, const detecto
 
 /// Both processes would say the same about a bad file: say it once, before either starts.
 host::MissionFile checked_mission(const Options& o) {
-  const fly::FlightPlan plan = fly::load_flight_plan(o.mission, o.environment);
+  const fly::FlightPlan plan = fly::load_flight_plan(o.mission, o.environment, o.vehicle);
   host::MissionFile mission = plan.mission;
   host::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
   if (o.hear) {

@@ -49,6 +49,7 @@ using program::stop_requested;
 struct Options {
   std::filesystem::path environment;
   std::filesystem::path mission;
+  std::optional<std::filesystem::path> vehicle;
   std::filesystem::path out = "out";
   std::uint64_t seed = 1;
   std::string source = "changing";
@@ -64,6 +65,7 @@ struct Options {
 void declare(program::CommandLine& line, Options& o) {
   line.option("--environment", &o.environment, "ocean, source and noise (TOML)").required();
   line.option("--mission", &o.mission, "mission file that earshotd flies (TOML): area, depth, speed, bus").required();
+  line.option("--vehicle", &o.vehicle, "the vehicle's configuration (TOML) that earshotd judges the mission by; default: none");
   line.option("--out", &o.out, "folder for track.csv, snr.csv and summary.json, made if it is missing").shows_default();
   line.option("--seed", &o.seed, "where source and vehicle start, and what the conditions draw")
       .from(0, std::numeric_limits<std::int64_t>::max())
@@ -206,7 +208,7 @@ bool succeeds(Work work) {
 }
 
 int simulate(const Options& o) {
-  FlightPlan plan = load_flight_plan(o.mission, o.environment);
+  FlightPlan plan = load_flight_plan(o.mission, o.environment, o.vehicle);
   host::override_ports(plan.mission, o.ports);
   if (o.hear) host::require_hydrophone(plan.mission, o.mission);
   if (o.hear && o.wait_for_runtime_s > 0)
