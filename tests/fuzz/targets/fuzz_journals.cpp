@@ -1,4 +1,4 @@
-// Journals, read record by record and given to a runtime again.
+// Journals, read record by record, given to a runtime again, and gone on with as after a power cut.
 //
 // The input is a row of changes to a good journal of a mission, its policy and some inputs (see spoil()), each with a first byte before it:
 // when that is odd, the checksum of every record that still begins as one is mended, so that what it holds is read. A first byte of 0xFF
@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "firmware/boards/linux/replay/playback.hpp"
+#include "firmware/boards/linux/replay/resume.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/host/file/bad_input.hpp"
@@ -99,11 +101,27 @@ void play(const std::filesystem::path& path) {
   }
 }
 
+/// @param flown  the beginning of the good journal
+void go_on(const std::filesystem::path& path, const board::Playback::Beginning& flown, std::uint64_t size) {
+  for (const board::GoOnAfter after : {board::GoOnAfter::kLastInput, board::GoOnAfter::kLastTurn}) {
+    try {
+      std::optional<board::Resumption> before = board::resume(path, flown, after);
+      if (!before) continue;
+      require(before->runtime != nullptr && before->kept_bytes + before->cut_bytes == size, "a journal is gone on with at a wrong place");
+      const runtime::Outputs outputs = before->runtime->step(before->memory.last + Duration::seconds(1));
+      if (outputs.setpoint) require(is_finite(outputs.setpoint->waypoint), "a set-point is not finite");
+    } catch (const host::BadInput& refusal) {
+      require_names_file(refusal.what(), path.string());
+    }
+  }
+}
+
 }  // namespace
 
 void judge(std::span<const std::uint8_t> bytes) {
   static const support::TemporaryFolder folder;
   static const Bytes good = good_journal(folder / "good.journal");
+  static const board::Playback::Beginning flown = board::Playback(folder / "good.journal").beginning();
   Bytes spoilt = good;
   for (Input input(bytes); !input.is_used_up();) {
     const std::uint8_t what = input.byte();
@@ -115,6 +133,7 @@ void judge(std::span<const std::uint8_t> bytes) {
   std::ofstream(path).write(reinterpret_cast<const char*>(spoilt.data()), static_cast<std::streamsize>(spoilt.size()));
   require_all_told(path, spoilt.size());
   play(path);
+  go_on(path, flown, spoilt.size());
 }
 
 }  // namespace earshot::fuzz
