@@ -20,7 +20,7 @@ void Autopilot::accept(const n2k::Frame& frame, Time now) {
   messages::Setpoint setpoint;
   if (!is_engaged_) return;
   if (receiver_.accept(frame, setpoint) != Status::kOk) return;
-  command_ = {.heading = setpoint.heading, .speed = setpoint.speed, .depth = setpoint.depth};
+  if (is_obedient_) command_ = {.heading = setpoint.heading, .speed = setpoint.speed, .depth = setpoint.depth};
   is_weight_released_ = is_weight_released_ || setpoint.release_weight;
   last_ = now;
   is_forsaken_ = false;

@@ -26,6 +26,7 @@ class Autopilot final : public Device {
   Autopilot(const vehicle::Command& resting, std::uint32_t unique_number);
 
   [[nodiscard]] std::string_view name() const override { return membership_.model(); }
+  [[nodiscard]] std::optional<std::uint8_t> address() const override { return membership_.address(); }
   void accept(const n2k::Frame& frame, Time now) override;
   void step(Time now, Frames& frames) override;
 
@@ -35,8 +36,10 @@ class Autopilot final : public Device {
   [[nodiscard]] bool is_forsaken() const { return is_forsaken_; }
   /// Whether a set-point asked for the drop weight: once gone it is gone.
   [[nodiscard]] bool is_weight_released() const { return is_weight_released_; }
-  /// Somebody takes the helm: it goes on as it was told last, takes no set-point, and says so.
-  void disengage() { is_engaged_ = false; }
+  /// Somebody takes the helm: it goes on as it was told last, takes no set-point, and says so. @param is_engaged  whether he gives it back
+  void engage(bool is_engaged) { is_engaged_ = is_engaged; }
+  /// A fault: it goes on as it was told last, takes set-points, and says so, and does not follow them.
+  void obey(bool is_obedient) { is_obedient_ = is_obedient; }
   /// Called with every set-point that is taken.
   void tell(std::function<void(Time, const messages::Setpoint&)> listener) { listener_ = std::move(listener); }
 
@@ -49,6 +52,7 @@ class Autopilot final : public Device {
   Pace pace_{Duration::seconds(1)};
   std::optional<Time> last_;
   bool is_engaged_ = true;
+  bool is_obedient_ = true;
   bool is_forsaken_ = false;
   bool is_weight_released_ = false;
   std::uint64_t taken_ = 0;

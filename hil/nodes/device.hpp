@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +23,8 @@ class Device {
 
   /// As a person calls it: "compass".
   [[nodiscard]] virtual std::string_view name() const = 0;
+  /// That it sends from; nothing while it has none.
+  [[nodiscard]] virtual std::optional<std::uint8_t> address() const = 0;
   /// Every frame on the bus but its own.
   virtual void accept(const n2k::Frame& frame, Time now) = 0;
   /// Adds what it sends now. To be called at least every 100 ms of its time, which never goes back.

@@ -14,6 +14,7 @@
 #include "firmware/wire/n2k/local_plane.hpp"
 #include "hil/nodes/autopilot.hpp"
 #include "hil/nodes/device.hpp"
+#include "hil/nodes/disturbance.hpp"
 #include "hil/nodes/hydrophone.hpp"
 #include "hil/nodes/instruments.hpp"
 #include "hil/nodes/operator.hpp"
@@ -23,7 +24,7 @@ namespace earshot::hil {
 
 /// The devices of an emulated vehicle, as they may be left out.
 inline constexpr std::string_view kDeviceNames[]{"autopilot",  "compass",  "speed-log", "depth-sensor", "navigation",
-                                                 "hydrophone", "operator", "altimeter", "battery"};
+                                                 "hydrophone", "operator", "altimeter", "battery",    "hull-monitor"};
 
 struct VehicleSetup {
   vehicle::State start;
@@ -54,20 +55,30 @@ class EmulatedVehicle final {
   void accept(const n2k::Frame& frame, Time now);
   /// The vehicle moves on, and its devices say what is due. To be called at least every 100 ms of its time, which never goes back.
   void step(Time now, Frames& frames);
+  /// From the next step on.
+  void disturb(const Disturbance& disturbance);
 
   [[nodiscard]] const vehicle::State& state() const { return state_; }
   [[nodiscard]] Meters range() const;  ///< horizontal, to the source
   [[nodiscard]] Meters sailed() const { return sailed_; }
   [[nodiscard]] double battery_percent() const { return battery_percent_; }
   [[nodiscard]] std::vector<std::string_view> devices() const;
+  /// Of the device of that name (kDeviceNames); nothing while it has none, or was left out.
+  [[nodiscard]] std::optional<std::uint8_t> address_of(std::string_view device) const;
   /// Null where it was left out.
   [[nodiscard]] Autopilot* autopilot() const { return autopilot_; }
   [[nodiscard]] Operator* operator_ashore() const { return operator_; }
 
  private:
   void move(Time now);
+  void tell();
+  [[nodiscard]] vehicle::Command command() const;
 
   vehicle::State state_;
+  vehicle::State told_;        ///< by compass, log, depth sensor and navigation
+  vehicle::State over_floor_;  ///< by the altimeter
+  Disturbance disturbance_;
+  RadiansPerSecond turning_;  ///< as it turned last
   vehicle::Command resting_;
   vehicle::Limits limits_;
   NorthEast source_;
@@ -76,6 +87,7 @@ class EmulatedVehicle final {
   double battery_percent_;
   double battery_percent_per_km_;
   std::vector<std::unique_ptr<Device>> devices_;
+  std::vector<std::string_view> names_;  ///< of these, of kDeviceNames
   Autopilot* autopilot_ = nullptr;  ///< among devices_
   Operator* operator_ = nullptr;    ///< likewise
 };

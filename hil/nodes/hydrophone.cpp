@@ -4,15 +4,18 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/wire/n2k/own/conditions.hpp"
 #include "firmware/wire/n2k/own/measurements.hpp"
 
 namespace earshot::hil {
 
-std::unique_ptr<Sensor> make_hydrophone(const vehicle::State& vehicle, SoundSource source, std::uint32_t unique_number) {
-  const auto say = [&vehicle, source = std::move(source)](const Occasion& o, Frames& frames) {
-    const Decibels snr = source.snr(range_between(vehicle.position, source.position));
+std::unique_ptr<Sensor> make_hydrophone(const vehicle::State& vehicle, SoundSource source, const HydrophoneFault& fault,
+                                        std::uint32_t unique_number) {
+  const auto say = [&vehicle, &fault, source = std::move(source)](const Occasion& o, Frames& frames) {
+    const Decibels snr = source.snr(range_between(vehicle.position, source.position)) + fault.gain_error;
     n2k::Frame frame;
-    const Status status = n2k::compose_snr({.snr = snr, .too_faint = false, .band_level = {}}, o.source, frame);
+    const Status status = fault.is_deaf ? n2k::compose_deaf(true, o.source, frame)
+                                        : n2k::compose_snr({.snr = snr, .too_faint = false, .band_level = {}}, o.source, frame);
     if (status == Status::kOk) frames.push_back(frame);
     return status;
   };

@@ -20,9 +20,16 @@ struct SoundSource {
   SnrOfRange snr;
 };
 
+/// What is wrong with a hydrophone.
+struct HydrophoneFault {
+  bool is_deaf = false;  ///< it says so (65291), and no SNR
+  Decibels gain_error;   ///< of the SNR that it tells
+};
+
 /// A hydrophone with a detector of its own: the SNR of `source` at `vehicle` (65291) once a second, without any fluctuation. An SNR beyond
-/// what the message can hold is not said. The vehicle's state must outlive it.
+/// what the message can hold is not said. The vehicle's state and the fault must outlive it.
 /// Oracle: Hydrophone tests
-[[nodiscard]] std::unique_ptr<Sensor> make_hydrophone(const vehicle::State& vehicle, SoundSource source, std::uint32_t unique_number);
+[[nodiscard]] std::unique_ptr<Sensor> make_hydrophone(const vehicle::State& vehicle, SoundSource source, const HydrophoneFault& fault,
+                                                      std::uint32_t unique_number);
 
 }  // namespace earshot::hil

@@ -220,6 +220,21 @@ std::unique_ptr<Sensor> make_battery(const double& percent, std::uint32_t unique
   return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kCharge, .period = table::kCharge.period, .say = say}});
 }
 
+std::unique_ptr<Sensor> make_hull_monitor(const n2k::Hull& hull, std::uint32_t unique_number) {
+  const auto say = [&hull](const Occasion& o, Frames& frames) {
+    n2k::Frame frame;
+    const Status status = n2k::compose_hull(hull, o.source, frame);
+    if (status == Status::kOk) frames.push_back(frame);
+    return status;
+  };
+  const Nameplate plate{.model = "hull monitor",
+                        .device_class = 75,  // sensor communication interface
+                        .device_function = 150,
+                        .preferred_address = 0x2C,
+                        .unique_number = unique_number};
+  return std::make_unique<Sensor>(plate, std::vector<Broadcast>{{.message = table::kLeak, .period = kSecond, .say = say}});
+}
+
 std::unique_ptr<Sensor> make_navigation(const vehicle::State& vehicle, const n2k::LocalPlane& plane, std::uint32_t unique_number) {
   const Nameplate plate{.model = "inertial navigation",
                         .device_class = 60,  // navigation

@@ -6,6 +6,7 @@
 
 #include "firmware/core/units.hpp"
 #include "firmware/wire/n2k/local_plane.hpp"
+#include "firmware/wire/n2k/own/conditions.hpp"
 #include "hil/nodes/sensor.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
@@ -41,6 +42,10 @@ struct SeaFloor {
 /// Charge that is left (127506) every 1.5 s, to a percent.
 /// @param percent  0 to 100; must outlive it
 [[nodiscard]] std::unique_ptr<Sensor> make_battery(const double& percent, std::uint32_t unique_number);
+
+/// Whether there is water in the hull, and a ground fault (65293), once a second.
+/// @param hull  must outlive it
+[[nodiscard]] std::unique_ptr<Sensor> make_hull_monitor(const n2k::Hull& hull, std::uint32_t unique_number);
 
 /// Inertial navigation: position every 100 ms (129025), course and speed over ground every 250 ms (129026), and once a second the whole
 /// fix with its date (129029), whose method is "estimated", as under water it must be.

@@ -37,6 +37,7 @@ class Operator final : public Device {
   explicit Operator(OperatorSetup setup);
 
   [[nodiscard]] std::string_view name() const override { return membership_.model(); }
+  [[nodiscard]] std::optional<std::uint8_t> address() const override { return membership_.address(); }
   void accept(const n2k::Frame& frame, Time now) override;
   void step(Time now, Frames& frames) override;
 

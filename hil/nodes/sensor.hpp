@@ -35,6 +35,7 @@ class Sensor final : public Device {
   Sensor(const Nameplate& plate, std::vector<Broadcast> broadcasts);
 
   [[nodiscard]] std::string_view name() const override { return membership_.model(); }
+  [[nodiscard]] std::optional<std::uint8_t> address() const override { return membership_.address(); }
   void accept(const n2k::Frame& frame, Time now) override { membership_.accept(frame, now); }
   void step(Time now, Frames& frames) override;
 

@@ -128,7 +128,7 @@ TEST_F(ShortWalk, GivenSomebodyWhoTakesTheHelmARuleEndsTheSearch) {
   const auto is_in = [&](MissionState state) { return ashore.health() && ashore.health()->health.state == state; };
   const auto nothing = [] {};
   ASSERT_TRUE(sails_until([&] { return is_in(MissionState::kSearch) && ashore.decisions() >= 2; }, 60s, nothing)) << earshotd_->output();
-  vehicle_->autopilot()->disengage();
+  vehicle_->autopilot()->engage(false);
   ASSERT_TRUE(sails_until([&] { return is_in(MissionState::kAbort); }, 60s, nothing)) << earshotd_->output();
   EXPECT_EQ(ashore.health()->health.end_reason, EndReason::kSafetyRule);
   end(program::kAborted);

@@ -25,7 +25,7 @@
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
-#include "sim/apps/fly/child_process.hpp"
+#include "firmware/host/program/child_process.hpp"
 #include "sim/apps/fly/flight_folder.hpp"
 #include "sim/apps/fly/flight_plan.hpp"
 #include "sim/apps/fly/flight_progress.hpp"
@@ -40,8 +40,8 @@ namespace {
 using namespace earshot;
 namespace fs = std::filesystem;
 
-using fly::ChildProcess;
 using fly::FlightFolder;
+using program::ChildProcess;
 using program::stop_requested;
 
 struct Options {

@@ -80,7 +80,7 @@ TEST_F(AutopilotTest, SaysOnceASecondThatItFollowsAndWhichSetPointItTookLast) {
 
 TEST_F(AutopilotTest, SaysThatItDoesNotFollowWhileSomebodyElseHasTheHelm) {
   send(0.5, Time{1'000'000});
-  autopilot_.disengage();
+  autopilot_.engage(false);
   send(0.7, Time{1'000'000});
   EXPECT_EQ(autopilot_.taken(), 1U);
   const Frames said = of_group(n2k::kAutopilotStatusPgn, run(autopilot_, Time{1'000'000}, Time{60'000'000}));

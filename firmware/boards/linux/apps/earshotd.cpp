@@ -87,7 +87,7 @@ host::MissionFile load(const Options& o, host::MissionJudge& judge) {
   host::require_named_files(file);
   if (o.seed) file.mission.action_seed = *o.seed;
   host::override_ports(file, o.ports);
-  if (o.simulation) host::leave_snr_to_simulator(file);
+  if (o.simulation && !o.snr_from_bus) host::leave_snr_to_simulator(file);
   if (o.simulation && o.hear) {
     host::require_hydrophone(file, o.mission);
   } else if (o.simulation) {

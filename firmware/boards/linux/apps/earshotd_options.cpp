@@ -30,6 +30,7 @@ void require_budget_possible(const Options& o) {
 }
 
 void require_hearing_possible(const Options& o) {
+  if (o.snr_from_bus && (!o.simulation || o.hear)) throw host::BadInput("--snr-from-bus: only with --simulation, and not with --hear");
   if (o.hear && !o.simulation) throw host::BadInput("--hear: only with --simulation; at sea the mission's hydrophone is heard in any case");
 }
 
@@ -97,6 +98,8 @@ void declare(program::CommandLine& line, Options& o) {
   line.flag("--hear", &o.hear,
             "in simulation: measure the SNR in the sound that the simulator puts on the hydrophone's bus, instead of being told it; at sea "
             "the hydrophone is heard in any case");
+  line.flag("--snr-from-bus", &o.snr_from_bus,
+            "in simulation: take the SNR off the vehicle's bus, as at sea, instead of being told it by the simulator");
   line.flag("--prove-no-alloc", &o.prove_no_alloc,
             "show that no thread asks for memory from the first turn to the last, and print what memory is spent on; at sea only");
   line.flag("--check", &o.check, "do not fly: judge the mission and all its files, and print the checklist before a dive; opens no bus");

@@ -25,6 +25,7 @@ struct Options {
   std::uint64_t run = 0;
   std::uint32_t wait_s = 60;
   bool hear = false;
+  bool snr_from_bus = false;
   bool replace = false;
   bool resume = false;
   bool prove_no_alloc = false;

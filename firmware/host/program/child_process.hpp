@@ -1,18 +1,26 @@
 #pragma once
 
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
-#include <sys/types.h>
+namespace earshot::program {
 
-namespace earshot::fly {
+/// What a child has otherwise than this program.
+struct ChildSettings {
+  std::filesystem::path words = {};        ///< file that its standard output and standard error are added to; empty: this program's own
+  std::uint64_t most_bytes_of_a_file = 0;  ///< what it writes beyond them is refused (EFBIG), as a full disk refuses it; 0: no limit
+};
 
-/// A program that stands beside this one, started as a process of its own: in its own process group (a terminal's Ctrl-C then reaches only
+/// A program that stands beside this one, or anywhere if it is named with a path, started as a process of its own: in its own process group (a terminal's Ctrl-C then reaches only
 /// this program, which ends the others in order), and ended with this process however that ends.
 class ChildProcess {
  public:
   /// @throws std::system_error
-  ChildProcess(std::string program, const std::vector<std::string>& arguments);
+  ChildProcess(std::string program, const std::vector<std::string>& arguments, const ChildSettings& settings = {});
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
@@ -33,4 +41,4 @@ class ChildProcess {
   bool is_told_ = false;  ///< by signal() to end
 };
 
-}  // namespace earshot::fly
+}  // namespace earshot::program

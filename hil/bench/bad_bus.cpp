@@ -1,0 +1,73 @@
+#include "hil/bench/bad_bus.hpp"
+
+#include <algorithm>
+
+#include "firmware/wire/n2k/identifier.hpp"
+
+namespace earshot::hil {
+
+Frames BadBus::pass(const Frames& frames, const std::vector<Affliction>& afflictions, Time now) {
+  Frames arriving;
+  const auto is_due = [now](const Late& late) { return late.due <= now; };
+  std::ranges::stable_sort(late_, {}, &Late::due);
+  for (const Late& late : late_) {
+    if (is_due(late)) arriving.push_back(late.frame);
+  }
+  std::erase_if(late_, is_due);
+  for (const n2k::Frame& frame : frames) pass(frame, afflictions, now, arriving);
+  return arriving;
+}
+
+void BadBus::pass(n2k::Frame frame, const std::vector<Affliction>& afflictions, Time now, Frames& arriving) {
+  int times = 1;
+  Duration late;
+  for (const Affliction& affliction : afflictions) {
+    if (!befalls(affliction.frames, frame)) continue;
+    ++afflicted_;
+    switch (affliction.fault) {
+      case FrameFault::kLoss:
+        return;
+      case FrameFault::kDelay:
+        late = late + affliction.seconds;
+        break;
+      case FrameFault::kJitter:
+        late = late + Duration{static_cast<std::int64_t>(random_.uniform_double() * static_cast<double>(affliction.seconds.us))};
+        break;
+      case FrameFault::kDuplication:
+        ++times;
+        break;
+      case FrameFault::kCorruption:
+        if (frame.size > 0) frame.data.at(random_.next() % frame.size) ^= static_cast<std::uint8_t>(1U << random_.next() % 8U);
+        break;
+      case FrameFault::kNotAvailable:
+        std::fill_n(frame.data.begin(), frame.size, std::uint8_t{0xFF});
+        break;
+      case FrameFault::kTruncation:
+        frame.size /= 2;
+        break;
+      case FrameFault::kWrongLength:
+        if (frame.size > 1 && (frame.data[0] & 0x1FU) == 0) frame.data[1] = static_cast<std::uint8_t>(1 + random_.next() % 255U);
+        break;
+      case FrameFault::kReplay:
+        late_.push_back({.due = now + affliction.seconds, .frame = frame});
+        break;
+    }
+  }
+  for (; times > 0; --times) {
+    if (late > Duration{}) {
+      late_.push_back({.due = now + late, .frame = frame});
+    } else {
+      arriving.push_back(frame);
+    }
+  }
+}
+
+bool BadBus::befalls(const AfflictedFrames& which, const n2k::Frame& frame) {
+  const Result<n2k::Identifier> identifier = n2k::parse_identifier(frame.identifier);
+  if (!identifier.ok()) return false;
+  if (which.source && identifier.value().source != *which.source) return false;
+  if (which.pgn && identifier.value().pgn != *which.pgn) return false;
+  return which.share >= 1.0 || random_.uniform_double() < which.share;
+}
+
+}  // namespace earshot::hil

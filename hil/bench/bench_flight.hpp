@@ -1,0 +1,66 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/core/units.hpp"
+#include "firmware/wire/n2k/frame.hpp"
+#include "hil/bench/case.hpp"
+#include "hil/nodes/hydrophone.hpp"
+#include "sim/vehicle/vehicle.hpp"
+
+namespace earshot::hil {
+
+/// Where and with what cases are flown.
+struct Bench {
+  std::string earshotd = "earshotd";  ///< program beside this one, or a path
+  std::string interface = "vcan0";
+  std::uint64_t seed = 1;
+  SnrOfRange snr;     ///< of the source
+  Meters floor_depth;  ///< of the sea
+  const std::atomic<bool>& stop;
+};
+
+/// Where the vehicle truly was.
+struct TruePlace {
+  Time time;
+  NorthEast position;
+  Meters depth;
+};
+
+/// A frame of the trace.
+struct TracedFrame {
+  Time time;
+  bool from_earshot = false;
+  n2k::Frame frame;
+};
+
+/// What came of a flight.
+struct BenchFlight {
+  std::filesystem::path folder;     ///< of its journal, of what earshotd said (words.txt), and of its track
+  std::string failure;              ///< why it could not be flown to its end; empty: it was
+  std::vector<int> exit_statuses;   ///< of every earshotd, in order; 128 and a signal's number
+  Time last;                        ///< of the last tick
+  double wall_s = 0.0;
+  std::vector<TruePlace> track;     ///< one a second
+  std::deque<TracedFrame> trace;    ///< of the bus, the last of them
+  std::uint64_t sent = 0;           ///< frames
+  std::uint64_t received = 0;       ///< frames, of Earshot's
+  std::uint64_t lost = 0;           ///< frames that the kernel says it lost
+  std::uint64_t afflicted = 0;      ///< frames that a fault befell
+};
+
+/// Flies a case: earshotd, a simulator's clock in its place of time, and a vehicle's devices on a CAN bus between whom and Earshot the
+/// faults are. Every tick is a second, as a turn at sea is; what the devices say in it is on the bus before the tick, and a
+/// message that has a shorter period is said once.
+/// @param folder  made; what it holds of an earlier flight is replaced
+/// @throws std::system_error, link::LinkError when the bench itself cannot work
+[[nodiscard]] BenchFlight fly_case(const Case& c, const Bench& bench, const std::filesystem::path& folder);
+
+}  // namespace earshot::hil

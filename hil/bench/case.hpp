@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/config/safety.hpp"
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/time.hpp"
+#include "firmware/messages/health.hpp"
+#include "hil/bench/fault.hpp"
+
+namespace earshot::hil {
+
+/// What must come of a case, whatever else happens. What no case may bring forth stands in verdict.hpp.
+struct Expectation {
+  messages::EndReason end = messages::EndReason::kCompleted;  ///< kNone: the search is under way when time is up
+  std::vector<config::Condition> rules;                       ///< that must fire, each at least once, after the first fault began
+  bool only_these = true;                                     ///< no other rule fires
+  bool refuses_navigation = false;                            ///< at least one fix is refused
+  bool refuses_commands = false;                              ///< at least one order is
+};
+
+/// One flight of the bench: what the vehicle meets, and what must come of it.
+struct Case {
+  std::string name;  ///< of its file, without .toml
+  std::string given;
+  std::string when;
+  std::string then;
+  std::filesystem::path mission;
+  NorthEast start;
+  NorthEast source;
+  Duration at_most;  ///< at sea
+  std::vector<TimedFault> faults;
+  Expectation expected;
+};
+
+/// Reads the file of a case; README.md says its keys.
+/// @throws host::BadInput with everything that is wrong with it.
+[[nodiscard]] Case load_case(const std::filesystem::path& path);
+
+/// Those of a folder, by name. @throws as load_case()
+[[nodiscard]] std::vector<Case> load_cases(const std::filesystem::path& folder);
+
+/// The words for reasons of an end in files, in the order of messages::EndReason; that of kNone is "under_way".
+[[nodiscard]] std::vector<std::string> end_words();
+
+}  // namespace earshot::hil

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <string_view>
+
+#include "firmware/host/toml/table_reader.hpp"
+#include "hil/bench/case.hpp"
+#include "hil/nodes/emulated_vehicle.hpp"
+
+namespace earshot::hil {
+namespace {
+
+using host::Range;
+using host::TableReader;
+
+constexpr std::string_view kEarshot = "earshot";
+
+template <class Traits>
+std::vector<std::string> words_of(const Traits& all, std::string_view Traits::value_type::* word) {
+  std::vector<std::string> words;
+  for (const auto& traits : all) words.emplace_back(traits.*word);
+  return words;
+}
+
+std::vector<std::string> senders() {
+  std::vector<std::string> names(std::begin(kDeviceNames), std::end(kDeviceNames));
+  names.emplace_back(kEarshot);
+  return names;
+}
+
+Time seconds_from_start(double seconds) {
+  return Time{static_cast<std::int64_t>(seconds * 1e6)};
+}
+
+NorthEast place_of(TableReader& table, std::string_view key, NorthEast fallback) {
+  if (!table.has(key)) return fallback;
+  const std::vector<double> numbers = table.numbers(key, Range::between(-1e6, 1e6));
+  if (numbers.size() == 2) return {Meters{numbers[0]}, Meters{numbers[1]}};
+  if (!table.is_noted(key)) table.problem(key, "two numbers: metres north and east of the mission's origin");
+  return fallback;
+}
+
+TimedFault read_fault(TableReader table) {
+  constexpr double kLongest = 1e6;
+  TimedFault fault;
+  const std::size_t index = table.choice("kind", words_of(kFaultTraits, &FaultTraits::word));
+  const FaultTraits& traits = kFaultTraits.at(index);
+  fault.fault = static_cast<Fault>(index);
+  fault.from = seconds_from_start(table.number("at_s", Range::between(0.0, kLongest)));
+  if (table.has("for_s")) fault.until = fault.from + Duration{seconds_from_start(table.number("for_s", Range::between(0.1, kLongest))).us};
+  if (!traits.amount.empty()) fault.amount = table.number(traits.amount, Range::between(traits.lowest, traits.highest));
+  if (fault.fault == Fault::kCurrent || fault.fault == Fault::kPositionError || fault.fault == Fault::kSecondNavigation)
+    fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
+  if (index >= kFrameFaults) return fault;
+  fault.share = table.number_or("share", 1.0, Range::between(0.0, 1.0));
+  if (table.has("of")) fault.device = senders().at(table.choice("of", senders()));
+  if (table.has("pgn")) fault.pgn = static_cast<std::uint32_t>(table.integer("pgn", 0, 0x3FFFF));
+  return fault;
+}
+
+Expectation read_expectation(TableReader table) {
+  Expectation expected;
+  expected.end = static_cast<messages::EndReason>(table.choice("end", end_words()));
+  if (table.has("rules")) {
+    for (const std::size_t index : table.choices("rules", words_of(config::kConditionTraits, &config::ConditionTraits::key)))
+      expected.rules.push_back(static_cast<config::Condition>(index));
+  }
+  expected.only_these = !table.boolean_or("others_may_fire", false);
+  expected.refuses_navigation = table.boolean_or("refuses_navigation", false);
+  expected.refuses_commands = table.boolean_or("refuses_commands", false);
+  return expected;
+}
+
+}  // namespace
+
+std::vector<std::string> end_words() {
+  return {"under_way",           "found",     "steps_used_up", "operator_abort", "navigation_stale", "snr_stale",
+          "left_operating_area", "time_used_up", "safety_rule",   "memory_fault"};
+}
+
+Case load_case(const std::filesystem::path& path) {
+  const host::TomlFile file(path);
+  TableReader root = file.root();
+  Case made;
+  made.name = path.stem().string();
+  made.given = root.text("given");
+  made.when = root.text("when");
+  made.then = root.text("then");
+  made.mission = file.resolve(root.text_or("mission", "../missions/search_over_can.toml"));
+  made.start = place_of(root, "start_m", {Meters{9'700}, Meters{12'500}});
+  made.source = place_of(root, "source_m", {Meters{12'500}, Meters{12'500}});
+  made.at_most = Duration::seconds(root.integer_or("at_most_s", 3600, 10, 1'000'000));
+  if (root.has("fault")) {
+    for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table));
+  }
+  made.expected = read_expectation(root.table("expect"));
+  file.finish();
+  return made;
+}
+
+std::vector<Case> load_cases(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  std::vector<Case> cases;
+  for (const std::filesystem::path& file : files) cases.push_back(load_case(file));
+  return cases;
+}
+
+}  // namespace earshot::hil

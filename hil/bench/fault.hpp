@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/time.hpp"
+
+namespace earshot::hil {
+
+/// What a case of the bench does to a mission.
+enum class Fault : std::uint8_t {
+  // Of frames on the bus (FrameFault), in this order.
+  kLoss,
+  kDelay,
+  kJitter,
+  kDuplication,
+  kCorruption,
+  kNotAvailable,
+  kTruncation,
+  kWrongLength,
+  kReplay,
+  // Of who is on the bus.
+  kFlood,             ///< frames of the highest priority that mean nothing
+  kSecondNavigation,  ///< another inertial navigation, which believes that it is elsewhere
+  kSecondAutopilot,   ///< another autopilot
+  kAddressThief,      ///< a device with more rights that claims Earshot's address
+  kStrangersOrder,    ///< an ABORT that is long out of date, given again and again
+  kInterfaceDown,     ///< the computer's CAN interface
+  // Of the vehicle and its instruments (Disturbance).
+  kRudderStuck,
+  kPlanesStuck,
+  kNoThrust,
+  kDisengaged,
+  kObstinate,
+  kCurrent,
+  kBattery,
+  kLeak,
+  kGroundFault,
+  kFloorRise,
+  kFrozen,
+  kPositionError,
+  kHeadingError,
+  kDepthError,
+  kDeaf,
+  kGainError,
+  // Of the computer.
+  kKill,      ///< SIGKILL; it is started again with --resume
+  kPause,     ///< SIGSTOP, and SIGCONT later
+  kStop,      ///< SIGTERM
+  kFullDisk,  ///< the journal may not grow beyond so many bytes
+};
+inline constexpr std::size_t kFaults = 35;
+inline constexpr std::size_t kFrameFaults = 9;  ///< the first of them
+
+/// The number that says how much of it there is.
+struct FaultTraits {
+  std::string_view word;    ///< in files
+  std::string_view amount;  ///< key of the number, its end the unit; empty: there is none
+  double lowest = 0.0;
+  double highest = 0.0;
+};
+
+/// In the order of Fault.
+inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
+    {"loss", ""},
+    {"delay", "seconds", 0.1, 600.0},
+    {"jitter", "seconds", 0.1, 600.0},
+    {"duplication", ""},
+    {"corruption", ""},
+    {"not_available", ""},
+    {"truncation", ""},
+    {"wrong_length", ""},
+    {"replay", "seconds", 0.1, 3600.0},
+    {"flood", "frames_per_s", 1.0, 20'000.0},
+    {"second_navigation", "metres_off", 0.0, 1e6},
+    {"second_autopilot", ""},
+    {"address_thief", ""},
+    {"strangers_order", ""},
+    {"interface_down", ""},
+    {"rudder_stuck", ""},
+    {"planes_stuck", ""},
+    {"no_thrust", ""},
+    {"disengaged", ""},
+    {"obstinate", ""},
+    {"current", "mps", 0.0, 10.0},
+    {"battery", "percent", 0.0, 100.0},
+    {"leak", ""},
+    {"ground_fault", ""},
+    {"floor_rise", "metres", -11'000.0, 11'000.0},
+    {"frozen", ""},
+    {"position_error", "metres", -1e6, 1e6},
+    {"heading_error", "degrees", -180.0, 180.0},
+    {"depth_error", "metres", -11'000.0, 11'000.0},
+    {"deaf", ""},
+    {"gain_error", "decibels", -120.0, 120.0},
+    {"kill", ""},
+    {"pause", "wall_seconds", 0.01, 60.0},
+    {"stop", ""},
+    {"full_disk", "bytes", 10'000.0, 1e12},
+}};
+
+/// A fault, when, and how much.
+struct TimedFault {
+  Fault fault = Fault::kLoss;
+  Time from;                                       ///< since the flight began
+  std::optional<Time> until = std::nullopt;        ///< nothing: to the end
+  double amount = 0.0;                             ///< FaultTraits::amount
+  double direction_deg = 0.0;                      ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
+  double share = 1.0;                              ///< of the frames
+  std::string device = {};                         ///< whose frames (kDeviceNames), or "earshot"; empty: everybody's
+  std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
+
+  [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }
+  /// `amount` in its direction.
+  [[nodiscard]] NorthEast vector() const;
+};
+
+/// "loss of 50 % of compass's frames from 100 s for 20 s"
+[[nodiscard]] std::string in_words(const TimedFault& fault);
+
+}  // namespace earshot::hil

@@ -1,0 +1,109 @@
+#include "hil/bench/intruders.hpp"
+
+#include <utility>
+
+#include "firmware/wire/n2k/identifier.hpp"
+#include "firmware/wire/n2k/own/orders.hpp"
+#include "hil/nodes/autopilot.hpp"
+#include "hil/nodes/instruments.hpp"
+#include "hil/nodes/membership.hpp"
+
+namespace earshot::hil {
+namespace {
+
+/// The highest unique numbers are theirs: the vehicle's devices count from a low one.
+constexpr std::uint32_t kFirstNumber = 0x1FFF80U;
+constexpr std::uint8_t kStrangersAddress = 0x7A;
+constexpr std::uint32_t kStrangersNumber = 0xBAD;
+
+/// A device that does nothing but claim the address that Earshot has.
+class AddressThief final : public Device {
+ public:
+  explicit AddressThief(std::uint32_t unique_number)
+      : membership_({.model = "address thief",
+                     .device_class = 10,  // system tools: lower than any device of a vehicle, which gives it more rights
+                     .device_function = 130,
+                     .preferred_address = n2k::kRuntimeAddress,
+                     .unique_number = unique_number},
+                    {}, {}) {}
+  [[nodiscard]] std::string_view name() const override { return membership_.model(); }
+  [[nodiscard]] std::optional<std::uint8_t> address() const override { return membership_.address(); }
+  void accept(const n2k::Frame& frame, Time now) override { membership_.accept(frame, now); }
+  void step(Time now, Frames& frames) override { membership_.step(now, frames); }
+
+ private:
+  Membership membership_;
+};
+
+}  // namespace
+
+Intruders::Intruders(const std::vector<TimedFault>& faults, const vehicle::State& vehicle, const n2k::LocalPlane& plane)
+    : vehicle_(vehicle) {
+  std::uint32_t number = kFirstNumber;
+  for (const TimedFault& fault : faults) {
+    Intruder intruder{.fault = fault};
+    switch (fault.fault) {
+      case Fault::kSecondNavigation:
+        intruder.believed = std::make_unique<vehicle::State>(vehicle);
+        intruder.device = make_navigation(*intruder.believed, plane, number++);
+        break;
+      case Fault::kSecondAutopilot:
+        intruder.device = std::make_unique<Autopilot>(vehicle::Command{.heading = vehicle.heading, .speed = vehicle.speed, .depth = vehicle.depth}, number++);
+        break;
+      case Fault::kAddressThief:
+        intruder.device = std::make_unique<AddressThief>(number++);
+        break;
+      case Fault::kFlood:
+      case Fault::kStrangersOrder:
+        break;
+      default:
+        continue;
+    }
+    intruders_.push_back(std::move(intruder));
+  }
+}
+
+void Intruders::accept(const n2k::Frame& frame, Time now) {
+  for (const Intruder& intruder : intruders_) {
+    if (intruder.device && intruder.fault.acts_at(now)) intruder.device->accept(frame, now);
+  }
+}
+
+void Intruders::step(Time now, Frames& frames) {
+  passed_s_ = (now - std::exchange(last_, now).value_or(now)).to_seconds();
+  for (Intruder& intruder : intruders_) {
+    if (!intruder.fault.acts_at(now)) continue;
+    if (intruder.believed) {
+      *intruder.believed = vehicle_;
+      intruder.believed->position = vehicle_.position + intruder.fault.vector();
+    }
+    if (intruder.device) intruder.device->step(now, frames);
+    if (intruder.fault.fault == Fault::kFlood) flood(intruder.fault, frames);
+    if (intruder.fault.fault == Fault::kStrangersOrder && intruder.pace.is_due(now)) give_old_order(now, frames);
+  }
+}
+
+/// Frames that win every arbitration and bear a group that nobody has.
+void Intruders::flood(const TimedFault& fault, Frames& frames) {
+  owed_frames_ += fault.amount * passed_s_;
+  for (; owed_frames_ >= 1.0; owed_frames_ -= 1.0) {
+    n2k::Frame frame{.identifier = 0};
+    for (unsigned i = 0; i < 4; ++i) frame.data.at(i) = static_cast<std::uint8_t>(flooded_ >> (8U * i));
+    ++flooded_;
+    frames.push_back(frame);
+  }
+}
+
+void Intruders::give_old_order(Time now, Frames& frames) {
+  const Time long_ago = now > Time{} + Duration::seconds(20) ? Time{(now - (Time{} + Duration::seconds(20))).us} : Time{};
+  n2k::FastPacketFrames packet;
+  const messages::OperatorCommand order{.time = long_ago,
+                                        .expiry = long_ago + Duration::seconds(1),
+                                        .issuer = kStrangersNumber,
+                                        .number = static_cast<std::uint32_t>(orders_) + 1,
+                                        .order = messages::Order::kAbort};
+  const n2k::Route route{.source = kStrangersAddress, .destination = n2k::kRuntimeAddress, .sequence = orders_++};
+  if (n2k::compose_command(order, route, packet) == Status::kOk) frames.insert(frames.end(), packet.begin(), packet.end());
+}
+
+}  // namespace earshot::hil

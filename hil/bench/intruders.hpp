@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "firmware/wire/n2k/local_plane.hpp"
+#include "hil/bench/fault.hpp"
+#include "hil/nodes/device.hpp"
+#include "hil/nodes/pace.hpp"
+#include "sim/vehicle/vehicle.hpp"
+
+namespace earshot::hil {
+
+/// Those on the bus who should not be there, each while its fault acts.
+class Intruders {
+ public:
+  /// @param vehicle  what is moving there; must outlive it
+  Intruders(const std::vector<TimedFault>& faults, const vehicle::State& vehicle, const n2k::LocalPlane& plane);
+
+  /// Every frame on the bus that is not theirs.
+  void accept(const n2k::Frame& frame, Time now);
+  /// Adds what they say now.
+  void step(Time now, Frames& frames);
+
+ private:
+  struct Intruder {
+    TimedFault fault;
+    std::unique_ptr<vehicle::State> believed = nullptr;  ///< of a second navigation
+    std::unique_ptr<Device> device = nullptr;            ///< null: it has no place in the network
+    Pace pace{Duration::seconds(1)};
+  };
+  void flood(const TimedFault& fault, Frames& frames);
+  void give_old_order(Time now, Frames& frames);
+
+  const vehicle::State& vehicle_;
+  std::vector<Intruder> intruders_;
+  std::optional<Time> last_;
+  double owed_frames_ = 0.0;
+  double passed_s_ = 0.0;
+  std::uint32_t flooded_ = 0;
+  std::uint8_t orders_ = 0;
+};
+
+}  // namespace earshot::hil

@@ -1,0 +1,123 @@
+#include "hil/bench/results.hpp"
+
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "firmware/messages/health_words.hpp"
+#include "firmware/wire/n2k/identifier.hpp"
+
+namespace earshot::hil {
+namespace {
+
+using nlohmann::json;
+
+double seconds(Time time) {
+  return static_cast<double>(time.us) / 1e6;
+}
+
+json place(NorthEast at) {
+  return json::array({at.north.value, at.east.value});
+}
+
+json polygon_of(const config::Mission& mission) {
+  json corners = json::array();
+  if (mission.safety.fence) {
+    for (const NorthEast& corner : mission.safety.fence->halt) corners.push_back(place(corner));
+    return corners;
+  }
+  const Rectangle& area = mission.operating_area;
+  for (const NorthEast& corner : {area.south_west, NorthEast{area.north_east.north, area.south_west.east}, area.north_east,
+                                  NorthEast{area.south_west.north, area.north_east.east}})
+    corners.push_back(place(corner));
+  return corners;
+}
+
+json event_of(const messages::SafetyEvent& event) {
+  return {{"time_s", seconds(event.time)},
+          {"rule", config::kConditionTraits.at(static_cast<std::size_t>(event.condition)).key},
+          {"begins", event.begins},
+          {"response", config::kResponseWords.at(static_cast<std::size_t>(event.response))},
+          {"measure", event.measure},
+          {"limit", event.limit}};
+}
+
+json frame_of(const TracedFrame& traced) {
+  std::ostringstream data;
+  data << std::hex << std::setfill('0');
+  for (const std::uint8_t byte : traced.frame.bytes()) data << std::setw(2) << unsigned{byte};
+  const Result<n2k::Identifier> identifier = n2k::parse_identifier(traced.frame.identifier);
+  return {{"time_s", seconds(traced.time)},
+          {"from_earshot", traced.from_earshot},
+          {"pgn", identifier.ok() ? identifier.value().pgn : 0},
+          {"source", identifier.ok() ? identifier.value().source : 0},
+          {"data", data.str()}};
+}
+
+}  // namespace
+
+struct Results::Content {
+  json cases = json::array();
+  std::size_t passed = 0;
+};
+
+Results::Results() : content_(std::make_unique<Content>()) {}
+Results::~Results() = default;
+
+void Results::add(const Case& c, const config::Mission& mission, const BenchFlight& flight, const JournalFindings& journal,
+                  const std::vector<std::string>& wrong) {
+  json faults = json::array();
+  for (const TimedFault& fault : c.faults)
+    faults.push_back({{"words", in_words(fault)},
+                      {"from_s", seconds(fault.from)},
+                      {"until_s", fault.until ? json(seconds(*fault.until)) : json(nullptr)}});
+  json expected_rules = json::array();
+  for (const config::Condition rule : c.expected.rules)
+    expected_rules.push_back(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key);
+  json events = json::array();
+  for (const messages::SafetyEvent& event : journal.events) events.push_back(event_of(event));
+  json track = json::array();
+  constexpr std::size_t kMostPlaces = 500;
+  const std::size_t every = flight.track.size() / kMostPlaces + 1;
+  for (std::size_t i = 0; i < flight.track.size(); i += every)
+    track.push_back({seconds(flight.track[i].time), flight.track[i].position.north.value, flight.track[i].position.east.value,
+                     flight.track[i].depth.value});
+  json trace = json::array();
+  for (const TracedFrame& frame : flight.trace) trace.push_back(frame_of(frame));
+  content_->cases.push_back({{"name", c.name},
+                             {"given", c.given},
+                             {"when", c.when},
+                             {"then", c.then},
+                             {"passed", wrong.empty()},
+                             {"wrong", wrong},
+                             {"faults", faults},
+                             {"expected_end", messages::to_string(c.expected.end)},
+                             {"expected_rules", expected_rules},
+                             {"end", messages::to_string(journal.end)},
+                             {"events", events},
+                             {"setpoints", journal.setpoints},
+                             {"navigation_refused", journal.counters.navigation_refused},
+                             {"commands_refused", journal.counters.commands_refused},
+                             {"at_sea_s", seconds(flight.last)},
+                             {"wall_s", flight.wall_s},
+                             {"frames_sent", flight.sent},
+                             {"frames_received", flight.received},
+                             {"frames_lost_by_kernel", flight.lost},
+                             {"frames_afflicted", flight.afflicted},
+                             {"start_m", place(c.start)},
+                             {"source_m", place(c.source)},
+                             {"halt_polygon_m", polygon_of(mission)},
+                             {"track", track},
+                             {"trace", trace}});
+  if (wrong.empty()) ++content_->passed;
+}
+
+std::size_t Results::passed() const {
+  return content_->passed;
+}
+
+std::string Results::text() const {
+  return json{{"cases", content_->cases}}.dump(1) + "\n";
+}
+
+}  // namespace earshot::hil

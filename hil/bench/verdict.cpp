@@ -1,0 +1,145 @@
+#include "hil/bench/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string_view>
+
+#include "earshot/health_t.hpp"
+#include "earshot/safety_event_t.hpp"
+#include "earshot/setpoint_t.hpp"
+#include "firmware/boards/linux/replay/replay.hpp"
+#include "firmware/core/math.hpp"
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/host/program/exit_status.hpp"
+#include "firmware/messages/health_words.hpp"
+#include "firmware/safety/fence.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot::hil {
+namespace {
+
+constexpr std::size_t kMostComplaints = 5;
+constexpr Meters kSettling{25.0};  ///< a vehicle that dives to its limit may overshoot it so far before its rule acts
+
+std::string at(Time time) {
+  std::ostringstream text;
+  text << " at " << static_cast<double>(time.us) / 1e6 << " s";
+  return text.str();
+}
+
+std::string key_of(config::Condition condition) {
+  return std::string(config::kConditionTraits.at(static_cast<std::size_t>(condition)).key);
+}
+
+MetersPerSecond fastest(const config::Mission& mission) {
+  return std::max({mission.search_speed, mission.safety.vehicle.hold_speed, mission.safety.vehicle.ascent_speed});
+}
+
+void judge(const messages::Setpoint& setpoint, Time time, const config::Mission& mission, std::vector<std::string>& complaints) {
+  const bool is_finite_ = std::isfinite(setpoint.heading.value) && std::isfinite(setpoint.speed.value) && std::isfinite(setpoint.depth.value);
+  const bool is_within = is_finite_ && setpoint.speed >= MetersPerSecond{0.0} && setpoint.speed <= fastest(mission) &&
+                         setpoint.depth >= Meters{0.0} && setpoint.depth <= mission.max_depth;
+  if (is_within || complaints.size() >= kMostComplaints) return;
+  std::ostringstream text;
+  text << "a set-point beyond the limits" << at(time) << ": " << setpoint.depth.value << " m, " << setpoint.speed.value << " m/s";
+  complaints.push_back(text.str());
+}
+
+void read_records(const std::filesystem::path& journal, const config::Mission& mission, JournalFindings& found) {
+  host::JournalReader reader(journal);
+  for (host::JournalRecord record; reader.next(record);) {
+    health_t health{};
+    setpoint_t setpoint{};
+    safety_event_t event{};
+    if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
+      found.end = static_cast<messages::EndReason>(health.end_reason);
+      found.counters.navigation_refused = static_cast<std::uint64_t>(health.navigation_refused);
+      found.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
+    } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
+      found.events.push_back(wire::from_message(event));
+    } else if (record.channel == wire::kJournalledSetpointChannel && wire::decode(record.data, setpoint) == Status::kOk) {
+      ++found.setpoints;
+      judge(wire::from_message(setpoint), record.time, mission, found.beyond_limits);
+    }
+  }
+}
+
+/// Until the first fault begins nothing may have fired.
+Time first_fault(const Case& c) {
+  Time first{};
+  for (const TimedFault& fault : c.faults) first = first == Time{} ? fault.from : std::min(first, fault.from);
+  return first;
+}
+
+void judge_rules(const Case& c, const JournalFindings& journal, std::vector<std::string>& wrong) {
+  for (const config::Condition rule : c.expected.rules) {
+    const bool has_fired = std::ranges::any_of(journal.events, [&](const messages::SafetyEvent& event) {
+      return event.begins && event.condition == rule && event.time >= first_fault(c);
+    });
+    if (!has_fired) wrong.push_back("the rule " + key_of(rule) + " did not fire");
+  }
+  if (!c.expected.only_these) return;
+  for (const messages::SafetyEvent& event : journal.events) {
+    if (!event.begins || std::ranges::find(c.expected.rules, event.condition) != c.expected.rules.end()) continue;
+    wrong.push_back("the rule " + key_of(event.condition) + " fired" + at(event.time));
+    return;
+  }
+}
+
+void judge_track(const config::Mission& mission, const BenchFlight& flight, std::vector<std::string>& wrong) {
+  const auto& halt = mission.safety.fence;
+  for (const TruePlace& place : flight.track) {
+    const bool is_out = halt ? safety::beyond(halt->halt, place.position) > Meters{0.0} : !mission.operating_area.contains(place.position);
+    if (is_out) return wrong.push_back("the vehicle was beyond the halt polygon" + at(place.time));
+    if (place.depth > mission.max_depth + kSettling) return wrong.push_back("the vehicle was too deep" + at(place.time));
+  }
+}
+
+/// Of one that a case stopped or killed too.
+bool is_in_order(int status, const Case& c) {
+  if (status == program::kDone || status == program::kAborted || status == program::kInterrupted) return true;
+  const auto has = [&c](Fault fault) { return std::ranges::any_of(c.faults, [fault](const TimedFault& f) { return f.fault == fault; }); };
+  constexpr int kKilled = 128 + 9;
+  return (status == kKilled && has(Fault::kKill)) || (status == program::kLost && has(Fault::kFullDisk));
+}
+
+}  // namespace
+
+JournalFindings read_findings(const std::filesystem::path& journal, const config::Mission& mission) {
+  JournalFindings found;
+  try {
+    read_records(journal, mission, found);
+    const board::ReplayResult again = board::replay(journal);
+    found.is_same_again = again.is_same();
+    if (again.difference) found.difference = "record " + std::to_string(again.difference->record) + " (" + again.difference->channel + ")";
+    if (again.gap) found.difference = "records are missing from number " + std::to_string(*again.gap) + " on";
+  } catch (const std::exception& e) {
+    found.trouble = e.what();
+  }
+  return found;
+}
+
+std::vector<std::string> faults_of(const Case& c, const config::Mission& mission, const BenchFlight& flight, const JournalFindings& journal) {
+  std::vector<std::string> wrong;
+  if (!flight.failure.empty()) wrong.push_back(flight.failure);
+  for (const int status : flight.exit_statuses) {
+    if (!is_in_order(status, c)) wrong.push_back("earshotd ended with status " + std::to_string(status));
+  }
+  if (!journal.trouble.empty()) wrong.push_back("the journal cannot be read: " + journal.trouble);
+  const bool may_be_cut = std::ranges::any_of(c.faults, [](const TimedFault& f) { return f.fault == Fault::kFullDisk; });
+  if (!journal.is_same_again && !may_be_cut && journal.trouble.empty()) wrong.push_back("the journal is not given again: " + journal.difference);
+  wrong.insert(wrong.end(), journal.beyond_limits.begin(), journal.beyond_limits.end());
+  judge_track(mission, flight, wrong);
+  if (journal.end != c.expected.end)
+    wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(journal.end) + ", not: " + messages::to_string(c.expected.end));
+  judge_rules(c, journal, wrong);
+  if (c.expected.refuses_navigation && journal.counters.navigation_refused == 0) wrong.emplace_back("no fix was refused");
+  if (c.expected.refuses_commands && journal.counters.commands_refused == 0) wrong.emplace_back("no order was refused");
+  return wrong;
+}
+
+}  // namespace earshot::hil

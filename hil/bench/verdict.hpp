@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/config/mission.hpp"
+#include "firmware/messages/health.hpp"
+#include "firmware/messages/safety_event.hpp"
+#include "hil/bench/bench_flight.hpp"
+#include "hil/bench/case.hpp"
+
+namespace earshot::hil {
+
+/// What the journal of a flight says.
+struct JournalFindings {
+  std::string trouble;  ///< why it cannot be read; empty: it can
+  std::vector<messages::SafetyEvent> events;
+  messages::EndReason end = messages::EndReason::kNone;
+  messages::Counters counters;  ///< refusals alone
+  std::uint64_t setpoints = 0;
+  std::vector<std::string> beyond_limits;  ///< set-points that no mission may give, in words
+  bool is_same_again = false;              ///< given to the runtime again, it gives every output again
+  std::string difference;                  ///< in words, where it does not
+};
+
+/// @param journal  of a flight of `mission`
+[[nodiscard]] JournalFindings read_findings(const std::filesystem::path& journal, const config::Mission& mission);
+
+/// What is wrong with a flight; nothing: all is as it had to be. Judged by the journal, the true track and exit statuses, never by what was
+/// printed. Of every flight, whatever its case: earshotd ends in order and not by a signal that nobody sent, no set-point is beyond the
+/// mission's limits, no true place is beyond the halt polygon (a deeper one than the limit by 25 m neither), and the journal gives every
+/// output again.
+[[nodiscard]] std::vector<std::string> faults_of(const Case& c, const config::Mission& mission, const BenchFlight& flight,
+                                                 const JournalFindings& journal);
+
+}  // namespace earshot::hil
