@@ -28,7 +28,7 @@ using std::chrono::steady_clock;
 constexpr Duration kTick = Duration::seconds(1);
 constexpr milliseconds kLookUp{50};
 constexpr milliseconds kPatience{20'000};     ///< for an answer, on a busy machine
-constexpr milliseconds kToNoticeTheBus{1500};  ///< an interface that is down is tried again once a second
+constexpr milliseconds kToNoticeTheBus{2500};  ///< what earshotd does on the bus by the host's clock: an interface is tried again once a second, an address claimed in 0.25 s
 constexpr std::size_t kTracedFrames = 400;
 
 /// One flight in the making.
@@ -93,7 +93,10 @@ class Flyer {
     Frames said;
     vehicle_.step(now_, said);
     for (const n2k::Frame& frame : said) intruders_.accept(frame, now_);
-    intruders_.step(now_, said);
+    Frames intruding;
+    intruders_.step(now_, intruding);
+    for (const n2k::Frame& frame : intruding) vehicle_.accept(frame, now_);
+    said.insert(said.end(), intruding.begin(), intruding.end());
     arriving_ = to_earshot_.pass(said, afflictions(), now_);
     for (const n2k::Frame& frame : arriving_) send(frame);
     note_place();
@@ -101,6 +104,8 @@ class Flyer {
     say_tick();
     if (!receive_answer()) return;
     take_frames();
+    if (const bool has_claimed = std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kAddressThief && is_news(f); }); has_claimed)
+      std::this_thread::sleep_for(kToNoticeTheBus);
     now_ = now_ + kTick;
   }
 
@@ -159,6 +164,7 @@ class Flyer {
 
   bool take(const link::Answer& answer) {
     state_ = static_cast<messages::MissionState>(answer.state);
+    flight_.end = static_cast<messages::EndReason>(answer.end_reason);
     is_over_ = state_ == messages::MissionState::kDone || state_ == messages::MissionState::kAbort;
     return true;
   }

@@ -45,6 +45,7 @@ struct TracedFrame {
 struct BenchFlight {
   std::filesystem::path folder;     ///< of its journal, of what earshotd said (words.txt), and of its track
   std::string failure;              ///< why it could not be flown to its end; empty: it was
+  messages::EndReason end = messages::EndReason::kNone;  ///< by the last answer
   std::vector<int> exit_statuses;   ///< of every earshotd, in order; 128 and a signal's number
   Time last;                        ///< of the last tick
   double wall_s = 0.0;

@@ -29,7 +29,7 @@ enum class Fault : std::uint8_t {
   kSecondNavigation,  ///< another inertial navigation, which believes that it is elsewhere
   kSecondAutopilot,   ///< another autopilot
   kAddressThief,      ///< a device with more rights that claims Earshot's address
-  kStrangersOrder,    ///< an ABORT that is long out of date, given again and again
+  kStrangersOrder,    ///< a COMPLETE that is long out of date, given again and again
   kInterfaceDown,     ///< the computer's CAN interface
   // Of the vehicle and its instruments (Disturbance).
   kRudderStuck,

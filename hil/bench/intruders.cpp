@@ -101,7 +101,7 @@ void Intruders::give_old_order(Time now, Frames& frames) {
                                         .expiry = long_ago + Duration::seconds(1),
                                         .issuer = kStrangersNumber,
                                         .number = static_cast<std::uint32_t>(orders_) + 1,
-                                        .order = messages::Order::kAbort};
+                                        .order = messages::Order::kComplete};
   const n2k::Route route{.source = kStrangersAddress, .destination = n2k::kRuntimeAddress, .sequence = orders_++};
   if (n2k::compose_command(order, route, packet) == Status::kOk) frames.insert(frames.end(), packet.begin(), packet.end());
 }

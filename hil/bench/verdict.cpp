@@ -134,8 +134,11 @@ std::vector<std::string> faults_of(const Case& c, const config::Mission& mission
   if (!journal.is_same_again && !may_be_cut && journal.trouble.empty()) wrong.push_back("the journal is not given again: " + journal.difference);
   wrong.insert(wrong.end(), journal.beyond_limits.begin(), journal.beyond_limits.end());
   judge_track(mission, flight, wrong);
-  if (journal.end != c.expected.end)
-    wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(journal.end) + ", not: " + messages::to_string(c.expected.end));
+  // One that is under way when its time is up is then told to stop, and the journal says so.
+  const bool is_told = c.expected.end == messages::EndReason::kNone && journal.end == messages::EndReason::kOperatorAbort;
+  if (!may_be_cut && !is_told && flight.end != journal.end) wrong.emplace_back("the journal says another end than earshotd's last answer");
+  if (flight.end != c.expected.end)
+    wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(flight.end) + ", not: " + messages::to_string(c.expected.end));
   judge_rules(c, journal, wrong);
   if (c.expected.refuses_navigation && journal.counters.navigation_refused == 0) wrong.emplace_back("no fix was refused");
   if (c.expected.refuses_commands && journal.counters.commands_refused == 0) wrong.emplace_back("no order was refused");
