@@ -27,8 +27,9 @@ using std::chrono::steady_clock;
 
 constexpr Duration kTick = Duration::seconds(1);
 constexpr milliseconds kLookUp{50};
-constexpr milliseconds kPatience{20'000};     ///< for an answer, on a busy machine
-constexpr milliseconds kToNoticeTheBus{2500};  ///< what earshotd does on the bus by the host's clock: an interface is tried again once a second, an address claimed in 0.25 s
+constexpr milliseconds kPatience{20'000};  ///< for an answer, on a busy machine
+constexpr milliseconds kToNoticeTheBus{
+    2500};  ///< what earshotd does on the bus by the host's clock: an interface is tried again once a second, an address claimed in 0.25 s
 constexpr std::size_t kTracedFrames = 400;
 
 /// One flight in the making.
@@ -77,8 +78,17 @@ class Flyer {
   }
 
   void start(bool is_return) {
-    std::vector<std::string> a{case_.mission, "--simulation", std::to_string(slot_.domain()), "--run", std::to_string(run_),
-                               "--snr-from-bus", "--can-interface", bench_.interface, "--out", flight_.folder, "--quiet"};
+    std::vector<std::string> a{case_.mission,
+                               "--simulation",
+                               std::to_string(slot_.domain()),
+                               "--run",
+                               std::to_string(run_),
+                               "--snr-from-bus",
+                               "--can-interface",
+                               bench_.interface,
+                               "--out",
+                               flight_.folder,
+                               "--quiet"};
     a.emplace_back(is_return ? "--resume" : "--replace");
     program::ChildSettings settings{.words = flight_.folder / "words.txt"};
     for (const TimedFault& fault : case_.faults) {
@@ -104,7 +114,9 @@ class Flyer {
     say_tick();
     if (!receive_answer()) return;
     take_frames();
-    if (const bool has_claimed = std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kAddressThief && is_news(f); }); has_claimed)
+    if (const bool has_claimed =
+            std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kAddressThief && is_news(f); });
+        has_claimed)
       std::this_thread::sleep_for(kToNoticeTheBus);
     now_ = now_ + kTick;
   }
@@ -171,7 +183,8 @@ class Flyer {
 
   /// Of an earshotd that was killed on purpose; any other is lost.
   [[nodiscard]] bool come_back() {
-    if (!std::exchange(is_killed_, false)) return fail_false("earshotd was lost, or did not answer for " + std::to_string(kPatience.count() / 1000) + " s");
+    if (!std::exchange(is_killed_, false))
+      return fail_false("earshotd was lost, or did not answer for " + std::to_string(kPatience.count() / 1000) + " s");
     wait_for_end();
     link_.give_up_runtime();
     start(true);
@@ -283,7 +296,8 @@ class Flyer {
         earshotd_->signal(SIGCONT);
       }
     }
-    const bool is_down = std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kInterfaceDown && f.acts_at(now_); });
+    const bool is_down =
+        std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kInterfaceDown && f.acts_at(now_); });
     if (is_down == !is_interface_up_) return;
     is_interface_up_ = !is_down;
     switch_interface(bench_.interface, is_interface_up_);

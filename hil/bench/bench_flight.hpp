@@ -22,7 +22,7 @@ struct Bench {
   std::string earshotd = "earshotd";  ///< program beside this one, or a path
   std::string interface = "vcan0";
   std::uint64_t seed = 1;
-  SnrOfRange snr;     ///< of the source
+  SnrOfRange snr;      ///< of the source
   Meters floor_depth;  ///< of the sea
   const std::atomic<bool>& stop;
 };
@@ -43,18 +43,18 @@ struct TracedFrame {
 
 /// What came of a flight.
 struct BenchFlight {
-  std::filesystem::path folder;     ///< of its journal, of what earshotd said (words.txt), and of its track
-  std::string failure;              ///< why it could not be flown to its end; empty: it was
+  std::filesystem::path folder;                          ///< of its journal, of what earshotd said (words.txt), and of its track
+  std::string failure;                                   ///< why it could not be flown to its end; empty: it was
   messages::EndReason end = messages::EndReason::kNone;  ///< by the last answer
-  std::vector<int> exit_statuses;   ///< of every earshotd, in order; 128 and a signal's number
-  Time last;                        ///< of the last tick
+  std::vector<int> exit_statuses;                        ///< of every earshotd, in order; 128 and a signal's number
+  Time last;                                             ///< of the last tick
   double wall_s = 0.0;
-  std::vector<TruePlace> track;     ///< one a second
-  std::deque<TracedFrame> trace;    ///< of the bus, the last of them
-  std::uint64_t sent = 0;           ///< frames
-  std::uint64_t received = 0;       ///< frames, of Earshot's
-  std::uint64_t lost = 0;           ///< frames that the kernel says it lost
-  std::uint64_t afflicted = 0;      ///< frames that a fault befell
+  std::vector<TruePlace> track;   ///< one a second
+  std::deque<TracedFrame> trace;  ///< of the bus, the last of them
+  std::uint64_t sent = 0;         ///< frames
+  std::uint64_t received = 0;     ///< frames, of Earshot's
+  std::uint64_t lost = 0;         ///< frames that the kernel says it lost
+  std::uint64_t afflicted = 0;    ///< frames that a fault befell
 };
 
 /// Flies a case: earshotd, a simulator's clock in its place of time, and a vehicle's devices on a CAN bus between whom and Earshot the

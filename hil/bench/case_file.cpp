@@ -14,7 +14,7 @@ using host::TableReader;
 constexpr std::string_view kEarshot = "earshot";
 
 template <class Traits>
-std::vector<std::string> words_of(const Traits& all, std::string_view Traits::value_type::* word) {
+std::vector<std::string> words_of(const Traits& all, std::string_view Traits::value_type::*word) {
   std::vector<std::string> words;
   for (const auto& traits : all) words.emplace_back(traits.*word);
   return words;
@@ -72,7 +72,7 @@ Expectation read_expectation(TableReader table) {
 }  // namespace
 
 std::vector<std::string> end_words() {
-  return {"under_way",           "found",     "steps_used_up", "operator_abort", "navigation_stale", "snr_stale",
+  return {"under_way",           "found",        "steps_used_up", "operator_abort", "navigation_stale", "snr_stale",
           "left_operating_area", "time_used_up", "safety_rule",   "memory_fault"};
 }
 

@@ -107,12 +107,12 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
 /// A fault, when, and how much.
 struct TimedFault {
   Fault fault = Fault::kLoss;
-  Time from;                                       ///< since the flight began
-  std::optional<Time> until = std::nullopt;        ///< nothing: to the end
-  double amount = 0.0;                             ///< FaultTraits::amount
-  double direction_deg = 0.0;                      ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
-  double share = 1.0;                              ///< of the frames
-  std::string device = {};                         ///< whose frames (kDeviceNames), or "earshot"; empty: everybody's
+  Time from;                                        ///< since the flight began
+  std::optional<Time> until = std::nullopt;         ///< nothing: to the end
+  double amount = 0.0;                              ///< FaultTraits::amount
+  double direction_deg = 0.0;                       ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
+  double share = 1.0;                               ///< of the frames
+  std::string device = {};                          ///< whose frames (kDeviceNames), or "earshot"; empty: everybody's
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
 
   [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }

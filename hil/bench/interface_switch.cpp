@@ -24,7 +24,8 @@ void switch_interface(const std::string& interface, bool up) {
     request.ifr_flags = static_cast<short>(request.ifr_flags & ~IFF_UP);
   }
   is_done = is_done && ::ioctl(socket.number(), SIOCSIFFLAGS, &request) == 0;
-  if (!is_done) throw std::system_error(errno, std::generic_category(), "the interface " + interface + " cannot be taken " + (up ? "up" : "down"));
+  if (!is_done)
+    throw std::system_error(errno, std::generic_category(), "the interface " + interface + " cannot be taken " + (up ? "up" : "down"));
 }
 
 }  // namespace earshot::hil

@@ -48,7 +48,8 @@ Intruders::Intruders(const std::vector<TimedFault>& faults, const vehicle::State
         intruder.device = make_navigation(*intruder.believed, plane, number++);
         break;
       case Fault::kSecondAutopilot:
-        intruder.device = std::make_unique<Autopilot>(vehicle::Command{.heading = vehicle.heading, .speed = vehicle.speed, .depth = vehicle.depth}, number++);
+        intruder.device = std::make_unique<Autopilot>(
+            vehicle::Command{.heading = vehicle.heading, .speed = vehicle.speed, .depth = vehicle.depth}, number++);
         break;
       case Fault::kAddressThief:
         intruder.device = std::make_unique<AddressThief>(number++);

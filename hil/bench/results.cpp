@@ -34,12 +34,9 @@ json polygon_of(const config::Mission& mission) {
 }
 
 json event_of(const messages::SafetyEvent& event) {
-  return {{"time_s", seconds(event.time)},
-          {"rule", config::kConditionTraits.at(static_cast<std::size_t>(event.condition)).key},
-          {"begins", event.begins},
-          {"response", config::kResponseWords.at(static_cast<std::size_t>(event.response))},
-          {"measure", event.measure},
-          {"limit", event.limit}};
+  return {{"time_s", seconds(event.time)}, {"rule", config::kConditionTraits.at(static_cast<std::size_t>(event.condition)).key},
+          {"begins", event.begins},        {"response", config::kResponseWords.at(static_cast<std::size_t>(event.response))},
+          {"measure", event.measure},      {"limit", event.limit}};
 }
 
 json frame_of(const TracedFrame& traced) {

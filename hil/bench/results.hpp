@@ -19,7 +19,7 @@ class Results {
   Results(const Results&) = delete;
   Results& operator=(const Results&) = delete;
 
-  /// @param wrong  what faults_of() said
+  /// @param wrong  what is wrong with it, in words
   void add(const Case& c, const config::Mission& mission, const BenchFlight& flight, const JournalFindings& journal,
            const std::vector<std::string>& wrong);
   [[nodiscard]] std::size_t passed() const;

@@ -1,7 +1,9 @@
 #include "hil/bench/verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <csignal>
 #include <sstream>
 #include <string_view>
 
@@ -40,7 +42,8 @@ MetersPerSecond fastest(const config::Mission& mission) {
 }
 
 void judge(const messages::Setpoint& setpoint, Time time, const config::Mission& mission, std::vector<std::string>& complaints) {
-  const bool is_finite_ = std::isfinite(setpoint.heading.value) && std::isfinite(setpoint.speed.value) && std::isfinite(setpoint.depth.value);
+  const bool is_finite_ =
+      std::isfinite(setpoint.heading.value) && std::isfinite(setpoint.speed.value) && std::isfinite(setpoint.depth.value);
   const bool is_within = is_finite_ && setpoint.speed >= MetersPerSecond{0.0} && setpoint.speed <= fastest(mission) &&
                          setpoint.depth >= Meters{0.0} && setpoint.depth <= mission.max_depth;
   if (is_within || complaints.size() >= kMostComplaints) return;
@@ -99,12 +102,15 @@ void judge_track(const config::Mission& mission, const BenchFlight& flight, std:
   }
 }
 
+bool has(const Case& c, Fault fault) {
+  return std::ranges::find(c.faults, fault, &TimedFault::fault) != c.faults.end();
+}
+
 /// Of one that a case stopped or killed too.
 bool is_in_order(int status, const Case& c) {
   if (status == program::kDone || status == program::kAborted || status == program::kInterrupted) return true;
-  const auto has = [&c](Fault fault) { return std::ranges::any_of(c.faults, [fault](const TimedFault& f) { return f.fault == fault; }); };
-  constexpr int kKilled = 128 + 9;
-  return (status == kKilled && has(Fault::kKill)) || (status == program::kLost && has(Fault::kFullDisk));
+  constexpr int kKilled = 128 + SIGKILL;
+  return (status == kKilled && has(c, Fault::kKill)) || (status == program::kLost && has(c, Fault::kFullDisk));
 }
 
 }  // namespace
@@ -123,22 +129,37 @@ JournalFindings read_findings(const std::filesystem::path& journal, const config
   return found;
 }
 
-std::vector<std::string> faults_of(const Case& c, const config::Mission& mission, const BenchFlight& flight, const JournalFindings& journal) {
+bool is_beyond_command(Fault fault) {
+  constexpr std::array kBeyond{Fault::kRudderStuck, Fault::kPlanesStuck,      Fault::kNoThrust, Fault::kDisengaged,
+                               Fault::kObstinate,   Fault::kCurrent,          Fault::kFrozen,   Fault::kPositionError,
+                               Fault::kDepthError,  Fault::kSecondNavigation, Fault::kReplay};
+  return std::ranges::find(kBeyond, fault) != kBeyond.end();
+}
+
+std::vector<std::string> broken_promises(const Case& c, const config::Mission& mission, const BenchFlight& flight,
+                                         const JournalFindings& journal) {
   std::vector<std::string> wrong;
   if (!flight.failure.empty()) wrong.push_back(flight.failure);
   for (const int status : flight.exit_statuses) {
     if (!is_in_order(status, c)) wrong.push_back("earshotd ended with status " + std::to_string(status));
   }
   if (!journal.trouble.empty()) wrong.push_back("the journal cannot be read: " + journal.trouble);
-  const bool may_be_cut = std::ranges::any_of(c.faults, [](const TimedFault& f) { return f.fault == Fault::kFullDisk; });
-  if (!journal.is_same_again && !may_be_cut && journal.trouble.empty()) wrong.push_back("the journal is not given again: " + journal.difference);
+  if (!journal.is_same_again && !has(c, Fault::kFullDisk) && journal.trouble.empty())
+    wrong.push_back("the journal is not given again: " + journal.difference);
   wrong.insert(wrong.end(), journal.beyond_limits.begin(), journal.beyond_limits.end());
-  judge_track(mission, flight, wrong);
+  if (std::ranges::none_of(c.faults, is_beyond_command, &TimedFault::fault)) judge_track(mission, flight, wrong);
+  return wrong;
+}
+
+std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& flight, const JournalFindings& journal) {
+  std::vector<std::string> wrong;
   // One that is under way when its time is up is then told to stop, and the journal says so.
   const bool is_told = c.expected.end == messages::EndReason::kNone && journal.end == messages::EndReason::kOperatorAbort;
-  if (!may_be_cut && !is_told && flight.end != journal.end) wrong.emplace_back("the journal says another end than earshotd's last answer");
+  if (!has(c, Fault::kFullDisk) && !is_told && flight.end != journal.end)
+    wrong.emplace_back("the journal says another end than earshotd's last answer");
   if (flight.end != c.expected.end)
-    wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(flight.end) + ", not: " + messages::to_string(c.expected.end));
+    wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(flight.end) +
+                    ", not: " + messages::to_string(c.expected.end));
   judge_rules(c, journal, wrong);
   if (c.expected.refuses_navigation && journal.counters.navigation_refused == 0) wrong.emplace_back("no fix was refused");
   if (c.expected.refuses_commands && journal.counters.commands_refused == 0) wrong.emplace_back("no order was refused");

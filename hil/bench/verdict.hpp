@@ -28,11 +28,19 @@ struct JournalFindings {
 /// @param journal  of a flight of `mission`
 [[nodiscard]] JournalFindings read_findings(const std::filesystem::path& journal, const config::Mission& mission);
 
-/// What is wrong with a flight; nothing: all is as it had to be. Judged by the journal, the true track and exit statuses, never by what was
-/// printed. Of every flight, whatever its case: earshotd ends in order and not by a signal that nobody sent, no set-point is beyond the
-/// mission's limits, no true place is beyond the halt polygon (a deeper one than the limit by 25 m neither), and the journal gives every
-/// output again.
-[[nodiscard]] std::vector<std::string> faults_of(const Case& c, const config::Mission& mission, const BenchFlight& flight,
-                                                 const JournalFindings& journal);
+// What is wrong with a flight, in words; nothing: all is as it had to be. Judged by the journal, the true track and exit statuses, never by
+// what was printed.
+
+/// Of every flight, whatever its case: it is flown to its end, earshotd ends in order and by no signal that nobody sent, no set-point is
+/// beyond the mission's limits, no true place is beyond the halt polygon or 25 m below the depth limit, and the journal gives every output
+/// again. A vehicle that does not do as it is told, or is told wrongly where it is, may leave the polygon (is_beyond_command).
+[[nodiscard]] std::vector<std::string> broken_promises(const Case& c, const config::Mission& mission, const BenchFlight& flight,
+                                                       const JournalFindings& journal);
+
+/// Of the case.
+[[nodiscard]] std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& flight, const JournalFindings& journal);
+
+/// Whether no software could keep a vehicle with this fault where it belongs.
+[[nodiscard]] bool is_beyond_command(Fault fault);
 
 }  // namespace earshot::hil

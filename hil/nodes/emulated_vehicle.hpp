@@ -24,7 +24,7 @@ namespace earshot::hil {
 
 /// The devices of an emulated vehicle, as they may be left out.
 inline constexpr std::string_view kDeviceNames[]{"autopilot",  "compass",  "speed-log", "depth-sensor", "navigation",
-                                                 "hydrophone", "operator", "altimeter", "battery",    "hull-monitor"};
+                                                 "hydrophone", "operator", "altimeter", "battery",      "hull-monitor"};
 
 struct VehicleSetup {
   vehicle::State start;
@@ -88,8 +88,8 @@ class EmulatedVehicle final {
   double battery_percent_per_km_;
   std::vector<std::unique_ptr<Device>> devices_;
   std::vector<std::string_view> names_;  ///< of these, of kDeviceNames
-  Autopilot* autopilot_ = nullptr;  ///< among devices_
-  Operator* operator_ = nullptr;    ///< likewise
+  Autopilot* autopilot_ = nullptr;       ///< among devices_
+  Operator* operator_ = nullptr;         ///< likewise
 };
 
 }  // namespace earshot::hil

@@ -15,8 +15,8 @@ struct ChildSettings {
   std::uint64_t most_bytes_of_a_file = 0;  ///< what it writes beyond them is refused (EFBIG), as a full disk refuses it; 0: no limit
 };
 
-/// A program that stands beside this one, or anywhere if it is named with a path, started as a process of its own: in its own process group (a terminal's Ctrl-C then reaches only
-/// this program, which ends the others in order), and ended with this process however that ends.
+/// A program that stands beside this one, or anywhere if it is named with a path, started as a process of its own: in its own process group
+/// (a terminal's Ctrl-C then reaches only this program, which ends the others in order), and ended with this process however that ends.
 class ChildProcess {
  public:
   /// @throws std::system_error

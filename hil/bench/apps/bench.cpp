@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "hil/bench/bench_flight.hpp"
+#include "hil/bench/random_case.hpp"
 #include "hil/bench/results.hpp"
 #include "hil/bench/verdict.hpp"
 #include "sim/ocean/file/environment_file.hpp"
@@ -35,6 +37,7 @@ struct Options {
   std::uint64_t seed = 1;
   fs::path out = "out/bench";
   std::optional<std::string> earshotd;
+  std::optional<std::uint32_t> random;
 };
 
 void declare(program::CommandLine& line, Options& o) {
@@ -43,6 +46,9 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--interface", &o.interface, "CAN interface").shows_default();
   line.option("--seed", &o.seed, "draws which frames a fault befalls").from(0, std::numeric_limits<std::int64_t>::max()).shows_default();
   line.option("--out", &o.out, "folder for results.json and a folder for every case").shows_default();
+  line.option("--random", &o.random,
+              "fly so many random combinations of the cases' faults instead, which must break no promise; what fails is made smaller")
+      .from(1, 1'000'000);
   line.option("--earshotd", &o.earshotd, "the earshotd to be tried; default: the one beside this program");
 }
 
@@ -59,29 +65,36 @@ std::vector<hil::Case> chosen_cases(const Options& o) {
   return cases;
 }
 
-int bench(const Options& o) {
-  const std::vector<hil::Case> cases = chosen_cases(o);
-  const ocean::Environment environment = ocean::load_environment(host::shipped("sim/ocean/environments/munk_flat.toml"));
-  constexpr Meters kFurthest{40'000.0};
-  program::stop_on_signals();
-  const hil::Bench setup{.earshotd = o.earshotd.value_or("earshotd"),
-                         .interface = o.interface,
-                         .seed = o.seed,
-                         .snr = [curve = sonar::compute_snr_curve(environment, Meters{300.0}, kFurthest)](Meters range) { return curve.at(range); },
-                         .floor_depth = environment.seabed.depth,
-                         .stop = program::stop_requested};
+/// A case and what came of it.
+struct Flown {
+  hil::BenchFlight flight;
+  config::Mission mission;
+  hil::JournalFindings journal;
+};
+
+Flown flown(const hil::Case& c, const hil::Bench& setup, const fs::path& folder) {
+  Flown f{.flight = hil::fly_case(c, setup, folder), .mission = host::load_mission(c.mission).mission, .journal = {}};
+  f.journal = hil::read_findings(folder / "journal.lcmlog", f.mission);
+  return f;
+}
+
+void tell(const hil::Case& c, const Flown& f, const std::vector<std::string>& wrong) {
+  program::say() << (wrong.empty() ? "passed " : "FAILED ") << c.name << ", " << f.flight.last.us / 1'000'000 << " s at sea in "
+                 << std::fixed << std::setprecision(1) << f.flight.wall_s << " s\n";
+  for (const std::string& what : wrong) program::say() << "       " << what << "\n";
+  program::say() << std::flush;
+}
+
+int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::Bench& setup) {
   hil::Results results;
   for (const hil::Case& c : cases) {
     if (program::stop_requested) break;
-    const fs::path folder = o.out / c.name;
-    const hil::BenchFlight flight = hil::fly_case(c, setup, folder);
-    const config::Mission mission = host::load_mission(c.mission).mission;
-    const hil::JournalFindings journal = hil::read_findings(folder / "journal.lcmlog", mission);
-    const std::vector<std::string> wrong = hil::faults_of(c, mission, flight, journal);
-    program::say() << (wrong.empty() ? "passed " : "FAILED ") << c.name << ", " << flight.last.us / 1'000'000 << " s at sea in " << flight.wall_s << " s\n";
-    for (const std::string& what : wrong) program::say() << "       " << what << "\n";
-    program::say() << std::flush;
-    results.add(c, mission, flight, journal, wrong);
+    const Flown f = flown(c, setup, o.out / c.name);
+    std::vector<std::string> wrong = hil::broken_promises(c, f.mission, f.flight, f.journal);
+    const std::vector<std::string> unmet = hil::unmet_expectations(c, f.flight, f.journal);
+    wrong.insert(wrong.end(), unmet.begin(), unmet.end());
+    tell(c, f, wrong);
+    results.add(c, f.mission, f.flight, f.journal, wrong);
   }
   host::write_whole(o.out / "results.json", results.text());
   program::say() << results.passed() << " of " << cases.size() << " cases passed\n";
@@ -89,13 +102,55 @@ int bench(const Options& o) {
   return results.passed() == cases.size() ? program::kDone : program::kIncomplete;
 }
 
+/// Each with a seed of its own, from --seed on. What breaks a promise is made smaller, and kept as a case.
+int fly_random(const Options& o, const std::vector<hil::Case>& pool, const hil::Bench& setup) {
+  std::size_t failed = 0;
+  std::uint32_t count = 0;
+  for (; count < *o.random && !program::stop_requested; ++count) {
+    const hil::Case c = hil::random_case(pool, o.seed + count);
+    const auto wrong_with = [&](const hil::Case& tried, const fs::path& folder) {
+      const Flown f = flown(tried, setup, folder);
+      return hil::broken_promises(tried, f.mission, f.flight, f.journal);
+    };
+    const std::vector<std::string> wrong = wrong_with(c, o.out / "random");
+    if (wrong.empty()) continue;
+    ++failed;
+    program::say() << "FAILED " << c.name << ": " << c.when << "\n";
+    for (const std::string& what : wrong) program::say() << "       " << what << "\n";
+    const hil::Case small = hil::shrunk(c, [&](const hil::Case& tried) { return !wrong_with(tried, o.out / "shrunk").empty(); });
+    const fs::path kept = o.out / (c.name + ".toml");
+    host::write_whole(kept, hil::to_toml(small));
+    program::say() << "       " << small.faults.size() << " of its faults are enough: " << kept.string() << "\n" << std::flush;
+  }
+  program::say() << count << " random cases from seed " << o.seed << " on, " << failed << " broke a promise\n";
+  if (program::stop_requested) return program::kStopped;
+  return failed == 0 ? program::kDone : program::kIncomplete;
+}
+
+int bench(const Options& o) {
+  const std::vector<hil::Case> cases = chosen_cases(o);
+  const ocean::Environment environment = ocean::load_environment(host::shipped("sim/ocean/environments/munk_flat.toml"));
+  constexpr Meters kFurthest{40'000.0};
+  constexpr Meters kDepth{300.0};
+  program::stop_on_signals();
+  const hil::Bench setup{
+      .earshotd = o.earshotd.value_or("earshotd"),
+      .interface = o.interface,
+      .seed = o.seed,
+      .snr = [curve = sonar::compute_snr_curve(environment, kDepth, kFurthest)](Meters range) { return curve.at(range); },
+      .floor_depth = environment.seabed.depth,
+      .stop = program::stop_requested};
+  return o.random ? fly_random(o, cases, setup) : fly_cases(o, cases, setup);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  program::CommandLine line("earshot bench",
-                            "Flies missions with the real earshotd on a CAN bus, each with the faults of its case, and judges what came of\n"
-                            "them. hil/run builds it, finds it a bus, and makes a page of its results.\n"
-                            "Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus was lost.");
+  program::CommandLine line(
+      "earshot bench",
+      "Flies missions with the real earshotd on a CAN bus, each with the faults of its case, and judges what came of\n"
+      "them. hil/run builds it, finds it a bus, and makes a page of its results.\n"
+      "Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus was lost.");
   Options options;
   declare(line, options);
   return program::run(line, argc, argv, [&] { return bench(options); });

@@ -1,0 +1,84 @@
+#include "hil/bench/random_case.hpp"
+
+#include <sstream>
+#include <utility>
+
+#include "firmware/core/random.hpp"
+
+namespace earshot::hil {
+namespace {
+
+constexpr std::uint64_t kStream = 19;
+
+/// Up to `most` metres within the southern edge of the bench's area.
+NorthEast place_near_the_fence(Pcg32& random) {
+  constexpr double kMost_m = 800.0;
+  return {Meters{kMost_m * random.uniform_double()}, Meters{5'000.0 + 15'000.0 * random.uniform_double()}};
+}
+
+TimedFault moved(TimedFault fault, Pcg32& random) {
+  constexpr std::uint32_t kLatest_s = 200;
+  const Time from = Time{} + Duration::seconds(5 + random.next() % kLatest_s);
+  if (fault.until) fault.until = from + Duration{(*fault.until - fault.from).us};
+  fault.from = from;
+  return fault;
+}
+
+void write_fault(std::ostream& out, const TimedFault& fault) {
+  const auto index = static_cast<std::size_t>(fault.fault);
+  const FaultTraits& traits = kFaultTraits.at(index);
+  out << "\n[[fault]]\nkind = \"" << traits.word << "\"\nat_s = " << (fault.from - Time{}).to_seconds() << "\n";
+  if (fault.until) out << "for_s = " << (*fault.until - fault.from).to_seconds() << "\n";
+  if (!traits.amount.empty()) out << traits.amount << " = " << fault.amount << "\n";
+  if (fault.direction_deg != 0.0) out << "towards_deg = " << fault.direction_deg << "\n";
+  if (index >= kFrameFaults) return;
+  out << "share = " << fault.share << "\n";
+  if (!fault.device.empty()) out << "of = \"" << fault.device << "\"\n";
+  if (fault.pgn) out << "pgn = " << *fault.pgn << "\n";
+}
+
+}  // namespace
+
+Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
+  Pcg32 random(seed, kStream);
+  std::vector<TimedFault> all;
+  for (const Case& c : pool) all.insert(all.end(), c.faults.begin(), c.faults.end());
+  Case made = pool.front();
+  made.name = "random_" + std::to_string(seed);
+  made.given = "a search near the fence";
+  made.then = "no promise is broken";
+  made.start = place_near_the_fence(random);
+  made.source = made.start + NorthEast{Meters{3'000}, Meters{0}};
+  made.at_most = Duration::seconds(400);
+  made.faults.clear();
+  for (std::size_t i = 0, count = 2 + random.next() % 2; i < count; ++i) made.faults.push_back(moved(all[random.next() % all.size()], random));
+  made.when.clear();
+  for (const TimedFault& fault : made.faults) made.when += (made.when.empty() ? "" : "; ") + in_words(fault);
+  return made;
+}
+
+Case shrunk(Case c, const std::function<bool(const Case&)>& fails) {
+  for (std::size_t i = 0; i < c.faults.size() && c.faults.size() > 1;) {
+    Case smaller = c;
+    smaller.faults.erase(smaller.faults.begin() + static_cast<std::ptrdiff_t>(i));
+    if (fails(smaller)) {
+      c = std::move(smaller);
+    } else {
+      ++i;
+    }
+  }
+  return c;
+}
+
+std::string to_toml(const Case& c) {
+  std::ostringstream out;
+  out.precision(12);
+  out << "given = \"" << c.given << "\"\nwhen = \"" << c.when << "\"\nthen = \"" << c.then << "\"\n"
+      << "start_m = [" << c.start.north.value << ", " << c.start.east.value << "]\nsource_m = [" << c.source.north.value << ", "
+      << c.source.east.value << "]\nat_most_s = " << c.at_most.us / 1'000'000 << "\n";
+  for (const TimedFault& fault : c.faults) write_fault(out, fault);
+  out << "\n[expect]\nend = \"" << end_words().at(static_cast<std::size_t>(c.expected.end)) << "\"\n";
+  return out.str();
+}
+
+}  // namespace earshot::hil
