@@ -11,7 +11,7 @@ _IDENTIFIER_BITS = (1 << 29) - 1
 
 
 def pgn_of(identifier: int) -> int:
-    """The group of a frame; where its lower byte is an address (PDU1), that byte is none of it. Source: SAE J1939-21."""
+    """The group of a frame; where its lower byte is an address (PDU1), that is no part of it. Source: SAE J1939-21."""
     group = (identifier & _IDENTIFIER_BITS) >> 8 & 0x3FFFF
     return group if group >> 8 & 0xFF >= 240 else group & ~0xFF
 

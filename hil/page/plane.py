@@ -79,18 +79,12 @@ class Panel:
         for km in _ticks(self.window.south_m / 1e3, side_km, step):
             y = self.y(Place(km * 1e3, self.window.west_m))
             parts.append(f'<path class="grid" d="M{self.left} {y:.1f}H{right}"/>')
-            parts.append(
-                f'<text class="tick north" x="{self.left - 5}" y="{y + 4:.1f}">{number(km, decimals)}</text>'
-            )
+            parts.append(f'<text class="tick north" x="{self.left - 5}" y="{y + 4:.1f}">{number(km, decimals)}</text>')
         middle = self.left + self.side / 2.0
         parts.append(f'<text class="tick" x="{middle}" y="{bottom + 29}">east (km)</text>')
-        lying_x, lying_y = self.left - 38, self.top + self.side / 2.0
-        parts.append(
-            f'<text class="tick" x="{lying_x}" y="{lying_y}" transform="rotate(-90 {lying_x} {lying_y})">north (km)</text>'
-        )
-        parts.append(
-            f'<rect class="frame" x="{self.left}" y="{self.top}" width="{self.side}" height="{self.side}"/>'
-        )
+        x, y = self.left - 38, self.top + self.side / 2.0
+        parts.append(f'<text class="tick" x="{x}" y="{y}" transform="rotate(-90 {x} {y})">north (km)</text>')
+        parts.append(f'<rect class="frame" x="{self.left}" y="{self.top}" width="{self.side}" height="{self.side}"/>')
         return "\n".join(parts)
 
 

@@ -42,7 +42,7 @@ def _star(x: float, y: float) -> str:
 
 
 def _square(x: float, y: float) -> str:
-    return f'<rect class="mark full" x="{x - 4.5:.1f}" y="{y - 4.5:.1f}" width="9" height="9"/>'
+    return f'<rect class="mark" x="{x - 5:.1f}" y="{y - 5:.1f}" width="10" height="10"/>'
 
 
 def _triangle(x: float, y: float) -> str:
@@ -129,9 +129,10 @@ def track_svg(result: CaseResult, name: str) -> str:
         f'<svg class="track" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" xmlns="http://www.w3.org/2000/svg">',
         f"<title>Where the vehicle went: {escaped(result.name)}</title>",
         near.frame("the vehicle's way"),
-        f'<g clip-path="url(#{near.name})">{_content(near, result)}',
+        f'<g clip-path="url(#{near.name})">',
+        # Below the way, so that they do not hide a short piece of it.
         *(shape(near.x(place), near.y(place)) for _, shape, place in _marks(result)),
-        "</g>",
+        f"{_content(near, result)}</g>",
         whole.frame("the whole halt polygon"),
         f'<g clip-path="url(#{whole.name})">{_content(whole, result)}</g>',
         f'<rect class="view" x="{whole.x(corner):.1f}" y="{whole.y(corner):.1f}" width="{side:.1f}" '
