@@ -12,6 +12,7 @@ import argparse
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 sys.path.insert(1, str(Path(__file__).resolve().parents[1] / "page"))
@@ -22,7 +23,7 @@ from bus import VIRTUAL, command_on_bus, require_bus
 from case_files import list_cases, require_cases
 from group_names import read_group_names
 from junit_report import junit_report
-from outputs import is_junit_report, is_page, require_folder, require_writable, write_whole
+from outputs import is_junit_report, is_page, is_results, make_folder, require_writable, write_whole
 from programs import BuildFailed, Programs, programs_for
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -74,11 +75,19 @@ def judge(options: argparse.Namespace) -> None:
     require_cases(options.cases, options.case)
     if options.interface is not None:
         require_bus(options.interface)
+    if options.out.exists() and not options.out.is_dir():
+        raise BadInput(f"--out {options.out}: is no folder")
+    wanted: list[tuple[Path, str, Callable[[Path], bool]]] = [
+        (options.out / RESULTS, "what earshot-bench writes", is_results)
+    ]
     if options.report is not None:
-        require_writable(options.report, "an HTML page", is_page)
+        wanted.append((options.report, "an HTML page", is_page))
     if options.junit is not None:
-        require_writable(options.junit, "a JUnit report", is_junit_report)
-    require_folder(options.out)
+        wanted.append((options.junit, "a JUnit report", is_junit_report))
+    for path, kind, is_of_kind in wanted:
+        require_writable(path, kind, is_of_kind, to_be_made=options.out)
+    if len({path.resolve() for path, *_ in wanted}) < len(wanted):
+        raise BadInput("the page, the JUnit report and results.json must be three files")
 
 
 def bench_command(options: argparse.Namespace, programs: Programs) -> list[str]:
@@ -124,6 +133,7 @@ def run(options: argparse.Namespace) -> int:
         return DONE
     judge(options)
     programs = programs_for(ROOT, options.earshotd)
+    make_folder(options.out)
     file = options.out / RESULTS
     older = identity(file)
     status = run_to_its_end(command_on_bus(ROOT, options.interface, bench_command(options, programs)))

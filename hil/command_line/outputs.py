@@ -33,8 +33,12 @@ def is_results(path: Path) -> bool:
     return isinstance(content, dict) and list(content) == ["cases"]
 
 
-def require_writable(path: Path, kind: str, is_of_kind: Callable[[Path], bool]) -> None:
-    """Judges before the work what would be refused after it. @param kind  with its article. Raises BadInput."""
+def require_writable(path: Path, kind: str, is_of_kind: Callable[[Path], bool], to_be_made: Path) -> None:
+    """Judges before the work what would be refused after it. Raises BadInput.
+
+    @param kind        with its article
+    @param to_be_made  a folder that need not be there yet
+    """
     try:
         if path.exists():
             if not path.is_file():
@@ -42,6 +46,8 @@ def require_writable(path: Path, kind: str, is_of_kind: Callable[[Path], bool]) 
             if path.stat().st_size > 0 and not is_of_kind(path):
                 raise BadInput(f"{path}: is not {kind}, and is not replaced; name another file")
         folder = path.resolve().parent
+        if not folder.exists() and folder == to_be_made.resolve():
+            return
         if not folder.is_dir():
             raise BadInput(f"{path}: there is no folder {folder}")
         if not os.access(folder, os.W_OK):
@@ -50,15 +56,12 @@ def require_writable(path: Path, kind: str, is_of_kind: Callable[[Path], bool]) 
         raise BadInput(f"{path}: {e.strerror}") from e
 
 
-def require_folder(path: Path) -> None:
-    """A folder for the bench's results, or a place for one. Raises BadInput."""
+def make_folder(path: Path) -> None:
+    """Raises BadInput."""
     try:
-        if path.exists() and not path.is_dir():
-            raise BadInput(f"--out {path}: is no folder")
         path.mkdir(parents=True, exist_ok=True)
     except OSError as e:
-        raise BadInput(f"--out {path}: {e.strerror}") from e
-    require_writable(path / "results.json", "what earshot-bench writes", is_results)
+        raise BadInput(f"{path}: cannot be made a folder: {e.strerror}") from e
 
 
 def write_whole(path: Path, content: bytes) -> None:
