@@ -8,9 +8,10 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(ROOT / "hil/page"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "hil/page"))
 from bench_results import CaseResult, read_results
+
+ROOT = Path(__file__).resolve().parents[3]
 
 
 def calm() -> dict[str, Any]:

@@ -25,6 +25,7 @@ class ReadsResults(unittest.TestCase):
     def test_the_first_rule_that_fired_and_not_one_that_ended(self):
         ends, fires = deaf()["events"][1], deaf()["events"][0]
         (read,) = results_of(deaf() | {"events": [ends, fires | {"rule": "battery_percent"}]})
+        assert read.first_firing
         self.assertEqual(read.first_firing.rule, "battery_percent")
 
     def test_a_fault_from_its_beginning_until_just_before_its_end(self):

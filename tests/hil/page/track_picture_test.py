@@ -57,8 +57,9 @@ class Pieces(unittest.TestCase):
 
 class Picture(unittest.TestCase):
     def test_shows_faults_by_another_colour_and_another_dash(self):
-        way, fault = (re.search(rf"\.track \.{name}{{(.*?)}}", STYLE).group(1) for name in ("way", "fault"))
-        self.assertNotEqual(re.search(r"stroke:[^;]+", way).group(), re.search(r"stroke:[^;]+", fault).group())
+        rules = dict(re.findall(r"\.track \.(\w+){(.*?)}", STYLE))
+        way, fault = rules["way"], rules["fault"]
+        self.assertNotEqual(re.findall(r"stroke:[^;]+", way), re.findall(r"stroke:[^;]+", fault))
         self.assertIn("stroke-dasharray", fault)
         self.assertNotIn("stroke-dasharray", way)
         (case,) = results_of(deaf())
