@@ -5,6 +5,7 @@ earshot-bench reads them whole and judges every key; here a name and what the ca
 
 from __future__ import annotations
 
+import difflib
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
@@ -40,11 +41,13 @@ def _files_of(folder: Path) -> list[Path]:
 
 
 def require_cases(folder: Path, names: list[str]) -> None:
-    """Raises BadInput that names what there is, when one is not there."""
+    """Raises BadInput that names what is alike, when one is not there."""
     there = [file.stem for file in _files_of(folder)]
     for name in names:
         if name not in there:
-            raise BadInput(f"--case {name}: there is no {folder / name}.toml; there are {', '.join(there)}")
+            alike = " or ".join(difflib.get_close_matches(name, there))
+            meant = f"did you mean {alike}?" if alike else "--list prints all"
+            raise BadInput(f"--case {name}: there is no {folder / name}.toml; {meant}")
 
 
 def list_cases(folder: Path, names: list[str]) -> list[ListedCase]:

@@ -24,7 +24,8 @@ dl{display:grid;grid-template-columns:auto 1fr;gap:.1rem .9rem;background:var(--
 dt{color:var(--soft);font-variant:small-caps}dd{margin:0}
 .table{overflow-x:auto}table{border-collapse:collapse;width:100%;font-size:.85rem;font-variant-numeric:tabular-nums}
 th,td{text-align:left;vertical-align:top;padding:.2rem .6rem .2rem 0;border-bottom:1px solid var(--line)}
-th{color:var(--soft);font-weight:600}.trace td,.rules td{white-space:nowrap}code{font-size:.95em}
+th{color:var(--soft);font-weight:600}th,td{overflow-wrap:normal}
+.trace td,.rules td,.summary td:nth-child(2){white-space:nowrap}code{font-size:.95em}
 .picture{max-width:46rem;margin:1rem auto}.picture svg{display:block;width:100%;height:auto}
 @media print{body{font-size:11px;max-width:none;padding:0}section{break-before:page}tr,.picture{break-inside:avoid}
 .trace{font-size:8px}}
@@ -38,13 +39,18 @@ def headline(results: list[CaseResult]) -> str:
     return f'<h1 class="failed">\N{MULTIPLICATION X} {failed} of {len(results)} cases failed</h1>\n'
 
 
+def _breakable(words: str) -> str:
+    """Behind each underscore a line may end."""
+    return escaped(words).replace("_", "_<wbr>")
+
+
 def _summary_row(index: int, result: CaseResult) -> list[str]:
     fired = dict.fromkeys(event.rule for event in result.events if event.begins)
     return [
-        f'<a href="#case-{index}">{escaped(result.name)}</a>',
+        f'<a href="#case-{index}">{_breakable(result.name)}</a>',
         verdict(result),
         escaped(result.when),
-        escaped(", ".join(fired)) or "\N{EN DASH}",
+        _breakable(", ".join(fired)) or "\N{EN DASH}",
         escaped(result.end),
         number(result.at_sea_s, 0),
     ]

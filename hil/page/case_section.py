@@ -28,13 +28,22 @@ def _faults(result: CaseResult) -> str:
 
 def _had_to_happen(result: CaseResult) -> str:
     rules = ", ".join(result.expected_rules)
-    return bullets([f"The mission ends: {result.expected_end}.", f"Rules fire: {rules or 'none has to'}."])
+    return bullets([f"End of the mission: {result.expected_end}.", f"Rules fire: {rules or 'none has to'}."])
+
+
+def _depths(result: CaseResult) -> list[str]:
+    if not result.track:
+        return ["The vehicle has no track."]
+    deepest = max(point.depth_m for point in result.track)
+    last = result.track[-1].depth_m
+    return [f"The vehicle was at most {number(deepest)} m deep, and {number(last)} m at the end."]
 
 
 def _happened(result: CaseResult) -> str:
     counts = result.counts
     said = [
-        f"The mission ended: {result.end}, after {number(result.at_sea_s)} s at sea ({number(result.wall_s)} s here).",
+        f"End of the mission: {result.end}, after {number(result.at_sea_s)} s at sea ({number(result.wall_s)} s here).",
+        *_depths(result),
         f"{counts['setpoints']} set-points; {counts['navigation_refused']} fixes and {counts['commands_refused']} "
         "orders were refused.",
         f"Frames: {counts['frames_sent']} sent by the vehicle, {counts['frames_received']} by Earshot; "

@@ -18,7 +18,7 @@ def _case(suite: ET.Element, result: CaseResult) -> None:
         ET.SubElement(case, "failure", message=wrong[0], type="verdict").text = "\n".join(wrong)
     story = f"GIVEN {result.given}\nWHEN {result.when}\nTHEN {result.then}\n"
     faults = "".join(f"{fault.words}\n" for fault in result.faults)
-    ET.SubElement(case, "system-out").text = printable(story + faults + f"The mission ended: {result.end}\n")
+    ET.SubElement(case, "system-out").text = printable(story + faults + f"End of the mission: {result.end}\n")
 
 
 def junit_report(results: list[CaseResult]) -> bytes:

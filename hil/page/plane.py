@@ -25,6 +25,12 @@ class Window:
         return inside_north and self.west_m <= place.east_m <= self.west_m + self.side_m
 
 
+def extent_of(places: Iterable[Place]) -> float:
+    """The longer side of the rectangle around them, in metres."""
+    norths, easts = zip(*((place.north_m, place.east_m) for place in places), strict=True)
+    return max(max(norths) - min(norths), max(easts) - min(easts))
+
+
 def window_around(places: Iterable[Place], margin: float = 0.08, smallest_m: float = 200.0) -> Window:
     """The smallest that holds all, with a margin on every side that is this share of it."""
     norths, easts = zip(*((place.north_m, place.east_m) for place in places), strict=True)

@@ -6,12 +6,14 @@ from collections.abc import Callable
 
 from bench_results import CaseResult, Place, TrackPoint
 from markup import escaped
-from plane import Panel, window_around
+from plane import Panel, Window, extent_of, window_around
 
 WIDTH, HEIGHT = 720, 440
 _NEAR = {"left": 52.0, "top": 26.0, "side": 370.0}
 _WHOLE = {"left": 486.0, "top": 26.0, "side": 190.0}
 _LEGEND_LEFT, _LEGEND_TOP, _LEGEND_STEP = 452.0, 280.0, 19.0
+# Of the way in what is seen of the plane.
+_SMALLEST_SHARE = 0.25
 
 # In the picture itself, so that it is one wherever it stands; a dark page changes the colours by their names.
 STYLE = """
@@ -117,10 +119,17 @@ def _legend(result: CaseResult) -> str:
     return "\n".join(parts)
 
 
+def surroundings(result: CaseResult) -> Window:
+    """Of the way and the source; of the way alone where that would be too small to see beside the source."""
+    way = [result.start, *(point.place for point in result.track)]
+    seen = [*way, result.source]
+    return window_around(seen if extent_of(way) >= _SMALLEST_SHARE * extent_of(seen) else way)
+
+
 def track_svg(result: CaseResult, name: str) -> str:
     """@param name  a word that no other picture of the page has"""
     seen = [result.start, result.source, *(point.place for point in result.track)]
-    near = Panel(window_around(seen), name=f"{name}-near", **_NEAR)
+    near = Panel(surroundings(result), name=f"{name}-near", **_NEAR)
     whole = Panel(window_around([*result.halt_polygon, *seen]), name=f"{name}-whole", **_WHOLE)
     view = near.window
     corner = Place(view.south_m + view.side_m, view.west_m)
@@ -134,7 +143,8 @@ def track_svg(result: CaseResult, name: str) -> str:
         *(shape(near.x(place), near.y(place)) for _, shape, place in _marks(result)),
         f"{_content(near, result)}</g>",
         whole.frame("the whole halt polygon"),
-        f'<g clip-path="url(#{whole.name})">{_content(whole, result)}</g>',
+        f'<g clip-path="url(#{whole.name})">{_content(whole, result)}',
+        f"{_star(whole.x(result.source), whole.y(result.source))}</g>",
         f'<rect class="view" x="{whole.x(corner):.1f}" y="{whole.y(corner):.1f}" width="{side:.1f}" '
         f'height="{side:.1f}"/>',
         _legend(result),

@@ -178,8 +178,9 @@ class Refuses(InAFolder):
         self.assertFalse((self.folder / "out/bench/told.json").exists(), "it flew")
         return said.stderr
 
-    def test_a_case_that_is_not_there_and_names_those_that_are(self):
-        self.assertIn("there are calm, deaf", self.refused("--case", "calm", "clam"))
+    def test_a_case_that_is_not_there_and_names_what_is_alike(self):
+        self.assertIn("clam.toml; did you mean calm?", self.refused("--case", "deaf", "clam"))
+        self.assertIn("none.toml; --list prints all", self.refused("--case", "none"))
 
     def test_a_folder_without_cases(self):
         self.assertIn("no such folder of cases", self.refused("--cases", self.folder / "none"))

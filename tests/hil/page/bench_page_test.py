@@ -9,7 +9,7 @@ from bench_example import calm, deaf, results_of
 from bench_page import STYLE, page
 
 # Elements that HTML ends by themselves.
-_VOID = {"meta", "br", "img", "link", "input", "hr"}
+_VOID = {"meta", "br", "img", "link", "input", "hr", "wbr"}
 
 
 class Tags(HTMLParser):
@@ -66,7 +66,8 @@ class Page(unittest.TestCase):
             "the hydrophone is open for a while",
             "deaf from 500 s for 500 s",
             "Rules fire: hydrophone_deaf.",
-            "The mission ended: the source is reached, after 1750 s at sea",
+            "End of the mission: the source is reached, after 1750 s at sea",
+            "at most 310 m deep, and 12.5 m at the end",
             "the rule hydrophone_deaf did not fire",
             "the rule leak fired at 600 s",
             "31000 sent by the vehicle, 41000 by Earshot",

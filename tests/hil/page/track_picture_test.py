@@ -7,7 +7,8 @@ import xml.etree.ElementTree as ET
 from bench_example import calm, deaf, results_of
 
 from bench_results import Place
-from track_picture import STYLE, pieces, place_at, track_svg
+from plane import Window
+from track_picture import STYLE, pieces, place_at, surroundings, track_svg
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -53,6 +54,21 @@ class Pieces(unittest.TestCase):
     def test_of_no_track_are_none(self):
         (case,) = results_of(calm() | {"track": []})
         self.assertEqual(pieces(case), [])
+
+
+class Surroundings(unittest.TestCase):
+    def expect(self, window: Window, expected: Window) -> None:
+        for side in ("south_m", "west_m", "side_m"):
+            self.assertAlmostEqual(getattr(window, side), getattr(expected, side), places=6)  # of rounding
+
+    def test_hold_the_source_beside_the_way(self):
+        (case,) = results_of(calm())
+        # North 1 to 4 km, east 2 to 3 km; a margin of 8 % of 3 km.
+        self.expect(surroundings(case), Window(south_m=760.0, west_m=760.0, side_m=3480.0))
+
+    def test_leave_out_a_source_beside_which_the_way_could_not_be_seen(self):
+        (case,) = results_of(calm() | {"source_m": [14000.0, 2000.0]})
+        self.expect(surroundings(case), Window(south_m=760.0, west_m=510.0, side_m=3480.0))
 
 
 class Picture(unittest.TestCase):
