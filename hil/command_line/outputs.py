@@ -37,7 +37,7 @@ def require_writable(path: Path, kind: str, is_of_kind: Callable[[Path], bool], 
     """Judges before the work what would be refused after it. Raises BadInput.
 
     @param kind        with its article
-    @param to_be_made  a folder that need not be there yet
+    @param to_be_made  a folder that need not be there yet, as those that hold it
     """
     try:
         if path.exists():
@@ -46,7 +46,8 @@ def require_writable(path: Path, kind: str, is_of_kind: Callable[[Path], bool], 
             if path.stat().st_size > 0 and not is_of_kind(path):
                 raise BadInput(f"{path}: is not {kind}, and is not replaced; name another file")
         folder = path.resolve().parent
-        if not folder.exists() and folder == to_be_made.resolve():
+        made = to_be_made.resolve()
+        if not folder.exists() and folder in (made, *made.parents):
             return
         if not folder.is_dir():
             raise BadInput(f"{path}: there is no folder {folder}")

@@ -120,14 +120,14 @@ class Flies(InAFolder):
         self.assertIn(str(self.earshotd), self.told())
 
     def test_and_writes_a_page_and_a_report_of_what_came_of_it(self):
-        outputs = ("--report", "out/bench/page.html", "--junit", "junit.xml")
+        outputs = ("--report", "out/page.html", "--junit", "out/bench/junit.xml")
         for _ in range(2):  # the second replaces the first's
             said = self.bench(*outputs, BENCH_RESULTS=self.results(calm(), deaf()), BENCH_ENDS="1")
             self.assertEqual((said.returncode, said.stderr), (1, ""))
-        page = (self.folder / "out/bench/page.html").read_text()
+        page = (self.folder / "out/page.html").read_text()
         self.assertIn("1 of 2 cases failed", page)
         self.assertIn("earshotd 9.8.7 (a stub), flown by hil/run with seed 1 on a virtual bus (vcan0).", page)
-        suite = ET.parse(self.folder / "junit.xml").getroot()
+        suite = ET.parse(self.folder / "out/bench/junit.xml").getroot()
         self.assertEqual((suite.get("tests"), suite.get("failures")), ("2", "1"))
 
     def test_until_ctrl_c_and_still_tells_of_what_was_flown(self):
@@ -218,10 +218,19 @@ class Refuses(InAFolder):
 
 
 class Really(InAFolder):
-    def test_flies_a_case_on_a_virtual_bus(self):
+    def test_flies_a_case_that_ships_and_that_of_the_readme_on_a_virtual_bus(self):
         if not EARSHOTD:
             self.skipTest("no EARSHOTD was named")
-        command = [ROOT / "hil/run", "--earshotd", EARSHOTD, "--case", "compass_lost", "--report", "page.html"]
+        cases = self.folder / "flown"
+        cases.mkdir()
+        written = {
+            "compass_lost": (ROOT / "hil/cases/compass_lost.toml").read_text(),
+            "of_the_readme": (ROOT / "hil/README.md").read_text().split("```toml\n")[1].split("```")[0],
+        }
+        for name, text in written.items():
+            mission = f'mission = "{ROOT}/hil/missions/search_over_can.toml"\n'
+            (cases / f"{name}.toml").write_text(mission + text)
+        command = [ROOT / "hil/run", "--earshotd", EARSHOTD, "--cases", cases, "--report", "page.html"]
         command += ["--junit", "junit.xml"]
         environment = {key: value for key, value in os.environ.items() if not key.startswith("EARSHOT_PROGRAMS")}
         flown = subprocess.run(
@@ -229,8 +238,8 @@ class Really(InAFolder):
         )
         self.assertEqual(flown.returncode, 0, flown.stdout + flown.stderr)
         self.assertIn("rule fires", (self.folder / "page.html").read_text())
-        (case,) = ET.parse(self.folder / "junit.xml").getroot().iter("testcase")
-        self.assertEqual((case.get("name"), case.find("failure")), ("compass_lost", None))
+        reported = ET.parse(self.folder / "junit.xml").getroot().iter("testcase")
+        self.assertEqual([(case.get("name"), case.find("failure")) for case in reported], [(n, None) for n in written])
 
 
 if __name__ == "__main__":
