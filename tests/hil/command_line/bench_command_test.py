@@ -218,6 +218,18 @@ class Refuses(InAFolder):
 
 
 class Really(InAFolder):
+    def install(self, programs: Path) -> Path:
+        """As a package does, far from the tree that they were built in. Returns its earshotd."""
+        installed = self.folder / "usr/bin"
+        installed.mkdir(parents=True)
+        for name in ("earshotd", "earshot-bench", "libearshot-simulation.so"):
+            shutil.copy(programs / name, installed)
+        ocean = Path("sim/ocean/environments/munk_flat.toml")
+        shared = self.folder / "usr/share/earshot" / ocean
+        shared.parent.mkdir(parents=True)
+        shutil.copy(ROOT / ocean, shared)
+        return installed / "earshotd"
+
     def test_flies_a_case_that_ships_and_that_of_the_readme_on_a_virtual_bus(self):
         if not EARSHOTD:
             self.skipTest("no EARSHOTD was named")
@@ -230,7 +242,8 @@ class Really(InAFolder):
         for name, text in written.items():
             mission = f'mission = "{ROOT}/hil/missions/search_over_can.toml"\n'
             (cases / f"{name}.toml").write_text(mission + text)
-        command = [ROOT / "hil/run", "--earshotd", EARSHOTD, "--cases", cases, "--report", "page.html"]
+        earshotd = self.install(Path(EARSHOTD).parent)
+        command = [ROOT / "hil/run", "--earshotd", earshotd, "--cases", cases, "--report", "page.html"]
         command += ["--junit", "junit.xml"]
         environment = {key: value for key, value in os.environ.items() if not key.startswith("EARSHOT_PROGRAMS")}
         flown = subprocess.run(
