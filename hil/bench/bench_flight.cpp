@@ -29,7 +29,7 @@ constexpr Duration kTick = Duration::seconds(1);
 constexpr milliseconds kLookUp{50};
 constexpr milliseconds kPatience{20'000};     ///< for an answer, on a busy machine
 constexpr milliseconds kToNoticeTheBus{1500};  ///< an interface that is down is tried again once a second
-constexpr std::size_t kTracedFrames = 400;
+constexpr std::size_t kTracedFrames = 400'000;  ///< two hours without a flood, in 13 MB: a rule may fire long before the end
 
 /// One flight in the making.
 class Flyer {
