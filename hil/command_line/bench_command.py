@@ -31,10 +31,15 @@ DONE, FAILED, BAD_INPUT, LOST, STOPPED = 0, 1, 2, 3, 130
 RESULTS = "results.json"
 
 
-def seed_of(text: str) -> int:
-    if not text.isdecimal() or int(text) >= 1 << 63:
-        raise argparse.ArgumentTypeError(f"{text} is no whole number from 0 to 2^63 - 1")
-    return int(text)
+def whole_number(lowest: int, highest: int) -> Callable[[str], int]:
+    """A reader of numbers of a command line."""
+
+    def read(text: str) -> int:
+        if not (text.isascii() and text.isdecimal() and lowest <= int(text) <= highest):
+            raise argparse.ArgumentTypeError(f"{text} is no whole number from {lowest} to {highest}")
+        return int(text)
+
+    return read
 
 
 def read_command_line(words: list[str]) -> argparse.Namespace:
@@ -50,7 +55,17 @@ def read_command_line(words: list[str]) -> argparse.Namespace:
     )
     parser.add_argument("--interface", metavar="NAME", help="a CAN interface of this machine, such as can0")
     parser.add_argument(
-        "--seed", type=seed_of, default=1, metavar="N", help="draws which frames a fault befalls (default: 1)"
+        "--seed",
+        type=whole_number(0, (1 << 63) - 1),
+        default=1,
+        metavar="N",
+        help="draws which frames a fault befalls (default: 1)",
+    )
+    parser.add_argument(
+        "--random",
+        type=whole_number(1, 1_000_000),
+        metavar="N",
+        help="fly N random combinations of the cases' faults instead; a case that shows what broke is left in DIR",
     )
     parser.add_argument(
         "--out",
@@ -75,6 +90,8 @@ def judge(options: argparse.Namespace) -> None:
     require_cases(options.cases, options.case)
     if options.interface is not None:
         require_bus(options.interface)
+    if options.random is not None and (options.report or options.junit):
+        raise BadInput("--random: of random cases there is no page and no JUnit report")
     if options.out.exists() and not options.out.is_dir():
         raise BadInput(f"--out {options.out}: is no folder")
     wanted: list[tuple[Path, str, Callable[[Path], bool]]] = [
@@ -95,6 +112,8 @@ def bench_command(options: argparse.Namespace, programs: Programs) -> list[str]:
     command += ["--interface", options.interface or VIRTUAL, "--seed", options.seed, "--out", options.out.absolute()]
     if options.case:
         command += ["--case", ",".join(dict.fromkeys(options.case))]
+    if options.random is not None:
+        command += ["--random", options.random]
     return [str(word) for word in command]
 
 
@@ -139,7 +158,7 @@ def run(options: argparse.Namespace) -> int:
     status = run_to_its_end(command_on_bus(ROOT, options.interface, bench_command(options, programs)))
     if identity(file) != older:
         write_reports(options, read_results(file), programs)
-    elif status in (DONE, FAILED):
+    elif status in (DONE, FAILED) and options.random is None:
         print(f"hil/run: {programs.bench} left no {file}", file=sys.stderr)
         return LOST
     if status not in (DONE, FAILED, BAD_INPUT, LOST, STOPPED):

@@ -119,6 +119,12 @@ class Flies(InAFolder):
         self.assertEqual((said.returncode, said.stderr), (0, ""))
         self.assertIn(str(self.earshotd), self.told())
 
+    def test_random_cases_which_leave_no_results(self):
+        said = self.bench("--random", "1000", "--seed", "3")
+        self.assertEqual((said.returncode, said.stderr), (0, ""))
+        told = self.told()
+        self.assertEqual(told[told.index("--random") + 1], "1000")
+
     def test_and_writes_a_page_and_a_report_of_what_came_of_it(self):
         outputs = ("--report", "out/page.html", "--junit", "out/bench/junit.xml")
         for _ in range(2):  # the second replaces the first's
@@ -193,7 +199,7 @@ class Refuses(InAFolder):
 
     def test_a_seed_that_is_no_whole_number(self):
         for seed in ("-1", "x", "1.5", str(1 << 63)):
-            self.assertIn("is no whole number from 0 to 2^63 - 1", self.refused("--seed", seed))
+            self.assertIn("is no whole number from 0 to 9223372036854775807", self.refused("--seed", seed))
 
     def test_an_earshotd_that_is_not_there_or_has_no_bench_beside_it(self):
         self.assertIn("none: no such program", self.refused("--earshotd", "none"))
@@ -211,6 +217,10 @@ class Refuses(InAFolder):
         self.assertIn("letter: is no folder", self.refused("--out", "letter"))
         (self.folder / "results.json").write_text('{"mine": 1}')
         self.assertIn("is not what earshot-bench writes", self.refused("--out", "."))
+
+    def test_a_page_of_random_cases(self):
+        self.assertIn("there is no page", self.refused("--random", "5", "--report", "page.html"))
+        self.assertIn("is no whole number from 1 to 1000000", self.refused("--random", "0"))
 
     def test_one_file_for_two(self):
         self.assertIn("must be three files", self.refused("--report", "a", "--junit", "a"))
