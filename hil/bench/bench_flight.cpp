@@ -28,9 +28,9 @@ using std::chrono::steady_clock;
 constexpr Duration kTick = Duration::seconds(1);
 constexpr milliseconds kLookUp{50};
 constexpr milliseconds kPatience{20'000};  ///< for an answer, on a busy machine
-constexpr milliseconds kToNoticeTheBus{
-    2500};  ///< what earshotd does on the bus by the host's clock: an interface is tried again once a second, an address claimed in 0.25 s
-constexpr std::size_t kTracedFrames = 400;
+/// What earshotd does on the bus by the host's clock: an interface is tried again once a second, an address is claimed in 0.25 s.
+constexpr milliseconds kToNoticeTheBus{2500};
+constexpr std::size_t kTracedFrames = 400'000;  ///< two hours without a flood, in 13 MB: a rule may fire long before the end
 
 /// One flight in the making.
 class Flyer {

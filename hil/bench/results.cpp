@@ -1,5 +1,7 @@
 #include "hil/bench/results.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -51,6 +53,26 @@ json frame_of(const TracedFrame& traced) {
           {"data", data.str()}};
 }
 
+/// What a reader of a case wants to see of the bus: the frames around the first rule that fired, or the last.
+json trace_of(const BenchFlight& flight, const std::vector<messages::SafetyEvent>& events) {
+  constexpr Duration kBefore = Duration::seconds(5);
+  constexpr Duration kAfter = Duration::seconds(2);
+  constexpr std::ptrdiff_t kMostBefore = 300;
+  constexpr std::ptrdiff_t kMostAfter = 100;
+  const auto& trace = flight.trace;
+  if (trace.empty()) return json::array();
+  const auto fired = std::ranges::find_if(events, &messages::SafetyEvent::begins);
+  const bool is_kept = fired != events.end() && fired->time >= trace.front().time;
+  const Time moment = is_kept ? fired->time : trace.back().time;
+  const auto behind = std::ranges::upper_bound(trace, moment, {}, &TracedFrame::time);
+  const auto earliest = std::ranges::lower_bound(trace, Time{moment.us - kBefore.us}, {}, &TracedFrame::time);
+  const auto latest = std::ranges::upper_bound(trace, moment + kAfter, {}, &TracedFrame::time);
+  json frames = json::array();
+  std::for_each(behind - std::min(behind - earliest, kMostBefore), behind + std::min(latest - behind, kMostAfter),
+                [&frames](const TracedFrame& frame) { frames.push_back(frame_of(frame)); });
+  return frames;
+}
+
 }  // namespace
 
 struct Results::Content {
@@ -79,8 +101,6 @@ void Results::add(const Case& c, const config::Mission& mission, const BenchFlig
   for (std::size_t i = 0; i < flight.track.size(); i += every)
     track.push_back({seconds(flight.track[i].time), flight.track[i].position.north.value, flight.track[i].position.east.value,
                      flight.track[i].depth.value});
-  json trace = json::array();
-  for (const TracedFrame& frame : flight.trace) trace.push_back(frame_of(frame));
   content_->cases.push_back({{"name", c.name},
                              {"given", c.given},
                              {"when", c.when},
@@ -105,7 +125,7 @@ void Results::add(const Case& c, const config::Mission& mission, const BenchFlig
                              {"source_m", place(c.source)},
                              {"halt_polygon_m", polygon_of(mission)},
                              {"track", track},
-                             {"trace", trace}});
+                             {"trace", trace_of(flight, journal.events)}});
   if (wrong.empty()) ++content_->passed;
 }
 

@@ -23,8 +23,8 @@ _UNREAD_FENCE = re.compile(r"^(?:[ \t]+```|[ \t]*~~~)")  # a reader sees a block
 _MARK = re.compile(r"^<!-- test: (.*) -->$")
 _INDENTED = re.compile(r"^(?: {4}|\t)\s*\S")
 _PROGRAM = (
-    r"(?:earshotd?|earshot-[a-z]+|sim/fly|hil/bus/with-can|mpirun|cmake|ctest|pip|python3|git|tests/run|tests/[a-z0-9]+/run"
-    r"|policy/[a-z]+/(?:run|make)|toolchains/(?:setup|build|format|tidy))"
+    r"(?:earshotd?|earshot-[a-z]+|sim/fly|hil/run|hil/bus/with-can|mpirun|cmake|ctest|pip|python3|git"
+    r"|tests/run|tests/[a-z0-9]+/run|policy/[a-z]+/(?:run|make)|toolchains/(?:setup|build|format|tidy))"
 )
 _COMMAND_LINE = re.compile(rf"^{_PROGRAM}(?:\s|$)")
 _MENTION = re.compile(rf"`({_PROGRAM}\s[^`]+)`")

@@ -1,0 +1,56 @@
+"""The cases of a folder, as far as a person who chooses among them wants to know them.
+
+earshot-bench reads them whole and judges every key; here a name and what the case does are enough.
+"""
+
+from __future__ import annotations
+
+import difflib
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+from bad_input import BadInput
+
+
+@dataclass(frozen=True)
+class ListedCase:
+    name: str
+    when: str
+
+
+def _when_of(file: Path) -> str:
+    try:
+        when = tomllib.loads(file.read_text(encoding="utf-8")).get("when")
+    except OSError as e:
+        raise BadInput(f"{file}: {e.strerror}") from e
+    except ValueError as e:  # no TOML, or no UTF-8
+        raise BadInput(f"{file}: {e}") from e
+    if not isinstance(when, str):
+        raise BadInput(f"{file}: when: must be a text that says what the case does")
+    return when
+
+
+def _files_of(folder: Path) -> list[Path]:
+    if not folder.is_dir():
+        raise BadInput(f"{folder}: no such folder of cases")
+    files = sorted(folder.glob("*.toml"))
+    if not files:
+        raise BadInput(f"{folder}: holds no case (NAME.toml)")
+    return files
+
+
+def require_cases(folder: Path, names: list[str]) -> None:
+    """Raises BadInput that names what is alike, when one is not there."""
+    there = [file.stem for file in _files_of(folder)]
+    for name in names:
+        if name not in there:
+            alike = " or ".join(difflib.get_close_matches(name, there))
+            meant = f"did you mean {alike}?" if alike else "--list prints all"
+            raise BadInput(f"--case {name}: there is no {folder / name}.toml; {meant}")
+
+
+def list_cases(folder: Path, names: list[str]) -> list[ListedCase]:
+    """Those named, or all; by name."""
+    require_cases(folder, names)
+    return [ListedCase(file.stem, _when_of(file)) for file in _files_of(folder) if not names or file.stem in names]

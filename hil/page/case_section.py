@@ -1,0 +1,84 @@
+"""What the page says of one case."""
+
+from __future__ import annotations
+
+from bench_results import CaseResult
+from bus_trace import trace_html
+from markup import bullets, escaped, number, table
+from track_picture import track_svg
+
+
+def verdict(result: CaseResult) -> str:
+    """In a word and a sign, so that the colour is not needed."""
+    if result.passed:
+        return '<span class="passed">\N{CHECK MARK} passed</span>'
+    return '<span class="failed">\N{MULTIPLICATION X} failed</span>'
+
+
+def _story(result: CaseResult) -> str:
+    rows = [("given", result.given), ("when", result.when), ("then", result.then)]
+    return "<dl>" + "".join(f"<dt>{name}</dt><dd>{escaped(text)}</dd>" for name, text in rows) + "</dl>\n"
+
+
+def _faults(result: CaseResult) -> str:
+    if not result.faults:
+        return "<p>No fault.</p>\n"
+    return bullets(fault.words for fault in result.faults)
+
+
+def _had_to_happen(result: CaseResult) -> str:
+    rules = ", ".join(result.expected_rules)
+    return bullets([f"End of the mission: {result.expected_end}.", f"Rules fire: {rules or 'none has to'}."])
+
+
+def _depths(result: CaseResult) -> list[str]:
+    if not result.track:
+        return ["The vehicle has no track."]
+    deepest = max(point.depth_m for point in result.track)
+    last = result.track[-1].depth_m
+    return [f"The vehicle was at most {number(deepest)} m deep, and {number(last)} m at the end."]
+
+
+def _happened(result: CaseResult) -> str:
+    counts = result.counts
+    said = [
+        f"End of the mission: {result.end}, after {number(result.at_sea_s)} s at sea ({number(result.wall_s)} s here).",
+        *_depths(result),
+        f"{counts['setpoints']} set-points; {counts['navigation_refused']} fixes and {counts['commands_refused']} "
+        "orders were refused.",
+        f"Frames: {counts['frames_sent']} sent by the vehicle, {counts['frames_received']} by Earshot; "
+        f"{counts['frames_lost_by_kernel']} lost by the kernel, {counts['frames_afflicted']} befallen by a fault.",
+    ]
+    return bullets(said)
+
+
+def _rules(result: CaseResult) -> str:
+    if not result.events:
+        return "<p>No rule fired.</p>\n"
+    rows = [
+        [
+            number(event.time_s),
+            f"<code>{escaped(event.rule)}</code>",
+            "fires" if event.begins else "ends",
+            number(event.measure, 2),
+            number(event.limit, 2),
+            escaped(event.response),
+        ]
+        for event in result.events
+    ]
+    return table(("time (s)", "rule", "", "measured", "limit", "response"), rows, "rules")
+
+
+def case_section(result: CaseResult, group_names: dict[int, str], number_of_case: int) -> str:
+    parts = [
+        f'<section id="case-{number_of_case}"><h2>{escaped(result.name)} {verdict(result)}</h2>\n',
+        _story(result),
+        "" if result.passed else "<h3>What is wrong</h3>\n" + bullets(result.wrong, "wrong"),
+        "<h3>What was done</h3>\n" + _faults(result),
+        "<h3>What had to happen</h3>\n" + _had_to_happen(result),
+        "<h3>What happened</h3>\n" + _happened(result) + _rules(result),
+        f'<div class="picture">{track_svg(result, f"case-{number_of_case}")}</div>\n',
+        "<h3>On the bus</h3>\n" + trace_html(result, group_names),
+        "</section>\n",
+    ]
+    return "".join(parts)

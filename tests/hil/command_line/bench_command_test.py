@@ -1,0 +1,270 @@
+"""hil/run as a person types it, with a stand-in for earshot-bench; with EARSHOTD also the real one on a virtual bus.
+
+usage: bench_command_test.py [EARSHOTD]
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "page"))
+from bench_example import ROOT, calm, deaf
+
+STUB = Path(__file__).with_name("stub_bench")
+EARSHOTD = ""
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.cases = self.folder / "cases"
+        self.cases.mkdir()
+        for case in (calm(), deaf()):
+            (self.cases / f"{case['name']}.toml").write_text(f'when = "{case["when"]}"\n')
+        self.earshotd = self.folder / "programs/earshotd"
+        self.earshotd.parent.mkdir()
+        for name in ("earshotd", "earshot-bench"):
+            shutil.copy(STUB, self.earshotd.with_name(name))
+
+    def environment(self, **more: str) -> dict[str, str]:
+        # As on a machine that has a vcan0: the command runs as it is.
+        kept = {key: value for key, value in os.environ.items() if not key.startswith(("EARSHOT_", "BENCH_"))}
+        return kept | {"EARSHOT_CAN": "here", **more}
+
+    def bench(self, *words: object, **environment: str) -> subprocess.CompletedProcess[str]:
+        command = [ROOT / "hil/run", "--cases", self.cases, "--earshotd", self.earshotd, *words]
+        return subprocess.run(
+            list(map(str, command)),
+            cwd=self.folder,
+            env=self.environment(**environment),
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=120,
+        )
+
+    def results(self, *entries: dict) -> str:
+        file = self.folder / "given.json"
+        file.write_text(json.dumps({"cases": entries}))
+        return str(file)
+
+    def told(self) -> list[str]:
+        return json.loads((self.folder / "out/bench/told.json").read_text())
+
+
+class Lists(InAFolder):
+    def test_every_case_and_what_it_does(self):
+        said = self.bench("--list")
+        self.assertEqual(said.returncode, 0)
+        self.assertEqual(said.stdout, "calm  nothing is wrong\ndeaf  the hydrophone is open for a while\n")
+        self.assertEqual(self.bench("--list", "--case", "calm").stdout, "calm  nothing is wrong\n")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_the_cases_that_ship(self):
+        said = subprocess.run([ROOT / "hil/run", "--list"], capture_output=True, text=True, check=True)
+        there = sorted(file.stem for file in (ROOT / "hil/cases").glob("*.toml"))
+        self.assertEqual([line.split()[0] for line in said.stdout.splitlines()], there)
+
+    def test_no_case_that_is_no_toml_or_does_not_say_what_it_does(self):
+        for text, words in {"when = ": "a.toml: Invalid value", "when = 7": "a.toml: when: must be a text"}.items():
+            (self.cases / "a.toml").write_text(text)
+            said = self.bench("--list")
+            self.assertEqual((said.returncode, said.stdout), (2, ""))
+            self.assertIn(words, said.stderr)
+
+
+class Flies(InAFolder):
+    def test_what_it_was_told_to(self):
+        said = self.bench("--case", "deaf", "calm", "--seed", "7", BENCH_RESULTS=self.results(calm()))
+        self.assertEqual((said.returncode, said.stderr), (0, ""))
+        told = self.told()
+        options = dict(zip(told[::2], told[1::2], strict=True))
+        self.assertEqual(
+            options,
+            {
+                "--earshotd": str(self.earshotd),
+                "--cases": str(self.cases),
+                "--interface": "vcan0",
+                "--seed": "7",
+                "--out": str(self.folder / "out/bench"),
+                "--case": "deaf,calm",
+            },
+        )
+
+    def test_all_cases_without_a_name(self):
+        self.bench(BENCH_RESULTS=self.results(calm()))
+        self.assertNotIn("--case", self.told())
+
+    def test_the_programs_of_a_folder_that_a_variable_names(self):
+        said = subprocess.run(
+            [ROOT / "hil/run", "--cases", self.cases],
+            cwd=self.folder,
+            env=self.environment(EARSHOT_PROGRAMS=str(self.earshotd.parent), BENCH_RESULTS=self.results(calm())),
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        self.assertEqual((said.returncode, said.stderr), (0, ""))
+        self.assertIn(str(self.earshotd), self.told())
+
+    def test_random_cases_which_leave_no_results(self):
+        said = self.bench("--random", "1000", "--seed", "3")
+        self.assertEqual((said.returncode, said.stderr), (0, ""))
+        told = self.told()
+        self.assertEqual(told[told.index("--random") + 1], "1000")
+
+    def test_and_writes_a_page_and_a_report_of_what_came_of_it(self):
+        outputs = ("--report", "out/page.html", "--junit", "out/bench/junit.xml")
+        for _ in range(2):  # the second replaces the first's
+            said = self.bench(*outputs, BENCH_RESULTS=self.results(calm(), deaf()), BENCH_ENDS="1")
+            self.assertEqual((said.returncode, said.stderr), (1, ""))
+        page = (self.folder / "out/page.html").read_text()
+        self.assertIn("1 of 2 cases failed", page)
+        self.assertIn("earshotd 9.8.7 (a stub), flown by hil/run with seed 1 on a virtual bus (vcan0).", page)
+        suite = ET.parse(self.folder / "out/bench/junit.xml").getroot()
+        self.assertEqual((suite.get("tests"), suite.get("failures")), ("2", "1"))
+
+    def test_until_ctrl_c_and_still_tells_of_what_was_flown(self):
+        command = [ROOT / "hil/run", "--cases", self.cases, "--earshotd", self.earshotd, "--report", "page.html"]
+        flying = subprocess.Popen(
+            list(map(str, command)),
+            cwd=self.folder,
+            env=self.environment(BENCH_ENDS="stop", BENCH_RESULTS=self.results(calm())),
+            start_new_session=True,
+        )
+        end = time.monotonic() + 60
+        while not (self.folder / "out/bench/waits").exists() and time.monotonic() < end:
+            time.sleep(0.02)
+        os.killpg(flying.pid, signal.SIGINT)
+        self.assertEqual(flying.wait(60), 130)
+        self.assertIn("All 1 cases passed", (self.folder / "page.html").read_text())
+
+
+class Loses(InAFolder):
+    def test_a_bench_that_leaves_no_results_and_takes_none_of_an_earlier_run(self):
+        self.bench(BENCH_RESULTS=self.results(calm()))
+        said = self.bench("--report", "page.html")
+        self.assertEqual(said.returncode, 3)
+        self.assertIn("earshot-bench left no out/bench/results.json", said.stderr)
+        self.assertFalse((self.folder / "page.html").exists())
+
+    def test_a_bench_that_is_killed(self):
+        said = self.bench(BENCH_ENDS="killed")
+        self.assertEqual(said.returncode, 3)
+        self.assertIn("ended with status 137", said.stderr)
+
+    def test_results_that_are_none(self):
+        bad = self.folder / "bad.json"
+        bad.write_text('{"cases": [{}]}')
+        said = self.bench(BENCH_RESULTS=str(bad))
+        self.assertEqual(said.returncode, 3)
+        self.assertIn("out/bench/results.json: not what earshot-bench writes: passed is missing", said.stderr)
+
+    def test_the_bus_when_the_bench_does(self):
+        self.assertEqual(self.bench(BENCH_ENDS="3").returncode, 3)
+        self.assertEqual(self.bench(BENCH_ENDS="2").returncode, 2)
+
+
+class Refuses(InAFolder):
+    def refused(self, *words: object) -> str:
+        said = self.bench(*words)
+        self.assertEqual((said.returncode, said.stdout), (2, ""), said.stderr)
+        self.assertFalse((self.folder / "out/bench/told.json").exists(), "it flew")
+        return said.stderr
+
+    def test_a_case_that_is_not_there_and_names_what_is_alike(self):
+        self.assertIn("clam.toml; did you mean calm?", self.refused("--case", "deaf", "clam"))
+        self.assertIn("none.toml; --list prints all", self.refused("--case", "none"))
+
+    def test_a_folder_without_cases(self):
+        self.assertIn("no such folder of cases", self.refused("--cases", self.folder / "none"))
+        self.assertIn("holds no case", self.refused("--cases", self.folder))
+
+    def test_a_bus_that_is_not_there_or_is_none(self):
+        self.assertIn("there is no such interface", self.refused("--interface", "can77"))
+        self.assertIn("there is no such interface", self.refused("--interface", "../../etc"))
+        self.assertIn("is no CAN interface", self.refused("--interface", "lo"))
+
+    def test_a_seed_that_is_no_whole_number(self):
+        for seed in ("-1", "x", "1.5", str(1 << 63)):
+            self.assertIn("is no whole number from 0 to 9223372036854775807", self.refused("--seed", seed))
+
+    def test_an_earshotd_that_is_not_there_or_has_no_bench_beside_it(self):
+        self.assertIn("none: no such program", self.refused("--earshotd", "none"))
+        self.earshotd.with_name("earshot-bench").unlink()
+        self.assertIn("it must stand beside the earshotd", self.refused())
+
+    def test_to_replace_what_is_not_its_own(self):
+        letter = self.folder / "letter"
+        for option, kind in {"--report": "an HTML page", "--junit": "a JUnit report"}.items():
+            letter.write_text("mine")
+            self.assertIn(f"letter: is not {kind}", self.refused(option, "letter"))
+            self.assertEqual(letter.read_text(), "mine")
+            self.assertIn("is no regular file", self.refused(option, "cases"))
+            self.assertIn("there is no folder", self.refused(option, "no/such/folder"))
+        self.assertIn("letter: is no folder", self.refused("--out", "letter"))
+        (self.folder / "results.json").write_text('{"mine": 1}')
+        self.assertIn("is not what earshot-bench writes", self.refused("--out", "."))
+
+    def test_a_page_of_random_cases(self):
+        self.assertIn("there is no page", self.refused("--random", "5", "--report", "page.html"))
+        self.assertIn("is no whole number from 1 to 1000000", self.refused("--random", "0"))
+
+    def test_one_file_for_two(self):
+        self.assertIn("must be three files", self.refused("--report", "a", "--junit", "a"))
+        self.assertIn("must be three files", self.refused("--report", "out/bench/results.json"))
+
+
+class Really(InAFolder):
+    def install(self, programs: Path) -> Path:
+        """As a package does, far from the tree that they were built in. Returns its earshotd."""
+        installed = self.folder / "usr/bin"
+        installed.mkdir(parents=True)
+        for name in ("earshotd", "earshot-bench", "libearshot-simulation.so"):
+            shutil.copy(programs / name, installed)
+        ocean = Path("sim/ocean/environments/munk_flat.toml")
+        shared = self.folder / "usr/share/earshot" / ocean
+        shared.parent.mkdir(parents=True)
+        shutil.copy(ROOT / ocean, shared)
+        return installed / "earshotd"
+
+    def test_flies_a_case_that_ships_and_that_of_the_readme_on_a_virtual_bus(self):
+        if not EARSHOTD:
+            self.skipTest("no EARSHOTD was named")
+        cases = self.folder / "flown"
+        cases.mkdir()
+        written = {
+            "compass_lost": (ROOT / "hil/cases/compass_lost.toml").read_text(),
+            "of_the_readme": (ROOT / "hil/README.md").read_text().split("```toml\n")[1].split("```")[0],
+        }
+        for name, text in written.items():
+            mission = f'mission = "{ROOT}/hil/missions/search_over_can.toml"\n'
+            (cases / f"{name}.toml").write_text(mission + text)
+        earshotd = self.install(Path(EARSHOTD).parent)
+        command = [ROOT / "hil/run", "--earshotd", earshotd, "--cases", cases, "--report", "page.html"]
+        command += ["--junit", "junit.xml"]
+        environment = {key: value for key, value in os.environ.items() if not key.startswith("EARSHOT_PROGRAMS")}
+        flown = subprocess.run(
+            list(map(str, command)), cwd=self.folder, env=environment, capture_output=True, text=True, check=False
+        )
+        self.assertEqual(flown.returncode, 0, flown.stdout + flown.stderr)
+        self.assertIn("rule fires", (self.folder / "page.html").read_text())
+        reported = ET.parse(self.folder / "junit.xml").getroot().iter("testcase")
+        self.assertEqual([(case.get("name"), case.find("failure")) for case in reported], [(n, None) for n in written])
+
+
+if __name__ == "__main__":
+    EARSHOTD = sys.argv.pop(1) if len(sys.argv) > 1 else ""
+    unittest.main()
