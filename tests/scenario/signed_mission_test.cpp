@@ -133,6 +133,9 @@ TEST_F(SignedMissions, AreVerifiedBeforeADive) {
             "         signed by walk.pub\n");
   EXPECT_EQ(run("earshot-verify", {"--vehicle", "vehicle.toml", "walk.policy"}), 0);
   EXPECT_EQ(printed(), "policy   walk.policy\n         signed by walk.pub\n");
+  EXPECT_EQ(run("earshotd", {"--vehicle", "vehicle.toml", "--check", "mission.toml", "--out", "."}), 0) << said();
+  EXPECT_NE(printed().find("  signed by   ops.pub, counter 5\n"), std::string::npos) << printed();
+  EXPECT_NE(printed().find("  signed by   walk.pub\n"), std::string::npos) << printed();
   ASSERT_EQ(sign(4), 0);
   EXPECT_EQ(verify(), 2);
   EXPECT_EQ(flown_last(), 4U) << "nothing has flown";
