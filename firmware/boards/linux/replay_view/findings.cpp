@@ -24,6 +24,12 @@ std::string what_is_wrong(const Playback::Difference& difference) {
   return to_string(fields_of(difference));
 }
 
+std::string damage_to_string(const ReplayResult& result, std::size_t i) {
+  const bool is_end = result.end != End::kWhole && i + 1 == result.damages.size();
+  if (!is_end) return journal_view::to_string(result.damages[i]);
+  return to_string(journal_view::TornEnd{.where = result.damages[i], .is_cut = result.end == End::kCut});
+}
+
 /// What follows a difference or a gap is not given to the runtime, which would not be as it was.
 constexpr const char* kRestIsOpen = "; what follows was not given again";
 
@@ -50,8 +56,7 @@ std::vector<std::string> findings(const ReplayResult& result) {
   std::vector<std::string> lines;
   if (result.difference) lines.push_back(to_string(*result.difference, result.began) + kRestIsOpen);
   if (result.gap) lines.push_back("record " + std::to_string(*result.gap) + " is missing" + kRestIsOpen);
-  for (std::size_t i = 0; i < std::min(kMostDamages, result.damages.size()); ++i)
-    lines.push_back(journal_view::to_string(result.damages[i]));
+  for (std::size_t i = 0; i < std::min(kMostDamages, result.damages.size()); ++i) lines.push_back(damage_to_string(result, i));
   if (result.damages.size() > kMostDamages)
     lines.push_back("and " + counted(result.damages.size() - kMostDamages, "damaged place") + " more");
   if (!result.closing && !result.difference)

@@ -105,17 +105,17 @@ Json tell_what_if(const ReplayCommand& c, const Question& question) {
     program::ProgressBar bar("what if");
     told = fly_again(c.journal, question.plan, [&bar](double done) { bar.update(done); });
   }
-  const std::vector<StepPair> pairs = paired(told.then, told.now, c.from_step);
+  const std::vector<StepPair> pairs = paired(told.then, told.now);
   program::say() << "\nthe same inputs, with " << question.words << ":\n"
-                 << where_they_part(pairs, told.began) << "\n\n"
-                 << decision_table(pairs, told.began) << "\n"
+                 << where_they_part(pairs, c.from_step, told.began) << "\n\n"
+                 << decision_table(pairs, c.from_step, told.began) << "\n"
                  << what_it_means(told, pairs);
   if (c.map) {
     const std::string title = shown(c.journal.filename()) + ": decided then, and now";
-    host::write_whole(*c.map, parting_map(told, pairs, question.plan.mission.operating_area, title));
+    host::write_whole(*c.map, parting_map(told, pairs, c.from_step, question.plan.mission.operating_area, title));
   }
   Json json{{"policy", c.policy ? Json(c.policy->string()) : Json()}, {"mission", c.mission ? Json(c.mission->string()) : Json()}};
-  json.update(what_if_json(told, pairs));
+  json.update(what_if_json(told, pairs, c.from_step));
   return json;
 }
 

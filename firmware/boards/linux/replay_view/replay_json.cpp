@@ -71,9 +71,9 @@ Json replay_json(const board::ReplayResult& result, double took_s, std::uint32_t
           {"damages", std::move(damages)}};
 }
 
-Json what_if_json(const Counterfactual& told, std::span<const StepPair> pairs) {
+Json what_if_json(const Counterfactual& told, std::span<const StepPair> pairs, std::uint32_t from_step) {
   Json steps = Json::array();
-  for (const StepPair& pair : pairs)
+  for (const StepPair& pair : from(from_step, pairs))
     steps.push_back({{"step", pair.step},
                      {"same", pair.is_same()},
                      {"then", decision_json(pair.then, told.began)},

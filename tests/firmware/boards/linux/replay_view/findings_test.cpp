@@ -63,6 +63,11 @@ TEST(Findings, NameWhatIsMissingAndDamaged) {
   EXPECT_EQ(findings(result), (Lines{"record 9 is missing; what follows was not given again",
                                      "damaged: 3 bytes from byte 100 on are no record, or do not match their checksum",
                                      "the journal's end is missing: its program was killed, lost its power, or writes it still"}));
+  result.end = host::JournalReader::End::kCut;
+  EXPECT_EQ(findings(result)[1],
+            "the journal ends in the middle of a record (3 bytes from byte 100 on): its program was stopped while it wrote");
+  result.end = host::JournalReader::End::kCorrupt;
+  EXPECT_EQ(findings(result)[1], "the end is damaged: 3 bytes from byte 100 on are no record");
   EXPECT_EQ(praise(result, 0), "every output up to there is the same, byte for byte");
 }
 
