@@ -80,6 +80,15 @@ TEST_F(ReplayCommand, SaysThatTheEndIsMissing) {
   EXPECT_EQ(errors_, journal_.string() + ": the journal's end is missing: its program was killed, lost its power, or writes it still\n");
 }
 
+TEST_F(ReplayCommand, CallsAnEndThatIsCutNoDamage) {
+  const std::uintmax_t closing = fs::file_size(journal_) - 94;
+  fs::resize_file(journal_, closing + 44);
+  EXPECT_EQ(replay({"--quiet"}), 1);
+  EXPECT_EQ(errors_, journal_.string() + ": the journal ends in the middle of a record (44 bytes from byte " + std::to_string(closing) +
+                         " on): its program was stopped while it wrote\n" + journal_.string() +
+                         ": the journal's end is missing: its program was killed, lost its power, or writes it still\n");
+}
+
 TEST_F(ReplayCommand, SaysWhatAnotherPolicyWouldHaveDecidedAndDrawsIt) {
   EXPECT_EQ(replay({"--policy", file("north.policy"), "--map", file("m.svg"), "--json", file("r.json")}), 0) << errors_;
   EXPECT_NE(said_.find("the decisions part at step 0: then at 2.0 s towards "), std::string::npos) << said_;
