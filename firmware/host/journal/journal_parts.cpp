@@ -1,6 +1,7 @@
 #include "firmware/host/journal/journal_parts.hpp"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -39,6 +40,19 @@ JournalParts::JournalParts(const std::filesystem::path& first) : first_(first), 
   while (const std::optional<Opened> part = next_part()) {
     parts_.push_back({.number = part->number, .begin = size_});
     size_ += part->file.size();
+  }
+  if (const std::optional<std::filesystem::path> journal = first_part_of(first)) refuse_part_of(*journal);
+}
+
+/// Read alone, what stands in the parts before it would seem to be lost.
+void JournalParts::refuse_part_of(const std::filesystem::path& journal) const {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(journal, error)) return;
+  const JournalParts whole(journal);
+  for (std::size_t i = 1; i < whole.parts_.size(); ++i) {
+    if (whole.path_of(i) == first_)
+      throw BadInput(first_.string() + ": is part " + std::to_string(whole.parts_[i].number) + " of the journal " + journal.string() +
+                     "; name that, and all of its parts are read");
   }
 }
 

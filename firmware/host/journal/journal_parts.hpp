@@ -18,7 +18,7 @@ namespace earshot::host {
 /// records tell.
 class JournalParts {
  public:
-  /// @throws host::BadInput naming the first file if it cannot be read or is no regular file.
+  /// @throws host::BadInput naming the first file if it cannot be read, is no regular file, or is a later part of a journal beside it.
   explicit JournalParts(const std::filesystem::path& first);
 
   /// Fills `into`; less is read only at the end of the last part. Parts that have come since are read, too. @throws host::BadInput
@@ -52,6 +52,7 @@ class JournalParts {
   /// The part behind the last that is known, if there is one.
   [[nodiscard]] std::optional<Opened> next_part() const;
   [[nodiscard]] std::optional<InputFile> open(int number) const;
+  void refuse_part_of(const std::filesystem::path& journal) const;
   [[nodiscard]] bool belongs(InputFile& file, int number) const;
   [[nodiscard]] std::size_t index_of(std::uint64_t offset) const;
 

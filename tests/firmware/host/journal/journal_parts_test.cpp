@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "tests/firmware/host/journal/journal_folder.hpp"
@@ -146,6 +147,27 @@ TEST_F(JournalPartsTest, LoseTheRecordThatADamageHitsWhereverItIsAndNoOther) {
     EXPECT_EQ(reader.damages()[0].offset, at < kBeginningBytes ? 0U : kBeginningBytes);
     flip(part(2), at);
   }
+}
+
+TEST_F(JournalPartsTest, AreReadAloneOnlyWhereTheirJournalIsNot) {
+  write(3, 1);
+  try {
+    const JournalReader reader(part(3));
+    FAIL() << "it would tell of two records that are missing";
+  } catch (const BadInput& refused) {
+    EXPECT_EQ(refused.what(),
+              part(3).string() + ": is part 3 of the journal " + path_.string() + "; name that, and all of its parts are read");
+  }
+  write(2, 5, 9, {.existing = ExistingJournal::kReplace});
+  fs::rename(path_, path_.parent_path() / "other.lcmlog");
+  write(3, 1);
+  fs::rename(path_.parent_path() / "other.lcmlog", path_);
+  JournalReader of_another(part(3));
+  JournalRecord record;
+  EXPECT_TRUE(of_another.next(record)) << "the journal beside it is another one";
+  fs::remove(path_);
+  JournalReader alone(part(3));
+  EXPECT_TRUE(alone.next(record));
 }
 
 TEST_F(JournalPartsTest, ThatAreMissingAreAGapInTheNumbers) {
