@@ -19,8 +19,8 @@ Playback::Playback(const std::filesystem::path& journal, std::uint32_t from_step
 void Playback::begin(const std::filesystem::path& path) {
   const auto refuse = [&path](const std::string& what) { return host::BadInput(path.string() + ": cannot be replayed: " + what); };
   mission_t mission{};
-  if (!file_.next(record_) || record_.number != 0 || record_.channel != wire::kMissionChannel ||
-      wire::decode(record_.data, mission) != Status::kOk)
+  if (!file_.next(record_)) throw host::BadInput(path.string() + ": not a journal: no record in it");
+  if (record_.number != 0 || record_.channel != wire::kMissionChannel || wire::decode(record_.data, mission) != Status::kOk)
     throw refuse("its first record is no mission");
   memory_.last = record_.time;
   if (!file_.next(record_) || record_.number != 1 || record_.channel != wire::kPolicyChannel)

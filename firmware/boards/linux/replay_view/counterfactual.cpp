@@ -97,7 +97,8 @@ Plan plan_of(const std::filesystem::path& journal) {
   host::JournalRecord record;
   mission_t mission{};
   const auto refuse = [&journal](const char* what) { return host::BadInput(journal.string() + ": cannot be replayed: " + what); };
-  if (!reader.next(record) || record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk)
+  if (!reader.next(record)) throw host::BadInput(journal.string() + ": not a journal: no record in it");
+  if (record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk)
     throw refuse("its first record is no mission");
   if (!reader.next(record) || record.channel != wire::kPolicyChannel) throw refuse("its second record is no policy");
   return {.mission = wire::from_message(mission), .policy = host::policy_from(record.data, journal)};

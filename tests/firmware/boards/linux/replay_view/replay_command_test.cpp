@@ -80,6 +80,14 @@ TEST_F(ReplayCommand, SaysThatTheEndIsMissing) {
   EXPECT_EQ(errors_, journal_.string() + ": the journal's end is missing: its program was killed, lost its power, or writes it still\n");
 }
 
+TEST_F(ReplayCommand, SaysThatAFileWithoutARecordIsNoJournal) {
+  std::ofstream(file("notes.txt")) << "notes of mine";
+  support::Process process(fs::path(EARSHOT_BIN_DIR) / "earshot-replay", {"notes.txt"},
+                           {.folder = folder_, .output = folder_ / "said.txt", .errors = folder_ / "errors.txt"});
+  EXPECT_EQ(process.wait(30s), 2);
+  EXPECT_EQ(support::read_text(folder_ / "errors.txt"), "notes.txt: not a journal: no record in it\n");
+}
+
 TEST_F(ReplayCommand, CallsAnEndThatIsCutNoDamage) {
   const std::uintmax_t closing = fs::file_size(journal_) - 94;
   fs::resize_file(journal_, closing + 44);
@@ -109,11 +117,14 @@ TEST_F(ReplayCommand, RefusesAPolicyOfAnotherMissionInOneLine) {
   EXPECT_EQ(said_, "");
 }
 
-TEST_F(ReplayCommand, RefusesAStepThatIsNotDecidedAndAMapOfNothing) {
+TEST_F(ReplayCommand, RefusesAStepThatIsNotDecidedAndAMapOfNothingOrOfAnotherKindThanItsNameSays) {
   EXPECT_EQ(replay({"--from", "1"}), 2);
   EXPECT_EQ(errors_, "--from 1: no such step is decided; there are 1, the first is step 0\n");
   EXPECT_EQ(replay({"--map", file("m.svg")}), 2);
   EXPECT_EQ(errors_, "--map: only with --policy or --mission\n");
+  EXPECT_EQ(replay({"--policy", file("north.policy"), "--map", file("m.png")}), 2);
+  EXPECT_NE(errors_.find("--map: the map is an SVG picture: name a file that ends with .svg"), std::string::npos) << errors_;
+  EXPECT_FALSE(fs::exists(file("m.png")));
 }
 
 TEST_F(ReplayCommand, ReplacesNothingOfAnotherKindAndNeverTheJournal) {
