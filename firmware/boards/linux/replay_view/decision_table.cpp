@@ -38,7 +38,9 @@ std::string one_way(const std::optional<decision_t>& d, Time began) {
 }
 
 std::string to_string(const Standing& standing, Time began) {
-  return journal_view::to_string(standing.health) + formatted(" (since %.1f s)", seconds_since(began, standing.since.us));
+  const bool is_by_rule = standing.rule && standing.health.end_reason == static_cast<std::int8_t>(messages::EndReason::kSafetyRule);
+  const std::string rule = is_by_rule ? ", " + journal_view::to_string(*standing.rule) : "";
+  return journal_view::to_string(standing.health) + formatted(" (since %.1f s", seconds_since(began, standing.since.us)) + rule + ")";
 }
 
 }  // namespace
@@ -74,6 +76,9 @@ std::string what_it_means(const Counterfactual& told, std::span<const StepPair> 
   if (told.steering)
     text += formatted("set-points differ from %.1f s on: ", seconds_since(told.began, told.steering->time.us)) +
             to_string(told.steering->fields) + "\n";
+  if (told.steering) {
+    for (const messages::SafetyEvent& rule : told.steering->rules) text += "now steers there: " + journal_view::to_string(rule) + "\n";
+  }
   const std::string where = told.gap ? "where record " + std::to_string(*told.gap) + " is missing" : "at the journal's end";
   text += where + ", then: " + to_string(told.then_ended, told.began) + "; now: " + to_string(told.now_ended, told.began) + "\n";
   if (told.steering || parting(pairs) != nullptr)

@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "firmware/messages/health.hpp"
 #include "tests/firmware/boards/linux/replay_view/known_decisions.hpp"
 
 namespace earshot::replay_view {
@@ -53,6 +54,23 @@ TEST(DecisionTable, SaysHowBothStoodWhereARecordIsMissing) {
   EXPECT_EQ(what_it_means(told, {}).find("at the journal's end, then: "), 0U);
   told.gap = 12782;
   EXPECT_EQ(what_it_means(told, {}).find("where record 12782 is missing, then: "), 0U);
+}
+
+TEST(DecisionTable, NamesTheRuleThatSteersAndTheOneThatEndsIt) {
+  Counterfactual told;
+  told.began = kBegan;
+  messages::SafetyEvent rule{
+      .time = kBegan, .rule = 16, .condition = config::Condition::kBattery, .begins = true, .measure = 14.9, .limit = 15};
+  rule.response = config::Response::kReturn;
+  told.steering = {.time = kBegan, .fields = {}, .rules = {rule}};
+  rule.response = config::Response::kAbort;
+  told.now_ended.since = kBegan + Duration::seconds(7);
+  told.now_ended.rule = rule;
+  told.now_ended.health.state = health_t::ABORT;
+  told.now_ended.health.end_reason = static_cast<std::int8_t>(messages::EndReason::kSafetyRule);
+  const std::string text = what_it_means(told, {});
+  EXPECT_NE(text.find("\nnow steers there: rule 17, battery_percent: 14.9, below 15.0: return\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("after 0 steps (since 7.0 s, rule 17, battery_percent: 14.9, below 15.0: abort)\n"), std::string::npos) << text;
 }
 
 TEST(DecisionTable, SaysThatItIsNoForecastOnlyWhereSomethingDiffers) {

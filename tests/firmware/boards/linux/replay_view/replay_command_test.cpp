@@ -11,6 +11,7 @@
 
 #include "tests/firmware/boards/linux/replay/random_mission.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/signed_mission.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::replay_view {
@@ -108,6 +109,22 @@ TEST_F(ReplayCommand, SaysWhatAnotherPolicyWouldHaveDecidedAndDrawsIt) {
   EXPECT_NE(json.find("\"parting_step\": 0"), std::string::npos) << json;
   EXPECT_EQ(replay({"--json", file("r.json")}), 0) << "of its own kind: " << errors_;
   EXPECT_NE(support::read_text(file("r.json")).find("\"what_if\": null"), std::string::npos);
+}
+
+TEST_F(ReplayCommand, NamesTheRuleByWhichAnotherMissionEnds) {
+  std::string mission = support::mission_of_the_walk(support::read_text(EARSHOT_SOURCE_DIR "/firmware/boards/linux/missions/search.toml"));
+  mission.insert(mission.find("file = \"walk.policy\""), "public_key_file = \"walk.pub\"\n");
+  std::ofstream(file("m.toml")) << mission << "\n[[rule]]\nwhen = \"vehicle_status_age_s\"\nabove = 3.0\nthen = \"abort\"\n";
+  EXPECT_EQ(replay({"--mission", file("m.toml"), "--json", file("r.json")}), 0) << errors_;
+  // Nine rules stand in a mission without a fence. Nobody tells of the vehicle from the second in which the search begins: three seconds
+  // are over in the sixth.
+  EXPECT_NE(
+      said_.find("now: ABORT: a safety rule ended it, after 0 steps (since 6.0 s, rule 10, vehicle_status_age_s: 4.0, above 3.0: abort)"),
+      std::string::npos)
+      << said_;
+  EXPECT_NE(said_.find("\nnow steers there: rule 10, vehicle_status_age_s: 4.0, above 3.0: abort\n"), std::string::npos) << said_;
+  EXPECT_NE(support::read_text(file("r.json")).find("\"rule\": \"rule 10, vehicle_status_age_s: 4.0, above 3.0: abort\""),
+            std::string::npos);
 }
 
 TEST_F(ReplayCommand, RefusesAPolicyOfAnotherMissionInOneLine) {
