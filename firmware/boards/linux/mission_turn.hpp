@@ -67,6 +67,8 @@ class MissionTurn final : public InputSink {
   /// Sends what the last turn said: the process that made it may not have come to it.
   runtime::Outputs say_again();
 
+  /// Of the last turn; of a mission that goes on, before its first, what the process before said last.
+  [[nodiscard]] const runtime::Outputs& outputs() const { return outputs_; }
   /// Whether something has come since the last turn that is to be answered at once, where arrivals make turns: a fix, or an order.
   [[nodiscard]] bool is_called() const { return is_called_; }
   /// Fixes taken so far, but for those without a date that the clock knows.
