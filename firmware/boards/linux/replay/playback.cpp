@@ -55,7 +55,10 @@ std::optional<wire::ClosingRecord> Playback::closing() {
 }
 
 bool Playback::take(const host::JournalRecord& record) {
-  if (record.channel == wire::kJournalEndChannel) return false;
+  if (record.channel == wire::kJournalEndChannel) {
+    if (is_comparing_ && is_compared()) compare_end(record);
+    return false;
+  }
   ++next_number_;
   if (record.channel == wire::kJournalResumedChannel && is_compared()) return true;
   messages::Input input;
@@ -82,8 +85,8 @@ void Playback::step(Time now) {
   expected_.clear();
   compared_ = 0;
   const bool is_new_state = memory_.recorded_state != outputs_.health.state;
-  for_each_record(now, outputs_, is_new_state, [this](std::string_view channel, const auto& message, host::Weight weight) {
-    expected_.push_back({channel, wire::Encoded(message), weight});
+  for_each_record(now, outputs_, is_new_state, [this, now](std::string_view channel, const auto& message, host::Weight weight) {
+    expected_.push_back({.channel = channel, .message = wire::Encoded(message), .weight = weight, .time = now});
   });
   memory_.note(now, outputs_);
   ++turns_;
@@ -94,7 +97,24 @@ void Playback::step(Time now) {
 bool Playback::is_as_expected(const host::JournalRecord& record) {
   if (is_compared()) return false;
   const Unwritten& expected = expected_[compared_++];
-  return expected.channel == record.channel && std::ranges::equal(expected.message.bytes(), record.data);
+  return expected.channel == record.channel && expected.time == record.time && std::ranges::equal(expected.message.bytes(), record.data);
+}
+
+void Playback::compare_end(const host::JournalRecord& record) {
+  wire::ClosingRecord told;
+  if (wire::read_closing_record(record.data, told) != Status::kOk) return;
+  const messages::Health& health = outputs_.health;
+  wire::ClosingRecord now = told;  // why its program ended, and what the disk did not take, only the journal knows
+  now.state = health.state;
+  now.end_reason = health.end_reason;
+  now.steps_taken = health.steps_taken;
+  if (now == told) return;
+  difference_ = {
+      .record = record.number,
+      .channel = record.channel,
+      .time = record.time,
+      .data = record.data,
+      .now = Unwritten{.channel = wire::kJournalEndChannel, .message = encoded(now), .weight = host::Weight::kOrder, .time = record.time}};
 }
 
 }  // namespace earshot::board

@@ -33,8 +33,9 @@ class Playback {
     std::string_view channel;
     wire::Encoded message;
     host::Weight weight;
+    Time time;  ///< of its turn, which every record of it bears
   };
-  /// A record that the runtime does not give again, byte for byte.
+  /// A record that the runtime does not give again, byte for byte; or a closing record that tells of another end.
   struct Difference {
     std::uint32_t record = 0;  ///< its number
     std::string channel;
@@ -79,6 +80,8 @@ class Playback {
   /// Of the last turn nothing is left to be found in the journal.
   [[nodiscard]] bool is_compared() const { return compared_ == expected_.size(); }
   [[nodiscard]] bool is_as_expected(const host::JournalRecord& record);
+  /// Whether the closing record says how the mission stood after its last turn.
+  void compare_end(const host::JournalRecord& record);
 
   host::JournalReader file_;
   std::uint32_t from_step_;

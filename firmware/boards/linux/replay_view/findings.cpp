@@ -30,6 +30,14 @@ std::string damage_to_string(const ReplayResult& result, std::size_t i) {
   return to_string(journal_view::TornEnd{.where = result.damages[i], .is_cut = result.end == End::kCut});
 }
 
+/// Of the record, as the journal's files for other programs name it.
+FieldDifference date_difference(Time then, Time now) {
+  constexpr int kMicroseconds = 6;
+  return {.field = "time_s",
+          .then = journal_view::decimal(journal_view::seconds_of(then), kMicroseconds),
+          .now = journal_view::decimal(journal_view::seconds_of(now), kMicroseconds)};
+}
+
 /// What follows a difference or a gap is not given to the runtime, which would not be as it was.
 constexpr const char* kRestIsOpen = "; what follows was not given again";
 
@@ -43,7 +51,9 @@ std::string figures(const ReplayResult& result, double took_s) {
 
 std::vector<FieldDifference> fields_of(const Playback::Difference& difference) {
   if (!difference.now || difference.now->channel != difference.channel) return {};
-  return field_differences(difference.channel, difference.data, difference.now->message.bytes());
+  std::vector<FieldDifference> differences = field_differences(difference.channel, difference.data, difference.now->message.bytes());
+  if (difference.time != difference.now->time) differences.push_back(date_difference(difference.time, difference.now->time));
+  return differences;
 }
 
 std::string to_string(const Playback::Difference& difference, Time began) {

@@ -123,8 +123,10 @@ TEST_F(Replay, FromALaterStepOnPassesOverADifferenceBeforeItAndFindsOneBehindIt)
 }
 
 TEST_F(Replay, TellsAJournalThatWasEndedInOrderFromOneWhoseEndIsMissing) {
-  const wire::ClosingRecord said{.time = Time{7}, .ending = wire::Ending::kMissionOver, .steps_taken = 5};
-  fly_random_mission(1, path_, 30, said);
+  Vessel vessel(walking_mission(1), path_);
+  vessel.live_through(RandomScript(1).turns(30));
+  const wire::ClosingRecord said = vessel.standing();
+  vessel.end(said);
   const ReplayResult whole = replay(path_);
   EXPECT_TRUE(whole.is_same());
   EXPECT_EQ(whole.closing, said);
@@ -134,6 +136,42 @@ TEST_F(Replay, TellsAJournalThatWasEndedInOrderFromOneWhoseEndIsMissing) {
   EXPECT_EQ(killed.end, host::JournalReader::End::kWhole);
   EXPECT_EQ(killed.turns, whole.turns);
   EXPECT_FALSE(killed.closing);
+}
+
+TEST_F(Replay, FindsAnOutputThatIsDatedAnInstantBehindItsTurn) {
+  fly_random_mission(1, path_, 30);
+  const fs::path forged = folder_ / "forged";
+  std::uint32_t number = 0;
+  Time turn;
+  {
+    host::Journal journal(forged);
+    host::JournalReader reader(path_);
+    for (host::JournalRecord record; reader.next(record);) {
+      if (record.channel == "EARSHOT_HEALTH" && number == 0) {
+        number = record.number;
+        turn = record.time;
+        record.time = record.time + Duration{1};
+      }
+      ASSERT_EQ(journal.append(record.time, record.channel, record.data), Status::kOk);
+    }
+  }
+  const ReplayResult result = replay(forged);
+  ASSERT_TRUE(result.difference);
+  EXPECT_EQ(result.difference->record, number);
+  ASSERT_TRUE(result.difference->now);
+  EXPECT_EQ(result.difference->now->time, turn);
+}
+
+TEST_F(Replay, FindsAClosingRecordThatTellsOfAnotherEnd) {
+  Vessel vessel(walking_mission(1), path_);
+  vessel.live_through(RandomScript(1).turns(30));
+  wire::ClosingRecord said = vessel.standing();
+  ++said.steps_taken;
+  vessel.end(said);
+  const ReplayResult result = replay(path_);
+  ASSERT_TRUE(result.difference);
+  EXPECT_EQ(result.difference->channel, "EARSHOT_JOURNAL_END");
+  EXPECT_EQ(result.closing, said);
 }
 
 TEST_F(Replay, FindsRecordsThatAreMissingAtTheEndByTheNumberOfTheClosingRecord) {
