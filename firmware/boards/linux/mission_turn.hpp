@@ -90,7 +90,7 @@ class MissionTurn final : public InputSink {
   host::Journal& journal_;
   Clock& clock_;
   TurnMemory memory_;
-  Time journal_report_due_;
+  Time journal_up_due_;       ///< not before is it told that the disk takes the journal again
   runtime::Outputs outputs_;  ///< of the last turn
   bool is_called_ = false;
   bool is_ahead_always_ = false;
