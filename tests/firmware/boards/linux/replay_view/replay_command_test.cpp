@@ -40,7 +40,7 @@ class ReplayCommand : public ::testing::Test {
   ReplayCommand() {
     board::Vessel vessel(board::walking_mission(kSeed), journal_);
     vessel.live_through(script());
-    vessel.end(wire::ClosingRecord{});
+    vessel.end(vessel.standing());
     policy::FrozenPolicy north = board::walk();
     north.draw = policy::ActionDraw::kArgmax;  // of logits that are all the same: the first action, north
     support::write_bytes(folder_ / "north.policy", support::signed_bytes(north));
