@@ -133,6 +133,11 @@ void JournalParts::go_to(std::uint64_t offset) {
   file_.go_to(position_);
 }
 
+int JournalParts::missing_before(std::uint64_t offset) const {
+  const std::size_t index = index_of(offset);
+  return index == 0 ? 0 : parts_[index].number - parts_[index - 1].number - 1;
+}
+
 JournalParts::Place JournalParts::place_of(std::uint64_t offset) const {
   const std::size_t index = index_of(offset);
   return {.part = parts_[index].number, .file = path_of(index), .offset = offset - parts_[index].begin};

@@ -38,6 +38,8 @@ class JournalParts {
   /// Between two parts: behind the first of them.
   [[nodiscard]] Place place_of(std::uint64_t offset) const;
   [[nodiscard]] bool are_several() const { return parts_.size() > 1; }
+  /// How many parts are missing right before the one where a byte of all lies.
+  [[nodiscard]] int missing_before(std::uint64_t offset) const;
 
  private:
   struct Part {

@@ -88,8 +88,7 @@ std::string to_string(const decision_t& m) {
   const NorthEast place{Meters{m.north_m}, Meters{m.east_m}};
   const NorthEast waypoint{Meters{m.waypoint_north_m}, Meters{m.waypoint_east_m}};
   const NorthEast leg = waypoint - place;
-  std::string bearing = decimal(compass_degrees(bearing_of(leg.north.value, leg.east.value)), 0);
-  if (bearing == "360") bearing = "0";
+  std::string bearing = compass(bearing_of(leg.north.value, leg.east.value), 0);
   bearing.insert(0, bearing.size() < 3 ? 3 - bearing.size() : 0, '0');
   std::string text = "step " + std::to_string(m.step) + ": SNR " + (m.too_faint != 0 ? "below " : "") + decimal(m.snr_db, 1) + " dB" +
                      (m.detected != 0 ? ", heard" : ", not heard") + "; from " + to_string(place) + " goes " +
@@ -143,12 +142,23 @@ std::string to_string(const journal_resumed_t& resumed) {
          counted(static_cast<std::uint64_t>(resumed.cut_bytes), "byte") + " that it left behind were cut off";
 }
 
+namespace {
+
+std::string why_missing(const MissingRecords& missing) {
+  if (missing.parts == 1) return ": part " + std::to_string(missing.first_part) + " of the journal is not there";
+  if (missing.parts > 1)
+    return ": parts " + std::to_string(missing.first_part) + " to " + std::to_string(missing.first_part + missing.parts - 1) +
+           " of the journal are not there";
+  return missing.was_damaged ? ", where the file is damaged" : ": the disk was full or too slow";
+}
+
+}  // namespace
+
 std::string to_string(const MissingRecords& missing) {
   const std::string which = missing.count == 1
                                 ? "number " + std::to_string(missing.first)
                                 : "numbers " + std::to_string(missing.first) + " to " + std::to_string(missing.first + missing.count - 1);
-  return counted(missing.count, "record") + (missing.count == 1 ? " is" : " are") + " missing, " + which +
-         (missing.was_damaged ? ", where the file is damaged" : ": the disk was full or too slow");
+  return counted(missing.count, "record") + (missing.count == 1 ? " is" : " are") + " missing, " + which + why_missing(missing);
 }
 
 std::string to_string(const DamagedBytes& damage) {
