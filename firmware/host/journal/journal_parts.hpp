@@ -13,7 +13,7 @@
 namespace earshot::host {
 
 /// The parts of a journal, read as if they were one file. A later part begins with a record that names its number and the checksum of the
-/// journal's first record (journal_part_t); one that names another belongs to an earlier journal of that name, and ends the reading. A part
+/// journal's first record (journal_part_t); one that names another is an earlier journal's, and counts as missing. A part
 /// whose beginning is damaged is taken for one of the journal's. Where a part is missing it is read on at the next: the numbers of the
 /// records tell.
 class JournalParts {
