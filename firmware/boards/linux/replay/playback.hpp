@@ -20,6 +20,10 @@
 
 namespace earshot::board {
 
+/// The runtime asserts that time is not negative, and adds to it.
+/// @throws host::BadInput naming the record that bears a date which no clock of Earshot gives.
+void require_possible_date(const std::filesystem::path& journal, const host::JournalRecord& record);
+
 /// A journal given to a fresh runtime again, record by record: its inputs are taken, and its outputs compared with what the runtime says.
 class Playback {
  public:
@@ -48,10 +52,12 @@ class Playback {
   /// @throws host::BadInput when the file cannot be read, does not begin with a mission and its policy, or this build cannot fly them.
   explicit Playback(const std::filesystem::path& journal, std::uint32_t from_step = 0);
 
-  /// One record more. False: the end, a difference or a gap; what stands behind is looked at by end_of_file().
+  /// One record more. False: the end, a difference or a gap. @throws host::BadInput as require_possible_date()
   [[nodiscard]] bool next();
   /// The last record of a journal that was ended in order, wherever the playback stopped.
   [[nodiscard]] std::optional<wire::ClosingRecord> closing();
+  /// Reads the file to its end. @return how many records stand behind the one that ends the journal: another journal's, or forged ones
+  [[nodiscard]] std::size_t records_behind_end();
 
   [[nodiscard]] const Beginning& beginning() const { return beginning_; }
   [[nodiscard]] const host::JournalReader& file() const { return file_; }
@@ -83,6 +89,7 @@ class Playback {
   /// Whether the closing record says how the mission stood after its last turn.
   void compare_end(const host::JournalRecord& record);
 
+  std::filesystem::path path_;
   host::JournalReader file_;
   std::uint32_t from_step_;
   bool is_comparing_ = from_step_ == 0;

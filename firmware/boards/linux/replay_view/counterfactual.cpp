@@ -6,6 +6,7 @@
 #include "earshot/mission_t.hpp"
 #include "earshot/safety_event_t.hpp"
 #include "earshot/setpoint_t.hpp"
+#include "firmware/boards/linux/replay/playback.hpp"
 #include "firmware/boards/linux/replay_view/thinned_track.hpp"
 #include "firmware/config/safety.hpp"
 #include "firmware/host/file/bad_input.hpp"
@@ -129,6 +130,7 @@ Counterfactual fly_again(const std::filesystem::path& journal, const Plan& plan,
       gap = number;
       break;
     }
+    board::require_possible_date(journal, record);
     flight.take(record);
     if (progress && number % kBetweenUpdates == 0)
       progress(static_cast<double>(reader.offset()) / static_cast<double>(reader.file_size() + 1));

@@ -66,6 +66,9 @@ std::vector<std::string> findings(const ReplayResult& result) {
   std::vector<std::string> lines;
   if (result.difference) lines.push_back(to_string(*result.difference, result.began) + kRestIsOpen);
   if (result.gap) lines.push_back("record " + std::to_string(*result.gap) + " is missing" + kRestIsOpen);
+  if (result.records_behind_end > 0)
+    lines.push_back("behind the record that ends the journal: " + counted(result.records_behind_end, "record") +
+                    " of something else, not given again");
   for (std::size_t i = 0; i < std::min(kMostDamages, result.damages.size()); ++i) lines.push_back(damage_to_string(result, i));
   if (result.damages.size() > kMostDamages)
     lines.push_back("and " + counted(result.damages.size() - kMostDamages, "damaged place") + " more");
@@ -75,7 +78,7 @@ std::vector<std::string> findings(const ReplayResult& result) {
 }
 
 std::string praise(const ReplayResult& result, std::uint32_t from_step) {
-  const bool is_all = result.is_same() && result.closing && result.damages.empty();
+  const bool is_all = result.is_same() && result.closing && result.records_behind_end == 0 && result.damages.empty();
   const std::string which = from_step == 0 ? "every output" : "every output from step " + std::to_string(from_step) + " on";
   return which + (is_all ? "" : " up to there") + " is the same, byte for byte";
 }

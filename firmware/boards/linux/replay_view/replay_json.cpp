@@ -60,7 +60,7 @@ Json replay_json(const board::ReplayResult& result, double took_s, std::uint32_t
     if (!damage.part.empty()) damages.back()["file"] = damage.part;
   }
   return {{"same", !result.difference},
-          {"whole", !result.gap && result.closing.has_value() && result.damages.empty()},
+          {"whole", !result.gap && result.closing.has_value() && result.records_behind_end == 0 && result.damages.empty()},
           {"from_step", from_step},
           {"inputs", result.inputs},
           {"turns", result.turns},
@@ -70,6 +70,7 @@ Json replay_json(const board::ReplayResult& result, double took_s, std::uint32_t
           {"difference", std::move(difference)},
           {"first_missing_record", or_null(result.gap)},
           {"ended_in_order", result.closing.has_value()},
+          {"records_behind_end", result.records_behind_end},
           {"damages", std::move(damages)}};
 }
 

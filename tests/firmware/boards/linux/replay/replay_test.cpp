@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -191,6 +192,44 @@ TEST_F(Replay, FindsRecordsThatAreMissingAtTheEndByTheNumberOfTheClosingRecord) 
   const ReplayResult result = replay(path_);
   EXPECT_EQ(result.gap, begins.size() - 3);
   EXPECT_TRUE(result.closing);
+}
+
+TEST_F(Replay, TellsOfBytesAndOfAnotherFlightBehindTheRecordThatEndsTheJournal) {
+  fly_random_mission(1, path_, 30, wire::ClosingRecord{.time = Time{7}, .steps_taken = 5});
+  std::ifstream file(path_, std::ios::binary);
+  const std::vector<std::uint8_t> alone{std::istreambuf_iterator<char>(file), {}};
+  std::size_t records = 0;
+  host::JournalReader reader(path_);
+  for (host::JournalRecord record; reader.next(record);) ++records;
+  std::vector<std::uint8_t> twice = alone;
+  twice.insert(twice.end(), alone.begin(), alone.end());
+  twice[twice.size() - 1] ^= 1U;  // in the last record of the second, which is none then: 28 + 19 + 47 bytes
+  support::write_bytes(path_, twice);
+  const ReplayResult result = replay(path_);
+  EXPECT_TRUE(result.is_same());
+  ASSERT_TRUE(result.closing);
+  EXPECT_EQ(result.closing->steps_taken, 5U);
+  EXPECT_EQ(result.records_behind_end, records - 1);
+  EXPECT_EQ(result.end, host::JournalReader::End::kCorrupt);
+  ASSERT_EQ(result.damages.size(), 1U);
+  EXPECT_EQ(result.damages[0].offset, twice.size() - 94);
+  EXPECT_EQ(result.damages[0].bytes, 94U);
+}
+
+TEST_F(Replay, RefusesATurnThatIsDatedBeforeAllClocksOrBehindThem) {
+  fly_random_mission(1, path_, 30);
+  for (const std::int64_t date_us : {std::int64_t{-1}, (std::int64_t{1} << 55U) + 1, std::numeric_limits<std::int64_t>::max()}) {
+    const fs::path forged = folder_ / "forged";
+    {
+      host::Journal journal(forged, {.existing = host::ExistingJournal::kReplace});
+      host::JournalReader reader(path_);
+      for (host::JournalRecord record; reader.next(record);) {
+        const Time time = record.channel == "EARSHOT_HEALTH" ? Time{date_us} : record.time;
+        ASSERT_EQ(journal.append(time, record.channel, record.data), Status::kOk);
+      }
+    }
+    EXPECT_THROW((void)replay(forged), host::BadInput) << date_us;
+  }
 }
 
 TEST_F(Replay, RefusesAJournalThatDoesNotBeginWithItsMission) {

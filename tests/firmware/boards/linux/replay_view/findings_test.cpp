@@ -84,5 +84,12 @@ TEST(Findings, NameWhatIsMissingAndDamaged) {
   EXPECT_EQ(praise(result, 0), "every output up to there is the same, byte for byte");
 }
 
+TEST(Findings, NameWhatStandsBehindTheEnd) {
+  board::ReplayResult result = whole();
+  result.records_behind_end = 1;
+  EXPECT_EQ(findings(result), Lines{"behind the record that ends the journal: 1 record of something else, not given again"});
+  EXPECT_EQ(praise(result, 0), "every output up to there is the same, byte for byte");
+}
+
 }  // namespace
 }  // namespace earshot::replay_view
