@@ -143,4 +143,10 @@ JournalParts::Place JournalParts::place_of(std::uint64_t offset) const {
   return {.part = parts_[index].number, .file = path_of(index), .offset = offset - parts_[index].begin};
 }
 
+std::vector<std::filesystem::path> JournalParts::files() const {
+  std::vector<std::filesystem::path> files;
+  for (std::size_t i = 0; i < parts_.size(); ++i) files.push_back(path_of(i));
+  return files;
+}
+
 }  // namespace earshot::host

@@ -13,7 +13,7 @@
 namespace earshot::host {
 
 /// The parts of a journal, read as if they were one file. A later part begins with a record that names its number and the checksum of the
-/// journal's first record (journal_part_t); one that names another is an earlier journal's, and counts as missing. A part
+/// journal's first record (journal_part_t); one that names another belongs to an earlier journal of that name, and is passed over. A part
 /// whose beginning is damaged is taken for one of the journal's. Where a part is missing it is read on at the next: the numbers of the
 /// records tell.
 class JournalParts {
@@ -40,6 +40,8 @@ class JournalParts {
   [[nodiscard]] bool are_several() const { return parts_.size() > 1; }
   /// How many parts are missing right before the one where a byte of all lies.
   [[nodiscard]] int missing_before(std::uint64_t offset) const;
+  /// Of the parts that are known, the first before the others.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
  private:
   struct Part {

@@ -116,8 +116,35 @@ TEST_F(JournalPartsTest, AreKeptWithTheirJournalWhoseNumberNobodyElseGets) {
 TEST_F(JournalPartsTest, AreNotWrittenOverWhatStandsInTheirPlace) {
   std::ofstream(part(2)) << "somebody's notes";
   write(6, 2);
-  EXPECT_EQ(numbers().size(), 6U) << "the first is written on";
+  EXPECT_EQ(numbers().size(), 6U);
   EXPECT_EQ(fs::file_size(part(2)), 16U);
+  EXPECT_EQ(fs::file_size(path_), 2 * kRecordBytes);
+  EXPECT_TRUE(fs::exists(part(4))) << "the next number is taken";
+}
+
+TEST_F(JournalPartsTest, OfAnotherJournalStayWhereThisOneIsCut) {
+  write(4, 2, 100);
+  const fs::path other = folder_ / "other";
+  fs::rename(part(2), other);
+  write(2, 2, 1, {.existing = ExistingJournal::kReplace});
+  fs::rename(other, part(2));
+  JournalFile file(path_, ExistingJournal::kGoOn);
+  file.cut(kRecordBytes);
+  EXPECT_EQ(fs::file_size(part(2)), kBeginningBytes + 2 * kRecordBytes);
+  {
+    Journal journal(std::move(file), 1);
+    journal.begin_part();
+    ASSERT_EQ(journal.append(Time{9}, "PARTS", Bytes(67, 9)), Status::kOk);
+  }
+  EXPECT_EQ(fs::file_size(part(3)), kBeginningBytes + kRecordBytes);
+  EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{0, 1}));
+}
+
+TEST_F(JournalPartsTest, ThatAPowerCutLeftEmptyOfContentAreGoneWhereTheJournalIsCut) {
+  write(2, 2);
+  std::ofstream(part(2)) << std::string(90, '\0');
+  JournalFile(path_, ExistingJournal::kGoOn).cut(2 * kRecordBytes);
+  EXPECT_FALSE(fs::exists(part(2)));
 }
 
 TEST_F(JournalPartsTest, LoseTheRecordThatADamageHitsWhereverItIsAndNoOther) {
