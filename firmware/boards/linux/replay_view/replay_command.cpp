@@ -19,6 +19,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
@@ -39,7 +40,7 @@ void judge_outputs(const ReplayCommand& c) {
   const bool asks_what_if = c.policy || c.mission;
   if (c.map && !asks_what_if) throw host::BadInput("--map: only with --policy or --mission");
   host::DistinctFiles files;
-  files.read(c.journal);
+  for (const std::filesystem::path& part : host::JournalParts(c.journal).files()) files.read(part);
   if (c.policy) files.read(*c.policy);
   if (c.mission) files.read(*c.mission);
   if (c.map) files.write(*c.map);

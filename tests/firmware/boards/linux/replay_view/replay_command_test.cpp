@@ -152,6 +152,9 @@ TEST_F(ReplayCommand, ReplacesNothingOfAnotherKindAndNeverTheJournal) {
   const std::string before = support::read_text(journal_);
   EXPECT_EQ(replay({"--json", journal_.string(), "--force"}), 2);
   EXPECT_EQ(support::read_text(journal_), before);
+  std::ofstream(file("journal.part2.lcmlog")) << "a part whose beginning is damaged";
+  EXPECT_EQ(replay({"--json", file("journal.part2.lcmlog"), "--force"}), 2);
+  EXPECT_EQ(support::read_text(file("journal.part2.lcmlog")), "a part whose beginning is damaged");
 }
 
 }  // namespace
