@@ -214,6 +214,54 @@ TEST_F(Resuming, RefusesAJournalThatLacksARecordBeforeItsEnd) {
       << refusal();
 }
 
+TEST_F(Resuming, GoesOnBeforeARecordThatAPowerCutToreOutOfTheLastSecondUnlessAnOrderARuleOrAChangeOfStateStandsBehindIt) {
+  std::size_t resumed = 0;
+  std::size_t refused = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    fly_whole(seed);
+    // Of a health record the byte of the state is 30: it follows fingerprint, date and turn (8 each), decisions (4), authority
+    // and pause (1 each).
+    const auto state_before = [&](std::size_t i) {
+      while (records_[--i].channel != wire::kHealthChannel) {
+      }
+      return records_[i].data[30];
+    };
+    bool is_light = true;
+    for (std::size_t i = records_.size() - 1; i-- > records_.size() - 12;) {
+      const Said& behind = records_[i + 1];
+      is_light = is_light && !behind.channel.starts_with("EARSHOT_OPERATOR_COMMAND") &&
+                 behind.channel != "EARSHOT_COMMAND_ACKNOWLEDGEMENT" && behind.channel != "EARSHOT_SAFETY_EVENT";
+      bool is_state_kept = true;
+      for (std::size_t k = i + 1; k < records_.size(); ++k)
+        is_state_kept = is_state_kept && (records_[k].channel != wire::kHealthChannel || records_[k].data[30] == state_before(i));
+      Bytes torn = bytes_;
+      std::fill(torn.begin() + static_cast<std::ptrdiff_t>(records_[i - 1].end),
+                torn.begin() + static_cast<std::ptrdiff_t>(records_[i].end), std::uint8_t{0});
+      support::write_bytes(cut_, torn);
+      const bool is_of_last_second = records_.back().time - records_[i - 1].time <= Duration::seconds(1);
+      if (!is_light || !is_state_kept || !is_of_last_second) {
+        EXPECT_NE(refusal().find("records are missing from number " + std::to_string(i) + " on"), std::string::npos)
+            << "seed " << seed << ", record " << i << refusal();
+        ++refused;
+        continue;
+      }
+      const std::optional<Resumption> found = resume_from(GoOnAfter::kLastInput);
+      leave(records_[i - 1].end);
+      const std::optional<Resumption> cut = resume_from(GoOnAfter::kLastInput);
+      ASSERT_TRUE(found && cut) << "seed " << seed << ", record " << i;
+      EXPECT_EQ(found->kept_bytes, records_[i - 1].end);
+      EXPECT_EQ(found->cut_bytes, bytes_.size() - records_[i - 1].end);
+      EXPECT_EQ(found->next_number, i);
+      EXPECT_EQ(found->last.health.turn, cut->last.health.turn);
+      EXPECT_EQ(found->memory.inputs, cut->memory.inputs);
+      EXPECT_EQ(found->unwritten.size(), cut->unwritten.size());
+      ++resumed;
+    }
+  }
+  EXPECT_GT(resumed, 40U);
+  EXPECT_GT(refused, 40U);
+}
+
 TEST_F(Resuming, RefusesAJournalWhoseOutputsThisBuildDoesNotGiveAgain) {
   fly_whole(1);
   const fs::path forged = cut_;
