@@ -30,9 +30,17 @@ std::vector<std::uint8_t> first_record(InputFile& file) {
   return is_whole ? bytes : std::vector<std::uint8_t>();
 }
 
+/// The other parts stand beside the file that a link leads to.
+std::filesystem::path linked_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(path, error)) return path;
+  std::filesystem::path file = std::filesystem::canonical(path, error);
+  return error ? path : file;
+}
+
 }  // namespace
 
-JournalParts::JournalParts(const std::filesystem::path& first) : first_(first), file_(first, kAnySize) {
+JournalParts::JournalParts(const std::filesystem::path& first) : first_(linked_file(first)), file_(first, kAnySize) {
   if (const std::vector<std::uint8_t> record = first_record(file_); !record.empty())
     id_ = static_cast<std::uint32_t>(load(std::span(record).subspan(4, 4)));
   file_.go_to(0);

@@ -126,6 +126,7 @@ std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, c
   const std::optional<std::filesystem::path> newest = host::newest_journal(wanted);
   if (!newest) return std::nullopt;
   (void)host::JournalReader(*newest);  // refuses what is no regular file, before it is opened for writing
+  if (std::filesystem::is_symlink(*newest)) throw refusal(*newest, "it is a link, and later parts would be written beside that");
   host::JournalFile file(*newest, host::ExistingJournal::kGoOn);
   std::optional<Resumption> before = resume(*newest, flown, after);
   if (!before) return std::nullopt;

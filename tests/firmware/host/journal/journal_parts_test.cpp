@@ -78,6 +78,16 @@ TEST_F(JournalPartsTest, AreReadAsOneJournalWhoseNumbersGoOn) {
   EXPECT_EQ(reader.offset(), reader.file_size());
 }
 
+TEST_F(JournalPartsTest, AreReadThroughALinkToTheFirst) {
+  write(4, 2);
+  fs::create_directory(folder_ / "elsewhere");
+  fs::create_symlink(fs::path("..") / path_.filename(), folder_ / "elsewhere" / "link");
+  JournalReader reader(folder_ / "elsewhere" / "link");
+  std::size_t count = 0;
+  for (JournalRecord record; reader.next(record);) ++count;
+  EXPECT_EQ(count, 4U);
+}
+
 TEST_F(JournalPartsTest, BeginWhenOneIsFull) {
   {
     Journal journal(path_, {.limits = {.part_bytes = 250}});

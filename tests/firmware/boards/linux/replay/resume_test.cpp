@@ -302,6 +302,17 @@ TEST_F(Resuming, FindsTheNewestJournalCutsItToWhatIsKeptAndRefusesAClockThatIsBe
   EXPECT_FALSE(fs::exists(cut_)) << "the older one shares its budget";
 }
 
+TEST_F(Resuming, RefusesALinkToAJournal) {
+  fly_whole(1);
+  fs::create_symlink(whole_, cut_);
+  const Playback::Beginning flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes())};
+  const auto find = [&] { return find_unfinished(cut_, flown, GoOnAfter::kLastInput, records_.back().time); };
+  EXPECT_THROW((void)find(), host::BadInput);
+  fs::remove(cut_);
+  leave(bytes_.size());
+  EXPECT_TRUE(find());
+}
+
 TEST_F(Resuming, FindsNothingInAnEmptyFolder) {
   EXPECT_FALSE(find_unfinished(cut_, {}, GoOnAfter::kLastInput, Time{}));
 }
