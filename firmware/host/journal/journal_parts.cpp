@@ -30,6 +30,17 @@ std::vector<std::uint8_t> first_record(InputFile& file) {
   return is_whole ? bytes : std::vector<std::uint8_t>();
 }
 
+/// What the first record of a later part says. Nothing: it is no such record.
+std::optional<journal_part_t> beginning_of_part(std::span<const std::uint8_t> record) {
+  if (record.empty()) return std::nullopt;
+  const std::size_t channel_size = load(record.subspan(20, 4));
+  const std::string_view channel(reinterpret_cast<const char*>(record.data()) + kRecordHeaderSize, channel_size);
+  journal_part_t beginning{};
+  if (channel != wire::kJournalPartChannel || wire::decode(record.subspan(kRecordHeaderSize + channel_size), beginning) != Status::kOk)
+    return std::nullopt;
+  return beginning;
+}
+
 /// The other parts stand beside the file that a link leads to.
 std::filesystem::path linked_file(const std::filesystem::path& path) {
   std::error_code error;
@@ -95,13 +106,24 @@ std::optional<InputFile> JournalParts::open(int number) const {
 bool JournalParts::belongs(InputFile& file, int number) const {
   const std::vector<std::uint8_t> record = first_record(file);
   if (record.empty()) return true;
-  const std::size_t channel_size = load(std::span(record).subspan(20, 4));
-  const std::string_view channel(reinterpret_cast<const char*>(record.data()) + kRecordHeaderSize, channel_size);
-  journal_part_t beginning{};
-  if (channel != wire::kJournalPartChannel ||
-      wire::decode(std::span(record).subspan(kRecordHeaderSize + channel_size), beginning) != Status::kOk)
-    return false;
-  return beginning.part == number && (!id_ || static_cast<std::uint32_t>(beginning.first_record_crc32) == *id_);
+  const std::optional<journal_part_t> beginning = beginning_of_part(record);
+  return beginning && beginning->part == number && (!id_ || static_cast<std::uint32_t>(beginning->first_record_crc32) == *id_);
+}
+
+std::optional<std::filesystem::path> JournalParts::misplaced() const {
+  for (const JournalName& name : journals_beside(first_)) {
+    const std::filesystem::path path = part_of(first_, name.part);
+    std::error_code error;
+    if (name.journal != 1 || name.part == 1 || !id_ || !std::filesystem::is_regular_file(path, error)) continue;
+    try {
+      InputFile file(path, kAnySize);
+      const std::optional<journal_part_t> beginning = beginning_of_part(first_record(file));
+      if (beginning && beginning->part != name.part && static_cast<std::uint32_t>(beginning->first_record_crc32) == *id_) return path;
+    } catch (const BadInput&) {
+      continue;  // what cannot be read is none of its parts
+    }
+  }
+  return std::nullopt;
 }
 
 std::size_t JournalParts::read(std::span<std::uint8_t> into) {

@@ -40,6 +40,8 @@ class JournalParts {
   [[nodiscard]] bool are_several() const { return parts_.size() > 1; }
   /// How many parts are missing right before the one where a byte of all lies.
   [[nodiscard]] int missing_before(std::uint64_t offset) const;
+  /// A part of this journal that bears another part's name, and is not read. Nothing: there is none.
+  [[nodiscard]] std::optional<std::filesystem::path> misplaced() const;
   /// Of the parts that are known, the first before the others.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
 

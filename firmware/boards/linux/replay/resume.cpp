@@ -10,6 +10,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_name.hpp"
+#include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 
@@ -127,6 +128,8 @@ std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, c
   if (!newest) return std::nullopt;
   (void)host::JournalReader(*newest);  // refuses what is no regular file, before it is opened for writing
   if (std::filesystem::is_symlink(*newest)) throw refusal(*newest, "it is a link, and later parts would be written beside that");
+  if (const std::optional<std::filesystem::path> misplaced = host::JournalParts(*newest).misplaced())
+    throw refusal(*newest, misplaced->filename().string() + " is a part of it that bears another part's name");
   host::JournalFile file(*newest, host::ExistingJournal::kGoOn);
   std::optional<Resumption> before = resume(*newest, flown, after);
   if (!before) return std::nullopt;

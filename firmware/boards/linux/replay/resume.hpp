@@ -50,7 +50,8 @@ struct Unfinished {
 
 /// The newest of the journals that are numbered after `wanted`, when its mission goes on. Nobody else writes it meanwhile.
 /// @param now  on the mission clock; one that begins at 0 in every process (GoOnAfter::kLastTurn) is not looked at
-/// @throws as resume(), and when the clock is behind the journal's last record; host::FolderInUse naming who writes it.
+/// @throws as resume(), and when the clock is behind the journal's last record, a part of it bears another's name, or it is a link;
+/// host::FolderInUse naming who writes it.
 [[nodiscard]] std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Playback::Beginning& flown,
                                                         GoOnAfter after, Time now);
 

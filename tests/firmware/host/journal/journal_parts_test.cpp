@@ -214,6 +214,16 @@ TEST_F(JournalPartsTest, ThatAreMissingAreAGapInTheNumbers) {
   EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{0, 1, 6, 7}));
 }
 
+TEST_F(JournalPartsTest, ThatBearAnothersNameAreNotReadAndAreFound) {
+  write(6, 2);
+  EXPECT_EQ(JournalParts(path_).misplaced(), std::nullopt);
+  fs::rename(part(3), part(9));
+  EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{0, 1, 2, 3}));
+  EXPECT_EQ(JournalParts(path_).misplaced(), part(9));
+  fs::remove(part(9));
+  EXPECT_EQ(JournalParts(path_).misplaced(), std::nullopt);
+}
+
 TEST_F(JournalPartsTest, AreWrittenOnWhereTheJournalIsCutAndThoseBehindAreGone) {
   write(6, 2);
   JournalReader reader(path_);

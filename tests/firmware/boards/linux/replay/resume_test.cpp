@@ -13,11 +13,14 @@
 #include <string_view>
 #include <vector>
 
+#include "earshot/journal_part_t.hpp"
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/journal/journal_format.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/replay/random_mission.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -310,6 +313,20 @@ TEST_F(Resuming, RefusesALinkToAJournal) {
   EXPECT_THROW((void)find(), host::BadInput);
   fs::remove(cut_);
   leave(bytes_.size());
+  EXPECT_TRUE(find());
+}
+
+TEST_F(Resuming, RefusesAJournalOneOfWhosePartsBearsAnothersName) {
+  fly_whole(1);
+  leave(bytes_.size());
+  const auto first_record_crc32 = static_cast<std::int32_t>(host::load(std::span<const std::uint8_t>(bytes_).subspan(4, 4)));
+  const wire::Encoded beginning(journal_part_t{.part = 2, .first_record_crc32 = first_record_crc32});
+  const host::LoneRecord record(0, Time{}, wire::kJournalPartChannel, beginning.bytes());
+  support::write_bytes(folder_ / "journal.part3.lcmlog", Bytes(record.bytes().begin(), record.bytes().end()));
+  const Playback::Beginning flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes())};
+  const auto find = [&] { return find_unfinished(cut_, flown, GoOnAfter::kLastInput, records_.back().time); };
+  EXPECT_THROW((void)find(), host::BadInput);
+  fs::rename(folder_ / "journal.part3.lcmlog", folder_ / "journal.part2.lcmlog");
   EXPECT_TRUE(find());
 }
 
