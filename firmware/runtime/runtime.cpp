@@ -354,6 +354,7 @@ std::optional<messages::Setpoint> Runtime::setpoint() {
       safety::safe_setpoint(mission_, *progress_.situation.navigation.newest(), wanted_setpoint(), progress_.situation.unseen());
   if (safe.limited) ++progress_.counters.setpoints_limited;
   progress_.situation.commanded = safe.setpoint;
+  progress_.situation.goes_round = safety::goes_round(*progress_.situation.navigation.newest(), safe.setpoint);
   return safe.setpoint;
 }
 

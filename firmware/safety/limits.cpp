@@ -64,4 +64,10 @@ messages::Setpoint come_up(const config::Mission& mission, const messages::Navig
           .waypoint = fix.position};
 }
 
+bool goes_round(const messages::Navigation& fix, const messages::Setpoint& setpoint) {
+  constexpr Radians kRounding{1e-9};
+  const Radians off = wrap_to_pi(setpoint.heading - fix.heading - kQuarterTurn);
+  return off < kRounding && off > -1.0 * kRounding;
+}
+
 }  // namespace earshot::safety

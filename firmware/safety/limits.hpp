@@ -47,6 +47,9 @@ struct SafeSetpoint {
 [[nodiscard]] messages::Setpoint come_up(const config::Mission& mission, const messages::Navigation& fix, Duration unseen,
                                          Duration told = {});
 
+/// Whether a set-point sends the vehicle round and round: a quarter of a turn to the right of where it points.
+[[nodiscard]] bool goes_round(const messages::Navigation& fix, const messages::Setpoint& setpoint);
+
 /// Above this, the vehicle has come up.
 inline constexpr Meters kAtSurface{2.0};
 /// In this time a vehicle that dives gets below kAtSurface by so much that it matters.

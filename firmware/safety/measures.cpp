@@ -68,8 +68,11 @@ double outside_fence_m(const config::Safety& safety, const Situation& situation)
   return std::max(now_m, soon_m);
 }
 
+/// A vehicle that goes round is always a quarter of a turn behind its set-point: it follows as long as it turns.
 std::optional<double> heading_ignored_deg(const Situation& situation) {
+  constexpr RadiansPerSecond kTurns{0.5 / kDegreesPerRadian};
   if (!situation.commanded) return std::nullopt;
+  if (situation.goes_round && situation.track.turn_rate() >= kTurns) return 0.0;
   return size_of(wrap_to_pi(situation.navigation.newest()->heading - situation.commanded->heading).value) * kDegreesPerRadian;
 }
 

@@ -25,6 +25,7 @@ struct Situation {
   std::optional<messages::AutopilotStatus> autopilot;
   std::optional<messages::HydrophoneStatus> hydrophone;
   std::optional<messages::Setpoint> commanded;  ///< the last set-point
+  bool goes_round = false;                      ///< that set-point is a quarter of a turn ahead of the vehicle, and turns on with it
   bool is_policy_unhealthy = false;
   bool is_steered_back = false;  ///< the fence has it: it is not free again before it is inside
 

@@ -19,16 +19,32 @@ namespace {
 using namespace earshot;
 
 /// Says on standard error what the page lacks. @return the exit status
-int say_what_is_missing(const std::filesystem::path& folder, const report::Flight& flight) {
+int say_what_is_missing(const std::filesystem::path& folder_or_journal, const report::Flight& flight) {
+  const bool is_folder = std::filesystem::is_directory(folder_or_journal);
+  const std::filesystem::path& folder = folder_or_journal;
   for (const std::string& name : flight.missing)
     std::cerr << host::printable((folder / name).string()) << ": not there; the page is without it\n";
   if (!flight.journal.is_whole())
-    std::cerr << host::printable((folder / report::kJournalName).string()) << ": " << report::lack_of(flight.journal) << "\n";
+    std::cerr << host::printable((is_folder ? folder / report::kJournalName : folder_or_journal).string()) << ": "
+              << report::lack_of(flight.journal) << "\n";
   return flight.is_complete() && flight.journal.is_whole() ? program::kDone : program::kIncomplete;
 }
 
+/// DIR/report.html; of DIR/journal-2.lcmlog DIR/journal-2.html.
+std::filesystem::path page_of(std::filesystem::path folder_or_journal) {
+  return std::filesystem::is_directory(folder_or_journal) ? folder_or_journal / "report.html"
+                                                          : folder_or_journal.replace_extension(".html");
+}
+
+/// A page of an earlier flight would be taken for the last one's.
+void tell_others(const std::filesystem::path& folder, const report::Flight& flight) {
+  if (flight.others.empty()) return;
+  program::say() << host::printable((folder / "report.html").string()) << " is of " << report::kJournalName << "; the folder holds "
+                 << flight.others.size() << " more, the last " << flight.others.back() << ": name one for its page\n";
+}
+
 int write_report(const std::filesystem::path& folder, host::Replace replace) try {
-  const std::filesystem::path page = folder / "report.html";
+  const std::filesystem::path page = page_of(folder);
   const report::Flight flight = report::read_flight(folder);
   const report::Pictures pictures = report::pictures_of(flight);
   host::require_writable(page, host::kHtmlOutput, replace);
@@ -36,6 +52,7 @@ int write_report(const std::filesystem::path& folder, host::Replace replace) try
   program::detail() << page.string() << "\n"
                     << folder.string() << ": " << flight.journal.decisions.size() << " decisions in " << flight.journal.records
                     << " records of the journal, " << flight.track.size() << " rows of track.csv, " << flight.snr.size() << " of snr.csv\n";
+  tell_others(folder, flight);
   return say_what_is_missing(folder, flight);
 } catch (const nlohmann::json::exception& e) {
   throw host::BadInput((folder / "summary.json").string() + ": " + description::to_string(e));
@@ -47,13 +64,14 @@ int main(int argc, char** argv) {
   program::CommandLine line(
       "earshot report",
       "earshot report DIR reads the journal, the policy, track.csv, snr.csv and summary.json that a flight left in DIR and writes\n"
-      "DIR/report.html, a page that needs no other file. A flight at sea leaves its journal and policy alone, and its page is of these.\n"
+      "DIR/report.html, a page that needs no other file. A flight at sea leaves its journal and policy alone, and its page is of these;\n"
+      "where it left several journals, earshot report DIR/journal-2.lcmlog writes the page of one, DIR/journal-2.html.\n"
       "Exit status: 0 written, 1 written of what is there: a file is missing, or the journal is cut or damaged, which standard error "
       "says,\n"
       "2 something of the flight cannot be read or the page cannot be made.");
   std::filesystem::path folder;
   bool force = false;
-  line.option("DIR", &folder, "folder of the flight").required();
+  line.option("DIR", &folder, "folder of the flight, or one of several journals in it").required();
   line.flag("--force", &force, command_line::kForceHelp);
   int status = program::kDone;
   const int refused = command_line::run(line, argc, argv, [&] { status = write_report(folder, host::replaced_by(force)); });

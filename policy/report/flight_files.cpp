@@ -9,6 +9,7 @@
 
 #include "earshot/decision_t.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -172,6 +173,19 @@ std::string ending_of(const JournalledSearch& journal) {
   return "The journal's end is damaged: the last " + last + " are no record." + read;
 }
 
+/// Those behind the first, the oldest first.
+std::vector<std::string> other_journals(const std::filesystem::path& folder) {
+  const std::filesystem::path first = folder / kJournalName;
+  std::vector<int> numbers;
+  for (const host::JournalName& name : host::journals_beside(first)) {
+    if (name.part == 1 && name.journal > 1) numbers.push_back(name.journal);
+  }
+  std::ranges::sort(numbers);
+  std::vector<std::string> names;
+  for (const int number : numbers) names.push_back(host::named(first, {.journal = number}).filename().string());
+  return names;
+}
+
 }  // namespace
 
 JournalledSearch read_journal(const std::filesystem::path& path) {
@@ -214,8 +228,18 @@ NorthEast place_in(const nlohmann::json& place) {
   return {Meters{place.at("north_m").get<double>()}, Meters{place.at("east_m").get<double>()}};
 }
 
-Flight read_flight(const std::filesystem::path& folder) {
+Flight read_flight(const std::filesystem::path& folder_or_journal) {
+  const std::filesystem::path& folder = folder_or_journal;
   Flight flight;
+  if (!std::filesystem::is_directory(folder_or_journal)) {
+    flight.journal = read_journal(folder_or_journal);
+    flight.sea = read_sea_flight(folder_or_journal);
+    return flight;
+  }
+  flight.others = other_journals(folder);
+  if (!flight.others.empty() && !std::filesystem::exists(folder / kJournalName))
+    throw BadInput(folder.string() + ": holds no " + kJournalName + "; name one of its journals, such as " +
+                   (folder / flight.others.back()).string());
   flight.journal = read_journal(folder / kJournalName);
   if (!std::filesystem::exists(folder / "summary.json")) flight.sea = read_sea_flight(folder / kJournalName);
   if (flight.sea && flight.sea->is_dated()) return flight;

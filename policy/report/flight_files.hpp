@@ -58,6 +58,7 @@ struct Flight {
   HeardSound sound;                  ///< of a flight that heard
   std::optional<SeaFlight> sea;      ///< what the journal tells when there is no summary
   std::vector<std::string> missing;  ///< names of files that a simulator should have left
+  std::vector<std::string> others;   ///< names of the folder's other journals, of which nothing is here
 
   [[nodiscard]] bool is_complete() const { return missing.empty(); }
 };
@@ -70,10 +71,11 @@ inline constexpr const char* kJournalName = "journal.lcmlog";  ///< in a flight'
 /// Where a flight keeps the policy that flew it: beside its journal and named after it. Nothing when there is none.
 [[nodiscard]] std::optional<std::filesystem::path> policy_beside(const std::filesystem::path& journal);
 
-/// Reads the decisions in journal.lcmlog, and of summary.json, track.csv and snr.csv those that are there; hearing.csv and
-/// spectrogram.csv when the summary says that it heard.
+/// Of one of several journals that flights at sea left in a folder: what it tells alone. Of a folder: reads the decisions in
+/// journal.lcmlog, and of summary.json, track.csv and snr.csv those that are there; hearing.csv and spectrogram.csv when the summary says
+/// that it heard.
 /// @throws host::BadInput naming the journal when it is missing, or the file that cannot be read.
-[[nodiscard]] Flight read_flight(const std::filesystem::path& folder);
+[[nodiscard]] Flight read_flight(const std::filesystem::path& folder_or_journal);
 
 /// A place in a summary: {"north_m": ..., "east_m": ...}.
 [[nodiscard]] NorthEast place_in(const nlohmann::json& place);

@@ -152,8 +152,8 @@ Pictures pictures_of(const Flight& flight) {
   return pictures;
 }
 
-FlightExplanation explain_flight(const std::filesystem::path& folder) try {
-  const RecordedFlight flight = open_recording(folder, {});
+FlightExplanation explain_flight(const std::filesystem::path& folder_or_journal) try {
+  const RecordedFlight flight = open_recording(folder_or_journal, {});
   FlightExplanation explanation{.accounts =
                                     explain::accounts_of(flight.circumstances(explain::Baseline::kCentre), flight.journal.decisions)};
   std::vector<BeliefPicture> pictures;

@@ -15,8 +15,8 @@ struct FlightExplanation {
   std::string why_not = {};              ///< one line when there are no accounts
 };
 
-/// Explains every decision of the flight in `folder`, or says in one line why that cannot be done.
-[[nodiscard]] FlightExplanation explain_flight(const std::filesystem::path& folder);
+/// Explains every decision of the flight in a folder, or of a journal, or says in one line why that cannot be done.
+[[nodiscard]] FlightExplanation explain_flight(const std::filesystem::path& folder_or_journal);
 
 struct Pictures {
   std::string map;         ///< SVG text

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/boards/linux/replay/replay.hpp"
@@ -79,7 +80,7 @@ void write_journal(const std::filesystem::path& path) {
     vehicle.sail(clock.time, outputs, [&turn](const auto& value) { turn.take(1, value); });
     outputs = turn();
   }
-  journal.conclude({});
+  journal.conclude(board::closing_record_of({.end = board::LoopEnd::kStopped, .last = outputs, .began = kBegan, .time = clock.time}));
   if (journal.close() != Status::kOk || outputs.health.state != messages::MissionState::kSearch) throw std::runtime_error("not flown");
 }
 

@@ -1,7 +1,8 @@
 // Rows runtime.latency_added_*_us: from a fix on the bus to the set-point that answers it, by earshotd in a search whose turns arrivals
 // make, less the same by a bare echo: liblcm, which answers a fix with a message as long as a set-point. Both in this run, by turns, each
 // in a process and on a group of its own; one fix at a time, so that what comes next answers it.
-//   bench_runtime_latency p50|p999 [echo]     echo: the time of the echo itself
+//   bench_runtime_latency p50|p999 [echo|resume]     echo: the time of the echo itself; resume: of an earshotd with --resume, as a service
+//                                                    flies, whose set-point waits until what it answers is on the disk
 
 #include <lcm/lcm.h>
 #include <poll.h>
@@ -162,16 +163,18 @@ std::filesystem::path write_mission(const std::filesystem::path& folder) {
 
 int main(int argc, char** argv) try {
   const std::string_view figure = argc > 1 ? argv[1] : "p50";
-  const bool is_echo = argc > 2;
+  const std::string_view of = argc > 2 ? argv[2] : "";
+  const bool is_echo = of == "echo";
   if (!test::enter_private_network()) throw std::runtime_error(test::kNoPrivateNetwork);
   const pid_t echoing = ::fork();
   if (echoing == 0) echo();
   const support::TemporaryFolder folder;
   const std::filesystem::path policy = std::filesystem::path(EARSHOT_SOURCE_DIR) / "policy/frozen";
-  support::Process earshotd(std::filesystem::path(EARSHOT_BIN_DIR) / "earshotd",
-                            {write_mission(folder.path()), "--lcm-url", kVehicleUrl, "--out", folder.path(), "--policy",
-                             policy / "shipped.policy", "--public-key", policy / "earshot.pub"},
-                            folder / "earshotd.txt");
+  std::vector<std::string> arguments{
+      write_mission(folder.path()), "--lcm-url",    kVehicleUrl,           "--out", folder.path(), "--policy",
+      policy / "shipped.policy",    "--public-key", policy / "earshot.pub"};
+  if (of == "resume") arguments.emplace_back("--resume");
+  support::Process earshotd(std::filesystem::path(EARSHOT_BIN_DIR) / "earshotd", arguments, folder / "earshotd.txt");
   Latencies latencies;
   try {
     latencies = measure();

@@ -133,6 +133,9 @@ TEST_F(SignedMissions, AreVerifiedBeforeADive) {
             "         signed by walk.pub\n");
   EXPECT_EQ(run("earshot-verify", {"--vehicle", "vehicle.toml", "walk.policy"}), 0);
   EXPECT_EQ(printed(), "policy   walk.policy\n         signed by walk.pub\n");
+  EXPECT_EQ(run("earshotd", {"--vehicle", "vehicle.toml", "--check", "mission.toml", "--out", "."}), 0) << said();
+  EXPECT_NE(printed().find("  signed by   ops.pub, counter 5\n"), std::string::npos) << printed();
+  EXPECT_NE(printed().find("  signed by   walk.pub\n"), std::string::npos) << printed();
   ASSERT_EQ(sign(4), 0);
   EXPECT_EQ(verify(), 2);
   EXPECT_EQ(flown_last(), 4U) << "nothing has flown";
@@ -151,6 +154,10 @@ TEST_F(SignedMissions, AreSignedAgainInPlaceAndNothingElseIsReplaced) {
   ASSERT_EQ(sign(1), 0);
   ASSERT_EQ(sign(2), 0);
   EXPECT_NE(mission_.content("mission.toml.sig").find("counter 2\n"), std::string::npos);
+  EXPECT_EQ(said(), "");
+  ASSERT_EQ(sign(1), 0);
+  EXPECT_EQ(said(), "earshot sign: warning: mission.toml.sig bore counter 2: a vehicle that has flown that refuses 1\n");
+  EXPECT_NE(mission_.content("mission.toml.sig").find("counter 1\n"), std::string::npos);
   std::ofstream(folder_ / "mission.toml.sig") << "notes of mine\n";
   EXPECT_EQ(sign(3), 2);
   EXPECT_EQ(mission_.content("mission.toml.sig"), "notes of mine\n");

@@ -126,6 +126,7 @@ wire::ClosingRecord closing_record_of(const LoopResult& result) {
 
 LoopResult fly(MissionTurn& turn, PortSet& ports, Clock& clock, const Pace& pace, const std::atomic<bool>& stop, Duration hold) {
   LoopResult result;
+  result.last = turn.outputs();  // a signal may come before the first turn
   result.began = clock.now();
   Schedule schedule(pace, result.began);
   const std::uint64_t navigation_before = turn.navigation_taken();

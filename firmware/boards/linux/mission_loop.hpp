@@ -24,9 +24,9 @@ enum class LoopEnd : std::uint8_t {
 
 struct LoopResult {
   LoopEnd end = LoopEnd::kStopped;
-  runtime::Outputs last;
-  Time began;  ///< when the loop began
-  Time time;   ///< of the last turn
+  runtime::Outputs last;  ///< of the last turn, which may be one of the process that a resumed mission had before
+  Time began;             ///< when the loop began
+  Time time;              ///< of the last turn
   std::uint64_t turns = 0;
   std::array<std::uint64_t, messages::kMissionStates> turns_in{};      ///< of these, those after which the mission was in each state
   messages::MissionState found_in = messages::MissionState::kStandby;  ///< the state of the last turn before it was told to stop

@@ -36,8 +36,8 @@ bool calls_for_turn(const InputSink::Value& value) {
   return std::holds_alternative<messages::Navigation>(value) || std::holds_alternative<messages::OperatorCommand>(value);
 }
 
-/// Between two reports of a journal whose disk comes and goes.
-constexpr Duration kBetweenJournalReports = Duration::seconds(60);
+/// A disk that comes and goes is told of twice in this time at most: that it went, always at once, and that it came back.
+constexpr Duration kJournalDownAtLeast = Duration::seconds(60);
 
 template <class Bytes>
 void write_build(std::string_view build, Bytes& bytes) {
@@ -135,9 +135,9 @@ void MissionTurn::write_ahead_of(const runtime::Outputs& outputs) {
 
 void MissionTurn::report_journal(Time now) {
   const bool is_fine = journal_.trouble() == host::JournalTrouble::kNone;
-  if (is_fine == memory_.reports[kOwnPort].link_up || now < journal_report_due_) return;
+  if (is_fine == memory_.reports[kOwnPort].link_up || (is_fine && now < journal_up_due_)) return;
   const host::JournalCounters counters = journal_.counters();
-  journal_report_due_ = now + kBetweenJournalReports;
+  journal_up_due_ = now + kJournalDownAtLeast;
   take(kOwnPort, messages::PortReport{.port = kOwnPort, .link_up = is_fine, .lost = counters.all_lost(), .unsent = counters.write_errors});
 }
 

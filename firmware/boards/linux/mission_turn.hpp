@@ -67,6 +67,8 @@ class MissionTurn final : public InputSink {
   /// Sends what the last turn said: the process that made it may not have come to it.
   runtime::Outputs say_again();
 
+  /// Of the last turn; of a mission that goes on, before its first, what the process before said last.
+  [[nodiscard]] const runtime::Outputs& outputs() const { return outputs_; }
   /// Whether something has come since the last turn that is to be answered at once, where arrivals make turns: a fix, or an order.
   [[nodiscard]] bool is_called() const { return is_called_; }
   /// Fixes taken so far, but for those without a date that the clock knows.
@@ -88,7 +90,7 @@ class MissionTurn final : public InputSink {
   host::Journal& journal_;
   Clock& clock_;
   TurnMemory memory_;
-  Time journal_report_due_;
+  Time journal_up_due_;       ///< not before is it told that the disk takes the journal again
   runtime::Outputs outputs_;  ///< of the last turn
   bool is_called_ = false;
   bool is_ahead_always_ = false;

@@ -9,9 +9,11 @@
 #include <cerrno>
 #include <charconv>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "earshot/journal_part_t.hpp"
 #include "firmware/host/file/folder_lock.hpp"
@@ -91,8 +93,11 @@ void JournalFile::keep_to(JournalLimits limits) {
 void JournalFile::cut(std::uint64_t size) {
   JournalParts::Place place{.part = 1, .file = path_, .offset = 0};
   if (size > 0) {
-    place = JournalParts(path_).place_of(size);
-    delete_later_parts(path_, place.part);
+    const JournalParts parts(path_);
+    place = parts.place_of(size);
+    const std::vector<std::filesystem::path> files = parts.files();
+    const auto last = std::ranges::find(files, place.file);
+    delete_parts(std::span(files).last(static_cast<std::size_t>(files.end() - last) - 1));
   }
   write_on_at(place, size - place.offset);
   if (::ftruncate(file_.number(), static_cast<off_t>(place.offset)) != 0) fail(place.file);
@@ -183,12 +188,18 @@ PartBegun JournalFile::refuse_part() {
 
 PartBegun JournalFile::begin_part(bool is_to_survive) {
   if (earlier_bytes_ + size_ == 0) return PartBegun::kNo;  // what names the journal is still to come
-  const char* const name = name_of_part(part_ + 1);
   const std::uint64_t earlier = earlier_bytes_ + size_;
-  if (name == nullptr || !has_budget_for(2 * kJournalReserveBytes)) return refuse_part();
-  FileDescriptor next(::open(name, O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL | O_NOFOLLOW, 0644));
+  if (!has_budget_for(2 * kJournalReserveBytes)) return refuse_part();
+  FileDescriptor next;
+  int number = part_;
+  const char* name = nullptr;
+  do {  // what stands in its place stays there, and a reader passes over it
+    name = name_of_part(++number);
+    if (name == nullptr) return refuse_part();
+    next = FileDescriptor(::open(name, O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL | O_NOFOLLOW, 0644));
+  } while (next.number() < 0 && errno == EEXIST);
   if (next.number() < 0) return refuse_part();
-  const journal_part_t part{.part = part_ + 1, .first_record_crc32 = static_cast<std::int32_t>(load(std::span(beginning_).subspan(4)))};
+  const journal_part_t part{.part = number, .first_record_crc32 = static_cast<std::int32_t>(load(std::span(beginning_).subspan(4)))};
   const wire::Encoded data(part);
   const LoneRecord record(0, Time{}, wire::kJournalPartChannel, data.bytes());
   const bool is_held = !can_hold_ || ::fallocate(next.number(), FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(2 * kJournalReserveBytes)) == 0;
@@ -201,7 +212,7 @@ PartBegun JournalFile::begin_part(bool is_to_survive) {
   const bool survives = !is_to_survive || (::fdatasync(next.number()) == 0 && folder_.number() >= 0 && ::fsync(folder_.number()) == 0);
   if (part_ == 1) first_ = std::move(file_);
   file_ = std::move(next);
-  ++part_;
+  part_ = number;
   earlier_bytes_ = earlier;
   size_ = record.bytes().size();
   held_ = can_hold_ ? 2 * kJournalReserveBytes : size_;

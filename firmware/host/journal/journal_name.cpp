@@ -58,6 +58,15 @@ std::filesystem::path part_of(const std::filesystem::path& first, int part) {
   return named(first, {.journal = 1, .part = part});
 }
 
+std::optional<std::filesystem::path> first_part_of(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  const std::size_t at = stem.rfind(kPart);
+  if (at == std::string::npos || at == 0) return std::nullopt;
+  std::string_view number = std::string_view(stem).substr(at + kPart.size());
+  if (!take_number(number, kMostParts) || !number.empty()) return std::nullopt;
+  return file.parent_path() / (stem.substr(0, at) + file.extension().string());
+}
+
 std::vector<JournalName> journals_beside(const std::filesystem::path& wanted) {
   std::vector<JournalName> names;
   std::error_code error;

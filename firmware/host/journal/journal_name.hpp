@@ -26,6 +26,9 @@ inline constexpr int kMostParts = 999'999;     ///< of one journal
 /// Part `part` of a journal whose first is `first`, which may itself be numbered.
 [[nodiscard]] std::filesystem::path part_of(const std::filesystem::path& first, int part);
 
+/// The first part of the journal that a file is a later part of, by its name; nothing: it is named as a first part.
+[[nodiscard]] std::optional<std::filesystem::path> first_part_of(const std::filesystem::path& file);
+
 /// All that the folder of `wanted` holds of them, in no order; nothing of a folder that cannot be read.
 [[nodiscard]] std::vector<JournalName> journals_beside(const std::filesystem::path& wanted);
 

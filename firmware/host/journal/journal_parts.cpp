@@ -1,6 +1,7 @@
 #include "firmware/host/journal/journal_parts.hpp"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -29,9 +30,28 @@ std::vector<std::uint8_t> first_record(InputFile& file) {
   return is_whole ? bytes : std::vector<std::uint8_t>();
 }
 
+/// What the first record of a later part says. Nothing: it is no such record.
+std::optional<journal_part_t> beginning_of_part(std::span<const std::uint8_t> record) {
+  if (record.empty()) return std::nullopt;
+  const std::size_t channel_size = load(record.subspan(20, 4));
+  const std::string_view channel(reinterpret_cast<const char*>(record.data()) + kRecordHeaderSize, channel_size);
+  journal_part_t beginning{};
+  if (channel != wire::kJournalPartChannel || wire::decode(record.subspan(kRecordHeaderSize + channel_size), beginning) != Status::kOk)
+    return std::nullopt;
+  return beginning;
+}
+
+/// The other parts stand beside the file that a link leads to.
+std::filesystem::path linked_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(path, error)) return path;
+  std::filesystem::path file = std::filesystem::canonical(path, error);
+  return error ? path : file;
+}
+
 }  // namespace
 
-JournalParts::JournalParts(const std::filesystem::path& first) : first_(first), file_(first, kAnySize) {
+JournalParts::JournalParts(const std::filesystem::path& first) : first_(linked_file(first)), file_(first, kAnySize) {
   if (const std::vector<std::uint8_t> record = first_record(file_); !record.empty())
     id_ = static_cast<std::uint32_t>(load(std::span(record).subspan(4, 4)));
   file_.go_to(0);
@@ -39,6 +59,19 @@ JournalParts::JournalParts(const std::filesystem::path& first) : first_(first), 
   while (const std::optional<Opened> part = next_part()) {
     parts_.push_back({.number = part->number, .begin = size_});
     size_ += part->file.size();
+  }
+  if (const std::optional<std::filesystem::path> journal = first_part_of(first)) refuse_part_of(*journal);
+}
+
+/// Read alone, what stands in the parts before it would seem to be lost.
+void JournalParts::refuse_part_of(const std::filesystem::path& journal) const {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(journal, error)) return;
+  const JournalParts whole(journal);
+  for (std::size_t i = 1; i < whole.parts_.size(); ++i) {
+    if (whole.path_of(i) == first_)
+      throw BadInput(first_.string() + ": is part " + std::to_string(whole.parts_[i].number) + " of the journal " + journal.string() +
+                     "; name that, and all of its parts are read");
   }
 }
 
@@ -73,13 +106,24 @@ std::optional<InputFile> JournalParts::open(int number) const {
 bool JournalParts::belongs(InputFile& file, int number) const {
   const std::vector<std::uint8_t> record = first_record(file);
   if (record.empty()) return true;
-  const std::size_t channel_size = load(std::span(record).subspan(20, 4));
-  const std::string_view channel(reinterpret_cast<const char*>(record.data()) + kRecordHeaderSize, channel_size);
-  journal_part_t beginning{};
-  if (channel != wire::kJournalPartChannel ||
-      wire::decode(std::span(record).subspan(kRecordHeaderSize + channel_size), beginning) != Status::kOk)
-    return false;
-  return beginning.part == number && (!id_ || static_cast<std::uint32_t>(beginning.first_record_crc32) == *id_);
+  const std::optional<journal_part_t> beginning = beginning_of_part(record);
+  return beginning && beginning->part == number && (!id_ || static_cast<std::uint32_t>(beginning->first_record_crc32) == *id_);
+}
+
+std::optional<std::filesystem::path> JournalParts::misplaced() const {
+  for (const JournalName& name : journals_beside(first_)) {
+    const std::filesystem::path path = part_of(first_, name.part);
+    std::error_code error;
+    if (name.journal != 1 || name.part == 1 || !id_ || !std::filesystem::is_regular_file(path, error)) continue;
+    try {
+      InputFile file(path, kAnySize);
+      const std::optional<journal_part_t> beginning = beginning_of_part(first_record(file));
+      if (beginning && beginning->part != name.part && static_cast<std::uint32_t>(beginning->first_record_crc32) == *id_) return path;
+    } catch (const BadInput&) {
+      continue;  // what cannot be read is none of its parts
+    }
+  }
+  return std::nullopt;
 }
 
 std::size_t JournalParts::read(std::span<std::uint8_t> into) {
@@ -119,9 +163,20 @@ void JournalParts::go_to(std::uint64_t offset) {
   file_.go_to(position_);
 }
 
+int JournalParts::missing_before(std::uint64_t offset) const {
+  const std::size_t index = index_of(offset);
+  return index == 0 ? 0 : parts_[index].number - parts_[index - 1].number - 1;
+}
+
 JournalParts::Place JournalParts::place_of(std::uint64_t offset) const {
   const std::size_t index = index_of(offset);
   return {.part = parts_[index].number, .file = path_of(index), .offset = offset - parts_[index].begin};
+}
+
+std::vector<std::filesystem::path> JournalParts::files() const {
+  std::vector<std::filesystem::path> files;
+  for (std::size_t i = 0; i < parts_.size(); ++i) files.push_back(path_of(i));
+  return files;
 }
 
 }  // namespace earshot::host

@@ -111,6 +111,7 @@ bool JournalReader::next(JournalRecord& record) {
 }
 
 bool JournalReader::next_of_parts(JournalRecord& record) {
+  if (is_end_damaged_) return false;  // who asks again at the end hears no other end
   std::uint64_t size = 0;
   std::uint64_t passed = 0;
   bool is_beginning = false;  // of a record that the file's end cuts off

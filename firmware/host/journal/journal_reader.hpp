@@ -56,6 +56,9 @@ class JournalReader {
   /// Behind the last record that was read, bytes from the beginning of the first part.
   [[nodiscard]] std::uint64_t offset() const { return offset_; }
   [[nodiscard]] std::uint64_t file_size() const { return file_.size(); }  ///< bytes of all parts, when it was opened
+  /// Number of the part where the last record stands, and how many are missing right before it.
+  [[nodiscard]] int part() const { return file_.place_of(offset_).part; }
+  [[nodiscard]] int parts_missing_before() const { return file_.missing_before(offset_); }
   /// What was passed over so far, in the order of the file; at the end, the end's own damage too (kCut, kCorrupt).
   [[nodiscard]] const std::vector<JournalDamage>& damages() const { return damages_; }
   /// What the checksums cost so far: at most three times the bytes that were read, whatever they are.

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -21,6 +20,7 @@ namespace {
 
 constexpr std::string_view kJournalMagic = "\xED\xA1\xDA\x01";  // kRecordSync
 constexpr std::string_view kPolicyMagic = "EARSHOTP";
+constexpr std::string_view kNeverWritten("\0\0\0\0", 4);
 
 /// Its size; nothing: it is no regular file, or begins with something else. An empty file is of every kind.
 std::optional<std::uint64_t> size_of(const std::filesystem::path& path, std::string_view magic) {
@@ -87,13 +87,20 @@ bool OldJournals::remove(const Old& old) {
   return freed > 0;
 }
 
-void delete_later_parts(const std::filesystem::path& first, int last) {
+void delete_later_parts(const std::filesystem::path& first) {
   std::vector<JournalName> names = journals_beside(first);
-  std::ranges::sort(names, std::greater(), &JournalName::part);  // whoever stops in between leaves no gap
+  std::ranges::sort(names, {}, &JournalName::part);
+  std::vector<std::filesystem::path> parts;
   for (const JournalName& name : names) {
-    if (name.journal != 1 || name.part <= last) continue;
     const std::filesystem::path part = part_of(first, name.part);
-    if (size_of(part, kJournalMagic)) (void)::unlink(part.c_str());
+    if (name.journal == 1 && name.part > 1 && size_of(part, kJournalMagic)) parts.push_back(part);
+  }
+  delete_parts(parts);
+}
+
+void delete_parts(std::span<const std::filesystem::path> parts) {
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {  // whoever stops in between leaves no gap
+    if (size_of(*part, kJournalMagic) || size_of(*part, kNeverWritten)) (void)::unlink(part->c_str());
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -48,8 +49,11 @@ class OldJournals {
   int last_deleted_ = 0;
 };
 
-/// Deletes the parts of a journal that come after part `last`, whatever may be missing between them; nothing but regular files that begin
-/// as a journal does.
-void delete_later_parts(const std::filesystem::path& first, int last = 1);
+/// Deletes all parts of a journal but the first, whatever may be missing between them; nothing but regular files that begin as a journal
+/// does.
+void delete_later_parts(const std::filesystem::path& first);
+/// Deletes these parts of a journal, the last of them first; nothing but regular files that begin as a journal does, or with zeros, where a
+/// power cut left a size and no content.
+void delete_parts(std::span<const std::filesystem::path> parts);
 
 }  // namespace earshot::host

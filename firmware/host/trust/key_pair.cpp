@@ -43,7 +43,8 @@ SecretKey make_key_pair(const std::filesystem::path& secret_file, LonePublicHalf
   const bool replaces = std::filesystem::exists(public_file);
   if (replaces) (void)load_public_key(public_file);
   if (replaces && lone == LonePublicHalf::kStays)
-    throw BadInput(public_file.string() + ": is the public half of a key that is not here, which a vehicle may trust; --force replaces it");
+    throw BadInput(public_file.string() +
+                   ": is the public half of a key that is not here, which a vehicle may trust; move it away, or name another key");
   const SecretKey key = make_key();
   write_pair(secret_file, key, replaces);
   return key;

@@ -13,6 +13,7 @@
 
 #include "earshot/command_acknowledgement_t.hpp"
 #include "earshot/health_t.hpp"
+#include "earshot/journal_resumed_t.hpp"
 #include "earshot/mission_t.hpp"
 #include "earshot/safety_event_t.hpp"
 #include "firmware/config/safety.hpp"
@@ -85,13 +86,23 @@ std::string words_for(const messages::SafetyEvent& event) {
   return text.str();
 }
 
+/// @param last_s  of the last record of the process before
+std::string words_for_resuming(double last_s, double time_s) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << "earshotd was killed or lost its power; another process goes on from the journal, "
+       << std::max(0.0, time_s - last_s) << " s after its last record";
+  return text.str();
+}
+
 void note(const host::JournalRecord& record, SeaFlight& flight) {
   const double time_s = static_cast<double>(record.time.us) * kSecondsPerMicrosecond - flight.began_s;
+  const double last_s = flight.ended_s;
   flight.ended_s = std::max(flight.ended_s, time_s);
   messages::Input input;
   health_t health{};
   command_acknowledgement_t acknowledgement{};
   safety_event_t event{};
+  journal_resumed_t resumed{};
   if (wire::read_input(record.channel, record.time, record.data, 0, input) == Status::kOk) {
     if (const auto* fix = std::get_if<messages::Navigation>(&input.value); fix != nullptr && messages::is_usable(*fix))
       flight.fixes.push_back({.time_s = time_s, .position = fix->position, .depth = fix->depth});
@@ -104,6 +115,8 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
     note_health(time_s, health, flight);
   } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
     flight.events.push_back({time_s, words_for(wire::from_message(event))});
+  } else if (record.channel == wire::kJournalResumedChannel && wire::decode(record.data, resumed) == Status::kOk) {
+    flight.events.push_back({time_s, words_for_resuming(last_s, time_s)});
   } else if (record.channel == wire::kAcknowledgementChannel && wire::decode(record.data, acknowledgement) == Status::kOk) {
     flight.events.push_back({time_s, std::string("order ") + messages::to_string(static_cast<Order>(acknowledgement.command)) + ", " +
                                          messages::to_string(static_cast<CommandOutcome>(acknowledgement.outcome))});

@@ -34,7 +34,7 @@ struct SeaFlight {
   };
   std::vector<Measurement> measurements;
 
-  /// An order that came, a rule that acted, or a state that the mission went into.
+  /// An order that came, a rule that acted, a state that the mission went into, or another process that went on with it.
   struct Event {
     double time_s = 0.0;
     std::string what;

@@ -192,7 +192,7 @@ class Stepper {
   [[nodiscard]] bool has_returned() {
     if (flight_.setup.wait_for_runtime.count() == 0 || sound_) return false;
     flight_.link.give_up_runtime();
-    return board::wait_for("earshot-sim", "the return of earshotd, which was lost at " + std::to_string(now_.us / 1'000'000) + " s",
+    return board::wait_for("earshot-sim", "the return of earshotd (lost at " + std::to_string(now_.us / 1'000'000) + " s)",
                            flight_.setup.wait_for_runtime,
                            [this](milliseconds most) { return flight_.link.wait_for_runtime(most); }) == board::Waited::kCame;
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "firmware/safety/limits.hpp"
 #include "tests/firmware/safety/rule_rig.hpp"
 
 namespace earshot::safety {
@@ -150,6 +151,31 @@ TEST_F(Measures, OfSetpointsThatAreIgnoredAreTheWayToThem) {
       messages::Setpoint{.heading = Radians{-3.0}, .speed = MetersPerSecond{2}, .depth = Meters{300}, .waypoint = at(6000, 5000)};
   EXPECT_NEAR(*of(Condition::kHeadingIgnored), 16.225322921506063, 1e-12) << "2 pi - 6 rad, over south";
   EXPECT_EQ(of(Condition::kDepthIgnored), 20.0);
+}
+
+TEST_F(Measures, OfAVehicleThatGoesRoundItsSetpointIsIgnoredOnlyWhileItDoesNotTurn) {
+  const auto command_round = [this] {
+    const messages::Navigation& fix = *situation_.navigation.newest();
+    situation_.commanded = messages::Setpoint{.heading = fix.heading + Radians{std::numbers::pi / 2},
+                                              .speed = MetersPerSecond{1},
+                                              .depth = Meters{300},
+                                              .waypoint = fix.position};
+    situation_.goes_round = goes_round(fix, *situation_.commanded);
+    EXPECT_TRUE(situation_.goes_round);
+  };
+  situation_ = well(mission_, at(5000, 5000), 0.0, 300.0);
+  for (int s = 1; s <= 6; ++s) {
+    put({.time = after(1), .position = at(5000 + s, 5000), .depth = Meters{300}, .heading = Radians{0.0}, .speed = MetersPerSecond{1}});
+    command_round();
+  }
+  EXPECT_NEAR(*of(Condition::kHeadingIgnored), 90.0, 1e-9);
+  for (int s = 1; s <= 6; ++s) {
+    put({.time = after(1), .position = at(5006 + s, 5000), .depth = Meters{300}, .heading = Radians{0.1 * s}, .speed = MetersPerSecond{1}});
+    command_round();
+  }
+  EXPECT_EQ(of(Condition::kHeadingIgnored), 0.0);
+  situation_.goes_round = false;
+  EXPECT_NEAR(*of(Condition::kHeadingIgnored), 90.0, 1e-9) << "a set-point that stands still is ignored by a vehicle that turns past it";
 }
 
 }  // namespace

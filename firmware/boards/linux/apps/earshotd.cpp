@@ -261,7 +261,7 @@ int check(const Options& o) {
     host::require_writable(*o.chart, host::kSvgOutput, host::Replace::kOwnKind, "name another file");
     host::write_whole(*o.chart, board::chart(file.mission, host::printable(o.mission.filename().string())));
   }
-  program::say() << board::checklist(file, *policy.policy, o.mission.string());
+  program::say() << board::checklist(file, *policy.policy, o.mission.string(), board::signatures_of(judge, policy));
   if (o.chart) program::say() << "chart         " << host::printable(o.chart->string()) << "\n";
   const std::vector<std::string> doubts = board::doubts_about(file);
   // Of a mission that is flown after `--quiet --check` nobody may say that he was not told.

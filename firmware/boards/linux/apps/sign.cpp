@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <iostream>
 #include <limits>
 #include <string>
+#include <system_error>
 
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/output_file.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
@@ -43,6 +46,21 @@ authority::MissionManifest manifest_of(const Options& o) {
           .policy = host::sha256_of(std::span<const std::uint8_t>(policy))};
 }
 
+/// A vehicle that has flown the later mission refuses the earlier one: who signs it by mistake hears of it at his desk.
+void warn_of_rollback(const std::filesystem::path& signature, std::uint64_t counter) {
+  std::error_code error;
+  if (!std::filesystem::exists(signature, error)) return;
+  std::uint64_t before = 0;
+  try {
+    before = host::read_signature(signature).manifest.counter;
+  } catch (const host::BadInput&) {
+    return;  // one of ours that was damaged may go without a word
+  }
+  if (before > counter)
+    std::cerr << "earshot sign: warning: " << host::printable(signature.string()) << " bore counter " << before
+              << ": a vehicle that has flown that refuses " << counter << "\n";
+}
+
 int run(const Options& o) {
   host::require_secret_name(o.key);
   const host::SecretKey key = host::read_signing_key(o.key);
@@ -50,6 +68,7 @@ int run(const Options& o) {
   const authority::MissionManifest manifest = manifest_of(o);
   const std::filesystem::path output = host::signature_file_of(o.mission);
   host::require_writable(output, host::kSignatureOutput, host::Replace::kOwnKind, "move it away");
+  warn_of_rollback(output, manifest.counter);
   host::write_whole(output, host::to_text(host::sign(manifest, key)));
   program::say() << output.string() << ": " << o.mission.string() << " and its policy, counter " << manifest.counter
                  << ", by the holder of " << host::public_file_of(o.key).string() << "\n";

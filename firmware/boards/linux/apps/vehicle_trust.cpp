@@ -32,4 +32,8 @@ void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said,
   refuse_if(said.ports.can_interface.has_value(), "--can-interface");
 }
 
+Signatures signatures_of(const host::MissionJudge& judge, const host::SignedPolicy& policy) {
+  return {.policy = policy.signer, .mission = judge.mission_signer(), .counter = judge.manifest() ? judge.manifest()->counter : 0};
+}
+
 }  // namespace earshot::board

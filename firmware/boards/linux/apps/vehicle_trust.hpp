@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "firmware/boards/linux/checklist/checklist.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/mission_judge.hpp"
 
@@ -27,5 +28,8 @@ struct SaidInstead {
 /// What is signed is flown as it stands; but a simulator has ports of its own.
 /// @throws host::BadInput naming the option
 void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said, Venture venture);
+
+/// Of what has been loaded and judged.
+[[nodiscard]] Signatures signatures_of(const host::MissionJudge& judge, const host::SignedPolicy& policy);
 
 }  // namespace earshot::board

@@ -46,11 +46,19 @@ std::string roles_of(const host::PortSettings& port) {
   return text;
 }
 
-std::string files(const host::MissionFile& file, const policy::FrozenPolicy& policy, const std::string& shown) {
-  return "files\n" + row("mission", host::printable(shown)) +
+std::string signer(const std::filesystem::path& key) {
+  return host::printable(key.lexically_normal().string());
+}
+
+std::string files(const host::MissionFile& file, const policy::FrozenPolicy& policy, const std::string& shown,
+                  const Signatures& signatures) {
+  const std::string mission_signer = signatures.mission.empty()
+                                         ? "nobody; no signature is asked for"
+                                         : signer(signatures.mission) + ", counter " + std::to_string(signatures.counter);
+  return "files\n" + row("mission", host::printable(shown)) + row("signed by", mission_signer) +
          row("policy", host::printable(file.policy.lexically_normal().string()) + ": " + std::to_string(policy.actions.size()) +
                            " directions, an observation of " + std::to_string(policy.observation.spec.size()) + " numbers") +
-         row("signed by", host::printable(file.public_key.lexically_normal().string()));
+         row("signed by", signer(signatures.policy));
 }
 
 std::string authority(const host::MissionFile& file) {
@@ -162,9 +170,10 @@ std::string rules(const config::Mission& mission) {
 
 }  // namespace
 
-std::string checklist(const host::MissionFile& file, const policy::FrozenPolicy& policy, const std::string& shown) {
-  return files(file, policy, shown) + ports(file) + authority(file) + vehicle(file.mission) + search(file) + places(file.mission) +
-         budgets(file.mission) + rules(file.mission) + "memory\n" +
+std::string checklist(const host::MissionFile& file, const policy::FrozenPolicy& policy, const std::string& shown,
+                      const Signatures& signatures) {
+  return files(file, policy, shown, signatures) + ports(file) + authority(file) + vehicle(file.mission) + search(file) +
+         places(file.mission) + budgets(file.mission) + rules(file.mission) + "memory\n" +
          row("runtime", std::to_string(sizeof(runtime::Runtime)) + " bytes, of " + std::to_string(config::kRuntimeBytes) + " allowed");
 }
 

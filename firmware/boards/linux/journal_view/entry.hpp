@@ -47,7 +47,9 @@ struct Record {
 struct MissingRecords {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  bool was_damaged = false;  ///< damaged bytes stand in their place; else the disk did not take them
+  bool was_damaged = false;  ///< damaged bytes stand in their place; else the disk did not take them, or
+  int first_part = 0;        ///< they were in this part of the journal and in those behind it, none of which is there
+  int parts = 0;             ///< so many; 0: all parts are there
 };
 
 /// Bytes of the file that are no whole record.

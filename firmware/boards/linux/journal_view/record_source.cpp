@@ -39,10 +39,17 @@ void RecordSource::keep_gap_before(std::uint32_t number, bool was_damaged) {
   constexpr std::uint32_t kHalfWayRound = std::uint32_t{1} << 31U;
   const std::uint32_t count = number - expected_number_;
   if (count == 0) return;
-  if (count < kHalfWayRound)
-    waiting_.emplace_back(MissingRecords{.first = expected_number_, .count = count, .was_damaged = was_damaged});
-  else
+  if (count >= kHalfWayRound) {
     waiting_.emplace_back(NumbersGoBack{.from = expected_number_ - 1, .to = number});
+    return;
+  }
+  MissingRecords missing{.first = expected_number_, .count = count, .was_damaged = was_damaged};
+  if (const int part = reader_.part(); part != part_told_) {
+    missing.parts = reader_.parts_missing_before();
+    missing.first_part = part - missing.parts;
+    part_told_ = part;
+  }
+  waiting_.emplace_back(missing);
 }
 
 std::optional<TornEnd> RecordSource::torn_end() const {

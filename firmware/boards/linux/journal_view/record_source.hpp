@@ -39,6 +39,7 @@ class RecordSource {
   host::JournalReader reader_;
   std::deque<Entry> waiting_;  ///< a record, behind what was found before it
   std::size_t damages_told_ = 0;
+  int part_told_ = 1;  ///< of what is missing before it, all was told
   std::uint32_t expected_number_ = 0;
   std::uint64_t records_ = 0;
 };

@@ -37,8 +37,10 @@ std::string build_of(const mission_t& mission) {
   return host::printable({build, ::strnlen(build, std::size(mission.build))});
 }
 
-std::string state_to_string(MissionState state, EndReason reason, std::int64_t steps) {
-  const std::string ended = reason == EndReason::kNone ? "" : std::string(": ") + messages::to_string(reason);
+std::string state_to_string(MissionState state, EndReason reason, std::int64_t steps, AbortedBy by) {
+  const bool is_stopped = reason == EndReason::kOperatorAbort && by == AbortedBy::kProgram;
+  const std::string why = is_stopped ? "its program was told to stop" : messages::to_string(reason);
+  const std::string ended = reason == EndReason::kNone ? "" : ": " + why;
   return messages::to_string(state) + ended + ", after " + counted(static_cast<std::uint64_t>(steps < 0 ? 0 : steps), "step");
 }
 
@@ -86,8 +88,7 @@ std::string to_string(const decision_t& m) {
   const NorthEast place{Meters{m.north_m}, Meters{m.east_m}};
   const NorthEast waypoint{Meters{m.waypoint_north_m}, Meters{m.waypoint_east_m}};
   const NorthEast leg = waypoint - place;
-  std::string bearing = decimal(compass_degrees(bearing_of(leg.north.value, leg.east.value)), 0);
-  if (bearing == "360") bearing = "0";
+  std::string bearing = compass(bearing_of(leg.north.value, leg.east.value), 0);
   bearing.insert(0, bearing.size() < 3 ? 3 - bearing.size() : 0, '0');
   std::string text = "step " + std::to_string(m.step) + ": SNR " + (m.too_faint != 0 ? "below " : "") + decimal(m.snr_db, 1) + " dB" +
                      (m.detected != 0 ? ", heard" : ", not heard") + "; from " + to_string(place) + " goes " +
@@ -114,26 +115,26 @@ std::string to_string(const messages::SafetyEvent& event) {
   return text + ": " + std::string(config::kResponseWords.at(response));
 }
 
-std::string to_string(const health_t& m) {
+std::string to_string(const health_t& m, AbortedBy by) {
   const auto reason = static_cast<EndReason>(m.end_reason);
   const auto authority = static_cast<Authority>(m.authority);
   const auto state = static_cast<MissionState>(m.state);
-  if (reason != EndReason::kNone) return state_to_string(state, reason, m.steps_taken);
+  if (reason != EndReason::kNone) return state_to_string(state, reason, m.steps_taken, by);
   std::string text = messages::to_string(state);
   if (authority == Authority::kDisconnected) return text + ", the autopilot is not heard";
   if (authority == Authority::kListen) return text + ", listening: it commands nothing";
   return text + (m.paused != 0 ? ", paused by an operator" : "");
 }
 
-std::string to_string(const wire::ClosingRecord& closing) {
+std::string to_string(const wire::ClosingRecord& closing, AbortedBy by) {
   const wire::ClosingRecord::Lost& lost = closing.lost;
   const std::string what = lost.all() == 0
                                ? "no record was lost"
                                : counted(lost.all(), "record") + " lost on a full or slow disk: " + std::to_string(lost.streams) +
                                      " of navigation, SNR and health, " + std::to_string(lost.steering) + " set-points and decisions, " +
                                      std::to_string(lost.orders) + " orders and changes of state";
-  return std::string("end: ") + to_string(closing.ending) + "; " + state_to_string(closing.state, closing.end_reason, closing.steps_taken) +
-         "; " + what;
+  return std::string("end: ") + to_string(closing.ending) + "; " +
+         state_to_string(closing.state, closing.end_reason, closing.steps_taken, by) + "; " + what;
 }
 
 std::string to_string(const journal_resumed_t& resumed) {
@@ -141,12 +142,23 @@ std::string to_string(const journal_resumed_t& resumed) {
          counted(static_cast<std::uint64_t>(resumed.cut_bytes), "byte") + " that it left behind were cut off";
 }
 
+namespace {
+
+std::string why_missing(const MissingRecords& missing) {
+  if (missing.parts == 1) return ": part " + std::to_string(missing.first_part) + " of the journal is not there";
+  if (missing.parts > 1)
+    return ": parts " + std::to_string(missing.first_part) + " to " + std::to_string(missing.first_part + missing.parts - 1) +
+           " of the journal are not there";
+  return missing.was_damaged ? ", where the file is damaged" : ": the disk was full or too slow";
+}
+
+}  // namespace
+
 std::string to_string(const MissingRecords& missing) {
   const std::string which = missing.count == 1
                                 ? "number " + std::to_string(missing.first)
                                 : "numbers " + std::to_string(missing.first) + " to " + std::to_string(missing.first + missing.count - 1);
-  return counted(missing.count, "record") + (missing.count == 1 ? " is" : " are") + " missing, " + which +
-         (missing.was_damaged ? ", where the file is damaged" : ": the disk was full or too slow");
+  return counted(missing.count, "record") + (missing.count == 1 ? " is" : " are") + " missing, " + which + why_missing(missing);
 }
 
 std::string to_string(const DamagedBytes& damage) {

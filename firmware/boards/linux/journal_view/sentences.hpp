@@ -24,11 +24,14 @@ namespace earshot::journal_view {
 /// "rule 11, battery_percent: 14.9, below 15.0: return"; "rule 11, battery_percent: no longer"
 [[nodiscard]] std::string to_string(const messages::SafetyEvent& event);
 
+/// Whose order an ABORT was that no rule gave: a program that is told to stop gives one, too.
+enum class AbortedBy : std::uint8_t { kOperator, kProgram };
+
 /// "ABORT: navigation went silent, after 12 steps"; "SEARCH, listening: it commands nothing"
-[[nodiscard]] std::string to_string(const health_t& health);
+[[nodiscard]] std::string to_string(const health_t& health, AbortedBy by = AbortedBy::kOperator);
 
 /// "end: the mission was over; DONE: the source is reached, after 37 steps; no record was lost"
-[[nodiscard]] std::string to_string(const wire::ClosingRecord& closing);
+[[nodiscard]] std::string to_string(const wire::ClosingRecord& closing, AbortedBy by = AbortedBy::kOperator);
 [[nodiscard]] std::string to_string(const journal_resumed_t& resumed);
 
 [[nodiscard]] std::string to_string(const MissingRecords& missing);

@@ -3,7 +3,6 @@
 #include <utility>
 #include <variant>
 
-#include "firmware/boards/linux/journal_view/sentences.hpp"
 #include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/config/safety.hpp"
 #include "firmware/host/file/checksum_text.hpp"
@@ -125,8 +124,9 @@ void Timeline::note_content(const health_t& health, const Record& /*record*/) {
     for (Port& port : ports_) port.failures.is_told = false;
   }
   const bool is_abort = health.state == health_t::ABORT;
-  if (const std::string state = to_string(health); state_.changes_to(state))
+  if (const std::string state = to_string(health, aborted_by_); state_.changes_to(state))
     tell(is_abort ? Severity::kWarning : Severity::kInformation, state);
+  is_over_ = health.end_reason != 0;
   note_refused(health);
 }
 
@@ -143,9 +143,9 @@ void Timeline::note_refused(const health_t& health) {
 void Timeline::note_content(const wire::ClosingRecord& closing, const Record& /*record*/) {
   is_closed_ = true;
   if (closing.lost.all() > 0)
-    tell_lack(to_string(closing));
+    tell_lack(to_string(closing, aborted_by_));
   else
-    inform(to_string(closing));
+    inform(to_string(closing, aborted_by_));
 }
 
 void Timeline::note_content(const journal_resumed_t& resumed, const Record& /*record*/) {
@@ -179,6 +179,8 @@ void Timeline::note_input(const messages::HydrophoneStatus& status, std::uint8_t
 }
 
 void Timeline::note_input(const messages::OperatorCommand& command, std::uint8_t port) {
+  // By port 0 come the program's own.
+  if (port == 0 && !is_over_) aborted_by_ = AbortedBy::kProgram;
   inform(to_string(command, port));
 }
 

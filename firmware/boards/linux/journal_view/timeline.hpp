@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/boards/linux/journal_view/entry.hpp"
+#include "firmware/boards/linux/journal_view/sentences.hpp"
 #include "firmware/config/capacities.hpp"
 #include "firmware/messages/port_report.hpp"
 
@@ -98,6 +99,8 @@ class Timeline {
   std::optional<Time> began_;
   Time now_;
   bool is_closed_ = false;
+  bool is_over_ = false;  ///< the mission
+  AbortedBy aborted_by_ = AbortedBy::kOperator;
   std::optional<std::uint32_t> policy_crc32_;  ///< that the mission names
   Told<std::string> state_;
   Told<std::int8_t> mission_state_{-1};

@@ -19,6 +19,7 @@
 #include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/signals.hpp"
@@ -70,7 +71,7 @@ host::BadInput no_record_in(const std::filesystem::path& journal) {
 class Exports {
  public:
   explicit Exports(const ViewOptions& options) : options_(options) {
-    files_of_command_.read(options.journal);
+    for (const std::filesystem::path& part : host::JournalParts(options.journal).files()) files_of_command_.read(part);
     judge(options.csv, kTurnTableOutput);
     judge(options.jsonl, kRecordLinesOutput);
     judge(options.mcap, kMcapOutput);

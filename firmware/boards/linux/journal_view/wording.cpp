@@ -60,4 +60,11 @@ double compass_degrees(Radians heading) {
   return turned >= kFullTurn_deg ? 0.0 : turned;  // of an angle that is a rounding below zero
 }
 
+std::string compass(Radians heading, int places) {
+  const double degrees = compass_degrees(heading);
+  if (!std::isfinite(degrees)) return "";
+  const std::string text = decimal(degrees, places);
+  return text.starts_with("360") ? decimal(0.0, places) : text;
+}
+
 }  // namespace earshot::journal_view

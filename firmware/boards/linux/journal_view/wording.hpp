@@ -29,5 +29,7 @@ namespace earshot::journal_view {
 
 /// Clockwise from north, [0, 360).
 [[nodiscard]] double compass_degrees(Radians heading);
+/// Likewise with so many decimals, below 360 then, too; nothing of what is no number.
+[[nodiscard]] std::string compass(Radians heading, int places);
 
 }  // namespace earshot::journal_view

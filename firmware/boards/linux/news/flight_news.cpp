@@ -195,7 +195,8 @@ void FlightNews::tell_state(Time now, const messages::Health& health) {
   line << to_string(health.state);
   const bool is_stopped = is_stopping_ && health.end_reason == messages::EndReason::kOperatorAbort;
   if (health.end_reason != messages::EndReason::kNone)
-    line << ", " << (is_stopped ? kToldToStop : to_string(health.end_reason)) << ", after " << health.steps_taken << " steps";
+    line << ", " << (is_stopped ? kToldToStop : to_string(health.end_reason)) << ", after " << health.steps_taken
+         << (health.steps_taken == 1 ? " step" : " steps");
   if (!remark.empty()) line << ", " << remark;
   const bool is_aborted = health.state == messages::MissionState::kAbort;
   say({.severity = is_aborted ? Severity::kError : Severity::kNotice, .event = "state", .time = now, .message = line.text()});

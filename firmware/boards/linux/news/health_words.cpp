@@ -9,7 +9,7 @@ namespace {
 std::string state_and(const char* reason, const messages::Health& health) {
   std::string text = messages::to_string(health.state);
   if (health.end_reason != messages::EndReason::kNone) text += std::string(", ") + reason;
-  return text + ", after " + std::to_string(health.steps_taken) + " steps";
+  return text + ", after " + std::to_string(health.steps_taken) + (health.steps_taken == 1 ? " step" : " steps");
 }
 
 }  // namespace

@@ -49,9 +49,9 @@ std::string_view word_of(Severity severity) {
 /// where host::printable() has let them pass as UTF-8.
 void write_escaped(TextInto& to, std::string_view text, std::size_t room_for_end) {
   constexpr std::string_view kHexadecimal = "0123456789abcdef";
-  constexpr std::size_t kLongest = 6;
+  constexpr std::size_t kLongest = 6;  // also of a character's bytes, of which there are at most 4
   for (const char character : text) {
-    if (to.left() < kLongest + room_for_end) return;
+    if (to.left() < (goes_on(character) ? 1 : kLongest) + room_for_end) return;
     const auto code = static_cast<unsigned char>(character);
     if (character == '"' || character == '\\') {
       to << "\\" << std::string_view(&character, 1);

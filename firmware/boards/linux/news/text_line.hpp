@@ -11,13 +11,19 @@
 
 namespace earshot::board {
 
-/// Text in the making, in memory of somebody else's; what does not fit is left out. Allocates nothing.
+/// Whether a byte of UTF-8 goes on with a character that began before it.
+[[nodiscard]] constexpr bool goes_on(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+/// Text in the making, in memory of somebody else's; what does not fit is left out, whole characters only. Allocates nothing.
 class TextInto {
  public:
   explicit TextInto(std::span<char> memory) : memory_(memory) {}
 
   TextInto& operator<<(std::string_view text) {
-    const std::size_t count = std::min(text.size(), left());
+    std::size_t count = std::min(text.size(), left());
+    while (count > 0 && count < text.size() && goes_on(text[count])) --count;
     std::copy_n(text.begin(), count, memory_.begin() + static_cast<std::ptrdiff_t>(size_));
     size_ += count;
     return *this;

@@ -5,22 +5,39 @@
 #include "firmware/boards/linux/turn_records.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 
 namespace earshot::board {
+namespace {
 
-Playback::Playback(const std::filesystem::path& journal, std::uint32_t from_step) : file_(journal), from_step_(from_step) {
+/// The year 3111: no mission lasts so long, and whatever it adds to a date fits.
+constexpr Time kLatest{std::int64_t{1} << 55U};
+
+host::BadInput refusal(const std::filesystem::path& journal, const std::string& why) {
+  return host::BadInput(journal.string() + ": cannot be replayed: " + why);
+}
+
+}  // namespace
+
+void require_possible_date(const std::filesystem::path& journal, const host::JournalRecord& record) {
+  if (record.time < Time{} || record.time > kLatest)
+    throw refusal(journal, "record " + std::to_string(record.number) + " (" + host::printable(record.channel) +
+                               ") bears a date that no clock gives: " + std::to_string(record.time.us) + " us");
+}
+
+Playback::Playback(const std::filesystem::path& journal, std::uint32_t from_step) : path_(journal), file_(journal), from_step_(from_step) {
   begin(journal);
 }
 
 void Playback::begin(const std::filesystem::path& path) {
-  const auto refuse = [&path](const std::string& what) { return host::BadInput(path.string() + ": cannot be replayed: " + what); };
+  const auto refuse = [&path](const std::string& what) { return refusal(path, what); };
   mission_t mission{};
-  if (!file_.next(record_) || record_.number != 0 || record_.channel != wire::kMissionChannel ||
-      wire::decode(record_.data, mission) != Status::kOk)
+  if (!file_.next(record_)) throw host::BadInput(path.string() + ": not a journal: no record in it");
+  if (record_.number != 0 || record_.channel != wire::kMissionChannel || wire::decode(record_.data, mission) != Status::kOk)
     throw refuse("its first record is no mission");
   memory_.last = record_.time;
   if (!file_.next(record_) || record_.number != 1 || record_.channel != wire::kPolicyChannel)
@@ -46,7 +63,8 @@ bool Playback::next() {
 }
 
 std::optional<wire::ClosingRecord> Playback::closing() {
-  while (!closing_ && record_.channel != wire::kJournalEndChannel && file_.next(record_)) {
+  if (closing_) return closing_;
+  while (record_.channel != wire::kJournalEndChannel && file_.next(record_)) {
   }
   if (wire::ClosingRecord closing;
       record_.channel == wire::kJournalEndChannel && wire::read_closing_record(record_.data, closing) == Status::kOk)
@@ -54,8 +72,19 @@ std::optional<wire::ClosingRecord> Playback::closing() {
   return closing_;
 }
 
+std::size_t Playback::records_behind_end() {
+  if (!closing()) return 0;
+  std::size_t count = 0;
+  while (file_.next(record_)) ++count;
+  return count;
+}
+
 bool Playback::take(const host::JournalRecord& record) {
-  if (record.channel == wire::kJournalEndChannel) return false;
+  if (record.channel == wire::kJournalEndChannel) {
+    if (is_comparing_ && is_compared()) compare_end(record);
+    return false;
+  }
+  require_possible_date(path_, record);
   ++next_number_;
   if (record.channel == wire::kJournalResumedChannel && is_compared()) return true;
   messages::Input input;
@@ -82,8 +111,8 @@ void Playback::step(Time now) {
   expected_.clear();
   compared_ = 0;
   const bool is_new_state = memory_.recorded_state != outputs_.health.state;
-  for_each_record(now, outputs_, is_new_state, [this](std::string_view channel, const auto& message, host::Weight weight) {
-    expected_.push_back({channel, wire::Encoded(message), weight});
+  for_each_record(now, outputs_, is_new_state, [this, now](std::string_view channel, const auto& message, host::Weight weight) {
+    expected_.push_back({.channel = channel, .message = wire::Encoded(message), .weight = weight, .time = now});
   });
   memory_.note(now, outputs_);
   ++turns_;
@@ -94,7 +123,24 @@ void Playback::step(Time now) {
 bool Playback::is_as_expected(const host::JournalRecord& record) {
   if (is_compared()) return false;
   const Unwritten& expected = expected_[compared_++];
-  return expected.channel == record.channel && std::ranges::equal(expected.message.bytes(), record.data);
+  return expected.channel == record.channel && expected.time == record.time && std::ranges::equal(expected.message.bytes(), record.data);
+}
+
+void Playback::compare_end(const host::JournalRecord& record) {
+  wire::ClosingRecord told;
+  if (wire::read_closing_record(record.data, told) != Status::kOk) return;
+  const messages::Health& health = outputs_.health;
+  wire::ClosingRecord now = told;  // why its program ended, and what the disk did not take, only the journal knows
+  now.state = health.state;
+  now.end_reason = health.end_reason;
+  now.steps_taken = health.steps_taken;
+  if (now == told) return;
+  difference_ = {
+      .record = record.number,
+      .channel = record.channel,
+      .time = record.time,
+      .data = record.data,
+      .now = Unwritten{.channel = wire::kJournalEndChannel, .message = encoded(now), .weight = host::Weight::kOrder, .time = record.time}};
 }
 
 }  // namespace earshot::board

@@ -20,6 +20,10 @@
 
 namespace earshot::board {
 
+/// The runtime asserts that time is not negative, and adds to it.
+/// @throws host::BadInput naming the record that bears a date which no clock of Earshot gives.
+void require_possible_date(const std::filesystem::path& journal, const host::JournalRecord& record);
+
 /// A journal given to a fresh runtime again, record by record: its inputs are taken, and its outputs compared with what the runtime says.
 class Playback {
  public:
@@ -33,8 +37,9 @@ class Playback {
     std::string_view channel;
     wire::Encoded message;
     host::Weight weight;
+    Time time;  ///< of its turn, which every record of it bears
   };
-  /// A record that the runtime does not give again, byte for byte.
+  /// A record that the runtime does not give again, byte for byte; or a closing record that tells of another end.
   struct Difference {
     std::uint32_t record = 0;  ///< its number
     std::string channel;
@@ -47,10 +52,12 @@ class Playback {
   /// @throws host::BadInput when the file cannot be read, does not begin with a mission and its policy, or this build cannot fly them.
   explicit Playback(const std::filesystem::path& journal, std::uint32_t from_step = 0);
 
-  /// One record more. False: the end, a difference or a gap; what stands behind is looked at by end_of_file().
+  /// One record more. False: the end, a difference or a gap. @throws host::BadInput as require_possible_date()
   [[nodiscard]] bool next();
   /// The last record of a journal that was ended in order, wherever the playback stopped.
   [[nodiscard]] std::optional<wire::ClosingRecord> closing();
+  /// Reads the file to its end. @return how many records stand behind the one that ends the journal: another journal's, or forged ones
+  [[nodiscard]] std::size_t records_behind_end();
 
   [[nodiscard]] const Beginning& beginning() const { return beginning_; }
   [[nodiscard]] const host::JournalReader& file() const { return file_; }
@@ -79,7 +86,10 @@ class Playback {
   /// Of the last turn nothing is left to be found in the journal.
   [[nodiscard]] bool is_compared() const { return compared_ == expected_.size(); }
   [[nodiscard]] bool is_as_expected(const host::JournalRecord& record);
+  /// Whether the closing record says how the mission stood after its last turn.
+  void compare_end(const host::JournalRecord& record);
 
+  std::filesystem::path path_;
   host::JournalReader file_;
   std::uint32_t from_step_;
   bool is_comparing_ = from_step_ == 0;

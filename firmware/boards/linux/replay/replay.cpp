@@ -21,6 +21,7 @@ ReplayResult replay(const std::filesystem::path& path, const ReplayOptions& opti
                       .difference = playback.difference(),
                       .gap = playback.gap(),
                       .closing = playback.closing(),
+                      .records_behind_end = playback.records_behind_end(),
                       .damages = {}};
   result.end = playback.file().end();
   result.damages = playback.file().damages();

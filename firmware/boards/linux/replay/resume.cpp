@@ -1,12 +1,16 @@
 #include "firmware/boards/linux/replay/resume.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "firmware/boards/linux/news/health_words.hpp"
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_name.hpp"
+#include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 
@@ -26,16 +30,63 @@ bool is_same(const config::Mission& a, const config::Mission& b) {
 struct Ending {
   std::uint64_t last_turn = 0;  ///< behind it, bytes from the beginning; 0: no turn was made
   bool is_in_order = false;
+  std::uint64_t torn_at = std::numeric_limits<std::uint64_t>::max();  ///< bytes before what a power cut tore; none: it tore nothing
 };
 
-Ending ending_of(const std::filesystem::path& journal) {
+/// What stands behind the first record that is missing. A disk writes what it was not told to keep in any order: of the journal's last
+/// second, which a power cut may cost, it may lack the beginning and hold the end.
+class Tail {
+ public:
+  Tail(const Ending& before, std::uint64_t begin, Time began, std::optional<health_t> last)
+      : before_(before), begin_(begin), began_(began), last_(std::move(last)) {}
+
+  void note(const host::JournalRecord& record) {
+    ended_ = record.time;
+    if (record.channel == wire::kHealthChannel) {
+      health_t health{};
+      const bool is_same_state = last_ && wire::decode(record.data, health) == Status::kOk && health.state == last_->state;
+      is_light_ = is_light_ && is_same_state;
+    } else if (record.channel.starts_with(wire::kOperatorCommandChannel) || record.channel == wire::kAcknowledgementChannel ||
+               record.channel == wire::kSafetyEventChannel || record.channel == wire::kJournalResumedChannel) {
+      is_light_ = false;
+    }
+  }
+
+  /// No order, rule that acts or change of state would be forgotten. @return nothing: it cannot be done without
+  [[nodiscard]] std::optional<Ending> without() const {
+    constexpr Duration kMost{std::chrono::microseconds(host::kJournalBudget).count()};
+    if (!is_light_ || ended_ - began_ > kMost || before_.last_turn == 0) return std::nullopt;
+    return Ending{.last_turn = before_.last_turn, .is_in_order = false, .torn_at = begin_};
+  }
+
+ private:
+  Ending before_;
+  std::uint64_t begin_;
+  Time began_;
+  Time ended_;
+  std::optional<health_t> last_;
+  bool is_light_ = true;
+};
+
+Ending ending_of(const std::filesystem::path& journal, GoOnAfter after) {
   host::JournalReader reader(journal);
   Ending ending;
-  for (host::JournalRecord record; reader.next(record);) {
-    if (record.channel == wire::kHealthChannel) ending.last_turn = reader.offset();
+  std::optional<Tail> tail;
+  std::optional<health_t> last;
+  std::uint32_t next_number = 0;
+  std::uint64_t begin = 0;
+  Time time;
+  for (host::JournalRecord record; reader.next(record); begin = reader.offset(), time = record.time) {
+    if (record.number != next_number && !tail) tail.emplace(ending, begin, time, last);
+    next_number = record.number + 1;
+    if (tail) tail->note(record);
     ending.is_in_order = record.channel == wire::kJournalEndChannel;
+    if (record.channel != wire::kHealthChannel) continue;
+    ending.last_turn = reader.offset();
+    if (health_t health{}; wire::decode(record.data, health) == Status::kOk) last = health;
   }
-  return ending;
+  if (!tail || ending.is_in_order || after == GoOnAfter::kLastTurn) return ending;
+  return tail->without().value_or(ending);
 }
 
 void require_whole(const std::filesystem::path& journal, const Playback& playback, std::uint64_t end) {
@@ -51,14 +102,14 @@ void require_whole(const std::filesystem::path& journal, const Playback& playbac
 }  // namespace
 
 std::optional<Resumption> resume(const std::filesystem::path& journal, const Playback::Beginning& flown, GoOnAfter after) {
-  const Ending ending = ending_of(journal);
+  const Ending ending = ending_of(journal, after);
   if (ending.is_in_order || ending.last_turn == 0) return std::nullopt;
   Playback playback(journal);
   if (!is_same(playback.beginning().mission, flown.mission))
     throw refusal(journal, "it is of another mission, or this one's file was changed since");
   if (playback.beginning().policy_crc32 != flown.policy_crc32) throw refusal(journal, "it was flown with another policy");
-  const bool to_the_end = after == GoOnAfter::kLastInput;
-  while ((to_the_end || playback.file().offset() < ending.last_turn) && playback.next()) {
+  const std::uint64_t end = after == GoOnAfter::kLastInput ? ending.torn_at : ending.last_turn;
+  while (playback.file().offset() < end && playback.next()) {
   }
   require_whole(journal, playback, ending.last_turn);
   const std::uint64_t kept = playback.file().offset();
@@ -76,6 +127,9 @@ std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, c
   const std::optional<std::filesystem::path> newest = host::newest_journal(wanted);
   if (!newest) return std::nullopt;
   (void)host::JournalReader(*newest);  // refuses what is no regular file, before it is opened for writing
+  if (std::filesystem::is_symlink(*newest)) throw refusal(*newest, "it is a link, and later parts would be written beside that");
+  if (const std::optional<std::filesystem::path> misplaced = host::JournalParts(*newest).misplaced())
+    throw refusal(*newest, misplaced->filename().string() + " is a part of it that bears another part's name");
   host::JournalFile file(*newest, host::ExistingJournal::kGoOn);
   std::optional<Resumption> before = resume(*newest, flown, after);
   if (!before) return std::nullopt;

@@ -36,8 +36,10 @@ enum class GoOnAfter {
 /// Gives a fresh runtime everything that stands in the journal. Nothing: there is nothing to go on with, for it was ended in order, or its
 /// process ended before the first turn.
 /// @param flown  what is to be flown
-/// @throws host::BadInput naming the journal, when it cannot be read, is of another mission or policy, lacks records before its end, or
-///         this build does not give its outputs again.
+/// A record that is missing in the last second of a journal at sea (kJournalBudget) was torn out by a power cut: the mission goes on from
+/// before it, unless an order, a rule that acts or a change of state stands behind it, which would be forgotten.
+/// @throws host::BadInput naming the journal, when it cannot be read, is of another mission or policy, lacks other records before its end,
+///         or this build does not give its outputs again.
 [[nodiscard]] std::optional<Resumption> resume(const std::filesystem::path& journal, const Playback::Beginning& flown, GoOnAfter after);
 
 /// A journal to be gone on with, cut to what is kept of it, and where its mission stood.
@@ -48,7 +50,8 @@ struct Unfinished {
 
 /// The newest of the journals that are numbered after `wanted`, when its mission goes on. Nobody else writes it meanwhile.
 /// @param now  on the mission clock; one that begins at 0 in every process (GoOnAfter::kLastTurn) is not looked at
-/// @throws as resume(), and when the clock is behind the journal's last record; host::FolderInUse naming who writes it.
+/// @throws as resume(), and when the clock is behind the journal's last record, a part of it bears another's name, or it is a link;
+/// host::FolderInUse naming who writes it.
 [[nodiscard]] std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Playback::Beginning& flown,
                                                         GoOnAfter after, Time now);
 

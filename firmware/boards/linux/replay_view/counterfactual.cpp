@@ -4,8 +4,11 @@
 #include <variant>
 
 #include "earshot/mission_t.hpp"
+#include "earshot/safety_event_t.hpp"
 #include "earshot/setpoint_t.hpp"
+#include "firmware/boards/linux/replay/playback.hpp"
 #include "firmware/boards/linux/replay_view/thinned_track.hpp"
+#include "firmware/config/safety.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
@@ -25,6 +28,10 @@ void note(const health_t& health, Time time, Standing& standing) {
   standing.health = health;
 }
 
+void note(const messages::SafetyEvent& event, Standing& standing) {
+  if (!standing.rule && event.begins && event.response >= config::Response::kAbort) standing.rule = event;
+}
+
 class Flight {
  public:
   explicit Flight(const Plan& plan) {
@@ -41,6 +48,8 @@ class Flight {
       setpoint_ = record.data;
     } else if (record.channel == wire::kDecisionChannel) {
       if (decision_t decision{}; wire::decode(record.data, decision) == Status::kOk) told_.then.push_back(decision);
+    } else if (record.channel == wire::kSafetyEventChannel) {
+      if (safety_event_t event{}; wire::decode(record.data, event) == Status::kOk) note(wire::from_message(event), told_.then_ended);
     } else if (record.channel == wire::kHealthChannel) {
       end_turn(record);
     }
@@ -58,6 +67,7 @@ class Flight {
     const runtime::Outputs outputs = runtime_->step(record.time);
     if (health_t health{}; wire::decode(record.data, health) == Status::kOk) note(health, record.time, told_.then_ended);
     note(wire::to_message(outputs.health, record.time), record.time, told_.now_ended);
+    for (const messages::SafetyEvent& event : outputs.safety_events) note(event, told_.now_ended);
     if (outputs.decision) told_.now.push_back(wire::to_message(*outputs.decision));
     compare_steering(outputs, record.time);
     const bool is_believed = outputs.health.counters.navigation_refused == refused_;
@@ -79,6 +89,9 @@ class Flight {
           field_differences(wire::kJournalledSetpointChannel, *setpoint_, wire::Encoded(wire::to_message(*outputs.setpoint, time)).bytes());
       if (!fields.empty()) told_.steering = {.time = time, .fields = std::move(fields)};
     }
+    if (!told_.steering) return;
+    for (const messages::SafetyEvent& event : outputs.safety_events)
+      if (event.begins && event.response > config::Response::kWarn) told_.steering->rules.push_back(event);
   }
 
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
@@ -97,7 +110,8 @@ Plan plan_of(const std::filesystem::path& journal) {
   host::JournalRecord record;
   mission_t mission{};
   const auto refuse = [&journal](const char* what) { return host::BadInput(journal.string() + ": cannot be replayed: " + what); };
-  if (!reader.next(record) || record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk)
+  if (!reader.next(record)) throw host::BadInput(journal.string() + ": not a journal: no record in it");
+  if (record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk)
     throw refuse("its first record is no mission");
   if (!reader.next(record) || record.channel != wire::kPolicyChannel) throw refuse("its second record is no policy");
   return {.mission = wire::from_message(mission), .policy = host::policy_from(record.data, journal)};
@@ -116,6 +130,7 @@ Counterfactual fly_again(const std::filesystem::path& journal, const Plan& plan,
       gap = number;
       break;
     }
+    board::require_possible_date(journal, record);
     flight.take(record);
     if (progress && number % kBetweenUpdates == 0)
       progress(static_cast<double>(reader.offset()) / static_cast<double>(reader.file_size() + 1));

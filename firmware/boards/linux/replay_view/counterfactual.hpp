@@ -14,6 +14,7 @@
 #include "firmware/config/mission.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/messages/safety_event.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 
 namespace earshot::replay_view {
@@ -31,6 +32,7 @@ struct Plan {
 struct Standing {
   Time since;
   health_t health{};
+  std::optional<messages::SafetyEvent> rule{};  ///< that ended it; nothing: none did
 };
 
 /// A journal's inputs given to a runtime of another plan. What it decides is what a vehicle of that plan would have decided as long as it
@@ -44,6 +46,7 @@ struct Counterfactual {
   struct Steering {
     Time time;
     std::vector<FieldDifference> fields;
+    std::vector<messages::SafetyEvent> rules{};  ///< that begin to steer in that turn, now
   };
   std::optional<Steering> steering;
   Standing then_ended;

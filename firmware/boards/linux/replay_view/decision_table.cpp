@@ -38,16 +38,18 @@ std::string one_way(const std::optional<decision_t>& d, Time began) {
 }
 
 std::string to_string(const Standing& standing, Time began) {
-  return journal_view::to_string(standing.health) + formatted(" (since %.1f s)", seconds_since(began, standing.since.us));
+  const bool is_by_rule = standing.rule && standing.health.end_reason == static_cast<std::int8_t>(messages::EndReason::kSafetyRule);
+  const std::string rule = is_by_rule ? ", " + journal_view::to_string(*standing.rule) : "";
+  return journal_view::to_string(standing.health) + formatted(" (since %.1f s", seconds_since(began, standing.since.us)) + rule + ")";
 }
 
 }  // namespace
 
-std::string decision_table(std::span<const StepPair> pairs, Time began) {
+std::string decision_table(std::span<const StepPair> pairs, std::uint32_t from_step, Time began) {
   const std::string head = formatted("%10s %7s %-6s  %3s %9s %9s", "time (s)", "SNR dB", "", "deg", "north km", "east km");
   std::string text = formatted("%5s    %-47s   |   %s\n", "", "then, in the journal", "now") + " step " + head + "   |" + head + "\n";
   const StepPair* const parts = parting(pairs);
-  for (const StepPair& pair : pairs) {
+  for (const StepPair& pair : from(from_step, pairs)) {
     text += formatted("%5d ", pair.step) + half_row(pair.then, began) + "   |" + half_row(pair.now, began);
     if (&pair == parts)
       text += "  parts";
@@ -58,14 +60,15 @@ std::string decision_table(std::span<const StepPair> pairs, Time began) {
   return text;
 }
 
-std::string where_they_part(std::span<const StepPair> pairs, Time began) {
+std::string where_they_part(std::span<const StepPair> pairs, std::uint32_t from_step, Time began) {
   if (pairs.empty()) return "no decision, then or now";
   const std::string first = std::to_string(pairs.front().step);
   const StepPair* const parts = parting(pairs);
   if (parts == nullptr)
     return "the decisions do not part: " + counted(pairs.size(), "step") + " from step " + first + " on send the vehicle the same ways";
-  return "the decisions part at step " + std::to_string(parts->step) + ": then " + one_way(parts->then, began) + "; now " +
-         one_way(parts->now, began);
+  const bool is_listed = static_cast<std::uint32_t>(parts->step) >= from_step;
+  return "the decisions part at step " + std::to_string(parts->step) + (is_listed ? "" : ", before step " + std::to_string(from_step)) +
+         ": then " + one_way(parts->then, began) + "; now " + one_way(parts->now, began);
 }
 
 std::string what_it_means(const Counterfactual& told, std::span<const StepPair> pairs) {
@@ -73,8 +76,11 @@ std::string what_it_means(const Counterfactual& told, std::span<const StepPair> 
   if (told.steering)
     text += formatted("set-points differ from %.1f s on: ", seconds_since(told.began, told.steering->time.us)) +
             to_string(told.steering->fields) + "\n";
-  text +=
-      "at the journal's end, then: " + to_string(told.then_ended, told.began) + "; now: " + to_string(told.now_ended, told.began) + "\n";
+  if (told.steering) {
+    for (const messages::SafetyEvent& rule : told.steering->rules) text += "now steers there: " + journal_view::to_string(rule) + "\n";
+  }
+  const std::string where = told.gap ? "where record " + std::to_string(*told.gap) + " is missing" : "at the journal's end";
+  text += where + ", then: " + to_string(told.then_ended, told.began) + "; now: " + to_string(told.now_ended, told.began) + "\n";
   if (told.steering || parting(pairs) != nullptr)
     text +=
         "What stands behind the first difference is no forecast: the fixes and SNRs are those of the vehicle that followed the journal. "

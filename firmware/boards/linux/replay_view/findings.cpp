@@ -24,6 +24,20 @@ std::string what_is_wrong(const Playback::Difference& difference) {
   return to_string(fields_of(difference));
 }
 
+std::string damage_to_string(const ReplayResult& result, std::size_t i) {
+  const bool is_end = result.end != End::kWhole && i + 1 == result.damages.size();
+  if (!is_end) return journal_view::to_string(result.damages[i]);
+  return to_string(journal_view::TornEnd{.where = result.damages[i], .is_cut = result.end == End::kCut});
+}
+
+/// Of the record, as the journal's files for other programs name it.
+FieldDifference date_difference(Time then, Time now) {
+  constexpr int kMicroseconds = 6;
+  return {.field = "time_s",
+          .then = journal_view::decimal(journal_view::seconds_of(then), kMicroseconds),
+          .now = journal_view::decimal(journal_view::seconds_of(now), kMicroseconds)};
+}
+
 /// What follows a difference or a gap is not given to the runtime, which would not be as it was.
 constexpr const char* kRestIsOpen = "; what follows was not given again";
 
@@ -37,7 +51,9 @@ std::string figures(const ReplayResult& result, double took_s) {
 
 std::vector<FieldDifference> fields_of(const Playback::Difference& difference) {
   if (!difference.now || difference.now->channel != difference.channel) return {};
-  return field_differences(difference.channel, difference.data, difference.now->message.bytes());
+  std::vector<FieldDifference> differences = field_differences(difference.channel, difference.data, difference.now->message.bytes());
+  if (difference.time != difference.now->time) differences.push_back(date_difference(difference.time, difference.now->time));
+  return differences;
 }
 
 std::string to_string(const Playback::Difference& difference, Time began) {
@@ -50,8 +66,10 @@ std::vector<std::string> findings(const ReplayResult& result) {
   std::vector<std::string> lines;
   if (result.difference) lines.push_back(to_string(*result.difference, result.began) + kRestIsOpen);
   if (result.gap) lines.push_back("record " + std::to_string(*result.gap) + " is missing" + kRestIsOpen);
-  for (std::size_t i = 0; i < std::min(kMostDamages, result.damages.size()); ++i)
-    lines.push_back(journal_view::to_string(result.damages[i]));
+  if (result.records_behind_end > 0)
+    lines.push_back("behind the record that ends the journal: " + counted(result.records_behind_end, "record") +
+                    " of something else, not given again");
+  for (std::size_t i = 0; i < std::min(kMostDamages, result.damages.size()); ++i) lines.push_back(damage_to_string(result, i));
   if (result.damages.size() > kMostDamages)
     lines.push_back("and " + counted(result.damages.size() - kMostDamages, "damaged place") + " more");
   if (!result.closing && !result.difference)
@@ -60,7 +78,7 @@ std::vector<std::string> findings(const ReplayResult& result) {
 }
 
 std::string praise(const ReplayResult& result, std::uint32_t from_step) {
-  const bool is_all = result.is_same() && result.closing && result.damages.empty();
+  const bool is_all = result.is_same() && result.closing && result.records_behind_end == 0 && result.damages.empty();
   const std::string which = from_step == 0 ? "every output" : "every output from step " + std::to_string(from_step) + " on";
   return which + (is_all ? "" : " up to there") + " is the same, byte for byte";
 }

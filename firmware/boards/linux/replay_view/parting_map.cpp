@@ -52,15 +52,17 @@ Rectangle common(const Rectangle& a, const Rectangle& b) {
 
 }  // namespace
 
-std::string parting_map(const Counterfactual& told, std::span<const StepPair> pairs, const Rectangle& area, const std::string& title) {
+std::string parting_map(const Counterfactual& told, std::span<const StepPair> pairs, std::uint32_t from_step, const Rectangle& area,
+                        const std::string& title) {
+  const std::span<const StepPair> drawn = from(from_step, pairs);
   SvgMap map(places_of(told, pairs, area), title);
   if (const Rectangle seen = common(area, map.shown()); seen.contains(seen.south_west)) map.polygon(board::corners_of(seen), kArea);
   map.line(told.track, kTrack);
   const auto draw = [&](std::optional<decision_t> StepPair::*decision, const SvgMap::Style& way, const SvgMap::Dot& end) {
-    for (const StepPair& pair : pairs) {
+    for (const StepPair& pair : drawn) {
       if (const auto& d = pair.*decision) map.line(std::array{place_of(*d), waypoint_of(*d)}, way);
     }
-    for (const StepPair& pair : pairs) {
+    for (const StepPair& pair : drawn) {
       if (const auto& d = pair.*decision) map.dot(waypoint_of(*d), end);
     }
   };

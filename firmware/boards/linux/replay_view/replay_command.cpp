@@ -19,6 +19,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/distinct_files.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
@@ -39,7 +40,7 @@ void judge_outputs(const ReplayCommand& c) {
   const bool asks_what_if = c.policy || c.mission;
   if (c.map && !asks_what_if) throw host::BadInput("--map: only with --policy or --mission");
   host::DistinctFiles files;
-  files.read(c.journal);
+  for (const std::filesystem::path& part : host::JournalParts(c.journal).files()) files.read(part);
   if (c.policy) files.read(*c.policy);
   if (c.mission) files.read(*c.mission);
   if (c.map) files.write(*c.map);
@@ -105,17 +106,17 @@ Json tell_what_if(const ReplayCommand& c, const Question& question) {
     program::ProgressBar bar("what if");
     told = fly_again(c.journal, question.plan, [&bar](double done) { bar.update(done); });
   }
-  const std::vector<StepPair> pairs = paired(told.then, told.now, c.from_step);
+  const std::vector<StepPair> pairs = paired(told.then, told.now);
   program::say() << "\nthe same inputs, with " << question.words << ":\n"
-                 << where_they_part(pairs, told.began) << "\n\n"
-                 << decision_table(pairs, told.began) << "\n"
+                 << where_they_part(pairs, c.from_step, told.began) << "\n\n"
+                 << decision_table(pairs, c.from_step, told.began) << "\n"
                  << what_it_means(told, pairs);
   if (c.map) {
     const std::string title = shown(c.journal.filename()) + ": decided then, and now";
-    host::write_whole(*c.map, parting_map(told, pairs, question.plan.mission.operating_area, title));
+    host::write_whole(*c.map, parting_map(told, pairs, c.from_step, question.plan.mission.operating_area, title));
   }
   Json json{{"policy", c.policy ? Json(c.policy->string()) : Json()}, {"mission", c.mission ? Json(c.mission->string()) : Json()}};
-  json.update(what_if_json(told, pairs));
+  json.update(what_if_json(told, pairs, c.from_step));
   return json;
 }
 

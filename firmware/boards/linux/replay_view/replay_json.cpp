@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "firmware/boards/linux/journal_view/export/fields.hpp"
+#include "firmware/boards/linux/journal_view/sentences.hpp"
 #include "firmware/boards/linux/replay_view/findings.hpp"
 
 namespace earshot::replay_view {
@@ -38,6 +39,7 @@ Json standing_json(const Standing& standing, Time began) {
   Json json{{"since_s", seconds_since(began, standing.since)}};
   const Json health = journal_view::fields_of(standing.health);
   for (const char* key : {"state", "end_reason", "steps_taken"}) json[key] = health.at(key);
+  json["rule"] = standing.rule ? Json(journal_view::to_string(*standing.rule)) : Json();
   return json;
 }
 
@@ -58,7 +60,7 @@ Json replay_json(const board::ReplayResult& result, double took_s, std::uint32_t
     if (!damage.part.empty()) damages.back()["file"] = damage.part;
   }
   return {{"same", !result.difference},
-          {"whole", !result.gap && result.closing.has_value() && result.damages.empty()},
+          {"whole", !result.gap && result.closing.has_value() && result.records_behind_end == 0 && result.damages.empty()},
           {"from_step", from_step},
           {"inputs", result.inputs},
           {"turns", result.turns},
@@ -68,12 +70,13 @@ Json replay_json(const board::ReplayResult& result, double took_s, std::uint32_t
           {"difference", std::move(difference)},
           {"first_missing_record", or_null(result.gap)},
           {"ended_in_order", result.closing.has_value()},
+          {"records_behind_end", result.records_behind_end},
           {"damages", std::move(damages)}};
 }
 
-Json what_if_json(const Counterfactual& told, std::span<const StepPair> pairs) {
+Json what_if_json(const Counterfactual& told, std::span<const StepPair> pairs, std::uint32_t from_step) {
   Json steps = Json::array();
-  for (const StepPair& pair : pairs)
+  for (const StepPair& pair : from(from_step, pairs))
     steps.push_back({{"step", pair.step},
                      {"same", pair.is_same()},
                      {"then", decision_json(pair.then, told.began)},

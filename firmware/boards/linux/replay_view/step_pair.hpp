@@ -19,8 +19,11 @@ struct StepPair {
   [[nodiscard]] bool is_same() const;
 };
 
-/// By step, from this one on. @param then, now  in the order in which they were made
-[[nodiscard]] std::vector<StepPair> paired(std::span<const decision_t> then, std::span<const decision_t> now, std::uint32_t from_step);
+/// By step. @param then, now  in the order in which they were made
+[[nodiscard]] std::vector<StepPair> paired(std::span<const decision_t> then, std::span<const decision_t> now);
+
+/// Those of paired() from this step on.
+[[nodiscard]] std::span<const StepPair> from(std::uint32_t step, std::span<const StepPair> pairs);
 
 /// The first that is not the same; null: there is none.
 [[nodiscard]] const StepPair* parting(std::span<const StepPair> pairs);

@@ -80,14 +80,15 @@ void ServiceManager::say_state(const messages::Health& health) const {
   TextLine message;
   message << (is_ready_ ? "" : "READY=1\n") << "STATUS=" << messages::to_string(health.state);
   if (health.end_reason != messages::EndReason::kNone) message << ", " << messages::to_string(health.end_reason);
-  message << ", after " << health.steps_taken << " steps";
+  message << ", after " << health.steps_taken << (health.steps_taken == 1 ? " step" : " steps");
   say(message.text());
 }
 
 void ServiceManager::note_turn(const messages::Health& health, SteadyClock::time_point now) {
-  if (!is_ready_ || state_ != health.state) say_state(health);
+  if (!is_ready_ || state_ != health.state || steps_taken_ != health.steps_taken) say_state(health);
   is_ready_ = true;
   state_ = health.state;
+  steps_taken_ = health.steps_taken;
   const bool beats = health.turn != turn_ || health.end_reason == messages::EndReason::kMemoryFault;
   turn_ = health.turn;
   if (!between_meals_ || !beats || (fed_ && now - *fed_ < *between_meals_)) return;

@@ -22,8 +22,8 @@ struct ServiceEnvironment {
 };
 
 /// Tells systemd, or whoever speaks its protocol, how the mission goes: READY=1 after the first turn, STATUS= in words with every new
-/// state, WATCHDOG=1 at most four times in the time that the watchdog allows, and STOPPING=1. One datagram each; nothing waits or allocates
-/// after construction, and a manager who does not read is told nothing.
+/// state and step, WATCHDOG=1 at most four times in the time that the watchdog allows, and STOPPING=1. One datagram each; nothing waits or
+/// allocates after construction, and a manager who does not read is told nothing.
 ///
 /// The watchdog is fed by the heartbeat alone: by a turn that the runtime has counted after its safety filter. A thread that lives while
 /// the runtime is hung feeds nothing. But for a runtime that has found its own memory damaged, which counts no turn any more: it brings the
@@ -57,6 +57,7 @@ class ServiceManager {
   bool is_stopping_ = false;
   std::uint64_t turn_ = 0;  ///< of the last heartbeat
   std::optional<messages::MissionState> state_;
+  std::uint32_t steps_taken_ = 0;
 };
 
 }  // namespace earshot::board

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <vector>
 
@@ -178,6 +179,39 @@ TEST_F(AtSea, BeingStoppedAfterItsEndLeavesTheEndAsItWas) {
   stop_at(15);
   EXPECT_EQ(fly().last.health.end_reason, EndReason::kCompleted);
   EXPECT_EQ(port_->last().state, MissionState::kDone);
+}
+
+/// A mission that another process began and that this one goes on with, on the same runtime.
+class GoneOnWithAtSea : public AtSea {
+ protected:
+  /// @param orders  which the process before obeyed in its only turn
+  LoopResult stop_before_the_first_turn(std::initializer_list<Order> orders) {
+    MissionTurn before(*runtime_, ports_, *journal_, clock_);
+    host_.advance(kPeriod);
+    send(clock_, before, fix());
+    send(clock_, before, snr());
+    for (const Order order : orders) before.take(kPort, runtime::command_of(order, clock_.now(), ++commands_));
+    const runtime::Outputs last = before();
+    MissionTurn turn(*runtime_, ports_, *journal_, clock_);
+    Resumption resumption;
+    resumption.memory.last = before.last();
+    resumption.last = last;
+    turn.go_on_after(resumption, "of a test");
+    stop_at(4);
+    return board::fly(turn, ports_, clock_, {.period = kPeriod}, stop_, Duration::seconds(5));
+  }
+};
+
+TEST_F(GoneOnWithAtSea, BeingStoppedWhileItWaitsForItsSensorsItWasFoundInTheSearchOfTheProcessBefore) {
+  const LoopResult result = stop_before_the_first_turn({Order::kStart});
+  EXPECT_EQ(result.found_in, MissionState::kSearch);
+  EXPECT_EQ(result.turns, kStopTurns);
+  EXPECT_EQ(result.last.health.state, MissionState::kAbort);
+}
+
+TEST_F(GoneOnWithAtSea, BeingStoppedWhileItWaitsForItsSensorsAnAbortOfTheProcessBeforeStaysTheOnlyOne) {
+  EXPECT_EQ(stop_before_the_first_turn({Order::kStart, Order::kAbort}).found_in, MissionState::kAbort);
+  EXPECT_EQ(journalled_orders(), (std::vector{Order::kStart, Order::kAbort}));
 }
 
 TEST_F(AtSea, WhatComesOutIsInTheJournalBeforeItIsOnTheBus) {

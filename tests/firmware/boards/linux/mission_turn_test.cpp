@@ -3,11 +3,14 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "firmware/boards/linux/news/flight_news.hpp"
@@ -17,6 +20,7 @@
 #include "firmware/host/journal/journal.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -94,6 +98,34 @@ TEST_F(MissionTurnTest, PassesOverTheSpeedOfAFixThatCannotBe) {
   EXPECT_EQ(told_after(1.25), 1.25);
   EXPECT_EQ(told_after(std::numeric_limits<double>::infinity()), 1.25);
   EXPECT_EQ(port_->refused, 1U);
+}
+
+TEST_F(MissionTurnTest, SaysAtOnceThatTheDiskTakesNothingThoughItSaidAMomentAgoThatItDoesAgain) {
+  const auto is_up = [this] {
+    return std::ranges::none_of(turn_.outputs().health.ports,
+                                [](const auto& report) { return report.port == kOwnPort && !report.link_up; });
+  };
+  const auto wait_for = [this](host::JournalTrouble trouble) {
+    (void)told_after(1.25);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (journal_.trouble() != trouble && std::chrono::steady_clock::now() < deadline)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    (void)told_after(1.25);
+  };
+  ASSERT_EQ(journal_.flush(), Status::kOk);
+  {
+    const support::FileSizeLimit full(1);
+    wait_for(host::JournalTrouble::kTakesNothing);
+    EXPECT_FALSE(is_up());
+  }
+  wait_for(host::JournalTrouble::kNone);
+  EXPECT_FALSE(is_up()) << "that it comes back is no news to be told every second";
+  clock_.time = clock_.time + Duration::seconds(60);
+  (void)told_after(1.25);
+  EXPECT_TRUE(is_up());
+  const support::FileSizeLimit full(1);
+  wait_for(host::JournalTrouble::kTakesNothing);
+  EXPECT_FALSE(is_up());
 }
 
 TEST_F(MissionTurnTest, TellsAPersonThatATightenWasObeyedEvenBeforeTheFirstTurn) {

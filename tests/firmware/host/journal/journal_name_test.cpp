@@ -30,6 +30,14 @@ TEST(JournalNameTest, IsNoneOfOtherFiles) {
     EXPECT_FALSE(name_of("journal.lcmlog", file)) << file;
 }
 
+TEST(JournalNameTest, OfALaterPartLeadsToTheFirst) {
+  EXPECT_EQ(first_part_of("sea/journal.part2.lcmlog"), "sea/journal.lcmlog");
+  EXPECT_EQ(first_part_of("journal-7.part12.lcmlog"), "journal-7.lcmlog");
+  for (const char* file : {"journal.lcmlog", "journal-2.lcmlog", "journal.part1.lcmlog", "journal.part.lcmlog", "journal.part2x.lcmlog",
+                           ".part2.lcmlog", "my.partner.lcmlog", ""})
+    EXPECT_FALSE(first_part_of(file)) << file;
+}
+
 TEST(JournalNameTest, OfTheNewestHasTheHighestNumberAndAFirstPart) {
   const support::TemporaryFolder folder;
   const fs::path wanted = folder / "journal.lcmlog";

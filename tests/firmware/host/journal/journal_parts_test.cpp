@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/folder_lock.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 #include "tests/firmware/host/journal/journal_folder.hpp"
@@ -77,6 +78,16 @@ TEST_F(JournalPartsTest, AreReadAsOneJournalWhoseNumbersGoOn) {
   EXPECT_EQ(reader.offset(), reader.file_size());
 }
 
+TEST_F(JournalPartsTest, AreReadThroughALinkToTheFirst) {
+  write(4, 2);
+  fs::create_directory(folder_ / "elsewhere");
+  fs::create_symlink(fs::path("..") / path_.filename(), folder_ / "elsewhere" / "link");
+  JournalReader reader(folder_ / "elsewhere" / "link");
+  std::size_t count = 0;
+  for (JournalRecord record; reader.next(record);) ++count;
+  EXPECT_EQ(count, 4U);
+}
+
 TEST_F(JournalPartsTest, BeginWhenOneIsFull) {
   {
     Journal journal(path_, {.limits = {.part_bytes = 250}});
@@ -115,8 +126,35 @@ TEST_F(JournalPartsTest, AreKeptWithTheirJournalWhoseNumberNobodyElseGets) {
 TEST_F(JournalPartsTest, AreNotWrittenOverWhatStandsInTheirPlace) {
   std::ofstream(part(2)) << "somebody's notes";
   write(6, 2);
-  EXPECT_EQ(numbers().size(), 6U) << "the first is written on";
+  EXPECT_EQ(numbers().size(), 6U);
   EXPECT_EQ(fs::file_size(part(2)), 16U);
+  EXPECT_EQ(fs::file_size(path_), 2 * kRecordBytes);
+  EXPECT_TRUE(fs::exists(part(4))) << "the next number is taken";
+}
+
+TEST_F(JournalPartsTest, OfAnotherJournalStayWhereThisOneIsCut) {
+  write(4, 2, 100);
+  const fs::path other = folder_ / "other";
+  fs::rename(part(2), other);
+  write(2, 2, 1, {.existing = ExistingJournal::kReplace});
+  fs::rename(other, part(2));
+  JournalFile file(path_, ExistingJournal::kGoOn);
+  file.cut(kRecordBytes);
+  EXPECT_EQ(fs::file_size(part(2)), kBeginningBytes + 2 * kRecordBytes);
+  {
+    Journal journal(std::move(file), 1);
+    journal.begin_part();
+    ASSERT_EQ(journal.append(Time{9}, "PARTS", Bytes(67, 9)), Status::kOk);
+  }
+  EXPECT_EQ(fs::file_size(part(3)), kBeginningBytes + kRecordBytes);
+  EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{0, 1}));
+}
+
+TEST_F(JournalPartsTest, ThatAPowerCutLeftEmptyOfContentAreGoneWhereTheJournalIsCut) {
+  write(2, 2);
+  std::ofstream(part(2)) << std::string(90, '\0');
+  JournalFile(path_, ExistingJournal::kGoOn).cut(2 * kRecordBytes);
+  EXPECT_FALSE(fs::exists(part(2)));
 }
 
 TEST_F(JournalPartsTest, LoseTheRecordThatADamageHitsWhereverItIsAndNoOther) {
@@ -148,11 +186,42 @@ TEST_F(JournalPartsTest, LoseTheRecordThatADamageHitsWhereverItIsAndNoOther) {
   }
 }
 
+TEST_F(JournalPartsTest, AreReadAloneOnlyWhereTheirJournalIsNot) {
+  write(3, 1);
+  try {
+    const JournalReader reader(part(3));
+    FAIL() << "it would tell of two records that are missing";
+  } catch (const BadInput& refused) {
+    EXPECT_EQ(refused.what(),
+              part(3).string() + ": is part 3 of the journal " + path_.string() + "; name that, and all of its parts are read");
+  }
+  write(2, 5, 9, {.existing = ExistingJournal::kReplace});
+  fs::rename(path_, path_.parent_path() / "other.lcmlog");
+  write(3, 1);
+  fs::rename(path_.parent_path() / "other.lcmlog", path_);
+  JournalReader of_another(part(3));
+  JournalRecord record;
+  EXPECT_TRUE(of_another.next(record)) << "the journal beside it is another one";
+  fs::remove(path_);
+  JournalReader alone(part(3));
+  EXPECT_TRUE(alone.next(record));
+}
+
 TEST_F(JournalPartsTest, ThatAreMissingAreAGapInTheNumbers) {
   write(8, 2);
   fs::remove(part(2));
   fs::remove(part(3));
   EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{0, 1, 6, 7}));
+}
+
+TEST_F(JournalPartsTest, ThatBearAnothersNameAreNotReadAndAreFound) {
+  write(6, 2);
+  EXPECT_EQ(JournalParts(path_).misplaced(), std::nullopt);
+  fs::rename(part(3), part(9));
+  EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{0, 1, 2, 3}));
+  EXPECT_EQ(JournalParts(path_).misplaced(), part(9));
+  fs::remove(part(9));
+  EXPECT_EQ(JournalParts(path_).misplaced(), std::nullopt);
 }
 
 TEST_F(JournalPartsTest, AreWrittenOnWhereTheJournalIsCutAndThoseBehindAreGone) {

@@ -30,6 +30,22 @@ TEST_F(JournalReaderTest, CutAtAnyByteReadsBackToTheLastCompleteRecord) {
   }
 }
 
+TEST_F(JournalReaderTest, SaysAtACutEndTheSameToWhoAsksAgain) {
+  write_three_records();
+  const Bytes whole = contents();
+  overwrite(Bytes(whole.begin(), whole.end() - 1));
+  JournalReader reader(path_);
+  for (JournalRecord record; reader.next(record);) {
+  }
+  JournalRecord none;
+  EXPECT_FALSE(reader.next(none));
+  EXPECT_EQ(reader.end(), JournalReader::End::kCut);
+  EXPECT_EQ(reader.damages().size(), 1U);
+  reader.look_again();
+  EXPECT_FALSE(reader.next(none));
+  EXPECT_EQ(reader.damages().size(), 1U);
+}
+
 /// The damage of a journal all of which can be read but a stretch.
 using Damages = std::vector<JournalDamage>;
 

@@ -79,7 +79,8 @@ TEST_F(MissionCounterFile, BeginsWhereItIsTold) {
 
 TEST_F(MissionCounterFile, IsNeverBegunAnew) {
   write(kText);
-  EXPECT_NE(complaint_of([this] { begin_counter(file_, 0); }), "");
+  EXPECT_EQ(complaint_of([this] { begin_counter(file_, 0); }),
+            file_.string() + ": is there already, and never replaced: it knows what the vehicle flew; move a damaged one away");
   EXPECT_EQ(content(), kText);
 }
 

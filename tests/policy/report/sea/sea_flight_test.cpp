@@ -63,6 +63,19 @@ TEST_F(SeaFlightTest, TellsItsOrdersAndStatesAndHowFarItSailedInItsSearchAlone) 
   EXPECT_NEAR(flight.events[2].time_s, 50.0, 1e-5);
 }
 
+TEST_F(SeaFlightTest, TellsThatAnotherProcessWentOnAndHowLongNobodyFlew) {
+  SeaJournal journal(path_);
+  journal.state(10, MissionState::kSearch, EndReason::kNone, 0);
+  journal.fix(20, 300, 0);
+  journal.resume(57);
+  journal.end(wire::Ending::kStopped);
+  const SeaFlight flight = read_sea_flight(path_).value();
+  ASSERT_EQ(flight.events.size(), 2U);
+  EXPECT_EQ(flight.events[1].what,
+            "earshotd was killed or lost its power; another process goes on from the journal, 37 s after its last record");
+  EXPECT_NEAR(flight.events[1].time_s, 57.0, 1e-5);
+}
+
 TEST_F(SeaFlightTest, TellsWhichRulesActedAndOnWhatEvidence) {
   SeaJournal journal(path_);
   messages::SafetyEvent battery{.time = {},

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "earshot/decision_t.hpp"
+#include "earshot/journal_resumed_t.hpp"
 #include "earshot/mission_t.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/messages/health.hpp"
@@ -51,6 +52,10 @@ class SeaJournal {
     health.steps_taken = steps;
     health.counters.snr_refused = 4;
     append(s, wire::kHealthChannel, wire::Encoded(wire::to_message(health, at(s))), host::Weight::kOrder);
+  }
+  void resume(double s) {
+    append(s, wire::kJournalResumedChannel, wire::Encoded(journal_resumed_t{.utime = at(s).us, .cut_bytes = 0, .build = {}}),
+           host::Weight::kOrder);
   }
   void decision(double s, decision_t decision) {
     decision.utime = at(s).us;

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
+#include "firmware/host/file/bad_input.hpp"
 #include "policy/report/page.hpp"
 #include "tests/policy/report/sea/sea_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -45,6 +49,30 @@ TEST_F(SeaPageTest, SaysHowAndWhyTheSearchEndedAndWhenTheFlightWas) {
   EXPECT_TRUE(has(text, "The journal is whole"));
   EXPECT_FALSE(has(text, "Not there")) << "a simulator's files belong to no flight at sea";
   EXPECT_FALSE(has(text, "A flight without its end"));
+}
+
+TEST_F(SeaPageTest, IsOfTheFirstOfSeveralJournalsUnlessAnotherIsNamed) {
+  fly_until(MissionState::kDone, EndReason::kCompleted);
+  EXPECT_TRUE(read_flight(folder_).others.empty());
+  for (const char* name : {"journal-10.lcmlog", "journal-2.lcmlog"}) {
+    SeaJournal journal(folder_ / name);
+    journal.state(10, MissionState::kAbort, EndReason::kSnrStale, 0);
+    journal.end(wire::Ending::kStopped);
+  }
+  const Flight first = read_flight(folder_);
+  EXPECT_EQ(first.others, (std::vector<std::string>{"journal-2.lcmlog", "journal-10.lcmlog"}));
+  EXPECT_EQ(first.sea.value().end_reason, EndReason::kCompleted);
+  const Flight other = read_flight(folder_ / "journal-2.lcmlog");
+  EXPECT_EQ(other.sea.value().end_reason, EndReason::kSnrStale);
+  EXPECT_TRUE(other.is_complete());
+  fs::remove(folder_ / kJournalName);
+  try {
+    (void)read_flight(folder_);
+    FAIL();
+  } catch (const host::BadInput& refused) {
+    EXPECT_EQ(refused.what(), fs::path(folder_).string() + ": holds no journal.lcmlog; name one of its journals, such as " +
+                                  (folder_ / "journal-10.lcmlog").string());
+  }
 }
 
 TEST_F(SeaPageTest, OfASearchThatASignalBrokeOffSaysThatNoOperatorAbortedIt) {

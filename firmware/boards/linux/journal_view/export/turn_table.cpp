@@ -50,11 +50,11 @@ void put_fix(Row& row, Time now, const messages::Navigation& fix, const std::opt
     row.cell(place.value().latitude_deg, kCentimetersOfArc).cell(place.value().longitude_deg, kCentimetersOfArc);
   else
     row.empty(2);
-  row.cell(fix.depth.value, kMillimeters).cell(compass_degrees(fix.heading), kMillidegrees).cell(fix.speed.value, kMillimeters);
+  row.cell(fix.depth.value, kMillimeters).cell(compass(fix.heading, kMillidegrees)).cell(fix.speed.value, kMillimeters);
 }
 
 void put_setpoint(Row& row, const messages::Setpoint& setpoint) {
-  row.cell(compass_degrees(setpoint.heading), kMillidegrees)
+  row.cell(compass(setpoint.heading, kMillidegrees))
       .cell(setpoint.speed.value, kMillimeters)
       .cell(setpoint.depth.value, kMillimeters)
       .cell(setpoint.waypoint.north.value, kMillimeters)

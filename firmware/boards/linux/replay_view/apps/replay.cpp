@@ -1,5 +1,7 @@
 // earshot-replay: a journal given to the vehicle's core again, also with another policy or mission.
 
+#include <string>
+
 #include "firmware/boards/linux/replay_view/replay_command.hpp"
 #include "firmware/host/program/run.hpp"
 
@@ -11,7 +13,8 @@ int main(int argc, char** argv) {
       "byte. With --policy or --mission it says besides what another would have decided on the same inputs, and where the decisions part;\n"
       "behind that the inputs are those of the vehicle that followed the journal, so that it is no forecast.\n"
       "Exit status: 0 the journal is whole and every output the same, 1 an output differs or the journal is not whole, which standard\n"
-      "error says (where another policy or mission parts from it changes nothing in that), 2 bad input.");
+      "error says (where another policy or mission parts from it changes nothing in that), 2 bad input,\n"
+      "3 standard output is gone.");
   replay_view::ReplayCommand command;
   bool force = false;
   line.option("JOURNAL", &command.journal, "journal of a flight (.lcmlog)").required();
@@ -19,7 +22,10 @@ int main(int argc, char** argv) {
   line.option("--mission", &command.mission,
               "what would have been decided on this mission? (TOML; with the journal's policy, unless --policy, and the journal's seed)");
   line.option("--from", &command.from_step, "compare, and list, from this step on; what stands before it is given to the core alone");
-  line.option("--map", &command.map, "with --policy or --mission: draw the track and both decisions of every step into this SVG file");
+  line.option("--map", &command.map, "with --policy or --mission: draw the track and both decisions of every step into this SVG file")
+      .checked([](const std::string& file) {
+        return file.ends_with(".svg") ? "" : "the map is an SVG picture: name a file that ends with .svg";
+      });
   line.option("--json", &command.json, "write what was found into this JSON file");
   line.flag("--force", &force, "replace a file that is there already, of whatever kind it is");
   line.footer(

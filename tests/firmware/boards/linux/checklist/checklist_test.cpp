@@ -17,7 +17,7 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST(Checklist, TellsPortsSearchBudgetsAndRules) {
   const host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
-  const std::string text = checklist(file, support::random_walk_policy(), "there/fenced_search.toml");
+  const std::string text = checklist(file, support::random_walk_policy(), "there/fenced_search.toml", {});
   EXPECT_TRUE(has(text, "  mission     there/fenced_search.toml\n")) << text;
   EXPECT_TRUE(has(text, "  vehicle     LCM udpm://239.255.76.67:7667?ttl=0: navigation, snr, operator, autopilot, status\n")) << text;
   EXPECT_TRUE(has(text, "  area        25.0 km x 25.0 km, way-points 250 m from its edges\n")) << text;
@@ -39,13 +39,23 @@ TEST(Checklist, TellsPortsSearchBudgetsAndRules) {
 TEST(Checklist, TellsThatArrivalsMakeTurns) {
   host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
   file.turns = host::Turns::kOnArrival;
-  const std::string text = checklist(file, support::random_walk_policy(), "fenced_search.toml");
+  const std::string text = checklist(file, support::random_walk_policy(), "fenced_search.toml", {});
   EXPECT_TRUE(has(text, "  set-points  at once on every fix and order, at most 500 a second; in silence every 1 s\n")) << text;
+}
+
+TEST(Checklist, TellsWhoSignedWhatWillBeFlown) {
+  const host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
+  const auto told = [&file](const Signatures& signatures) { return checklist(file, support::random_walk_policy(), "m.toml", signatures); };
+  const std::string by_both = told({.policy = "keys/../training.pub", .mission = "keys/../ops.pub", .counter = 7});
+  EXPECT_TRUE(has(by_both, "  mission     m.toml\n  signed by   ops.pub, counter 7\n  policy ")) << by_both;
+  EXPECT_TRUE(has(by_both, " numbers\n  signed by   training.pub\n")) << by_both;
+  const std::string by_one = told({.policy = "training.pub", .mission = {}});
+  EXPECT_TRUE(has(by_one, "  mission     m.toml\n  signed by   nobody; no signature is asked for\n  policy ")) << by_one;
 }
 
 TEST(Checklist, TellsWhoMayCommandTheVehicle) {
   host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
-  const auto told = [&file] { return checklist(file, support::random_walk_policy(), ""); };
+  const auto told = [&file] { return checklist(file, support::random_walk_policy(), "", {}); };
   EXPECT_TRUE(has(told(), "  orders      of anybody on the bus\n")) << told();
   EXPECT_TRUE(has(told(), "  START       waits for no autopilot's status\n"));
   file.command_key = host::CommandKey(host::KeyBytes{1});
@@ -58,20 +68,20 @@ TEST(Checklist, TellsWhoMayCommandTheVehicle) {
 
 TEST(Checklist, TellsWhatTheVehicleCan) {
   host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
-  const std::string text = checklist(file, support::random_walk_policy(), "");
+  const std::string text = checklist(file, support::random_walk_policy(), "", {});
   EXPECT_TRUE(has(text, "  speed       at most 3.00 m/s through the water, in a current of at most 0.40 m/s\n")) << text;
   EXPECT_TRUE(has(text, "  turns       within a radius of 25 m\n"));
   EXPECT_TRUE(has(text, "  holds       its place by going round at 1.00 m/s\n"));
   EXPECT_TRUE(has(text, "  comes up    by going round at 1.00 m/s\n"));
   file.mission.safety.vehicle = {};
-  const std::string other = checklist(file, support::random_walk_policy(), "");
+  const std::string other = checklist(file, support::random_walk_policy(), "", {});
   EXPECT_TRUE(has(other, "  holds       hovers\n")) << other;
   EXPECT_TRUE(has(other, "  comes up    floats up by itself\n"));
 }
 
 TEST(Checklist, TellsFenceSafePointAndZonesAndWhatSurfaceWaitsFor) {
   host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
-  const std::string text = checklist(file, support::random_walk_policy(), "");
+  const std::string text = checklist(file, support::random_walk_policy(), "", {});
   EXPECT_TRUE(has(text, "  halt        5 corners, from -2000 to 29600 m north and -2000 to 27000 m east\n")) << text;
   EXPECT_TRUE(has(text, "  safe point  2000 m north, 3000 m east\n"));
   EXPECT_TRUE(has(text, "  no surface  4 corners, from 6000 to 19000 m north and -1500 to 26500 m east\n"));
@@ -79,7 +89,7 @@ TEST(Checklist, TellsFenceSafePointAndZonesAndWhatSurfaceWaitsFor) {
   EXPECT_TRUE(has(text, surface + "; in a zone of no_surface it leaves that before it comes up\n"));
   file.mission.safety.no_surface.clear();
   file.mission.safety.fence.reset();
-  const std::string other = checklist(file, support::random_walk_policy(), "");
+  const std::string other = checklist(file, support::random_walk_policy(), "", {});
   EXPECT_TRUE(has(other, surface + "\n")) << other;
   EXPECT_TRUE(has(other, "  fence       none: the search is aborted beyond its area\n"));
 }
@@ -88,13 +98,13 @@ TEST(Checklist, KeepsTheWholeNameOfAPortApartFromItsAddress) {
   host::MissionFile file = host::load_mission(kMissions + "fenced_search.toml");
   for (const std::string& name : {std::string("twelve chars"), std::string(300, 'n')}) {
     file.ports.at(0).name = name;
-    EXPECT_TRUE(has(checklist(file, support::random_walk_policy(), ""), "  " + name + " LCM udpm://"));
+    EXPECT_TRUE(has(checklist(file, support::random_walk_policy(), "", {}), "  " + name + " LCM udpm://"));
   }
 }
 
 TEST(Checklist, SaysThatEnergyIsNotKnown) {
   const host::MissionFile file = host::load_mission(kMissions + "search.toml");
-  EXPECT_TRUE(has(checklist(file, support::random_walk_policy(), ""), "not known: vehicle.battery_percent_per_km is not given"));
+  EXPECT_TRUE(has(checklist(file, support::random_walk_policy(), "", {}), "not known: vehicle.battery_percent_per_km is not given"));
 }
 
 }  // namespace

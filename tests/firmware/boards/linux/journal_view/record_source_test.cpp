@@ -55,6 +55,27 @@ TEST_F(RecordSourceTest, GivesTheRecordsOfAWholeJournalAndNothingElse) {
   EXPECT_FALSE(source.torn_end());
 }
 
+TEST_F(RecordSourceTest, TellsOfRecordsThatAreMissingWithTheirPartsWhichAreAndOfNoOthers) {
+  {
+    host::Journal journal(folder_ / "journal.lcmlog");
+    for (int i = 0; i < 6; ++i) {
+      if (i == 1 || i == 2 || i == 3) journal.begin_part();
+      ASSERT_EQ(journal.append(after(i), wire::kPolicyChannel, kPolicy), Status::kOk);
+      ASSERT_EQ(journal.flush(), Status::kOk);
+    }
+  }
+  std::filesystem::remove(folder_ / "journal.part2.lcmlog");
+  std::filesystem::remove(folder_ / "journal.part3.lcmlog");
+  RecordSource source(folder_ / "journal.lcmlog");
+  const std::vector<Entry> entries = all_of(source);
+  ASSERT_EQ(entries.size(), 5U);
+  const auto& missing = std::get<MissingRecords>(entries[1]);
+  EXPECT_EQ(missing.first, 1U);
+  EXPECT_EQ(missing.count, 2U);
+  EXPECT_EQ(missing.first_part, 2);
+  EXPECT_EQ(missing.parts, 2);
+}
+
 TEST_F(RecordSourceTest, TellsDamageAndTheRecordThatItHitBeforeWhatFollows) {
   write(4);
   std::vector<char> damaged = bytes();

@@ -111,6 +111,10 @@ TEST(JournalSentence, SaysHowAJournalEndsAndWhatItLost) {
 }
 
 TEST(JournalSentence, SaysWhereAJournalIsDamagedAndHowMuch) {
+  EXPECT_EQ(to_string(MissingRecords{.first = 7, .count = 2, .first_part = 3, .parts = 1}),
+            "2 records are missing, numbers 7 to 8: part 3 of the journal is not there");
+  EXPECT_EQ(to_string(MissingRecords{.first = 7, .count = 2, .first_part = 3, .parts = 2}),
+            "2 records are missing, numbers 7 to 8: parts 3 to 4 of the journal are not there");
   EXPECT_EQ(to_string(MissingRecords{.first = 7, .count = 1, .was_damaged = true}),
             "1 record is missing, number 7, where the file is damaged");
   EXPECT_EQ(to_string(MissingRecords{.first = 7, .count = 3}), "3 records are missing, numbers 7 to 9: the disk was full or too slow");

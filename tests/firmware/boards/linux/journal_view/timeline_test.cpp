@@ -85,6 +85,38 @@ TEST_F(TimelineTest, TellsAStateOnceHoweverLongItLasts) {
   EXPECT_EQ(tell(health), Lines{"SEARCH, paused by an operator"});
 }
 
+/// What is told of the state and of the end when an ABORT ended the mission.
+health_t aborted() {
+  health_t health{};
+  health.state = health_t::ABORT;
+  health.authority = health_t::ABORT;
+  health.end_reason = static_cast<std::int8_t>(messages::EndReason::kOperatorAbort);
+  health.steps_taken = 2;
+  return health;
+}
+
+TEST_F(TimelineTest, TellsAProgramThatWasStoppedFromAnOperatorsAbort) {
+  const auto abort_by = [this](std::uint8_t port) {
+    messages::OperatorCommand abort;
+    abort.order = messages::Order::kAbort;
+    (void)tell(Content(messages::Input{.arrival = kBegan, .port = port, .sequence = 0, .value = abort}));
+  };
+  const wire::ClosingRecord closing{.time = kBegan,
+                                    .ending = wire::Ending::kStopped,
+                                    .state = messages::MissionState::kAbort,
+                                    .end_reason = messages::EndReason::kOperatorAbort,
+                                    .steps_taken = 2};
+  abort_by(1);
+  EXPECT_EQ(tell(aborted()), Lines{"ABORT: an operator aborted it, after 2 steps"});
+  abort_by(0);  // it was over before
+  EXPECT_EQ(tell(closing), Lines{"end: the program was told to stop; ABORT: an operator aborted it, after 2 steps; no record was lost"});
+  timeline_ = Timeline();
+  abort_by(0);
+  EXPECT_EQ(tell(aborted()), Lines{"ABORT: its program was told to stop, after 2 steps"});
+  EXPECT_EQ(tell(closing),
+            Lines{"end: the program was told to stop; ABORT: its program was told to stop, after 2 steps; no record was lost"});
+}
+
 TEST_F(TimelineTest, TellsWhatIsRefusedOnceInAState) {
   health_t health{};
   health.authority = health_t::COMMAND;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -40,6 +41,14 @@ TEST(JournalWording, TurnsHeadingsIntoCompassDegrees) {
   EXPECT_DOUBLE_EQ(compass_degrees(Radians{-std::numbers::pi / 2}), 270.0);
   EXPECT_DOUBLE_EQ(compass_degrees(Radians{3 * std::numbers::pi}), 180.0);
   EXPECT_EQ(compass_degrees(Radians{-1e-300}), 0.0);
+}
+
+TEST(JournalWording, WritesAHeadingJustBelowNorthAsNorth) {
+  EXPECT_EQ(compass(Radians{-1e-6}, 3), "0.000");    // 359.99994 degrees
+  EXPECT_EQ(compass(Radians{-1e-5}, 3), "359.999");  // 359.99943
+  EXPECT_EQ(compass(Radians{-0.01}, 0), "359");
+  EXPECT_EQ(compass(Radians{-0.005}, 0), "0");
+  EXPECT_EQ(compass(Radians{std::nan("")}, 3), "");
 }
 
 TEST(JournalWording, KeepsTheMicrosecondsOfADate) {

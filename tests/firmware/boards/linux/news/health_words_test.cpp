@@ -20,6 +20,8 @@ TEST(HealthWords, TellNoReasonOfASearchThatIsNotOver) {
   health.state = messages::MissionState::kSearch;
   health.steps_taken = 3;
   EXPECT_EQ(to_string(health), "SEARCH, after 3 steps");
+  health.steps_taken = 1;
+  EXPECT_EQ(to_string(health), "SEARCH, after 1 step");
 }
 
 TEST(HealthWords, TellTheStopOfThisProgramFromAnAbortThatCameBeforeIt) {

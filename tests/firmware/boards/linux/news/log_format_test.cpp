@@ -49,6 +49,24 @@ TEST(LogFormatTest, IsJsonWhateverAMessageHolds) {
   EXPECT_EQ(line_of(LogEntry{.message = std::string(1000, 'x')}, LogFormat::kText).size(), kLogLineBytes);
 }
 
+TEST(LogFormatTest, CutsAMessageThatIsTooLongBetweenTwoCharacters) {
+  for (const std::string character : {"\u00fc", "\u20ac", "\U0001d11e"}) {  // 2, 3 and 4 bytes
+    std::string message;
+    while (message.size() < 2 * kLogLineBytes) message += character;
+    for (std::size_t shift = 0; shift < character.size(); ++shift, message.insert(0, "x")) {
+      const LogEntry entry{.message = message};
+      const std::string json = line_of(entry, LogFormat::kJson);
+      const std::string said = nlohmann::json::parse(json).at("message");  // which throws at half a character
+      EXPECT_TRUE(message.starts_with(said));
+      EXPECT_EQ((said.size() - shift) % character.size(), 0U);
+      EXPECT_GT(json.size(), kLogLineBytes - 10);
+      const std::string text = line_of(entry, LogFormat::kText);
+      EXPECT_EQ((text.size() - std::string("earshotd: ").size() - shift) % character.size(), 0U);
+      EXPECT_GT(text.size(), kLogLineBytes - 4);
+    }
+  }
+}
+
 TEST(LogFormatTest, TakesTheSeverityOfWhatAProgramSaysFromHowItBegins) {
   EXPECT_EQ(line_of("earshotd: journal out/journal.lcmlog", LogFormat::kText), "earshotd: journal out/journal.lcmlog");
   EXPECT_EQ(line_of("earshotd: journal out/journal.lcmlog", LogFormat::kJournal), "<5>journal out/journal.lcmlog");

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/boards/linux/mission_loop.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/boards/linux/replay/resume.hpp"
@@ -162,6 +163,10 @@ class Vessel {
     }
   }
 
+  /// How the mission stands.
+  [[nodiscard]] wire::ClosingRecord standing() const {
+    return closing_record_of({.end = LoopEnd::kMissionOver, .last = turn_.outputs(), .began = {}, .time = turn_.last()});
+  }
   /// Closes the journal.
   void end(const std::optional<wire::ClosingRecord>& closing = std::nullopt) {
     if (closing) journal_.conclude(*closing);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -123,8 +124,10 @@ TEST_F(Replay, FromALaterStepOnPassesOverADifferenceBeforeItAndFindsOneBehindIt)
 }
 
 TEST_F(Replay, TellsAJournalThatWasEndedInOrderFromOneWhoseEndIsMissing) {
-  const wire::ClosingRecord said{.time = Time{7}, .ending = wire::Ending::kMissionOver, .steps_taken = 5};
-  fly_random_mission(1, path_, 30, said);
+  Vessel vessel(walking_mission(1), path_);
+  vessel.live_through(RandomScript(1).turns(30));
+  const wire::ClosingRecord said = vessel.standing();
+  vessel.end(said);
   const ReplayResult whole = replay(path_);
   EXPECT_TRUE(whole.is_same());
   EXPECT_EQ(whole.closing, said);
@@ -134,6 +137,42 @@ TEST_F(Replay, TellsAJournalThatWasEndedInOrderFromOneWhoseEndIsMissing) {
   EXPECT_EQ(killed.end, host::JournalReader::End::kWhole);
   EXPECT_EQ(killed.turns, whole.turns);
   EXPECT_FALSE(killed.closing);
+}
+
+TEST_F(Replay, FindsAnOutputThatIsDatedAnInstantBehindItsTurn) {
+  fly_random_mission(1, path_, 30);
+  const fs::path forged = folder_ / "forged";
+  std::uint32_t number = 0;
+  Time turn;
+  {
+    host::Journal journal(forged);
+    host::JournalReader reader(path_);
+    for (host::JournalRecord record; reader.next(record);) {
+      if (record.channel == "EARSHOT_HEALTH" && number == 0) {
+        number = record.number;
+        turn = record.time;
+        record.time = record.time + Duration{1};
+      }
+      ASSERT_EQ(journal.append(record.time, record.channel, record.data), Status::kOk);
+    }
+  }
+  const ReplayResult result = replay(forged);
+  ASSERT_TRUE(result.difference);
+  EXPECT_EQ(result.difference->record, number);
+  ASSERT_TRUE(result.difference->now);
+  EXPECT_EQ(result.difference->now->time, turn);
+}
+
+TEST_F(Replay, FindsAClosingRecordThatTellsOfAnotherEnd) {
+  Vessel vessel(walking_mission(1), path_);
+  vessel.live_through(RandomScript(1).turns(30));
+  wire::ClosingRecord said = vessel.standing();
+  ++said.steps_taken;
+  vessel.end(said);
+  const ReplayResult result = replay(path_);
+  ASSERT_TRUE(result.difference);
+  EXPECT_EQ(result.difference->channel, "EARSHOT_JOURNAL_END");
+  EXPECT_EQ(result.closing, said);
 }
 
 TEST_F(Replay, FindsRecordsThatAreMissingAtTheEndByTheNumberOfTheClosingRecord) {
@@ -153,6 +192,44 @@ TEST_F(Replay, FindsRecordsThatAreMissingAtTheEndByTheNumberOfTheClosingRecord) 
   const ReplayResult result = replay(path_);
   EXPECT_EQ(result.gap, begins.size() - 3);
   EXPECT_TRUE(result.closing);
+}
+
+TEST_F(Replay, TellsOfBytesAndOfAnotherFlightBehindTheRecordThatEndsTheJournal) {
+  fly_random_mission(1, path_, 30, wire::ClosingRecord{.time = Time{7}, .steps_taken = 5});
+  std::ifstream file(path_, std::ios::binary);
+  const std::vector<std::uint8_t> alone{std::istreambuf_iterator<char>(file), {}};
+  std::size_t records = 0;
+  host::JournalReader reader(path_);
+  for (host::JournalRecord record; reader.next(record);) ++records;
+  std::vector<std::uint8_t> twice = alone;
+  twice.insert(twice.end(), alone.begin(), alone.end());
+  twice[twice.size() - 1] ^= 1U;  // in the last record of the second, which is none then: 28 + 19 + 47 bytes
+  support::write_bytes(path_, twice);
+  const ReplayResult result = replay(path_);
+  EXPECT_TRUE(result.is_same());
+  ASSERT_TRUE(result.closing);
+  EXPECT_EQ(result.closing->steps_taken, 5U);
+  EXPECT_EQ(result.records_behind_end, records - 1);
+  EXPECT_EQ(result.end, host::JournalReader::End::kCorrupt);
+  ASSERT_EQ(result.damages.size(), 1U);
+  EXPECT_EQ(result.damages[0].offset, twice.size() - 94);
+  EXPECT_EQ(result.damages[0].bytes, 94U);
+}
+
+TEST_F(Replay, RefusesATurnThatIsDatedBeforeAllClocksOrBehindThem) {
+  fly_random_mission(1, path_, 30);
+  for (const std::int64_t date_us : {std::int64_t{-1}, (std::int64_t{1} << 55U) + 1, std::numeric_limits<std::int64_t>::max()}) {
+    const fs::path forged = folder_ / "forged";
+    {
+      host::Journal journal(forged, {.existing = host::ExistingJournal::kReplace});
+      host::JournalReader reader(path_);
+      for (host::JournalRecord record; reader.next(record);) {
+        const Time time = record.channel == "EARSHOT_HEALTH" ? Time{date_us} : record.time;
+        ASSERT_EQ(journal.append(time, record.channel, record.data), Status::kOk);
+      }
+    }
+    EXPECT_THROW((void)replay(forged), host::BadInput) << date_us;
+  }
 }
 
 TEST_F(Replay, RefusesAJournalThatDoesNotBeginWithItsMission) {

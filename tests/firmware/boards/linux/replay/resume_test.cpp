@@ -13,11 +13,14 @@
 #include <string_view>
 #include <vector>
 
+#include "earshot/journal_part_t.hpp"
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/journal/journal_format.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/replay/random_mission.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -214,6 +217,54 @@ TEST_F(Resuming, RefusesAJournalThatLacksARecordBeforeItsEnd) {
       << refusal();
 }
 
+TEST_F(Resuming, GoesOnBeforeARecordThatAPowerCutToreOutOfTheLastSecondUnlessAnOrderARuleOrAChangeOfStateStandsBehindIt) {
+  std::size_t resumed = 0;
+  std::size_t refused = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    fly_whole(seed);
+    // Of a health record the byte of the state is 30: it follows fingerprint, date and turn (8 each), decisions (4), authority
+    // and pause (1 each).
+    const auto state_before = [&](std::size_t i) {
+      while (records_[--i].channel != wire::kHealthChannel) {
+      }
+      return records_[i].data[30];
+    };
+    bool is_light = true;
+    for (std::size_t i = records_.size() - 1; i-- > records_.size() - 12;) {
+      const Said& behind = records_[i + 1];
+      is_light = is_light && !behind.channel.starts_with("EARSHOT_OPERATOR_COMMAND") &&
+                 behind.channel != "EARSHOT_COMMAND_ACKNOWLEDGEMENT" && behind.channel != "EARSHOT_SAFETY_EVENT";
+      bool is_state_kept = true;
+      for (std::size_t k = i + 1; k < records_.size(); ++k)
+        is_state_kept = is_state_kept && (records_[k].channel != wire::kHealthChannel || records_[k].data[30] == state_before(i));
+      Bytes torn = bytes_;
+      std::fill(torn.begin() + static_cast<std::ptrdiff_t>(records_[i - 1].end),
+                torn.begin() + static_cast<std::ptrdiff_t>(records_[i].end), std::uint8_t{0});
+      support::write_bytes(cut_, torn);
+      const bool is_of_last_second = records_.back().time - records_[i - 1].time <= Duration::seconds(1);
+      if (!is_light || !is_state_kept || !is_of_last_second) {
+        EXPECT_NE(refusal().find("records are missing from number " + std::to_string(i) + " on"), std::string::npos)
+            << "seed " << seed << ", record " << i << refusal();
+        ++refused;
+        continue;
+      }
+      const std::optional<Resumption> found = resume_from(GoOnAfter::kLastInput);
+      leave(records_[i - 1].end);
+      const std::optional<Resumption> cut = resume_from(GoOnAfter::kLastInput);
+      ASSERT_TRUE(found && cut) << "seed " << seed << ", record " << i;
+      EXPECT_EQ(found->kept_bytes, records_[i - 1].end);
+      EXPECT_EQ(found->cut_bytes, bytes_.size() - records_[i - 1].end);
+      EXPECT_EQ(found->next_number, i);
+      EXPECT_EQ(found->last.health.turn, cut->last.health.turn);
+      EXPECT_EQ(found->memory.inputs, cut->memory.inputs);
+      EXPECT_EQ(found->unwritten.size(), cut->unwritten.size());
+      ++resumed;
+    }
+  }
+  EXPECT_GT(resumed, 40U);
+  EXPECT_GT(refused, 40U);
+}
+
 TEST_F(Resuming, RefusesAJournalWhoseOutputsThisBuildDoesNotGiveAgain) {
   fly_whole(1);
   const fs::path forged = cut_;
@@ -252,6 +303,31 @@ TEST_F(Resuming, FindsTheNewestJournalCutsItToWhatIsKeptAndRefusesAClockThatIsBe
             std::string::npos);
   found->file.keep_to({.part_bytes = 0, .budget_bytes = 1});
   EXPECT_FALSE(fs::exists(cut_)) << "the older one shares its budget";
+}
+
+TEST_F(Resuming, RefusesALinkToAJournal) {
+  fly_whole(1);
+  fs::create_symlink(whole_, cut_);
+  const Playback::Beginning flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes())};
+  const auto find = [&] { return find_unfinished(cut_, flown, GoOnAfter::kLastInput, records_.back().time); };
+  EXPECT_THROW((void)find(), host::BadInput);
+  fs::remove(cut_);
+  leave(bytes_.size());
+  EXPECT_TRUE(find());
+}
+
+TEST_F(Resuming, RefusesAJournalOneOfWhosePartsBearsAnothersName) {
+  fly_whole(1);
+  leave(bytes_.size());
+  const auto first_record_crc32 = static_cast<std::int32_t>(host::load(std::span<const std::uint8_t>(bytes_).subspan(4, 4)));
+  const wire::Encoded beginning(journal_part_t{.part = 2, .first_record_crc32 = first_record_crc32});
+  const host::LoneRecord record(0, Time{}, wire::kJournalPartChannel, beginning.bytes());
+  support::write_bytes(folder_ / "journal.part3.lcmlog", Bytes(record.bytes().begin(), record.bytes().end()));
+  const Playback::Beginning flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes())};
+  const auto find = [&] { return find_unfinished(cut_, flown, GoOnAfter::kLastInput, records_.back().time); };
+  EXPECT_THROW((void)find(), host::BadInput);
+  fs::rename(folder_ / "journal.part3.lcmlog", folder_ / "journal.part2.lcmlog");
+  EXPECT_TRUE(find());
 }
 
 TEST_F(Resuming, FindsNothingInAnEmptyFolder) {

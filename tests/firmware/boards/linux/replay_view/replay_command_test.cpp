@@ -11,6 +11,7 @@
 
 #include "tests/firmware/boards/linux/replay/random_mission.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/signed_mission.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::replay_view {
@@ -39,7 +40,7 @@ class ReplayCommand : public ::testing::Test {
   ReplayCommand() {
     board::Vessel vessel(board::walking_mission(kSeed), journal_);
     vessel.live_through(script());
-    vessel.end(wire::ClosingRecord{});
+    vessel.end(vessel.standing());
     policy::FrozenPolicy north = board::walk();
     north.draw = policy::ActionDraw::kArgmax;  // of logits that are all the same: the first action, north
     support::write_bytes(folder_ / "north.policy", support::signed_bytes(north));
@@ -80,6 +81,23 @@ TEST_F(ReplayCommand, SaysThatTheEndIsMissing) {
   EXPECT_EQ(errors_, journal_.string() + ": the journal's end is missing: its program was killed, lost its power, or writes it still\n");
 }
 
+TEST_F(ReplayCommand, SaysThatAFileWithoutARecordIsNoJournal) {
+  std::ofstream(file("notes.txt")) << "notes of mine";
+  support::Process process(fs::path(EARSHOT_BIN_DIR) / "earshot-replay", {"notes.txt"},
+                           {.folder = folder_, .output = folder_ / "said.txt", .errors = folder_ / "errors.txt"});
+  EXPECT_EQ(process.wait(30s), 2);
+  EXPECT_EQ(support::read_text(folder_ / "errors.txt"), "notes.txt: not a journal: no record in it\n");
+}
+
+TEST_F(ReplayCommand, CallsAnEndThatIsCutNoDamage) {
+  const std::uintmax_t closing = fs::file_size(journal_) - 94;
+  fs::resize_file(journal_, closing + 44);
+  EXPECT_EQ(replay({"--quiet"}), 1);
+  EXPECT_EQ(errors_, journal_.string() + ": the journal ends in the middle of a record (44 bytes from byte " + std::to_string(closing) +
+                         " on): its program was stopped while it wrote\n" + journal_.string() +
+                         ": the journal's end is missing: its program was killed, lost its power, or writes it still\n");
+}
+
 TEST_F(ReplayCommand, SaysWhatAnotherPolicyWouldHaveDecidedAndDrawsIt) {
   EXPECT_EQ(replay({"--policy", file("north.policy"), "--map", file("m.svg"), "--json", file("r.json")}), 0) << errors_;
   EXPECT_NE(said_.find("the decisions part at step 0: then at 2.0 s towards "), std::string::npos) << said_;
@@ -93,6 +111,22 @@ TEST_F(ReplayCommand, SaysWhatAnotherPolicyWouldHaveDecidedAndDrawsIt) {
   EXPECT_NE(support::read_text(file("r.json")).find("\"what_if\": null"), std::string::npos);
 }
 
+TEST_F(ReplayCommand, NamesTheRuleByWhichAnotherMissionEnds) {
+  std::string mission = support::mission_of_the_walk(support::read_text(EARSHOT_SOURCE_DIR "/firmware/boards/linux/missions/search.toml"));
+  mission.insert(mission.find("file = \"walk.policy\""), "public_key_file = \"walk.pub\"\n");
+  std::ofstream(file("m.toml")) << mission << "\n[[rule]]\nwhen = \"vehicle_status_age_s\"\nabove = 3.0\nthen = \"abort\"\n";
+  EXPECT_EQ(replay({"--mission", file("m.toml"), "--json", file("r.json")}), 0) << errors_;
+  // Nine rules stand in a mission without a fence. Nobody tells of the vehicle from the second in which the search begins: three seconds
+  // are over in the sixth.
+  EXPECT_NE(
+      said_.find("now: ABORT: a safety rule ended it, after 0 steps (since 6.0 s, rule 10, vehicle_status_age_s: 4.0, above 3.0: abort)"),
+      std::string::npos)
+      << said_;
+  EXPECT_NE(said_.find("\nnow steers there: rule 10, vehicle_status_age_s: 4.0, above 3.0: abort\n"), std::string::npos) << said_;
+  EXPECT_NE(support::read_text(file("r.json")).find("\"rule\": \"rule 10, vehicle_status_age_s: 4.0, above 3.0: abort\""),
+            std::string::npos);
+}
+
 TEST_F(ReplayCommand, RefusesAPolicyOfAnotherMissionInOneLine) {
   EXPECT_EQ(replay({"--policy", file("short.policy")}), 2);
   EXPECT_EQ(errors_, journal_.string() + ": search.step_length_m = 1000: must be 900, which the policy " + file("short.policy") +
@@ -100,11 +134,14 @@ TEST_F(ReplayCommand, RefusesAPolicyOfAnotherMissionInOneLine) {
   EXPECT_EQ(said_, "");
 }
 
-TEST_F(ReplayCommand, RefusesAStepThatIsNotDecidedAndAMapOfNothing) {
+TEST_F(ReplayCommand, RefusesAStepThatIsNotDecidedAndAMapOfNothingOrOfAnotherKindThanItsNameSays) {
   EXPECT_EQ(replay({"--from", "1"}), 2);
   EXPECT_EQ(errors_, "--from 1: no such step is decided; there are 1, the first is step 0\n");
   EXPECT_EQ(replay({"--map", file("m.svg")}), 2);
   EXPECT_EQ(errors_, "--map: only with --policy or --mission\n");
+  EXPECT_EQ(replay({"--policy", file("north.policy"), "--map", file("m.png")}), 2);
+  EXPECT_NE(errors_.find("--map: the map is an SVG picture: name a file that ends with .svg"), std::string::npos) << errors_;
+  EXPECT_FALSE(fs::exists(file("m.png")));
 }
 
 TEST_F(ReplayCommand, ReplacesNothingOfAnotherKindAndNeverTheJournal) {
@@ -115,6 +152,9 @@ TEST_F(ReplayCommand, ReplacesNothingOfAnotherKindAndNeverTheJournal) {
   const std::string before = support::read_text(journal_);
   EXPECT_EQ(replay({"--json", journal_.string(), "--force"}), 2);
   EXPECT_EQ(support::read_text(journal_), before);
+  std::ofstream(file("journal.part2.lcmlog")) << "a part whose beginning is damaged";
+  EXPECT_EQ(replay({"--json", file("journal.part2.lcmlog"), "--force"}), 2);
+  EXPECT_EQ(support::read_text(file("journal.part2.lcmlog")), "a part whose beginning is damaged");
 }
 
 }  // namespace

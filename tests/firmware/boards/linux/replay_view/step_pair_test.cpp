@@ -24,18 +24,19 @@ TEST(StepPair, PartsWhereTheVehicleIsSentElsewhereOrAtAnotherTimeOrNotAtAll) {
   EXPECT_FALSE((StepPair{.step = 0, .then = then, .now = {}}.is_same()));
 }
 
-TEST(StepPair, PairsByStepFromTheAskedOneOnAndFindsTheFirstParting) {
+TEST(StepPair, PairsByStepAndFindsTheFirstPartingOfAllAndOfThoseFromAStepOn) {
   const std::array then{decision_to(0, 2, 1, 1), decision_to(1, 500, 2, 2), decision_to(2, 1000, 3, 3)};
   const std::array now{decision_to(0, 2, 9, 1), decision_to(1, 500, 2, 2), decision_to(2, 1000, 3, 9), decision_to(3, 1500, 4, 4)};
-  const std::vector<StepPair> all = paired(then, now, 0);
+  const std::vector<StepPair> all = paired(then, now);
   ASSERT_EQ(all.size(), 4U);
   EXPECT_EQ(parting(all), &all[0]);
   EXPECT_FALSE(all[3].then);
-  const std::vector<StepPair> later = paired(then, now, 1);
+  const std::span<const StepPair> later = from(1, all);
   ASSERT_EQ(later.size(), 3U);
   EXPECT_EQ(later.front().step, 1);
   EXPECT_EQ(parting(later)->step, 2);
-  EXPECT_EQ(parting(std::span(later).first(1)), nullptr);
+  EXPECT_EQ(parting(later.first(1)), nullptr);
+  EXPECT_TRUE(from(4, all).empty());
 }
 
 }  // namespace

@@ -61,13 +61,21 @@ class ServiceManagerTest : public testing::Test {
   Manager manager_{path_};
 };
 
-TEST_F(ServiceManagerTest, HearsThatItIsReadyAfterTheFirstTurnAndEveryNewStateInWords) {
+TEST_F(ServiceManagerTest, HearsThatItIsReadyAfterTheFirstTurnAndEveryNewStateAndStepInWords) {
   ServiceManager told({.socket = path_});
   EXPECT_EQ(told.complaint(), "");
   EXPECT_EQ(manager_.heard(), Words{});
   told.note_turn(health(1));
   told.note_turn(health(2));
   EXPECT_EQ(manager_.heard(), Words{"READY=1\nSTATUS=STANDBY, after 0 steps"});
+  messages::Health later = health(3, messages::MissionState::kSearch);
+  told.note_turn(later);
+  later.steps_taken = 1;
+  told.note_turn(later);
+  told.note_turn(later);
+  later.steps_taken = 2;
+  told.note_turn(later);
+  EXPECT_EQ(manager_.heard(), (Words{"STATUS=SEARCH, after 0 steps", "STATUS=SEARCH, after 1 step", "STATUS=SEARCH, after 2 steps"}));
   messages::Health over = health(3, messages::MissionState::kAbort);
   over.end_reason = messages::EndReason::kNavigationStale;
   over.steps_taken = 12;
