@@ -51,7 +51,8 @@ Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
   made.source = made.start + NorthEast{Meters{3'000}, Meters{0}};
   made.at_most = Duration::seconds(400);
   made.faults.clear();
-  for (std::size_t i = 0, count = 2 + random.next() % 2; i < count; ++i) made.faults.push_back(moved(all[random.next() % all.size()], random));
+  for (std::size_t i = 0, count = 2 + random.next() % 2; i < count; ++i)
+    made.faults.push_back(moved(all[random.next() % all.size()], random));
   made.when.clear();
   for (const TimedFault& fault : made.faults) made.when += (made.when.empty() ? "" : "; ") + in_words(fault);
   return made;
