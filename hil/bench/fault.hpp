@@ -120,7 +120,7 @@ struct TimedFault {
   [[nodiscard]] NorthEast vector() const;
 };
 
-/// "loss of 50 % of compass's frames from 100 s for 20 s"
+/// "loss of 50 % of the compass's frames from 100 s for 20 s"
 [[nodiscard]] std::string in_words(const TimedFault& fault);
 
 }  // namespace earshot::hil
