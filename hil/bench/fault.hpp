@@ -118,6 +118,7 @@ struct TimedFault {
   [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }
   /// `amount` in its direction.
   [[nodiscard]] NorthEast vector() const;
+  friend bool operator==(const TimedFault&, const TimedFault&) = default;
 };
 
 /// "loss of 50 % of the compass's frames from 100 s for 20 s"
