@@ -5,7 +5,6 @@
 #include <cmath>
 #include <csignal>
 #include <memory>
-#include <numbers>
 #include <thread>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "firmware/host/program/child_process.hpp"
 #include "firmware/host/transport/can_socket.hpp"
 #include "hil/bench/bad_bus.hpp"
+#include "hil/bench/disturbance_at.hpp"
 #include "hil/bench/interface_switch.hpp"
 #include "hil/bench/intruders.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
@@ -28,8 +28,10 @@ using std::chrono::steady_clock;
 constexpr Duration kTick = Duration::seconds(1);
 constexpr milliseconds kLookUp{50};
 constexpr milliseconds kPatience{20'000};  ///< for an answer, on a busy machine
-/// What earshotd does on the bus by the host's clock: an interface is tried again once a second, an address is claimed in 0.25 s.
-constexpr milliseconds kToNoticeTheBus{2500};
+/// earshotd tries a lost interface again in the first turn that is a second later than its last trial, by the host's clock.
+constexpr milliseconds kToTryAgain{1100};
+/// An address is claimed in 0.25 s of the host's clock, up to 0.4 s. Whatever a fault leaves of it, the flight goes on then.
+constexpr milliseconds kToClaim{5000};
 constexpr std::size_t kTracedFrames = 400'000;  ///< two hours without a flood, in 13 MB: a rule may fire long before the end
 
 /// One flight in the making.
@@ -89,7 +91,8 @@ class Flyer {
                                "--out",
                                flight_.folder,
                                "--quiet"};
-    a.emplace_back(is_return ? "--resume" : "--replace");
+    // With --resume no turn is answered before it is in the journal: a SIGKILL costs none that the vehicle has sailed by.
+    a.emplace_back(is_return || is_to_die() ? "--resume" : "--replace");
     program::ChildSettings settings{.words = flight_.folder / "words.txt"};
     for (const TimedFault& fault : case_.faults) {
       if (fault.fault == Fault::kFullDisk) settings.most_bytes_of_a_file = static_cast<std::uint64_t>(fault.amount);
@@ -98,7 +101,7 @@ class Flyer {
   }
 
   void tick() {
-    disturb_vehicle();
+    vehicle_.disturb(disturbance_at(case_.faults, now_, kTick));
     disturb_computer();
     Frames said;
     vehicle_.step(now_, said);
@@ -113,11 +116,8 @@ class Flyer {
     ++number_;
     say_tick();
     if (!receive_answer()) return;
+    if (std::exchange(is_claim_due_, false)) wait_for_claim();
     take_frames();
-    if (const bool has_claimed =
-            std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kAddressThief && is_news(f); });
-        has_claimed)
-      std::this_thread::sleep_for(kToNoticeTheBus);
     now_ = now_ + kTick;
   }
 
@@ -132,14 +132,17 @@ class Flyer {
     trace(frame, false);
   }
 
-  void take_frames() {
-    Frames heard;
+  void hear() {
     for (n2k::Frame frame; socket_.receive(frame) == Status::kOk;) {
       ++received_;
       trace(frame, true);
-      heard.push_back(frame);
+      heard_.push_back(frame);
     }
-    for (const n2k::Frame& frame : to_vehicle_.pass(heard, afflictions_of_earshot(), now_)) {
+  }
+
+  void take_frames() {
+    hear();
+    for (const n2k::Frame& frame : to_vehicle_.pass(std::exchange(heard_, {}), afflictions_of_earshot(), now_)) {
       vehicle_.accept(frame, now_);
       intruders_.accept(frame, now_);
     }
@@ -223,69 +226,12 @@ class Flyer {
   [[nodiscard]] std::vector<Affliction> afflictions() const { return afflictions_if(false); }
   [[nodiscard]] std::vector<Affliction> afflictions_of_earshot() const { return afflictions_if(true); }
 
-  void disturb_vehicle() {
-    Disturbance d;
-    for_acting([&](const TimedFault& fault) {
-      switch (fault.fault) {
-        case Fault::kRudderStuck:
-          d.is_rudder_stuck = true;
-          break;
-        case Fault::kPlanesStuck:
-          d.are_planes_stuck = true;
-          break;
-        case Fault::kNoThrust:
-          d.has_no_thrust = true;
-          break;
-        case Fault::kDisengaged:
-          d.is_disengaged = true;
-          break;
-        case Fault::kObstinate:
-          d.is_obstinate = true;
-          break;
-        case Fault::kCurrent:
-          d.current_mps = d.current_mps + fault.vector();
-          break;
-        case Fault::kBattery:
-          if (is_news(fault)) d.battery_percent = fault.amount;
-          break;
-        case Fault::kLeak:
-          d.hull.wet = true;
-          break;
-        case Fault::kGroundFault:
-          d.hull.has_ground_fault = true;
-          break;
-        case Fault::kFloorRise:
-          d.floor_rise += Meters{fault.amount};
-          break;
-        case Fault::kFrozen:
-          d.is_frozen = true;
-          break;
-        case Fault::kPositionError:
-          d.position_error = d.position_error + fault.vector();
-          break;
-        case Fault::kHeadingError:
-          d.heading_error = d.heading_error + Radians{fault.amount * std::numbers::pi / 180.0};
-          break;
-        case Fault::kDepthError:
-          d.depth_error += Meters{fault.amount};
-          break;
-        case Fault::kDeaf:
-          d.hydrophone.is_deaf = true;
-          break;
-        case Fault::kGainError:
-          d.hydrophone.gain_error += Decibels{fault.amount};
-          break;
-        default:
-          break;
-      }
-    });
-    vehicle_.disturb(d);
-  }
-
   void disturb_computer() {
     for (const TimedFault& fault : case_.faults) {
       if (!is_news(fault)) continue;
-      if (fault.fault == Fault::kKill) {
+      if (fault.fault == Fault::kAddressThief) {
+        is_claim_due_ = true;
+      } else if (fault.fault == Fault::kKill) {
         is_killed_ = true;
         earshotd_->signal(SIGKILL);
       } else if (fault.fault == Fault::kStop) {
@@ -301,11 +247,29 @@ class Flyer {
     if (is_down == !is_interface_up_) return;
     is_interface_up_ = !is_down;
     switch_interface(bench_.interface, is_interface_up_);
-    std::this_thread::sleep_for(kToNoticeTheBus);
+    if (is_down) return;
     (void)socket_.reopen();
+    std::this_thread::sleep_for(kToTryAgain);
+    is_claim_due_ = true;
   }
 
-  [[nodiscard]] bool is_news(const TimedFault& fault) const { return fault.from >= now_ && fault.from < now_ + kTick; }
+  /// Until Earshot has an address again, as its first question on the bus says: whose addresses are there?
+  void wait_for_claim() {
+    const auto is_first_question = [](const n2k::Frame& frame) {
+      return n2k::parse_identifier(frame.identifier).value().pgn == n2k::kRequestPgn;
+    };
+    for (const auto deadline = steady_clock::now() + kToClaim; steady_clock::now() < deadline;
+         std::this_thread::sleep_for(milliseconds(5))) {
+      earshotd_->poll();
+      const std::size_t before = heard_.size();
+      hear();
+      if (!earshotd_->running() || std::any_of(heard_.begin() + static_cast<std::ptrdiff_t>(before), heard_.end(), is_first_question))
+        return;
+    }
+  }
+
+  [[nodiscard]] bool is_news(const TimedFault& fault) const { return fault.is_new_at(now_, kTick); }
+  [[nodiscard]] bool is_to_die() const { return std::ranges::find(case_.faults, Fault::kKill, &TimedFault::fault) != case_.faults.end(); }
 
   // What is kept.
 
@@ -362,6 +326,7 @@ class Flyer {
   host::CanSocket socket_;
   std::unique_ptr<program::ChildProcess> earshotd_;
   Frames arriving_;  ///< of this tick
+  Frames heard_;     ///< of Earshot since the last
   std::uint64_t number_ = 0;
   std::uint64_t sent_ = 0;
   std::uint64_t received_ = 0;
@@ -369,6 +334,7 @@ class Flyer {
   bool is_over_ = false;
   bool is_killed_ = false;
   bool is_interface_up_ = true;
+  bool is_claim_due_ = false;  ///< Earshot has to claim an address in this turn
   BenchFlight flight_;
 };
 
@@ -376,7 +342,10 @@ class Flyer {
 
 BenchFlight fly_case(const Case& c, const Bench& bench, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  std::filesystem::remove(folder / "words.txt");
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name == "words.txt" || name.starts_with("journal")) std::filesystem::remove(entry.path());
+  }
   link::RunSlot slot;
   return Flyer(c, bench, folder, slot).fly();
 }

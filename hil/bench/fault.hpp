@@ -116,11 +116,14 @@ struct TimedFault {
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
 
   [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }
+  /// Whether it began since the last tick.
+  [[nodiscard]] bool is_new_at(Time now, Duration tick) const { return from <= now && now < from + tick; }
   /// `amount` in its direction.
   [[nodiscard]] NorthEast vector() const;
+  friend bool operator==(const TimedFault&, const TimedFault&) = default;
 };
 
-/// "loss of 50 % of compass's frames from 100 s for 20 s"
+/// "loss of 50 % of the compass's frames from 100 s for 20 s"
 [[nodiscard]] std::string in_words(const TimedFault& fault);
 
 }  // namespace earshot::hil

@@ -69,7 +69,7 @@ std::optional<std::uint8_t> EmulatedVehicle::address_of(std::string_view device)
 
 void EmulatedVehicle::disturb(const Disturbance& disturbance) {
   disturbance_ = disturbance;
-  if (disturbance.battery_percent) battery_percent_ = std::exchange(disturbance_.battery_percent, std::nullopt).value();
+  battery_percent_ = disturbance.battery_percent.value_or(battery_percent_);
   if (autopilot_ == nullptr) return;
   autopilot_->engage(!disturbance.is_disengaged);
   autopilot_->obey(!disturbance.is_obstinate);
