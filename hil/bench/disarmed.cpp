@@ -55,8 +55,8 @@ bool is_put_off(Condition rule) {
 }
 
 bool can_be_disarmed(Condition rule) {
-  constexpr Condition kStanding[]{Condition::kOutsideHalt,   Condition::kSearchTime,      Condition::kNavigationJump,
-                                  Condition::kNoProgress,    Condition::kPolicyUnhealthy, Condition::kOutsideFence};
+  constexpr Condition kStanding[]{Condition::kOutsideHalt, Condition::kSearchTime,      Condition::kNavigationJump,
+                                  Condition::kNoProgress,  Condition::kPolicyUnhealthy, Condition::kOutsideFence};
   return std::ranges::find(kStanding, rule) == std::end(kStanding);
 }
 
