@@ -1,9 +1,11 @@
 #include "policy/freeze/freeze.hpp"
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <ostream>
 
+#include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/talk.hpp"
@@ -62,9 +64,13 @@ void check_output(const Options& options) {
 }
 
 host::SecretKey new_key(const Options& options) {
+  const std::filesystem::path public_file = host::public_file_of(options.key);
+  if (!options.force && std::filesystem::exists(public_file) && !std::filesystem::exists(options.key))
+    throw host::BadInput(public_file.string() +
+                         ": is the public half of a key that is not here, which a vehicle may trust; --force replaces it");
   const host::SecretKey key =
       host::make_key_pair(options.key, options.force ? host::LonePublicHalf::kReplaced : host::LonePublicHalf::kStays);
-  program::say() << options.key << " (secret: keep it), " << host::public_file_of(options.key).string() << "\n";
+  program::say() << options.key << " (secret: keep it), " << public_file.string() << "\n";
   return key;
 }
 
