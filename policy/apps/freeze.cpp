@@ -1,7 +1,6 @@
 #include "policy/freeze/freeze.hpp"
 
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <ostream>
 
@@ -64,13 +63,9 @@ void check_output(const Options& options) {
 }
 
 host::SecretKey new_key(const Options& options) {
-  const std::filesystem::path public_file = host::public_file_of(options.key);
-  if (!options.force && std::filesystem::exists(public_file) && !std::filesystem::exists(options.key))
-    throw host::BadInput(public_file.string() +
-                         ": is the public half of a key that is not here, which a vehicle may trust; --force replaces it");
-  const host::SecretKey key =
-      host::make_key_pair(options.key, options.force ? host::LonePublicHalf::kReplaced : host::LonePublicHalf::kStays);
-  program::say() << options.key << " (secret: keep it), " << public_file.string() << "\n";
+  const auto lone = options.force ? host::LonePublicHalf::kReplaced : host::LonePublicHalf::kStays;
+  const host::SecretKey key = host::make_key_pair(options.key, lone, "--force replaces it");
+  program::say() << options.key << " (secret: keep it), " << host::public_file_of(options.key).string() << "\n";
   return key;
 }
 
