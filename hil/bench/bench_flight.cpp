@@ -110,7 +110,7 @@ class Flyer {
     intruders_.step(now_, intruding);
     for (const n2k::Frame& frame : intruding) vehicle_.accept(frame, now_);
     said.insert(said.end(), intruding.begin(), intruding.end());
-    arriving_ = to_earshot_.pass(said, afflictions(), now_);
+    arriving_ = to_earshot_.pass(said, afflictions(false), now_);
     for (const n2k::Frame& frame : arriving_) send(frame);
     note_place();
     ++number_;
@@ -142,7 +142,7 @@ class Flyer {
 
   void take_frames() {
     hear();
-    for (const n2k::Frame& frame : to_vehicle_.pass(std::exchange(heard_, {}), afflictions_of_earshot(), now_)) {
+    for (const n2k::Frame& frame : to_vehicle_.pass(std::exchange(heard_, {}), afflictions(true), now_)) {
       vehicle_.accept(frame, now_);
       intruders_.accept(frame, now_);
     }
@@ -202,29 +202,24 @@ class Flyer {
 
   // Faults.
 
-  template <class Act>
-  void for_acting(Act act) const {
-    for (const TimedFault& fault : case_.faults) {
-      if (fault.acts_at(now_)) act(fault);
-    }
-  }
-
-  [[nodiscard]] std::vector<Affliction> afflictions_if(bool of_earshot) const {
+  /// @param of_earshot  what befalls its frames; else: those of all others
+  [[nodiscard]] std::vector<Affliction> afflictions(bool of_earshot) const {
     std::vector<Affliction> found;
-    for_acting([&](const TimedFault& fault) {
+    for (const TimedFault& fault : case_.faults) {
       const auto index = static_cast<std::size_t>(fault.fault);
-      const bool names_earshot = fault.device == "earshot";
-      if (index >= kFrameFaults || (!fault.device.empty() && names_earshot != of_earshot)) return;
-      const std::optional<std::uint8_t> source = fault.device.empty() || names_earshot ? std::nullopt : vehicle_.address_of(fault.device);
-      if (!fault.device.empty() && !names_earshot && !source) return;
+      if (index >= kFrameFaults || !fault.acts_at(now_)) continue;
+      std::optional<std::uint8_t> source;
+      if (!fault.device.empty()) {
+        if ((fault.device == kEarshotsFrames) != of_earshot) continue;
+        if (!of_earshot) source = vehicle_.address_of(fault.device);
+        if (!of_earshot && !source) continue;  // who has no address says nothing
+      }
       found.push_back({.fault = static_cast<FrameFault>(index),
                        .frames = {.source = source, .pgn = fault.pgn, .share = fault.share},
                        .seconds = Duration{static_cast<std::int64_t>(fault.amount * 1e6)}});
-    });
+    }
     return found;
   }
-  [[nodiscard]] std::vector<Affliction> afflictions() const { return afflictions_if(false); }
-  [[nodiscard]] std::vector<Affliction> afflictions_of_earshot() const { return afflictions_if(true); }
 
   void disturb_computer() {
     for (const TimedFault& fault : case_.faults) {
@@ -273,10 +268,7 @@ class Flyer {
 
   // What is kept.
 
-  void note_place() {
-    if (now_.us % 1'000'000 != 0) return;
-    flight_.track.push_back({.time = now_, .position = vehicle_.state().position, .depth = vehicle_.state().depth});
-  }
+  void note_place() { flight_.track.push_back({.time = now_, .position = vehicle_.state().position, .depth = vehicle_.state().depth}); }
 
   void trace(const n2k::Frame& frame, bool from_earshot) {
     if (flight_.trace.size() == kTracedFrames) flight_.trace.pop_front();

@@ -11,8 +11,6 @@ namespace {
 using host::Range;
 using host::TableReader;
 
-constexpr std::string_view kEarshot = "earshot";
-
 template <class Traits>
 std::vector<std::string> words_of(const Traits& all, std::string_view Traits::value_type::*word) {
   std::vector<std::string> words;
@@ -22,7 +20,7 @@ std::vector<std::string> words_of(const Traits& all, std::string_view Traits::va
 
 std::vector<std::string> senders() {
   std::vector<std::string> names(std::begin(kDeviceNames), std::end(kDeviceNames));
-  names.emplace_back(kEarshot);
+  names.emplace_back(kEarshotsFrames);
   return names;
 }
 
@@ -70,6 +68,10 @@ Expectation read_expectation(TableReader table) {
 }
 
 }  // namespace
+
+std::string key_of(config::Condition rule) {
+  return std::string(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key);
+}
 
 std::vector<std::string> end_words() {
   return {"under_way",           "found",        "steps_used_up", "operator_abort", "navigation_stale", "snr_stale",
