@@ -2,20 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <memory>
-#include <numbers>
 #include <thread>
 #include <utility>
 
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/child_process.hpp"
-#include "firmware/host/transport/can_socket.hpp"
-#include "hil/bench/bad_bus.hpp"
-#include "hil/bench/interface_switch.hpp"
-#include "hil/bench/intruders.hpp"
-#include "hil/nodes/emulated_vehicle.hpp"
+#include "hil/bench/can_vehicle_bus.hpp"
+#include "hil/bench/vehicle_bus.hpp"
+#include "hil/bench/vehicle_faults.hpp"
 #include "sim/link/run_slot.hpp"
 #include "sim/link/simulator_end.hpp"
 
@@ -25,12 +21,12 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr Duration kTick = Duration::seconds(1);
 constexpr milliseconds kLookUp{50};
 constexpr milliseconds kPatience{20'000};  ///< for an answer, on a busy machine
-/// What earshotd does on the bus by the host's clock: an interface is tried again once a second, an address is claimed in 0.25 s.
-constexpr milliseconds kToNoticeTheBus{2500};
-constexpr std::size_t kTracedFrames = 400'000;  ///< two hours without a flood, in 13 MB: a rule may fire long before the end
+
+std::unique_ptr<VehicleBus> open_bus(const Case& c, const Bench& bench, const host::MissionFile& mission, const link::RunSlot&) {
+  return std::make_unique<CanVehicleBus>(c, bench, mission);
+}
 
 /// One flight in the making.
 class Flyer {
@@ -39,13 +35,9 @@ class Flyer {
       : case_(c),
         bench_(bench),
         mission_(host::load_mission(c.mission)),
-        vehicle_(setup()),
-        intruders_(c.faults, vehicle_.state(), mission_.plane),
-        to_earshot_(bench.seed),
-        to_vehicle_(bench.seed + 1),
+        bus_(open_bus(c, bench, mission_, slot)),
         slot_(slot),
-        link_(slot.domain(), run_),
-        socket_(bench.interface) {
+        link_(slot.domain(), run_) {
     flight_.folder = folder;
     start(false);
   }
@@ -55,40 +47,21 @@ class Flyer {
     if (!link_.wait_for_runtime(kPatience)) {
       fail("earshotd did not answer the simulator's first call");
     }
-    while (flight_.failure.empty() && !is_over_ && now_ - Time{} < case_.at_most && !bench_.stop) tick();
+    fly_on();
     end();
     flight_.last = now_;
     flight_.wall_s = std::chrono::duration<double>(steady_clock::now() - began).count();
-    flight_.sent = sent_;
-    flight_.received = received_;
-    flight_.lost = socket_.counters().lost_by_kernel;
-    flight_.afflicted = to_earshot_.afflicted() + to_vehicle_.afflicted();
+    bus_->report(flight_);
     return std::move(flight_);
   }
 
  private:
-  [[nodiscard]] VehicleSetup setup() const {
-    VehicleSetup setup;
-    setup.start = {.position = case_.start, .depth = mission_.mission.search_depth, .heading = {}, .speed = mission_.mission.search_speed};
-    setup.plane = mission_.plane;
-    setup.source = {.position = case_.source, .snr = bench_.snr};
-    setup.sea_floor.depth = bench_.floor_depth;
-    setup.without = {"operator"};  // orders ride on the tick: those of the bus are dated by the wall clock
-    return setup;
-  }
-
   void start(bool is_return) {
-    std::vector<std::string> a{case_.mission,
-                               "--simulation",
-                               std::to_string(slot_.domain()),
-                               "--run",
-                               std::to_string(run_),
-                               "--snr-from-bus",
-                               "--can-interface",
-                               bench_.interface,
-                               "--out",
-                               flight_.folder,
-                               "--quiet"};
+    std::vector<std::string> a{case_.mission, "--simulation",       std::to_string(slot_.domain()),
+                               "--run",       std::to_string(run_), "--snr-from-bus",
+                               "--out",       flight_.folder,       "--quiet"};
+    const std::vector<std::string> of_bus = bus_->options_of_earshotd();
+    a.insert(a.end(), of_bus.begin(), of_bus.end());
     a.emplace_back(is_return ? "--resume" : "--replace");
     program::ChildSettings settings{.words = flight_.folder / "words.txt"};
     for (const TimedFault& fault : case_.faults) {
@@ -97,52 +70,24 @@ class Flyer {
     earshotd_ = std::make_unique<program::ChildProcess>(bench_.earshotd, a, settings);
   }
 
+  void fly_on() {
+    try {
+      while (flight_.failure.empty() && !is_over_ && now_ - Time{} < case_.at_most && !bench_.stop) tick();
+    } catch (const BusTrouble& e) {
+      fail(e.what());
+    }
+  }
+
   void tick() {
-    disturb_vehicle();
+    bus_->disturb(disturbance_of(case_.faults, now_, kTick));
     disturb_computer();
-    Frames said;
-    vehicle_.step(now_, said);
-    for (const n2k::Frame& frame : said) intruders_.accept(frame, now_);
-    Frames intruding;
-    intruders_.step(now_, intruding);
-    for (const n2k::Frame& frame : intruding) vehicle_.accept(frame, now_);
-    said.insert(said.end(), intruding.begin(), intruding.end());
-    arriving_ = to_earshot_.pass(said, afflictions(), now_);
-    for (const n2k::Frame& frame : arriving_) send(frame);
+    bus_->say(now_);
     note_place();
     ++number_;
     say_tick();
     if (!receive_answer()) return;
-    take_frames();
-    if (const bool has_claimed =
-            std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kAddressThief && is_news(f); });
-        has_claimed)
-      std::this_thread::sleep_for(kToNoticeTheBus);
+    bus_->hear(now_);
     now_ = now_ + kTick;
-  }
-
-  void send(const n2k::Frame& frame) {
-    const auto deadline = steady_clock::now() + std::chrono::seconds(2);
-    while (socket_.is_up() && socket_.send(frame) != Status::kOk) {
-      if (steady_clock::now() > deadline) return fail("the bus takes no frames");
-      std::this_thread::sleep_for(milliseconds(1));
-    }
-    if (!socket_.is_up()) return;
-    ++sent_;
-    trace(frame, false);
-  }
-
-  void take_frames() {
-    Frames heard;
-    for (n2k::Frame frame; socket_.receive(frame) == Status::kOk;) {
-      ++received_;
-      trace(frame, true);
-      heard.push_back(frame);
-    }
-    for (const n2k::Frame& frame : to_vehicle_.pass(heard, afflictions_of_earshot(), now_)) {
-      vehicle_.accept(frame, now_);
-      intruders_.accept(frame, now_);
-    }
   }
 
   [[nodiscard]] bool receive_answer() {
@@ -170,7 +115,7 @@ class Flyer {
 
   [[nodiscard]] std::uint8_t order() const {
     if (state_ == messages::MissionState::kStandby) return static_cast<std::uint8_t>(messages::Order::kStart);
-    const bool has_arrived = vehicle_.range() <= mission_.mission.step_length;
+    const bool has_arrived = bus_->range() <= mission_.mission.step_length;
     return has_arrived ? static_cast<std::uint8_t>(messages::Order::kComplete) : std::uint8_t{0};
   }
 
@@ -190,101 +135,16 @@ class Flyer {
     start(true);
     if (!link_.wait_for_runtime(kPatience)) return fail_false("earshotd did not come back after it was killed");
     if (link_.turns_made() + 1 < number_ || link_.turns_made() > number_) return fail_false("earshotd came back to another turn");
-    if (link_.turns_made() + 1 == number_) {
-      for (const n2k::Frame& frame : arriving_) send(frame);
-    }
+    if (link_.turns_made() + 1 == number_) bus_->say_again();
     say_tick();
     return true;
   }
 
   // Faults.
 
-  template <class Act>
-  void for_acting(Act act) const {
-    for (const TimedFault& fault : case_.faults) {
-      if (fault.acts_at(now_)) act(fault);
-    }
-  }
-
-  [[nodiscard]] std::vector<Affliction> afflictions_if(bool of_earshot) const {
-    std::vector<Affliction> found;
-    for_acting([&](const TimedFault& fault) {
-      const auto index = static_cast<std::size_t>(fault.fault);
-      const bool names_earshot = fault.device == "earshot";
-      if (index >= kFrameFaults || (!fault.device.empty() && names_earshot != of_earshot)) return;
-      const std::optional<std::uint8_t> source = fault.device.empty() || names_earshot ? std::nullopt : vehicle_.address_of(fault.device);
-      if (!fault.device.empty() && !names_earshot && !source) return;
-      found.push_back({.fault = static_cast<FrameFault>(index),
-                       .frames = {.source = source, .pgn = fault.pgn, .share = fault.share},
-                       .seconds = Duration{static_cast<std::int64_t>(fault.amount * 1e6)}});
-    });
-    return found;
-  }
-  [[nodiscard]] std::vector<Affliction> afflictions() const { return afflictions_if(false); }
-  [[nodiscard]] std::vector<Affliction> afflictions_of_earshot() const { return afflictions_if(true); }
-
-  void disturb_vehicle() {
-    Disturbance d;
-    for_acting([&](const TimedFault& fault) {
-      switch (fault.fault) {
-        case Fault::kRudderStuck:
-          d.is_rudder_stuck = true;
-          break;
-        case Fault::kPlanesStuck:
-          d.are_planes_stuck = true;
-          break;
-        case Fault::kNoThrust:
-          d.has_no_thrust = true;
-          break;
-        case Fault::kDisengaged:
-          d.is_disengaged = true;
-          break;
-        case Fault::kObstinate:
-          d.is_obstinate = true;
-          break;
-        case Fault::kCurrent:
-          d.current_mps = d.current_mps + fault.vector();
-          break;
-        case Fault::kBattery:
-          if (is_news(fault)) d.battery_percent = fault.amount;
-          break;
-        case Fault::kLeak:
-          d.hull.wet = true;
-          break;
-        case Fault::kGroundFault:
-          d.hull.has_ground_fault = true;
-          break;
-        case Fault::kFloorRise:
-          d.floor_rise += Meters{fault.amount};
-          break;
-        case Fault::kFrozen:
-          d.is_frozen = true;
-          break;
-        case Fault::kPositionError:
-          d.position_error = d.position_error + fault.vector();
-          break;
-        case Fault::kHeadingError:
-          d.heading_error = d.heading_error + Radians{fault.amount * std::numbers::pi / 180.0};
-          break;
-        case Fault::kDepthError:
-          d.depth_error += Meters{fault.amount};
-          break;
-        case Fault::kDeaf:
-          d.hydrophone.is_deaf = true;
-          break;
-        case Fault::kGainError:
-          d.hydrophone.gain_error += Decibels{fault.amount};
-          break;
-        default:
-          break;
-      }
-    });
-    vehicle_.disturb(d);
-  }
-
   void disturb_computer() {
     for (const TimedFault& fault : case_.faults) {
-      if (!is_news(fault)) continue;
+      if (!fault.begins_in(now_, kTick)) continue;
       if (fault.fault == Fault::kKill) {
         is_killed_ = true;
         earshotd_->signal(SIGKILL);
@@ -300,23 +160,14 @@ class Flyer {
         std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kInterfaceDown && f.acts_at(now_); });
     if (is_down == !is_interface_up_) return;
     is_interface_up_ = !is_down;
-    switch_interface(bench_.interface, is_interface_up_);
-    std::this_thread::sleep_for(kToNoticeTheBus);
-    (void)socket_.reopen();
+    bus_->switch_interface(is_interface_up_);
   }
-
-  [[nodiscard]] bool is_news(const TimedFault& fault) const { return fault.from >= now_ && fault.from < now_ + kTick; }
 
   // What is kept.
 
   void note_place() {
     if (now_.us % 1'000'000 != 0) return;
-    flight_.track.push_back({.time = now_, .position = vehicle_.state().position, .depth = vehicle_.state().depth});
-  }
-
-  void trace(const n2k::Frame& frame, bool from_earshot) {
-    if (flight_.trace.size() == kTracedFrames) flight_.trace.pop_front();
-    flight_.trace.push_back({.time = now_, .from_earshot = from_earshot, .frame = frame});
+    flight_.track.push_back({.time = now_, .position = bus_->state().position, .depth = bus_->state().depth});
   }
 
   void fail(std::string why) {
@@ -332,7 +183,7 @@ class Flyer {
   void end() {
     if (!is_over_) earshotd_->stop();
     wait_for_end();
-    if (!is_interface_up_) switch_interface(bench_.interface, true);
+    if (!is_interface_up_) bus_->switch_interface(true);
   }
 
   void wait_for_end() {
@@ -352,19 +203,12 @@ class Flyer {
   const Bench& bench_;
   host::MissionFile mission_;
   Time now_;
-  EmulatedVehicle vehicle_;
-  Intruders intruders_;
-  BadBus to_earshot_;
-  BadBus to_vehicle_;
+  std::unique_ptr<VehicleBus> bus_;
   link::RunSlot& slot_;
   link::RunId run_ = link::new_run();
   link::SimulatorEnd link_;
-  host::CanSocket socket_;
   std::unique_ptr<program::ChildProcess> earshotd_;
-  Frames arriving_;  ///< of this tick
   std::uint64_t number_ = 0;
-  std::uint64_t sent_ = 0;
-  std::uint64_t received_ = 0;
   messages::MissionState state_ = messages::MissionState::kStandby;  ///< by the last answer
   bool is_over_ = false;
   bool is_killed_ = false;

@@ -116,6 +116,7 @@ struct TimedFault {
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
 
   [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }
+  [[nodiscard]] bool begins_in(Time now, Duration tick) const { return from >= now && from < now + tick; }
   /// `amount` in its direction.
   [[nodiscard]] NorthEast vector() const;
 };

@@ -1,0 +1,67 @@
+#include "hil/bench/vehicle_faults.hpp"
+
+#include <numbers>
+
+namespace earshot::hil {
+
+Disturbance disturbance_of(const std::vector<TimedFault>& faults, Time now, Duration tick) {
+  Disturbance d;
+  for (const TimedFault& fault : faults) {
+    if (!fault.acts_at(now)) continue;
+    switch (fault.fault) {
+      case Fault::kRudderStuck:
+        d.is_rudder_stuck = true;
+        break;
+      case Fault::kPlanesStuck:
+        d.are_planes_stuck = true;
+        break;
+      case Fault::kNoThrust:
+        d.has_no_thrust = true;
+        break;
+      case Fault::kDisengaged:
+        d.is_disengaged = true;
+        break;
+      case Fault::kObstinate:
+        d.is_obstinate = true;
+        break;
+      case Fault::kCurrent:
+        d.current_mps = d.current_mps + fault.vector();
+        break;
+      case Fault::kBattery:
+        if (fault.begins_in(now, tick)) d.battery_percent = fault.amount;
+        break;
+      case Fault::kLeak:
+        d.hull.wet = true;
+        break;
+      case Fault::kGroundFault:
+        d.hull.has_ground_fault = true;
+        break;
+      case Fault::kFloorRise:
+        d.floor_rise += Meters{fault.amount};
+        break;
+      case Fault::kFrozen:
+        d.is_frozen = true;
+        break;
+      case Fault::kPositionError:
+        d.position_error = d.position_error + fault.vector();
+        break;
+      case Fault::kHeadingError:
+        d.heading_error = d.heading_error + Radians{fault.amount * std::numbers::pi / 180.0};
+        break;
+      case Fault::kDepthError:
+        d.depth_error += Meters{fault.amount};
+        break;
+      case Fault::kDeaf:
+        d.hydrophone.is_deaf = true;
+        break;
+      case Fault::kGainError:
+        d.hydrophone.gain_error += Decibels{fault.amount};
+        break;
+      default:
+        break;
+    }
+  }
+  return d;
+}
+
+}  // namespace earshot::hil
