@@ -10,6 +10,7 @@
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/child_process.hpp"
 #include "hil/bench/can_vehicle_bus.hpp"
+#include "hil/bench/lcm/lcm_vehicle_bus.hpp"
 #include "hil/bench/vehicle_bus.hpp"
 #include "hil/bench/vehicle_faults.hpp"
 #include "sim/link/run_slot.hpp"
@@ -24,7 +25,8 @@ using std::chrono::steady_clock;
 constexpr milliseconds kLookUp{50};
 constexpr milliseconds kPatience{20'000};  ///< for an answer, on a busy machine
 
-std::unique_ptr<VehicleBus> open_bus(const Case& c, const Bench& bench, const host::MissionFile& mission, const link::RunSlot&) {
+std::unique_ptr<VehicleBus> open_bus(const Case& c, const Bench& bench, const host::MissionFile& mission, const link::RunSlot& slot) {
+  if (c.bus == host::PortKind::kLcm) return std::make_unique<LcmVehicleBus>(c, bench, mission, slot.lcm_url());
   return std::make_unique<CanVehicleBus>(c, bench, mission);
 }
 

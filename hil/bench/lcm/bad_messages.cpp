@@ -61,8 +61,8 @@ std::string_view sender_on(std::string_view channel) {
   if (channel == wire::kSnrEstimateChannel || channel == wire::kHydrophoneStatusChannel) return "hydrophone";
   if (channel == wire::kVehicleStatusChannel) return "vehicle-status";
   if (channel == wire::kAutopilotStatusChannel) return "autopilot";
-  for (const std::string_view own : {wire::kSetpointChannel, wire::kDecisionChannel, wire::kHealthChannel, wire::kAcknowledgementChannel,
-                                     wire::kSafetyEventChannel}) {
+  for (const std::string_view own :
+       {wire::kSetpointChannel, wire::kDecisionChannel, wire::kHealthChannel, wire::kAcknowledgementChannel, wire::kSafetyEventChannel}) {
     if (channel == own) return "earshot";
   }
   return "";

@@ -52,8 +52,7 @@ void MessageIntruders::say(const TimedFault& fault, Time now, LcmMessages& said)
       for (std::uint64_t left = due(fault); left > 0; --left) {
         nav_state_t nonsense{};
         nonsense.utime = now.us;
-        for (double* const number :
-             {&nonsense.north_m, &nonsense.east_m, &nonsense.depth_m, &nonsense.heading_rad, &nonsense.speed_mps})
+        for (double* const number : {&nonsense.north_m, &nonsense.east_m, &nonsense.depth_m, &nonsense.heading_rad, &nonsense.speed_mps})
           *number = std::bit_cast<double>(std::uint64_t{random_.next()} << 32U | random_.next());
         say_on(wire::kNavStateChannel, nonsense, said);
       }

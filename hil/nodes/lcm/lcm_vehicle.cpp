@@ -47,7 +47,8 @@ void LcmVehicle::step(Time now, LcmMessages& said) {
   helm_.step(now);
   const vehicle::State& told = moving_.told();
   say(wire::kNavStateChannel,
-      messages::Navigation{.time = now, .position = told.position, .depth = told.depth, .heading = told.heading, .speed = told.speed}, said);
+      messages::Navigation{.time = now, .position = told.position, .depth = told.depth, .heading = told.heading, .speed = told.speed},
+      said);
   hear(now, said);
   tell_of_hull(now, said);
   say(wire::kAutopilotStatusChannel, messages::AutopilotStatus{.time = now, .follows_setpoints = helm_.is_engaged()}, said);

@@ -12,8 +12,8 @@ namespace earshot::hil {
 /// The autopilot's patience: ten periods of a set-point.
 inline constexpr Duration kAutopilotPatience = Duration::seconds(10);
 
-/// What an autopilot makes of set-points, whatever bus they come by. When none has come for kAutopilotPatience it stops the vehicle and lets
-/// it come up, until the next.
+/// What an autopilot makes of set-points, whatever bus they come by. When none has come for kAutopilotPatience it stops the vehicle and
+/// lets it come up, until the next.
 class Helm {
  public:
   /// @param resting  what the vehicle is told before the first set-point

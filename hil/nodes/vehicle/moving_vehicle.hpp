@@ -15,7 +15,8 @@ struct Battery {
   double percent_per_km = 0.6;
 };
 
-/// A vehicle in the water and what is wrong with it, whatever bus its devices are on: where it is, and what its instruments measure of that.
+/// A vehicle in the water and what is wrong with it, whatever bus its devices are on: where it is, and what its instruments measure of
+/// that.
 class MovingVehicle {
  public:
   MovingVehicle(const vehicle::State& start, const vehicle::Limits& limits, Battery battery);
