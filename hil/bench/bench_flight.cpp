@@ -9,8 +9,9 @@
 
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/child_process.hpp"
-#include "hil/bench/can_vehicle_bus.hpp"
+#include "hil/bench/can/can_vehicle_bus.hpp"
 #include "hil/bench/lcm/lcm_vehicle_bus.hpp"
+#include "hil/bench/torn_journal.hpp"
 #include "hil/bench/vehicle_bus.hpp"
 #include "hil/bench/vehicle_faults.hpp"
 #include "sim/link/run_slot.hpp"
@@ -30,6 +31,21 @@ std::unique_ptr<VehicleBus> open_bus(const Case& c, const Bench& bench, const ho
   return std::make_unique<CanVehicleBus>(c, bench, mission);
 }
 
+bool is_killed_once(const Case& c) {
+  return std::ranges::any_of(c.faults,
+                             [](const TimedFault& fault) { return fault.fault == Fault::kKill || fault.fault == Fault::kPowerCut; });
+}
+
+/// Of an earlier flight: an earshotd that is to go on would go on with it.
+void remove_journals(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> journals;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path& path = entry.path();
+    if (entry.is_regular_file() && path.extension() == ".lcmlog" && path.stem().string().starts_with("journal")) journals.push_back(path);
+  }
+  for (const std::filesystem::path& path : journals) std::filesystem::remove(path);
+}
+
 /// One flight in the making.
 class Flyer {
  public:
@@ -41,7 +57,7 @@ class Flyer {
         slot_(slot),
         link_(slot.domain(), run_) {
     flight_.folder = folder;
-    start(false);
+    start();
   }
 
   BenchFlight fly() {
@@ -58,13 +74,14 @@ class Flyer {
   }
 
  private:
-  void start(bool is_return) {
+  /// One that will be killed writes ahead what it does, and goes on with it, as a vehicle's computer has it started every time.
+  void start() {
     std::vector<std::string> a{case_.mission, "--simulation",       std::to_string(slot_.domain()),
                                "--run",       std::to_string(run_), "--snr-from-bus",
                                "--out",       flight_.folder,       "--quiet"};
     const std::vector<std::string> of_bus = bus_->options_of_earshotd();
     a.insert(a.end(), of_bus.begin(), of_bus.end());
-    a.emplace_back(is_return ? "--resume" : "--replace");
+    a.emplace_back(is_killed_once(case_) ? "--resume" : "--replace");
     program::ChildSettings settings{.words = flight_.folder / "words.txt"};
     for (const TimedFault& fault : case_.faults) {
       if (fault.fault == Fault::kFullDisk) settings.most_bytes_of_a_file = static_cast<std::uint64_t>(fault.amount);
@@ -134,9 +151,13 @@ class Flyer {
       return fail_false("earshotd was lost, or did not answer for " + std::to_string(kPatience.count() / 1000) + " s");
     wait_for_end();
     link_.give_up_runtime();
-    start(true);
+    if (has_lost_power_) tear_journal(flight_.folder / "journal.lcmlog", torn_bytes_);
+    start();
     if (!link_.wait_for_runtime(kPatience)) return fail_false("earshotd did not come back after it was killed");
-    if (link_.turns_made() + 1 < number_ || link_.turns_made() > number_) return fail_false("earshotd came back to another turn");
+    if (std::exchange(has_lost_power_, false) && link_.turns_made() + 1 < number_) number_ = link_.turns_made() + 1;
+    if (link_.turns_made() + 1 < number_ || link_.turns_made() > number_)
+      return fail_false("earshotd came back with " + std::to_string(link_.turns_made()) + " turns behind it, in turn " +
+                        std::to_string(number_));
     if (link_.turns_made() + 1 == number_) bus_->say_again();
     say_tick();
     return true;
@@ -149,6 +170,10 @@ class Flyer {
       if (!fault.begins_in(now_, kTick)) continue;
       if (fault.fault == Fault::kKill) {
         is_killed_ = true;
+        earshotd_->signal(SIGKILL);
+      } else if (fault.fault == Fault::kPowerCut) {
+        is_killed_ = has_lost_power_ = true;
+        torn_bytes_ = static_cast<std::uint64_t>(fault.amount);
         earshotd_->signal(SIGKILL);
       } else if (fault.fault == Fault::kStop) {
         earshotd_->stop();
@@ -214,6 +239,8 @@ class Flyer {
   messages::MissionState state_ = messages::MissionState::kStandby;  ///< by the last answer
   bool is_over_ = false;
   bool is_killed_ = false;
+  bool has_lost_power_ = false;
+  std::uint64_t torn_bytes_ = 0;  ///< that its journal lost with the power
   bool is_interface_up_ = true;
   BenchFlight flight_;
 };
@@ -223,6 +250,7 @@ class Flyer {
 BenchFlight fly_case(const Case& c, const Bench& bench, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   std::filesystem::remove(folder / "words.txt");
+  if (is_killed_once(c)) remove_journals(folder);
   link::RunSlot slot;
   return Flyer(c, bench, folder, slot).fly();
 }

@@ -54,11 +54,12 @@ enum class Fault : std::uint8_t {
   kGainError,
   // Of the computer.
   kKill,      ///< SIGKILL; it is started again with --resume
+  kPowerCut,  ///< likewise, and the last bytes of its journal never came to the disk
   kPause,     ///< SIGSTOP, and SIGCONT later
   kStop,      ///< SIGTERM
   kFullDisk,  ///< the journal may not grow beyond so many bytes
 };
-inline constexpr std::size_t kFaults = 39;
+inline constexpr std::size_t kFaults = 40;
 inline constexpr std::size_t kFrameFaults = 11;  ///< the first of them
 
 /// On which buses there is such a fault.
@@ -87,7 +88,7 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"reordering", "", 0.0, 0.0, FaultBus::kLcm},
     {"date_error", "seconds", -1e6, 1e6, FaultBus::kLcm},
     {"flood", "frames_per_s", 1.0, 20'000.0},
-    {"navigation_flood", "messages_per_s", 1.0, 20'000.0, FaultBus::kLcm},
+    {"navigation_flood", "messages_per_s", 1.0, 3.0, FaultBus::kLcm},
     {"second_navigation", "metres_off", 0.0, 1e6},
     {"second_autopilot", "", 0.0, 0.0, FaultBus::kCan},
     {"address_thief", "", 0.0, 0.0, FaultBus::kCan},
@@ -111,6 +112,7 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"deaf", ""},
     {"gain_error", "decibels", -120.0, 120.0},
     {"kill", ""},
+    {"power_cut", "bytes", 1.0, 1e6},
     {"pause", "wall_seconds", 0.01, 60.0},
     {"stop", ""},
     {"full_disk", "bytes", 10'000.0, 1e12},

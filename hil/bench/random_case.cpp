@@ -9,6 +9,13 @@ namespace earshot::hil {
 namespace {
 
 constexpr std::uint64_t kStream = 19;
+constexpr std::uint64_t kBusStream = 20;
+
+/// One of the pool's, which says the mission and its bus: there are faults that only one bus knows.
+const Case& drawn(const std::vector<Case>& pool, std::uint64_t seed) {
+  Pcg32 random(seed, kBusStream);
+  return pool[random.next() % pool.size()];
+}
 
 /// Up to `most` metres within the southern edge of the bench's area.
 NorthEast place_near_the_fence(Pcg32& random) {
@@ -42,14 +49,17 @@ void write_fault(std::ostream& out, const TimedFault& fault) {
 Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
   Pcg32 random(seed, kStream);
   std::vector<TimedFault> all;
-  for (const Case& c : pool) all.insert(all.end(), c.faults.begin(), c.faults.end());
-  Case made = pool.front();
+  Case made = drawn(pool, seed);
+  for (const Case& c : pool) {
+    if (c.bus == made.bus) all.insert(all.end(), c.faults.begin(), c.faults.end());
+  }
   made.name = "random_" + std::to_string(seed);
   made.given = "a search near the fence";
   made.then = "no promise is broken";
   made.start = place_near_the_fence(random);
   made.source = made.start + NorthEast{Meters{3'000}, Meters{0}};
   made.at_most = Duration::seconds(400);
+  made.expected = {};
   made.faults.clear();
   for (std::size_t i = 0, count = 2 + random.next() % 2; i < count; ++i)
     made.faults.push_back(moved(all[random.next() % all.size()], random));
@@ -75,6 +85,7 @@ std::string to_toml(const Case& c) {
   std::ostringstream out;
   out.precision(12);
   out << "given = \"" << c.given << "\"\nwhen = \"" << c.when << "\"\nthen = \"" << c.then << "\"\n"
+      << "mission = \"../missions/" << c.mission.filename().string() << "\"\n"
       << "start_m = [" << c.start.north.value << ", " << c.start.east.value << "]\nsource_m = [" << c.source.north.value << ", "
       << c.source.east.value << "]\nat_most_s = " << c.at_most.us / 1'000'000 << "\n";
   for (const TimedFault& fault : c.faults) write_fault(out, fault);

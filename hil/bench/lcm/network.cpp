@@ -111,8 +111,8 @@ std::optional<Network::Arrival> Network::next(int most_ms) {
   Arrival arrival{.from = {}, .datagram = std::vector<std::uint8_t>(wire::kMaxDatagram)};
   sockaddr_in from{};
   socklen_t from_size = sizeof from;
-  const ssize_t size = ::recvfrom(receiver_.number(), arrival.datagram.data(), arrival.datagram.size(), 0,
-                                  reinterpret_cast<sockaddr*>(&from), &from_size);
+  const ssize_t size =
+      ::recvfrom(receiver_.number(), arrival.datagram.data(), arrival.datagram.size(), 0, reinterpret_cast<sockaddr*>(&from), &from_size);
   if (size < 0) return std::nullopt;
   arrival.datagram.resize(static_cast<std::size_t>(size));
   arrival.from = sender_of(from);

@@ -1,4 +1,4 @@
-#include "hil/bench/can_vehicle_bus.hpp"
+#include "hil/bench/can/can_vehicle_bus.hpp"
 
 #include <algorithm>
 #include <chrono>

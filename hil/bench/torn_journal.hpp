@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+namespace earshot::hil {
+
+/// A power cut: the last `bytes` of a journal that nobody writes never came to the disk, wherever in a record that is.
+/// @throws host::BadInput if it is no journal, or has no more bytes than that
+void tear_journal(const std::filesystem::path& journal, std::uint64_t bytes);
+
+}  // namespace earshot::hil
