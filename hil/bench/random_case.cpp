@@ -11,10 +11,14 @@ namespace {
 constexpr std::uint64_t kStream = 19;
 constexpr std::uint64_t kBusStream = 20;
 
-/// One of the pool's, which says the mission and its bus: there are faults that only one bus knows.
+/// One of the pool's that has a fault, which says the mission and its bus: there are faults that only one bus knows.
 const Case& drawn(const std::vector<Case>& pool, std::uint64_t seed) {
   Pcg32 random(seed, kBusStream);
-  return pool[random.next() % pool.size()];
+  std::vector<const Case*> faulty;
+  for (const Case& c : pool) {
+    if (!c.faults.empty()) faulty.push_back(&c);
+  }
+  return faulty.empty() ? pool.front() : *faulty[random.next() % faulty.size()];
 }
 
 /// Up to `most` metres within the southern edge of the bench's area.
@@ -61,7 +65,7 @@ Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
   made.at_most = Duration::seconds(400);
   made.expected = {};
   made.faults.clear();
-  for (std::size_t i = 0, count = 2 + random.next() % 2; i < count; ++i)
+  for (std::size_t i = 0, count = all.empty() ? 0 : 2 + random.next() % 2; i < count; ++i)
     made.faults.push_back(moved(all[random.next() % all.size()], random));
   made.when.clear();
   for (const TimedFault& fault : made.faults) made.when += (made.when.empty() ? "" : "; ") + in_words(fault);

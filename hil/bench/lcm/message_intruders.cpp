@@ -1,6 +1,7 @@
 #include "hil/bench/lcm/message_intruders.hpp"
 
 #include <bit>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -13,7 +14,6 @@ namespace {
 
 constexpr std::int32_t kStrangersNumber = 0xBAD;
 constexpr std::int8_t kNoOrder = 99;
-/// In every turn the newest four messages of a channel are taken (config::kLcmQueueDepth): a flood leaves the others no place.
 constexpr std::string_view kStrangeChannel = "SOMEBODY_ELSES_CAMERA";
 
 template <class Message>
@@ -29,6 +29,7 @@ operator_command_t order(std::int8_t command, std::int64_t given, std::int64_t e
   order.issuer = kStrangersNumber;
   order.number = number;
   order.command = command;
+  order.max_depth_m = order.max_speed_mps = order.max_time_s = std::numeric_limits<double>::quiet_NaN();
   return order;
 }
 
