@@ -3,8 +3,18 @@
 #include <algorithm>
 
 #include "firmware/wire/n2k/identifier.hpp"
+#include "firmware/wire/n2k/signals.hpp"
 
 namespace earshot::hil {
+namespace {
+
+/// Whether its second byte is the length of a message of several frames.
+bool begins_fast_packet(const n2k::Frame& frame) {
+  const n2k::Message* const message = n2k::find_message(n2k::parse_identifier(frame.identifier).value().pgn);
+  return message != nullptr && message->framing == n2k::Framing::kFast && frame.size > 1 && (frame.data[0] & 0x1FU) == 0;
+}
+
+}  // namespace
 
 Frames BadBus::pass(const Frames& frames, const std::vector<Affliction>& afflictions, Time now) {
   Frames arriving;
@@ -46,7 +56,7 @@ void BadBus::pass(n2k::Frame frame, const std::vector<Affliction>& afflictions, 
         frame.size /= 2;
         break;
       case FrameFault::kWrongLength:
-        if (frame.size > 1 && (frame.data[0] & 0x1FU) == 0) frame.data[1] = static_cast<std::uint8_t>(1 + random_.next() % 255U);
+        if (begins_fast_packet(frame)) frame.data[1] = static_cast<std::uint8_t>(frame.data[1] + 1U + random_.next() % 255U);
         break;
       case FrameFault::kReplay:
         late_.push_back({.due = now + affliction.seconds, .frame = frame});

@@ -21,6 +21,7 @@ struct Expectation {
   bool only_these = true;                                     ///< no other rule fires
   bool refuses_navigation = false;                            ///< at least one fix is refused
   bool refuses_commands = false;                              ///< at least one order is
+  friend bool operator==(const Expectation&, const Expectation&) = default;
 };
 
 /// One flight of the bench: what the vehicle meets, and what must come of it.
@@ -36,6 +37,7 @@ struct Case {
   Duration at_most;  ///< at sea
   std::vector<TimedFault> faults;
   Expectation expected;
+  friend bool operator==(const Case&, const Case&) = default;
 };
 
 /// Reads the file of a case; README.md says its keys.

@@ -110,7 +110,7 @@ Case load_case(const std::filesystem::path& path) {
   made.when = root.text("when");
   made.then = root.text("then");
   made.mission = file.resolve(root.text_or("mission", kDefaultMission));
-  if (root.has("mission")) made.bus = bus_of(made.mission);
+  if (std::filesystem::exists(made.mission)) made.bus = bus_of(made.mission);  // one that is not there is missed when it is flown
   made.start = place_of(root, "start_m", {Meters{12'500}, Meters{11'000}});
   made.source = place_of(root, "source_m", {Meters{12'500}, Meters{12'500}});
   made.at_most = Duration::seconds(root.integer_or("at_most_s", 3600, 10, 1'000'000));

@@ -133,9 +133,10 @@ struct TimedFault {
   [[nodiscard]] bool begins_in(Time now, Duration tick) const { return from >= now && from < now + tick; }
   /// `amount` in its direction.
   [[nodiscard]] NorthEast vector() const;
+  friend bool operator==(const TimedFault&, const TimedFault&) = default;
 };
 
-/// "loss of 50 % of compass's frames from 100 s for 20 s"
+/// "loss of 50 % of the compass's frames from 100 s for 20 s"
 [[nodiscard]] std::string in_words(const TimedFault& fault);
 
 }  // namespace earshot::hil

@@ -1,5 +1,9 @@
 #include "hil/bench/random_case.hpp"
 
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <iomanip>
 #include <sstream>
 #include <utility>
 
@@ -35,17 +39,39 @@ TimedFault moved(TimedFault fault, Pcg32& random) {
   return fault;
 }
 
+/// With as many digits as it takes to read the same number again.
+std::string written(double number) {
+  std::array<char, 32> text{};
+  const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), number);
+  return {text.data(), end.ptr};
+}
+
+std::string written(NorthEast place) {
+  return "[" + written(place.north.value) + ", " + written(place.east.value) + "]";
+}
+
 void write_fault(std::ostream& out, const TimedFault& fault) {
   const auto index = static_cast<std::size_t>(fault.fault);
   const FaultTraits& traits = kFaultTraits.at(index);
-  out << "\n[[fault]]\nkind = \"" << traits.word << "\"\nat_s = " << (fault.from - Time{}).to_seconds() << "\n";
-  if (fault.until) out << "for_s = " << (*fault.until - fault.from).to_seconds() << "\n";
-  if (!traits.amount.empty()) out << traits.amount << " = " << fault.amount << "\n";
-  if (fault.direction_deg != 0.0) out << "towards_deg = " << fault.direction_deg << "\n";
+  out << "\n[[fault]]\nkind = \"" << traits.word << "\"\nat_s = " << written((fault.from - Time{}).to_seconds()) << "\n";
+  if (fault.until) out << "for_s = " << written((*fault.until - fault.from).to_seconds()) << "\n";
+  if (!traits.amount.empty()) out << traits.amount << " = " << written(fault.amount) << "\n";
+  if (fault.direction_deg != 0.0) out << "towards_deg = " << written(fault.direction_deg) << "\n";
   if (index >= kFrameFaults) return;
-  out << "share = " << fault.share << "\n";
+  out << "share = " << written(fault.share) << "\n";
   if (!fault.device.empty()) out << "of = \"" << fault.device << "\"\n";
   if (fault.pgn) out << "pgn = " << *fault.pgn << "\n";
+}
+
+void write_expectation(std::ostream& out, const Expectation& expected) {
+  out << "\n[expect]\nend = \"" << end_words().at(static_cast<std::size_t>(expected.end)) << "\"\n";
+  std::string rules;
+  for (const config::Condition rule : expected.rules)
+    rules += (rules.empty() ? "\"" : ", \"") + std::string(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key) + "\"";
+  if (!rules.empty()) out << "rules = [" << rules << "]\n";
+  if (!expected.only_these) out << "others_may_fire = true\n";
+  if (expected.refuses_navigation) out << "refuses_navigation = true\n";
+  if (expected.refuses_commands) out << "refuses_commands = true\n";
 }
 
 }  // namespace
@@ -87,13 +113,11 @@ Case shrunk(Case c, const std::function<bool(const Case&)>& fails) {
 
 std::string to_toml(const Case& c) {
   std::ostringstream out;
-  out.precision(12);
-  out << "given = \"" << c.given << "\"\nwhen = \"" << c.when << "\"\nthen = \"" << c.then << "\"\n"
-      << "mission = \"../missions/" << c.mission.filename().string() << "\"\n"
-      << "start_m = [" << c.start.north.value << ", " << c.start.east.value << "]\nsource_m = [" << c.source.north.value << ", "
-      << c.source.east.value << "]\nat_most_s = " << c.at_most.us / 1'000'000 << "\n";
+  out << "given = " << std::quoted(c.given) << "\nwhen = " << std::quoted(c.when) << "\nthen = " << std::quoted(c.then)
+      << "\nmission = " << std::quoted(std::filesystem::absolute(c.mission).lexically_normal().string())
+      << "\nstart_m = " << written(c.start) << "\nsource_m = " << written(c.source) << "\nat_most_s = " << c.at_most.us / 1'000'000 << "\n";
   for (const TimedFault& fault : c.faults) write_fault(out, fault);
-  out << "\n[expect]\nend = \"" << end_words().at(static_cast<std::size_t>(c.expected.end)) << "\"\n";
+  write_expectation(out, c.expected);
   return out.str();
 }
 

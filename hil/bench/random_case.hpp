@@ -18,7 +18,7 @@ namespace earshot::hil {
 /// @param fails  flies a case
 [[nodiscard]] Case shrunk(Case c, const std::function<bool(const Case&)>& fails);
 
-/// The file of a case, as load_case() reads it.
+/// The file of a case, as load_case() reads it again wherever it lies: its mission is named from the root on.
 [[nodiscard]] std::string to_toml(const Case& c);
 
 }  // namespace earshot::hil

@@ -11,7 +11,7 @@
 
 namespace earshot::hil {
 
-/// What came of all cases, for the page and for JUnit (hil/bench/page): JSON, lengths in metres, times in seconds since the flight began.
+/// What came of all cases, for the page and for JUnit (hil/page): JSON, lengths in metres, times in seconds since the flight began.
 class Results {
  public:
   Results();

@@ -42,9 +42,9 @@ MetersPerSecond fastest(const config::Mission& mission) {
 }
 
 void judge(const messages::Setpoint& setpoint, Time time, const config::Mission& mission, std::vector<std::string>& complaints) {
-  const bool is_finite_ =
+  const bool is_number =
       std::isfinite(setpoint.heading.value) && std::isfinite(setpoint.speed.value) && std::isfinite(setpoint.depth.value);
-  const bool is_within = is_finite_ && setpoint.speed >= MetersPerSecond{0.0} && setpoint.speed <= fastest(mission) &&
+  const bool is_within = is_number && setpoint.speed >= MetersPerSecond{0.0} && setpoint.speed <= fastest(mission) &&
                          setpoint.depth >= Meters{0.0} && setpoint.depth <= mission.max_depth;
   if (is_within || complaints.size() >= kMostComplaints) return;
   std::ostringstream text;
@@ -73,9 +73,8 @@ void read_records(const std::filesystem::path& journal, const config::Mission& m
 
 /// Until the first fault begins nothing may have fired.
 Time first_fault(const Case& c) {
-  Time first{};
-  for (const TimedFault& fault : c.faults) first = first == Time{} ? fault.from : std::min(first, fault.from);
-  return first;
+  const auto first = std::ranges::min_element(c.faults, {}, &TimedFault::from);
+  return first == c.faults.end() ? Time{} : first->from;
 }
 
 void judge_rules(const Case& c, const JournalFindings& journal, std::vector<std::string>& wrong) {

@@ -90,6 +90,32 @@ TEST_F(AutopilotTest, SaysThatItDoesNotFollowWhileSomebodyElseHasTheHelm) {
   EXPECT_EQ(autopilot_.command().speed.value, 2.0) << "it does not wait for set-points";
 }
 
+TEST_F(AutopilotTest, TakesTheNextSetPointWhenItHasTheHelmAgain) {
+  autopilot_.engage(false);
+  send(0.5, Time{1'000'000});
+  EXPECT_EQ(autopilot_.taken(), 0U);
+  autopilot_.engage(true);
+  send(0.7, Time{2'000'000});
+  EXPECT_EQ(autopilot_.taken(), 1U);
+  EXPECT_NEAR(autopilot_.command().heading.value, 0.7, 0.6e-4);
+}
+
+TEST_F(AutopilotTest, SaysThatItFollowsWhileItIgnoresWhatItTakes) {
+  send(0.5, Time{1'000'000});
+  autopilot_.obey(false);
+  (void)run(autopilot_, Time{1'000'000}, Time{2'000'000});
+  send(0.7, Time{2'000'000});
+  EXPECT_EQ(autopilot_.taken(), 2U);
+  EXPECT_NEAR(autopilot_.command().heading.value, 0.5, 0.6e-4);
+  const Frames said = of_group(n2k::kAutopilotStatusPgn, run(autopilot_, Time{2'000'000}, Time{3'000'000}));
+  ASSERT_EQ(said.size(), 1U);
+  // Yes (1), and the second set-point.
+  EXPECT_EQ(said[0], (n2k::Frame{0x0CFF0E23, 8, {0xFC, 0x9F, 0xFD, 0x01, 0xFF, 0xFF, 0xFF, 0xFF}}));
+  autopilot_.obey(true);
+  send(0.9, Time{3'000'000});
+  EXPECT_NEAR(autopilot_.command().heading.value, 0.9, 0.6e-4);
+}
+
 TEST_F(AutopilotTest, SendsNothingElseButWhatEveryDeviceDoes) {
   for (const n2k::Frame& frame : run(autopilot_, Time{}, Time{10'000'000})) {
     const std::uint32_t pgn = n2k::parse_identifier(frame.identifier).value().pgn;

@@ -45,11 +45,11 @@ std::map<std::uint8_t, std::set<std::uint32_t>> groups_by_source(const Frames& f
   return groups;
 }
 
-TEST(EmulatedVehicle, IsNineDevicesEachWithAnAddressOfItsOwn) {
+TEST(EmulatedVehicle, IsTenDevicesEachWithAnAddressOfItsOwn) {
   EmulatedVehicle vehicle(setup());
   const Frames frames = run(vehicle, Time{}, kSettled);
   const auto groups = groups_by_source(frames);
-  EXPECT_EQ(groups.size(), 9U);
+  EXPECT_EQ(groups.size(), 10U);
   std::set<std::uint64_t> names;
   std::set<std::uint64_t> numbers;
   for (const n2k::Frame& claim : of_group(n2k::kAddressClaimPgn, frames)) {
@@ -58,12 +58,13 @@ TEST(EmulatedVehicle, IsNineDevicesEachWithAnAddressOfItsOwn) {
     names.insert(name);
     numbers.insert(name & 0x1F'FFFFU);
   }
-  EXPECT_EQ(names.size(), 9U);
-  EXPECT_EQ(numbers.size(), 9U) << "of one maker, no two devices have the same";
+  EXPECT_EQ(names.size(), 10U);
+  EXPECT_EQ(numbers.size(), 10U) << "of one maker, no two devices have the same";
   EXPECT_TRUE(groups.at(0x24).contains(n2k::kHeadingPgn));
   EXPECT_FALSE(groups.at(0x24).contains(n2k::kPositionPgn));
   EXPECT_TRUE(groups.at(0x27).contains(n2k::kPositionPgn));
   EXPECT_TRUE(groups.at(0x28).contains(n2k::kSnrPgn));
+  EXPECT_TRUE(groups.at(0x2C).contains(n2k::kLeakPgn));
 }
 
 TEST(EmulatedVehicle, IsReadWhereItIs) {
@@ -129,11 +130,22 @@ TEST(EmulatedVehicle, LeavesOutWhatIsThereAsHardware) {
   with.without = {"compass", "operator", "autopilot"};
   EmulatedVehicle vehicle(with);
   const Frames frames = run(vehicle, Time{}, kSettled);
-  EXPECT_EQ(vehicle.devices(),
-            (std::vector<std::string_view>{"speed log", "depth sensor", "inertial navigation", "hydrophone", "altimeter", "battery"}));
+  EXPECT_EQ(vehicle.devices(), (std::vector<std::string_view>{"speed log", "depth sensor", "inertial navigation", "hydrophone", "altimeter",
+                                                              "battery", "hull monitor"}));
   EXPECT_TRUE(of_group(n2k::kHeadingPgn, frames).empty());
   EXPECT_EQ(vehicle.autopilot(), nullptr);
   EXPECT_EQ(vehicle.operator_ashore(), nullptr);
+  EXPECT_FALSE(vehicle.address_of("compass").has_value());
+  EXPECT_EQ(vehicle.address_of("speed-log"), 0x25);
+}
+
+TEST(EmulatedVehicle, KnowsTheAddressOfADeviceWhenItHasOne) {
+  EmulatedVehicle vehicle(setup());
+  EXPECT_FALSE(vehicle.address_of("hull-monitor").has_value());
+  (void)run(vehicle, Time{}, kSettled);
+  EXPECT_EQ(vehicle.address_of("autopilot"), 0x23);
+  EXPECT_EQ(vehicle.address_of("hull-monitor"), 0x2C);
+  EXPECT_FALSE(vehicle.address_of("echo-sounder").has_value());
 }
 
 TEST(EmulatedVehicle, LetsItsDevicesHearEachOther) {
@@ -146,7 +158,7 @@ TEST(EmulatedVehicle, LetsItsDevicesHearEachOther) {
   (void)run(vehicle, kSettled, kSettled + Duration::seconds(3));
   const Time later = kSettled + Duration::seconds(3);
   const auto groups = groups_by_source(run(vehicle, later, later + Duration::seconds(3)));
-  EXPECT_EQ(groups.size(), 8U) << "the autopilot and the seven that measure; the operator has nothing to say";
+  EXPECT_EQ(groups.size(), 9U) << "the autopilot and the eight that measure; the operator has nothing to say";
   EXPECT_FALSE(groups.contains(0x24));
   EXPECT_TRUE(groups.at(0x25).contains(n2k::kHeadingPgn));
 }

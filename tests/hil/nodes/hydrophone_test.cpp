@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware/wire/n2k/own/conditions.hpp"
+#include "firmware/wire/n2k/own/measurements.hpp"
 #include "firmware/wire/n2k/table/messages.hpp"
 #include "tests/hil/nodes/listening.hpp"
 
@@ -16,9 +18,10 @@ Decibels straight(Meters range) {
 }
 
 TEST(Hydrophone, SaysTheSnrAtItsRangeOnceASecond) {
+  const HydrophoneFault fault;
   vehicle::State vehicle;
   vehicle.position = {Meters{3000}, Meters{4000}};
-  const auto hydrophone = make_hydrophone(vehicle, {.position = {}, .snr = straight}, 1);
+  const auto hydrophone = make_hydrophone(vehicle, {.position = {}, .snr = straight}, fault, 1);
   (void)run(*hydrophone, Time{}, kSettled);
   const Frames frames = of_group(n2k::kSnrPgn, run(*hydrophone, kSettled, kSettled + Duration::seconds(10)));
   ASSERT_EQ(frames.size(), 10U);
@@ -28,9 +31,10 @@ TEST(Hydrophone, SaysTheSnrAtItsRangeOnceASecond) {
 }
 
 TEST(Hydrophone, HearsTheVehicleComeNearer) {
+  const HydrophoneFault fault;
   vehicle::State vehicle;
   vehicle.position = {Meters{5000}, Meters{0}};
-  const auto hydrophone = make_hydrophone(vehicle, {.position = {}, .snr = straight}, 1);
+  const auto hydrophone = make_hydrophone(vehicle, {.position = {}, .snr = straight}, fault, 1);
   (void)run(*hydrophone, Time{}, kSettled);
   vehicle.position = {Meters{4000}, Meters{0}};
   const Frames frames = of_group(n2k::kSnrPgn, run(*hydrophone, kSettled, kSettled + Duration::seconds(1)));
@@ -40,9 +44,37 @@ TEST(Hydrophone, HearsTheVehicleComeNearer) {
   EXPECT_EQ(frames[0].data[3], 0x06);
 }
 
-TEST(Hydrophone, IsSilentWhereItsModelHasNoNumber) {
+TEST(Hydrophone, SaysThatItIsDeafAndNoSnrAsLongAsItIs) {
+  HydrophoneFault fault;
   const vehicle::State vehicle;
-  const auto hydrophone = make_hydrophone(vehicle, {.position = {}, .snr = [](Meters) { return Decibels{1e9}; }}, 1);
+  const auto hydrophone = make_hydrophone(vehicle, {.position = {}, .snr = straight}, fault, 1);
+  (void)run(*hydrophone, Time{}, kSettled);
+  fault.is_deaf = true;
+  const Frames deaf = of_group(n2k::kSnrPgn, run(*hydrophone, kSettled, kSettled + Duration::seconds(2)));
+  ASSERT_EQ(deaf.size(), 2U);
+  EXPECT_TRUE(n2k::read_deaf(deaf[0].bytes()).value());
+  EXPECT_FALSE(n2k::read_snr(deaf[0].bytes()).ok());
+  fault.is_deaf = false;
+  const Time later = kSettled + Duration::seconds(2);
+  const Frames healed = of_group(n2k::kSnrPgn, run(*hydrophone, later, later + Duration::seconds(1)));
+  ASSERT_EQ(healed.size(), 1U);
+  EXPECT_EQ(n2k::read_snr(healed[0].bytes()).value().snr.value, 20.0);
+}
+
+TEST(Hydrophone, TellsAnSnrThatIsWrongByItsGain) {
+  const HydrophoneFault fault{.is_deaf = false, .gain_error = Decibels{-12.5}};
+  const vehicle::State vehicle;
+  const auto hydrophone = make_hydrophone(vehicle, {.position = {}, .snr = straight}, fault, 1);
+  (void)run(*hydrophone, Time{}, kSettled);
+  const Frames frames = of_group(n2k::kSnrPgn, run(*hydrophone, kSettled, kSettled + Duration::seconds(1)));
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(n2k::read_snr(frames[0].bytes()).value().snr.value, 7.5);
+}
+
+TEST(Hydrophone, IsSilentWhereItsModelHasNoNumber) {
+  const HydrophoneFault fault;
+  const vehicle::State vehicle;
+  const auto hydrophone = make_hydrophone(vehicle, {.position = {}, .snr = [](Meters) { return Decibels{1e9}; }}, fault, 1);
   EXPECT_TRUE(of_group(n2k::kSnrPgn, run(*hydrophone, Time{}, kSettled)).empty());
   EXPECT_GT(hydrophone->unsaid(), 0U);
 }

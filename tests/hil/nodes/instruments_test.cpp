@@ -114,6 +114,21 @@ TEST(Instruments, ABatterySaysItsChargeInPercentEveryOneAndAHalfSeconds) {
   EXPECT_EQ(frames[0].data[5], 73);
 }
 
+TEST(Instruments, AHullMonitorSaysOnceASecondWhetherTheHullIsWetAndHasAGroundFault) {
+  n2k::Hull hull{.instance = 0, .wet = false, .has_ground_fault = false};
+  const auto monitor = make_hull_monitor(hull, 1);
+  const Frames frames = of_group(n2k::kLeakPgn, ten_seconds_of(*monitor));
+  ASSERT_EQ(frames.size(), 10U);
+  // 65293 = 0xFF0D at priority 1 from 0x2C: maker and industry 0x9FFC, instance 0, dry (0) and none (0) in two bits each, reserved ones.
+  EXPECT_EQ(frames[0], (n2k::Frame{0x04FF0D2C, 8, {0xFC, 0x9F, 0x00, 0xF0, 0xFF, 0xFF, 0xFF, 0xFF}}));
+  hull.wet = true;
+  const Time later = kSettled + Duration::seconds(10);
+  EXPECT_EQ(of_group(n2k::kLeakPgn, run(*monitor, later, later + Duration::seconds(1))).at(0).data[3], 0xF1);
+  hull = {.instance = 0, .wet = false, .has_ground_fault = true};
+  const Time last = later + Duration::seconds(1);
+  EXPECT_EQ(of_group(n2k::kLeakPgn, run(*monitor, last, last + Duration::seconds(1))).at(0).data[3], 0xF4);
+}
+
 TEST(Instruments, NavigationSaysThePositionTenTimesASecondAndTheWholeFixOnce) {
   const vehicle::State vehicle = heading_west();
   const n2k::LocalPlane plane = n2k::LocalPlane::about({.latitude_deg = 38.5, .longitude_deg = -28.0}).value();

@@ -1,0 +1,210 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "hil/bench/case.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::hil {
+namespace {
+
+const std::string kWords = "given = \"a search\"\nwhen = \"nothing fails\"\nthen = \"it finds the source\"\n";
+const std::string kExpect = "[expect]\nend = \"found\"\n";
+
+constexpr Time at_s(std::int64_t seconds) {
+  return Time{} + Duration::seconds(seconds);
+}
+
+class CaseFileTest : public testing::Test {
+ protected:
+  [[nodiscard]] Case load(const std::string& text) const {
+    std::ofstream(path_) << text;
+    return load_case(path_);
+  }
+  /// Keys of a fault, one a line.
+  [[nodiscard]] Case load_with_fault(const std::string& fault) const { return load(kWords + "[[fault]]\n" + fault + "\n" + kExpect); }
+  /// What is wrong with a file, without the name of its folder.
+  [[nodiscard]] std::string refusal(const std::string& text) const {
+    try {
+      (void)load(text);
+    } catch (const host::BadInput& e) {
+      std::string words = e.what();
+      const std::string folder = folder_.path().string() + "/";
+      for (std::size_t at = 0; (at = words.find(folder, at)) != std::string::npos;) words.erase(at, folder.size());
+      return words;
+    }
+    return "it was taken";
+  }
+  [[nodiscard]] std::string refusal_of_fault(const std::string& fault) const {
+    return refusal(kWords + "[[fault]]\n" + fault + "\n" + kExpect);
+  }
+
+  const support::TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "cases.toml";
+};
+
+TEST_F(CaseFileTest, NeedsWordsAndAnEndAndHasDefaultsForTheRest) {
+  const Case c = load(kWords + kExpect);
+  EXPECT_EQ(c.name, "cases");
+  EXPECT_EQ(c.given, "a search");
+  EXPECT_EQ(c.when, "nothing fails");
+  EXPECT_EQ(c.then, "it finds the source");
+  EXPECT_EQ(c.mission.lexically_normal(), (folder_.path().parent_path() / "missions/search_over_can.toml"));
+  EXPECT_EQ(c.start, (NorthEast{Meters{12'500}, Meters{11'000}}));
+  EXPECT_EQ(c.source, (NorthEast{Meters{12'500}, Meters{12'500}}));
+  EXPECT_EQ(c.at_most, Duration::seconds(3600));
+  EXPECT_TRUE(c.faults.empty());
+  EXPECT_EQ(c.expected.end, messages::EndReason::kCompleted);
+  EXPECT_TRUE(c.expected.rules.empty());
+  EXPECT_TRUE(c.expected.only_these);
+  EXPECT_FALSE(c.expected.refuses_navigation);
+  EXPECT_FALSE(c.expected.refuses_commands);
+}
+
+TEST_F(CaseFileTest, ReadsEveryKey) {
+  const Case c = load(kWords +
+                      "mission = \"m.toml\"\nstart_m = [1, 2.5]\nsource_m = [-3, 4]\nat_most_s = 600\n"
+                      "[[fault]]\nkind = \"loss\"\nat_s = 100\nfor_s = 20.5\nof = \"compass\"\npgn = 127250\nshare = 0.25\n"
+                      "[[fault]]\nkind = \"current\"\nat_s = 0\nmps = 0.4\ntowards_deg = -90\n"
+                      "[expect]\nend = \"safety_rule\"\nrules = [\"leak\", \"depth_m\"]\nothers_may_fire = true\n"
+                      "refuses_navigation = true\nrefuses_commands = true\n");
+  EXPECT_EQ(c.mission, folder_ / "m.toml");
+  EXPECT_EQ(c.start, (NorthEast{Meters{1}, Meters{2.5}}));
+  EXPECT_EQ(c.source, (NorthEast{Meters{-3}, Meters{4}}));
+  EXPECT_EQ(c.at_most, Duration::seconds(600));
+  ASSERT_EQ(c.faults.size(), 2U);
+  EXPECT_EQ(c.faults[0],
+            (TimedFault{
+                .fault = Fault::kLoss, .from = at_s(100), .until = Time{120'500'000}, .share = 0.25, .device = "compass", .pgn = 127250}));
+  EXPECT_EQ(c.faults[1], (TimedFault{.fault = Fault::kCurrent, .from = at_s(0), .amount = 0.4, .direction_deg = -90}));
+  EXPECT_EQ(c.expected, (Expectation{.end = messages::EndReason::kSafetyRule,
+                                     .rules = {config::Condition::kLeak, config::Condition::kDepth},
+                                     .only_these = false,
+                                     .refuses_navigation = true,
+                                     .refuses_commands = true}));
+}
+
+TEST_F(CaseFileTest, KnowsEveryKindOfFaultWithItsAmountAndItsBounds) {
+  for (std::size_t i = 0; i < kFaults; ++i) {
+    const FaultTraits& traits = kFaultTraits.at(i);
+    if (traits.bus == FaultBus::kLcm) continue;  // lcm/lcm_cases_test.cpp
+    const std::string fault = "at_s = 1\nkind = \"" + std::string(traits.word) + "\"\n";
+    if (traits.amount.empty()) {
+      EXPECT_EQ(load_with_fault(fault).faults.at(0).fault, static_cast<Fault>(i));
+      continue;
+    }
+    const std::string amount(traits.amount);
+    EXPECT_NE(refusal_of_fault(fault).find("fault[0]." + amount + " is missing"), std::string::npos) << traits.word;
+    for (const double bound : {traits.lowest, traits.highest})
+      EXPECT_EQ(load_with_fault(fault + amount + " = " + std::to_string(bound)).faults.at(0).amount, bound) << traits.word;
+    for (const double beyond : {traits.lowest - 1.0, traits.highest + 1.0})
+      EXPECT_NE(refusal_of_fault(fault + amount + " = " + std::to_string(beyond)).find("must be a finite number of at least "),
+                std::string::npos)
+          << traits.word;
+  }
+}
+
+TEST_F(CaseFileTest, KnowsEveryEnd) {
+  EXPECT_EQ(end_words().size(), 10U);
+  const auto end_of = [this](const std::string& word) { return load(kWords + "[expect]\nend = \"" + word + "\"\n").expected.end; };
+  EXPECT_EQ(end_of("under_way"), messages::EndReason::kNone);
+  EXPECT_EQ(end_of("found"), messages::EndReason::kCompleted);
+  EXPECT_EQ(end_of("steps_used_up"), messages::EndReason::kStepsUsedUp);
+  EXPECT_EQ(end_of("operator_abort"), messages::EndReason::kOperatorAbort);
+  EXPECT_EQ(end_of("navigation_stale"), messages::EndReason::kNavigationStale);
+  EXPECT_EQ(end_of("snr_stale"), messages::EndReason::kSnrStale);
+  EXPECT_EQ(end_of("left_operating_area"), messages::EndReason::kLeftOperatingArea);
+  EXPECT_EQ(end_of("time_used_up"), messages::EndReason::kTimeUsedUp);
+  EXPECT_EQ(end_of("safety_rule"), messages::EndReason::kSafetyRule);
+  EXPECT_EQ(end_of("memory_fault"), messages::EndReason::kMemoryFault);
+}
+
+TEST_F(CaseFileTest, NamesEverythingThatIsWrongAtOnceWithFileLineAndKey) {
+  EXPECT_EQ(refusal("given = 7\nwhen = \"\"\n[expect]\nends = \"found\"\n"),
+            "cases.toml:1: given = 7: must be a text of at least one character\n"
+            "cases.toml:2: when = '': must be a text of at least one character\n"
+            "cases.toml:1: then is missing: must be a text of at least one character\n"
+            "cases.toml:3: expect.end is missing: must be one of \"under_way\", \"found\", \"steps_used_up\", \"operator_abort\", "
+            "\"navigation_stale\", \"snr_stale\", \"left_operating_area\", \"time_used_up\", \"safety_rule\", \"memory_fault\"\n"
+            "cases.toml:4: expect.ends: unknown key");
+}
+
+TEST_F(CaseFileTest, RefusesAPlaceThatIsNone) {
+  EXPECT_EQ(refusal("start_m = [1]\n" + kWords + kExpect),
+            "cases.toml:1: start_m: two numbers: metres north and east of the mission's origin");
+  EXPECT_EQ(refusal("source_m = [1, 2, 3]\n" + kWords + kExpect),
+            "cases.toml:1: source_m: two numbers: metres north and east of the mission's origin");
+  EXPECT_EQ(refusal("start_m = [1, 1e7]\n" + kWords + kExpect),
+            "cases.toml:1: start_m[1] = 10000000.0: must be a finite number of at least -1000000 and at most 1000000");
+  EXPECT_EQ(refusal("start_m = 7\n" + kWords + kExpect), "cases.toml:1: start_m = 7: must be an array of numbers");
+}
+
+TEST_F(CaseFileTest, RefusesATimeAtSeaOutOfBounds) {
+  for (const std::string seconds : {"9", "1000001", "60.5"})
+    EXPECT_EQ(refusal("at_most_s = " + seconds + "\n" + kWords + kExpect),
+              "cases.toml:1: at_most_s = " + seconds + ": must be a whole number from 10 to 1000000");
+}
+
+TEST_F(CaseFileTest, RefusesAFaultOfNoKnownKindOrWithoutABeginning) {
+  EXPECT_NE(
+      refusal_of_fault("kind = \"lost\"\nat_s = 1").find("cases.toml:5: fault[0].kind = 'lost': must be one of \"loss\", \"delay\", "),
+      std::string::npos);
+  EXPECT_EQ(refusal_of_fault("kind = \"leak\""),
+            "cases.toml:4: fault[0].at_s is missing: must be a finite number of at least 0 and at most 1000000");
+  EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = -1"),
+            "cases.toml:6: fault[0].at_s = -1: must be a finite number of at least 0 and at most 1000000");
+  EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = 1\nfor_s = 0"),
+            "cases.toml:7: fault[0].for_s = 0: must be a finite number of at least 0.1 and at most 1000000");
+}
+
+TEST_F(CaseFileTest, RefusesWhichFramesWhereTheyAreNone) {
+  EXPECT_EQ(refusal_of_fault("kind = \"loss\"\nat_s = 1\nshare = 1.5"),
+            "cases.toml:7: fault[0].share = 1.5: must be a finite number of at least 0 and at most 1");
+  EXPECT_EQ(refusal_of_fault("kind = \"loss\"\nat_s = 1\npgn = 262144"),
+            "cases.toml:7: fault[0].pgn = 262144: must be a whole number from 0 to 262143");
+  EXPECT_EQ(
+      refusal_of_fault("kind = \"loss\"\nat_s = 1\nof = \"log\""),
+      "cases.toml:7: fault[0].of = 'log': must be one of \"autopilot\", \"compass\", \"speed-log\", \"depth-sensor\", \"navigation\", "
+      "\"hydrophone\", \"operator\", \"altimeter\", \"battery\", \"hull-monitor\", \"earshot\"");
+  EXPECT_EQ(load_with_fault("kind = \"loss\"\nat_s = 1\nof = \"earshot\"").faults.at(0).device, "earshot");
+}
+
+TEST_F(CaseFileTest, RefusesKeysThatAKindOfFaultDoesNotHave) {
+  EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = 1\nshare = 0.5"), "cases.toml:7: fault[0].share: unknown key");
+  EXPECT_EQ(refusal_of_fault("kind = \"leak\"\nat_s = 1\nof = \"compass\""), "cases.toml:7: fault[0].of: unknown key");
+  EXPECT_EQ(refusal_of_fault("kind = \"loss\"\nat_s = 1\nseconds = 3"), "cases.toml:7: fault[0].seconds: unknown key");
+  EXPECT_EQ(refusal_of_fault("kind = \"heading_error\"\nat_s = 1\ndegrees = 3\ntowards_deg = 3"),
+            "cases.toml:8: fault[0].towards_deg: unknown key");
+  EXPECT_EQ(refusal_of_fault("kind = \"current\"\nat_s = 1\nmps = 1\ntowards_deg = 361"),
+            "cases.toml:8: fault[0].towards_deg = 361: must be a finite number of at least -360 and at most 360");
+}
+
+TEST_F(CaseFileTest, RefusesRulesThatNoMissionCanHaveAndAnswersThatAreNone) {
+  EXPECT_NE(refusal(kWords + kExpect + "rules = [\"leaks\"]\n").find("cases.toml:6: expect.rules"), std::string::npos);
+  EXPECT_EQ(refusal(kWords + kExpect + "others_may_fire = 1\n"), "cases.toml:6: expect.others_may_fire = 1: must be true or false");
+  EXPECT_EQ(refusal(kWords + kExpect + "refuses_commands = \"yes\"\n"),
+            "cases.toml:6: expect.refuses_commands = 'yes': must be true or false");
+}
+
+TEST_F(CaseFileTest, RefusesACaseThatExpectsNothing) {
+  EXPECT_EQ(refusal(kWords), "cases.toml:1: expect is missing: must be a table");
+}
+
+TEST_F(CaseFileTest, LoadsAFoldersCasesByNameAndNothingElse) {
+  for (const std::string name : {"b.toml", "a.toml", "c.toml"}) std::ofstream(folder_ / name) << kWords + kExpect;
+  std::ofstream(folder_ / "README.md") << "no case";
+  const std::vector<Case> cases = load_cases(folder_);
+  ASSERT_EQ(cases.size(), 3U);
+  EXPECT_EQ(cases[0].name, "a");
+  EXPECT_EQ(cases[1].name, "b");
+  EXPECT_EQ(cases[2].name, "c");
+}
+
+TEST(ShippedCases, AreAtLeastFortyAndEachCanBeRead) {
+  EXPECT_GE(load_cases(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases").size(), 40U);
+}
+
+}  // namespace
+}  // namespace earshot::hil

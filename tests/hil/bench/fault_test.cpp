@@ -1,0 +1,66 @@
+#include "hil/bench/fault.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace earshot::hil {
+namespace {
+
+constexpr Time at_s(std::int64_t seconds) {
+  return Time{} + Duration::seconds(seconds);
+}
+
+TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
+  std::set<std::string_view> words;
+  for (const FaultTraits& traits : kFaultTraits) words.insert(traits.word);
+  EXPECT_EQ(words.size(), 40U);
+  const auto word_of = [](Fault fault) { return kFaultTraits.at(static_cast<std::size_t>(fault)).word; };
+  EXPECT_EQ(word_of(Fault::kLoss), "loss");
+  EXPECT_EQ(word_of(Fault::kReplay), "replay");
+  EXPECT_EQ(word_of(Fault::kFlood), "flood");
+  EXPECT_EQ(word_of(Fault::kRudderStuck), "rudder_stuck");
+  EXPECT_EQ(word_of(Fault::kFullDisk), "full_disk");
+}
+
+TEST(Fault, ActsFromItsBeginningUntilBeforeItsEnd) {
+  const TimedFault fault{.fault = Fault::kLeak, .from = at_s(100), .until = at_s(120)};
+  EXPECT_FALSE(fault.acts_at(at_s(99)));
+  EXPECT_TRUE(fault.acts_at(at_s(100)));
+  EXPECT_TRUE(fault.acts_at(at_s(119)));
+  EXPECT_FALSE(fault.acts_at(at_s(120)));
+}
+
+TEST(Fault, ActsToTheEndWithoutAnEnd) {
+  const TimedFault fault{.fault = Fault::kLeak, .from = at_s(100)};
+  EXPECT_TRUE(fault.acts_at(at_s(1'000'000)));
+}
+
+TEST(Fault, HasAVectorClockwiseFromNorth) {
+  const auto expect_vector = [](double direction_deg, double north, double east) {
+    const TimedFault fault{.fault = Fault::kCurrent, .from = {}, .amount = 2.0, .direction_deg = direction_deg};
+    EXPECT_NEAR(fault.vector().north.value, north, 1e-12) << direction_deg;
+    EXPECT_NEAR(fault.vector().east.value, east, 1e-12) << direction_deg;
+  };
+  expect_vector(0.0, 2.0, 0.0);
+  expect_vector(90.0, 0.0, 2.0);
+  expect_vector(180.0, -2.0, 0.0);
+  expect_vector(-90.0, 0.0, -2.0);
+  expect_vector(30.0, 1.7320508075688772, 1.0);  // 2 cos 30 = sqrt 3
+}
+
+TEST(Fault, IsSaidInWordsWithWhoseFramesAndHowMany) {
+  EXPECT_EQ(in_words({.fault = Fault::kLoss, .from = at_s(100), .until = at_s(120), .share = 0.5, .device = "compass", .pgn = 127250}),
+            "loss of 50 % of the compass's frames of 127250 from 100 s for 20 s");
+  EXPECT_EQ(in_words({.fault = Fault::kNotAvailable, .from = at_s(5)}), "not available of 100 % of all frames from 5 s");
+}
+
+TEST(Fault, IsSaidInWordsWithItsAmountAndUnit) {
+  EXPECT_EQ(in_words({.fault = Fault::kDelay, .from = at_s(1), .amount = 1.5, .share = 0.25}),
+            "delay 1.5 seconds of 25 % of all frames from 1 s");
+  EXPECT_EQ(in_words({.fault = Fault::kFlood, .from = at_s(30), .amount = 1900.0}), "flood 1900 frames per s from 30 s");
+  EXPECT_EQ(in_words({.fault = Fault::kRudderStuck, .from = at_s(60), .until = at_s(90)}), "rudder stuck from 60 s for 30 s");
+}
+
+}  // namespace
+}  // namespace earshot::hil

@@ -1,0 +1,322 @@
+#include "hil/bench/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <limits>
+#include <string>
+
+#include "firmware/host/program/exit_status.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+#include "tests/firmware/boards/linux/replay/random_mission.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::hil {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr Time at_s(std::int64_t seconds) {
+  return Time{} + Duration::seconds(seconds);
+}
+
+/// A square of 10 km, 2 m/s, 300 m deep and no deeper than 320 m.
+config::Mission mission() {
+  config::Mission mission;
+  mission.operating_area = {.south_west = {}, .north_east = {Meters{10'000}, Meters{10'000}}};
+  mission.search_depth = Meters{300};
+  mission.max_depth = Meters{320};
+  mission.search_speed = MetersPerSecond{2};
+  return mission;
+}
+
+/// A halt polygon 1 km around that square.
+config::Fence fence() {
+  config::Fence fence;
+  for (const NorthEast& corner : {NorthEast{Meters{-1000}, Meters{-1000}}, NorthEast{Meters{11'000}, Meters{-1000}},
+                                  NorthEast{Meters{11'000}, Meters{11'000}}, NorthEast{Meters{-1000}, Meters{11'000}}})
+    (void)fence.halt.push_back(corner);
+  return fence;
+}
+
+TruePlace place(std::int64_t s, double north_m, double east_m, double depth_m = 300.0) {
+  return {.time = at_s(s), .position = {Meters{north_m}, Meters{east_m}}, .depth = Meters{depth_m}};
+}
+
+messages::SafetyEvent event(std::int64_t s, config::Condition condition, bool begins = true) {
+  return {.time = at_s(s), .condition = condition, .begins = begins};
+}
+
+/// A flight that found the source and its journal, without a fault: nothing is wrong with them.
+class VerdictTest : public testing::Test {
+ protected:
+  VerdictTest() {
+    case_.expected.end = messages::EndReason::kCompleted;
+    flight_.end = messages::EndReason::kCompleted;
+    flight_.exit_statuses = {program::kDone};
+    flight_.track = {place(0, 5'000, 5'000), place(1, 5'000, 5'002)};
+    journal_.end = messages::EndReason::kCompleted;
+    journal_.setpoints = 2;
+    journal_.is_same_again = true;
+  }
+  [[nodiscard]] Words broken() const { return broken_promises(case_, mission_, flight_, journal_); }
+  [[nodiscard]] Words unmet() const { return unmet_expectations(case_, flight_, journal_); }
+
+  config::Mission mission_ = mission();
+  Case case_;
+  BenchFlight flight_;
+  JournalFindings journal_;
+};
+
+TEST_F(VerdictTest, FindsNothingWrongWithAFlightThatWentAsItHadTo) {
+  EXPECT_EQ(broken(), Words{});
+  EXPECT_EQ(unmet(), Words{});
+}
+
+TEST_F(VerdictTest, SaysWhyAFlightWasNotFlownToItsEnd) {
+  flight_.failure = "the bus takes no frames";
+  EXPECT_EQ(broken(), Words{"the bus takes no frames"});
+}
+
+TEST_F(VerdictTest, TakesNoExitStatusOfAnEarshotdThatCrashedOrLostSomething) {
+  for (const int status : {program::kIncomplete, program::kBadInput, program::kLost, 128 + SIGSEGV, 128 + SIGKILL}) {
+    flight_.exit_statuses = {status, program::kDone};
+    EXPECT_EQ(broken(), Words{"earshotd ended with status " + std::to_string(status)});
+  }
+  for (const int status : {program::kDone, program::kAborted, program::kInterrupted}) {
+    flight_.exit_statuses = {status};
+    EXPECT_EQ(broken(), Words{}) << status;
+  }
+}
+
+TEST_F(VerdictTest, LetsAnEarshotdDieOfTheSignalThatTheCaseSentAndLoseItsJournalOnAFullDisk) {
+  flight_.exit_statuses = {128 + SIGKILL, program::kDone};
+  case_.faults = {{.fault = Fault::kKill, .from = at_s(60)}};
+  EXPECT_EQ(broken(), Words{});
+  flight_.exit_statuses = {program::kLost};
+  EXPECT_EQ(broken(), Words{"earshotd ended with status 3"});
+  case_.faults = {{.fault = Fault::kFullDisk, .from = at_s(0), .amount = 50'000}};
+  EXPECT_EQ(broken(), Words{});
+}
+
+TEST_F(VerdictTest, WantsAJournalThatCanBeReadAndGivesEveryOutputAgain) {
+  journal_.is_same_again = false;
+  journal_.difference = "record 7 (EARSHOT_HEALTH)";
+  EXPECT_EQ(broken(), Words{"the journal is not given again: record 7 (EARSHOT_HEALTH)"});
+  journal_.trouble = "no such file";
+  EXPECT_EQ(broken(), Words{"the journal cannot be read: no such file"});
+}
+
+TEST_F(VerdictTest, LetsAJournalOnAFullDiskHaveAnEnd) {
+  journal_.is_same_again = false;
+  case_.faults = {{.fault = Fault::kFullDisk, .from = at_s(0), .amount = 50'000}};
+  EXPECT_EQ(broken(), Words{});
+}
+
+TEST_F(VerdictTest, NamesEverySetPointBeyondTheLimits) {
+  journal_.beyond_limits = {"one", "another"};
+  EXPECT_EQ(broken(), (Words{"one", "another"}));
+}
+
+TEST_F(VerdictTest, WantsTheVehicleWithinItsAreaWhereThereIsNoFence) {
+  flight_.track.push_back(place(2, 10'000, 10'000));
+  EXPECT_EQ(broken(), Words{});
+  flight_.track.push_back(place(3, 10'000.1, 10'000));
+  EXPECT_EQ(broken(), Words{"the vehicle was beyond the halt polygon at 3 s"});
+}
+
+TEST_F(VerdictTest, WantsTheVehicleWithinTheHaltPolygonOfItsFence) {
+  mission_.safety.fence = fence();
+  flight_.track.push_back(place(2, 10'999, -999));
+  EXPECT_EQ(broken(), Words{});
+  flight_.track.push_back(place(3, 11'001, -999));
+  flight_.track.push_back(place(4, 11'002, -999));
+  EXPECT_EQ(broken(), Words{"the vehicle was beyond the halt polygon at 3 s"}) << "once";
+}
+
+TEST_F(VerdictTest, WantsTheVehicleNoDeeperThan25MetresBelowItsLimit) {
+  flight_.track.push_back(place(2, 5'000, 5'000, 345.0));
+  EXPECT_EQ(broken(), Words{});
+  flight_.track.push_back(place(3, 5'000, 5'000, 345.1));
+  EXPECT_EQ(broken(), Words{"the vehicle was too deep at 3 s"});
+}
+
+TEST_F(VerdictTest, LetsAVehicleThatCannotDoAsItIsToldGoAstrayButNoOther) {
+  flight_.track.push_back(place(2, 12'000, 5'000));
+  for (const Fault fault :
+       {Fault::kRudderStuck, Fault::kPlanesStuck, Fault::kNoThrust, Fault::kDisengaged, Fault::kObstinate, Fault::kCurrent, Fault::kFrozen,
+        Fault::kPositionError, Fault::kDepthError, Fault::kSecondNavigation, Fault::kReplay}) {
+    case_.faults = {{.fault = Fault::kLeak, .from = {}}, {.fault = fault, .from = {}}};
+    EXPECT_EQ(broken(), Words{}) << static_cast<int>(fault);
+    EXPECT_TRUE(is_beyond_command(fault));
+  }
+  for (const Fault fault : {Fault::kLoss, Fault::kDelay, Fault::kCorruption, Fault::kKill, Fault::kStrangersOrder, Fault::kInterfaceDown,
+                            Fault::kSecondAutopilot, Fault::kHeadingError}) {
+    case_.faults = {{.fault = fault, .from = {}}};
+    EXPECT_EQ(broken(), Words{"the vehicle was beyond the halt polygon at 2 s"}) << static_cast<int>(fault);
+  }
+}
+
+TEST_F(VerdictTest, WantsTheEndOfTheCase) {
+  case_.expected.end = messages::EndReason::kNavigationStale;
+  EXPECT_EQ(unmet(), Words{"the mission ended otherwise: the source is reached, not: navigation went silent"});
+}
+
+TEST_F(VerdictTest, WantsOneEndInTheJournalAndInTheLastAnswer) {
+  journal_.end = messages::EndReason::kSafetyRule;
+  EXPECT_EQ(unmet(), Words{"the journal says another end than earshotd's last answer"});
+  case_.faults = {{.fault = Fault::kFullDisk, .from = at_s(0), .amount = 50'000}};
+  EXPECT_EQ(unmet(), Words{}) << "a full disk took no more of it";
+}
+
+TEST_F(VerdictTest, TakesASearchUnderWayThatWasToldToStopWhenItsTimeWasUp) {
+  case_.expected.end = messages::EndReason::kNone;
+  flight_.end = messages::EndReason::kNone;
+  journal_.end = messages::EndReason::kOperatorAbort;
+  EXPECT_EQ(unmet(), Words{});
+  journal_.end = messages::EndReason::kSafetyRule;
+  EXPECT_EQ(unmet(), Words{"the journal says another end than earshotd's last answer"});
+}
+
+TEST_F(VerdictTest, WantsEveryRuleOfTheCaseToFireAfterItsFirstFault) {
+  case_.faults = {{.fault = Fault::kLeak, .from = at_s(100)}, {.fault = Fault::kDeaf, .from = at_s(60)}};
+  case_.expected.rules = {config::Condition::kLeak, config::Condition::kHydrophoneDeaf};
+  EXPECT_EQ(unmet(), (Words{"the rule leak did not fire", "the rule hydrophone_deaf did not fire"}));
+  journal_.events = {event(59, config::Condition::kLeak), event(60, config::Condition::kHydrophoneDeaf)};
+  EXPECT_EQ(unmet(), Words{"the rule leak did not fire"}) << "that was before any fault";
+  journal_.events = {event(70, config::Condition::kLeak, false), event(60, config::Condition::kHydrophoneDeaf)};
+  EXPECT_EQ(unmet(), Words{"the rule leak did not fire"}) << "that was its end";
+  journal_.events = {event(70, config::Condition::kLeak), event(60, config::Condition::kHydrophoneDeaf)};
+  EXPECT_EQ(unmet(), Words{});
+}
+
+TEST_F(VerdictTest, CountsAFaultAtTheVeryBeginningAsTheFirst) {
+  case_.faults = {{.fault = Fault::kLeak, .from = at_s(0)}, {.fault = Fault::kDeaf, .from = at_s(60)}};
+  case_.expected.rules = {config::Condition::kLeak};
+  journal_.events = {event(2, config::Condition::kLeak)};
+  EXPECT_EQ(unmet(), Words{});
+}
+
+TEST_F(VerdictTest, WantsNoOtherRuleToFireUnlessTheCaseLetsIt) {
+  journal_.events = {event(30, config::Condition::kSpeed, false), event(31, config::Condition::kSpeed),
+                     event(32, config::Condition::kDepth)};
+  EXPECT_EQ(unmet(), Words{"the rule speed_mps fired at 31 s"}) << "the first";
+  case_.expected.only_these = false;
+  EXPECT_EQ(unmet(), Words{});
+}
+
+TEST_F(VerdictTest, WantsFixesAndOrdersRefusedWhereTheCaseSaysSo) {
+  case_.expected.refuses_navigation = true;
+  case_.expected.refuses_commands = true;
+  EXPECT_EQ(unmet(), (Words{"no fix was refused", "no order was refused"}));
+  journal_.counters.navigation_refused = 1;
+  EXPECT_EQ(unmet(), Words{"no order was refused"});
+  journal_.counters.commands_refused = 1;
+  EXPECT_EQ(unmet(), Words{});
+}
+
+// What is read from a journal.
+
+class FindingsTest : public testing::Test {
+ protected:
+  template <class Message>
+  void record(std::int64_t s, std::string_view channel, const Message& message) {
+    ASSERT_EQ(journal_->append(at_s(s), channel, wire::Encoded(message).bytes()), Status::kOk);
+  }
+  void record_setpoint(std::int64_t s, double heading_rad, double speed_mps, double depth_m) {
+    const messages::Setpoint setpoint{
+        .heading = Radians{heading_rad}, .speed = MetersPerSecond{speed_mps}, .depth = Meters{depth_m}, .waypoint = {}};
+    record(s, wire::kJournalledSetpointChannel, wire::to_message(setpoint, at_s(s)));
+  }
+  [[nodiscard]] JournalFindings read() {
+    journal_.reset();
+    return read_findings(path_, mission());
+  }
+
+  const support::TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "journal.lcmlog";
+  std::unique_ptr<host::Journal> journal_ = std::make_unique<host::Journal>(path_);
+};
+
+TEST_F(FindingsTest, AreTheLastHealthAndEveryEventInItsOrder) {
+  messages::Health health;
+  health.counters.navigation_refused = 3;
+  record(1, wire::kHealthChannel, wire::to_message(health, at_s(1)));
+  const messages::SafetyEvent first = event(2, config::Condition::kLeak);
+  const messages::SafetyEvent second = event(3, config::Condition::kLeak, false);
+  record(2, wire::kSafetyEventChannel, wire::to_message(first));
+  record(3, wire::kSafetyEventChannel, wire::to_message(second));
+  health.end_reason = messages::EndReason::kSafetyRule;
+  health.counters.navigation_refused = 4;
+  health.counters.commands_refused = 5;
+  record(4, wire::kHealthChannel, wire::to_message(health, at_s(4)));
+  const JournalFindings found = read();
+  EXPECT_EQ(found.events, (std::vector<messages::SafetyEvent>{first, second}));
+  EXPECT_EQ(found.end, messages::EndReason::kSafetyRule);
+  EXPECT_EQ(found.counters.navigation_refused, 4U);
+  EXPECT_EQ(found.counters.commands_refused, 5U);
+  EXPECT_FALSE(found.is_same_again) << "there is no mission in it";
+}
+
+TEST_F(FindingsTest, NameSetPointsThatNoMissionMayGive) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  record_setpoint(1, 0.5, 2.0, 300.0);
+  record_setpoint(2, 0.5, 0.0, 0.0);
+  record_setpoint(3, 0.5, 2.0, 320.0);
+  EXPECT_EQ(read().beyond_limits, Words{});
+  journal_ = std::make_unique<host::Journal>(folder_ / "journal.lcmlog", host::JournalOptions{.existing = host::ExistingJournal::kReplace});
+  record_setpoint(1, 0.5, 2.01, 300.0);
+  record_setpoint(2, 0.5, -0.01, 300.0);
+  record_setpoint(3, 0.5, 2.0, 320.5);
+  record_setpoint(4, 0.5, 2.0, -0.01);
+  record_setpoint(5, kNan, 2.0, 300.0);
+  record_setpoint(6, 0.5, 2.0, 400.0);
+  const JournalFindings found = read();
+  EXPECT_EQ(found.setpoints, 6U);
+  ASSERT_EQ(found.beyond_limits.size(), 5U) << "no more than that are named";
+  EXPECT_EQ(found.beyond_limits[0], "a set-point beyond the limits at 1 s: 300 m, 2.01 m/s");
+  EXPECT_EQ(found.beyond_limits[2], "a set-point beyond the limits at 3 s: 320.5 m, 2 m/s");
+}
+
+TEST_F(FindingsTest, LetAVehicleComeUpAsFastAsItMust) {
+  record_setpoint(1, 0.5, 2.5, 0.0);
+  journal_.reset();
+  config::Mission fast = mission();
+  EXPECT_EQ(read_findings(path_, fast).beyond_limits.size(), 1U);
+  fast.safety.vehicle.ascent_speed = MetersPerSecond{2.5};
+  EXPECT_EQ(read_findings(path_, fast).beyond_limits, Words{});
+}
+
+TEST_F(FindingsTest, SayWhatIsWrongWithAFileThatIsNoJournal) {
+  journal_.reset();
+  const JournalFindings found = read_findings(folder_ / "none.lcmlog", mission());
+  EXPECT_NE(found.trouble.find("none.lcmlog"), std::string::npos) << found.trouble;
+}
+
+TEST_F(FindingsTest, SayWhetherTheJournalGivesEveryOutputAgainAndWhichItDoesNot) {
+  journal_.reset();
+  board::fly_random_mission(1, path_, 30);
+  EXPECT_TRUE(read_findings(path_, mission()).is_same_again);
+  const std::filesystem::path forged = folder_ / "forged.lcmlog";
+  journal_ = std::make_unique<host::Journal>(forged);
+  host::JournalReader reader(path_);
+  std::uint32_t number = 0;
+  for (host::JournalRecord record; reader.next(record);) {
+    // A bit behind fingerprint and date of the first health.
+    if (record.channel == wire::kHealthChannel && number == 0) {
+      record.data[16] ^= 1U;
+      number = record.number;
+    }
+    ASSERT_EQ(journal_->append(record.time, record.channel, record.data), Status::kOk);
+  }
+  journal_.reset();
+  const JournalFindings found = read_findings(forged, mission());
+  EXPECT_FALSE(found.is_same_again);
+  EXPECT_EQ(found.trouble, "");
+  EXPECT_EQ(found.difference, "record " + std::to_string(number) + " (EARSHOT_HEALTH)");
+}
+
+}  // namespace
+}  // namespace earshot::hil
