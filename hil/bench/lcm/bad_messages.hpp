@@ -22,9 +22,9 @@ inline constexpr std::string_view kLcmSenders[]{"autopilot", "navigation", "hydr
 /// One fault of an LCM bus, as long as it lasts.
 struct MessageAffliction {
   FrameFault fault = FrameFault::kLoss;
-  std::string_view sender;  ///< of kLcmSenders, outlives it; empty: all
-  double share = 1.0;       ///< of these, drawn one by one
-  Duration seconds;         ///< of kDelay, kJitter, kReplay and kDateError
+  std::string_view sender = {};  ///< of kLcmSenders, outlives it; empty: all
+  double share = 1.0;            ///< of these, drawn one by one
+  Duration seconds = {};         ///< of kDelay, kJitter, kReplay and kDateError
 };
 
 /// What BadBus is to frames, to LCM's messages: they go in as they were said, and come out as the datagrams that arrive (LC02). The same

@@ -21,7 +21,8 @@ template <class Type>
 Type said_on(std::string_view channel, const LcmMessages& said) {
   Type value{};
   for (const LcmMessage& message : said) {
-    if (message.channel == channel) EXPECT_EQ(wire::decode(message.data, value), Status::kOk);
+    if (message.channel != channel) continue;
+    EXPECT_EQ(wire::decode(message.data, value), Status::kOk);
   }
   return value;
 }
