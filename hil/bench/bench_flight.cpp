@@ -10,10 +10,10 @@
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/child_process.hpp"
 #include "hil/bench/can/can_vehicle_bus.hpp"
+#include "hil/bench/disturbance_at.hpp"
 #include "hil/bench/lcm/lcm_vehicle_bus.hpp"
 #include "hil/bench/torn_journal.hpp"
 #include "hil/bench/vehicle_bus.hpp"
-#include "hil/bench/vehicle_faults.hpp"
 #include "sim/link/run_slot.hpp"
 #include "sim/link/simulator_end.hpp"
 
@@ -36,14 +36,12 @@ bool is_killed_once(const Case& c) {
                              [](const TimedFault& fault) { return fault.fault == Fault::kKill || fault.fault == Fault::kPowerCut; });
 }
 
-/// Of an earlier flight: an earshotd that is to go on would go on with it.
-void remove_journals(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> journals;
+/// What is left of an earlier flight: an earshotd that is to go on would go on with its journal.
+void remove_earlier_flight(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::filesystem::path& path = entry.path();
-    if (entry.is_regular_file() && path.extension() == ".lcmlog" && path.stem().string().starts_with("journal")) journals.push_back(path);
+    const std::string name = entry.path().filename().string();
+    if (name == "words.txt" || name.starts_with("journal")) std::filesystem::remove(entry.path());
   }
-  for (const std::filesystem::path& path : journals) std::filesystem::remove(path);
 }
 
 /// One flight in the making.
@@ -74,7 +72,8 @@ class Flyer {
   }
 
  private:
-  /// One that will be killed writes ahead what it does, and goes on with it, as a vehicle's computer has it started every time.
+  /// One that will be killed has --resume from the start, as a vehicle's computer has it started every time: no turn is answered before it
+  /// is in the journal, so that a SIGKILL costs none that the vehicle has sailed by.
   void start() {
     std::vector<std::string> a{case_.mission, "--simulation",       std::to_string(slot_.domain()),
                                "--run",       std::to_string(run_), "--snr-from-bus",
@@ -98,7 +97,7 @@ class Flyer {
   }
 
   void tick() {
-    bus_->disturb(disturbance_of(case_.faults, now_, kTick));
+    bus_->disturb(disturbance_at(case_.faults, now_, kTick));
     disturb_computer();
     bus_->say(now_);
     note_place();
@@ -167,7 +166,7 @@ class Flyer {
 
   void disturb_computer() {
     for (const TimedFault& fault : case_.faults) {
-      if (!fault.begins_in(now_, kTick)) continue;
+      if (!fault.is_new_at(now_, kTick)) continue;
       if (fault.fault == Fault::kKill) {
         is_killed_ = true;
         earshotd_->signal(SIGKILL);
@@ -249,8 +248,7 @@ class Flyer {
 
 BenchFlight fly_case(const Case& c, const Bench& bench, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  std::filesystem::remove(folder / "words.txt");
-  if (is_killed_once(c)) remove_journals(folder);
+  remove_earlier_flight(folder);
   link::RunSlot slot;
   return Flyer(c, bench, folder, slot).fly();
 }

@@ -130,7 +130,8 @@ struct TimedFault {
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
 
   [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }
-  [[nodiscard]] bool begins_in(Time now, Duration tick) const { return from >= now && from < now + tick; }
+  /// Whether it began since the last tick.
+  [[nodiscard]] bool is_new_at(Time now, Duration tick) const { return from <= now && now < from + tick; }
   /// `amount` in its direction.
   [[nodiscard]] NorthEast vector() const;
   friend bool operator==(const TimedFault&, const TimedFault&) = default;

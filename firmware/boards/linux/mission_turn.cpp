@@ -130,7 +130,9 @@ void MissionTurn::write_ahead_of(const runtime::Outputs& outputs) {
   const bool has_obeyed = std::ranges::any_of(outputs.acknowledgements, [](const messages::CommandAcknowledgement& acknowledgement) {
     return acknowledgement.outcome == messages::CommandOutcome::kObeyed;
   });
-  if (is_ahead_always_ || has_obeyed) (void)journal_.flush(patience_);  // what the disk does not take stands in the health
+  using Reach = host::Journal::Reach;
+  const bool is_weighty = has_obeyed || (is_ahead_always_ && (is_new_state_ || !outputs.safety_events.empty()));
+  if (is_weighty || is_ahead_always_) (void)journal_.flush(patience_, is_weighty ? Reach::kDisk : Reach::kFile);
 }
 
 void MissionTurn::report_journal(Time now) {
@@ -142,8 +144,8 @@ void MissionTurn::report_journal(Time now) {
 }
 
 void MissionTurn::record(Time now, const runtime::Outputs& outputs) {
-  const bool is_new_state = memory_.recorded_state != outputs.health.state;
-  for_each_record(now, outputs, is_new_state,
+  is_new_state_ = memory_.recorded_state != outputs.health.state;
+  for_each_record(now, outputs, is_new_state_,
                   [&](std::string_view channel, const auto& message, Weight weight) { append(journal_, now, channel, message, weight); });
 }
 

@@ -41,8 +41,10 @@ class MissionTurn final : public InputSink {
   /// In place of record_mission(): goes on where another process ended, whose journal is this one's now, and whose runtime this one has.
   void go_on_after(const Resumption& before, std::string_view build);
 
-  /// From now on what a turn says is in the journal's file before it is sent: who resumes from the journal has forgotten nothing that
-  /// anybody heard. Otherwise that holds of obeyed commands alone, and for a tenth of a second at most.
+  /// From now on what a turn says is in the journal's file before it is sent: who resumes from the journal after a crash has forgotten
+  /// nothing that anybody heard. What a power cut must not take either, where the journal survives one, is on the disk before it is sent:
+  /// obeyed commands (without this, too, and for a tenth of a second at most), changes of state, rules that begin or cease to act. A
+  /// set-point that a power cut took is followed by the next.
   /// @param patience  with a slow disk
   void write_ahead(std::chrono::milliseconds patience) {
     is_ahead_always_ = true;
@@ -94,6 +96,7 @@ class MissionTurn final : public InputSink {
   runtime::Outputs outputs_;  ///< of the last turn
   bool is_called_ = false;
   bool is_ahead_always_ = false;
+  bool is_new_state_ = false;  ///< of this turn's outputs
   std::chrono::milliseconds patience_{100};
   std::atomic<bool>* is_part_asked_for_ = nullptr;
   ServiceManager* manager_ = nullptr;

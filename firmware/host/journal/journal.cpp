@@ -63,9 +63,10 @@ struct Journal::Writer {
   std::condition_variable ended;  ///< for a writer that pauses: it is to end
   std::condition_variable less;   ///< for the appender: the ring has room again
   Place appended;
-  Place whole;              ///< before it every record is in the file or lost
-  std::uint64_t taken = 0;  ///< bytes: those before `whole`, and what is in the file of the record behind it, which is kept in the ring
-  bool idle = false;        ///< the writer waits for `more`
+  Place whole;                ///< before it every record is in the file or lost
+  std::uint64_t taken = 0;    ///< bytes: those before `whole`, and what is in the file of the record behind it, which is kept in the ring
+  std::uint64_t in_file = 0;  ///< bytes: `taken`, and what is in the file and on its way to the disk
+  bool idle = false;          ///< the writer waits for `more`
   bool ending = false;
   std::atomic<bool> failing = false;            ///< the last write took nothing; changed under the lock
   bool is_whole = true;                         ///< of who closes: everything is in the file
@@ -139,6 +140,7 @@ struct Journal::Writer {
         taken += done;
         note_whole();
       }
+      in_file = taken;
       less.notify_all();
       // Bytes that were not taken are tried again, so that the file never has a hole.
       ended.wait_for(lock, failing ? kRetry : kPause, [this] { return ending; });
@@ -155,8 +157,16 @@ struct Journal::Writer {
     const std::size_t count = file.write_some(bytes, kJournalReserveBytes);
     deleted = file.deleted();
     last_deleted = file.last_deleted();
+    if (options.survives == JournalOptions::Survives::kPowerCut) tell_of_file(count);
     if (count > 0) bring_to_disk();
     return count;
+  }
+
+  /// Before the disk has it.
+  void tell_of_file(std::size_t bytes) {
+    const std::lock_guard lock(mutex);
+    in_file = taken + bytes;
+    less.notify_all();
   }
 
   void begin_part() {
@@ -324,9 +334,9 @@ Status Journal::flush() {
   return is_done() ? Status::kOk : Status::kNotReady;
 }
 
-Status Journal::flush(std::chrono::milliseconds most) {
+Status Journal::flush(std::chrono::milliseconds most, Reach reach) {
   std::unique_lock lock(writer_->mutex);
-  const auto is_done = [this] { return writer_->appended.bytes == writer_->taken; };
+  const auto is_done = [this, reach] { return writer_->appended.bytes == (reach == Reach::kFile ? writer_->in_file : writer_->taken); };
   (void)writer_->less.wait_for(lock, most, [&] { return is_done() || writer_->failing; });
   return is_done() ? Status::kOk : Status::kNotReady;
 }

@@ -92,8 +92,13 @@ class Journal {
 
   /// Waits until nothing of what was appended waits for the disk. kNotReady if the disk takes nothing.
   [[nodiscard]] Status flush();
-  /// Likewise, but no longer than `most`. kNotReady also if something still waits then.
-  [[nodiscard]] Status flush(std::chrono::milliseconds most);
+  /// How far records are waited for.
+  enum class Reach : std::uint8_t {
+    kFile,  ///< what they survive then is the end of this process
+    kDisk,  ///< what the journal's options say
+  };
+  /// Likewise, but no longer than `most`, and no further than that. kNotReady also if something still waits then.
+  [[nodiscard]] Status flush(std::chrono::milliseconds most, Reach reach = Reach::kDisk);
 
   /// From the next record on another file is written, as when a part is full. Never waits.
   void begin_part();

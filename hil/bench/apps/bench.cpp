@@ -1,5 +1,6 @@
 // earshot bench: missions with the real earshotd on a CAN bus, each with faults.
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
@@ -19,6 +21,7 @@
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
 #include "hil/bench/bench_flight.hpp"
+#include "hil/bench/disarmed.hpp"
 #include "hil/bench/random_case.hpp"
 #include "hil/bench/results.hpp"
 #include "hil/bench/verdict.hpp"
@@ -38,6 +41,7 @@ struct Options {
   fs::path out = "out/bench";
   std::optional<std::string> earshotd;
   std::optional<std::uint32_t> random;
+  bool disarmed = false;
 };
 
 void declare(program::CommandLine& line, Options& o) {
@@ -49,6 +53,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--random", &o.random,
               "fly so many random combinations of the cases' faults instead, which must break no promise; what fails is made smaller")
       .from(1, 1'000'000);
+  line.flag("--disarmed", &o.disarmed, "fly the cases without the rules that must fire in them instead: each must fail");
   line.option("--earshotd", &o.earshotd, "the earshotd to be tried; default: the one beside this program");
 }
 
@@ -102,6 +107,31 @@ int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::
   return results.passed() == cases.size() ? program::kDone : program::kIncomplete;
 }
 
+/// Each case without the rules that must fire in it: who still passes does not test them.
+int fly_disarmed(const Options& o, const std::vector<hil::Case>& cases, const hil::Bench& setup) {
+  std::size_t flown_count = 0;
+  std::size_t blind = 0;
+  for (hil::Case c : cases) {
+    if (program::stop_requested) break;
+    if (std::ranges::none_of(c.expected.rules, hil::can_be_disarmed)) continue;
+    const fs::path folder = o.out / "disarmed" / c.name;
+    fs::create_directories(folder);
+    const std::string text = host::read_text(c.mission, host::kTomlFile);
+    host::write_whole(folder / "mission.toml", hil::disarmed(text, c.expected.rules, c.mission.parent_path()));
+    c.mission = folder / "mission.toml";
+    if (std::ranges::any_of(c.expected.rules, hil::is_put_off))
+      c.at_most = std::ranges::max(c.faults, {}, &hil::TimedFault::from).from + hil::kPutOff - Time{};
+    const Flown f = flown(c, setup, folder);
+    const bool is_red = !hil::unmet_expectations(c, f.flight, f.journal).empty();
+    program::say() << (is_red ? "fails as it must " : "BLIND ") << c.name << "\n" << std::flush;
+    ++flown_count;
+    if (!is_red) ++blind;
+  }
+  program::say() << flown_count << " cases without their rules, " << blind << " of them passed all the same\n";
+  if (program::stop_requested) return program::kStopped;
+  return blind == 0 ? program::kDone : program::kIncomplete;
+}
+
 /// Each with a seed of its own, from --seed on. What breaks a promise is made smaller, and kept as a case.
 int fly_random(const Options& o, const std::vector<hil::Case>& pool, const hil::Bench& setup) {
   std::size_t failed = 0;
@@ -140,6 +170,7 @@ int bench(const Options& o) {
       .snr = [curve = sonar::compute_snr_curve(environment, kDepth, kFurthest)](Meters range) { return curve.at(range); },
       .floor_depth = environment.seabed.depth,
       .stop = program::stop_requested};
+  if (o.disarmed) return fly_disarmed(o, cases, setup);
   return o.random ? fly_random(o, cases, setup) : fly_cases(o, cases, setup);
 }
 

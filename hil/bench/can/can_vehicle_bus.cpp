@@ -2,18 +2,21 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <thread>
 #include <utility>
 
-#include "hil/bench/interface_switch.hpp"
+#include "hil/bench/can/interface_switch.hpp"
 
 namespace earshot::hil {
 namespace {
 
 using std::chrono::steady_clock;
 
-/// What earshotd does on the bus by the host's clock: an interface is tried again once a second, an address is claimed in 0.25 s.
-constexpr std::chrono::milliseconds kToNoticeTheBus{2500};
+/// earshotd tries a lost interface again in the first turn that is a second later than its last trial, by the host's clock.
+constexpr std::chrono::milliseconds kToTryAgain{1100};
+/// An address is claimed in 0.25 s of the host's clock, up to 0.4 s. Whatever a fault leaves of it, the flight goes on then.
+constexpr std::chrono::milliseconds kToClaim{5000};
 constexpr std::size_t kTracedFrames = 400'000;  ///< two hours without a flood, in 13 MB: a rule may fire long before the end
 
 VehicleSetup setup_of(const Case& c, const Bench& bench, const host::MissionFile& mission) {
@@ -56,23 +59,21 @@ void CanVehicleBus::say_again() {
 
 void CanVehicleBus::hear(Time now) {
   Frames heard;
-  for (n2k::Frame frame; socket_.receive(frame) == Status::kOk;) {
-    ++received_;
-    trace(frame, true);
-    heard.push_back(frame);
-  }
+  const auto steals = [now](const TimedFault& fault) { return fault.fault == Fault::kAddressThief && fault.is_new_at(now, kTick); };
+  if (std::exchange(is_back_, false) || std::ranges::any_of(case_.faults, steals)) wait_for_claim(heard);
+  receive(heard);
   for (const n2k::Frame& frame : to_vehicle_.pass(heard, afflictions(true), now)) {
     vehicle_.accept(frame, now);
     intruders_.accept(frame, now);
   }
-  const auto claims = [now](const TimedFault& fault) { return fault.fault == Fault::kAddressThief && fault.begins_in(now, kTick); };
-  if (std::ranges::any_of(case_.faults, claims)) std::this_thread::sleep_for(kToNoticeTheBus);
 }
 
 void CanVehicleBus::switch_interface(bool is_up) {
   hil::switch_interface(interface_, is_up);
-  std::this_thread::sleep_for(kToNoticeTheBus);
+  if (!is_up) return;
   (void)socket_.reopen();
+  std::this_thread::sleep_for(kToTryAgain);
+  is_back_ = true;
 }
 
 void CanVehicleBus::report(BenchFlight& flight) {
@@ -107,6 +108,24 @@ void CanVehicleBus::send(const n2k::Frame& frame) {
   if (!socket_.is_up()) return;
   ++sent_;
   trace(frame, false);
+}
+
+void CanVehicleBus::receive(Frames& heard) {
+  for (n2k::Frame frame; socket_.receive(frame) == Status::kOk;) {
+    ++received_;
+    trace(frame, true);
+    heard.push_back(frame);
+  }
+}
+
+void CanVehicleBus::wait_for_claim(Frames& heard) {
+  const auto is_question = [](const n2k::Frame& frame) { return n2k::parse_identifier(frame.identifier).value().pgn == n2k::kRequestPgn; };
+  for (const auto deadline = steady_clock::now() + kToClaim; steady_clock::now() < deadline;
+       std::this_thread::sleep_for(std::chrono::milliseconds(5))) {
+    const auto before = static_cast<std::ptrdiff_t>(heard.size());
+    receive(heard);
+    if (std::any_of(heard.begin() + before, heard.end(), is_question)) return;
+  }
 }
 
 void CanVehicleBus::trace(const n2k::Frame& frame, bool from_earshot) {

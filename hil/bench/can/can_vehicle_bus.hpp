@@ -9,7 +9,7 @@
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/transport/can_socket.hpp"
 #include "hil/bench/bad_bus.hpp"
-#include "hil/bench/intruders.hpp"
+#include "hil/bench/can/intruders.hpp"
 #include "hil/bench/vehicle_bus.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
 
@@ -34,6 +34,10 @@ class CanVehicleBus final : public VehicleBus {
  private:
   [[nodiscard]] std::vector<Affliction> afflictions(bool of_earshot) const;
   void send(const n2k::Frame& frame);
+  /// All that Earshot has said since the last.
+  void receive(Frames& heard);
+  /// Until Earshot has an address again, as its first question on the bus says: whose addresses are there?
+  void wait_for_claim(Frames& heard);
   void trace(const n2k::Frame& frame, bool from_earshot);
 
   const Case& case_;
@@ -44,7 +48,8 @@ class CanVehicleBus final : public VehicleBus {
   BadBus to_vehicle_;
   host::CanSocket socket_;
   Time now_;
-  Frames arriving_;  ///< of this tick
+  Frames arriving_;       ///< of this tick
+  bool is_back_ = false;  ///< the interface: Earshot has to claim an address in this turn
   std::uint64_t sent_ = 0;
   std::uint64_t received_ = 0;
   std::deque<TracedFrame> trace_;

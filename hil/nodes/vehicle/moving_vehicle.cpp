@@ -18,7 +18,7 @@ MovingVehicle::MovingVehicle(const vehicle::State& start, const vehicle::Limits&
 
 void MovingVehicle::disturb(const Disturbance& disturbance) {
   disturbance_ = disturbance;
-  if (disturbance.battery_percent) battery_.percent = std::exchange(disturbance_.battery_percent, std::nullopt).value();
+  battery_.percent = disturbance.battery_percent.value_or(battery_.percent);
 }
 
 /// What the hull does, whatever its autopilot wants.

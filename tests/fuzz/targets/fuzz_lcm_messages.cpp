@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "earshot/hydrophone_block_t.hpp"
+#include "firmware/safety/check.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "firmware/wire/lcm/hydrophone_block.hpp"
@@ -58,7 +59,7 @@ void read_mission(Input& input) {
   mission_t message{};
   if (wire::decode(bytes_in(input, zeros), message) != Status::kOk) return;
   const config::Mission mission = wire::from_message(message);
-  if (config::check(mission) != Status::kOk) return;
+  if (config::check(mission) != Status::kOk || !safety::check(mission).is_none()) return;  // the fence is the latter's
   require(std::isfinite(mission.search_depth.value) && mission.search_depth <= mission.max_depth, "a mission dives too deep");
   require(wire::from_message(wire::to_message(mission, Time{})) == mission, "a mission is another after it was written");
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <vector>
 
 namespace earshot::hil {
 namespace {
@@ -34,6 +35,19 @@ TEST(Fault, ActsFromItsBeginningUntilBeforeItsEnd) {
 TEST(Fault, ActsToTheEndWithoutAnEnd) {
   const TimedFault fault{.fault = Fault::kLeak, .from = at_s(100)};
   EXPECT_TRUE(fault.acts_at(at_s(1'000'000)));
+}
+
+TEST(Fault, IsNewAtOneTickAlone) {
+  const auto ticks = [](const TimedFault& fault) {
+    std::vector<std::int64_t> found;
+    for (std::int64_t s = 0; s < 10; ++s) {
+      if (fault.is_new_at(at_s(s), Duration::seconds(1))) found.push_back(s);
+    }
+    return found;
+  };
+  EXPECT_EQ(ticks({.fault = Fault::kKill, .from = at_s(0)}), std::vector<std::int64_t>{0});
+  EXPECT_EQ(ticks({.fault = Fault::kKill, .from = at_s(5)}), std::vector<std::int64_t>{5});
+  EXPECT_EQ(ticks({.fault = Fault::kKill, .from = Time{5'500'000}}), std::vector<std::int64_t>{6}) << "it acts from then on";
 }
 
 TEST(Fault, HasAVectorClockwiseFromNorth) {

@@ -117,6 +117,15 @@ TEST_F(CheckRun, RefusesWhatAFlightWithTheSameOptionsWouldRefuse) {
   EXPECT_NE(said_.find("--hear: only with --simulation"), std::string::npos) << said_;
 }
 
+TEST_F(CheckRun, RefusesAnSnrFromTheBusAtSeaAndBesideItsOwnEar) {
+  const std::string mission = (kMissions / "search.toml").string();
+  EXPECT_EQ(check({mission, "--snr-from-bus"}), 2);
+  EXPECT_NE(said_.find("--snr-from-bus: only with --simulation, and not with --hear"), std::string::npos) << said_;
+  EXPECT_EQ(check({mission, "--simulation", "3", "--hear", "--snr-from-bus"}), 2);
+  EXPECT_NE(said_.find("--snr-from-bus: only with --simulation, and not with --hear"), std::string::npos) << said_;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
 TEST_F(CheckRun, RefusesAChartWithoutACheckAndACheckInSimulation) {
   EXPECT_EQ(check({(kMissions / "search.toml").string(), "--chart", (folder_ / "chart.svg").string()}), 2);
   EXPECT_NE(said_.find("--chart: only with --check"), std::string::npos) << said_;

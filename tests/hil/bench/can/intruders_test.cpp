@@ -1,4 +1,4 @@
-#include "hil/bench/intruders.hpp"
+#include "hil/bench/can/intruders.hpp"
 
 #include <gtest/gtest.h>
 
@@ -112,11 +112,14 @@ TEST_F(IntrudersTest, NavigateBesideTheVehicleAndWithIt) {
   Intruders intruders({{.fault = Fault::kSecondNavigation, .from = at_s(0), .amount = 500, .direction_deg = 90}}, vehicle_, plane_);
   (void)run(intruders, at_s(0), at_s(1));
   vehicle_.position.north = Meters{1000};
-  const Frames positions = of_group(n2k::kPositionPgn, run(intruders, at_s(1), at_s(2)));
+  vehicle_.heading = Radians{1.25};
+  const Frames said = run(intruders, at_s(1), at_s(2));
+  const Frames positions = of_group(n2k::kPositionPgn, said);
   ASSERT_EQ(positions.size(), 10U);
   // On the ellipsoid's meridian at the equator 1000 m are 0.0090437 degrees (radius 6335439 m); on the equator 500 m 0.0044916 (6378137 m).
   EXPECT_NEAR(n2k::read(n2k::kPositionPgn, "Latitude", positions.back().bytes()).value(), 0.0090437, 1e-7);
   EXPECT_NEAR(n2k::read(n2k::kPositionPgn, "Longitude", positions.back().bytes()).value(), 0.0044916, 1e-7);
+  EXPECT_NEAR(n2k::read(n2k::kCoursePgn, "COG", of_group(n2k::kCoursePgn, said).back().bytes()).value(), 1.25, 0.6e-4);
 }
 
 TEST_F(IntrudersTest, AreAnAutopilotThatTakesSetPointsToo) {

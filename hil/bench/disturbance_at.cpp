@@ -1,10 +1,10 @@
-#include "hil/bench/vehicle_faults.hpp"
+#include "hil/bench/disturbance_at.hpp"
 
 #include <numbers>
 
 namespace earshot::hil {
 
-Disturbance disturbance_of(const std::vector<TimedFault>& faults, Time now, Duration tick) {
+Disturbance disturbance_at(const std::vector<TimedFault>& faults, Time now, Duration tick) {
   Disturbance d;
   for (const TimedFault& fault : faults) {
     if (!fault.acts_at(now)) continue;
@@ -28,7 +28,7 @@ Disturbance disturbance_of(const std::vector<TimedFault>& faults, Time now, Dura
         d.current_mps = d.current_mps + fault.vector();
         break;
       case Fault::kBattery:
-        if (fault.begins_in(now, tick)) d.battery_percent = fault.amount;
+        if (fault.is_new_at(now, tick)) d.battery_percent = fault.amount;
         break;
       case Fault::kLeak:
         d.hull.wet = true;

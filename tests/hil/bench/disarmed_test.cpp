@@ -1,0 +1,64 @@
+#include "hil/bench/disarmed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace earshot::hil {
+namespace {
+
+using config::Condition;
+
+constexpr const char* kMission = R"(step_period_s = 1.0
+
+[limits]
+navigation_timeout_s = 5.0  # of a fix
+snr_timeout_s = 5.0
+
+[[rule]]
+when = "leak"
+for_s = 2.0
+then = "release"
+
+[[rule]]
+when = "battery_percent"
+below = 20.0
+then = "surface"
+
+[policy]
+file = "../policy/a.policy"
+public_key_file = "/keys/a.pub"
+)";
+
+TEST(Disarmed, LeavesOutTheRulesOfTheMissionAndNoOther) {
+  const std::string text = disarmed(kMission, {Condition::kLeak}, "/missions");
+  EXPECT_EQ(text.find("leak"), std::string::npos) << text;
+  EXPECT_EQ(text.find("release"), std::string::npos) << text;
+  EXPECT_NE(text.find("[[rule]]\nwhen = \"battery_percent\"\nbelow = 20.0\nthen = \"surface\"\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("snr_timeout_s = 5.0\n"), std::string::npos) << text;
+}
+
+TEST(Disarmed, PutsOffTheRulesOfEveryMissionByTheirLimit) {
+  const std::string text = disarmed(kMission, {Condition::kNavigationAge}, "/missions");
+  EXPECT_NE(text.find("navigation_timeout_s = 60.0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("snr_timeout_s = 5.0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"leak\""), std::string::npos) << text;
+}
+
+TEST(Disarmed, NamesFilesWithTheirWholePaths) {
+  const std::string text = disarmed(kMission, {}, "/missions/at_sea");
+  EXPECT_NE(text.find("file = \"/missions/policy/a.policy\"\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("public_key_file = \"/keys/a.pub\"\n"), std::string::npos) << text;
+}
+
+TEST(Disarmed, CannotDoWithoutWhatNoMissionCanPutOff) {
+  EXPECT_FALSE(can_be_disarmed(Condition::kNoProgress));
+  EXPECT_FALSE(can_be_disarmed(Condition::kNavigationJump));
+  EXPECT_TRUE(can_be_disarmed(Condition::kLeak));
+  EXPECT_TRUE(can_be_disarmed(Condition::kSnrAge));
+  EXPECT_TRUE(is_put_off(Condition::kSnrAge));
+  EXPECT_FALSE(is_put_off(Condition::kLeak));
+}
+
+}  // namespace
+}  // namespace earshot::hil
