@@ -104,7 +104,7 @@ class Flyer {
     ++number_;
     say_tick();
     if (!receive_answer()) return;
-    bus_->hear(now_);
+    bus_->hear(now_, [this] { return is_there(); });
     now_ = now_ + kTick;
   }
 
@@ -115,11 +115,15 @@ class Flyer {
         link::Answer answer;
         const link::Delivery delivery = link_.receive(answer, kLookUp);
         if (delivery == link::Delivery::kArrived && answer.number == number_) return take(answer);
-        earshotd_->poll();
-        if (delivery == link::Delivery::kLost || !earshotd_->running()) break;
+        if (!is_there() || delivery == link::Delivery::kLost) break;
       }
       if (!come_back()) return false;
     }
+  }
+
+  [[nodiscard]] bool is_there() {
+    earshotd_->poll();
+    return earshotd_->running();
   }
 
   /// No fix has to be waited for: what the devices said is in earshotd's socket before the tick is.
@@ -191,10 +195,7 @@ class Flyer {
 
   // What is kept.
 
-  void note_place() {
-    if (now_.us % 1'000'000 != 0) return;
-    flight_.track.push_back({.time = now_, .position = bus_->state().position, .depth = bus_->state().depth});
-  }
+  void note_place() { flight_.track.push_back({.time = now_, .position = bus_->state().position, .depth = bus_->state().depth}); }
 
   void fail(std::string why) {
     if (flight_.failure.empty()) flight_.failure = std::move(why);
@@ -213,10 +214,8 @@ class Flyer {
   }
 
   void wait_for_end() {
-    for (const auto deadline = steady_clock::now() + kPatience; earshotd_->running() && steady_clock::now() < deadline;) {
-      earshotd_->poll();
+    for (const auto deadline = steady_clock::now() + kPatience; is_there() && steady_clock::now() < deadline;)
       std::this_thread::sleep_for(milliseconds(2));
-    }
     if (earshotd_->running()) {
       fail("earshotd did not end");
       earshotd_->signal(SIGKILL);

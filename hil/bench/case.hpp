@@ -47,6 +47,9 @@ struct Case {
 /// Those of a folder, by name. @throws as load_case()
 [[nodiscard]] std::vector<Case> load_cases(const std::filesystem::path& folder);
 
+/// The key of a rule in files: "leak".
+[[nodiscard]] std::string key_of(config::Condition rule);
+
 /// The words for reasons of an end in files, in the order of messages::EndReason; that of kNone is "under_way".
 [[nodiscard]] std::vector<std::string> end_words();
 

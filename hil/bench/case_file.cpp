@@ -12,10 +12,9 @@
 namespace earshot::hil {
 namespace {
 
+using host::PortKind;
 using host::Range;
 using host::TableReader;
-
-constexpr std::string_view kEarshot = "earshot";
 
 template <class Traits>
 std::vector<std::string> words_of(const Traits& all, std::string_view Traits::value_type::*word) {
@@ -23,8 +22,6 @@ std::vector<std::string> words_of(const Traits& all, std::string_view Traits::va
   for (const auto& traits : all) words.emplace_back(traits.*word);
   return words;
 }
-
-using host::PortKind;
 
 constexpr std::string_view kDefaultMission = "../missions/search_over_can.toml";
 
@@ -44,7 +41,7 @@ bool is_on(FaultBus fault, PortKind bus) {
 std::vector<std::string> senders(PortKind bus) {
   if (bus == PortKind::kLcm) return {std::begin(kLcmSenders), std::end(kLcmSenders)};
   std::vector<std::string> names(std::begin(kDeviceNames), std::end(kDeviceNames));
-  names.emplace_back(kEarshot);
+  names.emplace_back(kEarshotsFrames);
   return names;
 }
 
@@ -95,6 +92,10 @@ Expectation read_expectation(TableReader table) {
 }
 
 }  // namespace
+
+std::string key_of(config::Condition rule) {
+  return std::string(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key);
+}
 
 std::vector<std::string> end_words() {
   return {"under_way",           "found",        "steps_used_up", "operator_abort", "navigation_stale", "snr_stale",

@@ -4,6 +4,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "hil/bench/case.hpp"
+
 namespace earshot::hil {
 namespace {
 
@@ -21,10 +23,6 @@ constexpr Limit kLimits[]{{Condition::kNavigationAge, "navigation_timeout_s", "6
                           {Condition::kNavigationFrozen, "navigation_timeout_s", "60.0"},
                           {Condition::kSnrAge, "snr_timeout_s", "60.0"},
                           {Condition::kDepth, "max_depth_m", "1000.0"}};
-
-std::string key_of(Condition rule) {
-  return std::string(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key);
-}
 
 /// A line of `key = value # comment`, with another value.
 std::string with_value(const std::string& line, std::string_view key, std::string_view value) {

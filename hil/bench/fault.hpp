@@ -118,6 +118,9 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"full_disk", "bytes", 10'000.0, 1e12},
 }};
 
+/// Who sends Earshot's own frames, or messages, among the names of the devices.
+inline constexpr std::string_view kEarshotsFrames = "earshot";
+
 /// A fault, when, and how much.
 struct TimedFault {
   Fault fault = Fault::kLoss;
@@ -126,7 +129,7 @@ struct TimedFault {
   double amount = 0.0;                              ///< FaultTraits::amount
   double direction_deg = 0.0;                       ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
   double share = 1.0;                               ///< of the frames
-  std::string device = {};                          ///< whose frames (kDeviceNames), or "earshot"; empty: everybody's
+  std::string device = {};                          ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders); empty: everybody's
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
 
   [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }

@@ -66,8 +66,7 @@ void write_fault(std::ostream& out, const TimedFault& fault) {
 void write_expectation(std::ostream& out, const Expectation& expected) {
   out << "\n[expect]\nend = \"" << end_words().at(static_cast<std::size_t>(expected.end)) << "\"\n";
   std::string rules;
-  for (const config::Condition rule : expected.rules)
-    rules += (rules.empty() ? "\"" : ", \"") + std::string(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key) + "\"";
+  for (const config::Condition rule : expected.rules) rules += (rules.empty() ? "\"" : ", \"") + key_of(rule) + "\"";
   if (!rules.empty()) out << "rules = [" << rules << "]\n";
   if (!expected.only_these) out << "others_may_fire = true\n";
   if (expected.refuses_navigation) out << "refuses_navigation = true\n";

@@ -39,7 +39,7 @@ json polygon_of(const config::Mission& mission) {
 }
 
 json event_of(const messages::SafetyEvent& event) {
-  return {{"time_s", seconds(event.time)}, {"rule", config::kConditionTraits.at(static_cast<std::size_t>(event.condition)).key},
+  return {{"time_s", seconds(event.time)}, {"rule", key_of(event.condition)},
           {"begins", event.begins},        {"response", config::kResponseWords.at(static_cast<std::size_t>(event.response))},
           {"measure", event.measure},      {"limit", event.limit}};
 }
@@ -108,8 +108,7 @@ void Results::add(const Case& c, const config::Mission& mission, const BenchFlig
                       {"from_s", seconds(fault.from)},
                       {"until_s", fault.until ? json(seconds(*fault.until)) : json(nullptr)}});
   json expected_rules = json::array();
-  for (const config::Condition rule : c.expected.rules)
-    expected_rules.push_back(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key);
+  for (const config::Condition rule : c.expected.rules) expected_rules.push_back(key_of(rule));
   json events = json::array();
   for (const messages::SafetyEvent& event : journal.events) events.push_back(event_of(event));
   json track = json::array();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -40,8 +41,8 @@ class VehicleBus {
   virtual void say(Time now) = 0;
   /// The same once more, for an earshotd that was away. @throws BusTrouble
   virtual void say_again() = 0;
-  /// What Earshot said in its turn at `now` reaches the vehicle. @throws BusTrouble
-  virtual void hear(Time now) = 0;
+  /// What Earshot said in its turn at `now` reaches the vehicle. @param is_there  whether earshotd still runs   @throws BusTrouble
+  virtual void hear(Time now, const std::function<bool()>& is_there) = 0;
   /// The computer's interface is taken down, or comes back, and earshotd has had the time to notice.
   virtual void switch_interface(bool is_up) = 0;
 

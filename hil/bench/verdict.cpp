@@ -33,10 +33,6 @@ std::string at(Time time) {
   return text.str();
 }
 
-std::string key_of(config::Condition condition) {
-  return std::string(config::kConditionTraits.at(static_cast<std::size_t>(condition)).key);
-}
-
 MetersPerSecond fastest(const config::Mission& mission) {
   return std::max({mission.search_speed, mission.safety.vehicle.hold_speed, mission.safety.vehicle.ascent_speed});
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <ostream>
 
+#include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/talk.hpp"
@@ -62,8 +63,8 @@ void check_output(const Options& options) {
 }
 
 host::SecretKey new_key(const Options& options) {
-  const host::SecretKey key =
-      host::make_key_pair(options.key, options.force ? host::LonePublicHalf::kReplaced : host::LonePublicHalf::kStays);
+  const auto lone = options.force ? host::LonePublicHalf::kReplaced : host::LonePublicHalf::kStays;
+  const host::SecretKey key = host::make_key_pair(options.key, lone, "--force replaces it");
   program::say() << options.key << " (secret: keep it), " << host::public_file_of(options.key).string() << "\n";
   return key;
 }

@@ -108,9 +108,9 @@ runtime::Outputs MissionTurn::operator()() {
   is_called_ = false;
   if (is_part_asked_for_ != nullptr && is_part_asked_for_->exchange(false)) journal_.begin_part();
   outputs_ = runtime_.step(turn);
-  record(turn, outputs_);
+  const bool is_new_state = record(turn, outputs_);
   memory_.note(turn, outputs_);
-  write_ahead_of(outputs_);
+  write_ahead_of(outputs_, is_new_state);
   ports_.note_speed(is_finite(memory_.speed.value) ? memory_.speed : memory_.commanded_speed);
   ports_.publish(turn, outputs_);
   if (manager_ != nullptr) manager_->note_turn(outputs_.health);
@@ -126,12 +126,12 @@ runtime::Outputs MissionTurn::say_again() {
   return outputs_;
 }
 
-void MissionTurn::write_ahead_of(const runtime::Outputs& outputs) {
+void MissionTurn::write_ahead_of(const runtime::Outputs& outputs, bool is_new_state) {
   const bool has_obeyed = std::ranges::any_of(outputs.acknowledgements, [](const messages::CommandAcknowledgement& acknowledgement) {
     return acknowledgement.outcome == messages::CommandOutcome::kObeyed;
   });
   using Reach = host::Journal::Reach;
-  const bool is_weighty = has_obeyed || (is_ahead_always_ && (is_new_state_ || !outputs.safety_events.empty()));
+  const bool is_weighty = has_obeyed || (is_ahead_always_ && (is_new_state || !outputs.safety_events.empty()));
   if (is_weighty || is_ahead_always_) (void)journal_.flush(patience_, is_weighty ? Reach::kDisk : Reach::kFile);
 }
 
@@ -143,10 +143,11 @@ void MissionTurn::report_journal(Time now) {
   take(kOwnPort, messages::PortReport{.port = kOwnPort, .link_up = is_fine, .lost = counters.all_lost(), .unsent = counters.write_errors});
 }
 
-void MissionTurn::record(Time now, const runtime::Outputs& outputs) {
-  is_new_state_ = memory_.recorded_state != outputs.health.state;
-  for_each_record(now, outputs, is_new_state_,
+bool MissionTurn::record(Time now, const runtime::Outputs& outputs) {
+  const bool is_new_state = memory_.recorded_state != outputs.health.state;
+  for_each_record(now, outputs, is_new_state,
                   [&](std::string_view channel, const auto& message, Weight weight) { append(journal_, now, channel, message, weight); });
+  return is_new_state;
 }
 
 }  // namespace earshot::board

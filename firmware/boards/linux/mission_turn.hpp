@@ -82,10 +82,11 @@ class MissionTurn final : public InputSink {
  private:
   /// The mission clock's time; it never goes back, though a clock were read by several.
   [[nodiscard]] Time now();
-  void record(Time now, const runtime::Outputs& outputs);
+  /// @return whether the mission is in another state than its journal said last
+  bool record(Time now, const runtime::Outputs& outputs);
   /// The journal's trouble is an input like a port's: it stands in the health, and a replay gives it again.
   void report_journal(Time now);
-  void write_ahead_of(const runtime::Outputs& outputs);
+  void write_ahead_of(const runtime::Outputs& outputs, bool is_new_state);
 
   runtime::Runtime& runtime_;
   PortSet& ports_;
@@ -96,7 +97,6 @@ class MissionTurn final : public InputSink {
   runtime::Outputs outputs_;  ///< of the last turn
   bool is_called_ = false;
   bool is_ahead_always_ = false;
-  bool is_new_state_ = false;  ///< of this turn's outputs
   std::chrono::milliseconds patience_{100};
   std::atomic<bool>* is_part_asked_for_ = nullptr;
   ServiceManager* manager_ = nullptr;

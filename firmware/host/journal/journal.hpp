@@ -13,6 +13,7 @@
 #include "firmware/core/time.hpp"
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/journal/journal_file.hpp"
+#include "firmware/host/journal/journal_format.hpp"
 #include "firmware/host/journal/record_ring.hpp"
 #include "firmware/wire/journal/closing_record.hpp"
 
@@ -33,7 +34,7 @@ struct JournalOptions {
   JournalLimits limits = {};
 };
 
-inline constexpr OutputKind kJournalOutput{"a journal", {"\xED\xA1\xDA\x01", {}}};  ///< how a journal begins
+inline constexpr OutputKind kJournalOutput{"a journal", {kRecordSyncBytes, {}}};  ///< how a journal begins
 
 /// Counters of a journal; they only grow.
 struct JournalCounters {

@@ -13,8 +13,9 @@ namespace earshot::host {
 // The bytes of a journal record (journal.hpp), shared by writer and reader.
 
 inline constexpr std::uint32_t kRecordSync = 0xEDA1DA01;
-inline constexpr std::size_t kRecordHeaderSize = 28;  ///< sync, checksum, number, time, channel length, data length
-inline constexpr std::size_t kCheckedFrom = 8;        ///< the checksum covers the record from here to its end
+inline constexpr std::string_view kRecordSyncBytes = "\xED\xA1\xDA\x01";  ///< as it stands in a file
+inline constexpr std::size_t kRecordHeaderSize = 28;                      ///< sync, checksum, number, time, channel length, data length
+inline constexpr std::size_t kCheckedFrom = 8;                            ///< the checksum covers the record from here to its end
 
 inline void store(std::span<std::uint8_t> bytes, std::uint64_t value) {
   for (std::size_t i = bytes.size(); i-- > 0; value >>= 8U) bytes[i] = static_cast<std::uint8_t>(value);

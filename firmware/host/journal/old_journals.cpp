@@ -13,12 +13,12 @@
 #include <utility>
 
 #include "firmware/host/file/file_descriptor.hpp"
+#include "firmware/host/journal/journal_format.hpp"
 #include "firmware/host/journal/journal_name.hpp"
 
 namespace earshot::host {
 namespace {
 
-constexpr std::string_view kJournalMagic = "\xED\xA1\xDA\x01";  // kRecordSync
 constexpr std::string_view kPolicyMagic = "EARSHOTP";
 constexpr std::string_view kNeverWritten("\0\0\0\0", 4);
 
@@ -42,10 +42,10 @@ OldJournals::OldJournals(const std::filesystem::path& wanted, int own) {
   for (const JournalName& name : names) {
     if (name.journal == own) continue;
     const std::filesystem::path path = named(wanted, name);
-    const std::optional<std::uint64_t> size = size_of(path, kJournalMagic);
+    const std::optional<std::uint64_t> size = size_of(path, kRecordSyncBytes);
     if (!size) continue;
     if (journals_.empty() || journals_.back().number != name.journal) journals_.push_back({.number = name.journal});
-    journals_.back().files.push_back({.path = path, .bytes = *size, .magic = kJournalMagic});
+    journals_.back().files.push_back({.path = path, .bytes = *size, .magic = kRecordSyncBytes});
     bytes_ += *size;
   }
   for (Old& old : journals_) {
@@ -75,7 +75,7 @@ bool OldJournals::remove(const Old& old) {
   for (auto file = old.files.rbegin(); file != old.files.rend(); ++file) {
     if (size_of(file->path, file->magic)) {
       if (::unlink(file->path.c_str()) != 0) break;
-      is_deleted = is_deleted || file->magic == kJournalMagic;
+      is_deleted = is_deleted || file->magic == kRecordSyncBytes;
     }
     freed += file->bytes;
   }
@@ -93,14 +93,14 @@ void delete_later_parts(const std::filesystem::path& first) {
   std::vector<std::filesystem::path> parts;
   for (const JournalName& name : names) {
     const std::filesystem::path part = part_of(first, name.part);
-    if (name.journal == 1 && name.part > 1 && size_of(part, kJournalMagic)) parts.push_back(part);
+    if (name.journal == 1 && name.part > 1 && size_of(part, kRecordSyncBytes)) parts.push_back(part);
   }
   delete_parts(parts);
 }
 
 void delete_parts(std::span<const std::filesystem::path> parts) {
   for (auto part = parts.rbegin(); part != parts.rend(); ++part) {  // whoever stops in between leaves no gap
-    if (size_of(*part, kJournalMagic) || size_of(*part, kNeverWritten)) (void)::unlink(part->c_str());
+    if (size_of(*part, kRecordSyncBytes) || size_of(*part, kNeverWritten)) (void)::unlink(part->c_str());
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/trust/keys.hpp"
@@ -15,9 +16,11 @@ enum class LonePublicHalf : std::uint8_t { kStays, kReplaced };
 
 /// A new pair, the secret half for its owner alone. Both halves or none: they are written before either has its name. A secret half that is
 /// there stays, whatever is said: of two programs that make one pair, one does.
+/// @param way_out  what a person may do about a lone public half that stays
 /// @throws BadInput naming the file
 /// Oracle: KeyPair.*
-[[nodiscard]] SecretKey make_key_pair(const std::filesystem::path& secret_file, LonePublicHalf lone);
+[[nodiscard]] SecretKey make_key_pair(const std::filesystem::path& secret_file, LonePublicHalf lone,
+                                      const std::string& way_out = "move it away, or name another key");
 
 /// What is signed with one key and shipped with another's public half would be refused at sea.
 /// @throws BadInput when the .pub beside the secret half is another's, or is not there

@@ -107,27 +107,32 @@ int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::
   return results.passed() == cases.size() ? program::kDone : program::kIncomplete;
 }
 
+/// Whether the case passes, and fails without the rules that must fire in it. A rule that is only put off may fire later: it is waited for
+/// no longer than it is put off by, behind where the case ends with it.
+bool fails_without_its_rules(hil::Case c, const hil::Bench& setup, const fs::path& folder) {
+  const Flown armed = flown(c, setup, folder);
+  if (!armed.flight.failure.empty() || !hil::unmet_expectations(c, armed.flight, armed.journal).empty()) return false;
+  const std::string text = host::read_text(c.mission, host::kTomlFile);
+  host::write_whole(folder / "mission.toml", hil::disarmed(text, c.expected.rules, c.mission.parent_path()));
+  c.mission = folder / "mission.toml";
+  if (std::ranges::any_of(c.expected.rules, hil::is_put_off)) c.at_most = armed.flight.last - Time{} + hil::kPutOff;
+  const Flown without = flown(c, setup, folder);
+  return without.flight.failure.empty() && !hil::unmet_expectations(c, without.flight, without.journal).empty();
+}
+
 /// Each case without the rules that must fire in it: who still passes does not test them.
 int fly_disarmed(const Options& o, const std::vector<hil::Case>& cases, const hil::Bench& setup) {
   std::size_t flown_count = 0;
   std::size_t blind = 0;
-  for (hil::Case c : cases) {
+  for (const hil::Case& c : cases) {
     if (program::stop_requested) break;
     if (std::ranges::none_of(c.expected.rules, hil::can_be_disarmed)) continue;
-    const fs::path folder = o.out / "disarmed" / c.name;
-    fs::create_directories(folder);
-    const std::string text = host::read_text(c.mission, host::kTomlFile);
-    host::write_whole(folder / "mission.toml", hil::disarmed(text, c.expected.rules, c.mission.parent_path()));
-    c.mission = folder / "mission.toml";
-    if (std::ranges::any_of(c.expected.rules, hil::is_put_off))
-      c.at_most = std::ranges::max(c.faults, {}, &hil::TimedFault::from).from + hil::kPutOff - Time{};
-    const Flown f = flown(c, setup, folder);
-    const bool is_red = !hil::unmet_expectations(c, f.flight, f.journal).empty();
+    const bool is_red = fails_without_its_rules(c, setup, o.out / "disarmed" / c.name);
     program::say() << (is_red ? "fails as it must " : "BLIND ") << c.name << "\n" << std::flush;
     ++flown_count;
     if (!is_red) ++blind;
   }
-  program::say() << flown_count << " cases without their rules, " << blind << " of them passed all the same\n";
+  program::say() << flown_count << " cases without their rules, " << blind << " of them do not test them\n";
   if (program::stop_requested) return program::kStopped;
   return blind == 0 ? program::kDone : program::kIncomplete;
 }

@@ -57,10 +57,10 @@ void CanVehicleBus::say_again() {
   for (const n2k::Frame& frame : arriving_) send(frame);
 }
 
-void CanVehicleBus::hear(Time now) {
+void CanVehicleBus::hear(Time now, const std::function<bool()>& is_there) {
   Frames heard;
   const auto steals = [now](const TimedFault& fault) { return fault.fault == Fault::kAddressThief && fault.is_new_at(now, kTick); };
-  if (std::exchange(is_back_, false) || std::ranges::any_of(case_.faults, steals)) wait_for_claim(heard);
+  if (std::exchange(is_back_, false) || std::ranges::any_of(case_.faults, steals)) wait_for_claim(is_there, heard);
   receive(heard);
   for (const n2k::Frame& frame : to_vehicle_.pass(heard, afflictions(true), now)) {
     vehicle_.accept(frame, now);
@@ -88,10 +88,13 @@ std::vector<Affliction> CanVehicleBus::afflictions(bool of_earshot) const {
   std::vector<Affliction> found;
   for (const TimedFault& fault : case_.faults) {
     const auto index = static_cast<std::size_t>(fault.fault);
-    const bool names_earshot = fault.device == "earshot";
-    if (!fault.acts_at(now_) || index >= kFrameFaults || (!fault.device.empty() && names_earshot != of_earshot)) continue;
-    const std::optional<std::uint8_t> source = fault.device.empty() || names_earshot ? std::nullopt : vehicle_.address_of(fault.device);
-    if (!fault.device.empty() && !names_earshot && !source) continue;
+    if (index >= kFrameFaults || !fault.acts_at(now_)) continue;
+    std::optional<std::uint8_t> source;
+    if (!fault.device.empty()) {
+      if ((fault.device == kEarshotsFrames) != of_earshot) continue;
+      if (!of_earshot) source = vehicle_.address_of(fault.device);
+      if (!of_earshot && !source) continue;  // who has no address says nothing
+    }
     found.push_back({.fault = static_cast<FrameFault>(index),
                      .frames = {.source = source, .pgn = fault.pgn, .share = fault.share},
                      .seconds = Duration{static_cast<std::int64_t>(fault.amount * 1e6)}});
@@ -118,13 +121,13 @@ void CanVehicleBus::receive(Frames& heard) {
   }
 }
 
-void CanVehicleBus::wait_for_claim(Frames& heard) {
+void CanVehicleBus::wait_for_claim(const std::function<bool()>& is_there, Frames& heard) {
   const auto is_question = [](const n2k::Frame& frame) { return n2k::parse_identifier(frame.identifier).value().pgn == n2k::kRequestPgn; };
   for (const auto deadline = steady_clock::now() + kToClaim; steady_clock::now() < deadline;
        std::this_thread::sleep_for(std::chrono::milliseconds(5))) {
     const auto before = static_cast<std::ptrdiff_t>(heard.size());
     receive(heard);
-    if (std::any_of(heard.begin() + before, heard.end(), is_question)) return;
+    if (!is_there() || std::any_of(heard.begin() + before, heard.end(), is_question)) return;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ class CanVehicleBus final : public VehicleBus {
   void disturb(const Disturbance& disturbance) override { vehicle_.disturb(disturbance); }
   void say(Time now) override;
   void say_again() override;
-  void hear(Time now) override;
+  void hear(Time now, const std::function<bool()>& is_there) override;
   void switch_interface(bool is_up) override;
   void report(BenchFlight& flight) override;
 
@@ -36,8 +37,8 @@ class CanVehicleBus final : public VehicleBus {
   void send(const n2k::Frame& frame);
   /// All that Earshot has said since the last.
   void receive(Frames& heard);
-  /// Until Earshot has an address again, as its first question on the bus says: whose addresses are there?
-  void wait_for_claim(Frames& heard);
+  /// Until Earshot has an address again, as its first question on the bus says: whose addresses are there? Or until earshotd is gone.
+  void wait_for_claim(const std::function<bool()>& is_there, Frames& heard);
   void trace(const n2k::Frame& frame, bool from_earshot);
 
   const Case& case_;

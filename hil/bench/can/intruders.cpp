@@ -1,5 +1,6 @@
 #include "hil/bench/can/intruders.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "firmware/wire/n2k/identifier.hpp"
@@ -71,7 +72,7 @@ void Intruders::accept(const n2k::Frame& frame, Time now) {
 }
 
 void Intruders::step(Time now, Frames& frames) {
-  passed_s_ = (now - std::exchange(last_, now).value_or(now)).to_seconds();
+  const double passed_s = (now - std::exchange(last_, now).value_or(now)).to_seconds();
   for (Intruder& intruder : intruders_) {
     if (!intruder.fault.acts_at(now)) continue;
     if (intruder.believed) {
@@ -79,14 +80,14 @@ void Intruders::step(Time now, Frames& frames) {
       intruder.believed->position = vehicle_.position + intruder.fault.vector();
     }
     if (intruder.device) intruder.device->step(now, frames);
-    if (intruder.fault.fault == Fault::kFlood) flood(intruder.fault, frames);
+    if (intruder.fault.fault == Fault::kFlood) flood(intruder.fault.amount * passed_s, frames);
     if (intruder.fault.fault == Fault::kStrangersOrder && intruder.pace.is_due(now)) give_old_order(now, frames);
   }
 }
 
 /// Frames that win every arbitration and bear a group that nobody has.
-void Intruders::flood(const TimedFault& fault, Frames& frames) {
-  owed_frames_ += fault.amount * passed_s_;
+void Intruders::flood(double new_frames, Frames& frames) {
+  owed_frames_ += new_frames;
   for (; owed_frames_ >= 1.0; owed_frames_ -= 1.0) {
     n2k::Frame frame{.identifier = 0};
     for (unsigned i = 0; i < 4; ++i) frame.data.at(i) = static_cast<std::uint8_t>(flooded_ >> (8U * i));
@@ -96,7 +97,7 @@ void Intruders::flood(const TimedFault& fault, Frames& frames) {
 }
 
 void Intruders::give_old_order(Time now, Frames& frames) {
-  const Time long_ago = now > Time{} + Duration::seconds(20) ? Time{(now - (Time{} + Duration::seconds(20))).us} : Time{};
+  const Time long_ago = std::max(Time{}, Time{now.us - Duration::seconds(20).us});
   n2k::FastPacketFrames packet;
   const messages::OperatorCommand order{.time = long_ago,
                                         .expiry = long_ago + Duration::seconds(1),

@@ -30,14 +30,13 @@ class Intruders {
     std::unique_ptr<Device> device = nullptr;            ///< null: it has no place in the network
     Pace pace{Duration::seconds(1)};
   };
-  void flood(const TimedFault& fault, Frames& frames);
+  void flood(double new_frames, Frames& frames);
   void give_old_order(Time now, Frames& frames);
 
   const vehicle::State& vehicle_;
   std::vector<Intruder> intruders_;
   std::optional<Time> last_;
   double owed_frames_ = 0.0;
-  double passed_s_ = 0.0;
   std::uint32_t flooded_ = 0;
   std::uint8_t orders_ = 0;
 };

@@ -63,7 +63,7 @@ std::string_view sender_on(std::string_view channel) {
   if (channel == wire::kAutopilotStatusChannel) return "autopilot";
   for (const std::string_view own :
        {wire::kSetpointChannel, wire::kDecisionChannel, wire::kHealthChannel, wire::kAcknowledgementChannel, wire::kSafetyEventChannel}) {
-    if (channel == own) return "earshot";
+    if (channel == own) return kEarshotsFrames;
   }
   return "";
 }

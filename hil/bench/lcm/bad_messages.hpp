@@ -7,6 +7,7 @@
 #include "firmware/core/random.hpp"
 #include "firmware/core/time.hpp"
 #include "hil/bench/bad_bus.hpp"
+#include "hil/bench/fault.hpp"
 #include "hil/nodes/lcm/message.hpp"
 
 namespace earshot::hil {
@@ -17,7 +18,7 @@ using Datagram = std::vector<std::uint8_t>;
 /// Whose messages those of a channel are, as a case names them; "" of channels that nobody on the vehicle has.
 [[nodiscard]] std::string_view sender_on(std::string_view channel);
 /// Those that a case may name.
-inline constexpr std::string_view kLcmSenders[]{"autopilot", "navigation", "hydrophone", "vehicle-status", "earshot"};
+inline constexpr std::string_view kLcmSenders[]{"autopilot", "navigation", "hydrophone", "vehicle-status", kEarshotsFrames};
 
 /// One fault of an LCM bus, as long as it lasts.
 struct MessageAffliction {

@@ -63,7 +63,7 @@ void LcmVehicleBus::say_again() {
   }
 }
 
-void LcmVehicleBus::hear(Time now) {
+void LcmVehicleBus::hear(Time now, const std::function<bool()>& /*is_there*/) {
   LcmMessages heard;
   do {
     std::optional<LcmMessage> message = network_.receive(kPatience_ms);
@@ -89,7 +89,8 @@ std::vector<MessageAffliction> LcmVehicleBus::afflictions(bool of_earshot) const
   std::vector<MessageAffliction> found;
   for (const TimedFault& fault : case_.faults) {
     const auto index = static_cast<std::size_t>(fault.fault);
-    if (!fault.acts_at(now_) || index >= kFrameFaults || (!fault.device.empty() && (fault.device == "earshot") != of_earshot)) continue;
+    if (index >= kFrameFaults || !fault.acts_at(now_)) continue;
+    if (!fault.device.empty() && (fault.device == kEarshotsFrames) != of_earshot) continue;
     found.push_back({.fault = static_cast<FrameFault>(index),
                      .sender = fault.device,
                      .share = fault.share,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ class LcmVehicleBus final : public VehicleBus {
   void disturb(const Disturbance& disturbance) override { vehicle_.disturb(disturbance); }
   void say(Time now) override;
   void say_again() override;
-  void hear(Time now) override;
+  void hear(Time now, const std::function<bool()>& is_there) override;
   /// Of CAN only: without the loopback interface nobody would hear the simulator's clock.
   void switch_interface(bool /*is_up*/) override {}
   void report(BenchFlight& flight) override;

@@ -36,21 +36,21 @@ operator_command_t order(std::int8_t command, std::int64_t given, std::int64_t e
 }  // namespace
 
 void MessageIntruders::step(Time now, LcmMessages& said) {
-  passed_s_ = (now - std::exchange(last_, now).value_or(now)).to_seconds();
+  const double passed_s = (now - std::exchange(last_, now).value_or(now)).to_seconds();
   for (const TimedFault& fault : faults_) {
-    if (fault.acts_at(now)) say(fault, now, said);
+    if (fault.acts_at(now)) say(fault, now, passed_s, said);
   }
 }
 
-void MessageIntruders::say(const TimedFault& fault, Time now, LcmMessages& said) {
+void MessageIntruders::say(const TimedFault& fault, Time now, double passed_s, LcmMessages& said) {
   constexpr std::int64_t kLongAgo_us = 20'000'000;
   switch (fault.fault) {
     case Fault::kFlood:
-      for (std::uint64_t left = due(fault); left > 0; --left)
+      for (std::uint64_t left = due(fault.amount * passed_s); left > 0; --left)
         said.push_back({.channel = std::string(kStrangeChannel), .data = std::vector<std::uint8_t>(64, 0x55)});
       break;
     case Fault::kNavigationFlood:
-      for (std::uint64_t left = due(fault); left > 0; --left) {
+      for (std::uint64_t left = due(fault.amount * passed_s); left > 0; --left) {
         nav_state_t nonsense{};
         nonsense.utime = now.us;
         for (double* const number : {&nonsense.north_m, &nonsense.east_m, &nonsense.depth_m, &nonsense.heading_rad, &nonsense.speed_mps})
@@ -79,8 +79,8 @@ void MessageIntruders::say(const TimedFault& fault, Time now, LcmMessages& said)
   }
 }
 
-std::uint64_t MessageIntruders::due(const TimedFault& fault) {
-  owed_ += fault.amount * passed_s_;
+std::uint64_t MessageIntruders::due(double new_messages) {
+  owed_ += new_messages;
   const auto whole = static_cast<std::uint64_t>(owed_);
   owed_ -= static_cast<double>(whole);
   return whole;

@@ -24,14 +24,15 @@ class MessageIntruders {
 
  private:
   static constexpr std::uint64_t kStream = 7;
-  void say(const TimedFault& fault, Time now, LcmMessages& said);
-  [[nodiscard]] std::uint64_t due(const TimedFault& fault);
+  /// @param passed_s  since the last step
+  void say(const TimedFault& fault, Time now, double passed_s, LcmMessages& said);
+  /// Whole messages of a flood that are due. @param new_messages  since the last step
+  [[nodiscard]] std::uint64_t due(double new_messages);
 
   const std::vector<TimedFault>& faults_;
   const vehicle::State& vehicle_;
   Pcg32 random_;
   std::optional<Time> last_;
-  double passed_s_ = 0.0;
   double owed_ = 0.0;  ///< messages of a flood
   std::int32_t orders_ = 0;
 };

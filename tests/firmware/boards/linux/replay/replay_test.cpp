@@ -195,7 +195,10 @@ TEST_F(Replay, FindsRecordsThatAreMissingAtTheEndByTheNumberOfTheClosingRecord) 
 }
 
 TEST_F(Replay, TellsOfBytesAndOfAnotherFlightBehindTheRecordThatEndsTheJournal) {
-  fly_random_mission(1, path_, 30, wire::ClosingRecord{.time = Time{7}, .steps_taken = 5});
+  Vessel vessel(walking_mission(1), path_);
+  vessel.live_through(RandomScript(1).turns(30));
+  const wire::ClosingRecord said = vessel.standing();
+  vessel.end(said);
   std::ifstream file(path_, std::ios::binary);
   const std::vector<std::uint8_t> alone{std::istreambuf_iterator<char>(file), {}};
   std::size_t records = 0;
@@ -208,7 +211,7 @@ TEST_F(Replay, TellsOfBytesAndOfAnotherFlightBehindTheRecordThatEndsTheJournal) 
   const ReplayResult result = replay(path_);
   EXPECT_TRUE(result.is_same());
   ASSERT_TRUE(result.closing);
-  EXPECT_EQ(result.closing->steps_taken, 5U);
+  EXPECT_EQ(*result.closing, said);
   EXPECT_EQ(result.records_behind_end, records - 1);
   EXPECT_EQ(result.end, host::JournalReader::End::kCorrupt);
   ASSERT_EQ(result.damages.size(), 1U);
