@@ -25,6 +25,8 @@ using std::chrono::steady_clock;
 
 constexpr milliseconds kLookUp{50};
 constexpr milliseconds kPatience{20'000};  ///< for an answer, on a busy machine
+/// earshotd looks ten times a second whether it is to stop.
+constexpr milliseconds kToNotice{200};
 
 std::unique_ptr<VehicleBus> open_bus(const Case& c, const Bench& bench, const host::MissionFile& mission, const link::RunSlot& slot) {
   if (c.bus == host::PortKind::kLcm) return std::make_unique<LcmVehicleBus>(c, bench, mission, slot.lcm_url());
@@ -65,7 +67,6 @@ class Flyer {
     }
     fly_on();
     end();
-    flight_.last = now_;
     flight_.wall_s = std::chrono::duration<double>(steady_clock::now() - began).count();
     bus_->report(flight_);
     return std::move(flight_);
@@ -91,6 +92,7 @@ class Flyer {
   void fly_on() {
     try {
       while (flight_.failure.empty() && !is_over_ && now_ - Time{} < case_.at_most && !bench_.stop) tick();
+      if (flight_.failure.empty() && !is_over_) let_stop();
     } catch (const BusTrouble& e) {
       fail(e.what());
     }
@@ -106,6 +108,22 @@ class Flyer {
     if (!receive_answer()) return;
     bus_->hear(now_, [this] { return is_there(); });
     now_ = now_ + kTick;
+    flight_.last = now_;
+  }
+
+  /// One that is under way when its time is up says in its next turn that it was told to stop. It is no part of the flight: without it
+  /// earshotd would wait for it for as long as it does at sea.
+  void let_stop() {
+    earshotd_->stop();
+    std::this_thread::sleep_for(kToNotice);
+    for (const auto deadline = steady_clock::now() + kPatience; is_there() && steady_clock::now() < deadline;) {
+      bus_->say(now_);
+      ++number_;
+      say_tick();
+      link::Answer answer;
+      (void)link_.receive(answer, kPatience);
+      now_ = now_ + kTick;
+    }
   }
 
   [[nodiscard]] bool receive_answer() {

@@ -14,8 +14,13 @@ void say(std::string_view channel, const Value& value, LcmMessages& said) {
   said.push_back({.channel = std::string(channel), .data = {encoded.bytes().begin(), encoded.bytes().end()}});
 }
 
+/// What no vehicle does. A message over LCM has no checksum of its own: a bit of its exponent makes 2 m/s a speed beyond all measure.
+constexpr MetersPerSecond kTooFast{10.0};
+constexpr Meters kTooDeep{11'000.0};
+
 bool is_steerable(const messages::Setpoint& setpoint) {
-  return is_finite(setpoint.heading.value) && is_finite(setpoint.speed.value) && is_finite(setpoint.depth.value);
+  return is_finite(setpoint.heading.value) && setpoint.speed >= MetersPerSecond{0.0} && setpoint.speed < kTooFast &&
+         setpoint.depth >= Meters{0.0} && setpoint.depth < kTooDeep;
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ class LcmVehicleTest : public testing::Test {
     vehicle_.step(now, said);
     return said;
   }
-  void steer(double depth_m) {
-    const messages::Setpoint setpoint{.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{depth_m}, .waypoint = {}};
+  void steer(double depth_m, double speed_mps = 2) {
+    const messages::Setpoint setpoint{.heading = {}, .speed = MetersPerSecond{speed_mps}, .depth = Meters{depth_m}, .waypoint = {}};
     const wire::Encoded encoded(wire::to_message(setpoint, Time{}));
     vehicle_.accept({.channel = std::string(wire::kSetpointChannel), .data = {encoded.bytes().begin(), encoded.bytes().end()}}, at_s(0));
   }
@@ -69,8 +69,9 @@ TEST_F(LcmVehicleTest, FollowsASetPointUntilNoneHasComeForTenSeconds) {
   EXPECT_EQ(vehicle_.helm().command().depth, Meters{0});
 }
 
-TEST_F(LcmVehicleTest, TakesNoSetPointThatIsNotFiniteOrNone) {
-  steer(std::numeric_limits<double>::quiet_NaN());
+TEST_F(LcmVehicleTest, TakesNoSetPointThatIsNoneOrThatNoVehicleCanFollow) {
+  for (const double depth_m : {std::numeric_limits<double>::quiet_NaN(), -1.0, 1e300}) steer(depth_m);
+  for (const double speed_mps : {std::numeric_limits<double>::quiet_NaN(), -1.0, 1e300}) steer(300, speed_mps);
   vehicle_.accept({.channel = std::string(wire::kSetpointChannel), .data = {1, 2, 3}}, at_s(0));
   EXPECT_EQ(vehicle_.helm().taken(), 0U);
 }
