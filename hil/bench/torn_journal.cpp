@@ -1,18 +1,22 @@
 #include "hil/bench/torn_journal.hpp"
 
-#include "firmware/host/file/bad_input.hpp"
-#include "firmware/host/file/printable.hpp"
+#include <algorithm>
+#include <optional>
+
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/wire/lcm/channels.hpp"
 
 namespace earshot::hil {
 
 /// The file is longer than what stands in it: a journal holds space in advance.
 void tear_journal(const std::filesystem::path& journal, std::uint64_t bytes) {
   host::JournalReader reader(journal);
-  for (host::JournalRecord record; reader.next(record);) continue;
-  if (reader.offset() <= bytes)
-    throw host::BadInput(host::printable(journal.string()) + ": has no more than " + std::to_string(bytes) + " bytes to lose");
-  std::filesystem::resize_file(journal, reader.offset() - bytes);
+  std::optional<std::uint64_t> first_turn;
+  for (host::JournalRecord record; reader.next(record);) {
+    if (!first_turn && record.channel == wire::kHealthChannel) first_turn = reader.offset();
+  }
+  const std::uint64_t kept = first_turn.value_or(reader.offset());
+  std::filesystem::resize_file(journal, reader.offset() - std::min(bytes, reader.offset() - kept));
 }
 
 }  // namespace earshot::hil
