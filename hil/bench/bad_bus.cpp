@@ -61,6 +61,9 @@ void BadBus::pass(n2k::Frame frame, const std::vector<Affliction>& afflictions, 
       case FrameFault::kReplay:
         late_.push_back({.due = now + affliction.seconds, .frame = frame});
         break;
+      case FrameFault::kReordering:
+      case FrameFault::kDateError:
+        break;
     }
   }
   for (; times > 0; --times) {

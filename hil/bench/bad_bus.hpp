@@ -22,6 +22,8 @@ enum class FrameFault : std::uint8_t {
   kTruncation,    ///< has only the first half of its data
   kWrongLength,   ///< a fast packet's first frame says another length
   kReplay,        ///< arrives once more `seconds` later, word for word: a log that somebody plays back
+  kReordering,    ///< of what is said in one turn, those that it befalls change places (LCM only)
+  kDateError,     ///< is dated `seconds` ahead (LCM only: no frame bears a date)
 };
 
 /// Which frames it befalls.

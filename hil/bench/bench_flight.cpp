@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <memory>
 #include <thread>
@@ -10,12 +9,11 @@
 
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/child_process.hpp"
-#include "firmware/host/transport/can_socket.hpp"
-#include "hil/bench/bad_bus.hpp"
+#include "hil/bench/can/can_vehicle_bus.hpp"
 #include "hil/bench/disturbance_at.hpp"
-#include "hil/bench/interface_switch.hpp"
-#include "hil/bench/intruders.hpp"
-#include "hil/nodes/emulated_vehicle.hpp"
+#include "hil/bench/lcm/lcm_vehicle_bus.hpp"
+#include "hil/bench/torn_journal.hpp"
+#include "hil/bench/vehicle_bus.hpp"
 #include "sim/link/run_slot.hpp"
 #include "sim/link/simulator_end.hpp"
 
@@ -25,14 +23,28 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr Duration kTick = Duration::seconds(1);
 constexpr milliseconds kLookUp{50};
 constexpr milliseconds kPatience{20'000};  ///< for an answer, on a busy machine
-/// earshotd tries a lost interface again in the first turn that is a second later than its last trial, by the host's clock.
-constexpr milliseconds kToTryAgain{1100};
-/// An address is claimed in 0.25 s of the host's clock, up to 0.4 s. Whatever a fault leaves of it, the flight goes on then.
-constexpr milliseconds kToClaim{5000};
-constexpr std::size_t kTracedFrames = 400'000;  ///< two hours without a flood, in 13 MB: a rule may fire long before the end
+/// earshotd looks ten times a second whether it is to stop.
+constexpr milliseconds kToNotice{200};
+
+std::unique_ptr<VehicleBus> open_bus(const Case& c, const Bench& bench, const host::MissionFile& mission, const link::RunSlot& slot) {
+  if (c.bus == host::PortKind::kLcm) return std::make_unique<LcmVehicleBus>(c, bench, mission, slot.lcm_url());
+  return std::make_unique<CanVehicleBus>(c, bench, mission);
+}
+
+bool is_killed_once(const Case& c) {
+  return std::ranges::any_of(c.faults,
+                             [](const TimedFault& fault) { return fault.fault == Fault::kKill || fault.fault == Fault::kPowerCut; });
+}
+
+/// What is left of an earlier flight: an earshotd that is to go on would go on with its journal.
+void remove_earlier_flight(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name == "words.txt" || name.starts_with("journal")) std::filesystem::remove(entry.path());
+  }
+}
 
 /// One flight in the making.
 class Flyer {
@@ -41,15 +53,11 @@ class Flyer {
       : case_(c),
         bench_(bench),
         mission_(host::load_mission(c.mission)),
-        vehicle_(setup()),
-        intruders_(c.faults, vehicle_.state(), mission_.plane),
-        to_earshot_(bench.seed),
-        to_vehicle_(bench.seed + 1),
+        bus_(open_bus(c, bench, mission_, slot)),
         slot_(slot),
-        link_(slot.domain(), run_),
-        socket_(bench.interface) {
+        link_(slot.domain(), run_) {
     flight_.folder = folder;
-    start(false);
+    start();
   }
 
   BenchFlight fly() {
@@ -57,42 +65,23 @@ class Flyer {
     if (!link_.wait_for_runtime(kPatience)) {
       fail("earshotd did not answer the simulator's first call");
     }
-    while (flight_.failure.empty() && !is_over_ && now_ - Time{} < case_.at_most && !bench_.stop) tick();
+    fly_on();
     end();
-    flight_.last = now_;
     flight_.wall_s = std::chrono::duration<double>(steady_clock::now() - began).count();
-    flight_.sent = sent_;
-    flight_.received = received_;
-    flight_.lost = socket_.counters().lost_by_kernel;
-    flight_.afflicted = to_earshot_.afflicted() + to_vehicle_.afflicted();
+    bus_->report(flight_);
     return std::move(flight_);
   }
 
  private:
-  [[nodiscard]] VehicleSetup setup() const {
-    VehicleSetup setup;
-    setup.start = {.position = case_.start, .depth = mission_.mission.search_depth, .heading = {}, .speed = mission_.mission.search_speed};
-    setup.plane = mission_.plane;
-    setup.source = {.position = case_.source, .snr = bench_.snr};
-    setup.sea_floor.depth = bench_.floor_depth;
-    setup.without = {"operator"};  // orders ride on the tick: those of the bus are dated by the wall clock
-    return setup;
-  }
-
-  void start(bool is_return) {
-    std::vector<std::string> a{case_.mission,
-                               "--simulation",
-                               std::to_string(slot_.domain()),
-                               "--run",
-                               std::to_string(run_),
-                               "--snr-from-bus",
-                               "--can-interface",
-                               bench_.interface,
-                               "--out",
-                               flight_.folder,
-                               "--quiet"};
-    // With --resume no turn is answered before it is in the journal: a SIGKILL costs none that the vehicle has sailed by.
-    a.emplace_back(is_return || is_to_die() ? "--resume" : "--replace");
+  /// One that will be killed has --resume from the start, as a vehicle's computer has it started every time: no turn is answered before it
+  /// is in the journal, so that a SIGKILL costs none that the vehicle has sailed by.
+  void start() {
+    std::vector<std::string> a{case_.mission, "--simulation",       std::to_string(slot_.domain()),
+                               "--run",       std::to_string(run_), "--snr-from-bus",
+                               "--out",       flight_.folder,       "--quiet"};
+    const std::vector<std::string> of_bus = bus_->options_of_earshotd();
+    a.insert(a.end(), of_bus.begin(), of_bus.end());
+    a.emplace_back(is_killed_once(case_) ? "--resume" : "--replace");
     program::ChildSettings settings{.words = flight_.folder / "words.txt"};
     for (const TimedFault& fault : case_.faults) {
       if (fault.fault == Fault::kFullDisk) settings.most_bytes_of_a_file = static_cast<std::uint64_t>(fault.amount);
@@ -100,51 +89,40 @@ class Flyer {
     earshotd_ = std::make_unique<program::ChildProcess>(bench_.earshotd, a, settings);
   }
 
+  void fly_on() {
+    try {
+      while (flight_.failure.empty() && !is_over_ && now_ - Time{} < case_.at_most && !bench_.stop) tick();
+      if (flight_.failure.empty() && !is_over_) let_stop();
+    } catch (const BusTrouble& e) {
+      fail(e.what());
+    }
+  }
+
   void tick() {
-    vehicle_.disturb(disturbance_at(case_.faults, now_, kTick));
+    bus_->disturb(disturbance_at(case_.faults, now_, kTick));
     disturb_computer();
-    Frames said;
-    vehicle_.step(now_, said);
-    for (const n2k::Frame& frame : said) intruders_.accept(frame, now_);
-    Frames intruding;
-    intruders_.step(now_, intruding);
-    for (const n2k::Frame& frame : intruding) vehicle_.accept(frame, now_);
-    said.insert(said.end(), intruding.begin(), intruding.end());
-    arriving_ = to_earshot_.pass(said, afflictions(false), now_);
-    for (const n2k::Frame& frame : arriving_) send(frame);
+    bus_->say(now_);
     note_place();
     ++number_;
     say_tick();
     if (!receive_answer()) return;
-    if (std::exchange(is_claim_due_, false)) wait_for_claim();
-    take_frames();
+    bus_->hear(now_, [this] { return is_there(); });
     now_ = now_ + kTick;
+    flight_.last = now_;
   }
 
-  void send(const n2k::Frame& frame) {
-    const auto deadline = steady_clock::now() + std::chrono::seconds(2);
-    while (socket_.is_up() && socket_.send(frame) != Status::kOk) {
-      if (steady_clock::now() > deadline) return fail("the bus takes no frames");
-      std::this_thread::sleep_for(milliseconds(1));
-    }
-    if (!socket_.is_up()) return;
-    ++sent_;
-    trace(frame, false);
-  }
-
-  void hear() {
-    for (n2k::Frame frame; socket_.receive(frame) == Status::kOk;) {
-      ++received_;
-      trace(frame, true);
-      heard_.push_back(frame);
-    }
-  }
-
-  void take_frames() {
-    hear();
-    for (const n2k::Frame& frame : to_vehicle_.pass(std::exchange(heard_, {}), afflictions(true), now_)) {
-      vehicle_.accept(frame, now_);
-      intruders_.accept(frame, now_);
+  /// One that is under way when its time is up says in its next turn that it was told to stop. It is no part of the flight: without it
+  /// earshotd would wait for it for as long as it does at sea.
+  void let_stop() {
+    earshotd_->stop();
+    std::this_thread::sleep_for(kToNotice);
+    for (const auto deadline = steady_clock::now() + kPatience; is_there() && steady_clock::now() < deadline;) {
+      bus_->say(now_);
+      ++number_;
+      say_tick();
+      link::Answer answer;
+      (void)link_.receive(answer, kPatience);
+      now_ = now_ + kTick;
     }
   }
 
@@ -155,11 +133,15 @@ class Flyer {
         link::Answer answer;
         const link::Delivery delivery = link_.receive(answer, kLookUp);
         if (delivery == link::Delivery::kArrived && answer.number == number_) return take(answer);
-        earshotd_->poll();
-        if (delivery == link::Delivery::kLost || !earshotd_->running()) break;
+        if (!is_there() || delivery == link::Delivery::kLost) break;
       }
       if (!come_back()) return false;
     }
+  }
+
+  [[nodiscard]] bool is_there() {
+    earshotd_->poll();
+    return earshotd_->running();
   }
 
   /// No fix has to be waited for: what the devices said is in earshotd's socket before the tick is.
@@ -173,7 +155,7 @@ class Flyer {
 
   [[nodiscard]] std::uint8_t order() const {
     if (state_ == messages::MissionState::kStandby) return static_cast<std::uint8_t>(messages::Order::kStart);
-    const bool has_arrived = vehicle_.range() <= mission_.mission.step_length;
+    const bool has_arrived = bus_->range() <= mission_.mission.step_length;
     return has_arrived ? static_cast<std::uint8_t>(messages::Order::kComplete) : std::uint8_t{0};
   }
 
@@ -190,44 +172,29 @@ class Flyer {
       return fail_false("earshotd was lost, or did not answer for " + std::to_string(kPatience.count() / 1000) + " s");
     wait_for_end();
     link_.give_up_runtime();
-    start(true);
+    if (has_lost_power_) tear_journal(flight_.folder / "journal.lcmlog", torn_bytes_);
+    start();
     if (!link_.wait_for_runtime(kPatience)) return fail_false("earshotd did not come back after it was killed");
-    if (link_.turns_made() + 1 < number_ || link_.turns_made() > number_) return fail_false("earshotd came back to another turn");
-    if (link_.turns_made() + 1 == number_) {
-      for (const n2k::Frame& frame : arriving_) send(frame);
-    }
+    if (std::exchange(has_lost_power_, false) && link_.turns_made() + 1 < number_) number_ = link_.turns_made() + 1;
+    if (link_.turns_made() + 1 < number_ || link_.turns_made() > number_)
+      return fail_false("earshotd came back with " + std::to_string(link_.turns_made()) + " turns behind it, in turn " +
+                        std::to_string(number_));
+    if (link_.turns_made() + 1 == number_) bus_->say_again();
     say_tick();
     return true;
   }
 
   // Faults.
 
-  /// @param of_earshot  what befalls its frames; else: those of all others
-  [[nodiscard]] std::vector<Affliction> afflictions(bool of_earshot) const {
-    std::vector<Affliction> found;
-    for (const TimedFault& fault : case_.faults) {
-      const auto index = static_cast<std::size_t>(fault.fault);
-      if (index >= kFrameFaults || !fault.acts_at(now_)) continue;
-      std::optional<std::uint8_t> source;
-      if (!fault.device.empty()) {
-        if ((fault.device == kEarshotsFrames) != of_earshot) continue;
-        if (!of_earshot) source = vehicle_.address_of(fault.device);
-        if (!of_earshot && !source) continue;  // who has no address says nothing
-      }
-      found.push_back({.fault = static_cast<FrameFault>(index),
-                       .frames = {.source = source, .pgn = fault.pgn, .share = fault.share},
-                       .seconds = Duration{static_cast<std::int64_t>(fault.amount * 1e6)}});
-    }
-    return found;
-  }
-
   void disturb_computer() {
     for (const TimedFault& fault : case_.faults) {
-      if (!is_news(fault)) continue;
-      if (fault.fault == Fault::kAddressThief) {
-        is_claim_due_ = true;
-      } else if (fault.fault == Fault::kKill) {
+      if (!fault.is_new_at(now_, kTick)) continue;
+      if (fault.fault == Fault::kKill) {
         is_killed_ = true;
+        earshotd_->signal(SIGKILL);
+      } else if (fault.fault == Fault::kPowerCut) {
+        is_killed_ = has_lost_power_ = true;
+        torn_bytes_ = static_cast<std::uint64_t>(fault.amount);
         earshotd_->signal(SIGKILL);
       } else if (fault.fault == Fault::kStop) {
         earshotd_->stop();
@@ -241,39 +208,12 @@ class Flyer {
         std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kInterfaceDown && f.acts_at(now_); });
     if (is_down == !is_interface_up_) return;
     is_interface_up_ = !is_down;
-    switch_interface(bench_.interface, is_interface_up_);
-    if (is_down) return;
-    (void)socket_.reopen();
-    std::this_thread::sleep_for(kToTryAgain);
-    is_claim_due_ = true;
+    bus_->switch_interface(is_interface_up_);
   }
-
-  /// Until Earshot has an address again, as its first question on the bus says: whose addresses are there?
-  void wait_for_claim() {
-    const auto is_first_question = [](const n2k::Frame& frame) {
-      return n2k::parse_identifier(frame.identifier).value().pgn == n2k::kRequestPgn;
-    };
-    for (const auto deadline = steady_clock::now() + kToClaim; steady_clock::now() < deadline;
-         std::this_thread::sleep_for(milliseconds(5))) {
-      earshotd_->poll();
-      const std::size_t before = heard_.size();
-      hear();
-      if (!earshotd_->running() || std::any_of(heard_.begin() + static_cast<std::ptrdiff_t>(before), heard_.end(), is_first_question))
-        return;
-    }
-  }
-
-  [[nodiscard]] bool is_news(const TimedFault& fault) const { return fault.is_new_at(now_, kTick); }
-  [[nodiscard]] bool is_to_die() const { return std::ranges::find(case_.faults, Fault::kKill, &TimedFault::fault) != case_.faults.end(); }
 
   // What is kept.
 
-  void note_place() { flight_.track.push_back({.time = now_, .position = vehicle_.state().position, .depth = vehicle_.state().depth}); }
-
-  void trace(const n2k::Frame& frame, bool from_earshot) {
-    if (flight_.trace.size() == kTracedFrames) flight_.trace.pop_front();
-    flight_.trace.push_back({.time = now_, .from_earshot = from_earshot, .frame = frame});
-  }
+  void note_place() { flight_.track.push_back({.time = now_, .position = bus_->state().position, .depth = bus_->state().depth}); }
 
   void fail(std::string why) {
     if (flight_.failure.empty()) flight_.failure = std::move(why);
@@ -288,14 +228,12 @@ class Flyer {
   void end() {
     if (!is_over_) earshotd_->stop();
     wait_for_end();
-    if (!is_interface_up_) switch_interface(bench_.interface, true);
+    if (!is_interface_up_) bus_->switch_interface(true);
   }
 
   void wait_for_end() {
-    for (const auto deadline = steady_clock::now() + kPatience; earshotd_->running() && steady_clock::now() < deadline;) {
-      earshotd_->poll();
+    for (const auto deadline = steady_clock::now() + kPatience; is_there() && steady_clock::now() < deadline;)
       std::this_thread::sleep_for(milliseconds(2));
-    }
     if (earshotd_->running()) {
       fail("earshotd did not end");
       earshotd_->signal(SIGKILL);
@@ -308,25 +246,18 @@ class Flyer {
   const Bench& bench_;
   host::MissionFile mission_;
   Time now_;
-  EmulatedVehicle vehicle_;
-  Intruders intruders_;
-  BadBus to_earshot_;
-  BadBus to_vehicle_;
+  std::unique_ptr<VehicleBus> bus_;
   link::RunSlot& slot_;
   link::RunId run_ = link::new_run();
   link::SimulatorEnd link_;
-  host::CanSocket socket_;
   std::unique_ptr<program::ChildProcess> earshotd_;
-  Frames arriving_;  ///< of this tick
-  Frames heard_;     ///< of Earshot since the last
   std::uint64_t number_ = 0;
-  std::uint64_t sent_ = 0;
-  std::uint64_t received_ = 0;
   messages::MissionState state_ = messages::MissionState::kStandby;  ///< by the last answer
   bool is_over_ = false;
   bool is_killed_ = false;
+  bool has_lost_power_ = false;
+  std::uint64_t torn_bytes_ = 0;  ///< that its journal lost with the power
   bool is_interface_up_ = true;
-  bool is_claim_due_ = false;  ///< Earshot has to claim an address in this turn
   BenchFlight flight_;
 };
 
@@ -334,10 +265,7 @@ class Flyer {
 
 BenchFlight fly_case(const Case& c, const Bench& bench, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name == "words.txt" || name.starts_with("journal")) std::filesystem::remove(entry.path());
-  }
+  remove_earlier_flight(folder);
   link::RunSlot slot;
   return Flyer(c, bench, folder, slot).fly();
 }

@@ -13,6 +13,7 @@
 #include "firmware/wire/n2k/frame.hpp"
 #include "hil/bench/case.hpp"
 #include "hil/nodes/hydrophone.hpp"
+#include "hil/nodes/lcm/message.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
 namespace earshot::hil {
@@ -41,6 +42,13 @@ struct TracedFrame {
   n2k::Frame frame;
 };
 
+/// A message of the trace of an LCM bus; one that is none is on channel "?".
+struct TracedMessage {
+  Time time;
+  bool from_earshot = false;
+  LcmMessage message;
+};
+
 /// What came of a flight.
 struct BenchFlight {
   std::filesystem::path folder;                          ///< of its journal, of what earshotd said (words.txt), and of its track
@@ -49,17 +57,18 @@ struct BenchFlight {
   std::vector<int> exit_statuses;                        ///< of every earshotd, in order; 128 and a signal's number
   Time last;                                             ///< of the last tick
   double wall_s = 0.0;
-  std::vector<TruePlace> track;   ///< one a second
-  std::deque<TracedFrame> trace;  ///< of the bus, the last of them
-  std::uint64_t sent = 0;         ///< frames
-  std::uint64_t received = 0;     ///< frames, of Earshot's
-  std::uint64_t lost = 0;         ///< frames that the kernel says it lost
-  std::uint64_t afflicted = 0;    ///< frames that a fault befell
+  std::vector<TruePlace> track;        ///< one a second
+  std::deque<TracedFrame> trace;       ///< of a CAN bus, the last of them
+  std::deque<TracedMessage> messages;  ///< of an LCM bus, the last of them
+  std::uint64_t sent = 0;              ///< frames, or LCM's datagrams
+  std::uint64_t received = 0;          ///< frames, of Earshot's
+  std::uint64_t lost = 0;              ///< frames that the kernel says it lost
+  std::uint64_t afflicted = 0;         ///< frames that a fault befell
 };
 
-/// Flies a case: earshotd, a simulator's clock in its place of time, and a vehicle's devices on a CAN bus between whom and Earshot the
-/// faults are. Every tick is a second, as a turn at sea is; what the devices say in it is on the bus before the tick, and a
-/// message that has a shorter period is said once.
+/// Flies a case: earshotd, a simulator's clock in its place of time, and a vehicle's devices on its bus between whom and Earshot the
+/// faults are; over LCM messages take the place of frames. Every tick is a second, as a turn at sea is; what the devices say in it is on
+/// the bus before the tick, and a message that has a shorter period is said once.
 /// @param folder  made; what it holds of an earlier flight is replaced
 /// @throws std::system_error, link::LinkError when the bench itself cannot work
 [[nodiscard]] BenchFlight fly_case(const Case& c, const Bench& bench, const std::filesystem::path& folder);

@@ -8,6 +8,7 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/host/mission/port_settings.hpp"
 #include "firmware/messages/health.hpp"
 #include "hil/bench/fault.hpp"
 
@@ -30,6 +31,7 @@ struct Case {
   std::string when;
   std::string then;
   std::filesystem::path mission;
+  host::PortKind bus = host::PortKind::kCan;  ///< of all its ports
   NorthEast start;
   NorthEast source;
   Duration at_most;  ///< at sea

@@ -1,13 +1,18 @@
 #include <algorithm>
 #include <string_view>
 
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/printable.hpp"
+#include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "hil/bench/case.hpp"
+#include "hil/bench/lcm/bad_messages.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
 
 namespace earshot::hil {
 namespace {
 
+using host::PortKind;
 using host::Range;
 using host::TableReader;
 
@@ -18,7 +23,23 @@ std::vector<std::string> words_of(const Traits& all, std::string_view Traits::va
   return words;
 }
 
-std::vector<std::string> senders() {
+constexpr std::string_view kDefaultMission = "../missions/search_over_can.toml";
+
+/// @throws host::BadInput unless all its ports are on one kind of bus
+PortKind bus_of(const std::filesystem::path& mission) {
+  const std::vector<host::PortSettings> ports = host::load_mission(mission).ports;
+  const bool is_of_one = std::ranges::all_of(ports, [&](const host::PortSettings& port) { return port.kind == ports.front().kind; });
+  if (ports.empty() || !is_of_one)
+    throw host::BadInput(host::printable(mission.string()) + ": the bench flies missions whose ports are all over CAN, or all over LCM");
+  return ports.front().kind;
+}
+
+bool is_on(FaultBus fault, PortKind bus) {
+  return fault == FaultBus::kEither || (fault == FaultBus::kLcm) == (bus == PortKind::kLcm);
+}
+
+std::vector<std::string> senders(PortKind bus) {
+  if (bus == PortKind::kLcm) return {std::begin(kLcmSenders), std::end(kLcmSenders)};
   std::vector<std::string> names(std::begin(kDeviceNames), std::end(kDeviceNames));
   names.emplace_back(kEarshotsFrames);
   return names;
@@ -36,12 +57,15 @@ NorthEast place_of(TableReader& table, std::string_view key, NorthEast fallback)
   return fallback;
 }
 
-TimedFault read_fault(TableReader table) {
+TimedFault read_fault(TableReader table, PortKind bus) {
   constexpr double kLongest = 1e6;
   TimedFault fault;
   const std::size_t index = table.choice("kind", words_of(kFaultTraits, &FaultTraits::word));
   const FaultTraits& traits = kFaultTraits.at(index);
   fault.fault = static_cast<Fault>(index);
+  if (!is_on(traits.bus, bus))
+    table.problem("kind", std::string("there is no ") + std::string(traits.word) + " over " + (bus == PortKind::kLcm ? "LCM" : "CAN") +
+                              ", the mission's bus");
   fault.from = seconds_from_start(table.number("at_s", Range::between(0.0, kLongest)));
   if (table.has("for_s")) fault.until = fault.from + Duration{seconds_from_start(table.number("for_s", Range::between(0.1, kLongest))).us};
   if (!traits.amount.empty()) fault.amount = table.number(traits.amount, Range::between(traits.lowest, traits.highest));
@@ -49,8 +73,8 @@ TimedFault read_fault(TableReader table) {
     fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
   if (index >= kFrameFaults) return fault;
   fault.share = table.number_or("share", 1.0, Range::between(0.0, 1.0));
-  if (table.has("of")) fault.device = senders().at(table.choice("of", senders()));
-  if (table.has("pgn")) fault.pgn = static_cast<std::uint32_t>(table.integer("pgn", 0, 0x3FFFF));
+  if (table.has("of")) fault.device = senders(bus).at(table.choice("of", senders(bus)));
+  if (bus == PortKind::kCan && table.has("pgn")) fault.pgn = static_cast<std::uint32_t>(table.integer("pgn", 0, 0x3FFFF));
   return fault;
 }
 
@@ -86,12 +110,13 @@ Case load_case(const std::filesystem::path& path) {
   made.given = root.text("given");
   made.when = root.text("when");
   made.then = root.text("then");
-  made.mission = file.resolve(root.text_or("mission", "../missions/search_over_can.toml"));
+  made.mission = file.resolve(root.text_or("mission", kDefaultMission));
+  if (std::filesystem::exists(made.mission)) made.bus = bus_of(made.mission);  // one that is not there is missed when it is flown
   made.start = place_of(root, "start_m", {Meters{12'500}, Meters{11'000}});
   made.source = place_of(root, "source_m", {Meters{12'500}, Meters{12'500}});
   made.at_most = Duration::seconds(root.integer_or("at_most_s", 3600, 10, 1'000'000));
   if (root.has("fault")) {
-    for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table));
+    for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made.bus));
   }
   made.expected = read_expectation(root.table("expect"));
   file.finish();

@@ -24,12 +24,16 @@ enum class Fault : std::uint8_t {
   kTruncation,
   kWrongLength,
   kReplay,
+  kReordering,
+  kDateError,
   // Of who is on the bus.
-  kFlood,             ///< frames of the highest priority that mean nothing
+  kFlood,             ///< frames of the highest priority that mean nothing; over LCM: messages of a channel that nobody has
+  kNavigationFlood,   ///< fixes of which every number is drawn
   kSecondNavigation,  ///< another inertial navigation, which believes that it is elsewhere
   kSecondAutopilot,   ///< another autopilot
   kAddressThief,      ///< a device with more rights that claims Earshot's address
   kStrangersOrder,    ///< a COMPLETE that is long out of date, given again and again
+  kUnknownOrder,      ///< one that there is none of, again and again
   kInterfaceDown,     ///< the computer's CAN interface
   // Of the vehicle and its instruments (Disturbance).
   kRudderStuck,
@@ -50,19 +54,24 @@ enum class Fault : std::uint8_t {
   kGainError,
   // Of the computer.
   kKill,      ///< SIGKILL; it is started again with --resume
+  kPowerCut,  ///< likewise, and the last bytes of its journal never came to the disk
   kPause,     ///< SIGSTOP, and SIGCONT later
   kStop,      ///< SIGTERM
   kFullDisk,  ///< the journal may not grow beyond so many bytes
 };
-inline constexpr std::size_t kFaults = 35;
-inline constexpr std::size_t kFrameFaults = 9;  ///< the first of them
+inline constexpr std::size_t kFaults = 40;
+inline constexpr std::size_t kFrameFaults = 11;  ///< the first of them
 
-/// The number that says how much of it there is.
+/// On which buses there is such a fault.
+enum class FaultBus : std::uint8_t { kEither, kCan, kLcm };
+
+/// The number that says how much of it there is, and where there is any.
 struct FaultTraits {
   std::string_view word;    ///< in files
   std::string_view amount;  ///< key of the number, its end the unit; empty: there is none
   double lowest = 0.0;
   double highest = 0.0;
+  FaultBus bus = FaultBus::kEither;
 };
 
 /// In the order of Fault.
@@ -74,14 +83,18 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"corruption", ""},
     {"not_available", ""},
     {"truncation", ""},
-    {"wrong_length", ""},
+    {"wrong_length", "", 0.0, 0.0, FaultBus::kCan},
     {"replay", "seconds", 0.1, 3600.0},
+    {"reordering", "", 0.0, 0.0, FaultBus::kLcm},
+    {"date_error", "seconds", -1e6, 1e6, FaultBus::kLcm},
     {"flood", "frames_per_s", 1.0, 20'000.0},
+    {"navigation_flood", "messages_per_s", 1.0, 3.0, FaultBus::kLcm},
     {"second_navigation", "metres_off", 0.0, 1e6},
-    {"second_autopilot", ""},
-    {"address_thief", ""},
+    {"second_autopilot", "", 0.0, 0.0, FaultBus::kCan},
+    {"address_thief", "", 0.0, 0.0, FaultBus::kCan},
     {"strangers_order", ""},
-    {"interface_down", ""},
+    {"unknown_order", "", 0.0, 0.0, FaultBus::kLcm},
+    {"interface_down", "", 0.0, 0.0, FaultBus::kCan},
     {"rudder_stuck", ""},
     {"planes_stuck", ""},
     {"no_thrust", ""},
@@ -99,12 +112,13 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"deaf", ""},
     {"gain_error", "decibels", -120.0, 120.0},
     {"kill", ""},
+    {"power_cut", "bytes", 1.0, 1e6},
     {"pause", "wall_seconds", 0.01, 60.0},
     {"stop", ""},
     {"full_disk", "bytes", 10'000.0, 1e12},
 }};
 
-/// Who sends Earshot's own frames, among the names of the devices.
+/// Who sends Earshot's own frames, or messages, among the names of the devices.
 inline constexpr std::string_view kEarshotsFrames = "earshot";
 
 /// A fault, when, and how much.
@@ -115,7 +129,7 @@ struct TimedFault {
   double amount = 0.0;                              ///< FaultTraits::amount
   double direction_deg = 0.0;                       ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
   double share = 1.0;                               ///< of the frames
-  std::string device = {};                          ///< whose frames (kDeviceNames or kEarshotsFrames); empty: everybody's
+  std::string device = {};                          ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders); empty: everybody's
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
 
   [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }

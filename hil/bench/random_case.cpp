@@ -13,6 +13,17 @@ namespace earshot::hil {
 namespace {
 
 constexpr std::uint64_t kStream = 19;
+constexpr std::uint64_t kBusStream = 20;
+
+/// One of the pool's that has a fault, which says the mission and its bus: there are faults that only one bus knows.
+const Case& drawn(const std::vector<Case>& pool, std::uint64_t seed) {
+  Pcg32 random(seed, kBusStream);
+  std::vector<const Case*> faulty;
+  for (const Case& c : pool) {
+    if (!c.faults.empty()) faulty.push_back(&c);
+  }
+  return faulty.empty() ? pool.front() : *faulty[random.next() % faulty.size()];
+}
 
 /// Up to `most` metres within the southern edge of the bench's area.
 NorthEast place_near_the_fence(Pcg32& random) {
@@ -67,16 +78,19 @@ void write_expectation(std::ostream& out, const Expectation& expected) {
 Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
   Pcg32 random(seed, kStream);
   std::vector<TimedFault> all;
-  for (const Case& c : pool) all.insert(all.end(), c.faults.begin(), c.faults.end());
-  Case made = pool.front();
+  Case made = drawn(pool, seed);
+  for (const Case& c : pool) {
+    if (c.bus == made.bus) all.insert(all.end(), c.faults.begin(), c.faults.end());
+  }
   made.name = "random_" + std::to_string(seed);
   made.given = "a search near the fence";
   made.then = "no promise is broken";
   made.start = place_near_the_fence(random);
   made.source = made.start + NorthEast{Meters{3'000}, Meters{0}};
   made.at_most = Duration::seconds(400);
+  made.expected = {};
   made.faults.clear();
-  for (std::size_t i = 0, count = 2 + random.next() % 2; i < count; ++i)
+  for (std::size_t i = 0, count = all.empty() ? 0 : 2 + random.next() % 2; i < count; ++i)
     made.faults.push_back(moved(all[random.next() % all.size()], random));
   made.when.clear();
   for (const TimedFault& fault : made.faults) made.when += (made.when.empty() ? "" : "; ") + in_words(fault);

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <sstream>
 
+#include "firmware/host/file/printable.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
 
@@ -53,23 +56,37 @@ json frame_of(const TracedFrame& traced) {
           {"data", data.str()}};
 }
 
+json frame_of(const TracedMessage& traced) {
+  constexpr std::size_t kMostBytes = 64;  // of a message: health has hundreds
+  std::ostringstream data;
+  data << std::hex << std::setfill('0');
+  for (const std::uint8_t byte : std::span(traced.message.data).first(std::min(traced.message.data.size(), kMostBytes)))
+    data << std::setw(2) << unsigned{byte};
+  return {{"time_s", seconds(traced.time)},
+          {"from_earshot", traced.from_earshot},
+          {"pgn", 0},
+          {"source", 0},
+          {"channel", host::printable(traced.message.channel)},
+          {"data", data.str()}};
+}
+
 /// What a reader of a case wants to see of the bus: the frames around the first rule that fired, or the last.
-json trace_of(const BenchFlight& flight, const std::vector<messages::SafetyEvent>& events) {
+template <class Traced>
+json trace_of(const std::deque<Traced>& trace, const std::vector<messages::SafetyEvent>& events) {
   constexpr Duration kBefore = Duration::seconds(5);
   constexpr Duration kAfter = Duration::seconds(2);
   constexpr std::ptrdiff_t kMostBefore = 300;
   constexpr std::ptrdiff_t kMostAfter = 100;
-  const auto& trace = flight.trace;
   if (trace.empty()) return json::array();
   const auto fired = std::ranges::find_if(events, &messages::SafetyEvent::begins);
   const bool is_kept = fired != events.end() && fired->time >= trace.front().time;
   const Time moment = is_kept ? fired->time : trace.back().time;
-  const auto behind = std::ranges::upper_bound(trace, moment, {}, &TracedFrame::time);
-  const auto earliest = std::ranges::lower_bound(trace, Time{moment.us - kBefore.us}, {}, &TracedFrame::time);
-  const auto latest = std::ranges::upper_bound(trace, moment + kAfter, {}, &TracedFrame::time);
+  const auto behind = std::ranges::upper_bound(trace, moment, {}, &Traced::time);
+  const auto earliest = std::ranges::lower_bound(trace, Time{moment.us - kBefore.us}, {}, &Traced::time);
+  const auto latest = std::ranges::upper_bound(trace, moment + kAfter, {}, &Traced::time);
   json frames = json::array();
   std::for_each(behind - std::min(behind - earliest, kMostBefore), behind + std::min(latest - behind, kMostAfter),
-                [&frames](const TracedFrame& frame) { frames.push_back(frame_of(frame)); });
+                [&frames](const Traced& frame) { frames.push_back(frame_of(frame)); });
   return frames;
 }
 
@@ -100,31 +117,32 @@ void Results::add(const Case& c, const config::Mission& mission, const BenchFlig
   for (std::size_t i = 0; i < flight.track.size(); i += every)
     track.push_back({seconds(flight.track[i].time), flight.track[i].position.north.value, flight.track[i].position.east.value,
                      flight.track[i].depth.value});
-  content_->cases.push_back({{"name", c.name},
-                             {"given", c.given},
-                             {"when", c.when},
-                             {"then", c.then},
-                             {"passed", wrong.empty()},
-                             {"wrong", wrong},
-                             {"faults", faults},
-                             {"expected_end", messages::to_string(c.expected.end)},
-                             {"expected_rules", expected_rules},
-                             {"end", messages::to_string(journal.end)},
-                             {"events", events},
-                             {"setpoints", journal.setpoints},
-                             {"navigation_refused", journal.counters.navigation_refused},
-                             {"commands_refused", journal.counters.commands_refused},
-                             {"at_sea_s", seconds(flight.last)},
-                             {"wall_s", flight.wall_s},
-                             {"frames_sent", flight.sent},
-                             {"frames_received", flight.received},
-                             {"frames_lost_by_kernel", flight.lost},
-                             {"frames_afflicted", flight.afflicted},
-                             {"start_m", place(c.start)},
-                             {"source_m", place(c.source)},
-                             {"halt_polygon_m", polygon_of(mission)},
-                             {"track", track},
-                             {"trace", trace_of(flight, journal.events)}});
+  content_->cases.push_back(
+      {{"name", c.name},
+       {"given", c.given},
+       {"when", c.when},
+       {"then", c.then},
+       {"passed", wrong.empty()},
+       {"wrong", wrong},
+       {"faults", faults},
+       {"expected_end", messages::to_string(c.expected.end)},
+       {"expected_rules", expected_rules},
+       {"end", messages::to_string(journal.end)},
+       {"events", events},
+       {"setpoints", journal.setpoints},
+       {"navigation_refused", journal.counters.navigation_refused},
+       {"commands_refused", journal.counters.commands_refused},
+       {"at_sea_s", seconds(flight.last)},
+       {"wall_s", flight.wall_s},
+       {"frames_sent", flight.sent},
+       {"frames_received", flight.received},
+       {"frames_lost_by_kernel", flight.lost},
+       {"frames_afflicted", flight.afflicted},
+       {"start_m", place(c.start)},
+       {"source_m", place(c.source)},
+       {"halt_polygon_m", polygon_of(mission)},
+       {"track", track},
+       {"trace", flight.messages.empty() ? trace_of(flight.trace, journal.events) : trace_of(flight.messages, journal.events)}});
   if (wrong.empty()) ++content_->passed;
 }
 

@@ -105,7 +105,8 @@ bool has(const Case& c, Fault fault) {
 bool is_in_order(int status, const Case& c) {
   if (status == program::kDone || status == program::kAborted || status == program::kInterrupted) return true;
   constexpr int kKilled = 128 + SIGKILL;
-  return (status == kKilled && has(c, Fault::kKill)) || (status == program::kLost && has(c, Fault::kFullDisk));
+  return (status == kKilled && (has(c, Fault::kKill) || has(c, Fault::kPowerCut))) ||
+         (status == program::kLost && has(c, Fault::kFullDisk));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
-"""Flies missions with faults with the real earshotd on a CAN bus, and says which cases of the bench passed.
+"""Flies missions with faults with the real earshotd on a CAN bus or over LCM, and says which cases of the bench passed.
 
-Without --interface it does so on a virtual bus, in user-mode Linux where this kernel has no SocketCAN. It builds what
+Without --interface it does so on a virtual bus, in user-mode Linux where this kernel has no SocketCAN. Cases over LCM
+need no CAN bus, and are flown within this machine. It builds what
 it needs, which takes minutes the first time; --earshotd PATH, or EARSHOT_PROGRAMS=FOLDER, takes programs that are
 there. Ctrl-C ends the flight. Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus or the bench was
 lost; 130 Ctrl-C.
@@ -20,7 +21,7 @@ from bad_input import BadInput
 from bench_page import page
 from bench_results import BadResults, CaseResult, read_results
 from bus import VIRTUAL, command_on_bus, require_bus
-from case_files import list_cases, require_cases
+from case_files import list_cases, need_can, require_cases
 from group_names import read_group_names
 from junit_report import junit_report
 from outputs import is_junit_report, is_page, is_results, make_folder, require_writable, write_whole
@@ -135,7 +136,8 @@ def identity(file: Path) -> tuple[int, int] | None:
 
 
 def write_reports(options: argparse.Namespace, results: list[CaseResult], programs: Programs) -> None:
-    bus = options.interface or f"a virtual bus ({VIRTUAL})"
+    virtual = f"a virtual bus ({VIRTUAL})" if need_can(options.cases, options.case) else "LCM"
+    bus = options.interface or virtual
     made = f"{programs.version()}, flown by hil/run with seed {options.seed} on {bus}."
     if options.report is not None:
         names = read_group_names(ROOT / "hil/bus/earshot.dbc")
@@ -155,7 +157,9 @@ def run(options: argparse.Namespace) -> int:
     make_folder(options.out)
     file = options.out / RESULTS
     older = identity(file)
-    status = run_to_its_end(command_on_bus(ROOT, options.interface, bench_command(options, programs)))
+    needs_can = need_can(options.cases, options.case)
+    command = command_on_bus(ROOT, options.interface, bench_command(options, programs), needs_can=needs_can)
+    status = run_to_its_end(command)
     if identity(file) != older:
         write_reports(options, read_results(file), programs)
     elif status in (DONE, FAILED) and options.random is None:

@@ -1,4 +1,7 @@
-"""The CAN bus that cases are flown on: one of this machine, or a virtual one that with-can makes for them."""
+"""The CAN bus that cases are flown on: one of this machine, or a virtual one that with-can makes for them.
+
+Cases over LCM need none: they are flown on this machine as it is.
+"""
 
 from __future__ import annotations
 
@@ -32,6 +35,6 @@ def require_bus(interface: str, interfaces: Path = INTERFACES) -> None:
         raise BadInput(f"--interface {interface}: is down; set it up first: {make}")
 
 
-def command_on_bus(root: Path, interface: str | None, command: list[str]) -> list[str]:
-    """@param interface  None: a virtual bus, one boot of it for all cases"""
-    return command if interface is not None else [str(root / "hil/bus/with-can"), *command]
+def command_on_bus(root: Path, interface: str | None, command: list[str], *, needs_can: bool) -> list[str]:
+    """@param interface  None: a virtual bus, one boot of it for all cases, if one of them needs it"""
+    return [str(root / "hil/bus/with-can"), *command] if needs_can and interface is None else command

@@ -12,6 +12,8 @@ from pathlib import Path
 
 from bad_input import BadInput
 
+DEFAULT_MISSION = "../missions/search_over_can.toml"
+
 
 @dataclass(frozen=True)
 class ListedCase:
@@ -48,6 +50,21 @@ def require_cases(folder: Path, names: list[str]) -> None:
             alike = " or ".join(difflib.get_close_matches(name, there))
             meant = f"did you mean {alike}?" if alike else "--list prints all"
             raise BadInput(f"--case {name}: there is no {folder / name}.toml; {meant}")
+
+
+def _needs_can(file: Path) -> bool:
+    """Unless its mission says that all is over LCM; one that cannot be read is for earshot-bench to judge."""
+    try:
+        named = tomllib.loads(file.read_text(encoding="utf-8")).get("mission", DEFAULT_MISSION)
+        ports = tomllib.loads((file.parent / named).read_text(encoding="utf-8"))["port"]
+        return any(port["kind"] != "lcm" for port in ports)
+    except (OSError, ValueError, KeyError, TypeError):
+        return True
+
+
+def need_can(folder: Path, names: list[str]) -> bool:
+    """Whether one of those named, or of all, is flown on a CAN bus."""
+    return any(_needs_can(file) for file in _files_of(folder) if not names or file.stem in names)
 
 
 def list_cases(folder: Path, names: list[str]) -> list[ListedCase]:

@@ -13,35 +13,28 @@ Autopilot::Autopilot(const vehicle::Command& resting, std::uint32_t unique_numbe
                    .preferred_address = n2k::kVehicleAddress,
                    .unique_number = unique_number},
                   {n2k::kAutopilotStatusPgn}, {n2k::kHeadingControlPgn, n2k::kSpeedDepthPgn}),
-      command_(resting) {}
+      helm_(resting) {}
 
 void Autopilot::accept(const n2k::Frame& frame, Time now) {
   membership_.accept(frame, now);
   messages::Setpoint setpoint;
-  if (!is_engaged_) return;
+  if (!helm_.is_engaged()) return;
   if (receiver_.accept(frame, setpoint) != Status::kOk) return;
-  if (is_obedient_) command_ = {.heading = setpoint.heading, .speed = setpoint.speed, .depth = setpoint.depth};
-  is_weight_released_ = is_weight_released_ || setpoint.release_weight;
-  last_ = now;
-  is_forsaken_ = false;
-  ++taken_;
+  helm_.take(setpoint, now);
   if (listener_) listener_(now, setpoint);
 }
 
 void Autopilot::step(Time now, Frames& frames) {
   membership_.step(now, frames);
   tell(now, frames);
-  if (!is_engaged_ || !last_ || now - *last_ < kAutopilotPatience) return;
-  command_.speed = MetersPerSecond{0.0};
-  command_.depth = Meters{0.0};
-  is_forsaken_ = true;
+  helm_.step(now);
 }
 
 void Autopilot::tell(Time now, Frames& frames) {
   const std::optional<std::uint8_t> source = membership_.address();
   if (!source || !pace_.is_due(now)) return;
   n2k::Frame frame;
-  const n2k::AutopilotCondition condition{.follows_setpoints = is_engaged_, .heading_sequence = receiver_.last_sequence()};
+  const n2k::AutopilotCondition condition{.follows_setpoints = helm_.is_engaged(), .heading_sequence = receiver_.last_sequence()};
   if (n2k::compose_autopilot_status(condition, *source, frame) == Status::kOk) frames.push_back(frame);
 }
 

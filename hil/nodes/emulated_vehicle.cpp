@@ -1,27 +1,13 @@
 #include "hil/nodes/emulated_vehicle.hpp"
 
 #include <algorithm>
-#include <numbers>
-#include <utility>
-
-#include "firmware/core/math.hpp"
 
 namespace earshot::hil {
-namespace {
-
-constexpr double kRightAngle = std::numbers::pi / 2.0;
-
-}  // namespace
 
 EmulatedVehicle::EmulatedVehicle(const VehicleSetup& setup)
-    : state_(setup.start),
-      told_(setup.start),
-      over_floor_(setup.start),
+    : moving_(setup.start, setup.limits, setup.battery),
       resting_{.heading = setup.start.heading, .speed = setup.start.speed, .depth = setup.start.depth},
-      limits_(setup.limits),
-      source_(setup.source.position),
-      battery_percent_(setup.battery_percent),
-      battery_percent_per_km_(setup.battery_percent_per_km) {
+      source_(setup.source.position) {
   std::uint32_t number = setup.first_number;
   const auto add = [&](std::string_view name, const auto& make) {
     const std::uint32_t own = number++;
@@ -34,11 +20,12 @@ EmulatedVehicle::EmulatedVehicle(const VehicleSetup& setup)
     autopilot_ = autopilot.get();
     return autopilot;
   });
-  add("compass", [&](std::uint32_t own) { return make_compass(told_, setup.magnetic_field, own); });
-  add("speed-log", [&](std::uint32_t own) { return make_speed_log(told_, own); });
-  add("depth-sensor", [&](std::uint32_t own) { return make_depth_sensor(told_, own); });
-  add("navigation", [&](std::uint32_t own) { return make_navigation(told_, setup.plane, own); });
-  add("hydrophone", [&](std::uint32_t own) { return make_hydrophone(state_, setup.source, disturbance_.hydrophone, own); });
+  add("compass", [&](std::uint32_t own) { return make_compass(moving_.told(), setup.magnetic_field, own); });
+  add("speed-log", [&](std::uint32_t own) { return make_speed_log(moving_.told(), own); });
+  add("depth-sensor", [&](std::uint32_t own) { return make_depth_sensor(moving_.told(), own); });
+  add("navigation", [&](std::uint32_t own) { return make_navigation(moving_.told(), setup.plane, own); });
+  add("hydrophone",
+      [&](std::uint32_t own) { return make_hydrophone(moving_.state(), setup.source, moving_.disturbance().hydrophone, own); });
   add("operator", [&](std::uint32_t own) {
     auto ashore = std::make_unique<Operator>(OperatorSetup{.issuer = setup.issuer,
                                                            .utc = setup.utc,
@@ -47,13 +34,13 @@ EmulatedVehicle::EmulatedVehicle(const VehicleSetup& setup)
     operator_ = ashore.get();
     return ashore;
   });
-  add("altimeter", [&](std::uint32_t own) { return make_altimeter(over_floor_, setup.sea_floor, own); });
-  add("battery", [this](std::uint32_t own) { return make_battery(battery_percent_, own); });
-  add("hull-monitor", [this](std::uint32_t own) { return make_hull_monitor(disturbance_.hull, own); });
+  add("altimeter", [&](std::uint32_t own) { return make_altimeter(moving_.over_floor(), setup.sea_floor, own); });
+  add("battery", [this](std::uint32_t own) { return make_battery(moving_.battery_percent(), own); });
+  add("hull-monitor", [this](std::uint32_t own) { return make_hull_monitor(moving_.disturbance().hull, own); });
 }
 
 Meters EmulatedVehicle::range() const {
-  return range_between(state_.position, source_);
+  return range_between(moving_.state().position, source_);
 }
 
 std::vector<std::string_view> EmulatedVehicle::devices() const {
@@ -68,8 +55,7 @@ std::optional<std::uint8_t> EmulatedVehicle::address_of(std::string_view device)
 }
 
 void EmulatedVehicle::disturb(const Disturbance& disturbance) {
-  disturbance_ = disturbance;
-  battery_percent_ = disturbance.battery_percent.value_or(battery_percent_);
+  moving_.disturb(disturbance);
   if (autopilot_ == nullptr) return;
   autopilot_->engage(!disturbance.is_disengaged);
   autopilot_->obey(!disturbance.is_obstinate);
@@ -80,8 +66,7 @@ void EmulatedVehicle::accept(const n2k::Frame& frame, Time now) {
 }
 
 void EmulatedVehicle::step(Time now, Frames& frames) {
-  move(now);
-  tell();
+  moving_.move(now, autopilot_ == nullptr ? resting_ : autopilot_->command());
   for (const auto& device : devices_) {
     const std::size_t before = frames.size();
     device->step(now, frames);
@@ -91,41 +76,6 @@ void EmulatedVehicle::step(Time now, Frames& frames) {
       }
     }
   }
-}
-
-/// What the hull does, whatever its autopilot wants.
-vehicle::Command EmulatedVehicle::command() const {
-  vehicle::Command command = autopilot_ == nullptr ? resting_ : autopilot_->command();
-  if (disturbance_.has_no_thrust) command.speed = MetersPerSecond{0.0};
-  if (disturbance_.are_planes_stuck) command.depth = state_.depth;
-  if (disturbance_.is_rudder_stuck) {  // always a right angle ahead of it on the side to which it turns
-    const double side = turning_.value > 0.0 ? 1.0 : (turning_.value < 0.0 ? -1.0 : 0.0);
-    command.heading = wrap_to_pi(state_.heading + Radians{side * kRightAngle});
-  }
-  return command;
-}
-
-void EmulatedVehicle::move(Time now) {
-  const Time last = std::exchange(last_, now).value_or(now);
-  const vehicle::State before = state_;
-  state_ = vehicle::advance_for(state_, command(), limits_, now - last);
-  const double seconds = (now - last).to_seconds();
-  const Meters way = range_between(before.position, state_.position);
-  if (!disturbance_.is_rudder_stuck && seconds > 0.0)
-    turning_ = RadiansPerSecond{wrap_to_pi(state_.heading - before.heading).value / seconds};
-  state_.position = state_.position + NorthEast{disturbance_.current_mps.north * seconds, disturbance_.current_mps.east * seconds};
-  sailed_ += way;
-  battery_percent_ = std::max(battery_percent_ - way.value * 1e-3 * battery_percent_per_km_, 0.0);
-}
-
-void EmulatedVehicle::tell() {
-  over_floor_ = state_;
-  over_floor_.depth += disturbance_.floor_rise;
-  if (disturbance_.is_frozen) return;
-  told_ = state_;
-  told_.position = told_.position + disturbance_.position_error;
-  told_.heading = wrap_to_pi(told_.heading + disturbance_.heading_error);
-  told_.depth += disturbance_.depth_error;
 }
 
 }  // namespace earshot::hil

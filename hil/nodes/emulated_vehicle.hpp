@@ -18,6 +18,7 @@
 #include "hil/nodes/hydrophone.hpp"
 #include "hil/nodes/instruments.hpp"
 #include "hil/nodes/operator.hpp"
+#include "hil/nodes/vehicle/moving_vehicle.hpp"
 #include "sim/vehicle/vehicle.hpp"
 
 namespace earshot::hil {
@@ -33,8 +34,7 @@ struct VehicleSetup {
   std::optional<MagneticField> magnetic_field = {};  ///< none: its compass is a gyrocompass
   SoundSource source = {};
   SeaFloor sea_floor{.depth = Meters{3000.0}};
-  double battery_percent = 100.0;
-  double battery_percent_per_km = 0.6;
+  Battery battery = {};
   Meters found_within{1000.0};  ///< the operator says COMPLETE when the vehicle is no further from the source
   /// The wall clock's time, by which the operator dates its orders.
   std::function<Time()> utc = {};
@@ -58,10 +58,10 @@ class EmulatedVehicle final {
   /// From the next step on.
   void disturb(const Disturbance& disturbance);
 
-  [[nodiscard]] const vehicle::State& state() const { return state_; }
+  [[nodiscard]] const vehicle::State& state() const { return moving_.state(); }
   [[nodiscard]] Meters range() const;  ///< horizontal, to the source
-  [[nodiscard]] Meters sailed() const { return sailed_; }
-  [[nodiscard]] double battery_percent() const { return battery_percent_; }
+  [[nodiscard]] Meters sailed() const { return moving_.sailed(); }
+  [[nodiscard]] double battery_percent() const { return moving_.battery_percent(); }
   [[nodiscard]] std::vector<std::string_view> devices() const;
   /// Of the device of that name (kDeviceNames); nothing while it has none, or was left out.
   [[nodiscard]] std::optional<std::uint8_t> address_of(std::string_view device) const;
@@ -70,22 +70,9 @@ class EmulatedVehicle final {
   [[nodiscard]] Operator* operator_ashore() const { return operator_; }
 
  private:
-  void move(Time now);
-  void tell();
-  [[nodiscard]] vehicle::Command command() const;
-
-  vehicle::State state_;
-  vehicle::State told_;        ///< by compass, log, depth sensor and navigation
-  vehicle::State over_floor_;  ///< by the altimeter
-  Disturbance disturbance_;
-  RadiansPerSecond turning_;  ///< as it turned last
+  MovingVehicle moving_;
   vehicle::Command resting_;
-  vehicle::Limits limits_;
   NorthEast source_;
-  std::optional<Time> last_;
-  Meters sailed_;
-  double battery_percent_;
-  double battery_percent_per_km_;
   std::vector<std::unique_ptr<Device>> devices_;
   std::vector<std::string_view> names_;  ///< of these, of kDeviceNames
   Autopilot* autopilot_ = nullptr;       ///< among devices_

@@ -60,7 +60,8 @@ class TracedFrame:
     from_earshot: bool
     pgn: int
     source: int
-    data: str  # hexadecimal
+    data: str  # hexadecimal; of a message over LCM the first 64 bytes
+    channel: str = ""  # of a message over LCM, which has neither group nor source
 
 
 @dataclass(frozen=True)
@@ -166,4 +167,5 @@ def _frame_of(frame: dict[str, Any]) -> TracedFrame:
         pgn=int(frame["pgn"]),
         source=int(frame["source"]),
         data=str(frame["data"]),
+        channel=str(frame.get("channel", "")),
     )

@@ -31,10 +31,12 @@ def frames_around(result: CaseResult) -> tuple[str, list[TracedFrame]]:
 
 def _frame_row(frame: TracedFrame, group_names: dict[int, str]) -> list[str]:
     data = " ".join(frame.data[i : i + 2] for i in range(0, len(frame.data), 2))
+    sender = "Earshot" if frame.from_earshot else "vehicle"
+    group = f"{frame.pgn} {group_names.get(frame.pgn, '')}"
     return [
         number(frame.time_s),
-        f"{'Earshot' if frame.from_earshot else 'vehicle'} {frame.source}",
-        f"{frame.pgn} {escaped(group_names.get(frame.pgn, ''))}",
+        sender if frame.channel else f"{sender} {frame.source}",
+        escaped(frame.channel or group),
         f"<code>{escaped(data)}</code>",
     ]
 
@@ -63,5 +65,7 @@ def trace_html(result: CaseResult, group_names: dict[int, str]) -> str:
     rows = [(frame.time_s, 1, _frame_row(frame, group_names)) for frame in frames]
     rows += [remark for remark in _remarks(result) if first <= remark[0] <= last]
     rows.sort(key=lambda row: row[:2])
-    shown = table(("time (s)", "sender, address", "parameter group", "data"), (cells for *_, cells in rows), "trace")
+    shown = table(
+        ("time (s)", "sender, address", "parameter group, channel", "data"), (cells for *_, cells in rows), "trace"
+    )
     return f"<details><summary>{escaped(words)}</summary>\n{shown}</details>\n"

@@ -1,4 +1,4 @@
-// earshot bench: missions with the real earshotd on a CAN bus, each with faults.
+// earshot bench: missions with the real earshotd on a CAN bus or over LCM, each with faults.
 
 #include <algorithm>
 #include <atomic>
@@ -47,7 +47,7 @@ struct Options {
 void declare(program::CommandLine& line, Options& o) {
   line.option("--case", &o.cases, "names of cases to fly, comma between them; default: all").separated_by(',');
   line.option("--cases", &o.folder, "folder of the cases; default: those that ship");
-  line.option("--interface", &o.interface, "CAN interface").shows_default();
+  line.option("--interface", &o.interface, "CAN interface, for the cases over CAN").shows_default();
   line.option("--seed", &o.seed, "draws which frames a fault befalls").from(0, std::numeric_limits<std::int64_t>::max()).shows_default();
   line.option("--out", &o.out, "folder for results.json and a folder for every case").shows_default();
   line.option("--random", &o.random,
@@ -182,11 +182,10 @@ int bench(const Options& o) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  program::CommandLine line(
-      "earshot bench",
-      "Flies missions with the real earshotd on a CAN bus, each with the faults of its case, and judges what came of\n"
-      "them. hil/run builds it, finds it a bus, and makes a page of its results.\n"
-      "Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus was lost.");
+  program::CommandLine line("earshot bench",
+                            "Flies missions with the real earshotd on a CAN bus or over LCM, each with the faults of its case, and judges\n"
+                            "what came of them. hil/run builds it, finds it a bus, and makes a page of its results.\n"
+                            "Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus was lost.");
   Options options;
   declare(line, options);
   return program::run(line, argc, argv, [&] { return bench(options); });

@@ -89,6 +89,7 @@ TEST_F(CaseFileTest, ReadsEveryKey) {
 TEST_F(CaseFileTest, KnowsEveryKindOfFaultWithItsAmountAndItsBounds) {
   for (std::size_t i = 0; i < kFaults; ++i) {
     const FaultTraits& traits = kFaultTraits.at(i);
+    if (traits.bus == FaultBus::kLcm) continue;  // lcm/lcm_cases_test.cpp
     const std::string fault = "at_s = 1\nkind = \"" + std::string(traits.word) + "\"\n";
     if (traits.amount.empty()) {
       EXPECT_EQ(load_with_fault(fault).faults.at(0).fault, static_cast<Fault>(i));

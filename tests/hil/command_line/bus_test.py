@@ -36,8 +36,13 @@ class RequireBus(unittest.TestCase):
 
 class CommandOnBus(unittest.TestCase):
     def test_boots_one_virtual_bus_for_all_unless_there_is_a_real_one(self):
-        self.assertEqual(command_on_bus(Path("/r"), "can0", ["a", "b"]), ["a", "b"])
-        self.assertEqual(command_on_bus(Path("/r"), None, ["a", "b"]), ["/r/hil/bus/with-can", "a", "b"])
+        self.assertEqual(command_on_bus(Path("/r"), "can0", ["a", "b"], needs_can=True), ["a", "b"])
+        self.assertEqual(
+            command_on_bus(Path("/r"), None, ["a", "b"], needs_can=True), ["/r/hil/bus/with-can", "a", "b"]
+        )
+
+    def test_boots_none_for_cases_over_lcm(self):
+        self.assertEqual(command_on_bus(Path("/r"), None, ["a", "b"], needs_can=False), ["a", "b"])
 
 
 if __name__ == "__main__":

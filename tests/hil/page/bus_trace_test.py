@@ -48,6 +48,11 @@ class FramesAround(unittest.TestCase):
 
 
 class Trace(unittest.TestCase):
+    def test_names_the_channel_of_a_message_over_lcm(self):
+        message = {"time_s": 600.0, "from_earshot": True, "pgn": 0, "source": 0, "data": "4c43", "channel": "A<B"}
+        (case,) = results_of(deaf() | {"trace": [message]})
+        self.assertIn("|600||Earshot||A&lt;B|||4c 43||", "".join(rows(trace_html(case, {0: "ISO"}))))
+
     def test_has_faults_before_the_frames_of_their_second_and_rules_behind(self):
         fault = {"words": "loss of all", "from_s": 600.0, "until_s": 5000.0}
         (case,) = results_of(deaf() | {"faults": [fault]})

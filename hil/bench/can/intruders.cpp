@@ -1,4 +1,4 @@
-#include "hil/bench/intruders.hpp"
+#include "hil/bench/can/intruders.hpp"
 
 #include <algorithm>
 #include <utility>

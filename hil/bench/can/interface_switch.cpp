@@ -1,4 +1,4 @@
-#include "hil/bench/interface_switch.hpp"
+#include "hil/bench/can/interface_switch.hpp"
 
 #include <net/if.h>
 #include <sys/ioctl.h>

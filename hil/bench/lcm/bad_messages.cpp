@@ -1,0 +1,160 @@
+#include "hil/bench/lcm/bad_messages.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "earshot/autopilot_status_t.hpp"
+#include "earshot/hydrophone_status_t.hpp"
+#include "earshot/nav_state_t.hpp"
+#include "earshot/setpoint_t.hpp"
+#include "earshot/snr_estimate_t.hpp"
+#include "earshot/vehicle_status_t.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+#include "firmware/wire/lcm/lc02.hpp"
+
+namespace earshot::hil {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+void lose_numbers(nav_state_t& m) {
+  m.north_m = m.east_m = m.depth_m = m.heading_rad = m.speed_mps = kNaN;
+}
+void lose_numbers(snr_estimate_t& m) {
+  m.snr_db = kNaN;
+}
+void lose_numbers(vehicle_status_t& m) {
+  m.altitude_m = m.battery_percent = kNaN;
+}
+void lose_numbers(setpoint_t& m) {
+  m.heading_rad = m.speed_mps = m.depth_m = m.waypoint_north_m = m.waypoint_east_m = kNaN;
+}
+void lose_numbers(autopilot_status_t& /*has none*/) {}
+void lose_numbers(hydrophone_status_t& /*has none*/) {}
+
+/// @param change  takes a reference to the message, of its channel's type
+template <class Type, class Change>
+void change_as(LcmMessage& message, Change change) {
+  Type value{};
+  if (wire::decode(message.data, value) != Status::kOk) return;
+  change(value);
+  const wire::Encoded encoded(value);
+  message.data.assign(encoded.bytes().begin(), encoded.bytes().end());
+}
+
+template <class Change>
+void change(LcmMessage& message, Change how) {
+  if (message.channel == wire::kNavStateChannel) change_as<nav_state_t>(message, how);
+  if (message.channel == wire::kSnrEstimateChannel) change_as<snr_estimate_t>(message, how);
+  if (message.channel == wire::kVehicleStatusChannel) change_as<vehicle_status_t>(message, how);
+  if (message.channel == wire::kAutopilotStatusChannel) change_as<autopilot_status_t>(message, how);
+  if (message.channel == wire::kHydrophoneStatusChannel) change_as<hydrophone_status_t>(message, how);
+  if (message.channel == wire::kSetpointChannel) change_as<setpoint_t>(message, how);
+}
+
+}  // namespace
+
+std::string_view sender_on(std::string_view channel) {
+  if (channel == wire::kNavStateChannel) return "navigation";
+  if (channel == wire::kSnrEstimateChannel || channel == wire::kHydrophoneStatusChannel) return "hydrophone";
+  if (channel == wire::kVehicleStatusChannel) return "vehicle-status";
+  if (channel == wire::kAutopilotStatusChannel) return "autopilot";
+  for (const std::string_view own :
+       {wire::kSetpointChannel, wire::kDecisionChannel, wire::kHealthChannel, wire::kAcknowledgementChannel, wire::kSafetyEventChannel}) {
+    if (channel == own) return kEarshotsFrames;
+  }
+  return "";
+}
+
+std::vector<Datagram> BadMessages::pass(const LcmMessages& messages, const std::vector<MessageAffliction>& afflictions, Time now) {
+  std::vector<Datagram> arriving;
+  const auto is_due = [now](const Late& late) { return late.due <= now; };
+  std::ranges::stable_sort(late_, {}, &Late::due);
+  for (const Late& late : late_) {
+    if (is_due(late)) arriving.push_back(late.datagram);
+  }
+  std::erase_if(late_, is_due);
+  std::vector<std::size_t> shuffled;
+  for (const LcmMessage& message : messages) {
+    Fate fate{.message = message, .late = {}, .replays = {}};
+    for (const MessageAffliction& affliction : afflictions) {
+      if (befalls(affliction, message)) befall(affliction, fate);
+    }
+    if (fate.times == 0) continue;
+    const Datagram datagram = datagram_of(fate);
+    for (const Duration later : fate.replays) late_.push_back({.due = now + later, .datagram = datagram});
+    for (int i = 0; i < fate.times; ++i) {
+      if (fate.late > Duration{}) {
+        late_.push_back({.due = now + fate.late, .datagram = datagram});
+        continue;
+      }
+      if (fate.is_shuffled) shuffled.push_back(arriving.size());
+      arriving.push_back(datagram);
+    }
+  }
+  shuffle(arriving, shuffled);
+  return arriving;
+}
+
+void BadMessages::befall(const MessageAffliction& affliction, Fate& fate) {
+  ++afflicted_;
+  switch (affliction.fault) {
+    case FrameFault::kLoss:
+      fate.times = 0;
+      break;
+    case FrameFault::kDelay:
+      fate.late = fate.late + affliction.seconds;
+      break;
+    case FrameFault::kJitter:
+      fate.late = fate.late + Duration{static_cast<std::int64_t>(random_.uniform_double() * static_cast<double>(affliction.seconds.us))};
+      break;
+    case FrameFault::kDuplication:
+      fate.times *= 2;
+      break;
+    case FrameFault::kCorruption:
+      fate.is_flipped = true;
+      break;
+    case FrameFault::kNotAvailable:
+      change(fate.message, [](auto& value) { lose_numbers(value); });
+      break;
+    case FrameFault::kTruncation:
+      fate.is_cut = true;
+      break;
+    case FrameFault::kWrongLength:
+      break;
+    case FrameFault::kReplay:
+      fate.replays.push_back(affliction.seconds);
+      break;
+    case FrameFault::kReordering:
+      fate.is_shuffled = true;
+      break;
+    case FrameFault::kDateError:
+      change(fate.message, [&affliction](auto& value) { value.utime += affliction.seconds.us; });
+      break;
+  }
+}
+
+Datagram BadMessages::datagram_of(const Fate& fate) {
+  wire::Datagram composed;
+  const wire::Lc02Message message{fate.message.channel, fate.message.data};
+  if (wire::compose(message, sequence_++, 0, composed) != Status::kOk) return {};
+  Datagram datagram(composed.head.begin(), composed.head.begin() + static_cast<std::ptrdiff_t>(composed.head_size));
+  datagram.insert(datagram.end(), composed.data.begin(), composed.data.end());
+  if (fate.is_cut) datagram.resize(datagram.size() / 2);
+  if (fate.is_flipped) datagram.at(random_.next() % datagram.size()) ^= static_cast<std::uint8_t>(1U << random_.next() % 8U);
+  return datagram;
+}
+
+/// Those at these places change places with each other (Fisher and Yates).
+void BadMessages::shuffle(std::vector<Datagram>& arriving, const std::vector<std::size_t>& places) {
+  for (std::size_t i = places.size(); i > 1; --i) std::swap(arriving[places[i - 1]], arriving[places[random_.next() % i]]);
+}
+
+bool BadMessages::befalls(const MessageAffliction& which, const LcmMessage& message) {
+  if (!which.sender.empty() && sender_on(message.channel) != which.sender) return false;
+  return which.share >= 1.0 || random_.uniform_double() < which.share;
+}
+
+}  // namespace earshot::hil

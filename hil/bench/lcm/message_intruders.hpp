@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "firmware/core/random.hpp"
+#include "firmware/core/time.hpp"
+#include "hil/bench/fault.hpp"
+#include "hil/nodes/lcm/message.hpp"
+#include "sim/vehicle/vehicle.hpp"
+
+namespace earshot::hil {
+
+/// Those on an LCM bus who should not be there, each while its fault acts.
+class MessageIntruders {
+ public:
+  /// Both must outlive it. @param vehicle  what is moving there
+  MessageIntruders(const std::vector<TimedFault>& faults, const vehicle::State& vehicle, std::uint64_t seed)
+      : faults_(faults), vehicle_(vehicle), random_(seed, kStream) {}
+
+  /// Adds what they say now; the time never goes back.
+  void step(Time now, LcmMessages& said);
+
+ private:
+  static constexpr std::uint64_t kStream = 7;
+  /// @param passed_s  since the last step
+  void say(const TimedFault& fault, Time now, double passed_s, LcmMessages& said);
+  /// Whole messages of a flood that are due. @param new_messages  since the last step
+  [[nodiscard]] std::uint64_t due(double new_messages);
+
+  const std::vector<TimedFault>& faults_;
+  const vehicle::State& vehicle_;
+  Pcg32 random_;
+  std::optional<Time> last_;
+  double owed_ = 0.0;  ///< messages of a flood
+  std::int32_t orders_ = 0;
+};
+
+}  // namespace earshot::hil

@@ -1,0 +1,79 @@
+#include "hil/nodes/lcm/lcm_vehicle.hpp"
+
+#include "firmware/core/math.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot::hil {
+namespace {
+
+template <class Value>
+void say(std::string_view channel, const Value& value, LcmMessages& said) {
+  const wire::Encoded encoded(wire::to_message(value));
+  said.push_back({.channel = std::string(channel), .data = {encoded.bytes().begin(), encoded.bytes().end()}});
+}
+
+/// What no vehicle does. A message over LCM has no checksum of its own: a bit of its exponent makes 2 m/s a speed beyond all measure.
+constexpr MetersPerSecond kTooFast{10.0};
+constexpr Meters kTooDeep{11'000.0};
+
+bool is_steerable(const messages::Setpoint& setpoint) {
+  return is_finite(setpoint.heading.value) && setpoint.speed >= MetersPerSecond{0.0} && setpoint.speed < kTooFast &&
+         setpoint.depth >= Meters{0.0} && setpoint.depth < kTooDeep;
+}
+
+}  // namespace
+
+LcmVehicle::LcmVehicle(const LcmVehicleSetup& setup)
+    : moving_(setup.start, setup.limits, setup.battery),
+      helm_({.heading = setup.start.heading, .speed = setup.start.speed, .depth = setup.start.depth}),
+      source_(setup.source),
+      sea_floor_(setup.sea_floor) {}
+
+Meters LcmVehicle::range() const {
+  return range_between(moving_.state().position, source_.position);
+}
+
+void LcmVehicle::disturb(const Disturbance& disturbance) {
+  moving_.disturb(disturbance);
+  helm_.engage(!disturbance.is_disengaged);
+  helm_.obey(!disturbance.is_obstinate);
+}
+
+void LcmVehicle::accept(const LcmMessage& message, Time now) {
+  setpoint_t raw{};
+  if (message.channel != wire::kSetpointChannel || wire::decode(message.data, raw) != Status::kOk) return;
+  if (const messages::Setpoint setpoint = wire::from_message(raw); is_steerable(setpoint)) helm_.take(setpoint, now);
+}
+
+void LcmVehicle::step(Time now, LcmMessages& said) {
+  moving_.move(now, helm_.command());
+  helm_.step(now);
+  const vehicle::State& told = moving_.told();
+  say(wire::kNavStateChannel,
+      messages::Navigation{.time = now, .position = told.position, .depth = told.depth, .heading = told.heading, .speed = told.speed},
+      said);
+  hear(now, said);
+  tell_of_hull(now, said);
+  say(wire::kAutopilotStatusChannel, messages::AutopilotStatus{.time = now, .follows_setpoints = helm_.is_engaged()}, said);
+}
+
+void LcmVehicle::hear(Time now, LcmMessages& said) const {
+  const HydrophoneFault& fault = moving_.disturbance().hydrophone;
+  say(wire::kHydrophoneStatusChannel, messages::HydrophoneStatus{.time = now, .is_deaf = fault.is_deaf}, said);
+  if (fault.is_deaf) return;
+  say(wire::kSnrEstimateChannel, messages::SnrMeasurement{.time = now, .snr = source_.snr(range()) + fault.gain_error}, said);
+}
+
+void LcmVehicle::tell_of_hull(Time now, LcmMessages& said) const {
+  const Meters altitude = sea_floor_.depth - moving_.over_floor().depth;
+  messages::VehicleStatus status{.time = now,
+                                 .battery_percent = moving_.battery_percent(),
+                                 .has_leak = moving_.disturbance().hull.wet.value_or(false),
+                                 .has_ground_fault = moving_.disturbance().hull.has_ground_fault.value_or(false)};
+  if (altitude <= sea_floor_.reach) status.altitude = altitude;
+  say(wire::kVehicleStatusChannel, status, said);
+}
+
+}  // namespace earshot::hil

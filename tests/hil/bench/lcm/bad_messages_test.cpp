@@ -1,0 +1,110 @@
+#include "hil/bench/lcm/bad_messages.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "earshot/nav_state_t.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot::hil {
+namespace {
+
+constexpr Time at_s(std::int64_t seconds) {
+  return Time{} + Duration::seconds(seconds);
+}
+
+LcmMessage fix(double north_m) {
+  nav_state_t fix{};
+  fix.utime = 1'000'000;
+  fix.north_m = north_m;
+  const wire::Encoded encoded(fix);
+  return {.channel = std::string(wire::kNavStateChannel), .data = {encoded.bytes().begin(), encoded.bytes().end()}};
+}
+
+/// Behind eight bytes of head, the channel's name and its zero.
+nav_state_t read(const Datagram& datagram) {
+  nav_state_t fix{};
+  const std::size_t head = 8 + wire::kNavStateChannel.size() + 1;
+  EXPECT_EQ(wire::decode(std::span(datagram).subspan(head), fix), Status::kOk);
+  return fix;
+}
+
+std::vector<double> norths(const std::vector<Datagram>& datagrams) {
+  std::vector<double> norths;
+  for (const Datagram& datagram : datagrams) norths.push_back(read(datagram).north_m);
+  return norths;
+}
+
+using Norths = std::vector<double>;
+
+class BadMessagesTest : public testing::Test {
+ protected:
+  std::vector<Datagram> pass(const LcmMessages& messages, const MessageAffliction& affliction, Time now = at_s(1)) {
+    return bad_.pass(messages, {affliction}, now);
+  }
+  BadMessages bad_{1};
+};
+
+TEST_F(BadMessagesTest, LetsEverythingPassInItsOrderWithoutAFault) {
+  EXPECT_EQ(norths(bad_.pass({fix(1), fix(2)}, {}, at_s(1))), (Norths{1, 2}));
+  EXPECT_EQ(bad_.afflicted(), 0U);
+}
+
+TEST_F(BadMessagesTest, LosesThoseOfWhomTheFaultNamesAndNoOthers) {
+  EXPECT_TRUE(pass({fix(1)}, {.fault = FrameFault::kLoss, .sender = "navigation"}).empty());
+  EXPECT_EQ(norths(pass({fix(1)}, {.fault = FrameFault::kLoss, .sender = "hydrophone"})), Norths{1});
+  EXPECT_EQ(bad_.afflicted(), 1U);
+}
+
+TEST_F(BadMessagesTest, DelaysAndReplaysByTheirSeconds) {
+  EXPECT_TRUE(pass({fix(1)}, {.fault = FrameFault::kDelay, .seconds = Duration::seconds(2)}).empty());
+  EXPECT_EQ(norths(pass({fix(2)}, {.fault = FrameFault::kReplay, .seconds = Duration::seconds(1)}, at_s(2))), Norths{2});
+  EXPECT_EQ(norths(bad_.pass({fix(3)}, {}, at_s(3))), (Norths{1, 2, 3}));
+}
+
+TEST_F(BadMessagesTest, FlipsOneBitOfADatagramAndCutsItInHalf) {
+  const Datagram whole = BadMessages(1).pass({fix(1)}, {}, at_s(1)).at(0);
+  const Datagram flipped = pass({fix(1)}, {.fault = FrameFault::kCorruption}).at(0);
+  ASSERT_EQ(flipped.size(), whole.size());
+  int bits = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i) bits += std::popcount(static_cast<unsigned>(whole[i] ^ flipped[i]));
+  EXPECT_EQ(bits, 1);
+  EXPECT_EQ(pass({fix(1)}, {.fault = FrameFault::kTruncation}).at(0).size(), whole.size() / 2);
+}
+
+TEST_F(BadMessagesTest, MakesEveryNumberNaNAndLeavesTheDate) {
+  const nav_state_t read_fix = read(pass({fix(1)}, {.fault = FrameFault::kNotAvailable}).at(0));
+  EXPECT_TRUE(std::isnan(read_fix.north_m) && std::isnan(read_fix.depth_m) && std::isnan(read_fix.heading_rad));
+  EXPECT_EQ(read_fix.utime, 1'000'000);
+}
+
+TEST_F(BadMessagesTest, DatesAMessageAheadAndBehind) {
+  EXPECT_EQ(read(pass({fix(1)}, {.fault = FrameFault::kDateError, .seconds = Duration::seconds(60)}).at(0)).utime, 61'000'000);
+  EXPECT_EQ(read(pass({fix(1)}, {.fault = FrameFault::kDateError, .seconds = Duration::seconds(-3600)}).at(0)).utime, -3'599'000'000);
+}
+
+TEST_F(BadMessagesTest, LetsMessagesOfOneTurnChangePlacesAndLosesNone) {
+  bool has_changed = false;
+  for (int i = 0; i < 20; ++i) {
+    Norths arrived = norths(pass({fix(1), fix(2), fix(3)}, {.fault = FrameFault::kReordering}));
+    has_changed = has_changed || arrived != Norths{1, 2, 3};
+    std::ranges::sort(arrived);
+    EXPECT_EQ(arrived, (Norths{1, 2, 3}));
+  }
+  EXPECT_TRUE(has_changed);
+}
+
+TEST_F(BadMessagesTest, BefallsItsShareAndTheSameOnesWithTheSameSeed) {
+  const LcmMessages many(1000, fix(1));
+  const MessageAffliction half{.fault = FrameFault::kLoss, .share = 0.5};
+  const std::vector<Datagram> arrived = pass(many, half);
+  EXPECT_NEAR(static_cast<double>(arrived.size()), 500.0, 80.0) << "five standard deviations of 16";
+  EXPECT_EQ(arrived.size(), BadMessages(1).pass(many, {half}, at_s(1)).size());
+}
+
+}  // namespace
+}  // namespace earshot::hil

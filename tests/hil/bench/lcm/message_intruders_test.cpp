@@ -1,0 +1,100 @@
+#include "hil/bench/lcm/message_intruders.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "earshot/nav_state_t.hpp"
+#include "earshot/operator_command_t.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot::hil {
+namespace {
+
+constexpr Time at_s(std::int64_t seconds) {
+  return Time{} + Duration::seconds(seconds);
+}
+
+template <class Type>
+Type read(const LcmMessage& message) {
+  Type value{};
+  EXPECT_EQ(wire::decode(message.data, value), Status::kOk);
+  return value;
+}
+
+/// Beside a vehicle 1 km north of the origin, in 300 m; one fault, from 10 s on.
+class MessageIntrudersTest : public testing::Test {
+ protected:
+  MessageIntrudersTest() { faults_.at(0).from = at_s(10); }
+  LcmMessages step(Time now) {
+    LcmMessages said;
+    intruders_.step(now, said);
+    return said;
+  }
+  void let(Fault fault, double amount = 0.0) {
+    faults_.at(0).fault = fault;
+    faults_.at(0).amount = amount;
+  }
+  std::vector<TimedFault> faults_{TimedFault{}};
+  const vehicle::State vehicle_{.position = {Meters{1000}, Meters{0}}, .depth = Meters{300}, .heading = {}, .speed = MetersPerSecond{2}};
+  MessageIntruders intruders_{faults_, vehicle_, 1};
+};
+
+TEST_F(MessageIntrudersTest, SayNothingBeforeTheirTime) {
+  let(Fault::kStrangersOrder);
+  EXPECT_TRUE(step(at_s(9)).empty());
+  EXPECT_EQ(step(at_s(10)).size(), 1U);
+}
+
+TEST_F(MessageIntrudersTest, FloodAChannelOfTheirOwnWithSoManyMessagesASecond) {
+  let(Fault::kFlood, 2.5);
+  (void)step(at_s(9));
+  EXPECT_EQ(step(at_s(10)).size(), 2U);
+  const LcmMessages said = step(at_s(11));
+  EXPECT_EQ(said.size(), 3U) << "five in two seconds";
+  EXPECT_EQ(said.at(0).channel, "SOMEBODY_ELSES_CAMERA");
+}
+
+TEST_F(MessageIntrudersTest, DrawFixesThatAreDatedNow) {
+  let(Fault::kNavigationFlood, 3.0);
+  (void)step(at_s(9));
+  const LcmMessages said = step(at_s(10));
+  ASSERT_EQ(said.size(), 3U);
+  std::set<std::vector<std::uint8_t>> different;
+  for (const LcmMessage& message : said) {
+    EXPECT_EQ(message.channel, wire::kNavStateChannel);
+    EXPECT_EQ(read<nav_state_t>(message).utime, 10'000'000);
+    different.insert(message.data);
+  }
+  EXPECT_EQ(different.size(), 3U);
+}
+
+TEST_F(MessageIntrudersTest, BelieveThatTheVehicleIsElsewhere) {
+  let(Fault::kSecondNavigation, 500.0);
+  faults_.at(0).direction_deg = 90.0;
+  const auto fix = read<nav_state_t>(step(at_s(10)).at(0));
+  EXPECT_NEAR(fix.north_m, 1000.0, 1e-9);
+  EXPECT_NEAR(fix.east_m, 500.0, 1e-9);
+  EXPECT_EQ(fix.depth_m, 300.0);
+}
+
+TEST_F(MessageIntrudersTest, GiveAnOrderThatHasExpiredAndEveryTimeAnotherNumber) {
+  let(Fault::kStrangersOrder);
+  (void)step(at_s(29));
+  const auto order = read<operator_command_t>(step(at_s(30)).at(0));
+  EXPECT_TRUE(order.command == operator_command_t::COMPLETE);
+  EXPECT_EQ(order.utime, 10'000'000);
+  EXPECT_EQ(order.expiry_utime, 11'000'000);
+  EXPECT_EQ(order.number, 2);
+}
+
+TEST_F(MessageIntrudersTest, GiveAnOrderThatThereIsNoneOf) {
+  let(Fault::kUnknownOrder);
+  const auto order = read<operator_command_t>(step(at_s(10)).at(0));
+  EXPECT_EQ(order.utime, 10'000'000);
+  EXPECT_EQ(order.command, 99);
+}
+
+}  // namespace
+}  // namespace earshot::hil

@@ -1,0 +1,94 @@
+#include "hil/nodes/lcm/lcm_vehicle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+
+namespace earshot::hil {
+namespace {
+
+constexpr Time at_s(std::int64_t seconds) {
+  return Time{} + Duration::seconds(seconds);
+}
+
+template <class Type>
+Type said_on(std::string_view channel, const LcmMessages& said) {
+  Type value{};
+  for (const LcmMessage& message : said) {
+    if (message.channel != channel) continue;
+    EXPECT_EQ(wire::decode(message.data, value), Status::kOk);
+  }
+  return value;
+}
+
+/// North at 2 m/s in 300 m, 1 km from the source, over a floor of 350 m.
+class LcmVehicleTest : public testing::Test {
+ protected:
+  LcmMessages step(Time now) {
+    LcmMessages said;
+    vehicle_.step(now, said);
+    return said;
+  }
+  void steer(double depth_m, double speed_mps = 2) {
+    const messages::Setpoint setpoint{.heading = {}, .speed = MetersPerSecond{speed_mps}, .depth = Meters{depth_m}, .waypoint = {}};
+    const wire::Encoded encoded(wire::to_message(setpoint, Time{}));
+    vehicle_.accept({.channel = std::string(wire::kSetpointChannel), .data = {encoded.bytes().begin(), encoded.bytes().end()}}, at_s(0));
+  }
+  LcmVehicle vehicle_{{.start = {.position = {}, .depth = Meters{300}, .heading = {}, .speed = MetersPerSecond{2}},
+                       .source = {.position = {Meters{1000}, Meters{0}}, .snr = [](Meters range) { return Decibels{range.value / 100}; }},
+                       .sea_floor = {.depth = Meters{350}, .reach = Meters{200}}}};
+};
+
+TEST_F(LcmVehicleTest, SaysWhereItIsAndHowItIsDatedWithNow) {
+  (void)step(at_s(0));
+  const LcmMessages said = step(at_s(10));
+  EXPECT_EQ(said.size(), 5U);
+  const auto fix = said_on<nav_state_t>(wire::kNavStateChannel, said);
+  EXPECT_EQ(fix.utime, 10'000'000);
+  EXPECT_NEAR(fix.north_m, 20.0, 1e-9);
+  EXPECT_EQ(fix.depth_m, 300.0);
+  EXPECT_NEAR(said_on<snr_estimate_t>(wire::kSnrEstimateChannel, said).snr_db, 9.8, 1e-9);
+  EXPECT_EQ(said_on<vehicle_status_t>(wire::kVehicleStatusChannel, said).altitude_m, 50.0);
+  EXPECT_TRUE(said_on<autopilot_status_t>(wire::kAutopilotStatusChannel, said).follows_setpoints);
+}
+
+TEST_F(LcmVehicleTest, FollowsASetPointUntilNoneHasComeForTenSeconds) {
+  steer(290);
+  (void)step(at_s(0));
+  (void)step(at_s(9));
+  EXPECT_NEAR(vehicle_.state().depth.value, 295.5, 1e-9) << "half a metre a second";
+  EXPECT_FALSE(vehicle_.helm().is_forsaken());
+  (void)step(at_s(10));
+  EXPECT_TRUE(vehicle_.helm().is_forsaken());
+  EXPECT_EQ(vehicle_.helm().command().depth, Meters{0});
+}
+
+TEST_F(LcmVehicleTest, TakesNoSetPointThatIsNoneOrThatNoVehicleCanFollow) {
+  for (const double depth_m : {std::numeric_limits<double>::quiet_NaN(), -1.0, 1e300}) steer(depth_m);
+  for (const double speed_mps : {std::numeric_limits<double>::quiet_NaN(), -1.0, 1e300}) steer(300, speed_mps);
+  vehicle_.accept({.channel = std::string(wire::kSetpointChannel), .data = {1, 2, 3}}, at_s(0));
+  EXPECT_EQ(vehicle_.helm().taken(), 0U);
+}
+
+TEST_F(LcmVehicleTest, SaysThatItsHydrophoneIsDeafAndNoSnr) {
+  vehicle_.disturb({.hydrophone = {.is_deaf = true, .gain_error = {}}});
+  std::set<std::string> channels;
+  const LcmMessages said = step(at_s(1));
+  for (const LcmMessage& message : said) channels.insert(message.channel);
+  EXPECT_FALSE(channels.contains(std::string(wire::kSnrEstimateChannel)));
+  EXPECT_TRUE(said_on<hydrophone_status_t>(wire::kHydrophoneStatusChannel, said).deaf);
+}
+
+TEST_F(LcmVehicleTest, SaysThatItsAutopilotDoesNotFollowWhenSomebodyElseSteers) {
+  vehicle_.disturb({.is_disengaged = true});
+  EXPECT_FALSE(said_on<autopilot_status_t>(wire::kAutopilotStatusChannel, step(at_s(1))).follows_setpoints);
+}
+
+}  // namespace
+}  // namespace earshot::hil
