@@ -71,6 +71,8 @@ void write_expectation(std::ostream& out, const Expectation& expected) {
   if (!expected.only_these) out << "others_may_fire = true\n";
   if (expected.refuses_navigation) out << "refuses_navigation = true\n";
   if (expected.refuses_commands) out << "refuses_commands = true\n";
+  if (expected.comes_up) out << "comes_up = true\n";
+  if (expected.releases_weight) out << "releases_weight = true\n";
 }
 
 }  // namespace

@@ -82,6 +82,7 @@ void CanVehicleBus::report(BenchFlight& flight) {
   flight.lost = socket_.counters().lost_by_kernel;
   flight.afflicted = to_earshot_.afflicted() + to_vehicle_.afflicted();
   flight.trace = std::move(trace_);
+  flight.is_weight_released = vehicle_.autopilot()->is_weight_released();
 }
 
 std::vector<Affliction> CanVehicleBus::afflictions(bool of_earshot) const {

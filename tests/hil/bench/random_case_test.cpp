@@ -119,7 +119,9 @@ TEST(ToToml, IsReadAsTheSameCaseAgain) {
                    .rules = {config::Condition::kLeak, config::Condition::kNavigationAge},
                    .only_these = false,
                    .refuses_navigation = true,
-                   .refuses_commands = true};
+                   .refuses_commands = true,
+                   .comes_up = true,
+                   .releases_weight = true};
   EXPECT_EQ(read_again(full), full) << to_toml(full);
 }
 
