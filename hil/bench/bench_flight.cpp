@@ -68,6 +68,9 @@ class Flyer {
     fly_on();
     end();
     flight_.wall_s = std::chrono::duration<double>(steady_clock::now() - began).count();
+    for (std::size_t i = 0; i < case_.faults.size(); ++i) {
+      if (!has_acted_[i]) flight_.idle.push_back(case_.faults[i]);
+    }
     bus_->report(flight_);
     return std::move(flight_);
   }
@@ -99,6 +102,7 @@ class Flyer {
   }
 
   void tick() {
+    note_faults();
     bus_->disturb(disturbance_at(case_.faults, now_, kTick));
     disturb_computer();
     bus_->say(now_);
@@ -213,6 +217,14 @@ class Flyer {
 
   // What is kept.
 
+  /// One that lasts less than a tick may lie between two of them; one of a moment acts in the tick that follows it.
+  void note_faults() {
+    for (std::size_t i = 0; i < case_.faults.size(); ++i) {
+      const TimedFault& fault = case_.faults[i];
+      has_acted_[i] = has_acted_[i] || (is_of_a_moment(fault.fault) ? fault.is_new_at(now_, kTick) : fault.acts_at(now_));
+    }
+  }
+
   void note_place() { flight_.track.push_back({.time = now_, .position = bus_->state().position, .depth = bus_->state().depth}); }
 
   void fail(std::string why) {
@@ -258,6 +270,7 @@ class Flyer {
   bool has_lost_power_ = false;
   std::uint64_t torn_bytes_ = 0;  ///< that its journal lost with the power
   bool is_interface_up_ = true;
+  std::vector<bool> has_acted_ = std::vector<bool>(case_.faults.size());  ///< of the case's faults
   BenchFlight flight_;
 };
 

@@ -64,6 +64,8 @@ struct BenchFlight {
   std::uint64_t received = 0;          ///< frames, of Earshot's
   std::uint64_t lost = 0;              ///< frames that the kernel says it lost
   std::uint64_t afflicted = 0;         ///< frames that a fault befell
+  std::vector<TimedFault> idle;        ///< faults of the case that never began to act, in its order
+  bool is_weight_released = false;     ///< the vehicle was asked for it
 };
 
 /// Flies a case: earshotd, a simulator's clock in its place of time, and a vehicle's devices on its bus between whom and Earshot the

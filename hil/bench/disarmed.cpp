@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "hil/bench/case.hpp"
+#include "firmware/safety/supervisor.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -48,8 +48,15 @@ bool watches(const std::string& block, Condition rule) {
 
 }  // namespace
 
-bool is_put_off(Condition rule) {
-  return std::ranges::find(kLimits, rule, &Limit::rule) != std::end(kLimits);
+Expectation expected_without_firing(Expectation expected, const std::vector<Condition>& rules, const config::Mission& mission) {
+  const safety::Rules all = safety::rules_of(mission);
+  const bool does_more_than_warn = std::ranges::any_of(all, [&rules](const config::Rule& rule) {
+    return rule.response != config::Response::kWarn && std::ranges::find(rules, rule.condition) != rules.end();
+  });
+  if (!does_more_than_warn) return expected;
+  expected.rules.clear();
+  expected.only_these = false;
+  return expected;
 }
 
 bool can_be_disarmed(Condition rule) {

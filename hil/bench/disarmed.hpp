@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "firmware/config/mission.hpp"
 #include "firmware/config/safety.hpp"
 #include "firmware/core/time.hpp"
+#include "hil/bench/case.hpp"
 
 namespace earshot::hil {
 
@@ -15,9 +17,15 @@ namespace earshot::hil {
 [[nodiscard]] std::string disarmed(const std::string& text, const std::vector<config::Condition>& rules,
                                    const std::filesystem::path& folder);
 
-/// Whether disarmed() puts it off, by less than a minute and more than kPutOff.
-[[nodiscard]] bool is_put_off(config::Condition rule);
+/// How long behind the end that a case has with its rules it is flown without them: disarmed() puts a rule off by more, and another that
+/// would do the same later has not done it yet.
 inline constexpr Duration kPutOff = Duration::seconds(40);
+
+/// What a case still expects without `rules`. That one fires is no part of it, for a rule that is not there cannot: what it does for the
+/// vehicle is. Only of rules that do nothing but warn it is all there is, and stays.
+/// @param mission  with its rules
+[[nodiscard]] Expectation expected_without_firing(Expectation expected, const std::vector<config::Condition>& rules,
+                                                  const config::Mission& mission);
 
 /// Whether disarmed() can do without it.
 [[nodiscard]] bool can_be_disarmed(config::Condition rule);

@@ -118,6 +118,14 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"full_disk", "bytes", 10'000.0, 1e12},
 }};
 
+[[nodiscard]] constexpr bool is_of_frames(Fault fault) {
+  return static_cast<std::size_t>(fault) < kFrameFaults;
+}
+/// Whether it happens once, whatever its end is.
+[[nodiscard]] constexpr bool is_of_a_moment(Fault fault) {
+  return fault == Fault::kKill || fault == Fault::kPowerCut || fault == Fault::kPause || fault == Fault::kStop;
+}
+
 /// Who sends Earshot's own frames, or messages, among the names of the devices.
 inline constexpr std::string_view kEarshotsFrames = "earshot";
 

@@ -25,15 +25,29 @@ const Case& drawn(const std::vector<Case>& pool, std::uint64_t seed) {
   return faulty.empty() ? pool.front() : *faulty[random.next() % faulty.size()];
 }
 
-/// Up to `most` metres within the southern edge of the bench's area.
-NorthEast place_near_the_fence(Pcg32& random) {
-  constexpr double kMost_m = 800.0;
-  return {Meters{kMost_m * random.uniform_double()}, Meters{5'000.0 + 15'000.0 * random.uniform_double()}};
+struct Ends {
+  NorthEast start;
+  NorthEast source;  ///< 3 km from it
+};
+
+/// Within the southern edge of the bench's area, up to 800 m: a search that decides.
+Ends within_the_area(Pcg32& random) {
+  const NorthEast start{Meters{800.0 * random.uniform_double()}, Meters{5'000.0 + 15'000.0 * random.uniform_double()}};
+  return {.start = start, .source = start + NorthEast{Meters{3'000}, Meters{0}}};
+}
+
+/// 100 to 230 m before the northern edge of the bench's halt polygon. A vehicle that begins north at 2 m/s turns round in 40 m, but would
+/// be there before a rule notices that it ignores its heading, which takes two minutes.
+Ends before_the_halt_polygon(Pcg32& random) {
+  const double east_m = 12'000.0 * random.uniform_double();
+  const double edge_m = 27'000.0 + (east_m + 2'000.0) * 2'600.0 / 14'500.0;  // from (27000, -2000) to (29600, 12500)
+  const NorthEast start{Meters{edge_m - 100.0 - 130.0 * random.uniform_double()}, Meters{east_m}};
+  return {.start = start, .source = start + NorthEast{Meters{-3'000}, Meters{0}}};
 }
 
 TimedFault moved(TimedFault fault, Pcg32& random) {
   constexpr std::uint32_t kLatest_s = 200;
-  const Time from = Time{} + Duration::seconds(5 + random.next() % kLatest_s);
+  const Time from = Time{} + Duration::seconds(1 + random.next() % kLatest_s);
   if (fault.until) fault.until = from + Duration{(*fault.until - fault.from).us};
   fault.from = from;
   return fault;
@@ -71,6 +85,9 @@ void write_expectation(std::ostream& out, const Expectation& expected) {
   if (!expected.only_these) out << "others_may_fire = true\n";
   if (expected.refuses_navigation) out << "refuses_navigation = true\n";
   if (expected.refuses_commands) out << "refuses_commands = true\n";
+  if (expected.decisions > 0) out << "decisions = " << expected.decisions << "\n";
+  if (expected.comes_up) out << "comes_up = true\n";
+  if (expected.releases_weight) out << "releases_weight = true\n";
 }
 
 }  // namespace
@@ -85,8 +102,9 @@ Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
   made.name = "random_" + std::to_string(seed);
   made.given = "a search near the fence";
   made.then = "no promise is broken";
-  made.start = place_near_the_fence(random);
-  made.source = made.start + NorthEast{Meters{3'000}, Meters{0}};
+  const Ends ends = random.next() % 2 == 0 ? within_the_area(random) : before_the_halt_polygon(random);
+  made.start = ends.start;
+  made.source = ends.source;
   made.at_most = Duration::seconds(400);
   made.expected = {};
   made.faults.clear();

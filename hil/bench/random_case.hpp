@@ -9,7 +9,8 @@
 
 namespace earshot::hil {
 
-/// A case of two or three faults of other cases at once, each at a time of its own, that begins near the fence: whatever comes of it, no
+/// A case of two or three faults of other cases at once, each at a time of its own. It begins within the area near its edge, or so near to
+/// the halt polygon, and towards it, that only a vehicle that is steered back stays within. Whatever comes of it, no
 /// promise may be broken (broken_promises). The same seed gives the same case.
 /// @param pool  whose faults are taken, at least one of which has some
 [[nodiscard]] Case random_case(const std::vector<Case>& pool, std::uint64_t seed);

@@ -27,6 +27,8 @@ namespace {
 constexpr std::size_t kMostComplaints = 5;
 constexpr Meters kSettling{25.0};  ///< a vehicle that dives to its limit may overshoot it so far before its rule acts
 
+constexpr Meters kAtSurface{1.0};  ///< a vehicle of a few metres shows its antenna
+
 std::string at(Time time) {
   std::ostringstream text;
   text << " at " << static_cast<double>(time.us) / 1e6 << " s";
@@ -101,6 +103,13 @@ bool has(const Case& c, Fault fault) {
   return std::ranges::find(c.faults, fault, &TimedFault::fault) != c.faults.end();
 }
 
+/// A fault that did nothing tests nothing, whatever came of the flight.
+void judge_faults(const Case& c, const BenchFlight& flight, std::vector<std::string>& wrong) {
+  for (const TimedFault& fault : flight.idle) wrong.push_back("the fault never acted: " + in_words(fault));
+  const bool has_frame_fault = std::ranges::any_of(c.faults, is_of_frames, &TimedFault::fault);
+  if (flight.idle.empty() && has_frame_fault && flight.afflicted == 0) wrong.emplace_back("no frame met the fault");
+}
+
 /// Of one that a case stopped or killed too.
 bool is_in_order(int status, const Case& c) {
   if (status == program::kDone || status == program::kAborted || status == program::kInterrupted) return true;
@@ -159,6 +168,10 @@ std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& fl
   judge_rules(c, journal, wrong);
   if (c.expected.refuses_navigation && journal.counters.navigation_refused == 0) wrong.emplace_back("no fix was refused");
   if (c.expected.refuses_commands && journal.counters.commands_refused == 0) wrong.emplace_back("no order was refused");
+  if (c.expected.comes_up && (flight.track.empty() || flight.track.back().depth > kAtSurface))
+    wrong.emplace_back("the vehicle did not come up");
+  if (c.expected.releases_weight && !flight.is_weight_released) wrong.emplace_back("the weight was not released");
+  judge_faults(c, flight, wrong);
   return wrong;
 }
 

@@ -49,6 +49,7 @@ void CanVehicleBus::say(Time now) {
   intruders_.step(now, intruding);
   for (const n2k::Frame& frame : intruding) vehicle_.accept(frame, now);
   said.insert(said.end(), intruding.begin(), intruding.end());
+  if (intruders_.fill_bus(now)) std::erase_if(said, [](const n2k::Frame& frame) { return frame.identifier != kFloodIdentifier; });
   arriving_ = to_earshot_.pass(said, afflictions(false), now);
   say_again();
 }
@@ -62,6 +63,7 @@ void CanVehicleBus::hear(Time now, const std::function<bool()>& is_there) {
   const auto steals = [now](const TimedFault& fault) { return fault.fault == Fault::kAddressThief && fault.is_new_at(now, kTick); };
   if (std::exchange(is_back_, false) || std::ranges::any_of(case_.faults, steals)) wait_for_claim(is_there, heard);
   receive(heard);
+  if (intruders_.fill_bus(now)) heard.clear();
   for (const n2k::Frame& frame : to_vehicle_.pass(heard, afflictions(true), now)) {
     vehicle_.accept(frame, now);
     intruders_.accept(frame, now);
@@ -82,6 +84,7 @@ void CanVehicleBus::report(BenchFlight& flight) {
   flight.lost = socket_.counters().lost_by_kernel;
   flight.afflicted = to_earshot_.afflicted() + to_vehicle_.afflicted();
   flight.trace = std::move(trace_);
+  flight.is_weight_released = vehicle_.autopilot()->is_weight_released();
 }
 
 std::vector<Affliction> CanVehicleBus::afflictions(bool of_earshot) const {

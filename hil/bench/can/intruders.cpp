@@ -85,11 +85,18 @@ void Intruders::step(Time now, Frames& frames) {
   }
 }
 
-/// Frames that win every arbitration and bear a group that nobody has.
+bool Intruders::fill_bus(Time now) const {
+  double frames_per_s = 0.0;
+  for (const Intruder& intruder : intruders_) {
+    if (intruder.fault.fault == Fault::kFlood && intruder.fault.acts_at(now)) frames_per_s += intruder.fault.amount;
+  }
+  return frames_per_s >= kFullBus_frames_per_s;
+}
+
 void Intruders::flood(double new_frames, Frames& frames) {
   owed_frames_ += new_frames;
   for (; owed_frames_ >= 1.0; owed_frames_ -= 1.0) {
-    n2k::Frame frame{.identifier = 0};
+    n2k::Frame frame{.identifier = kFloodIdentifier};
     for (unsigned i = 0; i < 4; ++i) frame.data.at(i) = static_cast<std::uint8_t>(flooded_ >> (8U * i));
     ++flooded_;
     frames.push_back(frame);

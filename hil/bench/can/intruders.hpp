@@ -12,6 +12,13 @@
 
 namespace earshot::hil {
 
+/// Of the frames of a flood: it wins every arbitration, and is of a group that nobody has.
+inline constexpr std::uint32_t kFloodIdentifier = 0;
+
+/// Of a flood on a bus of 250 kbit/s: from so many frames a second on there is no bit left between them. One has 147 bits with its stuff
+/// bits (146 to 151, by what it counts).
+inline constexpr double kFullBus_frames_per_s = 1'700.0;
+
 /// Those on the bus who should not be there, each while its fault acts.
 class Intruders {
  public:
@@ -22,6 +29,8 @@ class Intruders {
   void accept(const n2k::Frame& frame, Time now);
   /// Adds what they say now.
   void step(Time now, Frames& frames);
+  /// Whether a flood leaves no room on the bus: everybody else loses every arbitration.
+  [[nodiscard]] bool fill_bus(Time now) const;
 
  private:
   struct Intruder {

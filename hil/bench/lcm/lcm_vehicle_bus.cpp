@@ -83,6 +83,7 @@ void LcmVehicleBus::report(BenchFlight& flight) {
   flight.received = received_;
   flight.afflicted = to_earshot_.afflicted() + to_vehicle_.afflicted();
   flight.messages = std::move(trace_);
+  flight.is_weight_released = vehicle_.helm().is_weight_released();
 }
 
 std::vector<MessageAffliction> LcmVehicleBus::afflictions(bool of_earshot) const {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace earshot::hil {
 namespace {
@@ -56,8 +58,36 @@ TEST(Disarmed, CannotDoWithoutWhatNoMissionCanPutOff) {
   EXPECT_FALSE(can_be_disarmed(Condition::kNavigationJump));
   EXPECT_TRUE(can_be_disarmed(Condition::kLeak));
   EXPECT_TRUE(can_be_disarmed(Condition::kSnrAge));
-  EXPECT_TRUE(is_put_off(Condition::kSnrAge));
-  EXPECT_FALSE(is_put_off(Condition::kLeak));
+}
+
+/// A mission that is released by a leak, and warned of a ground fault.
+config::Mission mission() {
+  config::Mission mission;
+  (void)mission.safety.rules.push_back({.condition = Condition::kLeak, .persistence = {}, .response = config::Response::kRelease});
+  (void)mission.safety.rules.push_back({.condition = Condition::kGroundFault, .persistence = {}, .response = config::Response::kWarn});
+  return mission;
+}
+
+Expectation expectation(std::vector<Condition> rules) {
+  return {.end = messages::EndReason::kSafetyRule, .rules = std::move(rules), .releases_weight = true};
+}
+
+TEST(ExpectedWithoutFiring, IsWhatARuleDoesForARuleThatIsNotThereCannotFire) {
+  const Expectation left = expected_without_firing(expectation({Condition::kLeak}), {Condition::kLeak}, mission());
+  EXPECT_EQ(left.end, messages::EndReason::kSafetyRule);
+  EXPECT_TRUE(left.releases_weight);
+  EXPECT_TRUE(left.rules.empty());
+  EXPECT_FALSE(left.only_these);
+}
+
+TEST(ExpectedWithoutFiring, IsTheFiringOfRulesThatDoNothingButWarn) {
+  const Expectation whole = expectation({Condition::kGroundFault});
+  EXPECT_EQ(expected_without_firing(whole, whole.rules, mission()), whole);
+}
+
+TEST(ExpectedWithoutFiring, KnowsTheRulesThatNoMissionSwitchesOff) {
+  const Expectation left = expected_without_firing(expectation({Condition::kNavigationAge}), {Condition::kNavigationAge}, mission());
+  EXPECT_TRUE(left.rules.empty());
 }
 
 }  // namespace

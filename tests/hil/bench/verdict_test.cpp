@@ -217,6 +217,35 @@ TEST_F(VerdictTest, WantsFixesAndOrdersRefusedWhereTheCaseSaysSo) {
   EXPECT_EQ(unmet(), Words{});
 }
 
+TEST_F(VerdictTest, WantsTheVehicleTrulyUpWhereTheCaseSaysSo) {
+  case_.expected.comes_up = true;
+  EXPECT_EQ(unmet(), Words{"the vehicle did not come up"});
+  flight_.track.push_back(place(2, 5'000, 5'000, 0.9));
+  EXPECT_EQ(unmet(), Words{});
+  flight_.track.push_back(place(3, 5'000, 5'000, 1.1));
+  EXPECT_EQ(unmet(), Words{"the vehicle did not come up"}) << "it sank again";
+}
+
+TEST_F(VerdictTest, WantsTheWeightReleasedWhereTheCaseSaysSo) {
+  case_.expected.releases_weight = true;
+  EXPECT_EQ(unmet(), Words{"the weight was not released"});
+  flight_.is_weight_released = true;
+  EXPECT_EQ(unmet(), Words{});
+}
+
+TEST_F(VerdictTest, TakesNoCaseWhoseFaultNeverActed) {
+  case_.faults = {{.fault = Fault::kLeak, .from = at_s(5000)}, {.fault = Fault::kDeaf, .from = at_s(60)}};
+  flight_.idle = {case_.faults.front()};
+  EXPECT_EQ(unmet(), Words{"the fault never acted: leak from 5000 s"});
+}
+
+TEST_F(VerdictTest, TakesNoCaseWhoseFaultOfFramesMetNone) {
+  case_.faults = {{.fault = Fault::kLoss, .from = at_s(60), .device = "speed-log", .pgn = 127250}};
+  EXPECT_EQ(unmet(), Words{"no frame met the fault"});
+  flight_.afflicted = 1;
+  EXPECT_EQ(unmet(), Words{});
+}
+
 // What is read from a journal.
 
 class FindingsTest : public testing::Test {

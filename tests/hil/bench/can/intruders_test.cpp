@@ -64,6 +64,19 @@ TEST_F(IntrudersTest, FloodTheBusWithFramesThatWinEveryArbitrationAndBearACounte
   EXPECT_EQ(seconds[2][0], (n2k::Frame{0, 8, {44, 1, 0, 0, 0, 0, 0, 0}})) << "300 = 0x012C";
 }
 
+/// A flood's frame has 131 bits and up to 20 stuff bits, 147.2 in the mean of the counter's first 440,000 (counted bit by bit, with its
+/// CRC, by a program of its own): 250,000 bits a second are 1,699 of them.
+TEST_F(IntrudersTest, FillTheBusFromSoManyFramesOnAsItHasBitsForWhileTheyFlood) {
+  const TimedFault most{.fault = Fault::kFlood, .from = at_s(5), .until = at_s(8), .amount = 1'550};
+  const TimedFault rest{.fault = Fault::kFlood, .from = at_s(6), .amount = 150};
+  const Intruders one({most}, vehicle_, plane_);
+  const Intruders both({most, rest}, vehicle_, plane_);
+  for (std::int64_t s = 0; s < 10; ++s) {
+    EXPECT_FALSE(one.fill_bus(at_s(s))) << s;
+    EXPECT_EQ(both.fill_bus(at_s(s)), s == 6 || s == 7) << s;
+  }
+}
+
 TEST_F(IntrudersTest, OweWhatIsLessThanAFrameToTheNextSecond) {
   const std::vector<Frames> seconds = seconds_of({{.fault = Fault::kFlood, .from = at_s(1), .amount = 1.5}}, 5);
   EXPECT_EQ(seconds[1].size(), 1U);
