@@ -55,6 +55,7 @@ struct BenchFlight {
   std::string failure;                                   ///< why it could not be flown to its end; empty: it was
   messages::EndReason end = messages::EndReason::kNone;  ///< by the last answer
   std::vector<int> exit_statuses;                        ///< of every earshotd, in order; 128 and a signal's number
+  Time began;                                            ///< time 0 of the flight, as its journal dates it
   Time last;                                             ///< of the last tick
   double wall_s = 0.0;
   std::vector<TruePlace> track;        ///< one a second
@@ -68,9 +69,10 @@ struct BenchFlight {
   bool is_weight_released = false;     ///< the vehicle was asked for it
 };
 
-/// Flies a case: earshotd, a simulator's clock in its place of time, and a vehicle's devices on its bus between whom and Earshot the
-/// faults are; over LCM messages take the place of frames. Every tick is a second, as a turn at sea is; what the devices say in it is on
-/// the bus before the tick, and a message that has a shorter period is said once.
+/// Flies a case; one with a speed as at_sea/sea_flight.hpp does. In lock-step: earshotd, a simulator's clock in its place of time, and a
+/// vehicle's devices on its bus between whom and Earshot the faults are; over LCM messages take the place of frames. Every tick is a
+/// second, as a turn at sea is; what the devices say in it is on the bus before the tick, and a message that has a shorter period is said
+/// once.
 /// @param folder  made; what it holds of an earlier flight is replaced
 /// @throws std::system_error, link::LinkError when the bench itself cannot work
 [[nodiscard]] BenchFlight fly_case(const Case& c, const Bench& bench, const std::filesystem::path& folder);

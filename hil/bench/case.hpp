@@ -37,6 +37,8 @@ struct Case {
   NorthEast start;
   NorthEast source;
   Duration at_most;  ///< at sea
+  /// Seconds at sea in one of the host's, with the vehicle as a program of its own; nothing: in lock-step.
+  std::optional<double> speed = std::nullopt;
   std::vector<TimedFault> faults;
   Expectation expected;
   friend bool operator==(const Case&, const Case&) = default;

@@ -57,7 +57,17 @@ NorthEast place_of(TableReader& table, std::string_view key, NorthEast fallback)
   return fallback;
 }
 
-TimedFault read_fault(TableReader table, PortKind bus) {
+bool is_flown(FaultFlight fault, bool is_at_sea) {
+  return fault == FaultFlight::kEither || (fault == FaultFlight::kAtSea) == is_at_sea;
+}
+
+void read_whom(TableReader& table, TimedFault& fault) {
+  const std::vector<std::string> programs{std::string(kEarshotsProgram), std::string(kVehiclesProgram)};
+  fault.device = programs.front();
+  if (table.has("of")) fault.device = programs.at(table.choice("of", programs));
+}
+
+TimedFault read_fault(TableReader table, PortKind bus, bool is_at_sea) {
   constexpr double kLongest = 1e6;
   TimedFault fault;
   const std::size_t index = table.choice("kind", words_of(kFaultTraits, &FaultTraits::word));
@@ -66,11 +76,15 @@ TimedFault read_fault(TableReader table, PortKind bus) {
   if (!is_on(traits.bus, bus))
     table.problem("kind", std::string("there is no ") + std::string(traits.word) + " over " + (bus == PortKind::kLcm ? "LCM" : "CAN") +
                               ", the mission's bus");
+  if (!is_flown(traits.flight, is_at_sea))
+    table.problem("kind",
+                  std::string("there is no ") + std::string(traits.word) + (is_at_sea ? " in a case with a speed" : " in lock-step"));
   fault.from = seconds_from_start(table.number("at_s", Range::between(0.0, kLongest)));
   if (table.has("for_s")) fault.until = fault.from + Duration{seconds_from_start(table.number("for_s", Range::between(0.1, kLongest))).us};
   if (!traits.amount.empty()) fault.amount = table.number(traits.amount, Range::between(traits.lowest, traits.highest));
   if (fault.fault == Fault::kCurrent || fault.fault == Fault::kPositionError || fault.fault == Fault::kSecondNavigation)
     fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
+  if (is_at_sea && is_signal(fault.fault)) read_whom(table, fault);
   if (index >= kFrameFaults) return fault;
   fault.share = table.number_or("share", 1.0, Range::between(0.0, 1.0));
   if (table.has("of")) fault.device = senders(bus).at(table.choice("of", senders(bus)));
@@ -117,8 +131,10 @@ Case load_case(const std::filesystem::path& path) {
   made.start = place_of(root, "start_m", {Meters{12'500}, Meters{11'000}});
   made.source = place_of(root, "source_m", {Meters{12'500}, Meters{12'500}});
   made.at_most = Duration::seconds(root.integer_or("at_most_s", 3600, 10, 1'000'000));
+  if (root.has("speed")) made.speed = root.number("speed", Range::between(0.1, 100.0));
+  if (made.speed && made.bus != PortKind::kCan) root.problem("speed", "only of a mission over CAN");
   if (root.has("fault")) {
-    for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made.bus));
+    for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made.bus, made.speed.has_value()));
   }
   made.expected = read_expectation(root.table("expect"));
   file.finish();

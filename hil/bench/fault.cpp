@@ -11,6 +11,10 @@ NorthEast TimedFault::vector() const {
   return {Meters{amount * std::cos(angle)}, Meters{amount * std::sin(angle)}};
 }
 
+bool is_signal(Fault fault) {
+  return fault == Fault::kKill || fault == Fault::kPause || fault == Fault::kStop;
+}
+
 std::string in_words(const TimedFault& fault) {
   const auto index = static_cast<std::size_t>(fault.fault);
   const FaultTraits& traits = kFaultTraits.at(index);
@@ -26,6 +30,8 @@ std::string in_words(const TimedFault& fault) {
   if (index < kFrameFaults) {
     text << " of " << fault.share * 100.0 << " % of " << (fault.device.empty() ? "all" : "the " + fault.device + "'s") << " frames";
     if (fault.pgn) text << " of " << *fault.pgn;
+  } else if (!fault.device.empty()) {
+    text << " of " << fault.device;
   }
   text << " from " << (fault.from - Time{}).to_seconds() << " s";
   if (fault.until) text << " for " << (*fault.until - fault.from).to_seconds() << " s";

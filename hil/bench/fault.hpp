@@ -53,7 +53,7 @@ enum class Fault : std::uint8_t {
   kDeaf,
   kGainError,
   // Of the computer.
-  kKill,      ///< SIGKILL; it is started again with --resume
+  kKill,      ///< SIGKILL; it is started again with --resume, at sea when its time is over
   kPowerCut,  ///< likewise, and the last bytes of its journal never came to the disk
   kPause,     ///< SIGSTOP, and SIGCONT later
   kStop,      ///< SIGTERM
@@ -65,6 +65,9 @@ inline constexpr std::size_t kFrameFaults = 11;  ///< the first of them
 /// On which buses there is such a fault.
 enum class FaultBus : std::uint8_t { kEither, kCan, kLcm };
 
+/// How a case with such a fault can be flown.
+enum class FaultFlight : std::uint8_t { kLockStep, kAtSea, kEither };
+
 /// The number that says how much of it there is, and where there is any.
 struct FaultTraits {
   std::string_view word;    ///< in files
@@ -72,6 +75,7 @@ struct FaultTraits {
   double lowest = 0.0;
   double highest = 0.0;
   FaultBus bus = FaultBus::kEither;
+  FaultFlight flight = FaultFlight::kLockStep;
 };
 
 /// In the order of Fault.
@@ -94,7 +98,7 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"address_thief", "", 0.0, 0.0, FaultBus::kCan},
     {"strangers_order", ""},
     {"unknown_order", "", 0.0, 0.0, FaultBus::kLcm},
-    {"interface_down", "", 0.0, 0.0, FaultBus::kCan},
+    {"interface_down", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kEither},
     {"rudder_stuck", ""},
     {"planes_stuck", ""},
     {"no_thrust", ""},
@@ -111,11 +115,11 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"depth_error", "metres", -11'000.0, 11'000.0},
     {"deaf", ""},
     {"gain_error", "decibels", -120.0, 120.0},
-    {"kill", ""},
+    {"kill", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
     {"power_cut", "bytes", 1.0, 1e6},
-    {"pause", "wall_seconds", 0.01, 60.0},
-    {"stop", ""},
-    {"full_disk", "bytes", 10'000.0, 1e12},
+    {"pause", "wall_seconds", 0.01, 60.0, FaultBus::kEither, FaultFlight::kEither},
+    {"stop", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
+    {"full_disk", "bytes", 10'000.0, 1e12, FaultBus::kEither, FaultFlight::kEither},
 }};
 
 [[nodiscard]] constexpr bool is_of_frames(Fault fault) {
@@ -129,15 +133,20 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
 /// Who sends Earshot's own frames, or messages, among the names of the devices.
 inline constexpr std::string_view kEarshotsFrames = "earshot";
 
+/// The programs of a flight at sea, by which a case says whom a signal befalls.
+inline constexpr std::string_view kEarshotsProgram = "earshotd";
+inline constexpr std::string_view kVehiclesProgram = "vehicle";
+
 /// A fault, when, and how much.
 struct TimedFault {
   Fault fault = Fault::kLoss;
-  Time from;                                        ///< since the flight began
-  std::optional<Time> until = std::nullopt;         ///< nothing: to the end
-  double amount = 0.0;                              ///< FaultTraits::amount
-  double direction_deg = 0.0;                       ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
-  double share = 1.0;                               ///< of the frames
-  std::string device = {};                          ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders); empty: everybody's
+  Time from;                                 ///< since the flight began
+  std::optional<Time> until = std::nullopt;  ///< nothing: to the end
+  double amount = 0.0;                       ///< FaultTraits::amount
+  double direction_deg = 0.0;                ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
+  double share = 1.0;                        ///< of the frames
+  std::string device = {};  ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders), empty: everybody's; at sea, of a signal:
+                            ///< which program (kEarshotsProgram or kVehiclesProgram)
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
 
   [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }
@@ -147,6 +156,9 @@ struct TimedFault {
   [[nodiscard]] NorthEast vector() const;
   friend bool operator==(const TimedFault&, const TimedFault&) = default;
 };
+
+/// Whether at sea it befalls one of the two programs.
+[[nodiscard]] bool is_signal(Fault fault);
 
 /// "loss of 50 % of the compass's frames from 100 s for 20 s"
 [[nodiscard]] std::string in_words(const TimedFault& fault);

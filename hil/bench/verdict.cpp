@@ -50,7 +50,11 @@ void judge(const messages::Setpoint& setpoint, Time time, const config::Mission&
   complaints.push_back(text.str());
 }
 
-void read_records(const std::filesystem::path& journal, const config::Mission& mission, JournalFindings& found) {
+Time since(Time began, Time time) {
+  return Time{} + (time - began);
+}
+
+void read_records(const std::filesystem::path& journal, const config::Mission& mission, Time began, JournalFindings& found) {
   host::JournalReader reader(journal);
   for (host::JournalRecord record; reader.next(record);) {
     health_t health{};
@@ -62,9 +66,10 @@ void read_records(const std::filesystem::path& journal, const config::Mission& m
       found.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
     } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
       found.events.push_back(wire::from_message(event));
+      found.events.back().time = since(began, found.events.back().time);
     } else if (record.channel == wire::kJournalledSetpointChannel && wire::decode(record.data, setpoint) == Status::kOk) {
       ++found.setpoints;
-      judge(wire::from_message(setpoint), record.time, mission, found.beyond_limits);
+      judge(wire::from_message(setpoint), since(began, record.time), mission, found.beyond_limits);
     }
   }
 }
@@ -114,16 +119,17 @@ void judge_faults(const Case& c, const BenchFlight& flight, std::vector<std::str
 bool is_in_order(int status, const Case& c) {
   if (status == program::kDone || status == program::kAborted || status == program::kInterrupted) return true;
   constexpr int kKilled = 128 + SIGKILL;
-  return (status == kKilled && (has(c, Fault::kKill) || has(c, Fault::kPowerCut))) ||
-         (status == program::kLost && has(c, Fault::kFullDisk));
+  const bool is_killed = std::ranges::any_of(
+      c.faults, [](const TimedFault& fault) { return fault.fault == Fault::kKill && fault.device != kVehiclesProgram; });
+  return (status == kKilled && (is_killed || has(c, Fault::kPowerCut))) || (status == program::kLost && has(c, Fault::kFullDisk));
 }
 
 }  // namespace
 
-JournalFindings read_findings(const std::filesystem::path& journal, const config::Mission& mission) {
+JournalFindings read_findings(const std::filesystem::path& journal, const config::Mission& mission, Time began) {
   JournalFindings found;
   try {
-    read_records(journal, mission, found);
+    read_records(journal, mission, began, found);
     const board::ReplayResult again = board::replay(journal);
     found.is_same_again = again.is_same();
     if (again.difference) found.difference = "record " + std::to_string(again.difference->record) + " (" + again.difference->channel + ")";

@@ -26,7 +26,8 @@ struct JournalFindings {
 };
 
 /// @param journal  of a flight of `mission`
-[[nodiscard]] JournalFindings read_findings(const std::filesystem::path& journal, const config::Mission& mission);
+/// @param began    what it dates the flight's time 0
+[[nodiscard]] JournalFindings read_findings(const std::filesystem::path& journal, const config::Mission& mission, Time began = {});
 
 // What is wrong with a flight, in words; nothing: all is as it had to be. Judged by the journal, the true track and exit statuses, never by
 // what was printed.

@@ -70,6 +70,12 @@ std::vector<hil::Case> chosen_cases(const Options& o) {
   return cases;
 }
 
+/// Those of which one seed gives one flight.
+std::vector<hil::Case> in_lock_step(std::vector<hil::Case> cases) {
+  std::erase_if(cases, [](const hil::Case& c) { return c.speed.has_value(); });
+  return cases;
+}
+
 /// A case and what came of it.
 struct Flown {
   hil::BenchFlight flight;
@@ -79,7 +85,7 @@ struct Flown {
 
 Flown flown(const hil::Case& c, const hil::Bench& setup, const fs::path& folder) {
   Flown f{.flight = hil::fly_case(c, setup, folder), .mission = host::load_mission(c.mission).mission, .journal = {}};
-  f.journal = hil::read_findings(folder / "journal.lcmlog", f.mission);
+  f.journal = hil::read_findings(folder / "journal.lcmlog", f.mission, f.flight.began);
   return f;
 }
 
@@ -176,8 +182,8 @@ int bench(const Options& o) {
       .snr = [curve = sonar::compute_snr_curve(environment, kDepth, kFurthest)](Meters range) { return curve.at(range); },
       .floor_depth = environment.seabed.depth,
       .stop = program::stop_requested};
-  if (o.disarmed) return fly_disarmed(o, cases, setup);
-  return o.random ? fly_random(o, cases, setup) : fly_cases(o, cases, setup);
+  if (o.disarmed) return fly_disarmed(o, in_lock_step(cases), setup);
+  return o.random ? fly_random(o, in_lock_step(cases), setup) : fly_cases(o, cases, setup);
 }
 
 }  // namespace
