@@ -27,8 +27,8 @@ TEST(SlcanLine, TellsTheStatesWithTheErrorsThatTheyTake) {
 }
 
 TEST(SlcanLine, TakesNoFrameOutOfACommandOrADamagedLine) {
-  for (const char* line : {"", "O", "C", "S5", "T", "T09F11223", "T09F112239FF705AFF7FFF7FFDFF", "T09F112238FF705AFF7FFF7FF",
-                           "T29F112230", "T09F1122G0", "T09F1122318G", "T-9F112230"})
+  for (const char* line : {"", "O", "C", "S5", "T", "T09F11223", "T09F112239FF705AFF7FFF7FFDFF", "T09F112238FF705AFF7FFF7FF", "T29F112230",
+                           "T09F1122G0", "T09F1122318G", "T-9F112230"})
     EXPECT_EQ(read_line(line), std::nullopt) << line;
 }
 
