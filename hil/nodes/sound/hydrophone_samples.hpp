@@ -24,7 +24,7 @@ enum class SoundLine : std::uint8_t {
 struct SoundFault {
   SoundLine line = SoundLine::kWhole;
   Decibels gain_error = {};  ///< of the amplifier, over what its blocks name
-  bool is_mute = false;  ///< its ADC goes on, and no block is sent
+  bool is_mute = false;      ///< its ADC goes on, and no block is sent
   friend bool operator==(const SoundFault&, const SoundFault&) = default;
 };
 

@@ -32,9 +32,9 @@ void sleep_until(Time host) {
 }  // namespace
 
 SampleSender::SampleSender(const std::string& url, double speed, Decibels snr, std::uint64_t seed)
-    : samples_(snr, seed), endpoint_(host::parse_lcm_url(url), {}), thread_([this, speed](const std::stop_token& stop) {
-        send(stop, speed);
-      }) {}
+    : samples_(snr, seed),
+      endpoint_(host::parse_lcm_url(url), {}),
+      thread_([this, speed](const std::stop_token& stop) { send(stop, speed); }) {}
 
 void SampleSender::disturb(const SoundFault& fault) {
   const std::lock_guard lock(guard_);

@@ -39,7 +39,7 @@ double mean_square(const std::vector<float>& x) {
 TEST(HydrophoneSamples, HasTheSourceAndTheNoiseAtTheLevelsThatItsSnrSays) {
   HydrophoneSamples hydrophone(Decibels{10.0}, 1);
   const std::vector<float> x = sound(hydrophone, 400);
-  EXPECT_NEAR(power_at(x, 20.0), 1e-8, 0.03e-8);             // the noise in a bin of 0.01 Hz is 2.5e-12: 1.6 % of the amplitude
+  EXPECT_NEAR(power_at(x, 20.0), 1e-8, 0.03e-8);      // the noise in a bin of 0.01 Hz is 2.5e-12: 1.6 % of the amplitude
   EXPECT_NEAR(mean_square(x), 62.5e-9 + 1e-8, 2e-9);  // 50 000 samples: 0.6 % of the noise's power, three times
 }
 
