@@ -9,6 +9,7 @@
 
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/child_process.hpp"
+#include "hil/bench/at_sea/sea_flight.hpp"
 #include "hil/bench/can/can_vehicle_bus.hpp"
 #include "hil/bench/disturbance_at.hpp"
 #include "hil/bench/lcm/lcm_vehicle_bus.hpp"
@@ -40,7 +41,8 @@ bool is_killed_once(const Case& c) {
 void remove_earlier_flight(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name == "words.txt" || name.starts_with("journal")) std::filesystem::remove(entry.path());
+    if (name == "words.txt" || name == "vehicle.txt" || name == "track.csv" || name.starts_with("journal"))
+      std::filesystem::remove(entry.path());
   }
 }
 
@@ -248,6 +250,7 @@ class Flyer {
 BenchFlight fly_case(const Case& c, const Bench& bench, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   remove_earlier_flight(folder);
+  if (c.speed) return fly_at_sea(c, bench, folder);
   link::RunSlot slot;
   return Flyer(c, bench, folder, slot).fly();
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,12 @@ struct Bench {
   SnrOfRange snr;      ///< of the source
   Meters floor_depth;  ///< of the sea
   const std::atomic<bool>& stop;
+};
+
+/// What a case needs of this machine is not there: it was not flown.
+class NotFlown : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// Where the vehicle truly was.
@@ -52,9 +59,13 @@ struct TracedMessage {
 /// What came of a flight.
 struct BenchFlight {
   std::filesystem::path folder;                          ///< of its journal, of what earshotd said (words.txt), and of its track
+  std::string not_flown;                                 ///< what this machine lacks for it; empty: it was
   std::string failure;                                   ///< why it could not be flown to its end; empty: it was
   messages::EndReason end = messages::EndReason::kNone;  ///< by the last answer
+  bool is_end_heard = true;                              ///< false: Earshot could not say it; the journal alone knows
+  std::vector<std::string> uncounted;                    ///< faults that the kernel has not counted, in words
   std::vector<int> exit_statuses;                        ///< of every earshotd, in order; 128 and a signal's number
+  Time began;                                            ///< time 0 of the flight, as its journal dates it
   Time last;                                             ///< of the last tick
   double wall_s = 0.0;
   std::vector<TruePlace> track;        ///< one a second
@@ -66,9 +77,10 @@ struct BenchFlight {
   std::uint64_t afflicted = 0;         ///< frames that a fault befell
 };
 
-/// Flies a case: earshotd, a simulator's clock in its place of time, and a vehicle's devices on its bus between whom and Earshot the
-/// faults are; over LCM messages take the place of frames. Every tick is a second, as a turn at sea is; what the devices say in it is on
-/// the bus before the tick, and a message that has a shorter period is said once.
+/// Flies a case; one with a speed as at_sea/sea_flight.hpp does. In lock-step: earshotd, a simulator's clock in its place of time, and a
+/// vehicle's devices on its bus between whom and Earshot the faults are; over LCM messages take the place of frames. Every tick is a
+/// second, as a turn at sea is; what the devices say in it is on the bus before the tick, and a message that has a shorter period is said
+/// once.
 /// @param folder  made; what it holds of an earlier flight is replaced
 /// @throws std::system_error, link::LinkError when the bench itself cannot work
 [[nodiscard]] BenchFlight fly_case(const Case& c, const Bench& bench, const std::filesystem::path& folder);

@@ -11,6 +11,18 @@ NorthEast TimedFault::vector() const {
   return {Meters{amount * std::cos(angle)}, Meters{amount * std::sin(angle)}};
 }
 
+bool is_signal(Fault fault) {
+  return fault == Fault::kKill || fault == Fault::kPause || fault == Fault::kStop;
+}
+
+bool is_of_controller(Fault fault) {
+  return fault == Fault::kErrorPassive || fault == Fault::kBusOff;
+}
+
+bool is_of_sound(Fault fault) {
+  return fault >= Fault::kSoundDropout && fault <= Fault::kSoundShorted;
+}
+
 std::string in_words(const TimedFault& fault) {
   const auto index = static_cast<std::size_t>(fault.fault);
   const FaultTraits& traits = kFaultTraits.at(index);
@@ -18,6 +30,7 @@ std::string in_words(const TimedFault& fault) {
   for (char& character : word) character = character == '_' ? ' ' : character;
   std::ostringstream text;
   text << word;
+  if (!fault.how.empty()) text << " (" << fault.how << ")";
   if (!traits.amount.empty()) {
     std::string unit(traits.amount);
     for (char& character : unit) character = character == '_' ? ' ' : character;
@@ -26,6 +39,8 @@ std::string in_words(const TimedFault& fault) {
   if (index < kFrameFaults) {
     text << " of " << fault.share * 100.0 << " % of " << (fault.device.empty() ? "all" : "the " + fault.device + "'s") << " frames";
     if (fault.pgn) text << " of " << *fault.pgn;
+  } else if (!fault.device.empty()) {
+    text << " of " << fault.device;
   }
   text << " from " << (fault.from - Time{}).to_seconds() << " s";
   if (fault.until) text << " for " << (*fault.until - fault.from).to_seconds() << " s";

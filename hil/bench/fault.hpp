@@ -35,6 +35,10 @@ enum class Fault : std::uint8_t {
   kStrangersOrder,    ///< a COMPLETE that is long out of date, given again and again
   kUnknownOrder,      ///< one that there is none of, again and again
   kInterfaceDown,     ///< the computer's CAN interface
+  // Of the controller and the wire (SeaEquipment).
+  kErrorPassive,  ///< the computer's CAN controller counts many errors
+  kBusOff,        ///< it leaves the bus; when it is over, the interface is taken down and up
+  kNetem,         ///< what the kernel does to what is sent on the bus, as tc-netem(8) has it
   // Of the vehicle and its instruments (Disturbance).
   kRudderStuck,
   kPlanesStuck,
@@ -52,18 +56,26 @@ enum class Fault : std::uint8_t {
   kDepthError,
   kDeaf,
   kGainError,
+  // Of a hydrophone whose samples come over LCM (SoundFault).
+  kSoundDropout,
+  kSoundGain,
+  kSoundOpen,
+  kSoundShorted,
   // Of the computer.
-  kKill,      ///< SIGKILL; it is started again with --resume
+  kKill,      ///< SIGKILL; it is started again with --resume, at sea when its time is over
   kPowerCut,  ///< likewise, and the last bytes of its journal never came to the disk
   kPause,     ///< SIGSTOP, and SIGCONT later
   kStop,      ///< SIGTERM
   kFullDisk,  ///< the journal may not grow beyond so many bytes
 };
-inline constexpr std::size_t kFaults = 40;
+inline constexpr std::size_t kFaults = 47;
 inline constexpr std::size_t kFrameFaults = 11;  ///< the first of them
 
 /// On which buses there is such a fault.
 enum class FaultBus : std::uint8_t { kEither, kCan, kLcm };
+
+/// How a case with such a fault can be flown.
+enum class FaultFlight : std::uint8_t { kLockStep, kAtSea, kEither };
 
 /// The number that says how much of it there is, and where there is any.
 struct FaultTraits {
@@ -72,6 +84,7 @@ struct FaultTraits {
   double lowest = 0.0;
   double highest = 0.0;
   FaultBus bus = FaultBus::kEither;
+  FaultFlight flight = FaultFlight::kLockStep;
 };
 
 /// In the order of Fault.
@@ -94,7 +107,10 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"address_thief", "", 0.0, 0.0, FaultBus::kCan},
     {"strangers_order", ""},
     {"unknown_order", "", 0.0, 0.0, FaultBus::kLcm},
-    {"interface_down", "", 0.0, 0.0, FaultBus::kCan},
+    {"interface_down", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kEither},
+    {"error_passive", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"bus_off", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"netem", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
     {"rudder_stuck", ""},
     {"planes_stuck", ""},
     {"no_thrust", ""},
@@ -111,26 +127,36 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"depth_error", "metres", -11'000.0, 11'000.0},
     {"deaf", ""},
     {"gain_error", "decibels", -120.0, 120.0},
-    {"kill", ""},
+    {"sound_dropout", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"sound_gain", "decibels", -120.0, 120.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"sound_open", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"sound_shorted", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"kill", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
     {"power_cut", "bytes", 1.0, 1e6},
-    {"pause", "wall_seconds", 0.01, 60.0},
-    {"stop", ""},
-    {"full_disk", "bytes", 10'000.0, 1e12},
+    {"pause", "wall_seconds", 0.01, 60.0, FaultBus::kEither, FaultFlight::kEither},
+    {"stop", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
+    {"full_disk", "bytes", 10'000.0, 1e12, FaultBus::kEither, FaultFlight::kEither},
 }};
 
 /// Who sends Earshot's own frames, or messages, among the names of the devices.
 inline constexpr std::string_view kEarshotsFrames = "earshot";
 
+/// The programs of a flight at sea, by which a case says whom a signal befalls.
+inline constexpr std::string_view kEarshotsProgram = "earshotd";
+inline constexpr std::string_view kVehiclesProgram = "vehicle";
+
 /// A fault, when, and how much.
 struct TimedFault {
   Fault fault = Fault::kLoss;
-  Time from;                                        ///< since the flight began
-  std::optional<Time> until = std::nullopt;         ///< nothing: to the end
-  double amount = 0.0;                              ///< FaultTraits::amount
-  double direction_deg = 0.0;                       ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
-  double share = 1.0;                               ///< of the frames
-  std::string device = {};                          ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders); empty: everybody's
+  Time from;                                 ///< since the flight began
+  std::optional<Time> until = std::nullopt;  ///< nothing: to the end
+  double amount = 0.0;                       ///< FaultTraits::amount
+  double direction_deg = 0.0;                ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
+  double share = 1.0;                        ///< of the frames
+  std::string device = {};  ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders), empty: everybody's; at sea, of a signal:
+                            ///< which program (kEarshotsProgram or kVehiclesProgram)
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
+  std::string how = {};                             ///< of kNetem: "delay 50ms 20ms loss 5%"
 
   [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }
   /// Whether it began since the last tick.
@@ -139,6 +165,13 @@ struct TimedFault {
   [[nodiscard]] NorthEast vector() const;
   friend bool operator==(const TimedFault&, const TimedFault&) = default;
 };
+
+/// Whether at sea it befalls one of the two programs.
+[[nodiscard]] bool is_signal(Fault fault);
+/// Whether it befalls the computer's CAN controller.
+[[nodiscard]] bool is_of_controller(Fault fault);
+/// Whether it befalls the hydrophone whose samples come over LCM.
+[[nodiscard]] bool is_of_sound(Fault fault);
 
 /// "loss of 50 % of the compass's frames from 100 s for 20 s"
 [[nodiscard]] std::string in_words(const TimedFault& fault);

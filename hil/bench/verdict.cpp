@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "earshot/controller_trouble_t.hpp"
 #include "earshot/health_t.hpp"
 #include "earshot/safety_event_t.hpp"
 #include "earshot/setpoint_t.hpp"
@@ -48,21 +49,31 @@ void judge(const messages::Setpoint& setpoint, Time time, const config::Mission&
   complaints.push_back(text.str());
 }
 
-void read_records(const std::filesystem::path& journal, const config::Mission& mission, JournalFindings& found) {
+Time since(Time began, Time time) {
+  return Time{} + (time - began);
+}
+
+void read_records(const std::filesystem::path& journal, const config::Mission& mission, Time began, JournalFindings& found) {
   host::JournalReader reader(journal);
   for (host::JournalRecord record; reader.next(record);) {
     health_t health{};
     setpoint_t setpoint{};
     safety_event_t event{};
+    controller_trouble_t trouble{};
     if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
       found.end = static_cast<messages::EndReason>(health.end_reason);
       found.counters.navigation_refused = static_cast<std::uint64_t>(health.navigation_refused);
       found.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
+      for (const port_report_t& port : health.ports)
+        found.lost.at(static_cast<std::size_t>(port.port)) = static_cast<std::uint64_t>(port.lost);
+    } else if (record.channel == wire::kControllerTroubleChannel && wire::decode(record.data, trouble) == Status::kOk) {
+      found.troubles.push_back({.is_bus_off = trouble.trouble == controller_trouble_t::BUS_OFF, .begins = trouble.is_there != 0});
     } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
       found.events.push_back(wire::from_message(event));
+      found.events.back().time = since(began, found.events.back().time);
     } else if (record.channel == wire::kJournalledSetpointChannel && wire::decode(record.data, setpoint) == Status::kOk) {
       ++found.setpoints;
-      judge(wire::from_message(setpoint), record.time, mission, found.beyond_limits);
+      judge(wire::from_message(setpoint), since(began, record.time), mission, found.beyond_limits);
     }
   }
 }
@@ -88,6 +99,22 @@ void judge_rules(const Case& c, const JournalFindings& journal, std::vector<std:
   }
 }
 
+/// Earshot must have noticed what befell its controller and its hydrophone, though it went on.
+void judge_notice(const Case& c, const JournalFindings& journal, std::vector<std::string>& wrong) {
+  for (const TimedFault& fault : c.faults) {
+    const auto says = [&](bool begins) {
+      return std::ranges::any_of(journal.troubles, [&](const ControllerTrouble& trouble) {
+        return trouble.is_bus_off == (fault.fault == Fault::kBusOff) && trouble.begins == begins;
+      });
+    };
+    if (is_of_controller(fault.fault) && !says(true)) wrong.push_back("the journal does not say that it began: " + in_words(fault));
+    if (is_of_controller(fault.fault) && fault.until && !says(false))
+      wrong.push_back("the journal does not say that it ended: " + in_words(fault));
+    if (fault.fault == Fault::kSoundDropout && fault.until && journal.lost.at(c.sound_port) == 0)
+      wrong.emplace_back("the journal does not say that samples were lost");
+  }
+}
+
 void judge_track(const config::Mission& mission, const BenchFlight& flight, std::vector<std::string>& wrong) {
   const auto& halt = mission.safety.fence;
   for (const TruePlace& place : flight.track) {
@@ -105,16 +132,17 @@ bool has(const Case& c, Fault fault) {
 bool is_in_order(int status, const Case& c) {
   if (status == program::kDone || status == program::kAborted || status == program::kInterrupted) return true;
   constexpr int kKilled = 128 + SIGKILL;
-  return (status == kKilled && (has(c, Fault::kKill) || has(c, Fault::kPowerCut))) ||
-         (status == program::kLost && has(c, Fault::kFullDisk));
+  const bool is_killed = std::ranges::any_of(
+      c.faults, [](const TimedFault& fault) { return fault.fault == Fault::kKill && fault.device != kVehiclesProgram; });
+  return (status == kKilled && (is_killed || has(c, Fault::kPowerCut))) || (status == program::kLost && has(c, Fault::kFullDisk));
 }
 
 }  // namespace
 
-JournalFindings read_findings(const std::filesystem::path& journal, const config::Mission& mission) {
+JournalFindings read_findings(const std::filesystem::path& journal, const config::Mission& mission, Time began) {
   JournalFindings found;
   try {
-    read_records(journal, mission, found);
+    read_records(journal, mission, began, found);
     const board::ReplayResult again = board::replay(journal);
     found.is_same_again = again.is_same();
     if (again.difference) found.difference = "record " + std::to_string(again.difference->record) + " (" + again.difference->channel + ")";
@@ -157,6 +185,8 @@ std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& fl
     wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(flight.end) +
                     ", not: " + messages::to_string(c.expected.end));
   judge_rules(c, journal, wrong);
+  judge_notice(c, journal, wrong);
+  wrong.insert(wrong.end(), flight.uncounted.begin(), flight.uncounted.end());
   if (c.expected.refuses_navigation && journal.counters.navigation_refused == 0) wrong.emplace_back("no fix was refused");
   if (c.expected.refuses_commands && journal.counters.commands_refused == 0) wrong.emplace_back("no order was refused");
   return wrong;

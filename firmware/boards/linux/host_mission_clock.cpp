@@ -38,8 +38,10 @@ HostMissionClock::Moment HostMissionClock::moment_of(const HostClock& host) {
   return closest;
 }
 
-HostMissionClock::HostMissionClock(const HostClock& host, double speed)
-    : host_(host), speed_(speed), began_(host.utc()), began_on_host_(host.monotonic()), moment_(moment_of(host)) {}
+HostMissionClock::HostMissionClock(const HostClock& host, double speed, std::optional<Time> since)
+    : host_(host), speed_(speed), began_(host.utc()), began_on_host_(host.monotonic()), moment_(moment_of(host)) {
+  if (since) began_ = *since + scaled(began_ - *since, speed_);
+}
 
 Time HostMissionClock::now() {
   return began_ + scaled(host_.monotonic() - began_on_host_, speed_);

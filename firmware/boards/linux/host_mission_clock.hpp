@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "firmware/boards/linux/clock.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/core/time.hpp"
@@ -12,7 +14,10 @@ class HostMissionClock final : public Clock {
  public:
   /// @param host   must outlive it
   /// @param speed  mission seconds per second of the host, > 0: a rehearsal may run faster or slower
-  explicit HostMissionClock(const HostClock& host, double speed = 1.0);
+  /// @param since  UTC from which `speed` counts, now or earlier: the mission clocks of two processes, made one after the other, are then
+  /// one;
+  ///               nothing: from now on
+  explicit HostMissionClock(const HostClock& host, double speed = 1.0, std::optional<Time> since = std::nullopt);
 
   [[nodiscard]] Time now() override;
   [[nodiscard]] Time mission_time_of(Time utc) override;

@@ -20,6 +20,7 @@
 #include "hil/nodes/bus_connection.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
 #include "hil/nodes/scaled_clock.hpp"
+#include "hil/nodes/vehicle/track_file.hpp"
 #include "hil/nodes/vehicle_news.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
@@ -39,6 +40,7 @@ struct Options {
   std::optional<double> duration_s;
   std::optional<double> variation_deg;
   std::vector<std::string> without;
+  std::optional<std::filesystem::path> track;
 };
 
 void declare(program::CommandLine& line, Options& o) {
@@ -60,6 +62,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--duration", &o.duration_s, "seconds of the vehicle's time until it ends; default: it goes on until Ctrl-C").positive();
   line.option("--variation", &o.variation_deg, "degrees, east positive: the compass is a magnetic one; default: a gyrocompass")
       .between(-180.0, 180.0);
+  line.option("--track", &o.track, "file (CSV) that each second's place of the vehicle is added to");
   line.option(
           "--without", &o.without,
           "devices to leave out, because they are there as hardware: " +
@@ -141,6 +144,8 @@ int emulate(const Options& o) {
   hil::EmulatedVehicle vehicle(setup);
   const hil::ScaledClock clock(o.speed);
   hil::BusConnection bus(interface, vehicle, clock);
+  std::optional<hil::TrackFile> track;
+  if (o.track) track.emplace(*o.track);
   program::stop_on_signals();
   introduce(interface, setup, vehicle, o.speed);
   const Time began = clock.now();
@@ -148,6 +153,7 @@ int emulate(const Options& o) {
   bool is_up = true;
   while (!program::stop_requested && !(o.duration_s && (clock.now() - began).to_seconds() >= *o.duration_s)) {
     bus.turn();
+    if (track) track->note(clock.now(), hil::ScaledClock::host_now(), vehicle.state());
     if (bus.is_up() != is_up) program::say() << interface << (bus.is_up() ? " is up again\n" : " is down; tried again once a second\n");
     is_up = bus.is_up();
     for (const std::string& line : news.lines(clock.now())) program::say() << line << "\n";

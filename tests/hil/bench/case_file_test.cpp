@@ -206,5 +206,22 @@ TEST(ShippedCases, AreAtLeastFortyAndEachCanBeRead) {
   EXPECT_GE(load_cases(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases").size(), 40U);
 }
 
+TEST_F(CaseFileTest, WithASpeedIsFlownAsAtSeaWhereSignalsBefallEitherProgram) {
+  const std::string kSea = kWords + "speed = 20\n";
+  EXPECT_EQ(load(kWords + kExpect).speed, std::nullopt);
+  const Case c = load(kSea + "[[fault]]\nkind = \"kill\"\nat_s = 80\nfor_s = 20\n" +
+                      "[[fault]]\nkind = \"pause\"\nof = \"vehicle\"\nat_s = 80\nwall_seconds = 2\n" + kExpect);
+  EXPECT_EQ(c.speed, 20.0);
+  EXPECT_EQ(c.faults.at(0), (TimedFault{.fault = Fault::kKill, .from = at_s(80), .until = at_s(100), .device = "earshotd"}));
+  EXPECT_EQ(c.faults.at(1), (TimedFault{.fault = Fault::kPause, .from = at_s(80), .amount = 2.0, .device = "vehicle"}));
+}
+
+TEST_F(CaseFileTest, HasOnlyFaultsThatThereAreInItsKindOfFlight) {
+  EXPECT_EQ(refusal(kWords + "speed = 20\n[[fault]]\nkind = \"loss\"\nat_s = 1\n" + kExpect),
+            "cases.toml: fault.kind: there is no loss in a case with a speed");
+  EXPECT_NE(refusal_of_fault("kind = \"pause\"\nof = \"vehicle\"\nat_s = 1\nwall_seconds = 2").find("fault.of"), std::string::npos);
+  EXPECT_NE(refusal(kWords + "speed = 0\n" + kExpect).find("speed"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace earshot::hil

@@ -271,6 +271,14 @@ int check(const Options& o) {
   return program::kDone;
 }
 
+/// @throws host::BadInput unless it is past
+std::optional<Time> rehearsal_began(const Options& o, Time utc) {
+  if (!o.speed_since) return std::nullopt;
+  const Time began = Time{} + Duration{static_cast<std::int64_t>(*o.speed_since * 1e6)};
+  if (began > utc) throw host::BadInput("--speed-since: must be past; now it is " + std::to_string(utc.us / 1'000'000));
+  return began;
+}
+
 int fly(const Options& o) {
   require_possible(o);
   if (o.check) return check(o);
@@ -298,7 +306,7 @@ int fly(const Options& o) {
     clock = std::move(simulation.clock);
     ports.add(std::move(simulation.port));
   } else {
-    clock = std::make_unique<board::HostMissionClock>(host, o.speed);
+    clock = std::make_unique<board::HostMissionClock>(host, o.speed, rehearsal_began(o, host.utc()));
   }
   // A vehicle in mid-search must not be left alone with its last set-point because somebody's terminal closed or a key slipped.
   if (!o.simulation) {

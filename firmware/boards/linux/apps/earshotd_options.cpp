@@ -34,6 +34,10 @@ void require_hearing_possible(const Options& o) {
   if (o.hear && !o.simulation) throw host::BadInput("--hear: only with --simulation; at sea the mission's hydrophone is heard in any case");
 }
 
+void require_rehearsal_possible(const Options& o) {
+  if (o.speed_since && o.simulation) throw host::BadInput("--speed-since: not with --simulation, whose clock is the simulator's");
+}
+
 void require_proof_possible(const Options& o) {
   if (!o.prove_no_alloc) return;
   if (o.simulation) throw host::BadInput("--prove-no-alloc: not with --simulation, whose middleware allocates as it likes");
@@ -88,6 +92,11 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--speed", &o.speed, "mission seconds per second of this host's clock, for a rehearsal ashore; not with --simulation")
       .between(0.01, 100.0)
       .shows_default();
+  line.option(
+          "--speed-since", &o.speed_since,
+          "seconds since 1970, UTC, from which --speed counts; default: when this program starts; a rehearsal that goes on with --resume "
+          "is told the same again")
+      .between(0.0, 4e9);
   line.option("--simulation", &o.simulation,
               "fly in lock-step with a simulator in this DDS domain; without it: at sea, on this host's clock")
       .from(0, 230);
@@ -118,6 +127,7 @@ void require_possible(const Options& o) {
   require_check_possible(o);
   require_hearing_possible(o);
   require_resuming_possible(o);
+  require_rehearsal_possible(o);
   require_proof_possible(o);
   require_budget_possible(o);
 }

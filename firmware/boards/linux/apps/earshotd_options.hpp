@@ -21,6 +21,7 @@ struct Options {
   std::optional<std::uint64_t> seed;
   host::PortOverride ports;
   double speed = 1.0;
+  std::optional<double> speed_since;
   std::optional<std::uint32_t> simulation;
   std::uint64_t run = 0;
   std::uint32_t wait_s = 60;

@@ -54,6 +54,20 @@ TEST(HostMissionClock, ScalesWhatPassesAndWhatIsOld) {
   EXPECT_EQ(clock.mission_time_of(host.wall + seconds(-2)), Time{1'180'000'000}) << "2 s old are 2 min";
 }
 
+TEST(HostMissionClock, GoesOnWhereAnotherOfTheSameRehearsalIs) {
+  SetHost host;
+  const Time began = host.wall;
+  HostMissionClock first(host, 20.0, began);
+  EXPECT_EQ(first.now(), began) << "nothing has passed";
+  host.pass(seconds(5));
+  HostMissionClock second(host, 20.0, began);
+  EXPECT_EQ(second.now(), Time{1'100'000'000}) << "5 s are 100 s";
+  EXPECT_EQ(second.now(), first.now());
+  host.pass(seconds(1));
+  EXPECT_EQ(second.now(), Time{1'120'000'000});
+  EXPECT_EQ(second.mission_time_of(host.wall + seconds(-2)), Time{1'080'000'000}) << "2 s old are 40 s";
+}
+
 /// A host whose process is halted for 40 ms between two readings of its clocks, the first times that they are read.
 class HaltedHost final : public HostClock {
  public:

@@ -1,0 +1,270 @@
+#include "hil/bench/at_sea/sea_flight.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "firmware/host/program/exit_status.hpp"
+#include "hil/bench/at_sea/bus_listener.hpp"
+#include "hil/bench/at_sea/sea_equipment.hpp"
+#include "hil/bench/at_sea/sea_program.hpp"
+#include "hil/bus/interface_switch.hpp"
+#include "hil/nodes/scaled_clock.hpp"
+#include "hil/nodes/vehicle/track_file.hpp"
+
+namespace earshot::hil {
+namespace {
+
+using program::ChildProcess;
+using program::ChildSettings;
+
+// By the host's clock.
+constexpr std::chrono::milliseconds kLookUp{5};
+constexpr Duration kToBegin = Duration::seconds(60);  ///< until the search has begun, on a busy machine
+constexpr Duration kToEnd = Duration::seconds(20);    ///< until a program that was told to end has ended
+
+std::string written(double number) {
+  std::ostringstream text;
+  text << std::fixed << number;
+  return text.str();
+}
+
+std::string written(NorthEast place) {
+  return written(place.north.value) + "," + written(place.east.value);
+}
+
+/// A fault of the case, as far as it has come.
+struct Befalling {
+  const TimedFault& fault;
+  std::optional<Time> until;
+  bool has_begun = false;
+  bool has_ended = false;
+};
+
+std::vector<Befalling> all_of(const Case& c) {
+  std::vector<Befalling> all;
+  for (const TimedFault& fault : c.faults) {
+    std::optional<Time> until = fault.until;
+    if (fault.fault == Fault::kPause) until = fault.from + Duration{std::llround(fault.amount * *c.speed * 1e6)};
+    all.push_back({.fault = fault, .until = until});
+  }
+  return all;
+}
+
+/// Whether Earshot could not say on the bus how its search ended.
+bool is_beyond_hearing(Fault fault) {
+  return fault == Fault::kBusOff || fault == Fault::kNetem;
+}
+
+/// One flight in the making.
+class SeaFlyer {
+ public:
+  SeaFlyer(const Case& c, const Bench& bench, const std::filesystem::path& folder)
+      : case_(c),
+        bench_(bench),
+        equipment_(c, bench),
+        listener_(bench.interface),
+        earshotd_("earshotd", [this] { return start_earshotd(); }),
+        vehicle_("the vehicle's program", [this] { return start_vehicle(); }),
+        faults_(all_of(c)) {
+    flight_.folder = folder;
+  }
+
+  BenchFlight fly() {
+    earshotd_.start();
+    vehicle_.start();
+    if (begin()) sail();
+    flight_.last = now();
+    end();
+    flight_.wall_s = (ScaledClock::host_now() - launched_).to_seconds();
+    listener_.report(flight_);
+    take_track();
+    return std::move(flight_);
+  }
+
+ private:
+  // The two programs.
+
+  [[nodiscard]] std::unique_ptr<ChildProcess> start_earshotd() const {
+    ChildSettings settings{.words = flight_.folder / "words.txt"};
+    for (const TimedFault& fault : case_.faults) {
+      if (fault.fault == Fault::kFullDisk) settings.most_bytes_of_a_file = static_cast<std::uint64_t>(fault.amount);
+    }
+    // As a vehicle's computer has it started every time.
+    std::vector<std::string> a{case_.mission, "--speed",       written(*case_.speed),
+                               "--quiet",     "--speed-since", written((launched_utc_ - Time{}).to_seconds()),
+                               "--resume",    "--out",         flight_.folder};
+    const std::vector<std::string> of_equipment = equipment_.options_of_earshotd();
+    a.insert(a.end(), of_equipment.begin(), of_equipment.end());
+    return std::make_unique<ChildProcess>(bench_.earshotd, a, settings);
+  }
+
+  /// Where it was when its program ended.
+  [[nodiscard]] std::unique_ptr<ChildProcess> start_vehicle() const {
+    const std::vector<TrackPlace> sailed = read_track(track_file());
+    const NorthEast start = sailed.empty() ? case_.start : sailed.back().position;
+    const std::vector<std::string> a{"--mission", case_.mission,         "--interface", bench_.interface,
+                                     "--speed",   written(*case_.speed), "--start",     written(start),
+                                     "--source",  written(case_.source), "--seed",      std::to_string(bench_.seed),
+                                     "--track",   track_file()};
+    return std::make_unique<ChildProcess>("earshot-emulate", a, ChildSettings{.words = flight_.folder / "vehicle.txt"});
+  }
+
+  [[nodiscard]] std::filesystem::path track_file() const { return flight_.folder / "track.csv"; }
+
+  /// Whom a fault befalls.
+  [[nodiscard]] SeaProgram& program_of(const TimedFault& fault) { return fault.device == kVehiclesProgram ? vehicle_ : earshotd_; }
+
+  // The flight.
+
+  /// @return whether the search has begun
+  [[nodiscard]] bool begin() {
+    while (!is_in(messages::MissionState::kSearch)) {
+      if (bench_.stop || is_anybody_lost()) return false;
+      if (ScaledClock::host_now() - launched_ > kToBegin) return fail_false("the search did not begin within a minute");
+      turn();
+    }
+    listener_.forget();
+    began_ = ScaledClock::host_now();
+    flight_.began = launched_utc_ + at_sea(began_ - launched_);
+    return true;
+  }
+
+  void sail() {
+    while (!is_over() && !bench_.stop && now() - Time{} < case_.at_most && !is_anybody_lost()) {
+      befall();
+      turn();
+    }
+    if (is_over() && !std::ranges::all_of(faults_, &Befalling::has_begun)) fail("the search was over before all faults had begun");
+  }
+
+  void turn() {
+    std::this_thread::sleep_for(kLookUp);
+    listener_.hear(now());
+  }
+
+  [[nodiscard]] Duration at_sea(Duration on_host) const { return Duration{std::llround(static_cast<double>(on_host.us) * *case_.speed)}; }
+  [[nodiscard]] Time now() const { return Time{} + at_sea(ScaledClock::host_now() - began_); }
+
+  [[nodiscard]] bool is_in(messages::MissionState state) const { return listener_.health() && listener_.health()->state == state; }
+  [[nodiscard]] bool is_over() {
+    if (is_in(messages::MissionState::kDone) || is_in(messages::MissionState::kAbort)) return true;
+    const bool comes_back = std::ranges::any_of(faults_, [this](const Befalling& b) {
+      return b.fault.fault == Fault::kKill && &program_of(b.fault) == &earshotd_ && b.has_begun && b.until && !b.has_ended;
+    });
+    return !comes_back && !earshotd_.runs() && !earshotd_.is_lost();
+  }
+
+  [[nodiscard]] bool is_anybody_lost() {
+    for (SeaProgram* program : {&earshotd_, &vehicle_}) {
+      if (program->is_lost()) fail(program->name() + " ended with status " + std::to_string(program->exit_statuses().back()));
+    }
+    return !flight_.failure.empty();
+  }
+
+  // Faults.
+
+  void befall() {
+    for (Befalling& one : faults_) {
+      if (!one.has_begun && now() >= one.fault.from) {
+        one.has_begun = true;
+        begin(one.fault);
+      }
+      if (one.has_begun && !one.has_ended && one.until && now() >= *one.until) {
+        one.has_ended = true;
+        end(one.fault);
+      }
+    }
+  }
+
+  void begin(const TimedFault& fault) {
+    if (fault.fault == Fault::kKill) program_of(fault).kill();
+    if (fault.fault == Fault::kPause) program_of(fault).halt();
+    if (fault.fault == Fault::kStop) program_of(fault).stop();
+    if (fault.fault == Fault::kInterfaceDown) switch_bus(false);
+    equipment_.begin(fault);
+  }
+
+  void end(const TimedFault& fault) {
+    if (fault.fault == Fault::kKill) program_of(fault).start();
+    if (fault.fault == Fault::kPause) program_of(fault).go_on();
+    if (fault.fault == Fault::kInterfaceDown) switch_bus(true);
+    equipment_.end(fault);
+  }
+
+  void switch_bus(bool is_up) {
+    is_interface_up_ = is_up;
+    switch_interface(bench_.interface, is_up);
+    if (is_up) listener_.come_back();
+  }
+
+  // The end.
+
+  /// Earshot first: the vehicle hears to the last what it says.
+  void end() {
+    flight_.end = listener_.health() ? listener_.health()->end_reason : messages::EndReason::kNone;
+    end(earshotd_);
+    flight_.exit_statuses = earshotd_.exit_statuses();
+    flight_.is_end_heard =
+        std::ranges::none_of(faults_, [](const Befalling& b) { return is_beyond_hearing(b.fault.fault) && b.has_begun && !b.has_ended; });
+    flight_.uncounted = equipment_.uncounted();
+    end(vehicle_);
+    if (!is_interface_up_) switch_bus(true);
+    for (const int status : vehicle_.exit_statuses()) {
+      const bool is_killed = status == 128 + SIGKILL && std::ranges::any_of(faults_, [this](const Befalling& b) {
+                               return b.fault.fault == Fault::kKill && &program_of(b.fault) == &vehicle_;
+                             });
+      if (status != program::kDone && !is_killed) fail(vehicle_.name() + " ended with status " + std::to_string(status));
+    }
+  }
+
+  void end(SeaProgram& program) {
+    program.stop();
+    const Time told = ScaledClock::host_now();
+    while (program.runs() && ScaledClock::host_now() - told < kToEnd) turn();
+    if (!program.runs()) return;
+    fail(program.name() + " did not end");
+    program.kill();
+    while (program.runs()) turn();
+  }
+
+  void take_track() {
+    for (const TrackPlace& place : read_track(track_file()))
+      flight_.track.push_back({.time = Time{} + at_sea(place.host - began_), .position = place.position, .depth = place.depth});
+  }
+
+  void fail(std::string why) {
+    if (flight_.failure.empty()) flight_.failure = std::move(why);
+  }
+  bool fail_false(std::string why) {
+    fail(std::move(why));
+    return false;
+  }
+
+  const Case& case_;
+  const Bench& bench_;
+  BenchFlight flight_;
+  SeaEquipment equipment_;
+  BusListener listener_;
+  const Time launched_utc_ = ScaledClock::utc();
+  const Time launched_ = ScaledClock::host_now();
+  Time began_ = launched_;  ///< the search, on the host's clock
+  SeaProgram earshotd_;
+  SeaProgram vehicle_;
+  std::vector<Befalling> faults_;
+  bool is_interface_up_ = true;
+};
+
+}  // namespace
+
+BenchFlight fly_at_sea(const Case& c, const Bench& bench, const std::filesystem::path& folder) {
+  return SeaFlyer(c, bench, folder).fly();
+}
+
+}  // namespace earshot::hil
