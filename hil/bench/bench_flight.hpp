@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,12 @@ struct Bench {
   SnrOfRange snr;      ///< of the source
   Meters floor_depth;  ///< of the sea
   const std::atomic<bool>& stop;
+};
+
+/// What a case needs of this machine is not there: it was not flown.
+class NotFlown : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// Where the vehicle truly was.
@@ -52,8 +59,11 @@ struct TracedMessage {
 /// What came of a flight.
 struct BenchFlight {
   std::filesystem::path folder;                          ///< of its journal, of what earshotd said (words.txt), and of its track
+  std::string not_flown;                                 ///< what this machine lacks for it; empty: it was
   std::string failure;                                   ///< why it could not be flown to its end; empty: it was
   messages::EndReason end = messages::EndReason::kNone;  ///< by the last answer
+  bool is_end_heard = true;                              ///< false: Earshot could not say it; the journal alone knows
+  std::vector<std::string> uncounted;                    ///< faults that the kernel has not counted, in words
   std::vector<int> exit_statuses;                        ///< of every earshotd, in order; 128 and a signal's number
   Time began;                                            ///< time 0 of the flight, as its journal dates it
   Time last;                                             ///< of the last tick

@@ -25,9 +25,16 @@ std::vector<std::string> words_of(const Traits& all, std::string_view Traits::va
 
 constexpr std::string_view kDefaultMission = "../missions/search_over_can.toml";
 
-/// @throws host::BadInput unless all its ports are on one kind of bus
-PortKind bus_of(const std::filesystem::path& mission) {
-  const std::vector<host::PortSettings> ports = host::load_mission(mission).ports;
+/// Index of the first port that takes a hydrophone's samples; 0: none.
+std::uint8_t sound_port_of(const std::vector<host::PortSettings>& ports) {
+  const auto found = std::ranges::find_if(ports, [](const host::PortSettings& port) { return port.roles.has(host::Role::kHydrophone); });
+  return found == ports.end() ? std::uint8_t{0} : static_cast<std::uint8_t>(found - ports.begin() + 1);
+}
+
+/// Samples come over LCM, whatever bus the rest comes by.
+/// @throws host::BadInput unless all its other ports are on one kind of bus
+PortKind bus_of(const std::filesystem::path& mission, std::vector<host::PortSettings> ports) {
+  std::erase_if(ports, [](const host::PortSettings& port) { return port.roles.has(host::Role::kHydrophone); });
   const bool is_of_one = std::ranges::all_of(ports, [&](const host::PortSettings& port) { return port.kind == ports.front().kind; });
   if (ports.empty() || !is_of_one)
     throw host::BadInput(host::printable(mission.string()) + ": the bench flies missions whose ports are all over CAN, or all over LCM");
@@ -67,6 +74,14 @@ void read_whom(TableReader& table, TimedFault& fault) {
   if (table.has("of")) fault.device = programs.at(table.choice("of", programs));
 }
 
+/// What tc takes for netem, which judges it.
+std::string read_netem(TableReader& table) {
+  std::string how = table.text("how");
+  constexpr std::string_view kAllowed = "abcdefghijklmnopqrstuvwxyz0123456789.% ";
+  if (how.find_first_not_of(kAllowed) != std::string::npos) table.problem("how", "words of tc-netem(8): \"delay 50ms 20ms loss 5%\"");
+  return how;
+}
+
 TimedFault read_fault(TableReader table, PortKind bus, bool is_at_sea) {
   constexpr double kLongest = 1e6;
   TimedFault fault;
@@ -85,6 +100,7 @@ TimedFault read_fault(TableReader table, PortKind bus, bool is_at_sea) {
   if (fault.fault == Fault::kCurrent || fault.fault == Fault::kPositionError || fault.fault == Fault::kSecondNavigation)
     fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
   if (is_at_sea && is_signal(fault.fault)) read_whom(table, fault);
+  if (fault.fault == Fault::kNetem) fault.how = read_netem(table);
   if (index >= kFrameFaults) return fault;
   fault.share = table.number_or("share", 1.0, Range::between(0.0, 1.0));
   if (table.has("of")) fault.device = senders(bus).at(table.choice("of", senders(bus)));
@@ -127,7 +143,11 @@ Case load_case(const std::filesystem::path& path) {
   made.when = root.text("when");
   made.then = root.text("then");
   made.mission = file.resolve(root.text_or("mission", kDefaultMission));
-  if (std::filesystem::exists(made.mission)) made.bus = bus_of(made.mission);  // one that is not there is missed when it is flown
+  if (std::filesystem::exists(made.mission)) {  // one that is not there is missed when it is flown
+    const std::vector<host::PortSettings> ports = host::load_mission(made.mission).ports;
+    made.bus = bus_of(made.mission, ports);
+    made.sound_port = sound_port_of(ports);
+  }
   made.start = place_of(root, "start_m", {Meters{12'500}, Meters{11'000}});
   made.source = place_of(root, "source_m", {Meters{12'500}, Meters{12'500}});
   made.at_most = Duration::seconds(root.integer_or("at_most_s", 3600, 10, 1'000'000));
@@ -136,6 +156,8 @@ Case load_case(const std::filesystem::path& path) {
   if (root.has("fault")) {
     for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made.bus, made.speed.has_value()));
   }
+  if (made.sound_port == 0 && std::ranges::any_of(made.faults, is_of_sound, &TimedFault::fault))
+    root.problem("mission", "one with a port of the role \"hydrophone\", for what befalls its samples");
   made.expected = read_expectation(root.table("expect"));
   file.finish();
   return made;

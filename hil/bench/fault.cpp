@@ -15,6 +15,14 @@ bool is_signal(Fault fault) {
   return fault == Fault::kKill || fault == Fault::kPause || fault == Fault::kStop;
 }
 
+bool is_of_controller(Fault fault) {
+  return fault == Fault::kErrorPassive || fault == Fault::kBusOff;
+}
+
+bool is_of_sound(Fault fault) {
+  return fault >= Fault::kSoundDropout && fault <= Fault::kSoundShorted;
+}
+
 std::string in_words(const TimedFault& fault) {
   const auto index = static_cast<std::size_t>(fault.fault);
   const FaultTraits& traits = kFaultTraits.at(index);
@@ -22,6 +30,7 @@ std::string in_words(const TimedFault& fault) {
   for (char& character : word) character = character == '_' ? ' ' : character;
   std::ostringstream text;
   text << word;
+  if (!fault.how.empty()) text << " (" << fault.how << ")";
   if (!traits.amount.empty()) {
     std::string unit(traits.amount);
     for (char& character : unit) character = character == '_' ? ' ' : character;

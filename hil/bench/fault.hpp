@@ -35,6 +35,10 @@ enum class Fault : std::uint8_t {
   kStrangersOrder,    ///< a COMPLETE that is long out of date, given again and again
   kUnknownOrder,      ///< one that there is none of, again and again
   kInterfaceDown,     ///< the computer's CAN interface
+  // Of the controller and the wire (SeaEquipment).
+  kErrorPassive,  ///< the computer's CAN controller counts many errors
+  kBusOff,        ///< it leaves the bus; when it is over, the interface is taken down and up
+  kNetem,         ///< what the kernel does to what is sent on the bus, as tc-netem(8) has it
   // Of the vehicle and its instruments (Disturbance).
   kRudderStuck,
   kPlanesStuck,
@@ -52,6 +56,11 @@ enum class Fault : std::uint8_t {
   kDepthError,
   kDeaf,
   kGainError,
+  // Of a hydrophone whose samples come over LCM (SoundFault).
+  kSoundDropout,
+  kSoundGain,
+  kSoundOpen,
+  kSoundShorted,
   // Of the computer.
   kKill,      ///< SIGKILL; it is started again with --resume, at sea when its time is over
   kPowerCut,  ///< likewise, and the last bytes of its journal never came to the disk
@@ -59,7 +68,7 @@ enum class Fault : std::uint8_t {
   kStop,      ///< SIGTERM
   kFullDisk,  ///< the journal may not grow beyond so many bytes
 };
-inline constexpr std::size_t kFaults = 40;
+inline constexpr std::size_t kFaults = 47;
 inline constexpr std::size_t kFrameFaults = 11;  ///< the first of them
 
 /// On which buses there is such a fault.
@@ -99,6 +108,9 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"strangers_order", ""},
     {"unknown_order", "", 0.0, 0.0, FaultBus::kLcm},
     {"interface_down", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kEither},
+    {"error_passive", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"bus_off", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"netem", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
     {"rudder_stuck", ""},
     {"planes_stuck", ""},
     {"no_thrust", ""},
@@ -115,6 +127,10 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"depth_error", "metres", -11'000.0, 11'000.0},
     {"deaf", ""},
     {"gain_error", "decibels", -120.0, 120.0},
+    {"sound_dropout", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"sound_gain", "decibels", -120.0, 120.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"sound_open", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
+    {"sound_shorted", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
     {"kill", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
     {"power_cut", "bytes", 1.0, 1e6},
     {"pause", "wall_seconds", 0.01, 60.0, FaultBus::kEither, FaultFlight::kEither},
@@ -148,6 +164,7 @@ struct TimedFault {
   std::string device = {};  ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders), empty: everybody's; at sea, of a signal:
                             ///< which program (kEarshotsProgram or kVehiclesProgram)
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
+  std::string how = {};                             ///< of kNetem: "delay 50ms 20ms loss 5%"
 
   [[nodiscard]] bool acts_at(Time now) const { return now >= from && (!until || now < *until); }
   /// Whether it began since the last tick.
@@ -159,6 +176,10 @@ struct TimedFault {
 
 /// Whether at sea it befalls one of the two programs.
 [[nodiscard]] bool is_signal(Fault fault);
+/// Whether it befalls the computer's CAN controller.
+[[nodiscard]] bool is_of_controller(Fault fault);
+/// Whether it befalls the hydrophone whose samples come over LCM.
+[[nodiscard]] bool is_of_sound(Fault fault);
 
 /// "loss of 50 % of the compass's frames from 100 s for 20 s"
 [[nodiscard]] std::string in_words(const TimedFault& fault);

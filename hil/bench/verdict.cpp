@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "earshot/controller_trouble_t.hpp"
 #include "earshot/health_t.hpp"
 #include "earshot/safety_event_t.hpp"
 #include "earshot/setpoint_t.hpp"
@@ -60,10 +61,15 @@ void read_records(const std::filesystem::path& journal, const config::Mission& m
     health_t health{};
     setpoint_t setpoint{};
     safety_event_t event{};
+    controller_trouble_t trouble{};
     if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
       found.end = static_cast<messages::EndReason>(health.end_reason);
       found.counters.navigation_refused = static_cast<std::uint64_t>(health.navigation_refused);
       found.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
+      for (const port_report_t& port : health.ports)
+        found.lost.at(static_cast<std::size_t>(port.port)) = static_cast<std::uint64_t>(port.lost);
+    } else if (record.channel == wire::kControllerTroubleChannel && wire::decode(record.data, trouble) == Status::kOk) {
+      found.troubles.push_back({.is_bus_off = trouble.trouble == controller_trouble_t::BUS_OFF, .begins = trouble.is_there != 0});
     } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
       found.events.push_back(wire::from_message(event));
       found.events.back().time = since(began, found.events.back().time);
@@ -92,6 +98,22 @@ void judge_rules(const Case& c, const JournalFindings& journal, std::vector<std:
     if (!event.begins || std::ranges::find(c.expected.rules, event.condition) != c.expected.rules.end()) continue;
     wrong.push_back("the rule " + key_of(event.condition) + " fired" + at(event.time));
     return;
+  }
+}
+
+/// Earshot must have noticed what befell its controller and its hydrophone, though it went on.
+void judge_notice(const Case& c, const JournalFindings& journal, std::vector<std::string>& wrong) {
+  for (const TimedFault& fault : c.faults) {
+    const auto says = [&](bool begins) {
+      return std::ranges::any_of(journal.troubles, [&](const ControllerTrouble& trouble) {
+        return trouble.is_bus_off == (fault.fault == Fault::kBusOff) && trouble.begins == begins;
+      });
+    };
+    if (is_of_controller(fault.fault) && !says(true)) wrong.push_back("the journal does not say that it began: " + in_words(fault));
+    if (is_of_controller(fault.fault) && fault.until && !says(false))
+      wrong.push_back("the journal does not say that it ended: " + in_words(fault));
+    if (fault.fault == Fault::kSoundDropout && fault.until && journal.lost.at(c.sound_port) == 0)
+      wrong.emplace_back("the journal does not say that samples were lost");
   }
 }
 
@@ -172,6 +194,8 @@ std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& fl
     wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(flight.end) +
                     ", not: " + messages::to_string(c.expected.end));
   judge_rules(c, journal, wrong);
+  judge_notice(c, journal, wrong);
+  wrong.insert(wrong.end(), flight.uncounted.begin(), flight.uncounted.end());
   if (c.expected.refuses_navigation && journal.counters.navigation_refused == 0) wrong.emplace_back("no fix was refused");
   if (c.expected.refuses_commands && journal.counters.commands_refused == 0) wrong.emplace_back("no order was refused");
   if (c.expected.comes_up && (flight.track.empty() || flight.track.back().depth > kAtSurface))

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "firmware/config/capacities.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/safety_event.hpp"
@@ -13,6 +15,12 @@
 
 namespace earshot::hil {
 
+/// That a CAN controller is in trouble, or no longer.
+struct ControllerTrouble {
+  bool is_bus_off = false;  ///< else error-passive
+  bool begins = false;
+};
+
 /// What the journal of a flight says.
 struct JournalFindings {
   std::string trouble;  ///< why it cannot be read; empty: it can
@@ -20,9 +28,11 @@ struct JournalFindings {
   messages::EndReason end = messages::EndReason::kNone;
   messages::Counters counters;  ///< refusals alone
   std::uint64_t setpoints = 0;
-  std::vector<std::string> beyond_limits;  ///< set-points that no mission may give, in words
-  bool is_same_again = false;              ///< given to the runtime again, it gives every output again
-  std::string difference;                  ///< in words, where it does not
+  std::vector<ControllerTrouble> troubles;
+  std::array<std::uint64_t, config::kMaxPorts> lost{};  ///< messages of each port, and samples of a hydrophone's
+  std::vector<std::string> beyond_limits;               ///< set-points that no mission may give, in words
+  bool is_same_again = false;                           ///< given to the runtime again, it gives every output again
+  std::string difference;                               ///< in words, where it does not
 };
 
 /// @param journal  of a flight of `mission`

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <variant>
 
+#include "earshot/controller_trouble_t.hpp"
 #include "earshot/journal_resumed_t.hpp"
 #include "firmware/boards/linux/turn_records.hpp"
 #include "firmware/core/crc32.hpp"
@@ -88,7 +89,20 @@ void MissionTurn::tell_chain(std::uint8_t port, const HeardChain& chain) {
 }
 
 void MissionTurn::tell_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) {
+  record_trouble(port, trouble, is_there);
   if (news_ != nullptr) news_->tell(port, trouble, is_there);
+}
+
+/// Of the controller alone: that is what the kernel says. The rest goes by how long something is missing on the host's clock, by which a
+/// flight in lock-step would not give the same journal twice.
+void MissionTurn::record_trouble(std::uint8_t port, BusTrouble trouble, bool is_there) {
+  if (trouble != BusTrouble::kErrorPassive && trouble != BusTrouble::kBusOff) return;
+  const controller_trouble_t record{
+      .utime = now().us,
+      .port = static_cast<std::int8_t>(port),
+      .trouble = trouble == BusTrouble::kBusOff ? controller_trouble_t::BUS_OFF : controller_trouble_t::ERROR_PASSIVE,
+      .is_there = static_cast<std::int8_t>(is_there)};
+  append(journal_, memory_.last, wire::kControllerTroubleChannel, record, Weight::kSteering);
 }
 
 void MissionTurn::go_on_after(const Resumption& before, std::string_view build) {

@@ -86,6 +86,7 @@ class MissionTurn final : public InputSink {
   bool record(Time now, const runtime::Outputs& outputs);
   /// The journal's trouble is an input like a port's: it stands in the health, and a replay gives it again.
   void report_journal(Time now);
+  void record_trouble(std::uint8_t port, BusTrouble trouble, bool is_there);
   void write_ahead_of(const runtime::Outputs& outputs, bool is_new_state);
 
   runtime::Runtime& runtime_;

@@ -28,9 +28,10 @@ inline constexpr std::string_view kMissionChannel = "EARSHOT_MISSION";  ///< mis
 inline constexpr std::string_view kPolicyChannel = "EARSHOT_POLICY";    ///< bytes of a .policy file
 /// setpoint_t; not kSetpointChannel, so that a journal that is played back to a bus steers no autopilot
 inline constexpr std::string_view kJournalledSetpointChannel = "EARSHOT_SETPOINT.0";
-inline constexpr std::string_view kPortReportChannel = "EARSHOT_PORT_REPORT";          ///< port_report_t
-inline constexpr std::string_view kJournalEndChannel = "EARSHOT_JOURNAL_END";          ///< journal_end_t
-inline constexpr std::string_view kJournalPartChannel = "EARSHOT_JOURNAL_PART";        ///< journal_part_t
-inline constexpr std::string_view kJournalResumedChannel = "EARSHOT_JOURNAL_RESUMED";  ///< journal_resumed_t
+inline constexpr std::string_view kPortReportChannel = "EARSHOT_PORT_REPORT";                ///< port_report_t
+inline constexpr std::string_view kControllerTroubleChannel = "EARSHOT_CONTROLLER_TROUBLE";  ///< controller_trouble_t
+inline constexpr std::string_view kJournalEndChannel = "EARSHOT_JOURNAL_END";                ///< journal_end_t
+inline constexpr std::string_view kJournalPartChannel = "EARSHOT_JOURNAL_PART";              ///< journal_part_t
+inline constexpr std::string_view kJournalResumedChannel = "EARSHOT_JOURNAL_RESUMED";        ///< journal_resumed_t
 
 }  // namespace earshot::wire

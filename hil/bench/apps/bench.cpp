@@ -86,7 +86,28 @@ struct Flown {
 Flown flown(const hil::Case& c, const hil::Bench& setup, const fs::path& folder) {
   Flown f{.flight = hil::fly_case(c, setup, folder), .mission = host::load_mission(c.mission).mission, .journal = {}};
   f.journal = hil::read_findings(folder / "journal.lcmlog", f.mission, f.flight.began);
+  if (!f.flight.is_end_heard) f.flight.end = f.journal.end;
   return f;
+}
+
+/// What cannot be flown on this machine has not passed, and says why.
+Flown flown_if_possible(const hil::Case& c, const hil::Bench& setup, const fs::path& folder) {
+  try {
+    return flown(c, setup, folder);
+  } catch (const hil::NotFlown& e) {
+    Flown f{.flight = {}, .mission = host::load_mission(c.mission).mission, .journal = {}};
+    f.flight.not_flown = e.what();
+    return f;
+  }
+}
+
+/// What is wrong with it, in words.
+std::vector<std::string> verdict(const hil::Case& c, const Flown& f) {
+  if (!f.flight.not_flown.empty()) return {"not flown: " + f.flight.not_flown};
+  std::vector<std::string> wrong = hil::broken_promises(c, f.mission, f.flight, f.journal);
+  const std::vector<std::string> unmet = hil::unmet_expectations(c, f.flight, f.journal);
+  wrong.insert(wrong.end(), unmet.begin(), unmet.end());
+  return wrong;
 }
 
 void tell(const hil::Case& c, const Flown& f, const std::vector<std::string>& wrong) {
@@ -100,10 +121,8 @@ int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::
   hil::Results results;
   for (const hil::Case& c : cases) {
     if (program::stop_requested) break;
-    const Flown f = flown(c, setup, o.out / c.name);
-    std::vector<std::string> wrong = hil::broken_promises(c, f.mission, f.flight, f.journal);
-    const std::vector<std::string> unmet = hil::unmet_expectations(c, f.flight, f.journal);
-    wrong.insert(wrong.end(), unmet.begin(), unmet.end());
+    const Flown f = flown_if_possible(c, setup, o.out / c.name);
+    const std::vector<std::string> wrong = verdict(c, f);
     tell(c, f, wrong);
     results.add(c, f.mission, f.flight, f.journal, wrong);
   }

@@ -12,8 +12,9 @@
 
 #include "firmware/host/program/exit_status.hpp"
 #include "hil/bench/at_sea/bus_listener.hpp"
+#include "hil/bench/at_sea/sea_equipment.hpp"
 #include "hil/bench/at_sea/sea_program.hpp"
-#include "hil/bench/can/interface_switch.hpp"
+#include "hil/bus/interface_switch.hpp"
 #include "hil/nodes/scaled_clock.hpp"
 #include "hil/nodes/vehicle/track_file.hpp"
 
@@ -56,12 +57,18 @@ std::vector<Befalling> all_of(const Case& c) {
   return all;
 }
 
+/// Whether Earshot could not say on the bus how its search ended.
+bool is_beyond_hearing(Fault fault) {
+  return fault == Fault::kBusOff || fault == Fault::kNetem;
+}
+
 /// One flight in the making.
 class SeaFlyer {
  public:
   SeaFlyer(const Case& c, const Bench& bench, const std::filesystem::path& folder)
       : case_(c),
         bench_(bench),
+        equipment_(c, bench),
         listener_(bench.interface),
         earshotd_("earshotd", [this] { return start_earshotd(); }),
         vehicle_("the vehicle's program", [this] { return start_vehicle(); }),
@@ -90,9 +97,11 @@ class SeaFlyer {
       if (fault.fault == Fault::kFullDisk) settings.most_bytes_of_a_file = static_cast<std::uint64_t>(fault.amount);
     }
     // As a vehicle's computer has it started every time.
-    const std::vector<std::string> a{case_.mission, "--can-interface",   bench_.interface, "--speed",  written(*case_.speed),
-                                     "--quiet",     "--speed-since",     written((launched_utc_ - Time{}).to_seconds()),
-                                     "--resume",    "--out",             flight_.folder};
+    std::vector<std::string> a{case_.mission, "--speed",       written(*case_.speed),
+                               "--quiet",     "--speed-since", written((launched_utc_ - Time{}).to_seconds()),
+                               "--resume",    "--out",         flight_.folder};
+    const std::vector<std::string> of_equipment = equipment_.options_of_earshotd();
+    a.insert(a.end(), of_equipment.begin(), of_equipment.end());
     return std::make_unique<ChildProcess>(bench_.earshotd, a, settings);
   }
 
@@ -100,8 +109,9 @@ class SeaFlyer {
   [[nodiscard]] std::unique_ptr<ChildProcess> start_vehicle() const {
     const std::vector<TrackPlace> sailed = read_track(track_file());
     const NorthEast start = sailed.empty() ? case_.start : sailed.back().position;
-    const std::vector<std::string> a{"--mission", case_.mission,   "--interface", bench_.interface,       "--speed", written(*case_.speed),
-                                     "--start",   written(start),  "--source",    written(case_.source),  "--seed",  std::to_string(bench_.seed),
+    const std::vector<std::string> a{"--mission", case_.mission,         "--interface", bench_.interface,
+                                     "--speed",   written(*case_.speed), "--start",     written(start),
+                                     "--source",  written(case_.source), "--seed",      std::to_string(bench_.seed),
                                      "--track",   track_file()};
     return std::make_unique<ChildProcess>("earshot-emulate", a, ChildSettings{.words = flight_.folder / "vehicle.txt"});
   }
@@ -139,9 +149,7 @@ class SeaFlyer {
     listener_.hear(now());
   }
 
-  [[nodiscard]] Duration at_sea(Duration on_host) const {
-    return Duration{std::llround(static_cast<double>(on_host.us) * *case_.speed)};
-  }
+  [[nodiscard]] Duration at_sea(Duration on_host) const { return Duration{std::llround(static_cast<double>(on_host.us) * *case_.speed)}; }
   [[nodiscard]] Time now() const { return Time{} + at_sea(ScaledClock::host_now() - began_); }
 
   [[nodiscard]] bool is_in(messages::MissionState state) const { return listener_.health() && listener_.health()->state == state; }
@@ -180,12 +188,14 @@ class SeaFlyer {
     if (fault.fault == Fault::kPause) program_of(fault).halt();
     if (fault.fault == Fault::kStop) program_of(fault).stop();
     if (fault.fault == Fault::kInterfaceDown) switch_bus(false);
+    equipment_.begin(fault);
   }
 
   void end(const TimedFault& fault) {
     if (fault.fault == Fault::kKill) program_of(fault).start();
     if (fault.fault == Fault::kPause) program_of(fault).go_on();
     if (fault.fault == Fault::kInterfaceDown) switch_bus(true);
+    equipment_.end(fault);
   }
 
   void switch_bus(bool is_up) {
@@ -201,6 +211,9 @@ class SeaFlyer {
     flight_.end = listener_.health() ? listener_.health()->end_reason : messages::EndReason::kNone;
     end(earshotd_);
     flight_.exit_statuses = earshotd_.exit_statuses();
+    flight_.is_end_heard =
+        std::ranges::none_of(faults_, [](const Befalling& b) { return is_beyond_hearing(b.fault.fault) && b.has_begun && !b.has_ended; });
+    flight_.uncounted = equipment_.uncounted();
     end(vehicle_);
     if (!is_interface_up_) switch_bus(true);
     for (const int status : vehicle_.exit_statuses()) {
@@ -237,6 +250,7 @@ class SeaFlyer {
   const Case& case_;
   const Bench& bench_;
   BenchFlight flight_;
+  SeaEquipment equipment_;
   BusListener listener_;
   const Time launched_utc_ = ScaledClock::utc();
   const Time launched_ = ScaledClock::host_now();

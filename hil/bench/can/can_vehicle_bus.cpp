@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "hil/bench/can/interface_switch.hpp"
+#include "hil/bus/interface_switch.hpp"
 
 namespace earshot::hil {
 namespace {

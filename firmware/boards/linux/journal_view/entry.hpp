@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "earshot/command_acknowledgement_t.hpp"
+#include "earshot/controller_trouble_t.hpp"
 #include "earshot/decision_t.hpp"
 #include "earshot/health_t.hpp"
 #include "earshot/journal_resumed_t.hpp"
@@ -33,7 +34,7 @@ struct Unreadable {
 };
 
 using Content = std::variant<Unreadable, mission_t, PolicyBytes, messages::Input, messages::Setpoint, decision_t, messages::SafetyEvent,
-                             command_acknowledgement_t, health_t, wire::ClosingRecord, journal_resumed_t>;
+                             command_acknowledgement_t, health_t, wire::ClosingRecord, journal_resumed_t, controller_trouble_t>;
 
 struct Record {
   std::uint32_t number = 0;  ///< counts all records that the journal was given, from 0

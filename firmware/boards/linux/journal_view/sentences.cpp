@@ -142,6 +142,13 @@ std::string to_string(const journal_resumed_t& resumed) {
          counted(static_cast<std::uint64_t>(resumed.cut_bytes), "byte") + " that it left behind were cut off";
 }
 
+std::string to_string(const controller_trouble_t& trouble) {
+  const bool is_bus_off = trouble.trouble == controller_trouble_t::BUS_OFF;
+  const char* const begins = is_bus_off ? "has left the bus after too many errors (bus-off)" : "counts many errors (error-passive)";
+  const char* const ends = is_bus_off ? "is back on the bus" : "counts few errors";
+  return "port " + std::to_string(trouble.port) + ": the CAN controller " + (trouble.is_there != 0 ? begins : ends);
+}
+
 namespace {
 
 std::string why_missing(const MissingRecords& missing) {

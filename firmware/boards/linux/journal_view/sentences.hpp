@@ -34,6 +34,9 @@ enum class AbortedBy : std::uint8_t { kOperator, kProgram };
 [[nodiscard]] std::string to_string(const wire::ClosingRecord& closing, AbortedBy by = AbortedBy::kOperator);
 [[nodiscard]] std::string to_string(const journal_resumed_t& resumed);
 
+/// "port 1: the CAN controller has left the bus after too many errors (bus-off)"; "port 1: the CAN controller is back on the bus"
+[[nodiscard]] std::string to_string(const controller_trouble_t& trouble);
+
 [[nodiscard]] std::string to_string(const MissingRecords& missing);
 [[nodiscard]] std::string to_string(const DamagedBytes& damage);
 [[nodiscard]] std::string to_string(const NumbersGoBack& numbers);

@@ -152,6 +152,10 @@ void Timeline::note_content(const journal_resumed_t& resumed, const Record& /*re
   warn(to_string(resumed));
 }
 
+void Timeline::note_content(const controller_trouble_t& trouble, const Record& /*record*/) {
+  tell(trouble.is_there != 0 ? Severity::kWarning : Severity::kInformation, to_string(trouble));
+}
+
 void Timeline::note_input(const messages::PortReport& report, std::uint8_t /*port*/) {
   if (report.port >= ports_.size()) return;
   Port& port = ports_.at(report.port);

@@ -79,6 +79,7 @@ class Timeline {
   void note_content(const health_t& health, const Record& record);
   void note_content(const wire::ClosingRecord& closing, const Record& record);
   void note_content(const journal_resumed_t& resumed, const Record& record);
+  void note_content(const controller_trouble_t& trouble, const Record& record);
 
   void note_input(const messages::PortReport& report, std::uint8_t port);
   void note_input(const messages::VehicleStatus& status, std::uint8_t port);

@@ -1,6 +1,7 @@
 #include "firmware/boards/linux/replay/playback.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "firmware/boards/linux/turn_records.hpp"
 #include "firmware/core/crc32.hpp"
@@ -19,6 +20,11 @@ constexpr Time kLatest{std::int64_t{1} << 55U};
 
 host::BadInput refusal(const std::filesystem::path& journal, const std::string& why) {
   return host::BadInput(journal.string() + ": cannot be replayed: " + why);
+}
+
+/// Between two turns, and neither input nor output.
+bool is_remark(std::string_view channel) {
+  return channel == wire::kJournalResumedChannel || channel == wire::kControllerTroubleChannel;
 }
 
 }  // namespace
@@ -86,7 +92,7 @@ bool Playback::take(const host::JournalRecord& record) {
   }
   require_possible_date(path_, record);
   ++next_number_;
-  if (record.channel == wire::kJournalResumedChannel && is_compared()) return true;
+  if (is_remark(record.channel) && is_compared()) return true;
   messages::Input input;
   const Status read = wire::read_input(record.channel, record.time, record.data, memory_.inputs, input);
   if (read == Status::kOk && is_compared()) {

@@ -12,12 +12,16 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
+#include "earshot/controller_trouble_t.hpp"
 #include "firmware/boards/linux/news/flight_news.hpp"
 #include "firmware/boards/linux/news/line_writer.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "firmware/host/file/file_descriptor.hpp"
 #include "firmware/host/journal/journal.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 #include "tests/support/file_size_limit.hpp"
@@ -98,6 +102,27 @@ TEST_F(MissionTurnTest, PassesOverTheSpeedOfAFixThatCannotBe) {
   EXPECT_EQ(told_after(1.25), 1.25);
   EXPECT_EQ(told_after(std::numeric_limits<double>::infinity()), 1.25);
   EXPECT_EQ(port_->refused, 1U);
+}
+
+TEST_F(MissionTurnTest, WritesTheTroublesOfACanControllerIntoItsJournalAndNoneThatGoByTheHostsClock) {
+  (void)told_after(1.25);
+  turn_.tell_trouble(1, BusTrouble::kErrorPassive, true);
+  turn_.tell_trouble(1, BusTrouble::kNoPosition, true);
+  (void)told_after(1.25);
+  turn_.tell_trouble(1, BusTrouble::kErrorPassive, false);
+  turn_.tell_trouble(1, BusTrouble::kBusOff, true);
+  (void)told_after(1.25);
+  ASSERT_EQ(journal_.flush(), Status::kOk);
+  std::vector<std::string> said;
+  host::JournalReader reader(folder_ / "journal");
+  for (host::JournalRecord record; reader.next(record);) {
+    controller_trouble_t trouble{};
+    if (record.channel != "EARSHOT_CONTROLLER_TROUBLE") continue;
+    ASSERT_EQ(wire::decode(record.data, trouble), Status::kOk);
+    said.push_back(std::to_string(trouble.port) + (trouble.trouble == 1 ? " bus-off " : " passive ") +
+                   (trouble.is_there != 0 ? "begins" : "ends"));
+  }
+  EXPECT_EQ(said, (std::vector<std::string>{"1 passive begins", "1 passive ends", "1 bus-off begins"}));
 }
 
 TEST_F(MissionTurnTest, SaysAtOnceThatTheDiskTakesNothingThoughItSaidAMomentAgoThatItDoesAgain) {

@@ -263,6 +263,11 @@ Json fields(const journal_resumed_t& m) {
   return {{"cut_bytes", m.cut_bytes}, {"build", build_of(m.build)}};
 }
 
+Json fields(const controller_trouble_t& m) {
+  static constexpr std::array<std::string_view, 2> kWords{"error passive", "bus off"};
+  return {{"port", m.port}, {"trouble", word_at(kWords, static_cast<std::uint8_t>(m.trouble))}, {"is_there", m.is_there != 0}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json fields_of(const Content& content) {
@@ -272,8 +277,9 @@ nlohmann::ordered_json fields_of(const Content& content) {
 const char* topic_of(const Content& content) {
   // In the order of the alternatives.
   static constexpr std::array<const char*, std::variant_size_v<Content>> kTopics{
-      "unknown", "mission",     "policy",         "", "setpoint", "decision", "safety_event", "acknowledgement",
-      "health",  "journal_end", "journal_resumed"};
+      "unknown",  "mission",     "policy",          "",
+      "setpoint", "decision",    "safety_event",    "acknowledgement",
+      "health",   "journal_end", "journal_resumed", "controller_trouble"};
   static constexpr std::array<const char*, std::variant_size_v<decltype(messages::Input::value)>> kInputTopics{
       "navigation", "snr", "order", "port_report", "vehicle_status", "autopilot_status", "hydrophone_status"};
   static_assert(std::is_same_v<std::variant_alternative_t<3, Content>, messages::Input>);

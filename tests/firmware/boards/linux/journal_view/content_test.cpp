@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "earshot/controller_trouble_t.hpp"
 #include "earshot/journal_resumed_t.hpp"
 #include "firmware/boards/linux/journal_view/export/fields.hpp"
 #include "firmware/boards/linux/journal_view/sentences.hpp"
@@ -54,6 +55,19 @@ TEST(JournalContent, ReadsWhereAnotherProcessGoesOn) {
             "behind were cut off");
   EXPECT_STREQ(topic_of(content), "journal_resumed");
   EXPECT_EQ(fields_of(content).dump(), R"({"cut_bytes":17,"build":"0.1"})");
+}
+
+TEST(JournalContent, ReadsTheTroublesOfACanController) {
+  controller_trouble_t trouble{.utime = 5, .port = 1, .trouble = controller_trouble_t::BUS_OFF, .is_there = 1};
+  const Content content = content_of("EARSHOT_CONTROLLER_TROUBLE", kBegan, wire::Encoded(trouble).bytes());
+  EXPECT_EQ(to_string(std::get<controller_trouble_t>(content)),
+            "port 1: the CAN controller has left the bus after too many errors (bus-off)");
+  EXPECT_STREQ(topic_of(content), "controller_trouble");
+  EXPECT_EQ(fields_of(content).dump(), R"({"port":1,"trouble":"bus off","is_there":true})");
+  trouble.is_there = 0;
+  EXPECT_EQ(to_string(trouble), "port 1: the CAN controller is back on the bus");
+  trouble.trouble = controller_trouble_t::ERROR_PASSIVE;
+  EXPECT_EQ(to_string(trouble), "port 1: the CAN controller counts few errors");
 }
 
 TEST(JournalContent, ReadsTheClosingRecord) {

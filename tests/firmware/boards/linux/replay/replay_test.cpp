@@ -8,10 +8,14 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "earshot/controller_trouble_t.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "tests/firmware/boards/linux/replay/random_mission.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -67,6 +71,27 @@ TEST_F(Replay, GivesEveryByteOfTenThousandJournalsOfRandomInputsAgain) {
     decisions += result.decisions;
   }
   EXPECT_GT(decisions, 1000U) << "most missions never began to search";
+}
+
+TEST_F(Replay, PassesOverWhatIsSaidOfACanControllerBetweenTwoTurnsAndNowhereElse) {
+  fly_random_mission(1, path_, 30);
+  const fs::path remarked = path_.string() + "-remarked";
+  const auto remark_behind = [&](std::string_view channel) {
+    host::Journal journal(remarked, {.existing = host::ExistingJournal::kReplace});
+    host::JournalReader reader(path_);
+    const controller_trouble_t trouble{.utime = 0, .port = 1, .trouble = controller_trouble_t::BUS_OFF, .is_there = 1};
+    for (host::JournalRecord record; reader.next(record);) {
+      EXPECT_EQ(journal.append(record.time, record.channel, record.data), Status::kOk);
+      if (record.channel != channel) continue;
+      EXPECT_EQ(journal.append(record.time, wire::kControllerTroubleChannel, wire::Encoded(trouble).bytes()), Status::kOk);
+    }
+  };
+  remark_behind(wire::kHealthChannel);  // the last record of a turn
+  const ReplayResult result = replay(remarked);
+  EXPECT_TRUE(result.is_same());
+  EXPECT_EQ(result.turns, 30U);
+  remark_behind(wire::kJournalledSetpointChannel);
+  EXPECT_FALSE(replay(remarked).is_same());
 }
 
 TEST_F(Replay, FindsTheOutputInWhichOneBitDiffers) {

@@ -1,4 +1,4 @@
-#include "hil/bench/can/interface_switch.hpp"
+#include "hil/bus/interface_switch.hpp"
 
 #include <net/if.h>
 #include <sys/ioctl.h>
