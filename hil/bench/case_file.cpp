@@ -5,6 +5,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/safety/supervisor.hpp"
 #include "hil/bench/case.hpp"
 #include "hil/bench/lcm/bad_messages.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
@@ -23,14 +24,12 @@ std::vector<std::string> words_of(const Traits& all, std::string_view Traits::va
   return words;
 }
 
-constexpr std::string_view kDefaultMission = "../missions/search_over_can.toml";
-
 /// @throws host::BadInput unless all its ports are on one kind of bus
-PortKind bus_of(const std::filesystem::path& mission) {
-  const std::vector<host::PortSettings> ports = host::load_mission(mission).ports;
+PortKind bus_of(const host::MissionFile& mission, const std::filesystem::path& path) {
+  const std::vector<host::PortSettings>& ports = mission.ports;
   const bool is_of_one = std::ranges::all_of(ports, [&](const host::PortSettings& port) { return port.kind == ports.front().kind; });
   if (ports.empty() || !is_of_one)
-    throw host::BadInput(host::printable(mission.string()) + ": the bench flies missions whose ports are all over CAN, or all over LCM");
+    throw host::BadInput(host::printable(path.string()) + ": the bench flies missions whose ports are all over CAN, or all over LCM");
   return ports.front().kind;
 }
 
@@ -57,7 +56,9 @@ NorthEast place_of(TableReader& table, std::string_view key, NorthEast fallback)
   return fallback;
 }
 
-TimedFault read_fault(TableReader table, PortKind bus) {
+/// @param bus      that of the case's mission
+/// @param at_most  at sea
+TimedFault read_fault(TableReader table, PortKind bus, Duration at_most) {
   constexpr double kLongest = 1e6;
   TimedFault fault;
   const std::size_t index = table.choice("kind", words_of(kFaultTraits, &FaultTraits::word));
@@ -67,10 +68,10 @@ TimedFault read_fault(TableReader table, PortKind bus) {
     table.problem("kind", std::string("there is no ") + std::string(traits.word) + " over " + (bus == PortKind::kLcm ? "LCM" : "CAN") +
                               ", the mission's bus");
   fault.from = seconds_from_start(table.number("at_s", Range::between(0.0, kLongest)));
+  if (fault.from - Time{} >= at_most && !table.is_noted("at_s")) table.problem("at_s", "the flight is over by then (at_most_s)");
   if (table.has("for_s")) fault.until = fault.from + Duration{seconds_from_start(table.number("for_s", Range::between(0.1, kLongest))).us};
   if (!traits.amount.empty()) fault.amount = table.number(traits.amount, Range::between(traits.lowest, traits.highest));
-  if (fault.fault == Fault::kCurrent || fault.fault == Fault::kPositionError || fault.fault == Fault::kSecondNavigation)
-    fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
+  if (has_direction(fault.fault)) fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
   if (index >= kFrameFaults) return fault;
   fault.share = table.number_or("share", 1.0, Range::between(0.0, 1.0));
   if (table.has("of")) fault.device = senders(bus).at(table.choice("of", senders(bus)));
@@ -78,12 +79,18 @@ TimedFault read_fault(TableReader table, PortKind bus) {
   return fault;
 }
 
-Expectation read_expectation(TableReader table) {
+/// @param mission  nothing: that of the case cannot be read
+Expectation read_expectation(TableReader table, const std::optional<host::MissionFile>& mission) {
   Expectation expected;
   expected.end = static_cast<messages::EndReason>(table.choice("end", end_words()));
   if (table.has("rules")) {
     for (const std::size_t index : table.choices("rules", words_of(config::kConditionTraits, &config::ConditionTraits::key)))
       expected.rules.push_back(static_cast<config::Condition>(index));
+  }
+  const safety::Rules rules = mission ? safety::rules_of(mission->mission) : safety::Rules{};
+  for (const config::Condition rule : expected.rules) {
+    if (mission && std::ranges::find(rules, rule, &config::Rule::condition) == rules.end())
+      table.problem("rules", "the mission has no rule " + key_of(rule));
   }
   expected.only_these = !table.boolean_or("others_may_fire", false);
   expected.refuses_navigation = table.boolean_or("refuses_navigation", false);
@@ -102,7 +109,7 @@ std::vector<std::string> end_words() {
           "left_operating_area", "time_used_up", "safety_rule",   "memory_fault"};
 }
 
-Case load_case(const std::filesystem::path& path) {
+Case load_case(const std::filesystem::path& path, const std::filesystem::path& usual_mission) {
   const host::TomlFile file(path);
   TableReader root = file.root();
   Case made;
@@ -110,27 +117,33 @@ Case load_case(const std::filesystem::path& path) {
   made.given = root.text("given");
   made.when = root.text("when");
   made.then = root.text("then");
-  made.mission = file.resolve(root.text_or("mission", kDefaultMission));
-  if (std::filesystem::exists(made.mission)) made.bus = bus_of(made.mission);  // one that is not there is missed when it is flown
+  made.mission = root.has("mission") ? file.resolve(root.text("mission")) : usual_mission;
+  std::optional<host::MissionFile> mission;
+  if (std::filesystem::exists(made.mission)) {
+    mission = host::load_mission(made.mission);
+    made.bus = bus_of(*mission, made.mission);
+  } else if (!root.is_noted("mission")) {
+    root.problem("mission", "there is no " + host::printable(made.mission.lexically_normal().string()));
+  }
   made.start = place_of(root, "start_m", {Meters{12'500}, Meters{11'000}});
   made.source = place_of(root, "source_m", {Meters{12'500}, Meters{12'500}});
   made.at_most = Duration::seconds(root.integer_or("at_most_s", 3600, 10, 1'000'000));
   if (root.has("fault")) {
-    for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made.bus));
+    for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made.bus, made.at_most));
   }
-  made.expected = read_expectation(root.table("expect"));
+  made.expected = read_expectation(root.table("expect"), mission);
   file.finish();
   return made;
 }
 
-std::vector<Case> load_cases(const std::filesystem::path& folder) {
+std::vector<Case> load_cases(const std::filesystem::path& folder, const std::filesystem::path& usual_mission) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   }
   std::ranges::sort(files);
   std::vector<Case> cases;
-  for (const std::filesystem::path& file : files) cases.push_back(load_case(file));
+  for (const std::filesystem::path& file : files) cases.push_back(load_case(file, usual_mission));
   return cases;
 }
 

@@ -127,7 +127,7 @@ struct TimedFault {
   Time from;                                        ///< since the flight began
   std::optional<Time> until = std::nullopt;         ///< nothing: to the end
   double amount = 0.0;                              ///< FaultTraits::amount
-  double direction_deg = 0.0;                       ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
+  double direction_deg = 0.0;                       ///< clockwise from north, of those that has_direction() names
   double share = 1.0;                               ///< of the frames
   std::string device = {};                          ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders); empty: everybody's
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group
@@ -139,6 +139,9 @@ struct TimedFault {
   [[nodiscard]] NorthEast vector() const;
   friend bool operator==(const TimedFault&, const TimedFault&) = default;
 };
+
+/// Whether `direction_deg` says where to.
+[[nodiscard]] bool has_direction(Fault fault);
 
 /// "loss of 50 % of the compass's frames from 100 s for 20 s"
 [[nodiscard]] std::string in_words(const TimedFault& fault);

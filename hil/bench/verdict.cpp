@@ -20,6 +20,7 @@
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "hil/bench/vehicle_bus.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -97,6 +98,18 @@ void judge_track(const config::Mission& mission, const BenchFlight& flight, std:
   }
 }
 
+/// What a case does and never did, flown to its end: whatever came of it, nothing was tested.
+void judge_faults(const Case& c, const BenchFlight& flight, std::vector<std::string>& wrong) {
+  if (!flight.failure.empty()) return;
+  bool befalls_frames = false;
+  for (const TimedFault& fault : c.faults) {
+    const bool has_begun = fault.from + kTick <= flight.last;  // `last` is when the next tick would have been
+    if (!has_begun) wrong.push_back("the flight was over before a fault: " + in_words(fault));
+    befalls_frames |= has_begun && static_cast<std::size_t>(fault.fault) < kFrameFaults;
+  }
+  if (befalls_frames && flight.afflicted == 0) wrong.emplace_back("no frame was there that the fault could befall");
+}
+
 bool has(const Case& c, Fault fault) {
   return std::ranges::find(c.faults, fault, &TimedFault::fault) != c.faults.end();
 }
@@ -156,6 +169,7 @@ std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& fl
   if (flight.end != c.expected.end)
     wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(flight.end) +
                     ", not: " + messages::to_string(c.expected.end));
+  judge_faults(c, flight, wrong);
   judge_rules(c, journal, wrong);
   if (c.expected.refuses_navigation && journal.counters.navigation_refused == 0) wrong.emplace_back("no fix was refused");
   if (c.expected.refuses_commands && journal.counters.commands_refused == 0) wrong.emplace_back("no order was refused");

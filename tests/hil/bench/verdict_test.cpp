@@ -56,6 +56,7 @@ class VerdictTest : public testing::Test {
     case_.expected.end = messages::EndReason::kCompleted;
     flight_.end = messages::EndReason::kCompleted;
     flight_.exit_statuses = {program::kDone};
+    flight_.last = at_s(1000);
     flight_.track = {place(0, 5'000, 5'000), place(1, 5'000, 5'002)};
     journal_.end = messages::EndReason::kCompleted;
     journal_.setpoints = 2;
@@ -196,6 +197,21 @@ TEST_F(VerdictTest, CountsAFaultAtTheVeryBeginningAsTheFirst) {
   case_.faults = {{.fault = Fault::kLeak, .from = at_s(0)}, {.fault = Fault::kDeaf, .from = at_s(60)}};
   case_.expected.rules = {config::Condition::kLeak};
   journal_.events = {event(2, config::Condition::kLeak)};
+  EXPECT_EQ(unmet(), Words{});
+}
+
+TEST_F(VerdictTest, WantsEveryFaultOfTheCaseToBegin) {
+  flight_.last = at_s(258);  // the last tick was at 257 s
+  case_.faults = {{.fault = Fault::kLeak, .from = at_s(257)}, {.fault = Fault::kDeaf, .from = at_s(258)}};
+  EXPECT_EQ(unmet(), Words{"the flight was over before a fault: deaf from 258 s"});
+  case_.faults.pop_back();
+  EXPECT_EQ(unmet(), Words{});
+}
+
+TEST_F(VerdictTest, WantsAFrameForAFaultOfFrames) {
+  case_.faults = {{.fault = Fault::kLoss, .from = at_s(10), .pgn = 1}};
+  EXPECT_EQ(unmet(), Words{"no frame was there that the fault could befall"});
+  flight_.afflicted = 1;
   EXPECT_EQ(unmet(), Words{});
 }
 
