@@ -15,12 +15,11 @@ bool has_direction(Fault fault) {
   return fault == Fault::kCurrent || fault == Fault::kPositionError || fault == Fault::kSecondNavigation;
 }
 
-namespace {
-
-/// Of those that are done once and last no time.
 bool is_a_moment(Fault fault) {
   return fault == Fault::kKill || fault == Fault::kPowerCut || fault == Fault::kPause || fault == Fault::kStop;
 }
+
+namespace {
 
 std::string unit_of(const FaultTraits& traits) {
   std::string unit(traits.amount == "mps" ? "m/s" : traits.amount);

@@ -92,6 +92,11 @@ TEST_F(ResultsTest, SayTheCaseAndWhatCameOfIt) {
   EXPECT_EQ(found.at("source_m"), json::array({3.0, 4.0}));
 }
 
+TEST_F(ResultsTest, LetAFaultThatIsDoneOnceActForATick) {
+  case_.faults = {{.fault = Fault::kKill, .from = at_s(50)}};
+  EXPECT_EQ(only().at("faults"), json::parse(R"([{"words": "kill at 50 s", "from_s": 50.0, "until_s": 51.0}])"));
+}
+
 TEST_F(ResultsTest, SayTheRulesThatFiredWithTheirMeasures) {
   journal_.events = {{.time = at_s(62),
                       .condition = config::Condition::kDepth,
