@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/child_process.hpp"
 #include "hil/bench/at_sea/sea_flight.hpp"
@@ -99,6 +100,10 @@ class Flyer {
       while (flight_.failure.empty() && !is_over_ && now_ - Time{} < case_.at_most && !bench_.stop) tick();
       if (flight_.failure.empty() && !is_over_) let_stop();
     } catch (const BusTrouble& e) {
+      fail(e.what());
+    } catch (const host::BadInput& e) {  // a journal that has not so many bytes to lose
+      fail(e.what());
+    } catch (const std::filesystem::filesystem_error& e) {
       fail(e.what());
     }
   }

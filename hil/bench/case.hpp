@@ -46,11 +46,12 @@ struct Case {
 };
 
 /// Reads the file of a case; README.md says its keys.
+/// @param usual_mission  of a case that names none
 /// @throws host::BadInput with everything that is wrong with it.
-[[nodiscard]] Case load_case(const std::filesystem::path& path);
+[[nodiscard]] Case load_case(const std::filesystem::path& path, const std::filesystem::path& usual_mission);
 
 /// Those of a folder, by name. @throws as load_case()
-[[nodiscard]] std::vector<Case> load_cases(const std::filesystem::path& folder);
+[[nodiscard]] std::vector<Case> load_cases(const std::filesystem::path& folder, const std::filesystem::path& usual_mission);
 
 /// The key of a rule in files: "leak".
 [[nodiscard]] std::string key_of(config::Condition rule);

@@ -5,6 +5,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/safety/supervisor.hpp"
 #include "hil/bench/case.hpp"
 #include "hil/bench/lcm/bad_messages.hpp"
 #include "hil/nodes/emulated_vehicle.hpp"
@@ -23,8 +24,6 @@ std::vector<std::string> words_of(const Traits& all, std::string_view Traits::va
   return words;
 }
 
-constexpr std::string_view kDefaultMission = "../missions/search_over_can.toml";
-
 /// Index of the first port that takes a hydrophone's samples; 0: none.
 std::uint8_t sound_port_of(const std::vector<host::PortSettings>& ports) {
   const auto found = std::ranges::find_if(ports, [](const host::PortSettings& port) { return port.roles.has(host::Role::kHydrophone); });
@@ -33,11 +32,12 @@ std::uint8_t sound_port_of(const std::vector<host::PortSettings>& ports) {
 
 /// Samples come over LCM, whatever bus the rest comes by.
 /// @throws host::BadInput unless all its other ports are on one kind of bus
-PortKind bus_of(const std::filesystem::path& mission, std::vector<host::PortSettings> ports) {
+PortKind bus_of(const host::MissionFile& mission, const std::filesystem::path& path) {
+  std::vector<host::PortSettings> ports = mission.ports;
   std::erase_if(ports, [](const host::PortSettings& port) { return port.roles.has(host::Role::kHydrophone); });
   const bool is_of_one = std::ranges::all_of(ports, [&](const host::PortSettings& port) { return port.kind == ports.front().kind; });
   if (ports.empty() || !is_of_one)
-    throw host::BadInput(host::printable(mission.string()) + ": the bench flies missions whose ports are all over CAN, or all over LCM");
+    throw host::BadInput(host::printable(path.string()) + ": the bench flies missions whose ports are all over CAN, or all over LCM");
   return ports.front().kind;
 }
 
@@ -82,7 +82,10 @@ std::string read_netem(TableReader& table) {
   return how;
 }
 
-TimedFault read_fault(TableReader table, PortKind bus, bool is_at_sea) {
+/// @param c  the case, as far as it is read: its bus, its time, its speed
+TimedFault read_fault(TableReader table, const Case& c) {
+  const PortKind bus = c.bus;
+  const bool is_at_sea = c.speed.has_value();
   constexpr double kLongest = 1e6;
   TimedFault fault;
   const std::size_t index = table.choice("kind", words_of(kFaultTraits, &FaultTraits::word));
@@ -95,10 +98,10 @@ TimedFault read_fault(TableReader table, PortKind bus, bool is_at_sea) {
     table.problem("kind",
                   std::string("there is no ") + std::string(traits.word) + (is_at_sea ? " in a case with a speed" : " in lock-step"));
   fault.from = seconds_from_start(table.number("at_s", Range::between(0.0, kLongest)));
+  if (fault.from - Time{} >= c.at_most && !table.is_noted("at_s")) table.problem("at_s", "the flight is over by then (at_most_s)");
   if (table.has("for_s")) fault.until = fault.from + Duration{seconds_from_start(table.number("for_s", Range::between(0.1, kLongest))).us};
   if (!traits.amount.empty()) fault.amount = table.number(traits.amount, Range::between(traits.lowest, traits.highest));
-  if (fault.fault == Fault::kCurrent || fault.fault == Fault::kPositionError || fault.fault == Fault::kSecondNavigation)
-    fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
+  if (has_direction(fault.fault)) fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
   if (is_at_sea && is_signal(fault.fault)) read_whom(table, fault);
   if (fault.fault == Fault::kNetem) fault.how = read_netem(table);
   if (index >= kFrameFaults) return fault;
@@ -108,12 +111,18 @@ TimedFault read_fault(TableReader table, PortKind bus, bool is_at_sea) {
   return fault;
 }
 
-Expectation read_expectation(TableReader table) {
+/// @param mission  nothing: that of the case cannot be read
+Expectation read_expectation(TableReader table, const std::optional<host::MissionFile>& mission) {
   Expectation expected;
   expected.end = static_cast<messages::EndReason>(table.choice("end", end_words()));
   if (table.has("rules")) {
     for (const std::size_t index : table.choices("rules", words_of(config::kConditionTraits, &config::ConditionTraits::key)))
       expected.rules.push_back(static_cast<config::Condition>(index));
+  }
+  const safety::Rules rules = mission ? safety::rules_of(mission->mission) : safety::Rules{};
+  for (const config::Condition rule : expected.rules) {
+    if (mission && std::ranges::find(rules, rule, &config::Rule::condition) == rules.end())
+      table.problem("rules", "the mission has no rule " + key_of(rule));
   }
   expected.only_these = !table.boolean_or("others_may_fire", false);
   expected.refuses_navigation = table.boolean_or("refuses_navigation", false);
@@ -134,7 +143,7 @@ std::vector<std::string> end_words() {
           "left_operating_area", "time_used_up", "safety_rule",   "memory_fault"};
 }
 
-Case load_case(const std::filesystem::path& path) {
+Case load_case(const std::filesystem::path& path, const std::filesystem::path& usual_mission) {
   const host::TomlFile file(path);
   TableReader root = file.root();
   Case made;
@@ -142,11 +151,14 @@ Case load_case(const std::filesystem::path& path) {
   made.given = root.text("given");
   made.when = root.text("when");
   made.then = root.text("then");
-  made.mission = file.resolve(root.text_or("mission", kDefaultMission));
-  if (std::filesystem::exists(made.mission)) {  // one that is not there is missed when it is flown
-    const std::vector<host::PortSettings> ports = host::load_mission(made.mission).ports;
-    made.bus = bus_of(made.mission, ports);
-    made.sound_port = sound_port_of(ports);
+  made.mission = root.has("mission") ? file.resolve(root.text("mission")) : usual_mission;
+  std::optional<host::MissionFile> mission;
+  if (std::filesystem::exists(made.mission)) {
+    mission = host::load_mission(made.mission);
+    made.bus = bus_of(*mission, made.mission);
+    made.sound_port = sound_port_of(mission->ports);
+  } else if (!root.is_noted("mission")) {
+    root.problem("mission", "there is no " + host::printable(made.mission.lexically_normal().string()));
   }
   made.start = place_of(root, "start_m", {Meters{12'500}, Meters{11'000}});
   made.source = place_of(root, "source_m", {Meters{12'500}, Meters{12'500}});
@@ -154,23 +166,23 @@ Case load_case(const std::filesystem::path& path) {
   if (root.has("speed")) made.speed = root.number("speed", Range::between(0.1, 100.0));
   if (made.speed && made.bus != PortKind::kCan) root.problem("speed", "only of a mission over CAN");
   if (root.has("fault")) {
-    for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made.bus, made.speed.has_value()));
+    for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made));
   }
   if (made.sound_port == 0 && std::ranges::any_of(made.faults, is_of_sound, &TimedFault::fault))
     root.problem("mission", "one with a port of the role \"hydrophone\", for what befalls its samples");
-  made.expected = read_expectation(root.table("expect"));
+  made.expected = read_expectation(root.table("expect"), mission);
   file.finish();
   return made;
 }
 
-std::vector<Case> load_cases(const std::filesystem::path& folder) {
+std::vector<Case> load_cases(const std::filesystem::path& folder, const std::filesystem::path& usual_mission) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   }
   std::ranges::sort(files);
   std::vector<Case> cases;
-  for (const std::filesystem::path& file : files) cases.push_back(load_case(file));
+  for (const std::filesystem::path& file : files) cases.push_back(load_case(file, usual_mission));
   return cases;
 }
 

@@ -23,26 +23,42 @@ bool is_of_sound(Fault fault) {
   return fault >= Fault::kSoundDropout && fault <= Fault::kSoundShorted;
 }
 
+bool has_direction(Fault fault) {
+  return fault == Fault::kCurrent || fault == Fault::kPositionError || fault == Fault::kSecondNavigation;
+}
+
+bool is_a_moment(Fault fault) {
+  return fault == Fault::kKill || fault == Fault::kPowerCut || fault == Fault::kPause || fault == Fault::kStop;
+}
+
+namespace {
+
+std::string unit_of(const FaultTraits& traits) {
+  std::string unit(traits.amount == "mps" ? "m/s" : traits.amount);
+  for (char& character : unit) character = character == '_' ? ' ' : character;
+  return unit;
+}
+
+}  // namespace
+
 std::string in_words(const TimedFault& fault) {
   const auto index = static_cast<std::size_t>(fault.fault);
   const FaultTraits& traits = kFaultTraits.at(index);
   std::string word(traits.word);
   for (char& character : word) character = character == '_' ? ' ' : character;
   std::ostringstream text;
+  text.precision(12);  // a disk's bytes in full
   text << word;
   if (!fault.how.empty()) text << " (" << fault.how << ")";
-  if (!traits.amount.empty()) {
-    std::string unit(traits.amount);
-    for (char& character : unit) character = character == '_' ? ' ' : character;
-    text << " " << fault.amount << " " << unit;
-  }
+  if (!traits.amount.empty()) text << " " << fault.amount << " " << unit_of(traits);
+  if (has_direction(fault.fault)) text << " towards " << fault.direction_deg << " degrees";
   if (index < kFrameFaults) {
     text << " of " << fault.share * 100.0 << " % of " << (fault.device.empty() ? "all" : "the " + fault.device + "'s") << " frames";
     if (fault.pgn) text << " of " << *fault.pgn;
   } else if (!fault.device.empty()) {
     text << " of " << fault.device;
   }
-  text << " from " << (fault.from - Time{}).to_seconds() << " s";
+  text << (is_a_moment(fault.fault) ? " at " : " from ") << (fault.from - Time{}).to_seconds() << " s";
   if (fault.until) text << " for " << (*fault.until - fault.from).to_seconds() << " s";
   return text.str();
 }

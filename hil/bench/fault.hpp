@@ -159,7 +159,7 @@ struct TimedFault {
   Time from;                                 ///< since the flight began
   std::optional<Time> until = std::nullopt;  ///< nothing: to the end
   double amount = 0.0;                       ///< FaultTraits::amount
-  double direction_deg = 0.0;                ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
+  double direction_deg = 0.0;                ///< clockwise from north, of those that has_direction() names
   double share = 1.0;                        ///< of the frames
   std::string device = {};  ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders), empty: everybody's; at sea, of a signal:
                             ///< which program (kEarshotsProgram or kVehiclesProgram)
@@ -180,6 +180,11 @@ struct TimedFault {
 [[nodiscard]] bool is_of_controller(Fault fault);
 /// Whether it befalls the hydrophone whose samples come over LCM.
 [[nodiscard]] bool is_of_sound(Fault fault);
+/// Whether `direction_deg` says where to.
+[[nodiscard]] bool has_direction(Fault fault);
+
+/// Whether it is done once, and lasts no time.
+[[nodiscard]] bool is_a_moment(Fault fault);
 
 /// "loss of 50 % of the compass's frames from 100 s for 20 s"
 [[nodiscard]] std::string in_words(const TimedFault& fault);

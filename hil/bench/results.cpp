@@ -11,6 +11,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/wire/n2k/identifier.hpp"
+#include "hil/bench/vehicle_bus.hpp"
 
 namespace earshot::hil {
 namespace {
@@ -70,6 +71,12 @@ json frame_of(const TracedMessage& traced) {
           {"data", data.str()}};
 }
 
+/// When a fault ceases to act; nothing: it does not.
+json end_of(const TimedFault& fault) {
+  if (is_a_moment(fault.fault)) return seconds(fault.from + kTick);
+  return fault.until ? json(seconds(*fault.until)) : json(nullptr);
+}
+
 /// What a reader of a case wants to see of the bus: the frames around the first rule that fired, or the last.
 template <class Traced>
 json trace_of(const std::deque<Traced>& trace, const std::vector<messages::SafetyEvent>& events) {
@@ -104,9 +111,7 @@ void Results::add(const Case& c, const config::Mission& mission, const BenchFlig
                   const std::vector<std::string>& wrong) {
   json faults = json::array();
   for (const TimedFault& fault : c.faults)
-    faults.push_back({{"words", in_words(fault)},
-                      {"from_s", seconds(fault.from)},
-                      {"until_s", fault.until ? json(seconds(*fault.until)) : json(nullptr)}});
+    faults.push_back({{"words", in_words(fault)}, {"from_s", seconds(fault.from)}, {"until_s", end_of(fault)}});
   json expected_rules = json::array();
   for (const config::Condition rule : c.expected.rules) expected_rules.push_back(key_of(rule));
   json events = json::array();
@@ -122,12 +127,16 @@ void Results::add(const Case& c, const config::Mission& mission, const BenchFlig
        {"given", c.given},
        {"when", c.when},
        {"then", c.then},
+       {"bus", c.bus == host::PortKind::kLcm ? "LCM" : "CAN"},
        {"passed", wrong.empty()},
        {"wrong", wrong},
        {"faults", faults},
        {"expected_end", messages::to_string(c.expected.end)},
        {"expected_rules", expected_rules},
-       {"end", messages::to_string(journal.end)},
+       {"others_may_fire", !c.expected.only_these},
+       {"refuses_navigation", c.expected.refuses_navigation},
+       {"refuses_commands", c.expected.refuses_commands},
+       {"end", messages::to_string(flight.end)},
        {"events", events},
        {"setpoints", journal.setpoints},
        {"navigation_refused", journal.counters.navigation_refused},

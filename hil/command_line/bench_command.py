@@ -1,10 +1,9 @@
 """Flies missions with faults with the real earshotd on a CAN bus or over LCM, and says which cases of the bench passed.
 
 Without --interface it does so on a virtual bus, in user-mode Linux where this kernel has no SocketCAN. Cases over LCM
-need no CAN bus, and are flown within this machine. It builds what
-it needs, which takes minutes the first time; --earshotd PATH, or EARSHOT_PROGRAMS=FOLDER, takes programs that are
-there. Ctrl-C ends the flight. Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus or the bench was
-lost; 130 Ctrl-C.
+need no CAN bus, and are flown within this machine. It builds what it needs, which takes minutes the first time;
+--earshotd PATH, or EARSHOT_PROGRAMS=FOLDER, takes programs that are there. Ctrl-C ends the flight.
+Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus or the bench was lost; 130 Ctrl-C.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ from bad_input import BadInput
 from bench_page import page
 from bench_results import BadResults, CaseResult, read_results
 from bus import VIRTUAL, command_on_bus, require_bus
-from case_files import list_cases, need_can, require_cases
+from case_files import USUAL_MISSION, chosen_names, list_cases, need_can, require_cases
 from group_names import read_group_names
 from junit_report import junit_report
 from outputs import is_junit_report, is_page, is_results, make_folder, require_writable, write_whole
@@ -110,6 +109,7 @@ def judge(options: argparse.Namespace) -> None:
 
 def bench_command(options: argparse.Namespace, programs: Programs) -> list[str]:
     command = [programs.bench, "--earshotd", programs.earshotd, "--cases", options.cases.absolute()]
+    command += ["--mission", USUAL_MISSION]
     command += ["--interface", options.interface or VIRTUAL, "--seed", options.seed, "--out", options.out.absolute()]
     if options.case:
         command += ["--case", ",".join(dict.fromkeys(options.case))]
@@ -136,14 +136,16 @@ def identity(file: Path) -> tuple[int, int] | None:
 
 
 def write_reports(options: argparse.Namespace, results: list[CaseResult], programs: Programs) -> None:
-    virtual = f"a virtual bus ({VIRTUAL})" if need_can(options.cases, options.case) else "LCM"
-    bus = options.interface or virtual
-    made = f"{programs.version()}, flown by hil/run with seed {options.seed} on {bus}."
+    can = options.interface or f"a virtual bus ({VIRTUAL})"
+    buses = " and ".join(can if bus == "CAN" else bus for bus in sorted({result.bus for result in results}))
+    made = f"{programs.version()}, flown by hil/run with seed {options.seed} on {buses or can}."
+    flown = {result.name for result in results}
+    not_flown = [name for name in chosen_names(options.cases, options.case) if name not in flown]
     if options.report is not None:
         names = read_group_names(ROOT / "hil/bus/earshot.dbc")
-        write_whole(options.report, page(results, names, made).encode())
+        write_whole(options.report, page(results, names, made, not_flown).encode())
     if options.junit is not None:
-        write_whole(options.junit, junit_report(results))
+        write_whole(options.junit, junit_report(results, not_flown))
 
 
 def run(options: argparse.Namespace) -> int:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from bad_input import BadInput
 
-DEFAULT_MISSION = "../missions/search_over_can.toml"
+USUAL_MISSION = Path(__file__).resolve().parents[1] / "missions/search_over_can.toml"
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ def require_cases(folder: Path, names: list[str]) -> None:
 def _needs_can(file: Path) -> bool:
     """Unless its mission says that all is over LCM; one that cannot be read is for earshot-bench to judge."""
     try:
-        named = tomllib.loads(file.read_text(encoding="utf-8")).get("mission", DEFAULT_MISSION)
+        named = tomllib.loads(file.read_text(encoding="utf-8")).get("mission", USUAL_MISSION)
         ports = tomllib.loads((file.parent / named).read_text(encoding="utf-8"))["port"]
         return any(port["kind"] != "lcm" for port in ports)
     except (OSError, ValueError, KeyError, TypeError):
@@ -65,6 +65,11 @@ def _needs_can(file: Path) -> bool:
 def need_can(folder: Path, names: list[str]) -> bool:
     """Whether one of those named, or of all, is flown on a CAN bus."""
     return any(_needs_can(file) for file in _files_of(folder) if not names or file.stem in names)
+
+
+def chosen_names(folder: Path, names: list[str]) -> list[str]:
+    """Those named, or all; by name."""
+    return [file.stem for file in _files_of(folder) if not names or file.stem in names]
 
 
 def list_cases(folder: Path, names: list[str]) -> list[ListedCase]:

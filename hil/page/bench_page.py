@@ -32,11 +32,24 @@ th{color:var(--soft);font-weight:600}th,td{overflow-wrap:normal}
 """
 
 
-def headline(results: list[CaseResult]) -> str:
+def headline(results: list[CaseResult], not_flown: list[str]) -> str:
     failed = sum(not result.passed for result in results)
-    if failed == 0:
+    if failed == 0 and not not_flown:
         return f'<h1 class="passed">\N{CHECK MARK} All {len(results)} cases passed</h1>\n'
-    return f'<h1 class="failed">\N{MULTIPLICATION X} {failed} of {len(results)} cases failed</h1>\n'
+    said = [f"{failed} of {len(results)} cases failed"] if failed else []
+    said += [f"{len(not_flown)} of {len(results) + len(not_flown)} cases were not flown"] if not_flown else []
+    return f'<h1 class="failed">\N{MULTIPLICATION X} {", ".join(said)}</h1>\n'
+
+
+def _what_is_missing(results: list[CaseResult], not_flown: list[str]) -> str:
+    """A reader of a long page wants these first."""
+    items = [
+        f'<li><a href="#case-{index}">{escaped(result.name)}</a>: {escaped(result.wrong[0])}</li>'
+        for index, result in enumerate(results, 1)
+        if not result.passed
+    ]
+    items += [f"<li>Not flown: {escaped(', '.join(not_flown))}</li>"] if not_flown else []
+    return f"<ul>{''.join(items)}</ul>\n" if items else ""
 
 
 def _breakable(words: str) -> str:
@@ -56,8 +69,10 @@ def _summary_row(index: int, result: CaseResult) -> list[str]:
     ]
 
 
-def page(results: list[CaseResult], group_names: dict[int, str], made: str) -> str:
-    """@param made  how these results came to be, a sentence"""
+def page(results: list[CaseResult], group_names: dict[int, str], made: str, not_flown: list[str]) -> str:
+    """@param made       how these results came to be, a sentence
+    @param not_flown  names of cases that were to be flown, too
+    """
     header = ("case", "verdict", "when", "rules that fired", "how it ended", "at sea (s)")
     rows = [_summary_row(index, result) for index, result in enumerate(results, 1)]
     sections = [case_section(result, group_names, index) for index, result in enumerate(results, 1)]
@@ -66,8 +81,9 @@ def page(results: list[CaseResult], group_names: dict[int, str], made: str) -> s
             f'{BEGINNING}\n<html lang="en"><head><meta charset="utf-8">',
             '<meta name="viewport" content="width=device-width, initial-scale=1">',
             f"<title>Earshot: bench</title><style>{STYLE}{TRACK_STYLE}</style></head><body>\n",
-            headline(results),
+            headline(results, not_flown),
             f'<p class="made">{escaped(made)}</p>\n',
+            _what_is_missing(results, not_flown),
             table(header, rows, "summary"),
             *sections,
             "</body></html>\n",

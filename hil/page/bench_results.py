@@ -72,10 +72,14 @@ class CaseResult:
     given: str
     when: str
     then: str
+    bus: str  # "CAN" or "LCM"
     wrong: list[str]  # empty: it passed
     faults: list[Fault]
     expected_end: str
     expected_rules: list[str]
+    others_may_fire: bool
+    refuses_navigation: bool  # at least one fix has to be refused
+    refuses_commands: bool
     end: str
     events: list[RuleEvent]
     counts: dict[str, int]  # COUNTS
@@ -122,12 +126,15 @@ def read_results(path: Path) -> list[CaseResult]:
 def _case_of(entry: dict[str, Any]) -> CaseResult:
     if bool(entry["passed"]) == bool(entry["wrong"]):
         raise ValueError(f"{entry['name']}: passed and wrong contradict each other")
-    texts = {key: str(entry[key]) for key in ("name", "given", "when", "then", "expected_end", "end")}
+    texts = {key: str(entry[key]) for key in ("name", "given", "when", "then", "bus", "expected_end", "end")}
     return CaseResult(
         **texts,
         wrong=[str(what) for what in entry["wrong"]],
         faults=[Fault(str(f["words"]), float(f["from_s"]), _number(f["until_s"])) for f in entry["faults"]],
         expected_rules=[str(rule) for rule in entry["expected_rules"]],
+        others_may_fire=bool(entry["others_may_fire"]),
+        refuses_navigation=bool(entry["refuses_navigation"]),
+        refuses_commands=bool(entry["refuses_commands"]),
         events=[_event_of(event) for event in entry["events"]],
         counts={key: int(entry[key]) for key in COUNTS},
         at_sea_s=float(entry["at_sea_s"]),

@@ -26,9 +26,18 @@ def _faults(result: CaseResult) -> str:
     return bullets(fault.words for fault in result.faults)
 
 
-def _had_to_happen(result: CaseResult) -> str:
+def _rules_that_fire(result: CaseResult) -> str:
     rules = ", ".join(result.expected_rules)
-    return bullets([f"End of the mission: {result.expected_end}.", f"Rules fire: {rules or 'none has to'}."])
+    if result.others_may_fire:
+        return f"Rules fire: {rules or 'none has to'}; others may."
+    return f"Rules fire: {rules}; no other may." if rules else "No rule fires."
+
+
+def _had_to_happen(result: CaseResult) -> str:
+    said = [f"End of the mission: {result.expected_end}.", _rules_that_fire(result)]
+    said += ["At least one fix is refused."] if result.refuses_navigation else []
+    said += ["At least one order is refused."] if result.refuses_commands else []
+    return bullets(said)
 
 
 def _depths(result: CaseResult) -> list[str]:
@@ -41,12 +50,13 @@ def _depths(result: CaseResult) -> list[str]:
 
 def _happened(result: CaseResult) -> str:
     counts = result.counts
+    what = "Datagrams" if result.bus == "LCM" else "Frames"
     said = [
         f"End of the mission: {result.end}, after {number(result.at_sea_s)} s at sea ({number(result.wall_s)} s here).",
         *_depths(result),
         f"{counts['setpoints']} set-points; {counts['navigation_refused']} fixes and {counts['commands_refused']} "
         "orders were refused.",
-        f"Frames: {counts['frames_sent']} sent by the vehicle, {counts['frames_received']} by Earshot; "
+        f"{what}: {counts['frames_sent']} sent by the vehicle, {counts['frames_received']} by Earshot; "
         f"{counts['frames_lost_by_kernel']} lost by the kernel, {counts['frames_afflicted']} befallen by a fault.",
     ]
     return bullets(said)

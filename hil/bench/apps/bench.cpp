@@ -36,6 +36,7 @@ namespace fs = std::filesystem;
 struct Options {
   std::vector<std::string> cases;
   std::optional<fs::path> folder;
+  std::optional<fs::path> mission;
   std::string interface = "vcan0";
   std::uint64_t seed = 1;
   fs::path out = "out/bench";
@@ -47,6 +48,7 @@ struct Options {
 void declare(program::CommandLine& line, Options& o) {
   line.option("--case", &o.cases, "names of cases to fly, comma between them; default: all").separated_by(',');
   line.option("--cases", &o.folder, "folder of the cases; default: those that ship");
+  line.option("--mission", &o.mission, "of the cases that name none; default: the one that ships");
   line.option("--interface", &o.interface, "CAN interface, for the cases over CAN").shows_default();
   line.option("--seed", &o.seed, "draws which frames a fault befalls").from(0, std::numeric_limits<std::int64_t>::max()).shows_default();
   line.option("--out", &o.out, "folder for results.json and a folder for every case").shows_default();
@@ -60,12 +62,13 @@ void declare(program::CommandLine& line, Options& o) {
 std::vector<hil::Case> chosen_cases(const Options& o) {
   const fs::path folder = o.folder ? *o.folder : host::shipped("hil/cases");
   if (!fs::is_directory(folder)) throw host::BadInput(host::printable(folder.string()) + ": no such folder");
-  if (o.cases.empty()) return hil::load_cases(folder);
+  const fs::path usual_mission = o.mission ? *o.mission : host::shipped("hil/missions/search_over_can.toml");
+  if (o.cases.empty()) return hil::load_cases(folder, usual_mission);
   std::vector<hil::Case> cases;
   for (const std::string& name : o.cases) {
     const fs::path file = folder / (name + ".toml");
     if (!fs::exists(file)) throw host::BadInput("--case " + host::printable(name) + ": there is no " + host::printable(file.string()));
-    cases.push_back(hil::load_case(file));
+    cases.push_back(hil::load_case(file, usual_mission));
   }
   return cases;
 }
@@ -208,10 +211,11 @@ int bench(const Options& o) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  program::CommandLine line("earshot bench",
-                            "Flies missions with the real earshotd on a CAN bus or over LCM, each with the faults of its case, and judges\n"
-                            "what came of them. hil/run builds it, finds it a bus, and makes a page of its results.\n"
-                            "Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus was lost.");
+  program::CommandLine line(
+      "earshot bench",
+      "Flies missions with the real earshotd on a CAN bus or over LCM, each with the faults of its case, and judges what came of\n"
+      "them. hil/run builds it, finds it a bus, and makes a page of its results.\n"
+      "Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus was lost.");
   Options options;
   declare(line, options);
   return program::run(line, argc, argv, [&] { return bench(options); });

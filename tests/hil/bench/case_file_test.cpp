@@ -11,6 +11,7 @@ namespace earshot::hil {
 namespace {
 
 const std::string kWords = "given = \"a search\"\nwhen = \"nothing fails\"\nthen = \"it finds the source\"\n";
+const std::filesystem::path kMissions = std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/missions";
 const std::string kExpect = "[expect]\nend = \"found\"\n";
 
 constexpr Time at_s(std::int64_t seconds) {
@@ -21,7 +22,7 @@ class CaseFileTest : public testing::Test {
  protected:
   [[nodiscard]] Case load(const std::string& text) const {
     std::ofstream(path_) << text;
-    return load_case(path_);
+    return load_case(path_, kMissions / "search_over_can.toml");
   }
   /// Keys of a fault, one a line.
   [[nodiscard]] Case load_with_fault(const std::string& fault) const { return load(kWords + "[[fault]]\n" + fault + "\n" + kExpect); }
@@ -51,7 +52,7 @@ TEST_F(CaseFileTest, NeedsWordsAndAnEndAndHasDefaultsForTheRest) {
   EXPECT_EQ(c.given, "a search");
   EXPECT_EQ(c.when, "nothing fails");
   EXPECT_EQ(c.then, "it finds the source");
-  EXPECT_EQ(c.mission.lexically_normal(), (folder_.path().parent_path() / "missions/search_over_can.toml"));
+  EXPECT_EQ(c.mission, kMissions / "search_over_can.toml");
   EXPECT_EQ(c.start, (NorthEast{Meters{12'500}, Meters{11'000}}));
   EXPECT_EQ(c.source, (NorthEast{Meters{12'500}, Meters{12'500}}));
   EXPECT_EQ(c.at_most, Duration::seconds(3600));
@@ -64,6 +65,7 @@ TEST_F(CaseFileTest, NeedsWordsAndAnEndAndHasDefaultsForTheRest) {
 }
 
 TEST_F(CaseFileTest, ReadsEveryKey) {
+  std::filesystem::copy_file(kMissions / "search_over_can.toml", folder_ / "m.toml");
   const Case c = load(kWords +
                       "mission = \"m.toml\"\nstart_m = [1, 2.5]\nsource_m = [-3, 4]\nat_most_s = 600\n"
                       "[[fault]]\nkind = \"loss\"\nat_s = 100\nfor_s = 20.5\nof = \"compass\"\npgn = 127250\nshare = 0.25\n"
@@ -188,6 +190,22 @@ TEST_F(CaseFileTest, RefusesRulesThatNoMissionCanHaveAndAnswersThatAreNone) {
             "cases.toml:6: expect.refuses_commands = 'yes': must be true or false");
 }
 
+TEST_F(CaseFileTest, RefusesAMissionThatIsNotThere) {
+  EXPECT_EQ(refusal("mission = \"none.toml\"\n" + kWords + kExpect), "cases.toml:1: mission = 'none.toml': there is no none.toml");
+}
+
+TEST_F(CaseFileTest, RefusesARuleThatItsMissionDoesNotHave) {
+  EXPECT_EQ(refusal(kWords + kExpect + "rules = [\"leak\", \"turn_rate_deg_per_s\", \"snr_age_s\"]\n"),
+            "cases.toml:6: expect.rules: the mission has no rule turn_rate_deg_per_s");
+}
+
+TEST_F(CaseFileTest, RefusesAFaultThatBeginsWhenTheFlightIsOver) {
+  const std::string fault = "[[fault]]\nkind = \"leak\"\nat_s = ";
+  EXPECT_EQ(refusal("at_most_s = 60\n" + kWords + fault + "60\n" + kExpect),
+            "cases.toml:7: fault[0].at_s = 60: the flight is over by then (at_most_s)");
+  EXPECT_EQ(load("at_most_s = 60\n" + kWords + fault + "59\n" + kExpect).faults.size(), 1U);
+}
+
 TEST_F(CaseFileTest, RefusesACaseThatExpectsNothing) {
   EXPECT_EQ(refusal(kWords), "cases.toml:1: expect is missing: must be a table");
 }
@@ -195,7 +213,7 @@ TEST_F(CaseFileTest, RefusesACaseThatExpectsNothing) {
 TEST_F(CaseFileTest, LoadsAFoldersCasesByNameAndNothingElse) {
   for (const std::string name : {"b.toml", "a.toml", "c.toml"}) std::ofstream(folder_ / name) << kWords + kExpect;
   std::ofstream(folder_ / "README.md") << "no case";
-  const std::vector<Case> cases = load_cases(folder_);
+  const std::vector<Case> cases = load_cases(folder_, kMissions / "search_over_can.toml");
   ASSERT_EQ(cases.size(), 3U);
   EXPECT_EQ(cases[0].name, "a");
   EXPECT_EQ(cases[1].name, "b");
@@ -203,7 +221,7 @@ TEST_F(CaseFileTest, LoadsAFoldersCasesByNameAndNothingElse) {
 }
 
 TEST(ShippedCases, AreAtLeastFortyAndEachCanBeRead) {
-  EXPECT_GE(load_cases(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases").size(), 40U);
+  EXPECT_GE(load_cases(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases", kMissions / "search_over_can.toml").size(), 40U);
 }
 
 TEST_F(CaseFileTest, WithASpeedIsFlownAsAtSeaWhereSignalsBefallEitherProgram) {

@@ -74,6 +74,10 @@ TEST(Fault, IsSaidInWordsWithItsAmountAndUnit) {
             "delay 1.5 seconds of 25 % of all frames from 1 s");
   EXPECT_EQ(in_words({.fault = Fault::kFlood, .from = at_s(30), .amount = 1900.0}), "flood 1900 frames per s from 30 s");
   EXPECT_EQ(in_words({.fault = Fault::kRudderStuck, .from = at_s(60), .until = at_s(90)}), "rudder stuck from 60 s for 30 s");
+  EXPECT_EQ(in_words({.fault = Fault::kCurrent, .from = at_s(60), .amount = 0.4, .direction_deg = 270.0}),
+            "current 0.4 m/s towards 270 degrees from 60 s");
+  EXPECT_EQ(in_words({.fault = Fault::kPowerCut, .from = at_s(100), .amount = 700.0}), "power cut 700 bytes at 100 s");
+  EXPECT_EQ(in_words({.fault = Fault::kFullDisk, .from = at_s(0), .amount = 1'234'567.0}), "full disk 1234567 bytes from 0 s");
 }
 
 }  // namespace

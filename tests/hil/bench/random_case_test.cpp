@@ -21,7 +21,7 @@ Case case_of(std::vector<TimedFault> faults) {
           .given = "a search",
           .when = "something fails",
           .then = "it goes on",
-          .mission = "/missions/search.toml",
+          .mission = EARSHOT_SOURCE_DIR "/hil/missions/search_over_can.toml",
           .start = {Meters{12'500}, Meters{11'000}},
           .source = {Meters{12'500}, Meters{12'500}},
           .at_most = Duration::seconds(3600),
@@ -124,7 +124,7 @@ TEST(ToToml, IsReadAsTheSameCaseAgain) {
   const support::TemporaryFolder folder;
   const auto read_again = [&folder](const Case& c) {
     std::ofstream(folder / (c.name + ".toml")) << to_toml(c);
-    return load_case(folder / (c.name + ".toml"));
+    return load_case(folder / (c.name + ".toml"), c.mission);
   };
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Case c = random_case(pool(), seed);

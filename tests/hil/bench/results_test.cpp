@@ -25,14 +25,14 @@ class ResultsTest : public testing::Test {
     case_.start = {Meters{1}, Meters{2}};
     case_.source = {Meters{3}, Meters{4}};
     case_.faults = {{.fault = Fault::kLeak, .from = at_s(60)}, {.fault = Fault::kFrozen, .from = at_s(10), .until = at_s(14)}};
-    case_.expected = {.end = messages::EndReason::kSafetyRule, .rules = {config::Condition::kLeak}};
+    case_.expected = {.end = messages::EndReason::kSafetyRule, .rules = {config::Condition::kLeak}, .refuses_commands = true};
     flight_.last = at_s(63);
     flight_.wall_s = 1.5;
     flight_.sent = 7;
     flight_.received = 8;
     flight_.lost = 9;
     flight_.afflicted = 10;
-    journal_.end = messages::EndReason::kSafetyRule;
+    flight_.end = messages::EndReason::kSafetyRule;
     journal_.setpoints = 61;
     journal_.counters.navigation_refused = 11;
     journal_.counters.commands_refused = 12;
@@ -74,7 +74,11 @@ TEST_F(ResultsTest, SayTheCaseAndWhatCameOfIt) {
                                                 {"words": "frozen from 10 s for 4 s", "from_s": 10.0, "until_s": 14.0}])"));
   EXPECT_EQ(found.at("expected_end"), "a safety rule ended it");
   EXPECT_EQ(found.at("expected_rules"), json::array({"leak"}));
-  EXPECT_EQ(found.at("end"), "a safety rule ended it");
+  EXPECT_EQ(found.at("others_may_fire"), false);
+  EXPECT_EQ(found.at("refuses_navigation"), false);
+  EXPECT_EQ(found.at("refuses_commands"), true);
+  EXPECT_EQ(found.at("bus"), "CAN");
+  EXPECT_EQ(found.at("end"), "a safety rule ended it") << "as it was judged: a journal may have an end before it";
   EXPECT_EQ(found.at("setpoints"), 61);
   EXPECT_EQ(found.at("navigation_refused"), 11);
   EXPECT_EQ(found.at("commands_refused"), 12);
@@ -86,6 +90,11 @@ TEST_F(ResultsTest, SayTheCaseAndWhatCameOfIt) {
   EXPECT_EQ(found.at("frames_afflicted"), 10);
   EXPECT_EQ(found.at("start_m"), json::array({1.0, 2.0}));
   EXPECT_EQ(found.at("source_m"), json::array({3.0, 4.0}));
+}
+
+TEST_F(ResultsTest, LetAFaultThatIsDoneOnceActForATick) {
+  case_.faults = {{.fault = Fault::kKill, .from = at_s(50)}};
+  EXPECT_EQ(only().at("faults"), json::parse(R"([{"words": "kill at 50 s", "from_s": 50.0, "until_s": 51.0}])"));
 }
 
 TEST_F(ResultsTest, SayTheRulesThatFiredWithTheirMeasures) {

@@ -56,6 +56,7 @@ class VerdictTest : public testing::Test {
     case_.expected.end = messages::EndReason::kCompleted;
     flight_.end = messages::EndReason::kCompleted;
     flight_.exit_statuses = {program::kDone};
+    flight_.last = at_s(1000);
     flight_.track = {place(0, 5'000, 5'000), place(1, 5'000, 5'002)};
     journal_.end = messages::EndReason::kCompleted;
     journal_.setpoints = 2;

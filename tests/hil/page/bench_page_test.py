@@ -57,7 +57,7 @@ def luminance(colour: str) -> float:
 
 class Page(unittest.TestCase):
     def setUp(self):
-        self.html = page(results_of(calm(), deaf()), {}, "by hand")
+        self.html = page(results_of(calm(), deaf()), {}, "by hand", [])
         self.tags = Tags(self.html)
 
     def test_tells_of_every_case_what_was_done_had_to_happen_and_happened(self):
@@ -65,7 +65,7 @@ class Page(unittest.TestCase):
         for words in (
             "the hydrophone is open for a while",
             "deaf from 500 s for 500 s",
-            "Rules fire: hydrophone_deaf.",
+            "Rules fire: hydrophone_deaf; no other may.",
             "End of the mission: the source is reached, after 1750 s at sea",
             "at most 310 m deep, and 12.5 m at the end",
             "the rule hydrophone_deaf did not fire",
@@ -76,14 +76,34 @@ class Page(unittest.TestCase):
 
     def test_says_first_how_many_failed(self):
         self.assertIn("1 of 2 cases failed", self.tags.text)
-        self.assertIn("All 1 cases passed", Tags(page(results_of(calm()), {}, "")).text)
+        self.assertIn("All 1 cases passed", Tags(page(results_of(calm()), {}, "", [])).text)
+
+    def test_says_first_what_was_not_flown(self):
+        text = Tags(page(results_of(calm()), {}, "", ["leak", "frozen"])).text
+        self.assertIn("\N{MULTIPLICATION X} 2 of 3 cases were not flown", text)
+        self.assertIn("Not flown: leak, frozen", text)
+        self.assertNotIn("All 1", text)
+
+    def test_says_all_that_had_to_happen(self):
+        def said(**of_case: object) -> str:
+            return Tags(page(results_of(calm() | of_case), {}, "", [])).text
+
+        self.assertIn("No rule fires.", said())
+        self.assertIn("Rules fire: none has to; others may.", said(others_may_fire=True))
+        self.assertIn("Rules fire: leak; others may.", said(others_may_fire=True, expected_rules=["leak"]))
+        self.assertNotIn("At least one", said())
+        self.assertIn("At least one fix is refused.", said(refuses_navigation=True))
+        self.assertIn("At least one order is refused.", said(refuses_commands=True))
+
+    def test_says_datagrams_of_a_case_over_lcm(self):
+        self.assertIn("Datagrams: 31000 sent", Tags(page(results_of(calm() | {"bus": "LCM"}), {}, "", [])).text)
 
     def test_says_a_verdict_in_words_too(self):
         self.assertIn("\N{CHECK MARK} passed", self.tags.text)
         self.assertIn("\N{MULTIPLICATION X} failed", self.tags.text)
 
     def test_leads_from_its_summary_to_every_case(self):
-        self.assertEqual(self.tags.targets, ["#case-1", "#case-2"])
+        self.assertEqual(self.tags.targets, ["#case-2", "#case-1", "#case-2"], "those that failed come first")
         for target in self.tags.targets:
             self.assertIn(target[1:], self.tags.ids)
 
@@ -106,7 +126,7 @@ class Page(unittest.TestCase):
         entry["faults"] = [deaf()["faults"][0] | {"words": hostile}]
         entry["events"] = [event | {"rule": hostile, "response": hostile} for event in entry["events"]]
         entry["trace"] = [frame | {"data": hostile} for frame in entry["trace"]]
-        html = page(results_of(entry), {65291: hostile}, hostile)
+        html = page(results_of(entry), {65291: hostile}, hostile, [hostile])
         tags = Tags(html)
         self.assertNotIn("script", tags.names)
         self.assertEqual(tags.open, [])

@@ -10,7 +10,7 @@ from junit_report import junit_report
 
 class JunitReport(unittest.TestCase):
     def setUp(self):
-        self.read = JUnitXml.fromstring(junit_report(results_of(calm(), deaf())))
+        self.read = JUnitXml.fromstring(junit_report(results_of(calm(), deaf()), []))
         (self.suite,) = self.read
         self.calm, self.deaf = self.suite
 
@@ -33,6 +33,12 @@ class JunitReport(unittest.TestCase):
         self.assertEqual(failure.message, "the rule hydrophone_deaf did not fire")
         self.assertEqual(failure.text, "the rule hydrophone_deaf did not fire\nthe rule leak fired at 600 s")
 
+    def test_has_what_was_not_flown_as_skipped(self):
+        (suite,) = JUnitXml.fromstring(junit_report(results_of(calm()), ["leak"]))
+        self.assertEqual((suite.tests, suite.failures, suite.skipped), (2, 0, 1))
+        _, leak = suite
+        self.assertEqual((leak.name, leak.is_skipped), ("leak", True))
+
     def test_tells_the_story_of_a_case(self):
         self.assertIn("WHEN the hydrophone is open for a while\n", self.deaf.system_out)
         self.assertIn("deaf from 500 s for 500 s\n", self.deaf.system_out)
@@ -40,7 +46,7 @@ class JunitReport(unittest.TestCase):
     def test_can_be_read_whatever_a_case_says(self):
         hostile = "]]><x> & \x00\x1b\ud800\uffff"
         entry = deaf() | {"name": hostile, "wrong": [hostile], "given": hostile}
-        ((case,),) = JUnitXml.fromstring(junit_report(results_of(entry)))
+        ((case,),) = JUnitXml.fromstring(junit_report(results_of(entry), []))
         self.assertEqual(case.name, "]]><x> & \\u0000\\u001b\\ud800\\uffff")
         self.assertEqual(case.result[0].text, case.name)
 

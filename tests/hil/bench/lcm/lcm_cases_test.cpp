@@ -18,7 +18,7 @@ class LcmCasesTest : public testing::Test {
     std::ofstream(path) << "given = \"a\"\nwhen = \"b\"\nthen = \"c\"\nmission = \"" << EARSHOT_SOURCE_DIR << "/hil/missions/search_over_"
                         << mission << ".toml\"\n[[fault]]\nat_s = 1\n"
                         << fault << "\n[expect]\nend = \"found\"\n";
-    return load_case(path);
+    return load_case(path, {});
   }
   [[nodiscard]] std::string refusal(const std::string& mission, const std::string& fault) const {
     try {
