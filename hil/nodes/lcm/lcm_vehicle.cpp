@@ -1,6 +1,5 @@
 #include "hil/nodes/lcm/lcm_vehicle.hpp"
 
-#include "firmware/core/math.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
@@ -12,10 +11,6 @@ template <class Value>
 void say(std::string_view channel, const Value& value, LcmMessages& said) {
   const wire::Encoded encoded(wire::to_message(value));
   said.push_back({.channel = std::string(channel), .data = {encoded.bytes().begin(), encoded.bytes().end()}});
-}
-
-bool is_steerable(const messages::Setpoint& setpoint) {
-  return is_finite(setpoint.heading.value) && is_finite(setpoint.speed.value) && is_finite(setpoint.depth.value);
 }
 
 }  // namespace
@@ -39,7 +34,7 @@ void LcmVehicle::disturb(const Disturbance& disturbance) {
 void LcmVehicle::accept(const LcmMessage& message, Time now) {
   setpoint_t raw{};
   if (message.channel != wire::kSetpointChannel || wire::decode(message.data, raw) != Status::kOk) return;
-  if (const messages::Setpoint setpoint = wire::from_message(raw); is_steerable(setpoint)) helm_.take(setpoint, now);
+  helm_.take(wire::from_message(raw), now);
 }
 
 void LcmVehicle::step(Time now, LcmMessages& said) {
