@@ -60,6 +60,8 @@ void read_records(const std::filesystem::path& journal, const config::Mission& m
       found.end = static_cast<messages::EndReason>(health.end_reason);
       found.counters.navigation_refused = static_cast<std::uint64_t>(health.navigation_refused);
       found.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
+    } else if (record.channel == wire::kDecisionChannel) {
+      found.decisions.push_back(record.time);
     } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
       found.events.push_back(wire::from_message(event));
     } else if (record.channel == wire::kJournalledSetpointChannel && wire::decode(record.data, setpoint) == Status::kOk) {
@@ -168,6 +170,9 @@ std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& fl
   judge_rules(c, journal, wrong);
   if (c.expected.refuses_navigation && journal.counters.navigation_refused == 0) wrong.emplace_back("no fix was refused");
   if (c.expected.refuses_commands && journal.counters.commands_refused == 0) wrong.emplace_back("no order was refused");
+  const auto decisions = std::ranges::count_if(journal.decisions, [from = first_fault(c)](Time time) { return time >= from; });
+  if (decisions < c.expected.decisions)
+    wrong.push_back("decisions after the first fault: " + std::to_string(decisions) + ", not " + std::to_string(c.expected.decisions));
   if (c.expected.comes_up && (flight.track.empty() || flight.track.back().depth > kAtSurface))
     wrong.emplace_back("the vehicle did not come up");
   if (c.expected.releases_weight && !flight.is_weight_released) wrong.emplace_back("the weight was not released");
