@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ struct Expectation {
   bool only_these = true;                                     ///< no other rule fires
   bool refuses_navigation = false;                            ///< at least one fix is refused
   bool refuses_commands = false;                              ///< at least one order is
+  std::int64_t decisions = 0;                                 ///< that are taken at least after the first fault began
   bool comes_up = false;                                      ///< the vehicle truly is at the surface when the flight ends
   bool releases_weight = false;                               ///< the vehicle was asked to let its drop weight go
   friend bool operator==(const Expectation&, const Expectation&) = default;

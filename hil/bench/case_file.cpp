@@ -127,6 +127,7 @@ Expectation read_expectation(TableReader table, const std::optional<host::Missio
   expected.only_these = !table.boolean_or("others_may_fire", false);
   expected.refuses_navigation = table.boolean_or("refuses_navigation", false);
   expected.refuses_commands = table.boolean_or("refuses_commands", false);
+  expected.decisions = table.integer_or("decisions", 0, 0, 1'000);
   expected.comes_up = table.boolean_or("comes_up", false);
   expected.releases_weight = table.boolean_or("releases_weight", false);
   return expected;

@@ -71,6 +71,8 @@ void read_records(const std::filesystem::path& journal, const config::Mission& m
         found.lost.at(static_cast<std::size_t>(port.port)) = static_cast<std::uint64_t>(port.lost);
     } else if (record.channel == wire::kControllerTroubleChannel && wire::decode(record.data, trouble) == Status::kOk) {
       found.troubles.push_back({.is_bus_off = trouble.trouble == controller_trouble_t::BUS_OFF, .begins = trouble.is_there != 0});
+    } else if (record.channel == wire::kDecisionChannel) {
+      found.decisions.push_back(since(began, record.time));
     } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
       found.events.push_back(wire::from_message(event));
       found.events.back().time = since(began, found.events.back().time);
@@ -200,6 +202,9 @@ std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& fl
   wrong.insert(wrong.end(), flight.uncounted.begin(), flight.uncounted.end());
   if (c.expected.refuses_navigation && journal.counters.navigation_refused == 0) wrong.emplace_back("no fix was refused");
   if (c.expected.refuses_commands && journal.counters.commands_refused == 0) wrong.emplace_back("no order was refused");
+  const auto decisions = std::ranges::count_if(journal.decisions, [from = first_fault(c)](Time time) { return time >= from; });
+  if (decisions < c.expected.decisions)
+    wrong.push_back("decisions after the first fault: " + std::to_string(decisions) + ", not " + std::to_string(c.expected.decisions));
   if (c.expected.comes_up && (flight.track.empty() || flight.track.back().depth > kAtSurface))
     wrong.emplace_back("the vehicle did not come up");
   if (c.expected.releases_weight && !flight.is_weight_released) wrong.emplace_back("the weight was not released");

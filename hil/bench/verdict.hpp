@@ -25,6 +25,7 @@ struct ControllerTrouble {
 struct JournalFindings {
   std::string trouble;  ///< why it cannot be read; empty: it can
   std::vector<messages::SafetyEvent> events;
+  std::vector<Time> decisions;
   messages::EndReason end = messages::EndReason::kNone;
   messages::Counters counters;  ///< refusals alone
   std::uint64_t setpoints = 0;

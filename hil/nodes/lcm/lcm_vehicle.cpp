@@ -1,6 +1,5 @@
 #include "hil/nodes/lcm/lcm_vehicle.hpp"
 
-#include "firmware/core/math.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
@@ -12,15 +11,6 @@ template <class Value>
 void say(std::string_view channel, const Value& value, LcmMessages& said) {
   const wire::Encoded encoded(wire::to_message(value));
   said.push_back({.channel = std::string(channel), .data = {encoded.bytes().begin(), encoded.bytes().end()}});
-}
-
-/// What no vehicle does. A message over LCM has no checksum of its own: a bit of its exponent makes 2 m/s a speed beyond all measure.
-constexpr MetersPerSecond kTooFast{10.0};
-constexpr Meters kTooDeep{11'000.0};
-
-bool is_steerable(const messages::Setpoint& setpoint) {
-  return is_finite(setpoint.heading.value) && setpoint.speed >= MetersPerSecond{0.0} && setpoint.speed < kTooFast &&
-         setpoint.depth >= Meters{0.0} && setpoint.depth < kTooDeep;
 }
 
 }  // namespace
@@ -44,7 +34,7 @@ void LcmVehicle::disturb(const Disturbance& disturbance) {
 void LcmVehicle::accept(const LcmMessage& message, Time now) {
   setpoint_t raw{};
   if (message.channel != wire::kSetpointChannel || wire::decode(message.data, raw) != Status::kOk) return;
-  if (const messages::Setpoint setpoint = wire::from_message(raw); is_steerable(setpoint)) helm_.take(setpoint, now);
+  helm_.take(wire::from_message(raw), now);
 }
 
 void LcmVehicle::step(Time now, LcmMessages& said) {

@@ -26,7 +26,7 @@ class LcmVehicle {
  public:
   explicit LcmVehicle(const LcmVehicleSetup& setup);
 
-  /// Every message on the bus that is not its own. A set-point that is none, or that no vehicle can follow, is not taken.
+  /// Every message on the bus that is not its own. A set-point that is none, or that no vehicle can follow (Helm::take), is not taken.
   void accept(const LcmMessage& message, Time now);
   /// It moves on, and adds what it says. To be called with a time that never goes back.
   void step(Time now, LcmMessages& said);

@@ -19,7 +19,8 @@ class Helm {
   /// @param resting  what the vehicle is told before the first set-point
   explicit Helm(const vehicle::Command& resting) : command_(resting) {}
 
-  /// Nothing is taken while somebody else has the helm.
+  /// Nothing is taken while somebody else has the helm, nor what no vehicle does: a heading of more than a turn, a speed outside 0 to 5
+  /// m/s, a depth outside 0 to 11 km.
   void take(const messages::Setpoint& setpoint, Time now);
   /// Time passes.
   void step(Time now);

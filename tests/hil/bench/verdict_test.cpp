@@ -218,6 +218,15 @@ TEST_F(VerdictTest, WantsFixesAndOrdersRefusedWhereTheCaseSaysSo) {
   EXPECT_EQ(unmet(), Words{});
 }
 
+TEST_F(VerdictTest, WantsDecisionsTakenUnderTheFault) {
+  case_.faults = {{.fault = Fault::kKill, .from = at_s(100)}};
+  case_.expected.decisions = 1;
+  journal_.decisions = {at_s(1), at_s(99)};
+  EXPECT_EQ(unmet(), Words{"decisions after the first fault: 0, not 1"}) << "these were taken without it";
+  journal_.decisions.push_back(at_s(100));
+  EXPECT_EQ(unmet(), Words{});
+}
+
 TEST_F(VerdictTest, WantsTheVehicleTrulyUpWhereTheCaseSaysSo) {
   case_.expected.comes_up = true;
   EXPECT_EQ(unmet(), Words{"the vehicle did not come up"});
