@@ -58,8 +58,8 @@ std::vector<Befalling> all_of(const Case& c) {
 }
 
 /// Whether Earshot could not say on the bus how its search ended.
-bool is_beyond_hearing(Fault fault) {
-  return fault == Fault::kBusOff || fault == Fault::kNetem;
+bool is_beyond_hearing(const TimedFault& fault) {
+  return fault.fault == Fault::kBusOff || (fault.fault == Fault::kNetem && fault.how.find("loss 100%") != std::string::npos);
 }
 
 /// One flight in the making.
@@ -212,7 +212,7 @@ class SeaFlyer {
     end(earshotd_);
     flight_.exit_statuses = earshotd_.exit_statuses();
     flight_.is_end_heard =
-        std::ranges::none_of(faults_, [](const Befalling& b) { return is_beyond_hearing(b.fault.fault) && b.has_begun && !b.has_ended; });
+        std::ranges::none_of(faults_, [](const Befalling& b) { return is_beyond_hearing(b.fault) && b.has_begun && !b.has_ended; });
     flight_.uncounted = equipment_.uncounted();
     end(vehicle_);
     if (!is_interface_up_) switch_bus(true);
