@@ -35,8 +35,8 @@ struct Case {
   NorthEast start;
   NorthEast source;
   Duration at_most;  ///< at sea
-  std::optional<double> speed =
-      std::nullopt;             ///< seconds at sea in one of the host's, with the vehicle as a program of its own; nothing: in lock-step
+  /// Seconds at sea in one of the host's, with the vehicle as a program of its own; nothing: in lock-step.
+  std::optional<double> speed = std::nullopt;
   std::uint8_t sound_port = 0;  ///< index of the port that takes a hydrophone's samples; 0: none
   std::vector<TimedFault> faults;
   Expectation expected;

@@ -218,9 +218,28 @@ TEST_F(CaseFileTest, WithASpeedIsFlownAsAtSeaWhereSignalsBefallEitherProgram) {
 
 TEST_F(CaseFileTest, HasOnlyFaultsThatThereAreInItsKindOfFlight) {
   EXPECT_EQ(refusal(kWords + "speed = 20\n[[fault]]\nkind = \"loss\"\nat_s = 1\n" + kExpect),
-            "cases.toml: fault.kind: there is no loss in a case with a speed");
-  EXPECT_NE(refusal_of_fault("kind = \"pause\"\nof = \"vehicle\"\nat_s = 1\nwall_seconds = 2").find("fault.of"), std::string::npos);
+            "cases.toml:6: fault[0].kind = 'loss': there is no loss in a case with a speed");
+  EXPECT_NE(refusal_of_fault("kind = \"pause\"\nof = \"vehicle\"\nat_s = 1\nwall_seconds = 2").find("fault[0].of"), std::string::npos);
   EXPECT_NE(refusal(kWords + "speed = 0\n" + kExpect).find("speed"), std::string::npos);
+}
+
+TEST(CasesOfTheBench, FlyAVehicleThatHearsForItselfOverCanWithItsSamplesOverLcm) {
+  const Case c = load_case(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases/sea_sound_open.toml");
+  EXPECT_EQ(c.bus, host::PortKind::kCan);
+  EXPECT_EQ(c.sound_port, 2);
+  EXPECT_EQ(load_case(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases/calm.toml").sound_port, 0);
+}
+
+TEST_F(CaseFileTest, ReadsWhatNetemIsToDoAndRefusesWhatAShellWouldTakeForItsOwn) {
+  const std::string netem = kWords + "speed = 20\n[[fault]]\nkind = \"netem\"\nat_s = 1\nhow = ";
+  EXPECT_EQ(load(netem + "\"delay 50ms 20ms loss 5%\"\n" + kExpect).faults.front().how, "delay 50ms 20ms loss 5%");
+  EXPECT_NE(refusal(netem + "\"loss 5%; reboot\"\n" + kExpect).find("how: must be words of tc-netem(8)"), std::string::npos)
+      << refusal(netem + "\"loss 5%; reboot\"\n" + kExpect);
+}
+
+TEST_F(CaseFileTest, RefusesAFaultOfSamplesWhereNoneAreTaken) {
+  const std::string text = kWords + "speed = 20\n[[fault]]\nkind = \"sound_open\"\nat_s = 1\n" + kExpect;
+  EXPECT_NE(refusal(text).find("mission: must be one with a port of the role"), std::string::npos) << refusal(text);
 }
 
 }  // namespace

@@ -15,12 +15,14 @@ constexpr Time at_s(std::int64_t seconds) {
 TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   std::set<std::string_view> words;
   for (const FaultTraits& traits : kFaultTraits) words.insert(traits.word);
-  EXPECT_EQ(words.size(), 40U);
+  EXPECT_EQ(words.size(), 47U);
   const auto word_of = [](Fault fault) { return kFaultTraits.at(static_cast<std::size_t>(fault)).word; };
   EXPECT_EQ(word_of(Fault::kLoss), "loss");
   EXPECT_EQ(word_of(Fault::kReplay), "replay");
   EXPECT_EQ(word_of(Fault::kFlood), "flood");
   EXPECT_EQ(word_of(Fault::kRudderStuck), "rudder_stuck");
+  EXPECT_EQ(word_of(Fault::kBusOff), "bus_off");
+  EXPECT_EQ(word_of(Fault::kSoundShorted), "sound_shorted");
   EXPECT_EQ(word_of(Fault::kFullDisk), "full_disk");
 }
 
@@ -74,6 +76,7 @@ TEST(Fault, IsSaidInWordsWithItsAmountAndUnit) {
             "delay 1.5 seconds of 25 % of all frames from 1 s");
   EXPECT_EQ(in_words({.fault = Fault::kFlood, .from = at_s(30), .amount = 1900.0}), "flood 1900 frames per s from 30 s");
   EXPECT_EQ(in_words({.fault = Fault::kRudderStuck, .from = at_s(60), .until = at_s(90)}), "rudder stuck from 60 s for 30 s");
+  EXPECT_EQ(in_words({.fault = Fault::kNetem, .from = at_s(60), .how = "loss 5%"}), "netem (loss 5%) from 60 s");
 }
 
 }  // namespace

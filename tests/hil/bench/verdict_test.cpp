@@ -318,5 +318,33 @@ TEST_F(FindingsTest, SayWhetherTheJournalGivesEveryOutputAgainAndWhichItDoesNot)
   EXPECT_EQ(found.difference, "record " + std::to_string(number) + " (EARSHOT_HEALTH)");
 }
 
+TEST_F(VerdictTest, WantsTheJournalToSayWhenTheControllersTroubleBeganAndWhenItEnded) {
+  case_.faults = {{.fault = Fault::kErrorPassive, .from = at_s(20), .until = at_s(80)}};
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_),
+            (Words{"the journal does not say that it began: error passive from 20 s for 60 s",
+                   "the journal does not say that it ended: error passive from 20 s for 60 s"}));
+  journal_.troubles = {{.is_bus_off = true, .begins = true}, {.is_bus_off = true, .begins = false}};
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_).size(), 2U) << "another trouble";
+  journal_.troubles = {{.is_bus_off = false, .begins = true}, {.is_bus_off = false, .begins = false}};
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{});
+  case_.faults = {{.fault = Fault::kBusOff, .from = at_s(20)}};
+  journal_.troubles = {{.is_bus_off = true, .begins = true}};
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{}) << "it never ends";
+}
+
+TEST_F(VerdictTest, WantsTheJournalToSayThatSamplesWereLost) {
+  case_.sound_port = 2;
+  case_.faults = {{.fault = Fault::kSoundDropout, .from = at_s(20), .until = at_s(40)}};
+  journal_.lost.at(1) = 7;
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{"the journal does not say that samples were lost"}) << "messages were";
+  journal_.lost.at(2) = 9'000;
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{});
+}
+
+TEST_F(VerdictTest, FailsWhereTheKernelHasNotCountedAFault) {
+  flight_.uncounted = {"the kernel has counted no frame that netem dropped"};
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{"the kernel has counted no frame that netem dropped"});
+}
+
 }  // namespace
 }  // namespace earshot::hil
