@@ -78,7 +78,8 @@ void read_whom(TableReader& table, TimedFault& fault) {
 std::string read_netem(TableReader& table) {
   std::string how = table.text("how");
   constexpr std::string_view kAllowed = "abcdefghijklmnopqrstuvwxyz0123456789.% ";
-  if (how.find_first_not_of(kAllowed) != std::string::npos) table.problem("how", "words of tc-netem(8): \"delay 50ms 20ms loss 5%\"");
+  if (how.find_first_not_of(kAllowed) != std::string::npos)
+    table.problem("how", "must be words of tc-netem(8): \"delay 50ms 20ms loss 5%\"");
   return how;
 }
 
@@ -155,7 +156,7 @@ Case load_case(const std::filesystem::path& path) {
     for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made.bus, made.speed.has_value()));
   }
   if (made.sound_port == 0 && std::ranges::any_of(made.faults, is_of_sound, &TimedFault::fault))
-    root.problem("mission", "one with a port of the role \"hydrophone\", for what befalls its samples");
+    root.problem("mission", "must have a port of the role \"hydrophone\", for what befalls its samples");
   made.expected = read_expectation(root.table("expect"));
   file.finish();
   return made;

@@ -90,6 +90,7 @@ TEST_F(CaseFileTest, KnowsEveryKindOfFaultWithItsAmountAndItsBounds) {
   for (std::size_t i = 0; i < kFaults; ++i) {
     const FaultTraits& traits = kFaultTraits.at(i);
     if (traits.bus == FaultBus::kLcm) continue;  // lcm/lcm_cases_test.cpp
+    if (traits.flight == FaultFlight::kAtSea) continue;
     const std::string fault = "at_s = 1\nkind = \"" + std::string(traits.word) + "\"\n";
     if (traits.amount.empty()) {
       EXPECT_EQ(load_with_fault(fault).faults.at(0).fault, static_cast<Fault>(i));
@@ -103,6 +104,15 @@ TEST_F(CaseFileTest, KnowsEveryKindOfFaultWithItsAmountAndItsBounds) {
       EXPECT_NE(refusal_of_fault(fault + amount + " = " + std::to_string(beyond)).find("must be a finite number of at least "),
                 std::string::npos)
           << traits.word;
+  }
+}
+
+TEST_F(CaseFileTest, KnowsTheTroublesOfAControllerAtSeaAlone) {
+  for (const Fault fault : {Fault::kErrorPassive, Fault::kBusOff}) {
+    const std::string word(kFaultTraits.at(static_cast<std::size_t>(fault)).word);
+    const std::string text = "[[fault]]\nat_s = 1\nkind = \"" + word + "\"\n" + kExpect;
+    EXPECT_EQ(load(kWords + "speed = 20\n" + text).faults.at(0).fault, fault);
+    EXPECT_NE(refusal(kWords + text).find("there is no " + word + " in lock-step"), std::string::npos);
   }
 }
 
@@ -233,13 +243,13 @@ TEST(CasesOfTheBench, FlyAVehicleThatHearsForItselfOverCanWithItsSamplesOverLcm)
 TEST_F(CaseFileTest, ReadsWhatNetemIsToDoAndRefusesWhatAShellWouldTakeForItsOwn) {
   const std::string netem = kWords + "speed = 20\n[[fault]]\nkind = \"netem\"\nat_s = 1\nhow = ";
   EXPECT_EQ(load(netem + "\"delay 50ms 20ms loss 5%\"\n" + kExpect).faults.front().how, "delay 50ms 20ms loss 5%");
-  EXPECT_NE(refusal(netem + "\"loss 5%; reboot\"\n" + kExpect).find("how: must be words of tc-netem(8)"), std::string::npos)
+  EXPECT_NE(refusal(netem + "\"loss 5%; reboot\"\n" + kExpect).find("must be words of tc-netem(8)"), std::string::npos)
       << refusal(netem + "\"loss 5%; reboot\"\n" + kExpect);
 }
 
 TEST_F(CaseFileTest, RefusesAFaultOfSamplesWhereNoneAreTaken) {
   const std::string text = kWords + "speed = 20\n[[fault]]\nkind = \"sound_open\"\nat_s = 1\n" + kExpect;
-  EXPECT_NE(refusal(text).find("mission: must be one with a port of the role"), std::string::npos) << refusal(text);
+  EXPECT_NE(refusal(text).find("must have a port of the role"), std::string::npos) << refusal(text);
 }
 
 }  // namespace
