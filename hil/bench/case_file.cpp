@@ -102,6 +102,8 @@ Expectation read_expectation(TableReader table) {
   expected.only_these = !table.boolean_or("others_may_fire", false);
   expected.refuses_navigation = table.boolean_or("refuses_navigation", false);
   expected.refuses_commands = table.boolean_or("refuses_commands", false);
+  expected.refuses_frames = table.boolean_or("refuses_frames", false);
+  expected.refuses_to_fly = table.boolean_or("refuses_to_fly", false);
   return expected;
 }
 

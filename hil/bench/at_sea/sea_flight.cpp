@@ -1,17 +1,21 @@
 #include "hil/bench/at_sea/sea_flight.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "firmware/host/program/exit_status.hpp"
 #include "hil/bench/at_sea/bus_listener.hpp"
+#include "hil/bench/at_sea/narrow_queue.hpp"
 #include "hil/bench/at_sea/sea_program.hpp"
 #include "hil/bench/can/interface_switch.hpp"
 #include "hil/nodes/scaled_clock.hpp"
@@ -70,6 +74,7 @@ class SeaFlyer {
   }
 
   BenchFlight fly() {
+    if (case_.expected.refuses_to_fly) befall(Time{});
     earshotd_.start();
     vehicle_.start();
     if (begin()) sail();
@@ -88,20 +93,41 @@ class SeaFlyer {
     ChildSettings settings{.words = flight_.folder / "words.txt"};
     for (const TimedFault& fault : case_.faults) {
       if (fault.fault == Fault::kFullDisk) settings.most_bytes_of_a_file = static_cast<std::uint64_t>(fault.amount);
+      if (fault.fault == Fault::kSlowDisk) settings.environment = sick_disk("slow");
+      if (fault.fault == Fault::kReadOnlyDisk) settings.environment = sick_disk("read-only");
     }
     // As a vehicle's computer has it started every time.
-    const std::vector<std::string> a{case_.mission, "--can-interface",   bench_.interface, "--speed",  written(*case_.speed),
-                                     "--quiet",     "--speed-since",     written((launched_utc_ - Time{}).to_seconds()),
-                                     "--resume",    "--out",             flight_.folder};
+    const std::vector<std::string> a{case_.mission,
+                                     "--can-interface",
+                                     bench_.interface,
+                                     "--speed",
+                                     written(*case_.speed),
+                                     "--quiet",
+                                     "--speed-since",
+                                     written((launched_utc_ - Time{}).to_seconds()),
+                                     "--resume",
+                                     "--out",
+                                     flight_.folder};
     return std::make_unique<ChildProcess>(bench_.earshotd, a, settings);
   }
+
+  /// A library that stands between it and its disk, as long as a file says so.
+  [[nodiscard]] std::vector<std::string> sick_disk(const std::string& sickness) const {
+    const std::filesystem::path library = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "libearshot-sick-disk.so";
+    if (!std::filesystem::exists(library))
+      throw std::system_error(ENOENT, std::generic_category(), library.string() + " (without it no disk falls ill)");
+    return {"LD_PRELOAD=" + library.string(), "EARSHOT_TEST_DISK=" + sickness, "EARSHOT_TEST_DISK_IS_SICK=" + disk_is_sick().string()};
+  }
+
+  [[nodiscard]] std::filesystem::path disk_is_sick() const { return flight_.folder / "disk_is_sick"; }
 
   /// Where it was when its program ended.
   [[nodiscard]] std::unique_ptr<ChildProcess> start_vehicle() const {
     const std::vector<TrackPlace> sailed = read_track(track_file());
     const NorthEast start = sailed.empty() ? case_.start : sailed.back().position;
-    const std::vector<std::string> a{"--mission", case_.mission,   "--interface", bench_.interface,       "--speed", written(*case_.speed),
-                                     "--start",   written(start),  "--source",    written(case_.source),  "--seed",  std::to_string(bench_.seed),
+    const std::vector<std::string> a{"--mission", case_.mission,         "--interface", bench_.interface,
+                                     "--speed",   written(*case_.speed), "--start",     written(start),
+                                     "--source",  written(case_.source), "--seed",      std::to_string(bench_.seed),
                                      "--track",   track_file()};
     return std::make_unique<ChildProcess>("earshot-emulate", a, ChildSettings{.words = flight_.folder / "vehicle.txt"});
   }
@@ -116,7 +142,7 @@ class SeaFlyer {
   /// @return whether the search has begun
   [[nodiscard]] bool begin() {
     while (!is_in(messages::MissionState::kSearch)) {
-      if (bench_.stop || is_anybody_lost()) return false;
+      if (bench_.stop || has_refused() || is_anybody_lost()) return false;
       if (ScaledClock::host_now() - launched_ > kToBegin) return fail_false("the search did not begin within a minute");
       turn();
     }
@@ -126,9 +152,11 @@ class SeaFlyer {
     return true;
   }
 
+  [[nodiscard]] bool has_refused() { return case_.expected.refuses_to_fly && earshotd_.is_lost(); }
+
   void sail() {
     while (!is_over() && !bench_.stop && now() - Time{} < case_.at_most && !is_anybody_lost()) {
-      befall();
+      befall(now());
       turn();
     }
     if (is_over() && !std::ranges::all_of(faults_, &Befalling::has_begun)) fail("the search was over before all faults had begun");
@@ -139,9 +167,7 @@ class SeaFlyer {
     listener_.hear(now());
   }
 
-  [[nodiscard]] Duration at_sea(Duration on_host) const {
-    return Duration{std::llround(static_cast<double>(on_host.us) * *case_.speed)};
-  }
+  [[nodiscard]] Duration at_sea(Duration on_host) const { return Duration{std::llround(static_cast<double>(on_host.us) * *case_.speed)}; }
   [[nodiscard]] Time now() const { return Time{} + at_sea(ScaledClock::host_now() - began_); }
 
   [[nodiscard]] bool is_in(messages::MissionState state) const { return listener_.health() && listener_.health()->state == state; }
@@ -162,13 +188,13 @@ class SeaFlyer {
 
   // Faults.
 
-  void befall() {
+  void befall(Time now) {
     for (Befalling& one : faults_) {
-      if (!one.has_begun && now() >= one.fault.from) {
+      if (!one.has_begun && now >= one.fault.from) {
         one.has_begun = true;
         begin(one.fault);
       }
-      if (one.has_begun && !one.has_ended && one.until && now() >= *one.until) {
+      if (one.has_begun && !one.has_ended && one.until && now >= *one.until) {
         one.has_ended = true;
         end(one.fault);
       }
@@ -180,12 +206,21 @@ class SeaFlyer {
     if (fault.fault == Fault::kPause) program_of(fault).halt();
     if (fault.fault == Fault::kStop) program_of(fault).stop();
     if (fault.fault == Fault::kInterfaceDown) switch_bus(false);
+    if (fault.fault == Fault::kSlowDisk || fault.fault == Fault::kReadOnlyDisk) std::ofstream(disk_is_sick()) << "";
+    if (fault.fault == Fault::kNoRoom) queue_.emplace(bench_.interface, fault.amount);
   }
 
   void end(const TimedFault& fault) {
     if (fault.fault == Fault::kKill) program_of(fault).start();
     if (fault.fault == Fault::kPause) program_of(fault).go_on();
     if (fault.fault == Fault::kInterfaceDown) switch_bus(true);
+    if (fault.fault == Fault::kSlowDisk || fault.fault == Fault::kReadOnlyDisk) std::filesystem::remove(disk_is_sick());
+    if (fault.fault == Fault::kNoRoom) widen_queue();
+  }
+
+  void widen_queue() {
+    if (queue_) flight_.refused += queue_->refused();
+    queue_.reset();
   }
 
   void switch_bus(bool is_up) {
@@ -203,6 +238,7 @@ class SeaFlyer {
     flight_.exit_statuses = earshotd_.exit_statuses();
     end(vehicle_);
     if (!is_interface_up_) switch_bus(true);
+    widen_queue();
     for (const int status : vehicle_.exit_statuses()) {
       const bool is_killed = status == 128 + SIGKILL && std::ranges::any_of(faults_, [this](const Befalling& b) {
                                return b.fault.fault == Fault::kKill && &program_of(b.fault) == &vehicle_;
@@ -245,6 +281,7 @@ class SeaFlyer {
   SeaProgram vehicle_;
   std::vector<Befalling> faults_;
   bool is_interface_up_ = true;
+  std::optional<NarrowQueue> queue_;
 };
 
 }  // namespace

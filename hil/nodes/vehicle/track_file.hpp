@@ -22,7 +22,8 @@ struct TrackPlace {
 
 inline constexpr std::string_view kTrackHeader = "host_s,north_m,east_m,depth_m";
 
-/// A track in a file (CSV), one place for every second at sea. Each line is with the kernel when it is written, so that a SIGKILL takes none.
+/// A track in a file (CSV), one place for every second at sea. Each line is with the kernel when it is written, so that a SIGKILL takes
+/// none.
 class TrackFile {
  public:
   /// Goes on behind what the file holds. @throws std::system_error
