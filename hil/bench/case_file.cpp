@@ -92,7 +92,7 @@ TimedFault read_fault(TableReader table, PortKind bus, bool is_at_sea) {
   return fault;
 }
 
-Expectation read_expectation(TableReader table) {
+Expectation read_expectation(TableReader table, bool is_at_sea) {
   Expectation expected;
   expected.end = static_cast<messages::EndReason>(table.choice("end", end_words()));
   if (table.has("rules")) {
@@ -104,6 +104,9 @@ Expectation read_expectation(TableReader table) {
   expected.refuses_commands = table.boolean_or("refuses_commands", false);
   expected.refuses_frames = table.boolean_or("refuses_frames", false);
   expected.refuses_to_fly = table.boolean_or("refuses_to_fly", false);
+  for (const char* key : {"refuses_frames", "refuses_to_fly"}) {
+    if (table.has(key) && !is_at_sea) table.problem(key, "only in a case with a speed");
+  }
   return expected;
 }
 
@@ -136,7 +139,7 @@ Case load_case(const std::filesystem::path& path) {
   if (root.has("fault")) {
     for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made.bus, made.speed.has_value()));
   }
-  made.expected = read_expectation(root.table("expect"));
+  made.expected = read_expectation(root.table("expect"), made.speed.has_value());
   file.finish();
   return made;
 }

@@ -216,10 +216,20 @@ TEST_F(CaseFileTest, WithASpeedIsFlownAsAtSeaWhereSignalsBefallEitherProgram) {
   EXPECT_EQ(c.faults.at(1), (TimedFault{.fault = Fault::kPause, .from = at_s(80), .amount = 2.0, .device = "vehicle"}));
 }
 
+TEST_F(CaseFileTest, MayExpectFramesRefusedAndNoFlightAtAll) {
+  EXPECT_FALSE(load(kWords + kExpect).expected.refuses_frames);
+  EXPECT_FALSE(load(kWords + kExpect).expected.refuses_to_fly);
+  const Case c = load(kWords + "speed = 20\n" + kExpect + "refuses_frames = true\nrefuses_to_fly = true\n");
+  EXPECT_TRUE(c.expected.refuses_frames);
+  EXPECT_TRUE(c.expected.refuses_to_fly);
+  EXPECT_NE(refusal(kWords + kExpect + "refuses_to_fly = true\n").find("only in a case with a speed"), std::string::npos);
+}
+
 TEST_F(CaseFileTest, HasOnlyFaultsThatThereAreInItsKindOfFlight) {
   EXPECT_EQ(refusal(kWords + "speed = 20\n[[fault]]\nkind = \"loss\"\nat_s = 1\n" + kExpect),
             "cases.toml:6: fault[0].kind = 'loss': there is no loss in a case with a speed");
   EXPECT_NE(refusal_of_fault("kind = \"pause\"\nof = \"vehicle\"\nat_s = 1\nwall_seconds = 2").find("fault[0].of"), std::string::npos);
+  EXPECT_NE(refusal_of_fault("kind = \"slow_disk\"\nat_s = 1").find("there is no slow_disk in lock-step"), std::string::npos);
   EXPECT_NE(refusal(kWords + "speed = 0\n" + kExpect).find("speed"), std::string::npos);
 }
 
