@@ -90,17 +90,19 @@ TEST_F(CaseFileTest, KnowsEveryKindOfFaultWithItsAmountAndItsBounds) {
   for (std::size_t i = 0; i < kFaults; ++i) {
     const FaultTraits& traits = kFaultTraits.at(i);
     if (traits.bus == FaultBus::kLcm) continue;  // lcm/lcm_cases_test.cpp
+    const std::string speed = traits.flight == FaultFlight::kAtSea ? "speed = 20\n" : "";
     const std::string fault = "at_s = 1\nkind = \"" + std::string(traits.word) + "\"\n";
+    const auto with_fault = [&](const std::string& keys) { return kWords + speed + "[[fault]]\n" + keys + "\n" + kExpect; };
     if (traits.amount.empty()) {
-      EXPECT_EQ(load_with_fault(fault).faults.at(0).fault, static_cast<Fault>(i));
+      EXPECT_EQ(load(with_fault(fault)).faults.at(0).fault, static_cast<Fault>(i));
       continue;
     }
     const std::string amount(traits.amount);
-    EXPECT_NE(refusal_of_fault(fault).find("fault[0]." + amount + " is missing"), std::string::npos) << traits.word;
+    EXPECT_NE(refusal(with_fault(fault)).find("fault[0]." + amount + " is missing"), std::string::npos) << traits.word;
     for (const double bound : {traits.lowest, traits.highest})
-      EXPECT_EQ(load_with_fault(fault + amount + " = " + std::to_string(bound)).faults.at(0).amount, bound) << traits.word;
+      EXPECT_EQ(load(with_fault(fault + amount + " = " + std::to_string(bound))).faults.at(0).amount, bound) << traits.word;
     for (const double beyond : {traits.lowest - 1.0, traits.highest + 1.0})
-      EXPECT_NE(refusal_of_fault(fault + amount + " = " + std::to_string(beyond)).find("must be a finite number of at least "),
+      EXPECT_NE(refusal(with_fault(fault + amount + " = " + std::to_string(beyond))).find("must be a finite number of at least "),
                 std::string::npos)
           << traits.word;
   }

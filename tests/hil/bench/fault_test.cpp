@@ -15,13 +15,14 @@ constexpr Time at_s(std::int64_t seconds) {
 TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   std::set<std::string_view> words;
   for (const FaultTraits& traits : kFaultTraits) words.insert(traits.word);
-  EXPECT_EQ(words.size(), 40U);
+  EXPECT_EQ(words.size(), 43U);
   const auto word_of = [](Fault fault) { return kFaultTraits.at(static_cast<std::size_t>(fault)).word; };
   EXPECT_EQ(word_of(Fault::kLoss), "loss");
   EXPECT_EQ(word_of(Fault::kReplay), "replay");
   EXPECT_EQ(word_of(Fault::kFlood), "flood");
   EXPECT_EQ(word_of(Fault::kRudderStuck), "rudder_stuck");
   EXPECT_EQ(word_of(Fault::kFullDisk), "full_disk");
+  EXPECT_EQ(word_of(Fault::kNoRoom), "no_room");
 }
 
 TEST(Fault, ActsFromItsBeginningUntilBeforeItsEnd) {
