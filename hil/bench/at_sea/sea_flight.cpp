@@ -243,7 +243,8 @@ class SeaFlyer {
       const bool is_killed = status == 128 + SIGKILL && std::ranges::any_of(faults_, [this](const Befalling& b) {
                                return b.fault.fault == Fault::kKill && &program_of(b.fault) == &vehicle_;
                              });
-      if (status != program::kDone && !is_killed) fail(vehicle_.name() + " ended with status " + std::to_string(status));
+      const bool is_told_early = status == 128 + SIGTERM;  // before it was ready to end in order
+      if (status != program::kDone && !is_killed && !is_told_early) fail(vehicle_.name() + " ended with status " + std::to_string(status));
     }
   }
 
