@@ -6,11 +6,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -29,11 +31,18 @@ void apply(const ChildSettings& settings) {
   (void)setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-/// What is added stands first, where it is found.
+/// What is added takes the place of this program's own of that name.
 std::vector<char*> environment_of(const ChildSettings& settings) {
   std::vector<char*> variables;
   for (const std::string& variable : settings.environment) variables.push_back(const_cast<char*>(variable.c_str()));
-  for (char** variable = environ; *variable != nullptr; ++variable) variables.push_back(*variable);
+  const auto is_added = [&settings](std::string_view own) {
+    return std::ranges::any_of(settings.environment, [own](const std::string& added) {
+      return own.starts_with(std::string_view(added).substr(0, added.find('=') + 1));
+    });
+  };
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    if (!is_added(*variable)) variables.push_back(*variable);
+  }
   variables.push_back(nullptr);
   return variables;
 }
