@@ -21,6 +21,8 @@ struct Expectation {
   bool only_these = true;                                     ///< no other rule fires
   bool refuses_navigation = false;                            ///< at least one fix is refused
   bool refuses_commands = false;                              ///< at least one order is
+  bool refuses_frames = false;                                ///< the kernel has no room for at least one frame (ENOBUFS), by its counters
+  bool refuses_to_fly = false;  ///< earshotd ends with status 2 before a search begins; what is wrong from 0 s on is wrong before it starts
   friend bool operator==(const Expectation&, const Expectation&) = default;
 };
 

@@ -109,7 +109,7 @@ TimedFault read_fault(TableReader table, PortKind bus, bool is_at_sea) {
   return fault;
 }
 
-Expectation read_expectation(TableReader table) {
+Expectation read_expectation(TableReader table, bool is_at_sea) {
   Expectation expected;
   expected.end = static_cast<messages::EndReason>(table.choice("end", end_words()));
   if (table.has("rules")) {
@@ -119,6 +119,11 @@ Expectation read_expectation(TableReader table) {
   expected.only_these = !table.boolean_or("others_may_fire", false);
   expected.refuses_navigation = table.boolean_or("refuses_navigation", false);
   expected.refuses_commands = table.boolean_or("refuses_commands", false);
+  expected.refuses_frames = table.boolean_or("refuses_frames", false);
+  expected.refuses_to_fly = table.boolean_or("refuses_to_fly", false);
+  for (const char* key : {"refuses_frames", "refuses_to_fly"}) {
+    if (table.has(key) && !is_at_sea) table.problem(key, "only in a case with a speed");
+  }
   return expected;
 }
 
@@ -157,7 +162,7 @@ Case load_case(const std::filesystem::path& path) {
   }
   if (made.sound_port == 0 && std::ranges::any_of(made.faults, is_of_sound, &TimedFault::fault))
     root.problem("mission", "must have a port of the role \"hydrophone\", for what befalls its samples");
-  made.expected = read_expectation(root.table("expect"));
+  made.expected = read_expectation(root.table("expect"), made.speed.has_value());
   file.finish();
   return made;
 }

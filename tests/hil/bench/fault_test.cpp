@@ -15,7 +15,7 @@ constexpr Time at_s(std::int64_t seconds) {
 TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   std::set<std::string_view> words;
   for (const FaultTraits& traits : kFaultTraits) words.insert(traits.word);
-  EXPECT_EQ(words.size(), 47U);
+  EXPECT_EQ(words.size(), 50U);
   const auto word_of = [](Fault fault) { return kFaultTraits.at(static_cast<std::size_t>(fault)).word; };
   EXPECT_EQ(word_of(Fault::kLoss), "loss");
   EXPECT_EQ(word_of(Fault::kReplay), "replay");
@@ -24,6 +24,7 @@ TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   EXPECT_EQ(word_of(Fault::kBusOff), "bus_off");
   EXPECT_EQ(word_of(Fault::kSoundShorted), "sound_shorted");
   EXPECT_EQ(word_of(Fault::kFullDisk), "full_disk");
+  EXPECT_EQ(word_of(Fault::kNoRoom), "no_room");
 }
 
 TEST(Fault, ActsFromItsBeginningUntilBeforeItsEnd) {

@@ -217,6 +217,38 @@ TEST_F(VerdictTest, WantsFixesAndOrdersRefusedWhereTheCaseSaysSo) {
   EXPECT_EQ(unmet(), Words{});
 }
 
+TEST_F(VerdictTest, WantsFramesRefusedByTheKernelWhereTheCaseSaysSo) {
+  case_.expected.refuses_frames = true;
+  EXPECT_EQ(unmet(), Words{"the kernel had room for every frame"});
+  flight_.refused = 1;
+  EXPECT_EQ(unmet(), Words{});
+}
+
+TEST_F(VerdictTest, WantsAnEarshotdThatRefusesToFlyToEndWithStatusTwoAndNothingElseOfIt) {
+  case_.expected.refuses_to_fly = true;
+  EXPECT_EQ(broken(), Words{"earshotd did not refuse to fly"});
+  flight_.exit_statuses = {program::kBadInput};
+  journal_.trouble = "no such file";
+  EXPECT_EQ(broken(), Words{});
+}
+
+TEST_F(VerdictTest, LetsAnEarshotdLoseItsJournalOnADiskThatIsReadOnlyButNotOnOneThatIsSlow) {
+  journal_.is_same_again = false;
+  flight_.exit_statuses = {program::kLost};
+  case_.faults = {{.fault = Fault::kReadOnlyDisk, .from = at_s(40)}};
+  EXPECT_EQ(broken(), Words{});
+  case_.faults = {{.fault = Fault::kSlowDisk, .from = at_s(40)}};
+  EXPECT_EQ(broken(), (Words{"earshotd ended with status 3", "the journal is not given again: "}));
+}
+
+TEST_F(VerdictTest, LetsNoEarshotdDieOfASignalThatWasTheVehiclesProgramToBear) {
+  flight_.exit_statuses = {128 + SIGKILL};
+  case_.faults = {{.fault = Fault::kKill, .from = at_s(40), .device = "vehicle"}};
+  EXPECT_EQ(broken(), Words{"earshotd ended with status 137"});
+  case_.faults.front().device = "earshotd";
+  EXPECT_EQ(broken(), Words{});
+}
+
 // What is read from a journal.
 
 class FindingsTest : public testing::Test {
