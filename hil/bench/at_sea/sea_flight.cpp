@@ -218,12 +218,12 @@ class SeaFlyer {
     if (fault.fault == Fault::kInterfaceDown) switch_bus(true);
     if (fault.fault == Fault::kSlowDisk || fault.fault == Fault::kReadOnlyDisk) std::filesystem::remove(disk_is_sick());
     if (fault.fault == Fault::kNoRoom) widen_queue();
+    equipment_.end(fault);
   }
 
   void widen_queue() {
     if (queue_) flight_.refused += queue_->refused();
     queue_.reset();
-    equipment_.end(fault);
   }
 
   void switch_bus(bool is_up) {
