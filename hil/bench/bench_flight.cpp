@@ -44,7 +44,7 @@ bool is_killed_once(const Case& c) {
 void remove_earlier_flight(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name == "words.txt" || name == "vehicle.txt" || name == "track.csv" || name.starts_with("journal"))
+    if (name == "words.txt" || name == "vehicle.txt" || name == "track.csv" || name == "disk_is_sick" || name.starts_with("journal"))
       std::filesystem::remove(entry.path());
   }
 }

@@ -25,6 +25,8 @@ struct Expectation {
   std::int64_t decisions = 0;                                 ///< that are taken at least after the first fault began
   bool comes_up = false;                                      ///< the vehicle truly is at the surface when the flight ends
   bool releases_weight = false;                               ///< the vehicle was asked to let its drop weight go
+  bool refuses_frames = false;                                ///< the kernel has no room for at least one frame (ENOBUFS), by its counters
+  bool refuses_to_fly = false;  ///< earshotd ends with status 2 before a search begins; what is wrong from 0 s on is wrong before it starts
   friend bool operator==(const Expectation&, const Expectation&) = default;
 };
 

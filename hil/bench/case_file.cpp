@@ -78,7 +78,8 @@ void read_whom(TableReader& table, TimedFault& fault) {
 std::string read_netem(TableReader& table) {
   std::string how = table.text("how");
   constexpr std::string_view kAllowed = "abcdefghijklmnopqrstuvwxyz0123456789.% ";
-  if (how.find_first_not_of(kAllowed) != std::string::npos) table.problem("how", "words of tc-netem(8): \"delay 50ms 20ms loss 5%\"");
+  if (how.find_first_not_of(kAllowed) != std::string::npos)
+    table.problem("how", "must be words of tc-netem(8): \"delay 50ms 20ms loss 5%\"");
   return how;
 }
 
@@ -112,7 +113,7 @@ TimedFault read_fault(TableReader table, const Case& c) {
 }
 
 /// @param mission  nothing: that of the case cannot be read
-Expectation read_expectation(TableReader table, const std::optional<host::MissionFile>& mission) {
+Expectation read_expectation(TableReader table, const std::optional<host::MissionFile>& mission, bool is_at_sea) {
   Expectation expected;
   expected.end = static_cast<messages::EndReason>(table.choice("end", end_words()));
   if (table.has("rules")) {
@@ -130,6 +131,11 @@ Expectation read_expectation(TableReader table, const std::optional<host::Missio
   expected.decisions = table.integer_or("decisions", 0, 0, 1'000);
   expected.comes_up = table.boolean_or("comes_up", false);
   expected.releases_weight = table.boolean_or("releases_weight", false);
+  expected.refuses_frames = table.boolean_or("refuses_frames", false);
+  expected.refuses_to_fly = table.boolean_or("refuses_to_fly", false);
+  for (const char* key : {"refuses_frames", "refuses_to_fly"}) {
+    if (table.has(key) && !is_at_sea) table.problem(key, "only in a case with a speed");
+  }
   return expected;
 }
 
@@ -170,8 +176,8 @@ Case load_case(const std::filesystem::path& path, const std::filesystem::path& u
     for (const TableReader& table : root.tables("fault")) made.faults.push_back(read_fault(table, made));
   }
   if (made.sound_port == 0 && std::ranges::any_of(made.faults, is_of_sound, &TimedFault::fault))
-    root.problem("mission", "one with a port of the role \"hydrophone\", for what befalls its samples");
-  made.expected = read_expectation(root.table("expect"), mission);
+    root.problem("mission", "must have a port of the role \"hydrophone\", for what befalls its samples");
+  made.expected = read_expectation(root.table("expect"), mission, made.speed.has_value());
   file.finish();
   return made;
 }

@@ -67,8 +67,11 @@ enum class Fault : std::uint8_t {
   kPause,     ///< SIGSTOP, and SIGCONT later
   kStop,      ///< SIGTERM
   kFullDisk,  ///< the journal may not grow beyond so many bytes
+  kSlowDisk,  ///< every call of the journal's takes a second
+  kReadOnlyDisk,
+  kNoRoom,  ///< the interface takes no more than so many frames a second, and the kernel refuses the others
 };
-inline constexpr std::size_t kFaults = 47;
+inline constexpr std::size_t kFaults = 50;
 inline constexpr std::size_t kFrameFaults = 11;  ///< the first of them
 
 /// On which buses there is such a fault.
@@ -136,6 +139,9 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"pause", "wall_seconds", 0.01, 60.0, FaultBus::kEither, FaultFlight::kEither},
     {"stop", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
     {"full_disk", "bytes", 10'000.0, 1e12, FaultBus::kEither, FaultFlight::kEither},
+    {"slow_disk", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
+    {"read_only_disk", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
+    {"no_room", "frames_per_s", 1.0, 20'000.0, FaultBus::kCan, FaultFlight::kAtSea},
 }};
 
 [[nodiscard]] constexpr bool is_of_frames(Fault fault) {

@@ -141,13 +141,18 @@ void judge_faults(const Case& c, const BenchFlight& flight, std::vector<std::str
   if (flight.idle.empty() && has_frame_fault && flight.afflicted == 0) wrong.emplace_back("no frame met the fault");
 }
 
+/// Whether what is not in the journal is no fault of Earshot's.
+bool loses_journal(const Case& c) {
+  return has(c, Fault::kFullDisk) || has(c, Fault::kReadOnlyDisk);
+}
+
 /// Of one that a case stopped or killed too.
 bool is_in_order(int status, const Case& c) {
   if (status == program::kDone || status == program::kAborted || status == program::kInterrupted) return true;
   constexpr int kKilled = 128 + SIGKILL;
   const bool is_killed = std::ranges::any_of(
       c.faults, [](const TimedFault& fault) { return fault.fault == Fault::kKill && fault.device != kVehiclesProgram; });
-  return (status == kKilled && (is_killed || has(c, Fault::kPowerCut))) || (status == program::kLost && has(c, Fault::kFullDisk));
+  return (status == kKilled && (is_killed || has(c, Fault::kPowerCut))) || (status == program::kLost && loses_journal(c));
 }
 
 }  // namespace
@@ -177,11 +182,15 @@ std::vector<std::string> broken_promises(const Case& c, const config::Mission& m
                                          const JournalFindings& journal) {
   std::vector<std::string> wrong;
   if (!flight.failure.empty()) wrong.push_back(flight.failure);
+  if (c.expected.refuses_to_fly) {
+    if (flight.exit_statuses != std::vector{program::kBadInput}) wrong.emplace_back("earshotd did not refuse to fly");
+    return wrong;
+  }
   for (const int status : flight.exit_statuses) {
     if (!is_in_order(status, c)) wrong.push_back("earshotd ended with status " + std::to_string(status));
   }
   if (!journal.trouble.empty()) wrong.push_back("the journal cannot be read: " + journal.trouble);
-  if (!journal.is_same_again && !has(c, Fault::kFullDisk) && journal.trouble.empty())
+  if (!journal.is_same_again && !loses_journal(c) && journal.trouble.empty())
     wrong.push_back("the journal is not given again: " + journal.difference);
   wrong.insert(wrong.end(), journal.beyond_limits.begin(), journal.beyond_limits.end());
   if (std::ranges::none_of(c.faults, is_beyond_command, &TimedFault::fault)) judge_track(mission, flight, wrong);
@@ -192,7 +201,7 @@ std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& fl
   std::vector<std::string> wrong;
   // One that is under way when its time is up is then told to stop, and the journal says so.
   const bool is_told = c.expected.end == messages::EndReason::kNone && journal.end == messages::EndReason::kOperatorAbort;
-  if (!has(c, Fault::kFullDisk) && !is_told && flight.end != journal.end)
+  if (!loses_journal(c) && !is_told && flight.end != journal.end)
     wrong.emplace_back("the journal says another end than earshotd's last answer");
   if (flight.end != c.expected.end)
     wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(flight.end) +
@@ -209,6 +218,7 @@ std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& fl
     wrong.emplace_back("the vehicle did not come up");
   if (c.expected.releases_weight && !flight.is_weight_released) wrong.emplace_back("the weight was not released");
   judge_faults(c, flight, wrong);
+  if (c.expected.refuses_frames && flight.refused == 0) wrong.emplace_back("the kernel had room for every frame");
   return wrong;
 }
 

@@ -6,11 +6,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -29,7 +31,24 @@ void apply(const ChildSettings& settings) {
   (void)setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-[[noreturn]] void become(const char* path, char* const* argv, const ChildSettings& settings, pid_t parent, const sigset_t& mask) {
+/// What is added takes the place of this program's own of that name.
+std::vector<char*> environment_of(const ChildSettings& settings) {
+  std::vector<char*> variables;
+  for (const std::string& variable : settings.environment) variables.push_back(const_cast<char*>(variable.c_str()));
+  const auto is_added = [&settings](std::string_view own) {
+    return std::ranges::any_of(settings.environment, [own](const std::string& added) {
+      return own.starts_with(std::string_view(added).substr(0, added.find('=') + 1));
+    });
+  };
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    if (!is_added(*variable)) variables.push_back(*variable);
+  }
+  variables.push_back(nullptr);
+  return variables;
+}
+
+[[noreturn]] void become(const char* path, char* const* argv, char* const* environment, const ChildSettings& settings, pid_t parent,
+                         const sigset_t& mask) {
   (void)std::signal(SIGINT, SIG_DFL);
   (void)std::signal(SIGTERM, SIG_DFL);
   (void)setpgid(0, 0);
@@ -38,7 +57,7 @@ void apply(const ChildSettings& settings) {
   if (getppid() != parent) _exit(1);  // it has died meanwhile, and no signal will say so
   (void)sigprocmask(SIG_SETMASK, &mask, nullptr);
   apply(settings);
-  (void)execv(path, argv);
+  (void)execve(path, argv, environment);
   (void)std::fprintf(stderr, "%s: %s\n", path, std::strerror(errno));
   _exit(2);
 }
@@ -52,6 +71,7 @@ ChildProcess::ChildProcess(std::string program, const std::vector<std::string>& 
   std::vector<char*> argv{const_cast<char*>(path.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
+  const std::vector<char*> environment = environment_of(settings);
   // A signal between fork and exec would meet this program's handler and be lost with it: it has to wait until the child has none.
   sigset_t all;
   sigset_t before;
@@ -59,7 +79,7 @@ ChildProcess::ChildProcess(std::string program, const std::vector<std::string>& 
   (void)sigprocmask(SIG_SETMASK, &all, &before);
   const pid_t parent = getpid();
   id_ = fork();
-  if (id_ == 0) become(path.c_str(), argv.data(), settings, parent, before);
+  if (id_ == 0) become(path.c_str(), argv.data(), environment.data(), settings, parent, before);
   const int error = errno;
   (void)sigprocmask(SIG_SETMASK, &before, nullptr);
   if (id_ < 0) throw std::system_error(error, std::generic_category(), program_);

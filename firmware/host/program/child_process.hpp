@@ -11,8 +11,9 @@ namespace earshot::program {
 
 /// What a child has otherwise than this program.
 struct ChildSettings {
-  std::filesystem::path words = {};        ///< file that its standard output and standard error are added to; empty: this program's own
-  std::uint64_t most_bytes_of_a_file = 0;  ///< what it writes beyond them is refused (EFBIG), as a full disk refuses it; 0: no limit
+  std::filesystem::path words = {};           ///< file that its standard output and standard error are added to; empty: this program's own
+  std::vector<std::string> environment = {};  ///< NAME=VALUE, beside this program's own
+  std::uint64_t most_bytes_of_a_file = 0;     ///< what it writes beyond them is refused (EFBIG), as a full disk refuses it; 0: no limit
 };
 
 /// A program that stands beside this one, or anywhere if it is named with a path, started as a process of its own: in its own process group

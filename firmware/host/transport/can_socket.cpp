@@ -22,6 +22,8 @@ namespace {
   throw std::system_error(errno, std::generic_category(), "CAN interface " + interface + ": " + call);
 }
 
+constexpr Duration kBetweenLooksForCarrier = Duration::seconds(1);
+
 bool means_nothing_yet(int error) {
   return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
 }
@@ -128,7 +130,16 @@ void CanSocket::flush(Time now) {
     queue_.pop(now);
 }
 
+/// An interface that was bus-off before we came told us nothing, and one whose controller comes back need not have its carrier again.
+void CanSocket::look_for_carrier(Time now) {
+  if (socket_.number() < 0 || !is_interface_up_) return;
+  if (looked_for_carrier_ && lies_within(*looked_for_carrier_, now, kBetweenLooksForCarrier)) return;
+  looked_for_carrier_ = now;
+  if (!has_carrier(socket_.number(), interface_)) controller_.note_bus_off();
+}
+
 void CanSocket::tend_bus_off(Time now) {
+  look_for_carrier(now);
   if (controller_.counters().bus_off != bus_offs_seen_) {
     bus_offs_seen_ = controller_.counters().bus_off;
     bus_off_wait_.begin(now);
@@ -176,7 +187,8 @@ Status CanSocket::receive(n2k::Frame& frame, Time& received_utc, std::size_t& bu
       ++counters_.other_frames;
       continue;
     }
-    if ((header.msg_flags & MSG_DONTROUTE) == 0) controller_.note_reception();  // not from this computer
+    const bool is_from_bus = (header.msg_flags & MSG_DONTROUTE) == 0;  // not from this computer
+    if (is_from_bus && controller_.is_bus_off() && has_carrier(socket_.number(), interface_)) controller_.note_reception();
     received_utc = arrival_of(header).value_or(Time{-1});
     frame = frame_of(in);
     ++counters_.received;

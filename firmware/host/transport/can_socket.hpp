@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -38,7 +39,8 @@ struct CanCounters {
 /// What the filters keep away costs this process nothing. Frames and their arrival are received; error frames keep `controller_state`.
 /// Frames that are to be sent together wait, if they have to, by priority (CanSendQueue); flush() gives the kernel as many as it takes.
 /// While the controller is bus-off nothing is sent: the kernel brings it back if the interface has restart-ms
-/// (`ip link set can0 type can restart-ms 100`), and sending begins again after BusOffWait.
+/// (`ip link set can0 type can restart-ms 100`), and sending begins again after BusOffWait. An interface without a carrier counts as
+/// bus-off, whatever its controller says: what is sent on it the kernel throws away, and says that it was sent.
 class CanSocket {
  public:
   /// @throws std::system_error naming the interface and the call that failed: a name that no interface can have and an interface that is no
@@ -85,6 +87,7 @@ class CanSocket {
  private:
   [[nodiscard]] Status hand_over(const n2k::Frame& frame);
   void tend_bus_off(Time now);
+  void look_for_carrier(Time now);
   void note_error(int error);
 
   std::string interface_;
@@ -95,6 +98,7 @@ class CanSocket {
   CanController controller_;
   BusOffWait bus_off_wait_;
   std::uint64_t bus_offs_seen_ = 0;
+  std::optional<Time> looked_for_carrier_;
   CanSendQueue queue_;
   CanCounters counters_;
   SocketDrops drops_;

@@ -1,17 +1,21 @@
 #include "hil/bench/at_sea/sea_flight.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "firmware/host/program/exit_status.hpp"
 #include "hil/bench/at_sea/bus_listener.hpp"
+#include "hil/bench/at_sea/narrow_queue.hpp"
 #include "hil/bench/at_sea/sea_equipment.hpp"
 #include "hil/bench/at_sea/sea_program.hpp"
 #include "hil/bus/interface_switch.hpp"
@@ -58,8 +62,8 @@ std::vector<Befalling> all_of(const Case& c) {
 }
 
 /// Whether Earshot could not say on the bus how its search ended.
-bool is_beyond_hearing(Fault fault) {
-  return fault == Fault::kBusOff || fault == Fault::kNetem;
+bool is_beyond_hearing(const TimedFault& fault) {
+  return fault.fault == Fault::kBusOff || (fault.fault == Fault::kNetem && fault.how.find("loss 100%") != std::string::npos);
 }
 
 /// One flight in the making.
@@ -77,6 +81,7 @@ class SeaFlyer {
   }
 
   BenchFlight fly() {
+    if (case_.expected.refuses_to_fly) befall(Time{});
     earshotd_.start();
     vehicle_.start();
     if (begin()) sail();
@@ -95,6 +100,8 @@ class SeaFlyer {
     ChildSettings settings{.words = flight_.folder / "words.txt"};
     for (const TimedFault& fault : case_.faults) {
       if (fault.fault == Fault::kFullDisk) settings.most_bytes_of_a_file = static_cast<std::uint64_t>(fault.amount);
+      if (fault.fault == Fault::kSlowDisk) settings.environment = sick_disk("slow");
+      if (fault.fault == Fault::kReadOnlyDisk) settings.environment = sick_disk("read-only");
     }
     // As a vehicle's computer has it started every time.
     std::vector<std::string> a{case_.mission, "--speed",       written(*case_.speed),
@@ -104,6 +111,16 @@ class SeaFlyer {
     a.insert(a.end(), of_equipment.begin(), of_equipment.end());
     return std::make_unique<ChildProcess>(bench_.earshotd, a, settings);
   }
+
+  /// A library that stands between it and its disk, as long as a file says so.
+  [[nodiscard]] std::vector<std::string> sick_disk(const std::string& sickness) const {
+    const std::filesystem::path library = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "libearshot-sick-disk.so";
+    if (!std::filesystem::exists(library))
+      throw std::system_error(ENOENT, std::generic_category(), library.string() + " (without it no disk falls ill)");
+    return {"LD_PRELOAD=" + library.string(), "EARSHOT_TEST_DISK=" + sickness, "EARSHOT_TEST_DISK_IS_SICK=" + disk_is_sick().string()};
+  }
+
+  [[nodiscard]] std::filesystem::path disk_is_sick() const { return flight_.folder / "disk_is_sick"; }
 
   /// Where it was when its program ended.
   [[nodiscard]] std::unique_ptr<ChildProcess> start_vehicle() const {
@@ -126,7 +143,7 @@ class SeaFlyer {
   /// @return whether the search has begun
   [[nodiscard]] bool begin() {
     while (!is_in(messages::MissionState::kSearch)) {
-      if (bench_.stop || is_anybody_lost()) return false;
+      if (bench_.stop || has_refused() || is_anybody_lost()) return false;
       if (ScaledClock::host_now() - launched_ > kToBegin) return fail_false("the search did not begin within a minute");
       turn();
     }
@@ -136,9 +153,11 @@ class SeaFlyer {
     return true;
   }
 
+  [[nodiscard]] bool has_refused() { return case_.expected.refuses_to_fly && earshotd_.is_lost(); }
+
   void sail() {
     while (!is_over() && !bench_.stop && now() - Time{} < case_.at_most && !is_anybody_lost()) {
-      befall();
+      befall(now());
       turn();
     }
     if (is_over() && !std::ranges::all_of(faults_, &Befalling::has_begun)) fail("the search was over before all faults had begun");
@@ -170,13 +189,13 @@ class SeaFlyer {
 
   // Faults.
 
-  void befall() {
+  void befall(Time now) {
     for (Befalling& one : faults_) {
-      if (!one.has_begun && now() >= one.fault.from) {
+      if (!one.has_begun && now >= one.fault.from) {
         one.has_begun = true;
         begin(one.fault);
       }
-      if (one.has_begun && !one.has_ended && one.until && now() >= *one.until) {
+      if (one.has_begun && !one.has_ended && one.until && now >= *one.until) {
         one.has_ended = true;
         end(one.fault);
       }
@@ -188,6 +207,8 @@ class SeaFlyer {
     if (fault.fault == Fault::kPause) program_of(fault).halt();
     if (fault.fault == Fault::kStop) program_of(fault).stop();
     if (fault.fault == Fault::kInterfaceDown) switch_bus(false);
+    if (fault.fault == Fault::kSlowDisk || fault.fault == Fault::kReadOnlyDisk) std::ofstream(disk_is_sick()) << "";
+    if (fault.fault == Fault::kNoRoom) queue_.emplace(bench_.interface, fault.amount);
     equipment_.begin(fault);
   }
 
@@ -195,7 +216,14 @@ class SeaFlyer {
     if (fault.fault == Fault::kKill) program_of(fault).start();
     if (fault.fault == Fault::kPause) program_of(fault).go_on();
     if (fault.fault == Fault::kInterfaceDown) switch_bus(true);
+    if (fault.fault == Fault::kSlowDisk || fault.fault == Fault::kReadOnlyDisk) std::filesystem::remove(disk_is_sick());
+    if (fault.fault == Fault::kNoRoom) widen_queue();
     equipment_.end(fault);
+  }
+
+  void widen_queue() {
+    if (queue_) flight_.refused += queue_->refused();
+    queue_.reset();
   }
 
   void switch_bus(bool is_up) {
@@ -212,15 +240,17 @@ class SeaFlyer {
     end(earshotd_);
     flight_.exit_statuses = earshotd_.exit_statuses();
     flight_.is_end_heard =
-        std::ranges::none_of(faults_, [](const Befalling& b) { return is_beyond_hearing(b.fault.fault) && b.has_begun && !b.has_ended; });
+        std::ranges::none_of(faults_, [](const Befalling& b) { return is_beyond_hearing(b.fault) && b.has_begun && !b.has_ended; });
     flight_.uncounted = equipment_.uncounted();
     end(vehicle_);
     if (!is_interface_up_) switch_bus(true);
+    widen_queue();
     for (const int status : vehicle_.exit_statuses()) {
       const bool is_killed = status == 128 + SIGKILL && std::ranges::any_of(faults_, [this](const Befalling& b) {
                                return b.fault.fault == Fault::kKill && &program_of(b.fault) == &vehicle_;
                              });
-      if (status != program::kDone && !is_killed) fail(vehicle_.name() + " ended with status " + std::to_string(status));
+      const bool is_told_early = status == 128 + SIGTERM;  // before it was ready to end in order
+      if (status != program::kDone && !is_killed && !is_told_early) fail(vehicle_.name() + " ended with status " + std::to_string(status));
     }
   }
 
@@ -259,6 +289,7 @@ class SeaFlyer {
   SeaProgram vehicle_;
   std::vector<Befalling> faults_;
   bool is_interface_up_ = true;
+  std::optional<NarrowQueue> queue_;
 };
 
 }  // namespace

@@ -91,20 +91,32 @@ TEST_F(CaseFileTest, ReadsEveryKey) {
 TEST_F(CaseFileTest, KnowsEveryKindOfFaultWithItsAmountAndItsBounds) {
   for (std::size_t i = 0; i < kFaults; ++i) {
     const FaultTraits& traits = kFaultTraits.at(i);
-    if (traits.bus == FaultBus::kLcm) continue;  // lcm/lcm_cases_test.cpp
+    if (traits.bus == FaultBus::kLcm) continue;                                                  // lcm/lcm_cases_test.cpp
+    if (is_of_sound(static_cast<Fault>(i)) || static_cast<Fault>(i) == Fault::kNetem) continue;  // below
+    const std::string speed = traits.flight == FaultFlight::kAtSea ? "speed = 20\n" : "";
     const std::string fault = "at_s = 1\nkind = \"" + std::string(traits.word) + "\"\n";
+    const auto with_fault = [&](const std::string& keys) { return kWords + speed + "[[fault]]\n" + keys + "\n" + kExpect; };
     if (traits.amount.empty()) {
-      EXPECT_EQ(load_with_fault(fault).faults.at(0).fault, static_cast<Fault>(i));
+      EXPECT_EQ(load(with_fault(fault)).faults.at(0).fault, static_cast<Fault>(i));
       continue;
     }
     const std::string amount(traits.amount);
-    EXPECT_NE(refusal_of_fault(fault).find("fault[0]." + amount + " is missing"), std::string::npos) << traits.word;
+    EXPECT_NE(refusal(with_fault(fault)).find("fault[0]." + amount + " is missing"), std::string::npos) << traits.word;
     for (const double bound : {traits.lowest, traits.highest})
-      EXPECT_EQ(load_with_fault(fault + amount + " = " + std::to_string(bound)).faults.at(0).amount, bound) << traits.word;
+      EXPECT_EQ(load(with_fault(fault + amount + " = " + std::to_string(bound))).faults.at(0).amount, bound) << traits.word;
     for (const double beyond : {traits.lowest - 1.0, traits.highest + 1.0})
-      EXPECT_NE(refusal_of_fault(fault + amount + " = " + std::to_string(beyond)).find("must be a finite number of at least "),
+      EXPECT_NE(refusal(with_fault(fault + amount + " = " + std::to_string(beyond))).find("must be a finite number of at least "),
                 std::string::npos)
           << traits.word;
+  }
+}
+
+TEST_F(CaseFileTest, KnowsTheTroublesOfAControllerAtSeaAlone) {
+  for (const Fault fault : {Fault::kErrorPassive, Fault::kBusOff}) {
+    const std::string word(kFaultTraits.at(static_cast<std::size_t>(fault)).word);
+    const std::string text = "[[fault]]\nat_s = 1\nkind = \"" + word + "\"\n" + kExpect;
+    EXPECT_EQ(load(kWords + "speed = 20\n" + text).faults.at(0).fault, fault);
+    EXPECT_NE(refusal(kWords + text).find("there is no " + word + " in lock-step"), std::string::npos);
   }
 }
 
@@ -234,11 +246,40 @@ TEST_F(CaseFileTest, WithASpeedIsFlownAsAtSeaWhereSignalsBefallEitherProgram) {
   EXPECT_EQ(c.faults.at(1), (TimedFault{.fault = Fault::kPause, .from = at_s(80), .amount = 2.0, .device = "vehicle"}));
 }
 
+TEST_F(CaseFileTest, MayExpectFramesRefusedAndNoFlightAtAll) {
+  EXPECT_FALSE(load(kWords + kExpect).expected.refuses_frames);
+  EXPECT_FALSE(load(kWords + kExpect).expected.refuses_to_fly);
+  const Case c = load(kWords + "speed = 20\n" + kExpect + "refuses_frames = true\nrefuses_to_fly = true\n");
+  EXPECT_TRUE(c.expected.refuses_frames);
+  EXPECT_TRUE(c.expected.refuses_to_fly);
+  EXPECT_NE(refusal(kWords + kExpect + "refuses_to_fly = true\n").find("only in a case with a speed"), std::string::npos);
+}
+
 TEST_F(CaseFileTest, HasOnlyFaultsThatThereAreInItsKindOfFlight) {
   EXPECT_EQ(refusal(kWords + "speed = 20\n[[fault]]\nkind = \"loss\"\nat_s = 1\n" + kExpect),
             "cases.toml:6: fault[0].kind = 'loss': there is no loss in a case with a speed");
   EXPECT_NE(refusal_of_fault("kind = \"pause\"\nof = \"vehicle\"\nat_s = 1\nwall_seconds = 2").find("fault[0].of"), std::string::npos);
+  EXPECT_NE(refusal_of_fault("kind = \"slow_disk\"\nat_s = 1").find("there is no slow_disk in lock-step"), std::string::npos);
   EXPECT_NE(refusal(kWords + "speed = 0\n" + kExpect).find("speed"), std::string::npos);
+}
+
+TEST(CasesOfTheBench, FlyAVehicleThatHearsForItselfOverCanWithItsSamplesOverLcm) {
+  const Case c = load_case(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases/sea_sound_open.toml");
+  EXPECT_EQ(c.bus, host::PortKind::kCan);
+  EXPECT_EQ(c.sound_port, 2);
+  EXPECT_EQ(load_case(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases/calm.toml").sound_port, 0);
+}
+
+TEST_F(CaseFileTest, ReadsWhatNetemIsToDoAndRefusesWhatAShellWouldTakeForItsOwn) {
+  const std::string netem = kWords + "speed = 20\n[[fault]]\nkind = \"netem\"\nat_s = 1\nhow = ";
+  EXPECT_EQ(load(netem + "\"delay 50ms 20ms loss 5%\"\n" + kExpect).faults.front().how, "delay 50ms 20ms loss 5%");
+  EXPECT_NE(refusal(netem + "\"loss 5%; reboot\"\n" + kExpect).find("must be words of tc-netem(8)"), std::string::npos)
+      << refusal(netem + "\"loss 5%; reboot\"\n" + kExpect);
+}
+
+TEST_F(CaseFileTest, RefusesAFaultOfSamplesWhereNoneAreTaken) {
+  const std::string text = kWords + "speed = 20\n[[fault]]\nkind = \"sound_open\"\nat_s = 1\n" + kExpect;
+  EXPECT_NE(refusal(text).find("must have a port of the role"), std::string::npos) << refusal(text);
 }
 
 }  // namespace

@@ -15,13 +15,16 @@ constexpr Time at_s(std::int64_t seconds) {
 TEST(Fault, HasAWordOfItsOwnForEveryKindInTheOrderOfKinds) {
   std::set<std::string_view> words;
   for (const FaultTraits& traits : kFaultTraits) words.insert(traits.word);
-  EXPECT_EQ(words.size(), 40U);
+  EXPECT_EQ(words.size(), 50U);
   const auto word_of = [](Fault fault) { return kFaultTraits.at(static_cast<std::size_t>(fault)).word; };
   EXPECT_EQ(word_of(Fault::kLoss), "loss");
   EXPECT_EQ(word_of(Fault::kReplay), "replay");
   EXPECT_EQ(word_of(Fault::kFlood), "flood");
   EXPECT_EQ(word_of(Fault::kRudderStuck), "rudder_stuck");
+  EXPECT_EQ(word_of(Fault::kBusOff), "bus_off");
+  EXPECT_EQ(word_of(Fault::kSoundShorted), "sound_shorted");
   EXPECT_EQ(word_of(Fault::kFullDisk), "full_disk");
+  EXPECT_EQ(word_of(Fault::kNoRoom), "no_room");
 }
 
 TEST(Fault, ActsFromItsBeginningUntilBeforeItsEnd) {
@@ -78,6 +81,7 @@ TEST(Fault, IsSaidInWordsWithItsAmountAndUnit) {
             "current 0.4 m/s towards 270 degrees from 60 s");
   EXPECT_EQ(in_words({.fault = Fault::kPowerCut, .from = at_s(100), .amount = 700.0}), "power cut 700 bytes at 100 s");
   EXPECT_EQ(in_words({.fault = Fault::kFullDisk, .from = at_s(0), .amount = 1'234'567.0}), "full disk 1234567 bytes from 0 s");
+  EXPECT_EQ(in_words({.fault = Fault::kNetem, .from = at_s(60), .how = "loss 5%"}), "netem (loss 5%) from 60 s");
 }
 
 }  // namespace

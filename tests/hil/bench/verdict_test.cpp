@@ -256,6 +256,38 @@ TEST_F(VerdictTest, TakesNoCaseWhoseFaultOfFramesMetNone) {
   EXPECT_EQ(unmet(), Words{});
 }
 
+TEST_F(VerdictTest, WantsFramesRefusedByTheKernelWhereTheCaseSaysSo) {
+  case_.expected.refuses_frames = true;
+  EXPECT_EQ(unmet(), Words{"the kernel had room for every frame"});
+  flight_.refused = 1;
+  EXPECT_EQ(unmet(), Words{});
+}
+
+TEST_F(VerdictTest, WantsAnEarshotdThatRefusesToFlyToEndWithStatusTwoAndNothingElseOfIt) {
+  case_.expected.refuses_to_fly = true;
+  EXPECT_EQ(broken(), Words{"earshotd did not refuse to fly"});
+  flight_.exit_statuses = {program::kBadInput};
+  journal_.trouble = "no such file";
+  EXPECT_EQ(broken(), Words{});
+}
+
+TEST_F(VerdictTest, LetsAnEarshotdLoseItsJournalOnADiskThatIsReadOnlyButNotOnOneThatIsSlow) {
+  journal_.is_same_again = false;
+  flight_.exit_statuses = {program::kLost};
+  case_.faults = {{.fault = Fault::kReadOnlyDisk, .from = at_s(40)}};
+  EXPECT_EQ(broken(), Words{});
+  case_.faults = {{.fault = Fault::kSlowDisk, .from = at_s(40)}};
+  EXPECT_EQ(broken(), (Words{"earshotd ended with status 3", "the journal is not given again: "}));
+}
+
+TEST_F(VerdictTest, LetsNoEarshotdDieOfASignalThatWasTheVehiclesProgramToBear) {
+  flight_.exit_statuses = {128 + SIGKILL};
+  case_.faults = {{.fault = Fault::kKill, .from = at_s(40), .device = "vehicle"}};
+  EXPECT_EQ(broken(), Words{"earshotd ended with status 137"});
+  case_.faults.front().device = "earshotd";
+  EXPECT_EQ(broken(), Words{});
+}
+
 // What is read from a journal.
 
 class FindingsTest : public testing::Test {
@@ -355,6 +387,34 @@ TEST_F(FindingsTest, SayWhetherTheJournalGivesEveryOutputAgainAndWhichItDoesNot)
   EXPECT_FALSE(found.is_same_again);
   EXPECT_EQ(found.trouble, "");
   EXPECT_EQ(found.difference, "record " + std::to_string(number) + " (EARSHOT_HEALTH)");
+}
+
+TEST_F(VerdictTest, WantsTheJournalToSayWhenTheControllersTroubleBeganAndWhenItEnded) {
+  case_.faults = {{.fault = Fault::kErrorPassive, .from = at_s(20), .until = at_s(80)}};
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_),
+            (Words{"the journal does not say that it began: error passive from 20 s for 60 s",
+                   "the journal does not say that it ended: error passive from 20 s for 60 s"}));
+  journal_.troubles = {{.is_bus_off = true, .begins = true}, {.is_bus_off = true, .begins = false}};
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_).size(), 2U) << "another trouble";
+  journal_.troubles = {{.is_bus_off = false, .begins = true}, {.is_bus_off = false, .begins = false}};
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{});
+  case_.faults = {{.fault = Fault::kBusOff, .from = at_s(20)}};
+  journal_.troubles = {{.is_bus_off = true, .begins = true}};
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{}) << "it never ends";
+}
+
+TEST_F(VerdictTest, WantsTheJournalToSayThatSamplesWereLost) {
+  case_.sound_port = 2;
+  case_.faults = {{.fault = Fault::kSoundDropout, .from = at_s(20), .until = at_s(40)}};
+  journal_.lost.at(1) = 7;
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{"the journal does not say that samples were lost"}) << "messages were";
+  journal_.lost.at(2) = 9'000;
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{});
+}
+
+TEST_F(VerdictTest, FailsWhereTheKernelHasNotCountedAFault) {
+  flight_.uncounted = {"the kernel has counted no frame that netem dropped"};
+  EXPECT_EQ(unmet_expectations(case_, flight_, journal_), Words{"the kernel has counted no frame that netem dropped"});
 }
 
 }  // namespace

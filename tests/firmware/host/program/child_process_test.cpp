@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <thread>
@@ -82,6 +83,13 @@ TEST_F(ChildProcessTest, WritesNoFileBeyondItsLimitAndIsNotKilledForIt) {
   EXPECT_EQ(run("head -c 10000 /dev/zero > " + file + "; echo then $?", {.words = words_, .most_bytes_of_a_file = 4096}), 0);
   EXPECT_EQ(std::filesystem::file_size(file), 4096U);
   EXPECT_NE(support::read_text(words_).find("then 1\n"), std::string::npos) << support::read_text(words_);
+}
+
+TEST_F(ChildProcessTest, HasWhatIsAddedToItsEnvironmentBesideThisProgramsOwn) {
+  ::setenv("EARSHOT_TEST_OWN", "ours", 1);
+  ::setenv("EARSHOT_TEST_BOTH", "ours", 1);
+  EXPECT_EQ(run("echo $EARSHOT_TEST_OWN $EARSHOT_TEST_BOTH", {.words = words_, .environment = {"EARSHOT_TEST_BOTH=another's"}}), 0);
+  EXPECT_EQ(support::read_text(words_), "ours another's\n");
 }
 
 TEST_F(ChildProcessTest, WritesAnyFileWithoutALimit) {

@@ -94,6 +94,17 @@ TEST_F(SerialAdapterTest, PassesNothingWhileBusOffAndIsThereAgainAfterwards) {
   EXPECT_EQ(heard(near_end), heading(2)) << "and not what came meanwhile";
 }
 
+TEST_F(SerialAdapterTest, IsKnownToBeBusOffByOneWhoCameLaterAndThoughFramesAreSaidToBeSent) {
+  SerialAdapter adapter("vcan0");
+  host::CanSocket near_end(adapter.interface());
+  adapter.become(State::kBusOff);
+  ASSERT_TRUE(is_in(near_end, State::kBusOff));
+  host::CanSocket late(adapter.interface());
+  EXPECT_TRUE(comes_true([&] { return !is_back(late) && late.controller_state() == State::kBusOff; }));
+  adapter.become(State::kErrorActive);
+  EXPECT_TRUE(comes_true([&] { return is_back(late); }));
+}
+
 TEST_F(SerialAdapterTest, LeavesNoInterfaceBehind) {
   std::string name;
   {

@@ -25,11 +25,15 @@ bool is_of_journal(int file) {
 }
 
 /// "" while it is well.
-std::string_view sickness_of(int file) {
+std::string_view present_sickness() {
   const char* const sickness = std::getenv("EARSHOT_TEST_DISK");
   const char* const flag = std::getenv("EARSHOT_TEST_DISK_IS_SICK");
-  if (sickness == nullptr || flag == nullptr || !is_of_journal(file) || ::access(flag, F_OK) != 0) return {};
+  if (sickness == nullptr || flag == nullptr || ::access(flag, F_OK) != 0) return {};
   return sickness;
+}
+
+std::string_view sickness_of(int file) {
+  return is_of_journal(file) ? present_sickness() : std::string_view{};
 }
 
 int refuse(int error) {
@@ -51,6 +55,8 @@ int open(const char* path, int flags, ...) {
   va_start(rest, flags);
   const int mode = va_arg(rest, int);
   va_end(rest);
+  const bool is_to_write = std::string_view(path).ends_with(".lcmlog") && (flags & O_ACCMODE) != O_RDONLY;
+  if (is_to_write && present_sickness() == "read-only") return refuse(EROFS);
   const int file = static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
   if (file >= 0 && static_cast<std::size_t>(file) < kMostFiles)
     is_journal[static_cast<std::size_t>(file)] = std::string_view(path).ends_with(".lcmlog") && (flags & O_ACCMODE) == O_WRONLY;
