@@ -13,7 +13,13 @@ TEST_F(ResumedFlight, GivenItsRuntimeIsKilledInMidSearchAndStartedAgainTheRestOf
   expect_same_as_whole("killed");
 }
 
-TEST_F(ResumedFlight, GivenItsRuntimeComesBackWithoutItsJournalTheFlightIsLostAndSaysWhy) {
+/// So many steps that a machine which tests share never has it over before its first decision is seen.
+class LostFlight : public ResumedFlight {
+ protected:
+  LostFlight() : ResumedFlight(100) {}
+};
+
+TEST_F(LostFlight, GivenItsRuntimeComesBackWithoutItsJournalTheFlightIsLostAndSaysWhy) {
   start_runtime("killed");
   start_simulator("killed");
   ASSERT_TRUE(has_decided("killed", 1)) << runtime_->output();

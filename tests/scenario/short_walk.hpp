@@ -60,10 +60,10 @@ class ShortWalk : public SeaOverCan {
     support::write_bytes(folder_ / "walk.policy", support::signed_bytes(walk));
     support::write_public_key(folder_ / "walk.pub");
   }
-  [[nodiscard]] static std::string walk_in(const std::string& name) {
+  [[nodiscard]] static std::string walk_in(const std::string& name, int steps = 6) {
     std::string mission = patient_mission(name);
     replace(mission, "step_length_m = 1000.0", "step_length_m = 200.0");
-    replace(mission, "max_steps = 100", "max_steps = 6");
+    replace(mission, "max_steps = 100", "max_steps = " + std::to_string(steps));
     replace(mission, "depth_m = 300.0", "depth_m = 50.0");
     replace(mission, "listening = \"mean\"", "listening = \"newest\"");
     replace(mission, "listening_window_s = 30", "listening_window_s = 0");
