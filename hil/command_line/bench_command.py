@@ -3,8 +3,8 @@
 Without --interface it does so on a virtual bus, in user-mode Linux where this kernel has no SocketCAN. Cases over LCM
 need no CAN bus, and are flown within this machine. It builds what
 it needs, which takes minutes the first time; --earshotd PATH, or EARSHOT_PROGRAMS=FOLDER, takes programs that are
-there. Ctrl-C ends the flight. Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus or the bench was
-lost; 130 Ctrl-C.
+there. Ctrl-C ends the flight. Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bench was lost;
+130 Ctrl-C, or another signal: what was flown until then is told.
 """
 
 from __future__ import annotations
