@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/child_process.hpp"
 #include "hil/bench/at_sea/sea_flight.hpp"
@@ -29,6 +29,9 @@ constexpr milliseconds kLookUp{50};
 constexpr milliseconds kPatience{20'000};  ///< for an answer, on a busy machine
 /// earshotd looks ten times a second whether it is to stop.
 constexpr milliseconds kToNotice{200};
+// In the folder of a flight.
+constexpr const char* kJournal = "journal.lcmlog";
+constexpr const char* kWords = "words.txt";
 
 std::unique_ptr<VehicleBus> open_bus(const Case& c, const Bench& bench, const host::MissionFile& mission, const link::RunSlot& slot) {
   if (c.bus == host::PortKind::kLcm) return std::make_unique<LcmVehicleBus>(c, bench, mission, slot.lcm_url());
@@ -40,13 +43,11 @@ bool is_killed_once(const Case& c) {
                              [](const TimedFault& fault) { return fault.fault == Fault::kKill || fault.fault == Fault::kPowerCut; });
 }
 
-/// What is left of an earlier flight: an earshotd that is to go on would go on with its journal.
+/// What is left of an earlier flight: an earshotd that is to go on would go on with its journal. Nothing else is touched.
 void remove_earlier_flight(const std::filesystem::path& folder) {
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name == "words.txt" || name == "vehicle.txt" || name == "track.csv" || name == "disk_is_sick" || name.starts_with("journal"))
-      std::filesystem::remove(entry.path());
-  }
+  const std::filesystem::path journal = folder / kJournal;
+  for (const host::JournalName& name : host::journals_beside(journal)) std::filesystem::remove(host::named(journal, name));
+  for (const char* const file : {"journal.policy", "vehicle.txt", "track.csv", "disk_is_sick", kWords}) std::filesystem::remove(folder / file);
 }
 
 /// One flight in the making.
@@ -65,10 +66,12 @@ class Flyer {
 
   BenchFlight fly() {
     const auto began = steady_clock::now();
-    if (!link_.wait_for_runtime(kPatience)) {
-      fail("earshotd did not answer the simulator's first call");
+    try {
+      if (!has_come()) fail("earshotd did not answer the simulator's first call");
+      fly_on();
+    } catch (const std::exception& e) {
+      fail(e.what());
     }
-    fly_on();
     end();
     flight_.wall_s = std::chrono::duration<double>(steady_clock::now() - began).count();
     for (std::size_t i = 0; i < case_.faults.size(); ++i) {
@@ -88,24 +91,25 @@ class Flyer {
     const std::vector<std::string> of_bus = bus_->options_of_earshotd();
     a.insert(a.end(), of_bus.begin(), of_bus.end());
     a.emplace_back(is_killed_once(case_) ? "--resume" : "--replace");
-    program::ChildSettings settings{.words = flight_.folder / "words.txt"};
+    program::ChildSettings settings{.words = flight_.folder / kWords};
     for (const TimedFault& fault : case_.faults) {
       if (fault.fault == Fault::kFullDisk) settings.most_bytes_of_a_file = static_cast<std::uint64_t>(fault.amount);
     }
     earshotd_ = std::make_unique<program::ChildProcess>(bench_.earshotd, a, settings);
   }
 
-  void fly_on() {
-    try {
-      while (flight_.failure.empty() && !is_over_ && now_ - Time{} < case_.at_most && !bench_.stop) tick();
-      if (flight_.failure.empty() && !is_over_) let_stop();
-    } catch (const BusTrouble& e) {
-      fail(e.what());
-    } catch (const host::BadInput& e) {  // a journal that has not so many bytes to lose
-      fail(e.what());
-    } catch (const std::filesystem::filesystem_error& e) {
-      fail(e.what());
+  /// Whether earshotd is there and answers; one that has ended is not waited for.
+  [[nodiscard]] bool has_come() {
+    for (const auto deadline = steady_clock::now() + kPatience; steady_clock::now() < deadline && !bench_.stop;) {
+      if (link_.wait_for_runtime(kLookUp)) return true;
+      if (!is_there()) break;
     }
+    return false;
+  }
+
+  void fly_on() {
+    while (flight_.failure.empty() && !is_over_ && now_ - Time{} < case_.at_most && !bench_.stop) tick();
+    if (flight_.failure.empty() && !is_over_) let_stop();
   }
 
   void tick() {
@@ -183,9 +187,9 @@ class Flyer {
       return fail_false("earshotd was lost, or did not answer for " + std::to_string(kPatience.count() / 1000) + " s");
     wait_for_end();
     link_.give_up_runtime();
-    if (has_lost_power_) tear_journal(flight_.folder / "journal.lcmlog", torn_bytes_);
+    if (has_lost_power_) tear_journal(flight_.folder / kJournal, torn_bytes_);
     start();
-    if (!link_.wait_for_runtime(kPatience)) return fail_false("earshotd did not come back after it was killed");
+    if (!has_come()) return fail_false("earshotd did not come back after it was killed");
     if (std::exchange(has_lost_power_, false) && link_.turns_made() + 1 < number_) number_ = link_.turns_made() + 1;
     if (link_.turns_made() + 1 < number_ || link_.turns_made() > number_)
       return fail_false("earshotd came back with " + std::to_string(link_.turns_made()) + " turns behind it, in turn " +
@@ -218,8 +222,8 @@ class Flyer {
     const bool is_down =
         std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kInterfaceDown && f.acts_at(now_); });
     if (is_down == !is_interface_up_) return;
+    bus_->switch_interface(!is_down);
     is_interface_up_ = !is_down;
-    bus_->switch_interface(is_interface_up_);
   }
 
   // What is kept.
@@ -247,7 +251,11 @@ class Flyer {
   void end() {
     if (!is_over_) earshotd_->stop();
     wait_for_end();
-    if (!is_interface_up_) bus_->switch_interface(true);
+    try {
+      if (!is_interface_up_) bus_->switch_interface(true);
+    } catch (const std::exception& e) {
+      fail(e.what());
+    }
   }
 
   void wait_for_end() {
@@ -284,11 +292,23 @@ class Flyer {
 }  // namespace
 
 BenchFlight fly_case(const Case& c, const Bench& bench, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
-  remove_earlier_flight(folder);
-  if (c.speed) return fly_at_sea(c, bench, folder);
-  link::RunSlot slot;
-  return Flyer(c, bench, folder, slot).fly();
+  try {
+    std::filesystem::create_directories(folder);
+    remove_earlier_flight(folder);
+    if (c.speed) return fly_at_sea(c, bench, folder);
+    link::RunSlot slot;
+    return Flyer(c, bench, folder, slot).fly();
+  } catch (const NotFlown& e) {
+    BenchFlight none;
+    none.folder = folder;
+    none.not_flown = e.what();
+    return none;
+  } catch (const std::exception& e) {
+    BenchFlight none;
+    none.folder = folder;
+    none.failure = e.what();
+    return none;
+  }
 }
 
 }  // namespace earshot::hil

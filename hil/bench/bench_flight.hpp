@@ -85,7 +85,7 @@ struct BenchFlight {
 /// second, as a turn at sea is; what the devices say in it is on the bus before the tick, and a message that has a shorter period is said
 /// once.
 /// @param folder  made; what it holds of an earlier flight is replaced
-/// @throws std::system_error, link::LinkError when the bench itself cannot work
+/// @return also of a flight that the bench could not fly, or not to its end (BenchFlight::failure): the other cases are flown all the same
 [[nodiscard]] BenchFlight fly_case(const Case& c, const Bench& bench, const std::filesystem::path& folder);
 
 }  // namespace earshot::hil

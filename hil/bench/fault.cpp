@@ -27,10 +27,6 @@ bool has_direction(Fault fault) {
   return fault == Fault::kCurrent || fault == Fault::kPositionError || fault == Fault::kSecondNavigation;
 }
 
-bool is_a_moment(Fault fault) {
-  return fault == Fault::kKill || fault == Fault::kPowerCut || fault == Fault::kPause || fault == Fault::kStop;
-}
-
 namespace {
 
 std::string unit_of(const FaultTraits& traits) {
@@ -58,7 +54,7 @@ std::string in_words(const TimedFault& fault) {
   } else if (!fault.device.empty()) {
     text << " of " << fault.device;
   }
-  text << (is_a_moment(fault.fault) ? " at " : " from ") << (fault.from - Time{}).to_seconds() << " s";
+  text << (is_of_a_moment(fault.fault) ? " at " : " from ") << (fault.from - Time{}).to_seconds() << " s";
   if (fault.until) text << " for " << (*fault.until - fault.from).to_seconds() << " s";
   return text.str();
 }

@@ -189,9 +189,6 @@ struct TimedFault {
 /// Whether `direction_deg` says where to.
 [[nodiscard]] bool has_direction(Fault fault);
 
-/// Whether it is done once, and lasts no time.
-[[nodiscard]] bool is_a_moment(Fault fault);
-
 /// "loss of 50 % of the compass's frames from 100 s for 20 s"
 [[nodiscard]] std::string in_words(const TimedFault& fault);
 

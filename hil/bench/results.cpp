@@ -73,7 +73,7 @@ json frame_of(const TracedMessage& traced) {
 
 /// When a fault ceases to act; nothing: it does not.
 json end_of(const TimedFault& fault) {
-  if (is_a_moment(fault.fault)) return seconds(fault.from + kTick);
+  if (is_of_a_moment(fault.fault)) return seconds(fault.from + kTick);
   return fault.until ? json(seconds(*fault.until)) : json(nullptr);
 }
 

@@ -123,9 +123,9 @@ void judge_notice(const Case& c, const JournalFindings& journal, std::vector<std
 void judge_track(const config::Mission& mission, const BenchFlight& flight, std::vector<std::string>& wrong) {
   const auto& halt = mission.safety.fence;
   for (const TruePlace& place : flight.track) {
-    const bool is_out = halt ? safety::beyond(halt->halt, place.position) > Meters{0.0} : !mission.operating_area.contains(place.position);
-    if (is_out) return wrong.push_back("the vehicle was beyond the halt polygon" + at(place.time));
-    if (place.depth > mission.max_depth + kSettling) return wrong.push_back("the vehicle was too deep" + at(place.time));
+    const bool is_in = halt ? safety::beyond(halt->halt, place.position) <= Meters{0.0} : mission.operating_area.contains(place.position);
+    if (!is_in) return wrong.push_back("the vehicle was beyond the halt polygon" + at(place.time));
+    if (!(place.depth <= mission.max_depth + kSettling)) return wrong.push_back("the vehicle was too deep" + at(place.time));
   }
 }
 

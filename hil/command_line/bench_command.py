@@ -3,12 +3,13 @@
 Without --interface it does so on a virtual bus, in user-mode Linux where this kernel has no SocketCAN. Cases over LCM
 need no CAN bus, and are flown within this machine. It builds what it needs, which takes minutes the first time;
 --earshotd PATH, or EARSHOT_PROGRAMS=FOLDER, takes programs that are there. Ctrl-C ends the flight.
-Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus or the bench was lost; 130 Ctrl-C.
+Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bench was lost; 130 Ctrl-C, or another signal.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import signal
 import subprocess
 import sys
@@ -23,7 +24,8 @@ from bus import VIRTUAL, command_on_bus, require_bus
 from case_files import USUAL_MISSION, chosen_names, list_cases, need_can, require_cases
 from group_names import read_group_names
 from junit_report import junit_report
-from outputs import is_junit_report, is_page, is_results, make_folder, require_writable, write_whole
+from markup import printable
+from outputs import is_junit_report, is_page, is_results, make_folder, require_writable, take_folder, write_whole
 from programs import BuildFailed, Programs, programs_for
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -92,7 +94,7 @@ def judge(options: argparse.Namespace) -> None:
         require_bus(options.interface)
     if options.random is not None and (options.report or options.junit):
         raise BadInput("--random: of random cases there is no page and no JUnit report")
-    if options.out.exists() and not options.out.is_dir():
+    if os.path.exists(options.out) and not options.out.is_dir():
         raise BadInput(f"--out {options.out}: is no folder")
     wanted: list[tuple[Path, str, Callable[[Path], bool]]] = [
         (options.out / RESULTS, "what earshot-bench writes", is_results)
@@ -120,9 +122,11 @@ def bench_command(options: argparse.Namespace, programs: Programs) -> list[str]:
 
 def run_to_its_end(command: list[str]) -> int:
     """Ctrl-C reaches it, too: it ends in its own way, and is waited for. Returns its status, as a shell counts."""
-    child = subprocess.Popen(command, stdin=subprocess.DEVNULL)
+    # It ends with this process, however that ends.
+    child = subprocess.Popen(["setpriv", "--pdeathsig", "TERM", *command], stdin=subprocess.DEVNULL)
     signal.signal(signal.SIGINT, lambda *_: None)
-    signal.signal(signal.SIGTERM, lambda *_: child.terminate())
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, lambda *_: child.terminate())
     status = child.wait()
     return status if status >= 0 else 128 - status
 
@@ -148,15 +152,7 @@ def write_reports(options: argparse.Namespace, results: list[CaseResult], progra
         write_whole(options.junit, junit_report(results, not_flown))
 
 
-def run(options: argparse.Namespace) -> int:
-    if options.list:
-        cases = list_cases(options.cases, options.case)
-        width = max(len(case.name) for case in cases)
-        print("".join(f"{case.name:{width}}  {case.when}\n" for case in cases), end="")
-        return DONE
-    judge(options)
-    programs = programs_for(ROOT, options.earshotd)
-    make_folder(options.out)
+def fly(options: argparse.Namespace, programs: Programs) -> int:
     file = options.out / RESULTS
     older = identity(file)
     needs_can = need_can(options.cases, options.case)
@@ -171,6 +167,24 @@ def run(options: argparse.Namespace) -> int:
         print(f"hil/run: {programs.bench} ended with status {status}", file=sys.stderr)
         return LOST
     return status
+
+
+def _line(text: str) -> str:
+    """As a terminal may show it."""
+    return " ".join(printable(text).split())
+
+
+def run(options: argparse.Namespace) -> int:
+    if options.list:
+        cases = list_cases(options.cases, options.case)
+        width = max(len(_line(case.name)) for case in cases)
+        print("".join(f"{_line(case.name):{width}}  {_line(case.when)}\n" for case in cases), end="")
+        return DONE
+    judge(options)
+    programs = programs_for(ROOT, options.earshotd)
+    make_folder(options.out)
+    with take_folder(options.out):
+        return fly(options, programs)
 
 
 def main(words: list[str]) -> int:

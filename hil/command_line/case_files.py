@@ -9,10 +9,13 @@ import difflib
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from bad_input import BadInput
 
 USUAL_MISSION = Path(__file__).resolve().parents[1] / "missions/search_over_can.toml"
+# As many as earshot-bench takes.
+_MOST_BYTES = 4 << 20
 
 
 @dataclass(frozen=True)
@@ -21,13 +24,24 @@ class ListedCase:
     when: str
 
 
-def _when_of(file: Path) -> str:
+def _read_table(file: Path) -> dict[str, Any]:
+    """Raises BadInput. A pipe might never be written, a device never end."""
     try:
-        when = tomllib.loads(file.read_text(encoding="utf-8")).get("when")
+        if not file.is_file():
+            raise BadInput(f"{file}: is no regular file" if file.exists() else f"{file}: no such file")
+        if file.stat().st_size > _MOST_BYTES:
+            raise BadInput(f"{file}: has more than {_MOST_BYTES} bytes")
+        return tomllib.loads(file.read_text(encoding="utf-8"))
     except OSError as e:
         raise BadInput(f"{file}: {e.strerror}") from e
     except ValueError as e:  # no TOML, or no UTF-8
         raise BadInput(f"{file}: {e}") from e
+    except RecursionError as e:
+        raise BadInput(f"{file}: is nested too deeply") from e
+
+
+def _when_of(file: Path) -> str:
+    when = _read_table(file).get("when")
     if not isinstance(when, str):
         raise BadInput(f"{file}: when: must be a text that says what the case does")
     return when
@@ -55,10 +69,10 @@ def require_cases(folder: Path, names: list[str]) -> None:
 def _needs_can(file: Path) -> bool:
     """Unless its mission says that all is over LCM; one that cannot be read is for earshot-bench to judge."""
     try:
-        named = tomllib.loads(file.read_text(encoding="utf-8")).get("mission", USUAL_MISSION)
-        ports = tomllib.loads((file.parent / named).read_text(encoding="utf-8"))["port"]
+        named = _read_table(file).get("mission", USUAL_MISSION)
+        ports = _read_table(file.parent / named)["port"]
         return any(port["kind"] != "lcm" for port in ports)
-    except (OSError, ValueError, KeyError, TypeError):
+    except (BadInput, KeyError, TypeError):
         return True
 
 

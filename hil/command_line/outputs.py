@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
+import socket
 import tempfile
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
@@ -28,7 +30,7 @@ def is_junit_report(path: Path) -> bool:
 def is_results(path: Path) -> bool:
     try:
         content = json.loads(path.read_bytes())
-    except ValueError:
+    except (ValueError, RecursionError):
         return False
     return isinstance(content, dict) and list(content) == ["cases"]
 
@@ -55,6 +57,8 @@ def require_writable(path: Path, kind: str, is_of_kind: Callable[[Path], bool], 
             raise BadInput(f"{path}: nothing can be made in {folder}")
     except OSError as e:
         raise BadInput(f"{path}: {e.strerror}") from e
+    except RuntimeError as e:  # Python 3.11's of links that lead in a circle
+        raise BadInput(f"{path}: {e}") from e
 
 
 def make_folder(path: Path) -> None:
@@ -63,6 +67,21 @@ def make_folder(path: Path) -> None:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as e:
         raise BadInput(f"{path}: cannot be made a folder: {e.strerror}") from e
+
+
+def take_folder(path: Path) -> socket.socket:
+    """Raises BadInput while another hil/run writes into it. Held as long as what is returned.
+
+    The kernel's name for it (abstract, unix(7)) goes with this process and leaves no file, and it holds where the lock
+    of earshot-bench does not: out of user-mode Linux.
+    """
+    lock = socket.socket(socket.AF_UNIX)
+    try:
+        lock.bind(b"\0earshot hil/run " + hashlib.sha256(os.fsencode(path.resolve())).hexdigest().encode())
+    except OSError as e:
+        lock.close()
+        raise BadInput(f"{path}: another hil/run is writing into it") from e
+    return lock
 
 
 def write_whole(path: Path, content: bytes) -> None:

@@ -13,6 +13,8 @@ BENCH = "earshot-bench"
 _PRESET = "release"
 # In a folder whose programs are taken as they are; sim/fly knows it, too.
 _FOLDER_VARIABLE = "EARSHOT_PROGRAMS"
+# It may be anything that somebody calls earshotd.
+_MOST_S_TO_SAY_A_VERSION = 10.0
 
 
 class BuildFailed(RuntimeError):
@@ -26,10 +28,20 @@ class Programs:
 
     def version(self) -> str:
         """Of the earshotd that flies, with its commit."""
-        asked = subprocess.run(
-            [self.earshotd, "--version"], capture_output=True, text=True, errors="replace", check=False
-        )
-        return asked.stdout.strip() or "an earshotd that does not say its version"
+        unknown = "an earshotd that does not say its version"
+        try:
+            asked = subprocess.run(
+                [self.earshotd, "--version"],
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                text=True,
+                errors="replace",
+                check=False,
+                timeout=_MOST_S_TO_SAY_A_VERSION,
+            )
+        except (OSError, subprocess.TimeoutExpired):  # no program at all, or none that ends
+            return unknown
+        return asked.stdout.strip() or unknown
 
 
 def _require_program(path: Path, why: str) -> Path:

@@ -33,6 +33,8 @@ th{color:var(--soft);font-weight:600}th,td{overflow-wrap:normal}
 
 
 def headline(results: list[CaseResult], not_flown: list[str]) -> str:
+    if not results:
+        return '<h1 class="failed">\N{MULTIPLICATION X} No case was flown</h1>\n'
     failed = sum(not result.passed for result in results)
     if failed == 0 and not not_flown:
         return f'<h1 class="passed">\N{CHECK MARK} All {len(results)} cases passed</h1>\n'

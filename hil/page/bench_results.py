@@ -119,7 +119,7 @@ def read_results(path: Path) -> list[CaseResult]:
         raise BadResults(f"{path}: {e.strerror}") from e
     except KeyError as e:
         raise BadResults(f"{path}: not what earshot-bench writes: {e.args[0]} is missing") from e
-    except (TypeError, ValueError, AttributeError) as e:
+    except (TypeError, ValueError, AttributeError, RecursionError) as e:
         raise BadResults(f"{path}: not what earshot-bench writes: {e}") from e
 
 

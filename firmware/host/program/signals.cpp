@@ -21,6 +21,13 @@ void outlive_accidents() {
   for (int number = SIGRTMIN; number <= SIGRTMAX; ++number) (void)std::signal(number, SIG_IGN);
 }
 
+void stop_on_hang_up() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { stop_requested = true; };
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGHUP, &action, nullptr);
+}
+
 void note_hang_ups() {
   struct sigaction action {};
   action.sa_handler = [](int) { has_hung_up = true; };

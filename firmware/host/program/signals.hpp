@@ -23,6 +23,9 @@ void stop_on_signals(SecondSignal second = SecondSignal::kIgnored);
 /// of processor time, and signals that mean something to other programs only (SIGUSR1, SIGUSR2 and their like, real-time signals).
 void outlive_accidents();
 
+/// From now on SIGHUP sets stop_requested, too: the terminal that the program was started in is gone, and it has something to put in order.
+void stop_on_hang_up();
+
 /// From now on SIGHUP sets has_hung_up and does nothing else.
 void note_hang_ups();
 

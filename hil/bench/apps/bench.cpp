@@ -20,6 +20,7 @@
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/signals.hpp"
+#include "hil/bench/before_flight.hpp"
 #include "hil/bench/bench_flight.hpp"
 #include "hil/bench/disarmed.hpp"
 #include "hil/bench/random_case.hpp"
@@ -93,17 +94,6 @@ Flown flown(const hil::Case& c, const hil::Bench& setup, const fs::path& folder)
   return f;
 }
 
-/// What cannot be flown on this machine has not passed, and says why.
-Flown flown_if_possible(const hil::Case& c, const hil::Bench& setup, const fs::path& folder) {
-  try {
-    return flown(c, setup, folder);
-  } catch (const hil::NotFlown& e) {
-    Flown f{.flight = {}, .mission = host::load_mission(c.mission).mission, .journal = {}};
-    f.flight.not_flown = e.what();
-    return f;
-  }
-}
-
 /// What is wrong with it, in words.
 std::vector<std::string> verdict(const hil::Case& c, const Flown& f) {
   if (!f.flight.not_flown.empty()) return {"not flown: " + f.flight.not_flown};
@@ -124,12 +114,13 @@ int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::
   hil::Results results;
   for (const hil::Case& c : cases) {
     if (program::stop_requested) break;
-    const Flown f = flown_if_possible(c, setup, o.out / c.name);
+    const Flown f = flown(c, setup, o.out / c.name);
+    if (program::stop_requested) break;  // it was cut short, and nothing can be said of it
     const std::vector<std::string> wrong = verdict(c, f);
     tell(c, f, wrong);
     results.add(c, f.mission, f.flight, f.journal, wrong);
   }
-  host::write_whole(o.out / "results.json", results.text());
+  host::write_whole(hil::results_file(o.out), results.text());
   program::say() << results.passed() << " of " << cases.size() << " cases passed\n";
   if (program::stop_requested) return program::kStopped;
   return results.passed() == cases.size() ? program::kDone : program::kIncomplete;
@@ -157,6 +148,7 @@ int fly_disarmed(const Options& o, const std::vector<hil::Case>& cases, const hi
     if (program::stop_requested) break;
     if (std::ranges::none_of(c.expected.rules, hil::can_be_disarmed)) continue;
     const bool is_red = fails_without_its_rules(c, setup, o.out / "disarmed" / c.name);
+    if (program::stop_requested) break;  // it was cut short
     program::say() << (is_red ? "fails as it must " : "BLIND ") << c.name << "\n" << std::flush;
     ++flown_count;
     if (!is_red) ++blind;
@@ -170,18 +162,20 @@ int fly_disarmed(const Options& o, const std::vector<hil::Case>& cases, const hi
 int fly_random(const Options& o, const std::vector<hil::Case>& pool, const hil::Bench& setup) {
   std::size_t failed = 0;
   std::uint32_t count = 0;
-  for (; count < *o.random && !program::stop_requested; ++count) {
+  for (; count < *o.random; ++count) {
     const hil::Case c = hil::random_case(pool, o.seed + count);
     const auto wrong_with = [&](const hil::Case& tried, const fs::path& folder) {
       const Flown f = flown(tried, setup, folder);
       return hil::broken_promises(tried, f.mission, f.flight, f.journal);
     };
     const std::vector<std::string> wrong = wrong_with(c, o.out / "random");
+    if (program::stop_requested) break;  // it was cut short
     if (wrong.empty()) continue;
     ++failed;
     program::say() << "FAILED " << c.name << ": " << c.when << "\n";
     for (const std::string& what : wrong) program::say() << "       " << what << "\n";
-    const hil::Case small = hil::shrunk(c, [&](const hil::Case& tried) { return !wrong_with(tried, o.out / "shrunk").empty(); });
+    const hil::Case small =
+        hil::shrunk(c, [&](const hil::Case& tried) { return !wrong_with(tried, o.out / "shrunk").empty() && !program::stop_requested; });
     const fs::path kept = o.out / (c.name + ".toml");
     host::write_whole(kept, hil::to_toml(small));
     program::say() << "       " << small.faults.size() << " of its faults are enough: " << kept.string() << "\n" << std::flush;
@@ -193,10 +187,14 @@ int fly_random(const Options& o, const std::vector<hil::Case>& pool, const hil::
 
 int bench(const Options& o) {
   const std::vector<hil::Case> cases = chosen_cases(o);
+  hil::require_flyable(cases);
+  const host::FileDescriptor folder = hil::take_folder(o.out);
+  const std::optional<host::BusLock> bus = hil::take_bus(cases, o.interface);
   const ocean::Environment environment = ocean::load_environment(host::shipped("sim/ocean/environments/munk_flat.toml"));
   constexpr Meters kFurthest{40'000.0};
   constexpr Meters kDepth{300.0};
   program::stop_on_signals();
+  program::stop_on_hang_up();  // an interface that a case took down is not left so
   const hil::Bench setup{
       .earshotd = o.earshotd.value_or("earshotd"),
       .interface = o.interface,
@@ -215,7 +213,7 @@ int main(int argc, char** argv) {
       "earshot bench",
       "Flies missions with the real earshotd on a CAN bus or over LCM, each with the faults of its case, and judges what came of\n"
       "them. hil/run builds it, finds it a bus, and makes a page of its results.\n"
-      "Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 the bus was lost.");
+      "Exit status: 0 every case passed; 1 one did not; 2 bad input; 3 what was to be said could not be; 130 stopped by a signal.");
   Options options;
   declare(line, options);
   return program::run(line, argc, argv, [&] { return bench(options); });

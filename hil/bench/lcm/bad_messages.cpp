@@ -111,7 +111,7 @@ void BadMessages::befall(const MessageAffliction& affliction, Fate& fate) {
       fate.late = fate.late + Duration{static_cast<std::int64_t>(random_.uniform_double() * static_cast<double>(affliction.seconds.us))};
       break;
     case FrameFault::kDuplication:
-      fate.times *= 2;
+      if (fate.times > 0) ++fate.times;  // what is lost stays lost
       break;
     case FrameFault::kCorruption:
       fate.is_flipped = true;

@@ -144,6 +144,16 @@ TEST_F(VerdictTest, WantsTheVehicleNoDeeperThan25MetresBelowItsLimit) {
   EXPECT_EQ(broken(), Words{"the vehicle was too deep at 3 s"});
 }
 
+TEST_F(VerdictTest, TakesNoPlaceThatIsNoNumber) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  flight_.track.push_back(place(2, 5'000, 5'000, kNan));
+  EXPECT_EQ(broken(), Words{"the vehicle was too deep at 2 s"});
+  flight_.track.back() = place(2, kNan, 5'000);
+  EXPECT_EQ(broken(), Words{"the vehicle was beyond the halt polygon at 2 s"});
+  mission_.safety.fence = fence();
+  EXPECT_EQ(broken(), Words{"the vehicle was beyond the halt polygon at 2 s"});
+}
+
 TEST_F(VerdictTest, LetsAVehicleThatCannotDoAsItIsToldGoAstrayButNoOther) {
   flight_.track.push_back(place(2, 12'000, 5'000));
   for (const Fault fault :

@@ -5,6 +5,7 @@ usage: bench_command_test.py [EARSHOTD]
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import shutil
@@ -84,6 +85,25 @@ class Lists(InAFolder):
             self.assertEqual((said.returncode, said.stdout), (2, ""))
             self.assertIn(words, said.stderr)
 
+    def test_nothing_that_could_steer_a_terminal(self):
+        (self.cases / "a\nb.toml").write_text('when = "one\\u001b[31m\\ntwo"\n')
+        said = self.bench("--list", "--case", "a\nb")
+        self.assertEqual((said.returncode, said.stdout), (0, "a b  one\\u001b[31m two\n"))
+
+    def test_no_case_that_could_never_be_read(self):
+        os.mkfifo(self.cases / "a.toml")
+        self.assertIn("a.toml: is no regular file", self.bench("--list").stderr)
+        (self.cases / "a.toml").unlink()
+        (self.cases / "a.toml").symlink_to("/dev/zero")
+        self.assertIn("a.toml: is no regular file", self.bench("--list").stderr)
+        (self.cases / "a.toml").unlink()
+        (self.cases / "a.toml").write_text("# " + "x" * (4 << 20))
+        self.assertIn("a.toml: has more than 4194304 bytes", self.bench("--list").stderr)
+        (self.cases / "a.toml").write_text("when = " + "[" * 100_000)
+        said = self.bench("--list")
+        self.assertIn("a.toml: is nested too deeply", said.stderr)
+        self.assertEqual(said.returncode, 2)
+
 
 class Flies(InAFolder):
     def test_what_it_was_told_to(self):
@@ -137,20 +157,57 @@ class Flies(InAFolder):
         suite = ET.parse(self.folder / "out/bench/junit.xml").getroot()
         self.assertEqual((suite.get("tests"), suite.get("failures")), ("2", "1"))
 
-    def test_until_ctrl_c_and_still_tells_of_what_was_flown(self):
+    @staticmethod
+    def end(flying: subprocess.Popen[bytes]) -> None:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(flying.pid, signal.SIGKILL)
+        flying.wait()
+
+    def start(self, **environment: str) -> subprocess.Popen[bytes]:
+        """A flight that waits for its end; it has begun when this returns."""
         command = [ROOT / "hil/run", "--cases", self.cases, "--earshotd", self.earshotd, "--report", "page.html"]
         flying = subprocess.Popen(
             list(map(str, command)),
             cwd=self.folder,
-            env=self.environment(BENCH_ENDS="stop", BENCH_RESULTS=self.results(calm())),
+            env=self.environment(BENCH_ENDS="stop", **environment),
             start_new_session=True,
         )
+        self.addCleanup(self.end, flying)
         end = time.monotonic() + 60
         while not (self.folder / "out/bench/waits").exists() and time.monotonic() < end:
             time.sleep(0.02)
+        return flying
+
+    def test_until_ctrl_c_and_still_tells_of_what_was_flown(self):
+        flying = self.start(BENCH_RESULTS=self.results(calm()))
         os.killpg(flying.pid, signal.SIGINT)
         self.assertEqual(flying.wait(60), 130)
         self.assertIn("1 of 2 cases were not flown", (self.folder / "page.html").read_text())
+
+    def test_until_its_terminal_is_gone(self):
+        flying = self.start(BENCH_RESULTS=self.results(calm()))
+        flying.send_signal(signal.SIGHUP)
+        self.assertEqual(flying.wait(60), 130)
+
+    def test_and_leaves_no_bench_behind_when_it_is_killed(self):
+        flying = self.start()
+        bench = int((self.folder / "out/bench/waits").read_text())
+        flying.kill()
+        flying.wait(60)
+        end = time.monotonic() + 60
+        while Path(f"/proc/{bench}").exists() and time.monotonic() < end:
+            time.sleep(0.02)
+        self.assertFalse(Path(f"/proc/{bench}").exists())
+
+    def test_alone_in_its_folder(self):
+        flying = self.start()
+        said = self.bench("--report", "other.html", BENCH_RESULTS=self.results(calm()))
+        os.killpg(flying.pid, signal.SIGINT)
+        flying.wait(60)
+        self.assertEqual(said.returncode, 2)
+        self.assertIn("out/bench: another hil/run is writing into it", said.stderr)
+        self.assertFalse((self.folder / "other.html").exists())
+        self.assertEqual(self.bench(BENCH_RESULTS=self.results(calm())).returncode, 0, "it is free again")
 
 
 class Loses(InAFolder):
@@ -216,6 +273,12 @@ class Refuses(InAFolder):
             self.assertIn("is no regular file", self.refused(option, "cases"))
             self.assertIn("there is no folder", self.refused(option, "no/such/folder"))
         self.assertIn("letter: is no folder", self.refused("--out", "letter"))
+        (self.folder / "circle").symlink_to("circle")
+        self.assertIn("circle", self.refused("--report", "circle"))
+        self.assertIn("circle", self.refused("--out", "circle"))
+        self.assertIn("File name too long", self.refused("--out", "x" * 300))
+        (self.folder / "results.json").write_text("[" * 100_000)
+        self.assertIn("is not what earshot-bench writes", self.refused("--out", "."))
         (self.folder / "results.json").write_text('{"mine": 1}')
         self.assertIn("is not what earshot-bench writes", self.refused("--out", "."))
 

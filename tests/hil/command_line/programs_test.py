@@ -7,6 +7,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "hil/command_line"))
+import programs
 from bad_input import BadInput
 from programs import BuildFailed, Programs, programs_for
 
@@ -70,6 +71,14 @@ class ProgramsFor(unittest.TestCase):
         self.write(self.root / "a/earshot-bench", "").chmod(0o644)
         with self.assertRaisesRegex(BadInput, "a/earshot-bench: no such program"):
             programs_for(self.root, earshotd)
+
+    def test_say_no_version_when_they_are_no_programs_or_never_end(self):
+        unknown = "an earshotd that does not say its version"
+        self.assertEqual(Programs(Path("bench"), self.write(self.root / "text", "no program")).version(), unknown)
+        self.assertEqual(Programs(Path("bench"), self.write(self.root / "silent", "#!/bin/sh\n")).version(), unknown)
+        programs._MOST_S_TO_SAY_A_VERSION = 0.2
+        endless = self.write(self.root / "endless", "#!/bin/sh\nexec sleep 60\n")
+        self.assertEqual(Programs(Path("bench"), endless).version(), unknown)
 
 
 if __name__ == "__main__":

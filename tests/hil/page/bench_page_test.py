@@ -77,6 +77,7 @@ class Page(unittest.TestCase):
     def test_says_first_how_many_failed(self):
         self.assertIn("1 of 2 cases failed", self.tags.text)
         self.assertIn("All 1 cases passed", Tags(page(results_of(calm()), {}, "", [])).text)
+        self.assertIn("\N{MULTIPLICATION X} No case was flown", Tags(page([], {}, "", [])).text)
 
     def test_says_first_what_was_not_flown(self):
         text = Tags(page(results_of(calm()), {}, "", ["leak", "frozen"])).text

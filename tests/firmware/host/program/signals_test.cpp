@@ -27,6 +27,10 @@ TEST(StopOnSignals, EndsTheProgramAtTheSecondWhereThatIsWanted) {
     EXPECT_EXIT(get_twice(number, [] { stop_on_signals(SecondSignal::kEndsAtOnce); }), testing::KilledBySignal(number), "") << number;
 }
 
+TEST(StopOnHangUp, AsksTheProgramToStopWhenItsTerminalIsGone) {
+  EXPECT_EXIT(get_twice(SIGHUP, stop_on_hang_up), testing::ExitedWithCode(1), "");
+}
+
 TEST(OutliveAccidents, LetsNothingEndTheProgramThatNobodyMeansToStopItBy) {
   for (const int number : {SIGHUP, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGIO, SIGPWR, SIGSTKFLT,
                            SIGXCPU, SIGRTMIN, SIGRTMAX})

@@ -98,6 +98,12 @@ TEST_F(BadMessagesTest, LetsMessagesOfOneTurnChangePlacesAndLosesNone) {
   EXPECT_TRUE(has_changed);
 }
 
+TEST_F(BadMessagesTest, ArrivesOnceMoreForEveryDuplicationAndNeverWhenItIsLost) {
+  const MessageAffliction twice{.fault = FrameFault::kDuplication};
+  EXPECT_EQ(BadMessages(1).pass({fix(1)}, std::vector(40, twice), at_s(1)).size(), 41U);
+  EXPECT_EQ(BadMessages(1).pass({fix(1)}, {{.fault = FrameFault::kLoss}, twice}, at_s(1)).size(), 0U);
+}
+
 TEST_F(BadMessagesTest, BefallsItsShareAndTheSameOnesWithTheSameSeed) {
   const LcmMessages many(1000, fix(1));
   const MessageAffliction half{.fault = FrameFault::kLoss, .share = 0.5};
