@@ -64,8 +64,8 @@ class Flyer {
       fail("earshotd did not answer the simulator's first call");
     }
     fly_on();
-    end();
     flight_.last = now_;
+    end();
     flight_.wall_s = std::chrono::duration<double>(steady_clock::now() - began).count();
     bus_->report(flight_);
     return std::move(flight_);
@@ -89,22 +89,28 @@ class Flyer {
   }
 
   void fly_on() {
+    while (flight_.failure.empty() && !is_over_ && now_ - Time{} < case_.at_most && !bench_.stop) tick();
+  }
+
+  void tick() {
     try {
-      while (flight_.failure.empty() && !is_over_ && now_ - Time{} < case_.at_most && !bench_.stop) tick();
+      make_tick();
     } catch (const BusTrouble& e) {
       fail(e.what());
     }
   }
 
-  void tick() {
+  void make_tick() {
     bus_->disturb(disturbance_at(case_.faults, now_, kTick));
     disturb_computer();
     bus_->say(now_);
     note_place();
-    ++number_;
-    say_tick();
-    if (!receive_answer()) return;
-    bus_->hear(now_, [this] { return is_there(); });
+    if (!is_paused_) {
+      ++number_;
+      say_tick();
+      if (!receive_answer()) return;
+      bus_->hear(now_, [this] { return is_there(); });
+    }
     now_ = now_ + kTick;
   }
 
@@ -154,10 +160,11 @@ class Flyer {
       return fail_false("earshotd was lost, or did not answer for " + std::to_string(kPatience.count() / 1000) + " s");
     wait_for_end();
     link_.give_up_runtime();
-    if (has_lost_power_) tear_journal(flight_.folder / "journal.lcmlog", torn_bytes_);
+    std::optional<std::uint64_t> turns_kept;
+    if (std::exchange(has_lost_power_, false)) turns_kept = tear_journal(newest_journal(flight_.folder), torn_bytes_);
     start();
     if (!link_.wait_for_runtime(kPatience)) return fail_false("earshotd did not come back after it was killed");
-    if (std::exchange(has_lost_power_, false) && link_.turns_made() + 1 < number_) number_ = link_.turns_made() + 1;
+    if (turns_kept) number_ = std::min(number_, *turns_kept + 1);
     if (link_.turns_made() + 1 < number_ || link_.turns_made() > number_)
       return fail_false("earshotd came back with " + std::to_string(link_.turns_made()) + " turns behind it, in turn " +
                         std::to_string(number_));
@@ -180,17 +187,21 @@ class Flyer {
         earshotd_->signal(SIGKILL);
       } else if (fault.fault == Fault::kStop) {
         earshotd_->stop();
-      } else if (fault.fault == Fault::kPause) {
-        earshotd_->signal(SIGSTOP);
-        std::this_thread::sleep_for(std::chrono::duration<double>(fault.amount));
-        earshotd_->signal(SIGCONT);
       }
     }
-    const bool is_down =
-        std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kInterfaceDown && f.acts_at(now_); });
+    pause(is_acting(Fault::kPause));
+    const bool is_down = is_acting(Fault::kInterfaceDown);
     if (is_down == !is_interface_up_) return;
     is_interface_up_ = !is_down;
     bus_->switch_interface(is_interface_up_);
+  }
+
+  [[nodiscard]] bool is_acting(Fault kind) const {
+    return std::ranges::any_of(case_.faults, [&](const TimedFault& f) { return f.fault == kind && f.acts_at(now_); });
+  }
+
+  void pause(bool is_paused) {
+    if (std::exchange(is_paused_, is_paused) != is_paused) earshotd_->signal(is_paused ? SIGSTOP : SIGCONT);
   }
 
   // What is kept.
@@ -208,9 +219,19 @@ class Flyer {
   // The end.
 
   void end() {
-    if (!is_over_) earshotd_->stop();
+    pause(false);
+    if (!is_over_) tell_to_stop();
     wait_for_end();
     if (!is_interface_up_) bus_->switch_interface(true);
+  }
+
+  /// It ends in its next turns, for which it would wait in vain without a tick.
+  void tell_to_stop() {
+    constexpr int kTicks = 5;
+    const messages::EndReason when_time_was_up = flight_.end;
+    earshotd_->stop();
+    for (int i = 0; i < kTicks && flight_.failure.empty() && !is_over_ && !bench_.stop && is_there(); ++i) tick();
+    flight_.end = when_time_was_up;
   }
 
   void wait_for_end() {
@@ -239,6 +260,7 @@ class Flyer {
   bool is_killed_ = false;
   bool has_lost_power_ = false;
   std::uint64_t torn_bytes_ = 0;  ///< that its journal lost with the power
+  bool is_paused_ = false;        ///< it does not run, and no turn is asked of it
   bool is_interface_up_ = true;
   BenchFlight flight_;
 };

@@ -8,6 +8,7 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/core/units.hpp"
 #include "firmware/host/mission/port_settings.hpp"
 #include "firmware/messages/health.hpp"
 #include "hil/bench/fault.hpp"
@@ -19,8 +20,9 @@ struct Expectation {
   messages::EndReason end = messages::EndReason::kCompleted;  ///< kNone: the search is under way when time is up
   std::vector<config::Condition> rules;                       ///< that must fire, each at least once, after the first fault began
   bool only_these = true;                                     ///< no other rule fires
-  bool refuses_navigation = false;                            ///< at least one fix is refused
-  bool refuses_commands = false;                              ///< at least one order is
+  std::optional<bool> refuses_navigation = std::nullopt;      ///< at least one fix is refused, or none; nothing: either
+  std::optional<bool> refuses_commands = std::nullopt;        ///< likewise of orders
+  bool loses_nothing = false;                                 ///< no frame or message is lost that arrived faster than it was read
   friend bool operator==(const Expectation&, const Expectation&) = default;
 };
 
@@ -30,13 +32,17 @@ struct Case {
   std::string given;
   std::string when;
   std::string then;
+  std::string defence = {};  ///< without which it would not come so, in words
   std::filesystem::path mission;
   host::PortKind bus = host::PortKind::kCan;  ///< of all its ports
   NorthEast start;
+  double start_heading_deg = 0.0;  ///< clockwise from north
   NorthEast source;
   Duration at_most;  ///< at sea
   std::vector<TimedFault> faults;
   Expectation expected;
+
+  [[nodiscard]] Radians start_heading() const;  ///< in (-pi, pi]
   friend bool operator==(const Case&, const Case&) = default;
 };
 

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <numbers>
 #include <string_view>
 
+#include "firmware/core/math.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/mission_file.hpp"
@@ -86,12 +88,17 @@ Expectation read_expectation(TableReader table) {
       expected.rules.push_back(static_cast<config::Condition>(index));
   }
   expected.only_these = !table.boolean_or("others_may_fire", false);
-  expected.refuses_navigation = table.boolean_or("refuses_navigation", false);
-  expected.refuses_commands = table.boolean_or("refuses_commands", false);
+  if (table.has("refuses_navigation")) expected.refuses_navigation = table.boolean_or("refuses_navigation", false);
+  if (table.has("refuses_commands")) expected.refuses_commands = table.boolean_or("refuses_commands", false);
+  expected.loses_nothing = table.boolean_or("loses_nothing", false);
   return expected;
 }
 
 }  // namespace
+
+Radians Case::start_heading() const {
+  return wrap_to_pi(Radians{start_heading_deg * std::numbers::pi / 180.0});
+}
 
 std::string key_of(config::Condition rule) {
   return std::string(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key);
@@ -110,9 +117,11 @@ Case load_case(const std::filesystem::path& path) {
   made.given = root.text("given");
   made.when = root.text("when");
   made.then = root.text("then");
+  made.defence = root.text_or("defence", "");
   made.mission = file.resolve(root.text_or("mission", kDefaultMission));
   if (std::filesystem::exists(made.mission)) made.bus = bus_of(made.mission);  // one that is not there is missed when it is flown
   made.start = place_of(root, "start_m", {Meters{12'500}, Meters{11'000}});
+  made.start_heading_deg = root.number_or("start_heading_deg", 0.0, Range::between(-360.0, 360.0));
   made.source = place_of(root, "source_m", {Meters{12'500}, Meters{12'500}});
   made.at_most = Duration::seconds(root.integer_or("at_most_s", 3600, 10, 1'000'000));
   if (root.has("fault")) {

@@ -30,7 +30,7 @@ enum class Fault : std::uint8_t {
   kFlood,             ///< frames of the highest priority that mean nothing; over LCM: messages of a channel that nobody has
   kNavigationFlood,   ///< fixes of which every number is drawn
   kSecondNavigation,  ///< another inertial navigation, which believes that it is elsewhere
-  kSecondAutopilot,   ///< another autopilot
+  kSecondAutopilot,   ///< another autopilot, which follows no set-point
   kAddressThief,      ///< a device with more rights that claims Earshot's address
   kStrangersOrder,    ///< a COMPLETE that is long out of date, given again and again
   kUnknownOrder,      ///< one that there is none of, again and again
@@ -113,7 +113,7 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"gain_error", "decibels", -120.0, 120.0},
     {"kill", ""},
     {"power_cut", "bytes", 1.0, 1e6},
-    {"pause", "wall_seconds", 0.01, 60.0},
+    {"pause", ""},
     {"stop", ""},
     {"full_disk", "bytes", 10'000.0, 1e12},
 }};

@@ -25,9 +25,9 @@ const Case& drawn(const std::vector<Case>& pool, std::uint64_t seed) {
   return faulty.empty() ? pool.front() : *faulty[random.next() % faulty.size()];
 }
 
-/// Up to `most` metres within the southern edge of the bench's area.
+/// In the search area of the bench's missions, as near to its southern edge as makes a vehicle that sails on meet the fence.
 NorthEast place_near_the_fence(Pcg32& random) {
-  constexpr double kMost_m = 800.0;
+  constexpr double kMost_m = 300.0;
   return {Meters{kMost_m * random.uniform_double()}, Meters{5'000.0 + 15'000.0 * random.uniform_double()}};
 }
 
@@ -64,13 +64,14 @@ void write_fault(std::ostream& out, const TimedFault& fault) {
 }
 
 void write_expectation(std::ostream& out, const Expectation& expected) {
-  out << "\n[expect]\nend = \"" << end_words().at(static_cast<std::size_t>(expected.end)) << "\"\n";
+  out << std::boolalpha << "\n[expect]\nend = \"" << end_words().at(static_cast<std::size_t>(expected.end)) << "\"\n";
   std::string rules;
   for (const config::Condition rule : expected.rules) rules += (rules.empty() ? "\"" : ", \"") + key_of(rule) + "\"";
   if (!rules.empty()) out << "rules = [" << rules << "]\n";
   if (!expected.only_these) out << "others_may_fire = true\n";
-  if (expected.refuses_navigation) out << "refuses_navigation = true\n";
-  if (expected.refuses_commands) out << "refuses_commands = true\n";
+  if (expected.refuses_navigation) out << "refuses_navigation = " << *expected.refuses_navigation << "\n";
+  if (expected.refuses_commands) out << "refuses_commands = " << *expected.refuses_commands << "\n";
+  if (expected.loses_nothing) out << "loses_nothing = true\n";
 }
 
 }  // namespace
@@ -83,9 +84,11 @@ Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
     if (c.bus == made.bus) all.insert(all.end(), c.faults.begin(), c.faults.end());
   }
   made.name = "random_" + std::to_string(seed);
-  made.given = "a search near the fence";
+  made.given = "a search that begins towards the fence";
   made.then = "no promise is broken";
+  made.defence.clear();
   made.start = place_near_the_fence(random);
+  made.start_heading_deg = 90.0 + 180.0 * random.uniform_double();
   made.source = made.start + NorthEast{Meters{3'000}, Meters{0}};
   made.at_most = Duration::seconds(400);
   made.expected = {};
@@ -112,9 +115,11 @@ Case shrunk(Case c, const std::function<bool(const Case&)>& fails) {
 
 std::string to_toml(const Case& c) {
   std::ostringstream out;
-  out << "given = " << std::quoted(c.given) << "\nwhen = " << std::quoted(c.when) << "\nthen = " << std::quoted(c.then)
-      << "\nmission = " << std::quoted(std::filesystem::absolute(c.mission).lexically_normal().string())
-      << "\nstart_m = " << written(c.start) << "\nsource_m = " << written(c.source) << "\nat_most_s = " << c.at_most.us / 1'000'000 << "\n";
+  out << "given = " << std::quoted(c.given) << "\nwhen = " << std::quoted(c.when) << "\nthen = " << std::quoted(c.then) << "\n";
+  if (!c.defence.empty()) out << "defence = " << std::quoted(c.defence) << "\n";
+  out << "mission = " << std::quoted(std::filesystem::absolute(c.mission).lexically_normal().string()) << "\nstart_m = " << written(c.start)
+      << "\nsource_m = " << written(c.source) << "\nstart_heading_deg = " << written(c.start_heading_deg)
+      << "\nat_most_s = " << c.at_most.us / 1'000'000 << "\n";
   for (const TimedFault& fault : c.faults) write_fault(out, fault);
   write_expectation(out, c.expected);
   return out.str();

@@ -122,6 +122,7 @@ void Results::add(const Case& c, const config::Mission& mission, const BenchFlig
        {"given", c.given},
        {"when", c.when},
        {"then", c.then},
+       {"defence", c.defence},
        {"passed", wrong.empty()},
        {"wrong", wrong},
        {"faults", faults},

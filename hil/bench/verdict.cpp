@@ -58,6 +58,8 @@ void read_records(const std::filesystem::path& journal, const config::Mission& m
       found.end = static_cast<messages::EndReason>(health.end_reason);
       found.counters.navigation_refused = static_cast<std::uint64_t>(health.navigation_refused);
       found.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
+      found.lost = 0;
+      for (std::int8_t i = 0; i < health.port_count; ++i) found.lost += static_cast<std::uint64_t>(health.ports[i].lost);
     } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
       found.events.push_back(wire::from_message(event));
     } else if (record.channel == wire::kJournalledSetpointChannel && wire::decode(record.data, setpoint) == Status::kOk) {
@@ -86,6 +88,11 @@ void judge_rules(const Case& c, const JournalFindings& journal, std::vector<std:
     wrong.push_back("the rule " + key_of(event.condition) + " fired" + at(event.time));
     return;
   }
+}
+
+void judge_refusals(std::optional<bool> wanted, std::uint64_t count, const std::string& what, std::vector<std::string>& wrong) {
+  if (wanted == true && count == 0) wrong.push_back("no " + what + " was refused");
+  if (wanted == false && count > 0) wrong.push_back("refused, though none may be: " + what + ", " + std::to_string(count) + " times");
 }
 
 void judge_track(const config::Mission& mission, const BenchFlight& flight, std::vector<std::string>& wrong) {
@@ -157,8 +164,9 @@ std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& fl
     wrong.push_back(std::string("the mission ended otherwise: ") + messages::to_string(flight.end) +
                     ", not: " + messages::to_string(c.expected.end));
   judge_rules(c, journal, wrong);
-  if (c.expected.refuses_navigation && journal.counters.navigation_refused == 0) wrong.emplace_back("no fix was refused");
-  if (c.expected.refuses_commands && journal.counters.commands_refused == 0) wrong.emplace_back("no order was refused");
+  judge_refusals(c.expected.refuses_navigation, journal.counters.navigation_refused, "fix", wrong);
+  judge_refusals(c.expected.refuses_commands, journal.counters.commands_refused, "order", wrong);
+  if (c.expected.loses_nothing && journal.lost > 0) wrong.push_back("lost on their way in: " + std::to_string(journal.lost) + " frames");
   return wrong;
 }
 

@@ -19,6 +19,7 @@ struct JournalFindings {
   std::vector<messages::SafetyEvent> events;
   messages::EndReason end = messages::EndReason::kNone;
   messages::Counters counters;  ///< refusals alone
+  std::uint64_t lost = 0;       ///< frames and messages that arrived faster than Earshot's ports read them
   std::uint64_t setpoints = 0;
   std::vector<std::string> beyond_limits;  ///< set-points that no mission may give, in words
   bool is_same_again = false;              ///< given to the runtime again, it gives every output again

@@ -72,7 +72,7 @@ void ChildProcess::poll() {
 
 void ChildProcess::signal(int number) {
   if (!running()) return;
-  is_told_ = true;
+  is_told_ = is_told_ || (number != SIGSTOP && number != SIGCONT);
   (void)kill(id_, number);
 }
 

@@ -24,6 +24,7 @@
 #include "hil/bench/disarmed.hpp"
 #include "hil/bench/random_case.hpp"
 #include "hil/bench/results.hpp"
+#include "hil/bench/torn_journal.hpp"
 #include "hil/bench/verdict.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
@@ -79,7 +80,7 @@ struct Flown {
 
 Flown flown(const hil::Case& c, const hil::Bench& setup, const fs::path& folder) {
   Flown f{.flight = hil::fly_case(c, setup, folder), .mission = host::load_mission(c.mission).mission, .journal = {}};
-  f.journal = hil::read_findings(folder / "journal.lcmlog", f.mission);
+  f.journal = hil::read_findings(hil::newest_journal(folder), f.mission);
   return f;
 }
 
@@ -155,7 +156,9 @@ int fly_random(const Options& o, const std::vector<hil::Case>& pool, const hil::
     const hil::Case small = hil::shrunk(c, [&](const hil::Case& tried) { return !wrong_with(tried, o.out / "shrunk").empty(); });
     const fs::path kept = o.out / (c.name + ".toml");
     host::write_whole(kept, hil::to_toml(small));
-    program::say() << "       " << small.faults.size() << " of its faults are enough: " << kept.string() << "\n" << std::flush;
+    program::say() << "       " << small.faults.size() << " of its faults are enough, with --seed " << o.seed << ": " << kept.string()
+                   << "\n"
+                   << std::flush;
   }
   program::say() << count << " random cases from seed " << o.seed << " on, " << failed << " broke a promise\n";
   if (program::stop_requested) return program::kStopped;

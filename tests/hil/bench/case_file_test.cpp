@@ -54,24 +54,30 @@ TEST_F(CaseFileTest, NeedsWordsAndAnEndAndHasDefaultsForTheRest) {
   EXPECT_EQ(c.mission.lexically_normal(), (folder_.path().parent_path() / "missions/search_over_can.toml"));
   EXPECT_EQ(c.start, (NorthEast{Meters{12'500}, Meters{11'000}}));
   EXPECT_EQ(c.source, (NorthEast{Meters{12'500}, Meters{12'500}}));
+  EXPECT_EQ(c.start_heading_deg, 0.0);
   EXPECT_EQ(c.at_most, Duration::seconds(3600));
   EXPECT_TRUE(c.faults.empty());
   EXPECT_EQ(c.expected.end, messages::EndReason::kCompleted);
   EXPECT_TRUE(c.expected.rules.empty());
   EXPECT_TRUE(c.expected.only_these);
-  EXPECT_FALSE(c.expected.refuses_navigation);
-  EXPECT_FALSE(c.expected.refuses_commands);
+  EXPECT_FALSE(c.expected.refuses_navigation.has_value());
+  EXPECT_FALSE(c.expected.refuses_commands.has_value());
+  EXPECT_EQ(c.defence, "");
 }
 
 TEST_F(CaseFileTest, ReadsEveryKey) {
-  const Case c = load(kWords +
-                      "mission = \"m.toml\"\nstart_m = [1, 2.5]\nsource_m = [-3, 4]\nat_most_s = 600\n"
-                      "[[fault]]\nkind = \"loss\"\nat_s = 100\nfor_s = 20.5\nof = \"compass\"\npgn = 127250\nshare = 0.25\n"
-                      "[[fault]]\nkind = \"current\"\nat_s = 0\nmps = 0.4\ntowards_deg = -90\n"
-                      "[expect]\nend = \"safety_rule\"\nrules = [\"leak\", \"depth_m\"]\nothers_may_fire = true\n"
-                      "refuses_navigation = true\nrefuses_commands = true\n");
+  const Case c =
+      load(kWords +
+           "defence = \"a rule\"\nmission = \"m.toml\"\nstart_m = [1, 2.5]\nstart_heading_deg = 270\nsource_m = [-3, 4]\nat_most_s = 600\n"
+           "[[fault]]\nkind = \"loss\"\nat_s = 100\nfor_s = 20.5\nof = \"compass\"\npgn = 127250\nshare = 0.25\n"
+           "[[fault]]\nkind = \"current\"\nat_s = 0\nmps = 0.4\ntowards_deg = -90\n"
+           "[expect]\nend = \"safety_rule\"\nrules = [\"leak\", \"depth_m\"]\nothers_may_fire = true\n"
+           "refuses_navigation = true\nrefuses_commands = false\nloses_nothing = true\n");
+  EXPECT_EQ(c.defence, "a rule");
   EXPECT_EQ(c.mission, folder_ / "m.toml");
   EXPECT_EQ(c.start, (NorthEast{Meters{1}, Meters{2.5}}));
+  EXPECT_EQ(c.start_heading_deg, 270.0);
+  EXPECT_NEAR(c.start_heading().value, -1.5707963267948966, 1e-15) << "half of pi to the left, within one bit";
   EXPECT_EQ(c.source, (NorthEast{Meters{-3}, Meters{4}}));
   EXPECT_EQ(c.at_most, Duration::seconds(600));
   ASSERT_EQ(c.faults.size(), 2U);
@@ -83,7 +89,8 @@ TEST_F(CaseFileTest, ReadsEveryKey) {
                                      .rules = {config::Condition::kLeak, config::Condition::kDepth},
                                      .only_these = false,
                                      .refuses_navigation = true,
-                                     .refuses_commands = true}));
+                                     .refuses_commands = false,
+                                     .loses_nothing = true}));
 }
 
 TEST_F(CaseFileTest, KnowsEveryKindOfFaultWithItsAmountAndItsBounds) {

@@ -217,6 +217,22 @@ TEST_F(VerdictTest, WantsFixesAndOrdersRefusedWhereTheCaseSaysSo) {
   EXPECT_EQ(unmet(), Words{});
 }
 
+TEST_F(VerdictTest, WantsNoneRefusedWhereTheCaseSaysSo) {
+  case_.expected.refuses_navigation = false;
+  case_.expected.refuses_commands = false;
+  EXPECT_EQ(unmet(), Words{});
+  journal_.counters.navigation_refused = 3;
+  journal_.counters.commands_refused = 1;
+  EXPECT_EQ(unmet(), (Words{"refused, though none may be: fix, 3 times", "refused, though none may be: order, 1 times"}));
+}
+
+TEST_F(VerdictTest, WantsNothingLostOnItsWayInWhereTheCaseSaysSo) {
+  journal_.lost = 7;
+  EXPECT_EQ(unmet(), Words{});
+  case_.expected.loses_nothing = true;
+  EXPECT_EQ(unmet(), Words{"lost on their way in: 7 frames"});
+}
+
 // What is read from a journal.
 
 class FindingsTest : public testing::Test {
@@ -250,12 +266,14 @@ TEST_F(FindingsTest, AreTheLastHealthAndEveryEventInItsOrder) {
   record(3, wire::kSafetyEventChannel, wire::to_message(second));
   health.end_reason = messages::EndReason::kSafetyRule;
   health.counters.navigation_refused = 4;
+  for (const std::uint64_t lost : {2, 3}) (void)health.ports.push_back({.lost = lost});
   health.counters.commands_refused = 5;
   record(4, wire::kHealthChannel, wire::to_message(health, at_s(4)));
   const JournalFindings found = read();
   EXPECT_EQ(found.events, (std::vector<messages::SafetyEvent>{first, second}));
   EXPECT_EQ(found.end, messages::EndReason::kSafetyRule);
   EXPECT_EQ(found.counters.navigation_refused, 4U);
+  EXPECT_EQ(found.lost, 5U);
   EXPECT_EQ(found.counters.commands_refused, 5U);
   EXPECT_FALSE(found.is_same_again) << "there is no mission in it";
 }

@@ -21,6 +21,7 @@ def calm() -> dict[str, Any]:
         "given": "a vehicle near the source",
         "when": "nothing is wrong",
         "then": "it goes there",
+        "defence": "that it is steered there",
         "passed": True,
         "wrong": [],
         "faults": [],

@@ -101,7 +101,7 @@ class Page(unittest.TestCase):
 
     def test_shows_the_text_of_a_case_as_text(self):
         hostile = '</style><script>alert("1")</script>\u202e\x1b[2J'
-        entry = deaf() | {key: hostile for key in ("name", "given", "when", "then", "end", "expected_end")}
+        entry = deaf() | {key: hostile for key in ("name", "given", "when", "then", "defence", "end", "expected_end")}
         entry |= {"wrong": [hostile], "expected_rules": [hostile]}
         entry["faults"] = [deaf()["faults"][0] | {"words": hostile}]
         entry["events"] = [event | {"rule": hostile, "response": hostile} for event in entry["events"]]

@@ -53,6 +53,14 @@ TEST_F(ChildProcessTest, IsHaltedAndGoesOn) {
   EXPECT_EQ(status_of(child), 3);
 }
 
+TEST_F(ChildProcessTest, IsToldToEndThoughItWasHaltedBefore) {
+  ChildProcess child("/bin/sh", {"-c", "sleep 60"});
+  child.signal(SIGSTOP);
+  child.signal(SIGCONT);
+  child.stop();
+  EXPECT_EQ(status_of(child), 143) << "128 + 15";
+}
+
 TEST_F(ChildProcessTest, AddsBothOfItsOutputsToTheFileOfItsWords) {
   EXPECT_EQ(run("echo one; echo two >&2", {.words = words_}), 0);
   EXPECT_EQ(run("echo three", {.words = words_}), 0);

@@ -1,0 +1,54 @@
+#include "hil/bench/torn_journal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "firmware/host/journal/journal.hpp"
+#include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::hil {
+namespace {
+
+/// A journal of ten turns.
+class TornJournalTest : public testing::Test {
+ protected:
+  TornJournalTest() {
+    host::Journal journal(path_);
+    const wire::Encoded health(wire::to_message(messages::Health{}, Time{}));
+    for (std::int64_t turn = 1; turn <= 10; ++turn)
+      EXPECT_EQ(journal.append(Time{turn * 1'000'000}, wire::kHealthChannel, health.bytes()), Status::kOk);
+  }
+  [[nodiscard]] int turns() const {
+    host::JournalReader reader(path_);
+    int count = 0;
+    for (host::JournalRecord record; reader.next(record);) ++count;
+    return count;
+  }
+
+  const support::TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "journal.lcmlog";
+};
+
+TEST_F(TornJournalTest, HasLostTheTurnWhoseLastByteIsGone) {
+  EXPECT_EQ(tear_journal(path_, 1), 9U);
+  EXPECT_EQ(turns(), 9);
+}
+
+TEST_F(TornJournalTest, HoldsNothingWhereItHadNoMoreToLose) {
+  EXPECT_EQ(tear_journal(path_, 1'000'000), 0U);
+  EXPECT_EQ(std::filesystem::file_size(path_), 0U);
+}
+
+TEST_F(TornJournalTest, IsTheNewestOfItsFolder) {
+  EXPECT_EQ(newest_journal(folder_.path()), path_);
+  std::ofstream(folder_ / "journal-2.lcmlog");
+  EXPECT_EQ(newest_journal(folder_.path()), folder_ / "journal-2.lcmlog");
+}
+
+}  // namespace
+}  // namespace earshot::hil
