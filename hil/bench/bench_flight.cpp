@@ -36,6 +36,11 @@ bool is_killed_once(const Case& c) {
                              [](const TimedFault& fault) { return fault.fault == Fault::kKill || fault.fault == Fault::kPowerCut; });
 }
 
+/// Then its journal lacks turns that were answered, as after a power cut.
+bool has_full_disk(const Case& c) {
+  return std::ranges::find(c.faults, Fault::kFullDisk, &TimedFault::fault) != c.faults.end();
+}
+
 /// What is left of an earlier flight: an earshotd that is to go on would go on with its journal.
 void remove_earlier_flight(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -161,7 +166,7 @@ class Flyer {
     wait_for_end();
     link_.give_up_runtime();
     std::optional<std::uint64_t> turns_kept;
-    if (std::exchange(has_lost_power_, false)) turns_kept = tear_journal(newest_journal(flight_.folder), torn_bytes_);
+    if (torn_bytes_ > 0 || has_full_disk(case_)) turns_kept = tear_journal(newest_journal(flight_.folder), std::exchange(torn_bytes_, 0));
     start();
     if (!link_.wait_for_runtime(kPatience)) return fail_false("earshotd did not come back after it was killed");
     if (turns_kept) number_ = std::min(number_, *turns_kept + 1);
@@ -182,7 +187,7 @@ class Flyer {
         is_killed_ = true;
         earshotd_->signal(SIGKILL);
       } else if (fault.fault == Fault::kPowerCut) {
-        is_killed_ = has_lost_power_ = true;
+        is_killed_ = true;
         torn_bytes_ = static_cast<std::uint64_t>(fault.amount);
         earshotd_->signal(SIGKILL);
       } else if (fault.fault == Fault::kStop) {
@@ -258,7 +263,6 @@ class Flyer {
   messages::MissionState state_ = messages::MissionState::kStandby;  ///< by the last answer
   bool is_over_ = false;
   bool is_killed_ = false;
-  bool has_lost_power_ = false;
   std::uint64_t torn_bytes_ = 0;  ///< that its journal lost with the power
   bool is_paused_ = false;        ///< it does not run, and no turn is asked of it
   bool is_interface_up_ = true;

@@ -71,8 +71,7 @@ TimedFault read_fault(TableReader table, PortKind bus) {
   fault.from = seconds_from_start(table.number("at_s", Range::between(0.0, kLongest)));
   if (table.has("for_s")) fault.until = fault.from + Duration{seconds_from_start(table.number("for_s", Range::between(0.1, kLongest))).us};
   if (!traits.amount.empty()) fault.amount = table.number(traits.amount, Range::between(traits.lowest, traits.highest));
-  if (fault.fault == Fault::kCurrent || fault.fault == Fault::kPositionError || fault.fault == Fault::kSecondNavigation)
-    fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
+  if (has_direction(fault.fault)) fault.direction_deg = table.number_or("towards_deg", 0.0, Range::between(-360.0, 360.0));
   if (index >= kFrameFaults) return fault;
   fault.share = table.number_or("share", 1.0, Range::between(0.0, 1.0));
   if (table.has("of")) fault.device = senders(bus).at(table.choice("of", senders(bus)));

@@ -121,13 +121,16 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
 /// Who sends Earshot's own frames, or messages, among the names of the devices.
 inline constexpr std::string_view kEarshotsFrames = "earshot";
 
+/// Whether TimedFault::direction_deg says anything of it.
+[[nodiscard]] bool has_direction(Fault fault);
+
 /// A fault, when, and how much.
 struct TimedFault {
   Fault fault = Fault::kLoss;
   Time from;                                        ///< since the flight began
   std::optional<Time> until = std::nullopt;         ///< nothing: to the end
   double amount = 0.0;                              ///< FaultTraits::amount
-  double direction_deg = 0.0;                       ///< of kCurrent, kPositionError and kSecondNavigation: clockwise from north
+  double direction_deg = 0.0;                       ///< clockwise from north, where it has one
   double share = 1.0;                               ///< of the frames
   std::string device = {};                          ///< whose frames (kDeviceNames or kEarshotsFrames; kLcmSenders); empty: everybody's
   std::optional<std::uint32_t> pgn = std::nullopt;  ///< of which group

@@ -36,6 +36,7 @@ TimedFault moved(TimedFault fault, Pcg32& random) {
   const Time from = Time{} + Duration::seconds(5 + random.next() % kLatest_s);
   if (fault.until) fault.until = from + Duration{(*fault.until - fault.from).us};
   fault.from = from;
+  if (has_direction(fault.fault)) fault.direction_deg = 360.0 * random.uniform_double() - 180.0;
   return fault;
 }
 
@@ -89,7 +90,7 @@ Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
   made.defence.clear();
   made.start = place_near_the_fence(random);
   made.start_heading_deg = 90.0 + 180.0 * random.uniform_double();
-  made.source = made.start + NorthEast{Meters{3'000}, Meters{0}};
+  made.source = made.start - NorthEast{Meters{3'000}, Meters{0}};
   made.at_most = Duration::seconds(400);
   made.expected = {};
   made.faults.clear();

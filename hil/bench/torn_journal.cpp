@@ -1,29 +1,44 @@
 #include "hil/bench/torn_journal.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 
 namespace earshot::hil {
+namespace {
+
+/// How far it reaches, in bytes from its beginning: the file is longer, for a journal holds space in advance.
+struct Content {
+  std::uint64_t end = 0;
+  std::vector<std::uint64_t> turns;  ///< behind each of them
+};
+
+/// Nobody reads it any more when this returns: user-mode Linux cuts no file that is open for reading.
+Content content_of(const std::filesystem::path& journal) {
+  Content content;
+  host::JournalReader reader(journal);
+  for (host::JournalRecord record; reader.next(record);) {
+    content.end = reader.offset();
+    if (record.channel == wire::kHealthChannel) content.turns.push_back(content.end);
+  }
+  return content;
+}
+
+}  // namespace
 
 std::filesystem::path newest_journal(const std::filesystem::path& folder) {
   const std::filesystem::path wanted = folder / "journal.lcmlog";
   return host::newest_journal(wanted).value_or(wanted);
 }
 
-/// The file is longer than what stands in it: a journal holds space in advance.
 std::uint64_t tear_journal(const std::filesystem::path& journal, std::uint64_t bytes) {
-  host::JournalReader reader(journal);
-  std::uint64_t end = 0;
-  for (host::JournalRecord record; reader.next(record);) end = reader.offset();
-  const std::uint64_t kept = end > bytes ? end - bytes : 0;
-  host::JournalReader again(journal);
-  std::uint64_t turns = 0;
-  for (host::JournalRecord record; again.next(record) && again.offset() <= kept;) {
-    if (record.channel == wire::kHealthChannel) ++turns;
-  }
-  std::filesystem::resize_file(journal, kept);
-  return turns;
+  const Content content = content_of(journal);
+  const std::uint64_t kept = content.end > bytes ? content.end - bytes : 0;
+  if (bytes > 0) std::filesystem::resize_file(journal, kept);
+  return static_cast<std::uint64_t>(std::ranges::upper_bound(content.turns, kept) - content.turns.begin());
 }
 
 }  // namespace earshot::hil

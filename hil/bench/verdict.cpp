@@ -132,11 +132,12 @@ JournalFindings read_findings(const std::filesystem::path& journal, const config
   return found;
 }
 
-bool is_beyond_command(Fault fault) {
+bool is_beyond_command(const TimedFault& fault, const config::Mission& mission) {
+  if (fault.fault == Fault::kCurrent && fault.amount <= mission.safety.vehicle.max_current.value) return false;
   constexpr std::array kBeyond{Fault::kRudderStuck, Fault::kPlanesStuck,      Fault::kNoThrust, Fault::kDisengaged,
                                Fault::kObstinate,   Fault::kCurrent,          Fault::kFrozen,   Fault::kPositionError,
                                Fault::kDepthError,  Fault::kSecondNavigation, Fault::kReplay};
-  return std::ranges::find(kBeyond, fault) != kBeyond.end();
+  return std::ranges::find(kBeyond, fault.fault) != kBeyond.end();
 }
 
 std::vector<std::string> broken_promises(const Case& c, const config::Mission& mission, const BenchFlight& flight,
@@ -150,7 +151,8 @@ std::vector<std::string> broken_promises(const Case& c, const config::Mission& m
   if (!journal.is_same_again && !has(c, Fault::kFullDisk) && journal.trouble.empty())
     wrong.push_back("the journal is not given again: " + journal.difference);
   wrong.insert(wrong.end(), journal.beyond_limits.begin(), journal.beyond_limits.end());
-  if (std::ranges::none_of(c.faults, is_beyond_command, &TimedFault::fault)) judge_track(mission, flight, wrong);
+  if (std::ranges::none_of(c.faults, [&](const TimedFault& fault) { return is_beyond_command(fault, mission); }))
+    judge_track(mission, flight, wrong);
   return wrong;
 }
 

@@ -42,6 +42,6 @@ struct JournalFindings {
 [[nodiscard]] std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& flight, const JournalFindings& journal);
 
 /// Whether no software could keep a vehicle with this fault where it belongs.
-[[nodiscard]] bool is_beyond_command(Fault fault);
+[[nodiscard]] bool is_beyond_command(const TimedFault& fault, const config::Mission& mission);
 
 }  // namespace earshot::hil

@@ -213,5 +213,10 @@ TEST(ShippedCases, AreAtLeastFortyAndEachCanBeRead) {
   EXPECT_GE(load_cases(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases").size(), 40U);
 }
 
+TEST(ShippedCases, SayWhatTheyTestWhereNoRuleHasToFire) {
+  for (const Case& c : load_cases(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases"))
+    EXPECT_TRUE(!c.expected.rules.empty() || !c.defence.empty()) << c.name;
+}
+
 }  // namespace
 }  // namespace earshot::hil

@@ -148,15 +148,24 @@ TEST_F(VerdictTest, LetsAVehicleThatCannotDoAsItIsToldGoAstrayButNoOther) {
   for (const Fault fault :
        {Fault::kRudderStuck, Fault::kPlanesStuck, Fault::kNoThrust, Fault::kDisengaged, Fault::kObstinate, Fault::kCurrent, Fault::kFrozen,
         Fault::kPositionError, Fault::kDepthError, Fault::kSecondNavigation, Fault::kReplay}) {
-    case_.faults = {{.fault = Fault::kLeak, .from = {}}, {.fault = fault, .from = {}}};
+    case_.faults = {{.fault = Fault::kLeak, .from = {}}, {.fault = fault, .from = {}, .amount = 1.0}};
     EXPECT_EQ(broken(), Words{}) << static_cast<int>(fault);
-    EXPECT_TRUE(is_beyond_command(fault));
+    EXPECT_TRUE(is_beyond_command(case_.faults[1], mission_));
   }
   for (const Fault fault : {Fault::kLoss, Fault::kDelay, Fault::kCorruption, Fault::kKill, Fault::kStrangersOrder, Fault::kInterfaceDown,
                             Fault::kSecondAutopilot, Fault::kHeadingError}) {
     case_.faults = {{.fault = fault, .from = {}}};
     EXPECT_EQ(broken(), Words{"the vehicle was beyond the halt polygon at 2 s"}) << static_cast<int>(fault);
   }
+}
+
+TEST_F(VerdictTest, WantsTheVehicleWithinInACurrentThatItsMissionKnows) {
+  flight_.track.push_back(place(2, 12'000, 5'000));
+  mission_.safety.vehicle.max_current = MetersPerSecond{0.5};
+  case_.faults = {{.fault = Fault::kCurrent, .from = {}, .amount = 0.5}};
+  EXPECT_EQ(broken(), Words{"the vehicle was beyond the halt polygon at 2 s"});
+  case_.faults[0].amount = 0.6;
+  EXPECT_EQ(broken(), Words{});
 }
 
 TEST_F(VerdictTest, WantsTheEndOfTheCase) {

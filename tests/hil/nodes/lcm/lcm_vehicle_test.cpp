@@ -35,8 +35,8 @@ class LcmVehicleTest : public testing::Test {
     vehicle_.step(now, said);
     return said;
   }
-  void steer(double depth_m) {
-    const messages::Setpoint setpoint{.heading = {}, .speed = MetersPerSecond{2}, .depth = Meters{depth_m}, .waypoint = {}};
+  void steer(double depth_m, double speed_mps = 2) {
+    const messages::Setpoint setpoint{.heading = {}, .speed = MetersPerSecond{speed_mps}, .depth = Meters{depth_m}, .waypoint = {}};
     const wire::Encoded encoded(wire::to_message(setpoint, Time{}));
     vehicle_.accept({.channel = std::string(wire::kSetpointChannel), .data = {encoded.bytes().begin(), encoded.bytes().end()}}, at_s(0));
   }
@@ -73,6 +73,17 @@ TEST_F(LcmVehicleTest, TakesNoSetPointThatIsNotFiniteOrNone) {
   steer(std::numeric_limits<double>::quiet_NaN());
   vehicle_.accept({.channel = std::string(wire::kSetpointChannel), .data = {1, 2, 3}}, at_s(0));
   EXPECT_EQ(vehicle_.helm().taken(), 0U);
+}
+
+TEST_F(LcmVehicleTest, IsNoFasterThanItsPropellerMakesItWhateverIsSaid) {
+  steer(300, 1e200);
+  (void)step(at_s(0));
+  (void)step(at_s(9));
+  EXPECT_GT(vehicle_.state().position.north.value, 18.0) << "faster than 2 m/s";
+  EXPECT_LT(vehicle_.state().position.north.value, 27.0) << "slower than 3 m/s";
+  steer(300, -5);
+  (void)step(at_s(18));
+  EXPECT_GE(vehicle_.state().speed, MetersPerSecond{0}) << "nor does it go back";
 }
 
 TEST_F(LcmVehicleTest, SaysThatItsHydrophoneIsDeafAndNoSnr) {
