@@ -107,7 +107,7 @@ class Flyer {
 
   void make_tick() {
     bus_->disturb(disturbance_at(case_.faults, now_, kTick));
-    disturb_computer();
+    if (!is_time_up_) disturb_computer();
     bus_->say(now_);
     note_place();
     if (!is_paused_) {
@@ -234,6 +234,7 @@ class Flyer {
   void tell_to_stop() {
     constexpr int kTicks = 5;
     const messages::EndReason when_time_was_up = flight_.end;
+    is_time_up_ = true;
     earshotd_->stop();
     for (int i = 0; i < kTicks && flight_.failure.empty() && !is_over_ && !bench_.stop && is_there(); ++i) tick();
     flight_.end = when_time_was_up;
@@ -262,6 +263,7 @@ class Flyer {
   std::uint64_t number_ = 0;
   messages::MissionState state_ = messages::MissionState::kStandby;  ///< by the last answer
   bool is_over_ = false;
+  bool is_time_up_ = false;  ///< no fault of the computer begins any more
   bool is_killed_ = false;
   std::uint64_t torn_bytes_ = 0;  ///< that its journal lost with the power
   bool is_paused_ = false;        ///< it does not run, and no turn is asked of it
