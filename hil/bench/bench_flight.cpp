@@ -27,8 +27,6 @@ using std::chrono::steady_clock;
 
 constexpr milliseconds kLookUp{50};
 constexpr milliseconds kPatience{20'000};  ///< for an answer, on a busy machine
-/// earshotd looks ten times a second whether it is to stop.
-constexpr milliseconds kToNotice{200};
 // In the folder of a flight.
 constexpr const char* kJournal = "journal.lcmlog";
 constexpr const char* kWords = "words.txt";
@@ -41,6 +39,11 @@ std::unique_ptr<VehicleBus> open_bus(const Case& c, const Bench& bench, const ho
 bool is_killed_once(const Case& c) {
   return std::ranges::any_of(c.faults,
                              [](const TimedFault& fault) { return fault.fault == Fault::kKill || fault.fault == Fault::kPowerCut; });
+}
+
+/// Then its journal lacks turns that were answered, as after a power cut.
+bool has_full_disk(const Case& c) {
+  return std::ranges::find(c.faults, Fault::kFullDisk, &TimedFault::fault) != c.faults.end();
 }
 
 /// What is left of an earlier flight: an earshotd that is to go on would go on with its journal. Nothing else is touched.
@@ -72,6 +75,7 @@ class Flyer {
     } catch (const std::exception& e) {
       fail(e.what());
     }
+    flight_.last = now_;
     end();
     flight_.wall_s = std::chrono::duration<double>(steady_clock::now() - began).count();
     for (std::size_t i = 0; i < case_.faults.size(); ++i) {
@@ -109,36 +113,21 @@ class Flyer {
 
   void fly_on() {
     while (flight_.failure.empty() && !is_over_ && now_ - Time{} < case_.at_most && !bench_.stop) tick();
-    if (flight_.failure.empty() && !is_over_) let_stop();
   }
 
   void tick() {
-    note_faults();
+    if (!is_time_up_) note_faults();
     bus_->disturb(disturbance_at(case_.faults, now_, kTick));
-    disturb_computer();
+    if (!is_time_up_) disturb_computer();
     bus_->say(now_);
     note_place();
-    ++number_;
-    say_tick();
-    if (!receive_answer()) return;
-    bus_->hear(now_, [this] { return is_there(); });
-    now_ = now_ + kTick;
-    flight_.last = now_;
-  }
-
-  /// One that is under way when its time is up says in its next turn that it was told to stop. It is no part of the flight: without it
-  /// earshotd would wait for it for as long as it does at sea.
-  void let_stop() {
-    earshotd_->stop();
-    std::this_thread::sleep_for(kToNotice);
-    for (const auto deadline = steady_clock::now() + kPatience; is_there() && steady_clock::now() < deadline;) {
-      bus_->say(now_);
+    if (!is_paused_) {
       ++number_;
       say_tick();
-      link::Answer answer;
-      (void)link_.receive(answer, kPatience);
-      now_ = now_ + kTick;
+      if (!receive_answer()) return;
+      bus_->hear(now_, [this] { return is_there(); });
     }
+    now_ = now_ + kTick;
   }
 
   [[nodiscard]] bool receive_answer() {
@@ -187,10 +176,11 @@ class Flyer {
       return fail_false("earshotd was lost, or did not answer for " + std::to_string(kPatience.count() / 1000) + " s");
     wait_for_end();
     link_.give_up_runtime();
-    if (has_lost_power_) tear_journal(flight_.folder / kJournal, torn_bytes_);
+    std::optional<std::uint64_t> turns_kept;
+    if (torn_bytes_ > 0 || has_full_disk(case_)) turns_kept = tear_journal(newest_journal(flight_.folder), std::exchange(torn_bytes_, 0));
     start();
     if (!has_come()) return fail_false("earshotd did not come back after it was killed");
-    if (std::exchange(has_lost_power_, false) && link_.turns_made() + 1 < number_) number_ = link_.turns_made() + 1;
+    if (turns_kept) number_ = std::min(number_, *turns_kept + 1);
     if (link_.turns_made() + 1 < number_ || link_.turns_made() > number_)
       return fail_false("earshotd came back with " + std::to_string(link_.turns_made()) + " turns behind it, in turn " +
                         std::to_string(number_));
@@ -208,22 +198,26 @@ class Flyer {
         is_killed_ = true;
         earshotd_->signal(SIGKILL);
       } else if (fault.fault == Fault::kPowerCut) {
-        is_killed_ = has_lost_power_ = true;
+        is_killed_ = true;
         torn_bytes_ = static_cast<std::uint64_t>(fault.amount);
         earshotd_->signal(SIGKILL);
       } else if (fault.fault == Fault::kStop) {
         earshotd_->stop();
-      } else if (fault.fault == Fault::kPause) {
-        earshotd_->signal(SIGSTOP);
-        std::this_thread::sleep_for(std::chrono::duration<double>(fault.amount));
-        earshotd_->signal(SIGCONT);
       }
     }
-    const bool is_down =
-        std::ranges::any_of(case_.faults, [this](const TimedFault& f) { return f.fault == Fault::kInterfaceDown && f.acts_at(now_); });
+    pause(is_acting(Fault::kPause));
+    const bool is_down = is_acting(Fault::kInterfaceDown);
     if (is_down == !is_interface_up_) return;
     bus_->switch_interface(!is_down);
     is_interface_up_ = !is_down;
+  }
+
+  [[nodiscard]] bool is_acting(Fault kind) const {
+    return std::ranges::any_of(case_.faults, [&](const TimedFault& f) { return f.fault == kind && f.acts_at(now_); });
+  }
+
+  void pause(bool is_paused) {
+    if (std::exchange(is_paused_, is_paused) != is_paused) earshotd_->signal(is_paused ? SIGSTOP : SIGCONT);
   }
 
   // What is kept.
@@ -249,13 +243,24 @@ class Flyer {
   // The end.
 
   void end() {
-    if (!is_over_) earshotd_->stop();
+    pause(false);
+    if (!is_over_) tell_to_stop();
     wait_for_end();
     try {
       if (!is_interface_up_) bus_->switch_interface(true);
     } catch (const std::exception& e) {
       fail(e.what());
     }
+  }
+
+  /// It ends in its next turns, for which it would wait in vain without a tick.
+  void tell_to_stop() {
+    constexpr int kTicks = 5;
+    const messages::EndReason when_time_was_up = flight_.end;
+    is_time_up_ = true;
+    earshotd_->stop();
+    for (int i = 0; i < kTicks && flight_.failure.empty() && !is_over_ && !bench_.stop && is_there(); ++i) tick();
+    flight_.end = when_time_was_up;
   }
 
   void wait_for_end() {
@@ -281,9 +286,10 @@ class Flyer {
   std::uint64_t number_ = 0;
   messages::MissionState state_ = messages::MissionState::kStandby;  ///< by the last answer
   bool is_over_ = false;
+  bool is_time_up_ = false;  ///< no fault of the computer begins any more
   bool is_killed_ = false;
-  bool has_lost_power_ = false;
   std::uint64_t torn_bytes_ = 0;  ///< that its journal lost with the power
+  bool is_paused_ = false;        ///< it does not run, and no turn is asked of it
   bool is_interface_up_ = true;
   std::vector<bool> has_acted_ = std::vector<bool>(case_.faults.size());  ///< of the case's faults
   BenchFlight flight_;

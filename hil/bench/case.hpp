@@ -9,6 +9,7 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/core/units.hpp"
 #include "firmware/host/mission/port_settings.hpp"
 #include "firmware/messages/health.hpp"
 #include "hil/bench/fault.hpp"
@@ -20,8 +21,9 @@ struct Expectation {
   messages::EndReason end = messages::EndReason::kCompleted;  ///< kNone: the search is under way when time is up
   std::vector<config::Condition> rules;                       ///< that must fire, each at least once, after the first fault began
   bool only_these = true;                                     ///< no other rule fires
-  bool refuses_navigation = false;                            ///< at least one fix is refused
-  bool refuses_commands = false;                              ///< at least one order is
+  std::optional<bool> refuses_navigation = std::nullopt;      ///< at least one fix is refused, or none; nothing: either
+  std::optional<bool> refuses_commands = std::nullopt;        ///< likewise of orders
+  bool loses_nothing = false;                                 ///< no frame or message is lost that arrived faster than it was read
   std::int64_t decisions = 0;                                 ///< that are taken at least after the first fault began
   bool comes_up = false;                                      ///< the vehicle truly is at the surface when the flight ends
   bool releases_weight = false;                               ///< the vehicle was asked to let its drop weight go
@@ -36,9 +38,11 @@ struct Case {
   std::string given;
   std::string when;
   std::string then;
+  std::string defence = {};  ///< without which it would not come so, in words
   std::filesystem::path mission;
   host::PortKind bus = host::PortKind::kCan;  ///< of all its ports
   NorthEast start;
+  double start_heading_deg = 0.0;  ///< clockwise from north
   NorthEast source;
   Duration at_most;  ///< at sea
   /// Seconds at sea in one of the host's, with the vehicle as a program of its own; nothing: in lock-step.
@@ -46,6 +50,8 @@ struct Case {
   std::uint8_t sound_port = 0;  ///< index of the port that takes a hydrophone's samples; 0: none
   std::vector<TimedFault> faults;
   Expectation expected;
+
+  [[nodiscard]] Radians start_heading() const;  ///< in (-pi, pi]
   friend bool operator==(const Case&, const Case&) = default;
 };
 

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <numbers>
 #include <string_view>
 
+#include "firmware/core/math.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/mission_file.hpp"
@@ -126,8 +128,9 @@ Expectation read_expectation(TableReader table, const std::optional<host::Missio
       table.problem("rules", "the mission has no rule " + key_of(rule));
   }
   expected.only_these = !table.boolean_or("others_may_fire", false);
-  expected.refuses_navigation = table.boolean_or("refuses_navigation", false);
-  expected.refuses_commands = table.boolean_or("refuses_commands", false);
+  if (table.has("refuses_navigation")) expected.refuses_navigation = table.boolean_or("refuses_navigation", false);
+  if (table.has("refuses_commands")) expected.refuses_commands = table.boolean_or("refuses_commands", false);
+  expected.loses_nothing = table.boolean_or("loses_nothing", false);
   expected.decisions = table.integer_or("decisions", 0, 0, 1'000);
   expected.comes_up = table.boolean_or("comes_up", false);
   expected.releases_weight = table.boolean_or("releases_weight", false);
@@ -140,6 +143,10 @@ Expectation read_expectation(TableReader table, const std::optional<host::Missio
 }
 
 }  // namespace
+
+Radians Case::start_heading() const {
+  return wrap_to_pi(Radians{start_heading_deg * std::numbers::pi / 180.0});
+}
 
 std::string key_of(config::Condition rule) {
   return std::string(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key);
@@ -158,6 +165,7 @@ Case load_case(const std::filesystem::path& path, const std::filesystem::path& u
   made.given = root.text("given");
   made.when = root.text("when");
   made.then = root.text("then");
+  made.defence = root.text_or("defence", "");
   made.mission = root.has("mission") ? file.resolve(root.text("mission")) : usual_mission;
   std::optional<host::MissionFile> mission;
   if (std::filesystem::exists(made.mission)) {
@@ -168,6 +176,7 @@ Case load_case(const std::filesystem::path& path, const std::filesystem::path& u
     root.problem("mission", "there is no " + host::printable(made.mission.lexically_normal().string()));
   }
   made.start = place_of(root, "start_m", {Meters{12'500}, Meters{11'000}});
+  made.start_heading_deg = root.number_or("start_heading_deg", 0.0, Range::between(-360.0, 360.0));
   made.source = place_of(root, "source_m", {Meters{12'500}, Meters{12'500}});
   made.at_most = Duration::seconds(root.integer_or("at_most_s", 3600, 10, 1'000'000));
   if (root.has("speed")) made.speed = root.number("speed", Range::between(0.1, 100.0));

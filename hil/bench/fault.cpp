@@ -6,6 +6,10 @@
 
 namespace earshot::hil {
 
+bool has_direction(Fault fault) {
+  return fault == Fault::kCurrent || fault == Fault::kPositionError || fault == Fault::kSecondNavigation;
+}
+
 NorthEast TimedFault::vector() const {
   const double angle = direction_deg * std::numbers::pi / 180.0;
   return {Meters{amount * std::cos(angle)}, Meters{amount * std::sin(angle)}};

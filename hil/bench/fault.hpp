@@ -30,7 +30,7 @@ enum class Fault : std::uint8_t {
   kFlood,             ///< frames of the highest priority that mean nothing; over LCM: messages of a channel that nobody has
   kNavigationFlood,   ///< fixes of which every number is drawn
   kSecondNavigation,  ///< another inertial navigation, which believes that it is elsewhere
-  kSecondAutopilot,   ///< another autopilot
+  kSecondAutopilot,   ///< another autopilot, which follows no set-point
   kAddressThief,      ///< a device with more rights that claims Earshot's address
   kStrangersOrder,    ///< a COMPLETE that is long out of date, given again and again
   kUnknownOrder,      ///< one that there is none of, again and again
@@ -136,7 +136,7 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
     {"sound_shorted", "", 0.0, 0.0, FaultBus::kCan, FaultFlight::kAtSea},
     {"kill", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
     {"power_cut", "bytes", 1.0, 1e6},
-    {"pause", "wall_seconds", 0.01, 60.0, FaultBus::kEither, FaultFlight::kEither},
+    {"pause", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
     {"stop", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kEither},
     {"full_disk", "bytes", 10'000.0, 1e12, FaultBus::kEither, FaultFlight::kEither},
     {"slow_disk", "", 0.0, 0.0, FaultBus::kEither, FaultFlight::kAtSea},
@@ -149,7 +149,7 @@ inline constexpr std::array<FaultTraits, kFaults> kFaultTraits{{
 }
 /// Whether it happens once, whatever its end is.
 [[nodiscard]] constexpr bool is_of_a_moment(Fault fault) {
-  return fault == Fault::kKill || fault == Fault::kPowerCut || fault == Fault::kPause || fault == Fault::kStop;
+  return fault == Fault::kKill || fault == Fault::kPowerCut || fault == Fault::kStop;
 }
 
 /// Who sends Earshot's own frames, or messages, among the names of the devices.

@@ -25,24 +25,10 @@ const Case& drawn(const std::vector<Case>& pool, std::uint64_t seed) {
   return faulty.empty() ? pool.front() : *faulty[random.next() % faulty.size()];
 }
 
-struct Ends {
-  NorthEast start;
-  NorthEast source;  ///< 3 km from it
-};
-
-/// Within the southern edge of the bench's area, up to 800 m: a search that decides.
-Ends within_the_area(Pcg32& random) {
-  const NorthEast start{Meters{800.0 * random.uniform_double()}, Meters{5'000.0 + 15'000.0 * random.uniform_double()}};
-  return {.start = start, .source = start + NorthEast{Meters{3'000}, Meters{0}}};
-}
-
-/// 100 to 230 m before the northern edge of the bench's halt polygon. A vehicle that begins north at 2 m/s turns round in 40 m, but would
-/// be there before a rule notices that it ignores its heading, which takes two minutes.
-Ends before_the_halt_polygon(Pcg32& random) {
-  const double east_m = 12'000.0 * random.uniform_double();
-  const double edge_m = 27'000.0 + (east_m + 2'000.0) * 2'600.0 / 14'500.0;  // from (27000, -2000) to (29600, 12500)
-  const NorthEast start{Meters{edge_m - 100.0 - 130.0 * random.uniform_double()}, Meters{east_m}};
-  return {.start = start, .source = start + NorthEast{Meters{-3'000}, Meters{0}}};
+/// In the search area of the bench's missions, as near to its southern edge as makes a vehicle that sails on meet the fence.
+NorthEast place_near_the_fence(Pcg32& random) {
+  constexpr double kMost_m = 300.0;
+  return {Meters{kMost_m * random.uniform_double()}, Meters{5'000.0 + 15'000.0 * random.uniform_double()}};
 }
 
 TimedFault moved(TimedFault fault, Pcg32& random) {
@@ -50,6 +36,7 @@ TimedFault moved(TimedFault fault, Pcg32& random) {
   const Time from = Time{} + Duration::seconds(1 + random.next() % kLatest_s);
   if (fault.until) fault.until = from + Duration{(*fault.until - fault.from).us};
   fault.from = from;
+  if (has_direction(fault.fault)) fault.direction_deg = 360.0 * random.uniform_double() - 180.0;
   return fault;
 }
 
@@ -78,13 +65,14 @@ void write_fault(std::ostream& out, const TimedFault& fault) {
 }
 
 void write_expectation(std::ostream& out, const Expectation& expected) {
-  out << "\n[expect]\nend = \"" << end_words().at(static_cast<std::size_t>(expected.end)) << "\"\n";
+  out << std::boolalpha << "\n[expect]\nend = \"" << end_words().at(static_cast<std::size_t>(expected.end)) << "\"\n";
   std::string rules;
   for (const config::Condition rule : expected.rules) rules += (rules.empty() ? "\"" : ", \"") + key_of(rule) + "\"";
   if (!rules.empty()) out << "rules = [" << rules << "]\n";
   if (!expected.only_these) out << "others_may_fire = true\n";
-  if (expected.refuses_navigation) out << "refuses_navigation = true\n";
-  if (expected.refuses_commands) out << "refuses_commands = true\n";
+  if (expected.refuses_navigation) out << "refuses_navigation = " << *expected.refuses_navigation << "\n";
+  if (expected.refuses_commands) out << "refuses_commands = " << *expected.refuses_commands << "\n";
+  if (expected.loses_nothing) out << "loses_nothing = true\n";
   if (expected.decisions > 0) out << "decisions = " << expected.decisions << "\n";
   if (expected.comes_up) out << "comes_up = true\n";
   if (expected.releases_weight) out << "releases_weight = true\n";
@@ -100,11 +88,12 @@ Case random_case(const std::vector<Case>& pool, std::uint64_t seed) {
     if (c.bus == made.bus) all.insert(all.end(), c.faults.begin(), c.faults.end());
   }
   made.name = "random_" + std::to_string(seed);
-  made.given = "a search near the fence";
+  made.given = "a search that begins towards the fence";
   made.then = "no promise is broken";
-  const Ends ends = random.next() % 2 == 0 ? within_the_area(random) : before_the_halt_polygon(random);
-  made.start = ends.start;
-  made.source = ends.source;
+  made.defence.clear();
+  made.start = place_near_the_fence(random);
+  made.start_heading_deg = 90.0 + 180.0 * random.uniform_double();
+  made.source = made.start - NorthEast{Meters{3'000}, Meters{0}};
   made.at_most = Duration::seconds(400);
   made.expected = {};
   made.faults.clear();
@@ -130,9 +119,11 @@ Case shrunk(Case c, const std::function<bool(const Case&)>& fails) {
 
 std::string to_toml(const Case& c) {
   std::ostringstream out;
-  out << "given = " << std::quoted(c.given) << "\nwhen = " << std::quoted(c.when) << "\nthen = " << std::quoted(c.then)
-      << "\nmission = " << std::quoted(std::filesystem::absolute(c.mission).lexically_normal().string())
-      << "\nstart_m = " << written(c.start) << "\nsource_m = " << written(c.source) << "\nat_most_s = " << c.at_most.us / 1'000'000 << "\n";
+  out << "given = " << std::quoted(c.given) << "\nwhen = " << std::quoted(c.when) << "\nthen = " << std::quoted(c.then) << "\n";
+  if (!c.defence.empty()) out << "defence = " << std::quoted(c.defence) << "\n";
+  out << "mission = " << std::quoted(std::filesystem::absolute(c.mission).lexically_normal().string()) << "\nstart_m = " << written(c.start)
+      << "\nsource_m = " << written(c.source) << "\nstart_heading_deg = " << written(c.start_heading_deg)
+      << "\nat_most_s = " << c.at_most.us / 1'000'000 << "\n";
   for (const TimedFault& fault : c.faults) write_fault(out, fault);
   write_expectation(out, c.expected);
   return out.str();

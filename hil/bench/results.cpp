@@ -128,6 +128,7 @@ void Results::add(const Case& c, const config::Mission& mission, const BenchFlig
        {"when", c.when},
        {"then", c.then},
        {"bus", c.bus == host::PortKind::kLcm ? "LCM" : "CAN"},
+       {"defence", c.defence},
        {"passed", wrong.empty()},
        {"wrong", wrong},
        {"faults", faults},

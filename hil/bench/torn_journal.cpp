@@ -1,34 +1,44 @@
 #include "hil/bench/torn_journal.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <vector>
 
+#include "firmware/host/journal/journal_name.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 
 namespace earshot::hil {
 namespace {
 
-struct Extent {
-  std::uint64_t first_turn = 0;  ///< bytes of all up to its end; without a turn: of all
-  std::uint64_t all = 0;         ///< the file is longer: a journal holds space in advance
+/// How far it reaches, in bytes from its beginning: the file is longer, for a journal holds space in advance.
+struct Content {
+  std::uint64_t end = 0;
+  std::vector<std::uint64_t> turns;  ///< behind each of them
 };
 
-Extent extent_of(const std::filesystem::path& journal) {
+/// Nobody reads it any more when this returns: user-mode Linux cuts no file that is open for reading.
+Content content_of(const std::filesystem::path& journal) {
+  Content content;
   host::JournalReader reader(journal);
-  std::optional<std::uint64_t> first_turn;
   for (host::JournalRecord record; reader.next(record);) {
-    if (!first_turn && record.channel == wire::kHealthChannel) first_turn = reader.offset();
+    content.end = reader.offset();
+    if (record.channel == wire::kHealthChannel) content.turns.push_back(content.end);
   }
-  return {.first_turn = first_turn.value_or(reader.offset()), .all = reader.offset()};
+  return content;
 }
 
 }  // namespace
 
-/// Nobody has the file open then: user-mode Linux would cut it through that descriptor, and cannot if it only reads.
-void tear_journal(const std::filesystem::path& journal, std::uint64_t bytes) {
-  const Extent extent = extent_of(journal);
-  std::filesystem::resize_file(journal, extent.all - std::min(bytes, extent.all - extent.first_turn));
+std::filesystem::path newest_journal(const std::filesystem::path& folder) {
+  const std::filesystem::path wanted = folder / "journal.lcmlog";
+  return host::newest_journal(wanted).value_or(wanted);
+}
+
+std::uint64_t tear_journal(const std::filesystem::path& journal, std::uint64_t bytes) {
+  const Content content = content_of(journal);
+  const std::uint64_t kept = content.end > bytes ? content.end - bytes : 0;
+  if (bytes > 0) std::filesystem::resize_file(journal, kept);
+  return static_cast<std::uint64_t>(std::ranges::upper_bound(content.turns, kept) - content.turns.begin());
 }
 
 }  // namespace earshot::hil

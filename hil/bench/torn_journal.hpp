@@ -5,9 +5,12 @@
 
 namespace earshot::hil {
 
-/// A power cut: the last `bytes` of a journal that nobody writes never came to the disk, wherever in a record that is. What stands before
-/// its second turn was there long ago, and stays.
-/// @throws host::BadInput if it cannot be read
-void tear_journal(const std::filesystem::path& journal, std::uint64_t bytes);
+/// That of the last flight in the folder: one that lost its first turn with the power is not gone on from, another is begun.
+[[nodiscard]] std::filesystem::path newest_journal(const std::filesystem::path& folder);
+
+/// A power cut: the last `bytes` of a journal that nobody writes never came to the disk, wherever in a record that is; nothing of it
+/// did if it has no more. @throws host::BadInput if it is no journal
+/// @return how many turns it still holds
+[[nodiscard]] std::uint64_t tear_journal(const std::filesystem::path& journal, std::uint64_t bytes);
 
 }  // namespace earshot::hil

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <numeric>
 #include <sstream>
 #include <string_view>
 
@@ -120,6 +121,11 @@ void judge_notice(const Case& c, const JournalFindings& journal, std::vector<std
   }
 }
 
+void judge_refusals(std::optional<bool> wanted, std::uint64_t count, const std::string& what, std::vector<std::string>& wrong) {
+  if (wanted == true && count == 0) wrong.push_back("no " + what + " was refused");
+  if (wanted == false && count > 0) wrong.push_back("refused, though none may be: " + what + ", " + std::to_string(count) + " times");
+}
+
 void judge_track(const config::Mission& mission, const BenchFlight& flight, std::vector<std::string>& wrong) {
   const auto& halt = mission.safety.fence;
   for (const TruePlace& place : flight.track) {
@@ -171,11 +177,12 @@ JournalFindings read_findings(const std::filesystem::path& journal, const config
   return found;
 }
 
-bool is_beyond_command(Fault fault) {
+bool is_beyond_command(const TimedFault& fault, const config::Mission& mission) {
+  if (fault.fault == Fault::kCurrent && fault.amount <= mission.safety.vehicle.max_current.value) return false;
   constexpr std::array kBeyond{Fault::kRudderStuck, Fault::kPlanesStuck,      Fault::kNoThrust, Fault::kDisengaged,
                                Fault::kObstinate,   Fault::kCurrent,          Fault::kFrozen,   Fault::kPositionError,
                                Fault::kDepthError,  Fault::kSecondNavigation, Fault::kReplay};
-  return std::ranges::find(kBeyond, fault) != kBeyond.end();
+  return std::ranges::find(kBeyond, fault.fault) != kBeyond.end();
 }
 
 std::vector<std::string> broken_promises(const Case& c, const config::Mission& mission, const BenchFlight& flight,
@@ -193,7 +200,8 @@ std::vector<std::string> broken_promises(const Case& c, const config::Mission& m
   if (!journal.is_same_again && !loses_journal(c) && journal.trouble.empty())
     wrong.push_back("the journal is not given again: " + journal.difference);
   wrong.insert(wrong.end(), journal.beyond_limits.begin(), journal.beyond_limits.end());
-  if (std::ranges::none_of(c.faults, is_beyond_command, &TimedFault::fault)) judge_track(mission, flight, wrong);
+  if (std::ranges::none_of(c.faults, [&](const TimedFault& fault) { return is_beyond_command(fault, mission); }))
+    judge_track(mission, flight, wrong);
   return wrong;
 }
 
@@ -209,8 +217,10 @@ std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& fl
   judge_rules(c, journal, wrong);
   judge_notice(c, journal, wrong);
   wrong.insert(wrong.end(), flight.uncounted.begin(), flight.uncounted.end());
-  if (c.expected.refuses_navigation && journal.counters.navigation_refused == 0) wrong.emplace_back("no fix was refused");
-  if (c.expected.refuses_commands && journal.counters.commands_refused == 0) wrong.emplace_back("no order was refused");
+  judge_refusals(c.expected.refuses_navigation, journal.counters.navigation_refused, "fix", wrong);
+  judge_refusals(c.expected.refuses_commands, journal.counters.commands_refused, "order", wrong);
+  const std::uint64_t lost = std::accumulate(journal.lost.begin(), journal.lost.end(), std::uint64_t{0});
+  if (c.expected.loses_nothing && lost > 0) wrong.push_back("lost on their way in: " + std::to_string(lost) + " frames");
   const auto decisions = std::ranges::count_if(journal.decisions, [from = first_fault(c)](Time time) { return time >= from; });
   if (decisions < c.expected.decisions)
     wrong.push_back("decisions after the first fault: " + std::to_string(decisions) + ", not " + std::to_string(c.expected.decisions));

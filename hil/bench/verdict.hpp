@@ -28,6 +28,7 @@ struct JournalFindings {
   std::vector<Time> decisions;
   messages::EndReason end = messages::EndReason::kNone;
   messages::Counters counters;  ///< refusals alone
+  std::uint64_t lost = 0;       ///< frames and messages that arrived faster than Earshot's ports read them
   std::uint64_t setpoints = 0;
   std::vector<ControllerTrouble> troubles;
   std::array<std::uint64_t, config::kMaxPorts> lost{};  ///< messages of each port, and samples of a hydrophone's
@@ -53,6 +54,6 @@ struct JournalFindings {
 [[nodiscard]] std::vector<std::string> unmet_expectations(const Case& c, const BenchFlight& flight, const JournalFindings& journal);
 
 /// Whether no software could keep a vehicle with this fault where it belongs.
-[[nodiscard]] bool is_beyond_command(Fault fault);
+[[nodiscard]] bool is_beyond_command(const TimedFault& fault, const config::Mission& mission);
 
 }  // namespace earshot::hil

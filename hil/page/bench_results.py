@@ -73,6 +73,7 @@ class CaseResult:
     when: str
     then: str
     bus: str  # "CAN" or "LCM"
+    defence: str  # what makes it come so; empty: the rules that must fire
     wrong: list[str]  # empty: it passed
     faults: list[Fault]
     expected_end: str
@@ -126,7 +127,7 @@ def read_results(path: Path) -> list[CaseResult]:
 def _case_of(entry: dict[str, Any]) -> CaseResult:
     if bool(entry["passed"]) == bool(entry["wrong"]):
         raise ValueError(f"{entry['name']}: passed and wrong contradict each other")
-    texts = {key: str(entry[key]) for key in ("name", "given", "when", "then", "bus", "expected_end", "end")}
+    texts = {key: str(entry[key]) for key in ("name", "given", "when", "then", "defence", "bus", "expected_end", "end")}
     return CaseResult(
         **texts,
         wrong=[str(what) for what in entry["wrong"]],

@@ -16,8 +16,10 @@ def verdict(result: CaseResult) -> str:
 
 
 def _story(result: CaseResult) -> str:
-    rows = [("given", result.given), ("when", result.when), ("then", result.then)]
-    return "<dl>" + "".join(f"<dt>{name}</dt><dd>{escaped(text)}</dd>" for name, text in rows) + "</dl>\n"
+    rules = ", ".join(result.expected_rules)
+    defence = result.defence or (f"the rules: {rules}" if rules else "")
+    rows = [("given", result.given), ("when", result.when), ("then", result.then), ("by", defence)]
+    return "<dl>" + "".join(f"<dt>{name}</dt><dd>{escaped(text)}</dd>" for name, text in rows if text) + "</dl>\n"
 
 
 def _faults(result: CaseResult) -> str:

@@ -25,6 +25,7 @@
 #include "hil/bench/disarmed.hpp"
 #include "hil/bench/random_case.hpp"
 #include "hil/bench/results.hpp"
+#include "hil/bench/torn_journal.hpp"
 #include "hil/bench/verdict.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/sonar/sonar_field.hpp"
@@ -89,7 +90,7 @@ struct Flown {
 
 Flown flown(const hil::Case& c, const hil::Bench& setup, const fs::path& folder) {
   Flown f{.flight = hil::fly_case(c, setup, folder), .mission = host::load_mission(c.mission).mission, .journal = {}};
-  f.journal = hil::read_findings(folder / "journal.lcmlog", f.mission, f.flight.began);
+  f.journal = hil::read_findings(hil::newest_journal(folder), f.mission, f.flight.began);
   if (!f.flight.is_end_heard) f.flight.end = f.journal.end;
   return f;
 }
@@ -178,7 +179,9 @@ int fly_random(const Options& o, const std::vector<hil::Case>& pool, const hil::
         hil::shrunk(c, [&](const hil::Case& tried) { return !wrong_with(tried, o.out / "shrunk").empty() && !program::stop_requested; });
     const fs::path kept = o.out / (c.name + ".toml");
     host::write_whole(kept, hil::to_toml(small));
-    program::say() << "       " << small.faults.size() << " of its faults are enough: " << kept.string() << "\n" << std::flush;
+    program::say() << "       " << small.faults.size() << " of its faults are enough, with --seed " << o.seed << ": " << kept.string()
+                   << "\n"
+                   << std::flush;
   }
   program::say() << count << " random cases from seed " << o.seed << " on, " << failed << " broke a promise\n";
   if (program::stop_requested) return program::kStopped;

@@ -53,11 +53,7 @@ struct Befalling {
 
 std::vector<Befalling> all_of(const Case& c) {
   std::vector<Befalling> all;
-  for (const TimedFault& fault : c.faults) {
-    std::optional<Time> until = fault.until;
-    if (fault.fault == Fault::kPause) until = fault.from + Duration{std::llround(fault.amount * *c.speed * 1e6)};
-    all.push_back({.fault = fault, .until = until});
-  }
+  for (const TimedFault& fault : c.faults) all.push_back({.fault = fault, .until = fault.until});
   return all;
 }
 

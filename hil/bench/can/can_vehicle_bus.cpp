@@ -21,7 +21,8 @@ constexpr std::size_t kTracedFrames = 400'000;  ///< two hours without a flood, 
 
 VehicleSetup setup_of(const Case& c, const Bench& bench, const host::MissionFile& mission) {
   VehicleSetup setup;
-  setup.start = {.position = c.start, .depth = mission.mission.search_depth, .heading = {}, .speed = mission.mission.search_speed};
+  setup.start = {
+      .position = c.start, .depth = mission.mission.search_depth, .heading = c.start_heading(), .speed = mission.mission.search_speed};
   setup.plane = mission.plane;
   setup.source = {.position = c.source, .snr = bench.snr};
   setup.sea_floor.depth = bench.floor_depth;

@@ -36,6 +36,14 @@ class AddressThief final : public Device {
   Membership membership_;
 };
 
+/// One that has no helm, and says so.
+std::unique_ptr<Device> make_idle_autopilot(const vehicle::State& vehicle, std::uint32_t unique_number) {
+  auto autopilot = std::make_unique<Autopilot>(vehicle::Command{.heading = vehicle.heading, .speed = vehicle.speed, .depth = vehicle.depth},
+                                               unique_number);
+  autopilot->engage(false);
+  return autopilot;
+}
+
 }  // namespace
 
 Intruders::Intruders(const std::vector<TimedFault>& faults, const vehicle::State& vehicle, const n2k::LocalPlane& plane)
@@ -49,8 +57,7 @@ Intruders::Intruders(const std::vector<TimedFault>& faults, const vehicle::State
         intruder.device = make_navigation(*intruder.believed, plane, number++);
         break;
       case Fault::kSecondAutopilot:
-        intruder.device = std::make_unique<Autopilot>(
-            vehicle::Command{.heading = vehicle.heading, .speed = vehicle.speed, .depth = vehicle.depth}, number++);
+        intruder.device = make_idle_autopilot(vehicle, number++);
         break;
       case Fault::kAddressThief:
         intruder.device = std::make_unique<AddressThief>(number++);

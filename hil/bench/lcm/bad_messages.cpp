@@ -70,13 +70,15 @@ std::string_view sender_on(std::string_view channel) {
 
 std::vector<Datagram> BadMessages::pass(const LcmMessages& messages, const std::vector<MessageAffliction>& afflictions, Time now) {
   std::vector<Datagram> arriving;
+  std::vector<std::size_t> shuffled;
   const auto is_due = [now](const Late& late) { return late.due <= now; };
   std::ranges::stable_sort(late_, {}, &Late::due);
   for (const Late& late : late_) {
-    if (is_due(late)) arriving.push_back(late.datagram);
+    if (!is_due(late)) continue;
+    if (late.is_shuffled) shuffled.push_back(arriving.size());
+    arriving.push_back(late.datagram);
   }
   std::erase_if(late_, is_due);
-  std::vector<std::size_t> shuffled;
   for (const LcmMessage& message : messages) {
     Fate fate{.message = message, .late = {}, .replays = {}};
     for (const MessageAffliction& affliction : afflictions) {
@@ -87,7 +89,7 @@ std::vector<Datagram> BadMessages::pass(const LcmMessages& messages, const std::
     for (const Duration later : fate.replays) late_.push_back({.due = now + later, .datagram = datagram});
     for (int i = 0; i < fate.times; ++i) {
       if (fate.late > Duration{}) {
-        late_.push_back({.due = now + fate.late, .datagram = datagram});
+        late_.push_back({.due = now + fate.late, .datagram = datagram, .is_shuffled = fate.is_shuffled});
         continue;
       }
       if (fate.is_shuffled) shuffled.push_back(arriving.size());

@@ -44,6 +44,7 @@ class BadMessages {
   struct Late {
     Time due;
     Datagram datagram;
+    bool is_shuffled = false;
   };
   /// What becomes of one.
   struct Fate {

@@ -16,7 +16,10 @@ constexpr std::size_t kTracedMessages = 50'000;  ///< two hours without a flood,
 constexpr int kPatience_ms = 5000;               ///< for what was sent before its answer
 
 LcmVehicleSetup setup_of(const Case& c, const Bench& bench, const host::MissionFile& mission) {
-  return {.start = {.position = c.start, .depth = mission.mission.search_depth, .heading = {}, .speed = mission.mission.search_speed},
+  return {.start = {.position = c.start,
+                    .depth = mission.mission.search_depth,
+                    .heading = c.start_heading(),
+                    .speed = mission.mission.search_speed},
           .source = {.position = c.source, .snr = bench.snr},
           .sea_floor = {.depth = bench.floor_depth}};
 }

@@ -10,6 +10,8 @@ namespace earshot::hil {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2.0;
+/// Through the water: its propeller makes no more of any set-point, as of one whose bits the bus has changed.
+constexpr MetersPerSecond kFastest{3.0};
 
 }  // namespace
 
@@ -23,6 +25,7 @@ void MovingVehicle::disturb(const Disturbance& disturbance) {
 
 /// What the hull does, whatever its autopilot wants.
 vehicle::Command MovingVehicle::possible(vehicle::Command wanted) const {
+  wanted.speed = std::clamp(wanted.speed, MetersPerSecond{0.0}, kFastest);
   if (disturbance_.has_no_thrust) wanted.speed = MetersPerSecond{0.0};
   if (disturbance_.are_planes_stuck) wanted.depth = state_.depth;
   if (disturbance_.is_rudder_stuck) {  // always a right angle ahead of it on the side to which it turns

@@ -55,25 +55,31 @@ TEST_F(CaseFileTest, NeedsWordsAndAnEndAndHasDefaultsForTheRest) {
   EXPECT_EQ(c.mission, kMissions / "search_over_can.toml");
   EXPECT_EQ(c.start, (NorthEast{Meters{12'500}, Meters{11'000}}));
   EXPECT_EQ(c.source, (NorthEast{Meters{12'500}, Meters{12'500}}));
+  EXPECT_EQ(c.start_heading_deg, 0.0);
   EXPECT_EQ(c.at_most, Duration::seconds(3600));
   EXPECT_TRUE(c.faults.empty());
   EXPECT_EQ(c.expected.end, messages::EndReason::kCompleted);
   EXPECT_TRUE(c.expected.rules.empty());
   EXPECT_TRUE(c.expected.only_these);
-  EXPECT_FALSE(c.expected.refuses_navigation);
-  EXPECT_FALSE(c.expected.refuses_commands);
+  EXPECT_FALSE(c.expected.refuses_navigation.has_value());
+  EXPECT_FALSE(c.expected.refuses_commands.has_value());
+  EXPECT_EQ(c.defence, "");
 }
 
 TEST_F(CaseFileTest, ReadsEveryKey) {
   std::filesystem::copy_file(kMissions / "search_over_can.toml", folder_ / "m.toml");
-  const Case c = load(kWords +
-                      "mission = \"m.toml\"\nstart_m = [1, 2.5]\nsource_m = [-3, 4]\nat_most_s = 600\n"
-                      "[[fault]]\nkind = \"loss\"\nat_s = 100\nfor_s = 20.5\nof = \"compass\"\npgn = 127250\nshare = 0.25\n"
-                      "[[fault]]\nkind = \"current\"\nat_s = 0\nmps = 0.4\ntowards_deg = -90\n"
-                      "[expect]\nend = \"safety_rule\"\nrules = [\"leak\", \"depth_m\"]\nothers_may_fire = true\n"
-                      "refuses_navigation = true\nrefuses_commands = true\n");
+  const Case c =
+      load(kWords +
+           "defence = \"a rule\"\nmission = \"m.toml\"\nstart_m = [1, 2.5]\nstart_heading_deg = 270\nsource_m = [-3, 4]\nat_most_s = 600\n"
+           "[[fault]]\nkind = \"loss\"\nat_s = 100\nfor_s = 20.5\nof = \"compass\"\npgn = 127250\nshare = 0.25\n"
+           "[[fault]]\nkind = \"current\"\nat_s = 0\nmps = 0.4\ntowards_deg = -90\n"
+           "[expect]\nend = \"safety_rule\"\nrules = [\"leak\", \"depth_m\"]\nothers_may_fire = true\n"
+           "refuses_navigation = true\nrefuses_commands = false\nloses_nothing = true\n");
+  EXPECT_EQ(c.defence, "a rule");
   EXPECT_EQ(c.mission, folder_ / "m.toml");
   EXPECT_EQ(c.start, (NorthEast{Meters{1}, Meters{2.5}}));
+  EXPECT_EQ(c.start_heading_deg, 270.0);
+  EXPECT_NEAR(c.start_heading().value, -1.5707963267948966, 1e-15) << "half of pi to the left, within one bit";
   EXPECT_EQ(c.source, (NorthEast{Meters{-3}, Meters{4}}));
   EXPECT_EQ(c.at_most, Duration::seconds(600));
   ASSERT_EQ(c.faults.size(), 2U);
@@ -85,7 +91,8 @@ TEST_F(CaseFileTest, ReadsEveryKey) {
                                      .rules = {config::Condition::kLeak, config::Condition::kDepth},
                                      .only_these = false,
                                      .refuses_navigation = true,
-                                     .refuses_commands = true}));
+                                     .refuses_commands = false,
+                                     .loses_nothing = true}));
 }
 
 TEST_F(CaseFileTest, KnowsEveryKindOfFaultWithItsAmountAndItsBounds) {
@@ -240,10 +247,10 @@ TEST_F(CaseFileTest, WithASpeedIsFlownAsAtSeaWhereSignalsBefallEitherProgram) {
   const std::string kSea = kWords + "speed = 20\n";
   EXPECT_EQ(load(kWords + kExpect).speed, std::nullopt);
   const Case c = load(kSea + "[[fault]]\nkind = \"kill\"\nat_s = 80\nfor_s = 20\n" +
-                      "[[fault]]\nkind = \"pause\"\nof = \"vehicle\"\nat_s = 80\nwall_seconds = 2\n" + kExpect);
+                      "[[fault]]\nkind = \"pause\"\nof = \"vehicle\"\nat_s = 80\nfor_s = 40\n" + kExpect);
   EXPECT_EQ(c.speed, 20.0);
   EXPECT_EQ(c.faults.at(0), (TimedFault{.fault = Fault::kKill, .from = at_s(80), .until = at_s(100), .device = "earshotd"}));
-  EXPECT_EQ(c.faults.at(1), (TimedFault{.fault = Fault::kPause, .from = at_s(80), .amount = 2.0, .device = "vehicle"}));
+  EXPECT_EQ(c.faults.at(1), (TimedFault{.fault = Fault::kPause, .from = at_s(80), .until = at_s(120), .device = "vehicle"}));
 }
 
 TEST_F(CaseFileTest, MayExpectFramesRefusedAndNoFlightAtAll) {
@@ -258,16 +265,16 @@ TEST_F(CaseFileTest, MayExpectFramesRefusedAndNoFlightAtAll) {
 TEST_F(CaseFileTest, HasOnlyFaultsThatThereAreInItsKindOfFlight) {
   EXPECT_EQ(refusal(kWords + "speed = 20\n[[fault]]\nkind = \"loss\"\nat_s = 1\n" + kExpect),
             "cases.toml:6: fault[0].kind = 'loss': there is no loss in a case with a speed");
-  EXPECT_NE(refusal_of_fault("kind = \"pause\"\nof = \"vehicle\"\nat_s = 1\nwall_seconds = 2").find("fault[0].of"), std::string::npos);
+  EXPECT_NE(refusal_of_fault("kind = \"pause\"\nof = \"vehicle\"\nat_s = 1\nfor_s = 2").find("fault[0].of"), std::string::npos);
   EXPECT_NE(refusal_of_fault("kind = \"slow_disk\"\nat_s = 1").find("there is no slow_disk in lock-step"), std::string::npos);
   EXPECT_NE(refusal(kWords + "speed = 0\n" + kExpect).find("speed"), std::string::npos);
 }
 
 TEST(CasesOfTheBench, FlyAVehicleThatHearsForItselfOverCanWithItsSamplesOverLcm) {
-  const Case c = load_case(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases/sea_sound_open.toml");
+  const Case c = load_case(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases/sea_sound_open.toml", kMissions / "search_over_can.toml");
   EXPECT_EQ(c.bus, host::PortKind::kCan);
   EXPECT_EQ(c.sound_port, 2);
-  EXPECT_EQ(load_case(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases/calm.toml").sound_port, 0);
+  EXPECT_EQ(load_case(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases/calm.toml", kMissions / "search_over_can.toml").sound_port, 0);
 }
 
 TEST_F(CaseFileTest, ReadsWhatNetemIsToDoAndRefusesWhatAShellWouldTakeForItsOwn) {
@@ -280,6 +287,11 @@ TEST_F(CaseFileTest, ReadsWhatNetemIsToDoAndRefusesWhatAShellWouldTakeForItsOwn)
 TEST_F(CaseFileTest, RefusesAFaultOfSamplesWhereNoneAreTaken) {
   const std::string text = kWords + "speed = 20\n[[fault]]\nkind = \"sound_open\"\nat_s = 1\n" + kExpect;
   EXPECT_NE(refusal(text).find("must have a port of the role"), std::string::npos) << refusal(text);
+}
+
+TEST(ShippedCases, SayWhatTheyTestWhereNoRuleHasToFire) {
+  for (const Case& c : load_cases(std::filesystem::path(EARSHOT_SOURCE_DIR) / "hil/cases", kMissions / "search_over_can.toml"))
+    EXPECT_TRUE(!c.expected.rules.empty() || !c.defence.empty()) << c.name;
 }
 
 }  // namespace

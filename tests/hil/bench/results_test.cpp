@@ -22,6 +22,7 @@ class ResultsTest : public testing::Test {
     case_.given = "a search";
     case_.when = "there is a leak";
     case_.then = "it ends";
+    case_.defence = "its rule";
     case_.start = {Meters{1}, Meters{2}};
     case_.source = {Meters{3}, Meters{4}};
     case_.faults = {{.fault = Fault::kLeak, .from = at_s(60)}, {.fault = Fault::kFrozen, .from = at_s(10), .until = at_s(14)}};
@@ -70,6 +71,7 @@ TEST_F(ResultsTest, SayTheCaseAndWhatCameOfIt) {
   EXPECT_EQ(found.at("given"), "a search");
   EXPECT_EQ(found.at("when"), "there is a leak");
   EXPECT_EQ(found.at("then"), "it ends");
+  EXPECT_EQ(found.at("defence"), "its rule");
   EXPECT_EQ(found.at("faults"), json::parse(R"([{"words": "leak from 60 s", "from_s": 60.0, "until_s": null},
                                                 {"words": "frozen from 10 s for 4 s", "from_s": 10.0, "until_s": 14.0}])"));
   EXPECT_EQ(found.at("expected_end"), "a safety rule ended it");

@@ -2,54 +2,52 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <string>
-#include <vector>
+#include <fstream>
 
+#include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "tests/firmware/boards/linux/replay/random_mission.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/encoding.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace earshot::hil {
 namespace {
 
-/// The channels of a journal's records, in order, and how many bytes these are.
-struct Content {
-  std::vector<std::string> channels;
-  std::uint64_t bytes = 0;
-  [[nodiscard]] auto turns() const { return std::ranges::count(channels, std::string(wire::kHealthChannel)); }
-};
-
+/// A journal of ten turns.
 class TornJournalTest : public testing::Test {
  protected:
-  TornJournalTest() { board::fly_random_mission(1, journal_, 30); }
-  [[nodiscard]] Content content() const {
-    Content found;
-    host::JournalReader reader(journal_);
-    for (host::JournalRecord record; reader.next(record);) found.channels.push_back(record.channel);
-    found.bytes = reader.offset();
-    return found;
+  TornJournalTest() {
+    host::Journal journal(path_);
+    const wire::Encoded health(wire::to_message(messages::Health{}, Time{}));
+    for (std::int64_t turn = 1; turn <= 10; ++turn)
+      EXPECT_EQ(journal.append(Time{turn * 1'000'000}, wire::kHealthChannel, health.bytes()), Status::kOk);
   }
+  [[nodiscard]] int turns() const {
+    host::JournalReader reader(path_);
+    int count = 0;
+    for (host::JournalRecord record; reader.next(record);) ++count;
+    return count;
+  }
+
   const support::TemporaryFolder folder_;
-  const std::filesystem::path journal_ = folder_ / "journal.lcmlog";
+  const std::filesystem::path path_ = folder_ / "journal.lcmlog";
 };
 
-TEST_F(TornJournalTest, HasLostItsLastBytesInTheMiddleOfARecord) {
-  const Content whole = content();
-  tear_journal(journal_, 1);
-  EXPECT_EQ(std::filesystem::file_size(journal_), whole.bytes - 1);
-  const Content torn = content();
-  EXPECT_EQ(torn.channels, std::vector(whole.channels.begin(), whole.channels.end() - 1));
+TEST_F(TornJournalTest, HasLostTheTurnWhoseLastByteIsGone) {
+  EXPECT_EQ(tear_journal(path_, 1), 9U);
+  EXPECT_EQ(turns(), 9);
 }
 
-TEST_F(TornJournalTest, KeepsItsFirstTurnHoweverMuchIsLost) {
-  ASSERT_EQ(content().turns(), 30);
-  tear_journal(journal_, 1'000'000'000);
-  const Content torn = content();
-  EXPECT_EQ(torn.turns(), 1);
-  EXPECT_EQ(torn.channels.back(), wire::kHealthChannel);
-  EXPECT_EQ(std::filesystem::file_size(journal_), torn.bytes);
+TEST_F(TornJournalTest, HoldsNothingWhereItHadNoMoreToLose) {
+  EXPECT_EQ(tear_journal(path_, 1'000'000), 0U);
+  EXPECT_EQ(std::filesystem::file_size(path_), 0U);
+}
+
+TEST_F(TornJournalTest, IsTheNewestOfItsFolder) {
+  EXPECT_EQ(newest_journal(folder_.path()), path_);
+  std::ofstream(folder_ / "journal-2.lcmlog");
+  EXPECT_EQ(newest_journal(folder_.path()), folder_ / "journal-2.lcmlog");
 }
 
 }  // namespace

@@ -159,15 +159,24 @@ TEST_F(VerdictTest, LetsAVehicleThatCannotDoAsItIsToldGoAstrayButNoOther) {
   for (const Fault fault :
        {Fault::kRudderStuck, Fault::kPlanesStuck, Fault::kNoThrust, Fault::kDisengaged, Fault::kObstinate, Fault::kCurrent, Fault::kFrozen,
         Fault::kPositionError, Fault::kDepthError, Fault::kSecondNavigation, Fault::kReplay}) {
-    case_.faults = {{.fault = Fault::kLeak, .from = {}}, {.fault = fault, .from = {}}};
+    case_.faults = {{.fault = Fault::kLeak, .from = {}}, {.fault = fault, .from = {}, .amount = 1.0}};
     EXPECT_EQ(broken(), Words{}) << static_cast<int>(fault);
-    EXPECT_TRUE(is_beyond_command(fault));
+    EXPECT_TRUE(is_beyond_command(case_.faults[1], mission_));
   }
   for (const Fault fault : {Fault::kLoss, Fault::kDelay, Fault::kCorruption, Fault::kKill, Fault::kStrangersOrder, Fault::kInterfaceDown,
                             Fault::kSecondAutopilot, Fault::kHeadingError}) {
     case_.faults = {{.fault = fault, .from = {}}};
     EXPECT_EQ(broken(), Words{"the vehicle was beyond the halt polygon at 2 s"}) << static_cast<int>(fault);
   }
+}
+
+TEST_F(VerdictTest, WantsTheVehicleWithinInACurrentThatItsMissionKnows) {
+  flight_.track.push_back(place(2, 12'000, 5'000));
+  mission_.safety.vehicle.max_current = MetersPerSecond{0.5};
+  case_.faults = {{.fault = Fault::kCurrent, .from = {}, .amount = 0.5}};
+  EXPECT_EQ(broken(), Words{"the vehicle was beyond the halt polygon at 2 s"});
+  case_.faults[0].amount = 0.6;
+  EXPECT_EQ(broken(), Words{});
 }
 
 TEST_F(VerdictTest, WantsTheEndOfTheCase) {
@@ -298,6 +307,22 @@ TEST_F(VerdictTest, LetsNoEarshotdDieOfASignalThatWasTheVehiclesProgramToBear) {
   EXPECT_EQ(broken(), Words{});
 }
 
+TEST_F(VerdictTest, WantsNoneRefusedWhereTheCaseSaysSo) {
+  case_.expected.refuses_navigation = false;
+  case_.expected.refuses_commands = false;
+  EXPECT_EQ(unmet(), Words{});
+  journal_.counters.navigation_refused = 3;
+  journal_.counters.commands_refused = 1;
+  EXPECT_EQ(unmet(), (Words{"refused, though none may be: fix, 3 times", "refused, though none may be: order, 1 times"}));
+}
+
+TEST_F(VerdictTest, WantsNothingLostOnItsWayInWhereTheCaseSaysSo) {
+  journal_.lost = 7;
+  EXPECT_EQ(unmet(), Words{});
+  case_.expected.loses_nothing = true;
+  EXPECT_EQ(unmet(), Words{"lost on their way in: 7 frames"});
+}
+
 // What is read from a journal.
 
 class FindingsTest : public testing::Test {
@@ -331,12 +356,14 @@ TEST_F(FindingsTest, AreTheLastHealthAndEveryEventInItsOrder) {
   record(3, wire::kSafetyEventChannel, wire::to_message(second));
   health.end_reason = messages::EndReason::kSafetyRule;
   health.counters.navigation_refused = 4;
+  for (const std::uint64_t lost : {2, 3}) (void)health.ports.push_back({.lost = lost});
   health.counters.commands_refused = 5;
   record(4, wire::kHealthChannel, wire::to_message(health, at_s(4)));
   const JournalFindings found = read();
   EXPECT_EQ(found.events, (std::vector<messages::SafetyEvent>{first, second}));
   EXPECT_EQ(found.end, messages::EndReason::kSafetyRule);
   EXPECT_EQ(found.counters.navigation_refused, 4U);
+  EXPECT_EQ(found.lost, 5U);
   EXPECT_EQ(found.counters.commands_refused, 5U);
   EXPECT_FALSE(found.is_same_again) << "there is no mission in it";
 }

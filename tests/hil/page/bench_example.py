@@ -22,6 +22,7 @@ def calm() -> dict[str, Any]:
         "when": "nothing is wrong",
         "then": "it goes there",
         "bus": "CAN",
+        "defence": "that it is steered there",
         "passed": True,
         "wrong": [],
         "faults": [],
@@ -56,6 +57,7 @@ def deaf() -> dict[str, Any]:
     """The same way, on which a fault acts from 500 s to 1000 s and a rule fires at 600 s."""
     return calm() | {
         "name": "deaf",
+        "defence": "",
         "when": "the hydrophone is open for a while",
         "passed": False,
         "wrong": ["the rule hydrophone_deaf did not fire", "the rule leak fired at 600 s"],

@@ -74,6 +74,11 @@ class Page(unittest.TestCase):
         ):
             self.assertIn(words, told)
 
+    def test_says_what_makes_a_case_come_so_and_of_one_that_names_nothing_its_rules(self):
+        calm_told, deaf_told = self.tags.text.split("deaf \N{MULTIPLICATION X} failed")[-2:]
+        self.assertIn("bythat it is steered there", calm_told)
+        self.assertIn("bythe rules: hydrophone_deaf", deaf_told)
+
     def test_says_first_how_many_failed(self):
         self.assertIn("1 of 2 cases failed", self.tags.text)
         self.assertIn("All 1 cases passed", Tags(page(results_of(calm()), {}, "", [])).text)
@@ -122,7 +127,7 @@ class Page(unittest.TestCase):
 
     def test_shows_the_text_of_a_case_as_text(self):
         hostile = '</style><script>alert("1")</script>\u202e\x1b[2J'
-        entry = deaf() | {key: hostile for key in ("name", "given", "when", "then", "end", "expected_end")}
+        entry = deaf() | {key: hostile for key in ("name", "given", "when", "then", "defence", "end", "expected_end")}
         entry |= {"wrong": [hostile], "expected_rules": [hostile]}
         entry["faults"] = [deaf()["faults"][0] | {"words": hostile}]
         entry["events"] = [event | {"rule": hostile, "response": hostile} for event in entry["events"]]

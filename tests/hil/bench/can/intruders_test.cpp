@@ -135,7 +135,7 @@ TEST_F(IntrudersTest, NavigateBesideTheVehicleAndWithIt) {
   EXPECT_NEAR(n2k::read(n2k::kCoursePgn, "COG", of_group(n2k::kCoursePgn, said).back().bytes()).value(), 1.25, 0.6e-4);
 }
 
-TEST_F(IntrudersTest, AreAnAutopilotThatTakesSetPointsToo) {
+TEST_F(IntrudersTest, AreAnAutopilotThatSaysOfNoSetPointThatItFollowsIt) {
   Intruders intruders({{.fault = Fault::kSecondAutopilot, .from = at_s(0)}}, vehicle_, plane_);
   (void)run(intruders, at_s(0), at_s(1));
   n2k::SetpointFrames frames;
@@ -144,8 +144,7 @@ TEST_F(IntrudersTest, AreAnAutopilotThatTakesSetPointsToo) {
   const Frames said = of_group(n2k::kAutopilotStatusPgn, run(intruders, at_s(1), at_s(2)));
   ASSERT_EQ(said.size(), 1U);
   const n2k::AutopilotCondition condition = n2k::read_autopilot_status(said[0].bytes()).value();
-  EXPECT_TRUE(condition.follows_setpoints);
-  EXPECT_EQ(condition.heading_sequence, 1);
+  EXPECT_FALSE(condition.follows_setpoints);
 }
 
 TEST_F(IntrudersTest, HaveNumbersThatNoDeviceOfTheVehicleHas) {

@@ -104,6 +104,19 @@ TEST_F(BadMessagesTest, ArrivesOnceMoreForEveryDuplicationAndNeverWhenItIsLost) 
   EXPECT_EQ(BadMessages(1).pass({fix(1)}, {{.fault = FrameFault::kLoss}, twice}, at_s(1)).size(), 0U);
 }
 
+TEST_F(BadMessagesTest, LetsLateMessagesChangePlacesWithThoseOfTheirArrival) {
+  bool has_overtaken = false;
+  for (int i = 0; i < 20; ++i) {
+    BadMessages messages(static_cast<std::uint64_t>(i));
+    const MessageAffliction shuffled{.fault = FrameFault::kReordering};
+    (void)messages.pass({fix(1)}, {{.fault = FrameFault::kDelay, .seconds = Duration::seconds(1)}, shuffled}, at_s(1));
+    const Norths arrived = norths(messages.pass({fix(2)}, {shuffled}, at_s(2)));
+    ASSERT_EQ(arrived.size(), 2U);
+    has_overtaken = has_overtaken || arrived == Norths{2, 1};
+  }
+  EXPECT_TRUE(has_overtaken);
+}
+
 TEST_F(BadMessagesTest, BefallsItsShareAndTheSameOnesWithTheSameSeed) {
   const LcmMessages many(1000, fix(1));
   const MessageAffliction half{.fault = FrameFault::kLoss, .share = 0.5};

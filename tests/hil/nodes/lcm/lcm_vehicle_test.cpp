@@ -76,6 +76,17 @@ TEST_F(LcmVehicleTest, TakesNoSetPointThatIsNoneOrThatNoVehicleCanFollow) {
   EXPECT_EQ(vehicle_.helm().taken(), 0U);
 }
 
+TEST_F(LcmVehicleTest, IsNoFasterThanItsPropellerMakesItWhateverIsSaid) {
+  steer(300, 1e200);
+  (void)step(at_s(0));
+  (void)step(at_s(9));
+  EXPECT_GT(vehicle_.state().position.north.value, 18.0) << "faster than 2 m/s";
+  EXPECT_LT(vehicle_.state().position.north.value, 27.0) << "slower than 3 m/s";
+  steer(300, -5);
+  (void)step(at_s(18));
+  EXPECT_GE(vehicle_.state().speed, MetersPerSecond{0}) << "nor does it go back";
+}
+
 TEST_F(LcmVehicleTest, SaysThatItsHydrophoneIsDeafAndNoSnr) {
   vehicle_.disturb({.hydrophone = {.is_deaf = true, .gain_error = {}}});
   std::set<std::string> channels;
