@@ -27,10 +27,6 @@ bool is_of_sound(Fault fault) {
   return fault >= Fault::kSoundDropout && fault <= Fault::kSoundShorted;
 }
 
-bool has_direction(Fault fault) {
-  return fault == Fault::kCurrent || fault == Fault::kPositionError || fault == Fault::kSecondNavigation;
-}
-
 namespace {
 
 std::string unit_of(const FaultTraits& traits) {

@@ -5,6 +5,7 @@
 #include <deque>
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <sstream>
 
@@ -71,6 +72,11 @@ json frame_of(const TracedMessage& traced) {
           {"data", data.str()}};
 }
 
+/// Null: it may be so or not.
+json wish(std::optional<bool> wanted) {
+  return wanted ? json(*wanted) : json(nullptr);
+}
+
 /// When a fault ceases to act; nothing: it does not.
 json end_of(const TimedFault& fault) {
   if (is_of_a_moment(fault.fault)) return seconds(fault.from + kTick);
@@ -135,8 +141,8 @@ void Results::add(const Case& c, const config::Mission& mission, const BenchFlig
        {"expected_end", messages::to_string(c.expected.end)},
        {"expected_rules", expected_rules},
        {"others_may_fire", !c.expected.only_these},
-       {"refuses_navigation", c.expected.refuses_navigation},
-       {"refuses_commands", c.expected.refuses_commands},
+       {"refuses_navigation", wish(c.expected.refuses_navigation)},
+       {"refuses_commands", wish(c.expected.refuses_commands)},
        {"end", messages::to_string(flight.end)},
        {"events", events},
        {"setpoints", journal.setpoints},

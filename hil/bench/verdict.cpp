@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <numeric>
+#include <span>
 #include <sstream>
 #include <string_view>
 
@@ -68,7 +69,7 @@ void read_records(const std::filesystem::path& journal, const config::Mission& m
       found.end = static_cast<messages::EndReason>(health.end_reason);
       found.counters.navigation_refused = static_cast<std::uint64_t>(health.navigation_refused);
       found.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
-      for (const port_report_t& port : health.ports)
+      for (const port_report_t& port : std::span(health.ports).first(static_cast<std::size_t>(health.port_count)))
         found.lost.at(static_cast<std::size_t>(port.port)) = static_cast<std::uint64_t>(port.lost);
     } else if (record.channel == wire::kControllerTroubleChannel && wire::decode(record.data, trouble) == Status::kOk) {
       found.troubles.push_back({.is_bus_off = trouble.trouble == controller_trouble_t::BUS_OFF, .begins = trouble.is_there != 0});

@@ -28,13 +28,13 @@ struct JournalFindings {
   std::vector<Time> decisions;
   messages::EndReason end = messages::EndReason::kNone;
   messages::Counters counters;  ///< refusals alone
-  std::uint64_t lost = 0;       ///< frames and messages that arrived faster than Earshot's ports read them
   std::uint64_t setpoints = 0;
   std::vector<ControllerTrouble> troubles;
-  std::array<std::uint64_t, config::kMaxPorts> lost{};  ///< messages of each port, and samples of a hydrophone's
-  std::vector<std::string> beyond_limits;               ///< set-points that no mission may give, in words
-  bool is_same_again = false;                           ///< given to the runtime again, it gives every output again
-  std::string difference;                               ///< in words, where it does not
+  std::array<std::uint64_t, config::kMaxPorts>
+      lost{};                              ///< of each port: messages that arrived faster than it read them, and samples of a hydrophone's
+  std::vector<std::string> beyond_limits;  ///< set-points that no mission may give, in words
+  bool is_same_again = false;              ///< given to the runtime again, it gives every output again
+  std::string difference;                  ///< in words, where it does not
 };
 
 /// @param journal  of a flight of `mission`

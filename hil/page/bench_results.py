@@ -79,8 +79,8 @@ class CaseResult:
     expected_end: str
     expected_rules: list[str]
     others_may_fire: bool
-    refuses_navigation: bool  # at least one fix has to be refused
-    refuses_commands: bool
+    refuses_navigation: bool | None  # at least one fix has to be refused, or none; None: as it comes
+    refuses_commands: bool | None
     end: str
     events: list[RuleEvent]
     counts: dict[str, int]  # COUNTS
@@ -124,6 +124,10 @@ def read_results(path: Path) -> list[CaseResult]:
         raise BadResults(f"{path}: not what earshot-bench writes: {e}") from e
 
 
+def _wish(value: Any) -> bool | None:
+    return None if value is None else bool(value)
+
+
 def _case_of(entry: dict[str, Any]) -> CaseResult:
     if bool(entry["passed"]) == bool(entry["wrong"]):
         raise ValueError(f"{entry['name']}: passed and wrong contradict each other")
@@ -134,8 +138,8 @@ def _case_of(entry: dict[str, Any]) -> CaseResult:
         faults=[Fault(str(f["words"]), float(f["from_s"]), _number(f["until_s"])) for f in entry["faults"]],
         expected_rules=[str(rule) for rule in entry["expected_rules"]],
         others_may_fire=bool(entry["others_may_fire"]),
-        refuses_navigation=bool(entry["refuses_navigation"]),
-        refuses_commands=bool(entry["refuses_commands"]),
+        refuses_navigation=_wish(entry["refuses_navigation"]),
+        refuses_commands=_wish(entry["refuses_commands"]),
         events=[_event_of(event) for event in entry["events"]],
         counts={key: int(entry[key]) for key in COUNTS},
         at_sea_s=float(entry["at_sea_s"]),

@@ -37,8 +37,8 @@ def _rules_that_fire(result: CaseResult) -> str:
 
 def _had_to_happen(result: CaseResult) -> str:
     said = [f"End of the mission: {result.expected_end}.", _rules_that_fire(result)]
-    said += ["At least one fix is refused."] if result.refuses_navigation else []
-    said += ["At least one order is refused."] if result.refuses_commands else []
+    for what, is_refused in (("fix", result.refuses_navigation), ("order", result.refuses_commands)):
+        said += [] if is_refused is None else [f"{'At least one' if is_refused else 'No'} {what} is refused."]
     return bullets(said)
 
 

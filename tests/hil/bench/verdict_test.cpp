@@ -317,7 +317,7 @@ TEST_F(VerdictTest, WantsNoneRefusedWhereTheCaseSaysSo) {
 }
 
 TEST_F(VerdictTest, WantsNothingLostOnItsWayInWhereTheCaseSaysSo) {
-  journal_.lost = 7;
+  journal_.lost = {0, 4, 3};
   EXPECT_EQ(unmet(), Words{});
   case_.expected.loses_nothing = true;
   EXPECT_EQ(unmet(), Words{"lost on their way in: 7 frames"});
@@ -356,14 +356,16 @@ TEST_F(FindingsTest, AreTheLastHealthAndEveryEventInItsOrder) {
   record(3, wire::kSafetyEventChannel, wire::to_message(second));
   health.end_reason = messages::EndReason::kSafetyRule;
   health.counters.navigation_refused = 4;
-  for (const std::uint64_t lost : {2, 3}) (void)health.ports.push_back({.lost = lost});
+  for (const std::uint8_t port : {std::uint8_t{1}, std::uint8_t{2}})
+    (void)health.ports.push_back({.port = port, .lost = port + std::uint64_t{1}});
   health.counters.commands_refused = 5;
   record(4, wire::kHealthChannel, wire::to_message(health, at_s(4)));
   const JournalFindings found = read();
   EXPECT_EQ(found.events, (std::vector<messages::SafetyEvent>{first, second}));
   EXPECT_EQ(found.end, messages::EndReason::kSafetyRule);
   EXPECT_EQ(found.counters.navigation_refused, 4U);
-  EXPECT_EQ(found.lost, 5U);
+  EXPECT_EQ(found.lost.at(1), 2U);
+  EXPECT_EQ(found.lost.at(2), 3U);
   EXPECT_EQ(found.counters.commands_refused, 5U);
   EXPECT_FALSE(found.is_same_again) << "there is no mission in it";
 }

@@ -100,6 +100,7 @@ class Page(unittest.TestCase):
         self.assertNotIn("At least one", said())
         self.assertIn("At least one fix is refused.", said(refuses_navigation=True))
         self.assertIn("At least one order is refused.", said(refuses_commands=True))
+        self.assertIn("No fix is refused.", said(refuses_navigation=False))
 
     def test_says_datagrams_of_a_case_over_lcm(self):
         self.assertIn("Datagrams: 31000 sent", Tags(page(results_of(calm() | {"bus": "LCM"}), {}, "", [])).text)
