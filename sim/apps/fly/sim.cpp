@@ -26,7 +26,6 @@
 #include "sim/apps/fly/flight_plan.hpp"
 #include "sim/apps/fly/flight_record.hpp"
 #include "sim/apps/fly/hearing/hear_option.hpp"
-#include "sim/apps/fly/hearing/hydrophone_bus.hpp"
 #include "sim/apps/fly/lock_step.hpp"
 #include "sim/apps/fly/speed_option.hpp"
 #include "sim/link/session.hpp"
@@ -136,7 +135,7 @@ void write_curve(const std::filesystem::path& path, const sonar::SnrCurve& snr) 
 
 /// The hydrophone's bus and what goes over it, in a flight that hears.
 struct Hearing {
-  HydrophoneBus bus;
+  hydrophone::HydrophoneBus bus;
   SoundSetup setup;
 
   Hearing(const Options& o, const FlightPlan& plan)

@@ -58,7 +58,8 @@ void Sound::pass(Time now, const search::Arrivals& arrivals, const policy::Recep
     ++lost_blocks_;
     return;
   }
-  setup_.bus.publish(hydrophone_.block(), hydrophone_.samples());
+  if (setup_.bus.publish(hydrophone_.block(), hydrophone_.samples()) != Status::kOk)
+    throw std::runtime_error("sound cannot be put on the LCM bus");
   hear(modelled);
 }
 

@@ -13,9 +13,9 @@
 #include "firmware/messages/snr_measurement.hpp"
 #include "firmware/policy/reception.hpp"
 #include "sim/apps/fly/hearing/hearing_record.hpp"
-#include "sim/apps/fly/hearing/hydrophone_bus.hpp"
 #include "sim/hydrophone/calls.hpp"
 #include "sim/hydrophone/hydrophone.hpp"
+#include "sim/hydrophone/hydrophone_bus.hpp"
 #include "sim/search/scenario/surroundings.hpp"
 
 namespace earshot::fly {
@@ -26,7 +26,7 @@ struct SoundSetup {
   hydrophone::Calls calls;             ///< of every source
   std::vector<Decibels> noise_levels;  ///< N of each ocean that the flight may be in
   search::SoundConditions conditions;
-  HydrophoneBus& bus;
+  hydrophone::HydrophoneBus& bus;
   std::uint64_t seed = 1;
 };
 

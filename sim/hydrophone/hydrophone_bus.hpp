@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "firmware/core/status.hpp"
 #include "firmware/host/transport/lcm_endpoint.hpp"
 #include "firmware/messages/hydrophone_block.hpp"
 
-namespace earshot::fly {
+namespace earshot::hydrophone {
 
 /// The other side of the vehicle's hydrophone port: puts sound on its bus, as the driver of an ADC does at sea.
 class HydrophoneBus {
@@ -16,8 +17,8 @@ class HydrophoneBus {
   /// @throws std::system_error naming what cannot be opened.
   explicit HydrophoneBus(const std::string& lcm_url);
 
-  /// Throws std::runtime_error when the bus cannot carry it.
-  void publish(const messages::HydrophoneBlock& block, std::span<const float> samples);
+  /// @return not kOk when the bus cannot carry it
+  [[nodiscard]] Status publish(const messages::HydrophoneBlock& block, std::span<const float> samples);
   [[nodiscard]] std::uint64_t blocks() const { return blocks_; }  ///< published
 
  private:
@@ -26,4 +27,4 @@ class HydrophoneBus {
   std::uint64_t blocks_ = 0;
 };
 
-}  // namespace earshot::fly
+}  // namespace earshot::hydrophone

@@ -1,11 +1,9 @@
-#include "sim/apps/fly/hearing/hydrophone_bus.hpp"
-
-#include <stdexcept>
+#include "sim/hydrophone/hydrophone_bus.hpp"
 
 #include "earshot/hydrophone_block_t.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 
-namespace earshot::fly {
+namespace earshot::hydrophone {
 namespace {
 
 hydrophone_block_t message_of(const messages::HydrophoneBlock& block, std::span<const float> samples) {
@@ -26,13 +24,13 @@ hydrophone_block_t message_of(const messages::HydrophoneBlock& block, std::span<
 
 HydrophoneBus::HydrophoneBus(const std::string& lcm_url) : endpoint_(host::parse_lcm_url(lcm_url), {}) {}
 
-void HydrophoneBus::publish(const messages::HydrophoneBlock& block, std::span<const float> samples) {
+Status HydrophoneBus::publish(const messages::HydrophoneBlock& block, std::span<const float> samples) {
   const hydrophone_block_t message = message_of(block, samples);
   bytes_.resize(static_cast<std::size_t>(message.getEncodedSize()));
   (void)message.encode(bytes_.data(), 0, static_cast<int>(bytes_.size()));
-  if (endpoint_.publish(wire::kHydrophoneBlockChannel, bytes_) != Status::kOk)
-    throw std::runtime_error("sound cannot be put on the LCM bus");
-  ++blocks_;
+  const Status status = endpoint_.publish(wire::kHydrophoneBlockChannel, bytes_);
+  if (status == Status::kOk) ++blocks_;
+  return status;
 }
 
-}  // namespace earshot::fly
+}  // namespace earshot::hydrophone
