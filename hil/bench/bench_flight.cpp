@@ -37,13 +37,7 @@ std::unique_ptr<VehicleBus> open_bus(const Case& c, const Bench& bench, const ho
 }
 
 bool is_killed_once(const Case& c) {
-  return std::ranges::any_of(c.faults,
-                             [](const TimedFault& fault) { return fault.fault == Fault::kKill || fault.fault == Fault::kPowerCut; });
-}
-
-/// Then its journal lacks turns that were answered, as after a power cut.
-bool has_full_disk(const Case& c) {
-  return std::ranges::find(c.faults, Fault::kFullDisk, &TimedFault::fault) != c.faults.end();
+  return c.has(Fault::kKill) || c.has(Fault::kPowerCut);
 }
 
 /// What is left of an earlier flight: an earshotd that is to go on would go on with its journal. Nothing else is touched.
@@ -177,8 +171,10 @@ class Flyer {
       return fail_false("earshotd was lost, or did not answer for " + std::to_string(kPatience.count() / 1000) + " s");
     wait_for_end();
     link_.give_up_runtime();
+    // On a full disk its journal lacks turns that were answered, as after a power cut.
     std::optional<std::uint64_t> turns_kept;
-    if (torn_bytes_ > 0 || has_full_disk(case_)) turns_kept = tear_journal(newest_journal(flight_.folder), std::exchange(torn_bytes_, 0));
+    if (torn_bytes_ > 0 || case_.has(Fault::kFullDisk))
+      turns_kept = tear_journal(newest_journal(flight_.folder), std::exchange(torn_bytes_, 0));
     start();
     if (!has_come()) return fail_false("earshotd did not come back after it was killed");
     if (turns_kept) number_ = std::min(number_, *turns_kept + 1);

@@ -52,6 +52,7 @@ struct Case {
   Expectation expected;
 
   [[nodiscard]] Radians start_heading() const;  ///< in (-pi, pi]
+  [[nodiscard]] bool has(Fault fault) const;
   friend bool operator==(const Case&, const Case&) = default;
 };
 

@@ -148,6 +148,10 @@ Radians Case::start_heading() const {
   return wrap_to_pi(Radians{start_heading_deg * std::numbers::pi / 180.0});
 }
 
+bool Case::has(Fault fault) const {
+  return std::ranges::find(faults, fault, &TimedFault::fault) != faults.end();
+}
+
 std::string key_of(config::Condition rule) {
   return std::string(config::kConditionTraits.at(static_cast<std::size_t>(rule)).key);
 }

@@ -136,10 +136,6 @@ void judge_track(const config::Mission& mission, const BenchFlight& flight, std:
   }
 }
 
-bool has(const Case& c, Fault fault) {
-  return std::ranges::find(c.faults, fault, &TimedFault::fault) != c.faults.end();
-}
-
 /// A fault that did nothing tests nothing, whatever came of the flight.
 void judge_faults(const Case& c, const BenchFlight& flight, std::vector<std::string>& wrong) {
   if (!flight.failure.empty()) return;
@@ -150,7 +146,7 @@ void judge_faults(const Case& c, const BenchFlight& flight, std::vector<std::str
 
 /// Whether what is not in the journal is no fault of Earshot's.
 bool loses_journal(const Case& c) {
-  return has(c, Fault::kFullDisk) || has(c, Fault::kReadOnlyDisk);
+  return c.has(Fault::kFullDisk) || c.has(Fault::kReadOnlyDisk);
 }
 
 /// Of one that a case stopped or killed too.
@@ -159,7 +155,7 @@ bool is_in_order(int status, const Case& c) {
   constexpr int kKilled = 128 + SIGKILL;
   const bool is_killed = std::ranges::any_of(
       c.faults, [](const TimedFault& fault) { return fault.fault == Fault::kKill && fault.device != kVehiclesProgram; });
-  return (status == kKilled && (is_killed || has(c, Fault::kPowerCut))) || (status == program::kLost && loses_journal(c));
+  return (status == kKilled && (is_killed || c.has(Fault::kPowerCut))) || (status == program::kLost && loses_journal(c));
 }
 
 }  // namespace

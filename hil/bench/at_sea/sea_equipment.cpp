@@ -11,10 +11,6 @@ using State = n2k::ControllerState;
 
 constexpr Decibels kSourceSnr{15.0};  ///< over the mission's threshold, wherever the vehicle is
 
-bool has(const Case& c, Fault fault) {
-  return std::ranges::find(c.faults, fault, &TimedFault::fault) != c.faults.end();
-}
-
 /// Two benches on one host do not hear each other.
 std::string own_sound_url() {
   return "udpm://239.255.76.70:" + std::to_string(10'000 + ::getpid() % 20'000) + "?ttl=0";
@@ -45,7 +41,7 @@ SeaEquipment::SeaEquipment(const Case& c, const Bench& bench) : case_(c), bus_(b
       throw NotFlown(e.what());
     }
   }
-  if (has(c, Fault::kNetem) && !(set_netem(bus_, "delay 1us") && set_netem(bus_, "")))
+  if (c.has(Fault::kNetem) && !(set_netem(bus_, "delay 1us") && set_netem(bus_, "")))
     throw NotFlown("the kernel has no netem, or we are not root, or there is no tc");
   if (c.sound_port != 0) hydrophone_.emplace(sound_url_, *c.speed, kSourceSnr, bench.seed);
 }
@@ -85,8 +81,8 @@ std::vector<std::string> SeaEquipment::uncounted() const {
     if (!is_counted) all.push_back(std::string("the kernel has counted no ") + what);
   };
   const ControllerCounts controller = adapter_ ? controller_counts(adapter_->interface()).value_or(ControllerCounts{}) : ControllerCounts{};
-  if (has(case_, Fault::kErrorPassive)) require(controller.error_passive > 0, "controller that became error-passive");
-  if (has(case_, Fault::kBusOff)) require(controller.bus_off > 0, "controller that left the bus");
+  if (case_.has(Fault::kErrorPassive)) require(controller.error_passive > 0, "controller that became error-passive");
+  if (case_.has(Fault::kBusOff)) require(controller.bus_off > 0, "controller that left the bus");
   for (const TimedFault& fault : case_.faults) {
     if (fault.fault != Fault::kNetem) continue;
     const bool loses = fault.how.find("loss") != std::string::npos;
