@@ -46,14 +46,13 @@ std::string written(NorthEast place) {
 /// A fault of the case, as far as it has come.
 struct Befalling {
   const TimedFault& fault;
-  std::optional<Time> until;
   bool has_begun = false;
   bool has_ended = false;
 };
 
 std::vector<Befalling> all_of(const Case& c) {
   std::vector<Befalling> all;
-  for (const TimedFault& fault : c.faults) all.push_back({.fault = fault, .until = fault.until});
+  for (const TimedFault& fault : c.faults) all.push_back({.fault = fault});
   return all;
 }
 
@@ -171,7 +170,7 @@ class SeaFlyer {
   [[nodiscard]] bool is_over() {
     if (is_in(messages::MissionState::kDone) || is_in(messages::MissionState::kAbort)) return true;
     const bool comes_back = std::ranges::any_of(faults_, [this](const Befalling& b) {
-      return b.fault.fault == Fault::kKill && &program_of(b.fault) == &earshotd_ && b.has_begun && b.until && !b.has_ended;
+      return b.fault.fault == Fault::kKill && &program_of(b.fault) == &earshotd_ && b.has_begun && b.fault.until && !b.has_ended;
     });
     return !comes_back && !earshotd_.runs() && !earshotd_.is_lost();
   }
@@ -191,7 +190,7 @@ class SeaFlyer {
         one.has_begun = true;
         begin(one.fault);
       }
-      if (one.has_begun && !one.has_ended && one.until && now >= *one.until) {
+      if (one.has_begun && !one.has_ended && one.fault.until && now >= *one.fault.until) {
         one.has_ended = true;
         end(one.fault);
       }
