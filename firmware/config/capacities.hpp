@@ -41,13 +41,21 @@ inline constexpr std::size_t kMaxBeliefHypotheses = 4;
 inline constexpr std::size_t kMaxBeliefRanges = by_profile(512, 256);
 /// Bytes of the belief about the source; full: does not compile.
 inline constexpr std::size_t kBeliefBytes = by_profile(64, 20) * 1024;
+/// Oceans believed possible at the mission's place (a year's sound speed times a handful of sea floors and depths); full: tables refused at
+/// load, and `earshot tables` makes one of those that are most alike.
+inline constexpr std::size_t kMaxOceanTables = by_profile(64, 32);
+/// Ranges of each of them (51 km in steps of 100 m, 38 km in steps of 300 m: the diagonal of 25 km x 25 km is 35.4 km); full: tables
+/// refused at load.
+inline constexpr std::size_t kMaxTableRanges = by_profile(512, 128);
+/// Bytes of the name of such an ocean; full: `earshot tables` cuts it off.
+inline constexpr std::size_t kMaxTableName = 32;
 /// Seconds that a decision may listen over (a blue whale calls every one or two minutes); full: policy refused at load.
 inline constexpr std::size_t kMaxListeningSeconds = by_profile(120, 60);
 /// Searches that are flown again before a policy is trusted; a policy has exactly this many.
 inline constexpr std::size_t kGoldenTrajectories = 2;
 /// Steps of each of these searches (enough for a belief to take shape, all flown in 1 ms); a policy has exactly this many.
 inline constexpr std::size_t kGoldenSteps = 6;
-/// Bytes of provenance text in a policy; full: refused at freeze.
+/// Bytes of provenance text in a policy, or in ocean tables; full: refused when they are made.
 inline constexpr std::size_t kMaxProvenance = 1024;
 /// Bytes of the whole on-vehicle state (nearly all of them policy weights and belief); full: does not compile.
 inline constexpr std::size_t kRuntimeBytes = by_profile(134, 81) * 1024;

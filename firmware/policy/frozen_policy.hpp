@@ -8,6 +8,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/policy/action_draw.hpp"
+#include "firmware/policy/format/provenance.hpp"
 #include "firmware/policy/golden.hpp"
 #include "firmware/policy/network.hpp"
 #include "firmware/policy/observation.hpp"
@@ -24,7 +25,7 @@ struct FrozenPolicy {
   ActionDraw draw = ActionDraw::kArgmax;
   Network network;
   GoldenTrajectories golden{};
-  FixedVector<char, config::kMaxProvenance> provenance;  ///< UTF-8 "key = value" lines: training command, commit, environment hash
+  Provenance provenance;  ///< training command, commit, environment hash
 };
 
 /// Which of a mission's numbers is not the one that a policy was trained, or frozen, with.

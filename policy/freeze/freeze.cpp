@@ -10,6 +10,7 @@
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/host/trust/signed_bytes.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "policy/freeze/golden_search.hpp"
 #include "policy/ppo/actor_critic.hpp"
@@ -159,7 +160,7 @@ void listen_over(policy::FrozenPolicy& policy, config::ListeningWindow window) {
 void check_flies(const policy::FrozenPolicy& policy, const std::string& name) {
   const policy::PolicyComplaint complaint = policy::check(policy);
   if (!complaint.is_none()) throw BadInput(host::to_string(complaint, name));
-  host::require_provenance(policy, name);
+  host::require_provenance({policy.provenance.begin(), policy.provenance.end()}, name);
 }
 
 std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const host::SecretKey& key) {
@@ -167,15 +168,8 @@ std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const host::S
   const Result<std::size_t> size = policy::serialise(policy, host::public_key_of(key), bytes);
   if (!size.ok()) throw BadInput("the policy does not fit the vehicle: a size, weight or scale is out of range");
   bytes.resize(size.value());
-  const std::span<std::uint8_t> all(bytes);
-  const host::Signature signature = host::sign(all.first(all.size() - policy::kSignatureSize), key);
-  std::ranges::copy(signature, all.last(policy::kSignatureSize).begin());
+  host::sign_at_end(bytes, key);
   return bytes;
-}
-
-bool is_signed_by(std::span<const std::uint8_t> bytes, const host::PublicKey& key) {
-  if (bytes.size() < policy::kSignatureSize) return false;
-  return host::is_signed(bytes.first(bytes.size() - policy::kSignatureSize), bytes.last<policy::kSignatureSize>(), key);
 }
 
 }  // namespace earshot::freeze

@@ -37,7 +37,4 @@ void check_flies(const policy::FrozenPolicy& policy, const std::string& name);
 /// Throws host::BadInput for a policy that a vehicle would refuse.
 [[nodiscard]] std::vector<std::uint8_t> sign(const policy::FrozenPolicy& policy, const host::SecretKey& key);
 
-/// Whether the signature at the end of `bytes` was made with the secret half of `key`.
-[[nodiscard]] bool is_signed_by(std::span<const std::uint8_t> bytes, const host::PublicKey& key);
-
 }  // namespace earshot::freeze

@@ -5,6 +5,7 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/host/trust/signed_bytes.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/format/byte_stream.hpp"
 #include "firmware/policy/format/policy_format.hpp"
@@ -153,14 +154,12 @@ bool is_policy(std::string_view bytes) {
 }
 
 host::PublicKey signer_of(std::span<const std::uint8_t> bytes) {
-  host::PublicKey key{};
-  std::ranges::copy(bytes.last(kTrailerSize).first(key.size()), key.begin());
-  return key;
+  return policy::format::carried_key(bytes);
 }
 
 std::unique_ptr<policy::FrozenPolicy> thaw(std::span<const std::uint8_t> bytes, const std::string& file) {
   auto policy = version_of(bytes) == 3 ? thawed_version_3(bytes, file) : host::unproven_policy_from(bytes, file);
-  if (!is_signed_by(bytes, signer_of(bytes))) throw BadInput(file + ": its signature is not that of the key it carries");
+  if (!host::is_signed_at_end(bytes, signer_of(bytes))) throw BadInput(file + ": its signature is not that of the key it carries");
   check_flies(*policy, file);
   fly_golden_searches(*policy);
   return policy;

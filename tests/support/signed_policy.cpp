@@ -6,9 +6,12 @@
 #include <cstdlib>
 #include <fstream>
 #include <memory>
+#include <span>
 
+#include "firmware/core/crc32.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/policy/format/policy_format.hpp"
+#include "firmware/policy/tables/tables_format.hpp"
 
 namespace earshot::support {
 namespace {
@@ -72,6 +75,22 @@ std::vector<std::uint8_t> signed_bytes(policy::FrozenPolicy policy) {
   bytes.resize(size.value());
   sign(bytes);
   return bytes;
+}
+
+std::vector<std::uint8_t> signed_bytes(const policy::OceanTables& tables) {
+  std::vector<std::uint8_t> bytes(policy::max_tables_size());
+  const Result<std::size_t> size = policy::serialise(tables, test_keys().open, bytes);
+  if (!size.ok()) std::abort();
+  bytes.resize(size.value());
+  sign(bytes);
+  return bytes;
+}
+
+void mend(std::vector<std::uint8_t>& bytes) {
+  const std::size_t covered = bytes.size() - policy::kSignatureSize - policy::format::kChecksumSize;
+  const std::uint32_t checksum = crc32(std::span(bytes).first(covered));
+  for (std::size_t i = 0; i < policy::format::kChecksumSize; ++i) bytes[covered + i] = static_cast<std::uint8_t>(checksum >> (8U * i));
+  sign(bytes);
 }
 
 std::array<std::uint8_t, policy::kPublicKeySize> public_key() {

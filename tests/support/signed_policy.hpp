@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "firmware/policy/format/policy_format.hpp"
+#include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::support {
 
@@ -15,8 +16,13 @@ namespace earshot::support {
 /// The bytes of a signed `.policy` file, with what this build makes of the policy's golden trajectories.
 [[nodiscard]] std::vector<std::uint8_t> signed_bytes(policy::FrozenPolicy policy);
 
+/// The bytes of a signed `.tables` file, with the same key.
+[[nodiscard]] std::vector<std::uint8_t> signed_bytes(const policy::OceanTables& tables);
+
 /// Signs whatever the bytes before the signature are (a damaged policy included).
 void sign(std::vector<std::uint8_t>& bytes);
+/// Signs bytes that somebody changed, a CRC-32 that holds before the signature.
+void mend(std::vector<std::uint8_t>& bytes);
 
 /// The key that belongs to signed_bytes().
 [[nodiscard]] std::array<std::uint8_t, policy::kPublicKeySize> public_key();

@@ -1,10 +1,7 @@
 #include "firmware/host/mission/policy_file.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <iomanip>
-#include <iterator>
-#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -14,6 +11,7 @@
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/host/trust/signed_bytes.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 
 namespace earshot::host {
@@ -51,10 +49,6 @@ std::string complaint_about(const policy::FrozenPolicy& policy, const config::Mi
   return {};
 }
 
-bool is_signed_by(const TrustedKey& trusted, std::span<const std::uint8_t> bytes) {
-  return is_signed(bytes.first(bytes.size() - policy::kSignatureSize), bytes.last<policy::kSignatureSize>(), trusted.key);
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> read_policy_bytes(const std::filesystem::path& path) {
@@ -64,18 +58,15 @@ std::vector<std::uint8_t> read_policy_bytes(const std::filesystem::path& path) {
 SignedPolicy signed_policy_from(Bytes bytes, const std::filesystem::path& path, const TrustedKey& trusted) {
   // The file is taken apart before its signature is checked: parse() is built for hostile bytes, and "damaged" says more than "not signed".
   std::unique_ptr<policy::FrozenPolicy> parsed = policy_from(bytes, path);
-  if (!is_signed_by(trusted, bytes))
-    throw BadInput(path.string() + ": is not signed by the trusted key " + trusted.file.string() +
-                   "; --public-key names the public half of the key that signed it");
+  require_signed_by(bytes, path, trusted);
   return {.policy = std::move(parsed), .bytes = std::move(bytes), .signer = trusted.file};
 }
 
 SignedPolicy signed_policy_from(Bytes bytes, const std::filesystem::path& path, const std::vector<TrustedKey>& trusted,
                                 const std::string& trusted_by) {
   std::unique_ptr<policy::FrozenPolicy> parsed = policy_from(bytes, path);
-  const auto signer = std::ranges::find_if(trusted, [&](const TrustedKey& key) { return is_signed_by(key, bytes); });
-  if (signer == trusted.end()) throw BadInput(path.string() + ": is signed by none of " + trusted_by + " (" + files_of(trusted) + ")");
-  return {.policy = std::move(parsed), .bytes = std::move(bytes), .signer = signer->file};
+  std::filesystem::path signer = signer_of(bytes, path, trusted, trusted_by);
+  return {.policy = std::move(parsed), .bytes = std::move(bytes), .signer = std::move(signer)};
 }
 
 SignedPolicy load_policy(const std::filesystem::path& path, const std::filesystem::path& public_key) {

@@ -48,21 +48,13 @@ std::string capacities() {
          at_most(config::kMaxProvenance, "bytes of provenance");
 }
 
-std::string section_of(const PolicyComplaint& complaint) {
-  if (complaint.section == policy::SectionTag{}) return "";
-  const std::string tag(complaint.section.begin(), complaint.section.end());
-  const std::string version =
-      complaint.fault == PolicyFault::kUnknownSectionVersion ? ", version " + std::to_string(complaint.version) + "," : "";
-  return "section " + printable(tag) + version + " ";
-}
-
 }  // namespace
 
 std::unique_ptr<policy::FrozenPolicy> unproven_policy_from(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
   auto policy = std::make_unique<policy::FrozenPolicy>();
   PolicyComplaint complaint;
   if (policy::parse(bytes, *policy, complaint) != Status::kOk) throw BadInput(to_string(complaint, path));
-  require_provenance(*policy, path);
+  require_provenance({policy->provenance.begin(), policy->provenance.end()}, path);
   return policy;
 }
 
@@ -73,9 +65,17 @@ std::unique_ptr<policy::FrozenPolicy> policy_from(std::span<const std::uint8_t> 
   return policy;
 }
 
-void require_provenance(const policy::FrozenPolicy& policy, const std::filesystem::path& path) {
-  const std::string complaint = complaint_about_provenance({policy.provenance.begin(), policy.provenance.end()});
+void require_provenance(std::string_view provenance, const std::filesystem::path& path) {
+  const std::string complaint = complaint_about_provenance(provenance);
   if (!complaint.empty()) throw BadInput(path.string() + ": section PROV " + complaint);
+}
+
+std::string section_of(const PolicyComplaint& complaint) {
+  if (complaint.section == policy::SectionTag{}) return "";
+  const std::string tag(complaint.section.begin(), complaint.section.end());
+  const std::string version =
+      complaint.fault == PolicyFault::kUnknownSectionVersion ? ", version " + std::to_string(complaint.version) + "," : "";
+  return "section " + printable(tag) + version + " ";
 }
 
 std::string to_string(const PolicyComplaint& complaint, const std::filesystem::path& path) {

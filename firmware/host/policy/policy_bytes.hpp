@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "firmware/policy/check/policy_fault.hpp"
 #include "firmware/policy/frozen_policy.hpp"
@@ -23,7 +24,10 @@ namespace earshot::host {
 
 /// What a person reads of where a policy comes from must be UTF-8, "key = value" line by line; a vehicle does nothing with it.
 /// @throws BadInput as above
-void require_provenance(const policy::FrozenPolicy& policy, const std::filesystem::path& path);
+void require_provenance(std::string_view provenance, const std::filesystem::path& path);
+
+/// "section NETW " where a complaint is about one, as its sentence begins; else empty.
+[[nodiscard]] std::string section_of(const policy::PolicyComplaint& complaint);
 
 /// "PATH: section NETW is missing, or not in its place". Of an older version of the format: with the command that writes such a file again.
 [[nodiscard]] std::string to_string(const policy::PolicyComplaint& complaint, const std::filesystem::path& path);

@@ -8,7 +8,7 @@
 
 namespace earshot::policy {
 
-/// What is wrong with a policy, for the message a person reads; the Status says what to do.
+/// What is wrong with a policy, or with ocean tables, for the message a person reads; the Status says what to do.
 enum class PolicyFault : std::uint8_t {
   kNone,
   kTooShort,               ///< shorter than its header or its own length field says
@@ -32,7 +32,7 @@ enum class PolicyFault : std::uint8_t {
   kGoldenMismatch,    ///< this build, flying the golden trajectories again, does not give what is written there
 };
 
-/// Four letters that name a section of a `.policy` file.
+/// Four letters that name a section of a file.
 using SectionTag = std::array<char, 4>;
 
 inline constexpr SectionTag kNetworkSection = {'N', 'E', 'T', 'W'};

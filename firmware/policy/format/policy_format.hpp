@@ -6,13 +6,12 @@
 
 #include "firmware/core/status.hpp"
 #include "firmware/policy/check/policy_fault.hpp"
+#include "firmware/policy/format/envelope.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 
 namespace earshot::policy {
 
 inline constexpr std::uint32_t kFormatVersion = 4;
-inline constexpr std::size_t kSignatureSize = 64;  ///< Ed25519, over every byte before it; the shell checks it, the core does not
-inline constexpr std::size_t kPublicKeySize = 32;
 
 /// Size of the largest serialised policy, bytes.
 [[nodiscard]] std::size_t max_serialised_size();

@@ -1,10 +1,9 @@
-#include <algorithm>
 #include <span>
 
-#include "firmware/core/crc32.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/format/byte_stream.hpp"
 #include "firmware/policy/format/policy_format.hpp"
+#include "firmware/policy/format/provenance.hpp"
 #include "firmware/policy/format/sections.hpp"
 
 namespace earshot::policy {
@@ -120,13 +119,6 @@ PolicyFault read_belief(ByteReader& reader, FrozenPolicy& policy) {
   return read_hypotheses(reader, model);
 }
 
-PolicyFault read_provenance(ByteReader& reader, FrozenPolicy& policy) {
-  if (reader.remaining() > config::kMaxProvenance) return PolicyFault::kBadShape;
-  policy.provenance.clear();
-  while (reader.remaining() > 0) static_cast<void>(policy.provenance.push_back(static_cast<char>(reader.u8())));
-  return PolicyFault::kNone;
-}
-
 PolicyFault read_golden_step(ByteReader& reader, const Network& network, GoldenStep& step) {
   step = GoldenStep{};
   step.place = read_place(reader);
@@ -166,64 +158,18 @@ PolicyFault read_content(ByteReader& reader, Content content, FrozenPolicy& poli
     case Content::kBelief:
       return read_belief(reader, policy);
     case Content::kProvenance:
-      return read_provenance(reader, policy);
+      return read_provenance(reader, policy.provenance);
     case Content::kGolden:
       return read_golden(reader, policy);
   }
   return PolicyFault::kUnknownSection;
 }
 
-/// Magic, version, length and checksum: is this a whole `.policy` of our version?
-PolicyComplaint complaint_about_envelope(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kHeaderSize) return {.fault = PolicyFault::kTooShort};
-  if (!std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) return {.fault = PolicyFault::kBadMagic};
-  ByteReader reader(bytes.subspan(kMagic.size()));
-  const std::uint32_t version = reader.u32();
-  if (version != kFormatVersion) return {.fault = PolicyFault::kUnknownVersion, .version = version};
-  const std::size_t length = reader.u32();
-  if (bytes.size() < length || length < kHeaderSize + kTrailerSize) return {.fault = PolicyFault::kTooShort};
-  if (bytes.size() > length) return {.fault = PolicyFault::kTooLong};
-  const std::size_t covered = length - kSignatureSize - kChecksumSize;
-  ByteReader checksum(bytes.subspan(covered));
-  return {.fault = checksum.u32() == crc32(bytes.first(covered)) ? PolicyFault::kNone : PolicyFault::kBadChecksum};
-}
-
-SectionTag read_tag(ByteReader& reader) {
-  SectionTag tag{};
-  for (char& letter : tag) letter = static_cast<char>(reader.u8());
-  return tag;
-}
-
-/// What a section that is not the next one says about the order. @param next  of the section that is due; all are there: past the last
-PolicyComplaint complaint_about_order(SectionTag tag, std::size_t next) {
-  const auto known = std::find_if(kSections.begin(), kSections.end(), [tag](const Section& section) { return section.tag == tag; });
-  if (known == kSections.end()) return {.fault = PolicyFault::kUnknownSection, .section = tag};
-  if (known - kSections.begin() < static_cast<std::ptrdiff_t>(next)) return {.fault = PolicyFault::kSectionTwice, .section = tag};
-  return {.fault = PolicyFault::kMissingSection, .section = kSections[next].tag};
-}
-
-PolicyComplaint read_section(ByteReader& reader, std::size_t index, FrozenPolicy& policy) {
-  const Section& due = kSections[index];
-  if (reader.remaining() == 0) return {.fault = PolicyFault::kMissingSection, .section = due.tag};
-  const SectionTag tag = read_tag(reader);
-  if (tag != due.tag) return complaint_about_order(tag, index);
-  const std::uint16_t version = reader.u16();
-  if (version != due.version) return {.fault = PolicyFault::kUnknownSectionVersion, .section = tag, .version = version};
-  ByteReader content = reader.take(reader.u32());
-  if (reader.past_end()) return {.fault = PolicyFault::kBadSectionLength, .section = tag};
-  const PolicyFault fault = read_content(content, due.content, policy);
-  if (fault != PolicyFault::kNone) return {.fault = fault, .section = tag};
-  const bool is_used_up = content.remaining() == 0 && !content.past_end();
-  return {.fault = is_used_up ? PolicyFault::kNone : PolicyFault::kBadSectionLength, .section = is_used_up ? SectionTag{} : tag};
-}
-
 PolicyComplaint complaint_about(std::span<const std::uint8_t> bytes, FrozenPolicy& policy) {
-  if (const PolicyComplaint complaint = complaint_about_envelope(bytes); !complaint.is_none()) return complaint;
-  ByteReader reader(bytes.subspan(kHeaderSize, bytes.size() - kHeaderSize - kTrailerSize));
-  for (std::size_t i = 0; i < kSections.size(); ++i)
-    if (const PolicyComplaint complaint = read_section(reader, i, policy); !complaint.is_none()) return complaint;
-  if (reader.remaining() > 0) return complaint_about_order(read_tag(reader), kSections.size());
-  return check(policy);
+  const PolicyComplaint complaint = read_file(bytes, kPolicyFile, [&policy](ByteReader& content, std::size_t index) {
+    return read_content(content, static_cast<Content>(index), policy);
+  });
+  return complaint.is_none() ? check(policy) : complaint;
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
-#include <algorithm>
 #include <span>
 
-#include "firmware/core/crc32.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/format/byte_stream.hpp"
 #include "firmware/policy/format/policy_format.hpp"
+#include "firmware/policy/format/provenance.hpp"
 #include "firmware/policy/format/sections.hpp"
 
 namespace earshot::policy {
@@ -92,10 +91,6 @@ void write_belief(ByteWriter& writer, const FrozenPolicy& policy) {
   write(writer, model.snr_db.span());
 }
 
-void write_provenance(ByteWriter& writer, const FrozenPolicy& policy) {
-  for (const char character : policy.provenance) writer.u8(static_cast<std::uint8_t>(character));
-}
-
 void write_golden(ByteWriter& writer, const FrozenPolicy& policy) {
   writer.u8(static_cast<std::uint8_t>(config::kGoldenTrajectories));
   writer.u8(static_cast<std::uint8_t>(config::kGoldenSteps));
@@ -129,19 +124,10 @@ void write_content(ByteWriter& writer, const FrozenPolicy& policy, Content conte
     case Content::kBelief:
       return write_belief(writer, policy);
     case Content::kProvenance:
-      return write_provenance(writer, policy);
+      return write_provenance(writer, policy.provenance);
     case Content::kGolden:
       return write_golden(writer, policy);
   }
-}
-
-void write_section(ByteWriter& writer, const FrozenPolicy& policy, const Section& section) {
-  for (const char letter : section.tag) writer.u8(static_cast<std::uint8_t>(letter));
-  writer.u16(section.version);
-  writer.u32(0);
-  const std::size_t begin = writer.position();
-  write_content(writer, policy, section.content);
-  if (!writer.full()) writer.u32_at(begin - sizeof(std::uint32_t), static_cast<std::uint32_t>(writer.position() - begin));
 }
 
 }  // namespace
@@ -157,25 +143,14 @@ std::size_t max_serialised_size() {
   constexpr std::size_t kBelief = 59 + 12 * config::kMaxBeliefHypotheses + 4 * config::kMaxBeliefRanges;
   constexpr std::size_t kGoldenStep = 77 + 4 * (kObservation + kActions);
   constexpr std::size_t kGolden = 2 + config::kGoldenTrajectories * config::kGoldenSteps * kGoldenStep;
-  return kHeaderSize + kSections.size() * kSectionHeaderSize + kNetwork + kObservationSize + kActionsSize + 1 + kBelief +
-         config::kMaxProvenance + kGolden + kTrailerSize;
+  return size_around(kPolicyFile, kNetwork + kObservationSize + kActionsSize + 1 + kBelief + config::kMaxProvenance + kGolden);
 }
 
 Result<std::size_t> serialise(const FrozenPolicy& policy, std::span<const std::uint8_t, kPublicKeySize> public_key,
                               std::span<std::uint8_t> bytes) {
   if (!check(policy).is_none()) return Status::kOutOfRange;
-  ByteWriter writer(bytes);
-  for (const std::uint8_t byte : kMagic) writer.u8(byte);
-  writer.u32(kFormatVersion);
-  writer.u32(0);
-  for (const Section& section : kSections) write_section(writer, policy, section);
-  for (const std::uint8_t byte : public_key) writer.u8(byte);
-  const std::size_t covered = writer.position();
-  if (bytes.size() < covered + kChecksumSize + kSignatureSize) return Status::kFull;
-  writer.u32_at(kLengthAt, static_cast<std::uint32_t>(covered + kChecksumSize + kSignatureSize));
-  writer.u32(crc32(bytes.first(covered)));
-  for (std::size_t i = 0; i < kSignatureSize; ++i) writer.u8(0);
-  return writer.position();
+  return write_file(kPolicyFile, public_key, bytes,
+                    [&policy](ByteWriter& writer, std::size_t index) { write_content(writer, policy, static_cast<Content>(index)); });
 }
 
 }  // namespace earshot::policy

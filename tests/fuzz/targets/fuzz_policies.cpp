@@ -9,12 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/core/crc32.hpp"
 #include "firmware/core/random.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/mission/policy_file.hpp"
-#include "firmware/policy/format/policy_format.hpp"
-#include "firmware/policy/format/sections.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "tests/fuzz/policy_flight.hpp"
 #include "tests/fuzz/targets/fuzz_target.hpp"
@@ -30,10 +27,7 @@ void judge(std::span<const std::uint8_t> input_bytes) {
   Bytes bytes = good[input.byte() % good.size()];
   const bool is_frozen_anew = input.byte() % 2 == 1;
   while (!input.is_used_up()) spoil(bytes, input);
-  const std::size_t covered = bytes.size() - policy::kSignatureSize - policy::format::kChecksumSize;
-  const std::uint32_t checksum = crc32(std::span(bytes).first(covered));
-  for (std::size_t i = 0; i < 4; ++i) bytes[covered + i] = static_cast<std::uint8_t>(checksum >> (8U * i));
-  support::sign(bytes);
+  support::mend(bytes);
   if (is_frozen_anew) bytes = frozen_anew(bytes);
   try {
     const host::SignedPolicy loaded = host::signed_policy_from(std::move(bytes), "a.policy", trusted);

@@ -6,6 +6,7 @@
 
 #include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/host/trust/key_file.hpp"
+#include "firmware/host/trust/signed_bytes.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/freeze/freeze.hpp"
 #include "sim/ocean/file/environment_file.hpp"
@@ -36,7 +37,7 @@ TEST(ShippedPolicy, IsSignedByTheShippedPublicKey) {
   const std::string bytes = bytes_of(kShipped);
   const std::string key_file = EARSHOT_SOURCE_DIR "/policy/frozen/earshot.pub";
   const std::vector<std::uint8_t> raw(bytes.begin(), bytes.end());
-  EXPECT_TRUE(freeze::is_signed_by(raw, host::load_public_key(key_file).key));
+  EXPECT_TRUE(host::is_signed_at_end(raw, host::load_public_key(key_file).key));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "firmware/host/toml/table_reader.hpp"
+#include "firmware/host/trust/signed_bytes.hpp"
 #include "firmware/policy/network.hpp"
 
 namespace earshot::freeze {
@@ -207,12 +208,12 @@ TEST(Sign, MakesBytesThatTheVehicleParses) {
 TEST(Sign, CoversEveryByteAndOnlyItsOwnKey) {
   const host::SecretKey key = host::make_key();
   std::vector<std::uint8_t> bytes = sign(*freeze(made_up_checkpoint(), policy::ActionDraw::kSampled), key);
-  EXPECT_TRUE(is_signed_by(bytes, host::public_key_of(key)));
-  EXPECT_FALSE(is_signed_by(bytes, host::public_key_of(host::make_key())));
-  EXPECT_FALSE(is_signed_by(std::span(bytes).first(10), host::public_key_of(key)));
+  EXPECT_TRUE(host::is_signed_at_end(bytes, host::public_key_of(key)));
+  EXPECT_FALSE(host::is_signed_at_end(bytes, host::public_key_of(host::make_key())));
+  EXPECT_FALSE(host::is_signed_at_end(std::span(bytes).first(10), host::public_key_of(key)));
   for (std::size_t i = 0; i < bytes.size(); i += 97) {
     bytes[i] ^= 1U;
-    EXPECT_FALSE(is_signed_by(bytes, host::public_key_of(key))) << "byte " << i;
+    EXPECT_FALSE(host::is_signed_at_end(bytes, host::public_key_of(key))) << "byte " << i;
     bytes[i] ^= 1U;
   }
 }
