@@ -9,12 +9,12 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
-#include "firmware/host/trust/key_file.hpp"
 #include "firmware/host/trust/key_pair.hpp"
 #include "policy/command_line/listening_options.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
+#include "policy/command_line/signing_key.hpp"
 #include "policy/description/draw.hpp"
 #include "policy/freeze/model_file.hpp"
 #include "policy/freeze/thaw.hpp"
@@ -30,9 +30,7 @@ struct Options {
   std::optional<std::string> search;
   std::optional<std::string> draw;
   command_line::ListeningOptions listening;
-  std::string key;
-  bool new_key = false;
-  bool public_key = false;
+  command_line::SigningKeyOptions key;
   bool force = false;
 };
 
@@ -48,42 +46,8 @@ void add_options(program::CommandLine& line, Options& options) {
               "how the vehicle draws its actions: sampled from the softmax, or argmax; without it sampled, of a .policy as it does")
       .one_of({description::kDraws.begin(), description::kDraws.end()});
   options.listening.add_to(line, "what MODEL has: what it was trained with, of a .policy what it was last frozen with");
-  line.option("--key", &options.key, "secret key file to sign with; its public half stands beside it as .pub").required();
-  line.flag("--new-key", &options.new_key,
-            "make the key and its .pub first; refused when one of them exists (--force replaces a .pub without its key)");
-  line.flag("--public-key", &options.public_key, "write the .pub of a key that has lost it");
+  options.key.add_to(line).required();
   line.flag("--force", &options.force, command_line::kForceHelp);
-}
-
-/// A policy must not be written over the key that signs it.
-void check_output(const Options& options) {
-  const command_line::Output output{"--output", *options.output, command_line::kPolicyOutput};
-  command_line::check_distinct(std::array{command_line::Output{"--key", options.key, {}}, output});
-  command_line::check_distinct(std::array{command_line::Output{"the public half of --key", host::public_file_of(options.key), {}}, output});
-}
-
-host::SecretKey new_key(const Options& options) {
-  const auto lone = options.force ? host::LonePublicHalf::kReplaced : host::LonePublicHalf::kStays;
-  const host::SecretKey key = host::make_key_pair(options.key, lone, "--force replaces it");
-  program::say() << options.key << " (secret: keep it), " << host::public_file_of(options.key).string() << "\n";
-  return key;
-}
-
-host::SecretKey key_of(const Options& options) {
-  host::require_secret_name(options.key);
-  if (options.new_key) return new_key(options);
-  if (!std::filesystem::exists(options.key)) throw BadInput(options.key + ": no such key; --new-key makes one");
-  const host::SecretKey key = host::read_signing_key(options.key);
-  const std::filesystem::path public_file = host::public_file_of(options.key);
-  if (std::filesystem::exists(public_file)) {
-    host::require_public_half(key, options.key);
-  } else if (options.public_key) {
-    host::write_new(public_file, host::to_text(host::public_key_of(key)));
-    program::say() << public_file.string() << "\n";
-  } else {
-    program::say() << public_file.string() << ": the public half, which a vehicle needs, is missing; --public-key writes it\n";
-  }
-  return key;
 }
 
 std::string search_of(const freeze::TrainedActor& actor, const Options& options) {
@@ -154,20 +118,20 @@ std::unique_ptr<policy::FrozenPolicy> policy_of(const Options& options) {
 
 void run(const Options& options) {
   if (options.model.has_value() != options.output.has_value()) throw BadInput("earshot freeze: MODEL and --output go together");
-  if (!options.model && !options.new_key && !options.public_key)
+  if (!options.model && !options.key.only_makes_keys())
     throw BadInput("earshot freeze: nothing to do: no MODEL, no --new-key and no --public-key");
   std::unique_ptr<policy::FrozenPolicy> policy;
   if (options.model) {
-    check_output(options);
+    options.key.check_is_not({"--output", *options.output, command_line::kPolicyOutput});
     policy = policy_of(options);
     host::require_writable(*options.output, command_line::kPolicyOutput, host::replaced_by(options.force));
   }
-  const host::SecretKey key = key_of(options);
+  const host::SecretKey key = options.key.read(options.force);
   if (!options.model) return;
   const std::vector<std::uint8_t> bytes = freeze::sign(*policy, key);
   host::write_whole(*options.output, std::string(bytes.begin(), bytes.end()));
   command_line::print_policy_details(*options.model, *policy);
-  program::detail() << options.key << ": signed with it; a vehicle trusts " << host::public_file_of(options.key).string() << "\n";
+  program::detail() << options.key.key << ": signed with it; a vehicle trusts " << host::public_file_of(options.key.key).string() << "\n";
   program::say() << *options.output << ": " << bytes.size() << " bytes, " << policy->observation.spec.size() << " elements of observation, "
                  << policy->actions.size() << " actions, " << description::name_of(policy->draw) << "\n";
 }

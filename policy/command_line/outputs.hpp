@@ -16,6 +16,7 @@ struct Output {
 };
 
 inline constexpr host::OutputKind kPolicyOutput{"a .policy file", {"EARSHOTP", {}}};
+inline constexpr host::OutputKind kTablesOutput{"a .tables file", {"EARSHOTT", {}}};
 
 /// The description of --force in --help.
 inline constexpr const char* kForceHelp = "replace a file that is there already, of whatever kind it is";
