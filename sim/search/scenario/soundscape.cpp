@@ -70,7 +70,8 @@ sonar::Fan fan_of_one_depth(const sonar::Fan& fan, std::size_t depth) {
           .sea_floor_depth_m = {}};
 }
 
-/// The fans of the scenario's library, of the vehicle's depth alone.
+}  // namespace
+
 std::vector<SnrFan> fans_of(const Scenario& scenario, Meters vehicle_depth, Meters furthest) {
   const ocean::Environment& environment = scenario.environment;
   const auto refused = [&](const std::string& what) { return host::BadInput(scenario.field_library.string() + ": " + what); };
@@ -99,8 +100,6 @@ std::vector<SnrFan> fans_of(const Scenario& scenario, Meters vehicle_depth, Mete
     throw refused("has no water at the vehicle's depth, " + words(vehicle_depth.value) + " m: all its values there are missing");
   return fans;
 }
-
-}  // namespace
 
 Soundscape soundscape_of(const Scenario& scenario, Meters vehicle_depth, Meters furthest) {
   std::vector<sonar::SnrCurve> curves{sonar::compute_snr_curve(scenario.environment, vehicle_depth, furthest)};

@@ -45,6 +45,9 @@ class Soundscape {
   std::vector<SnrFan> fans_;
 };
 
+/// The fans of a scenario's field library, of the vehicle's depth alone; throws as soundscape_of does.
+[[nodiscard]] std::vector<SnrFan> fans_of(const Scenario& scenario, Meters vehicle_depth, Meters furthest);
+
 /// The soundscape of a scenario: its environment and its other oceans, or its field library.
 ///
 /// @param furthest  range that can be looked up

@@ -59,6 +59,7 @@ constexpr std::array kDescriptions{
     Description{"report", "writes the page about a flight again"},
     Description{"sign", "signs a mission for vehicles that fly signed ones alone"},
     Description{"sim", "the ocean and the vehicle of a flight; earshot fly starts it"},
+    Description{"tables", "makes the tables of what a vehicle believes possible of the ocean, and shows them"},
     Description{"train", "trains a policy"},
     Description{"verify", "says whether a vehicle would fly a mission or a policy, who signed it, and which counter it bears"},
 };

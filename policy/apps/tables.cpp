@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/checksum_text.hpp"
+#include "firmware/host/file/printable.hpp"
+#include "firmware/host/policy/tables_bytes.hpp"
+#include "firmware/host/program/progress_bar.hpp"
+#include "firmware/host/program/talk.hpp"
+#include "firmware/host/program/version.hpp"
+#include "firmware/host/trust/key_pair.hpp"
+#include "firmware/host/trust/signed_bytes.hpp"
+#include "firmware/policy/format/envelope.hpp"
+#include "policy/command_line/outputs.hpp"
+#include "policy/command_line/run.hpp"
+#include "policy/command_line/signing_key.hpp"
+#include "policy/tables/believed_ocean.hpp"
+#include "policy/tables/curves_plot.hpp"
+#include "policy/tables/description.hpp"
+#include "policy/tables/make_tables.hpp"
+#include "policy/tables/merge.hpp"
+#include "policy/tables/ocean_curve.hpp"
+#include "sim/search/settings.hpp"
+
+namespace {
+
+using namespace earshot;
+using host::BadInput;
+
+struct Options {
+  std::vector<std::string> environments;
+  std::optional<std::string> output;
+  std::optional<std::string> show;
+  std::optional<std::string> plot;
+  command_line::SigningKeyOptions key;
+  double vehicle_depth_m = 300.0;
+  std::optional<double> furthest_m;
+  double range_step_m = 100.0;
+  std::uint32_t bearings = 8;
+  std::uint32_t at_most = config::kMaxOceanTables;
+  bool force = false;
+};
+
+/// The diagonal of the paper's area.
+Meters usual_furthest() {
+  const search::SearchSettings settings;
+  return range_between(settings.domain.south_west, settings.domain.north_east);
+}
+
+void add_options(program::CommandLine& line, Options& o) {
+  line.option(
+      "ENVIRONMENT", &o.environments,
+      "environment files (TOML), or folders of them: oceans believed possible, each with its [[oceans]], [family] or [field_library]");
+  line.option("-o,--output", &o.output, "tables to write (.tables)");
+  line.option("--show", &o.show, "say what these tables are (.tables), and make none");
+  line.option("--plot", &o.plot, "also draw SNR against range in every ocean there (.png or .svg)");
+  line.option("--vehicle-depth-m", &o.vehicle_depth_m, "depth of the vehicle, metres").shows_default().between(0.1, 12'000.0);
+  line.option("--furthest-m", &o.furthest_m, "furthest that a source may be from the vehicle, metres (the diagonal of 25 km x 25 km)")
+      .positive();
+  line.option("--range-step-m", &o.range_step_m, "between two ranges of a table, metres").shows_default().between(1.0, 10'000.0);
+  line.option("--bearings", &o.bearings, "how many bearings of an ocean that differs from one to another are tables of their own")
+      .shows_default()
+      .from(1, 360);
+  line.option("--at-most", &o.at_most, "tables; of more oceans those that are most alike become one")
+      .shows_default()
+      .from(1, config::kMaxOceanTables);
+  o.key.add_to(line);
+  line.flag("--force", &o.force, command_line::kForceHelp);
+  line.footer(
+      "An ocean whose sea floor lies above the vehicle is left out, which is said.\n"
+      "Example: earshot tables sim/ocean/environments/munk_flat.toml -o mine.tables --key mine.key --new-key\n"
+      "         earshot tables --show mine.tables --plot mine.png");
+}
+
+tables::CurvePlan plan_of(const Options& o) {
+  const Meters furthest = o.furthest_m ? Meters{*o.furthest_m} : usual_furthest();
+  const double steps = std::ceil(furthest.value / o.range_step_m - 1e-9);
+  const double most_steps = static_cast<double>(config::kMaxTableRanges - 1);
+  if (!(steps <= most_steps)) {
+    const auto least_step = static_cast<long>(std::ceil(furthest.value / most_steps));
+    throw BadInput("--range-step-m, --furthest-m: give more than the " + std::to_string(config::kMaxTableRanges) +
+                   " ranges that a vehicle holds; --range-step-m " + std::to_string(least_step) + " does not");
+  }
+  return {.vehicle_depth = Meters{o.vehicle_depth_m},
+          .range_step = Meters{o.range_step_m},
+          .range_count = std::max<std::size_t>(1, static_cast<std::size_t>(steps)) + 1,
+          .bearings = o.bearings};
+}
+
+std::vector<tables::BelievedOcean> believed_oceans(const std::vector<std::filesystem::path>& files) {
+  std::vector<tables::BelievedOcean> oceans;
+  for (const std::filesystem::path& file : files)
+    for (tables::BelievedOcean& ocean : tables::oceans_in(file)) oceans.push_back(std::move(ocean));
+  tables::require_one_frequency(oceans);
+  return oceans;
+}
+
+std::vector<tables::OceanCurve> curves_of(const std::vector<tables::BelievedOcean>& oceans, const tables::CurvePlan& plan) {
+  program::ProgressBar bar("tables");
+  std::vector<std::string> left_out;
+  std::vector<tables::OceanCurve> curves = tables::curves_of(
+      oceans, plan, [&bar](double share) { bar.update(share); },
+      [&left_out](const tables::BelievedOcean& ocean) {
+        left_out.push_back(ocean.file.string() + ": " + host::printable(ocean.environment.name));
+      });
+  if (curves.empty())
+    throw BadInput("--vehicle-depth-m: " + left_out.front() + ": the sea floor lies above the vehicle, as in every ocean given");
+  for (const std::string& ocean : left_out) program::say() << ocean << ": left out, its sea floor lies above the vehicle\n";
+  return curves;
+}
+
+/// Of all files that were read, in their order.
+std::string checksum_of(const std::vector<tables::BelievedOcean>& oceans) {
+  std::string checksums;
+  for (const tables::BelievedOcean& ocean : oceans) checksums += host::crc32_text(ocean.environment.file_crc32);
+  return host::crc32_text(host::crc32_of(checksums));
+}
+
+std::string tenths(double value) {
+  char text[32];
+  (void)std::snprintf(text, sizeof text, "%.1f", value);
+  return text;
+}
+
+std::unique_ptr<policy::OceanTables> tables_of(const std::vector<std::filesystem::path>& files, const Options& o) {
+  const tables::CurvePlan plan = plan_of(o);
+  const std::vector<tables::BelievedOcean> oceans = believed_oceans(files);
+  const std::vector<tables::OceanCurve> curves = curves_of(oceans, plan);
+  const tables::Merged merged = tables::merge(curves, o.at_most);
+  if (merged.curves.size() < curves.size())
+    program::say() << curves.size() << " curves became " << merged.curves.size() << " tables; none is further than "
+                   << tenths(merged.most_difference_db) << " dB rms from its own, where it is audible\n";
+  return tables::make_tables(merged.curves, curves, plan, oceans.front().environment.source.frequency,
+                             {{"made_by", "earshot tables " + program::version()},
+                              {"commit", program::build_commit()},
+                              {"environments", std::to_string(files.size())},
+                              {"environments_crc32", checksum_of(oceans)},
+                              {"oceans", std::to_string(oceans.size())},
+                              {"curves", std::to_string(curves.size())},
+                              {"merged_within_db", tenths(merged.most_difference_db)}});
+}
+
+void check_outputs(const Options& o) {
+  std::vector<command_line::Output> outputs;
+  if (o.output) outputs.push_back({"--output", *o.output, command_line::kTablesOutput});
+  if (o.plot) {
+    command_line::check_picture_name("--plot", *o.plot);
+    outputs.push_back({"--plot", *o.plot, host::picture_kind(*o.plot)});
+  }
+  if (!o.show) {
+    for (const command_line::Output& output : outputs) o.key.check_is_not(output);
+  }
+  command_line::require_writable(outputs, host::replaced_by(o.force));
+}
+
+void show(const Options& o) {
+  if (!o.environments.empty() || o.output || !o.key.key.empty() || o.key.only_makes_keys())
+    throw BadInput("--show: goes with --plot alone, it makes no tables");
+  check_outputs(o);
+  const std::vector<std::uint8_t> bytes = host::read_tables_bytes(*o.show);
+  const std::unique_ptr<policy::OceanTables> tables = host::tables_from(bytes, *o.show);
+  tables::describe(program::say(), *tables);
+  const host::PublicKey key = policy::format::carried_key(bytes);
+  program::say() << (host::is_signed_at_end(bytes, key) ? "signed with the secret half of " : "NOT signed with the secret half of ")
+                 << host::to_text(key) << host::printable_lines({tables->provenance.begin(), tables->provenance.end()});
+  if (o.plot) tables::plot_curves(*o.plot, *tables);
+}
+
+void make(const Options& o) {
+  if (o.environments.empty() || !o.output || o.key.key.empty())
+    throw BadInput("earshot tables: ENVIRONMENT, --output and --key are needed; or --show alone");
+  const std::vector<std::filesystem::path> files = tables::environment_files(o.environments);
+  check_outputs(o);
+  for (const std::filesystem::path& file : files)
+    command_line::check_distinct(
+        std::array{command_line::Output{"ENVIRONMENT", file, {}}, command_line::Output{"--output", *o.output, {}}});
+  const std::unique_ptr<policy::OceanTables> tables = tables_of(files, o);
+  const host::SecretKey key = o.key.read(o.force);
+  const std::vector<std::uint8_t> bytes = tables::sign(*tables, key);
+  host::write_whole(*o.output, std::string(bytes.begin(), bytes.end()));
+  tables::describe(program::say(), *tables);
+  if (o.plot) tables::plot_curves(*o.plot, *tables);
+  program::detail() << o.key.key << ": signed with it; a vehicle trusts " << host::public_file_of(o.key.key).string() << "\n";
+  program::say() << *o.output << ": " << bytes.size() << " bytes, " << tables->tables.size()
+                 << (tables->tables.size() == 1 ? " table\n" : " tables\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  program::CommandLine line("earshot tables",
+                            "Makes the signed file of what a vehicle believes possible of the ocean, or says what is in one.");
+  Options options;
+  add_options(line, options);
+  return command_line::run(line, argc, argv, [&] { options.show ? show(options) : make(options); });
+}

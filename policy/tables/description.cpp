@@ -1,0 +1,47 @@
+#include "policy/tables/description.hpp"
+
+#include <cstdio>
+#include <ostream>
+#include <string>
+
+#include "firmware/host/file/printable.hpp"
+
+namespace earshot::tables {
+namespace {
+
+constexpr Decibels kThreshold{10.0};
+
+std::string from_to(policy::DepthRange depths) {
+  char text[80];
+  if (depths.least == depths.most) {
+    (void)std::snprintf(text, sizeof text, "%.10g m", depths.least.value);
+  } else {
+    (void)std::snprintf(text, sizeof text, "%.10g to %.10g m", depths.least.value, depths.most.value);
+  }
+  return text;
+}
+
+}  // namespace
+
+Meters heard_to(const policy::OceanTable& table, const policy::OceanTables& tables, Decibels threshold) {
+  for (std::size_t i = tables.range_count; i > 0; --i)
+    if (double{table.snr_db(i - 1)} >= threshold.value) return static_cast<double>(i - 1) * tables.range_step;
+  return Meters{-1.0};
+}
+
+void describe(std::ostream& out, const policy::OceanTables& tables) {
+  char line[160];
+  (void)std::snprintf(line, sizeof line, "%.10g Hz heard at %.10g m from sources at %s; sea floors at %s; %u ranges, every %.10g m\n",
+                      tables.frequency.value, tables.receiver_depth.value, from_to(tables.source_depth).c_str(),
+                      from_to(tables.sea_depth).c_str(), unsigned{tables.range_count}, tables.range_step.value);
+  out << line << "sea floor m   prior   10 dB to km   name\n";
+  for (const policy::OceanTable& table : tables.tables) {
+    const Meters heard = heard_to(table, tables, kThreshold);
+    char km[32] = "-";
+    if (heard.value >= 0.0) (void)std::snprintf(km, sizeof km, "%s%.1f", heard == reach(tables) ? ">" : "", heard.value / 1000.0);
+    (void)std::snprintf(line, sizeof line, "%11.0f   %.3f   %11s   ", double{table.sea_depth_m}, double{table.prior}, km);
+    out << line << host::printable({table.name.begin(), table.name.end()}) << "\n";
+  }
+}
+
+}  // namespace earshot::tables

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "firmware/core/units.hpp"
+#include "firmware/host/trust/keys.hpp"
+#include "firmware/policy/tables/ocean_tables.hpp"
+#include "policy/tables/ocean_curve.hpp"
+
+namespace earshot::tables {
+
+/// A name that fits a table: the curve's, of which so much is cut off, between two characters, that its detail has room.
+[[nodiscard]] std::string short_name(const OceanCurve& curve);
+
+/// The tables that fly, of curves that are few enough: priors that add up to one, SNRs in half decibels, sea floors to the metre.
+/// @param all  every curve that the ones given stand for: the depths of their sea floors and sources are said
+/// @param provenance  name and value of each line
+/// Throws host::BadInput when provenance, ranges or tables do not fit firmware's capacities, or an SNR is no number.
+[[nodiscard]] std::unique_ptr<policy::OceanTables> make_tables(const std::vector<OceanCurve>& curves, const std::vector<OceanCurve>& all,
+                                                               const CurvePlan& plan, Hertz frequency,
+                                                               const std::vector<std::pair<std::string, std::string>>& provenance);
+
+/// The bytes of a `.tables` file, signed: Ed25519 over every byte before the signature.
+/// Throws host::BadInput for tables that a vehicle would refuse.
+[[nodiscard]] std::vector<std::uint8_t> sign(const policy::OceanTables& tables, const host::SecretKey& key);
+
+}  // namespace earshot::tables

@@ -1,0 +1,113 @@
+// earshot tables as a person meets it.
+#include <string>
+#include <vector>
+
+#include "tests/policy/apps/programs.hpp"
+
+namespace earshot::policy_programs {
+namespace {
+
+const std::string kPapers = kSource + "/sim/ocean/environments/munk_flat.toml";
+const std::string kOceans = kSource + "/policy/worlds/oceans";
+const std::string kShallow = kOceans + "/shallow.toml";  // 500 m
+
+/// The paper's environment with one line of it changed.
+void write_variant(const fs::path& path, const std::string& line, const std::string& instead) {
+  std::string text = content(kPapers);
+  const std::size_t at = text.find(line);
+  ASSERT_NE(at, std::string::npos);
+  std::ofstream(path) << text.replace(at, line.size(), instead);
+}
+
+TEST_F(Programs, TablesAreMadeSignedAndShown) {
+  ASSERT_EQ(run("tables " + kPapers + " " + kShallow + " -o a.tables --key a.key --new-key --plot a.png"), 0) << content(folder / "err");
+  EXPECT_EQ(files(), (std::vector<std::string>{"a.key", "a.png", "a.pub", "a.tables"}));
+  EXPECT_TRUE(content(folder / "a.tables").starts_with("EARSHOTT"));
+  EXPECT_TRUE(content(folder / "a.png").starts_with("\x89PNG"));
+  const std::string made = content(folder / "out");
+  ASSERT_EQ(run("tables --show a.tables"), 0) << content(folder / "err");
+  const std::string shown = content(folder / "out");
+  for (const std::string part : {"20 Hz heard at 300 m from sources at 30 m; sea floors at 500 to 3000 m; 355 ranges, every 100 m",
+                                 "0.500          16.1   Munk profile over a flat floor", "500 m of water over mud"}) {
+    EXPECT_NE(made.find(part), std::string::npos) << made;
+    EXPECT_NE(shown.find(part), std::string::npos) << shown;
+  }
+  EXPECT_NE(shown.find("\nsigned with the secret half of " + content(folder / "a.pub")), std::string::npos) << shown;
+  EXPECT_NE(shown.find("environments = 2\n"), std::string::npos) << shown;
+}
+
+TEST_F(Programs, TablesOfTheSameEnvironmentsAreTheSameBytes) {
+  ASSERT_EQ(run("tables " + kOceans + " -o a.tables --key a.key --new-key --at-most 5"), 0) << content(folder / "err");
+  ASSERT_EQ(run("tables " + kOceans + " -o b.tables --key a.key --at-most 5"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "a.tables"), content(folder / "b.tables"));
+}
+
+TEST_F(Programs, TablesSayWhatWasMergedAndHowFarItIsFromItsTable) {
+  ASSERT_EQ(run("tables " + kOceans + " -o a.tables --key a.key --new-key --at-most 5"), 0) << content(folder / "err");
+  const std::string made = content(folder / "out");
+  EXPECT_NE(made.find("78 curves became 5 tables; none is further than "), std::string::npos) << made;  // six oceans, 9 x 8 of a library
+  EXPECT_NE(made.find("a.tables: "), std::string::npos);
+  EXPECT_NE(made.find(" bytes, 5 tables\n"), std::string::npos) << made;
+}
+
+TEST_F(Programs, TablesLeaveOutAnOceanTooShallowForTheVehicleAndSaySo) {
+  ASSERT_EQ(run("tables " + kPapers + " " + kShallow + " -o a.tables --key a.key --new-key --vehicle-depth-m 600"), 0)
+      << content(folder / "err");
+  EXPECT_NE(content(folder / "out").find(kShallow + ": 500 m of water over mud: left out, its sea floor lies above the vehicle"),
+            std::string::npos)
+      << content(folder / "out");
+  EXPECT_NE(content(folder / "out").find(" bytes, 1 table\n"), std::string::npos);
+}
+
+TEST_F(Programs, TablesRefuseBadInputInOneLine) {
+  ASSERT_EQ(run("tables " + kPapers + " -o good.tables --key a.key --new-key"), 0) << content(folder / "err");
+  write_variant(folder / "higher.toml", "frequency_hz = 20.0", "frequency_hz = 40.0");
+  fs::create_directory(folder / "empty");
+  const std::string rest = " -o a.tables --key a.key ";
+  refuses("tables none.toml" + rest, {"none.toml", "no such file"});
+  refuses("tables empty" + rest, {"empty", "holds no environment file"});
+  refuses("tables " + kPapers + " higher.toml" + rest, {"source.frequency_hz = 40", "higher.toml", "must be one frequency", kPapers});
+  refuses("tables " + kShallow + rest + "--vehicle-depth-m 500", {"--vehicle-depth-m", kShallow, "the sea floor lies above the vehicle"});
+  refuses("tables " + kPapers + rest + "--vehicle-depth-m 0", {"--vehicle-depth-m"});
+  refuses("tables " + kPapers + rest + "--furthest-m 100000", {"--furthest-m", "512 ranges", "--range-step-m 196"});
+  refuses("tables " + kPapers + rest + "--range-step-m nan", {"--range-step-m"});
+  refuses("tables " + kPapers + rest + "--at-most 65", {"--at-most"});
+  refuses("tables " + kPapers + " -o nowhere/a.tables --key a.key", {"nowhere/a.tables", "cannot be written"});
+  refuses("tables " + kPapers + " -o a.tables", {"--key"});
+  refuses("tables " + kPapers + " --key a.key", {"--output"});
+  refuses("tables " + kPapers + " -o a.tables --key none.key", {"none.key", "--new-key"});
+  refuses("tables " + kPapers + " -o a.pub --key a.key", {"a.pub", "the same file"});
+  refuses("tables " + kPapers + rest + "--plot a.jpg", {"a.jpg", ".png or .svg"});
+  refuses("tables " + kOceans + "/hilly.toml" + rest + "--vehicle-depth-m 250", {"hilly.nc", "has no fields at the vehicle's depth"});
+  refuses("tables higher.toml -o higher.toml --key a.key --force", {"ENVIRONMENT higher.toml", "the same file"});
+}
+
+TEST_F(Programs, TablesReplaceNoFileOfAnotherKindUnlessForced) {
+  std::ofstream(folder / "a.tables") << "mine\n";
+  ASSERT_EQ(run("tables " + kPapers + " -o b.tables --key a.key --new-key"), 0);
+  refuses("tables " + kPapers + " -o a.tables --key a.key", {"a.tables", "--force"});
+  EXPECT_EQ(content(folder / "a.tables"), "mine\n");
+  EXPECT_EQ(run("tables " + kPapers + " -o b.tables --key a.key"), 0) << content(folder / "err");
+  EXPECT_EQ(run("tables " + kPapers + " -o a.tables --key a.key --force"), 0) << content(folder / "err");
+}
+
+TEST_F(Programs, TablesShowsNoDamagedOrOtherFileAndSaysWhoseSignatureDoesNotHold) {
+  ASSERT_EQ(run("tables " + kPapers + " -o a.tables --key a.key --new-key"), 0);
+  std::string bytes = content(folder / "a.tables");
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  std::ofstream(folder / "damaged.tables", std::ios::binary) << bytes;
+  std::ofstream(folder / "cut.tables", std::ios::binary) << content(folder / "a.tables").substr(0, 300);
+  std::string unsigned_bytes = content(folder / "a.tables");
+  unsigned_bytes.back() = static_cast<char>(unsigned_bytes.back() ^ 1);
+  std::ofstream(folder / "unsigned.tables", std::ios::binary) << unsigned_bytes;
+  refuses("tables --show damaged.tables", {"damaged.tables: is damaged: its CRC-32 is wrong"});
+  refuses("tables --show cut.tables", {"cut.tables: is cut short"});
+  refuses("tables --show " + kFixedSource, {"is not a .tables file"});
+  refuses("tables --show a.tables " + kPapers, {"--show"});
+  refuses("tables --show a.tables --key a.key", {"--show"});
+  ASSERT_EQ(run("tables --show unsigned.tables"), 0);
+  EXPECT_NE(content(folder / "out").find("NOT signed with the secret half of " + content(folder / "a.pub")), std::string::npos);
+}
+
+}  // namespace
+}  // namespace earshot::policy_programs

@@ -1,0 +1,38 @@
+#include "policy/tables/curves_plot.hpp"
+
+#include <gtest/gtest.h>
+
+#include "firmware/host/file/input_file.hpp"
+#include "tests/firmware/policy/tables/made_up_tables.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace earshot::tables {
+namespace {
+
+std::string drawn(const policy::OceanTables& tables) {
+  const support::TemporaryFolder folder;
+  plot_curves(folder / "a.svg", tables);
+  return host::read_text(folder / "a.svg", host::kAnySize);
+}
+
+TEST(CurvesPlot, NamesEveryOceanWhereTheyAreFew) {
+  const std::string picture = drawn(policy::made_up_tables());
+  for (const char* name : {"2 oceans, 20 Hz at 300 m", "deep", "shelf", "detection threshold", "range (km)"})
+    EXPECT_NE(picture.find(name), std::string::npos) << name;
+}
+
+TEST(CurvesPlot, NamesNoneWhereTheyWouldCoverThePicture) {
+  policy::OceanTables tables = policy::made_up_tables();
+  while (tables.tables.push_back(policy::made_up_table("it's $one_{more} \\n", 0.1F, 300.0F, {30, 20, 10})) == Status::kOk) {
+  }
+  EXPECT_EQ(drawn(tables).find("deep"), std::string::npos);
+}
+
+TEST(CurvesPlot, TakesANameForTextWhateverGnuplotWouldReadInIt) {
+  policy::OceanTables tables = policy::made_up_tables();
+  tables.tables[0] = policy::made_up_table("it's $one_{more} `ls`", 0.1F, 300.0F, {30, 20, 10});
+  EXPECT_NE(drawn(tables).find("$one_{more} `ls`"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace earshot::tables

@@ -1,0 +1,37 @@
+#include "policy/tables/description.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/firmware/policy/tables/made_up_tables.hpp"
+
+namespace earshot::tables {
+namespace {
+
+TEST(TablesDescription, SaysHowFarEachIsHeard) {
+  policy::OceanTables tables = policy::made_up_tables();
+  tables.tables[0] = policy::made_up_table("deep", 0.75F, 3000.0F, {40, 19, 20});
+  tables.tables[1] = policy::made_up_table("shelf", 0.25F, 200.0F, {127, 20, 19});
+  EXPECT_EQ(heard_to(tables.tables[0], tables, Decibels{10.0}), Meters{200.0});
+  EXPECT_EQ(heard_to(tables.tables[1], tables, Decibels{10.0}), Meters{100.0});
+  EXPECT_LT(heard_to(tables.tables[1], tables, Decibels{64.0}).value, 0.0);
+}
+
+TEST(TablesDescription, HasALineForEachTable) {
+  policy::OceanTables tables = policy::made_up_tables();
+  tables.range_step = Meters{1'000.0};
+  tables.tables[1] = policy::made_up_table("shelf", 0.25F, 200.0F, {19, -4, 19});
+  ASSERT_EQ(tables.tables.push_back(policy::made_up_table("far", 1.0F, 4000.0F, {60, 30, 20})), Status::kOk);
+  std::ostringstream out;
+  describe(out, tables);
+  EXPECT_EQ(out.str(),
+            "20 Hz heard at 300 m from sources at 10 to 50 m; sea floors at 200 to 4000 m; 3 ranges, every 1000 m\n"
+            "sea floor m   prior   10 dB to km   name\n"
+            "       3000   0.750           0.0   deep\n"
+            "        200   0.250             -   shelf\n"
+            "       4000   1.000          >2.0   far\n");
+}
+
+}  // namespace
+}  // namespace earshot::tables
