@@ -87,6 +87,22 @@ TEST_F(LoadWorld, GivesItsConditionsToItsEnvironment) {
   EXPECT_EQ(world.scenario.environment.source.level, Decibels{190.0});
 }
 
+TEST_F(LoadWorld, SaysHowDeepTheVehicleIsWhereItIsTold) {
+  const std::string world = "name = \"a\"\nwhat = \"b\"\nseed = 5\nenvironment = \"" + kMunk + "\"\n";
+  EXPECT_EQ(load(world).vehicle_depth, std::nullopt);
+  EXPECT_EQ(load(world + "vehicle_depth_m = 40.0\n").vehicle_depth, Meters{40.0});
+}
+
+TEST_F(LoadWorld, RefusesAVehicleOutsideTheWater) {
+  const std::string world = "name = \"a\"\nwhat = \"b\"\nseed = 5\nenvironment = \"" + kMunk + "\"\n";
+  EXPECT_EQ(load(world + "vehicle_depth_m = 2999.9\n").vehicle_depth, Meters{2'999.9});
+  EXPECT_NE(complaint(world + "vehicle_depth_m = 3000.0\n")
+                .find("world.toml:5: vehicle_depth_m: 3000 must be less than the depth of the sea floor in " + kMunk + ", 3000 m"),
+            std::string::npos)
+      << complaint(world + "vehicle_depth_m = 3000.0\n");
+  EXPECT_NE(complaint(world + "vehicle_depth_m = 0.0\n").find("vehicle_depth_m"), std::string::npos);
+}
+
 TEST_F(LoadWorld, IsRefusedWithWhatIsWrong) {
   EXPECT_NE(complaint("name = \"a\"\nwhat = \"b\"\nenvironment = \"" + kMunk + "\"\n").find("seed is missing"), std::string::npos);
   EXPECT_NE(complaint("name = \"a\"\nwhat = \"b\"\nseed = 1\nenvironment = \"none.toml\"\n").find("none.toml: no such file"),
