@@ -80,7 +80,7 @@ void add_options(program::CommandLine& line, Options& o) {
   line.footer(
       "By name:\n  shipped             the policy that ships (policy/frozen)" + names_of_baselines() +
       "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what the --environment says is heard, learned "
-      "policies by what their file says.\n"
+      "policies by what their file says; the vehicle is as deep as the world says.\n"
       "mpirun -n N earshot evaluate ... shares the searches out.\n"
       "Example: earshot evaluate --policies shipped,bayes,oracle --episodes 3000 --json evaluation.json");
 }
@@ -123,7 +123,10 @@ std::vector<evaluate::WorldFile> worlds_of(const Options& o, const std::filesyst
     search::Scenario own = command_line::scenario_at(environment, depth);
     worlds.push_back({.name = environment.stem().string(), .what = own.environment.name, .seed = 1, .scenario = std::move(own)});
   }
-  for (evaluate::WorldFile& world : worlds) world.seed = o.seed.value_or(world.seed);
+  for (evaluate::WorldFile& world : worlds) {
+    world.seed = o.seed.value_or(world.seed);
+    if (o.search.vehicle_depth_m || !world.vehicle_depth) world.vehicle_depth = depth;
+  }
   return worlds;
 }
 
@@ -187,9 +190,9 @@ std::string what_is_searched(const Options& o, const search::SearchSettings& set
 /// What is the same in every world.
 struct Common {
   const Options& options;
-  Meters depth;
+  const ocean::Environment& believed;  ///< what baselines go by
+  Meters depth;                        ///< of the vehicle, where a world does not say it
   const search::SearchSettings& settings;
-  const sonar::SnrCurve& expected;
   std::optional<policy::ActionDraw> draw;
 };
 
@@ -198,9 +201,14 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
                                       const Common& common, parallel::Ranks& ranks, evaluate::PathTable& paths) {
   const Options& o = common.options;
   std::vector<evaluate::Row> rows;
+  const sonar::SnrCurve at_usual_depth = command_line::curve_for(common.believed, common.depth, common.settings);
   for (const evaluate::WorldFile& world : worlds) {
-    const search::World assembled = search::assemble(world.scenario, common.settings, common.depth);
-    const evaluate::Trial trial{world, assembled, common.expected, o.episodes, common.draw};
+    const Meters depth = world.vehicle_depth.value_or(common.depth);
+    const search::World assembled = search::assemble(world.scenario, common.settings, depth);
+    // A vehicle knows how deep it is: it expects what is heard there.
+    const sonar::SnrCurve expected =
+        depth == common.depth ? at_usual_depth : command_line::curve_for(common.believed, depth, common.settings);
+    const evaluate::Trial trial{world, assembled, expected, o.episodes, common.draw};
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {
       const std::vector<evaluate::Flight> flights = fly(candidate, trial, ranks, o.paths ? &paths : nullptr);
@@ -240,12 +248,11 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
                       << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
     program::say() << what_is_searched(o, settings, candidates);
   }
-  const sonar::SnrCurve expected = command_line::curve_for(environment, depth, settings);
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);
 
   evaluate::PathTable paths;
-  const std::vector<evaluate::Row> rows = fly_in_all(worlds, candidates, {o, depth, settings, expected, draw}, ranks, paths);
+  const std::vector<evaluate::Row> rows = fly_in_all(worlds, candidates, {o, environment, depth, settings, draw}, ranks, paths);
   if (speaks) {
     write_files(o,
                 {.episodes = o.episodes,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,12 @@ struct WorldFile {
   std::string name;
   std::string what;  ///< in one line
   std::uint64_t seed = 1;
+  std::optional<Meters> vehicle_depth = {};  ///< > 0, in the water; absent: whoever searches says it
   search::Scenario scenario;
 };
 
-/// Reads a world: keys name, what, seed, environment (a file), and optionally [conditions], which then replace the environment's own.
-/// Throws host::BadInput with everything that is wrong.
+/// Reads a world: keys name, what, seed, environment (a file), and optionally vehicle_depth_m, above 0 and above the sea floor at the
+/// source, and [conditions], which then replace the environment's own. Throws host::BadInput with everything that is wrong.
 [[nodiscard]] WorldFile load_world(const std::filesystem::path& path);
 
 /// The world files of a folder, by name. Throws host::BadInput when there are none.

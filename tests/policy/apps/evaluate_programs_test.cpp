@@ -93,6 +93,24 @@ TEST_F(Programs, EvaluateSearchesInWorldsWithTheirOwnSeeds) {
   EXPECT_GT(json["results"][1]["mean_detections"], 0.0);
 }
 
+TEST_F(Programs, EvaluateSearchesAtTheDepthOfAWorldUnlessToldAnother) {
+  const auto world = [&](const std::string& depth) {
+    std::ofstream(folder / "own.toml") << "name = \"own\"\nwhat = \"b\"\nseed = 1\nenvironment = \"" << kSource
+                                       << "/sim/ocean/environments/munk_flat.toml\"\n"
+                                       << depth;
+    return std::string(" --policies bayes --episodes 10 --force --world own.toml --json ");
+  };
+  // Both what is heard and what bayes expects to hear are those of 100 m.
+  ASSERT_EQ(run("evaluate" + world("") + "told.json --vehicle-depth-m 100"), 0) << content(folder / "err");
+  ASSERT_EQ(run("evaluate" + world("vehicle_depth_m = 100.0\n") + "own.json"), 0) << content(folder / "err");
+  ASSERT_EQ(run("evaluate" + world("vehicle_depth_m = 200.0\n") + "both.json --vehicle-depth-m 100"), 0) << content(folder / "err");
+  ASSERT_EQ(run("evaluate" + world("") + "usual.json"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "own.json"), content(folder / "told.json"));
+  EXPECT_EQ(content(folder / "both.json"), content(folder / "told.json"));
+  EXPECT_NE(content(folder / "usual.json"), content(folder / "told.json"));
+  refuses("evaluate" + world("vehicle_depth_m = 3001.0\n") + "a.json", {"own.toml:5: vehicle_depth_m: 3001", "3000 m"});
+}
+
 TEST_F(Programs, EvaluateListensOverTheWindowThatItIsTold) {
   // A straight line to the source; a pulse every 15 s falls into the last second of a step in one of fifteen, into the last 30 s of every
   // one.
