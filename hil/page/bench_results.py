@@ -81,6 +81,12 @@ class CaseResult:
     others_may_fire: bool
     refuses_navigation: bool | None  # at least one fix has to be refused, or none; None: as it comes
     refuses_commands: bool | None
+    loses_nothing: bool  # no frame or message may be lost that arrived faster than it was read
+    least_decisions: int  # that are taken after the first fault
+    comes_up: bool  # at the end the vehicle must be at the surface
+    releases_weight: bool
+    refuses_frames: bool  # the kernel must lack room for a frame
+    refuses_to_fly: bool
     end: str
     events: list[RuleEvent]
     counts: dict[str, int]  # COUNTS
@@ -140,6 +146,12 @@ def _case_of(entry: dict[str, Any]) -> CaseResult:
         others_may_fire=bool(entry["others_may_fire"]),
         refuses_navigation=_wish(entry["refuses_navigation"]),
         refuses_commands=_wish(entry["refuses_commands"]),
+        loses_nothing=bool(entry["loses_nothing"]),
+        least_decisions=int(entry["least_decisions"]),
+        comes_up=bool(entry["comes_up"]),
+        releases_weight=bool(entry["releases_weight"]),
+        refuses_frames=bool(entry["refuses_frames"]),
+        refuses_to_fly=bool(entry["refuses_to_fly"]),
         events=[_event_of(event) for event in entry["events"]],
         counts={key: int(entry[key]) for key in COUNTS},
         at_sea_s=float(entry["at_sea_s"]),

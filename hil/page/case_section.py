@@ -39,6 +39,15 @@ def _had_to_happen(result: CaseResult) -> str:
     said = [f"End of the mission: {result.expected_end}.", _rules_that_fire(result)]
     for what, is_refused in (("fix", result.refuses_navigation), ("order", result.refuses_commands)):
         said += [] if is_refused is None else [f"{'At least one' if is_refused else 'No'} {what} is refused."]
+    for is_asked, words in (
+        (result.loses_nothing, "Nothing is lost on its way in."),
+        (result.least_decisions, f"Decisions after the first fault: at least {result.least_decisions}."),
+        (result.comes_up, "The vehicle is at the surface at the end."),
+        (result.releases_weight, "The drop weight is released."),
+        (result.refuses_frames, "The kernel has no room for at least one frame."),
+        (result.refuses_to_fly, "Earshot refuses to fly."),
+    ):
+        said += [words] if is_asked else []
     return bullets(said)
 
 

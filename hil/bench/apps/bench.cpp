@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -112,7 +113,11 @@ void tell(const hil::Case& c, const Flown& f, const std::vector<std::string>& wr
 }
 
 int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::Bench& setup) {
+  using std::chrono::steady_clock;
+  constexpr std::chrono::seconds kBetweenWritings{10};
+  const fs::path file = hil::results_file(o.out);
   hil::Results results;
+  steady_clock::time_point written = steady_clock::now();
   for (const hil::Case& c : cases) {
     if (program::stop_requested) break;
     const Flown f = flown(c, setup, o.out / c.name);
@@ -120,8 +125,12 @@ int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::
     const std::vector<std::string> wrong = verdict(c, f);
     tell(c, f, wrong);
     results.add(c, f.mission, f.flight, f.journal, wrong);
+    // Ctrl-C kills user-mode Linux, and this program in it: what was flown by then is on the disk.
+    if (steady_clock::now() - written < kBetweenWritings) continue;
+    host::write_whole(file, results.text());
+    written = steady_clock::now();
   }
-  host::write_whole(hil::results_file(o.out), results.text());
+  host::write_whole(file, results.text());
   program::say() << results.passed() << " of " << cases.size() << " cases passed\n";
   if (program::stop_requested) return program::kStopped;
   return results.passed() == cases.size() ? program::kDone : program::kIncomplete;

@@ -26,7 +26,15 @@ class ResultsTest : public testing::Test {
     case_.start = {Meters{1}, Meters{2}};
     case_.source = {Meters{3}, Meters{4}};
     case_.faults = {{.fault = Fault::kLeak, .from = at_s(60)}, {.fault = Fault::kFrozen, .from = at_s(10), .until = at_s(14)}};
-    case_.expected = {.end = messages::EndReason::kSafetyRule, .rules = {config::Condition::kLeak}, .refuses_commands = true};
+    case_.expected = {.end = messages::EndReason::kSafetyRule,
+                      .rules = {config::Condition::kLeak},
+                      .refuses_commands = true,
+                      .loses_nothing = true,
+                      .decisions = 13,
+                      .comes_up = true,
+                      .releases_weight = true,
+                      .refuses_frames = true,
+                      .refuses_to_fly = true};
     flight_.last = at_s(63);
     flight_.wall_s = 1.5;
     flight_.sent = 7;
@@ -79,6 +87,12 @@ TEST_F(ResultsTest, SayTheCaseAndWhatCameOfIt) {
   EXPECT_EQ(found.at("others_may_fire"), false);
   EXPECT_EQ(found.at("refuses_navigation"), nullptr) << "as it comes";
   EXPECT_EQ(found.at("refuses_commands"), true);
+  EXPECT_EQ(found.at("loses_nothing"), true);
+  EXPECT_EQ(found.at("least_decisions"), 13);
+  EXPECT_EQ(found.at("comes_up"), true);
+  EXPECT_EQ(found.at("releases_weight"), true);
+  EXPECT_EQ(found.at("refuses_frames"), true);
+  EXPECT_EQ(found.at("refuses_to_fly"), true);
   EXPECT_EQ(found.at("bus"), "CAN");
   EXPECT_EQ(found.at("end"), "a safety rule ended it") << "as it was judged: a journal may have an end before it";
   EXPECT_EQ(found.at("setpoints"), 61);

@@ -101,6 +101,16 @@ class Page(unittest.TestCase):
         self.assertIn("At least one fix is refused.", said(refuses_navigation=True))
         self.assertIn("At least one order is refused.", said(refuses_commands=True))
         self.assertIn("No fix is refused.", said(refuses_navigation=False))
+        for words, wish in (
+            ("Nothing is lost on its way in.", {"loses_nothing": True}),
+            ("Decisions after the first fault: at least 2.", {"least_decisions": 2}),
+            ("The vehicle is at the surface at the end.", {"comes_up": True}),
+            ("The drop weight is released.", {"releases_weight": True}),
+            ("The kernel has no room for at least one frame.", {"refuses_frames": True}),
+            ("Earshot refuses to fly.", {"refuses_to_fly": True}),
+        ):
+            self.assertNotIn(words, said())
+            self.assertIn(words, said(**wish))
 
     def test_says_datagrams_of_a_case_over_lcm(self):
         self.assertIn("Datagrams: 31000 sent", Tags(page(results_of(calm() | {"bus": "LCM"}), {}, "", [])).text)
