@@ -43,12 +43,19 @@ inline constexpr std::size_t kMaxBeliefRanges = by_profile(512, 256);
 inline constexpr std::size_t kBeliefBytes = by_profile(64, 20) * 1024;
 /// Oceans believed possible at the mission's place (a year's sound speed times a handful of sea floors and depths); full: tables refused at
 /// load, and `earshot tables` makes one of those that are most alike.
-inline constexpr std::size_t kMaxOceanTables = by_profile(64, 32);
+inline constexpr std::size_t kMaxOceanTables = by_profile(96, 32);
 /// Ranges of each of them (51 km in steps of 100 m, 38 km in steps of 300 m: the diagonal of 25 km x 25 km is 35.4 km); full: tables
 /// refused at load.
 inline constexpr std::size_t kMaxTableRanges = by_profile(512, 128);
 /// Bytes of the name of such an ocean; full: `earshot tables` cuts it off.
 inline constexpr std::size_t kMaxTableName = 32;
+/// Blocks of eight hypotheses about ocean, level, fluctuation, pauses and motion that are held, each with a grid of 16 bits a cell and
+/// hypothesis; full: the least likely gives way.
+inline constexpr std::size_t kBeliefBlocks = by_profile(3, 3);
+/// Looks by which hypotheses are weighed that are not held (18 h of one every 500 s); full: those that are held are all.
+inline constexpr std::size_t kMaxBeliefLooks = 128;
+/// Bytes of the belief over oceans, with its tables; full: does not compile.
+inline constexpr std::size_t kOceanBeliefBytes = by_profile(256, 64) * 1024;
 /// Seconds that a decision may listen over (a blue whale calls every one or two minutes); full: policy refused at load.
 inline constexpr std::size_t kMaxListeningSeconds = by_profile(120, 60);
 /// Searches that are flown again before a policy is trusted; a policy has exactly this many.

@@ -8,77 +8,15 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
+#include "firmware/policy/belief_grid.hpp"
 #include "firmware/policy/belief_summary.hpp"
 #include "firmware/policy/normal_table.hpp"
+#include "firmware/policy/reception_likelihood.hpp"
 
 namespace earshot::policy {
 namespace {
 
-/// Decibels over which an SNR that follows no model is spread.
-constexpr float kOutlierRange_db = 80.0F;
-/// Share of its probability that a cell within step_length of a place visited keeps: navigation errs, sources move.
-constexpr float kCovered = 1e-3F;
-
-double cell_north(const BeliefModel& model) {
-  return model.area_size.north.value / static_cast<double>(model.cells_north);
-}
-
-double cell_east(const BeliefModel& model) {
-  return model.area_size.east.value / static_cast<double>(model.cells_east);
-}
-
 using RangeTable = std::array<float, config::kMaxBeliefRanges>;
-
-/// Likelihood of what was heard, were the source at each range, under one hypothesis.
-void tabulate_likelihood(const BeliefModel& model, const BeliefHypothesis& hypothesis, Reception reception, RangeTable& table) {
-  const float sounding = 1.0F - model.silence_share;
-  const float regular = sounding * (1.0F - model.outlier_share);
-  const float per_spread = 1.0F / hypothesis.spread_db;
-  const float level = static_cast<float>(reception.snr.value) - hypothesis.level_offset_db;
-  const std::span<float> likelihoods = std::span(table).first(model.snr_db.size());
-  for (std::size_t i = 0; i < likelihoods.size(); ++i) likelihoods[i] = (level - model.snr_db[i]) * per_spread;
-  if (!reception.too_faint) {
-    const float outlier = sounding * model.outlier_share / kOutlierRange_db;
-    const float scale = regular * per_spread;
-    to_normal_density(likelihoods);
-    for (float& likelihood : likelihoods) likelihood = scale * likelihood + outlier;
-  } else {
-    const float outlier = model.silence_share + sounding * model.outlier_share * 0.5F;
-    to_normal_cumulative(likelihoods);
-    for (float& likelihood : likelihoods) likelihood = regular * likelihood + outlier;
-  }
-}
-
-/// Mean over the `half` samples to either side of each; beyond the ends the first and the last hold.
-void smooth(std::span<const float> values, std::size_t half, std::span<float> smoothed) {
-  const std::size_t count = values.size();
-  const float share = 1.0F / static_cast<float>(2 * half + 1);
-  const auto held = [&](std::size_t i) {  // at the ends
-    float sum = 0.0F;
-    for (std::size_t k = 0; k <= 2 * half; ++k) sum += values[std::clamp(i + k, half, count - 1 + half) - half];
-    return sum * share;
-  };
-  const std::size_t last = count > 2 * half ? count - half : half;
-  for (std::size_t i = 0; i < std::min(half, count); ++i) smoothed[i] = held(i);
-  // Sample by sample of the mean, so that a vector unit can take many means at once.
-  for (std::size_t i = half; i < last; ++i) smoothed[i] = values[i - half];
-  for (std::size_t k = 1; k <= 2 * half; ++k) {
-    for (std::size_t i = half; i < last; ++i) smoothed[i] += values[i - half + k];
-  }
-  for (std::size_t i = half; i < last; ++i) smoothed[i] *= share;
-  for (std::size_t i = last; i < count; ++i) smoothed[i] = held(i);
-}
-
-/// Range steps in half a cell: a likelihood is smoothed by as much, for a cell lies at many ranges at once.
-std::size_t half_cell(const BeliefModel& model) {
-  const double cell = std::max(cell_north(model), cell_east(model));
-  return std::min(static_cast<std::size_t>(0.5 * cell / model.range_step.value), model.snr_db.size() - 1);
-}
-
-/// Share of a cell of size `cell`, its centre at `range`, that lies further than `reach` from the vehicle.
-float uncovered(float range, float reach, float cell) {
-  return std::clamp((range - reach) / cell + 0.5F, kCovered, 1.0F);
-}
 
 }  // namespace
 
@@ -114,21 +52,8 @@ EARSHOT_WIDE void Belief::foresee(const BeliefModel& model) {
     to_normal_cumulative(std::span(detected).first(count));
     for (std::size_t i = 0; i < count; ++i) over_all[i] += share * detected[i];
   }
-  smooth(std::span(over_all).first(count), half_cell(model), detected_);
-  const auto step = std::clamp<std::size_t>(static_cast<std::size_t>(model.step_length / model.range_step + 0.5), 1, count);
-  const float discount = exp(model.costs.log_step_discount / static_cast<float>(step));
-  const float discounted_away = 1.0F - exp(model.costs.log_step_discount);
-  float discounted = 1.0F;
-  RangeTable silent;  // expected steps without detection
-  for (std::size_t i = 0; i < count; ++i) {
-    silent[i] = 0.0F;
-    if (i > step) {
-      const float steps = static_cast<float>(i - step) / static_cast<float>(step);
-      silent[i] = (1.0F - detected_[i]) * std::min(1.0F, steps) + silent[i - step];
-      discounted *= discount;
-    }
-    search_cost_[i] = silent[i] + model.costs.step * (1.0F - discounted) / discounted_away;
-  }
+  smooth(std::span(over_all).first(count), half_cell(model, count), detected_);
+  find_search_cost(model, 1.0F, std::span(detected_).first(count), std::span(search_cost_).first(count));
 }
 
 std::uint32_t Belief::fingerprint(const BeliefModel& model) const {
@@ -141,7 +66,7 @@ std::uint32_t Belief::fingerprint(const BeliefModel& model) const {
 }
 
 void Belief::update(const BeliefModel& model, NorthEast position, Reception reception) {
-  find_ranges(model, position);
+  find_ranges(model, position, model.snr_db.size() - 1, ranges_);
   weigh(model, reception);
   foresee(model);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
@@ -151,36 +76,20 @@ void Belief::update(const BeliefModel& model, NorthEast position, Reception rece
                 std::span(outlooks_).first(model.actions.size()));
 }
 
-EARSHOT_WIDE void Belief::find_ranges(const BeliefModel& model, NorthEast position) {
-  const auto size_north = static_cast<float>(cell_north(model) / model.range_step.value);
-  const auto size_east = static_cast<float>(cell_east(model) / model.range_step.value);
-  const auto vehicle_north = static_cast<float>(position.north / model.range_step);
-  const auto vehicle_east = static_cast<float>(position.east / model.range_step);
-  const auto last = static_cast<float>(model.snr_db.size() - 1);
-  const int columns = model.cells_east;  // a copy: what is written below could otherwise be it
-  for (std::size_t n = 0; n < model.cells_north; ++n) {
-    const float north = (static_cast<float>(n) + 0.5F) * size_north - vehicle_north;
-    std::uint16_t* const row = &ranges_[n * model.cells_east];
-    for (int e = 0; e < columns; ++e) {
-      const float east = (static_cast<float>(e) + 0.5F) * size_east - vehicle_east;
-      const float range = __builtin_sqrtf(north * north + east * east);
-      row[e] = static_cast<std::uint16_t>(static_cast<int>((range < last ? range : last) + 0.5F));
-    }
-  }
-}
-
 EARSHOT_WIDE void Belief::weigh(const BeliefModel& model, Reception reception) {
   const std::size_t count = model.snr_db.size();
-  const auto cell = static_cast<float>(std::max(cell_north(model), cell_east(model)));
-  const auto range_step = static_cast<float>(model.range_step.value);
-  const auto reach = static_cast<float>(model.step_length.value);
   std::array<Cell, config::kMaxBeliefRanges> tables{};  // by range, then hypothesis, as the cells are
   RangeTable exact;
   RangeTable seen;
+  RangeTable uncovered;
+  find_uncovered(model, std::span(uncovered).first(count));
   for (std::size_t h = 0; h < model.hypotheses.size(); ++h) {
-    tabulate_likelihood(model, model.hypotheses[h], reception, exact);
-    smooth(std::span(exact).first(count), half_cell(model), seen);
-    for (std::size_t i = 0; i < count; ++i) tables[i][h] = seen[i] * uncovered(static_cast<float>(i) * range_step, reach, cell);
+    const BeliefHypothesis& hypothesis = model.hypotheses[h];
+    std::copy_n(model.snr_db.begin(), count, exact.begin());
+    to_likelihoods({hypothesis.level_offset_db, hypothesis.spread_db, model.silence_share, model.outlier_share}, reception,
+                   std::span(exact).first(count));
+    smooth(std::span(exact).first(count), half_cell(model, count), seen);
+    for (std::size_t i = 0; i < count; ++i) tables[i][h] = seen[i] * uncovered[i];
   }
   Cell sums{};
   for (std::size_t i = 0; i < cell_count(model); ++i) {

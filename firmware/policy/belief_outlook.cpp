@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
 
 namespace earshot::policy {
@@ -316,6 +317,24 @@ void find_regrets(const BeliefCosts& costs, const Expectations& expectations, st
 }
 
 }  // namespace
+
+void find_search_cost(const BeliefModel& model, float silence_discount, std::span<const float> detected, std::span<float> search_cost) {
+  const std::size_t count = detected.size();
+  const auto step = std::clamp<std::size_t>(static_cast<std::size_t>(model.step_length / model.range_step + 0.5), 1, count);
+  const float discount = exp(model.costs.log_step_discount / static_cast<float>(step));
+  const float discounted_away = 1.0F - exp(model.costs.log_step_discount);
+  float discounted = 1.0F;
+  std::array<float, config::kMaxBeliefRanges> silent;  // expected steps without detection
+  for (std::size_t i = 0; i < count; ++i) {
+    silent[i] = 0.0F;
+    if (i > step) {
+      const float steps = static_cast<float>(i - step) / static_cast<float>(step);
+      silent[i] = (1.0F - detected[i]) * std::min(1.0F, steps) + silence_discount * silent[i - step];
+      discounted *= discount;
+    }
+    search_cost[i] = silent[i] + model.costs.step * (1.0F - discounted) / discounted_away;
+  }
+}
 
 EARSHOT_WIDE void find_outlooks(const BeliefModel& model, std::span<const float> probabilities, const RangeOutlook& by_range,
                                 NorthEast position, std::span<ActionOutlook> outlooks) {

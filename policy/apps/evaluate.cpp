@@ -8,6 +8,7 @@
 
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/listening/listening_words.hpp"
+#include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
@@ -48,6 +49,7 @@ struct Options {
   std::optional<std::string> csv;
   std::optional<std::string> plot;
   std::optional<std::string> paths;
+  std::vector<std::string> tables;
   bool timing = false;
   bool force = false;
 };
@@ -67,6 +69,9 @@ void add_options(program::CommandLine& line, Options& o) {
   line.flag("--suite", &o.suite, "search in every world of policy/worlds");
   o.search.add_to(line, {.source = "what the policies were trained with, changing when none says it",
                          .listening = "what the .policy files have, newest when none is evaluated"});
+  line.option(
+      "--tables", &o.tables,
+      "oceans that ocean_search thinks possible besides the environment's (.tables); of several those for a world's depth and frequency");
   line.option("--episodes", &o.episodes, "searches to fly in each world").shows_default().from(1, 100'000'000);
   line.option("--seed", &o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
   line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way")
@@ -193,22 +198,40 @@ struct Common {
   const ocean::Environment& believed;  ///< what baselines go by
   Meters depth;                        ///< of the vehicle, where a world does not say it
   const search::SearchSettings& settings;
+  std::span<const std::unique_ptr<policy::OceanTables>> tables;
   std::optional<policy::ActionDraw> draw;
 };
+
+/// Those of the tables that are of what is listened for in a world; null where none were given.
+/// Throws BadInput where none of them are.
+const policy::OceanTables* tables_for(const evaluate::WorldFile& world, const policy::SearchedSound& sound,
+                                      std::span<const std::unique_ptr<policy::OceanTables>> tables) {
+  for (const std::unique_ptr<policy::OceanTables>& given : tables) {
+    if (policy::coverage(*given, sound) == policy::Coverage::kCovered) return given.get();
+  }
+  if (tables.empty()) return nullptr;
+  std::ostringstream text;
+  text << "--tables: world " << world.name << " is listened to at " << sound.frequency.value << " Hz, " << sound.vehicle_depth.value
+       << " m deep, " << sound.furthest.value << " m far; none of them are of that";
+  throw BadInput(text.str());
+}
 
 /// Flies every candidate in every world, and prints the table of each world. @return on rank 0 the rows; elsewhere nothing
 std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> worlds, std::span<const evaluate::Candidate> candidates,
                                       const Common& common, parallel::Ranks& ranks, evaluate::PathTable& paths) {
   const Options& o = common.options;
   std::vector<evaluate::Row> rows;
-  const sonar::SnrCurve at_usual_depth = command_line::curve_for(common.believed, common.depth, common.settings);
   for (const evaluate::WorldFile& world : worlds) {
     const Meters depth = world.vehicle_depth.value_or(common.depth);
     const search::World assembled = search::assemble(world.scenario, common.settings, depth);
-    // A vehicle knows how deep it is: it expects what is heard there.
-    const sonar::SnrCurve expected =
-        depth == common.depth ? at_usual_depth : command_line::curve_for(common.believed, depth, common.settings);
-    const evaluate::Trial trial{world, assembled, expected, o.episodes, common.draw};
+    // A vehicle knows how deep it is and what it listens for: it expects what is heard there.
+    ocean::Environment believed = common.believed;
+    believed.source.frequency = world.scenario.environment.source.frequency;
+    const sonar::SnrCurve expected = command_line::curve_for(believed, depth, common.settings);
+    const Meters diagonal = range_between(common.settings.domain.south_west, common.settings.domain.north_east);
+    const policy::OceanTables* const oceans =
+        tables_for(world, {.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal}, common.tables);
+    const evaluate::Trial trial{world, assembled, expected, oceans, o.episodes, common.draw};
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {
       const std::vector<evaluate::Flight> flights = fly(candidate, trial, ranks, o.paths ? &paths : nullptr);
@@ -248,11 +271,19 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
                       << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
     program::say() << what_is_searched(o, settings, candidates);
   }
+  std::vector<std::unique_ptr<policy::OceanTables>> tables;
+  for (const std::string& file : o.tables) {
+    tables.push_back(host::tables_from(host::read_tables_bytes(file), file));
+    if (tables.back()->tables.size() == config::kMaxOceanTables)
+      throw BadInput("--tables " + file + ": " + std::to_string(config::kMaxOceanTables) +
+                     " tables, and the environment's own is one more than a vehicle holds; make them with --at-most " +
+                     std::to_string(config::kMaxOceanTables - 1));
+  }
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);
 
   evaluate::PathTable paths;
-  const std::vector<evaluate::Row> rows = fly_in_all(worlds, candidates, {o, environment, depth, settings, draw}, ranks, paths);
+  const std::vector<evaluate::Row> rows = fly_in_all(worlds, candidates, {o, environment, depth, settings, tables, draw}, ranks, paths);
   if (speaks) {
     write_files(o,
                 {.episodes = o.episodes,

@@ -5,6 +5,7 @@
 #include "policy/baselines/bayes.hpp"
 #include "policy/baselines/genetic.hpp"
 #include "policy/baselines/gradient.hpp"
+#include "policy/baselines/ocean_search.hpp"
 #include "policy/baselines/oracle.hpp"
 #include "policy/baselines/patterns.hpp"
 
@@ -33,6 +34,7 @@ constexpr std::array kCatalogue{
     Entry{"bayes", "grid belief, goes to the likeliest cell"},
     Entry{"bayes_least_regret", "grid belief, takes the action that it expects to cost least"},
     Entry{"bayes_infogain", "grid belief, takes the step that is expected to tell most"},
+    Entry{"ocean_search", "belief over place and ocean, takes the action that it expects to cost least"},
     Entry{"genetic", "grid belief, path planned by a genetic algorithm anew after every step"},
 };
 
@@ -45,6 +47,7 @@ constexpr std::array<Make, kCatalogue.size()> kMakers{make_oracle<Border::kIgnor
                                                       make<Bayes>,
                                                       make<BayesLeastRegret>,
                                                       make<BayesInformationGain>,
+                                                      make<OceanSearch>,
                                                       make<Genetic>};
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/random.hpp"
 #include "firmware/policy/reception.hpp"
+#include "firmware/policy/tables/ocean_tables.hpp"
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/settings.hpp"
 #include "sim/sonar/snr_curve.hpp"
@@ -16,6 +17,8 @@ struct PriorKnowledge {
   search::SearchSettings settings;
   search::ActionTable actions;
   const sonar::SnrCurve& snr;  ///< SNR against range as it is expected, which need not be what is heard
+  /// Other oceans that are believed possible, one less than a vehicle has room for; null: none.
+  const policy::OceanTables* oceans = nullptr;
 };
 
 /// What a searcher decides by, at the start and after every step.

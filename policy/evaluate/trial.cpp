@@ -15,7 +15,7 @@ std::vector<Flight> fly_share(const Candidate& candidate, const Trial& trial, co
   if (candidate.learned) settings.direction_count = candidate.learned->actions.size();
   search::World world(settings, trial.world.soundscape, trial.world.conditions);
   if (candidate.learned) world.actions = candidate.learned->actions;
-  const baselines::PriorKnowledge prior{.settings = settings, .actions = world.actions, .snr = trial.expected};
+  const baselines::PriorKnowledge prior{.settings = settings, .actions = world.actions, .snr = trial.expected, .oceans = trial.oceans};
   std::unique_ptr<baselines::Searcher> searcher;
   if (candidate.learned) {
     searcher = std::make_unique<baselines::Learned>(*candidate.learned, trial.draw.value_or(candidate.learned->draw), settings.domain);

@@ -16,8 +16,9 @@ namespace earshot::evaluate {
 /// What every candidate meets in one world.
 struct Trial {
   const WorldFile& file;
-  const search::World& world;       ///< assembled of the file's scenario
-  const sonar::SnrCurve& expected;  ///< SNR against range that baselines take for granted
+  const search::World& world;         ///< assembled of the file's scenario
+  const sonar::SnrCurve& expected;    ///< SNR against range that baselines take for granted
+  const policy::OceanTables* oceans;  ///< other oceans that they believe possible; null: none
   std::size_t episodes;
   std::optional<policy::ActionDraw> draw;  ///< instead of each learned candidate's own
 };

@@ -8,9 +8,8 @@ namespace earshot::policy::format {
 namespace {
 
 SectionTag read_tag(ByteReader& reader) {
-  SectionTag tag{};
-  for (char& letter : tag) letter = static_cast<char>(reader.u8());
-  return tag;
+  const auto letter = [&reader] { return static_cast<char>(reader.u8()); };
+  return {letter(), letter(), letter(), letter()};
 }
 
 /// What a section that is not the next one says about the order. @param next  of the section that is due; all are there: past the last

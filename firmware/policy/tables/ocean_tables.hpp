@@ -12,8 +12,8 @@
 namespace earshot::policy {
 
 /// Of an SNR in a table. Rounded to half a decibel it is off by a quarter at most, a sixteenth of the spread that the belief allows an
-/// ocean it knows (4 dB), and a byte holds it: 64 tables of 512 ranges are 32 KiB, what a vehicle has for them; of floats they would be
-/// 128.
+/// ocean it knows (4 dB), and a byte holds it: 96 tables of 512 ranges are 48 KiB, a fifth of what the belief has; of floats they would be
+/// 192.
 inline constexpr float kHalfDecibel = 0.5F;
 /// The ends of what a byte holds. Above stands only what is heard within some 150 m of a loud source, where the search has ended; below,
 /// nothing that any hydrophone measures.

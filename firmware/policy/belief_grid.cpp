@@ -1,0 +1,73 @@
+#include "firmware/policy/belief_grid.hpp"
+
+#include <algorithm>
+
+#include "firmware/core/wide.hpp"
+
+namespace earshot::policy {
+namespace {
+
+/// Share of its probability that a cell within step_length of a place visited keeps.
+constexpr float kCovered = 1e-3F;
+
+}  // namespace
+
+double cell_north(const BeliefModel& model) {
+  return model.area_size.north.value / static_cast<double>(model.cells_north);
+}
+
+double cell_east(const BeliefModel& model) {
+  return model.area_size.east.value / static_cast<double>(model.cells_east);
+}
+
+EARSHOT_WIDE void find_ranges(const BeliefModel& model, NorthEast position, std::size_t last, std::span<std::uint16_t> ranges) {
+  const auto size_north = static_cast<float>(cell_north(model) / model.range_step.value);
+  const auto size_east = static_cast<float>(cell_east(model) / model.range_step.value);
+  const auto vehicle_north = static_cast<float>(position.north / model.range_step);
+  const auto vehicle_east = static_cast<float>(position.east / model.range_step);
+  const auto furthest = static_cast<float>(last);
+  const int columns = model.cells_east;  // a copy: what is written below could otherwise be it
+  for (std::size_t n = 0; n < model.cells_north; ++n) {
+    const float north = (static_cast<float>(n) + 0.5F) * size_north - vehicle_north;
+    std::uint16_t* const row = &ranges[n * model.cells_east];
+    for (int e = 0; e < columns; ++e) {
+      const float east = (static_cast<float>(e) + 0.5F) * size_east - vehicle_east;
+      const float range = __builtin_sqrtf(north * north + east * east);
+      row[e] = static_cast<std::uint16_t>(static_cast<int>((range < furthest ? range : furthest) + 0.5F));
+    }
+  }
+}
+
+std::size_t half_cell(const BeliefModel& model, std::size_t ranges) {
+  const double cell = std::max(cell_north(model), cell_east(model));
+  return std::min(static_cast<std::size_t>(0.5 * cell / model.range_step.value), ranges - 1);
+}
+
+EARSHOT_WIDE void smooth(std::span<const float> values, std::size_t half, std::span<float> smoothed) {
+  const std::size_t count = values.size();
+  const float share = 1.0F / static_cast<float>(2 * half + 1);
+  const auto held = [&](std::size_t i) {  // at the ends
+    float sum = 0.0F;
+    for (std::size_t k = 0; k <= 2 * half; ++k) sum += values[std::clamp(i + k, half, count - 1 + half) - half];
+    return sum * share;
+  };
+  const std::size_t last = count > 2 * half ? count - half : half;
+  for (std::size_t i = 0; i < std::min(half, count); ++i) smoothed[i] = held(i);
+  // Sample by sample of the mean, so that a vector unit can take many means at once.
+  for (std::size_t i = half; i < last; ++i) smoothed[i] = values[i - half];
+  for (std::size_t k = 1; k <= 2 * half; ++k) {
+    for (std::size_t i = half; i < last; ++i) smoothed[i] += values[i - half + k];
+  }
+  for (std::size_t i = half; i < last; ++i) smoothed[i] *= share;
+  for (std::size_t i = last; i < count; ++i) smoothed[i] = held(i);
+}
+
+EARSHOT_WIDE void find_uncovered(const BeliefModel& model, std::span<float> shares) {
+  const auto cell = static_cast<float>(std::max(cell_north(model), cell_east(model)));
+  const auto range_step = static_cast<float>(model.range_step.value);
+  const auto reach = static_cast<float>(model.step_length.value);
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    shares[i] = std::clamp((static_cast<float>(i) * range_step - reach) / cell + 0.5F, kCovered, 1.0F);
+}
+
+}  // namespace earshot::policy

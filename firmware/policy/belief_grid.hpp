@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/core/geometry.hpp"
+#include "firmware/policy/belief_model.hpp"
+
+namespace earshot::policy {
+
+// The cells of a belief seen from the vehicle: how far they lie, and over how many ranges each of them lies at once.
+
+/// Sides of a cell, m.
+[[nodiscard]] double cell_north(const BeliefModel& model);
+[[nodiscard]] double cell_east(const BeliefModel& model);
+
+/// Range from the vehicle to the centre of every cell, in range steps, rounded; at most the last.
+/// @param position  of the vehicle, relative to the area's south-west corner
+/// @param last      the last range of the tables
+/// @param ranges    [north x east]; the result
+void find_ranges(const BeliefModel& model, NorthEast position, std::size_t last, std::span<std::uint16_t> ranges);
+
+/// Range steps in half a cell, less than `ranges`: a likelihood is smoothed by as much, for a cell lies at many ranges at once.
+[[nodiscard]] std::size_t half_cell(const BeliefModel& model, std::size_t ranges);
+
+/// Mean over the `half` samples to either side of each; beyond the ends the first and the last hold.
+void smooth(std::span<const float> values, std::size_t half, std::span<float> smoothed);
+
+/// Share of a cell, its centre at each range, that lies further than step_length from the vehicle; at least a thousandth: navigation errs,
+/// sources move.
+/// @param shares  [ranges]; the result
+void find_uncovered(const BeliefModel& model, std::span<float> shares);
+
+}  // namespace earshot::policy

@@ -1,0 +1,150 @@
+#include "firmware/policy/ocean_belief/hypothesis_block.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "firmware/core/crc32.hpp"
+#include "firmware/core/wide.hpp"
+#include "firmware/policy/ocean_belief/log_weight.hpp"
+
+namespace earshot::policy {
+namespace {
+
+/// No place gets less likely than the likeliest by more than 2^-26, 4e-5 of all in 2500 cells: a belief that was wrong, or a source that
+/// moved, can come back.
+constexpr std::int16_t kForgotten = -26 * kOctave;
+/// Below anything that a cell can hold: of a neighbour from which nothing comes.
+constexpr std::int16_t kNever = -18'000;
+
+using IntLanes = std::int32_t __attribute__((vector_size(4 * kLanes)));
+using VectorLanes = float __attribute__((vector_size(4 * kLanes)));
+
+LogLanes all(std::int16_t value) {
+  return LogLanes{} + value;
+}
+
+LogLanes max(const LogLanes& a, const LogLanes& b) {
+  return a > b ? a : b;
+}
+
+/// from_log() of every lane.
+void from_log(const LogLanes& weight, VectorLanes& probability) {
+  const IntLanes w = __builtin_convertvector(weight, IntLanes);
+  const VectorLanes f = __builtin_convertvector(w & (kOctave - 1), VectorLanes) * (1.0F / static_cast<float>(kOctave));
+  const VectorLanes mantissa = 0.99992522F + f * (0.695833553F + f * (0.226067081F + f * 0.0780245902F));
+  probability = reinterpret_cast<VectorLanes>(reinterpret_cast<IntLanes>(mantissa) + (w >> 9) * (1 << 23));
+}
+
+/// Lets every cell be reached from its neighbours along one line of `count` cells, `apart` from one another.
+void spread_along(LogLanes* cells, std::size_t count, std::size_t apart, const LogLanes& penalty) {
+  LogLanes before = cells[0];
+  for (std::size_t i = 0; i < count; ++i) {
+    LogLanes& cell = cells[i * apart];
+    const LogLanes here = cell;
+    cell = max(here, max(before, cells[std::min(i + 1, count - 1) * apart]) + penalty);
+    before = here;
+  }
+}
+
+}  // namespace
+
+void HypothesisBlock::start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses) {
+  hypotheses_ = hypotheses;
+  std::fill_n(weights_.begin(), cell_count(model), LogLanes{});
+  highest_ = all(0);
+  scale_ = {};
+}
+
+EARSHOT_WIDE void HypothesisBlock::settle(const BeliefModel& model) {
+  const LogLanes highest = highest_;
+  const LogLanes forgotten = all(kForgotten);
+  for (std::size_t i = 0; i < cell_count(model); ++i) weights_[i] = max(weights_[i] - highest, forgotten);
+  for (std::size_t l = 0; l < kLanes; ++l) scale_[l] += highest[l];
+  highest_ = all(0);
+}
+
+EARSHOT_WIDE void HypothesisBlock::let_move(const BeliefModel& model) {
+  std::uint8_t most = 0;
+  for (const Hypothesis& h : hypotheses_) most = std::max(most, kMobilities[h.mobility].cells);
+  if (most == 0) return;
+  settle(model);
+  const FloatLanes before = sums(model);
+  for (std::uint8_t cells = 0; cells < most; ++cells) {
+    LogLanes penalty;
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const Mobility& mobility = kMobilities[hypotheses_[l].mobility];
+      penalty[l] = cells < mobility.cells ? static_cast<std::int16_t>(-mobility.penalty) : kNever;
+    }
+    for (std::size_t n = 0; n < model.cells_north; ++n) spread_along(&weights_[n * model.cells_east], model.cells_east, 1, penalty);
+    for (std::size_t e = 0; e < model.cells_east; ++e) spread_along(&weights_[e], model.cells_north, model.cells_east, penalty);
+  }
+  const FloatLanes after = sums(model);  // nothing has been heard: they are as likely as before
+  for (std::size_t l = 0; l < kLanes; ++l) scale_[l] -= to_log(after[l]) - to_log(before[l]);
+}
+
+EARSHOT_WIDE void HypothesisBlock::weigh(const BeliefModel& model, std::span<const LogLanes> log_likelihoods,
+                                         std::span<const std::uint16_t> ranges) {
+  const std::size_t cells = cell_count(model);
+  const LogLanes before = highest_;
+  const LogLanes forgotten = all(kForgotten);
+  LogLanes highest = all(-32'768);
+  for (std::size_t i = 0; i < cells; ++i) {
+    const LogLanes weight = max(weights_[i] - before, forgotten) + log_likelihoods[ranges[i]];
+    weights_[i] = weight;
+    highest = max(highest, weight);
+  }
+  for (std::size_t l = 0; l < kLanes; ++l) scale_[l] += before[l];
+  highest_ = highest;
+}
+
+EARSHOT_WIDE FloatLanes HypothesisBlock::sums(const BeliefModel& model) const {
+  const LogLanes highest = highest_;
+  const LogLanes forgotten = all(kForgotten);
+  VectorLanes sums{};
+  for (std::size_t i = 0; i < cell_count(model); ++i) {
+    VectorLanes p;
+    from_log(max(weights_[i] - highest, forgotten), p);
+    sums += p;
+  }
+  FloatLanes result;
+  for (std::size_t l = 0; l < kLanes; ++l) result[l] = sums[l];
+  return result;
+}
+
+std::array<int, kLanes> HypothesisBlock::log_evidence(const BeliefModel& model) const {
+  const FloatLanes sums_of_cells = sums(model);
+  std::array<int, kLanes> evidence;
+  for (std::size_t l = 0; l < kLanes; ++l) evidence[l] = scale_[l] + highest_[l] + to_log(sums_of_cells[l]);
+  return evidence;
+}
+
+EARSHOT_WIDE void HypothesisBlock::add_to(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const {
+  const FloatLanes per_weight = sums(model);
+  VectorLanes scale;
+  for (std::size_t l = 0; l < kLanes; ++l) scale[l] = shares[l] / per_weight[l];
+  const LogLanes highest = highest_;
+  const LogLanes forgotten = all(kForgotten);
+  for (std::size_t i = 0; i < cell_count(model); ++i) {
+    VectorLanes p;
+    from_log(max(weights_[i] - highest, forgotten), p);
+    p *= scale;
+    marginal[i] += ((p[0] + p[1]) + (p[2] + p[3])) + ((p[4] + p[5]) + (p[6] + p[7]));
+  }
+}
+
+void HypothesisBlock::take_over(const BeliefModel& model, std::size_t lane, const HypothesisBlock& from, std::size_t from_lane) {
+  hypotheses_[lane] = from.hypotheses_[from_lane];
+  for (std::size_t i = 0; i < cell_count(model); ++i) weights_[i][lane] = from.weights_[i][from_lane];
+  highest_[lane] = from.highest_[from_lane];
+  scale_[lane] = from.scale_[from_lane];
+}
+
+std::uint32_t HypothesisBlock::fingerprint(const BeliefModel& model, std::uint32_t crc) const {
+  static_assert(std::endian::native == std::endian::little);
+  const auto bytes_of = [](const auto* first, std::size_t count) {
+    return std::span(reinterpret_cast<const std::uint8_t*>(first), count * sizeof(*first));
+  };
+  return crc32(bytes_of(weights_.data(), cell_count(model)), crc32(bytes_of(scale_.data(), scale_.size()), crc));
+}
+
+}  // namespace earshot::policy

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/ocean_belief/hypothesis.hpp"
+
+namespace earshot::policy {
+
+/// Hypotheses side by side, as many as a vector unit takes at once: one value of each.
+inline constexpr std::size_t kLanes = 8;
+/// Their log weights, added and compared all at once; a number of them is an int16_t.
+using LogLanes = std::int16_t __attribute__((vector_size(2 * kLanes)));
+using FloatLanes = std::array<float, kLanes>;
+
+/// The probability of every place under each of eight hypotheses, as log weights.
+class HypothesisBlock {
+ public:
+  /// Every place as likely as any other under each of them.
+  void start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses);
+  /// The source may have moved since the last look, where a hypothesis says so.
+  void let_move(const BeliefModel& model);
+  /// Multiplies every cell by its likelihood.
+  /// @param log_likelihoods  [ranges]: of what was heard, were the source at each
+  /// @param ranges           [north x east]: of the cells
+  void weigh(const BeliefModel& model, std::span<const LogLanes> log_likelihoods, std::span<const std::uint16_t> ranges);
+
+  [[nodiscard]] const Hypothesis& hypothesis(std::size_t lane) const { return hypotheses_[lane]; }
+  [[nodiscard]] const std::array<Hypothesis, kLanes>& hypotheses() const { return hypotheses_; }
+  /// log2 of the probability of all that was heard under each hypothesis, in 1/512, with a constant in common.
+  [[nodiscard]] std::array<int, kLanes> log_evidence(const BeliefModel& model) const;
+  /// Adds the probability of every cell, those of a hypothesis adding up to its share.
+  /// @param marginal  [north x east]
+  void add_to(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const;
+
+  /// Takes a hypothesis of another block in the place of one of its own.
+  void take_over(const BeliefModel& model, std::size_t lane, const HypothesisBlock& from, std::size_t from_lane);
+  /// CRC-32 of all its weights. @param crc  of what stands before them
+  [[nodiscard]] std::uint32_t fingerprint(const BeliefModel& model, std::uint32_t crc) const;
+
+ private:
+  [[nodiscard]] FloatLanes sums(const BeliefModel& model) const;
+  void settle(const BeliefModel& model);
+
+  std::array<Hypothesis, kLanes> hypotheses_;
+  std::array<LogLanes, config::kMaxBeliefCells>
+      weights_;                    ///< [north x east]; less the highest of a hypothesis they are at least kForgotten
+  LogLanes highest_;               ///< of each hypothesis
+  std::array<int, kLanes> scale_;  ///< what has been taken off every weight of a hypothesis
+};
+
+}  // namespace earshot::policy

@@ -1,0 +1,29 @@
+#include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+
+#include "firmware/core/wide.hpp"
+#include "firmware/policy/belief_grid.hpp"
+#include "firmware/policy/ocean_belief/log_weight.hpp"
+#include "firmware/policy/reception_likelihood.hpp"
+
+namespace earshot::policy {
+
+EARSHOT_WIDE void LaneLikelihoods::tabulate(const BeliefModel& model, const OceanTables& tables,
+                                            const std::array<Hypothesis, kLanes>& hypotheses, Reception reception) {
+  const std::size_t count = tables.range_count;
+  using RangeTable = std::array<float, config::kMaxTableRanges>;
+  RangeTable exact;
+  RangeTable seen;
+  RangeTable uncovered;
+  find_uncovered(model, std::span(uncovered).first(count));
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const Hypothesis& h = hypotheses[l];
+    const OceanTable& table = tables.tables[h.table];
+    for (std::size_t i = 0; i < count; ++i) exact[i] = table.snr_db(i);
+    to_likelihoods({kLevelOffsets_db[h.level], kSpreads_db[h.spread], kSilenceShares[h.silence], model.outlier_share}, reception,
+                   std::span(exact).first(count));
+    smooth(std::span(exact).first(count), half_cell(model, count), std::span(seen).first(count));
+    for (std::size_t i = 0; i < count; ++i) lanes_[i][l] = static_cast<std::int16_t>(to_log(seen[i] * uncovered[i]));
+  }
+}
+
+}  // namespace earshot::policy

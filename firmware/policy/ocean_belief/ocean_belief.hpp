@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/core/fixed_vector.hpp"
+#include "firmware/core/geometry.hpp"
+#include "firmware/core/random.hpp"
+#include "firmware/messages/belief_summary.hpp"
+#include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/belief_outlook.hpp"
+#include "firmware/policy/ocean_belief/hypothesis_block.hpp"
+#include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+#include "firmware/policy/reception.hpp"
+#include "firmware/policy/tables/ocean_tables.hpp"
+
+namespace earshot::policy {
+
+/// Probability of the source's place together with that of the hypotheses about ocean, level, fluctuation, pauses and motion, in fixed
+/// memory.
+///
+/// There are thousands of hypotheses, each with a grid of its own; only the likeliest are held. The others are drawn, a few after every
+/// look, weighed by all that was heard since the start, and take the place of one that is less likely.
+class OceanBelief {
+ public:
+  /// Forgets everything: every place is as likely as any other.
+  /// @param model   its hypotheses and SNR are not used; its range step is that of the tables
+  /// @param tables  at least one
+  void start(const BeliefModel& model, const OceanTables& tables);
+  /// Takes in what was heard at `position` (relative to the area's south-west corner), where the source was not within step_length.
+  void update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception);
+
+  /// Places are relative to the area's south-west corner.
+  [[nodiscard]] const messages::BeliefSummary& summary() const { return summary_; }
+  /// @param action  below the number of the model's actions
+  [[nodiscard]] const ActionOutlook& outlook(std::size_t action) const { return outlooks_[action]; }
+  /// Probability that the source lies in a cell, counted from the south and from the west.
+  [[nodiscard]] float probability(const BeliefModel& model, std::size_t north, std::size_t east) const {
+    return marginal_[north * model.cells_east + east];
+  }
+
+  static constexpr std::size_t kHypotheses = config::kBeliefBlocks * kLanes;
+  /// @param index  below kHypotheses
+  [[nodiscard]] const Hypothesis& hypothesis(std::size_t index) const { return residents_[index / kLanes].hypothesis(index % kLanes); }
+  /// Probability of one of the hypotheses that are held; these add up to one.
+  [[nodiscard]] float share(std::size_t index) const { return shares_[index / kLanes][index % kLanes]; }
+  /// CRC-32 of all that is believed, bit for bit.
+  [[nodiscard]] std::uint32_t fingerprint(const BeliefModel& model) const;
+
+ private:
+  struct Look {
+    NorthEast position;
+    Reception reception;
+  };
+
+  void take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, HypothesisBlock& block);
+  void find_posteriors(const BeliefModel& model, const OceanTables& tables);
+  void find_shares();
+  void weigh_others(const BeliefModel& model, const OceanTables& tables);
+  void draw_candidates(const BeliefModel& model, const OceanTables& tables);
+  [[nodiscard]] Hypothesis draw_candidate(const OceanTables& tables, Motion motion);
+  [[nodiscard]] bool is_held(const Hypothesis& hypothesis) const;
+  void take_the_likelier(const BeliefModel& model, const OceanTables& tables);
+  void find_marginal(const BeliefModel& model);
+  void foresee(const BeliefModel& model, const OceanTables& tables);
+
+  using Posteriors = std::array<int, kLanes>;  ///< log2 of what is proportional to the probability of each hypothesis, in 1/512
+
+  std::array<HypothesisBlock, config::kBeliefBlocks> residents_;
+  std::array<Posteriors, config::kBeliefBlocks> posteriors_;
+  std::array<FloatLanes, config::kBeliefBlocks> shares_;
+  HypothesisBlock candidates_;
+  std::size_t candidates_heard_;  ///< looks that the candidates have taken in
+  bool has_candidates_;
+  std::uint32_t draws_;  ///< of candidates so far
+  FixedVector<Look, config::kMaxBeliefLooks> looks_;
+  bool is_history_whole_;  ///< every look is in it
+  Pcg32 random_{0};
+  LaneLikelihoods likelihoods_;
+  std::array<std::uint16_t, config::kMaxBeliefCells> ranges_;  ///< [north x east], from the vehicle, in range steps
+  std::array<float, config::kMaxBeliefCells> marginal_;        ///< [north x east], sum over the hypotheses
+  std::array<float, config::kMaxTableRanges> search_cost_;     ///< of a search that goes straight to a source at that range
+  std::array<float, config::kMaxTableRanges> detected_;        ///< probability of a detection at that range
+  messages::BeliefSummary summary_;
+  std::array<ActionOutlook, config::kMaxActions> outlooks_;
+};
+
+static_assert(sizeof(OceanBelief) + sizeof(OceanTables) <= config::kOceanBeliefBytes);
+
+}  // namespace earshot::policy
