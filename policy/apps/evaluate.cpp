@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "firmware/host/file/checksum_text.hpp"
+#include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/policy/tables_bytes.hpp"
@@ -17,13 +19,15 @@
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
 #include "policy/command_line/scenario_options.hpp"
+#include "policy/command_line/trained_options.hpp"
 #include "policy/description/draw.hpp"
-#include "policy/description/placement.hpp"
 #include "policy/evaluate/candidates.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/evaluate/figures_json.hpp"
 #include "policy/evaluate/path_table.hpp"
 #include "policy/evaluate/table.hpp"
+#include "policy/evaluate/task.hpp"
+#include "policy/evaluate/time_to_find.hpp"
 #include "policy/evaluate/trial.hpp"
 #include "policy/evaluate/world_file.hpp"
 #include "sim/parallel/rank_session.hpp"
@@ -41,7 +45,7 @@ struct Options {
   std::vector<std::string> policies;
   std::vector<std::string> worlds;
   bool suite = false;
-  command_line::ScenarioOptions search{.start = "inside_border"};
+  command_line::ScenarioOptions search;
   std::size_t episodes = 300;
   std::optional<std::uint64_t> seed;
   std::optional<std::string> draw;
@@ -68,6 +72,8 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--world", &o.worlds, "world files to search in, such as policy/worlds/noisy_4db.toml (the environment itself)");
   line.flag("--suite", &o.suite, "search in every world of policy/worlds");
   o.search.add_to(line, {.source = "what the policies were trained with, changing when none says it",
+                         .start = "what the policies were trained with, inside_border when none says it; --border-width-m, --max-steps and "
+                                  "--vehicle-depth-m likewise",
                          .listening = "what the .policy files have, newest when none is evaluated"});
   line.option(
       "--tables", &o.tables,
@@ -85,7 +91,8 @@ void add_options(program::CommandLine& line, Options& o) {
   line.footer(
       "By name:\n  shipped             the policy that ships (policy/frozen)" + names_of_baselines() +
       "\nAll fly the same starts in the same worlds. In a world all but the oracles go by what the --environment says is heard, learned "
-      "policies by what their file says; the vehicle is as deep as the world says.\n"
+      "policies by what their file says; the vehicle is as deep as the world says. Who was trained for another search than is flown is "
+      "warned of.\n"
       "mpirun -n N earshot evaluate ... shares the searches out.\n"
       "Example: earshot evaluate --policies shipped,bayes,oracle --episodes 3000 --json evaluation.json");
 }
@@ -107,14 +114,13 @@ std::vector<evaluate::Candidate> candidates_of(const Options& o) {
   return candidates;
 }
 
-/// Policies that are about to be tested on another task than they were trained for.
-void warn_of_another_source(const std::vector<evaluate::Candidate>& candidates, search::SourcePlacement searched) {
+/// What candidates are about to be tested in that they were not trained for.
+std::vector<std::string> warnings_of(std::span<const evaluate::Candidate> candidates, const evaluate::TestedTask& tested) {
+  std::vector<std::string> warnings;
   for (const evaluate::Candidate& c : candidates) {
-    const std::optional<search::SourcePlacement> trained = evaluate::trained_placement(c);
-    if (!trained || *trained == searched) continue;
-    std::cerr << "earshot evaluate: warning: " << c.name << " was trained with a " << search::name_of(*trained)
-              << " source and is tested with a " << search::name_of(searched) << " one: it never learned what is asked of it\n";
+    for (std::string& difference : evaluate::differences(c, tested)) warnings.push_back(std::move(difference));
   }
+  return warnings;
 }
 
 std::vector<evaluate::WorldFile> worlds_of(const Options& o, const std::filesystem::path& environment, Meters depth) {
@@ -154,7 +160,7 @@ void write_files(const Options& o, const evaluate::EvaluationSetup& setup, const
   if (!o.plot) return;
   try {
     const std::string title = evaluate::title_of(setup);
-    plot::draw(*o.plot, {.title = title, .size = "1400,900", .commands = evaluate::as_plot(rows, title)});
+    plot::draw(*o.plot, {.title = title, .size = "1400,1200", .commands = evaluate::as_plot(rows, title)});
   } catch (const std::runtime_error& e) {
     throw BadInput(e.what());
   }
@@ -174,21 +180,52 @@ void check_files(const Options& o) {
   command_line::require_writable(files, host::replaced_by(o.force));
 }
 
-/// "source fixed at 10000 m north, 10000 m east (as fixed.policy was trained); starts inside_border"
-std::string what_is_searched(const Options& o, const search::SearchSettings& settings, const std::vector<evaluate::Candidate>& candidates) {
+/// The search that is flown, and who said so.
+struct Task {
+  command_line::ScenarioOptions options;  ///< given, or as the leading candidate was trained
+  search::SearchSettings settings;
+  Meters depth;
+  std::string trained_by;  ///< name of the candidate whose training holds where nothing else is given; empty: nobody's
+};
+
+/// @param leading  the candidate whose training counts; null: none
+Task task_of(const command_line::ScenarioOptions& given, std::span<const evaluate::Candidate> candidates,
+             const evaluate::Candidate* leading) {
+  const description::TrainedTask trained = leading == nullptr ? description::TrainedTask{} : evaluate::trained_task(*leading);
+  Task task{.options = command_line::with_trained(given, trained),
+            .settings = evaluate::settings_of(candidates),
+            .depth = {},
+            .trained_by = trained.source ? leading->name : ""};
+  task.depth = Meters{task.options.vehicle_depth_m.value_or(300.0)};
+  task.settings.placement = search::SourcePlacement::kChanging;  // where neither an option nor a training says it
+  if (trained.border_reward) task.settings.border_reward = *trained.border_reward;
+  return task;
+}
+
+/// A fixed source stands where the environment that is given puts it; where none is, as it was trained, if that is known.
+NorthEast source_of(const evaluate::Candidate* leading, const ocean::Environment& environment, bool is_given) {
+  if (is_given || leading == nullptr) return environment.source.position;
+  return evaluate::trained_task(*leading).source_position.value_or(environment.source.position);
+}
+
+/// "source fixed at 10000 m north, 10000 m east (as fixed.policy was trained); starts domain (as fixed.policy was trained); ..."
+std::string what_is_searched(const command_line::ScenarioOptions& given, const Task& task) {
+  const search::SearchSettings& settings = task.settings;
+  const auto unless = [&](bool is_given) { return is_given || task.trained_by.empty() ? "" : " (as " + task.trained_by + " was trained)"; };
   std::ostringstream text;
   text << "source " << search::name_of(settings.placement);
   if (settings.placement == search::SourcePlacement::kFixed)
     text << " at " << settings.source.north.value << " m north, " << settings.source.east.value << " m east";
-  const auto trained =
-      std::ranges::find_if(candidates, [](const evaluate::Candidate& c) { return evaluate::trained_placement(c).has_value(); });
-  if (!o.search.source && trained != candidates.end()) text << " (as " << trained->name << " was trained)";
+  text << unless(given.source.has_value());
   if (settings.listening != config::ListeningWindow{}) text << "; hears the " << host::to_string(settings.listening);
   text << "; starts ";
-  if (o.search.start_margin_m)
-    text << *o.search.start_margin_m << " m or more from every edge\n";
+  if (task.options.start_margin_m)
+    text << *task.options.start_margin_m << " m or more from every edge";
   else
-    text << *o.search.start << "\n";
+    text << *task.options.start;
+  text << unless(given.start || given.start_margin_m) << "; border " << settings.border_width.value << " m; at most " << settings.max_steps
+       << " steps\nhours to find: of all searches, - where too few found; in the mean, one that did not find counts as "
+       << settings.max_steps << " steps\n";
   return text.str();
 }
 
@@ -201,6 +238,18 @@ struct Common {
   std::span<const std::unique_ptr<policy::OceanTables>> tables;
   std::optional<policy::ActionDraw> draw;
 };
+
+std::vector<std::unique_ptr<policy::OceanTables>> tables_of(const std::vector<std::string>& files) {
+  constexpr std::size_t kMost = config::kMaxOceanTables - 1;
+  std::vector<std::unique_ptr<policy::OceanTables>> tables;
+  for (const std::string& file : files) {
+    tables.push_back(host::tables_from(host::read_tables_bytes(file), file));
+    if (tables.back()->tables.size() > kMost)
+      throw BadInput("--tables " + file + ": " + std::to_string(tables.back()->tables.size()) +
+                     " tables, and the environment's own is one more than a vehicle holds; make them with --at-most " + std::to_string(kMost));
+  }
+  return tables;
+}
 
 /// Those of the tables that are of what is listened for in a world; null where none were given.
 /// Throws BadInput where none of them are.
@@ -232,13 +281,15 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
     const policy::OceanTables* const oceans =
         tables_for(world, {.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal}, common.tables);
     const evaluate::Trial trial{world, assembled, expected, oceans, o.episodes, common.draw};
+    const evaluate::Pace pace = evaluate::pace_of(assembled);
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {
       const std::vector<evaluate::Flight> flights = fly(candidate, trial, ranks, o.paths ? &paths : nullptr);
-      if (ranks.rank() == 0) rows.push_back(evaluate::row_of(world.name, candidate.name, flights, world.seed));
+      if (ranks.rank() == 0) rows.push_back(evaluate::row_of(world.name, candidate.name, flights, pace, world.seed));
     }
     if (ranks.rank() > 0) continue;
-    program::say() << world.name << ": " << world.what << "; " << o.episodes << " searches, seed " << world.seed << "\n"
+    program::say() << world.name << ": " << world.what << "; " << o.episodes << " searches, seed " << world.seed << ", steps of "
+                   << pace.step_s << " s\n"
                    << evaluate::as_text(std::span(rows).subspan(first_row)) << std::endl;
   }
   return rows;
@@ -249,47 +300,42 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   const bool speaks = ranks.rank() == 0;
   if (o.paths && ranks.size() > 1) throw BadInput("--paths: not with several MPI ranks");
   const std::vector<evaluate::Candidate> candidates = candidates_of(o);
-  const Meters depth{o.search.vehicle_depth_m.value_or(300.0)};
+  if (!o.search.source) evaluate::check_same_source(candidates);
+  const evaluate::Candidate* const leading = evaluate::leading(candidates);
+  Task task = task_of(o.search, candidates, leading);
   const std::filesystem::path environment_file =
       o.search.environment ? std::filesystem::path(*o.search.environment) : host::shipped("sim/ocean/environments/munk_flat.toml");
-  const ocean::Environment environment = command_line::scenario_at(environment_file, depth).environment;
-  const std::vector<evaluate::WorldFile> worlds = worlds_of(o, environment_file, depth);
-  std::optional<search::SourcePlacement> placement;
-  if (!o.search.source) placement = evaluate::placement_of(candidates);
-  search::SearchSettings settings = evaluate::settings_of(candidates);
-  settings.source = environment.source.position;
-  if (placement) settings.placement = *placement;
+  const ocean::Environment environment = command_line::scenario_at(environment_file, task.depth).environment;
+  const std::vector<evaluate::WorldFile> worlds = worlds_of(o, environment_file, task.depth);
+  task.settings.source = source_of(leading, environment, o.search.environment.has_value());
   if (!o.search.listening.is_given()) evaluate::check_same_listening(candidates);
-  o.search.apply_to(settings);
+  task.options.apply_to(task.settings);
   session.all_or_none<BadInput>([&] {
     if (speaks) check_files(o);
   });
-  warn_of_another_source(candidates, settings.placement);
+  const std::vector<std::string> warnings = warnings_of(candidates, {task.settings, task.depth, host::crc32_text(environment.file_crc32)});
   if (speaks) {
+    for (const std::string& warning : warnings) std::cerr << "earshot evaluate: warning: " << host::printable(warning) << "\n";
     for (const evaluate::Candidate& c : candidates) print_details(c);
-    program::detail() << environment_file.string() << ": " << environment.name << "; the vehicle " << depth.value << " m deep\n"
+    program::detail() << environment_file.string() << ": " << environment.name << "; the vehicle " << task.depth.value << " m deep\n"
                       << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
-    program::say() << what_is_searched(o, settings, candidates);
+    program::say() << what_is_searched(o.search, task);
   }
-  std::vector<std::unique_ptr<policy::OceanTables>> tables;
-  for (const std::string& file : o.tables) {
-    tables.push_back(host::tables_from(host::read_tables_bytes(file), file));
-    if (tables.back()->tables.size() == config::kMaxOceanTables)
-      throw BadInput("--tables " + file + ": " + std::to_string(config::kMaxOceanTables) +
-                     " tables, and the environment's own is one more than a vehicle holds; make them with --at-most " +
-                     std::to_string(config::kMaxOceanTables - 1));
-  }
+  const std::vector<std::unique_ptr<policy::OceanTables>> tables = tables_of(o.tables);
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);
 
   evaluate::PathTable paths;
-  const std::vector<evaluate::Row> rows = fly_in_all(worlds, candidates, {o, environment, depth, settings, tables, draw}, ranks, paths);
+  const std::vector<evaluate::Row> rows = fly_in_all(worlds, candidates, {o, environment, task.depth, task.settings, tables, draw}, ranks, paths);
   if (speaks) {
     write_files(o,
                 {.episodes = o.episodes,
-                 .start_margin_m = o.search.start_margin_m,
-                 .start = o.search.start.value_or(""),
-                 .settings = settings,
+                 .start_margin_m = task.options.start_margin_m,
+                 .start = task.options.start.value_or(""),
+                 .settings = task.settings,
+                 .vehicle_depth = task.depth,
+                 .trained_by = task.trained_by,
+                 .warnings = warnings,
                  .worlds = worlds},
                 rows);
   }

@@ -18,7 +18,7 @@ void ScenarioOptions::add_to(program::CommandLine& line, const Otherwise& otherw
           "source: fixed where the environment puts it, or changing, uniform in the domain anew every episode (" + otherwise.source + ")")
       .one_of({search::kPlacements.begin(), search::kPlacements.end()});
   line.option("--start", &start,
-              "vehicle starts uniformly in the domain, or inside_border, where the border costs nothing (" + start.value_or("domain") + ")")
+              "vehicle starts uniformly in the domain, or inside_border, where the border costs nothing (" + otherwise.start + ")")
       .one_of({search::kStartPlacements.begin(), search::kStartPlacements.end()});
   line.option("--start-margin-m", &start_margin_m, "vehicle starts uniformly at least so far from every edge, metres; instead of --start")
       .not_negative()

@@ -13,8 +13,7 @@
 
 namespace earshot::command_line {
 
-/// The part of a command line that says where a policy searches; what is not given leaves the settings as they are. What is given before
-/// add_to() is its default.
+/// The part of a command line that says where a policy searches; what is not given leaves the settings as they are.
 struct ScenarioOptions {
   std::optional<std::string> environment = {};
   std::optional<double> vehicle_depth_m = {};
@@ -28,6 +27,7 @@ struct ScenarioOptions {
   /// What help says holds where an option is not given.
   struct Otherwise {
     std::string source;
+    std::string start;
     std::string listening;
   };
   void add_to(program::CommandLine& line, const Otherwise& otherwise);

@@ -7,17 +7,20 @@
 #include <vector>
 
 #include "firmware/core/random.hpp"
+#include "policy/evaluate/time_to_find.hpp"
+#include "sim/search/streams.hpp"
 
 namespace earshot::evaluate {
 namespace {
 
 constexpr std::size_t kResamples = 1'000;
+constexpr std::uint64_t kResampling = search::kStreams - 1;  // the stream; searches have those from 0 on
 
 /// One statistic of every resample.
 struct Statistics {
   std::vector<double> mean;
   std::vector<double> median;
-  std::vector<double> found;
+  std::vector<double> steps;
   std::vector<double> path;
 };
 
@@ -28,24 +31,24 @@ double median(std::vector<double>& values) {
   return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-void add_resample(std::span<const Flight> flights, Pcg32& random, std::vector<double>& rewards, Statistics& all) {
+void add_resample(std::span<const Flight> flights, std::uint32_t max_steps, Pcg32& random, std::vector<double>& rewards, Statistics& all) {
   const auto count = static_cast<double>(flights.size());
   double sum = 0.0;
-  double found = 0.0;
+  double steps = 0.0;
   double path_m = 0.0;
   double straight_m = 0.0;
   for (double& reward : rewards) {
     const Flight& flight = flights[static_cast<std::size_t>(random.uniform_double() * count)];
     reward = flight.record.reward;
     sum += reward;
+    steps += restricted_steps(flight.record, max_steps);
     if (flight.record.end != search::EpisodeEnd::kFound) continue;
-    found += 1.0;
     path_m += flight.path_m;
     straight_m += flight.straight_m;
   }
   all.mean.push_back(sum / count);
   all.median.push_back(median(rewards));
-  all.found.push_back(found / count);
+  all.steps.push_back(steps / count);
   if (straight_m > 0.0) all.path.push_back(path_m / straight_m);
 }
 
@@ -57,15 +60,15 @@ Interval middle_95_percent(const std::vector<double>& values) {
 
 }  // namespace
 
-Intervals bootstrap(std::span<const Flight> flights, std::uint64_t seed) {
+Intervals bootstrap(std::span<const Flight> flights, std::uint32_t max_steps, std::uint64_t seed) {
   assert(!flights.empty());
-  Pcg32 random(seed);
+  Pcg32 random = search::evaluation_random(seed, kResampling);
   Statistics all;
   std::vector<double> rewards(flights.size());
-  for (std::size_t i = 0; i < kResamples; ++i) add_resample(flights, random, rewards, all);
-  return {.mean_reward = middle_95_percent(all.mean),
+  for (std::size_t i = 0; i < kResamples; ++i) add_resample(flights, max_steps, random, rewards, all);
+  return {.restricted_mean_steps = middle_95_percent(all.steps),
+          .mean_reward = middle_95_percent(all.mean),
           .median_reward = middle_95_percent(all.median),
-          .found_fraction = middle_95_percent(all.found),
           .path_over_straight = middle_95_percent(all.path)};
 }
 

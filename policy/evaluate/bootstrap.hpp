@@ -5,24 +5,21 @@
 #include <span>
 
 #include "policy/evaluate/evaluation.hpp"
+#include "policy/evaluate/interval.hpp"
 
 namespace earshot::evaluate {
 
-struct Interval {
-  double low = 0.0;
-  double high = 0.0;
-};
-
-/// 95 % confidence intervals of what a table says about many searches.
+/// Intervals of what a table says about many searches; that of the share found is exact (interval.hpp).
 struct Intervals {
+  Interval restricted_mean_steps;  ///< of TimeToFind
   Interval mean_reward;
   Interval median_reward;
-  Interval found_fraction;
   Interval path_over_straight;  ///< NaN when fewer than one resample in two has a search that found a source
 };
 
 /// Percentile bootstrap: 1000 resamples of as many searches, drawn with replacement, the same for the same seed.
+/// @param max_steps  N of the searches
 /// Source: Efron and Tibshirani, An Introduction to the Bootstrap (1993), ch. 13.   Oracle: Bootstrap.*
-[[nodiscard]] Intervals bootstrap(std::span<const Flight> flights, std::uint64_t seed);
+[[nodiscard]] Intervals bootstrap(std::span<const Flight> flights, std::uint32_t max_steps, std::uint64_t seed);
 
 }  // namespace earshot::evaluate

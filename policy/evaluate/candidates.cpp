@@ -4,9 +4,7 @@
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
 #include "policy/baselines/catalogue.hpp"
-#include "policy/description/placement.hpp"
 #include "policy/evaluate/evaluation.hpp"
-#include "sim/search/scenario/placement.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -58,25 +56,6 @@ void check_same_listening(std::span<const Candidate> candidates) {
       throw BadInput(c.name + ": listens over another window than " + first->name +
                      ": evaluate them one by one, or give both the same window (--listening)");
   }
-}
-
-std::optional<search::SourcePlacement> trained_placement(const Candidate& candidate) {
-  if (!candidate.learned) return std::nullopt;
-  return description::placement_in({candidate.learned->provenance.begin(), candidate.learned->provenance.end()});
-}
-
-search::SourcePlacement placement_of(std::span<const Candidate> candidates) {
-  const Candidate* first = nullptr;
-  for (const Candidate& c : candidates) {
-    if (!trained_placement(c)) continue;
-    if (first == nullptr) first = &c;
-    if (trained_placement(c) != trained_placement(*first)) {
-      throw BadInput(first->name + " was trained with a " + std::string(search::name_of(*trained_placement(*first))) + " source, " +
-                     c.name + " with a " + std::string(search::name_of(*trained_placement(c))) +
-                     " one: say which to search for with --source");
-    }
-  }
-  return first == nullptr ? search::SourcePlacement::kChanging : *trained_placement(*first);
 }
 
 }  // namespace earshot::evaluate

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -26,12 +25,5 @@ struct Candidate {
 /// Throws host::BadInput, naming two, when learned candidates listen over different windows: they can be compared only over a window that
 /// is given to all.
 void check_same_listening(std::span<const Candidate> candidates);
-
-/// The source that a candidate was trained with, if its provenance says it.
-[[nodiscard]] std::optional<search::SourcePlacement> trained_placement(const Candidate& candidate);
-
-/// The source that the learned candidates were trained with; a changing one when none says it. Throws host::BadInput, naming two, when they
-/// were trained with both kinds: whichever were searched for, the rows of some would be of a task they never learned.
-[[nodiscard]] search::SourcePlacement placement_of(std::span<const Candidate> candidates);
 
 }  // namespace earshot::evaluate

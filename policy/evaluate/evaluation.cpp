@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "policy/baselines/learned.hpp"
+#include "sim/search/streams.hpp"
 
 namespace earshot::evaluate {
 namespace {
@@ -52,7 +53,8 @@ std::vector<Flight> fly(baselines::Searcher& searcher, const search::World& worl
   std::vector<Flight> flights;
   search::Episode episode;
   for (std::size_t i = episodes.first; i < episodes.end; i += episodes.stride)
-    flights.push_back(fly_one(searcher, world, {i, Pcg32(seed, 2 * i), Pcg32(seed, 2 * i + 1)}, episode, watcher));
+    flights.push_back(fly_one(searcher, world, {i, search::evaluation_random(seed, 2 * i), search::evaluation_random(seed, 2 * i + 1)},
+                              episode, watcher));
   return flights;
 }
 
@@ -92,14 +94,13 @@ Summary summarise(std::span<const search::EpisodeRecord> records) {
   for (const search::EpisodeRecord& record : records) {  // sums first: shares of whole numbers come out exact
     rewards.push_back(record.reward);
     summary.mean_reward += record.reward;
-    summary.found_fraction += record.end == search::EpisodeEnd::kFound ? 1.0 : 0.0;
+    summary.found += record.end == search::EpisodeEnd::kFound ? 1 : 0;
     summary.left_domain_fraction += record.end == search::EpisodeEnd::kLeftDomain ? 1.0 : 0.0;
     summary.mean_steps += record.steps;
     summary.mean_detections += record.detections;
   }
-  for (double* mean :
-       {&summary.mean_reward, &summary.found_fraction, &summary.left_domain_fraction, &summary.mean_steps, &summary.mean_detections})
-    *mean /= count;
+  for (double* mean : {&summary.mean_reward, &summary.left_domain_fraction, &summary.mean_steps, &summary.mean_detections}) *mean /= count;
+  summary.found_fraction = static_cast<double>(summary.found) / count;
   summary.lower_quartile_reward = quantile(rewards, 0.25);
   summary.median_reward = quantile(rewards, 0.5);
   summary.upper_quartile_reward = quantile(rewards, 0.75);

@@ -30,8 +30,9 @@ struct Episodes {
 /// Shown every episode at its start and after each of its steps.
 using Watcher = std::function<void(std::size_t number, const search::Episode& episode)>;
 
-/// Episode i draws its start, its sources and all that its world's conditions ask for from stream 2i of the seed, what the searcher draws
-/// from stream 2i + 1: the same starts for every searcher.
+/// Episode i draws its start, its sources and all that its world's conditions ask for from stream 2i of the seed's for evaluation
+/// (sim/search/streams.hpp), what the searcher draws from stream 2i + 1: the same starts for every searcher, and none that a training drew.
+/// Oracle: EvaluateTest.FliesNoSearchThatATrainingOfTheSameSeedBeginsWith
 [[nodiscard]] std::vector<Flight> fly(baselines::Searcher& searcher, const search::World& world, Episodes episodes, std::uint64_t seed,
                                       const Watcher& watcher = {});
 
@@ -50,6 +51,7 @@ using Watcher = std::function<void(std::size_t number, const search::Episode& ep
 
 struct Summary {
   std::size_t episodes = 0;
+  std::size_t found = 0;
   double mean_reward = 0.0;
   double lower_quartile_reward = 0.0;
   double median_reward = 0.0;

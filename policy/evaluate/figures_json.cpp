@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "firmware/host/listening/listening_words.hpp"
-#include "policy/description/placement.hpp"
 #include "sim/search/scenario/placement.hpp"
 
 namespace earshot::evaluate {
@@ -13,18 +12,31 @@ using nlohmann::ordered_json;
 
 ordered_json as_json(const Row& row, Timing timing) {
   const Summary& s = row.summary;
+  const TimeToFind& t = row.time_to_find;
   const auto interval = [](const Interval& i) { return ordered_json{i.low, i.high}; };
+  const auto in_hours = [&row](double steps) { return hours(steps, row.pace); };
+  const Interval& steps_95 = row.intervals.restricted_mean_steps;
   ordered_json json{{"world", row.world},
                     {"policy", row.policy},
                     {"episodes", s.episodes},
+                    {"found_fraction", s.found_fraction},
+                    {"found_fraction_95", interval(row.found_fraction_95)},
+                    {"lower_quartile_hours_to_find", in_hours(t.lower_quartile)},
+                    {"median_hours_to_find", in_hours(t.median)},
+                    {"upper_quartile_hours_to_find", in_hours(t.upper_quartile)},
+                    {"restricted_mean_hours_to_find", in_hours(t.restricted_mean)},
+                    {"restricted_mean_hours_to_find_95", interval({in_hours(steps_95.low), in_hours(steps_95.high)})},
+                    {"lower_quartile_steps_to_find", t.lower_quartile},
+                    {"median_steps_to_find", t.median},
+                    {"upper_quartile_steps_to_find", t.upper_quartile},
+                    {"restricted_mean_steps_to_find", t.restricted_mean},
+                    {"restricted_mean_steps_to_find_95", interval(steps_95)},
                     {"mean_reward", s.mean_reward},
                     {"mean_reward_95", interval(row.intervals.mean_reward)},
                     {"lower_quartile_reward", s.lower_quartile_reward},
                     {"median_reward", s.median_reward},
                     {"median_reward_95", interval(row.intervals.median_reward)},
                     {"upper_quartile_reward", s.upper_quartile_reward},
-                    {"found_fraction", s.found_fraction},
-                    {"found_fraction_95", interval(row.intervals.found_fraction)},
                     {"left_domain_fraction", s.left_domain_fraction},
                     {"path_over_straight", row.path_over_straight},
                     {"path_over_straight_95", interval(row.intervals.path_over_straight)},
@@ -45,14 +57,22 @@ std::string title_of(const EvaluationSetup& setup) {
 std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Timing timing) {
   const search::SearchSettings& settings = setup.settings;
   ordered_json json{{"episodes", setup.episodes}, {"source", search::name_of(settings.placement)}};
+  if (settings.placement == search::SourcePlacement::kFixed) {
+    json["source_north_m"] = settings.source.north.value;
+    json["source_east_m"] = settings.source.east.value;
+  }
   if (setup.start_margin_m)
     json["start_margin_m"] = *setup.start_margin_m;
   else
     json["start"] = setup.start;
   json["border_width_m"] = settings.border_width.value;
+  json["border_reward"] = settings.border_reward;
   json["max_steps"] = settings.max_steps;
+  json["vehicle_depth_m"] = setup.vehicle_depth.value;
   json["listening"] = host::word_for(settings.listening.listening);
   json["listening_window_s"] = host::length_s(settings.listening);
+  json["trained_by"] = setup.trained_by.empty() ? ordered_json() : ordered_json(setup.trained_by);
+  json["warnings"] = std::vector<std::string>(setup.warnings.begin(), setup.warnings.end());
   for (const WorldFile& world : setup.worlds) json["worlds"].push_back({{"name", world.name}, {"what", world.what}, {"seed", world.seed}});
   for (const Row& row : rows) json["results"].push_back(as_json(row, timing));
   return json.dump(1) + "\n";

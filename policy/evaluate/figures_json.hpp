@@ -17,13 +17,16 @@ struct EvaluationSetup {
   std::optional<double> start_margin_m;  ///< of the starts from every edge
   std::string start;                     ///< name of the region of the starts; where there is no margin
   const search::SearchSettings& settings;
+  Meters vehicle_depth;
+  std::string trained_by;                 ///< name of the policy whose training says what no option does; empty: nobody's
+  std::span<const std::string> warnings;  ///< of policies that are tested otherwise than they were trained
   std::span<const WorldFile> worlds;
 };
 
 /// "300 searches each in munk_flat, source changing"
 [[nodiscard]] std::string title_of(const EvaluationSetup& setup);
 
-/// The figures as JSON: the evaluation, then a row for each policy in each world.
+/// The figures as JSON: the evaluation, then a row for each policy in each world. A time that never comes and an unknown ratio are null.
 [[nodiscard]] std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Timing timing);
 
 }  // namespace earshot::evaluate

@@ -21,6 +21,11 @@ std::string formatted(const char* format, Values... values) {
   return text.data();
 }
 
+/// A number so many characters wide; "-" where there is none.
+std::string known(const std::string& before, int width, double value) {
+  return before + (std::isfinite(value) ? formatted("%*.2f", width, value) : formatted("%*s", width, "-"));
+}
+
 std::string shortest(double value) {
   if (std::isnan(value)) return "";
   std::array<char, 32> text{};
@@ -31,13 +36,26 @@ std::string shortest(double value) {
 std::string line_of(const Row& row, std::size_t width) {
   const Summary& s = row.summary;
   const Intervals& i = row.intervals;
+  const TimeToFind& t = row.time_to_find;
+  const auto in_hours = [&row](double steps) { return hours(steps, row.pace); };
   return formatted("%-*s", static_cast<int>(width), row.policy.c_str()) +
+         formatted(" %6.1f  %5.1f to %5.1f", 100.0 * s.found_fraction, 100.0 * row.found_fraction_95.low,
+                   100.0 * row.found_fraction_95.high) +
+         known(" ", 7, in_hours(t.median)) + known("  ", 5, in_hours(t.lower_quartile)) + known(" to ", 5, in_hours(t.upper_quartile)) +
+         formatted(" %6.2f  %5.2f to %5.2f", in_hours(t.restricted_mean), in_hours(i.restricted_mean_steps.low),
+                   in_hours(i.restricted_mean_steps.high)) +
          formatted(" %8.2f  %7.2f to %7.2f", s.mean_reward, i.mean_reward.low, i.mean_reward.high) +
          formatted(" %8.2f  %7.2f to %7.2f", s.median_reward, s.lower_quartile_reward, s.upper_quartile_reward) +
-         formatted(" %6.1f  %5.1f to %5.1f", 100.0 * s.found_fraction, 100.0 * i.found_fraction.low, 100.0 * i.found_fraction.high) +
-         (std::isnan(row.path_over_straight) ? formatted(" %7s", "-") : formatted(" %7.2f", row.path_over_straight)) +
-         formatted(" %6.1f %6.1f %6.1f", 100.0 * s.left_domain_fraction, s.mean_steps, s.mean_detections) +
+         known(" ", 7, row.path_over_straight) + formatted(" %6.1f %6.1f", 100.0 * s.left_domain_fraction, s.mean_detections) +
          formatted(" %9.2f\n", 1e6 * row.decision_s);
+}
+
+/// A line of the table's header, its words over the columns of line_of().
+std::string heading(std::size_t width, const std::array<const char*, 15>& words) {
+  const std::array<int, 15> widths{-static_cast<int>(width), 7, 16, 8, 16, 7, 16, 9, 20, 9, 20, 8, 7, 7, 10};
+  std::string line;
+  for (std::size_t i = 0; i < words.size(); ++i) line += formatted("%*s", widths[i], words[i]);
+  return line + "\n";
 }
 
 std::vector<std::string> distinct(std::span<const Row> rows, std::string Row::*name) {
@@ -46,6 +64,13 @@ std::vector<std::string> distinct(std::span<const Row> rows, std::string Row::*n
     if (std::ranges::find(names, row.*name) == names.end()) names.push_back(row.*name);
   }
   return names;
+}
+
+/// Times to find of a row, steps: quartiles with the median between them, then the restricted mean and its interval.
+std::array<double, 6> times_of(const Row& row) {
+  const TimeToFind& t = row.time_to_find;
+  const Interval& mean_95 = row.intervals.restricted_mean_steps;
+  return {t.lower_quartile, t.median, t.upper_quartile, t.restricted_mean, mean_95.low, mean_95.high};
 }
 
 /// The place of one policy's points, and its mark: colour and shape both distinguish it from its neighbours.
@@ -89,13 +114,21 @@ std::string tics_of(const std::vector<std::string>& worlds, bool is_named) {
 
 }  // namespace
 
-Row row_of(const std::string& world, const std::string& policy, std::span<const Flight> flights, std::uint64_t seed) {
+double hours(double steps, const Pace& pace) {
+  return steps * pace.step_s / 3'600.0;
+}
+
+Row row_of(const std::string& world, const std::string& policy, std::span<const Flight> flights, const Pace& pace, std::uint64_t seed) {
   std::vector<search::EpisodeRecord> records;
   for (const Flight& flight : flights) records.push_back(flight.record);
+  const Summary summary = summarise(records);
   return {.world = world,
           .policy = policy,
-          .summary = summarise(records),
-          .intervals = bootstrap(flights, seed),
+          .summary = summary,
+          .found_fraction_95 = exact_interval({.found = summary.found, .searches = summary.episodes}),
+          .time_to_find = time_to_find(records, pace.max_steps),
+          .pace = pace,
+          .intervals = bootstrap(flights, pace.max_steps, seed),
           .path_over_straight = path_over_straight(flights),
           .decision_s = decision_time_s(flights)};
 }
@@ -103,28 +136,35 @@ Row row_of(const std::string& world, const std::string& policy, std::span<const 
 std::string as_text(std::span<const Row> rows) {
   std::size_t width = 16;
   for (const Row& row : rows) width = std::max(width, row.policy.size());
-  std::string text = formatted("%-*s", static_cast<int>(width), "policy") +
-                     "   reward       (95 %)          median     (quartiles)      found %" +
-                     "    (95 %)      path/   left   steps  heard  us/decision\n" + formatted("%-*s", static_cast<int>(width), "") +
-                     "     mean                                                                           line       %   \n";
+  constexpr const char* kSure = "(95 %)    ";  // over the middle of what is so wide
+  constexpr const char* kRange = "(quartiles)  ";
+  std::string text = heading(width, {"policy", "found", kSure, "hours to", kRange, "mean", kSure, "reward", kSure, "median", kRange,
+                                     "path/", "left", "heard", "us/"});
+  text += heading(width, {"", "%", "", "find", "", "hours", "", "mean", "", "reward", "", "line", "%", "", "decision"});
   for (const Row& row : rows) text += line_of(row, width);
   return text;
 }
 
 std::string as_csv(std::span<const Row> rows, Timing timing) {
   std::string csv =
-      "world,policy,episodes,mean_reward,mean_reward_low,mean_reward_high,lower_quartile_reward,median_reward,median_reward_low,"
-      "median_reward_high,upper_quartile_reward,found_fraction,found_fraction_low,found_fraction_high,left_domain_fraction,"
+      "world,policy,episodes,found_fraction,found_fraction_low,found_fraction_high,lower_quartile_hours_to_find,median_hours_to_find,"
+      "upper_quartile_hours_to_find,restricted_mean_hours_to_find,restricted_mean_hours_to_find_low,restricted_mean_hours_to_find_high,"
+      "lower_quartile_steps_to_find,median_steps_to_find,upper_quartile_steps_to_find,restricted_mean_steps_to_find,"
+      "restricted_mean_steps_to_find_low,restricted_mean_steps_to_find_high,mean_reward,mean_reward_low,mean_reward_high,"
+      "lower_quartile_reward,median_reward,median_reward_low,median_reward_high,upper_quartile_reward,left_domain_fraction,"
       "path_over_straight,path_over_straight_low,path_over_straight_high,mean_steps,mean_detections";
   csv += timing == Timing::kIncluded ? ",decision_us\n" : "\n";
   for (const Row& row : rows) {
     const Summary& s = row.summary;
     const Intervals& i = row.intervals;
     csv += csv_cell(row.world) + "," + csv_cell(row.policy) + "," + std::to_string(s.episodes);
+    for (const double x : {s.found_fraction, row.found_fraction_95.low, row.found_fraction_95.high}) csv += "," + shortest(x);
+    const std::array<double, 6> steps = times_of(row);
+    for (const double x : steps) csv += "," + shortest(hours(x, row.pace));
+    for (const double x : steps) csv += "," + shortest(x);
     for (const double x : {s.mean_reward, i.mean_reward.low, i.mean_reward.high, s.lower_quartile_reward, s.median_reward,
-                           i.median_reward.low, i.median_reward.high, s.upper_quartile_reward, s.found_fraction, i.found_fraction.low,
-                           i.found_fraction.high, s.left_domain_fraction, row.path_over_straight, i.path_over_straight.low,
-                           i.path_over_straight.high, s.mean_steps, s.mean_detections})
+                           i.median_reward.low, i.median_reward.high, s.upper_quartile_reward, s.left_domain_fraction,
+                           row.path_over_straight, i.path_over_straight.low, i.path_over_straight.high, s.mean_steps, s.mean_detections})
       csv += "," + shortest(x);
     if (timing == Timing::kIncluded) csv += "," + shortest(1e6 * row.decision_s);
     csv += "\n";
@@ -140,20 +180,25 @@ std::string as_plot(std::span<const Row> all, const std::string& title) {
   const std::vector<std::string> worlds = distinct(rows, &Row::world);
   const bool has_legend = distinct(rows, &Row::policy).size() > 1;
   const std::string setup = "set multiplot title " + plot::quoted(title) +
-                            " noenhanced\nset grid ytics lt 1 lw 0.5 lc rgb '#cccccc'\nset key at screen 0.99,0.93 right top noenhanced "
+                            " noenhanced\nset grid ytics lt 1 lw 0.5 lc rgb '#cccccc'\nset key at screen 0.99,0.94 right top noenhanced "
                             "reverse Left\nset tics out nomirror\nset lmargin at screen 0.07\nset rmargin at screen " +
                             (has_legend ? "0.82" : "0.97") +
                             "\nset xrange [-0.5:" + formatted("%g", static_cast<double>(worlds.size()) - 0.5) + "]\n";
-  return setup + "set bmargin at screen 0.55\nset tmargin at screen 0.93\nset yrange [*:0]\n" + tics_of(worlds, false) +
-         panel(rows, "mean reward (95 %)", has_legend,
+  return setup + "set bmargin at screen 0.68\nset tmargin at screen 0.94\nset yrange [0:105]\n" + tics_of(worlds, false) +
+         panel(rows, "sources found, % (95 %)", has_legend,
+               [](const Row& r) {
+                 return std::array{100.0 * r.summary.found_fraction, 100.0 * r.found_fraction_95.low, 100.0 * r.found_fraction_95.high};
+               }) +
+         "set bmargin at screen 0.40\nset tmargin at screen 0.65\nset yrange [0:*]\n" + tics_of(worlds, false) +
+         panel(rows, "mean hours to find (95 %)", false,
+               [](const Row& r) {
+                 const Interval& steps = r.intervals.restricted_mean_steps;
+                 return std::array{hours(r.time_to_find.restricted_mean, r.pace), hours(steps.low, r.pace), hours(steps.high, r.pace)};
+               }) +
+         "set bmargin at screen 0.12\nset tmargin at screen 0.37\nset yrange [*:0]\n" + tics_of(worlds, true) +
+         panel(rows, "mean reward (95 %)", false,
                [](const Row& r) {
                  return std::array{r.summary.mean_reward, r.intervals.mean_reward.low, r.intervals.mean_reward.high};
-               }) +
-         "set bmargin at screen 0.13\nset tmargin at screen 0.51\nset yrange [0:105]\n" + tics_of(worlds, true) +
-         panel(rows, "sources found, % (95 %)", false,
-               [](const Row& r) {
-                 return std::array{100.0 * r.summary.found_fraction, 100.0 * r.intervals.found_fraction.low,
-                                   100.0 * r.intervals.found_fraction.high};
                }) +
          "unset multiplot\n";
 }

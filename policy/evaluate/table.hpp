@@ -6,6 +6,8 @@
 
 #include "policy/evaluate/bootstrap.hpp"
 #include "policy/evaluate/evaluation.hpp"
+#include "policy/evaluate/interval.hpp"
+#include "policy/evaluate/time_to_find.hpp"
 
 namespace earshot::evaluate {
 
@@ -14,23 +16,33 @@ struct Row {
   std::string world;
   std::string policy;
   Summary summary;
+  Interval found_fraction_95;
+  TimeToFind time_to_find;
+  Pace pace;
   Intervals intervals;
   double path_over_straight = 0.0;
   double decision_s = 0.0;
 };
 
 /// @param flights  at least one
-[[nodiscard]] Row row_of(const std::string& world, const std::string& policy, std::span<const Flight> flights, std::uint64_t seed);
+[[nodiscard]] Row row_of(const std::string& world, const std::string& policy, std::span<const Flight> flights, const Pace& pace,
+                         std::uint64_t seed);
 
-/// The rows of one world as a table with a header line, for people to read.
+/// A time in steps as hours. Infinite stays infinite.
+[[nodiscard]] double hours(double steps, const Pace& pace);
+
+/// The rows of one world as a table with a header of two lines, for people to read: found first, then the time to find, then the reward.
+/// "-" is a time that never comes, or a ratio that nobody knows.
 [[nodiscard]] std::string as_text(std::span<const Row> rows);
 
 enum class Timing : bool { kLeftOut, kIncluded };
 
-/// One line for each row, after a header line. Numbers as short as they read back the same; an unknown ratio is empty.
+/// One line for each row, after a header line. Numbers as short as they read back the same; an unknown ratio is empty, a time that never
+/// comes inf.
 [[nodiscard]] std::string as_csv(std::span<const Row> rows, Timing timing);
 
-/// gnuplot's commands: mean reward and share found with their intervals, side by side for every policy, world by world.
+/// gnuplot's commands: share found, restricted mean time to find and mean reward with their intervals, side by side for every policy, world
+/// by world.
 [[nodiscard]] std::string as_plot(std::span<const Row> rows, const std::string& title);
 
 }  // namespace earshot::evaluate

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "policy/ppo/advantage.hpp"
+#include "sim/search/streams.hpp"
 
 namespace earshot::ppo {
 namespace {
@@ -42,7 +43,7 @@ Trainer::Trainer(const search::World& world, const policy::ObservationModel& mod
     : hyper_(hyper),
       seed_(seed),
       ranks_(ranks),
-      random_(seed, kLearningStream),
+      random_(search::training_random(seed, kLearningStream)),
       environments_(world, model, hyper.environment_count, seed, ranks.rank() * hyper.environment_count),
       learner_(shape_of(environments_), hyper, random_, ranks),
       rollout_(shape_of(environments_), hyper.environment_count, hyper.steps_per_rollout),
@@ -51,7 +52,8 @@ Trainer::Trainer(const search::World& world, const policy::ObservationModel& mod
       single_(shape_of(environments_), 1),
       actions_(hyper.environment_count),
       episode_starts_(hyper.environment_count, 1) {
-  if (ranks.rank() > 0) random_ = Pcg32(seed, kLearningStream + ranks.rank());  // the weights are everyone's, what is drawn now is not
+  // The weights are everyone's, what is drawn now is not.
+  if (ranks.rank() > 0) random_ = search::training_random(seed, kLearningStream + ranks.rank());
 }
 
 void Trainer::train(std::uint64_t steps, const OnEpisode& on_episode) {

@@ -15,6 +15,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "policy/python/search_problem.hpp"
+#include "sim/search/streams.hpp"
 
 namespace {
 
@@ -62,13 +63,13 @@ class Episodes {
  public:
   Episodes(std::shared_ptr<const python::SearchProblem> problem, std::size_t count) : problem_(std::move(problem)), running_(count) {
     if (count < 1) throw py::value_error("count: must be 1 or more");
-    for (std::size_t i = 0; i < count; ++i) running_[i].random = Pcg32(0, i);
+    for (std::size_t i = 0; i < count; ++i) running_[i].random = search::training_random(0, i);
   }
 
   /// Draws the next search; a seed restarts the random numbers first.
   void start(std::size_t i, std::optional<std::uint64_t> seed) {
     Running& running = at(i);
-    if (seed) running.random = Pcg32(*seed);
+    if (seed) running.random = search::training_random(*seed, 0);
     running.episode.start(problem_->world(), problem_->observation(), running.random);
     running.started = true;
   }

@@ -5,6 +5,7 @@
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/search_description.hpp"
 #include "policy/description/state.hpp"
+#include "policy/description/trained_task.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
 
@@ -61,9 +62,8 @@ description::SearchDescription description_of(const SearchProblemArguments& argu
   description::SearchDescription description = description::describe(settings, observation);
   description.provenance = {{"environment", arguments.environment.filename().string()},
                             {"environment_crc32", host::crc32_text(environment_crc32)},
-                            {"state", arguments.state},
-                            {"source", arguments.source},
-                            {"start", arguments.start}};
+                            {"state", arguments.state}};
+  for (auto& line : description::task_lines(settings, arguments.vehicle_depth)) description.provenance.push_back(std::move(line));
   return description;
 }
 

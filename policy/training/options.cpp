@@ -58,7 +58,7 @@ void TrainOptions::add_to(program::CommandLine& line) {
   line.option("--plot", &plot, "picture of the reward in training to write, .png or .svg: median of the last 50 episodes, quartiles");
   line.option("--episodes", &episodes, "train for so many episodes, in whole rollouts (1500 when neither this nor --steps is given)");
   line.option("--steps", &steps, "train for so many steps, in whole rollouts");
-  world.add_to(line, {.source = "fixed", .listening = "what RUN says, else newest"});
+  world.add_to(line, {.source = "fixed", .start = "domain", .listening = "what RUN says, else newest"});
   line.option(
           "--state", &state,
           "what the policy sees: simple (x, y), memory (last steps and their SNR), position_memory (both) or belief (where the source may "

@@ -11,6 +11,7 @@
 #include "firmware/host/program/version.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/command_line/outputs.hpp"
+#include "policy/description/trained_task.hpp"
 #include "policy/ppo/checkpoint/training_state_text.hpp"
 #include "policy/ppo/trainer.hpp"
 #include "policy/training/curve_files.hpp"
@@ -131,6 +132,7 @@ ppo::Checkpoint Training::Parts::checkpoint(ppo::TrainingState state) const {
                            {"environment", run.environment.filename().string()},
                            {"environment_crc32", host::crc32_text(scenario.environment.file_crc32)},
                            {"steps", std::to_string(trainer.steps())}};
+  for (auto& line : description::source_place_lines(run.search)) checkpoint.provenance.push_back(std::move(line));
   if (ranks.size() > 1) checkpoint.provenance.emplace_back("ranks", std::to_string(ranks.size()));
   const auto settings = ppo::describe(run);
   checkpoint.provenance.insert(checkpoint.provenance.end(), settings.begin(), settings.end());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/search/streams.hpp"
+
 namespace earshot::search {
 namespace {
 
@@ -23,7 +25,7 @@ VectorSearch::VectorSearch(const World& world, const policy::ObservationModel& m
   assert(check(world.settings) == Status::kOk);
   random_.reserve(environment_count);
   for (std::size_t i = 0; i < environment_count; ++i) {
-    random_.emplace_back(seed, first_stream + i);
+    random_.push_back(training_random(seed, first_stream + i));
     scripts_[i].actions.reserve(std::min<std::size_t>(world.settings.max_steps, kExpectedSteps));
     start(i);
     episodes_[i].observe(slot(observations_, i));

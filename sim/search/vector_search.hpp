@@ -18,8 +18,8 @@ struct EpisodeScript {
 
 /// Many independent episodes stepped together, for training. A finished episode starts anew within the same step (Stable-Baselines3's
 /// autoreset): observations() then shows the new episode's first observation, final_observation() the old one's last.
-/// Nothing is allocated after construction, unless an episode is longer than 1024 steps. Environment i draws from stream
-/// first_stream + i of the seed, so its episodes do not depend on how many others run.
+/// Nothing is allocated after construction, unless an episode is longer than 1024 steps. Environment i draws from training_random
+/// first_stream + i of the seed (streams.hpp), so its episodes do not depend on how many others run.
 class VectorSearch {
  public:
   /// @param world  outlives this; check(world.settings) is kOk

@@ -6,7 +6,7 @@ usage: python policy/python/examples/train_with_sb3.py [--steps N] [--state simp
 Then, with the programs built (cmake --preset release && cmake --build --preset release):
 
     earshot freeze model.zip -o model.policy --draw argmax --key earshot.key --new-key
-    earshot evaluate model.policy --environment sim/ocean/environments/munk_flat.toml --source fixed
+    earshot evaluate model.policy --environment sim/ocean/environments/munk_flat.toml
 """
 
 import argparse

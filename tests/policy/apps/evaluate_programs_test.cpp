@@ -59,7 +59,7 @@ TEST_F(Programs, EvaluateNeedsNothingButTheNamesOfPolicies) {
   EXPECT_GE(json["results"][2]["path_over_straight"], 1.0);
   EXPECT_EQ(std::ranges::count(content(folder / "a.csv"), '\n'), 4);
   EXPECT_EQ(content(folder / "a.svg").substr(0, 5), "<?xml");
-  EXPECT_NE(content(folder / "out").find("us/decision"), std::string::npos);
+  EXPECT_NE(content(folder / "out").find("policy            found      (95 %)    hours to"), std::string::npos) << content(folder / "out");
 }
 
 TEST_F(Programs, EvaluateWritesTheMarginOfItsStartsInPlaceOfTheirRegion) {
@@ -161,7 +161,12 @@ TEST_F(Programs, EvaluateSearchesForTheSourceThatAPolicyWasTrainedWith) {
   const auto fixed = nlohmann::json::parse(content(folder / "fixed.json"));
   EXPECT_EQ(fixed["source"], "fixed");
   EXPECT_GT(fixed["results"][0]["found_fraction"], 0.9);
-  EXPECT_EQ(content(folder / "out").find("source fixed at 10000 m north, 10000 m east (as " + kFixedSource + " was trained)"), 0U);
+  EXPECT_EQ(fixed["start"], "domain");
+  EXPECT_EQ(fixed["trained_by"], kFixedSource);
+  EXPECT_EQ(fixed["warnings"], nlohmann::json::array());
+  EXPECT_TRUE(content(folder / "out")
+                  .starts_with("source fixed at 10000 m north, 10000 m east (as " + kFixedSource + " was trained); starts domain (as " +
+                               kFixedSource + " was trained); "));
   EXPECT_EQ(content(folder / "err"), "");
   ASSERT_EQ(run("evaluate --policies shipped --episodes 1 --json changing.json"), 0) << content(folder / "err");
   EXPECT_EQ(nlohmann::json::parse(content(folder / "changing.json"))["source"], "changing");
@@ -175,11 +180,53 @@ TEST_F(Programs, EvaluateShowsOnATerminalHowFarItIs) {
   EXPECT_NE(shown.text.find(bar), std::string::npos) << shown.text;
 }
 
-TEST_F(Programs, EvaluateWarnsWhenToldToTestAnotherSourceThanAPolicyWasTrainedWith) {
-  ASSERT_EQ(run("evaluate " + kFixedSource + " --source changing --episodes 1"), 0);
-  EXPECT_NE(content(folder / "err").find(kFixedSource + " was trained with a fixed source and is tested with a changing one"),
+TEST_F(Programs, EvaluateWarnsWhenToldToTestAnotherTaskThanAPolicyWasTrainedFor) {
+  ASSERT_EQ(run("evaluate " + kFixedSource + " --source changing --start-margin-m 2000 --episodes 1 --json a.json"), 0);
+  const std::string said = content(folder / "err");
+  const auto warnings = nlohmann::json::parse(content(folder / "a.json"))["warnings"];
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_EQ(warnings[0],
+            kFixedSource + " was trained with a fixed source and is tested with a changing one: it never learned what is asked of it");
+  EXPECT_EQ(warnings[1],
+            kFixedSource + " was trained from starts anywhere in the domain and is tested from starts 2000 m or more from every edge");
+  for (const auto& warning : warnings)
+    EXPECT_NE(said.find("earshot evaluate: warning: " + warning.get<std::string>() + "\n"), std::string::npos) << said;
+  EXPECT_EQ(std::ranges::count(said, '\n'), 2) << said;
+}
+
+TEST_F(Programs, EvaluateTakesAWholeTaskFromATrainingAndLooksForTheSourceWhereItStood) {
+  std::string ocean = content(kSource + "/sim/ocean/environments/munk_flat.toml");
+  const std::string north = "north_m = 10_000.0";
+  ASSERT_NE(ocean.find(north), std::string::npos);
+  std::ofstream(folder / "elsewhere.toml") << ocean.replace(ocean.find(north), north.size(), "north_m = 7_000.0");
+  ASSERT_EQ(
+      run("train --environment elsewhere.toml --steps 2048 --start-margin-m 3000 --border-width-m 500 --max-steps 40 --vehicle-depth-m 250 "
+          "-o a.checkpoint"),
+      0)
+      << content(folder / "err");
+  ASSERT_EQ(run("freeze a.checkpoint -o a.policy --key a.key --new-key"), 0) << content(folder / "err");
+  ASSERT_EQ(run("evaluate a.policy --episodes 3 --json a.json"), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "err"), "");
+  const auto json = nlohmann::json::parse(content(folder / "a.json"));
+  EXPECT_EQ(json["source_north_m"], 7'000.0);
+  EXPECT_EQ(json["start_margin_m"], 3'000.0);
+  EXPECT_EQ(json["border_width_m"], 500.0);
+  EXPECT_EQ(json["max_steps"], 40);
+  EXPECT_EQ(json["vehicle_depth_m"], 250.0);
+  ASSERT_EQ(run("evaluate a.policy --episodes 3" + kOcean), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "err")
+                .find("a.policy was trained with the source at 7000 m north, 10000 m east and is tested with it at 10000 m north"),
             std::string::npos)
       << content(folder / "err");
+}
+
+TEST_F(Programs, EvaluateIsNeverSureOfAChance) {
+  ASSERT_EQ(run("evaluate --policies oracle --episodes 10 --json a.json"), 0) << content(folder / "err");
+  const auto row = nlohmann::json::parse(content(folder / "a.json"))["results"][0];
+  EXPECT_EQ(row["found_fraction"], 1.0);
+  EXPECT_NEAR(row["found_fraction_95"][0].get<double>(), 0.6915, 5e-5);
+  EXPECT_EQ(row["found_fraction_95"][1], 1.0);
+  EXPECT_NE(content(folder / "out").find(" 100.0   69.2 to 100.0 "), std::string::npos) << content(folder / "out");
 }
 
 TEST_F(Programs, EvaluateAsksWhichSourceIsMeantWhenPoliciesWereTrainedWithBothKinds) {

@@ -22,19 +22,20 @@ std::vector<Flight> flights(std::size_t count) {
 }
 
 TEST(Bootstrap, GivesTheIntervalsOfTheNormalApproximationForManySearches) {
-  const Intervals i = bootstrap(flights(2'000), 1);
-  // Standard error of the mean: sqrt(8.25 / 2000) = 0.0642; of the share: sqrt(0.75 * 0.25 / 2000) = 0.00968. The ends of a percentile
-  // interval from 1000 resamples are themselves uncertain by about 7 % of a standard error, three of that: 0.2 standard errors.
+  const Intervals i = bootstrap(flights(2'000), 100, 1);
+  // Standard error of the mean: sqrt(8.25 / 2000) = 0.0642; of the steps, 10 with a chance of 0.75 and 100 (the limit) without:
+  // 90 sqrt(0.75 * 0.25 / 2000) = 0.871. The ends of a percentile interval from 1000 resamples are themselves uncertain by about 7 % of a
+  // standard error, three of that: 0.2 standard errors.
   EXPECT_NEAR(i.mean_reward.low, -4.5 - 1.96 * 0.0642, 0.2 * 0.0642);
   EXPECT_NEAR(i.mean_reward.high, -4.5 + 1.96 * 0.0642, 0.2 * 0.0642);
-  EXPECT_NEAR(i.found_fraction.low, 0.75 - 1.96 * 0.00968, 0.2 * 0.00968);
-  EXPECT_NEAR(i.found_fraction.high, 0.75 + 1.96 * 0.00968, 0.2 * 0.00968);
+  EXPECT_NEAR(i.restricted_mean_steps.low, 32.5 - 1.96 * 0.871, 0.2 * 0.871);
+  EXPECT_NEAR(i.restricted_mean_steps.high, 32.5 + 1.96 * 0.871, 0.2 * 0.871);
   EXPECT_NEAR(i.path_over_straight.low, 2.0, 1e-12);  // every resample has the same ratio
   EXPECT_NEAR(i.path_over_straight.high, 2.0, 1e-12);
 }
 
 TEST(Bootstrap, HasTheMedianBetweenTheEndsOfItsInterval) {
-  const Intervals i = bootstrap(flights(1'000), 1);
+  const Intervals i = bootstrap(flights(1'000), 100, 1);
   EXPECT_LE(i.median_reward.low, -4.5);
   EXPECT_GE(i.median_reward.high, -4.5);
   EXPECT_GE(i.median_reward.low, -6.0);
@@ -42,14 +43,14 @@ TEST(Bootstrap, HasTheMedianBetweenTheEndsOfItsInterval) {
 }
 
 TEST(Bootstrap, IsTheSameForTheSameSeedAndNotForAnother) {
-  EXPECT_EQ(bootstrap(flights(100), 1).mean_reward.low, bootstrap(flights(100), 1).mean_reward.low);
-  EXPECT_NE(bootstrap(flights(100), 1).mean_reward.low, bootstrap(flights(100), 2).mean_reward.low);
+  EXPECT_EQ(bootstrap(flights(100), 100, 1).mean_reward.low, bootstrap(flights(100), 100, 1).mean_reward.low);
+  EXPECT_NE(bootstrap(flights(100), 100, 1).mean_reward.low, bootstrap(flights(100), 100, 2).mean_reward.low);
 }
 
 TEST(Bootstrap, SaysNothingOfPathsWhenNoneFoundTheSource) {
   std::vector<Flight> lost = flights(50);
   for (Flight& flight : lost) flight.record.end = search::EpisodeEnd::kTimeLimit;
-  EXPECT_TRUE(std::isnan(bootstrap(lost, 1).path_over_straight.low));
+  EXPECT_TRUE(std::isnan(bootstrap(lost, 100, 1).path_over_straight.low));
   EXPECT_TRUE(std::isnan(path_over_straight(lost)));
 }
 

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 namespace earshot::evaluate {
@@ -18,11 +21,20 @@ class FiguresJson : public testing::Test {
     row_.decision_s = 3e-6;
   }
   [[nodiscard]] EvaluationSetup setup(std::optional<double> margin_m) const {
-    return {.episodes = 300, .start_margin_m = margin_m, .start = "domain", .settings = settings_, .worlds = worlds_};
+    return {.episodes = 300,
+            .start_margin_m = margin_m,
+            .start = "domain",
+            .settings = settings_,
+            .vehicle_depth = Meters{250.0},
+            .trained_by = trained_by_,
+            .warnings = warnings_,
+            .worlds = worlds_};
   }
 
   search::SearchSettings settings_;
   std::vector<WorldFile> worlds_;
+  std::string trained_by_;
+  std::vector<std::string> warnings_;
   Row row_;
 };
 
@@ -33,6 +45,41 @@ TEST_F(FiguresJson, NamesTheRegionOfTheStartsOrTheirMarginNeverBoth) {
   const auto by_margin = nlohmann::json::parse(as_json(setup(2'000.0), std::span(&row_, 1), Timing::kLeftOut));
   EXPECT_EQ(by_margin["start_margin_m"], 2'000.0);
   EXPECT_FALSE(by_margin.contains("start"));
+}
+
+TEST_F(FiguresJson, SaysWhichTaskWasTestedWhoseItIsAndWhoWasTrainedForAnother) {
+  const auto nobodys = nlohmann::json::parse(as_json(setup(std::nullopt), std::span(&row_, 1), Timing::kLeftOut));
+  EXPECT_TRUE(nobodys["trained_by"].is_null());
+  EXPECT_EQ(nobodys["warnings"], nlohmann::json::array());
+  EXPECT_EQ(nobodys["source"], "fixed");
+  EXPECT_EQ(nobodys["source_north_m"], 10'000.0);
+  EXPECT_EQ(nobodys["vehicle_depth_m"], 250.0);
+  trained_by_ = "a.policy";
+  warnings_ = {"b.policy was trained 200 m deep and is tested 250 m deep"};
+  settings_.placement = search::SourcePlacement::kChanging;
+  const auto json = nlohmann::json::parse(as_json(setup(std::nullopt), std::span(&row_, 1), Timing::kLeftOut));
+  EXPECT_EQ(json["trained_by"], "a.policy");
+  EXPECT_EQ(json["warnings"], nlohmann::json(warnings_));
+  EXPECT_FALSE(json.contains("source_north_m"));
+}
+
+TEST_F(FiguresJson, LeadsWithFoundThenTimeThenRewardAndHasNoNumberForATimeThatNeverComes) {
+  row_.summary.found_fraction = 0.25;
+  row_.found_fraction_95 = {0.1, 0.5};
+  row_.time_to_find = {.lower_quartile = 36.0, .median = std::numeric_limits<double>::infinity(), .restricted_mean = 72.0};
+  row_.pace.step_s = 100.0;
+  const auto result = nlohmann::ordered_json::parse(as_json(setup(std::nullopt), std::span(&row_, 1), Timing::kLeftOut))["results"][0];
+  std::vector<std::string> names;
+  for (const auto& [name, value] : result.items()) names.push_back(name);
+  const auto place = [&](const char* name) { return std::ranges::find(names, name) - names.begin(); };
+  EXPECT_EQ(place("found_fraction"), 3);
+  EXPECT_LT(place("median_hours_to_find"), place("mean_reward"));
+  EXPECT_EQ(result["found_fraction_95"], (nlohmann::ordered_json{0.1, 0.5}));
+  EXPECT_EQ(result["lower_quartile_hours_to_find"], 1.0);
+  EXPECT_EQ(result["lower_quartile_steps_to_find"], 36.0);
+  EXPECT_TRUE(result["median_hours_to_find"].is_null());
+  EXPECT_TRUE(result["median_steps_to_find"].is_null());
+  EXPECT_EQ(result["restricted_mean_hours_to_find"], 2.0);
 }
 
 TEST_F(FiguresJson, HoldsTheTimeOfADecisionOnlyWhereItIsAskedFor) {

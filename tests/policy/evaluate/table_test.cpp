@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace earshot::evaluate {
@@ -39,7 +40,7 @@ std::string value_of(const std::string& csv, const std::string& column) {
 }
 
 TEST(Table, WritesEveryFigureUnderItsName) {
-  const std::vector<Row> rows{row_of("sea", "guess", flights(), 1)};
+  const std::vector<Row> rows{row_of("sea", "guess", flights(), {}, 1)};
   const std::string csv = as_csv(rows, Timing::kIncluded);
   EXPECT_EQ(value_of(csv, "world"), "sea");
   EXPECT_EQ(value_of(csv, "policy"), "guess");
@@ -48,10 +49,58 @@ TEST(Table, WritesEveryFigureUnderItsName) {
   EXPECT_EQ(value_of(csv, "median_reward"), "-1.5");
   EXPECT_EQ(value_of(csv, "lower_quartile_reward"), "-2.25");
   EXPECT_EQ(value_of(csv, "found_fraction"), "0");
+  EXPECT_EQ(value_of(csv, "found_fraction_low"), "0");
+  EXPECT_NEAR(std::stod(value_of(csv, "found_fraction_high")), 0.6024, 5e-5);  // 1 - 0.025^(1/4)
+  EXPECT_EQ(value_of(csv, "median_hours_to_find"), "inf") << "none found";
+  EXPECT_EQ(value_of(csv, "restricted_mean_steps_to_find"), "100");
   EXPECT_EQ(value_of(csv, "mean_steps"), "10");
   EXPECT_EQ(value_of(csv, "mean_detections"), "5");
   EXPECT_EQ(value_of(csv, "path_over_straight"), "") << "none found the source";
   EXPECT_NEAR(std::stod(value_of(csv, "decision_us")), 3.0, 1e-9);
+}
+
+/// Three of four found, after 36, 72 and 18 steps.
+std::vector<Flight> mostly_found() {
+  std::vector<Flight> all = flights();
+  for (const auto& [i, steps] : {std::pair{0U, 36U}, std::pair{1U, 72U}, std::pair{3U, 18U}}) {
+    all[i].record.steps = steps;
+    all[i].record.end = search::EpisodeEnd::kFound;
+  }
+  return all;
+}
+
+TEST(Table, GivesTimesInStepsAndInHoursOfAStepsLength) {
+  const std::string csv =
+      as_csv(std::vector<Row>{row_of("sea", "guess", mostly_found(), {.step_s = 100.0, .max_steps = 90}, 1)}, Timing::kLeftOut);
+  EXPECT_EQ(value_of(csv, "found_fraction"), "0.75");
+  EXPECT_EQ(value_of(csv, "lower_quartile_steps_to_find"), "18");
+  EXPECT_EQ(value_of(csv, "median_steps_to_find"), "36");
+  EXPECT_EQ(value_of(csv, "upper_quartile_steps_to_find"), "72");
+  EXPECT_EQ(value_of(csv, "lower_quartile_hours_to_find"), "0.5");
+  EXPECT_EQ(value_of(csv, "median_hours_to_find"), "1");
+  EXPECT_EQ(value_of(csv, "upper_quartile_hours_to_find"), "2");
+  EXPECT_EQ(value_of(csv, "restricted_mean_steps_to_find"), "54");  // (36 + 72 + 90 + 18) / 4
+  EXPECT_EQ(value_of(csv, "restricted_mean_hours_to_find"), "1.5");
+}
+
+TEST(Table, LeadsWithFoundThenTimeThenReward) {
+  const Row row = row_of("sea", "guess", mostly_found(), {.step_s = 100.0, .max_steps = 90}, 1);
+  const std::string csv = as_csv(std::vector<Row>{row}, Timing::kLeftOut);
+  EXPECT_TRUE(csv.starts_with("world,policy,episodes,found_fraction,"));
+  EXPECT_LT(csv.find("median_hours_to_find"), csv.find("mean_reward"));
+  const std::string text = as_text(std::vector<Row>{row});
+  EXPECT_LT(text.find("found"), text.find("hours to"));
+  EXPECT_LT(text.find("hours to"), text.find("reward"));
+  // By hand: 3 of 4, Clopper and Pearson's 19.41 to 99.37 %; then median and quartiles.
+  EXPECT_NE(text.find("guess              75.0   19.4 to  99.4    1.00   0.50 to  2.00   1.50  "), std::string::npos) << text;
+  const std::string plot = as_plot(std::vector<Row>{row}, "one");
+  EXPECT_LT(plot.find("sources found"), plot.find("hours to find"));
+  EXPECT_LT(plot.find("hours to find"), plot.find("mean reward"));
+}
+
+TEST(Table, ShowsADashForATimeThatNeverComes) {
+  const std::string text = as_text(std::vector<Row>{row_of("sea", "guess", flights(), {}, 1)});
+  EXPECT_NE(text.find("guess               0.0    0.0 to  60.2       -      - to     -  13.89  13.89 to 13.89"), std::string::npos) << text;
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -63,39 +112,41 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST(TablePlot, StandsItsPanelsOverOneAnotherWithOneLegendAndAMarkForEachPolicy) {
   std::vector<Row> rows;
   for (const char* world : {"calm", "noisy"}) {
-    for (const char* policy : {"shipped", "bayes"}) rows.push_back(row_of(world, policy, flights(), 1));
+    for (const char* policy : {"shipped", "bayes"}) rows.push_back(row_of(world, policy, flights(), {}, 1));
   }
   const std::string plot = as_plot(rows, "4 searches each in 2 worlds");
-  EXPECT_EQ(count(plot, "set lmargin at screen"), 1U) << "both panels begin at the same place";
+  EXPECT_EQ(count(plot, "set lmargin at screen"), 1U) << "all panels begin at the same place";
   EXPECT_EQ(count(plot, "set rmargin at screen"), 1U) << "and end there";
   EXPECT_EQ(count(plot, "title 'shipped'"), 1U);
-  EXPECT_EQ(count(plot, "'calm' 0"), 1U) << "places are named once, below both";
+  EXPECT_EQ(count(plot, "'calm' 0"), 1U) << "places are named once, below all";
   EXPECT_NE(plot.find("pt 7 ps 1.1 lw 1.5 lc rgb '#1b6ca8' title 'shipped'"), std::string::npos) << plot;
   EXPECT_NE(plot.find("pt 5 ps 1.1 lw 1.5 lc rgb '#d1495b' title 'bayes'"), std::string::npos) << "another shape, not only another colour";
 }
 
 TEST(TablePlot, OfOneWorldNamesPoliciesAlongTheAxisAndHasNoLegend) {
-  const std::string plot = as_plot(std::vector<Row>{row_of("calm", "shipped", flights(), 1), row_of("calm", "bayes", flights(), 1)}, "one");
+  const std::string plot =
+      as_plot(std::vector<Row>{row_of("calm", "shipped", flights(), {}, 1), row_of("calm", "bayes", flights(), {}, 1)}, "one");
   EXPECT_EQ(count(plot, "'shipped' 0, 'bayes' 1"), 1U);
   EXPECT_EQ(count(plot, " title 'calm'"), 0U);
 }
 
 TEST(Table, KeepsNamesWithCommasAndQuotesInTheirCells) {
-  const std::string csv = as_csv(std::vector<Row>{row_of("deep, cold", R"(a"b)", flights(), 1)}, Timing::kLeftOut);
-  EXPECT_NE(csv.find("\n\"deep, cold\",\"a\"\"b\",4,-1.5,"), std::string::npos) << csv;
+  const std::string csv = as_csv(std::vector<Row>{row_of("deep, cold", R"(a"b)", flights(), {}, 1)}, Timing::kLeftOut);
+  EXPECT_NE(csv.find("\n\"deep, cold\",\"a\"\"b\",4,0,"), std::string::npos) << csv;
 }
 
 TEST(Table, LeavesOutTheClockSoThatItsBytesRepeat) {
   std::vector<Flight> slower = flights();
   for (Flight& flight : slower) flight.decision_s *= 2.0;
-  const std::vector<Row> a{row_of("sea", "guess", flights(), 1)};
-  const std::vector<Row> b{row_of("sea", "guess", slower, 1)};
+  const std::vector<Row> a{row_of("sea", "guess", flights(), {}, 1)};
+  const std::vector<Row> b{row_of("sea", "guess", slower, {}, 1)};
   EXPECT_EQ(as_csv(a, Timing::kLeftOut), as_csv(b, Timing::kLeftOut));
   EXPECT_NE(as_csv(a, Timing::kIncluded), as_csv(b, Timing::kIncluded));
 }
 
 TEST(Table, HasALineForEveryPolicy) {
-  const std::vector<Row> rows{row_of("sea", "guess", flights(), 1), row_of("sea", "a policy with a rather long name", flights(), 1)};
+  const std::vector<Row> rows{row_of("sea", "guess", flights(), {}, 1),
+                              row_of("sea", "a policy with a rather long name", flights(), {}, 1)};
   const std::string text = as_text(rows);
   EXPECT_EQ(std::ranges::count(text, '\n'), 4);
   EXPECT_NE(text.find("a policy with a rather long name"), std::string::npos);

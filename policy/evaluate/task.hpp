@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firmware/core/units.hpp"
+#include "policy/description/trained_task.hpp"
+#include "policy/evaluate/candidates.hpp"
+#include "sim/search/settings.hpp"
+
+namespace earshot::evaluate {
+
+/// The candidate whose training says what is searched where nobody else does: the first learned one whose provenance names its source, else
+/// the first learned one; null when none is learned.
+[[nodiscard]] const Candidate* leading(std::span<const Candidate> candidates);
+
+/// What a candidate was trained for, as far as its file says; nothing of one that is not learned.
+[[nodiscard]] description::TrainedTask trained_task(const Candidate& candidate);
+
+/// Throws host::BadInput, naming two, when learned candidates were trained with both kinds of source: whichever were searched for, the rows
+/// of some would be of a task they never learned.
+void check_same_source(std::span<const Candidate> candidates);
+
+/// What candidates are tested in, as far as a training may have been of another kind.
+struct TestedTask {
+  const search::SearchSettings& settings;
+  Meters vehicle_depth;
+  std::string_view environment_crc32;  ///< of the environment that puts a fixed source where a policy does not say where it was
+};
+
+/// A sentence for everything that is tested in another way than the candidate was trained for, and one if its file does not say which
+/// source that was. Nothing of a candidate that is not learned. Oracle: Task.*
+[[nodiscard]] std::vector<std::string> differences(const Candidate& candidate, const TestedTask& tested);
+
+}  // namespace earshot::evaluate
