@@ -8,6 +8,7 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
+#include "firmware/policy/bearing_likelihood.hpp"
 #include "firmware/policy/belief_summary.hpp"
 #include "firmware/policy/normal_table.hpp"
 
@@ -142,6 +143,7 @@ std::uint32_t Belief::fingerprint(const BeliefModel& model) const {
 
 void Belief::update(const BeliefModel& model, NorthEast position, Reception reception) {
   find_ranges(model, position);
+  if (reception.bearing) weigh_bearing(model, position, *reception.bearing);
   weigh(model, reception);
   foresee(model);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
@@ -165,6 +167,19 @@ EARSHOT_WIDE void Belief::find_ranges(const BeliefModel& model, NorthEast positi
       const float east = (static_cast<float>(e) + 0.5F) * size_east - vehicle_east;
       const float range = __builtin_sqrtf(north * north + east * east);
       row[e] = static_cast<std::uint16_t>(static_cast<int>((range < last ? range : last) + 0.5F));
+    }
+  }
+}
+
+/// Whatever the hypothesis; the sum of the cells is weigh()'s to mend.
+void Belief::weigh_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing) {
+  const NorthEast cell{.north = Meters{cell_north(model)}, .east = Meters{cell_east(model)}};
+  const BearingLikelihood likelihood(bearing, std::max(cell.north, cell.east), model.outlier_share);
+  for (std::size_t n = 0; n < model.cells_north; ++n) {
+    const Meters north = (static_cast<double>(n) + 0.5) * cell.north - position.north;
+    for (std::size_t e = 0; e < model.cells_east; ++e) {
+      const float factor = likelihood.at({.north = north, .east = (static_cast<double>(e) + 0.5) * cell.east - position.east});
+      for (float& p : cells_[n * model.cells_east + e]) p *= factor;
     }
   }
 }

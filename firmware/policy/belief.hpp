@@ -42,6 +42,7 @@ class Belief {
   void begin_anew(std::size_t cells);
   void foresee(const BeliefModel& model);
   void find_ranges(const BeliefModel& model, NorthEast position);
+  void weigh_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing);
   void weigh(const BeliefModel& model, Reception reception);
   void normalise(const BeliefModel& model, const Cell& sums);
 
