@@ -8,6 +8,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/core/units.hpp"
+#include "firmware/messages/bearing_measurement.hpp"
 #include "firmware/messages/belief_summary.hpp"
 
 namespace earshot::messages {
@@ -27,7 +28,8 @@ struct Decision {
   std::uint8_t action_count = 0;
   std::array<float, config::kMaxObservation> observation{};
   std::array<float, config::kMaxActions> logits{};
-  std::optional<BeliefSummary> belief;  ///< in the mission's frame; absent when the policy holds none
+  std::optional<Bearing> bearing = std::nullopt;  ///< that was heard with the SNR; absent when none was measured
+  std::optional<BeliefSummary> belief;            ///< in the mission's frame; absent when the policy holds none
 };
 
 }  // namespace earshot::messages

@@ -44,6 +44,8 @@ struct Counters {
   std::uint64_t status_refused = 0;      ///< of vehicle, autopilot or hydrophone: older than the last, or dated far from its arrival
   std::uint64_t commands_refused = 0;    ///< acknowledged with another outcome than obeyed or repeated
   std::uint64_t setpoints_limited = 0;   ///< way-points and set-points changed by the safety layer
+  std::uint64_t bearings_refused = 0;    ///< an angle that is none, older than the last, or dated far from their arrival
+  std::uint64_t bearings_of_others = 0;  ///< by a second sender, while another is listened to
   friend constexpr bool operator==(const Counters&, const Counters&) = default;
 };
 

@@ -5,6 +5,7 @@
 
 #include "firmware/core/time.hpp"
 #include "firmware/messages/autopilot_status.hpp"
+#include "firmware/messages/bearing_measurement.hpp"
 #include "firmware/messages/hydrophone_status.hpp"
 #include "firmware/messages/navigation.hpp"
 #include "firmware/messages/operator_command.hpp"
@@ -20,7 +21,9 @@ struct Input {
   Time arrival;                ///< mission clock; never goes back from one input to the next
   std::uint8_t port = 0;       ///< index of the port that brought it
   std::uint64_t sequence = 0;  ///< counts the inputs of all ports, from 0
-  std::variant<Navigation, SnrMeasurement, OperatorCommand, PortReport, VehicleStatus, AutopilotStatus, HydrophoneStatus> value;
+  std::variant<Navigation, SnrMeasurement, OperatorCommand, PortReport, VehicleStatus, AutopilotStatus, HydrophoneStatus,
+               BearingMeasurement>
+      value;
 };
 
 }  // namespace earshot::messages

@@ -8,10 +8,11 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
-#include "firmware/policy/belief_grid.hpp"
 #include "firmware/policy/belief_summary.hpp"
-#include "firmware/policy/normal_table.hpp"
-#include "firmware/policy/reception_likelihood.hpp"
+#include "firmware/policy/likelihood/bearing_likelihood.hpp"
+#include "firmware/policy/likelihood/belief_grid.hpp"
+#include "firmware/policy/likelihood/normal_table.hpp"
+#include "firmware/policy/likelihood/reception_likelihood.hpp"
 
 namespace earshot::policy {
 namespace {
@@ -67,6 +68,7 @@ std::uint32_t Belief::fingerprint(const BeliefModel& model) const {
 
 void Belief::update(const BeliefModel& model, NorthEast position, Reception reception) {
   find_ranges(model, position, model.snr_db.size() - 1, ranges_);
+  if (reception.bearing) weigh_bearing(model, position, *reception.bearing);
   weigh(model, reception);
   foresee(model);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
@@ -74,6 +76,19 @@ void Belief::update(const BeliefModel& model, NorthEast position, Reception rece
   const std::size_t ranges = model.snr_db.size();
   find_outlooks(model, probabilities, {std::span(search_cost_).first(ranges), std::span(detected_).first(ranges)}, position,
                 std::span(outlooks_).first(model.actions.size()));
+}
+
+/// Whatever the hypothesis; the sum of the cells is weigh()'s to mend.
+void Belief::weigh_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing) {
+  const NorthEast cell{.north = Meters{cell_north(model)}, .east = Meters{cell_east(model)}};
+  const BearingLikelihood likelihood(bearing, std::max(cell.north, cell.east), model.outlier_share);
+  for (std::size_t n = 0; n < model.cells_north; ++n) {
+    const Meters north = (static_cast<double>(n) + 0.5) * cell.north - position.north;
+    for (std::size_t e = 0; e < model.cells_east; ++e) {
+      const float factor = likelihood.at({.north = north, .east = (static_cast<double>(e) + 0.5) * cell.east - position.east});
+      for (float& p : cells_[n * model.cells_east + e]) p *= factor;
+    }
+  }
 }
 
 EARSHOT_WIDE void Belief::weigh(const BeliefModel& model, Reception reception) {

@@ -41,6 +41,7 @@ class Belief {
 
   void begin_anew(std::size_t cells);
   void foresee(const BeliefModel& model);
+  void weigh_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing);
   void weigh(const BeliefModel& model, Reception reception);
   void normalise(const BeliefModel& model, const Cell& sums);
 

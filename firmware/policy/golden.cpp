@@ -41,7 +41,7 @@ bool is_same(const GoldenStep& a, const GoldenStep& b) {
 /// The step as this build flies it, the one before being the last that `memory` knows of.
 GoldenStep flown(const FrozenPolicy& policy, const GoldenStep& step, bool is_first, SearchMemory& memory) {
   const ObservationModel& model = policy.observation;
-  is_first ? memory.start(model, step.place, step.reception) : memory.remember(model, step.place, step.reception);
+  is_first ? memory.start(model, step.place, step.reception.heard()) : memory.remember(model, step.place, step.reception.heard());
   GoldenStep again;
   again.place = step.place;
   again.reception = step.reception;

@@ -5,6 +5,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/core/geometry.hpp"
+#include "firmware/core/units.hpp"
 #include "firmware/messages/belief_summary.hpp"
 #include "firmware/policy/observation.hpp"
 #include "firmware/policy/reception.hpp"
@@ -13,10 +14,18 @@ namespace earshot::policy {
 
 struct FrozenPolicy;
 
+/// What is heard in a golden search: no bearing, for a `.policy` file holds none. Kept small, for there are many in the vehicle's memory.
+struct GoldenReception {
+  Decibels snr;
+  bool too_faint = false;
+  friend constexpr bool operator==(GoldenReception, GoldenReception) = default;
+  [[nodiscard]] Reception heard() const { return {.snr = snr, .too_faint = too_faint}; }
+};
+
 /// One step of a search that was flown when the policy was frozen: what went in, and what the decision was made of, bit for bit.
 struct GoldenStep {
   NorthEast place;  ///< of the vehicle, relative to the area's south-west corner, in the area
-  Reception reception;
+  GoldenReception reception;
   messages::BeliefSummary belief;  ///< zero, as is its fingerprint, when no element of the observation sees a belief
   std::uint32_t fingerprint = 0;   ///< Belief::fingerprint
   std::array<float, config::kMaxObservation> observation{};

@@ -103,6 +103,7 @@ void Runtime::turn(Time now, Outputs& outputs) {
 void Runtime::judge(const messages::Input& input) {
   if (const auto* navigation = std::get_if<messages::Navigation>(&input.value)) take(input.arrival, *navigation);
   if (const auto* measurement = std::get_if<messages::SnrMeasurement>(&input.value)) take(input.arrival, *measurement);
+  if (const auto* bearing = std::get_if<messages::BearingMeasurement>(&input.value)) take(input.arrival, input.port, *bearing);
   if (const auto* command = std::get_if<messages::OperatorCommand>(&input.value)) take_command(input.arrival, input.port, *command);
   if (const auto* report = std::get_if<messages::PortReport>(&input.value)) take(*report);
   safety::Situation& situation = progress_.situation;
@@ -140,6 +141,13 @@ void Runtime::take(Time arrival, const messages::SnrMeasurement& measurement) {
   } else {
     ++progress_.counters.snr_refused;
   }
+}
+
+void Runtime::take(Time arrival, std::uint8_t port, const messages::BearingMeasurement& measurement) {
+  using Verdict = detector::BearingListener::Verdict;
+  const Verdict verdict = progress_.bearings.take(arrival, port, measurement, mission_.snr_timeout);
+  if (verdict == Verdict::kRefused) ++progress_.counters.bearings_refused;
+  if (verdict == Verdict::kOfAnother) ++progress_.counters.bearings_of_others;
 }
 
 void Runtime::take(const messages::PortReport& report) {
@@ -247,7 +255,18 @@ NorthEast Runtime::place_in_area() const {
 
 policy::Reception Runtime::reception(Time now) const {
   const detector::WindowReception window = progress_.listener.reception(mission_.listening, now);
-  return {.snr = window.snr, .too_faint = window.too_faint};
+  return {.snr = window.snr, .too_faint = window.too_faint, .bearing = bearing(now)};
+}
+
+/// An array may date its bearing by less than a second earlier than the look that was made with it.
+Time Runtime::before_newest_look() const {
+  return progress_.listener.newest()->time + Duration::seconds(-1);
+}
+
+/// As the looks are listened to: of the window, or of the newest look.
+std::optional<messages::Bearing> Runtime::bearing(Time now) const {
+  const bool is_of_newest_look = mission_.listening.listening == config::Listening::kNewest;
+  return progress_.bearings.heard_after(is_of_newest_look ? before_newest_look() : now + Duration{-mission_.listening.length.us});
 }
 
 messages::BeliefSummary Runtime::belief() const {
@@ -263,6 +282,7 @@ void Runtime::begin_search(Time now) {
   progress_.situation.track.begin(*progress_.situation.navigation.newest());
   progress_.command.begin();
   progress_.listener.begin_leg(now);  // no leg leads to the start: its newest look is all that it hears
+  progress_.bearings.begin_leg(before_newest_look());
   memory_.start(policy_.observation, place_in_area(), reception(now));
   memory_checksum_ = checksum_of(memory_);
 }
@@ -296,6 +316,7 @@ void Runtime::search(Time now, Outputs& outputs) {
     return supervise(now, outputs);
   }
   progress_.listener.begin_leg(now);
+  progress_.bearings.begin_leg(now);
 }
 
 bool Runtime::leg_goes_on(Time now) const {
@@ -304,7 +325,7 @@ bool Runtime::leg_goes_on(Time now) const {
 }
 
 /// @return whether the policy could
-bool Runtime::decide(Time now, policy::Reception reception, messages::Decision& decision) {
+bool Runtime::decide(Time now, const policy::Reception& reception, messages::Decision& decision) {
   const NorthEast position = progress_.situation.navigation.newest()->position;
   const std::span<float> observation = std::span(decision.observation).first(policy_.observation.spec.size());
   const std::span<float> logits = std::span(decision.logits).first(policy_.actions.size());
@@ -324,6 +345,7 @@ bool Runtime::decide(Time now, policy::Reception reception, messages::Decision& 
   decision.position = position;
   decision.snr = reception.snr;
   decision.too_faint = reception.too_faint;
+  decision.bearing = reception.bearing;
   decision.detected = !decision.too_faint && detector::ThresholdDetector{mission_.detection_threshold}.detects(decision.snr);
   decision.action = static_cast<std::uint8_t>(action);
   decision.overridden = safe.overridden;

@@ -11,6 +11,7 @@
 #include "firmware/core/random.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/time.hpp"
+#include "firmware/detector/bearing_listener.hpp"
 #include "firmware/detector/listener.hpp"
 #include "firmware/guidance/leg.hpp"
 #include "firmware/messages/decision.hpp"
@@ -57,7 +58,8 @@ class Runtime {
   /// Judges one input; any number between two steps, in the order in which they came. What is refused changes nothing but its counter, so
   /// that a bad sender does not hide a good one. Of several ports that bring one kind, the latest date counts.
   /// Navigation and SNR are refused when dated further from their arrival than their timeout, and when older than the last; a date ahead
-  /// of its arrival counts as the arrival.
+  /// of its arrival counts as the arrival. Bearings likewise, by the SNR's timeout; of two senders the first holds
+  /// (detector::BearingListener).
   /// ABORT ends the mission here and now, whatever its date: no order before or after it in the same turn can undo it.
   void take(const messages::Input& input);
 
@@ -85,6 +87,7 @@ class Runtime {
     safety::Manoeuvre manoeuvre;
     bool is_interrupted = false;  ///< a rule has taken the vehicle from its search
     detector::Listener listener;
+    detector::BearingListener bearings;
     guidance::Leg leg;
     Pcg32 random{0};
     messages::Counters counters;
@@ -112,6 +115,7 @@ class Runtime {
   void turn(Time now, Outputs& outputs);
   void take(Time arrival, const messages::Navigation& navigation);
   void take(Time arrival, const messages::SnrMeasurement& measurement);
+  void take(Time arrival, std::uint8_t port, const messages::BearingMeasurement& measurement);
   void take(const messages::PortReport& report);
   template <class Status>
   void take_status(Time arrival, const Status& status, std::optional<Status>& newest);
@@ -133,10 +137,12 @@ class Runtime {
   void watch_for_release(Time now, Outputs& outputs);
   [[nodiscard]] NorthEast place_in_area() const;
   [[nodiscard]] policy::Reception reception(Time now) const;
+  [[nodiscard]] Time before_newest_look() const;
+  [[nodiscard]] std::optional<messages::Bearing> bearing(Time now) const;
   [[nodiscard]] messages::BeliefSummary belief() const;
   void begin_search(Time now);
   void search(Time now, Outputs& outputs);
-  [[nodiscard]] bool decide(Time now, policy::Reception reception, messages::Decision& decision);
+  [[nodiscard]] bool decide(Time now, const policy::Reception& reception, messages::Decision& decision);
   [[nodiscard]] messages::Setpoint wanted_setpoint();
   [[nodiscard]] std::optional<messages::Setpoint> setpoint();
   [[nodiscard]] messages::Health health(Time now) const;

@@ -246,7 +246,8 @@ std::vector<std::unique_ptr<policy::OceanTables>> tables_of(const std::vector<st
     tables.push_back(host::tables_from(host::read_tables_bytes(file), file));
     if (tables.back()->tables.size() > kMost)
       throw BadInput("--tables " + file + ": " + std::to_string(tables.back()->tables.size()) +
-                     " tables, and the environment's own is one more than a vehicle holds; make them with --at-most " + std::to_string(kMost));
+                     " tables, and the environment's own is one more than a vehicle holds; make them with --at-most " +
+                     std::to_string(kMost));
   }
   return tables;
 }
@@ -326,7 +327,8 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   if (o.draw) draw = description::draw_named(*o.draw);
 
   evaluate::PathTable paths;
-  const std::vector<evaluate::Row> rows = fly_in_all(worlds, candidates, {o, environment, task.depth, task.settings, tables, draw}, ranks, paths);
+  const std::vector<evaluate::Row> rows =
+      fly_in_all(worlds, candidates, {o, environment, task.depth, task.settings, tables, draw}, ranks, paths);
   if (speaks) {
     write_files(o,
                 {.episodes = o.episodes,

@@ -58,11 +58,11 @@ void plan_search(const policy::FrozenPolicy& policy, const Plan& plan, Pcg32& ra
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     const double noise = kNoise_db * (2.0 * static_cast<double>(random.uniform_float()) - 1.0);
     const Decibels snr{modelled_snr(policy, range_between(place, plan.source)).value + noise};
-    const policy::Reception reception{.snr = std::clamp(snr, -messages::kMostSnr, messages::kMostSnr),
-                                      .too_faint = plan.sometimes_too_faint && i % 2 == 0};
+    const policy::GoldenReception reception{.snr = std::clamp(snr, -messages::kMostSnr, messages::kMostSnr),
+                                            .too_faint = plan.sometimes_too_faint && i % 2 == 0};
     trajectory[i].place = place;
     trajectory[i].reception = reception;
-    i == 0 ? memory->start(policy.observation, place, reception) : memory->remember(policy.observation, place, reception);
+    i == 0 ? memory->start(policy.observation, place, reception.heard()) : memory->remember(policy.observation, place, reception.heard());
     const std::size_t round = i * (policy.actions.size() / 2 + 1) % policy.actions.size();
     const std::size_t action = plan.policy_decides ? decided(policy, *memory, random) : round;
     place = held_in_area(policy, place + policy.step_length * policy.actions[action]);

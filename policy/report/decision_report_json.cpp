@@ -14,12 +14,19 @@ ordered_json place(NorthEast p) {
 }
 
 ordered_json look(const explain::RecordedDecision& d) {
-  return {{"step", d.step},
-          {"time_s", d.time_s},
-          {"position", place(d.position)},
-          {"snr_db", d.reception.snr.value},
-          {"too_faint", d.reception.too_faint},
-          {"detected", d.detected}};
+  ordered_json json{{"step", d.step},
+                    {"time_s", d.time_s},
+                    {"position", place(d.position)},
+                    {"snr_db", d.reception.snr.value},
+                    {"too_faint", d.reception.too_faint},
+                    {"detected", d.detected}};
+  if (const auto& bearing = d.reception.bearing) {
+    constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+    json["bearing"] = {{"direction_deg", bearing->direction.value * kDegreesPerRadian},
+                       {"deviation_deg", bearing->deviation.value * kDegreesPerRadian}};
+    if (bearing->mirror_axis) json["bearing"]["mirror_axis_deg"] = bearing->mirror_axis->value * kDegreesPerRadian;
+  }
+  return json;
 }
 
 ordered_json belief(const explain::DecisionAccount& a) {

@@ -43,7 +43,7 @@ std::string heard_sentence(const DecisionAccount& a) {
   const std::string threshold = fixed(a.detection_threshold.value, 0) + " dB";
   if (a.decision.reception.too_faint)
     return "It heard nothing that could be measured: the signal lies under " + fixed(a.decision.reception.snr.value, 1) + " dB.";
-  return "It heard " + fixed(a.decision.reception.snr.value, 1) + " dB, " +
+  return "It heard " + to_string(a.decision.reception) + ", " +
          (a.decision.detected ? "a detection (threshold " + threshold + ")." : "under the threshold of " + threshold + ": no detection.");
 }
 
@@ -152,8 +152,17 @@ std::string factor_to_string(double part) {
   return kTimes + (power < 0 ? fixed(factor, 1 - power) : grouped(std::lround(std::round(factor / unit) * unit)));
 }
 
-std::string to_string(policy::Reception reception) {
-  return (reception.too_faint ? "under " : "") + fixed(reception.snr.value, 1) + " dB";
+std::string to_string(const policy::Reception& reception) {
+  const std::string snr = (reception.too_faint ? "under " : "") + fixed(reception.snr.value, 1) + " dB";
+  return reception.bearing ? snr + " from " + to_string(*reception.bearing) : snr;
+}
+
+std::string to_string(const messages::Bearing& bearing) {
+  constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+  std::string text = explain::degrees_to_string(bearing.direction.value * kDegreesPerRadian);
+  if (bearing.mirror_axis)
+    text += " or " + explain::degrees_to_string((2.0 * *bearing.mirror_axis - bearing.direction).value * kDegreesPerRadian);
+  return text + " \u00B1 " + fixed(bearing.deviation.value * kDegreesPerRadian, 0) + "\u00B0";
 }
 
 std::string looks_table(std::span<const explain::RecordedDecision> looks) {

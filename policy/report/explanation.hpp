@@ -22,8 +22,10 @@ namespace earshot::report {
 /// "× 1.83", "× 20 000", "× 0.0021", "× 3.2·10⁻⁷": what a part of the log-probability does to the probability
 [[nodiscard]] std::string factor_to_string(double part);
 
-/// "9.5 dB", "under 5.0 dB"
-[[nodiscard]] std::string to_string(policy::Reception reception);
+/// "9.5 dB", "under 5.0 dB", "9.5 dB from 047° ± 10°"
+[[nodiscard]] std::string to_string(const policy::Reception& reception);
+/// "047° ± 10°", and its mirror image where left and right cannot be told apart.
+[[nodiscard]] std::string to_string(const messages::Bearing& bearing);
 
 /// The last looks at the source, newest first.
 [[nodiscard]] std::string looks_table(std::span<const explain::RecordedDecision> looks);

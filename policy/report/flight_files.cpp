@@ -13,6 +13,7 @@
 #include "firmware/host/journal/journal_reader.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "policy/description/json_fault.hpp"
 
@@ -117,7 +118,7 @@ explain::RecordedDecision decision_of(const decision_t& m) {
   return {.step = static_cast<std::uint32_t>(m.step),
           .time_s = static_cast<double>(m.utime) * 1e-6,
           .position = {Meters{m.north_m}, Meters{m.east_m}},
-          .reception = {.snr = Decibels{m.snr_db}, .too_faint = m.too_faint != 0},
+          .reception = {.snr = Decibels{m.snr_db}, .too_faint = m.too_faint != 0, .bearing = wire::bearing_in(m)},
           .detected = m.detected != 0,
           .action = static_cast<std::uint8_t>(m.action),
           .overridden = m.overridden != 0,

@@ -12,15 +12,17 @@ constexpr std::uint32_t kIssuer = 0x53494d;               ///< "SIM": of the sim
 board::Clock::Wake LockStepClock::wait(const Awaited& awaited) {
   if (!is_waiting_) return receive();
   const bool has_navigation = awaited.navigation_taken >= tick_.navigation_messages;
+  const bool has_bearings = awaited.bearings_taken >= tick_.bearing_messages;
   const bool has_sound = awaited.blocks_heard >= tick_.hydrophone_blocks;
-  if (has_navigation && has_sound) {
+  if (has_navigation && has_bearings && has_sound) {
     is_waiting_ = false;
     is_due_ = true;
     return Wake::kTurn;
   }
   if (steady_clock::now() >= deadline_) {
-    lost_ = has_navigation ? "the hydrophone's bus: sound that the simulator sent was not heard (earshotd listens to it with --hear)"
-                           : "the bus: navigation that the simulator sent did not arrive";
+    lost_ = !has_navigation ? "the bus: navigation that the simulator sent did not arrive"
+            : !has_bearings ? "the bus: bearings that the simulator sent did not arrive"
+                            : "the hydrophone's bus: sound that the simulator sent was not heard (earshotd listens to it with --hear)";
     return Wake::kLost;
   }
   board::wait_for_ports(awaited.ports, Duration::milliseconds(kLookUp.count()));

@@ -11,10 +11,11 @@
 
 namespace earshot::link {
 
-/// A simulator's clock for the vehicle's loop: a turn is due for every tick, once the navigation that the tick announces has come over the
-/// vehicle's ports and the sound that it announces has been heard. Time stands still between ticks. What is not dated with its tick was
-/// meant for another flight and keeps no date; only what was heard is dated before it, when the sound ended by the dates of its blocks,
-/// which are simulation time. All that was heard is taken in the turn itself, so that it does not depend on how fast the ports are.
+/// A simulator's clock for the vehicle's loop: a turn is due for every tick, once the navigation and the bearings that the tick announces
+/// have come over the vehicle's ports and the sound that it announces has been heard. Time stands still between ticks. What is not dated
+/// with its tick was meant for another flight and keeps no date; only what was heard is dated before it, when the sound ended by the dates
+/// of its blocks, which are simulation time. All that was heard is taken in the turn itself, so that it does not depend on how fast the
+/// ports are.
 class LockStepClock final : public board::Clock {
  public:
   /// @param run  as RuntimeEnd's. Throws LinkError.

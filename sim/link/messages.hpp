@@ -15,6 +15,7 @@ struct Tick {
   std::uint64_t number = 0;  ///< 0 knocks, and stays within the link
   Time time;
   std::uint64_t navigation_messages = 0;
+  std::uint64_t bearing_messages = 0;
   std::uint64_t hydrophone_blocks = 0;
   std::optional<Decibels> snr;
   bool snr_too_faint = false;  ///< not measured: the signal lies somewhere below `snr`

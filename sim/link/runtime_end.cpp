@@ -12,6 +12,7 @@ Tick from_wire(const earshot_sim_Tick& sample) {
   return {.number = sample.number,
           .time = {sample.time_us},
           .navigation_messages = sample.navigation_messages,
+          .bearing_messages = sample.bearing_messages,
           .hydrophone_blocks = sample.hydrophone_blocks,
           .snr = sample.snr_valid ? std::optional(Decibels{sample.snr_db}) : std::nullopt,
           .snr_too_faint = sample.snr_too_faint,

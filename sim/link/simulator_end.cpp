@@ -62,6 +62,7 @@ void SimulatorEnd::send(const Tick& tick) {
                                 .number = tick.number,
                                 .time_us = tick.time.us,
                                 .navigation_messages = tick.navigation_messages,
+                                .bearing_messages = tick.bearing_messages,
                                 .hydrophone_blocks = tick.hydrophone_blocks,
                                 .snr_valid = tick.snr.has_value(),
                                 .command = tick.command,

@@ -1,6 +1,7 @@
 #include "sim/search/episode.hpp"
 
 #include <cassert>
+#include <optional>
 
 #include "firmware/detector/listener.hpp"
 #include "sim/search/reward/step_reward.hpp"
@@ -41,6 +42,7 @@ void Episode::step_and_listen(const World& world, NorthEast through_water) {
   const double look_s = kLookInterval.to_seconds();
   const double rest_s = leg_s - static_cast<double>(looks - 1) * look_s;
   detector::Listener listener;
+  std::optional<messages::Bearing> bearing;  // of the last look that had one
   Time now;
   for (std::size_t i = 0; i < looks; ++i) {
     const double time_s = i == 0 ? rest_s : look_s;
@@ -49,9 +51,10 @@ void Episode::step_and_listen(const World& world, NorthEast through_water) {
     now = now + kLookInterval;
     const policy::Reception look = surroundings_.listen(world, position_);
     listener.take({.time = now, .snr = look.snr, .too_faint = look.too_faint});
+    if (look.bearing) bearing = look.bearing;
   }
   const detector::WindowReception window = listener.reception(s.listening, now);
-  reception_ = {.snr = window.snr, .too_faint = window.too_faint};
+  reception_ = {.snr = window.snr, .too_faint = window.too_faint, .bearing = bearing};
 }
 
 void Episode::move(const World& world, NorthEast through_water, double time_s) {

@@ -61,6 +61,7 @@ class Clock {
     std::span<const pollfd> ports;       ///< readable when a port has something to read
     Time next_turn;                      ///< when a turn is due by the mission's period
     std::uint64_t navigation_taken = 0;  ///< fixes that the ports have brought so far
+    std::uint64_t bearings_taken = 0;    ///< bearings, likewise
     std::uint64_t blocks_heard = 0;      ///< blocks of sound whose SNR, if they gave any, can be collected
   };
   /// Waits no longer than a tenth of a second of the host's time, so that a loop stops soon after it is told to.

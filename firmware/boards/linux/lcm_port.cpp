@@ -17,7 +17,8 @@ namespace {
 std::vector<std::string_view> channels_of(host::Roles roles) {
   std::vector<std::string_view> channels;
   if (roles.has(host::Role::kNavigation)) channels.insert(channels.end(), {wire::kNavStateChannel, wire::kVehicleStatusChannel});
-  if (roles.has(host::Role::kSnr)) channels.insert(channels.end(), {wire::kSnrEstimateChannel, wire::kHydrophoneStatusChannel});
+  if (roles.has(host::Role::kSnr))
+    channels.insert(channels.end(), {wire::kSnrEstimateChannel, wire::kBearingChannel, wire::kHydrophoneStatusChannel});
   if (roles.has(host::Role::kOperator)) channels.push_back(wire::kOperatorCommandChannel);
   if (roles.has(host::Role::kAutopilot)) channels.push_back(wire::kAutopilotStatusChannel);
   return channels;
@@ -61,6 +62,7 @@ bool LcmPort::takes(Clock& clock, std::span<const std::uint8_t> data, InputSink&
 bool LcmPort::take(Clock& clock, const wire::Lc02Message& message, InputSink& sink) {
   if (message.channel == wire::kNavStateChannel) return takes<nav_state_t>(clock, message.data, sink);
   if (message.channel == wire::kSnrEstimateChannel) return takes<snr_estimate_t>(clock, message.data, sink);
+  if (message.channel == wire::kBearingChannel) return takes<bearing_t>(clock, message.data, sink);
   if (message.channel == wire::kOperatorCommandChannel) return takes<operator_command_t>(clock, message.data, sink);
   if (message.channel == wire::kVehicleStatusChannel) return takes<vehicle_status_t>(clock, message.data, sink);
   if (message.channel == wire::kAutopilotStatusChannel) return takes<autopilot_status_t>(clock, message.data, sink);

@@ -5,14 +5,10 @@
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/wide.hpp"
-#include "firmware/policy/ocean_belief/log_weight.hpp"
 
 namespace earshot::policy {
 namespace {
 
-/// No place gets less likely than the likeliest by more than 2^-26, 4e-5 of all in 2500 cells: a belief that was wrong, or a source that
-/// moved, can come back.
-constexpr std::int16_t kForgotten = -26 * kOctave;
 /// Below anything that a cell can hold: of a neighbour from which nothing comes.
 constexpr std::int16_t kNever = -18'000;
 
@@ -48,11 +44,11 @@ void spread_along(LogLanes* cells, std::size_t count, std::size_t apart, const L
 
 }  // namespace
 
-void HypothesisBlock::start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses) {
+void HypothesisBlock::start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses, const PlacePrior& prior) {
   hypotheses_ = hypotheses;
-  std::fill_n(weights_.begin(), cell_count(model), LogLanes{});
+  for (std::size_t i = 0; i < cell_count(model); ++i) weights_[i] = all(prior.log_weights[i]);
   highest_ = all(0);
-  scale_ = {};
+  scale_.fill(prior.scale);
 }
 
 EARSHOT_WIDE void HypothesisBlock::settle(const BeliefModel& model) {
@@ -94,6 +90,16 @@ EARSHOT_WIDE void HypothesisBlock::weigh(const BeliefModel& model, std::span<con
     highest = max(highest, weight);
   }
   for (std::size_t l = 0; l < kLanes; ++l) scale_[l] += before[l];
+  highest_ = highest;
+}
+
+void HypothesisBlock::weigh_places(const BeliefModel& model, std::span<const std::int16_t> log_likelihoods) {
+  settle(model);
+  LogLanes highest = all(-32'768);
+  for (std::size_t i = 0; i < cell_count(model); ++i) {
+    weights_[i] += all(log_likelihoods[i]);
+    highest = max(highest, weights_[i]);
+  }
   highest_ = highest;
 }
 

@@ -8,6 +8,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/policy/belief_model.hpp"
 #include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "firmware/policy/ocean_belief/log_weight.hpp"
 
 namespace earshot::policy {
 
@@ -17,17 +18,30 @@ inline constexpr std::size_t kLanes = 8;
 using LogLanes = std::int16_t __attribute__((vector_size(2 * kLanes)));
 using FloatLanes = std::array<float, kLanes>;
 
+/// No place gets less likely than the likeliest by more than 2^-26, 4e-5 of all in 2500 cells: a belief that was wrong, or a source that
+/// moved, can come back.
+inline constexpr std::int16_t kForgotten = -26 * kOctave;
+
+/// How likely every place is whatever the hypothesis.
+struct PlacePrior {
+  std::array<std::int16_t, config::kMaxBeliefCells> log_weights;  ///< [north x east]; at least kForgotten, the likeliest 0
+  int scale;                                                      ///< what has been taken off every weight
+};
+
 /// The probability of every place under each of eight hypotheses, as log weights.
 class HypothesisBlock {
  public:
-  /// Every place as likely as any other under each of them.
-  void start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses);
+  void start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses, const PlacePrior& prior);
   /// The source may have moved since the last look, where a hypothesis says so.
   void let_move(const BeliefModel& model);
   /// Multiplies every cell by its likelihood.
   /// @param log_likelihoods  [ranges]: of what was heard, were the source at each
   /// @param ranges           [north x east]: of the cells
   void weigh(const BeliefModel& model, std::span<const LogLanes> log_likelihoods, std::span<const std::uint16_t> ranges);
+
+  /// Multiplies every cell by a likelihood that does not depend on the hypothesis.
+  /// @param log_likelihoods  [north x east], at most 0, at least kForgotten
+  void weigh_places(const BeliefModel& model, std::span<const std::int16_t> log_likelihoods);
 
   [[nodiscard]] const Hypothesis& hypothesis(std::size_t lane) const { return hypotheses_[lane]; }
   [[nodiscard]] const std::array<Hypothesis, kLanes>& hypotheses() const { return hypotheses_; }

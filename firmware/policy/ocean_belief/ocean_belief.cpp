@@ -7,9 +7,10 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
-#include "firmware/policy/belief_grid.hpp"
 #include "firmware/policy/belief_summary.hpp"
-#include "firmware/policy/normal_table.hpp"
+#include "firmware/policy/likelihood/bearing_likelihood.hpp"
+#include "firmware/policy/likelihood/belief_grid.hpp"
+#include "firmware/policy/likelihood/normal_table.hpp"
 #include "firmware/policy/ocean_belief/log_weight.hpp"
 
 namespace earshot::policy {
@@ -28,6 +29,13 @@ constexpr int kNoPosterior = std::numeric_limits<int>::min() / 2;
 /// Powers of two below the likeliest at which a hypothesis has no share.
 constexpr int kMostBelow = 60 * kOctave;
 
+/// Scales log weights so that the highest is 0 and none below kForgotten. @return what was taken off them
+int take_off_highest(std::span<std::int16_t> weights) {
+  const int highest = *std::max_element(weights.begin(), weights.end());
+  for (std::int16_t& weight : weights) weight = static_cast<std::int16_t>(std::max<int>(weight - highest, kForgotten));
+  return highest;
+}
+
 }  // namespace
 
 void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
@@ -36,6 +44,8 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   is_history_whole_ = true;
   has_candidates_ = false;
   draws_ = 0;
+  std::fill_n(bearings_.log_weights.begin(), cell_count(model), std::int16_t{0});
+  bearings_.scale = 0;
   std::uint8_t likeliest = 0;
   for (std::uint8_t k = 0; k < tables.tables.size(); ++k)
     likeliest = tables.tables[k].prior > tables.tables[likeliest].prior ? k : likeliest;
@@ -49,7 +59,7 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   hypotheses[5].silence = 1;
   hypotheses[6].mobility = 1;
   hypotheses[7].spread = 3;
-  residents_[0].start(model, hypotheses);
+  residents_[0].start(model, hypotheses, bearings_);
   std::uint8_t next = 0;
   for (std::size_t b = 1; b < residents_.size(); ++b) {
     for (Hypothesis& h : hypotheses) {
@@ -57,15 +67,16 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
            .level = static_cast<std::uint8_t>(3 + 2 * (next / tables.tables.size() % 2))};
       next = static_cast<std::uint8_t>(next + 1);
     }
-    residents_[b].start(model, hypotheses);
+    residents_[b].start(model, hypotheses, bearings_);
   }
   std::fill_n(marginal_.begin(), cell_count(model), 1.0F / static_cast<float>(cell_count(model)));
 }
 
 void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception) {
-  const Look look{position, reception};
+  const Look look{position, reception.snr, reception.too_faint};
   is_history_whole_ = looks_.push_back(look) == Status::kOk && is_history_whole_;
   find_ranges(model, position, tables.range_count - std::size_t{1}, ranges_);
+  if (reception.bearing) take_in_bearing(model, position, *reception.bearing);
   for (HypothesisBlock& block : residents_) take_in(model, tables, look, block);
   find_posteriors(model, tables);
   find_shares();
@@ -79,10 +90,31 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
                 std::span(outlooks_).first(model.actions.size()));
 }
 
+/// The others that are being weighed hear it now, whatever they have heard of the past: where a source rests the order is the same to them.
+void OceanBelief::take_in_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing) {
+  const NorthEast cell{.north = Meters{cell_north(model)}, .east = Meters{cell_east(model)}};
+  const BearingLikelihood likelihood(bearing, std::max(cell.north, cell.east), model.outlier_share);
+  for (std::size_t n = 0; n < model.cells_north; ++n) {
+    const Meters north = (static_cast<double>(n) + 0.5) * cell.north - position.north;
+    for (std::size_t e = 0; e < model.cells_east; ++e) {
+      const float factor = likelihood.at({.north = north, .east = (static_cast<double>(e) + 0.5) * cell.east - position.east});
+      bearing_[n * model.cells_east + e] = static_cast<std::int16_t>(std::max<int>(to_log(factor), kForgotten));
+    }
+  }
+  const std::span<std::int16_t> said = std::span(bearing_).first(cell_count(model));
+  const std::span<std::int16_t> sum = std::span(bearings_.log_weights).first(cell_count(model));
+  take_off_highest(said);
+  std::transform(sum.begin(), sum.end(), said.begin(), sum.begin(),
+                 [](std::int16_t before, std::int16_t now) { return static_cast<std::int16_t>(before + now); });
+  bearings_.scale += take_off_highest(sum);
+  for (HypothesisBlock& block : residents_) block.weigh_places(model, bearing_);
+  if (has_candidates_) candidates_.weigh_places(model, bearing_);
+}
+
 /// The ranges are those from the look's position.
 void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, HypothesisBlock& block) {
   block.let_move(model);
-  likelihoods_.tabulate(model, tables, block.hypotheses(), look.reception);
+  likelihoods_.tabulate(model, tables, block.hypotheses(), {.snr = look.snr, .too_faint = look.too_faint});
   block.weigh(model, likelihoods_.by_range(tables), ranges_);
 }
 
@@ -129,7 +161,7 @@ void OceanBelief::draw_candidates(const BeliefModel& model, const OceanTables& t
   const Motion motion = draws_ % kDrawsPerMoving == kDrawsPerMoving - 1 ? Motion::kMoving : Motion::kAtRest;
   ++draws_;
   for (Hypothesis& h : hypotheses) h = draw_candidate(tables, motion);
-  candidates_.start(model, hypotheses);
+  candidates_.start(model, hypotheses, bearings_);
   candidates_heard_ = 0;
   has_candidates_ = true;
 }

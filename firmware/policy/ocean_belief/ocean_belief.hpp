@@ -53,9 +53,11 @@ class OceanBelief {
  private:
   struct Look {
     NorthEast position;
-    Reception reception;
+    Decibels snr;
+    bool too_faint;
   };
 
+  void take_in_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing);
   void take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, HypothesisBlock& block);
   void find_posteriors(const BeliefModel& model, const OceanTables& tables);
   void find_shares();
@@ -79,6 +81,8 @@ class OceanBelief {
   FixedVector<Look, config::kMaxBeliefLooks> looks_;
   bool is_history_whole_;  ///< every look is in it
   Pcg32 random_{0};
+  PlacePrior bearings_;                                        ///< what all bearings say together
+  std::array<std::int16_t, config::kMaxBeliefCells> bearing_;  ///< [north x east], what one says
   LaneLikelihoods likelihoods_;
   std::array<std::uint16_t, config::kMaxBeliefCells> ranges_;  ///< [north x east], from the vehicle, in range steps
   std::array<float, config::kMaxBeliefCells> marginal_;        ///< [north x east], sum over the hypotheses

@@ -23,6 +23,9 @@ constexpr std::string_view channel_of(const messages::Navigation&) {
 constexpr std::string_view channel_of(const messages::SnrMeasurement&) {
   return kSnrEstimateChannel;
 }
+constexpr std::string_view channel_of(const messages::BearingMeasurement&) {
+  return kBearingChannel;
+}
 constexpr std::string_view channel_of(const messages::OperatorCommand&) {
   return kOperatorCommandChannel;
 }
@@ -68,6 +71,7 @@ Status read_input(std::string_view channel, Time time, std::span<const std::uint
   const std::string_view kind = channel.substr(0, channel.size() - 2);
   if (kind == kNavStateChannel) return read<nav_state_t>(data, input);
   if (kind == kSnrEstimateChannel) return read<snr_estimate_t>(data, input);
+  if (kind == kBearingChannel) return read<bearing_t>(data, input);
   if (kind == kOperatorCommandChannel) return read<operator_command_t>(data, input);
   if (kind == kPortReportChannel) return read<port_report_t>(data, input);
   if (kind == kVehicleStatusChannel) return read<vehicle_status_t>(data, input);

@@ -9,6 +9,7 @@ namespace earshot::wire {
 // To the runtime.
 inline constexpr std::string_view kNavStateChannel = "EARSHOT_NAV_STATE";                  ///< nav_state_t
 inline constexpr std::string_view kSnrEstimateChannel = "EARSHOT_SNR_ESTIMATE";            ///< snr_estimate_t
+inline constexpr std::string_view kBearingChannel = "EARSHOT_BEARING";                     ///< bearing_t
 inline constexpr std::string_view kOperatorCommandChannel = "EARSHOT_OPERATOR_COMMAND";    ///< operator_command_t
 inline constexpr std::string_view kVehicleStatusChannel = "EARSHOT_VEHICLE_STATUS";        ///< vehicle_status_t
 inline constexpr std::string_view kAutopilotStatusChannel = "EARSHOT_AUTOPILOT_STATUS";    ///< autopilot_status_t

@@ -19,6 +19,10 @@ std::optional<Limit> if_said(double limit) {
   return limit == limit ? std::optional(Limit{limit}) : std::nullopt;
 }
 
+std::optional<Radians> axis_if(bool is_ambiguous, double axis_rad) {
+  return is_ambiguous ? std::optional(Radians{axis_rad}) : std::nullopt;
+}
+
 }  // namespace
 
 nav_state_t to_message(const messages::Navigation& navigation) {
@@ -37,6 +41,18 @@ snr_estimate_t to_message(const messages::SnrMeasurement& measurement) {
   m.utime = measurement.time.us;
   m.snr_db = measurement.snr.value;
   m.too_faint = measurement.too_faint ? 1 : 0;
+  return m;
+}
+
+bearing_t to_message(const messages::BearingMeasurement& measurement) {
+  const messages::Bearing& bearing = measurement.bearing;
+  bearing_t m{};
+  m.utime = measurement.time.us;
+  m.bearing_rad = bearing.direction.value;
+  m.deviation_rad = bearing.deviation.value;
+  m.ambiguous = bearing.mirror_axis ? 1 : 0;
+  m.axis_rad = bearing.mirror_axis.value_or(Radians{}).value;
+  m.sender = static_cast<std::int32_t>(measurement.sender);
   return m;
 }
 
@@ -143,6 +159,13 @@ decision_t to_message(const messages::Decision& decision) {
   m.snr_db = decision.snr.value;
   m.too_faint = decision.too_faint ? 1 : 0;
   m.detected = decision.detected ? 1 : 0;
+  m.has_bearing = decision.bearing ? 1 : 0;
+  if (decision.bearing) {
+    m.bearing_rad = decision.bearing->direction.value;
+    m.bearing_deviation_rad = decision.bearing->deviation.value;
+    m.bearing_ambiguous = decision.bearing->mirror_axis ? 1 : 0;
+    m.bearing_axis_rad = decision.bearing->mirror_axis.value_or(Radians{}).value;
+  }
   m.action = static_cast<std::int8_t>(decision.action);
   m.overridden = decision.overridden ? 1 : 0;
   m.waypoint_north_m = decision.waypoint.north.value;
@@ -180,6 +203,8 @@ health_t to_message(const messages::Health& health, Time now) {
   m.commands_refused = static_cast<std::int64_t>(health.counters.commands_refused);
   m.setpoints_limited = static_cast<std::int64_t>(health.counters.setpoints_limited);
   m.status_refused = static_cast<std::int64_t>(health.counters.status_refused);
+  m.bearings_refused = static_cast<std::int64_t>(health.counters.bearings_refused);
+  m.bearings_of_others = static_cast<std::int64_t>(health.counters.bearings_of_others);
   m.response = static_cast<std::int8_t>(health.response);
   m.port_count = static_cast<std::int8_t>(health.ports.size());
   for (std::size_t i = 0; i < health.ports.size(); ++i) m.ports[i] = to_message(health.ports[i]);
@@ -222,6 +247,21 @@ messages::Navigation from_message(const nav_state_t& m) {
 
 messages::SnrMeasurement from_message(const snr_estimate_t& m) {
   return {.time = {m.utime}, .snr = Decibels{m.snr_db}, .too_faint = m.too_faint != 0};
+}
+
+messages::BearingMeasurement from_message(const bearing_t& m) {
+  return {.time = {m.utime},
+          .bearing = {.direction = Radians{m.bearing_rad},
+                      .deviation = Radians{m.deviation_rad},
+                      .mirror_axis = axis_if(m.ambiguous != 0, m.axis_rad)},
+          .sender = static_cast<std::uint32_t>(m.sender)};
+}
+
+std::optional<messages::Bearing> bearing_in(const decision_t& m) {
+  if (m.has_bearing == 0) return std::nullopt;
+  return messages::Bearing{.direction = Radians{m.bearing_rad},
+                           .deviation = Radians{m.bearing_deviation_rad},
+                           .mirror_axis = axis_if(m.bearing_ambiguous != 0, m.bearing_axis_rad)};
 }
 
 messages::VehicleStatus from_message(const vehicle_status_t& m) {

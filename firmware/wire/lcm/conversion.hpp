@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "earshot/autopilot_status_t.hpp"
+#include "earshot/bearing_t.hpp"
 #include "earshot/command_acknowledgement_t.hpp"
 #include "earshot/decision_t.hpp"
 #include "earshot/detection_t.hpp"
@@ -19,6 +21,7 @@
 #include "firmware/config/mission.hpp"
 #include "firmware/core/time.hpp"
 #include "firmware/messages/autopilot_status.hpp"
+#include "firmware/messages/bearing_measurement.hpp"
 #include "firmware/messages/decision.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/hydrophone_status.hpp"
@@ -38,6 +41,7 @@ namespace earshot::wire {
 
 [[nodiscard]] nav_state_t to_message(const messages::Navigation& navigation);
 [[nodiscard]] snr_estimate_t to_message(const messages::SnrMeasurement& measurement);
+[[nodiscard]] bearing_t to_message(const messages::BearingMeasurement& measurement);
 [[nodiscard]] vehicle_status_t to_message(const messages::VehicleStatus& status);
 [[nodiscard]] autopilot_status_t to_message(const messages::AutopilotStatus& status);
 [[nodiscard]] hydrophone_status_t to_message(const messages::HydrophoneStatus& status);
@@ -55,6 +59,9 @@ namespace earshot::wire {
 // Values are as they came: the runtime judges them.
 [[nodiscard]] messages::Navigation from_message(const nav_state_t& message);
 [[nodiscard]] messages::SnrMeasurement from_message(const snr_estimate_t& message);
+[[nodiscard]] messages::BearingMeasurement from_message(const bearing_t& message);
+/// That the decision was made by.
+[[nodiscard]] std::optional<messages::Bearing> bearing_in(const decision_t& message);
 [[nodiscard]] messages::VehicleStatus from_message(const vehicle_status_t& message);
 [[nodiscard]] messages::AutopilotStatus from_message(const autopilot_status_t& message);
 [[nodiscard]] messages::HydrophoneStatus from_message(const hydrophone_status_t& message);

@@ -59,6 +59,8 @@ void note_health(double time_s, const health_t& health, SeaFlight& flight) {
   flight.steps_taken = static_cast<std::uint32_t>(health.steps_taken);
   flight.counters.navigation_refused = static_cast<std::uint64_t>(health.navigation_refused);
   flight.counters.snr_refused = static_cast<std::uint64_t>(health.snr_refused);
+  flight.counters.bearings_refused = static_cast<std::uint64_t>(health.bearings_refused);
+  flight.counters.bearings_of_others = static_cast<std::uint64_t>(health.bearings_of_others);
   flight.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
   if (flight.state == before) return;
   const std::string reason = flight.end_reason == EndReason::kNone ? "" : std::string(": ") + flight.why_it_ended();

@@ -81,7 +81,9 @@ std::string sea_events(const SeaFlight& flight) {
   }
   const messages::Counters& refused = flight.counters;
   return text + "<p>Refused as they came in: fixes " + std::to_string(refused.navigation_refused) + ", SNR " +
-         std::to_string(refused.snr_refused) + ", commands " + std::to_string(refused.commands_refused) + ".</p>\n";
+         std::to_string(refused.snr_refused) + ", bearings " + std::to_string(refused.bearings_refused) + " and " +
+         std::to_string(refused.bearings_of_others) + " of a second sender, commands " + std::to_string(refused.commands_refused) +
+         ".</p>\n";
 }
 
 }  // namespace earshot::report

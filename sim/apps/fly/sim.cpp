@@ -210,6 +210,10 @@ int simulate(const Options& o) {
   FlightPlan plan = load_flight_plan(o.mission, o.environment, o.vehicle);
   host::override_ports(plan.mission, o.ports);
   if (o.hear) host::require_hydrophone(plan.mission, o.mission);
+  if (plan.scenario.conditions.bearing && std::ranges::none_of(plan.mission.ports, brings_bearings))
+    throw host::BadInput(o.environment.string() +
+                         ": conditions.bearing_deg: a bearing goes over LCM, CAN carries none, and no LCM port of " + o.mission.string() +
+                         " has the role \"snr\"");
   if (o.hear && o.wait_for_runtime_s > 0)
     throw host::BadInput("--wait-for-runtime: not with --hear: what a detector has learnt of the noise is in no journal");
   plan.search.placement = search::placement_named(o.source).value_or(plan.search.placement);

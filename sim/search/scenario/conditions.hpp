@@ -25,6 +25,12 @@ struct Current {
   enum class Navigation : bool { kDoesNotSeeIt, kSeesIt } navigation = Navigation::kSeesIt;  ///< e.g. a Doppler log on the sea floor
 };
 
+/// An array that hears from where a call comes.
+struct BearingConditions {
+  Radians deviation;          ///< > 0 and at most pi: standard deviation of a bearing, normal, drawn anew at every look
+  bool is_ambiguous = false;  ///< a line along the vehicle's course: it cannot tell left from right
+};
+
 /// What a hydrophone suffers from in a flight that hears sound; a modelled SNR knows nothing of it.
 struct SoundConditions {
   double lost_blocks = 0.0;   ///< share of the blocks of sound that are lost between ADC and bus, 0 to 1
@@ -43,14 +49,15 @@ struct Conditions {
   std::size_t sources = 1;           ///< 1 to kMaxSources; the loudest is heard, any may be found. All but the first are drawn uniformly
   std::optional<Current> current;    ///< absent: none
   std::optional<CallPattern> calls;  ///< absent: always heard; needs `floor`, which is what silence says of the SNR
-  MetersPerSecond vehicle_speed{2.0};  ///< > 0: how long a step takes
+  MetersPerSecond vehicle_speed{2.0};        ///< > 0: how long a step takes
+  std::optional<BearingConditions> bearing;  ///< of the source that is heard, at every look that can be measured; absent: none is measured
   SoundConditions sound;
 };
 
 /// True when nothing departs.
 [[nodiscard]] inline bool is_calm(const Conditions& c) {
   return c.fluctuation.value == 0.0 && !c.floor && c.source_level_spread.value == 0.0 && c.drift_m_per_sqrt_km == 0.0 &&
-         c.source_speed.value == 0.0 && c.sources == 1 && !c.current && !c.calls;
+         c.source_speed.value == 0.0 && c.sources == 1 && !c.current && !c.calls && !c.bearing;
 }
 
 }  // namespace earshot::search

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <numbers>
+#include <optional>
 
 namespace earshot::search {
 namespace {
@@ -31,6 +32,17 @@ CallPattern read_calls(TableReader table) {
           .listening_s = table.number("listening_s", Range::between(kLeastSeconds, kMostSeconds))};
 }
 
+std::optional<BearingConditions> read_bearing(TableReader& table) {
+  const bool is_ambiguous = table.boolean_or("bearing_ambiguous", false);
+  if (!table.has("bearing_deg")) {
+    if (table.has("bearing_ambiguous")) table.problem("bearing_ambiguous", "of use only with bearing_deg, how far a bearing is off");
+    return std::nullopt;
+  }
+  constexpr double kLeast_deg = 0.01;  // a thousandth of what any array measures
+  return BearingConditions{.deviation = Radians{table.number("bearing_deg", Range::between(kLeast_deg, 180.0)) * std::numbers::pi / 180.0},
+                           .is_ambiguous = is_ambiguous};
+}
+
 SoundConditions read_sound(TableReader table) {
   SoundConditions sound;
   sound.lost_blocks = table.number_or("lost_blocks", sound.lost_blocks, Range::between(0.0, 1.0));
@@ -52,6 +64,7 @@ Conditions read_conditions(TableReader table) {
   c.sources = static_cast<std::size_t>(table.integer_or("sources", 1, 1, static_cast<std::int64_t>(kMaxSources)));
   c.vehicle_speed =
       MetersPerSecond{table.number_or("vehicle_speed_mps", c.vehicle_speed.value, Range::between(kSlowest_mps, kFastest_mps))};
+  c.bearing = read_bearing(table);
   if (const auto current = table.optional_table("current")) c.current = read_current(*current);
   if (const auto calls = table.optional_table("calls")) c.calls = read_calls(*calls);
   if (const auto sound = table.optional_table("sound")) c.sound = read_sound(*sound);

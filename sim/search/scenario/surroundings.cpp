@@ -33,9 +33,10 @@ void reflect(Meters& x, double& course, Meters low, Meters high) {
 
 constexpr Decibels kSilence{-std::numeric_limits<double>::infinity()};
 
-policy::Reception measured(const Conditions& conditions, Decibels loudest) {
-  if (conditions.floor && !(loudest >= *conditions.floor)) return {.snr = *conditions.floor, .too_faint = true};
-  return {.snr = loudest};
+/// From 0 to 2 pi, as a message has it.
+Radians of_compass(Radians angle) {
+  const Radians wrapped = wrap_to_pi(angle);
+  return wrapped.value < 0.0 ? Radians{wrapped.value + 2.0 * std::numbers::pi} : wrapped;
 }
 
 }  // namespace
@@ -82,6 +83,7 @@ NorthEast Surroundings::pass(const World& world, NorthEast through_water, double
   if (is_calm_) return through_water;
   const Conditions& c = world.conditions;
   now_s_ += time_s;
+  if (length_of(through_water).value > 0.0) course_ = bearing_of(through_water.north.value, through_water.east.value);
   if (c.source_speed.value > 0.0) {
     for (Source& source : sources_) swim(world, source, time_s);
   }
@@ -113,25 +115,31 @@ Decibels Surroundings::draw_snr(const World& world, const Source& source, NorthE
   return snr;
 }
 
+messages::Bearing Surroundings::draw_bearing(const BearingConditions& array, const Source& source, NorthEast vehicle) {
+  const NorthEast way = source.position - vehicle;
+  const Radians heard = bearing_of(way.north.value, way.east.value) + normal() * array.deviation;
+  if (!array.is_ambiguous) return {.direction = of_compass(heard), .deviation = array.deviation};
+  const Radians off_course = wrap_to_pi(heard - course_);
+  const Radians to_starboard = off_course.value < 0.0 ? -off_course : off_course;
+  return {.direction = of_compass(course_ + to_starboard), .deviation = array.deviation, .mirror_axis = of_compass(course_)};
+}
+
 policy::Reception Surroundings::listen(const World& world, NorthEast vehicle) {
   if (is_calm_) return {.snr = world.expected().at(range_between(vehicle, sources_[0].position))};
-  const Conditions& c = world.conditions;
-  Decibels loudest = kSilence;
-  for (const Source& source : sources_) {
-    const Decibels snr = draw_snr(world, source, vehicle);
-    if (!c.calls || has_called(*c.calls, source)) loudest = std::max(loudest, snr);
-  }
-  return measured(c, loudest);
+  return reception_of(world, arrivals(world, vehicle));
 }
 
 Arrivals Surroundings::arrivals(const World& world, NorthEast vehicle) {
   const auto& calls = world.conditions.calls;
+  const auto& array = world.conditions.bearing;
   Arrivals arrivals;
   for (const Source& source : sources_) {
-    [[maybe_unused]] const Status status = arrivals.push_back({.range = range_between(vehicle, source.position),
-                                                               .snr = draw_snr(world, source, vehicle),
-                                                               .has_called = !calls || has_called(*calls, source),
-                                                               .sung_s = source.sung_s});
+    Arrival arrival{.range = range_between(vehicle, source.position),
+                    .snr = draw_snr(world, source, vehicle),
+                    .has_called = !calls || has_called(*calls, source),
+                    .sung_s = source.sung_s};
+    if (array) arrival.bearing = draw_bearing(*array, source, vehicle);
+    [[maybe_unused]] const Status status = arrivals.push_back(arrival);
     assert(status == Status::kOk);
   }
   return arrivals;
@@ -139,11 +147,13 @@ Arrivals Surroundings::arrivals(const World& world, NorthEast vehicle) {
 
 policy::Reception Surroundings::reception_of(const World& world, const Arrivals& arrivals) const {
   if (is_calm_) return {.snr = arrivals[0].snr};
-  Decibels loudest = kSilence;
+  policy::Reception loudest{.snr = kSilence};
   for (const Arrival& arrival : arrivals) {
-    if (arrival.has_called) loudest = std::max(loudest, arrival.snr);
+    if (arrival.has_called && arrival.snr > loudest.snr) loudest = {.snr = arrival.snr, .too_faint = false, .bearing = arrival.bearing};
   }
-  return measured(world.conditions, loudest);
+  const std::optional<Decibels>& floor = world.conditions.floor;
+  if (floor && !(loudest.snr >= *floor)) return {.snr = *floor, .too_faint = true};
+  return loudest;
 }
 
 bool Surroundings::has_called(const CallPattern& calls, const Source& source) const {

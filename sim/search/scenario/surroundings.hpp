@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "firmware/core/fixed_vector.hpp"
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/random.hpp"
+#include "firmware/messages/bearing_measurement.hpp"
 #include "firmware/policy/reception.hpp"
 #include "sim/search/scenario/world.hpp"
 
@@ -14,9 +16,10 @@ namespace earshot::search {
 /// How one source is received at the vehicle.
 struct Arrival {
   Meters range;
-  Decibels snr;            ///< as a call would be received now, fluctuation included
-  bool has_called = true;  ///< within the listening time of its pattern
-  double sung_s = 0.0;     ///< its own time when the search began
+  Decibels snr;                                             ///< as a call would be received now, fluctuation included
+  bool has_called = true;                                   ///< within the listening time of its pattern
+  double sung_s = 0.0;                                      ///< its own time when the search began
+  std::optional<messages::Bearing> bearing = std::nullopt;  ///< as an array would measure it now; absent: there is none
 };
 using Arrivals = FixedVector<Arrival, kMaxSources>;
 
@@ -39,7 +42,9 @@ class Surroundings {
   /// The hydrophone's reception of the loudest source now; every look draws anew.
   ///
   ///   SNR = SL + offset - TL - N + sigma * n,   n normal;   not measured below the floor, or when no call fell in the listening time
+  ///   bearing = direction of that source + deviation * n';   with what is measured, where the conditions have an array
   ///
+  /// Of an array that cannot tell left from right the bearing is the one to starboard of the vehicle's course, wherever the source is.
   /// Oracle: Surroundings.*
   [[nodiscard]] policy::Reception listen(const World& world, NorthEast vehicle);
 
@@ -66,6 +71,7 @@ class Surroundings {
   void add_source(const World& world, NorthEast position);
   void put(const Source& source);
   void swim(const World& world, Source& source, double time_s);
+  [[nodiscard]] messages::Bearing draw_bearing(const BearingConditions& array, const Source& source, NorthEast vehicle);
   [[nodiscard]] Decibels draw_snr(const World& world, const Source& source, NorthEast vehicle);
   [[nodiscard]] bool has_called(const CallPattern& calls, const Source& source) const;
   [[nodiscard]] double normal();
@@ -77,6 +83,7 @@ class Surroundings {
   Decibels level_offset_;
   Decibels fluctuation_;
   UnitNorthEast current_toward_;
+  Radians course_;  ///< through the water, of the last move; north before the first
   NorthEast unseen_current_;
   NorthEast drift_;
   double now_s_ = 0.0;

@@ -22,6 +22,7 @@ TEST(BlankMessage, OfADecisionClaimsNothing) {
   EXPECT_EQ(decision.observation_size, 0);
   EXPECT_EQ(decision.action_count, 0);
   EXPECT_EQ(std::ranges::count(decision.observation, 0.0F), 64);
+  EXPECT_FALSE(decision.bearing);
   EXPECT_FALSE(decision.belief);
 }
 
@@ -39,6 +40,8 @@ TEST(BlankMessage, OfHealthStandsByAndHasRefusedNothing) {
   EXPECT_EQ(health.counters.snr_refused, 0U);
   EXPECT_EQ(health.counters.commands_refused, 0U);
   EXPECT_EQ(health.counters.setpoints_limited, 0U);
+  EXPECT_EQ(health.counters.bearings_refused, 0U);
+  EXPECT_EQ(health.counters.bearings_of_others, 0U);
   EXPECT_TRUE(health.ports.empty());
 }
 
@@ -71,6 +74,12 @@ TEST(BlankMessage, OfAHydrophoneHasNoSamples) {
 TEST(BlankMessage, OfAnInputIsTheFirstOfTheFirstPort) {
   EXPECT_EQ(Input{}.port, 0);
   EXPECT_EQ(Input{}.sequence, 0U);
+}
+
+TEST(BlankMessage, OfABearingIsImpossible) {
+  EXPECT_EQ(BearingMeasurement{}.sender, 0U);
+  EXPECT_FALSE(BearingMeasurement{}.bearing.mirror_axis);
+  EXPECT_FALSE(is_possible(Bearing{})) << "a deviation of nothing is none";
 }
 
 TEST(BlankMessage, OfASoundIsMeasuredAndNotClipped) {

@@ -37,8 +37,8 @@ TEST(Golden, HoldsWhatASearchAlongItsPlacesSeesAndDecides) {
   const auto policy = believing_policy();
   const auto memory = std::make_unique<SearchMemory>();
   const GoldenTrajectory& trajectory = policy->golden[1];
-  memory->start(policy->observation, trajectory[0].place, trajectory[0].reception);
-  memory->remember(policy->observation, trajectory[1].place, trajectory[1].reception);
+  memory->start(policy->observation, trajectory[0].place, trajectory[0].reception.heard());
+  memory->remember(policy->observation, trajectory[1].place, trajectory[1].reception.heard());
   std::array<float, 2> observation{};
   observe(*memory, policy->observation, observation);
   std::array<float, 4> logits{};

@@ -78,7 +78,8 @@ void judge(std::span<const std::uint8_t> bytes) {
   for (Input input(bytes); !input.is_used_up();) {
     const Duration later = Duration::milliseconds(20 * input.byte());
     const Time now = runtime.now() + later;
-    switch (input.byte() % 10) {
+    const std::uint8_t kind = input.byte();
+    switch (kind % 10) {
       case 0:
         give(runtime, input, later, wire::to_message(dated<messages::Navigation>(now)));
         break;
@@ -95,7 +96,13 @@ void judge(std::span<const std::uint8_t> bytes) {
         give(runtime, input, later, wire::to_message(dated<messages::AutopilotStatus>(now)));
         break;
       case 5:
-        give(runtime, input, later, wire::to_message(dated<messages::HydrophoneStatus>(now)));
+        if (kind < 128) {
+          give(runtime, input, later, wire::to_message(dated<messages::HydrophoneStatus>(now)));
+        } else {
+          auto measured = dated<messages::BearingMeasurement>(now);
+          measured.bearing = {.direction = Radians{1.0}, .deviation = Radians{0.2}, .mirror_axis = Radians{0.5}};
+          give(runtime, input, later, wire::to_message(measured));
+        }
         break;
       case 6:
         give(runtime, input, later, wire::to_message(messages::PortReport{}));

@@ -49,7 +49,8 @@ std::unique_ptr<policy::FrozenPolicy> place_policy(std::uint64_t seed) {
   return with_random_network(observation, seed);
 }
 
-std::vector<RecordedDecision> flown(const policy::FrozenPolicy& policy, std::size_t decisions, NorthEast south_west) {
+std::vector<RecordedDecision> flown(const policy::FrozenPolicy& policy, std::size_t decisions, NorthEast south_west,
+                                    const std::optional<messages::Bearing>& bearing) {
   const sonar::SnrCurve curve = falling();
   const NorthEast source{Meters{12'000.0}, Meters{15'000.0}};
   NorthEast place{Meters{8'000.0}, Meters{6'000.0}};
@@ -61,6 +62,7 @@ std::vector<RecordedDecision> flown(const policy::FrozenPolicy& policy, std::siz
     d.time_s = 500.0 * static_cast<double>(i);
     d.position = south_west + place;
     d.reception = hear(curve.at(range_between(place, source)));
+    d.reception.bearing = bearing;
     d.detected = !d.reception.too_faint && d.reception.snr >= policy.detection_threshold;
     i == 0 ? memory->start(policy.observation, d.position - south_west, d.reception)
            : memory->remember(policy.observation, d.position - south_west, d.reception);

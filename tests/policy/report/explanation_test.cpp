@@ -21,5 +21,13 @@ TEST(Explanation, TellsALookTooFaintToMeasureFromAMeasuredOne) {
   EXPECT_EQ(to_string(policy::Reception{.snr = Decibels{5.0}, .too_faint = true}), "under 5.0 dB");
 }
 
+TEST(Explanation, TellsFromWhereALookWasHeardAndItsMirrorImage) {
+  policy::Reception reception{.snr = Decibels{9.46}};
+  reception.bearing = messages::Bearing{.direction = Radians{0.8203}, .deviation = Radians{0.1745}};  // 47 and 10 degrees
+  EXPECT_EQ(to_string(reception), "9.5 dB from 047\u00B0 \u00B1 10\u00B0");
+  reception.bearing->mirror_axis = Radians{0.3491};  // 20 degrees
+  EXPECT_EQ(to_string(reception), "9.5 dB from 047\u00B0 or 353\u00B0 \u00B1 10\u00B0");
+}
+
 }  // namespace
 }  // namespace earshot::report

@@ -21,6 +21,13 @@ decision_t message_of(const explain::RecordedDecision& d) {
   m.snr_db = d.reception.snr.value;
   m.too_faint = d.reception.too_faint ? 1 : 0;
   m.detected = d.detected ? 1 : 0;
+  if (const auto& bearing = d.reception.bearing) {
+    m.has_bearing = 1;
+    m.bearing_rad = bearing->direction.value;
+    m.bearing_deviation_rad = bearing->deviation.value;
+    m.bearing_ambiguous = bearing->mirror_axis ? 1 : 0;
+    m.bearing_axis_rad = bearing->mirror_axis.value_or(Radians{}).value;
+  }
   m.action = static_cast<std::int8_t>(d.action);
   m.overridden = d.overridden ? 1 : 0;
   m.waypoint_north_m = d.waypoint.north.value;

@@ -50,6 +50,15 @@ TEST_F(RecordedFlightTest, HoldsEveryDecisionAgainstThePolicyBesideTheJournal) {
   EXPECT_FALSE(flight.observer);
 }
 
+TEST_F(RecordedFlightTest, MakesABeliefThatTookBearingsAgainBitForBit) {
+  const messages::Bearing bearing{.direction = Radians{1.0}, .deviation = Radians{0.2}, .mirror_axis = Radians{0.25}};
+  write_flight(folder_ / "with", *policy_, explain::flown(*policy_, 5, kCorner, bearing), kCorner);
+  const RecordedFlight flight = open_recording(folder_ / "with", {});  // which refuses what its belief does not give
+  ASSERT_EQ(flight.journal.decisions.size(), 5U);
+  EXPECT_EQ(flight.journal.decisions[3].reception.bearing, bearing);
+  EXPECT_NE(flight.journal.decisions[3].observation, explain::flown(*policy_, 5, kCorner)[3].observation) << "it does not go by them";
+}
+
 TEST_F(RecordedFlightTest, OpensTheFolderOfAFlightAtSeaByTheCornerOfItsMission) {
   fs::remove(folder_ / "summary.json");
   fs::remove(journal());

@@ -22,8 +22,8 @@ constexpr Time kFirstTick{7'000'000};
 constexpr auto kDelay = 400ms;  ///< of the first tick, four looks of the loop
 
 /// A simulator in a process of its own (Cyclone DDS does not survive a fork, so fork before any DDS): it announces one fix and so many
-/// blocks of sound with a tick that is late.
-pid_t simulate(std::uint32_t domain, RunId run, std::uint64_t hydrophone_blocks = 0) {
+/// blocks of sound and bearings with a tick that is late.
+pid_t simulate(std::uint32_t domain, RunId run, std::uint64_t hydrophone_blocks = 0, std::uint64_t bearings = 0) {
   const pid_t child = fork();
   if (child != 0) return child;
   try {
@@ -36,6 +36,7 @@ pid_t simulate(std::uint32_t domain, RunId run, std::uint64_t hydrophone_blocks 
     tick.time = kFirstTick;
     tick.navigation_messages = 1;
     tick.hydrophone_blocks = hydrophone_blocks;
+    tick.bearing_messages = bearings;
     simulator.send(tick);
     Answer answer;
     (void)simulator.receive(answer, 5000ms);
@@ -98,6 +99,23 @@ TEST(LockStepClock, MakesNoTurnBeforeTheFixAndEveryBlockOfSoundIsThereThatTheTic
   EXPECT_EQ(clock.wait(so_far(1, 3)), Clock::Wake::kTurn);
   EXPECT_TRUE(clock.takes_sound_now());
   EXPECT_FALSE(clock.answered(done(), 1));
+  waitpid(simulator, nullptr, 0);
+}
+
+TEST(LockStepClock, MakesNoTurnBeforeEveryBearingIsThereAndSaysWhenTheyDoNotCome) {
+  const RunSlot slot;
+  const RunId run = new_run();
+  const pid_t simulator = simulate(slot.domain(), run, 0, 2);
+  LockStepClock clock(slot.domain(), run);
+  wait_for_tick(clock);
+  Clock::Awaited awaited = so_far(1, 0);
+  awaited.bearings_taken = 1;
+  while (clock.wait(awaited) == Clock::Wake::kPorts) {
+  }
+  EXPECT_EQ(clock.lost(), "the bus: bearings that the simulator sent did not arrive");
+  awaited.bearings_taken = 2;
+  EXPECT_EQ(clock.wait(awaited), Clock::Wake::kTurn);
+  kill(simulator, SIGKILL);
   waitpid(simulator, nullptr, 0);
 }
 

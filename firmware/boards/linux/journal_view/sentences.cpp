@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <numbers>
+#include <optional>
 
 #include "firmware/boards/linux/journal_view/wording.hpp"
 #include "firmware/config/safety.hpp"
@@ -10,6 +12,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/messages/command_words.hpp"
 #include "firmware/messages/health_words.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
 
 namespace earshot::journal_view {
 namespace {
@@ -84,15 +87,26 @@ std::string to_string(const command_acknowledgement_t& m) {
          messages::to_string(static_cast<messages::CommandOutcome>(m.outcome));
 }
 
+std::string to_string(const messages::Bearing& bearing) {
+  std::string text = compass(bearing.direction, 0) + " deg";
+  if (bearing.mirror_axis) {
+    const Radians mirrored = 2.0 * *bearing.mirror_axis - bearing.direction;
+    text += " or " + compass(mirrored, 0) + " deg";
+  }
+  constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+  return text + ", give or take " + decimal(bearing.deviation.value * kDegreesPerRadian, 0) + " deg";
+}
+
 std::string to_string(const decision_t& m) {
   const NorthEast place{Meters{m.north_m}, Meters{m.east_m}};
   const NorthEast waypoint{Meters{m.waypoint_north_m}, Meters{m.waypoint_east_m}};
   const NorthEast leg = waypoint - place;
   std::string bearing = compass(bearing_of(leg.north.value, leg.east.value), 0);
   bearing.insert(0, bearing.size() < 3 ? 3 - bearing.size() : 0, '0');
+  const std::optional<messages::Bearing> source = wire::bearing_in(m);
   std::string text = "step " + std::to_string(m.step) + ": SNR " + (m.too_faint != 0 ? "below " : "") + decimal(m.snr_db, 1) + " dB" +
-                     (m.detected != 0 ? ", heard" : ", not heard") + "; from " + to_string(place) + " goes " +
-                     decimal(length_of(leg).value, 0) + " m towards " + bearing + " deg";
+                     (m.detected != 0 ? ", heard" : ", not heard") + (source ? ", from " + to_string(*source) : "") + "; from " +
+                     to_string(place) + " goes " + decimal(length_of(leg).value, 0) + " m towards " + bearing + " deg";
   if (m.overridden != 0) text += ", as the safety layer changed it";
   if (m.believes != 0)
     text += "; believes the source at " + to_string({Meters{m.mean_north_m}, Meters{m.mean_east_m}}) + ", give or take " +

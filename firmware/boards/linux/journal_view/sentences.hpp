@@ -4,6 +4,7 @@
 #include <string>
 
 #include "firmware/boards/linux/journal_view/entry.hpp"
+#include "firmware/messages/bearing_measurement.hpp"
 
 namespace earshot::journal_view {
 
@@ -19,6 +20,8 @@ namespace earshot::journal_view {
 [[nodiscard]] std::string to_string(const command_acknowledgement_t& acknowledgement);
 
 /// "step 3: SNR 12.3 dB, heard; from 100 m north, 200 m east 1000 m towards 090 deg, to ..."
+/// "47 deg, give or take 10 deg"; "47 deg or 313 deg, give or take 10 deg" where left and right cannot be told apart.
+[[nodiscard]] std::string to_string(const messages::Bearing& bearing);
 [[nodiscard]] std::string to_string(const decision_t& decision);
 
 /// "rule 11, battery_percent: 14.9, below 15.0: return"; "rule 11, battery_percent: no longer"

@@ -120,7 +120,8 @@ void Timeline::note_content(const command_acknowledgement_t& acknowledgement, co
 
 void Timeline::note_content(const health_t& health, const Record& /*record*/) {
   if (mission_state_.changes_to(health.state)) {
-    for (Grown* counter : {&navigation_refused_, &snr_refused_, &status_refused_}) counter->is_told = false;
+    for (Grown* counter : {&navigation_refused_, &snr_refused_, &status_refused_, &bearings_refused_, &bearings_of_others_})
+      counter->is_told = false;
     for (Port& port : ports_) port.failures.is_told = false;
   }
   const bool is_abort = health.state == health_t::ABORT;
@@ -138,6 +139,9 @@ void Timeline::note_refused(const health_t& health) {
   tell_of(navigation_refused_, health.navigation_refused, "navigation");
   tell_of(snr_refused_, health.snr_refused, "SNR");
   tell_of(status_refused_, health.status_refused, "status");
+  tell_of(bearings_refused_, health.bearings_refused, "bearing");
+  if (bearings_of_others_.is_news(static_cast<std::uint64_t>(health.bearings_of_others)))
+    warn("bearing: " + counted(bearings_of_others_.seen, "message") + " of a second sender not taken so far");
 }
 
 void Timeline::note_content(const wire::ClosingRecord& closing, const Record& /*record*/) {

@@ -113,6 +113,8 @@ class Timeline {
   Grown navigation_refused_;
   Grown snr_refused_;
   Grown status_refused_;
+  Grown bearings_refused_;
+  Grown bearings_of_others_;
   Grown unreadable_;
   std::array<Port, config::kMaxPorts + 1> ports_{};
 };

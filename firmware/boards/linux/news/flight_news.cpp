@@ -6,6 +6,7 @@
 
 #include "firmware/boards/linux/news/health_words.hpp"
 #include "firmware/boards/linux/news/text_line.hpp"
+#include "firmware/detector/bearing_listener.hpp"
 #include "firmware/messages/health_words.hpp"
 
 namespace earshot::board {
@@ -65,6 +66,8 @@ void FlightNews::tell(Time now, const messages::Health& health) {
   tell_state(now, health);
   tell_refused(now, "navigation", health.counters.navigation_refused, navigation_);
   tell_refused(now, "SNR", health.counters.snr_refused, snr_);
+  tell_refused(now, "bearing", health.counters.bearings_refused, bearing_);
+  tell_others(now, health.counters.bearings_of_others);
 }
 
 void FlightNews::tell(Time now, std::uint8_t port, const messages::SoundDetection& detection) {
@@ -185,7 +188,7 @@ void FlightNews::tell_state(Time now, const messages::Health& health) {
   const std::string_view remark = remark_on(health);
   if (state_ == health.state && (remark_ == remark || remark_due_ - now > kMostAhead)) return;
   if (state_ != health.state) {
-    navigation_.is_told_in_state = snr_.is_told_in_state = false;
+    for (Refused* refused : {&navigation_, &snr_, &bearing_, &others_bearing_}) refused->is_told_in_state = false;
   } else {
     remark_due_ = std::max(remark_due_, now) + kBetweenLinkLines;
   }
@@ -210,6 +213,16 @@ void FlightNews::tell_refused(Time now, std::string_view sensor, std::uint64_t c
   line << sensor << ": " << count << (count == 1 ? " message" : " messages")
        << " refused so far, for their date, their order or what is in them; look at their sender's clock "
           "(of CAN messages, which bear no date: at two ports that bring the same)";
+  say({.severity = Severity::kWarning, .event = "refused", .time = now, .message = line.text()});
+}
+
+void FlightNews::tell_others(Time now, std::uint64_t count) {
+  if (count == others_bearing_.told || others_bearing_.is_told_in_state) return;
+  others_bearing_ = {.told = count, .is_told_in_state = true};
+  TextLine line;
+  line << "bearing: " << count << (count == 1 ? " message" : " messages")
+       << " of a second sender not taken so far: the first that was heard is listened to, until it is silent for "
+       << static_cast<std::uint64_t>(detector::kBearingHandover.to_seconds()) << " s";
   say({.severity = Severity::kWarning, .event = "refused", .time = now, .message = line.text()});
 }
 

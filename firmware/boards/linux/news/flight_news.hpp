@@ -24,8 +24,8 @@ namespace earshot::board {
 
 /// Tells a person what changes while a flight lasts, a line each: the state of the mission and why, every link that goes down or comes
 /// back, limits that an operator made tighter, a disk that does not take the journal, what the safety supervisor does and why, what is
-/// wrong with a CAN bus and when it is over, and in each state once that navigation or SNR is refused. Nothing allocates or waits after
-/// construction.
+/// wrong with a CAN bus and when it is over, and in each state once that navigation, SNR or a bearing is refused. Nothing allocates or
+/// waits after construction.
 ///
 ///     earshotd: 2026-11-22 15:04:07 UTC: ABORT, navigation went silent, after 12 steps
 ///     earshotd: 2026-11-22 15:04:07 UTC: navigation: 31 messages refused so far, for their date, their order or what is in them; look at
@@ -115,6 +115,7 @@ class FlightNews {
   void tell_journal(Time now, const messages::PortReport& report);
   void tell_state(Time now, const messages::Health& health);
   void tell_refused(Time now, std::string_view sensor, std::uint64_t count, Refused& refused);
+  void tell_others(Time now, std::uint64_t count);
 
   LineWriter& writer_;
   LogFormat format_;
@@ -128,6 +129,8 @@ class FlightNews {
   bool is_journal_up_ = true;
   Refused navigation_;
   Refused snr_;
+  Refused bearing_;
+  Refused others_bearing_;
   std::array<Sound, config::kMaxPorts> sounds_;
   std::array<RuleNews, config::kMaxRules> rules_{};
   std::array<std::array<Trouble, kBusTroubleCount>, config::kMaxPorts> troubles_{};

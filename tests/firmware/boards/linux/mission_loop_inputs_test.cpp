@@ -161,13 +161,17 @@ TEST_F(TheLoop, CountsWhatItRefusesByItsKind) {
     nowhere.position.east = Meters{std::numeric_limits<double>::quiet_NaN()};
     send(clock, sink, nowhere);
     for (int i = 0; i < 2; ++i) send(clock, sink, messages::SnrMeasurement{.time = host_.utc(), .snr = Decibels{601}});
+    const messages::Bearing bearing{.direction = Radians{1}, .deviation = Radians{0.2}};
+    send(clock, sink, messages::BearingMeasurement{.time = host_.utc(), .bearing = {}});
+    for (const std::uint32_t sender : {1, 2, 2}) send(clock, sink, messages::BearingMeasurement{host_.utc(), bearing, sender});
   });
   for (int i = 0; i < 3; ++i) order(seconds(3.96), Order::kStart);
   stop_at(10);
   (void)fly();
   EXPECT_EQ(port_->health(at_second(3)).counters, messages::Counters{});
   EXPECT_EQ(port_->health(at_second(4)).counters,
-            (messages::Counters{.navigation_refused = 1, .snr_refused = 2, .commands_refused = 3, .setpoints_limited = 0}));
+            (messages::Counters{
+                .navigation_refused = 1, .snr_refused = 2, .commands_refused = 3, .bearings_refused = 1, .bearings_of_others = 2}));
   EXPECT_EQ(port_->health(at_second(9)).counters, port_->health(at_second(4)).counters);
 }
 

@@ -40,15 +40,24 @@ const Input kReport{.arrival = Time{73},
                     .sequence = 15,
                     .value = messages::PortReport{.port = 2, .link_up = false, .received = 11, .lost = 12, .malformed = 13, .unsent = 14}};
 
+const Input kBearing{
+    .arrival = Time{74},
+    .port = 3,
+    .sequence = 16,
+    .value = messages::BearingMeasurement{.time = Time{8},
+                                          .bearing = {.direction = Radians{1.5}, .deviation = Radians{0.25}, .mirror_axis = Radians{0.75}},
+                                          .sender = 4'000'000'000}};
+
 TEST(InputRecord, LiesOnTheChannelOfItsKindWithThePortBehindADot) {
   EXPECT_EQ(InputRecord(kFix).channel(), "EARSHOT_NAV_STATE.1");
   EXPECT_EQ(InputRecord(kLook).channel(), "EARSHOT_SNR_ESTIMATE.0");
   EXPECT_EQ(InputRecord(kCommand).channel(), "EARSHOT_OPERATOR_COMMAND.7");
   EXPECT_EQ(InputRecord(kReport).channel(), "EARSHOT_PORT_REPORT.2");
+  EXPECT_EQ(InputRecord(kBearing).channel(), "EARSHOT_BEARING.3");
 }
 
 TEST(InputRecord, IsReadBackAsTheInputThatItWas) {
-  for (const Input& input : {kFix, kLook, kCommand, kReport}) {
+  for (const Input& input : {kFix, kLook, kCommand, kReport, kBearing}) {
     const InputRecord record(input);
     Input read;
     ASSERT_EQ(read_input(record.channel(), input.arrival, record.data(), input.sequence, read), Status::kOk) << record.channel();
@@ -75,7 +84,8 @@ TEST(InputRecord, IsNoneOnAChannelOfAnotherKindOrPort) {
 TEST(InputRecord, IsMalformedWhenItsBytesAreNotOfItsChannelsType) {
   const InputRecord fix(kFix);
   Input input;
-  for (const std::string_view channel : {"EARSHOT_SNR_ESTIMATE.1", "EARSHOT_OPERATOR_COMMAND.1", "EARSHOT_PORT_REPORT.1"})
+  for (const std::string_view channel :
+       {"EARSHOT_SNR_ESTIMATE.1", "EARSHOT_OPERATOR_COMMAND.1", "EARSHOT_PORT_REPORT.1", "EARSHOT_BEARING.1"})
     EXPECT_EQ(read_input(channel, Time{70}, fix.data(), 0, input), Status::kMalformed) << channel;
   EXPECT_EQ(read_input(fix.channel(), Time{70}, fix.data().first(fix.data().size() - 1), 0, input), Status::kMalformed);
   EXPECT_EQ(read_input(fix.channel(), Time{70}, {}, 0, input), Status::kMalformed);

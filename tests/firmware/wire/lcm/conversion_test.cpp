@@ -24,12 +24,16 @@ TEST(Conversion, CarriesCountersBeyondThirtyTwoBits) {
   health.counters = {.navigation_refused = std::uint64_t{1} << 31U,
                      .snr_refused = std::uint64_t{1} << 32U,
                      .commands_refused = std::uint64_t{1} << 40U,
-                     .setpoints_limited = (std::uint64_t{1} << 63U) - 1};
+                     .setpoints_limited = (std::uint64_t{1} << 63U) - 1,
+                     .bearings_refused = std::uint64_t{1} << 33U,
+                     .bearings_of_others = std::uint64_t{1} << 34U};
   const health_t arrived = carried(to_message(health, Time{7}));
   EXPECT_EQ(arrived.navigation_refused, 2'147'483'648);
   EXPECT_EQ(arrived.snr_refused, 4'294'967'296);
   EXPECT_EQ(arrived.commands_refused, 1'099'511'627'776);
   EXPECT_EQ(arrived.setpoints_limited, 9'223'372'036'854'775'807);
+  EXPECT_EQ(arrived.bearings_refused, 8'589'934'592);
+  EXPECT_EQ(arrived.bearings_of_others, 17'179'869'184);
 }
 
 TEST(Conversion, GivesAPortReportBackWhateverItCounted) {
@@ -111,6 +115,24 @@ TEST(Conversion, GivesEveryFieldOfAFixAndOfALookBack) {
     EXPECT_EQ(from_message(carried(to_message(look))), look);
     EXPECT_EQ(carried(to_message(look)).too_faint, too_faint ? 1 : 0);
   }
+}
+
+TEST(Conversion, GivesABearingBackWithItsMirrorsAxisOrWithout) {
+  for (const std::optional<Radians>& axis : {std::optional<Radians>(), std::optional(Radians{0.75})}) {
+    const messages::BearingMeasurement measurement{
+        .time = Time{6}, .bearing = {.direction = Radians{1.5}, .deviation = Radians{0.25}, .mirror_axis = axis}, .sender = 4'000'000'000};
+    EXPECT_EQ(from_message(carried(to_message(measurement))), measurement);
+    messages::Decision decision;
+    decision.bearing = measurement.bearing;
+    EXPECT_EQ(bearing_in(carried(to_message(decision))), measurement.bearing);
+  }
+  EXPECT_FALSE(bearing_in(carried(to_message(messages::Decision{}))));
+}
+
+TEST(Conversion, LeavesAnAxisThatIsSaidAloneToNobody) {
+  bearing_t m{};
+  m.axis_rad = 0.75;
+  EXPECT_FALSE(from_message(m).bearing.mirror_axis);
 }
 
 TEST(Conversion, GivesASetpointBackAndSaysWhenItWasSent) {

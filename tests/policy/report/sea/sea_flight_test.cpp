@@ -56,6 +56,8 @@ TEST_F(SeaFlightTest, TellsItsOrdersAndStatesAndHowFarItSailedInItsSearchAlone) 
   EXPECT_NEAR(flight.distance().value, 900.0, 1e-9);
   EXPECT_EQ(flight.steps_taken, 2U);
   EXPECT_EQ(flight.counters.snr_refused, 4U);
+  EXPECT_EQ(flight.counters.bearings_refused, 2U);
+  EXPECT_EQ(flight.counters.bearings_of_others, 3U);
   ASSERT_EQ(flight.events.size(), 3U);
   EXPECT_EQ(flight.events[0].what, "order START, obeyed");
   EXPECT_EQ(flight.events[1].what, "SEARCH");

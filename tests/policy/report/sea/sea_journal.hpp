@@ -51,6 +51,8 @@ class SeaJournal {
     health.end_reason = reason;
     health.steps_taken = steps;
     health.counters.snr_refused = 4;
+    health.counters.bearings_refused = 2;
+    health.counters.bearings_of_others = 3;
     append(s, wire::kHealthChannel, wire::Encoded(wire::to_message(health, at(s))), host::Weight::kOrder);
   }
   void resume(double s) {

@@ -93,7 +93,7 @@ TEST_F(SeaPageTest, DrawsTrackAndSnrOfTheJournal) {
   EXPECT_TRUE(has(text, "<h1 class=\"found\">Search ended after 3 steps: the source is reached"));
   EXPECT_TRUE(has(text, "<title>The vehicle's track by its own navigation</title>"));
   EXPECT_TRUE(has(text, "<title>SNR against time</title>"));
-  EXPECT_TRUE(has(text, "Refused as they came in: fixes 0, SNR 4, commands 0."));
+  EXPECT_TRUE(has(text, "Refused as they came in: fixes 0, SNR 4, bearings 2 and 3 of a second sender, commands 0."));
 }
 
 TEST_F(SeaPageTest, OfAJournalThatEndsInMidSearchSaysThatItsEndIsMissing) {

@@ -147,6 +147,7 @@ TEST_F(ScenarioFile, TakesTheLeastAndTheMostOfEachConditionAndNothingBeyond) {
                            {"[conditions]\n", "source_level_spread_db", "-0.1", "0.0", "100.0", "100.1"},
                            {"[conditions]\n", "navigation_drift_m_per_sqrt_km", "-0.1", "0.0", "10000.0", "10000.1"},
                            {"[conditions]\n", "source_speed_mps", "-0.1", "0.0", "20.0", "20.1"},
+                           {"[conditions]\n", "bearing_deg", "0.009", "0.01", "180.0", "180.1"},
                            {"[conditions]\n", "sources", "0", "1", "8", "9"},
                            {"[conditions]\n", "vehicle_speed_mps", "0.0099", "0.01", "20.0", "20.1"},
                            {"[conditions.current]\n", "speed_mps", "-0.1", "0.0", "20.0", "20.1"},
@@ -189,6 +190,17 @@ TEST_F(ScenarioFile, RefusesTimesOfCallsBelowAHundredthOfASecond) {
 TEST_F(ScenarioFile, IsRefusedForAnEmptyFileName) {
   expect_refused("[[oceans]]\nenvironment = \"\"\n", "oceans[0].environment = '': must be a text of at least one character");
   expect_refused("[field_library]\nfile = \"\"\n", "field_library.file = '': must be a text of at least one character");
+}
+
+TEST_F(ScenarioFile, TurnsABearingsDegreesToRadiansAndRefusesAnAmbiguityOfNone) {
+  EXPECT_FALSE(load("[conditions]\n").conditions.bearing.has_value());
+  const auto clear = load("[conditions]\nbearing_deg = 180.0\n").conditions.bearing;
+  ASSERT_TRUE(clear.has_value());
+  EXPECT_EQ(clear->deviation, Radians{3.141592653589793});
+  EXPECT_FALSE(clear->is_ambiguous);
+  EXPECT_TRUE(load("[conditions]\nbearing_deg = 10.0\nbearing_ambiguous = true\n").conditions.bearing->is_ambiguous);
+  expect_refused("[conditions]\nbearing_deg = nan\n", "conditions.bearing_deg = nan: must be a finite number");
+  expect_refused("[conditions]\nbearing_ambiguous = true\n", "conditions.bearing_ambiguous = true: of use only with bearing_deg");
 }
 
 TEST_F(ScenarioFile, NeedsAFloorWhereCallsComeAndGo) {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "firmware/host/file/checksum_text.hpp"
 #include "firmware/messages/command_words.hpp"
 #include "firmware/messages/health_words.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
 
 namespace earshot::journal_view {
 namespace {
@@ -55,6 +57,22 @@ Json input_fields(const messages::Navigation& m) {
 
 Json input_fields(const messages::SnrMeasurement& m) {
   return {{"valid_time_s", seconds_of(m.time)}, {"snr_db", m.snr.value}, {"too_faint", m.too_faint}};
+}
+
+/// What a bearing that is not there says, too.
+Json bearing_fields(const std::optional<messages::Bearing>& bearing) {
+  const messages::Bearing& b = bearing.value_or(messages::Bearing{.direction = Radians{kUnknown}, .deviation = Radians{kUnknown}});
+  return {{"bearing_rad", b.direction.value},
+          {"bearing_deviation_rad", b.deviation.value},
+          {"bearing_ambiguous", b.mirror_axis.has_value()},
+          {"bearing_axis_rad", b.mirror_axis.value_or(Radians{kUnknown}).value}};
+}
+
+Json input_fields(const messages::BearingMeasurement& m) {
+  Json json{{"valid_time_s", seconds_of(m.time)}};
+  json.update(bearing_fields(m.bearing));
+  json["sender"] = m.sender;
+  return json;
 }
 
 Json input_fields(const messages::OperatorCommand& m) {
@@ -187,26 +205,28 @@ Json fields(const mission_t& m) {
 
 Json fields(const decision_t& m) {
   const bool believes = m.believes != 0;
-  return {{"step", m.step},
-          {"north_m", m.north_m},
-          {"east_m", m.east_m},
-          {"snr_db", m.snr_db},
-          {"too_faint", m.too_faint != 0},
-          {"detected", m.detected != 0},
-          {"action", m.action},
-          {"overridden", m.overridden != 0},
-          {"waypoint_north_m", m.waypoint_north_m},
-          {"waypoint_east_m", m.waypoint_east_m},
-          {"observation", numbers(first_of(m.observation, m.observation_size))},
-          {"logits", numbers(first_of(m.logits, m.action_count))},
-          {"believes", believes},
-          {"likeliest_north_m", believes ? m.likeliest_north_m : kUnknown},
-          {"likeliest_east_m", believes ? m.likeliest_east_m : kUnknown},
-          {"mean_north_m", believes ? m.mean_north_m : kUnknown},
-          {"mean_east_m", believes ? m.mean_east_m : kUnknown},
-          {"spread_m", believes ? m.spread_m : kUnknown},
-          {"likeliest_share", believes ? double{m.likeliest_share} : kUnknown},
-          {"effective_cells", believes ? double{m.effective_cells} : kUnknown}};
+  Json json{{"step", m.step},
+            {"north_m", m.north_m},
+            {"east_m", m.east_m},
+            {"snr_db", m.snr_db},
+            {"too_faint", m.too_faint != 0},
+            {"detected", m.detected != 0},
+            {"action", m.action},
+            {"overridden", m.overridden != 0},
+            {"waypoint_north_m", m.waypoint_north_m},
+            {"waypoint_east_m", m.waypoint_east_m},
+            {"observation", numbers(first_of(m.observation, m.observation_size))},
+            {"logits", numbers(first_of(m.logits, m.action_count))},
+            {"believes", believes},
+            {"likeliest_north_m", believes ? m.likeliest_north_m : kUnknown},
+            {"likeliest_east_m", believes ? m.likeliest_east_m : kUnknown},
+            {"mean_north_m", believes ? m.mean_north_m : kUnknown},
+            {"mean_east_m", believes ? m.mean_east_m : kUnknown},
+            {"spread_m", believes ? m.spread_m : kUnknown},
+            {"likeliest_share", believes ? double{m.likeliest_share} : kUnknown},
+            {"effective_cells", believes ? double{m.effective_cells} : kUnknown}};
+  json.update(bearing_fields(wire::bearing_in(m)));
+  return json;
 }
 
 Json fields(const messages::SafetyEvent& m) {
@@ -245,6 +265,8 @@ Json fields(const health_t& m) {
           {"status_refused", m.status_refused},
           {"commands_refused", m.commands_refused},
           {"setpoints_limited", m.setpoints_limited},
+          {"bearings_refused", m.bearings_refused},
+          {"bearings_of_others", m.bearings_of_others},
           {"ports", std::move(ports)}};
 }
 
@@ -281,7 +303,7 @@ const char* topic_of(const Content& content) {
       "setpoint", "decision",    "safety_event",    "acknowledgement",
       "health",   "journal_end", "journal_resumed", "controller_trouble"};
   static constexpr std::array<const char*, std::variant_size_v<decltype(messages::Input::value)>> kInputTopics{
-      "navigation", "snr", "order", "port_report", "vehicle_status", "autopilot_status", "hydrophone_status"};
+      "navigation", "snr", "order", "port_report", "vehicle_status", "autopilot_status", "hydrophone_status", "bearing"};
   static_assert(std::is_same_v<std::variant_alternative_t<3, Content>, messages::Input>);
   if (const auto* const input = std::get_if<messages::Input>(&content)) return kInputTopics.at(input->value.index());
   return kTopics.at(content.index());

@@ -71,6 +71,20 @@ TEST(JournalSentence, SaysThatASignalWasTooFaintAndWhatIsBelieved) {
             "believes the source at 12346 m north, 0 m east, give or take 890 m");
 }
 
+TEST(JournalSentence, SaysFromWhereTheSourceWasHeardAndWhatItsMirrorImageIs) {
+  decision_t m = step_towards(1000, 0);
+  m.has_bearing = 1;
+  m.bearing_rad = 0.8203;            // 47 degrees
+  m.bearing_deviation_rad = 0.1745;  // 10 degrees
+  EXPECT_EQ(to_string(m),
+            "step 0: SNR -3.2 dB, not heard, from 47 deg, give or take 10 deg; from 0 m north, 0 m east goes 1000 m towards 000 deg");
+  m.bearing_ambiguous = 1;
+  m.bearing_axis_rad = 0.3491;  // 20 degrees: 2 x 20 - 47 = -7
+  EXPECT_EQ(to_string(m),
+            "step 0: SNR -3.2 dB, not heard, from 47 deg or 353 deg, give or take 10 deg; from 0 m north, 0 m east goes 1000 m towards "
+            "000 deg");
+}
+
 TEST(JournalSentence, SaysARuleWithItsEvidence) {
   messages::SafetyEvent event = event_of(config::Condition::kBattery, config::Response::kReturn);
   event.rule = 10;

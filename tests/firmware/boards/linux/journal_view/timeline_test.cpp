@@ -132,6 +132,18 @@ TEST_F(TimelineTest, TellsWhatIsRefusedOnceInAState) {
   EXPECT_EQ(tell(health).size(), 1U);
 }
 
+TEST_F(TimelineTest, TellsBearingsThatAreRefusedApartFromThoseOfASecondSender) {
+  health_t health{};
+  health.authority = health_t::COMMAND;
+  (void)tell(health);
+  health.bearings_refused = 2;
+  EXPECT_EQ(tell(health), Lines{"bearing: 2 messages refused so far, for their date, their order or what is in them"});
+  health.bearings_of_others = 1;
+  EXPECT_EQ(tell(health), Lines{"bearing: 1 message of a second sender not taken so far"});
+  health.bearings_refused = health.bearings_of_others = 3;
+  EXPECT_EQ(tell(health), Lines{});
+}
+
 TEST_F(TimelineTest, SaysThatADiskDoesNotTakeTheJournal) {
   EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = true}), Lines{});
   EXPECT_EQ(tell_input(messages::PortReport{.port = 0, .link_up = false}), Lines{"the journal: the disk does not take it"});

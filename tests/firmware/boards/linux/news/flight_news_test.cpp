@@ -267,28 +267,31 @@ TEST_F(FlightNewsTest, TellsOnceThatTheDiskDoesNotTakeTheJournalAndOnceThatItDoe
 }
 
 TEST_F(FlightNewsTest, TellsInEachStateOnceHowManyMessagesWereRefusedAndWhereToLook) {
-  const auto tell = [this](int second, MissionState state, std::uint64_t navigation, std::uint64_t snr) {
+  const auto tell = [this](int second, MissionState state, const messages::Counters& counters) {
     Health h = health(state, state == MissionState::kAbort ? EndReason::kNavigationStale : EndReason::kNone, 2);
-    h.counters.navigation_refused = navigation;
-    h.counters.snr_refused = snr;
+    h.counters = counters;
     news_->tell(kUtc + Duration::seconds(second), h);
   };
-  tell(0, MissionState::kStandby, 0, 0);
-  tell(1, MissionState::kStandby, 0, 1);
-  tell(2, MissionState::kStandby, 0, 2);
-  tell(3, MissionState::kSearch, 0, 2);
-  tell(4, MissionState::kSearch, 1, 2);
-  tell(5, MissionState::kSearch, 2, 2);
-  tell(14, MissionState::kAbort, 31, 2);
-  tell(15, MissionState::kAbort, 32, 2);
+  tell(1, MissionState::kStandby, {.snr_refused = 1});
+  tell(2, MissionState::kStandby, {.snr_refused = 2});
+  tell(3, MissionState::kSearch, {.snr_refused = 2});
+  tell(4, MissionState::kSearch, {.navigation_refused = 1, .snr_refused = 2});
+  tell(5, MissionState::kSearch, {.navigation_refused = 2, .snr_refused = 2});
+  tell(14, MissionState::kAbort, {.navigation_refused = 31, .snr_refused = 2});
+  for (const std::uint64_t n : {0, 7, 8})
+    tell(16, MissionState::kAbort, {.navigation_refused = 32, .snr_refused = 2, .bearings_refused = n + 1, .bearings_of_others = n});
   const std::string why =
       " refused so far, for their date, their order or what is in them; look at their sender's clock (of CAN "
       "messages, which bear no date: at two ports that bring the same)\n";
-  EXPECT_EQ(all_told(), "earshotd: 2026-11-18 11:06:40 UTC: STANDBY\nearshotd: 2026-11-18 11:06:41 UTC: SNR: 1 message" + why +
-                            "earshotd: 2026-11-18 11:06:43 UTC: SEARCH\nearshotd: 2026-11-18 11:06:43 UTC: SNR: 2 messages" + why +
-                            "earshotd: 2026-11-18 11:06:44 UTC: navigation: 1 message" + why +
-                            "earshotd: 2026-11-18 11:06:54 UTC: ABORT, navigation went silent, after 2 steps\n" +
-                            "earshotd: 2026-11-18 11:06:54 UTC: navigation: 31 messages" + why);
+  EXPECT_EQ(all_told(),
+            "earshotd: 2026-11-18 11:06:41 UTC: STANDBY\nearshotd: 2026-11-18 11:06:41 UTC: SNR: 1 message" + why +
+                "earshotd: 2026-11-18 11:06:43 UTC: SEARCH\nearshotd: 2026-11-18 11:06:43 UTC: SNR: 2 messages" + why +
+                "earshotd: 2026-11-18 11:06:44 UTC: navigation: 1 message" + why +
+                "earshotd: 2026-11-18 11:06:54 UTC: ABORT, navigation went silent, after 2 steps\n" +
+                "earshotd: 2026-11-18 11:06:54 UTC: navigation: 31 messages" + why +
+                "earshotd: 2026-11-18 11:06:56 UTC: bearing: 1 message" + why +
+                "earshotd: 2026-11-18 11:06:56 UTC: bearing: 7 messages of a second sender not taken so far: the first that was "
+                "heard is listened to, until it is silent for 120 s\n");
 }
 
 TEST_F(FlightNewsTest, TellsALinkThatComesAndGoesFourTimesAndThenOnceInTenSecondsAndHowOftenItChanged) {

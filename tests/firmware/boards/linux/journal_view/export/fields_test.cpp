@@ -19,6 +19,27 @@ TEST(JournalFields, HaveUnitsInTheirNamesAndSecondsForTimes) {
             R"({"heading_rad":0.5,"speed_mps":2.0,"depth_m":300.0,"waypoint_north_m":0.0,"waypoint_east_m":0.0,"release_weight":false})");
 }
 
+TEST(JournalFields, HoldABearingAndTheAxisOfItsMirrorImageIfItHasOne) {
+  messages::BearingMeasurement bearing{
+      .time = Time{1'500'000}, .bearing = {.direction = Radians{1.5}, .deviation = Radians{0.25}}, .sender = 7};
+  EXPECT_EQ(to_line(fields_of(input(bearing))),
+            R"({"port":2,"valid_time_s":1.5,"bearing_rad":1.5,"bearing_deviation_rad":0.25,"bearing_ambiguous":false,)"
+            R"("bearing_axis_rad":null,"sender":7})");
+  bearing.bearing.mirror_axis = Radians{0.5};
+  const nlohmann::ordered_json fields = fields_of(input(bearing));
+  EXPECT_EQ(fields.at("bearing_ambiguous"), true);
+  EXPECT_EQ(fields.at("bearing_axis_rad"), 0.5);
+}
+
+TEST(JournalFields, SayOfADecisionWhetherItHeardABearing) {
+  decision_t m{};
+  EXPECT_TRUE(fields_of(m).at("bearing_rad").is_number());
+  EXPECT_EQ(to_line(fields_of(m).at("bearing_rad")), "null");
+  m.has_bearing = 1;
+  m.bearing_rad = 1.5;
+  EXPECT_EQ(fields_of(m).at("bearing_rad"), 1.5);
+}
+
 TEST(JournalFields, SayNullForWhatIsNotKnown) {
   EXPECT_EQ(to_line(fields_of(input(messages::VehicleStatus{.time = Time{}, .battery_percent = 80.5}))),
             R"({"port":2,"valid_time_s":0.0,"altitude_m":null,"battery_percent":80.5,"leak":false,"ground_fault":false})");
@@ -119,6 +140,7 @@ TEST(JournalFields, HoldAFenceItsZonesAndItsRules) {
 TEST(JournalTopic, NamesEachKindOfRecord) {
   EXPECT_STREQ(topic_of(input(messages::Navigation{})), "navigation");
   EXPECT_STREQ(topic_of(input(messages::HydrophoneStatus{})), "hydrophone_status");
+  EXPECT_STREQ(topic_of(input(messages::BearingMeasurement{})), "bearing");
   EXPECT_STREQ(topic_of(health_t{}), "health");
   EXPECT_STREQ(topic_of(wire::ClosingRecord{}), "journal_end");
   EXPECT_STREQ(topic_of(Unreadable{}), "unknown");

@@ -1,4 +1,4 @@
-#include "firmware/policy/normal_table.hpp"
+#include "firmware/policy/likelihood/normal_table.hpp"
 
 #include <array>
 #include <cstddef>

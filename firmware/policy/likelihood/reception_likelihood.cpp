@@ -1,6 +1,6 @@
-#include "firmware/policy/reception_likelihood.hpp"
+#include "firmware/policy/likelihood/reception_likelihood.hpp"
 
-#include "firmware/policy/normal_table.hpp"
+#include "firmware/policy/likelihood/normal_table.hpp"
 
 namespace earshot::policy {
 namespace {
