@@ -114,10 +114,10 @@ void tell(const hil::Case& c, const Flown& f, const std::vector<std::string>& wr
 
 int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::Bench& setup) {
   using std::chrono::steady_clock;
-  constexpr std::chrono::seconds kBetweenWritings{10};
+  constexpr int kShare = 9;  // of the time, to one that goes into writing
   const fs::path file = hil::results_file(o.out);
   hil::Results results;
-  steady_clock::time_point written = steady_clock::now();
+  steady_clock::time_point next_writing;
   for (const hil::Case& c : cases) {
     if (program::stop_requested) break;
     const Flown f = flown(c, setup, o.out / c.name);
@@ -126,9 +126,11 @@ int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::
     tell(c, f, wrong);
     results.add(c, f.mission, f.flight, f.journal, wrong);
     // Ctrl-C kills user-mode Linux, and this program in it: what was flown by then is on the disk.
-    if (steady_clock::now() - written < kBetweenWritings) continue;
+    const steady_clock::time_point now = steady_clock::now();
+    if (now < next_writing) continue;
     host::write_whole(file, results.text());
-    written = steady_clock::now();
+    const steady_clock::time_point written = steady_clock::now();
+    next_writing = written + kShare * (written - now);
   }
   host::write_whole(file, results.text());
   program::say() << results.passed() << " of " << cases.size() << " cases passed\n";

@@ -293,16 +293,35 @@ class Refuses(InAFolder):
 
 class Really(InAFolder):
     def install(self, programs: Path) -> Path:
-        """As a package does, far from the tree that they were built in. Returns its earshotd."""
-        installed = self.folder / "usr/bin"
-        installed.mkdir(parents=True)
+        """As one who copies them, far from the tree that they were built in. Returns its earshotd."""
+        installed = self.folder / "copied"
+        installed.mkdir()
         for name in ("earshotd", "earshot-bench", "libearshot-simulation.so"):
             shutil.copy(programs / name, installed)
-        ocean = Path("sim/ocean/environments/munk_flat.toml")
-        shared = self.folder / "usr/share/earshot" / ocean
-        shared.parent.mkdir(parents=True)
-        shutil.copy(ROOT / ocean, shared)
         return installed / "earshotd"
+
+    def test_tells_of_the_case_that_was_flown_before_ctrl_c_even_if_that_kills_user_mode_linux(self):
+        if not EARSHOTD:
+            self.skipTest("no EARSHOTD was named")
+        command = [ROOT / "hil/run", "--earshotd", EARSHOTD, "--case", "compass_lost", "hydrophone_quiet"]
+        command += ["--report", "page.html", "--junit", "junit.xml"]
+        environment = {key: value for key, value in os.environ.items() if not key.startswith("EARSHOT_PROGRAMS")}
+        with subprocess.Popen(
+            list(map(str, command)),
+            cwd=self.folder,
+            env=environment,
+            stdout=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+        ) as flying:
+            assert flying.stdout is not None
+            self.assertIn("passed compass_lost", flying.stdout.readline())
+            time.sleep(1.0)  # of the other's twenty or so
+            os.killpg(flying.pid, signal.SIGINT)
+            self.assertEqual(flying.wait(60), 130)
+        self.assertIn("1 of 2 cases were not flown", (self.folder / "page.html").read_text())
+        suite = ET.parse(self.folder / "junit.xml").getroot()
+        self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("skipped")), ("2", "0", "1"))
 
     def test_flies_a_case_that_ships_and_that_of_the_readme_on_a_virtual_bus(self):
         if not EARSHOTD:
