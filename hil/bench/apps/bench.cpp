@@ -40,6 +40,7 @@ struct Options {
   std::vector<std::string> cases;
   std::optional<fs::path> folder;
   std::optional<fs::path> mission;
+  std::optional<fs::path> environment;
   std::string interface = "vcan0";
   std::uint64_t seed = 1;
   fs::path out = "out/bench";
@@ -52,6 +53,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--case", &o.cases, "names of cases to fly, comma between them; default: all").separated_by(',');
   line.option("--cases", &o.folder, "folder of the cases; default: those that ship");
   line.option("--mission", &o.mission, "of the cases that name none; default: the one that ships");
+  line.option("--environment", &o.environment, "ocean, source level and noise (TOML); default: munk_flat.toml");
   line.option("--interface", &o.interface, "CAN interface, for the cases over CAN").shows_default();
   line.option("--seed", &o.seed, "draws which frames a fault befalls").from(0, std::numeric_limits<std::int64_t>::max()).shows_default();
   line.option("--out", &o.out, "folder for results.json and a folder for every case").shows_default();
@@ -204,7 +206,8 @@ int bench(const Options& o) {
   hil::require_flyable(cases);
   const host::FileDescriptor folder = hil::take_folder(o.out);
   const std::optional<host::BusLock> bus = hil::take_bus(cases, o.interface);
-  const ocean::Environment environment = ocean::load_environment(host::shipped("sim/ocean/environments/munk_flat.toml"));
+  const fs::path ocean = o.environment ? *o.environment : host::shipped("sim/ocean/environments/munk_flat.toml");
+  const ocean::Environment environment = ocean::load_environment(ocean);
   constexpr Meters kFurthest{40'000.0};
   constexpr Meters kDepth{300.0};
   program::stop_on_signals();
@@ -215,6 +218,7 @@ int bench(const Options& o) {
       .seed = o.seed,
       .snr = [curve = sonar::compute_snr_curve(environment, kDepth, kFurthest)](Meters range) { return curve.at(range); },
       .floor_depth = environment.seabed.depth,
+      .environment = ocean,
       .stop = program::stop_requested};
   if (o.disarmed) return fly_disarmed(o, in_lock_step(cases), setup);
   return o.random ? fly_random(o, in_lock_step(cases), setup) : fly_cases(o, cases, setup);

@@ -117,6 +117,7 @@ class Flies(InAFolder):
                 "--earshotd": str(self.earshotd),
                 "--cases": str(self.cases),
                 "--mission": str(ROOT / "hil/missions/search_over_can.toml"),
+                "--environment": str(ROOT / "sim/ocean/environments/munk_flat.toml"),
                 "--interface": "vcan0",
                 "--seed": "7",
                 "--out": str(self.folder / "out/bench"),
