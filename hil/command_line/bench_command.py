@@ -13,6 +13,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -144,7 +145,8 @@ def identity(file: Path) -> tuple[int, int] | None:
 def write_reports(options: argparse.Namespace, results: list[CaseResult], programs: Programs) -> None:
     can = options.interface or f"a virtual bus ({VIRTUAL})"
     buses = " and ".join(can if bus == "CAN" else bus for bus in sorted({result.bus for result in results}))
-    made = f"{programs.version()}, flown by hil/run with seed {options.seed} on {buses or can}."
+    day = time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime())
+    made = f"{programs.version()}, flown by hil/run with seed {options.seed} on {buses or can}, {day}."
     flown = {result.name for result in results}
     not_flown = [name for name in chosen_names(options.cases, options.case) if name not in flown]
     if options.report is not None:

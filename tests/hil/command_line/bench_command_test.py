@@ -8,6 +8,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -16,6 +17,7 @@ import tempfile
 import time
 import unittest
 import xml.etree.ElementTree as ET
+from datetime import UTC, datetime
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "page"))
@@ -154,7 +156,11 @@ class Flies(InAFolder):
             self.assertEqual((said.returncode, said.stderr), (1, ""))
         page = (self.folder / "out/page.html").read_text()
         self.assertIn("1 of 2 cases failed", page)
-        self.assertIn("earshotd 9.8.7 (a stub), flown by hil/run with seed 1 on a virtual bus (vcan0).", page)
+        flown = r"earshotd 9\.8\.7 \(a stub\), flown by hil/run with seed 1 on a virtual bus \(vcan0\), (.{16}) UTC\."
+        found = re.search(flown, page)
+        assert found is not None, page
+        day = datetime.strptime(found[1] + " +0000", "%Y-%m-%d %H:%M %z")
+        self.assertLess(abs((datetime.now(UTC) - day).total_seconds()), 300)
         suite = ET.parse(self.folder / "out/bench/junit.xml").getroot()
         self.assertEqual((suite.get("tests"), suite.get("failures")), ("2", "1"))
 
