@@ -269,6 +269,7 @@ class Flyer {
       while (earshotd_->running()) earshotd_->poll();
     }
     flight_.exit_statuses.push_back(earshotd_->status());
+    flight_.last_words = program::last_words(flight_.folder / kWords);
   }
 
   const Case& case_;

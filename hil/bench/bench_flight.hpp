@@ -24,8 +24,9 @@ struct Bench {
   std::string earshotd = "earshotd";  ///< program beside this one, or a path
   std::string interface = "vcan0";
   std::uint64_t seed = 1;
-  SnrOfRange snr;      ///< of the source
-  Meters floor_depth;  ///< of the sea
+  SnrOfRange snr;                          ///< of the source
+  Meters floor_depth;                      ///< of the sea
+  std::filesystem::path environment = {};  ///< file (TOML) that both are of; of cases with a speed alone
   const std::atomic<bool>& stop;
 };
 
@@ -65,6 +66,7 @@ struct BenchFlight {
   bool is_end_heard = true;                              ///< false: Earshot could not say it; the journal alone knows
   std::vector<std::string> uncounted;                    ///< faults that the kernel has not counted, in words
   std::vector<int> exit_statuses;                        ///< of every earshotd, in order; 128 and a signal's number
+  std::string last_words;                                ///< of the last earshotd
   Time began;                                            ///< time 0 of the flight, as its journal dates it
   Time last;                                             ///< of the last tick
   double wall_s = 0.0;

@@ -190,8 +190,11 @@ std::vector<std::string> broken_promises(const Case& c, const config::Mission& m
     if (flight.exit_statuses != std::vector{program::kBadInput}) wrong.emplace_back("earshotd did not refuse to fly");
     return wrong;
   }
-  for (const int status : flight.exit_statuses) {
-    if (!is_in_order(status, c)) wrong.push_back("earshotd ended with status " + std::to_string(status));
+  for (std::size_t i = 0; i < flight.exit_statuses.size(); ++i) {
+    const bool has_words = i + 1 == flight.exit_statuses.size() && !flight.last_words.empty();
+    if (!is_in_order(flight.exit_statuses[i], c))
+      wrong.push_back("earshotd ended with status " + std::to_string(flight.exit_statuses[i]) +
+                      (has_words ? ": " + flight.last_words : ""));
   }
   if (!journal.trouble.empty()) wrong.push_back("the journal cannot be read: " + journal.trouble);
   if (!journal.is_same_again && !loses_journal(c) && journal.trouble.empty())

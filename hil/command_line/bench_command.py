@@ -13,6 +13,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -31,6 +32,8 @@ from programs import BuildFailed, Programs, programs_for
 ROOT = Path(__file__).resolve().parents[2]
 DONE, FAILED, BAD_INPUT, LOST, STOPPED = 0, 1, 2, 3, 130
 RESULTS = "results.json"
+# As the mission: programs that somebody copied have no tree of their own.
+OCEAN = ROOT / "sim/ocean/environments/munk_flat.toml"
 
 
 def whole_number(lowest: int, highest: int) -> Callable[[str], int]:
@@ -82,7 +85,7 @@ def read_command_line(words: list[str]) -> argparse.Namespace:
         "--earshotd",
         type=Path,
         metavar="PATH",
-        help="fly this earshotd, with the earshot-bench beside it, and build nothing",
+        help="fly this earshotd, with the earshot-bench and its libraries beside it, and build nothing",
     )
     return parser.parse_args(words)
 
@@ -111,7 +114,7 @@ def judge(options: argparse.Namespace) -> None:
 
 def bench_command(options: argparse.Namespace, programs: Programs) -> list[str]:
     command = [programs.bench, "--earshotd", programs.earshotd, "--cases", options.cases.absolute()]
-    command += ["--mission", USUAL_MISSION]
+    command += ["--mission", USUAL_MISSION, "--environment", OCEAN]
     command += ["--interface", options.interface or VIRTUAL, "--seed", options.seed, "--out", options.out.absolute()]
     if options.case:
         command += ["--case", ",".join(dict.fromkeys(options.case))]
@@ -142,7 +145,8 @@ def identity(file: Path) -> tuple[int, int] | None:
 def write_reports(options: argparse.Namespace, results: list[CaseResult], programs: Programs) -> None:
     can = options.interface or f"a virtual bus ({VIRTUAL})"
     buses = " and ".join(can if bus == "CAN" else bus for bus in sorted({result.bus for result in results}))
-    made = f"{programs.version()}, flown by hil/run with seed {options.seed} on {buses or can}."
+    day = time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime())
+    made = f"{programs.version()}, flown by hil/run with seed {options.seed} on {buses or can}, {day}."
     flown = {result.name for result in results}
     not_flown = [name for name in chosen_names(options.cases, options.case) if name not in flown]
     if options.report is not None:

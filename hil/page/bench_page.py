@@ -27,9 +27,17 @@ th,td{text-align:left;vertical-align:top;padding:.2rem .6rem .2rem 0;border-bott
 th{color:var(--soft);font-weight:600}th,td{overflow-wrap:normal}
 .trace td,.rules td,.summary td:nth-child(2){white-space:nowrap}code{font-size:.95em}
 .picture{max-width:46rem;margin:1rem auto}.picture svg{display:block;width:100%;height:auto}
+@media screen and (max-width:40rem){.summary tr>:nth-child(3){display:none}.picture{overflow-x:auto}
+.picture svg{width:40rem}}
 @media print{body{font-size:11px;max-width:none;padding:0}section{break-before:page}tr,.picture{break-inside:avoid}
 .trace{font-size:8px}}
 """
+
+# For one who has read nothing else of Earshot.
+_IN_SHORT = """Each case is a search by Earshot, the software of an underwater vehicle, with something
+made wrong on purpose. A rule is a limit that Earshot watches by itself; when it fires, it does what its mission says
+(response).
+The source is reached where the operator says so: one step of the search (mostly 1 km) away from it."""
 
 
 def headline(results: list[CaseResult], not_flown: list[str]) -> str:
@@ -84,7 +92,7 @@ def page(results: list[CaseResult], group_names: dict[int, str], made: str, not_
             '<meta name="viewport" content="width=device-width, initial-scale=1">',
             f"<title>Earshot: bench</title><style>{STYLE}{TRACK_STYLE}</style></head><body>\n",
             headline(results, not_flown),
-            f'<p class="made">{escaped(made)}</p>\n',
+            f'<p class="made">{escaped(made)}</p>\n<p>{escaped(_IN_SHORT)}</p>\n',
             _what_is_missing(results, not_flown),
             table(header, rows, "summary"),
             *sections,

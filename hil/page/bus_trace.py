@@ -26,7 +26,8 @@ def frames_around(result: CaseResult) -> tuple[str, list[TracedFrame]]:
     nearest = sorted(range(len(inside)), key=lambda i: (abs(inside[i].time_s - moment), -i))[:MOST_FRAMES]
     shown = [inside[i] for i in sorted(nearest)]
     span = f"{number(shown[0].time_s)} s to {number(shown[-1].time_s)} s"
-    return f"{len(shown)} of {len(trace)} frames that were kept, {what}: {span}.{missed}", shown
+    kind = "messages" if result.bus == "LCM" else "frames"
+    return f"{len(shown)} of {len(trace)} {kind} that were kept, {what}: {span}.{missed}", shown
 
 
 def _frame_row(frame: TracedFrame, group_names: dict[int, str]) -> list[str]:
@@ -65,7 +66,6 @@ def trace_html(result: CaseResult, group_names: dict[int, str]) -> str:
     rows = [(frame.time_s, 1, _frame_row(frame, group_names)) for frame in frames]
     rows += [remark for remark in _remarks(result) if first <= remark[0] <= last]
     rows.sort(key=lambda row: row[:2])
-    shown = table(
-        ("time (s)", "sender, address", "parameter group, channel", "data"), (cells for *_, cells in rows), "trace"
-    )
+    of_can, of_lcm = ("sender, address", "parameter group", "data"), ("sender", "channel", "first 64 bytes")
+    shown = table(("time (s)", *(of_lcm if result.bus == "LCM" else of_can)), (cells for *_, cells in rows), "trace")
     return f"<details><summary>{escaped(words)}</summary>\n{shown}</details>\n"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from bench_results import CaseResult
 from bus_trace import trace_html
 from markup import bullets, escaped, number, table
@@ -51,12 +53,16 @@ def _had_to_happen(result: CaseResult) -> str:
     return bullets(said)
 
 
-def _depths(result: CaseResult) -> list[str]:
+def _places(result: CaseResult) -> list[str]:
     if not result.track:
         return ["The vehicle has no track."]
     deepest = max(point.depth_m for point in result.track)
-    last = result.track[-1].depth_m
-    return [f"The vehicle was at most {number(deepest)} m deep, and {number(last)} m at the end."]
+    last, source = result.track[-1], result.source
+    away_m = math.hypot(source.north_m - last.place.north_m, source.east_m - last.place.east_m)
+    return [
+        f"The vehicle was at most {number(deepest)} m deep, and {number(last.depth_m)} m at the end, "
+        f"{number(away_m, 0)} m from the source."
+    ]
 
 
 def _happened(result: CaseResult) -> str:
@@ -64,7 +70,7 @@ def _happened(result: CaseResult) -> str:
     what = "Datagrams" if result.bus == "LCM" else "Frames"
     said = [
         f"End of the mission: {result.end}, after {number(result.at_sea_s)} s at sea ({number(result.wall_s)} s here).",
-        *_depths(result),
+        *_places(result),
         f"{counts['setpoints']} set-points; {counts['navigation_refused']} fixes and {counts['commands_refused']} "
         "orders were refused.",
         f"{what}: {counts['frames_sent']} sent by the vehicle, {counts['frames_received']} by Earshot; "
@@ -87,7 +93,7 @@ def _rules(result: CaseResult) -> str:
         ]
         for event in result.events
     ]
-    return table(("time (s)", "rule", "", "measured", "limit", "response"), rows, "rules")
+    return table(("time (s)", "rule", "what it does", "measured", "limit", "response"), rows, "rules")
 
 
 def case_section(result: CaseResult, group_names: dict[int, str], number_of_case: int) -> str:

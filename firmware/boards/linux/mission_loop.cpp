@@ -79,7 +79,6 @@ class Stopping {
   /// @param said  turns in which it was sent before
   LoopResult run(Duration period, int said) {
     turn_.tell_stop();
-    if (!is_over(result_.last.health)) turn_.take(kOwnPort, abort_of(clock_.now()));
     const auto deadline = std::chrono::steady_clock::now() + kStopPatience;
     Time next_turn = clock_.now();
     for (bool has_turned = false;;) {
@@ -88,6 +87,8 @@ class Stopping {
       const bool is_last_chance = wake == Clock::Wake::kLost || std::chrono::steady_clock::now() >= deadline;
       if (wake == Clock::Wake::kPorts || wake == Clock::Wake::kTurn) collect(ports_, clock_, turn_);
       if (wake == Clock::Wake::kTurn || (is_last_chance && !has_turned)) {
+        // Dated with its turn, whenever the signal came: in lock-step that may be before a simulator's tick or while it is read.
+        if (!has_turned && !is_over(result_.last.health)) turn_.take(kOwnPort, abort_of(clock_.now()));
         make_turn(turn_, result_);
         has_turned = true;
         next_turn = next_turn + period;

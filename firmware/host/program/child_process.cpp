@@ -12,9 +12,12 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
+
+#include "firmware/host/file/printable.hpp"
 
 namespace earshot::program {
 namespace {
@@ -104,6 +107,16 @@ void ChildProcess::report_signal(const std::string& reporter) const {
   const int number = status_ - 128;
   if (is_told_ || number <= 0 || number == SIGINT) return;
   (void)std::fprintf(stderr, "%s: %s was ended by signal %d (%s)\n", reporter.c_str(), program_.c_str(), number, strsignal(number));
+}
+
+std::string last_words(const std::filesystem::path& words) {
+  constexpr std::size_t kMost = 200;
+  std::ifstream file(words);
+  std::string last;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty()) last = line.substr(0, kMost);
+  }
+  return host::printable(last);
 }
 
 }  // namespace earshot::program

@@ -42,4 +42,9 @@ class ChildProcess {
   bool is_told_ = false;  ///< by signal() to end
 };
 
+/// The last line that a child said: often why it ended as it did.
+/// @param words  ChildSettings::words
+/// @return its first 200 bytes, printable; empty: it said nothing, or that cannot be read
+[[nodiscard]] std::string last_words(const std::filesystem::path& words);
+
 }  // namespace earshot::program

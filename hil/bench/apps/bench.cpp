@@ -40,6 +40,7 @@ struct Options {
   std::vector<std::string> cases;
   std::optional<fs::path> folder;
   std::optional<fs::path> mission;
+  std::optional<fs::path> environment;
   std::string interface = "vcan0";
   std::uint64_t seed = 1;
   fs::path out = "out/bench";
@@ -52,6 +53,7 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--case", &o.cases, "names of cases to fly, comma between them; default: all").separated_by(',');
   line.option("--cases", &o.folder, "folder of the cases; default: those that ship");
   line.option("--mission", &o.mission, "of the cases that name none; default: the one that ships");
+  line.option("--environment", &o.environment, "ocean, source level and noise (TOML); default: munk_flat.toml");
   line.option("--interface", &o.interface, "CAN interface, for the cases over CAN").shows_default();
   line.option("--seed", &o.seed, "draws which frames a fault befalls").from(0, std::numeric_limits<std::int64_t>::max()).shows_default();
   line.option("--out", &o.out, "folder for results.json and a folder for every case").shows_default();
@@ -114,10 +116,10 @@ void tell(const hil::Case& c, const Flown& f, const std::vector<std::string>& wr
 
 int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::Bench& setup) {
   using std::chrono::steady_clock;
-  constexpr std::chrono::seconds kBetweenWritings{10};
+  constexpr int kShare = 9;  // of the time, to one that goes into writing
   const fs::path file = hil::results_file(o.out);
   hil::Results results;
-  steady_clock::time_point written = steady_clock::now();
+  steady_clock::time_point next_writing;
   for (const hil::Case& c : cases) {
     if (program::stop_requested) break;
     const Flown f = flown(c, setup, o.out / c.name);
@@ -126,9 +128,11 @@ int fly_cases(const Options& o, const std::vector<hil::Case>& cases, const hil::
     tell(c, f, wrong);
     results.add(c, f.mission, f.flight, f.journal, wrong);
     // Ctrl-C kills user-mode Linux, and this program in it: what was flown by then is on the disk.
-    if (steady_clock::now() - written < kBetweenWritings) continue;
+    const steady_clock::time_point now = steady_clock::now();
+    if (now < next_writing) continue;
     host::write_whole(file, results.text());
-    written = steady_clock::now();
+    const steady_clock::time_point written = steady_clock::now();
+    next_writing = written + kShare * (written - now);
   }
   host::write_whole(file, results.text());
   program::say() << results.passed() << " of " << cases.size() << " cases passed\n";
@@ -202,7 +206,8 @@ int bench(const Options& o) {
   hil::require_flyable(cases);
   const host::FileDescriptor folder = hil::take_folder(o.out);
   const std::optional<host::BusLock> bus = hil::take_bus(cases, o.interface);
-  const ocean::Environment environment = ocean::load_environment(host::shipped("sim/ocean/environments/munk_flat.toml"));
+  const fs::path ocean = o.environment ? *o.environment : host::shipped("sim/ocean/environments/munk_flat.toml");
+  const ocean::Environment environment = ocean::load_environment(ocean);
   constexpr Meters kFurthest{40'000.0};
   constexpr Meters kDepth{300.0};
   program::stop_on_signals();
@@ -213,6 +218,7 @@ int bench(const Options& o) {
       .seed = o.seed,
       .snr = [curve = sonar::compute_snr_curve(environment, kDepth, kFurthest)](Meters range) { return curve.at(range); },
       .floor_depth = environment.seabed.depth,
+      .environment = ocean,
       .stop = program::stop_requested};
   if (o.disarmed) return fly_disarmed(o, in_lock_step(cases), setup);
   return o.random ? fly_random(o, in_lock_step(cases), setup) : fly_cases(o, cases, setup);

@@ -92,7 +92,7 @@ class SeaFlyer {
   // The two programs.
 
   [[nodiscard]] std::unique_ptr<ChildProcess> start_earshotd() const {
-    ChildSettings settings{.words = flight_.folder / "words.txt"};
+    ChildSettings settings{.words = words()};
     for (const TimedFault& fault : case_.faults) {
       if (fault.fault == Fault::kFullDisk) settings.most_bytes_of_a_file = static_cast<std::uint64_t>(fault.amount);
       if (fault.fault == Fault::kSlowDisk) settings.environment = sick_disk("slow");
@@ -121,14 +121,16 @@ class SeaFlyer {
   [[nodiscard]] std::unique_ptr<ChildProcess> start_vehicle() const {
     const std::vector<TrackPlace> sailed = read_track(track_file());
     const NorthEast start = sailed.empty() ? case_.start : sailed.back().position;
-    const std::vector<std::string> a{"--mission", case_.mission,         "--interface", bench_.interface,
-                                     "--speed",   written(*case_.speed), "--start",     written(start),
-                                     "--source",  written(case_.source), "--seed",      std::to_string(bench_.seed),
-                                     "--track",   track_file()};
-    return std::make_unique<ChildProcess>("earshot-emulate", a, ChildSettings{.words = flight_.folder / "vehicle.txt"});
+    const std::vector<std::string> a{"--mission", case_.mission,         "--interface",   bench_.interface,
+                                     "--speed",   written(*case_.speed), "--start",       written(start),
+                                     "--source",  written(case_.source), "--seed",        std::to_string(bench_.seed),
+                                     "--track",   track_file(),          "--environment", bench_.environment};
+    return std::make_unique<ChildProcess>("earshot-emulate", a, ChildSettings{.words = vehicle_words()});
   }
 
   [[nodiscard]] std::filesystem::path track_file() const { return flight_.folder / "track.csv"; }
+  [[nodiscard]] std::filesystem::path words() const { return flight_.folder / "words.txt"; }
+  [[nodiscard]] std::filesystem::path vehicle_words() const { return flight_.folder / "vehicle.txt"; }
 
   /// Whom a fault befalls.
   [[nodiscard]] SeaProgram& program_of(const TimedFault& fault) { return fault.device == kVehiclesProgram ? vehicle_ : earshotd_; }
@@ -177,9 +179,15 @@ class SeaFlyer {
 
   [[nodiscard]] bool is_anybody_lost() {
     for (SeaProgram* program : {&earshotd_, &vehicle_}) {
-      if (program->is_lost()) fail(program->name() + " ended with status " + std::to_string(program->exit_statuses().back()));
+      if (program->is_lost()) fail(ended(*program, program->exit_statuses().back()));
     }
     return !flight_.failure.empty();
+  }
+
+  /// In words; what earshotd said is told with its exit statuses.
+  [[nodiscard]] std::string ended(const SeaProgram& which, int status) const {
+    const std::string said = &which == &vehicle_ ? program::last_words(vehicle_words()) : "";
+    return which.name() + " ended with status " + std::to_string(status) + (said.empty() ? "" : ": " + said);
   }
 
   // Faults.
@@ -234,6 +242,7 @@ class SeaFlyer {
     flight_.end = listener_.health() ? listener_.health()->end_reason : messages::EndReason::kNone;
     end(earshotd_);
     flight_.exit_statuses = earshotd_.exit_statuses();
+    flight_.last_words = program::last_words(words());
     flight_.is_end_heard =
         std::ranges::none_of(faults_, [](const Befalling& b) { return is_beyond_hearing(b.fault) && b.has_begun && !b.has_ended; });
     flight_.uncounted = equipment_.uncounted();
@@ -245,7 +254,7 @@ class SeaFlyer {
                                return b.fault.fault == Fault::kKill && &program_of(b.fault) == &vehicle_;
                              });
       const bool is_told_early = status == 128 + SIGTERM;  // before it was ready to end in order
-      if (status != program::kDone && !is_killed && !is_told_early) fail(vehicle_.name() + " ended with status " + std::to_string(status));
+      if (status != program::kDone && !is_killed && !is_told_early) fail(ended(vehicle_, status));
     }
   }
 

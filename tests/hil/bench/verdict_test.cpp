@@ -68,6 +68,12 @@ TEST_F(VerdictTest, TakesNoExitStatusOfAnEarshotdThatCrashedOrLostSomething) {
   }
 }
 
+TEST_F(VerdictTest, SaysWhatTheLastEarshotdSaidLast) {
+  flight_.exit_statuses = {program::kLost, program::kBadInput};
+  flight_.last_words = "mission.toml: no such file";
+  EXPECT_EQ(broken(), (Words{"earshotd ended with status 3", "earshotd ended with status 2: mission.toml: no such file"}));
+}
+
 TEST_F(VerdictTest, LetsAnEarshotdDieOfTheSignalThatTheCaseSentAndLoseItsJournalOnAFullDisk) {
   flight_.exit_statuses = {128 + SIGKILL, program::kDone};
   case_.faults = {{.fault = Fault::kKill, .from = at_s(60)}};

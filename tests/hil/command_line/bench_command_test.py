@@ -8,6 +8,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -16,6 +17,7 @@ import tempfile
 import time
 import unittest
 import xml.etree.ElementTree as ET
+from datetime import UTC, datetime
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "page"))
@@ -117,6 +119,7 @@ class Flies(InAFolder):
                 "--earshotd": str(self.earshotd),
                 "--cases": str(self.cases),
                 "--mission": str(ROOT / "hil/missions/search_over_can.toml"),
+                "--environment": str(ROOT / "sim/ocean/environments/munk_flat.toml"),
                 "--interface": "vcan0",
                 "--seed": "7",
                 "--out": str(self.folder / "out/bench"),
@@ -153,7 +156,11 @@ class Flies(InAFolder):
             self.assertEqual((said.returncode, said.stderr), (1, ""))
         page = (self.folder / "out/page.html").read_text()
         self.assertIn("1 of 2 cases failed", page)
-        self.assertIn("earshotd 9.8.7 (a stub), flown by hil/run with seed 1 on a virtual bus (vcan0).", page)
+        flown = r"earshotd 9\.8\.7 \(a stub\), flown by hil/run with seed 1 on a virtual bus \(vcan0\), (.{16}) UTC\."
+        found = re.search(flown, page)
+        assert found is not None, page
+        day = datetime.strptime(found[1] + " +0000", "%Y-%m-%d %H:%M %z")
+        self.assertLess(abs((datetime.now(UTC) - day).total_seconds()), 300)
         suite = ET.parse(self.folder / "out/bench/junit.xml").getroot()
         self.assertEqual((suite.get("tests"), suite.get("failures")), ("2", "1"))
 
@@ -293,16 +300,35 @@ class Refuses(InAFolder):
 
 class Really(InAFolder):
     def install(self, programs: Path) -> Path:
-        """As a package does, far from the tree that they were built in. Returns its earshotd."""
-        installed = self.folder / "usr/bin"
-        installed.mkdir(parents=True)
+        """As one who copies them, far from the tree that they were built in. Returns its earshotd."""
+        installed = self.folder / "copied"
+        installed.mkdir()
         for name in ("earshotd", "earshot-bench", "libearshot-simulation.so"):
             shutil.copy(programs / name, installed)
-        ocean = Path("sim/ocean/environments/munk_flat.toml")
-        shared = self.folder / "usr/share/earshot" / ocean
-        shared.parent.mkdir(parents=True)
-        shutil.copy(ROOT / ocean, shared)
         return installed / "earshotd"
+
+    def test_tells_of_the_case_that_was_flown_before_ctrl_c_even_if_that_kills_user_mode_linux(self):
+        if not EARSHOTD:
+            self.skipTest("no EARSHOTD was named")
+        command = [ROOT / "hil/run", "--earshotd", EARSHOTD, "--case", "compass_lost", "hydrophone_quiet"]
+        command += ["--report", "page.html", "--junit", "junit.xml"]
+        environment = {key: value for key, value in os.environ.items() if not key.startswith("EARSHOT_PROGRAMS")}
+        with subprocess.Popen(
+            list(map(str, command)),
+            cwd=self.folder,
+            env=environment,
+            stdout=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+        ) as flying:
+            assert flying.stdout is not None
+            self.assertIn("passed compass_lost", flying.stdout.readline())
+            time.sleep(1.0)  # of the other's twenty or so
+            os.killpg(flying.pid, signal.SIGINT)
+            self.assertEqual(flying.wait(60), 130)
+        self.assertIn("1 of 2 cases were not flown", (self.folder / "page.html").read_text())
+        suite = ET.parse(self.folder / "junit.xml").getroot()
+        self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("skipped")), ("2", "0", "1"))
 
     def test_flies_a_case_that_ships_and_that_of_the_readme_on_a_virtual_bus(self):
         if not EARSHOTD:

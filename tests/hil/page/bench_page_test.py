@@ -67,7 +67,7 @@ class Page(unittest.TestCase):
             "deaf from 500 s for 500 s",
             "Rules fire: hydrophone_deaf; no other may.",
             "End of the mission: the source is reached, after 1750 s at sea",
-            "at most 310 m deep, and 12.5 m at the end",
+            "at most 310 m deep, and 12.5 m at the end, 500 m from the source",
             "the rule hydrophone_deaf did not fire",
             "the rule leak fired at 600 s",
             "31000 sent by the vehicle, 41000 by Earshot",
@@ -78,6 +78,11 @@ class Page(unittest.TestCase):
         calm_told, deaf_told = self.tags.text.split("deaf \N{MULTIPLICATION X} failed")[-2:]
         self.assertIn("bythat it is steered there", calm_told)
         self.assertIn("bythe rules: hydrophone_deaf", deaf_told)
+
+    def test_says_to_a_stranger_what_a_case_a_rule_and_a_source_that_is_reached_are(self):
+        before_the_cases = " ".join(self.tags.text.split("at sea (s)")[0].split())
+        for words in ("Each case is a search", "A rule is a limit", "The source is reached where the operator says so"):
+            self.assertIn(words, before_the_cases)
 
     def test_says_first_how_many_failed(self):
         self.assertIn("1 of 2 cases failed", self.tags.text)

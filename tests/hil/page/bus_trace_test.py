@@ -50,7 +50,9 @@ class FramesAround(unittest.TestCase):
 class Trace(unittest.TestCase):
     def test_names_the_channel_of_a_message_over_lcm(self):
         message = {"time_s": 600.0, "from_earshot": True, "pgn": 0, "source": 0, "data": "4c43", "channel": "A<B"}
-        (case,) = results_of(deaf() | {"trace": [message]})
+        (case,) = results_of(deaf() | {"bus": "LCM", "trace": [message]})
+        self.assertIn("1 of 1 messages that were kept", trace_html(case, {}))
+        self.assertIn(">channel</th>", trace_html(case, {}))
         self.assertIn("|600||Earshot||A&lt;B|||4c 43||", "".join(rows(trace_html(case, {0: "ISO"}))))
 
     def test_has_faults_before_the_frames_of_their_second_and_rules_behind(self):

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "firmware/host/journal/journal_reader.hpp"
@@ -162,6 +164,39 @@ TEST_F(AtSea, BeingStoppedInMidSearchEndsWithASetPointThatSaysStopAndComeUp) {
   EXPECT_EQ(port_->published.back().setpoint->speed, MetersPerSecond{0});
   EXPECT_EQ(port_->published.back().setpoint->depth, Meters{0});
   EXPECT_EQ(journalled_orders().back(), Order::kAbort);
+}
+
+/// Time goes on between a stop and the turn that answers it, as in lock-step between two ticks.
+class ClockThatTicksLate final : public Clock {
+ public:
+  ClockThatTicksLate(FakeClock& clock, FakeHost& host, const std::atomic<bool>& stop) : clock_(clock), host_(host), stop_(stop) {}
+  [[nodiscard]] Time now() override { return clock_.now(); }
+  [[nodiscard]] Time mission_time_of(Time utc) override { return clock_.mission_time_of(utc); }
+  [[nodiscard]] Time arrival_of(Time utc) override { return clock_.arrival_of(utc); }
+  [[nodiscard]] bool answered(const runtime::Outputs& outputs, std::uint64_t sent) override { return clock_.answered(outputs, sent); }
+  [[nodiscard]] Wake wait(const Awaited& awaited) override {
+    if (!stop_ || std::exchange(is_late_, true)) return clock_.wait(awaited);
+    host_.advance(seconds(0.4));
+    return Wake::kNothing;
+  }
+
+ private:
+  FakeClock& clock_;
+  FakeHost& host_;
+  const std::atomic<bool>& stop_;
+  bool is_late_ = false;
+};
+
+TEST_F(AtSea, BeingStoppedItDatesItsAbortWithTheTurnThatTakesIt) {
+  hear(0, 20);
+  order(seconds(1.5), Order::kStart);
+  stop_at(15);
+  ClockThatTicksLate clock(clock_, host_, stop_);
+  const LoopResult result = fly(clock);
+  EXPECT_EQ(port_->times[15] - result.began, seconds(15.4));
+  ASSERT_EQ(port_->published[15].acknowledgements.size(), 1U);
+  EXPECT_EQ(port_->published[15].acknowledgements.begin()->time, port_->times[15]);
+  EXPECT_EQ(port_->published[15].health.state, MissionState::kAbort);
 }
 
 TEST_F(AtSea, BeingStoppedBeforeASearchBeganCommandsNothing) {

@@ -98,5 +98,18 @@ TEST_F(ChildProcessTest, WritesAnyFileWithoutALimit) {
   EXPECT_EQ(std::filesystem::file_size(file), 10'000U);
 }
 
+TEST_F(ChildProcessTest, HasLastWordsThatCanBePrinted) {
+  EXPECT_EQ(run("echo one; printf 'two \\033[1m\\n\\n'", {.words = words_}), 0);
+  EXPECT_EQ(last_words(words_), "two \\x1b[1m") << "an empty line says nothing";
+  EXPECT_EQ(run("printf %0300d 7", {.words = words_}), 0);
+  EXPECT_EQ(last_words(words_), std::string(200, '0'));
+}
+
+TEST_F(ChildProcessTest, HasNoLastWordsThatNobodySaid) {
+  EXPECT_EQ(last_words(words_), "");
+  EXPECT_EQ(run("exit 0", {.words = words_}), 0);
+  EXPECT_EQ(last_words(words_), "");
+}
+
 }  // namespace
 }  // namespace earshot::program
