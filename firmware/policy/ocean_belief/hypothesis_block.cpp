@@ -5,16 +5,13 @@
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/wide.hpp"
-#include "firmware/policy/ocean_belief/log_weight.hpp"
 
 namespace earshot::policy {
 namespace {
 
-/// No place gets less likely than the likeliest by more than 2^-26, 4e-5 of all in 2500 cells: a belief that was wrong, or a source that
-/// moved, can come back.
-constexpr std::int16_t kForgotten = -26 * kOctave;
 /// Below anything that a cell can hold: of a neighbour from which nothing comes.
 constexpr std::int16_t kNever = -18'000;
+static_assert(kNever < kForgotten && kForgotten + kNever >= -32'768);
 
 using IntLanes = std::int32_t __attribute__((vector_size(4 * kLanes)));
 using VectorLanes = float __attribute__((vector_size(4 * kLanes)));
@@ -109,6 +106,10 @@ EARSHOT_WIDE FloatLanes HypothesisBlock::sums(const BeliefModel& model) const {
   FloatLanes result;
   for (std::size_t l = 0; l < kLanes; ++l) result[l] = sums[l];
   return result;
+}
+
+bool HypothesisBlock::holds(const Hypothesis& hypothesis) const {
+  return std::find(hypotheses_.begin(), hypotheses_.end(), hypothesis) != hypotheses_.end();
 }
 
 std::array<int, kLanes> HypothesisBlock::log_evidence(const BeliefModel& model) const {

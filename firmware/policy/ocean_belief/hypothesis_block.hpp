@@ -8,6 +8,7 @@
 #include "firmware/config/capacities.hpp"
 #include "firmware/policy/belief_model.hpp"
 #include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "firmware/policy/ocean_belief/log_weight.hpp"
 
 namespace earshot::policy {
 
@@ -17,6 +18,12 @@ inline constexpr std::size_t kLanes = 8;
 using LogLanes = std::int16_t __attribute__((vector_size(2 * kLanes)));
 using FloatLanes = std::array<float, kLanes>;
 
+/// No place gets less likely than the likeliest by more than 2^-26, 4e-5 of all in 2500 cells: a belief that was wrong, or a source that
+/// moved, can come back.
+inline constexpr std::int16_t kForgotten = -26 * kOctave;
+/// The least log weight of a look: sixteen bits hold it together with a place that is all but forgotten.
+inline constexpr std::int16_t kLeastLogLikelihood = -32'768 - kForgotten;
+
 /// The probability of every place under each of eight hypotheses, as log weights.
 class HypothesisBlock {
  public:
@@ -25,12 +32,13 @@ class HypothesisBlock {
   /// The source may have moved since the last look, where a hypothesis says so.
   void let_move(const BeliefModel& model);
   /// Multiplies every cell by its likelihood.
-  /// @param log_likelihoods  [ranges]: of what was heard, were the source at each
+  /// @param log_likelihoods  [ranges]: of what was heard, were the source at each; kLeastLogLikelihood to 0
   /// @param ranges           [north x east]: of the cells
   void weigh(const BeliefModel& model, std::span<const LogLanes> log_likelihoods, std::span<const std::uint16_t> ranges);
 
   [[nodiscard]] const Hypothesis& hypothesis(std::size_t lane) const { return hypotheses_[lane]; }
   [[nodiscard]] const std::array<Hypothesis, kLanes>& hypotheses() const { return hypotheses_; }
+  [[nodiscard]] bool holds(const Hypothesis& hypothesis) const;
   /// log2 of the probability of all that was heard under each hypothesis, in 1/512, with a constant in common.
   [[nodiscard]] std::array<int, kLanes> log_evidence(const BeliefModel& model) const;
   /// Adds the probability of every cell, those of a hypothesis adding up to its share.
