@@ -79,7 +79,7 @@ TEST(TablesBytes, AreRefusedWhenAPersonCouldNotReadTheirWords) {
 TEST(ReadTablesBytes, RefusesAFileThatIsNotThereOrLargerThanAny) {
   const support::TemporaryFolder folder;
   EXPECT_THROW((void)read_tables_bytes(folder / "none.tables"), BadInput);
-  support::write_bytes(folder / "large.tables", Bytes(50'000));
+  support::write_bytes(folder / "large.tables", Bytes(60'000));
   EXPECT_THROW((void)read_tables_bytes(folder / "large.tables"), BadInput);
 }
 
