@@ -8,10 +8,10 @@
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
-#include "firmware/policy/belief_grid.hpp"
 #include "firmware/policy/belief_summary.hpp"
+#include "firmware/policy/likelihood/belief_grid.hpp"
+#include "firmware/policy/likelihood/reception_likelihood.hpp"
 #include "firmware/policy/normal_table.hpp"
-#include "firmware/policy/reception_likelihood.hpp"
 
 namespace earshot::policy {
 namespace {

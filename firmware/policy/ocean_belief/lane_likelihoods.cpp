@@ -1,9 +1,9 @@
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
 
 #include "firmware/core/wide.hpp"
-#include "firmware/policy/belief_grid.hpp"
+#include "firmware/policy/likelihood/belief_grid.hpp"
+#include "firmware/policy/likelihood/reception_likelihood.hpp"
 #include "firmware/policy/ocean_belief/log_weight.hpp"
-#include "firmware/policy/reception_likelihood.hpp"
 
 namespace earshot::policy {
 

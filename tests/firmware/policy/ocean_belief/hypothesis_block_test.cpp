@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/policy/belief_grid.hpp"
+#include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
 #include "tests/firmware/policy/ocean_belief/ocean_rig.hpp"
 

@@ -1,4 +1,4 @@
-#include "firmware/policy/reception_likelihood.hpp"
+#include "firmware/policy/likelihood/reception_likelihood.hpp"
 
 #include "firmware/policy/normal_table.hpp"
 

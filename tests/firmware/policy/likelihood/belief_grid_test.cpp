@@ -1,4 +1,4 @@
-#include "firmware/policy/belief_grid.hpp"
+#include "firmware/policy/likelihood/belief_grid.hpp"
 
 #include <gtest/gtest.h>
 
