@@ -31,7 +31,7 @@ struct RangeOutlook {
 ///                          g_S S(r - l). With 1 all are worth the same; then a vehicle amid places that are as likely on every side, and
 ///                          too far to hear from, may find no way better than another and stay
 /// @param detected          D(r): probability of a detection at every range
-/// @param search_cost       [ranges], of which there are at most kMaxTableRanges; the result
+/// @param search_cost       [ranges], of which there are at most kMaxBeliefRanges; the result
 void find_search_cost(const BeliefModel& model, float silence_discount, std::span<const float> detected, std::span<float> search_cost);
 
 /// Finds what each action promises to a vehicle at x. With l = step_length, x_a the end of action a, and B(y) how deep a place y lies in

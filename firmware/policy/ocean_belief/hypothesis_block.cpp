@@ -11,6 +11,7 @@ namespace {
 
 /// Below anything that a cell can hold: of a neighbour from which nothing comes.
 constexpr std::int16_t kNever = -18'000;
+static_assert(kNever < kForgotten && kForgotten + kNever >= -32'768);
 
 using IntLanes = std::int32_t __attribute__((vector_size(4 * kLanes)));
 using VectorLanes = float __attribute__((vector_size(4 * kLanes)));
@@ -115,6 +116,10 @@ EARSHOT_WIDE FloatLanes HypothesisBlock::sums(const BeliefModel& model) const {
   FloatLanes result;
   for (std::size_t l = 0; l < kLanes; ++l) result[l] = sums[l];
   return result;
+}
+
+bool HypothesisBlock::holds(const Hypothesis& hypothesis) const {
+  return std::find(hypotheses_.begin(), hypotheses_.end(), hypothesis) != hypotheses_.end();
 }
 
 std::array<int, kLanes> HypothesisBlock::log_evidence(const BeliefModel& model) const {

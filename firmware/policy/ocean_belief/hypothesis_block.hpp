@@ -21,6 +21,8 @@ using FloatLanes = std::array<float, kLanes>;
 /// No place gets less likely than the likeliest by more than 2^-26, 4e-5 of all in 2500 cells: a belief that was wrong, or a source that
 /// moved, can come back.
 inline constexpr std::int16_t kForgotten = -26 * kOctave;
+/// The least log weight of a look: sixteen bits hold it together with a place that is all but forgotten.
+inline constexpr std::int16_t kLeastLogLikelihood = -32'768 - kForgotten;
 
 /// How likely every place is whatever the hypothesis.
 struct PlacePrior {
@@ -35,7 +37,7 @@ class HypothesisBlock {
   /// The source may have moved since the last look, where a hypothesis says so.
   void let_move(const BeliefModel& model);
   /// Multiplies every cell by its likelihood.
-  /// @param log_likelihoods  [ranges]: of what was heard, were the source at each
+  /// @param log_likelihoods  [ranges]: of what was heard, were the source at each; kLeastLogLikelihood to 0
   /// @param ranges           [north x east]: of the cells
   void weigh(const BeliefModel& model, std::span<const LogLanes> log_likelihoods, std::span<const std::uint16_t> ranges);
 
@@ -45,6 +47,7 @@ class HypothesisBlock {
 
   [[nodiscard]] const Hypothesis& hypothesis(std::size_t lane) const { return hypotheses_[lane]; }
   [[nodiscard]] const std::array<Hypothesis, kLanes>& hypotheses() const { return hypotheses_; }
+  [[nodiscard]] bool holds(const Hypothesis& hypothesis) const;
   /// log2 of the probability of all that was heard under each hypothesis, in 1/512, with a constant in common.
   [[nodiscard]] std::array<int, kLanes> log_evidence(const BeliefModel& model) const;
   /// Adds the probability of every cell, those of a hypothesis adding up to its share.

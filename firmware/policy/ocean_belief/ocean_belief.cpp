@@ -36,6 +36,17 @@ int take_off_highest(std::span<std::int16_t> weights) {
   return highest;
 }
 
+/// The n-th to begin with, the likeliest first: all oceans as they are, then louder, fainter, and so on; fit for more than are ever held.
+Hypothesis at_start(const OceanTables& tables, std::size_t n) {
+  constexpr std::array<std::uint8_t, kLevelOffsets_db.size()> kLevels{3, 5, 1, 4, 2, 6, 0};
+  constexpr std::array<std::uint8_t, kSpreads_db.size()> kSpreads{2, 1, 3, 0};
+  static_assert(kLevels.size() * kSpreads.size() >= OceanBelief::kHypotheses, "even with one ocean");
+  const std::size_t way = n / tables.tables.size();
+  return {.table = static_cast<std::uint8_t>(n % tables.tables.size()),
+          .level = kLevels[way % kLevels.size()],
+          .spread = kSpreads[way / kLevels.size() % kSpreads.size()]};
+}
+
 }  // namespace
 
 void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
@@ -59,17 +70,20 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   hypotheses[5].silence = 1;
   hypotheses[6].mobility = 1;
   hypotheses[7].spread = 3;
-  residents_[0].start(model, hypotheses, bearings_);
-  std::uint8_t next = 0;
+  for (HypothesisBlock& block : residents_) block.start(model, hypotheses, bearings_);
+  std::size_t next = 0;
   for (std::size_t b = 1; b < residents_.size(); ++b) {
     for (Hypothesis& h : hypotheses) {
-      h = {.table = static_cast<std::uint8_t>(next % tables.tables.size()),
-           .level = static_cast<std::uint8_t>(3 + 2 * (next / tables.tables.size() % 2))};
-      next = static_cast<std::uint8_t>(next + 1);
+      do h = at_start(tables, next++);
+      while (residents_[0].holds(h));  // one that is held twice would count twice
     }
     residents_[b].start(model, hypotheses, bearings_);
   }
   std::fill_n(marginal_.begin(), cell_count(model), 1.0F / static_cast<float>(cell_count(model)));
+  find_posteriors(model, tables);
+  find_shares();
+  summary_ = {};
+  outlooks_ = {};
 }
 
 void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception) {
@@ -167,9 +181,7 @@ void OceanBelief::draw_candidates(const BeliefModel& model, const OceanTables& t
 }
 
 bool OceanBelief::is_held(const Hypothesis& hypothesis) const {
-  return std::any_of(residents_.begin(), residents_.end(), [&](const HypothesisBlock& block) {
-    return std::find(block.hypotheses().begin(), block.hypotheses().end(), hypothesis) != block.hypotheses().end();
-  });
+  return std::any_of(residents_.begin(), residents_.end(), [&](const HypothesisBlock& block) { return block.holds(hypothesis); });
 }
 
 /// One that is not held: half of the times from the prior, else like one that is held and likely.

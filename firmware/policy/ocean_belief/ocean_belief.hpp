@@ -93,5 +93,6 @@ class OceanBelief {
 };
 
 static_assert(sizeof(OceanBelief) + sizeof(OceanTables) <= config::kOceanBeliefBytes);
+static_assert(config::kMaxTableRanges <= config::kMaxBeliefRanges, "as many as find_search_cost() takes");
 
 }  // namespace earshot::policy

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "firmware/policy/format/policy_format.hpp"
+#include "firmware/policy/ocean_belief/ocean_belief.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "tests/firmware/runtime/mission_rig.hpp"
 
@@ -24,6 +25,7 @@ using messages::Order;
 static_assert(kProfile == Profile::kMicrocontroller);
 // Of a Cortex-M7's 128 KiB of tightly coupled memory.
 static_assert(sizeof(runtime::Runtime) <= 81 * 1024);
+static_assert(sizeof(policy::OceanBelief) + sizeof(policy::OceanTables) <= 64 * 1024);
 
 std::uint32_t steps_of_a_mission(const policy::FrozenPolicy& policy) {
   runtime::Rig rig(policy);
@@ -45,6 +47,33 @@ TEST(CapacitiesOfAMicrocontroller, HoldABeliefInCellsOfOneKilometreForAWholeMiss
   policy->observation.belief.cells_east = 25;
   ASSERT_TRUE(policy::has_valid_shape(policy->observation.belief));
   EXPECT_EQ(steps_of_a_mission(*policy), 100);
+}
+
+/// 32 oceans that fall by 1 to 4.1 dB a kilometre, in steps of 300 m, and a source that is heard in one of them from four sides.
+TEST(CapacitiesOfAMicrocontroller, HoldABeliefInManyOceansInCellsOfOneKilometre) {
+  policy::BeliefModel model;
+  model.area_size = {Meters{25'000}, Meters{25'000}};
+  model.cells_north = 25;
+  model.cells_east = 25;
+  model.range_step = Meters{300};
+  ASSERT_EQ(model.actions.push_back({1, 0}), Status::kOk);
+  const auto snr_db = [](int table, Meters range) { return 40.0 - (1.0 + 0.1 * table) * range.value / 1'000.0; };
+  policy::OceanTables tables;
+  tables.range_step = model.range_step;
+  tables.range_count = 120;
+  for (int k = 0; k < 32; ++k) {
+    policy::OceanTable table;
+    for (std::size_t i = 0; i < 120; ++i) table.snr_half_db[i] = policy::to_half_db(snr_db(k, static_cast<double>(i) * tables.range_step));
+    ASSERT_EQ(tables.tables.push_back(table), Status::kOk);
+  }
+  const NorthEast source{Meters{16'500}, Meters{7'500}};
+  const auto belief = std::make_unique<policy::OceanBelief>();
+  belief->start(model, tables);
+  for (int look = 0; look < 20; ++look) {
+    const NorthEast place{Meters{1'000.0 + 20'000.0 * (look % 2)}, Meters{1'000.0 + 1'150.0 * look}};
+    belief->update(model, tables, place, {.snr = Decibels{snr_db(20, range_between(place, source))}});
+  }
+  EXPECT_LT(range_between(belief->summary().likeliest, source).value, 1'500.0);
 }
 
 TEST(CapacitiesOfAMicrocontroller, RefuseThePolicyThatShipsForAVehicleComputersFinerBelief) {

@@ -71,7 +71,7 @@ TEST_F(Programs, TablesRefuseBadInputInOneLine) {
   refuses("tables " + kPapers + rest + "--vehicle-depth-m 0", {"--vehicle-depth-m"});
   refuses("tables " + kPapers + rest + "--furthest-m 100000", {"--furthest-m", "512 ranges", "--range-step-m 196"});
   refuses("tables " + kPapers + rest + "--range-step-m nan", {"--range-step-m"});
-  refuses("tables " + kPapers + rest + "--at-most 65", {"--at-most"});
+  refuses("tables " + kPapers + rest + "--at-most 97", {"--at-most"});
   refuses("tables " + kPapers + " -o nowhere/a.tables --key a.key", {"nowhere/a.tables", "cannot be written"});
   refuses("tables " + kPapers + " -o a.tables", {"--key"});
   refuses("tables " + kPapers + " --key a.key", {"--output"});

@@ -50,7 +50,7 @@ TEST(TablesBytes, AreRefusedWithTheSectionThatIsWrong) {
             "a.tables: section OCNS, version 7, is of a version this program does not know");
   EXPECT_EQ(complaint_after([](Bytes& bytes) { bytes[kOceansAt + 6] ^= 1U; }), "a.tables: section OCNS is not as long as what it holds");
   EXPECT_EQ(complaint_after([](Bytes& bytes) { bytes[kRangeCountAt + 1] = 0xFF; }),
-            "a.tables: section GRID has a size that is zero, contradicts another or exceeds what this program holds: 64 tables of 512 "
+            "a.tables: section GRID has a size that is zero, contradicts another or exceeds what this program holds: 96 tables of 512 "
             "ranges, names of 32 bytes, 1024 bytes of provenance");
   EXPECT_EQ(complaint_about({}), "a.tables: is cut short");
 }
@@ -79,7 +79,7 @@ TEST(TablesBytes, AreRefusedWhenAPersonCouldNotReadTheirWords) {
 TEST(ReadTablesBytes, RefusesAFileThatIsNotThereOrLargerThanAny) {
   const support::TemporaryFolder folder;
   EXPECT_THROW((void)read_tables_bytes(folder / "none.tables"), BadInput);
-  support::write_bytes(folder / "large.tables", Bytes(50'000));
+  support::write_bytes(folder / "large.tables", Bytes(60'000));
   EXPECT_THROW((void)read_tables_bytes(folder / "large.tables"), BadInput);
 }
 

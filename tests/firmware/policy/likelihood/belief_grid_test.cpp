@@ -1,0 +1,62 @@
+#include "firmware/policy/likelihood/belief_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "tests/firmware/policy/belief_rig.hpp"
+
+namespace earshot::policy {
+namespace {
+
+/// 4 km x 9 km in 2 x 3 cells of 2 km x 3 km, in range steps of 500 m.
+BeliefModel oblong() {
+  BeliefModel model = bare_model(at(4'000, 9'000), 2, 3);
+  model.range_step = Meters{500};
+  return model;
+}
+
+TEST(BeliefGrid, HasCellsOfAShareOfItsArea) {
+  EXPECT_EQ(cell_north(oblong()), 2'000.0);
+  EXPECT_EQ(cell_east(oblong()), 3'000.0);
+}
+
+TEST(BeliefGrid, FindsTheRangeStepNearestToEveryCellsCentreAndNoneBeyondTheLast) {
+  std::array<std::uint16_t, 6> ranges;
+  find_ranges(oblong(), at(1'000, -2'500), 20, ranges);
+  // East of it 4, 7 and 10 km; and those with 2 km to the north: 4.472, 7.280 and 10.198 km.
+  EXPECT_EQ(ranges, (std::array<std::uint16_t, 6>{8, 14, 20, 9, 15, 20}));
+  find_ranges(oblong(), at(1'000, -2'500), 14, ranges);
+  EXPECT_EQ(ranges, (std::array<std::uint16_t, 6>{8, 14, 14, 9, 14, 14}));
+}
+
+TEST(BeliefGrid, CountsTheRangeStepsInHalfOfTheLongerSideOfACell) {
+  EXPECT_EQ(half_cell(oblong(), 100), 3U);
+  EXPECT_EQ(half_cell(oblong(), 3), 2U);  // fewer than there are ranges
+}
+
+TEST(BeliefGrid, SmoothsOverTheNeighboursAndHoldsTheEnds) {
+  const std::vector<float> values{6, 0, 0, 12, 0, 0, 0, 18};
+  std::vector<float> smoothed(8);
+  smooth(values, 1, smoothed);
+  EXPECT_EQ(smoothed, (std::vector<float>{4, 2, 4, 4, 4, 0, 6, 12}));
+  smooth(values, 0, smoothed);
+  EXPECT_EQ(smoothed, values);
+  const std::vector<float> few{3, 6};
+  std::vector<float> of_few(2);
+  smooth(few, 1, of_few);
+  EXPECT_EQ(of_few, (std::vector<float>{4, 5}));
+}
+
+TEST(BeliefGrid, LeavesTheShareOfACellBeyondAStepAndNeverLessThanAThousandth) {
+  BeliefModel model = oblong();
+  model.step_length = Meters{2'000};
+  std::array<float, 9> shares;
+  find_uncovered(model, shares);  // of a cell 3 km long, every 500 m: half of one at a step's length
+  const std::array<float, 9> expected{0.001F, 0.001F, 1.0F / 6, 2.0F / 6, 0.5F, 4.0F / 6, 5.0F / 6, 1, 1};
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_FLOAT_EQ(shares[i], expected[i]) << i;
+}
+
+}  // namespace
+}  // namespace earshot::policy

@@ -1,0 +1,236 @@
+#include "firmware/policy/ocean_belief/hypothesis_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "firmware/policy/likelihood/belief_grid.hpp"
+#include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+#include "tests/firmware/policy/ocean_belief/ocean_rig.hpp"
+
+namespace earshot::policy {
+namespace {
+
+/// At rest, one cell at 3 octaves or at 1, two cells at 1 each; and again.
+constexpr std::array<Hypothesis, kLanes> kAllMotions{{{.mobility = 0},
+                                                      {.mobility = 1},
+                                                      {.mobility = 2},
+                                                      {.mobility = 3},
+                                                      {.mobility = 0},
+                                                      {.mobility = 1},
+                                                      {.mobility = 2},
+                                                      {.mobility = 3}}};
+
+class HypothesisBlockTest : public testing::Test {
+ protected:
+  /// Probability of every cell under one of the hypotheses.
+  static std::vector<float> places(const HypothesisBlock& block, const BeliefModel& model, std::size_t lane) {
+    FloatLanes shares{};
+    shares[lane] = 1.0F;
+    std::vector<float> marginal(cell_count(model), 0.0F);
+    block.add_to(model, shares, marginal);
+    return marginal;
+  }
+
+  /// Weighs every cell by a weight of its own, the same in all lanes.
+  static void weigh_each(HypothesisBlock& block, const BeliefModel& model, const std::vector<int>& weights) {
+    std::vector<LogLanes> lanes;
+    for (const int weight : weights) lanes.push_back(LogLanes{} + static_cast<std::int16_t>(weight));
+    std::vector<std::uint16_t> ranges(weights.size());
+    std::iota(ranges.begin(), ranges.end(), std::uint16_t{0});
+    block.weigh(model, lanes, ranges);
+  }
+
+  std::unique_ptr<HypothesisBlock> block = std::make_unique<HypothesisBlock>();
+};
+
+TEST_F(HypothesisBlockTest, StartsWithEveryPlaceAsLikelyUnderEveryHypothesis) {
+  const BeliefModel model = small_model();
+  block->start(model, kAllMotions, PlacePrior{});
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    for (const float p : places(*block, model, l)) ASSERT_NEAR(p, 1.0 / 400.0, 1e-5 / 400.0);  // a sum of 400 floats
+    EXPECT_EQ(block->log_evidence(model)[l], std::lround(512.0 * std::log2(400.0)));
+    EXPECT_EQ(block->hypothesis(l), kAllMotions[l]);
+    EXPECT_TRUE(block->holds(kAllMotions[l]));
+  }
+  EXPECT_FALSE(block->holds({.level = 1}));
+}
+
+/// Bayes' rule with every factor written out, in long double: two looks from within, which cover cells, and two from without, one of them
+/// too faint.
+TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
+  const BeliefModel model = small_model();
+  OceanTables tables = no_tables(kSmallRanges);
+  add_table(tables, 1.0F, [](double km) { return 30.0 - 2.0 * km; });
+  add_table(tables, 1.0F, [](double km) { return 18.0 + 5.0 * std::cos(km); });
+  constexpr std::array<Hypothesis, kLanes> kHypotheses{{{0, 3, 2, 0, 0},
+                                                        {1, 3, 2, 0, 0},
+                                                        {0, 1, 2, 0, 0},
+                                                        {0, 5, 1, 0, 0},
+                                                        {1, 4, 3, 1, 0},
+                                                        {1, 2, 1, 2, 0},
+                                                        {0, 3, 3, 3, 0},
+                                                        {0, 2, 3, 0, 0}}};
+  const std::vector<std::pair<NorthEast, Reception>> looks = {{at(3'200, 4'100), {.snr = Decibels{21.0}}},
+                                                              {at(-1'000, 2'000), {.snr = Decibels{15.0}, .too_faint = true}},
+                                                              {at(8'000, -1'500), {.snr = Decibels{17.0}}},
+                                                              {at(4'000, 4'300), {.snr = Decibels{24.0}}}};
+  block->start(model, kHypotheses, PlacePrior{});
+  LaneLikelihoods likelihoods;
+  std::vector<std::uint16_t> ranges(400);
+  for (const auto& [place, reception] : looks) {
+    find_ranges(model, place, kSmallRanges - 1U, ranges);
+    likelihoods.tabulate(model, tables, kHypotheses, reception);
+    block->weigh(model, likelihoods.by_range(tables), ranges);
+  }
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    std::vector<long double> joint(400, 1.0L);
+    for (const auto& [place, reception] : looks) {
+      const std::vector<long double> by_range = likelihoods_by_hand(model, tables, kHypotheses[l], reception);
+      for (std::size_t i = 0; i < joint.size(); ++i) joint[i] *= by_range[range_of(model, tables, place, i)];
+    }
+    const long double total = std::accumulate(joint.begin(), joint.end(), 0.0L);
+    // Half a unit of 0.14 % is rounded at every look, and the table of the normal distribution is 0.2 % off at four standard deviations.
+    EXPECT_NEAR(block->log_evidence(model)[l], static_cast<double>(512.0L * std::log2(total)), 4.0) << l;
+    const std::vector<float> found = places(*block, model, l);
+    for (std::size_t i = 0; i < joint.size(); ++i) {
+      const auto p = static_cast<double>(joint[i] / total);
+      ASSERT_NEAR(double{found[i]}, p, 0.008 * p + 1e-8) << "lane " << l << ", cell " << i;
+    }
+  }
+}
+
+TEST_F(HypothesisBlockTest, WeighsEveryLaneByItsOwnLikelihood) {
+  const BeliefModel model = bare_model(at(1'000, 2'000), 1, 2);
+  block->start(model, {}, PlacePrior{});
+  const std::array<LogLanes, 2> likelihoods{{{0, -512, -1024, 0, 0, 0, 0, -5120}, {0, 0, 0, -512, -1024, -1536, -5120, -5120}}};
+  const std::array<std::uint16_t, 2> ranges{1, 0};  // the western cell is the further one
+  block->weigh(model, likelihoods, ranges);
+  const std::array<double, kLanes> western{0.5, 2.0 / 3.0, 0.8, 1.0 / 3.0, 0.2, 1.0 / 9.0, 1.0 / 1025.0, 0.5};
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    EXPECT_NEAR(places(*block, model, l)[0], western[l], 1e-4) << l;
+    EXPECT_NEAR(places(*block, model, l)[1], 1.0 - western[l], 1e-4) << l;
+  }
+  EXPECT_EQ(block->log_evidence(model)[7], -5120 + 512);
+}
+
+TEST_F(HypothesisBlockTest, AddsHypothesesByTheirSharesToWhatIsThere) {
+  const BeliefModel model = bare_model(at(1'000, 2'000), 1, 2);
+  block->start(model, {}, PlacePrior{});
+  const std::array<LogLanes, 2> likelihoods{{{0, 0, -512}, {-512, 0, 0}}};
+  block->weigh(model, likelihoods, std::array<std::uint16_t, 2>{0, 1});
+  std::vector<float> marginal{10.0F, 20.0F};
+  block->add_to(model, {0.25F, 0.5F, 0.125F, 0.125F}, marginal);
+  EXPECT_NEAR(marginal[0], 10.0 + 0.25 * 2 / 3 + 0.5 / 2 + 0.125 / 3 + 0.125 / 2, 1e-4);
+  EXPECT_NEAR(marginal[1], 20.0 + 0.25 / 3 + 0.5 / 2 + 0.125 * 2 / 3 + 0.125 / 2, 1e-4);
+}
+
+/// After looks that leave nothing of a place it is still believed in by 2^-26 of the likeliest, however much more is heard, and sixteen
+/// bits hold what is taken off.
+TEST_F(HypothesisBlockTest, ForgetsNoPlaceHoweverUnlikely) {
+  const BeliefModel model = bare_model(at(1'000, 3'000), 1, 3);
+  block->start(model, kAllMotions, PlacePrior{});
+  for (int look = 0; look < 20; ++look) {
+    weigh_each(*block, model, {kLeastLogLikelihood, kLeastLogLikelihood, look < 10 ? 0 : -9'000});
+    const std::vector<float> p = places(*block, model, 4);
+    for (const std::size_t i : {0U, 1U}) ASSERT_NEAR(p[i] / p[2], std::exp2(-26.0), 2e-4 * std::exp2(-26.0)) << look;
+  }
+  EXPECT_EQ(block->log_evidence(model)[0], 10 * -9'000);
+  // As soon as it is the other way round it comes back.
+  for (int look = 0; look < 2; ++look) weigh_each(*block, model, {0, kLeastLogLikelihood, kLeastLogLikelihood});
+  EXPECT_GT(places(*block, model, 0)[0], 0.99F);
+}
+
+/// A source comes from every cell within reach, at what each step north or south, east or west costs; the likeliest way counts.
+TEST_F(HypothesisBlockTest, LetsASourceMoveAsFarAsItsHypothesisSaysByHand) {
+  const BeliefModel model = bare_model(at(3'000, 5'000), 3, 5);
+  // clang-format off
+  const std::vector<int> weights{-9'000, -12'000,  -7'000, -12'000,  -3'000,
+                                 -12'000,  -500, -12'000, -11'500, -12'000,
+                                      0, -12'000, -12'000, -12'000,  -8'000};
+  // clang-format on
+  block->start(model, kAllMotions, PlacePrior{});
+  weigh_each(*block, model, weights);
+  const std::array<int, kLanes> evidence = block->log_evidence(model);
+  block->let_move(model);
+  EXPECT_EQ(block->log_evidence(model), evidence) << "nothing has been heard";
+  const std::array<int, 4> reach{0, 1, 1, 2};
+  const std::array<int, 4> penalty{0, 1'536, 512, 512};
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const std::vector<float> p = places(*block, model, l);
+    for (int i = 0; i < 15; ++i) {
+      int likeliest = -100'000;
+      for (int from = 0; from < 15; ++from) {
+        const int north = std::abs(i / 5 - from / 5);
+        const int east = std::abs(i % 5 - from % 5);
+        if (std::max(north, east) > reach[l % 4]) continue;
+        likeliest = std::max(likeliest, weights[static_cast<std::size_t>(from)] - penalty[l % 4] * (north + east));
+      }
+      EXPECT_NEAR(512.0 * std::log2(double{p[static_cast<std::size_t>(i)]} / double{p[10]}), likeliest, 0.15)
+          << "lane " << l << ", cell " << i;
+    }
+  }
+}
+
+TEST_F(HypothesisBlockTest, LeavesSourcesAtRestBitForBitBesideOnesThatMove) {
+  const BeliefModel model = small_model();
+  const auto resting = std::make_unique<HypothesisBlock>();
+  block->start(model, kAllMotions, PlacePrior{});
+  resting->start(model, {}, PlacePrior{});
+  Pcg32 random(3);
+  for (int look = 0; look < 12; ++look) {
+    std::vector<int> weights;
+    for (int i = 0; i < 400; ++i) weights.push_back(-static_cast<int>(6'000.0F * random.uniform_float()));
+    for (HypothesisBlock* each : {block.get(), resting.get()}) {
+      each->let_move(model);
+      weigh_each(*each, model, weights);
+    }
+  }
+  for (const std::size_t l : {0U, 4U}) {
+    EXPECT_EQ(places(*block, model, l), places(*resting, model, l));
+    EXPECT_EQ(block->log_evidence(model)[l], resting->log_evidence(model)[l]);
+  }
+  for (const std::size_t l : {1U, 2U, 3U}) EXPECT_NE(places(*block, model, l), places(*resting, model, l));
+}
+
+TEST_F(HypothesisBlockTest, TakesAHypothesisOverWithAllThatItHasHeard) {
+  const BeliefModel model = small_model();
+  const auto other = std::make_unique<HypothesisBlock>();
+  block->start(model, {}, PlacePrior{});
+  std::array<Hypothesis, kLanes> hypotheses = kAllMotions;
+  hypotheses[6] = {7, 1, 3, 2, 2};
+  other->start(model, hypotheses, PlacePrior{});
+  Pcg32 random(4);
+  const auto look = [&](HypothesisBlock& at, std::uint64_t seed) {
+    Pcg32 weights(seed);
+    std::vector<int> each;
+    for (int i = 0; i < 400; ++i) each.push_back(-static_cast<int>(9'000.0F * weights.uniform_float()) - 300);
+    at.let_move(model);
+    weigh_each(at, model, each);
+  };
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    look(*block, seed);
+    look(*other, seed + 10);
+  }
+  const std::vector<float> neighbour = places(*block, model, 3);
+  const std::uint32_t before = block->fingerprint(model, 0);
+  block->take_over(model, 2, *other, 6);
+  EXPECT_NE(block->fingerprint(model, 0), before);
+  EXPECT_EQ(places(*block, model, 3), neighbour);
+  EXPECT_EQ(block->hypothesis(2), hypotheses[6]);
+  for (std::uint64_t seed = 20; seed < 23; ++seed) {
+    EXPECT_EQ(places(*block, model, 2), places(*other, model, 6));
+    EXPECT_EQ(block->log_evidence(model)[2], other->log_evidence(model)[6]);
+    look(*block, seed);
+    look(*other, seed);
+  }
+}
+
+}  // namespace
+}  // namespace earshot::policy

@@ -1,0 +1,87 @@
+#include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "firmware/policy/search_bounds.hpp"
+#include "tests/firmware/policy/ocean_belief/ocean_rig.hpp"
+
+namespace earshot::policy {
+namespace {
+
+/// Of two oceans, and different in everything.
+constexpr std::array<Hypothesis, kLanes> kEight{{{0, 3, 2, 0, 0},
+                                                 {1, 3, 2, 0, 0},
+                                                 {0, 0, 2, 0, 0},
+                                                 {0, 6, 2, 0, 0},
+                                                 {0, 3, 0, 0, 0},
+                                                 {1, 4, 3, 1, 0},
+                                                 {1, 2, 1, 2, 0},
+                                                 {0, 3, 2, 3, 2}}};
+
+class LaneLikelihoodsTest : public testing::Test {
+ protected:
+  LaneLikelihoodsTest() {
+    add_table(tables, 1.0F, [](double km) { return 30.0 - 2.0 * km; });
+    add_table(tables, 1.0F, [](double km) { return 12.0 + 10.0 * std::cos(km); });
+  }
+
+  /// A unit is 0.14 %: half of one is rounded, and the table of the normal distribution is 0.2 % off at four standard deviations.
+  void expect_by_hand(Reception reception) {
+    likelihoods->tabulate(model, tables, kEight, reception);
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const std::vector<long double> expected = likelihoods_by_hand(model, tables, kEight[l], reception);
+      for (std::size_t i = 0; i < tables.range_count; ++i) {
+        ASSERT_NEAR(likelihoods->by_range(tables)[i][l], static_cast<double>(512.0L * std::log2(expected[i])), 2.0)
+            << "lane " << l << ", range " << i;
+      }
+    }
+  }
+
+  BeliefModel model = small_model();
+  OceanTables tables = no_tables(kSmallRanges);
+  std::unique_ptr<LaneLikelihoods> likelihoods = std::make_unique<LaneLikelihoods>();
+};
+
+TEST_F(LaneLikelihoodsTest, AreByHandThoseOfWhatWasHeard) {
+  for (const double snr_db : {-30.0, 4.0, 17.3, 50.0}) expect_by_hand({.snr = Decibels{snr_db}});
+}
+
+TEST_F(LaneLikelihoodsTest, AreByHandThoseOfASoundTooFaint) {
+  for (const double floor_db : {-5.0, 12.0, 31.0}) expect_by_hand({.snr = Decibels{floor_db}, .too_faint = true});
+}
+
+TEST_F(LaneLikelihoodsTest, AreNotSmoothedWhereACellIsOneRangeWide) {
+  model.cells_north = 100;
+  model.cells_east = 100;  // 100 m
+  expect_by_hand({.snr = Decibels{20.0}});
+}
+
+TEST_F(LaneLikelihoodsTest, AreOfAsManyRangesAsTheTablesHave) {
+  likelihoods->tabulate(model, tables, kEight, {.snr = Decibels{20.0}});
+  EXPECT_EQ(likelihoods->by_range(tables).size(), kSmallRanges);
+}
+
+/// Without outliers and pauses nothing can be 600 dB loud: a likelihood of a number too small for sixteen bits, or of zero.
+TEST_F(LaneLikelihoodsTest, OfWhatCannotBeAreTheLeastThatThereIsRoomForAndNeverLikely) {
+  model.outlier_share = 0.0F;
+  for (const double snr_db : {-kMostLevel_db, kMostLevel_db}) {
+    for (const bool too_faint : {false, true}) {
+      likelihoods->tabulate(model, tables, kEight, {.snr = Decibels{snr_db}, .too_faint = too_faint});
+      for (const LogLanes& lanes : likelihoods->by_range(tables)) {
+        for (std::size_t l = 0; l < kLanes; ++l) {
+          ASSERT_GE(lanes[l], kLeastLogLikelihood);
+          ASSERT_LE(lanes[l], 0);
+          const bool is_certain = too_faint && (snr_db > 0.0 || kEight[l].silence > 0);
+          ASSERT_TRUE(is_certain || lanes[l] < -16'000) << lanes[l];  // 2^-31
+        }
+      }
+    }
+  }
+  EXPECT_EQ(kLeastLogLikelihood + kForgotten, -32'768);
+}
+
+}  // namespace
+}  // namespace earshot::policy

@@ -1,0 +1,383 @@
+#include "firmware/policy/ocean_belief/ocean_belief.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "tests/firmware/policy/ocean_belief/ocean_rig.hpp"
+
+namespace earshot::policy {
+namespace {
+
+using Looks = std::vector<std::pair<NorthEast, Reception>>;
+
+class OceanBeliefTest : public testing::Test {
+ protected:
+  void hear(NorthEast place, double snr_db) { belief->update(model, tables, place, {.snr = Decibels{snr_db}}); }
+
+  void hear_all(const Looks& looks) {
+    for (const auto& [place, reception] : looks) belief->update(model, tables, place, reception);
+  }
+
+  [[nodiscard]] double share_of_table(std::size_t table) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) sum += belief->hypothesis(i).table == table ? double{belief->share(i)} : 0.0;
+    return sum;
+  }
+
+  [[nodiscard]] std::vector<Hypothesis> held() const {
+    std::vector<Hypothesis> all;
+    for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) all.push_back(belief->hypothesis(i));
+    return all;
+  }
+
+  static std::size_t distinct(const std::vector<Hypothesis>& all) {
+    std::set<std::tuple<int, int, int, int, int>> different;
+    for (const Hypothesis& h : all) different.emplace(h.table, h.level, h.spread, h.silence, h.mobility);
+    return different.size();
+  }
+
+  /// Looks along a zigzag through the area, at what is heard in an ocean of a source: its table and 2 dB of fluctuation.
+  template <class Snr>
+  Looks zigzag(int count, Snr snr_db, NorthEast source, std::uint64_t seed) const {
+    Pcg32 random(seed);
+    Looks looks;
+    for (int i = 0; i < count; ++i) {
+      const double side = i % 10 < 5 ? i % 5 : 5 - i % 5;
+      const NorthEast place = at(400.0 * i, 2'000.0 * side);
+      double normal = -6.0;
+      for (int k = 0; k < 12; ++k) normal += random.uniform_double();
+      looks.push_back({place, {.snr = Decibels{snr_db(range_between(place, source).value / 1'000.0) + 2.0 * normal}}});
+    }
+    return looks;
+  }
+
+  BeliefModel model = small_model();
+  OceanTables tables = no_tables(kSmallRanges);
+  std::unique_ptr<OceanBelief> belief = std::make_unique<OceanBelief>();
+};
+
+constexpr auto kTwoPerKilometre = [](double km) { return 30.0 - 2.0 * km; };
+
+TEST_F(OceanBeliefTest, StartsWithEveryPlaceAsLikelyAndEveryHypothesisOnce) {
+  for (int count = 1; count <= 40; ++count) {
+    add_table(tables, count == 3 ? 8.0F : 1.0F, kTwoPerKilometre);
+    belief->start(model, tables);
+    EXPECT_EQ(distinct(held()), OceanBelief::kHypotheses) << "one that is held twice counts twice; of " << count << " tables";
+    double sum = 0.0;
+    for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) {
+      EXPECT_LT(belief->hypothesis(i).table, count);
+      sum += double{belief->share(i)};
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-6);
+  }
+  EXPECT_EQ(belief->hypothesis(0), (Hypothesis{.table = 2})) << "the likeliest";
+  for (std::size_t i = 0; i < 400; ++i) ASSERT_FLOAT_EQ(belief->probability(model, i / 20, i % 20), 1.0F / 400.0F);
+}
+
+/// By hand: each hypothesis that is held, weighed by its prior and by all that was heard, before each of which the source may have moved.
+TEST_F(OceanBeliefTest, IsTheMixtureByHandOfTheHypothesesThatItHolds) {
+  add_table(tables, 1.0F, kTwoPerKilometre);
+  const Looks looks = {{at(3'200, 4'100), {.snr = Decibels{23.0}}},
+                       {at(-1'000, 2'000), {.snr = Decibels{17.0}, .too_faint = true}},
+                       {at(8'000, -1'500), {.snr = Decibels{17.0}}},
+                       {at(4'000, 5'300), {.snr = Decibels{25.0}}}};
+  belief->start(model, tables);
+  hear_all(looks);
+  EXPECT_EQ(distinct(held()), OceanBelief::kHypotheses);
+
+  const std::array<long double, 4> penalty{0.0L, 0.125L, 0.5L, 0.5L};
+  const std::array<int, 4> reach{0, 1, 1, 2};
+  std::vector<std::vector<long double>> joint;
+  long double total = 0.0L;
+  for (const Hypothesis& h : held()) {
+    std::vector<long double> p(400, std::exp2(static_cast<long double>(log_prior(h, tables)) / 512.0L));
+    for (const auto& [place, reception] : looks) {
+      std::vector<long double> moved(400);
+      for (int i = 0; i < 400; ++i) {
+        const int far = reach[h.mobility];
+        for (int n = std::max(0, i / 20 - far); n <= std::min(19, i / 20 + far); ++n) {
+          for (int e = std::max(0, i % 20 - far); e <= std::min(19, i % 20 + far); ++e) {
+            const long double way = std::pow(penalty[h.mobility], static_cast<long double>(std::abs(n - i / 20) + std::abs(e - i % 20)));
+            long double& to = moved[static_cast<std::size_t>(i)];
+            to = std::max(to, way * p[static_cast<std::size_t>(n * 20 + e)]);
+          }
+        }
+      }
+      const long double scale = std::accumulate(p.begin(), p.end(), 0.0L) / std::accumulate(moved.begin(), moved.end(), 0.0L);
+      const std::vector<long double> by_range = likelihoods_by_hand(model, tables, h, reception);
+      for (std::size_t i = 0; i < 400; ++i) p[i] = moved[i] * scale * by_range[range_of(model, tables, place, i)];
+    }
+    total += std::accumulate(p.begin(), p.end(), 0.0L);
+    joint.push_back(p);
+  }
+  // Half a unit of 0.14 % is rounded at every look, in the evidence and in every movement; hypotheses below 1e-4 are left out.
+  for (std::size_t k = 0; k < joint.size(); ++k) {
+    const auto share = static_cast<double>(std::accumulate(joint[k].begin(), joint[k].end(), 0.0L) / total);
+    EXPECT_NEAR(double{belief->share(k)}, share, 0.01 * share) << k;
+  }
+  for (std::size_t i = 0; i < 400; ++i) {
+    long double sum = 0.0L;
+    for (const std::vector<long double>& p : joint) sum += p[i];
+    const auto expected = static_cast<double>(sum / total);
+    ASSERT_NEAR(double{belief->probability(model, i / 20, i % 20)}, expected, 0.01 * expected + 1e-6) << i;
+  }
+}
+
+/// Half of it beyond the threshold in every ocean and at every spread, the level as likely above as below, but for pauses.
+TEST_F(OceanBeliefTest, ForeseesDetectionsUnderItsHypothesesByTheirShares) {
+  model.detection_threshold = Decibels{10.0};
+  add_table(tables, 1.0F, [](double) { return 10.0; });
+  belief->start(model, tables);
+  for (int i = 0; i < 4; ++i) hear(at(-1'000, 3'000), 11.0);
+  double expected = 0.0;
+  for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) {
+    const Hypothesis h = belief->hypothesis(i);
+    const double z = (3.0 * (h.level - 3)) / std::array{1.0, 2.0, 4.0, 7.0}[h.spread];
+    expected += double{belief->share(i)} * (1.0 - 0.25 * h.silence) * 0.5 * std::erfc(-z / std::sqrt(2.0));
+  }
+  for (std::size_t action = 0; action < 4; ++action) EXPECT_NEAR(belief->outlook(action).detected, expected, 2e-3);  // 24 of 1e-4 left out
+  EXPECT_GT(expected, 0.4);
+}
+
+TEST_F(OceanBeliefTest, FindsOutInWhichOceanItIsAndWhereTheSourceIs) {
+  add_table(tables, 1.0F, [](double km) { return 24.0 - 0.5 * km; });
+  add_table(tables, 1.0F, kTwoPerKilometre);
+  const auto truth = [](double km) { return 45.0 - 5.0 * km; };
+  add_table(tables, 1.0F, truth);
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Pcg32 random(seed, 7);
+    const double north_m = 1'000.0 + 8'000.0 * random.uniform_double();
+    const NorthEast source = at(north_m, 1'000.0 + 8'000.0 * random.uniform_double());
+    belief->start(model, tables);
+    for (const auto& [place, reception] : zigzag(25, truth, source, seed)) {
+      if (range_between(place, source).value > 1'300.0) belief->update(model, tables, place, reception);
+    }
+    EXPECT_GT(share_of_table(2), 0.95) << seed;
+    EXPECT_LT(range_between(belief->summary().likeliest, source).value, 1'000.0) << seed;
+  }
+}
+
+/// 60 oceans, of which it begins with the first 16 and the likeliest; a shadow up to 4 km has the 58th alone.
+TEST_F(OceanBeliefTest, FindsAnOceanThatItDoesNotBeginWith) {
+  const auto truth = [](double km) { return km < 4.0 ? 5.0 : 30.0 - 2.0 * km; };
+  for (int k = 0; k < 60; ++k) {
+    if (k == 57) {
+      add_table(tables, 1.0F, truth);
+    } else {
+      add_table(tables, 1.0F, [k](double km) { return 25.0 + 0.1 * k - (0.3 + 0.05 * k) * km; });
+    }
+  }
+  belief->start(model, tables);
+  for (const Hypothesis& h : held()) EXPECT_NE(h.table, 57);
+  const NorthEast source = at(6'200, 5'900);
+  for (const auto& [place, reception] : zigzag(25, truth, source, 5)) {
+    if (range_between(place, source).value > 1'300.0) belief->update(model, tables, place, reception);
+  }
+  EXPECT_GT(share_of_table(57), 0.95);
+  EXPECT_LT(range_between(belief->summary().likeliest, source).value, 1'000.0);
+}
+
+TEST_F(OceanBeliefTest, FindsOutThatSourcesAreLouderAndThatCallsPause) {
+  add_table(tables, 1.0F, kTwoPerKilometre);
+  const NorthEast source = at(7'000, 6'000);
+  const auto louder = [](double km) { return 39.0 - 2.0 * km; };
+  Looks looks = zigzag(24, louder, source, 3);
+  for (std::size_t i = 0; i < looks.size(); i += 2) looks[i].second = {.snr = Decibels{3.0}, .too_faint = true};
+  belief->start(model, tables);
+  for (const auto& [place, reception] : looks) {
+    if (range_between(place, source).value > 1'300.0) belief->update(model, tables, place, reception);
+  }
+  double level_db = 0.0;
+  double silence = 0.0;
+  for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) {
+    level_db += double{belief->share(i)} * double{kLevelOffsets_db[belief->hypothesis(i).level]};
+    silence += double{belief->share(i)} * double{kSilenceShares[belief->hypothesis(i).silence]};
+  }
+  EXPECT_NEAR(level_db, 9.0, 2.0);
+  EXPECT_NEAR(silence, 0.5, 0.15);
+}
+
+TEST_F(OceanBeliefTest, HasSharesAndPlacesThatAddUpToOneAndNothingTwice) {
+  for (int k = 0; k < 5; ++k) add_table(tables, 1.0F + static_cast<float>(k), [k](double km) { return 30.0 - (1.0 + k) * km; });
+  belief->start(model, tables);
+  Pcg32 random(6);
+  for (int look = 0; look < 40; ++look) {
+    const double north_m = 10'000 * random.uniform_double();
+    const NorthEast place = at(north_m, 10'000 * random.uniform_double());
+    hear(place, 40.0 * random.uniform_double());
+    double shares = 0.0;
+    for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) shares += double{belief->share(i)};
+    EXPECT_NEAR(shares, 1.0, 1e-5);
+    double places = 0.0;
+    for (std::size_t i = 0; i < 400; ++i) places += double{belief->probability(model, i / 20, i % 20)};
+    EXPECT_NEAR(places, 1.0, 24e-4);  // hypotheses below 1e-4 are left out
+    ASSERT_EQ(distinct(held()), OceanBelief::kHypotheses) << look;
+  }
+}
+
+TEST_F(OceanBeliefTest, GoesOnWithWhatItHoldsWhenThereAreMoreLooksThanItRemembers) {
+  for (int k = 0; k < 5; ++k) add_table(tables, 1.0F, [k](double km) { return 30.0 - (1.0 + k) * km; });
+  belief->start(model, tables);
+  const auto look = [this](std::size_t i) {
+    hear(at(static_cast<double>(i * 7'919 % 10'000), static_cast<double>(i * 104'729 % 10'000)), 5.0 + static_cast<double>(i % 20));
+  };
+  std::vector<Hypothesis> before;
+  int exchanges = 0;
+  for (std::size_t i = 0; i < config::kMaxBeliefLooks; ++i) {
+    look(i);
+    exchanges += held() != before ? 1 : 0;
+    before = held();
+  }
+  EXPECT_GT(exchanges, 10);
+  const std::uint32_t last = belief->fingerprint(model);
+  for (std::size_t i = config::kMaxBeliefLooks; i < config::kMaxBeliefLooks + 20; ++i) {
+    look(i);
+    EXPECT_EQ(held(), before) << i;
+  }
+  EXPECT_NE(belief->fingerprint(model), last);
+  EXPECT_TRUE(std::isfinite(belief->outlook(kNorth).regret));
+  belief->start(model, tables);  // remembers again
+  const std::vector<Hypothesis> first = held();
+  for (std::size_t i = 0; i < 10; ++i) look(i);
+  EXPECT_NE(held(), first);
+}
+
+TEST_F(OceanBeliefTest, ForgetsEverythingWhenItStarts) {
+  for (int k = 0; k < 5; ++k) add_table(tables, 1.0F, [k](double km) { return 30.0 - (1.0 + k) * km; });
+  const NorthEast source = at(3'000, 8'000);
+  belief->start(model, tables);
+  hear_all(zigzag(17, kTwoPerKilometre, source, 8));  // in the midst of weighing others
+  const auto fresh = std::make_unique<OceanBelief>();
+  belief->start(model, tables);
+  fresh->start(model, tables);
+  EXPECT_EQ(belief->fingerprint(model), fresh->fingerprint(model));
+  for (const auto& [place, reception] : zigzag(12, kTwoPerKilometre, at(6'000, 2'000), 9)) {
+    belief->update(model, tables, place, reception);
+    fresh->update(model, tables, place, reception);
+    ASSERT_EQ(belief->fingerprint(model), fresh->fingerprint(model));
+    EXPECT_EQ(belief->summary().likeliest, fresh->summary().likeliest);
+  }
+}
+
+/// Other hypotheses that had heard only some of the looks when the search ended, all of them as likely as can be, count no longer in one
+/// that begins with what nobody expects.
+TEST_F(OceanBeliefTest, ForgetsThoseThatItWasWeighingWhenItStarts) {
+  for (int k = 0; k < 5; ++k) add_table(tables, 1.0F, [k](double km) { return 30.0 - (1.0 + k) * km; });
+  const auto fresh = std::make_unique<OceanBelief>();
+  for (int looks = 15; looks < 25; ++looks) {
+    belief->start(model, tables);
+    for (int i = 0; i < looks; ++i) belief->update(model, tables, at(-1'000, 500.0 * i), {.snr = Decibels{90.0}, .too_faint = true});
+    belief->start(model, tables);
+    fresh->start(model, tables);
+    for (OceanBelief* each : {belief.get(), fresh.get()}) each->update(model, tables, at(-1'000, 3'000), {.snr = Decibels{90.0}});
+    EXPECT_EQ(belief->fingerprint(model), fresh->fingerprint(model)) << looks;
+  }
+}
+
+TEST_F(OceanBeliefTest, HasTheSameBitsOnEveryMachine) {
+  BeliefModel large = bare_model(at(25'000, 25'000), 50, 50);
+  large.outlier_share = 0.02F;
+  OceanTables oceans = no_tables(400);
+  for (int k = 0; k < 20; ++k)
+    add_table(oceans, 1.0F + static_cast<float>(k % 3), [k](double km) { return 35.0 - (0.5 + 0.125 * k) * km; });
+  belief->start(large, oceans);
+  Pcg32 random(9);
+  for (int i = 0; i < 40; ++i) {
+    const double north_m = 25'000 * random.uniform_double();  // one after the other: arguments are drawn in any order
+    const double east_m = 25'000 * random.uniform_double();
+    belief->update(large, oceans, at(north_m, east_m), {.snr = Decibels{30.0 * random.uniform_double()}, .too_faint = i % 5 == 0});
+  }
+  EXPECT_EQ(belief->fingerprint(large), 0x34A3E839U);  // of x86-64, unoptimised for SSE2 as well as vectorised for AVX2
+}
+
+/// 2 pi times the wrapped normal distribution, by its Fourier series.
+double wrapped(double off, double deviation) {
+  double sum = 1.0;
+  for (int k = 1; k < 200; ++k) sum += 2.0 * std::exp(-0.5 * k * k * deviation * deviation) * std::cos(k * off);
+  return sum;
+}
+
+/// As loud everywhere, so that a bearing alone tells of the place: from outside, where nothing is ruled out.
+TEST_F(OceanBeliefTest, TakesABearingAsOneMoreLikelihood) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  add_table(tables, 1.0F, [](double) { return 20.0; });
+  belief->start(model, tables);
+  const NorthEast place = at(-3'000, 12'000);
+  const messages::Bearing bearing{.direction = Radians{330.0 * kDegree}, .deviation = Radians{12.0 * kDegree}};
+  belief->update(model, tables, place, {.snr = Decibels{20.0}, .bearing = bearing});
+  std::vector<double> by_hand;
+  for (std::size_t i = 0; i < 400; ++i) {
+    const double north_m = 500.0 * (static_cast<double>(i / 20) + 0.5) - place.north.value;
+    const double east_m = 500.0 * (static_cast<double>(i % 20) + 0.5) - place.east.value;
+    const double smear = 500.0 / std::hypot(north_m, east_m) / std::sqrt(12.0);
+    by_hand.push_back(0.98 * wrapped(std::atan2(east_m, north_m) - 330.0 * kDegree, std::hypot(12.0 * kDegree, smear)) + 0.02);
+  }
+  const double sum = std::accumulate(by_hand.begin(), by_hand.end(), 0.0);
+  // A log weight is half a unit of 1/512 off, 0.07 %, and 2^w 0.008 %.
+  for (std::size_t i = 0; i < 400; ++i)
+    EXPECT_NEAR(double{belief->probability(model, i / 20, i % 20)} / (by_hand[i] / sum), 1.0, 2e-3) << i;
+}
+
+/// Where nothing else tells of the place a bearing says nothing of the ocean, whether a hypothesis was held when it came or drawn later.
+TEST_F(OceanBeliefTest, LearnsNothingOfTheOceanFromBearings) {
+  for (int k = 0; k < 40; ++k) add_table(tables, 1.0F, [k](double) { return 0.5 * k; });
+  const auto without = std::make_unique<OceanBelief>();
+  belief->start(model, tables);
+  without->start(model, tables);
+  for (int i = 0; i < 12; ++i) {
+    const NorthEast place = at(-2'000, 1'000 * i);
+    const messages::Bearing bearing{.direction = Radians{0.2 * i - 1.0}, .deviation = Radians{0.3}};
+    belief->update(model, tables, place, {.snr = Decibels{12.0}, .bearing = bearing});
+    without->update(model, tables, place, {.snr = Decibels{12.0}});
+  }
+  const auto likeliest_at_rest = [](const OceanBelief& of) {
+    std::vector<std::pair<float, std::size_t>> shares;
+    for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) {
+      if (of.hypothesis(i).mobility == 0) shares.emplace_back(of.share(i), i);
+    }
+    return *std::max_element(shares.begin(), shares.end());
+  };
+  const auto [share, best] = likeliest_at_rest(*without);
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) {
+    for (std::size_t j = 0; j < OceanBelief::kHypotheses; ++j) {
+      const Hypothesis& h = without->hypothesis(j);
+      if (h.mobility != 0 || !(belief->hypothesis(i) == h) || without->share(j) < 1e-3F) continue;
+      for (std::size_t b = 0; b < OceanBelief::kHypotheses; ++b) {
+        if (!(belief->hypothesis(b) == without->hypothesis(best))) continue;
+        // Each look rounds a weight by up to a unit, and a place that is forgotten is a little more likely than it was.
+        EXPECT_NEAR(double{belief->share(i)} / double{belief->share(b)}, double{without->share(j)} / double{share}, 0.05);
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GE(compared, 5U);
+}
+
+TEST_F(OceanBeliefTest, HoldsTheLargestModelAndTablesThereIsRoomFor) {
+  BeliefModel largest = bare_model(at(25'000, 25'000), 50, 50);
+  while (largest.actions.push_back({1, 0}) == Status::kOk) {
+  }
+  OceanTables full = no_tables(config::kMaxTableRanges);
+  OceanTable table;
+  table.snr_half_db.fill(20);  // 10 dB
+  while (full.tables.push_back(table) == Status::kOk) {
+  }
+  belief->start(largest, full);
+  for (int look = 0; look < 3; ++look) belief->update(largest, full, at(-20'000, 12'500), {.snr = Decibels{10.0}});
+  // As loud everywhere: nothing is learned of the place.
+  for (std::size_t i = 0; i < 2'500; ++i) ASSERT_NEAR(belief->probability(largest, i / 50, i % 50), 4e-4, 1e-6) << i;
+  EXPECT_TRUE(std::isfinite(belief->outlook(config::kMaxActions - 1).regret));
+}
+
+}  // namespace
+}  // namespace earshot::policy

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "tests/firmware/policy/belief_rig.hpp"
+
+namespace earshot::policy {
+
+/// Oceans of ranges every 100 m; none of them yet.
+inline OceanTables no_tables(std::uint16_t range_count) {
+  OceanTables tables;
+  tables.range_step = Meters{100};
+  tables.range_count = range_count;
+  return tables;
+}
+
+/// One more ocean. @param snr_db  of a range in km; half decibels are kept
+template <class Snr>
+void add_table(OceanTables& tables, float prior, Snr snr_db) {
+  OceanTable table;
+  table.prior = prior;
+  for (std::size_t i = 0; i < tables.range_count; ++i) table.snr_half_db[i] = to_half_db(snr_db(static_cast<double>(i) * 0.1));
+  EXPECT_EQ(tables.tables.push_back(table), Status::kOk);
+}
+
+/// 10 km x 10 km in cells of 500 m, four actions, and 2 % of outliers.
+inline BeliefModel small_model() {
+  BeliefModel model = bare_model(at(10'000, 10'000), 20, 20);
+  model.outlier_share = 0.02F;
+  return model;
+}
+
+/// In 10 km x 10 km and 2 km about it, from where nothing is ruled out.
+inline constexpr std::uint16_t kSmallRanges = 180;
+
+inline long double clamped(long double x, long double least, long double most) {
+  return std::min(std::max(x, least), most);
+}
+
+/// Likelihood of what was received, were the source at a range, written out: the normal distribution, pauses, outliers over 80 dB, the
+/// mean over a cell, and the share of a cell that lies further away than a step.
+inline std::vector<long double> likelihoods_by_hand(const BeliefModel& model, const OceanTables& tables, const Hypothesis& h,
+                                                    Reception reception) {
+  const std::vector<long double> offsets{-9, -6, -3, 0, 3, 6, 9};
+  const std::vector<long double> spreads{1, 2, 4, 7};
+  const std::vector<long double> silences{0, 0.25L, 0.5L, 0.75L};
+  const long double sigma = spreads[h.spread];
+  const long double silent = silences[h.silence];
+  const auto outlier = static_cast<long double>(model.outlier_share);
+  const long double cell = std::max(static_cast<long double>(model.area_size.north.value) / model.cells_north,
+                                    static_cast<long double>(model.area_size.east.value) / model.cells_east);
+  const auto step = static_cast<long double>(tables.range_step.value);
+  const int last = tables.range_count - 1;
+  std::vector<long double> at_range;
+  for (int i = 0; i <= last; ++i) {
+    const long double expected = 0.5L * tables.tables[h.table].snr_half_db[static_cast<std::size_t>(i)] + offsets[h.level];
+    const long double z = (static_cast<long double>(reception.snr.value) - expected) / sigma;
+    const long double density = std::exp(-0.5L * z * z) / (sigma * std::sqrt(2.0L * std::numbers::pi_v<long double>));
+    const long double below = 0.5L * std::erfc(-z / std::sqrt(2.0L));
+    at_range.push_back(!reception.too_faint ? (1.0L - silent) * ((1.0L - outlier) * density + outlier / 80.0L)
+                                            : silent + (1.0L - silent) * ((1.0L - outlier) * below + outlier * 0.5L));
+  }
+  const int half = std::min(static_cast<int>(0.5L * cell / step), last);
+  std::vector<long double> result;
+  for (int i = 0; i <= last; ++i) {
+    long double sum = 0.0L;
+    for (int k = i - half; k <= i + half; ++k) sum += at_range[static_cast<std::size_t>(std::clamp(k, 0, last))];
+    const long double uncovered = clamped((i * step - static_cast<long double>(model.step_length.value)) / cell + 0.5L, 1e-3L, 1.0L);
+    result.push_back(sum / (2 * half + 1) * uncovered);
+  }
+  return result;
+}
+
+/// Range step at which a cell's centre lies, the nearest.
+inline std::size_t range_of(const BeliefModel& model, const OceanTables& tables, NorthEast position, std::size_t cell) {
+  const NorthEast middle = at((static_cast<double>(cell / model.cells_east) + 0.5) * model.area_size.north.value / model.cells_north,
+                              (static_cast<double>(cell % model.cells_east) + 0.5) * model.area_size.east.value / model.cells_east);
+  const double steps = range_between(position, middle) / tables.range_step;
+  return static_cast<std::size_t>(std::min(std::lround(steps), long{tables.range_count - 1}));
+}
+
+}  // namespace earshot::policy

@@ -1,0 +1,29 @@
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "firmware/policy/belief_outlook.hpp"
+
+namespace earshot::policy {
+namespace {
+
+/// Ranges every kilometre, steps of 2 km of which each costs half of the one before, the first three times a silent one. By hand: silent
+/// steps are 0.5 (1/2), 0.5, 1, 1, 1, and a quarter or all of those two ranges before; steps cost 6 (1 - 2^-k/2).
+TEST(SearchCost, CountsSilentStepsByTheirDiscountAndAllStepsByTheirs) {
+  BeliefModel model;
+  model.range_step = Meters{1'000};
+  model.step_length = Meters{2'000};
+  model.costs = {.step = 3.0F, .log_step_discount = -0.69314718F};
+  constexpr std::array<float, 8> kDetected{1, 1, 1, 0.5F, 0.5F, 0, 0, 0};
+  constexpr std::array<float, 8> kSteps{0, 0, 0, 1.757359F, 3.0F, 3.878680F, 4.5F, 4.939340F};
+  constexpr std::array<float, 8> kSilentQuartered{0, 0, 0, 0.25F, 0.5F, 1.0625F, 1.125F, 1.265625F};
+  constexpr std::array<float, 8> kSilent{0, 0, 0, 0.25F, 0.5F, 1.25F, 1.5F, 2.25F};
+  std::array<float, 8> cost;
+  find_search_cost(model, 0.25F, kDetected, cost);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(cost[i], kSteps[i] + kSilentQuartered[i], 1e-5F) << i;
+  find_search_cost(model, 1.0F, kDetected, cost);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(cost[i], kSteps[i] + kSilent[i], 1e-5F) << i;
+}
+
+}  // namespace
+}  // namespace earshot::policy
