@@ -80,14 +80,10 @@ void Belief::update(const BeliefModel& model, NorthEast position, Reception rece
 
 /// Whatever the hypothesis; the sum of the cells is weigh()'s to mend.
 void Belief::weigh_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing) {
-  const NorthEast cell{.north = Meters{cell_north(model)}, .east = Meters{cell_east(model)}};
-  const BearingLikelihood likelihood(bearing, std::max(cell.north, cell.east), model.outlier_share);
-  for (std::size_t n = 0; n < model.cells_north; ++n) {
-    const Meters north = (static_cast<double>(n) + 0.5) * cell.north - position.north;
-    for (std::size_t e = 0; e < model.cells_east; ++e) {
-      const float factor = likelihood.at({.north = north, .east = (static_cast<double>(e) + 0.5) * cell.east - position.east});
-      for (float& p : cells_[n * model.cells_east + e]) p *= factor;
-    }
+  const BearingLikelihood likelihood(bearing, Meters{std::max(cell_north(model), cell_east(model))}, model.outlier_share);
+  for (std::size_t i = 0; i < cell_count(model); ++i) {
+    const float factor = likelihood.at(way_to_cell(model, position, i));
+    for (float& p : cells_[i]) p *= factor;
   }
 }
 

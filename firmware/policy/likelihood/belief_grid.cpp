@@ -20,6 +20,12 @@ double cell_east(const BeliefModel& model) {
   return model.area_size.east.value / static_cast<double>(model.cells_east);
 }
 
+NorthEast way_to_cell(const BeliefModel& model, NorthEast position, std::size_t cell) {
+  const auto centre = [](std::size_t index, double size) { return Meters{(static_cast<double>(index) + 0.5) * size}; };
+  return {.north = centre(cell / model.cells_east, cell_north(model)) - position.north,
+          .east = centre(cell % model.cells_east, cell_east(model)) - position.east};
+}
+
 EARSHOT_WIDE void find_ranges(const BeliefModel& model, NorthEast position, std::size_t last, std::span<std::uint16_t> ranges) {
   const auto size_north = static_cast<float>(cell_north(model) / model.range_step.value);
   const auto size_east = static_cast<float>(cell_east(model) / model.range_step.value);

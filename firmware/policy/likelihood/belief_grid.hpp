@@ -15,6 +15,9 @@ namespace earshot::policy {
 [[nodiscard]] double cell_north(const BeliefModel& model);
 [[nodiscard]] double cell_east(const BeliefModel& model);
 
+/// From the vehicle to the centre of a cell. @param cell  index in [north x east]
+[[nodiscard]] NorthEast way_to_cell(const BeliefModel& model, NorthEast position, std::size_t cell);
+
 /// Range from the vehicle to the centre of every cell, in range steps, rounded; at most the last.
 /// @param position  of the vehicle, relative to the area's south-west corner
 /// @param last      the last range of the tables

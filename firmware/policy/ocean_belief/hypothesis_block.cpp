@@ -28,7 +28,7 @@ LogLanes max(const LogLanes& a, const LogLanes& b) {
 void from_log(const LogLanes& weight, VectorLanes& probability) {
   const IntLanes w = __builtin_convertvector(weight, IntLanes);
   const VectorLanes f = __builtin_convertvector(w & (kOctave - 1), VectorLanes) * (1.0F / static_cast<float>(kOctave));
-  const VectorLanes mantissa = 0.99992522F + f * (0.695833553F + f * (0.226067081F + f * 0.0780245902F));
+  const VectorLanes mantissa = kPowerOfTwo[0] + f * (kPowerOfTwo[1] + f * (kPowerOfTwo[2] + f * kPowerOfTwo[3]));
   probability = reinterpret_cast<VectorLanes>(reinterpret_cast<IntLanes>(mantissa) + (w >> 9) * (1 << 23));
 }
 

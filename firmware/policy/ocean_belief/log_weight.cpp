@@ -10,8 +10,7 @@ namespace earshot::policy {
 
 float from_log(int weight) {
   const float f = static_cast<float>(weight & (kOctave - 1)) * (1.0F / static_cast<float>(kOctave));
-  // A cubic that is as far from 2^f as it must be nowhere in [0, 1): 7.5e-5 of it.
-  const float mantissa = 0.99992522F + f * (0.695833553F + f * (0.226067081F + f * 0.0780245902F));
+  const float mantissa = kPowerOfTwo[0] + f * (kPowerOfTwo[1] + f * (kPowerOfTwo[2] + f * kPowerOfTwo[3]));
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(mantissa) + (static_cast<std::uint32_t>(weight >> 9) << 23U));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -10,6 +11,9 @@ namespace earshot::policy {
 
 /// Units in a factor of two. One unit is 0.14 %; a hundred looks, each rounded, are 0.4 % off in the mean square.
 inline constexpr int kOctave = 512;
+
+/// Coefficients of a cubic that is as far from 2^f as it must be nowhere in [0, 1): 7.5e-5 of it; that of f^0 first.
+inline constexpr std::array<float, 4> kPowerOfTwo{0.99992522F, 0.695833553F, 0.226067081F, 0.0780245902F};
 
 /// 2^(weight / 512).
 /// Error: at most 8e-5 of it.   @param weight  at least -60 000 and at most 60 000   Oracle: LogWeight.*

@@ -106,15 +106,9 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
 
 /// The others that are being weighed hear it now, whatever they have heard of the past: where a source rests the order is the same to them.
 void OceanBelief::take_in_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing) {
-  const NorthEast cell{.north = Meters{cell_north(model)}, .east = Meters{cell_east(model)}};
-  const BearingLikelihood likelihood(bearing, std::max(cell.north, cell.east), model.outlier_share);
-  for (std::size_t n = 0; n < model.cells_north; ++n) {
-    const Meters north = (static_cast<double>(n) + 0.5) * cell.north - position.north;
-    for (std::size_t e = 0; e < model.cells_east; ++e) {
-      const float factor = likelihood.at({.north = north, .east = (static_cast<double>(e) + 0.5) * cell.east - position.east});
-      bearing_[n * model.cells_east + e] = static_cast<std::int16_t>(std::max<int>(to_log(factor), kForgotten));
-    }
-  }
+  const BearingLikelihood likelihood(bearing, Meters{std::max(cell_north(model), cell_east(model))}, model.outlier_share);
+  for (std::size_t i = 0; i < cell_count(model); ++i)
+    bearing_[i] = static_cast<std::int16_t>(std::max<int>(to_log(likelihood.at(way_to_cell(model, position, i))), kForgotten));
   const std::span<std::int16_t> said = std::span(bearing_).first(cell_count(model));
   const std::span<std::int16_t> sum = std::span(bearings_.log_weights).first(cell_count(model));
   take_off_highest(said);
