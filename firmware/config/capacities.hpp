@@ -35,12 +35,6 @@ inline constexpr std::size_t kMaxHiddenLayers = 2;
 inline constexpr std::size_t kMaxRememberedSteps = 21;
 /// Cells of the belief (25 km x 25 km in cells of 500 m or 1 km); full: policy refused at load.
 inline constexpr std::size_t kMaxBeliefCells = by_profile(2500, 625);
-/// Source levels and spreads believed possible; full: policy refused at load.
-inline constexpr std::size_t kMaxBeliefHypotheses = 4;
-/// Samples of the SNR against range (51 km in steps of 100 or 200 m); full: policy refused at load.
-inline constexpr std::size_t kMaxBeliefRanges = by_profile(512, 256);
-/// Bytes of the belief about the source; full: does not compile.
-inline constexpr std::size_t kBeliefBytes = by_profile(64, 20) * 1024;
 /// Oceans believed possible at the mission's place (a year's sound speed times a handful of sea floors and depths); full: tables refused at
 /// load, and `earshot tables` makes one of those that are most alike.
 inline constexpr std::size_t kMaxOceanTables = by_profile(96, 32);
@@ -54,7 +48,7 @@ inline constexpr std::size_t kMaxTableName = 32;
 inline constexpr std::size_t kBeliefBlocks = by_profile(3, 3);
 /// Looks by which hypotheses are weighed that are not held (18 h of one every 500 s); full: those that are held are all.
 inline constexpr std::size_t kMaxBeliefLooks = 128;
-/// Bytes of the belief over oceans, with its tables; full: does not compile.
+/// Bytes of the belief about the source, with its tables; full: does not compile.
 inline constexpr std::size_t kOceanBeliefBytes = by_profile(256, 64) * 1024;
 /// Seconds that a decision may listen over (a blue whale calls every one or two minutes); full: policy refused at load.
 inline constexpr std::size_t kMaxListeningSeconds = by_profile(120, 60);
@@ -64,8 +58,8 @@ inline constexpr std::size_t kGoldenTrajectories = 2;
 inline constexpr std::size_t kGoldenSteps = 6;
 /// Bytes of provenance text in a policy, or in ocean tables; full: refused when they are made.
 inline constexpr std::size_t kMaxProvenance = 1024;
-/// Bytes of the whole on-vehicle state (nearly all of them policy weights and belief); full: does not compile.
-inline constexpr std::size_t kRuntimeBytes = by_profile(134, 81) * 1024;
+/// Bytes of the whole on-vehicle state (nearly all of them belief, ocean tables and policy weights); full: does not compile.
+inline constexpr std::size_t kRuntimeBytes = by_profile(316, 120) * 1024;
 
 // Inputs and commands (firmware/messages, firmware/runtime).
 /// Ports of a vehicle (buses, serial lines, the simulation link); full: mission refused.

@@ -17,7 +17,8 @@ bool is_finite_mission(const Mission& mission) {
   const Rectangle& area = mission.operating_area;
   return all_finite(std::array{area.south_west.north.value, area.south_west.east.value, area.north_east.north.value,
                                area.north_east.east.value, mission.edge_margin.value, mission.search_depth.value, mission.max_depth.value,
-                               mission.search_speed.value, mission.step_length.value, mission.detection_threshold.value});
+                               mission.search_speed.value, mission.step_length.value, mission.detection_threshold.value,
+                               mission.source_frequency.value});
 }
 
 bool leaves_room_to_search(const Mission& mission) {
@@ -33,7 +34,7 @@ Status check(const Mission& mission) {
   const bool usable = is_finite_mission(mission) && mission.edge_margin.value >= 0.0 && mission.search_depth.value > 0.0 &&
                       mission.max_depth >= mission.search_depth && mission.search_speed.value > 0.0 && mission.step_length.value > 0.0 &&
                       mission.max_steps >= 1 && mission.max_time > kNone && mission.navigation_timeout > kNone &&
-                      mission.snr_timeout > kNone && is_valid(mission.listening) && leaves_room_to_search(mission);
+                      mission.snr_timeout > kNone && mission.source_frequency.value > 0.0 && is_valid(mission.listening) && leaves_room_to_search(mission);
   return usable ? Status::kOk : Status::kOutOfRange;
 }
 

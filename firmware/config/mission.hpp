@@ -29,6 +29,7 @@ struct Mission {
   Duration navigation_timeout;    ///< ABORT when navigation is older
   Duration snr_timeout;           ///< ABORT when the SNR estimate is older
   Decibels detection_threshold;   ///< DT: SNR at or above it is a detection
+  Hertz source_frequency{20.0};   ///< of what is searched for, > 0; ocean tables are of one frequency
   /// The window of looks that an observation takes on its leg.
   ListeningWindow listening = {};
   Safety safety = {};  ///< fence, vehicle, rules of the safety supervisor

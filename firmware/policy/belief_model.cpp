@@ -1,18 +1,11 @@
 #include "firmware/policy/belief_model.hpp"
 
-#include <algorithm>
-
 #include "firmware/core/math.hpp"
 #include "firmware/policy/search_bounds.hpp"
 
 namespace earshot::policy {
 namespace {
 
-constexpr double kLeastSpread_db = 0.05;
-constexpr double kMostSpread_db = 100.0;
-constexpr double kLeastPrior = 1e-6;
-constexpr double kMostPrior = 1e6;
-constexpr double kMostRangeStep_m = 1e4;
 constexpr double kMostCost = 1e6;
 /// Other costs are divided by the cost of a reach.
 constexpr double kLeastReach = 1e-3;
@@ -30,24 +23,15 @@ bool has_valid_numbers(const BeliefCosts& costs) {
 }  // namespace
 
 bool has_valid_shape(const BeliefModel& model) {
-  return model.cells_north >= 1 && model.cells_east >= 1 && cell_count(model) <= config::kMaxBeliefCells && !model.hypotheses.empty() &&
-         !model.snr_db.empty() && !model.actions.empty();
+  return model.cells_north >= 1 && model.cells_east >= 1 && cell_count(model) <= config::kMaxBeliefCells && !model.actions.empty();
 }
 
 bool has_valid_numbers(const BeliefModel& model) {
-  const auto is_level = [](float x) { return is_within(double{x}, -kMostLevel_db, kMostLevel_db); };
   const auto is_length = [](Meters x, double most) { return is_within(x.value, kLeastLength_m, most); };
-  for (const BeliefHypothesis& h : model.hypotheses) {
-    if (!is_level(h.level_offset_db) || !is_within(double{h.spread_db}, kLeastSpread_db, kMostSpread_db) ||
-        !is_within(double{h.prior}, kLeastPrior, kMostPrior))
-      return false;
-  }
-  if (!std::all_of(model.snr_db.begin(), model.snr_db.end(), is_level)) return false;
   return is_length(model.area_size.north, kMostArea_m) && is_length(model.area_size.east, kMostArea_m) &&
          is_length(model.step_length, kMostStep_m) && is_length(model.border_width, kMostStep_m) &&
-         is_length(model.range_step, kMostRangeStep_m) && is_finite(model.detection_threshold.value) &&
-         is_within(double{model.outlier_share}, 0.0, 1.0) && is_within(double{model.silence_share}, 0.0, 1.0) &&
-         is_within(double{model.forgotten_share}, 0.0, 0.5) && has_valid_numbers(model.costs);
+         is_finite(model.detection_threshold.value) && is_within(double{model.outlier_share}, 0.0, 1.0) &&
+         has_valid_numbers(model.costs);
 }
 
 }  // namespace earshot::policy

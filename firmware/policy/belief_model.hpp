@@ -10,14 +10,6 @@
 
 namespace earshot::policy {
 
-/// One way in which the SNR heard may differ from the one modelled.
-struct BeliefHypothesis {
-  float level_offset_db = 0.0F;  ///< the source is that much louder than the model says
-  float spread_db = 4.0F;        ///< standard deviation of what is measured about that, > 0
-  float prior = 1.0F;            ///< > 0; priors need not add up to one
-  friend constexpr bool operator==(const BeliefHypothesis&, const BeliefHypothesis&) = default;
-};
-
 /// What a search costs, for the outlook; a step on which nothing is detected costs one. The defaults are the paper's search.
 struct BeliefCosts {
   float step = 3.0F;  ///< of a step, the first of many, 0 to 1e6
@@ -31,7 +23,8 @@ struct BeliefCosts {
   friend constexpr bool operator==(const BeliefCosts&, const BeliefCosts&) = default;
 };
 
-/// What a belief takes for granted; travels in the `.policy` file. Used only by observations that see a belief.
+/// What a belief takes for granted of the search, whatever the ocean (that is in OceanTables); travels in the `.policy` file. Used only by
+/// observations that see a belief.
 struct BeliefModel {
   // The search; in a FrozenPolicy the same as its own.
   NorthEast area_size;          ///< the source lies in the area, both > 0
@@ -43,17 +36,8 @@ struct BeliefModel {
 
   std::uint16_t cells_north = 50;  ///< cells_north * cells_east <= kMaxBeliefCells
   std::uint16_t cells_east = 50;
-  FixedVector<BeliefHypothesis, config::kMaxBeliefHypotheses> hypotheses;
   /// Share of SNRs that follow no model, 0 to 1.
   float outlier_share = 0.02F;
-  /// Share of the looks that meet a pause in the call, when nothing is heard at any range, 0 to 1.
-  float silence_share = 0.0F;
-  /// Share of the belief that is spread over the whole area between two looks, 0 to 0.5: the source may have moved.
-  float forgotten_share = 1e-4F;
-
-  Meters range_step{100.0};  ///< > 0
-  /// SNR at the vehicle's depth at range i * range_step; beyond its end as at its end.
-  FixedVector<float, config::kMaxBeliefRanges> snr_db;
 };
 
 /// Cells of the belief's grid.
@@ -63,8 +47,8 @@ struct BeliefModel {
 
 /// Whether every size fits its capacity and is not zero.
 [[nodiscard]] bool has_valid_shape(const BeliefModel& model);
-/// Whether every number is in its range: spread 0.05 to 100 dB, offsets and SNRs within kMostSnr, priors 1e-6 to 1e6; range step 1 m to
-/// 10 km, step and border 1 m to 1000 km, area 1 m to 10 000 km, costs as said at each. @param model  of a valid shape
+/// Whether every number is in its range: step and border 1 m to 1000 km, area 1 m to 10 000 km, shares and costs as said at each.
+/// @param model  of a valid shape
 [[nodiscard]] bool has_valid_numbers(const BeliefModel& model);
 
 }  // namespace earshot::policy

@@ -251,8 +251,8 @@ class ReachSearch {
 /// The expectations E[C(way(x_a, s))] and E[D(|s - x_a|)] of every action a, summed up block by block and side by side for a vector unit.
 class Expectations {
  public:
-  Expectations(const BeliefModel& model, Point vehicle)
-      : count_(model.actions.size()), per_range_step_(static_cast<float>(1.0 / model.range_step.value)) {
+  Expectations(const BeliefModel& model, Meters range_step, Point vehicle)
+      : count_(model.actions.size()), per_range_step_(static_cast<float>(1.0 / range_step.value)) {
     const auto step = static_cast<float>(model.step_length.value);
     for (std::size_t a = 0; a < count_; ++a) {
       north_[a] = vehicle.north + step * static_cast<float>(model.actions[a].north);
@@ -295,7 +295,7 @@ class Expectations {
 Expectations expectations_over(const Grid& grid, const BeliefModel& model, const BorderFreeArea& inside, const RangeOutlook& by_range,
                                Point vehicle) {
   const auto step_length = static_cast<float>(model.step_length.value);
-  Expectations expectations(model, vehicle);
+  Expectations expectations(model, by_range.range_step, vehicle);
   for (std::size_t row = 0; row < grid.rows; row += kBlock) {
     for (std::size_t column = 0; column < grid.columns; column += kBlock) {
       Point source{};
@@ -318,13 +318,14 @@ void find_regrets(const BeliefCosts& costs, const Expectations& expectations, st
 
 }  // namespace
 
-void find_search_cost(const BeliefModel& model, float silence_discount, std::span<const float> detected, std::span<float> search_cost) {
+void find_search_cost(const BeliefModel& model, Meters range_step, float silence_discount, std::span<const float> detected,
+                      std::span<float> search_cost) {
   const std::size_t count = detected.size();
-  const auto step = std::clamp<std::size_t>(static_cast<std::size_t>(model.step_length / model.range_step + 0.5), 1, count);
+  const auto step = std::clamp<std::size_t>(static_cast<std::size_t>(model.step_length / range_step + 0.5), 1, count);
   const float discount = exp(model.costs.log_step_discount / static_cast<float>(step));
   const float discounted_away = 1.0F - exp(model.costs.log_step_discount);
   float discounted = 1.0F;
-  std::array<float, config::kMaxBeliefRanges> silent;  // expected steps without detection
+  std::array<float, config::kMaxTableRanges> silent;  // expected steps without detection
   for (std::size_t i = 0; i < count; ++i) {
     silent[i] = 0.0F;
     if (i > step) {

@@ -20,19 +20,22 @@ struct ActionOutlook {
 /// Steps that the reach looks ahead: as many as the time of a decision allows.
 inline constexpr std::size_t kReachSteps = 3;
 
-/// Tables of what depends on the range to a source alone: one value every BeliefModel::range_step, beyond the end as at the end.
+/// Tables of what depends on the range to a source alone: one value every range_step, beyond the end as at the end.
 struct RangeOutlook {
   std::span<const float> search_cost;  ///< C(r): of a search that goes straight to a source at that range
   std::span<const float> detected;     ///< D(r): probability of a detection
+  Meters range_step;                   ///< > 0
 };
 
 /// Tabulates C(r), see find_outlooks().
+/// @param range_step        of the tables, > 0
 /// @param silence_discount  of a silent step's cost, that of the one before it being one: g_S in S(r) = (1 - D(r)) min(1, (r - l) / l) +
 ///                          g_S S(r - l). With 1 all are worth the same; then a vehicle amid places that are as likely on every side, and
 ///                          too far to hear from, may find no way better than another and stay
 /// @param detected          D(r): probability of a detection at every range
-/// @param search_cost       [ranges], of which there are at most kMaxBeliefRanges; the result
-void find_search_cost(const BeliefModel& model, float silence_discount, std::span<const float> detected, std::span<float> search_cost);
+/// @param search_cost       [ranges], of which there are at most kMaxTableRanges; the result
+void find_search_cost(const BeliefModel& model, Meters range_step, float silence_discount, std::span<const float> detected,
+                      std::span<float> search_cost);
 
 /// Finds what each action promises to a vehicle at x. With l = step_length, x_a the end of action a, and B(y) how deep a place y lies in
 /// the border (0 inside, 1 at the edge):

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <span>
+#include <string_view>
 
 #include "firmware/core/math.hpp"
 #include "firmware/policy/frozen_policy.hpp"
@@ -39,9 +41,10 @@ bool is_same(const GoldenStep& a, const GoldenStep& b) {
 }
 
 /// The step as this build flies it, the one before being the last that `memory` knows of.
-GoldenStep flown(const FrozenPolicy& policy, const GoldenStep& step, bool is_first, SearchMemory& memory) {
+GoldenStep flown(const FrozenPolicy& policy, const OceanTables& tables, const GoldenStep& step, bool is_first, SearchMemory& memory) {
   const ObservationModel& model = policy.observation;
-  is_first ? memory.start(model, step.place, step.reception.heard()) : memory.remember(model, step.place, step.reception.heard());
+  is_first ? memory.start(model, tables, step.place, step.reception.heard())
+           : memory.remember(model, tables, step.place, step.reception.heard());
   GoldenStep again;
   again.place = step.place;
   again.reception = step.reception;
@@ -51,30 +54,56 @@ GoldenStep flown(const FrozenPolicy& policy, const GoldenStep& step, bool is_fir
   }
   const std::span<float> observation = std::span(again.observation).first(model.spec.size());
   observe(memory, model, observation);
-  forward(policy.network, observation, std::span(again.logits).first(policy.actions.size()));
+  find_logits(policy, observation, std::span(again.logits).first(policy.actions.size()));
   return again;
+}
+
+void add_ocean(std::string_view name, OceanTables& tables) {
+  [[maybe_unused]] Status status = tables.tables.push_back(OceanTable{});
+  assert(status == Status::kOk);
+  for (const char letter : name) status = tables.tables[tables.tables.size() - 1].name.push_back(letter);
 }
 
 }  // namespace
 
-void record_golden(FrozenPolicy& policy, SearchMemory& memory) {
+void make_golden_tables(NorthEast area_size, OceanTables& tables) {
+  constexpr int kRanges = static_cast<int>(std::min<std::size_t>(config::kMaxTableRanges, 128));
+  constexpr int kAtSource = 100;  // half decibels
+  constexpr int kFaintest = -100;
+  constexpr int kZones = 40;  // ranges from the beginning of one zone to that of the next
+  constexpr int kZone = 6;    // ranges that it is wide
+  tables.range_count = static_cast<std::uint16_t>(kRanges);
+  tables.range_step = (area_size.north + area_size.east) / static_cast<double>(kRanges - 1);
+  tables.tables.clear();
+  for (const std::string_view name : {"near", "far", "zones"}) add_ocean(name, tables);
+  for (int i = 0; i < kRanges; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    tables.tables[0].snr_half_db[at] = static_cast<std::int8_t>(std::max(kAtSource - 2 * i, kFaintest));
+    tables.tables[1].snr_half_db[at] = static_cast<std::int8_t>(kAtSource - i);
+    tables.tables[2].snr_half_db[at] = static_cast<std::int8_t>(i % kZones < kZone ? kAtSource - i / 2 : std::max(kAtSource - 3 * i, kFaintest));
+  }
+}
+
+void record_golden(FrozenPolicy& policy, SearchMemory& memory, OceanTables& tables) {
+  make_golden_tables(policy.area_size, tables);
   for (GoldenTrajectory& trajectory : policy.golden) {
     bool is_first = true;
     for (GoldenStep& step : trajectory) {
-      step = flown(policy, step, is_first, memory);
+      step = flown(policy, tables, step, is_first, memory);
       is_first = false;
     }
   }
 }
 
-bool repeats_golden(const FrozenPolicy& policy, SearchMemory& memory) {
+bool repeats_golden(const FrozenPolicy& policy, SearchMemory& memory, OceanTables& tables) {
+  make_golden_tables(policy.area_size, tables);
   const auto all_finite = [](std::span<const float> values) {
     return std::all_of(values.begin(), values.end(), [](float value) { return is_finite(value); });
   };
   for (const GoldenTrajectory& trajectory : policy.golden) {
     bool is_first = true;
     for (const GoldenStep& step : trajectory) {
-      const GoldenStep again = flown(policy, step, is_first, memory);
+      const GoldenStep again = flown(policy, tables, step, is_first, memory);
       if (!is_same(again, step) || !all_finite(again.logits)) return false;
       is_first = false;
     }

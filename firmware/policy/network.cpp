@@ -140,6 +140,10 @@ void compute_with_128_bits(const Network& network, std::span<const float> observ
 
 }  // namespace
 
+bool has_network(const Network& network) {
+  return network.hidden_sizes != decltype(network.hidden_sizes){};
+}
+
 bool has(VectorUnit unit) {
   switch (unit) {
     case VectorUnit::kNone:

@@ -39,6 +39,9 @@ struct Network {
   Layer<config::kMaxActions, kWidth, 8> output;  ///< eight directions are one block
 };
 
+/// Whether there is one; else the belief's own advice flies.
+[[nodiscard]] bool has_network(const Network& network);
+
 /// Logits of every action for one observation, on the widest vector unit that this machine has. Same bits on every machine and unit, for
 /// every output is a sum of its own in one fixed order of IEEE float operations, none of them fused (x inputs, w weights, b bias):
 ///
@@ -48,6 +51,7 @@ struct Network {
 ///   tanh x = x P(x^2) / Q(x^2), both of degree 4; at most 4.2e-7 of it from the true value (seven steps of a float below one), never
 ///   beyond +-1
 ///
+/// @param network      has_network()
 /// @param observation  [observation_size]
 /// @param logits       [action_count]
 /// Error: at most 5e-6 on 10 000 observations of searches by each policy that ships (logits reach 16); no bound for any observation.

@@ -37,7 +37,7 @@ bool is_known(Feature feature) {
 
 bool needs_belief(Feature feature) {
   const auto within = [feature](Feature first, Feature last) { return feature >= first && feature <= last; };
-  return within(Feature::kLikeliestEast, Feature::kHypothesis) || within(Feature::kFound, Feature::kApproach);
+  return within(Feature::kLikeliestEast, Feature::kEffectiveCells) || within(Feature::kFound, Feature::kApproach);
 }
 
 bool needs_belief(const ObservationSpec& spec) {
@@ -50,20 +50,20 @@ bool needs_area(const ObservationSpec& spec) {
   });
 }
 
-void SearchMemory::start(const ObservationModel& model, NorthEast position, Reception reception) {
+void SearchMemory::start(const ObservationModel& model, const OceanTables& tables, NorthEast position, Reception reception) {
   position_ = position;
   steps_ = {};
   steps_[0].snr = reception.snr;
   if (!needs_belief(model.spec)) return;
-  belief_.start(model.belief);
-  belief_.update(model.belief, position, reception);
+  belief_.start(model.belief, tables);
+  belief_.update(model.belief, tables, position, reception);
 }
 
-void SearchMemory::remember(const ObservationModel& model, NorthEast position, Reception reception) {
+void SearchMemory::remember(const ObservationModel& model, const OceanTables& tables, NorthEast position, Reception reception) {
   std::copy_backward(steps_.begin(), steps_.end() - 1, steps_.end());
   steps_[0] = {.displacement = position - position_, .snr = reception.snr};
   position_ = position;
-  if (needs_belief(model.spec)) belief_.update(model.belief, position, reception);
+  if (needs_belief(model.spec)) belief_.update(model.belief, tables, position, reception);
 }
 
 double SearchMemory::raw(const ObservationModel& model, const ObservationElement& element) const {
@@ -107,8 +107,6 @@ double SearchMemory::of_belief(const BeliefModel& model, const ObservationElemen
       return double{summary.likeliest_share};
     case Feature::kEffectiveCells:
       return double{summary.effective_cells};
-    case Feature::kHypothesis:
-      return double{belief_.probability_of_hypothesis(element.age)};
     case Feature::kFound:
       return double{outlook.found};
     case Feature::kDetected:
@@ -184,7 +182,6 @@ ObservationSpec belief_state(const BeliefModel& model) {
   for (const Feature place : {Feature::kLikeliestNorth, Feature::kMeanNorth}) add(place, 0, 0.0, 1.0 / half_north);
   add(Feature::kSpread, 0, 0.0, 1.0 / half_north);
   add(Feature::kLikeliestShare, 0, 0.0, 1.0);
-  for (std::size_t h = 0; h < model.hypotheses.size(); ++h) add(Feature::kHypothesis, h, 0.0, 1.0);
   const double per_step = 1.0 / model.step_length.value;
   // As many features of each action as there is room for, those that matter most first.
   for (const Feature feature :

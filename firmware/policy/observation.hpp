@@ -10,8 +10,9 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/status.hpp"
 #include "firmware/core/units.hpp"
-#include "firmware/policy/belief.hpp"
+#include "firmware/policy/ocean_belief/ocean_belief.hpp"
 #include "firmware/policy/reception.hpp"
+#include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {
 
@@ -43,7 +44,6 @@ enum class Feature : std::uint8_t {
   kSpread = 20,          ///< root mean square distance of the source from the mean place, metres
   kLikeliestShare = 21,  ///< probability of the likeliest cell
   kEffectiveCells = 22,  ///< number of cells the belief is spread over
-  kHypothesis = 23,      ///< probability of the hypothesis that `age` counts
 
   // Of the belief, one for each action; `age` is the action's index.
   kFound = 32,       ///< probability that the action's end lies within a step length of the source
@@ -58,7 +58,7 @@ enum class Feature : std::uint8_t {
 /// One element of an observation: element = (raw - offset) * scale.
 struct ObservationElement {
   Feature feature = Feature::kEast;
-  std::uint8_t age = 0;  ///< remembered step it is taken from, 0 the latest; index of the action or hypothesis; 0 for all else
+  std::uint8_t age = 0;  ///< remembered step it is taken from, 0 the latest; index of the action; 0 for all else
   float offset = 0.0F;   ///< in the raw value's unit
   float scale = 1.0F;    ///< one over the raw value's unit
   friend constexpr bool operator==(const ObservationElement&, const ObservationElement&) = default;
@@ -87,18 +87,19 @@ struct ObservationModel {
 
 /// The vehicle's memory of its search: where it was and what it heard at the end of each of the last steps.
 /// A step not yet taken counts as no displacement and an SNR of zero; the start fills the newest slot with the SNR heard there.
-/// Every call is given the model of the one before.
+/// Every call is given the model, and the ocean tables, of the one before. Of tables nothing is used where the model's spec sees no belief:
+/// they may be empty then.
 class SearchMemory {
  public:
   /// Forgets everything; the vehicle stands at `position` (relative to the area's south-west corner); `reception` is what it hears there.
-  void start(const ObservationModel& model, NorthEast position, Reception reception);
+  void start(const ObservationModel& model, const OceanTables& tables, NorthEast position, Reception reception);
   /// One step is over: the vehicle now stands at `position`; `reception` is what it hears there.
-  void remember(const ObservationModel& model, NorthEast position, Reception reception);
+  void remember(const ObservationModel& model, const OceanTables& tables, NorthEast position, Reception reception);
 
   /// Raw value of one element.
   [[nodiscard]] double raw(const ObservationModel& model, const ObservationElement& element) const;
   /// What is believed about the source; meaningful only when the model's spec needs it.
-  [[nodiscard]] const Belief& belief() const { return belief_; }
+  [[nodiscard]] const OceanBelief& belief() const { return belief_; }
 
  private:
   struct Step {
@@ -110,7 +111,7 @@ class SearchMemory {
 
   NorthEast position_;
   std::array<Step, config::kMaxRememberedSteps> steps_{};  ///< newest first
-  Belief belief_;
+  OceanBelief belief_;
 };
 
 /// Writes the model's elements to `observation` (its size is model.spec.size()).

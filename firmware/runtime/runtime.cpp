@@ -61,7 +61,7 @@ EndReason end_reason_of(config::Condition cause) {
 
 }  // namespace
 
-Status Runtime::configure(const config::Mission& mission, const policy::FrozenPolicy& policy) {
+Status Runtime::configure(const config::Mission& mission, const policy::FrozenPolicy& policy, const policy::OceanTables& tables) {
   configured_ = false;
   progress_ = Progress{};
   integrity_ = kIntact;
@@ -71,15 +71,23 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
   if (!safety::check(mission).is_none()) return Status::kOutOfRange;
   if (const policy::PolicyComplaint complaint = policy::check(policy); !complaint.is_none()) return policy::status_of(complaint.fault);
   if (policy::mismatch(policy, mission) != policy::Mismatch::kNone) return Status::kOutOfRange;
-  if (!repeats_known_steps() || !policy::repeats_golden(policy, memory_)) return Status::kCorrupt;
+  const bool has_belief = policy::needs_belief(policy.observation.spec);
+  if (has_belief && !policy::are_usable(tables, policy::searched_sound(mission))) return Status::kOutOfRange;
+  if (!repeats_known_steps() || !policy::repeats_golden(policy, memory_, tables_)) return Status::kCorrupt;
   mission_ = mission;
   policy_ = policy;
+  if (has_belief) {
+    tables_ = tables;
+  } else {
+    tables_.tables.clear();
+  }
   progress_.random = Pcg32(mission.action_seed);
   progress_.judge = authority::CommandJudge(mission.authority.needs_verified_commands);
   progress_.situation.navigation = safety::NavigationJudge(mission.safety.vehicle, mission.navigation_timeout);
   progress_.supervisor.configure(mission_);
   configured_ = true;
   policy_checksum_ = checksum_of(policy_);
+  tables_checksum_ = checksum_of(tables_);
   seal_mission();
   seal();
   return Status::kOk;
@@ -283,7 +291,7 @@ void Runtime::begin_search(Time now) {
   progress_.command.begin();
   progress_.listener.begin_leg(now);  // no leg leads to the start: its newest look is all that it hears
   progress_.bearings.begin_leg(before_newest_look());
-  memory_.start(policy_.observation, place_in_area(), reception(now));
+  memory_.start(policy_.observation, tables_, place_in_area(), reception(now));
   memory_checksum_ = checksum_of(memory_);
 }
 
@@ -303,7 +311,7 @@ void Runtime::search(Time now, Outputs& outputs) {
   }
   const policy::Reception reception_on_leg = reception(now);
   if (has_leg) {
-    memory_.remember(policy_.observation, place_in_area(), reception_on_leg);
+    memory_.remember(policy_.observation, tables_, place_in_area(), reception_on_leg);
     memory_checksum_ = checksum_of(memory_);
     ++progress_.steps_taken;
     if (progress_.steps_taken >= mission_.max_steps) return end(MissionState::kDone, EndReason::kStepsUsedUp);
@@ -330,7 +338,7 @@ bool Runtime::decide(Time now, const policy::Reception& reception, messages::Dec
   const std::span<float> observation = std::span(decision.observation).first(policy_.observation.spec.size());
   const std::span<float> logits = std::span(decision.logits).first(policy_.actions.size());
   policy::observe(memory_, policy_.observation, observation);
-  policy::forward(policy_.network, observation, logits);
+  policy::find_logits(policy_, observation, logits);
   if (!are_within(observation, policy::kMostElement) || !are_within(logits, policy::kMostLogit)) return false;
   const std::size_t action = policy::draw_action(policy_.draw, logits, progress_.random);
   const safety::SafeWaypoint safe = safety::safe_waypoint(mission_, position, position + mission_.step_length * policy_.actions[action]);

@@ -20,6 +20,7 @@
 #include "firmware/messages/setpoint.hpp"
 #include "firmware/policy/frozen_policy.hpp"
 #include "firmware/policy/observation.hpp"
+#include "firmware/policy/tables/ocean_tables.hpp"
 #include "firmware/safety/manoeuvre.hpp"
 #include "firmware/safety/situation.hpp"
 #include "firmware/safety/supervisor.hpp"
@@ -49,11 +50,12 @@ struct Outputs {
 /// is commanded, whatever becomes of the mission.
 class Runtime {
  public:
-  /// Takes a copy of both and forgets everything else. kOutOfRange if the mission fails config::check or the policy was trained for another
-  /// (policy::mismatch); what policy::check finds wrong with the policy, by status_of; kCorrupt if this build does not repeat the policy's
+  /// Takes a copy of all and forgets everything else. kOutOfRange if the mission fails config::check, the policy was trained for another
+  /// (policy::mismatch) or the tables do not cover it (policy::coverage); what policy::check finds wrong with the policy, by status_of; kCorrupt if this build does not repeat the policy's
   /// golden trajectories or repeats_known_steps(): it would not fly as the policy was frozen. Until configured, step() stays in STANDBY and
   /// refuses START.
-  [[nodiscard]] Status configure(const config::Mission& mission, const policy::FrozenPolicy& policy);
+  /// @param tables  the oceans that are possible where the mission is; not looked at when the policy holds no belief
+  [[nodiscard]] Status configure(const config::Mission& mission, const policy::FrozenPolicy& policy, const policy::OceanTables& tables);
 
   /// Judges one input; any number between two steps, in the order in which they came. What is refused changes nothing but its counter, so
   /// that a bad sender does not hide a good one. Of several ports that bring one kind, the latest date counts.
@@ -69,7 +71,7 @@ class Runtime {
   /// One turn of the loop, with all that has been taken. `now` never goes back (over take() and step()) and is not negative.
   [[nodiscard]] Outputs step(Time now);
 
-  // Mission, limits, state, latches and timers are kept twice, policy and memory of the search with a CRC-32. A bit that flips in them is
+  // Mission, limits, state, latches and timers are kept twice, policy, tables and memory of the search with a CRC-32. A bit that flips in them is
   // noticed by the next take() or step(), or the next decision, before it is used: the mission ends (kMemoryFault), for good.
 
  private:
@@ -106,7 +108,7 @@ class Runtime {
   [[nodiscard]] bool is_intact() const;
   void seal();
   void seal_mission();
-  /// Whether policy and memory of the search are what they were after the last decision.
+  /// Whether policy, tables and memory of the search are what they were after the last decision.
   [[nodiscard]] bool may_decide() const;
   /// What is left to say when the memory cannot be trusted.
   [[nodiscard]] Outputs step_of_damaged(Time now) const;
@@ -153,11 +155,13 @@ class Runtime {
   bool configured_ = false;
   config::Mission mission_;
   policy::FrozenPolicy policy_;
+  policy::OceanTables tables_;
   policy::SearchMemory memory_;  ///< begins anew with every search; too large to be assigned by way of the stack
   Progress progress_;
   Sealed sealed_;
   std::uint64_t integrity_ = kIntact;
   std::uint32_t policy_checksum_ = 0;
+  std::uint32_t tables_checksum_ = 0;
   std::uint32_t memory_checksum_ = 0;  ///< since the last decision
 };
 

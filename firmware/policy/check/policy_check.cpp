@@ -33,7 +33,7 @@ PolicyFault fault_in_shape(const FrozenPolicy& policy) {
   const auto fits = [](std::size_t size, std::size_t capacity) { return size >= 1 && size <= capacity; };
   const Network& network = policy.network;
   const bool fit = fits(network.observation_size, config::kMaxObservation) && fits(network.action_count, config::kMaxActions) &&
-                   fits(network.hidden_sizes[0], Network::kWidth) && fits(network.hidden_sizes[1], Network::kWidth);
+                   (!has_network(network) || (fits(network.hidden_sizes[0], Network::kWidth) && fits(network.hidden_sizes[1], Network::kWidth)));
   const bool agree = network.observation_size == policy.observation.spec.size() && network.action_count == policy.actions.size();
   return fit && agree ? PolicyFault::kNone : PolicyFault::kBadShape;
 }
@@ -60,6 +60,19 @@ bool is_finite_layer(const Layer& layer, std::size_t outputs, std::size_t inputs
   return all_finite(std::span(layer.bias).first(outputs));
 }
 
+/// Whether the observation shows every action's preference, once and on one scale.
+bool shows_advice(const FrozenPolicy& policy) {
+  const ObservationSpec& spec = policy.observation.spec;
+  const auto is_preference = [](const ObservationElement& element) { return element.feature == Feature::kPreference; };
+  const ObservationElement* const first = std::find_if(spec.begin(), spec.end(), is_preference);
+  if (first == spec.end() || !(first->scale > 0.0F)) return false;
+  for (std::size_t a = 0; a < policy.actions.size(); ++a) {
+    const ObservationElement shown{.feature = Feature::kPreference, .age = static_cast<std::uint8_t>(a), .offset = first->offset, .scale = first->scale};
+    if (std::count(spec.begin(), spec.end(), shown) != 1) return false;
+  }
+  return std::count_if(spec.begin(), spec.end(), is_preference) == static_cast<std::ptrdiff_t>(policy.actions.size());
+}
+
 PolicyFault fault_in_network(const Network& network, double most_element) {
   const auto [first, second] = network.hidden_sizes;
   if (!is_finite_layer(network.first, first, network.observation_size) || !is_finite_layer(network.second, second, first) ||
@@ -74,7 +87,6 @@ PolicyFault fault_in_network(const Network& network, double most_element) {
 /// How many `age`s a feature of this policy may have.
 std::size_t count_of(Feature feature, const FrozenPolicy& policy) {
   if (feature >= Feature::kStepEast && feature <= Feature::kStepSnr) return config::kMaxRememberedSteps;
-  if (feature == Feature::kHypothesis) return policy.observation.belief.hypotheses.size();
   if (feature >= Feature::kFound) return policy.actions.size();
   return 1;
 }
@@ -88,7 +100,6 @@ double most_raw(Feature feature, const FrozenPolicy& policy) {
     case Feature::kEffectiveCells:
       return 2.0 * static_cast<double>(config::kMaxBeliefCells);
     case Feature::kLikeliestShare:
-    case Feature::kHypothesis:
     case Feature::kFound:
     case Feature::kReach:
     case Feature::kDetected:
@@ -184,6 +195,7 @@ PolicyComplaint check(const FrozenPolicy& policy) {
   if (const PolicyFault fault = fault_in_golden(policy); fault != PolicyFault::kNone) return complaint(fault, kGoldenSection);
   const double most = most_element(policy);
   if (!(most <= kMostElement)) return complaint(PolicyFault::kUnbounded, kObservationSection);
+  if (!has_network(policy.network)) return shows_advice(policy) ? PolicyComplaint{} : complaint(PolicyFault::kNoAdvice, kObservationSection);
   if (const PolicyFault fault = fault_in_network(policy.network, most); fault != PolicyFault::kNone)
     return complaint(fault, kNetworkSection);
   return {};

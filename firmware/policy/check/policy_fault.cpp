@@ -13,6 +13,7 @@ Status status_of(PolicyFault fault) {
     case PolicyFault::kSectionTwice:
     case PolicyFault::kBadSectionLength:
     case PolicyFault::kBadShape:
+    case PolicyFault::kNoAdvice:
       return Status::kMalformed;
     case PolicyFault::kUnknownVersion:
     case PolicyFault::kUnknownSection:
@@ -73,6 +74,8 @@ std::string_view to_string(PolicyFault fault) {
       return "holds a number that is out of its range";
     case PolicyFault::kUnbounded:
       return "holds scales or weights so large that its logits could overflow";
+    case PolicyFault::kNoAdvice:
+      return "does not show the preference of every action, by which a policy without a network goes";
     case PolicyFault::kGoldenMismatch:
       return "does not repeat its golden trajectories with this program on this machine: the arithmetic differs";
   }

@@ -29,6 +29,7 @@ enum class PolicyFault : std::uint8_t {
   kNotFinite,         ///< a number is NaN, infinite, or no such thing (a direction not of length one)
   kOutOfRange,        ///< a number of the search or the belief is not within its limits
   kUnbounded,         ///< scales or weights so large that an observation could make an element or a logit that is no number
+  kNoAdvice,          ///< no network, and an observation that does not show every action's preference
   kGoldenMismatch,    ///< this build, flying the golden trajectories again, does not give what is written there
 };
 

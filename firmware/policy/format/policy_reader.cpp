@@ -34,10 +34,14 @@ bool fits(std::size_t size, std::size_t capacity) {
 
 PolicyFault read_network(ByteReader& reader, FrozenPolicy& policy) {
   Network& network = policy.network;
-  if (reader.u8() != kTanh) return PolicyFault::kUnknownActivation;
+  const std::uint8_t activation = reader.u8();
   network.observation_size = reader.u8();
-  for (std::size_t& size : network.hidden_sizes) size = reader.u16();
+  network.hidden_sizes = {};
+  if (activation == kTanh)
+    for (std::size_t& size : network.hidden_sizes) size = reader.u16();
   network.action_count = reader.u8();
+  if (activation == kNoNetwork) return PolicyFault::kNone;
+  if (activation != kTanh) return PolicyFault::kUnknownActivation;
   const auto [first, second] = network.hidden_sizes;
   if (!fits(network.observation_size, config::kMaxObservation) || !fits(first, Network::kWidth) || !fits(second, Network::kWidth) ||
       !fits(network.action_count, config::kMaxActions))
@@ -83,26 +87,9 @@ PolicyFault read_draw(ByteReader& reader, FrozenPolicy& policy) {
   return PolicyFault::kNone;
 }
 
-PolicyFault read_hypotheses(ByteReader& reader, BeliefModel& model) {
-  const std::size_t count = reader.u8();
-  for (std::size_t i = 0; i < count; ++i) {
-    BeliefHypothesis hypothesis;
-    hypothesis.level_offset_db = reader.f32();
-    hypothesis.spread_db = reader.f32();
-    hypothesis.prior = reader.f32();
-    if (model.hypotheses.push_back(hypothesis) != Status::kOk) return PolicyFault::kBadShape;
-  }
-  const std::size_t ranges = reader.u16();
-  if (ranges > config::kMaxBeliefRanges) return PolicyFault::kBadShape;
-  for (std::size_t i = 0; i < ranges; ++i) static_cast<void>(model.snr_db.push_back(reader.f32()));
-  return PolicyFault::kNone;
-}
-
 /// What the file says about the belief; the rest is the policy's own.
 PolicyFault read_belief(ByteReader& reader, FrozenPolicy& policy) {
   BeliefModel& model = policy.observation.belief;
-  model.hypotheses.clear();
-  model.snr_db.clear();
   model.area_size = policy.area_size;
   model.step_length = policy.step_length;
   model.detection_threshold = policy.detection_threshold;
@@ -111,12 +98,11 @@ PolicyFault read_belief(ByteReader& reader, FrozenPolicy& policy) {
   model.cells_north = reader.u16();
   model.cells_east = reader.u16();
   model.border_width = Meters{reader.f64()};
-  model.range_step = Meters{reader.f64()};
-  for (float* const share : {&model.outlier_share, &model.silence_share, &model.forgotten_share}) *share = reader.f32();
+  model.outlier_share = reader.f32();
   BeliefCosts& costs = model.costs;
   for (float* const cost : {&costs.step, &costs.log_step_discount, &costs.reach, &costs.reach_discount, &costs.edge, &costs.most_regret})
     *cost = reader.f32();
-  return read_hypotheses(reader, model);
+  return PolicyFault::kNone;
 }
 
 PolicyFault read_golden_step(ByteReader& reader, const Network& network, GoldenStep& step) {

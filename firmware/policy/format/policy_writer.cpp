@@ -31,11 +31,14 @@ void write_layer(ByteWriter& writer, const Layer& layer, std::size_t outputs, st
 void write_network(ByteWriter& writer, const FrozenPolicy& policy) {
   const Network& network = policy.network;
   const auto [first, second] = network.hidden_sizes;
-  writer.u8(kTanh);
+  writer.u8(has_network(network) ? kTanh : kNoNetwork);
   writer.u8(static_cast<std::uint8_t>(network.observation_size));
-  writer.u16(static_cast<std::uint16_t>(first));
-  writer.u16(static_cast<std::uint16_t>(second));
+  if (has_network(network)) {
+    writer.u16(static_cast<std::uint16_t>(first));
+    writer.u16(static_cast<std::uint16_t>(second));
+  }
   writer.u8(static_cast<std::uint8_t>(network.action_count));
+  if (!has_network(network)) return;
   write_layer(writer, network.first, first, network.observation_size);
   write_layer(writer, network.second, second, first);
   write_layer(writer, network.output, network.action_count, second);
@@ -76,19 +79,10 @@ void write_belief(ByteWriter& writer, const FrozenPolicy& policy) {
   writer.u16(model.cells_north);
   writer.u16(model.cells_east);
   writer.f64(model.border_width.value);
-  writer.f64(model.range_step.value);
-  for (const float share : {model.outlier_share, model.silence_share, model.forgotten_share}) writer.f32(share);
+  writer.f32(model.outlier_share);
   const BeliefCosts& costs = model.costs;
   for (const float cost : {costs.step, costs.log_step_discount, costs.reach, costs.reach_discount, costs.edge, costs.most_regret})
     writer.f32(cost);
-  writer.u8(static_cast<std::uint8_t>(model.hypotheses.size()));
-  for (const BeliefHypothesis& hypothesis : model.hypotheses) {
-    writer.f32(hypothesis.level_offset_db);
-    writer.f32(hypothesis.spread_db);
-    writer.f32(hypothesis.prior);
-  }
-  writer.u16(static_cast<std::uint16_t>(model.snr_db.size()));
-  write(writer, model.snr_db.span());
 }
 
 void write_golden(ByteWriter& writer, const FrozenPolicy& policy) {
@@ -140,7 +134,7 @@ std::size_t max_serialised_size() {
   constexpr std::size_t kNetwork = 7 + 4 * kParameters;
   constexpr std::size_t kObservationSize = 28 + 10 * kObservation;
   constexpr std::size_t kActionsSize = 9 + 16 * kActions;
-  constexpr std::size_t kBelief = 59 + 12 * config::kMaxBeliefHypotheses + 4 * config::kMaxBeliefRanges;
+  constexpr std::size_t kBelief = 40;
   constexpr std::size_t kGoldenStep = 77 + 4 * (kObservation + kActions);
   constexpr std::size_t kGolden = 2 + config::kGoldenTrajectories * config::kGoldenSteps * kGoldenStep;
   return size_around(kPolicyFile, kNetwork + kObservationSize + kActionsSize + 1 + kBelief + config::kMaxProvenance + kGolden);

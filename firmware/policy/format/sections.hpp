@@ -10,16 +10,18 @@
 // Layout of a policy that reader and writer share; README.md of this folder shows it as a table.
 namespace earshot::policy::format {
 
+// Activations.
+inline constexpr std::uint8_t kNoNetwork = 0;
 inline constexpr std::uint8_t kTanh = 1;
 
 /// What the sections hold, in their order in the file.
 enum class Content : std::uint8_t { kNetwork, kObservation, kActions, kDraw, kBelief, kProvenance, kGolden };
 
-inline constexpr std::array<Section, 7> kSections = {{{kNetworkSection, 1},
+inline constexpr std::array<Section, 7> kSections = {{{kNetworkSection, 2},
                                                       {kObservationSection, 1},
                                                       {kActionsSection, 1},
                                                       {kDrawSection, 1},
-                                                      {kBeliefSection, 1},
+                                                      {kBeliefSection, 2},
                                                       {kProvenanceSection, 1},
                                                       {kGoldenSection, 1}}};
 

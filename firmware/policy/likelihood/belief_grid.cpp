@@ -26,11 +26,11 @@ NorthEast way_to_cell(const BeliefModel& model, NorthEast position, std::size_t 
           .east = centre(cell % model.cells_east, cell_east(model)) - position.east};
 }
 
-EARSHOT_WIDE void find_ranges(const BeliefModel& model, NorthEast position, std::size_t last, std::span<std::uint16_t> ranges) {
-  const auto size_north = static_cast<float>(cell_north(model) / model.range_step.value);
-  const auto size_east = static_cast<float>(cell_east(model) / model.range_step.value);
-  const auto vehicle_north = static_cast<float>(position.north / model.range_step);
-  const auto vehicle_east = static_cast<float>(position.east / model.range_step);
+EARSHOT_WIDE void find_ranges(const BeliefModel& model, NorthEast position, Meters range_step, std::size_t last, std::span<std::uint16_t> ranges) {
+  const auto size_north = static_cast<float>(cell_north(model) / range_step.value);
+  const auto size_east = static_cast<float>(cell_east(model) / range_step.value);
+  const auto vehicle_north = static_cast<float>(position.north / range_step);
+  const auto vehicle_east = static_cast<float>(position.east / range_step);
   const auto furthest = static_cast<float>(last);
   const int columns = model.cells_east;  // a copy: what is written below could otherwise be it
   for (std::size_t n = 0; n < model.cells_north; ++n) {
@@ -44,9 +44,9 @@ EARSHOT_WIDE void find_ranges(const BeliefModel& model, NorthEast position, std:
   }
 }
 
-std::size_t half_cell(const BeliefModel& model, std::size_t ranges) {
+std::size_t half_cell(const BeliefModel& model, Meters range_step, std::size_t ranges) {
   const double cell = std::max(cell_north(model), cell_east(model));
-  return std::min(static_cast<std::size_t>(0.5 * cell / model.range_step.value), ranges - 1);
+  return std::min(static_cast<std::size_t>(0.5 * cell / range_step.value), ranges - 1);
 }
 
 EARSHOT_WIDE void smooth(std::span<const float> values, std::size_t half, std::span<float> smoothed) {
@@ -68,12 +68,12 @@ EARSHOT_WIDE void smooth(std::span<const float> values, std::size_t half, std::s
   for (std::size_t i = last; i < count; ++i) smoothed[i] = held(i);
 }
 
-EARSHOT_WIDE void find_uncovered(const BeliefModel& model, std::span<float> shares) {
+EARSHOT_WIDE void find_uncovered(const BeliefModel& model, Meters range_step, std::span<float> shares) {
   const auto cell = static_cast<float>(std::max(cell_north(model), cell_east(model)));
-  const auto range_step = static_cast<float>(model.range_step.value);
+  const auto apart = static_cast<float>(range_step.value);
   const auto reach = static_cast<float>(model.step_length.value);
   for (std::size_t i = 0; i < shares.size(); ++i)
-    shares[i] = std::clamp((static_cast<float>(i) * range_step - reach) / cell + 0.5F, kCovered, 1.0F);
+    shares[i] = std::clamp((static_cast<float>(i) * apart - reach) / cell + 0.5F, kCovered, 1.0F);
 }
 
 }  // namespace earshot::policy

@@ -20,12 +20,13 @@ namespace earshot::policy {
 
 /// Range from the vehicle to the centre of every cell, in range steps, rounded; at most the last.
 /// @param position  of the vehicle, relative to the area's south-west corner
+/// @param range_step  > 0
 /// @param last      the last range of the tables
 /// @param ranges    [north x east]; the result
-void find_ranges(const BeliefModel& model, NorthEast position, std::size_t last, std::span<std::uint16_t> ranges);
+void find_ranges(const BeliefModel& model, NorthEast position, Meters range_step, std::size_t last, std::span<std::uint16_t> ranges);
 
 /// Range steps in half a cell, less than `ranges`: a likelihood is smoothed by as much, for a cell lies at many ranges at once.
-[[nodiscard]] std::size_t half_cell(const BeliefModel& model, std::size_t ranges);
+[[nodiscard]] std::size_t half_cell(const BeliefModel& model, Meters range_step, std::size_t ranges);
 
 /// Mean over the `half` samples to either side of each; beyond the ends the first and the last hold.
 void smooth(std::span<const float> values, std::size_t half, std::span<float> smoothed);
@@ -33,6 +34,6 @@ void smooth(std::span<const float> values, std::size_t half, std::span<float> sm
 /// Share of a cell, its centre at each range, that lies further than step_length from the vehicle; at least a thousandth: navigation errs,
 /// sources move.
 /// @param shares  [ranges]; the result
-void find_uncovered(const BeliefModel& model, std::span<float> shares);
+void find_uncovered(const BeliefModel& model, Meters range_step, std::span<float> shares);
 
 }  // namespace earshot::policy

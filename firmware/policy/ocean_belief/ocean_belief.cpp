@@ -89,7 +89,7 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
 void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception) {
   const Look look{position, reception.snr, reception.too_faint};
   is_history_whole_ = looks_.push_back(look) == Status::kOk && is_history_whole_;
-  find_ranges(model, position, tables.range_count - std::size_t{1}, ranges_);
+  find_ranges(model, position, tables.range_step, tables.range_count - std::size_t{1}, ranges_);
   if (reception.bearing) take_in_bearing(model, position, *reception.bearing);
   for (HypothesisBlock& block : residents_) take_in(model, tables, look, block);
   find_posteriors(model, tables);
@@ -100,7 +100,7 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   summary_ = summary_of(model, probabilities);
   const std::size_t ranges = tables.range_count;
-  find_outlooks(model, probabilities, {std::span(search_cost_).first(ranges), std::span(detected_).first(ranges)}, position,
+  find_outlooks(model, probabilities, {std::span(search_cost_).first(ranges), std::span(detected_).first(ranges), tables.range_step}, position,
                 std::span(outlooks_).first(model.actions.size()));
 }
 
@@ -155,7 +155,7 @@ void OceanBelief::weigh_others(const BeliefModel& model, const OceanTables& tabl
     if (!has_candidates_) draw_candidates(model, tables);
     for (; budget > 0 && candidates_heard_ < looks_.size(); --budget) {
       const Look& look = looks_[candidates_heard_++];
-      find_ranges(model, look.position, tables.range_count - std::size_t{1}, ranges_);
+      find_ranges(model, look.position, tables.range_step, tables.range_count - std::size_t{1}, ranges_);
       take_in(model, tables, look, candidates_);
     }
     if (candidates_heard_ < looks_.size()) return;  // the next look goes on
@@ -238,8 +238,8 @@ EARSHOT_WIDE void OceanBelief::foresee(const BeliefModel& model, const OceanTabl
     to_normal_cumulative(std::span(detected).first(count));
     for (std::size_t r = 0; r < count; ++r) over_all[r] += sounding * detected[r];
   }
-  smooth(std::span(over_all).first(count), half_cell(model, count), std::span(detected_).first(count));
-  find_search_cost(model, exp(model.costs.log_step_discount), std::span(detected_).first(count), std::span(search_cost_).first(count));
+  smooth(std::span(over_all).first(count), half_cell(model, tables.range_step, count), std::span(detected_).first(count));
+  find_search_cost(model, tables.range_step, exp(model.costs.log_step_discount), std::span(detected_).first(count), std::span(search_cost_).first(count));
 }
 
 std::uint32_t OceanBelief::fingerprint(const BeliefModel& model) const {

@@ -27,7 +27,6 @@ namespace earshot::policy {
 class OceanBelief {
  public:
   /// Forgets everything: every place is as likely as any other.
-  /// @param model   its hypotheses and SNR are not used; its range step is that of the tables
   /// @param tables  at least one
   void start(const BeliefModel& model, const OceanTables& tables);
   /// Takes in what was heard at `position` (relative to the area's south-west corner), where the source was not within step_length.
@@ -93,6 +92,5 @@ class OceanBelief {
 };
 
 static_assert(sizeof(OceanBelief) + sizeof(OceanTables) <= config::kOceanBeliefBytes);
-static_assert(config::kMaxTableRanges <= config::kMaxBeliefRanges, "as many as find_search_cost() takes");
 
 }  // namespace earshot::policy

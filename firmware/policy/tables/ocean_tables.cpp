@@ -64,4 +64,8 @@ Coverage coverage(const OceanTables& tables, const SearchedSound& sound) {
   return sound.furthest <= reach(tables) + kReachTolerance ? Coverage::kCovered : Coverage::kOutOfReach;
 }
 
+bool are_usable(const OceanTables& tables, const SearchedSound& sound) {
+  return has_valid_shape(tables) && has_valid_grid(tables) && has_valid_numbers(tables) && coverage(tables, sound) == Coverage::kCovered;
+}
+
 }  // namespace earshot::policy

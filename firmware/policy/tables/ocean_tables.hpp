@@ -102,4 +102,7 @@ enum class Coverage : std::uint8_t {
 /// Oracle: Coverage.*
 [[nodiscard]] Coverage coverage(const OceanTables& tables, const SearchedSound& sound);
 
+/// Whether a vehicle may search by them: of a valid shape and grid, with valid numbers, and they cover the sound.
+[[nodiscard]] bool are_usable(const OceanTables& tables, const SearchedSound& sound);
+
 }  // namespace earshot::policy
