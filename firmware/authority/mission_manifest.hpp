@@ -18,7 +18,7 @@ using Ed25519Signature = std::array<std::uint8_t, 64>;
 struct MissionManifest {
   std::uint64_t counter = 0;  ///< rises from mission to mission; 0: no mission yet, which nobody can sign
   Sha256 mission{};           ///< of the mission's bytes
-  Sha256 policy{};            ///< of those of the policy that it names
+  Sha256 policy{};            ///< of those of the policy that it names, with its ocean tables' behind them
   friend bool operator==(const MissionManifest&, const MissionManifest&) = default;
 };
 
@@ -40,7 +40,7 @@ enum class ManifestVerdict : std::uint8_t {
   kForeignKey,      ///< the vehicle does not trust who signed it
   kFalseSignature,  ///< it is not what the key's holder signed
   kOtherMission,    ///< the mission has been changed since
-  kOtherPolicy,     ///< the policy has been changed since, or is another
+  kOtherPolicy,     ///< the policy, or its tables, have been changed since, or are others
   kRolledBack,      ///< a later mission has flown
   kCounterInUse,    ///< another mission with this counter has flown
 };

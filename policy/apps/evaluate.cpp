@@ -34,6 +34,7 @@
 #include "sim/plot/gnuplot.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/world.hpp"
+#include "sim/search/told_ocean.hpp"
 
 namespace {
 
@@ -75,9 +76,9 @@ void add_options(program::CommandLine& line, Options& o) {
                          .start = "what the policies were trained with, inside_border when none says it; --border-width-m, --max-steps and "
                                   "--vehicle-depth-m likewise",
                          .listening = "what the .policy files have, newest when none is evaluated"});
-  line.option(
-      "--tables", &o.tables,
-      "oceans that ocean_search thinks possible besides the environment's (.tables); of several those for a world's depth and frequency");
+  line.option("--tables", &o.tables,
+              "oceans that policies and ocean_search think possible (.tables); of several those for a world's depth and frequency; without, "
+              "the environment alone");
   line.option("--episodes", &o.episodes, "searches to fly in each world").shows_default().from(1, 100'000'000);
   line.option("--seed", &o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
   line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way")
@@ -240,15 +241,8 @@ struct Common {
 };
 
 std::vector<std::unique_ptr<policy::OceanTables>> tables_of(const std::vector<std::string>& files) {
-  constexpr std::size_t kMost = config::kMaxOceanTables - 1;
   std::vector<std::unique_ptr<policy::OceanTables>> tables;
-  for (const std::string& file : files) {
-    tables.push_back(host::tables_from(host::read_tables_bytes(file), file));
-    if (tables.back()->tables.size() > kMost)
-      throw BadInput("--tables " + file + ": " + std::to_string(tables.back()->tables.size()) +
-                     " tables, and the environment's own is one more than a vehicle holds; make them with --at-most " +
-                     std::to_string(kMost));
-  }
+  for (const std::string& file : files) tables.push_back(host::tables_from(host::read_tables_bytes(file), file));
   return tables;
 }
 
@@ -279,9 +273,11 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
     believed.source.frequency = world.scenario.environment.source.frequency;
     const sonar::SnrCurve expected = command_line::curve_for(believed, depth, common.settings);
     const Meters diagonal = range_between(common.settings.domain.south_west, common.settings.domain.north_east);
-    const policy::OceanTables* const oceans =
-        tables_for(world, {.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal}, common.tables);
-    const evaluate::Trial trial{world, assembled, expected, oceans, o.episodes, common.draw};
+    const policy::SearchedSound sound{.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal};
+    const policy::OceanTables* const given = tables_for(world, sound, common.tables);
+    policy::OceanTables told;
+    if (given == nullptr) search::make_told_ocean(common.settings, expected, told);
+    const evaluate::Trial trial{world, assembled, expected, given != nullptr ? *given : told, o.episodes, common.draw};
     const evaluate::Pace pace = evaluate::pace_of(assembled);
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {

@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "firmware/host/file/shipped.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/command_line/outputs.hpp"
@@ -22,6 +23,7 @@ struct DecisionOptions {
   std::filesystem::path flight;
   std::uint32_t step = 0;
   std::optional<std::filesystem::path> policy;
+  std::optional<std::filesystem::path> tables;
   std::optional<std::string> south_west;
   std::string baseline = "centre";
   std::filesystem::path output;
@@ -38,8 +40,10 @@ program::CommandLine& add_map(program::CommandLine& line, report::PolicyMapOptio
   map.option("--flight", &o.flight,
              "folder of a flight with this policy, instead of --source: its choice anywhere with what it believed at --step");
   map.option("--step", &o.step, "step of the flight").shows_default();
-  const program::Option environment = map.option(
-      "--environment", &o.environment, "environment file (TOML): the ocean, instead of the one that a policy with a belief carries");
+  map.option("--tables", &o.tables, "ocean tables (.tables) by which a policy with a belief searches; those of a flight are beside its journal")
+      .shows_default();
+  const program::Option environment =
+      map.option("--environment", &o.environment, "environment file (TOML): the ocean, instead of the likeliest one of the tables");
   map.option("--world", &o.world,
              "world of policy/worlds instead of an environment; its conditions are left out: what is heard is the mean")
       .excludes(environment);
@@ -57,6 +61,7 @@ void add_decision(program::CommandLine& line, DecisionOptions& o) {
   decision.option("FLIGHT", &o.flight, "folder of a flight, or its journal (.lcmlog)").required();
   decision.option("--step", &o.step, "which decision; the first is 0").required();
   decision.option("--policy", &o.policy, "policy that flew; default: the .policy beside the journal");
+  decision.option("--tables", &o.tables, "ocean tables that it searched by; default: the .tables beside the journal");
   decision.option("--south-west", &o.south_west,
                   "NORTH_M,EAST_M of the area's south-west corner; default: summary.json's, or 0,0 for a journal alone");
   decision
@@ -84,7 +89,7 @@ void write_decision_report(const DecisionOptions& o) {
   if (extension != ".html" && extension != ".md" && extension != ".json")
     throw BadInput("-o " + o.output.string() + ": must end in .html, .md or .json");
   host::require_writable(o.output, report_kind(extension), host::replaced_by(o.force));
-  report::RecordingOptions recording{.policy = o.policy, .south_west = std::nullopt};
+  report::RecordingOptions recording{.policy = o.policy, .tables = o.tables, .south_west = std::nullopt};
   if (o.south_west) recording.south_west = command_line::north_east_of("--south-west", *o.south_west);
   const report::RecordedFlight flight = report::open_recording(o.flight, recording);
   command_line::print_policy_details(flight.policy_path.string(), *flight.policy);
@@ -106,7 +111,7 @@ int main(int argc, char** argv) {
       "  earshot explain map policy/frozen/fixed_source.policy --source 10000,10000 --environment sim/ocean/environments/munk_flat.toml -o "
       "map.png\n"
       "  earshot explain decision out --step 4 -o decision.html");
-  report::PolicyMapOptions map_options;
+  report::PolicyMapOptions map_options{.tables = host::shipped("policy/tables/shipped/20hz_300m.tables")};
   DecisionOptions decision_options;
   const program::CommandLine& map = add_map(line, map_options);
   add_decision(line, decision_options);

@@ -5,7 +5,6 @@
 #include "policy/baselines/bayes.hpp"
 #include "policy/baselines/genetic.hpp"
 #include "policy/baselines/gradient.hpp"
-#include "policy/baselines/ocean_search.hpp"
 #include "policy/baselines/oracle.hpp"
 #include "policy/baselines/patterns.hpp"
 
@@ -31,11 +30,10 @@ constexpr std::array kCatalogue{
     Entry{"lawn_mower", "parallel tracks, twice the assured detection range apart"},
     Entry{"expanding_square", "square spiral about the start, tracks two step lengths apart"},
     Entry{"gradient", "goes on while it grows louder, turns when it grows fainter"},
-    Entry{"bayes", "grid belief, goes to the likeliest cell"},
-    Entry{"bayes_least_regret", "grid belief, takes the action that it expects to cost least"},
-    Entry{"bayes_infogain", "grid belief, takes the step that is expected to tell most"},
+    Entry{"bayes", "belief in the ocean that it is told of, goes to the likeliest cell"},
+    Entry{"bayes_least_regret", "the same belief, takes the action that it expects to cost least"},
     Entry{"ocean_search", "belief over place and ocean, takes the action that it expects to cost least"},
-    Entry{"genetic", "grid belief, path planned by a genetic algorithm anew after every step"},
+    Entry{"genetic", "the same belief, path planned by a genetic algorithm anew after every step"},
 };
 
 constexpr std::array<Make, kCatalogue.size()> kMakers{make_oracle<Border::kIgnored>,
@@ -46,7 +44,6 @@ constexpr std::array<Make, kCatalogue.size()> kMakers{make_oracle<Border::kIgnor
                                                       make<GradientClimb>,
                                                       make<Bayes>,
                                                       make<BayesLeastRegret>,
-                                                      make<BayesInformationGain>,
                                                       make<OceanSearch>,
                                                       make<Genetic>};
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/policy/likelihood/belief_grid.hpp"
 #include "policy/baselines/moves.hpp"
 
 namespace earshot::baselines {
@@ -84,7 +85,7 @@ double Genetic::cost_of(const Path& path, NorthEast position) {
     for (std::size_t north = rows.first; north < rows.end; ++north) {
       for (std::size_t east = columns.first; east < columns.end; ++east) {
         const std::size_t cell = north * model_.cells_east + east;
-        if (covered_in_[cell] == paths_ || range_between(position, centre_of(north, east)) > reach) continue;
+        if (covered_in_[cell] == paths_ || length_of(policy::way_to_cell(model_, p, cell)) > reach) continue;
         covered_in_[cell] = paths_;
         unfound -= probability_[cell];
       }

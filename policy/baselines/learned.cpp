@@ -13,9 +13,9 @@ void Learned::begin(Pcg32 random) {
 std::size_t Learned::choose(const DecisionInput& input) {
   const NorthEast place = input.position - corner_;
   if (is_first_) {
-    memory_.start(policy_.observation, place, input.reception);
+    memory_.start(policy_.observation, tables_, place, input.reception);
   } else {
-    memory_.remember(policy_.observation, place, input.reception);
+    memory_.remember(policy_.observation, tables_, place, input.reception);
   }
   is_first_ = false;
   std::array<float, config::kMaxObservation> observation{};
@@ -23,7 +23,7 @@ std::size_t Learned::choose(const DecisionInput& input) {
   const std::span<float> seen = std::span(observation).first(policy_.observation.spec.size());
   const std::span<float> scores = std::span(logits).first(policy_.actions.size());
   policy::observe(memory_, policy_.observation, seen);
-  policy::forward(policy_.network, seen, scores);
+  policy::find_logits(policy_, seen, scores);
   return policy::draw_action(draw_, scores, random_);
 }
 

@@ -16,9 +16,8 @@ namespace earshot::baselines {
 struct PriorKnowledge {
   search::SearchSettings settings;
   search::ActionTable actions;
-  const sonar::SnrCurve& snr;  ///< SNR against range as it is expected, which need not be what is heard
-  /// Other oceans that are believed possible, one less than a vehicle has room for; null: none.
-  const policy::OceanTables* oceans = nullptr;
+  const sonar::SnrCurve& snr;         ///< SNR against range as it is expected, which need not be what is heard
+  const policy::OceanTables& oceans;  ///< that are believed possible
 };
 
 /// What a searcher decides by, at the start and after every step.

@@ -38,11 +38,6 @@ policy::ObservationElement element_from(const Json& json) {
   return element;
 }
 
-template <class Vector, class Value>
-void append(Vector& vector, const Value& value) {
-  if (vector.push_back(value) != Status::kOk) throw BadInput("belief: too many hypotheses or ranges");
-}
-
 config::ListeningWindow listening_from(const Json& json) {
   try {
     return host::listening_window(json.at("listening").get<std::string>(),
@@ -70,21 +65,14 @@ Json costs_to(const policy::BeliefCosts& costs) {
 /// The numbers of a belief that the description does not hold elsewhere. A description without costs was written when they could only be
 /// the defaults.
 policy::BeliefModel belief_from(const Json& json) {
+  if (json.contains("snr_db"))
+    throw BadInput("belief: is one in a single ocean, which no program flies any more: what is possible of the ocean is in ocean tables; train it again");
   policy::BeliefModel model;
   model.cells_north = cells_from(json, "cells_north");
   model.cells_east = cells_from(json, "cells_east");
   model.border_width = Meters{json.at("border_width_m").get<double>()};
   if (json.contains("costs")) model.costs = costs_from(json.at("costs"));
   model.outlier_share = json.at("outlier_share").get<float>();
-  model.silence_share = json.at("silence_share").get<float>();
-  model.forgotten_share = json.at("forgotten_share").get<float>();
-  for (const Json& h : json.at("hypotheses")) {
-    append(model.hypotheses, policy::BeliefHypothesis{.level_offset_db = h.at("level_offset_db").get<float>(),
-                                                      .spread_db = h.at("spread_db").get<float>(),
-                                                      .prior = h.at("prior").get<float>()});
-  }
-  model.range_step = Meters{json.at("range_step_m").get<double>()};
-  for (const Json& snr : json.at("snr_db")) append(model.snr_db, snr.get<float>());
   return model;
 }
 
@@ -95,14 +83,6 @@ Json belief_to(const policy::BeliefModel& model) {
   json["border_width_m"] = model.border_width.value;
   json["costs"] = costs_to(model.costs);
   json["outlier_share"] = model.outlier_share;
-  json["silence_share"] = model.silence_share;
-  json["forgotten_share"] = model.forgotten_share;
-  json["hypotheses"] = Json::array();
-  for (const policy::BeliefHypothesis& h : model.hypotheses) {
-    json["hypotheses"].push_back({{"level_offset_db", h.level_offset_db}, {"spread_db", h.spread_db}, {"prior", h.prior}});
-  }
-  json["range_step_m"] = model.range_step.value;
-  json["snr_db"] = model.snr_db.span();
   return json;
 }
 

@@ -44,11 +44,10 @@ std::size_t most_remembered(State state) {
   return std::min(config::kMaxRememberedSteps, room / kElements);
 }
 
-policy::ObservationModel observation_of(State state, std::size_t remembered_steps, const search::SearchSettings& settings,
-                                        const sonar::SnrCurve& curve) {
+policy::ObservationModel observation_of(State state, std::size_t remembered_steps, const search::SearchSettings& settings) {
   policy::ObservationModel model;
   model.listening = settings.listening;
-  model.belief = search::belief_model(settings, curve);
+  model.belief = search::belief_model(settings);
   switch (state) {
     case State::kSimple:
       model.spec = policy::simple_state(settings.domain.north_east - settings.domain.south_west);

@@ -8,7 +8,6 @@
 
 #include "firmware/policy/observation.hpp"
 #include "sim/search/settings.hpp"
-#include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::description {
 
@@ -33,8 +32,6 @@ inline constexpr std::array<std::string_view, 4> kStates{"simple", "memory", "be
 
 /// The observation that a state stands for, and the model of the search that a belief takes for granted.
 /// @param remembered_steps  m, 1 to most_remembered(state); ignored where the state shows none
-/// @param curve  SNR that a belief takes for the truth
-[[nodiscard]] policy::ObservationModel observation_of(State state, std::size_t remembered_steps, const search::SearchSettings& settings,
-                                                      const sonar::SnrCurve& curve);
+[[nodiscard]] policy::ObservationModel observation_of(State state, std::size_t remembered_steps, const search::SearchSettings& settings);
 
 }  // namespace earshot::description

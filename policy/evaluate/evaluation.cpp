@@ -14,6 +14,7 @@ namespace {
 using std::chrono::steady_clock;
 
 const policy::ObservationModel kSeesNothing;  // searchers remember for themselves
+const policy::OceanTables kNoOceans;
 
 /// Which episode it is, and what it draws from.
 struct Turn {
@@ -27,7 +28,7 @@ Flight fly_one(baselines::Searcher& searcher, const search::World& world, const 
   Flight flight;
   Pcg32 starts = turn.starts;
   searcher.begin(turn.actions);
-  episode.start(world, kSeesNothing, starts);
+  episode.start(world, kSeesNothing, kNoOceans, starts);
   if (watcher) watcher(turn.number, episode);
   const Meters to_source = range_between(episode.position(), episode.source());
   flight.straight_m = (to_source - world.settings.step_length).value;
@@ -58,10 +59,10 @@ std::vector<Flight> fly(baselines::Searcher& searcher, const search::World& worl
   return flights;
 }
 
-std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, policy::ActionDraw draw, const search::World& world,
-                                            std::size_t episodes, std::uint64_t seed) {
+std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, const policy::OceanTables& tables, policy::ActionDraw draw,
+                                            const search::World& world, std::size_t episodes, std::uint64_t seed) {
   assert(world.actions.size() == policy.actions.size());
-  baselines::Learned learned(policy, draw, world.settings.domain);
+  baselines::Learned learned(policy, tables, draw, world.settings.domain);
   std::vector<search::EpisodeRecord> records;
   for (const Flight& flight : fly(learned, world, {.end = episodes}, seed)) records.push_back(flight.record);
   return records;

@@ -37,8 +37,10 @@ using Watcher = std::function<void(std::size_t number, const search::Episode& ep
                                       const Watcher& watcher = {});
 
 /// Flies `episodes` searches with the arithmetic that flies at sea (firmware/policy); `world.actions` are the policy's.
-[[nodiscard]] std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, policy::ActionDraw draw,
-                                                          const search::World& world, std::size_t episodes, std::uint64_t seed);
+/// @param tables  of the oceans that are believed possible
+[[nodiscard]] std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, const policy::OceanTables& tables,
+                                                          policy::ActionDraw draw, const search::World& world, std::size_t episodes,
+                                                          std::uint64_t seed);
 
 /// The search a policy was trained for: a domain of its area's size with the south-west corner at the origin, its step length, number of
 /// directions and detection threshold; starts anywhere in the domain, the rest as the paper has it.

@@ -18,7 +18,7 @@ struct Trial {
   const WorldFile& file;
   const search::World& world;         ///< assembled of the file's scenario
   const sonar::SnrCurve& expected;    ///< SNR against range that baselines take for granted
-  const policy::OceanTables* oceans;  ///< other oceans that they believe possible; null: none
+  const policy::OceanTables& oceans;  ///< that all others believe possible
   std::size_t episodes;
   std::optional<policy::ActionDraw> draw;  ///< instead of each learned candidate's own
 };

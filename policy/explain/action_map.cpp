@@ -30,7 +30,7 @@ void set_heading(const FrozenPolicy& policy, MapPoint& point) {
 MapPoint point_of(const FrozenPolicy& policy, NorthEast place, const std::vector<float>& observation) {
   std::vector<float> logits(policy.actions.size());
   std::vector<float> probabilities(policy.actions.size());
-  policy::forward(policy.network, observation, logits);
+  policy::find_logits(policy, observation, logits);
   policy::softmax(logits, probabilities);
   MapPoint point;
   point.place = place;
@@ -63,22 +63,22 @@ std::vector<NorthEast> cell_centres(NorthEast area_size, std::size_t per_side) {
   return centres;
 }
 
-ActionMap after_a_first_look(const FrozenPolicy& policy, std::size_t per_side,
+ActionMap after_a_first_look(const FrozenPolicy& policy, const policy::OceanTables& tables, std::size_t per_side,
                              const std::function<policy::Reception(NorthEast)>& reception_at) {
   const auto memory = std::make_unique<SearchMemory>();
   return map_of(policy, per_side, [&](NorthEast place) {
-    memory->start(policy.observation, place, reception_at(place));
+    memory->start(policy.observation, tables, place, reception_at(place));
     std::vector<float> observation(policy.observation.spec.size());
     policy::observe(*memory, policy.observation, observation);
     return observation;
   });
 }
 
-ActionMap standing_elsewhere(const FrozenPolicy& policy, std::size_t per_side, const SearchMemory& memory) {
+ActionMap standing_elsewhere(const FrozenPolicy& policy, const policy::OceanTables& tables, std::size_t per_side, const SearchMemory& memory) {
   const auto moved = std::make_unique<SearchMemory>();
   return map_of(policy, per_side, [&](NorthEast place) {
     *moved = memory;
-    moved->remember(policy.observation, place, kNothingLearnt);
+    moved->remember(policy.observation, tables, place, kNothingLearnt);
     std::vector<float> observation(policy.observation.spec.size());
     for (std::size_t i = 0; i < observation.size(); ++i) {
       const policy::ObservationElement& element = policy.observation.spec[i];

@@ -21,9 +21,10 @@ double raw_unheard(const policy::SearchMemory& memory, const policy::Observation
 
 }  // namespace
 
-std::vector<float> uninformed_observation(const policy::ObservationModel& model, NorthEast place, Decibels detection_threshold) {
+std::vector<float> uninformed_observation(const policy::ObservationModel& model, const policy::OceanTables& tables, NorthEast place,
+                                          Decibels detection_threshold) {
   const auto memory = std::make_unique<policy::SearchMemory>();
-  memory->start(model, place, kNothingLearnt);
+  memory->start(model, tables, place, kNothingLearnt);
   std::vector<float> observation(model.spec.size());
   for (std::size_t i = 0; i < observation.size(); ++i) {
     observation[i] = policy::scaled(model.spec[i], raw_unheard(*memory, model, model.spec[i], detection_threshold));

@@ -22,7 +22,7 @@ inline constexpr policy::Reception kNothingLearnt{.snr = messages::kMostSnr, .to
 /// detection threshold (a newest look that is neither a detection nor a miss), and a belief that knows only that the source is not within a
 /// step, with its mean for a likeliest place.
 /// @param place  relative to the area's south-west corner
-[[nodiscard]] std::vector<float> uninformed_observation(const policy::ObservationModel& model, NorthEast place,
-                                                        Decibels detection_threshold);
+[[nodiscard]] std::vector<float> uninformed_observation(const policy::ObservationModel& model, const policy::OceanTables& tables,
+                                                        NorthEast place, Decibels detection_threshold);
 
 }  // namespace earshot::explain

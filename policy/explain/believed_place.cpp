@@ -47,13 +47,6 @@ void for_each_cell(const BelievedPlace& place, Visit visit) {
   }
 }
 
-double snr_at(const policy::BeliefModel& model, Meters range) {
-  const double at = range / model.range_step;
-  const auto below = static_cast<std::size_t>(at);
-  if (below + 1 >= model.snr_db.size()) return static_cast<double>(model.snr_db[model.snr_db.size() - 1]);
-  return std::lerp(static_cast<double>(model.snr_db[below]), static_cast<double>(model.snr_db[below + 1]), at - static_cast<double>(below));
-}
-
 }  // namespace
 
 NorthEast BelievedPlace::centre(std::size_t north, std::size_t east) const {
@@ -73,7 +66,7 @@ double BelievedPlace::smallest_area_km2(double share) const {
   return area;
 }
 
-BelievedPlace believed_place(const policy::Belief& belief, const policy::BeliefModel& model) {
+BelievedPlace believed_place(const policy::OceanBelief& belief, const policy::BeliefModel& model) {
   BelievedPlace place;
   place.area_size = model.area_size;
   place.cells_north = model.cells_north;
@@ -106,18 +99,36 @@ Meters expected_approach(const BelievedPlace& place, NorthEast from, NorthEast t
   return sum;
 }
 
-ExpectedHearing expected_hearing(const BelievedPlace& place, const policy::Belief& belief, const policy::BeliefModel& model, NorthEast at) {
+ExpectedSound::ExpectedSound(const policy::OceanBelief& belief, const policy::OceanTables& tables)
+    : range_step_(tables.range_step), snr_db_(tables.range_count, 0.0) {
+  for (std::size_t h = 0; h < policy::OceanBelief::kHypotheses; ++h) {
+    const policy::Hypothesis& hypothesis = belief.hypothesis(h);
+    const double share = static_cast<double>(belief.share(h));
+    const double level_db = static_cast<double>(policy::kLevelOffsets_db[hypothesis.level]);
+    level_db_ += share * level_db;
+    for (std::size_t r = 0; r < snr_db_.size(); ++r)
+      snr_db_[r] += share * (static_cast<double>(tables.tables[hypothesis.table].snr_db(r)) + level_db);
+  }
+}
+
+double ExpectedSound::snr_db(Meters range) const {
+  const double at = range / range_step_;
+  const auto below = static_cast<std::size_t>(at);
+  if (below + 1 >= snr_db_.size()) return snr_db_.back();
+  return std::lerp(snr_db_[below], snr_db_[below + 1], at - static_cast<double>(below));
+}
+
+ExpectedHearing expected_hearing(const BelievedPlace& place, const ExpectedSound& sound, NorthEast at) {
   double mean = 0.0;
   double square = 0.0;
   for_each_cell(place, [&](NorthEast centre, double p) {
-    const double snr = snr_at(model, range_between(centre, at));
+    const double snr = sound.snr_db(range_between(centre, at));
     mean += p * snr;
     square += p * snr * snr;
   });
-  double bias = 0.0;
-  for (std::size_t h = 0; h < model.hypotheses.size(); ++h)
-    bias += static_cast<double>(belief.probability_of_hypothesis(h)) * static_cast<double>(model.hypotheses[h].level_offset_db);
-  return {.snr = Decibels{mean + bias}, .spread = Decibels{std::sqrt(std::max(0.0, square - mean * mean))}, .level_bias = Decibels{bias}};
+  return {.snr = Decibels{mean},
+          .spread = Decibels{std::sqrt(std::max(0.0, square - mean * mean))},
+          .level_bias = Decibels{sound.level_db()}};
 }
 
 }  // namespace earshot::explain

@@ -5,7 +5,7 @@
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
-#include "firmware/policy/belief.hpp"
+#include "firmware/policy/ocean_belief/ocean_belief.hpp"
 
 namespace earshot::explain {
 
@@ -33,7 +33,7 @@ struct BelievedPlace {
   [[nodiscard]] double smallest_area_km2(double share) const;
 };
 
-[[nodiscard]] BelievedPlace believed_place(const policy::Belief& belief, const policy::BeliefModel& model);
+[[nodiscard]] BelievedPlace believed_place(const policy::OceanBelief& belief, const policy::BeliefModel& model);
 
 /// The SNR that would be heard at a place if the belief were the truth.
 struct ExpectedHearing {
@@ -45,8 +45,23 @@ struct ExpectedHearing {
 /// By how much a step is expected to shorten the distance to the source, metres; negative when it leads away.
 [[nodiscard]] Meters expected_approach(const BelievedPlace& place, NorthEast from, NorthEast to);
 
+/// What is expected of a source at every range, over all hypotheses that a belief holds: each as likely as it now is, wherever the source.
+class ExpectedSound {
+ public:
+  ExpectedSound(const policy::OceanBelief& belief, const policy::OceanTables& tables);
+
+  /// Mean SNR at a range, the level's part in it; between two ranges of the tables by the straight line.
+  [[nodiscard]] double snr_db(Meters range) const;
+  /// The part of it that the hypotheses about the source's level make.
+  [[nodiscard]] double level_db() const { return level_db_; }
+
+ private:
+  Meters range_step_;
+  std::vector<double> snr_db_;  ///< [ranges]
+  double level_db_ = 0.0;
+};
+
 /// Oracle: ExpectedHearing.IsTheMeanOfTheTableOverTheCells
-[[nodiscard]] ExpectedHearing expected_hearing(const BelievedPlace& place, const policy::Belief& belief, const policy::BeliefModel& model,
-                                               NorthEast at);
+[[nodiscard]] ExpectedHearing expected_hearing(const BelievedPlace& place, const ExpectedSound& sound, NorthEast at);
 
 }  // namespace earshot::explain

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 #include "firmware/policy/action_draw.hpp"
@@ -10,8 +11,9 @@
 namespace earshot::explain {
 namespace {
 
-std::vector<ActionAccount> actions_of(const Circumstances& c, const RecordedDecision& decision, const policy::Belief& belief,
+std::vector<ActionAccount> actions_of(const Circumstances& c, const RecordedDecision& decision, const policy::OceanBelief& belief,
                                       const BelievedPlace& place) {
+  const ExpectedSound sound(belief, c.tables);
   std::vector<float> probabilities(decision.logits.size());
   policy::softmax(decision.logits, probabilities);
   std::vector<ActionAccount> actions;
@@ -21,7 +23,7 @@ std::vector<ActionAccount> actions_of(const Circumstances& c, const RecordedDeci
     actions.push_back({.name = direction_name(c.policy.actions[a]),
                        .probability = static_cast<double>(probabilities[a]),
                        .end = end,
-                       .hear = expected_hearing(place, belief, c.belief, end - c.south_west),
+                       .hear = expected_hearing(place, sound, end - c.south_west),
                        .detected = static_cast<double>(outlook.detected),
                        .found = static_cast<double>(outlook.found),
                        .approach = expected_approach(place, decision.position - c.south_west, end - c.south_west),
@@ -30,10 +32,22 @@ std::vector<ActionAccount> actions_of(const Circumstances& c, const RecordedDeci
   return actions;
 }
 
-std::vector<HypothesisAccount> hypotheses_of(const policy::Belief& belief, const policy::BeliefModel& model) {
+std::vector<HypothesisAccount> hypotheses_of(const policy::OceanBelief& belief, const policy::OceanTables& tables) {
+  constexpr double kLeastShare = 0.01;
   std::vector<HypothesisAccount> hypotheses;
-  for (std::size_t h = 0; h < model.hypotheses.size(); ++h)
-    hypotheses.push_back({.hypothesis = model.hypotheses[h], .share = static_cast<double>(belief.probability_of_hypothesis(h))});
+  for (std::size_t h = 0; h < policy::OceanBelief::kHypotheses; ++h) {
+    const double share = static_cast<double>(belief.share(h));
+    if (share < kLeastShare) continue;
+    const policy::Hypothesis& hypothesis = belief.hypothesis(h);
+    const auto& name = tables.tables[hypothesis.table].name;
+    hypotheses.push_back({.ocean = {name.begin(), name.end()},
+                          .level_db = static_cast<double>(policy::kLevelOffsets_db[hypothesis.level]),
+                          .spread_db = static_cast<double>(policy::kSpreads_db[hypothesis.spread]),
+                          .silence_share = static_cast<double>(policy::kSilenceShares[hypothesis.silence]),
+                          .is_moving = hypothesis.mobility > 0,
+                          .share = share});
+  }
+  std::ranges::stable_sort(hypotheses, std::ranges::greater{}, &HypothesisAccount::share);
   return hypotheses;
 }
 
@@ -41,28 +55,28 @@ void attribute(const Circumstances& c, DecisionAccount& account) {
   const RecordedDecision& decision = account.decision;
   const NorthEast size = c.policy.area_size;
   const NorthEast place = c.baseline == Baseline::kHere ? decision.position - c.south_west : NorthEast{size.north / 2.0, size.east / 2.0};
-  const std::vector<float> compared = uninformed_observation(c.policy.observation, place, c.policy.detection_threshold);
+  const std::vector<float> compared = uninformed_observation(c.policy.observation, c.tables, place, c.policy.detection_threshold);
   const std::vector<double> observation(decision.observation.begin(), decision.observation.end());
   const std::vector<double> baseline(compared.begin(), compared.end());
-  account.attribution = integrated_gradients(c.policy.network, {.observation = observation, .baseline = baseline}, decision.action);
+  account.attribution = integrated_gradients(c.policy, {.observation = observation, .baseline = baseline}, decision.action);
   for (std::size_t i = 0; i < observation.size(); ++i) {
     const policy::ObservationElement& element = c.policy.observation.spec[i];
     account.observed.push_back({.subject = subject_of(element.feature),
-                                .name = name_of(element, c.belief, c.policy.actions),
+                                .name = name_of(element, c.policy.actions),
                                 .value = value_of(element, decision.observation[i]),
                                 .baseline = value_of(element, compared[i]),
                                 .part = account.attribution.parts[i]});
   }
 }
 
-DecisionAccount account_with(const Circumstances& c, const RecordedDecision& decision, const policy::Belief& belief) {
+DecisionAccount account_with(const Circumstances& c, const RecordedDecision& decision, const policy::OceanBelief& belief) {
   DecisionAccount account;
   account.decision = decision;
   account.detection_threshold = c.policy.detection_threshold;
   account.area = {.south_west = c.south_west, .north_east = c.south_west + c.policy.area_size};
   account.belief_is_the_policys = c.belief_is_the_policys;
   account.place = believed_place(belief, c.belief);
-  account.hypotheses = hypotheses_of(belief, c.belief);
+  account.hypotheses = hypotheses_of(belief, c.tables);
   account.actions = actions_of(c, decision, belief, account.place);
   account.likeliest_action =
       static_cast<std::size_t>(std::ranges::max_element(account.actions, {}, &ActionAccount::probability) - account.actions.begin());
@@ -74,11 +88,11 @@ DecisionAccount account_with(const Circumstances& c, const RecordedDecision& dec
 }  // namespace
 
 std::vector<DecisionAccount> accounts_of(const Circumstances& c, std::span<const RecordedDecision> decisions) {
-  const auto belief = std::make_unique<policy::Belief>();
-  belief->start(c.belief);
+  const auto belief = std::make_unique<policy::OceanBelief>();
+  belief->start(c.belief, c.tables);
   std::vector<DecisionAccount> accounts;
   for (const RecordedDecision& decision : decisions) {
-    belief->update(c.belief, decision.position - c.south_west, decision.reception);
+    belief->update(c.belief, c.tables, decision.position - c.south_west, decision.reception);
     accounts.push_back(account_with(c, decision, *belief));
   }
   return accounts;
@@ -86,9 +100,10 @@ std::vector<DecisionAccount> accounts_of(const Circumstances& c, std::span<const
 
 DecisionAccount account_of(const Circumstances& c, std::span<const RecordedDecision> decisions) {
   assert(!decisions.empty());
-  const auto belief = std::make_unique<policy::Belief>();
-  belief->start(c.belief);
-  for (const RecordedDecision& decision : decisions) belief->update(c.belief, decision.position - c.south_west, decision.reception);
+  const auto belief = std::make_unique<policy::OceanBelief>();
+  belief->start(c.belief, c.tables);
+  for (const RecordedDecision& decision : decisions)
+    belief->update(c.belief, c.tables, decision.position - c.south_west, decision.reception);
   return account_with(c, decisions.back(), *belief);
 }
 

@@ -35,9 +35,14 @@ struct ObservedAccount {
   double part = 0.0;  ///< of the change of the taken action's log-probability, nats
 };
 
+/// One of the explanations that the belief holds for what was heard.
 struct HypothesisAccount {
-  policy::BeliefHypothesis hypothesis;
-  double share = 0.0;
+  std::string ocean;           ///< name of its table
+  double level_db = 0.0;       ///< the source is that much louder than expected
+  double spread_db = 0.0;      ///< standard deviation of what is measured
+  double silence_share = 0.0;  ///< of the looks that meet a pause in the call
+  bool is_moving = false;      ///< the source, or a current that navigation does not see
+  double share = 0.0;          ///< its probability
 };
 
 /// Everything about one decision.
@@ -47,7 +52,7 @@ struct DecisionAccount {
   Rectangle area;                     ///< in the mission's plane
   bool belief_is_the_policys = true;  ///< false: an observer's; the policy has none
   BelievedPlace place;
-  std::vector<HypothesisAccount> hypotheses;
+  std::vector<HypothesisAccount> hypotheses;  ///< of 1 % and more, the likeliest first
   std::vector<ActionAccount> actions;
   std::size_t likeliest_action = 0;
   Baseline baseline = Baseline::kCentre;
@@ -59,6 +64,7 @@ struct DecisionAccount {
 struct Circumstances {
   const policy::FrozenPolicy& policy;
   const policy::BeliefModel& belief;
+  const policy::OceanTables& tables;  ///< by which the vehicle searched
   bool belief_is_the_policys = true;
   NorthEast south_west;  ///< corner of the operating area
   Baseline baseline = Baseline::kCentre;

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "firmware/policy/network.hpp"
+#include "firmware/policy/frozen_policy.hpp"
 
 namespace earshot::explain {
 
@@ -40,10 +40,10 @@ inline constexpr std::size_t kMostSteps = 4'096;
 /// F is the log-probability of the action. The integral is a midpoint sum whose steps are doubled until the parts are settled and
 /// complete within `tolerance`, or kMostSteps are used: Attribution::is_complete says which.
 ///
-/// @param action  below action_count
+/// @param action  below the number of actions
 /// Source: Sundararajan, Taly, Yan, "Axiomatic attribution for deep networks", ICML 2017, Eq. 1 and Proposition 1.
 /// Oracle: IntegratedGradients.AreThoseOfAHandComputedNetwork, IntegratedGradients.AddUpToTheDifference...
-[[nodiscard]] Attribution integrated_gradients(const policy::Network& network, const Comparison& comparison, std::size_t action,
+[[nodiscard]] Attribution integrated_gradients(const policy::FrozenPolicy& policy, const Comparison& comparison, std::size_t action,
                                                double tolerance = kCompleteness);
 
 }  // namespace earshot::explain

@@ -66,6 +66,14 @@ double log_sum_exp(const Values& logits) {
   return top + std::log(sum);
 }
 
+/// log p_a and its derivative by the logits, [i = a] - p_i.
+LogProbability of_logits(const Values& logits, std::size_t action) {
+  const double log_sum = log_sum_exp(logits);
+  Values by_logit(logits.size());
+  for (std::size_t i = 0; i < logits.size(); ++i) by_logit[i] = (i == action ? 1.0 : 0.0) - std::exp(logits[i] - log_sum);
+  return {.value = logits[action] - log_sum, .gradient = by_logit};
+}
+
 }  // namespace
 
 std::vector<double> logits_of(const policy::Network& network, std::span<const double> observation) {
@@ -80,12 +88,24 @@ LogProbability log_probability(const policy::Network& network, std::span<const d
   const Values first = apply_tanh(layers.first.apply(observation));
   const Values second = apply_tanh(layers.second.apply(first));
   const Values logits = layers.output.apply(second);
-  const double log_sum = log_sum_exp(logits);
-  Values by_logit(logits.size());
-  for (std::size_t i = 0; i < logits.size(); ++i) by_logit[i] = (i == action ? 1.0 : 0.0) - std::exp(logits[i] - log_sum);
-  const Values by_second = before_tanh(layers.output.transposed(by_logit), second);
+  const LogProbability by_logit = of_logits(logits, action);
+  const Values by_second = before_tanh(layers.output.transposed(by_logit.gradient), second);
   const Values by_first = before_tanh(layers.second.transposed(by_second), first);
-  return {.value = logits[action] - log_sum, .gradient = layers.first.transposed(by_first)};
+  return {.value = by_logit.value, .gradient = layers.first.transposed(by_first)};
+}
+
+LogProbability log_probability(const policy::FrozenPolicy& policy, std::span<const double> observation, std::size_t action) {
+  if (policy::has_network(policy.network)) return log_probability(policy.network, observation, action);
+  const policy::ObservationSpec& spec = policy.observation.spec;
+  const auto is_advice = [&spec](std::size_t i) { return spec[i].feature == policy::Feature::kPreference; };
+  Values logits(policy.actions.size());
+  for (std::size_t i = 0; i < spec.size(); ++i)
+    if (is_advice(i)) logits[spec[i].age] = observation[i];
+  const LogProbability by_logit = of_logits(logits, action);
+  LogProbability result{.value = by_logit.value, .gradient = Values(spec.size(), 0.0)};
+  for (std::size_t i = 0; i < spec.size(); ++i)
+    if (is_advice(i)) result.gradient[i] = by_logit.gradient[spec[i].age];
+  return result;
 }
 
 }  // namespace earshot::explain

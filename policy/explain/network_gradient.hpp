@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "firmware/policy/network.hpp"
+#include "firmware/policy/frozen_policy.hpp"
 
 namespace earshot::explain {
 
@@ -25,5 +25,7 @@ struct LogProbability {
 /// @param action       below action_count
 /// Oracle: LogProbability.EqualsAHandComputedNetwork, LogProbability.HasTheGradientThatFiniteDifferencesShow
 [[nodiscard]] LogProbability log_probability(const policy::Network& network, std::span<const double> observation, std::size_t action);
+/// The same of a policy, which need not have a network (policy::find_logits).
+[[nodiscard]] LogProbability log_probability(const policy::FrozenPolicy& policy, std::span<const double> observation, std::size_t action);
 
 }  // namespace earshot::explain

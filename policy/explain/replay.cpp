@@ -5,12 +5,13 @@
 
 namespace earshot::explain {
 
-std::unique_ptr<policy::SearchMemory> remembered_at(const policy::ObservationModel& model, std::span<const RecordedDecision> decisions,
-                                                    NorthEast south_west) {
+std::unique_ptr<policy::SearchMemory> remembered_at(const policy::ObservationModel& model, const policy::OceanTables& tables,
+                                                    std::span<const RecordedDecision> decisions, NorthEast south_west) {
   assert(!decisions.empty());
   auto memory = std::make_unique<policy::SearchMemory>();
-  memory->start(model, decisions.front().position - south_west, decisions.front().reception);
-  for (const RecordedDecision& decision : decisions.subspan(1)) memory->remember(model, decision.position - south_west, decision.reception);
+  memory->start(model, tables, decisions.front().position - south_west, decisions.front().reception);
+  for (const RecordedDecision& decision : decisions.subspan(1))
+    memory->remember(model, tables, decision.position - south_west, decision.reception);
   return memory;
 }
 
@@ -19,7 +20,7 @@ Contradiction contradiction(const policy::FrozenPolicy& policy, const RecordedDe
       decision.action >= policy.actions.size())
     return Contradiction::kSizes;
   std::vector<float> again(decision.logits.size());
-  policy::forward(policy.network, decision.observation, again);
+  policy::find_logits(policy, decision.observation, again);
   if (again != decision.logits) return Contradiction::kLogits;
   again.resize(decision.observation.size());
   policy::observe(memory, policy.observation, again);

@@ -14,7 +14,7 @@ namespace earshot::explain {
 /// what it heard, which is all that its memory was ever given.
 /// @param decisions   from step 0 on without a gap, at least one
 /// @param south_west  corner of the operating area
-[[nodiscard]] std::unique_ptr<policy::SearchMemory> remembered_at(const policy::ObservationModel& model,
+[[nodiscard]] std::unique_ptr<policy::SearchMemory> remembered_at(const policy::ObservationModel& model, const policy::OceanTables& tables,
                                                                   std::span<const RecordedDecision> decisions, NorthEast south_west);
 
 /// How a recorded decision contradicts the policy that is said to have taken it.

@@ -17,7 +17,6 @@ Unit unit_of(Feature feature) {
     case Feature::kStepSnr:
       return Unit::kDecibels;
     case Feature::kLikeliestShare:
-    case Feature::kHypothesis:
     case Feature::kFound:
     case Feature::kReach:
     case Feature::kDetected:
@@ -40,14 +39,6 @@ std::string steps_ago(unsigned age) {
 std::string heard_when(unsigned age) {
   if (age == 0) return "SNR heard now";
   return age == 1 ? "SNR heard one step ago" : "SNR heard " + std::to_string(age) + " steps ago";
-}
-
-std::string hypothesis_name(std::size_t index, const policy::BeliefModel& model) {
-  if (index >= model.hypotheses.size()) return "chance of hypothesis " + std::to_string(index);
-  const policy::BeliefHypothesis& h = model.hypotheses[index];
-  const double offset = static_cast<double>(h.level_offset_db);
-  return "chance that the source is " + (offset == 0.0 ? "as loud as modelled" : (offset > 0 ? "+" : "") + fixed(offset, 0) + " dB") +
-         ", heard to within " + fixed(static_cast<double>(h.spread_db), 0) + " dB";
 }
 
 }  // namespace
@@ -94,8 +85,7 @@ std::string direction_name(const UnitNorthEast& direction) {
   return degrees_to_string(degrees);
 }
 
-std::string name_of(const policy::ObservationElement& element, const policy::BeliefModel& model,
-                    const FixedVector<UnitNorthEast, config::kMaxActions>& actions) {
+std::string name_of(const policy::ObservationElement& element, const FixedVector<UnitNorthEast, config::kMaxActions>& actions) {
   const auto going = [&](const char* what) {
     return std::string(what) + " " + (element.age < actions.size() ? direction_name(actions[element.age]) : std::to_string(element.age));
   };
@@ -132,8 +122,6 @@ std::string name_of(const policy::ObservationElement& element, const policy::Bel
       return "chance of the likeliest place";
     case Feature::kEffectiveCells:
       return "cells that the belief is spread over";
-    case Feature::kHypothesis:
-      return hypothesis_name(element.age, model);
     case Feature::kFound:
       return going("chance of finding the source by going");
     case Feature::kDetected:

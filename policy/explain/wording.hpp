@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "firmware/core/geometry.hpp"
-#include "firmware/policy/belief.hpp"
 #include "firmware/policy/observation.hpp"
 
 namespace earshot::explain {
@@ -30,7 +29,7 @@ enum class Subject : std::uint8_t {
 [[nodiscard]] std::string direction_name(const UnitNorthEast& direction);
 
 /// "chance of finding the source by going NE"
-[[nodiscard]] std::string name_of(const policy::ObservationElement& element, const policy::BeliefModel& model,
+[[nodiscard]] std::string name_of(const policy::ObservationElement& element,
                                   const FixedVector<UnitNorthEast, config::kMaxActions>& actions);
 
 /// The raw value of an element of an observation with its unit, "3.20 km" or "12.0 %".

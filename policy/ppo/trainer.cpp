@@ -35,16 +35,17 @@ double explained_variance(const Rollout& rollout) {
 
 }  // namespace
 
-Trainer::Trainer(const search::World& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed)
-    : Trainer(world, model, hyper, seed, one_process()) {}
+Trainer::Trainer(const search::World& world, const policy::ObservationModel& model, const policy::OceanTables& tables,
+                 const HyperParameters& hyper, std::uint64_t seed)
+    : Trainer(world, model, tables, hyper, seed, one_process()) {}
 
-Trainer::Trainer(const search::World& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed,
-                 parallel::Ranks& ranks)
+Trainer::Trainer(const search::World& world, const policy::ObservationModel& model, const policy::OceanTables& tables,
+                 const HyperParameters& hyper, std::uint64_t seed, parallel::Ranks& ranks)
     : hyper_(hyper),
       seed_(seed),
       ranks_(ranks),
       random_(search::training_random(seed, kLearningStream)),
-      environments_(world, model, hyper.environment_count, seed, ranks.rank() * hyper.environment_count),
+      environments_(world, model, tables, hyper.environment_count, seed, ranks.rank() * hyper.environment_count),
       learner_(shape_of(environments_), hyper, random_, ranks),
       rollout_(shape_of(environments_), hyper.environment_count, hyper.steps_per_rollout),
       observations_(index(model.spec.size()), index(hyper.environment_count)),

@@ -31,11 +31,12 @@ struct TrainingState {
 /// but that each rank shuffles, and normalises advantages, among its own samples.
 class Trainer {
  public:
-  /// @param world  outlives this, as `ranks` does
-  Trainer(const search::World& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed,
-          parallel::Ranks& ranks);
+  /// @param world, tables  outlive this, as `ranks` does
+  Trainer(const search::World& world, const policy::ObservationModel& model, const policy::OceanTables& tables,
+          const HyperParameters& hyper, std::uint64_t seed, parallel::Ranks& ranks);
   /// Trains in one process.
-  Trainer(const search::World& world, const policy::ObservationModel& model, const HyperParameters& hyper, std::uint64_t seed);
+  Trainer(const search::World& world, const policy::ObservationModel& model, const policy::OceanTables& tables,
+          const HyperParameters& hyper, std::uint64_t seed);
 
   /// Called with every finished episode of this process and the steps taken so far by all; false ends training with the rollout under way.
   using OnEpisode = std::function<bool(const search::EpisodeRecord& episode, std::uint64_t steps)>;

@@ -132,8 +132,8 @@ TrainingRun load_run(const std::filesystem::path& path) {
   return run;
 }
 
-policy::ObservationModel observation_of(const TrainingRun& run, const sonar::SnrCurve& curve) {
-  return description::observation_of(run.state, run.remembered_steps, run.search, curve);
+policy::ObservationModel observation_of(const TrainingRun& run) {
+  return description::observation_of(run.state, run.remembered_steps, run.search);
 }
 
 std::vector<std::pair<std::string, std::string>> describe(const TrainingRun& run) {

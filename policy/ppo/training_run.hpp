@@ -13,7 +13,6 @@
 #include "policy/description/state.hpp"
 #include "policy/ppo/hyper_parameters.hpp"
 #include "sim/search/settings.hpp"
-#include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::ppo {
 
@@ -43,7 +42,7 @@ struct TrainingRun {
   std::uint64_t steps = 0;     ///< training ends with the rollout that reaches it; 0: no limit
 };
 
-/// Episodes stepped together: each has a belief of up to 64 KiB.
+/// Episodes stepped together: each has a belief of up to 256 KiB.
 inline constexpr std::int64_t kMostEnvironments = 8192;
 
 /// A setting that is right by itself and does not fit the others.
@@ -60,8 +59,7 @@ struct Mismatch {
 [[nodiscard]] TrainingRun load_run(const std::filesystem::path& path);
 
 /// What the policy of this run sees, and what it takes for granted when it looks.
-/// @param curve  SNR that a belief takes for the truth
-[[nodiscard]] policy::ObservationModel observation_of(const TrainingRun& run, const sonar::SnrCurve& curve);
+[[nodiscard]] policy::ObservationModel observation_of(const TrainingRun& run);
 
 inline constexpr std::string_view kDecayStepsName = "learning_rate_decay_steps";
 

@@ -70,7 +70,7 @@ class Episodes {
   void start(std::size_t i, std::optional<std::uint64_t> seed) {
     Running& running = at(i);
     if (seed) running.random = search::training_random(*seed, 0);
-    running.episode.start(problem_->world(), problem_->observation(), running.random);
+    running.episode.start(problem_->world(), problem_->observation(), problem_->tables(), running.random);
     running.started = true;
   }
 
@@ -82,7 +82,7 @@ class Episodes {
       throw py::value_error("position_m, source_m: within a step of each other the search would be over before it begins");
     }
     Running& running = at(i);
-    running.episode.start_at(problem_->world(), problem_->observation(), from, to, running.random);
+    running.episode.start_at(problem_->world(), problem_->observation(), problem_->tables(), from, to, running.random);
     running.started = true;
   }
 
@@ -200,7 +200,7 @@ class Episodes {
         Floats last(static_cast<py::ssize_t>(problem_->observation().spec.size()));
         running.episode.observe(span_of(last));
         ended.append(py::make_tuple(i, std::move(last), dictionary_of(record)));
-        running.episode.start(problem_->world(), problem_->observation(), running.random);
+        running.episode.start(problem_->world(), problem_->observation(), problem_->tables(), running.random);
       }
       observe(i, observations);
     }

@@ -8,6 +8,7 @@
 #include "policy/description/trained_task.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
+#include "sim/search/told_ocean.hpp"
 
 namespace earshot::python {
 namespace {
@@ -78,7 +79,8 @@ SearchProblem::SearchProblem(const SearchProblemArguments& arguments) {
   const search::SearchSettings settings = settings_of(arguments, environment.source.position);
   const description::State state = state_of(arguments);
   world_ = std::make_unique<search::World>(search::assemble(scenario, settings, arguments.vehicle_depth));
-  observation_ = description::observation_of(state, arguments.remembered_steps, settings, world_->expected());
+  observation_ = description::observation_of(state, arguments.remembered_steps, settings);
+  search::make_told_ocean(settings, world_->expected(), tables_);
   description_ = description::to_text(description_of(arguments, settings, observation_, environment.file_crc32));
 }
 

@@ -38,12 +38,15 @@ class SearchProblem {
 
   [[nodiscard]] const search::World& world() const { return *world_; }
   [[nodiscard]] const policy::ObservationModel& observation() const { return observation_; }
+  /// The oceans that a belief thinks possible: the environment's alone.
+  [[nodiscard]] const policy::OceanTables& tables() const { return tables_; }
   /// Text of the search description (policy/description) that travels with a policy's weights.
   [[nodiscard]] const std::string& description() const { return description_; }
 
  private:
   std::unique_ptr<search::World> world_;
   policy::ObservationModel observation_;
+  policy::OceanTables tables_;
   std::string description_;
 };
 

@@ -219,10 +219,10 @@ std::string lack_of(const JournalledSearch& journal) {
   return lack;
 }
 
-std::optional<std::filesystem::path> policy_beside(const std::filesystem::path& journal) {
-  std::filesystem::path policy = journal;
-  policy.replace_extension(".policy");
-  return std::filesystem::exists(policy) ? std::optional(policy) : std::nullopt;
+std::optional<std::filesystem::path> beside_journal(const std::filesystem::path& journal, const std::string& extension) {
+  std::filesystem::path file = journal;
+  file.replace_extension(extension);
+  return std::filesystem::exists(file) ? std::optional(file) : std::nullopt;
 }
 
 NorthEast place_in(const nlohmann::json& place) {

@@ -68,8 +68,9 @@ inline constexpr const char* kJournalName = "journal.lcmlog";  ///< in a flight'
 /// @throws host::BadInput naming the file when it cannot be read.
 [[nodiscard]] JournalledSearch read_journal(const std::filesystem::path& path);
 
-/// Where a flight keeps the policy that flew it: beside its journal and named after it. Nothing when there is none.
-[[nodiscard]] std::optional<std::filesystem::path> policy_beside(const std::filesystem::path& journal);
+/// Where a flight keeps the policy that flew it, and its ocean tables: beside its journal and named after it. Nothing when there is none.
+/// @param extension  ".policy", ".tables"
+[[nodiscard]] std::optional<std::filesystem::path> beside_journal(const std::filesystem::path& journal, const std::string& extension);
 
 /// Of one of several journals that flights at sea left in a folder: what it tells alone. Of a folder: reads the decisions in
 /// journal.lcmlog, and of summary.json, track.csv and snr.csv those that are there; hearing.csv and spectrogram.csv when the summary says

@@ -2,12 +2,14 @@
 
 #include <span>
 
+#include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/description/json_fault.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/explain/replay.hpp"
 #include "sim/search/belief_model.hpp"
+#include "sim/search/told_ocean.hpp"
 #include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::report {
@@ -32,11 +34,13 @@ void require_decisions(const fs::path& path, const JournalledSearch& journal) {
   }
 }
 
-fs::path policy_for(const fs::path& journal, const RecordingOptions& options) {
-  if (options.policy) return *options.policy;
-  if (const std::optional<fs::path> beside = policy_beside(journal)) return *beside;
-  throw BadInput(journal.string() + ": no policy beside it (" + fs::path(journal).replace_extension(".policy").filename().string() +
-                 "): name the one that flew with --policy FILE");
+/// What `said` names, or what lies beside the journal.
+/// @param what  "policy"; its files end in "." and that, its option is "--" and that
+fs::path file_for(const fs::path& journal, const std::optional<fs::path>& said, const std::string& what) {
+  if (said) return *said;
+  if (const std::optional<fs::path> beside = beside_journal(journal, "." + what)) return *beside;
+  throw BadInput(journal.string() + ": no " + what + " beside it (" + fs::path(journal).replace_extension("." + what).filename().string() +
+                 "): name what flew with --" + what + " FILE");
 }
 
 [[noreturn]] void refuse(const RecordedFlight& flight, const RecordedDecision& decision, explain::Contradiction why) {
@@ -50,7 +54,7 @@ fs::path policy_for(const fs::path& journal, const RecordingOptions& options) {
     throw BadInput(here + "taken by another policy than " + policy + ": the same observation gives other logits");
   throw BadInput(
       here + "what was heard until then gives another observation than " + policy +
-      " saw: a belief of another version of Earshot, or the area's south-west corner is elsewhere (--south-west NORTH_M,EAST_M)");
+      " saw: a belief of another version of Earshot, other ocean tables, or the area's south-west corner is elsewhere (--south-west NORTH_M,EAST_M)");
 }
 
 void check_against_policy(const RecordedFlight& flight) {
@@ -59,9 +63,9 @@ void check_against_policy(const RecordedFlight& flight) {
   for (const RecordedDecision& decision : flight.journal.decisions) {
     const NorthEast place = decision.position - flight.south_west;
     if (decision.step == 0)
-      memory->start(model, place, decision.reception);
+      memory->start(model, *flight.tables, place, decision.reception);
     else
-      memory->remember(model, place, decision.reception);
+      memory->remember(model, *flight.tables, place, decision.reception);
     const explain::Contradiction found = explain::contradiction(*flight.policy, decision, *memory);
     if (found != explain::Contradiction::kNone) refuse(flight, decision, found);
   }
@@ -74,20 +78,22 @@ void read_places(const fs::path& path, const nlohmann::json& summary, RecordedFl
   throw BadInput(path.string() + ": " + description::to_string(e));
 }
 
-/// For a policy without a belief: one made of the SNR that the simulator flew with.
-policy::BeliefModel observer_of(const policy::FrozenPolicy& policy, const Flight& flight) {
+/// For a policy without a belief: one in the ocean that the simulator flew in.
+void add_observer(const Flight& flight, RecordedFlight& recorded) {
   std::vector<float> snr_db;
   for (const SnrRow& row : flight.snr) snr_db.push_back(static_cast<float>(row.snr_db));
   const sonar::SnrCurve curve(Meters{flight.snr.at(1).range_m - flight.snr.at(0).range_m}, std::move(snr_db));
-  policy::BeliefModel model = search::belief_model(evaluate::search_of(policy), curve);
-  model.actions = policy.actions;
-  return model;
+  const search::SearchSettings settings = evaluate::search_of(*recorded.policy);
+  recorded.observer = search::belief_model(settings);
+  recorded.observer->actions = recorded.policy->actions;
+  recorded.tables = std::make_unique<policy::OceanTables>();
+  search::make_told_ocean(settings, curve, *recorded.tables);
 }
 
 }  // namespace
 
 explain::Circumstances RecordedFlight::circumstances(explain::Baseline baseline) const {
-  return {.policy = *policy, .belief = belief(), .belief_is_the_policys = !observer, .south_west = south_west, .baseline = baseline};
+  return {.policy = *policy, .belief = belief(), .tables = *tables, .belief_is_the_policys = !observer, .south_west = south_west, .baseline = baseline};
 }
 
 RecordedFlight open_recording(const fs::path& folder_or_journal, const RecordingOptions& options) {
@@ -101,20 +107,26 @@ RecordedFlight open_recording(const fs::path& folder_or_journal, const Recording
   }
   flight.journal = files ? std::move(files->journal) : read_journal(flight.journal_path);
   require_decisions(flight.journal_path, flight.journal);
-  flight.policy_path = policy_for(flight.journal_path, options);
+  flight.policy_path = file_for(flight.journal_path, options.policy, "policy");
   flight.policy = host::load_unverified_policy(flight.policy_path);
+  const bool has_belief = policy::needs_belief(flight.policy->observation.spec);
+  if (has_belief) {
+    const fs::path tables = file_for(flight.journal_path, options.tables, "tables");
+    flight.tables = host::tables_from(host::read_tables_bytes(tables), tables);
+  }
   if (files) read_places(folder_or_journal / "summary.json", files->summary, flight);
   if (!files) {
     if (const std::optional<SeaFlight> sea = read_sea_flight(flight.journal_path)) flight.south_west = sea->area.south_west;
   }
   if (options.south_west) flight.south_west = *options.south_west;
+  if (!has_belief) {
+    if (!files || files->snr.empty())
+      throw BadInput(
+          flight.policy_path.string() +
+          ": holds no belief, and without the folder of a simulated flight (summary.json, snr.csv) there is no ocean to make one of");
+    add_observer(*files, flight);
+  }
   check_against_policy(flight);
-  if (policy::needs_belief(flight.policy->observation.spec)) return flight;
-  if (!files || files->snr.empty())
-    throw BadInput(
-        flight.policy_path.string() +
-        ": holds no belief, and without the folder of a simulated flight (summary.json, snr.csv) there is no ocean to make one of");
-  flight.observer = observer_of(*flight.policy, *files);
   return flight;
 }
 

@@ -17,6 +17,7 @@ struct RecordedFlight {
   std::filesystem::path policy_path;
   JournalledSearch journal;
   std::unique_ptr<policy::FrozenPolicy> policy;
+  std::unique_ptr<policy::OceanTables> tables;  ///< by which it searched, or the observer would
   NorthEast south_west;                         ///< of the operating area, in the mission's plane
   std::optional<NorthEast> source;              ///< where a simulator put it
   std::optional<policy::BeliefModel> observer;  ///< for a policy that holds no belief: what one who knows the ocean would take for granted
@@ -29,6 +30,7 @@ struct RecordedFlight {
 /// What a person may say about a recording; what is not said is looked for beside the journal.
 struct RecordingOptions {
   std::optional<std::filesystem::path> policy = std::nullopt;
+  std::optional<std::filesystem::path> tables = std::nullopt;
   std::optional<NorthEast> south_west = std::nullopt;
 };
 

@@ -15,6 +15,7 @@
 #include "policy/ppo/checkpoint/training_state_text.hpp"
 #include "policy/ppo/trainer.hpp"
 #include "policy/training/curve_files.hpp"
+#include "sim/search/told_ocean.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/world.hpp"
 
@@ -61,6 +62,7 @@ struct Training::Parts {
   search::Scenario scenario;
   search::World world;
   policy::ObservationModel model;
+  policy::OceanTables tables;
   ppo::Trainer trainer;
   LearningCurve curve;
   std::uint32_t settings_crc32;
@@ -71,8 +73,8 @@ struct Training::Parts {
         run(settled(job.options)),
         scenario(command_line::scenario_at(run.environment, run.vehicle_depth)),
         world(settle_search()),
-        model(ppo::observation_of(run, world.expected())),
-        trainer(world, model, run.hyper, run.seed, ranks),
+        model(ppo::observation_of(run)),
+        trainer(world, model, believed_oceans(), run.hyper, run.seed, ranks),
         curve(job.resumed ? earlier_curve(job.earlier_curve, *job.resumed->continuation) : LearningCurve{}),
         settings_crc32(training::settings_crc32(job.options, run, scenario.environment)) {}
 
@@ -85,6 +87,12 @@ struct Training::Parts {
       given.start = search::kStartPlacements[static_cast<std::size_t>(search::StartPlacement::kInsideBorder)];
     given.apply_to(run.search);
     return search::assemble(scenario, run.search, run.vehicle_depth);
+  }
+
+  /// The environment's alone.
+  const policy::OceanTables& believed_oceans() {
+    search::make_told_ocean(run.search, world.expected(), tables);
+    return tables;
   }
 
   void resume();

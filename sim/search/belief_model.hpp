@@ -1,13 +1,11 @@
 #pragma once
 
-#include "firmware/policy/belief.hpp"
+#include "firmware/policy/belief_model.hpp"
 #include "sim/search/settings.hpp"
-#include "sim/sonar/snr_curve.hpp"
 
 namespace earshot::search {
 
-/// What a vehicle that knows the search, and one ocean's SNR against range, takes for granted: the curve in steps of 100 m or as many as
-/// fit, and the hypotheses of `policy::BeliefHypothesis` that cover how true oceans and loudspeakers differ from it.
-[[nodiscard]] policy::BeliefModel belief_model(const SearchSettings& settings, const sonar::SnrCurve& curve);
+/// What a vehicle that knows the search takes for granted, its grid as fine as fits (500 m at best), its costs chosen for finding.
+[[nodiscard]] policy::BeliefModel belief_model(const SearchSettings& settings);
 
 }  // namespace earshot::search

@@ -7,7 +7,7 @@
 #include "sim/search/reward/step_reward.hpp"
 
 namespace earshot::search {
-void Episode::start(const World& world, const policy::ObservationModel& model, Pcg32& random) {
+void Episode::start(const World& world, const policy::ObservationModel& model, const policy::OceanTables& tables, Pcg32& random) {
   const SearchSettings& s = world.settings;
   NorthEast source = s.source;
   NorthEast position;
@@ -15,18 +15,20 @@ void Episode::start(const World& world, const policy::ObservationModel& model, P
     if (s.placement == SourcePlacement::kChanging) source = uniform_in(s.domain, random);
     position = uniform_in(s.start_region, random);
   } while (range_between(position, source) <= s.step_length);
-  start_at(world, model, position, source, Surroundings::stream_from(world, random));
+  start_at(world, model, tables, position, source, Surroundings::stream_from(world, random));
 }
 
-void Episode::start_at(const World& world, const policy::ObservationModel& model, NorthEast position, NorthEast source, Pcg32 conditions) {
+void Episode::start_at(const World& world, const policy::ObservationModel& model, const policy::OceanTables& tables, NorthEast position,
+                       NorthEast source, Pcg32 conditions) {
   position_ = position;
   navigation_error_ = {};
   record_ = {};
   model_ = &model;
+  tables_ = &tables;
   surroundings_.start(world, position, source, conditions);
   reception_ = surroundings_.listen(world, position_);
   source_ = surroundings_.nearest_source(position_);
-  memory_.start(model, in_domain(world), reception_);
+  memory_.start(model, tables, in_domain(world), reception_);
 }
 
 /// The whole step at once up to the first look that counts, then look by look.
@@ -67,7 +69,7 @@ double Episode::step(const World& world, std::size_t action) {
   assert(record_.end == EpisodeEnd::kRunning);
   const SearchSettings& s = world.settings;
   step_and_listen(world, s.step_length * world.actions[action]);
-  memory_.remember(*model_, in_domain(world), reception_);
+  memory_.remember(*model_, *tables_, in_domain(world), reception_);
 
   const double reward = step_reward(s, position_, reception_);
   record_.reward += reward;

@@ -40,11 +40,12 @@ class Episode {
   /// Draws the source (kChanging) and the start. A start within l of the source would end before its first step: the start is drawn
   /// again; a changing source is drawn again with it, so that no source position is without a start. Start and source are those of a calm
   /// world for the same `random`.
-  /// @param model  what is remembered and seen; must outlive the episode
-  void start(const World& world, const policy::ObservationModel& model, Pcg32& random);
+  /// @param model   what is remembered and seen; must outlive the episode
+  /// @param tables  by which a belief searches; must outlive the episode
+  void start(const World& world, const policy::ObservationModel& model, const policy::OceanTables& tables, Pcg32& random);
   /// Starts at a given place. @param conditions  for what the world's conditions draw
-  void start_at(const World& world, const policy::ObservationModel& model, NorthEast position, NorthEast source,
-                Pcg32 conditions = Pcg32(0));
+  void start_at(const World& world, const policy::ObservationModel& model, const policy::OceanTables& tables, NorthEast position,
+                NorthEast source, Pcg32 conditions = Pcg32(0));
 
   /// Takes one step; returns its reward. @param action below the size of world.actions; the episode is running.
   double step(const World& world, std::size_t action);
@@ -63,7 +64,7 @@ class Episode {
   /// The SNR of the reception; where it was too faint to measure, the least that could have been measured.
   [[nodiscard]] Decibels snr() const { return reception_.snr; }
   /// What is believed about the source; meaningful only when the model's spec needs it.
-  [[nodiscard]] const policy::Belief& belief() const { return memory_.belief(); }
+  [[nodiscard]] const policy::OceanBelief& belief() const { return memory_.belief(); }
 
  private:
   void step_and_listen(const World& world, NorthEast through_water);
@@ -76,6 +77,7 @@ class Episode {
   policy::Reception reception_;
   Surroundings surroundings_;
   const policy::ObservationModel* model_ = nullptr;
+  const policy::OceanTables* tables_ = nullptr;
   policy::SearchMemory memory_;
   EpisodeRecord record_;
 };

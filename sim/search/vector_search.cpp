@@ -12,10 +12,11 @@ constexpr std::size_t kExpectedSteps = 1'024;  // of an episode; the list of a l
 
 }  // namespace
 
-VectorSearch::VectorSearch(const World& world, const policy::ObservationModel& model, std::size_t environment_count, std::uint64_t seed,
-                           std::uint64_t first_stream)
+VectorSearch::VectorSearch(const World& world, const policy::ObservationModel& model, const policy::OceanTables& tables,
+                           std::size_t environment_count, std::uint64_t seed, std::uint64_t first_stream)
     : world_(world),
       model_(model),
+      tables_(tables),
       episodes_(environment_count),
       scripts_(environment_count),
       observations_(environment_count * model.spec.size()),
@@ -35,7 +36,7 @@ VectorSearch::VectorSearch(const World& world, const policy::ObservationModel& m
 void VectorSearch::start(std::size_t environment) {
   scripts_[environment].random = random_[environment].state();
   scripts_[environment].actions.clear();
-  episodes_[environment].start(world_, model_, random_[environment]);
+  episodes_[environment].start(world_, model_, tables_, random_[environment]);
 }
 
 bool VectorSearch::resume(std::span<const EpisodeScript> scripts) {

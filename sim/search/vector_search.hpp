@@ -22,10 +22,10 @@ struct EpisodeScript {
 /// first_stream + i of the seed (streams.hpp), so its episodes do not depend on how many others run.
 class VectorSearch {
  public:
-  /// @param world  outlives this; check(world.settings) is kOk
+  /// @param world, tables  outlive this; check(world.settings) is kOk
   /// @param first_stream  of the seed, that of environment 0: other processes have those before and after
-  VectorSearch(const World& world, const policy::ObservationModel& model, std::size_t environment_count, std::uint64_t seed,
-               std::uint64_t first_stream = 0);
+  VectorSearch(const World& world, const policy::ObservationModel& model, const policy::OceanTables& tables, std::size_t environment_count,
+               std::uint64_t seed, std::uint64_t first_stream = 0);
 
   VectorSearch(const VectorSearch&) = delete;  // its episodes point to its model
   VectorSearch& operator=(const VectorSearch&) = delete;
@@ -58,6 +58,7 @@ class VectorSearch {
 
   const World& world_;
   policy::ObservationModel model_;
+  const policy::OceanTables& tables_;
   std::vector<Episode> episodes_;
   std::vector<Pcg32> random_;
   std::vector<EpisodeScript> scripts_;

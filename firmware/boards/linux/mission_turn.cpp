@@ -47,13 +47,15 @@ void write_build(std::string_view build, Bytes& bytes) {
 
 }  // namespace
 
-void MissionTurn::record_mission(const config::Mission& mission, std::span<const std::uint8_t> policy, std::string_view build) {
+void MissionTurn::record_mission(const config::Mission& mission, const FlownWith& with) {
   const Time begin = memory_.last = clock_.now();
   mission_t m = wire::to_message(mission, begin);
-  m.policy_crc32 = static_cast<std::int32_t>(crc32(policy));
-  write_build(build, m.build);
+  m.policy_crc32 = static_cast<std::int32_t>(crc32(with.policy));
+  m.tables_crc32 = static_cast<std::int32_t>(crc32(with.tables));
+  write_build(with.build, m.build);
   append(journal_, begin, wire::kMissionChannel, m, Weight::kOrder);
-  (void)journal_.append(begin, wire::kPolicyChannel, policy, Weight::kOrder);
+  (void)journal_.append(begin, wire::kPolicyChannel, with.policy, Weight::kOrder);
+  (void)journal_.append(begin, wire::kTablesChannel, with.tables, Weight::kOrder);
 }
 
 void MissionTurn::tell(FlightNews& news) {

@@ -20,11 +20,18 @@
 
 namespace earshot::board {
 
+/// By what a mission is flown.
+struct FlownWith {
+  std::span<const std::uint8_t> policy;  ///< bytes of the .policy file
+  std::span<const std::uint8_t> tables;  ///< bytes of the .tables file; none where the policy needs none
+  std::string_view build;                ///< version and commit of this program
+};
+
 /// One turn of the decision loop: what the ports bring is journalled and given to the runtime in the order in which it comes; the call
 /// makes the step, journals what comes out, and gives it to the ports.
 ///
 /// In the journal a turn is: its inputs, each with its arrival; then set-point, decision and acknowledgements, if there are any; then
-/// health, always, with the turn's time. With the mission and the policy at its beginning the journal thus holds all that the runtime was
+/// health, always, with the turn's time. With the mission, the policy and its tables at its beginning the journal thus holds all that the runtime was
 /// ever given: whoever takes the same inputs and steps at every health record gets every output again, bit for bit.
 /// A journal that its disk does not take is reported as Earshot's own port (kOwnPort): its link is down.
 /// Commands and what steered the vehicle weigh more than streams: on a full disk they are lost last (host::Weight).
@@ -34,9 +41,8 @@ class MissionTurn final : public InputSink {
   MissionTurn(runtime::Runtime& runtime, PortSet& ports, host::Journal& journal, Clock& clock)
       : runtime_(runtime), ports_(ports), journal_(journal), clock_(clock) {}
 
-  /// Writes the journal's first two records, which say what is flown. To be called before anything else.
-  /// @param policy  bytes of the .policy file; build  version and commit of this program
-  void record_mission(const config::Mission& mission, std::span<const std::uint8_t> policy, std::string_view build);
+  /// Writes the journal's first three records, which say what is flown. To be called before anything else.
+  void record_mission(const config::Mission& mission, const FlownWith& with);
 
   /// In place of record_mission(): goes on where another process ended, whose journal is this one's now, and whose runtime this one has.
   void go_on_after(const Resumption& before, std::string_view build);

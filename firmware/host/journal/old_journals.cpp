@@ -20,6 +20,8 @@ namespace earshot::host {
 namespace {
 
 constexpr std::string_view kPolicyMagic = "EARSHOTP";
+constexpr std::string_view kTablesMagic = "EARSHOTT";
+static_assert(kTablesMagic.size() == kPolicyMagic.size());
 constexpr std::string_view kNeverWritten("\0\0\0\0", 4);
 
 /// Its size; nothing: it is no regular file, or begins with something else. An empty file is of every kind.
@@ -49,8 +51,9 @@ OldJournals::OldJournals(const std::filesystem::path& wanted, int own) {
     bytes_ += *size;
   }
   for (Old& old : journals_) {
-    const std::filesystem::path policy = named(wanted, {.journal = old.number}).replace_extension(".policy");
-    old.files.push_back({.path = policy, .bytes = 0, .magic = kPolicyMagic});
+    std::filesystem::path beside = named(wanted, {.journal = old.number});
+    old.files.push_back({.path = beside.replace_extension(".policy"), .bytes = 0, .magic = kPolicyMagic});
+    old.files.push_back({.path = beside.replace_extension(".tables"), .bytes = 0, .magic = kTablesMagic});
   }
 }
 

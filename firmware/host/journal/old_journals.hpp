@@ -10,7 +10,7 @@
 namespace earshot::host {
 
 /// The journals of earlier flights in a folder, which may be deleted to make room for the next: the oldest first, with all of its parts and
-/// the policy beside it. Never touched is what is no regular file, does not begin as a journal (or a policy) does, or is written by another
+/// the policy and the tables beside it. Never touched is what is no regular file, does not begin as a journal (or a policy, or tables) does, or is written by another
 /// process. A file is looked at again before it is deleted: what somebody took away counts no more, what he put in its place stays. Nothing
 /// allocates after construction.
 class OldJournals {
@@ -31,12 +31,12 @@ class OldJournals {
  private:
   struct File {
     std::filesystem::path path;
-    std::uint64_t bytes = 0;  ///< that count; a policy's do not
+    std::uint64_t bytes = 0;  ///< that count; those of policy and tables do not
     std::string_view magic;   ///< as it begins
   };
   struct Old {
     int number = 0;
-    std::vector<File> files{};  ///< the first part first, the policy last
+    std::vector<File> files{};  ///< the first part first, policy and tables last
   };
   [[nodiscard]] static bool is_written(const Old& old);
   /// @return whether bytes() is less now

@@ -10,6 +10,7 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/file/shipped.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/mission/hydrophone_table.hpp"
 #include "firmware/host/mission/n2k_table.hpp"
@@ -46,6 +47,7 @@ void read_search(TableReader search, config::Mission& mission) {
   mission.step_length = Meters{search.number("step_length_m", Range::above_up_to(0.0, kFarthest_m))};
   mission.max_steps = static_cast<std::uint32_t>(search.integer("max_steps", 1, 1'000'000));
   mission.detection_threshold = Decibels{search.number("detection_threshold_db", Range::between(-200.0, 200.0))};
+  mission.source_frequency = Hertz{search.number_or("source_frequency_hz", 20.0, Range::between(1.0, 10'000.0))};
   mission.listening = read_listening(search);
 }
 
@@ -256,6 +258,17 @@ void require_named(const std::filesystem::path& path, const std::string& named_a
                  ": no such file; relative paths are relative to the mission's folder, " + option + " names another");
 }
 
+/// Where a mission names none, those that ship.
+void read_tables(TableReader policy, const TomlFile& toml, MissionFile& file) {
+  constexpr const char* kKey = "tables";
+  if (!policy.has(kKey)) {
+    file.tables = shipped("policy/tables/shipped");
+    return;
+  }
+  file.tables = toml.resolve(policy.text(kKey));
+  file.tables_named_at = policy.place_of(kKey);
+}
+
 /// A vehicle that has keys of its own has no use for the mission's.
 void read_public_key(TableReader policy, const TomlFile& toml, const VehicleTrust* vehicle, MissionFile& file) {
   constexpr const char* kKey = "public_key_file";
@@ -290,6 +303,7 @@ MissionFile read_mission(const TomlFile& toml, const VehicleTrust* vehicle) {
   TableReader policy = root.table("policy");
   file.policy = toml.resolve(policy.text("file"));
   file.policy_named_at = policy.place_of("file");
+  read_tables(policy, toml, file);
   read_public_key(policy, toml, vehicle, file);
   file.mission.action_seed = static_cast<std::uint64_t>(policy.integer_or("action_seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
   toml.finish();
@@ -305,6 +319,7 @@ MissionFile read_mission(const TomlFile& toml, const VehicleTrust* vehicle) {
 
 void require_named_files(const MissionFile& file) {
   require_named(file.policy, file.policy_named_at, "--policy");
+  require_named(file.tables, file.tables_named_at, "--tables");
   require_named(file.public_key, file.public_key_named_at, "--public-key");
 }
 

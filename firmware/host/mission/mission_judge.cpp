@@ -33,6 +33,12 @@ std::vector<PublicKey> keys_of(const std::vector<TrustedKey>& trusted) {
 
 }  // namespace
 
+authority::Sha256 digest_of(std::span<const std::uint8_t> policy, std::span<const std::uint8_t> tables) {
+  std::vector<std::uint8_t> both(policy.begin(), policy.end());
+  both.insert(both.end(), tables.begin(), tables.end());
+  return sha256_of(std::span<const std::uint8_t>(both));
+}
+
 MissionJudge::MissionJudge(VehicleFile vehicle, Counting counting) : vehicle_(std::move(vehicle)), counting_(counting) {}
 
 std::string MissionJudge::setting(const char* key) const {
@@ -73,24 +79,41 @@ void MissionJudge::judge_signature(const std::string& text) {
   mission_signer_ = signer->file;
 }
 
-SignedPolicy MissionJudge::load_policy(const MissionFile& file) {
-  if (!vehicle_) return host::load_policy(file.policy, file.public_key);
-  SignedPolicy policy = signed_policy_from(read_policy_bytes(file.policy), file.policy, vehicle_->policy_keys, setting("policy_keys"));
-  if (manifest_) judge_counter(policy, file.policy);
-  return policy;
+SignedSearch MissionJudge::load_search(const MissionFile& file) {
+  SignedSearch search{.policy = load_policy(file), .tables_file = {}, .tables = {}};
+  load_tables(file, search);
+  if (manifest_) judge_counter(search, file.policy);
+  return search;
 }
 
-void MissionJudge::judge_counter(const SignedPolicy& policy, const std::filesystem::path& policy_path) {
+SignedPolicy MissionJudge::load_policy(const MissionFile& file) const {
+  if (!vehicle_) return host::load_policy(file.policy, file.public_key);
+  return signed_policy_from(read_policy_bytes(file.policy), file.policy, vehicle_->policy_keys, setting("policy_keys"));
+}
+
+void MissionJudge::load_tables(const MissionFile& file, SignedSearch& search) const {
+  TablesFile chosen = tables_of(file.tables, *search.policy.policy, file.mission, mission_);
+  search.tables_file = chosen.path;
+  if (chosen.path.empty()) {
+    search.tables.tables = std::move(chosen.tables);
+  } else if (vehicle_) {
+    search.tables = signed_tables_from(std::move(chosen.bytes), chosen.path, vehicle_->policy_keys, setting("policy_keys"));
+  } else {
+    search.tables = signed_tables_from(std::move(chosen.bytes), chosen.path, load_public_key(file.public_key));
+  }
+}
+
+void MissionJudge::judge_counter(const SignedSearch& search, const std::filesystem::path& policy_path) {
   if (counting_ == Counting::kRecorded) counter_.emplace(vehicle_->counter_file);
   if (counter_) flown_last_ = counter_->flown_last();
   if (counting_ == Counting::kOnlyRead) flown_last_ = read_flown_last(vehicle_->counter_file);
   const std::string counter = signature_file_of(mission_).string() + ": counter " + std::to_string(manifest_->counter);
   const std::string last = std::to_string(flown_last_.counter);
   const std::string flown = " (" + vehicle_->counter_file.string() + "); sign what is to be flown now with a greater counter";
-  switch (authority::judge_flight(*manifest_, sha256_of(std::span<const std::uint8_t>(policy.bytes)), flown_last_)) {
+  switch (authority::judge_flight(*manifest_, digest_of(search.policy.bytes, search.tables.bytes), flown_last_)) {
     case ManifestVerdict::kOtherPolicy:
-      throw BadInput(policy_path.string() + ": is not the policy that " + mission_.string() +
-                     " was signed with: it has been changed, or is another");
+      throw BadInput(policy_path.string() + ": with its ocean tables is not the policy that " + mission_.string() +
+                     " was signed with: one of them has been changed, or is another");
     case ManifestVerdict::kRolledBack:
       throw BadInput(counter + " is rolled back: the vehicle has flown " + last + flown);
     case ManifestVerdict::kCounterInUse:

@@ -3,15 +3,27 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "firmware/authority/mission_manifest.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/mission/tables_file.hpp"
 #include "firmware/host/trust/mission_counter.hpp"
 #include "firmware/host/trust/vehicle_file.hpp"
 
 namespace earshot::host {
+
+/// All that a mission searches with.
+struct SignedSearch {
+  SignedPolicy policy;
+  std::filesystem::path tables_file;  ///< empty: the policy needs no ocean tables, and `tables` has none and no bytes
+  SignedTables tables;
+};
+
+/// What a mission's signature says of them: SHA-256 over the bytes of the policy and, behind these, of its tables.
+[[nodiscard]] authority::Sha256 digest_of(std::span<const std::uint8_t> policy, std::span<const std::uint8_t> tables);
 
 /// What becomes of a vehicle's counter.
 enum class Counting : std::uint8_t {
@@ -23,7 +35,7 @@ enum class Counting : std::uint8_t {
 /// Reads what is flown, and refuses what may not be: by the configuration of the vehicle, whose keys and counter no mission can name. Where
 /// there is none, a mission is anybody's, and names itself the key that its policy is judged by.
 ///
-/// In this order: load_mission(), load_policy(), and, just before the first turn, record_flight().
+/// In this order: load_mission(), load_search(), and, just before the first turn, record_flight().
 /// Oracle: MissionJudge.*
 class MissionJudge {
  public:
@@ -33,22 +45,25 @@ class MissionJudge {
   /// No byte of a mission is read as TOML before its signature holds.
   /// @throws BadInput: no signature, not of a trusted key, not of these bytes; or as host::load_mission()
   [[nodiscard]] MissionFile load_mission(const std::filesystem::path& path);
-  /// @throws BadInput: not signed by who is trusted, not the policy that the mission was signed with, or an older mission than was flown
-  [[nodiscard]] SignedPolicy load_policy(const MissionFile& file);
+  /// @throws BadInput: not signed by who is trusted, not the policy and tables that the mission was signed with, tables that do not cover
+  /// the mission, or an older mission than was flown
+  [[nodiscard]] SignedSearch load_search(const MissionFile& file);
   /// @throws BadInput when the disk does not take it: nothing may be flown then
   void record_flight();
 
   [[nodiscard]] bool requires_signed_mission() const { return vehicle_ && vehicle_->requires_signed_mission; }
   [[nodiscard]] bool has_vehicle() const { return vehicle_.has_value(); }
 
-  /// What load_mission() and load_policy() have found; nothing where missions need no signature.
+  /// What load_mission() and load_search() have found; nothing where missions need no signature.
   [[nodiscard]] const std::optional<authority::MissionManifest>& manifest() const { return manifest_; }
   [[nodiscard]] const std::filesystem::path& mission_signer() const { return mission_signer_; }
   [[nodiscard]] const authority::MissionManifest& flown_last() const { return flown_last_; }
 
  private:
   void judge_signature(const std::string& text);
-  void judge_counter(const SignedPolicy& policy, const std::filesystem::path& policy_path);
+  [[nodiscard]] SignedPolicy load_policy(const MissionFile& file) const;
+  void load_tables(const MissionFile& file, SignedSearch& search) const;
+  void judge_counter(const SignedSearch& search, const std::filesystem::path& policy_path);
   [[nodiscard]] VehicleTrust trust() const;
   [[nodiscard]] std::string setting(const char* key) const;
 

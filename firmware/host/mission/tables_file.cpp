@@ -67,4 +67,10 @@ void require_coverage(const policy::OceanTables& tables, const std::filesystem::
   if (!what.empty()) throw BadInput(path.string() + ": " + what);
 }
 
+TablesFile tables_of(const std::filesystem::path& named, const policy::FrozenPolicy& policy, const config::Mission& mission,
+                     const std::filesystem::path& mission_path) {
+  if (!policy::needs_belief(policy.observation.spec)) return {.path = {}, .bytes = {}, .tables = std::make_unique<policy::OceanTables>()};
+  return tables_for(std::vector{named}, policy::searched_sound(mission), named.string() + ": the mission " + mission_path.string());
+}
+
 }  // namespace earshot::host

@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "firmware/config/mission.hpp"
+#include "firmware/host/policy/tables_choice.hpp"
 #include "firmware/host/trust/key_file.hpp"
+#include "firmware/policy/frozen_policy.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::host {
@@ -32,5 +35,13 @@ struct SignedTables {
 
 /// @throws host::BadInput, in one line that names the tables, what they are of and what was asked, unless they cover it
 void require_coverage(const policy::OceanTables& tables, const std::filesystem::path& path, const policy::SearchedSound& sound);
+
+/// The tables by which a policy searches in a mission. Nobody has looked at their signature. A policy that holds no belief needs none: no
+/// path then, no bytes, and no ocean.
+/// @param named         a file, or a folder of which one must cover the mission
+/// @param mission_path  for the message
+/// @throws BadInput as tables_for()
+[[nodiscard]] TablesFile tables_of(const std::filesystem::path& named, const policy::FrozenPolicy& policy, const config::Mission& mission,
+                                   const std::filesystem::path& mission_path);
 
 }  // namespace earshot::host

@@ -43,8 +43,7 @@ std::string complaint_about_provenance(std::string_view text) {
 std::string capacities() {
   const auto at_most = [](std::size_t count, const char* what) { return std::to_string(count) + " " + what; };
   return at_most(config::kMaxObservation, "observations, ") + at_most(config::kMaxActions, "actions, ") +
-         at_most(config::kMaxLayerWidth, "units in each of two layers, ") + at_most(config::kMaxBeliefCells, "cells, ") +
-         at_most(config::kMaxBeliefHypotheses, "hypotheses and ") + at_most(config::kMaxBeliefRanges, "ranges of a belief, ") +
+         at_most(config::kMaxLayerWidth, "units in each of two layers, ") + at_most(config::kMaxBeliefCells, "cells of a belief, ") +
          at_most(config::kMaxProvenance, "bytes of provenance");
 }
 
@@ -61,7 +60,8 @@ std::unique_ptr<policy::FrozenPolicy> unproven_policy_from(std::span<const std::
 std::unique_ptr<policy::FrozenPolicy> policy_from(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
   std::unique_ptr<policy::FrozenPolicy> policy = unproven_policy_from(bytes, path);
   const auto memory = std::make_unique<policy::SearchMemory>();
-  if (!policy::repeats_golden(*policy, *memory)) throw BadInput(to_string({.fault = PolicyFault::kGoldenMismatch}, path));
+  const auto tables = std::make_unique<policy::OceanTables>();
+  if (!policy::repeats_golden(*policy, *memory, *tables)) throw BadInput(to_string({.fault = PolicyFault::kGoldenMismatch}, path));
   return policy;
 }
 

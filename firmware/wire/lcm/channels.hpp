@@ -27,6 +27,7 @@ inline constexpr std::string_view kDetectionChannel = "EARSHOT_DETECTION";      
 // In journals only.
 inline constexpr std::string_view kMissionChannel = "EARSHOT_MISSION";  ///< mission_t
 inline constexpr std::string_view kPolicyChannel = "EARSHOT_POLICY";    ///< bytes of a .policy file
+inline constexpr std::string_view kTablesChannel = "EARSHOT_TABLES";    ///< bytes of a .tables file
 /// setpoint_t; not kSetpointChannel, so that a journal that is played back to a bus steers no autopilot
 inline constexpr std::string_view kJournalledSetpointChannel = "EARSHOT_SETPOINT.0";
 inline constexpr std::string_view kPortReportChannel = "EARSHOT_PORT_REPORT";                ///< port_report_t

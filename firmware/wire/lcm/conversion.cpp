@@ -223,6 +223,7 @@ mission_t to_message(const config::Mission& mission, Time now) {
   m.max_depth_m = mission.max_depth.value;
   m.search_speed_mps = mission.search_speed.value;
   m.step_length_m = mission.step_length.value;
+  m.source_frequency_hz = mission.source_frequency.value;
   m.max_steps = static_cast<std::int32_t>(mission.max_steps);
   m.max_time_us = mission.max_time.us;
   m.navigation_timeout_us = mission.navigation_timeout.us;
@@ -333,6 +334,7 @@ config::Mission from_message(const mission_t& m) {
           .navigation_timeout = {m.navigation_timeout_us},
           .snr_timeout = {m.snr_timeout_us},
           .detection_threshold = Decibels{m.detection_threshold_db},
+          .source_frequency = Hertz{m.source_frequency_hz},
           .listening = {.listening = static_cast<config::Listening>(m.listening), .length = {m.listening_window_us}},
           .safety = safety_in(m),
           .authority = {.needs_verified_commands = m.needs_verified_commands != 0, .autopilot_timeout = {m.autopilot_timeout_us}},

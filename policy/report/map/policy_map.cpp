@@ -1,7 +1,9 @@
 #include "policy/report/map/policy_map.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
+#include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
@@ -21,13 +23,19 @@ namespace {
 
 using host::BadInput;
 
-/// What the policy itself takes for granted, where nobody says otherwise.
-sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const PolicyMapOptions& options) {
+/// The likeliest ocean beforehand.
+const policy::OceanTable& expected_in(const policy::OceanTables& tables) {
+  return *std::ranges::max_element(tables.tables, {}, &policy::OceanTable::prior);
+}
+
+/// In the likeliest ocean of its tables, where nobody says otherwise.
+sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const PolicyMapOptions& options, const policy::OceanTables& tables) {
   if (!options.world && !options.environment) {
-    const policy::BeliefModel& model = policy.observation.belief;
     if (!policy::needs_belief(policy.observation.spec))
-      throw BadInput("--environment: " + options.policy.string() + " holds no ocean of its own: name an environment file (TOML)");
-    return {model.range_step, std::vector<float>(model.snr_db.begin(), model.snr_db.end())};
+      throw BadInput("--environment: " + options.policy.string() + " searches by no ocean tables: name an environment file (TOML)");
+    std::vector<float> snr_db(tables.range_count);
+    for (std::size_t i = 0; i < snr_db.size(); ++i) snr_db[i] = expected_in(tables).snr_db(i);
+    return {tables.range_step, std::move(snr_db)};
   }
   const std::filesystem::path& file = options.world ? *options.world : *options.environment;
   const ocean::Environment environment = (options.world ? evaluate::load_world(file).scenario : search::load_scenario(file)).environment;
@@ -43,7 +51,7 @@ sonar::SnrCurve curve_of(const policy::FrozenPolicy& policy, const PolicyMapOpti
 std::string heard_in(const PolicyMapOptions& options) {
   if (options.world) return "what is heard in " + options.world->filename().string();
   if (options.environment) return "what is heard in " + options.environment->filename().string();
-  return "what is heard in the ocean that the policy takes for granted";
+  return "what is heard in the likeliest ocean of the tables";
 }
 
 MapOcean ocean_of(const policy::FrozenPolicy& policy, const PolicyMapOptions& options, const sonar::SnrCurve& curve, NorthEast heard_from,
@@ -65,15 +73,22 @@ NorthEast source_in(const policy::FrozenPolicy& policy, const std::string& text)
   throw BadInput("--source " + text + ": outside the policy's area, " + area);
 }
 
+/// Empty for a policy that needs none.
+std::unique_ptr<policy::OceanTables> tables_of(const policy::FrozenPolicy& policy, const PolicyMapOptions& options) {
+  if (!policy::needs_belief(policy.observation.spec)) return std::make_unique<policy::OceanTables>();
+  return host::tables_from(host::read_tables_bytes(options.tables), options.tables);
+}
+
 void draw_for_source(const policy::FrozenPolicy& policy, const PolicyMapOptions& options) {
   const NorthEast source = source_in(policy, *options.source);
-  const sonar::SnrCurve curve = curve_of(policy, options);
+  const std::unique_ptr<policy::OceanTables> tables = tables_of(policy, options);
+  const sonar::SnrCurve curve = curve_of(policy, options, *tables);
   const auto reception_at = [&](NorthEast place) { return policy::Reception{.snr = curve.at(range_between(place, source))}; };
   const MapOcean ocean = ocean_of(policy, options, curve, source, source);
   if (explain::sees_place_alone(policy)) {
-    draw_arrows(options.output, ocean, explain::after_a_first_look(policy, options.arrows, reception_at), "where it goes");
+    draw_arrows(options.output, ocean, explain::after_a_first_look(policy, *tables, options.arrows, reception_at), "where it goes");
   } else {
-    const auto paths = explain::flown_from_all_over(policy, source, {.per_side = options.starts}, reception_at);
+    const auto paths = explain::flown_from_all_over(policy, *tables, source, {.per_side = options.starts}, reception_at);
     draw_paths(options.output, ocean, paths);
   }
 }
@@ -84,9 +99,10 @@ void draw_for_flight(const policy::FrozenPolicy& policy, const PolicyMapOptions&
     throw BadInput("--flight: " + options.policy.string() + " holds no belief that could be followed along a flight");
   const auto taken = std::span(flight.journal.decisions).first(index_of_step(flight, options.step) + 1);
   const explain::ActionMap map =
-      explain::standing_elsewhere(policy, options.arrows, *explain::remembered_at(policy.observation, taken, flight.south_west));
+      explain::standing_elsewhere(policy, *flight.tables, options.arrows,
+                                  *explain::remembered_at(policy.observation, *flight.tables, taken, flight.south_west));
   const explain::DecisionAccount account = explain::account_of(flight.circumstances(explain::Baseline::kCentre), taken);
-  const sonar::SnrCurve curve = curve_of(policy, options);
+  const sonar::SnrCurve curve = curve_of(policy, options, *flight.tables);
   const std::optional<NorthEast> source = flight.source ? std::optional(*flight.source - flight.south_west) : std::nullopt;
   const MapOcean ocean = ocean_of(policy, options, curve, source.value_or(account.place.likeliest), source);
   draw_arrows(options.output, ocean, map, "where it would go with what it believes at step " + std::to_string(options.step),

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 /// All that a flight leaves, in the order in which it moves up; what was there goes in the opposite order. The summary is thus the first to
 /// go and the last to come: nothing without it passes for a whole flight.
-constexpr std::array<const char*, 8> kFiles{"journal.lcmlog", "journal.policy",  "track.csv",   "snr.csv",
+constexpr std::array<const char*, 9> kFiles{"journal.lcmlog", "journal.policy", "journal.tables",  "track.csv",   "snr.csv",
                                             "hearing.csv",    "spectrogram.csv", "report.html", "summary.json"};
 
 fs::path topmost_missing(fs::path folder) {

@@ -52,6 +52,7 @@ struct Options {
   std::string source = "changing";
   std::string speed = "0";
   std::optional<fs::path> policy;
+  std::optional<fs::path> tables;
   std::optional<fs::path> public_key;
   std::optional<fs::path> vehicle;
   std::optional<std::string> bus;
@@ -69,7 +70,7 @@ void declare(program::CommandLine& line, Options& o) {
               "area, depth, speed, limits, ports, policy (TOML); default: search.toml; with --hear hear_tone.toml, or "
               "hear_calls.toml for calls with pauses and recorded ones");
   line.option("--out", &o.out,
-              "folder for journal.lcmlog, journal.policy, track.csv, snr.csv, summary.json, report.html and, "
+              "folder for journal.lcmlog, journal.policy, journal.tables, track.csv, snr.csv, summary.json, report.html and, "
               "with --hear, hearing.csv and spectrogram.csv")
       .checked([](const std::string& folder) { return std::string(folder.empty() ? "must name a folder" : ""); })
       .shows_default();
@@ -84,6 +85,7 @@ void declare(program::CommandLine& line, Options& o) {
       .checked(fly::speed_complaint, fly::kSpeedsAllowed)
       .shows_default();
   line.option("--policy", &o.policy, "policy file instead of the mission's");
+  line.option("--tables", &o.tables, "ocean tables instead of the mission's: a file, or a folder of which one covers the mission");
   line.option("--public-key", &o.public_key, "file of the public key that signed it, instead of the mission's");
   line.option("--vehicle", &o.vehicle,
               "the vehicle's configuration (TOML): whose missions and policies it flies; what is signed draws with the mission's own seed");
@@ -138,6 +140,7 @@ std::vector<std::string> runtime_arguments(const Options& o, const Meeting& meet
   std::vector<std::string> a = common_arguments(o, meeting);
   a.insert(a.end(), {o.mission.string(), "--quiet", "--simulation", std::to_string(meeting.domain), "--wait", kWait_s});
   add(a, "--policy", o.policy);
+  add(a, "--tables", o.tables);
   add(a, "--public-key", o.public_key);
   if (!o.vehicle) a.insert(a.end(), {"--seed", std::to_string(o.seed)});  // a signed mission names its own
   add(a, "--journal-survives", o.journal_survives);

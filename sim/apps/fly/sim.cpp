@@ -120,7 +120,8 @@ Places places_of(const search::World& world, const config::Mission& mission, std
   Pcg32 random(seed);
   search::Episode episode;
   const policy::ObservationModel sees_nothing;
-  episode.start(calm, sees_nothing, random);
+  const policy::OceanTables no_oceans;
+  episode.start(calm, sees_nothing, no_oceans, random);
   return {.source = episode.source(),
           .start = {.position = episode.position(), .depth = mission.search_depth, .heading = Radians{0.0}, .speed = mission.search_speed}};
 }

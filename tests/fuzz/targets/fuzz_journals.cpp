@@ -102,7 +102,7 @@ void play(const std::filesystem::path& path) {
 }
 
 /// @param flown  the beginning of the good journal
-void go_on(const std::filesystem::path& path, const board::Playback::Beginning& flown, std::uint64_t size) {
+void go_on(const std::filesystem::path& path, const board::Flown& flown, std::uint64_t size) {
   for (const board::GoOnAfter after : {board::GoOnAfter::kLastInput, board::GoOnAfter::kLastTurn}) {
     try {
       std::optional<board::Resumption> before = board::resume(path, flown, after);
@@ -121,7 +121,7 @@ void go_on(const std::filesystem::path& path, const board::Playback::Beginning& 
 void judge(std::span<const std::uint8_t> bytes) {
   static const support::TemporaryFolder folder;
   static const Bytes good = good_journal(folder / "good.journal");
-  static const board::Playback::Beginning flown = board::Playback(folder / "good.journal").beginning();
+  static const board::Flown flown = board::Playback(folder / "good.journal").flown();
   Bytes spoilt = good;
   for (Input input(bytes); !input.is_used_up();) {
     const std::uint8_t what = input.byte();

@@ -73,12 +73,16 @@ board::Venture venture_of(const Options& o) {
 
 host::MissionFile load(const Options& o, host::MissionJudge& judge) {
   board::require_as_signed(
-      judge, {.policy = o.policy.has_value(), .public_key = o.public_key.has_value(), .seed = o.seed.has_value(), .ports = o.ports},
+      judge, {.policy = o.policy.has_value(), .tables = o.tables.has_value(), .public_key = o.public_key.has_value(), .seed = o.seed.has_value(), .ports = o.ports},
       venture_of(o));
   host::MissionFile file = judge.load_mission(o.mission);
   if (o.policy) {
     file.policy = *o.policy;
     file.policy_named_at.clear();
+  }
+  if (o.tables) {
+    file.tables = *o.tables;
+    file.tables_named_at.clear();
   }
   if (o.public_key) {
     file.public_key = *o.public_key;
@@ -98,11 +102,11 @@ host::MissionFile load(const Options& o, host::MissionJudge& judge) {
   return file;
 }
 
-std::unique_ptr<runtime::Runtime> make_runtime(const host::MissionFile& file, const host::SignedPolicy& policy,
+std::unique_ptr<runtime::Runtime> make_runtime(const host::MissionFile& file, const host::SignedSearch& search,
                                                const std::string& mission_name) {
-  host::check_fits(*policy.policy, file.policy, file.mission, mission_name);
+  host::check_fits(*search.policy.policy, file.policy, file.mission, mission_name);
   auto runtime = std::make_unique<runtime::Runtime>();
-  if (runtime->configure(file.mission, *policy.policy) != Status::kOk)
+  if (runtime->configure(file.mission, *search.policy.policy, *search.tables.tables) != Status::kOk)
     throw host::BadInput(mission_name + ": cannot be flown with the policy " + file.policy.string());
   return runtime;
 }
@@ -118,16 +122,24 @@ host::JournalOptions journal_options(const Options& o) {
           .limits = {.part_bytes = kMegabyte * o.journal_part_mb.value_or(0), .budget_bytes = kMegabyte * o.journal_budget_mb.value_or(0)}};
 }
 
-/// Beside the journal, under its name: what was decided can be explained only with the policy that decided it. A disk that does not take it
-/// is no reason to stay ashore.
-void keep_policy(const host::SignedPolicy& policy, const std::filesystem::path& journal) {
-  const std::filesystem::path kept = std::filesystem::path(journal).replace_extension(".policy");
+/// Beside the journal, under its name: what was decided can be explained only with what decided it. A disk that does not take it is no
+/// reason to stay ashore.
+/// @param extension  "policy", "tables"
+void keep(std::span<const std::uint8_t> bytes, const std::string& extension, const host::OutputKind& kind,
+          const std::filesystem::path& journal) {
+  if (bytes.empty()) return;
+  const std::filesystem::path kept = std::filesystem::path(journal).replace_extension("." + extension);
   try {
-    host::require_writable(kept, {"a .policy file", {"EARSHOTP", {}}}, host::Replace::kOwnKind, "it stays");
-    host::write_whole(kept, {reinterpret_cast<const char*>(policy.bytes.data()), policy.bytes.size()});
+    host::require_writable(kept, kind, host::Replace::kOwnKind, "it stays");
+    host::write_whole(kept, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   } catch (const host::BadInput& e) {
-    std::cerr << "earshotd: " << host::printable(e.what()) << "; the policy is in the journal\n";
+    std::cerr << "earshotd: " << host::printable(e.what()) << "; the " << extension << " is in the journal\n";
   }
+}
+
+void keep(const host::SignedSearch& search, const std::filesystem::path& journal) {
+  keep(search.policy.bytes, "policy", {"a .policy file", {"EARSHOTP", {}}}, journal);
+  keep(search.tables.bytes, "tables", {"a .tables file", {"EARSHOTT", {}}}, journal);
 }
 
 /// In simulation the simulator's middleware does as it likes with memory.
@@ -148,7 +160,7 @@ board::ServiceManager service_manager(const Options& o) {
 struct Flight {
   const Options& options;
   const host::MissionFile& file;
-  const host::SignedPolicy& policy;
+  const host::SignedSearch& search;
   std::unique_ptr<runtime::Runtime> runtime;
   board::PortSet& ports;
   board::Clock& clock;
@@ -179,7 +191,7 @@ board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryPr
 std::optional<board::Unfinished> unfinished_mission(Flight& f, const std::filesystem::path& wanted) {
   if (!f.options.resume) return std::nullopt;
   f.manager.ask_for(std::chrono::minutes(30));  // the journal of a month is read again
-  return board::find_unfinished(wanted, {.mission = f.file.mission, .policy_crc32 = crc32(f.policy.bytes)},
+  return board::find_unfinished(wanted, {.mission = f.file.mission, .policy_crc32 = crc32(f.search.policy.bytes), .tables_crc32 = crc32(f.search.tables.bytes)},
                                 f.options.simulation ? board::GoOnAfter::kLastTurn : board::GoOnAfter::kLastInput, f.clock.now());
 }
 
@@ -198,7 +210,7 @@ Duration begin(const Flight& f, const board::Resumption* before, const std::file
                 << "\n";
     return f.options.simulation ? Duration{} : board::hold_of(f.file.mission, f.file.hearing);
   }
-  turn.record_mission(f.file.mission, f.policy.bytes, build);
+  turn.record_mission(f.file.mission, {.policy = f.search.policy.bytes, .tables = f.search.tables.bytes, .build = build});
   if (!f.options.simulation && program::talk() != program::Talk::kQuiet) {
     std::cerr << "earshotd: waiting for navigation, SNR and an operator's START, as long as it takes, on\n"
               << f.ports.description() << "earshotd: journal " << host::printable(journal.string()) << "\n";
@@ -216,7 +228,7 @@ int fly(Flight& f) {
   host::Journal journal = unfinished
                               ? host::Journal(std::move(unfinished->file), unfinished->before.next_number, journal_options(f.options))
                               : host::Journal(wanted, journal_options(f.options));
-  keep_policy(f.policy, journal.path());
+  keep(f.search, journal.path());
   if (unfinished) f.runtime = std::move(unfinished->before.runtime);
   board::MissionTurn turn(*f.runtime, f.ports, journal, f.clock);
   turn.report_to(f.manager);
@@ -254,14 +266,14 @@ void require_room_for_journal(const Options& o) {
 int check(const Options& o) {
   host::MissionJudge judge = board::judge_of(o.vehicle, venture_of(o));
   const host::MissionFile file = load(o, judge);
-  const host::SignedPolicy policy = judge.load_policy(file);
-  (void)make_runtime(file, policy, o.mission.string());
+  const host::SignedSearch search = judge.load_search(file);
+  (void)make_runtime(file, search, o.mission.string());
   require_room_for_journal(o);
   if (o.chart) {
     host::require_writable(*o.chart, host::kSvgOutput, host::Replace::kOwnKind, "name another file");
     host::write_whole(*o.chart, board::chart(file.mission, host::printable(o.mission.filename().string())));
   }
-  program::say() << board::checklist(file, *policy.policy, o.mission.string(), board::signatures_of(judge, policy));
+  program::say() << board::checklist(file, search, o.mission.string(), board::signatures_of(judge, search));
   if (o.chart) program::say() << "chart         " << host::printable(o.chart->string()) << "\n";
   const std::vector<std::string> doubts = board::doubts_about(file);
   // Of a mission that is flown after `--quiet --check` nobody may say that he was not told.
@@ -284,8 +296,8 @@ int fly(const Options& o) {
   if (o.check) return check(o);
   host::MissionJudge judge = board::judge_of(o.vehicle, venture_of(o));
   const host::MissionFile file = load(o, judge);
-  const host::SignedPolicy policy = judge.load_policy(file);
-  std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, policy, o.mission.string());
+  const host::SignedSearch search = judge.load_search(file);
+  std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, search, o.mission.string());
   const std::vector<host::BusLock> locks = host::lock_buses(file, o.simulation ? std::optional(host::BusPlace::kVehicle) : std::nullopt);
   if (!o.simulation) host::set_thread_stack(board::kThreadStackBytes);
   const board::HostClock host;
@@ -322,7 +334,7 @@ int fly(const Options& o) {
   judge.record_flight();
   Flight flight{.options = o,
                 .file = file,
-                .policy = policy,
+                .search = search,
                 .runtime = std::move(runtime),
                 .ports = ports,
                 .clock = *clock,

@@ -79,6 +79,7 @@ void declare(program::CommandLine& line, Options& o) {
               std::string("the vehicle's configuration (TOML): whose missions and policies it flies; default: ") + host::kVehicleFile +
                   " if there is one, in simulation none");
   line.option("--policy", &o.policy, "policy file instead of the mission's");
+  line.option("--tables", &o.tables, "ocean tables instead of the mission's: a file, or a folder of which one covers the mission");
   line.option("--public-key", &o.public_key, "file of the trusted public key instead of the mission's");
   line.option("--seed", &o.seed, "seed of a policy that draws its actions, instead of the mission's")
       .from(0, std::numeric_limits<std::int64_t>::max());

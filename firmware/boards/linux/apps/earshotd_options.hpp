@@ -17,6 +17,7 @@ struct Options {
   std::filesystem::path out = ".";
   std::optional<std::filesystem::path> vehicle;
   std::optional<std::filesystem::path> policy;
+  std::optional<std::filesystem::path> tables;
   std::optional<std::filesystem::path> public_key;
   std::optional<std::uint64_t> seed;
   host::PortOverride ports;

@@ -1,4 +1,4 @@
-// earshot sign: who signs a mission vouches for its bytes and for those of its policy.
+// earshot sign: who signs a mission vouches for its bytes and for those of its policy and its ocean tables.
 
 #include <cstdint>
 #include <filesystem>
@@ -12,6 +12,7 @@
 #include "firmware/host/file/output_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/mission_file.hpp"
+#include "firmware/host/mission/mission_judge.hpp"
 #include "firmware/host/mission/policy_file.hpp"
 #include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/program/run.hpp"
@@ -33,17 +34,19 @@ struct Options {
 /// A mission that could not be flown is not signed.
 authority::MissionManifest manifest_of(const Options& o) {
   const std::string text = host::read_text(o.mission, host::kTomlFile);
-  if (text.starts_with("EARSHOTP"))
-    throw host::BadInput(o.mission.string() + ": a policy carries its signature within it, and earshot freeze makes that");
+  if (text.starts_with("EARSHOTP") || text.starts_with("EARSHOTT"))
+    throw host::BadInput(o.mission.string() + ": policies and ocean tables carry their signature within them; earshot freeze and earshot tables make that");
   // As any vehicle reads it that asks for a signature; which commands it obeys is that vehicle's to say.
   const host::MissionFile file = host::load_mission(
       o.mission, text, {.said_in = {}, .command_key = host::CommandKey(host::KeyBytes{}), .reads_own_command_key = false});
   host::require_named_files(file);
   const std::vector<std::uint8_t> policy = host::read_policy_bytes(file.policy);
-  host::check_fits(*host::policy_from(policy, file.policy), file.policy, file.mission, o.mission);
+  const std::unique_ptr<policy::FrozenPolicy> parsed = host::policy_from(policy, file.policy);
+  host::check_fits(*parsed, file.policy, file.mission, o.mission);
+  const host::TablesFile tables = host::tables_of(file.tables, *parsed, file.mission, o.mission);
   return {.counter = o.counter,
           .mission = host::sha256_of(std::string_view(text)),
-          .policy = host::sha256_of(std::span<const std::uint8_t>(policy))};
+          .policy = host::digest_of(policy, tables.bytes)};
 }
 
 /// A vehicle that has flown the later mission refuses the earlier one: who signs it by mistake hears of it at his desk.
@@ -70,7 +73,7 @@ int run(const Options& o) {
   host::require_writable(output, host::kSignatureOutput, host::Replace::kOwnKind, "move it away");
   warn_of_rollback(output, manifest.counter);
   host::write_whole(output, host::to_text(host::sign(manifest, key)));
-  program::say() << output.string() << ": " << o.mission.string() << " and its policy, counter " << manifest.counter
+  program::say() << output.string() << ": " << o.mission.string() << " and its policy, with its ocean tables, counter " << manifest.counter
                  << ", by the holder of " << host::public_file_of(o.key).string() << "\n";
   return program::kDone;
 }
@@ -78,7 +81,7 @@ int run(const Options& o) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  program::CommandLine line("earshot sign", "Signs a mission and the policy that it names: MISSION.sig, beside it.");
+  program::CommandLine line("earshot sign", "Signs a mission, the policy that it names and its ocean tables: MISSION.sig, beside it.");
   line.footer("Example: earshot sign --key ops.key --counter 7 search.toml");
   Options options;
   line.option("MISSION", &options.mission, "mission file (TOML); it stays as it is").required();

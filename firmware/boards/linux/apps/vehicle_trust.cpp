@@ -24,6 +24,7 @@ void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said,
   refuse_if(judge.has_vehicle() && said.public_key, "--public-key");
   if (!judge.requires_signed_mission()) return;
   refuse_if(said.policy, "--policy");
+  refuse_if(said.tables, "--tables");
   refuse_if(said.seed, "--seed");
   if (venture == Venture::kSimulation) return;
   refuse_if(said.ports.bus.has_value(), "--bus");
@@ -32,8 +33,8 @@ void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said,
   refuse_if(said.ports.can_interface.has_value(), "--can-interface");
 }
 
-Signatures signatures_of(const host::MissionJudge& judge, const host::SignedPolicy& policy) {
-  return {.policy = policy.signer, .mission = judge.mission_signer(), .counter = judge.manifest() ? judge.manifest()->counter : 0};
+Signatures signatures_of(const host::MissionJudge& judge, const host::SignedSearch& search) {
+  return {.policy = search.policy.signer, .tables = search.tables.signer, .mission = judge.mission_signer(), .counter = judge.manifest() ? judge.manifest()->counter : 0};
 }
 
 }  // namespace earshot::board

@@ -20,6 +20,7 @@ enum class Venture : std::uint8_t { kAtSea, kChecklist, kSimulation };
 /// What a command line says in place of a mission.
 struct SaidInstead {
   bool policy = false;
+  bool tables = false;
   bool public_key = false;
   bool seed = false;
   const host::PortOverride& ports;
@@ -30,6 +31,6 @@ struct SaidInstead {
 void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said, Venture venture);
 
 /// Of what has been loaded and judged.
-[[nodiscard]] Signatures signatures_of(const host::MissionJudge& judge, const host::SignedPolicy& policy);
+[[nodiscard]] Signatures signatures_of(const host::MissionJudge& judge, const host::SignedSearch& search);
 
 }  // namespace earshot::board

@@ -11,6 +11,7 @@
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/mission/mission_judge.hpp"
+#include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/program/run.hpp"
 #include "firmware/host/program/talk.hpp"
 
@@ -24,10 +25,11 @@ struct Options {
   std::optional<std::uint64_t> new_counter;
 };
 
-bool is_policy(const std::filesystem::path& path) {
+std::string beginning_of(const std::filesystem::path& path) {
   std::string start(8, '\0');
   host::InputFile file(path, host::kAnySize);
-  return file.read({reinterpret_cast<std::uint8_t*>(start.data()), start.size()}) == start.size() && start == "EARSHOTP";
+  start.resize(file.read({reinterpret_cast<std::uint8_t*>(start.data()), start.size()}));
+  return start;
 }
 
 int verify_policy(const std::filesystem::path& path, const host::VehicleFile& vehicle) {
@@ -38,13 +40,22 @@ int verify_policy(const std::filesystem::path& path, const host::VehicleFile& ve
   return program::kDone;
 }
 
+int verify_tables(const std::filesystem::path& path, const host::VehicleFile& vehicle) {
+  const host::SignedTables tables =
+      host::signed_tables_from(host::read_tables_bytes(path), path, vehicle.policy_keys, "trust.policy_keys of " + vehicle.path.string());
+  program::say() << "tables   " << host::printable(path.string()) << "\n         signed by " << host::printable(tables.signer.string())
+                 << "\n";
+  return program::kDone;
+}
+
 /// A desk ashore has a copy of the vehicle's configuration, and not its counter.
 int verify_mission(const std::filesystem::path& path, const host::VehicleFile& vehicle) {
   std::error_code error;
   const bool has_counter = vehicle.requires_signed_mission && std::filesystem::exists(vehicle.counter_file, error);
   host::MissionJudge judge(vehicle, has_counter ? host::Counting::kOnlyRead : host::Counting::kLeftOut);
   const host::MissionFile file = judge.load_mission(path);
-  const host::SignedPolicy policy = judge.load_policy(file);
+  const host::SignedSearch search = judge.load_search(file);
+  const host::SignedPolicy& policy = search.policy;
   host::check_fits(*policy.policy, file.policy, file.mission, path);
   std::ostream& out = program::say();
   out << "mission  " << host::printable(path.string()) << "\n";
@@ -55,6 +66,9 @@ int verify_mission(const std::filesystem::path& path, const host::VehicleFile& v
     out << "         needs no signature: trust.require_signed_mission is false\n";
   }
   out << "policy   " << host::printable(file.policy.string()) << "\n         signed by " << host::printable(policy.signer.string()) << "\n";
+  if (!search.tables_file.empty())
+    out << "tables   " << host::printable(search.tables_file.string()) << "\n         signed by "
+        << host::printable(search.tables.signer.string()) << "\n";
   if (has_counter || !judge.manifest()) return program::kDone;
   std::cerr << "earshot verify: " << host::printable(vehicle.counter_file.string())
             << ": no such file: whether a later mission has flown was not judged\n";
@@ -74,18 +88,20 @@ int run(const Options& o) {
                    << " may be flown\n";
   }
   if (!o.file) return program::kDone;
-  return is_policy(*o.file) ? verify_policy(*o.file, vehicle) : verify_mission(*o.file, vehicle);
+  const std::string beginning = beginning_of(*o.file);
+  if (beginning == "EARSHOTP") return verify_policy(*o.file, vehicle);
+  return beginning == "EARSHOTT" ? verify_tables(*o.file, vehicle) : verify_mission(*o.file, vehicle);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   program::CommandLine line("earshot verify",
-                            "Says whether a vehicle would fly a mission or a policy, who signed it, and which counter it bears.\n"
+                            "Says whether a vehicle would fly a mission, a policy or ocean tables, who signed it, and which counter it bears.\n"
                             "Exit status: 0 it would, 1 as far as can be said without the vehicle's counter, 2 it would not.");
   line.footer("Example: earshot verify --vehicle vehicle.toml search.toml");
   Options options;
-  line.option("FILE", &options.file, "mission file (TOML) or policy");
+  line.option("FILE", &options.file, "mission file (TOML), policy or ocean tables");
   line.option("--vehicle", &options.vehicle,
               std::string("the vehicle's configuration (TOML); default: ") + host::kVehicleFile + " if there is one");
   line.option("--new-counter", &options.new_counter,

@@ -50,15 +50,28 @@ std::string signer(const std::filesystem::path& key) {
   return host::printable(key.lexically_normal().string());
 }
 
-std::string files(const host::MissionFile& file, const policy::FrozenPolicy& policy, const std::string& shown,
+/// "20 Hz at 300 m, 96 oceans as far as 35 400 m"
+std::string sound_of(const policy::OceanTables& tables) {
+  return formatted("%g Hz, the vehicle at %g m, %zu oceans as far as %g m", tables.frequency.value, tables.receiver_depth.value,
+                   tables.tables.size(), policy::reach(tables).value);
+}
+
+std::string oceans(const host::SignedSearch& search, const Signatures& signatures) {
+  if (search.tables_file.empty()) return row("ocean tables", "none, the policy does not search by them");
+  return row("ocean tables", host::printable(search.tables_file.lexically_normal().string()) + ": " + sound_of(*search.tables.tables)) +
+         row("signed by", signer(signatures.tables));
+}
+
+std::string files(const host::MissionFile& file, const host::SignedSearch& search, const std::string& shown,
                   const Signatures& signatures) {
+  const policy::FrozenPolicy& policy = *search.policy.policy;
   const std::string mission_signer = signatures.mission.empty()
                                          ? "nobody; no signature is asked for"
                                          : signer(signatures.mission) + ", counter " + std::to_string(signatures.counter);
   return "files\n" + row("mission", host::printable(shown)) + row("signed by", mission_signer) +
          row("policy", host::printable(file.policy.lexically_normal().string()) + ": " + std::to_string(policy.actions.size()) +
                            " directions, an observation of " + std::to_string(policy.observation.spec.size()) + " numbers") +
-         row("signed by", signer(signatures.policy));
+         row("signed by", signer(signatures.policy)) + oceans(search, signatures);
 }
 
 std::string authority(const host::MissionFile& file) {
@@ -170,9 +183,9 @@ std::string rules(const config::Mission& mission) {
 
 }  // namespace
 
-std::string checklist(const host::MissionFile& file, const policy::FrozenPolicy& policy, const std::string& shown,
+std::string checklist(const host::MissionFile& file, const host::SignedSearch& with, const std::string& shown,
                       const Signatures& signatures) {
-  return files(file, policy, shown, signatures) + ports(file) + authority(file) + vehicle(file.mission) + search(file) +
+  return files(file, with, shown, signatures) + ports(file) + authority(file) + vehicle(file.mission) + search(file) +
          places(file.mission) + budgets(file.mission) + rules(file.mission) + "memory\n" +
          row("runtime", std::to_string(sizeof(runtime::Runtime)) + " bytes, of " + std::to_string(config::kRuntimeBytes) + " allowed");
 }

@@ -47,6 +47,7 @@ Content content_of(std::string_view channel, Time time, std::span<const std::uin
   if (channel == wire::kAcknowledgementChannel) return message_in<command_acknowledgement_t>(data);
   if (channel == wire::kMissionChannel) return message_in<mission_t>(data);
   if (channel == wire::kPolicyChannel) return PolicyBytes{.size = data.size(), .crc32 = crc32(data)};
+  if (channel == wire::kTablesChannel) return TablesBytes{.size = data.size(), .crc32 = crc32(data)};
   if (channel == wire::kJournalEndChannel) return closing_in(data);
   if (channel == wire::kJournalResumedChannel) return message_in<journal_resumed_t>(data);
   if (channel == wire::kControllerTroubleChannel) return message_in<controller_trouble_t>(data);

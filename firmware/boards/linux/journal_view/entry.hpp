@@ -28,13 +28,19 @@ struct PolicyBytes {
   std::uint32_t crc32 = 0;
 };
 
+/// Bytes of the ocean tables that it searched by; none for a policy that needs none.
+struct TablesBytes {
+  std::size_t size = 0;
+  std::uint32_t crc32 = 0;
+};
+
 /// A whole record that this program cannot read: of a channel it does not know, or of another version's message.
 struct Unreadable {
   bool is_known_channel = false;
 };
 
 using Content = std::variant<Unreadable, mission_t, PolicyBytes, messages::Input, messages::Setpoint, decision_t, messages::SafetyEvent,
-                             command_acknowledgement_t, health_t, wire::ClosingRecord, journal_resumed_t, controller_trouble_t>;
+                             command_acknowledgement_t, health_t, wire::ClosingRecord, journal_resumed_t, controller_trouble_t, TablesBytes>;
 
 struct Record {
   std::uint32_t number = 0;  ///< counts all records that the journal was given, from 0

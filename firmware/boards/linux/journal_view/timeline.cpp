@@ -84,15 +84,26 @@ void Timeline::note_content(const Unreadable& unreadable, const Record& record) 
 
 void Timeline::note_content(const mission_t& mission, const Record& /*record*/) {
   policy_crc32_ = static_cast<std::uint32_t>(mission.policy_crc32);
+  tables_crc32_ = static_cast<std::uint32_t>(mission.tables_crc32);
   inform(to_string(mission));
 }
 
 void Timeline::note_content(const PolicyBytes& policy, const Record& /*record*/) {
-  const std::string text = "policy: " + counted(policy.size, "byte") + ", CRC-32 " + host::crc32_text(policy.crc32);
-  if (policy_crc32_ && *policy_crc32_ != policy.crc32)
-    tell_lack(text + ", which is not the " + host::crc32_text(*policy_crc32_) + " that its mission names");
+  note_bytes("policy: " + counted(policy.size, "byte"), policy.crc32, policy_crc32_);
+}
+
+void Timeline::note_content(const TablesBytes& tables, const Record& /*record*/) {
+  if (tables.size == 0 && tables.crc32 == tables_crc32_.value_or(0)) return;  // the policy needs none
+  note_bytes("ocean tables: " + counted(tables.size, "byte"), tables.crc32, tables_crc32_);
+}
+
+/// @param named  by the mission
+void Timeline::note_bytes(const std::string& text, std::uint32_t crc32, std::optional<std::uint32_t> named) {
+  const std::string told = text + ", CRC-32 " + host::crc32_text(crc32);
+  if (named && *named != crc32)
+    tell_lack(told + ", which is not the " + host::crc32_text(*named) + " that its mission names");
   else
-    inform(text);
+    inform(told);
 }
 
 void Timeline::note_content(const messages::Input& input, const Record& /*record*/) {

@@ -71,6 +71,8 @@ class Timeline {
   void note_content(const Unreadable& unreadable, const Record& record);
   void note_content(const mission_t& mission, const Record& record);
   void note_content(const PolicyBytes& policy, const Record& record);
+  void note_content(const TablesBytes& tables, const Record& record);
+  void note_bytes(const std::string& text, std::uint32_t crc32, std::optional<std::uint32_t> named);
   void note_content(const messages::Input& input, const Record& record);
   void note_content(const messages::Setpoint& setpoint, const Record& record);
   void note_content(const decision_t& decision, const Record& record);
@@ -103,6 +105,7 @@ class Timeline {
   bool is_over_ = false;  ///< the mission
   AbortedBy aborted_by_ = AbortedBy::kOperator;
   std::optional<std::uint32_t> policy_crc32_;  ///< that the mission names
+  std::optional<std::uint32_t> tables_crc32_;  ///< likewise
   Told<std::string> state_;
   Told<std::int8_t> mission_state_{-1};
   Told<bool> releases_weight_;

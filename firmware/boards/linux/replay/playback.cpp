@@ -4,23 +4,16 @@
 #include <string_view>
 
 #include "firmware/boards/linux/turn_records.hpp"
-#include "firmware/core/crc32.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
-#include "firmware/policy/format/policy_format.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
-#include "firmware/wire/lcm/conversion.hpp"
 
 namespace earshot::board {
 namespace {
 
 /// The year 3111: no mission lasts so long, and whatever it adds to a date fits.
 constexpr Time kLatest{std::int64_t{1} << 55U};
-
-host::BadInput refusal(const std::filesystem::path& journal, const std::string& why) {
-  return host::BadInput(journal.string() + ": cannot be replayed: " + why);
-}
 
 /// Between two turns, and neither input nor output.
 bool is_remark(std::string_view channel) {
@@ -31,32 +24,23 @@ bool is_remark(std::string_view channel) {
 
 void require_possible_date(const std::filesystem::path& journal, const host::JournalRecord& record) {
   if (record.time < Time{} || record.time > kLatest)
-    throw refusal(journal, "record " + std::to_string(record.number) + " (" + host::printable(record.channel) +
+    throw not_replayable(journal, "record " + std::to_string(record.number) + " (" + host::printable(record.channel) +
                                ") bears a date that no clock gives: " + std::to_string(record.time.us) + " us");
 }
 
 Playback::Playback(const std::filesystem::path& journal, std::uint32_t from_step) : path_(journal), file_(journal), from_step_(from_step) {
-  begin(journal);
+  begin();
 }
 
-void Playback::begin(const std::filesystem::path& path) {
-  const auto refuse = [&path](const std::string& what) { return refusal(path, what); };
-  mission_t mission{};
-  if (!file_.next(record_)) throw host::BadInput(path.string() + ": not a journal: no record in it");
-  if (record_.number != 0 || record_.channel != wire::kMissionChannel || wire::decode(record_.data, mission) != Status::kOk)
-    throw refuse("its first record is no mission");
-  memory_.last = record_.time;
-  if (!file_.next(record_) || record_.number != 1 || record_.channel != wire::kPolicyChannel)
-    throw refuse("its second record is no policy");
-  beginning_ = {.mission = wire::from_message(mission), .policy_crc32 = static_cast<std::uint32_t>(mission.policy_crc32)};
-  if (crc32(record_.data) != beginning_.policy_crc32) throw refuse("its policy is not the one that its mission names");
-  const auto policy = std::make_unique<policy::FrozenPolicy>();
-  policy::PolicyComplaint complaint;
-  if (policy::parse(record_.data, *policy, complaint) != Status::kOk) throw refuse("its policy " + std::string(to_string(complaint.fault)));
-  const Status configured = runtime_->configure(beginning_.mission, *policy);
-  if (configured == Status::kCorrupt) throw refuse("its policy " + std::string(to_string(policy::PolicyFault::kGoldenMismatch)));
-  if (configured != Status::kOk) throw refuse("its mission does not fit its policy");
-  next_number_ = 2;
+void Playback::begin() {
+  const Beginning beginning = read_beginning(file_, path_);
+  memory_.last = beginning.time;
+  const Status configured = runtime_->configure(beginning.flown.mission, *beginning.policy, *beginning.tables);
+  if (configured == Status::kCorrupt)
+    throw not_replayable(path_, "its policy " + std::string(to_string(policy::PolicyFault::kGoldenMismatch)));
+  if (configured != Status::kOk) throw not_replayable(path_, "its mission does not fit its policy, or its ocean tables");
+  flown_ = beginning.flown;
+  next_number_ = kBeginningRecords;
 }
 
 bool Playback::next() {

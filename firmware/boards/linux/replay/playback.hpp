@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/boards/linux/replay/beginning.hpp"
 #include "firmware/boards/linux/turn_memory.hpp"
 #include "firmware/config/mission.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
@@ -27,11 +28,6 @@ void require_possible_date(const std::filesystem::path& journal, const host::Jou
 /// A journal given to a fresh runtime again, record by record: its inputs are taken, and its outputs compared with what the runtime says.
 class Playback {
  public:
-  /// What a journal begins with.
-  struct Beginning {
-    config::Mission mission;
-    std::uint32_t policy_crc32 = 0;  ///< of the whole .policy file
-  };
   /// An output of the last turn that is not in the journal.
   struct Unwritten {
     std::string_view channel;
@@ -49,7 +45,7 @@ class Playback {
   };
 
   /// @param from_step  outputs are compared from the turn on that decides this step; what stands before it is given to the runtime alone
-  /// @throws host::BadInput when the file cannot be read, does not begin with a mission and its policy, or this build cannot fly them.
+  /// @throws host::BadInput when the file cannot be read, does not begin as read_beginning() wants it, or this build cannot fly them.
   explicit Playback(const std::filesystem::path& journal, std::uint32_t from_step = 0);
 
   /// One record more. False: the end, a difference or a gap. @throws host::BadInput as require_possible_date()
@@ -59,7 +55,7 @@ class Playback {
   /// Reads the file to its end. @return how many records stand behind the one that ends the journal: another journal's, or forged ones
   [[nodiscard]] std::size_t records_behind_end();
 
-  [[nodiscard]] const Beginning& beginning() const { return beginning_; }
+  [[nodiscard]] const Flown& flown() const { return flown_; }
   [[nodiscard]] const host::JournalReader& file() const { return file_; }
   [[nodiscard]] const std::optional<Difference>& difference() const { return difference_; }
   /// Number of the first record that is missing: damaged, or a full or slow disk did not take it.
@@ -80,7 +76,7 @@ class Playback {
   [[nodiscard]] std::unique_ptr<runtime::Runtime> release() { return std::move(runtime_); }
 
  private:
-  void begin(const std::filesystem::path& path);
+  void begin();
   [[nodiscard]] bool take(const host::JournalRecord& record);
   void step(Time now);
   /// Of the last turn nothing is left to be found in the journal.
@@ -94,7 +90,7 @@ class Playback {
   std::uint32_t from_step_;
   bool is_comparing_ = from_step_ == 0;
   host::JournalRecord record_;
-  Beginning beginning_;
+  Flown flown_;
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
   TurnMemory memory_;
   runtime::Outputs outputs_;

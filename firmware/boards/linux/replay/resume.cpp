@@ -101,13 +101,14 @@ void require_whole(const std::filesystem::path& journal, const Playback& playbac
 
 }  // namespace
 
-std::optional<Resumption> resume(const std::filesystem::path& journal, const Playback::Beginning& flown, GoOnAfter after) {
+std::optional<Resumption> resume(const std::filesystem::path& journal, const Flown& flown, GoOnAfter after) {
   const Ending ending = ending_of(journal, after);
   if (ending.is_in_order || ending.last_turn == 0) return std::nullopt;
   Playback playback(journal);
-  if (!is_same(playback.beginning().mission, flown.mission))
+  if (!is_same(playback.flown().mission, flown.mission))
     throw refusal(journal, "it is of another mission, or this one's file was changed since");
-  if (playback.beginning().policy_crc32 != flown.policy_crc32) throw refusal(journal, "it was flown with another policy");
+  if (playback.flown().policy_crc32 != flown.policy_crc32) throw refusal(journal, "it was flown with another policy");
+  if (playback.flown().tables_crc32 != flown.tables_crc32) throw refusal(journal, "it was flown with other ocean tables");
   const std::uint64_t end = after == GoOnAfter::kLastInput ? ending.torn_at : ending.last_turn;
   while (playback.file().offset() < end && playback.next()) {
   }
@@ -122,7 +123,7 @@ std::optional<Resumption> resume(const std::filesystem::path& journal, const Pla
                     .unwritten = playback.unwritten()};
 }
 
-std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Playback::Beginning& flown, GoOnAfter after,
+std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Flown& flown, GoOnAfter after,
                                           Time now) {
   const std::optional<std::filesystem::path> newest = host::newest_journal(wanted);
   if (!newest) return std::nullopt;

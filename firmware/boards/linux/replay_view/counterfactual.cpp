@@ -3,15 +3,14 @@
 #include <utility>
 #include <variant>
 
-#include "earshot/mission_t.hpp"
 #include "earshot/safety_event_t.hpp"
 #include "earshot/setpoint_t.hpp"
+#include "firmware/boards/linux/replay/beginning.hpp"
 #include "firmware/boards/linux/replay/playback.hpp"
 #include "firmware/boards/linux/replay_view/thinned_track.hpp"
 #include "firmware/config/safety.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
-#include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/runtime/runtime.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -35,7 +34,8 @@ void note(const messages::SafetyEvent& event, Standing& standing) {
 class Flight {
  public:
   explicit Flight(const Plan& plan) {
-    if (runtime_->configure(plan.mission, *plan.policy) != Status::kOk) throw host::BadInput("the mission cannot be flown with the policy");
+    if (runtime_->configure(plan.mission, *plan.policy, *plan.tables) != Status::kOk)
+      throw host::BadInput("the mission cannot be flown with the policy and its ocean tables");
   }
 
   void take(const host::JournalRecord& record) {
@@ -107,14 +107,8 @@ class Flight {
 
 Plan plan_of(const std::filesystem::path& journal) {
   host::JournalReader reader(journal);
-  host::JournalRecord record;
-  mission_t mission{};
-  const auto refuse = [&journal](const char* what) { return host::BadInput(journal.string() + ": cannot be replayed: " + what); };
-  if (!reader.next(record)) throw host::BadInput(journal.string() + ": not a journal: no record in it");
-  if (record.channel != wire::kMissionChannel || wire::decode(record.data, mission) != Status::kOk)
-    throw refuse("its first record is no mission");
-  if (!reader.next(record) || record.channel != wire::kPolicyChannel) throw refuse("its second record is no policy");
-  return {.mission = wire::from_message(mission), .policy = host::policy_from(record.data, journal)};
+  board::Beginning beginning = board::read_beginning(reader, journal);
+  return {.mission = beginning.flown.mission, .policy = std::move(beginning.policy), .tables = std::move(beginning.tables)};
 }
 
 Counterfactual fly_again(const std::filesystem::path& journal, const Plan& plan, const std::function<void(double fraction)>& progress) {

@@ -16,6 +16,7 @@
 #include "firmware/core/time.hpp"
 #include "firmware/messages/safety_event.hpp"
 #include "firmware/policy/frozen_policy.hpp"
+#include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::replay_view {
 
@@ -23,6 +24,7 @@ namespace earshot::replay_view {
 struct Plan {
   config::Mission mission;
   std::unique_ptr<policy::FrozenPolicy> policy;
+  std::unique_ptr<policy::OceanTables> tables;  ///< without an ocean where the policy needs none
 };
 
 /// What a journal's flight was flown with. @throws host::BadInput when the journal does not begin with it.

@@ -22,6 +22,8 @@
 #include "firmware/host/journal/journal_parts.hpp"
 #include "firmware/host/mission/mission_file.hpp"
 #include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/mission/tables_file.hpp"
+#include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/progress_bar.hpp"
@@ -37,11 +39,12 @@ std::string shown(const std::filesystem::path& path) {
 }
 
 void judge_outputs(const ReplayCommand& c) {
-  const bool asks_what_if = c.policy || c.mission;
-  if (c.map && !asks_what_if) throw host::BadInput("--map: only with --policy or --mission");
+  const bool asks_what_if = c.policy || c.tables || c.mission;
+  if (c.map && !asks_what_if) throw host::BadInput("--map: only with --policy, --tables or --mission");
   host::DistinctFiles files;
   for (const std::filesystem::path& part : host::JournalParts(c.journal).files()) files.read(part);
   if (c.policy) files.read(*c.policy);
+  if (c.tables) files.read(*c.tables);
   if (c.mission) files.read(*c.mission);
   if (c.map) files.write(*c.map);
   if (c.json) files.write(*c.json);
@@ -57,7 +60,7 @@ struct Question {
 
 /// @throws host::BadInput as earshotd would refuse to fly it.
 std::optional<Question> question_of(const ReplayCommand& c) {
-  if (!c.policy && !c.mission) return std::nullopt;
+  if (!c.policy && !c.tables && !c.mission) return std::nullopt;
   Question question{.plan = plan_of(c.journal), .words = {}};
   Plan& plan = question.plan;
   if (c.mission) {
@@ -68,7 +71,12 @@ std::optional<Question> question_of(const ReplayCommand& c) {
   }
   if (c.policy) plan.policy = host::load_unverified_policy(*c.policy);
   host::check_fits(*plan.policy, c.policy.value_or("of " + c.journal.string()), plan.mission, c.mission.value_or(c.journal));
-  question.words = (c.policy ? "the policy " + shown(*c.policy) : "the journal's policy") + " and " +
+  if (c.tables) plan.tables = host::tables_from(host::read_tables_bytes(*c.tables), *c.tables);
+  if (policy::needs_belief(plan.policy->observation.spec)) {
+    if (plan.tables->tables.empty()) throw host::BadInput("--tables: the journal's policy needed none, and this one searches by some");
+    host::require_coverage(*plan.tables, c.tables.value_or("of " + c.journal.string()), policy::searched_sound(plan.mission));
+  }
+  question.words = (c.policy ? "the policy " + shown(*c.policy) : "the journal's policy") + (c.tables ? ", the ocean tables " + shown(*c.tables) : "") + " and " +
                    (c.mission ? "the mission " + shown(*c.mission) : "the journal's mission");
   return question;
 }
@@ -115,7 +123,7 @@ Json tell_what_if(const ReplayCommand& c, const Question& question) {
     const std::string title = shown(c.journal.filename()) + ": decided then, and now";
     host::write_whole(*c.map, parting_map(told, pairs, c.from_step, question.plan.mission.operating_area, title));
   }
-  Json json{{"policy", c.policy ? Json(c.policy->string()) : Json()}, {"mission", c.mission ? Json(c.mission->string()) : Json()}};
+  Json json{{"policy", c.policy ? Json(c.policy->string()) : Json()}, {"tables", c.tables ? Json(c.tables->string()) : Json()}, {"mission", c.mission ? Json(c.mission->string()) : Json()}};
   json.update(what_if_json(told, pairs, c.from_step));
   return json;
 }

@@ -11,6 +11,7 @@ namespace earshot::replay_view {
 struct ReplayCommand {
   std::filesystem::path journal;
   std::uint32_t from_step = 0;
+  std::optional<std::filesystem::path> tables = std::nullopt;   ///< what would have been decided by these?
   std::optional<std::filesystem::path> policy = std::nullopt;   ///< what would another have decided?
   std::optional<std::filesystem::path> mission = std::nullopt;  ///< the same
   std::optional<std::filesystem::path> map = std::nullopt;

@@ -126,6 +126,10 @@ Json fields(const PolicyBytes& policy) {
   return {{"bytes", policy.size}, {"crc32", host::crc32_text(policy.crc32)}};
 }
 
+Json fields(const TablesBytes& tables) {
+  return {{"bytes", tables.size}, {"crc32", host::crc32_text(tables.crc32)}};
+}
+
 Json fields(const messages::Input& input) {
   Json json{{"port", input.port}};
   json.update(std::visit([](const auto& value) { return input_fields(value); }, input.value));
@@ -200,6 +204,7 @@ Json fields(const mission_t& m) {
           {"listening_window_s", seconds_at(m.listening_window_us)},
           {"action_seed", m.action_seed},
           {"policy_crc32", host::crc32_text(static_cast<std::uint32_t>(m.policy_crc32))},
+          {"tables_crc32", host::crc32_text(static_cast<std::uint32_t>(m.tables_crc32))},
           {"build", build_of(m.build)}};
 }
 
@@ -301,7 +306,8 @@ const char* topic_of(const Content& content) {
   static constexpr std::array<const char*, std::variant_size_v<Content>> kTopics{
       "unknown",  "mission",     "policy",          "",
       "setpoint", "decision",    "safety_event",    "acknowledgement",
-      "health",   "journal_end", "journal_resumed", "controller_trouble"};
+      "health",   "journal_end", "journal_resumed", "controller_trouble",
+      "tables"};
   static constexpr std::array<const char*, std::variant_size_v<decltype(messages::Input::value)>> kInputTopics{
       "navigation", "snr", "order", "port_report", "vehicle_status", "autopilot_status", "hydrophone_status", "bearing"};
   static_assert(std::is_same_v<std::variant_alternative_t<3, Content>, messages::Input>);
