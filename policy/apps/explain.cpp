@@ -111,7 +111,8 @@ int main(int argc, char** argv) {
       "  earshot explain map policy/frozen/fixed_source.policy --source 10000,10000 --environment sim/ocean/environments/munk_flat.toml -o "
       "map.png\n"
       "  earshot explain decision out --step 4 -o decision.html");
-  report::PolicyMapOptions map_options{.tables = host::shipped("policy/tables/shipped/20hz_300m.tables")};
+  report::PolicyMapOptions map_options;
+  map_options.tables = host::shipped("policy/tables/shipped/20hz_300m.tables");
   DecisionOptions decision_options;
   const program::CommandLine& map = add_map(line, map_options);
   add_decision(line, decision_options);

@@ -15,9 +15,13 @@
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
 #include "policy/command_line/signing_key.hpp"
+#include "firmware/host/program/version.hpp"
 #include "policy/description/draw.hpp"
+#include "policy/description/state.hpp"
+#include "policy/description/trained_task.hpp"
 #include "policy/freeze/model_file.hpp"
 #include "policy/freeze/thaw.hpp"
+#include "policy/ppo/training_run.hpp"
 
 namespace {
 
@@ -36,14 +40,16 @@ struct Options {
 
 void add_options(program::CommandLine& line, Options& options) {
   line.option("MODEL", &options.model,
-              "checkpoint of earshot train, model.zip of Stable-Baselines3 (PPO or A2C, MlpPolicy), an ONNX export, or a .policy to freeze "
-              "again, of this version of the format or of version 3");
+              "checkpoint of earshot train, model.zip of Stable-Baselines3 (PPO or A2C, MlpPolicy), an ONNX export, a .policy to freeze again, or "
+              "a run file of earshot train (TOML, its state \"belief\"): that makes a policy without a network, which goes by the belief's own "
+              "advice");
   line.option("-o,--output", &options.output, "policy to write (.policy)");
   line.option(
       "--search", &options.search,
       "what a .zip or .onnx was trained to search, when it does not carry that along (JSON: earshot_gym.sb3.describe() in policy/python)");
   line.option("--draw", &options.draw,
-              "how the vehicle draws its actions: sampled from the softmax, or argmax; without it sampled, of a .policy as it does")
+              "how the vehicle draws its actions: sampled from the softmax, or argmax; without it sampled, of a .policy as it does, without a "
+              "network argmax")
       .one_of({description::kDraws.begin(), description::kDraws.end()});
   options.listening.add_to(line, "what MODEL has: what it was trained with, of a .policy what it was last frozen with");
   options.key.add_to(line).required();
@@ -98,7 +104,21 @@ void check_model_stays(const Options& options, bool is_policy) {
       std::array{command_line::Output{"MODEL", *options.model, {}}, command_line::Output{"--output", *options.output, {}}});
 }
 
+/// A policy for the search of a run file, which nothing is trained for.
+std::unique_ptr<policy::FrozenPolicy> freeze_untrained(const std::filesystem::path& file, const Options& options) {
+  if (options.search) throw BadInput("--search: a run file says itself what is searched");
+  const ppo::TrainingRun run = ppo::load_run(file);
+  if (run.state != description::State::kBelief)
+    throw BadInput(file.string() + ": state = \"" + std::string(description::name_of(run.state)) +
+                   "\": a run that is not trained must have \"belief\", whose advice is flown");
+  description::SearchDescription search = description::describe(run.search, ppo::observation_of(run));
+  search.provenance = {{"run", file.filename().string()}, {"commit", program::build_commit()}, {"network", "none: the belief's own advice"}};
+  for (auto& line : description::task_lines(run.search, run.vehicle_depth)) search.provenance.push_back(std::move(line));
+  return freeze::freeze_advice(search, description::draw_named(options.draw.value_or("argmax")).value());
+}
+
 std::unique_ptr<policy::FrozenPolicy> freeze_model(const std::filesystem::path& file, const Options& options) {
+  if (file.extension() == ".toml") return freeze_untrained(file, options);
   const std::string bytes = host::read_text(file, host::kModelFile);
   check_model_stays(options, freeze::is_policy(bytes));
   if (freeze::is_policy(bytes)) return freeze_again(bytes, file, options);

@@ -24,6 +24,12 @@ namespace earshot::freeze {
 [[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze(const TrainedActor& actor, const description::SearchDescription& search,
                                                            policy::ActionDraw draw);
 
+/// The policy that flies without a network, by the belief's own advice: the likeliest action is that of least regret
+/// (policy::find_logits).
+/// @param search  its observation shows every action's preference
+/// Throws host::BadInput when it does not, or does not fit firmware's capacities.
+[[nodiscard]] std::unique_ptr<policy::FrozenPolicy> freeze_advice(const description::SearchDescription& search, policy::ActionDraw draw);
+
 /// Lets the policy listen over another window than it was trained with, and says so in one line of its provenance: measured, the shipped
 /// policy finds more with it (policy/frozen/README.md). The golden searches stay: they begin with what was heard. Throws host::BadInput
 /// when the provenance is full.

@@ -57,8 +57,8 @@ std::string sound_of(const policy::OceanTables& tables) {
 }
 
 std::string oceans(const host::SignedSearch& search, const Signatures& signatures) {
-  if (search.tables_file.empty()) return row("ocean tables", "none, the policy does not search by them");
-  return row("ocean tables", host::printable(search.tables_file.lexically_normal().string()) + ": " + sound_of(*search.tables.tables)) +
+  if (search.tables_file.empty()) return row("tables", "none, the policy does not search by them");
+  return row("tables", host::printable(search.tables_file.lexically_normal().string()) + ": " + sound_of(*search.tables.tables)) +
          row("signed by", signer(signatures.tables));
 }
 
