@@ -32,7 +32,7 @@ KeyPair test_keys() {
 }
 
 void record(policy::FrozenPolicy& policy) {
-  policy::record_golden(policy, *std::make_unique<policy::SearchMemory>());
+  policy::record_golden(policy, *std::make_unique<policy::SearchMemory>(), *std::make_unique<policy::OceanTables>());
 }
 
 }  // namespace

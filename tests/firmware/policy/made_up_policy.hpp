@@ -14,11 +14,11 @@ inline constexpr std::string_view kProvenance = "command = earshot train\n";
 
 /// What a freezer does last.
 inline void record(FrozenPolicy& policy) {
-  record_golden(policy, *std::make_unique<SearchMemory>());
+  record_golden(policy, *std::make_unique<SearchMemory>(), *std::make_unique<OceanTables>());
 }
 
 inline bool repeats(const FrozenPolicy& policy) {
-  return repeats_golden(policy, *std::make_unique<SearchMemory>());
+  return repeats_golden(policy, *std::make_unique<SearchMemory>(), *std::make_unique<OceanTables>());
 }
 
 /// A 2-5-3-4 policy with weights from a generator; its golden searches go north-east from (1 km, 2 km) in steps of 1 km.
@@ -56,7 +56,7 @@ inline std::unique_ptr<FrozenPolicy> small_policy() {
   return policy;
 }
 
-/// small_policy() that sees a belief of two hypotheses and five ranges.
+/// small_policy() that sees a belief.
 inline std::unique_ptr<FrozenPolicy> believing_policy() {
   auto policy = small_policy();
   BeliefModel& belief = policy->observation.belief;
@@ -69,15 +69,9 @@ inline std::unique_ptr<FrozenPolicy> believing_policy() {
   belief.cells_north = 49;
   belief.cells_east = 51;
   belief.outlier_share = 0.125F;
-  belief.silence_share = 0.25F;
-  belief.forgotten_share = 0.0625F;
-  belief.range_step = Meters{150};
-  EXPECT_EQ(belief.hypotheses.push_back({.level_offset_db = -1.0F, .spread_db = 2.0F, .prior = 3.0F}), Status::kOk);
-  EXPECT_EQ(belief.hypotheses.push_back({.level_offset_db = 4.0F, .spread_db = 5.0F, .prior = 6.0F}), Status::kOk);
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(belief.snr_db.push_back(static_cast<float>(i) - 1.5F), Status::kOk);
   policy->observation.spec.clear();
   EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kPreference, .age = 3}), Status::kOk);
-  EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kHypothesis, .age = 1}), Status::kOk);
+  EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kSpread}), Status::kOk);
   record(*policy);
   return policy;
 }

@@ -11,6 +11,7 @@
 #include "firmware/core/random.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/runtime/runtime.hpp"
+#include "tests/support/three_oceans.hpp"
 
 namespace earshot::runtime {
 
@@ -74,14 +75,12 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_wanders() {
   return policy;
 }
 
-/// policy_that_goes(kNorthward) that sees a belief: the SNR falls from 30 dB by 1 dB every kilometre.
+/// policy_that_goes(kNorthward) that sees a belief.
 inline std::unique_ptr<policy::FrozenPolicy> policy_that_believes() {
   auto policy = policy_that_goes(kNorthward);
   policy::BeliefModel& belief = policy->observation.belief;
   belief.area_size = policy->area_size;
   belief.actions = policy->actions;
-  static_cast<void>(belief.hypotheses.push_back({.level_offset_db = 0.0F, .spread_db = 0.5F, .prior = 1.0F}));
-  for (int i = 0; i < 360; ++i) static_cast<void>(belief.snr_db.push_back(static_cast<float>(300 - i) / 10.0F));
   policy->observation.spec = policy::belief_state(belief);
   policy->network.observation_size = policy->observation.spec.size();
   return policy;
@@ -90,7 +89,8 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_believes() {
 /// The policy with what this build makes of its golden trajectories, as a freezer would leave it; one that cannot fly stays as it is.
 inline std::unique_ptr<policy::FrozenPolicy> frozen(const policy::FrozenPolicy& policy) {
   auto copy = std::make_unique<policy::FrozenPolicy>(policy);
-  if (policy::check(policy).is_none()) policy::record_golden(*copy, *std::make_unique<policy::SearchMemory>());
+  if (policy::check(policy).is_none()) 
+    policy::record_golden(*copy, *std::make_unique<policy::SearchMemory>(), *std::make_unique<policy::OceanTables>());
   return copy;
 }
 
@@ -109,7 +109,7 @@ struct Arriving {
 /// A runtime and a vehicle that does at once what it is told: 1 Hz navigation and SNR, no current, no turning circle.
 struct Rig {
   explicit Rig(const policy::FrozenPolicy& policy, const config::Mission& mission = paper_mission()) {
-    configured = runtime->configure(mission, *frozen(policy));
+    configured = runtime->configure(mission, *frozen(policy), *support::three_oceans(policy.area_size));
   }
 
   /// One second passes; `arriving` is what arrives at its end.
