@@ -33,11 +33,9 @@ class SignedMission {
 
   void write(const std::string& mission) const { std::ofstream(folder_ / "mission.toml") << mission; }
   void sign(std::uint64_t counter) const { sign(counter, key_); }
-  void sign(std::uint64_t counter, const host::SecretKey& key) const {
-    const authority::MissionManifest manifest{
-        .counter = counter, .mission = host::sha256_of(content("mission.toml")), .policy = host::sha256_of(content("walk.policy"))};
-    std::ofstream(folder_ / "mission.toml.sig") << host::to_text(host::sign(manifest, key));
-  }
+  void sign(std::uint64_t counter, const host::SecretKey& key) const { sign(counter, host::sha256_of(content("walk.policy")), key); }
+  /// @param policy  the digest of policy and ocean tables (host::digest_of)
+  void sign(std::uint64_t counter, const authority::Sha256& policy) const { sign(counter, policy, key_); }
 
   [[nodiscard]] std::string content(const std::string& name) const {
     std::ifstream stream(folder_ / name);
@@ -45,6 +43,11 @@ class SignedMission {
   }
 
  private:
+  void sign(std::uint64_t counter, const authority::Sha256& policy, const host::SecretKey& key) const {
+    const authority::MissionManifest manifest{.counter = counter, .mission = host::sha256_of(content("mission.toml")), .policy = policy};
+    std::ofstream(folder_ / "mission.toml.sig") << host::to_text(host::sign(manifest, key));
+  }
+
   std::filesystem::path folder_;
   host::SecretKey key_;
 };

@@ -50,10 +50,11 @@ std::string signer(const std::filesystem::path& key) {
   return host::printable(key.lexically_normal().string());
 }
 
-/// "20 Hz at 300 m, 96 oceans as far as 35 400 m"
+/// "20 Hz, the vehicle at 300 m, 96 oceans as far as 35.4 km"
 std::string sound_of(const policy::OceanTables& tables) {
-  return formatted("%g Hz, the vehicle at %g m, %zu oceans as far as %g m", tables.frequency.value, tables.receiver_depth.value,
-                   tables.tables.size(), policy::reach(tables).value);
+  const std::size_t oceans = tables.tables.size();
+  return formatted("%g Hz, the vehicle at %g m, %zu %s as far as %.1f km", tables.frequency.value, tables.receiver_depth.value, oceans,
+                   oceans == 1 ? "ocean" : "oceans", policy::reach(tables).value / 1e3);
 }
 
 std::string oceans(const host::SignedSearch& search, const Signatures& signatures) {

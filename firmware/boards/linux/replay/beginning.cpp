@@ -53,8 +53,8 @@ Beginning read_beginning(host::JournalReader& reader, const std::filesystem::pat
                       .tables = nullptr};
   require_record(reader, journal, "second", wire::kPolicyChannel, "policy", record);
   beginning.policy = parsed<policy::FrozenPolicy>(record, journal, "policy", beginning.flown.policy_crc32);
-  require_record(reader, journal, "third", wire::kTablesChannel, "ocean tables", record);
-  beginning.tables = parsed<policy::OceanTables>(record, journal, "ocean tables", beginning.flown.tables_crc32);
+  require_record(reader, journal, "third", wire::kTablesChannel, "tables file", record);
+  beginning.tables = parsed<policy::OceanTables>(record, journal, "tables file", beginning.flown.tables_crc32);
   return beginning;
 }
 

@@ -37,7 +37,7 @@ class AtSea : public testing::Test {
   static constexpr std::uint8_t kPort = 1;
 
   void SetUp() override {
-    ASSERT_EQ(runtime_->configure(mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))), Status::kOk);
+    ASSERT_EQ(runtime_->configure(mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward)), {}), Status::kOk);
     journal_ = std::make_unique<host::Journal>(path_, host::JournalOptions{.existing = host::ExistingJournal::kReplace});
     auto port = std::make_unique<FakePort>(ports_.next_index(), host_, script_);
     port_ = port.get();
@@ -105,7 +105,7 @@ class AtSea : public testing::Test {
   /// Every output of its journal, which is closed, comes again, bit for bit, from a runtime that is given the inputs.
   void expect_journal_repeats() {
     runtime::Runtime again;
-    ASSERT_EQ(again.configure(mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))), Status::kOk);
+    ASSERT_EQ(again.configure(mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward)), {}), Status::kOk);
     host::JournalReader reader(path_);
     std::size_t turns = 0;
     std::vector<std::vector<std::uint8_t>> outputs;

@@ -92,10 +92,11 @@ class FullDisk : public testing::Test {
     mission.operating_area = {.south_west = {}, .north_east = policy.area_size};
     mission.step_length = policy.step_length;
     mission.detection_threshold = policy.detection_threshold;
-    ASSERT_EQ(runtime_->configure(mission, policy), Status::kOk);
+    ASSERT_EQ(runtime_->configure(mission, policy, {}), Status::kOk);
     journal_ = std::make_unique<host::Journal>(path_);
     turn_ = std::make_unique<MissionTurn>(*runtime_, ports_, *journal_, clock_);
-    turn_->record_mission(mission, support::signed_bytes(policy), "of a test");
+    const std::vector<std::uint8_t> bytes = support::signed_bytes(policy);
+    turn_->record_mission(mission, {.policy = bytes, .tables = {}, .build = "of a test"});
     make_turn(1);
     order(Order::kStart);
     while (of(journal_->counters().lost, Weight::kStream) == 0) make_turn(500);

@@ -164,7 +164,7 @@ class ProvenLoop : public testing::Test {
  protected:
   void SetUp() override {
     ENTER_PRIVATE_NETWORK_OR_SKIP();
-    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_wanders())), Status::kOk);
+    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_wanders()), {}), Status::kOk);
     ports_.add(
         std::make_unique<LcmPort>(ports_.next_index(), host::PortSettings{.name = "status",
                                                                           .kind = host::PortKind::kLcm,
@@ -235,7 +235,7 @@ class LoopThatAsks : public ProvenLoop, public testing::WithParamInterface<Way> 
     if (vehicle_ == nullptr) return;  // skipped
     config::Mission mission = runtime::paper_mission();
     mission.max_steps = 2;
-    ASSERT_EQ(runtime_->configure(mission, *runtime::frozen(*runtime::policy_that_wanders())), Status::kOk);
+    ASSERT_EQ(runtime_->configure(mission, *runtime::frozen(*runtime::policy_that_wanders()), {}), Status::kOk);
     vehicle_->asks = GetParam().go;
   }
 };

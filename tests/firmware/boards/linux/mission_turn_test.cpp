@@ -54,7 +54,7 @@ class ToldPort final : public Port {
 class MissionTurnTest : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))),
+    ASSERT_EQ(runtime_->configure(runtime::paper_mission(), *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward)), {}),
               Status::kOk);
     auto port = std::make_unique<ToldPort>(ports_.next_index());
     port_ = port.get();

@@ -56,7 +56,7 @@ class WriteAhead : public testing::Test {
     config::Mission mission = runtime::paper_mission();
     const config::Rule leak{.condition = config::Condition::kLeak, .persistence = {}, .response = config::Response::kWarn};
     ASSERT_EQ(mission.safety.rules.push_back(leak), Status::kOk);
-    ASSERT_EQ(runtime_->configure(mission, *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward))), Status::kOk);
+    ASSERT_EQ(runtime_->configure(mission, *runtime::frozen(*runtime::policy_that_goes(runtime::kNorthward)), {}), Status::kOk);
     auto port = std::make_unique<ReachPort>(ports_.next_index(), journal_);
     port_ = port.get();
     ports_.add(std::move(port));

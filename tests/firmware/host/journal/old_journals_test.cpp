@@ -37,12 +37,15 @@ TEST_F(OldJournalsTest, AreDeletedWholeTheOldestFirst) {
   make("journal-11.lcmlog", 1000);
   std::ofstream(folder_ / "journal.policy") << "EARSHOTP and so on";
   std::ofstream(folder_ / "journal-2.policy") << "EARSHOTP and so on";
+  std::ofstream(folder_ / "journal.tables") << "EARSHOTT and so on";
+  std::ofstream(folder_ / "journal-2.tables") << "EARSHOTT and so on";
   OldJournals old(path_, 11);
   EXPECT_EQ(old.bytes(), 200U);
   EXPECT_TRUE(old.delete_oldest());
   EXPECT_EQ(old.bytes(), 50U);
-  for (const char* name : {"journal.lcmlog", "journal.part2.lcmlog", "journal.policy"}) EXPECT_FALSE(is_there(name)) << name;
+  for (const char* name : {"journal.lcmlog", "journal.part2.lcmlog", "journal.policy", "journal.tables"}) EXPECT_FALSE(is_there(name)) << name;
   EXPECT_TRUE(is_there("journal-2.policy"));
+  EXPECT_TRUE(is_there("journal-2.tables"));
   EXPECT_TRUE(old.delete_oldest());
   EXPECT_FALSE(is_there("journal-2.lcmlog")) << "2 before 10";
   EXPECT_TRUE(old.delete_oldest());

@@ -30,6 +30,20 @@ TEST(MissionFile, TheShippedMissionIsThePapers) {
   EXPECT_EQ(file.ports[0].roles, (Roles{Role::kNavigation, Role::kSnr, Role::kOperator, Role::kAutopilot, Role::kStatus}));
 }
 
+TEST(MissionFile, SearchesForA20HzSourceByTheShippedTablesUnlessTold) {
+  EXPECT_EQ(load_mission(kShipped).mission.source_frequency.value, 20.0);
+  EXPECT_TRUE(std::filesystem::equivalent(load_mission(kShipped).tables, EARSHOT_SOURCE_DIR "/policy/tables/shipped"));
+  const support::TemporaryFolder folder;
+  std::string text = text_of(kShipped);
+  const std::size_t at = text.find("source_frequency_hz");
+  text.erase(at, text.find('\n', at) - at);
+  std::ofstream(folder / "mine.toml") << text.replace(text.find("[policy]\n"), 9, "[policy]\ntables = \"oceans\"\n");
+  EXPECT_EQ(load_mission(folder / "mine.toml").mission.source_frequency.value, 20.0);
+  EXPECT_EQ(load_mission(folder / "mine.toml").tables, folder / "oceans");
+  EXPECT_NE(complaint("source_frequency_hz = 20.0", "source_frequency_hz = 0.5").find("source_frequency_hz"), std::string::npos);
+  EXPECT_EQ(complaint("source_frequency_hz = 20.0", "source_frequency_hz = 35.0"), "");
+}
+
 TEST(MissionFile, MakesATurnASecondUnlessTold) {
   const support::TemporaryFolder folder;
   std::string text = text_of(kShipped);
@@ -191,9 +205,9 @@ TEST(MissionFile, RefusesAnLcmPortWithoutAnAddressAndTwoPortsOfOneAddressOrName)
 }
 
 TEST(MissionFile, RefusesAPortWhoseNameIsEmptyOrWouldSteerATerminal) {
-  EXPECT_EQ(complaint("name = \"vehicle\"", "name = \"\""), "FILE:29: port[0].name = '': must be a text of at least one character");
+  EXPECT_EQ(complaint("name = \"vehicle\"", "name = \"\""), "FILE:30: port[0].name = '': must be a text of at least one character");
   EXPECT_EQ(complaint("name = \"vehicle\"", "name = \"a\\u001b[31m\""),
-            "FILE:29: port[0].name = \"a\\u001B[31m\": must have no character that steers a terminal");
+            "FILE:30: port[0].name = \"a\\u001B[31m\": must have no character that steers a terminal");
   EXPECT_EQ(complaint("name = \"vehicle\"", "name = \"Kiel \u00fc\""), "");
 }
 
@@ -201,7 +215,7 @@ TEST(MissionFile, RefusesTwoPortsOfOneLcmBusHoweverItsUrlIsSpelledAndSaysWhereTh
   EXPECT_EQ(
       complaint("[origin]",
                 "[[port]]\nname = \"payload\"\nkind = \"lcm\"\nurl = \"udpm://239.255.76.67:7667?ttl=1\"\nroles = [\"snr\"]\n\n[origin]"),
-      "FILE:37: port[1].url = 'udpm://239.255.76.67:7667?ttl=1': port \"vehicle\" is there already: give it all roles (FILE:31: "
+      "FILE:38: port[1].url = 'udpm://239.255.76.67:7667?ttl=1': port \"vehicle\" is there already: give it all roles (FILE:32: "
       "port[0].url; what "
       "stands behind the '?' of a URL makes no other bus)");
 }
@@ -221,10 +235,10 @@ std::string complaint_with_interface(const std::string& toml_string) {
 TEST(MissionFile, RefusesACanInterfaceOfANameThatNoneCanHaveRatherThanWaitForItForEver) {
   const std::string rule =
       ": must be 1 to 15 characters without '/', ':' and white space, and neither \".\" nor \"..\", as Linux names interfaces";
-  EXPECT_EQ(complaint_with_interface("\"a/b\""), "FILE:37: port[1].interface = 'a/b'" + rule);
+  EXPECT_EQ(complaint_with_interface("\"a/b\""), "FILE:38: port[1].interface = 'a/b'" + rule);
   for (const char* name : {"\"a b\"", "\".\"", "\"..\"", "\"can0:1\"", "\"x\\n\"", "\"can-front.left_1\"", "\"\""}) {
     const std::string what = complaint_with_interface(name);
-    EXPECT_TRUE(what.starts_with("FILE:37: port[1].interface")) << name << ": " << what;
+    EXPECT_TRUE(what.starts_with("FILE:38: port[1].interface")) << name << ": " << what;
   }
   EXPECT_EQ(complaint_with_interface("\"can-front.left1\""), "");
 }

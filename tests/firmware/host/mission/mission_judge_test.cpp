@@ -11,6 +11,7 @@
 #include "tests/support/process.hpp"
 #include "tests/support/signed_mission.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/three_oceans.hpp"
 
 namespace earshot::host {
 namespace {
@@ -31,7 +32,7 @@ class MissionJudged : public testing::Test {
   void fly(Counting counting = Counting::kRecorded) {
     MissionJudge judge(load_vehicle(folder_ / "vehicle.toml"), counting);
     file_ = judge.load_mission(folder_ / "mission.toml");
-    (void)judge.load_policy(file_);
+    (void)judge.load_search(file_);
     judge.record_flight();
   }
   std::string complaint() {
@@ -169,11 +170,80 @@ TEST_F(MissionJudged, NeedsNoSignatureWhereTheVehicleAsksForNone) {
   EXPECT_NE(complaint().find("is signed by none of trust.policy_keys of"), std::string::npos);
 }
 
+/// A mission whose policy searches by ocean tables, all signed by who is trusted.
+class MissionJudgedWithTables : public MissionJudged {
+ protected:
+  MissionJudgedWithTables() {
+    policy_ = support::signed_bytes(believing());
+    support::write_bytes(folder_ / "walk.policy", policy_);
+    mission_.write(in_folder_of_tables());
+    write_tables(Meters{300.0});
+    sign_all();
+  }
+
+  [[nodiscard]] std::string in_folder_of_tables() const {
+    std::string text = text_;
+    return text.replace(text.find("[policy]\n"), 9, "[policy]\ntables = \"oceans.tables\"\n");
+  }
+  static policy::FrozenPolicy believing() {
+    policy::FrozenPolicy policy = support::random_walk_policy();
+    policy.observation.belief.area_size = policy.area_size;
+    policy.observation.belief.actions = policy.actions;
+    policy.observation.spec = policy::belief_state(policy.observation.belief);
+    policy.network.observation_size = policy.observation.spec.size();
+    return policy;
+  }
+  void write_tables(Meters depth) {
+    tables_ = support::signed_bytes(*support::three_oceans({Meters{25'000.0}, Meters{25'000.0}}, depth));
+    support::write_bytes(folder_ / "oceans.tables", tables_);
+  }
+  void sign_all() { mission_.sign(7, digest_of(policy_, tables_)); }
+
+  std::vector<std::uint8_t> policy_;
+  std::vector<std::uint8_t> tables_;
+};
+
+TEST_F(MissionJudgedWithTables, FliesByThem) {
+  MissionJudge judge(load_vehicle(folder_ / "vehicle.toml"), Counting::kOnlyRead);
+  const SignedSearch search = judge.load_search(judge.load_mission(folder_ / "mission.toml"));
+  EXPECT_EQ(search.tables_file, folder_ / "oceans.tables");
+  EXPECT_EQ(search.tables.tables->tables.size(), 3U);
+  EXPECT_EQ(search.tables.bytes, tables_);
+  EXPECT_EQ(search.tables.signer, folder_ / "walk.pub");
+}
+
+TEST_F(MissionJudgedWithTables, IsRefusedWhenTheyAreOfAnotherDepth) {
+  write_tables(Meters{200.0});
+  sign_all();
+  expect_refused("is listened to at 20 Hz, 300 m deep, ");
+}
+
+TEST_F(MissionJudgedWithTables, IsRefusedWhenTheyAreOthersThanItWasSignedWith) {
+  write_tables(Meters{310.0});
+  expect_refused("walk.policy: with its ocean tables is not the policy that ");
+}
+
+TEST_F(MissionJudgedWithTables, IsRefusedWhenNobodySignedThem) {
+  tables_.back() ^= 1U;
+  support::write_bytes(folder_ / "oceans.tables", tables_);
+  sign_all();
+  expect_refused("oceans.tables: ");
+}
+
+TEST_F(MissionJudgedWithTables, IsRefusedWhenTheyAreDamagedOrCutShort) {
+  tables_[200] ^= 1U;
+  support::write_bytes(folder_ / "oceans.tables", tables_);
+  expect_refused("oceans.tables: is damaged: its CRC-32 is wrong");
+  tables_.resize(100);
+  support::write_bytes(folder_ / "oceans.tables", tables_);
+  expect_refused("oceans.tables: is cut short");
+}
+
 TEST_F(MissionJudged, IsJudgedByItsOwnWordWhereThereIsNoVehicle) {
   MissionJudge judge;
   EXPECT_NE(complaint_of([&] { (void)judge.load_mission(folder_ / "mission.toml"); }).find("policy.public_key_file is missing"),
             std::string::npos);
-  EXPECT_NO_THROW((void)judge.load_policy(judge.load_mission(kShipped)));
+  EXPECT_NO_THROW((void)judge.load_search(judge.load_mission(kShipped)));
 }
 
 }  // namespace

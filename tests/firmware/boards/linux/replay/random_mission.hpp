@@ -145,7 +145,7 @@ class Vessel {
   /// A new mission.
   Vessel(const config::Mission& mission, const std::filesystem::path& path)
       : Vessel(configured(mission), host::JournalFile(path, host::ExistingJournal::kReplace), 0) {
-    turn_.record_mission(mission, walk_bytes(), "of a test");
+    turn_.record_mission(mission, {.policy = walk_bytes(), .tables = {}, .build = "of a test"});
   }
   /// One that goes on.
   Vessel(Resumption before, const std::filesystem::path& path)
@@ -183,7 +183,7 @@ class Vessel {
   }
   static std::unique_ptr<runtime::Runtime> configured(const config::Mission& mission) {
     auto runtime = std::make_unique<runtime::Runtime>();
-    EXPECT_EQ(runtime->configure(mission, walk()), Status::kOk);
+    EXPECT_EQ(runtime->configure(mission, walk(), {}), Status::kOk);
     return runtime;
   }
   static host::JournalFile cut(const std::filesystem::path& path, std::uint64_t bytes) {

@@ -73,7 +73,7 @@ class Resuming : public testing::Test {
   }
 
   [[nodiscard]] std::optional<Resumption> resume_from(GoOnAfter after) const {
-    return resume(cut_, {.mission = mission_, .policy_crc32 = crc32(walk_bytes())}, after);
+    return resume(cut_, {.mission = mission_, .policy_crc32 = crc32(walk_bytes()), .tables_crc32 = 0}, after);
   }
 
   /// Of the script, behind so many turns and, of the turn under way, what stands in a journal of so many bytes.
@@ -286,7 +286,7 @@ TEST_F(Resuming, FindsTheNewestJournalCutsItToWhatIsKeptAndRefusesAClockThatIsBe
   Bytes torn = bytes_;
   torn.resize(torn.size() + 100, 0x55);
   support::write_bytes(newer, torn);
-  const Flown flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes())};
+  const Flown flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes()), .tables_crc32 = 0};
   const Time last = records_.back().time;
   try {
     (void)find_unfinished(cut_, flown, GoOnAfter::kLastInput, last + Duration::seconds(-7));
@@ -308,7 +308,7 @@ TEST_F(Resuming, FindsTheNewestJournalCutsItToWhatIsKeptAndRefusesAClockThatIsBe
 TEST_F(Resuming, RefusesALinkToAJournal) {
   fly_whole(1);
   fs::create_symlink(whole_, cut_);
-  const Flown flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes())};
+  const Flown flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes()), .tables_crc32 = 0};
   const auto find = [&] { return find_unfinished(cut_, flown, GoOnAfter::kLastInput, records_.back().time); };
   EXPECT_THROW((void)find(), host::BadInput);
   fs::remove(cut_);
@@ -323,7 +323,7 @@ TEST_F(Resuming, RefusesAJournalOneOfWhosePartsBearsAnothersName) {
   const wire::Encoded beginning(journal_part_t{.part = 2, .first_record_crc32 = first_record_crc32});
   const host::LoneRecord record(0, Time{}, wire::kJournalPartChannel, beginning.bytes());
   support::write_bytes(folder_ / "journal.part3.lcmlog", Bytes(record.bytes().begin(), record.bytes().end()));
-  const Flown flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes())};
+  const Flown flown{.mission = mission_, .policy_crc32 = crc32(walk_bytes()), .tables_crc32 = 0};
   const auto find = [&] { return find_unfinished(cut_, flown, GoOnAfter::kLastInput, records_.back().time); };
   EXPECT_THROW((void)find(), host::BadInput);
   fs::rename(folder_ / "journal.part3.lcmlog", folder_ / "journal.part2.lcmlog");

@@ -138,7 +138,7 @@ TEST_F(ReplayCommand, RefusesAStepThatIsNotDecidedAndAMapOfNothingOrOfAnotherKin
   EXPECT_EQ(replay({"--from", "1"}), 2);
   EXPECT_EQ(errors_, "--from 1: no such step is decided; there are 1, the first is step 0\n");
   EXPECT_EQ(replay({"--map", file("m.svg")}), 2);
-  EXPECT_EQ(errors_, "--map: only with --policy or --mission\n");
+  EXPECT_EQ(errors_, "--map: only with --policy, --tables or --mission\n");
   EXPECT_EQ(replay({"--policy", file("north.policy"), "--map", file("m.png")}), 2);
   EXPECT_NE(errors_.find("--map: the map is an SVG picture: name a file that ends with .svg"), std::string::npos) << errors_;
   EXPECT_FALSE(fs::exists(file("m.png")));
