@@ -100,7 +100,7 @@ TEST_F(MissionJudged, IsRefusedWithAnotherPolicyThoughThatIsTrusted) {
   policy::FrozenPolicy other = support::random_walk_policy();
   other.draw = policy::ActionDraw::kArgmax;
   support::write_bytes(folder_ / "walk.policy", support::signed_bytes(other));
-  expect_refused("walk.policy: is not the policy that");
+  expect_refused("walk.policy: with its ocean tables is not the policy that");
 }
 
 TEST_F(MissionJudged, IsRefusedWithAPolicyOfAStrangerThoughTheMissionVouchesForIt) {
