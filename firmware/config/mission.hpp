@@ -25,6 +25,7 @@ struct Mission {
   MetersPerSecond search_speed;   ///< speed set-point through the water, > 0
   Meters step_length;             ///< l: length of one action, > 0
   std::uint32_t max_steps = 100;  ///< N: the mission is DONE after this many actions
+  bool ends_when_found = false;   ///< the mission is DONE when the vehicle itself says that it has found the source
   Duration max_time;              ///< ABORT when SEARCH lasts longer
   Duration navigation_timeout;    ///< ABORT when navigation is older
   Duration snr_timeout;           ///< ABORT when the SNR estimate is older

@@ -10,6 +10,7 @@
 #include "firmware/core/units.hpp"
 #include "firmware/messages/bearing_measurement.hpp"
 #include "firmware/messages/belief_summary.hpp"
+#include "firmware/messages/found_declaration.hpp"
 
 namespace earshot::messages {
 
@@ -22,6 +23,7 @@ struct Decision {
   bool too_faint = false;  ///< not measured: the signal lies somewhere below `snr`
   bool detected = false;
   std::uint8_t action = 0;
+  bool sweeping = false;    ///< what was heard fits nothing that is believed possible: the action is the sweep's, not the policy's
   bool overridden = false;  ///< the safety layer changed the way-point
   NorthEast waypoint;
   std::uint8_t observation_size = 0;
@@ -30,6 +32,7 @@ struct Decision {
   std::array<float, config::kMaxActions> logits{};
   std::optional<Bearing> bearing = std::nullopt;  ///< that was heard with the SNR; absent when none was measured
   std::optional<BeliefSummary> belief;            ///< in the mission's frame; absent when the policy holds none
+  std::optional<FoundDeclaration> found = std::nullopt;  ///< the vehicle says that it has found the source here; its place in the mission's frame
 };
 
 }  // namespace earshot::messages

@@ -24,8 +24,9 @@ enum class EndReason : std::uint8_t {
   kTimeUsedUp = 7,
   kSafetyRule = 8,   ///< another rule of the safety supervisor; its event says which
   kMemoryFault = 9,  ///< a bit flipped in the runtime's memory
+  kFound = 10,       ///< the vehicle itself says that it has found the source; its last decision says why
 };
-inline constexpr EndReason kLastEndReason = EndReason::kMemoryFault;
+inline constexpr EndReason kLastEndReason = EndReason::kFound;
 
 /// Between Earshot and the autopilot.
 enum class Authority : std::uint8_t {
@@ -59,6 +60,9 @@ struct Health {
   MissionState state = MissionState::kStandby;
   EndReason end_reason = EndReason::kNone;
   std::uint32_t steps_taken = 0;
+  float surprise_bits = 0.0F;  ///< of the belief after its last look; 0 where there is none
+  bool is_sweeping = false;    ///< the last decision was the sweep's, for what is heard fits nothing that is believed possible
+  bool is_found = false;       ///< with its last look the vehicle said that it has found the source
   config::Response response = config::Response::kWarn;  ///< the strongest that acts; kWarn: none but warnings
   Counters counters;
   FixedVector<PortReport, config::kMaxPorts> ports;  ///< the newest of each port that has reported

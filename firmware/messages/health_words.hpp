@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include "firmware/messages/health.hpp"
 
 namespace earshot::messages {
@@ -40,10 +41,16 @@ namespace earshot::messages {
       return "its time is used up";
     case EndReason::kSafetyRule:
       return "a safety rule ended it";
+    case EndReason::kFound:
+      return "the vehicle says that it has found the source";
     case EndReason::kMemoryFault:
       return "the computer's memory is at fault";
   }
   return "?";
 }
+
+// What else there is to say of a search.
+inline constexpr std::string_view kSaysFound = "says that the source is found";
+inline constexpr std::string_view kSweeps = "sweeps the area: what it hears fits no ocean of its tables";
 
 }  // namespace earshot::messages

@@ -7,8 +7,6 @@
 
 #include "firmware/authority/tightened.hpp"
 #include "firmware/core/math.hpp"
-#include "firmware/detector/threshold_detector.hpp"
-#include "firmware/policy/action_draw.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/network.hpp"
 #include "firmware/runtime/bytes_of_state.hpp"
@@ -39,11 +37,6 @@ Time effective(Time date, Time arrival) {
 /// Of vehicle, autopilot and hydrophone; what is older is told by the rules about its age.
 constexpr Duration kStatusMaxAge = Duration::seconds(30);
 
-/// False for a NaN.
-bool are_within(std::span<const float> values, double most) {
-  return std::all_of(values.begin(), values.end(), [most](float value) { return double{value} >= -most && double{value} <= most; });
-}
-
 EndReason end_reason_of(config::Condition cause) {
   switch (cause) {
     case config::Condition::kNavigationAge:
@@ -71,12 +64,12 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
   if (!safety::check(mission).is_none()) return Status::kOutOfRange;
   if (const policy::PolicyComplaint complaint = policy::check(policy); !complaint.is_none()) return policy::status_of(complaint.fault);
   if (policy::mismatch(policy, mission) != policy::Mismatch::kNone) return Status::kOutOfRange;
-  const bool has_belief = policy::needs_belief(policy.observation.spec);
-  if (has_belief && !policy::are_usable(tables, policy::searched_sound(mission))) return Status::kOutOfRange;
+  const bool needs_tables = policy::needs_belief(policy.observation.spec);
+  if (needs_tables && !policy::are_usable(tables, policy::searched_sound(mission))) return Status::kOutOfRange;
   if (!repeats_known_steps() || !policy::repeats_golden(policy, memory_, tables_)) return Status::kCorrupt;
   mission_ = mission;
   policy_ = policy;
-  if (has_belief) {
+  if (needs_tables) {
     tables_ = tables;
   } else {
     tables_.tables.clear();
@@ -257,113 +250,6 @@ void Runtime::watch_for_release(Time now, Outputs& outputs) {
   outputs.safety_events = progress_.supervisor.watch_for_release(mission_, progress_.situation);
 }
 
-NorthEast Runtime::place_in_area() const {
-  return progress_.situation.navigation.newest()->position - mission_.operating_area.south_west;
-}
-
-policy::Reception Runtime::reception(Time now) const {
-  const detector::WindowReception window = progress_.listener.reception(mission_.listening, now);
-  return {.snr = window.snr, .too_faint = window.too_faint, .bearing = bearing(now)};
-}
-
-/// An array may date its bearing by less than a second earlier than the look that was made with it.
-Time Runtime::before_newest_look() const {
-  return progress_.listener.newest()->time + Duration::seconds(-1);
-}
-
-/// As the looks are listened to: of the window, or of the newest look.
-std::optional<messages::Bearing> Runtime::bearing(Time now) const {
-  const bool is_of_newest_look = mission_.listening.listening == config::Listening::kNewest;
-  return progress_.bearings.heard_after(is_of_newest_look ? before_newest_look() : now + Duration{-mission_.listening.length.us});
-}
-
-messages::BeliefSummary Runtime::belief() const {
-  messages::BeliefSummary summary = memory_.belief().summary();
-  summary.likeliest = summary.likeliest + mission_.operating_area.south_west;
-  summary.mean = summary.mean + mission_.operating_area.south_west;
-  return summary;
-}
-
-void Runtime::begin_search(Time now) {
-  progress_.state = MissionState::kSearch;
-  progress_.situation.search_began = now;
-  progress_.situation.track.begin(*progress_.situation.navigation.newest());
-  progress_.command.begin();
-  progress_.listener.begin_leg(now);  // no leg leads to the start: its newest look is all that it hears
-  progress_.bearings.begin_leg(before_newest_look());
-  memory_.start(policy_.observation, tables_, place_in_area(), reception(now));
-  memory_checksum_ = checksum_of(memory_);
-}
-
-void Runtime::search(Time now, Outputs& outputs) {
-  supervise(now, outputs);
-  if (progress_.state != MissionState::kSearch) return;
-  if (progress_.command.is_engaged() && response() > config::Response::kWarn) {
-    progress_.is_interrupted = true;
-    if (response() > config::Response::kSteerBack) progress_.situation.track.forget_waypoint();  // nobody goes there now
-    return;
-  }
-  const bool has_leg = progress_.leg.length().value > 0.0;
-  if (has_leg && leg_goes_on(now) && !progress_.is_interrupted) return;
-  if (!may_decide()) {
-    integrity_ = 0;
-    return;
-  }
-  const policy::Reception reception_on_leg = reception(now);
-  if (has_leg) {
-    memory_.remember(policy_.observation, tables_, place_in_area(), reception_on_leg);
-    memory_checksum_ = checksum_of(memory_);
-    ++progress_.steps_taken;
-    if (progress_.steps_taken >= mission_.max_steps) return end(MissionState::kDone, EndReason::kStepsUsedUp);
-  }
-  progress_.is_interrupted = false;  // a search that goes on decides anew, from where it is
-  progress_.manoeuvre.end();
-  if (!decide(now, reception_on_leg, outputs.decision.emplace())) {
-    outputs.decision.reset();
-    progress_.situation.is_policy_unhealthy = true;
-    return supervise(now, outputs);
-  }
-  progress_.listener.begin_leg(now);
-  progress_.bearings.begin_leg(now);
-}
-
-bool Runtime::leg_goes_on(Time now) const {
-  if (progress_.command.is_engaged()) return !progress_.leg.is_over(progress_.situation.navigation.newest()->position);
-  return (now - progress_.decided).to_seconds() * mission_.search_speed.value < progress_.leg.length().value;
-}
-
-/// @return whether the policy could
-bool Runtime::decide(Time now, const policy::Reception& reception, messages::Decision& decision) {
-  const NorthEast position = progress_.situation.navigation.newest()->position;
-  const std::span<float> observation = std::span(decision.observation).first(policy_.observation.spec.size());
-  const std::span<float> logits = std::span(decision.logits).first(policy_.actions.size());
-  policy::observe(memory_, policy_.observation, observation);
-  policy::find_logits(policy_, observation, logits);
-  if (!are_within(observation, policy::kMostElement) || !are_within(logits, policy::kMostLogit)) return false;
-  const std::size_t action = policy::draw_action(policy_.draw, logits, progress_.random);
-  const safety::SafeWaypoint safe = safety::safe_waypoint(mission_, position, position + mission_.step_length * policy_.actions[action]);
-  if (safe.overridden) ++progress_.counters.setpoints_limited;
-  progress_.leg = guidance::Leg(position, safe.waypoint);
-  if (progress_.command.is_engaged()) progress_.situation.track.set_waypoint(safe.waypoint);
-  progress_.decided = now;
-  ++progress_.decisions;
-
-  decision.step = progress_.steps_taken;
-  decision.time = now;
-  decision.position = position;
-  decision.snr = reception.snr;
-  decision.too_faint = reception.too_faint;
-  decision.bearing = reception.bearing;
-  decision.detected = !decision.too_faint && detector::ThresholdDetector{mission_.detection_threshold}.detects(decision.snr);
-  decision.action = static_cast<std::uint8_t>(action);
-  decision.overridden = safe.overridden;
-  decision.waypoint = safe.waypoint;
-  if (policy::needs_belief(policy_.observation.spec)) decision.belief = belief();
-  decision.observation_size = static_cast<std::uint8_t>(observation.size());
-  decision.action_count = static_cast<std::uint8_t>(logits.size());
-  return true;
-}
-
 messages::Setpoint Runtime::wanted_setpoint() {
   const messages::Navigation& fix = *progress_.situation.navigation.newest();
   const std::optional<config::Response> wanted = response();
@@ -396,6 +282,9 @@ messages::Health Runtime::health(Time now) const {
           .state = progress_.state,
           .end_reason = progress_.end_reason,
           .steps_taken = progress_.steps_taken,
+          .surprise_bits = has_belief() ? memory_.belief().surprise().bits() : 0.0F,
+          .is_sweeping = progress_.is_sweeping,
+          .is_found = found().has_value(),
           .response = progress_.supervisor.response().value_or(config::Response::kWarn),
           .counters = progress_.counters,
           .ports = progress_.ports};

@@ -14,6 +14,7 @@
 #include "firmware/detector/bearing_listener.hpp"
 #include "firmware/detector/listener.hpp"
 #include "firmware/guidance/leg.hpp"
+#include "firmware/guidance/sweep.hpp"
 #include "firmware/messages/decision.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/input.hpp"
@@ -42,6 +43,7 @@ struct Outputs {
 /// bit.
 ///
 ///   STANDBY -- START or LISTEN, fresh navigation and SNR --> SEARCH -- max_steps, COMPLETE --> DONE
+///   SEARCH -- the source is found, where the mission ends with that --> DONE
 ///   SEARCH -- a rule of the safety supervisor that aborts --> ABORT;   any state -- ABORT --> ABORT
 ///
 /// START and LISTEN are remembered until navigation and SNR are there (and the autopilot, where the mission waits for it), or they expire.
@@ -92,6 +94,8 @@ class Runtime {
     detector::BearingListener bearings;
     guidance::Leg leg;
     Pcg32 random{0};
+    guidance::Sweep sweep;
+    bool is_sweeping = false;  ///< in place of what the policy wants
     messages::Counters counters;
     authority::CommandJudge judge;
     Acknowledgements acknowledgements;
@@ -141,7 +145,10 @@ class Runtime {
   [[nodiscard]] policy::Reception reception(Time now) const;
   [[nodiscard]] Time before_newest_look() const;
   [[nodiscard]] std::optional<messages::Bearing> bearing(Time now) const;
+  [[nodiscard]] bool has_belief() const { return policy::needs_belief(policy_.observation.spec); }
   [[nodiscard]] messages::BeliefSummary belief() const;
+  [[nodiscard]] std::optional<messages::FoundDeclaration> found() const;
+  [[nodiscard]] std::size_t choose(NorthEast position, std::span<const float> logits);
   void begin_search(Time now);
   void search(Time now, Outputs& outputs);
   [[nodiscard]] bool decide(Time now, const policy::Reception& reception, messages::Decision& decision);

@@ -46,6 +46,7 @@ void read_search(TableReader search, config::Mission& mission) {
   mission.search_speed = MetersPerSecond{search.number("speed_mps", Range::above_up_to(0.0, 20.0))};
   mission.step_length = Meters{search.number("step_length_m", Range::above_up_to(0.0, kFarthest_m))};
   mission.max_steps = static_cast<std::uint32_t>(search.integer("max_steps", 1, 1'000'000));
+  mission.ends_when_found = search.choice_or("on_found", 0, {"go_on", "end"}) == 1;
   mission.detection_threshold = Decibels{search.number("detection_threshold_db", Range::between(-200.0, 200.0))};
   mission.source_frequency = Hertz{search.number_or("source_frequency_hz", 20.0, Range::between(1.0, 10'000.0))};
   mission.listening = read_listening(search);

@@ -167,6 +167,7 @@ decision_t to_message(const messages::Decision& decision) {
     m.bearing_axis_rad = decision.bearing->mirror_axis.value_or(Radians{}).value;
   }
   m.action = static_cast<std::int8_t>(decision.action);
+  m.sweeping = decision.sweeping ? 1 : 0;
   m.overridden = decision.overridden ? 1 : 0;
   m.waypoint_north_m = decision.waypoint.north.value;
   m.waypoint_east_m = decision.waypoint.east.value;
@@ -183,6 +184,13 @@ decision_t to_message(const messages::Decision& decision) {
     m.spread_m = decision.belief->spread.value;
     m.likeliest_share = decision.belief->likeliest_share;
     m.effective_cells = decision.belief->effective_cells;
+    m.surprise_bits = decision.belief->surprise_bits;
+  }
+  m.found = decision.found ? 1 : 0;
+  if (decision.found) {
+    m.found_probability = decision.found->probability;
+    m.found_least_snr_db = decision.found->least_snr.value;
+    m.closest_approach_m = decision.found->closest_approach.value;
   }
   return m;
 }
@@ -198,6 +206,9 @@ health_t to_message(const messages::Health& health, Time now) {
   m.state = static_cast<std::int8_t>(health.state);
   m.end_reason = static_cast<std::int8_t>(health.end_reason);
   m.steps_taken = static_cast<std::int32_t>(health.steps_taken);
+  m.surprise_bits = health.surprise_bits;
+  m.sweeping = health.is_sweeping ? 1 : 0;
+  m.found = health.is_found ? 1 : 0;
   m.navigation_refused = static_cast<std::int64_t>(health.counters.navigation_refused);
   m.snr_refused = static_cast<std::int64_t>(health.counters.snr_refused);
   m.commands_refused = static_cast<std::int64_t>(health.counters.commands_refused);
@@ -225,6 +236,7 @@ mission_t to_message(const config::Mission& mission, Time now) {
   m.step_length_m = mission.step_length.value;
   m.source_frequency_hz = mission.source_frequency.value;
   m.max_steps = static_cast<std::int32_t>(mission.max_steps);
+  m.ends_when_found = mission.ends_when_found ? 1 : 0;
   m.max_time_us = mission.max_time.us;
   m.navigation_timeout_us = mission.navigation_timeout.us;
   m.snr_timeout_us = mission.snr_timeout.us;
@@ -330,6 +342,7 @@ config::Mission from_message(const mission_t& m) {
           .search_speed = MetersPerSecond{m.search_speed_mps},
           .step_length = Meters{m.step_length_m},
           .max_steps = static_cast<std::uint32_t>(m.max_steps),
+          .ends_when_found = m.ends_when_found != 0,
           .max_time = {m.max_time_us},
           .navigation_timeout = {m.navigation_timeout_us},
           .snr_timeout = {m.snr_timeout_us},

@@ -48,6 +48,8 @@ const char* word_for(messages::EndReason reason) {
       return "time_used_up";
     case messages::EndReason::kSafetyRule:
       return "safety_rule";
+    case messages::EndReason::kFound:
+      return "declared_found";
     case messages::EndReason::kMemoryFault:
       return "memory_fault";
   }
@@ -245,7 +247,8 @@ class Stepper {
     state_ = point.state;
     over_ = point.state == messages::MissionState::kDone || point.state == messages::MissionState::kAbort;
     if (!over_) return fail_when_nothing_is_heard();
-    result_.found = reason == messages::EndReason::kCompleted;
+    const bool is_declared = reason == messages::EndReason::kFound;
+    result_.found = reason == messages::EndReason::kCompleted || (is_declared && point.range <= flight_.setup.found_within);
     result_.end_reason = word_for(reason);
   }
 

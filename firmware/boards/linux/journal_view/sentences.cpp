@@ -107,10 +107,14 @@ std::string to_string(const decision_t& m) {
   std::string text = "step " + std::to_string(m.step) + ": SNR " + (m.too_faint != 0 ? "below " : "") + decimal(m.snr_db, 1) + " dB" +
                      (m.detected != 0 ? ", heard" : ", not heard") + (source ? ", from " + to_string(*source) : "") + "; from " +
                      to_string(place) + " goes " + decimal(length_of(leg).value, 0) + " m towards " + bearing + " deg";
+  if (m.sweeping != 0) text += ", of a sweep";
   if (m.overridden != 0) text += ", as the safety layer changed it";
   if (m.believes != 0)
     text += "; believes the source at " + to_string({Meters{m.mean_north_m}, Meters{m.mean_east_m}}) + ", give or take " +
             decimal(m.spread_m, 0) + " m";
+  if (m.found != 0)
+    text += "; says that the source is found: within a step with a probability of " + decimal(m.found_probability, 2) + ", at least " +
+            decimal(m.found_least_snr_db, 1) + " dB expected there, the likeliest place " + decimal(m.closest_approach_m, 0) + " m away";
   return text;
 }
 
@@ -137,7 +141,9 @@ std::string to_string(const health_t& m, AbortedBy by) {
   std::string text = messages::to_string(state);
   if (authority == Authority::kDisconnected) return text + ", the autopilot is not heard";
   if (authority == Authority::kListen) return text + ", listening: it commands nothing";
-  return text + (m.paused != 0 ? ", paused by an operator" : "");
+  if (m.paused != 0) return text + ", paused by an operator";
+  if (m.found != 0) return text + ", " + std::string(messages::kSaysFound);
+  return m.sweeping != 0 ? text + ", " + std::string(messages::kSweeps) : text;
 }
 
 std::string to_string(const wire::ClosingRecord& closing, AbortedBy by) {

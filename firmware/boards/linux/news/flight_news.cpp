@@ -38,7 +38,9 @@ std::string_view remark_on(const messages::Health& health) {
   if (health.end_reason != messages::EndReason::kNone) return {};
   if (health.authority == messages::Authority::kDisconnected) return "the autopilot is not heard";
   if (health.authority == messages::Authority::kListen) return "listening: it commands nothing";
-  return health.is_paused ? "paused by an operator" : std::string_view{};
+  if (health.is_paused) return "paused by an operator";
+  if (health.is_found) return messages::kSaysFound;
+  return health.is_sweeping ? messages::kSweeps : std::string_view{};
 }
 
 /// Of lines of which several may come at once: how far their time may run ahead.
