@@ -10,7 +10,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/listening/listening_words.hpp"
-#include "firmware/host/policy/tables_bytes.hpp"
+#include "firmware/host/policy/tables_choice.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
@@ -75,9 +75,9 @@ void add_options(program::CommandLine& line, Options& o) {
                          .start = "what the policies were trained with, inside_border when none says it; --border-width-m, --max-steps and "
                                   "--vehicle-depth-m likewise",
                          .listening = "what the .policy files have, newest when none is evaluated"});
-  line.option(
-      "--tables", &o.tables,
-      "oceans that ocean_search thinks possible besides the environment's (.tables); of several those for a world's depth and frequency");
+  line.option("--tables", &o.tables,
+              "oceans that ocean_search thinks possible besides the environment's (.tables, or folders of them); of several those for a "
+              "world's depth and frequency");
   line.option("--episodes", &o.episodes, "searches to fly in each world").shows_default().from(1, 100'000'000);
   line.option("--seed", &o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
   line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way")
@@ -235,35 +235,26 @@ struct Common {
   const ocean::Environment& believed;  ///< what baselines go by
   Meters depth;                        ///< of the vehicle, where a world does not say it
   const search::SearchSettings& settings;
-  std::span<const std::unique_ptr<policy::OceanTables>> tables;
+  std::span<const host::TablesFile> tables;
   std::optional<policy::ActionDraw> draw;
 };
 
-std::vector<std::unique_ptr<policy::OceanTables>> tables_of(const std::vector<std::string>& files) {
+std::vector<host::TablesFile> tables_of(const std::vector<std::string>& named) {
   constexpr std::size_t kMost = config::kMaxOceanTables - 1;
-  std::vector<std::unique_ptr<policy::OceanTables>> tables;
-  for (const std::string& file : files) {
-    tables.push_back(host::tables_from(host::read_tables_bytes(file), file));
-    if (tables.back()->tables.size() > kMost)
-      throw BadInput("--tables " + file + ": " + std::to_string(tables.back()->tables.size()) +
+  std::vector<host::TablesFile> files = host::read_tables_files(std::vector<std::filesystem::path>(named.begin(), named.end()));
+  for (const host::TablesFile& file : files) {
+    if (file.tables->tables.size() > kMost)
+      throw BadInput("--tables " + file.path.string() + ": " + std::to_string(file.tables->tables.size()) +
                      " tables, and the environment's own is one more than a vehicle holds; make them with --at-most " +
                      std::to_string(kMost));
   }
-  return tables;
+  return files;
 }
 
-/// Those of the tables that are of what is listened for in a world; null where none were given.
-/// Throws BadInput where none of them are.
-const policy::OceanTables* tables_for(const evaluate::WorldFile& world, const policy::SearchedSound& sound,
-                                      std::span<const std::unique_ptr<policy::OceanTables>> tables) {
-  for (const std::unique_ptr<policy::OceanTables>& given : tables) {
-    if (policy::coverage(*given, sound) == policy::Coverage::kCovered) return given.get();
-  }
-  if (tables.empty()) return nullptr;
-  std::ostringstream text;
-  text << "--tables: world " << world.name << " is listened to at " << sound.frequency.value << " Hz, " << sound.vehicle_depth.value
-       << " m deep, " << sound.furthest.value << " m far; none of them are of that";
-  throw BadInput(text.str());
+/// Those of what is listened for in a world; null where none were given.
+const policy::OceanTables* oceans_for(const evaluate::WorldFile& world, const policy::SearchedSound& sound,
+                                      std::span<const host::TablesFile> files) {
+  return files.empty() ? nullptr : host::tables_for(files, sound, "--tables: world " + world.name).tables.get();
 }
 
 /// Flies every candidate in every world, and prints the table of each world. @return on rank 0 the rows; elsewhere nothing
@@ -280,7 +271,7 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
     const sonar::SnrCurve expected = command_line::curve_for(believed, depth, common.settings);
     const Meters diagonal = range_between(common.settings.domain.south_west, common.settings.domain.north_east);
     const policy::OceanTables* const oceans =
-        tables_for(world, {.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal}, common.tables);
+        oceans_for(world, {.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal}, common.tables);
     const evaluate::Trial trial{world, assembled, expected, oceans, o.episodes, common.draw};
     const evaluate::Pace pace = evaluate::pace_of(assembled);
     const std::size_t first_row = rows.size();
@@ -322,7 +313,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
                       << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
     program::say() << what_is_searched(o.search, task);
   }
-  const std::vector<std::unique_ptr<policy::OceanTables>> tables = tables_of(o.tables);
+  const std::vector<host::TablesFile> tables = tables_of(o.tables);
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);
 

@@ -62,9 +62,10 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option(
       "ENVIRONMENT", &o.environments,
       "environment files (TOML), or folders of them: oceans believed possible, each with its [[oceans]], [family] or [field_library]");
-  line.option("--expected", &o.expected,
-              "environment files that are the likeliest: none of their oceans is merged with another, and all of them weigh as much as all of "
-              "the others");
+  line.option(
+      "--expected", &o.expected,
+      "environment files that are the likeliest: none of their oceans is merged with another, and all of them weigh as much as all of "
+      "the others");
   line.option("-o,--output", &o.output, "tables to write (.tables)");
   line.option("--show", &o.show, "say what these tables are (.tables), and make none");
   line.option("--plot", &o.plot, "also draw SNR against range in every ocean there (.png or .svg)");
