@@ -10,7 +10,7 @@
 #include "firmware/host/file/printable.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/listening/listening_words.hpp"
-#include "firmware/host/policy/tables_bytes.hpp"
+#include "firmware/host/policy/tables_choice.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
@@ -34,7 +34,6 @@
 #include "sim/plot/gnuplot.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/world.hpp"
-#include "sim/search/told_ocean.hpp"
 
 namespace {
 
@@ -77,8 +76,8 @@ void add_options(program::CommandLine& line, Options& o) {
                                   "--vehicle-depth-m likewise",
                          .listening = "what the .policy files have, newest when none is evaluated"});
   line.option("--tables", &o.tables,
-              "oceans that policies and ocean_search think possible (.tables); of several those for a world's depth and frequency; without, "
-              "the environment alone");
+              "oceans that policies and ocean_search think possible (.tables, or folders of them); of several those for a world's depth and "
+              "frequency; default: those that ship");
   line.option("--episodes", &o.episodes, "searches to fly in each world").shows_default().from(1, 100'000'000);
   line.option("--seed", &o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
   line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way")
@@ -236,28 +235,14 @@ struct Common {
   const ocean::Environment& believed;  ///< what baselines go by
   Meters depth;                        ///< of the vehicle, where a world does not say it
   const search::SearchSettings& settings;
-  std::span<const std::unique_ptr<policy::OceanTables>> tables;
+  std::span<const host::TablesFile> tables;
   std::optional<policy::ActionDraw> draw;
 };
 
-std::vector<std::unique_ptr<policy::OceanTables>> tables_of(const std::vector<std::string>& files) {
-  std::vector<std::unique_ptr<policy::OceanTables>> tables;
-  for (const std::string& file : files) tables.push_back(host::tables_from(host::read_tables_bytes(file), file));
-  return tables;
-}
-
-/// Those of the tables that are of what is listened for in a world; null where none were given.
-/// Throws BadInput where none of them are.
-const policy::OceanTables* tables_for(const evaluate::WorldFile& world, const policy::SearchedSound& sound,
-                                      std::span<const std::unique_ptr<policy::OceanTables>> tables) {
-  for (const std::unique_ptr<policy::OceanTables>& given : tables) {
-    if (policy::coverage(*given, sound) == policy::Coverage::kCovered) return given.get();
-  }
-  if (tables.empty()) return nullptr;
-  std::ostringstream text;
-  text << "--tables: world " << world.name << " is listened to at " << sound.frequency.value << " Hz, " << sound.vehicle_depth.value
-       << " m deep, " << sound.furthest.value << " m far; none of them are of that";
-  throw BadInput(text.str());
+std::vector<host::TablesFile> tables_of(const std::vector<std::string>& named) {
+  std::vector<std::filesystem::path> files(named.begin(), named.end());
+  if (files.empty()) files.push_back(host::shipped("policy/tables/shipped"));
+  return host::read_tables_files(files);
 }
 
 /// Flies every candidate in every world, and prints the table of each world. @return on rank 0 the rows; elsewhere nothing
@@ -273,11 +258,9 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
     believed.source.frequency = world.scenario.environment.source.frequency;
     const sonar::SnrCurve expected = command_line::curve_for(believed, depth, common.settings);
     const Meters diagonal = range_between(common.settings.domain.south_west, common.settings.domain.north_east);
-    const policy::SearchedSound sound{.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal};
-    const policy::OceanTables* const given = tables_for(world, sound, common.tables);
-    policy::OceanTables told;
-    if (given == nullptr) search::make_told_ocean(common.settings, expected, told);
-    const evaluate::Trial trial{world, assembled, expected, given != nullptr ? *given : told, o.episodes, common.draw};
+    const host::TablesFile& oceans = host::tables_for(
+        common.tables, {.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal}, "--tables: world " + world.name);
+    const evaluate::Trial trial{world, assembled, expected, *oceans.tables, o.episodes, common.draw};
     const evaluate::Pace pace = evaluate::pace_of(assembled);
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {
@@ -318,7 +301,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
                       << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
     program::say() << what_is_searched(o.search, task);
   }
-  const std::vector<std::unique_ptr<policy::OceanTables>> tables = tables_of(o.tables);
+  const std::vector<host::TablesFile> tables = tables_of(o.tables);
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "firmware/config/capacities.hpp"
@@ -24,8 +26,8 @@
 #include "policy/tables/believed_ocean.hpp"
 #include "policy/tables/curves_plot.hpp"
 #include "policy/tables/description.hpp"
+#include "policy/tables/expected.hpp"
 #include "policy/tables/make_tables.hpp"
-#include "policy/tables/merge.hpp"
 #include "policy/tables/ocean_curve.hpp"
 #include "sim/search/settings.hpp"
 
@@ -36,6 +38,8 @@ using host::BadInput;
 
 struct Options {
   std::vector<std::string> environments;
+  std::vector<std::string> expected;
+  std::optional<std::string> origin;
   std::optional<std::string> output;
   std::optional<std::string> show;
   std::optional<std::string> plot;
@@ -58,6 +62,10 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option(
       "ENVIRONMENT", &o.environments,
       "environment files (TOML), or folders of them: oceans believed possible, each with its [[oceans]], [family] or [field_library]");
+  line.option(
+      "--expected", &o.expected,
+      "environment files that are the likeliest: none of their oceans is merged with another, and all of them weigh as much as all of "
+      "the others");
   line.option("-o,--output", &o.output, "tables to write (.tables)");
   line.option("--show", &o.show, "say what these tables are (.tables), and make none");
   line.option("--plot", &o.plot, "also draw SNR against range in every ocean there (.png or .svg)");
@@ -71,6 +79,7 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--at-most", &o.at_most, "tables; of more oceans those that are most alike become one")
       .shows_default()
       .from(1, config::kMaxOceanTables);
+  line.option("--origin", &o.origin, "where the environments come from, in words: the file says so");
   o.key.add_to(line);
   line.flag("--force", &o.force, command_line::kForceHelp);
   line.footer(
@@ -94,24 +103,59 @@ tables::CurvePlan plan_of(const Options& o) {
           .bearings = o.bearings};
 }
 
-std::vector<tables::BelievedOcean> believed_oceans(const std::vector<std::filesystem::path>& files) {
+/// What is read: the files of --expected, and all others.
+struct Files {
+  std::vector<std::filesystem::path> expected;
+  std::vector<std::filesystem::path> others;
+};
+
+/// A folder may hold one that is expected: it counts once.
+Files files_of(const Options& o) {
+  Files files{.expected = tables::environment_files(o.expected), .others = tables::environment_files(o.environments)};
+  std::erase_if(files.others, [&files](const std::filesystem::path& other) {
+    return std::ranges::any_of(files.expected, [&other](const std::filesystem::path& expected) {
+      std::error_code none;
+      return std::filesystem::equivalent(other, expected, none);
+    });
+  });
+  return files;
+}
+
+std::vector<tables::BelievedOcean> oceans_of(const std::vector<std::filesystem::path>& files) {
   std::vector<tables::BelievedOcean> oceans;
   for (const std::filesystem::path& file : files)
     for (tables::BelievedOcean& ocean : tables::oceans_in(file)) oceans.push_back(std::move(ocean));
-  tables::require_one_frequency(oceans);
   return oceans;
 }
 
-std::vector<tables::OceanCurve> curves_of(const std::vector<tables::BelievedOcean>& oceans, const tables::CurvePlan& plan) {
+/// @param left_out  without water at the vehicle's depth, in words
+std::vector<tables::OceanCurve> curves_of(const std::vector<tables::BelievedOcean>& oceans, const tables::CurvePlan& plan,
+                                          std::vector<std::string>& left_out) {
+  if (oceans.empty()) return {};
   program::ProgressBar bar("tables");
-  std::vector<std::string> left_out;
-  std::vector<tables::OceanCurve> curves = tables::curves_of(
+  return tables::curves_of(
       oceans, plan, [&bar](double share) { bar.update(share); },
       [&left_out](const tables::BelievedOcean& ocean) {
         left_out.push_back(ocean.file.string() + ": " + host::printable(ocean.environment.name));
       });
-  if (curves.empty())
-    throw BadInput("--vehicle-depth-m: " + left_out.front() + ": the sea floor lies above the vehicle, as in every ocean given");
+}
+
+/// What is heard in the oceans of both kinds.
+struct Curves {
+  std::vector<tables::OceanCurve> expected;
+  std::vector<tables::OceanCurve> others;
+};
+
+Curves curves_of(const std::vector<tables::BelievedOcean>& expected, const std::vector<tables::BelievedOcean>& others,
+                 const tables::CurvePlan& plan) {
+  constexpr const char* kAbove = ": the sea floor lies above the vehicle";
+  Curves curves;
+  std::vector<std::string> left_out;
+  curves.expected = curves_of(expected, plan, left_out);
+  if (!left_out.empty()) throw BadInput("--vehicle-depth-m: " + left_out.front() + kAbove + ", and the ocean is expected");
+  curves.others = curves_of(others, plan, left_out);
+  if (!others.empty() && curves.others.empty())
+    throw BadInput("--vehicle-depth-m: " + left_out.front() + kAbove + ", as in every ocean given");
   for (const std::string& ocean : left_out) program::say() << ocean << ": left out, its sea floor lies above the vehicle\n";
   return curves;
 }
@@ -129,22 +173,30 @@ std::string tenths(double value) {
   return text;
 }
 
-std::unique_ptr<policy::OceanTables> tables_of(const std::vector<std::filesystem::path>& files, const Options& o) {
+std::unique_ptr<policy::OceanTables> tables_of(const Files& files, const Options& o) {
   const tables::CurvePlan plan = plan_of(o);
-  const std::vector<tables::BelievedOcean> oceans = believed_oceans(files);
-  const std::vector<tables::OceanCurve> curves = curves_of(oceans, plan);
-  const tables::Merged merged = tables::merge(curves, o.at_most);
-  if (merged.curves.size() < curves.size())
-    program::say() << curves.size() << " curves became " << merged.curves.size() << " tables; none is further than "
+  const std::vector<tables::BelievedOcean> expected = oceans_of(files.expected);
+  const std::vector<tables::BelievedOcean> others = oceans_of(files.others);
+  std::vector<tables::BelievedOcean> oceans = expected;
+  oceans.insert(oceans.end(), others.begin(), others.end());
+  tables::require_one_frequency(oceans);
+  const Curves curves = curves_of(expected, others, plan);
+  std::vector<tables::OceanCurve> all = curves.expected;
+  all.insert(all.end(), curves.others.begin(), curves.others.end());
+  const tables::Merged merged = tables::merge_beside(curves.expected, curves.others, o.at_most);
+  if (merged.curves.size() < all.size())
+    program::say() << all.size() << " curves became " << merged.curves.size() << " tables; none is further than "
                    << tenths(merged.most_difference_db) << " dB rms from its own, where it is audible\n";
-  return tables::make_tables(merged.curves, curves, plan, oceans.front().environment.source.frequency,
-                             {{"made_by", "earshot tables " + program::version()},
-                              {"commit", program::build_commit()},
-                              {"environments", std::to_string(files.size())},
-                              {"environments_crc32", checksum_of(oceans)},
-                              {"oceans", std::to_string(oceans.size())},
-                              {"curves", std::to_string(curves.size())},
-                              {"merged_within_db", tenths(merged.most_difference_db)}});
+  std::vector<std::pair<std::string, std::string>> provenance{{"made_by", "earshot tables " + program::version()},
+                                                              {"commit", program::build_commit()},
+                                                              {"environments", std::to_string(files.expected.size() + files.others.size())},
+                                                              {"environments_crc32", checksum_of(oceans)},
+                                                              {"oceans", std::to_string(oceans.size())},
+                                                              {"curves", std::to_string(all.size())},
+                                                              {"expected", std::to_string(curves.expected.size())},
+                                                              {"merged_within_db", tenths(merged.most_difference_db)}};
+  if (o.origin) provenance.emplace_back("origin", *o.origin);
+  return tables::make_tables(merged.curves, all, plan, oceans.front().environment.source.frequency, provenance);
 }
 
 void check_outputs(const Options& o) {
@@ -161,7 +213,7 @@ void check_outputs(const Options& o) {
 }
 
 void show(const Options& o) {
-  if (!o.environments.empty() || o.output || !o.key.key.empty() || o.key.only_makes_keys())
+  if (!o.environments.empty() || !o.expected.empty() || o.origin || o.output || !o.key.key.empty() || o.key.only_makes_keys())
     throw BadInput("--show: goes with --plot alone, it makes no tables");
   check_outputs(o);
   const std::vector<std::uint8_t> bytes = host::read_tables_bytes(*o.show);
@@ -174,13 +226,15 @@ void show(const Options& o) {
 }
 
 void make(const Options& o) {
-  if (o.environments.empty() || !o.output || o.key.key.empty())
-    throw BadInput("earshot tables: ENVIRONMENT, --output and --key are needed; or --show alone");
-  const std::vector<std::filesystem::path> files = tables::environment_files(o.environments);
+  if ((o.environments.empty() && o.expected.empty()) || !o.output || o.key.key.empty())
+    throw BadInput("earshot tables: ENVIRONMENT or --expected, --output and --key are needed; or --show alone");
+  const Files files = files_of(o);
   check_outputs(o);
-  for (const std::filesystem::path& file : files)
-    command_line::check_distinct(
-        std::array{command_line::Output{"ENVIRONMENT", file, {}}, command_line::Output{"--output", *o.output, {}}});
+  const auto check_is_not_output = [&o](const char* what, const std::filesystem::path& file) {
+    command_line::check_distinct(std::array{command_line::Output{what, file, {}}, command_line::Output{"--output", *o.output, {}}});
+  };
+  for (const std::filesystem::path& file : files.others) check_is_not_output("ENVIRONMENT", file);
+  for (const std::filesystem::path& file : files.expected) check_is_not_output("--expected", file);
   const std::unique_ptr<policy::OceanTables> tables = tables_of(files, o);
   const host::SecretKey key = o.key.read(o.force);
   const std::vector<std::uint8_t> bytes = tables::sign(*tables, key);

@@ -62,7 +62,8 @@ TEST_F(TablesForEvaluate, AreRefusedWhereTheyAreNone) {
 }
 
 TEST_F(TablesForEvaluate, AreRefusedWhereNoneAreOfWhatIsListenedTo) {
-  const std::vector<std::string> said{"--tables: world munk_flat is listened to at 20 Hz, 300 m deep, 35355", "none of them are of that"};
+  const std::vector<std::string> said{"--tables: world munk_flat is listened to at 20 Hz, 300 m deep, 35355",
+                                      "none of the tables are of that, but "};
   const std::string deeper = given("deeper.tables", {.vehicle_depth = Meters{334.0}});
   const std::string higher = given("higher.tables", {.frequency = Hertz{21.1}});
   const std::string nearer = given("nearer.tables", {.range_count = 354});

@@ -56,6 +56,27 @@ TEST_F(Programs, TablesSayWhatWasMergedAndHowFarItIsFromItsTable) {
   EXPECT_NE(made.find(" bytes, 5 tables\n"), std::string::npos) << made;
 }
 
+TEST_F(Programs, TablesHoldAnExpectedOceanUnmergedAndAsLikelyAsAllOthers) {
+  ASSERT_EQ(run("tables " + kSeveral + "--expected " + kPapers + " -o a.tables --key a.key --new-key --at-most 5 --origin hand"), 0)
+      << content(folder / "err");
+  const std::string made = content(folder / "out");
+  EXPECT_NE(made.find("79 curves became 5 tables"), std::string::npos) << made;
+  EXPECT_NE(made.find("   name\n       3000   0.500          16.1   Munk profile over a flat floor\n"), std::string::npos) << made;
+  ASSERT_EQ(run("tables --show a.tables"), 0);
+  for (const std::string part : {"expected = 1\n", "origin = hand\n", "environments = 8\n"})
+    EXPECT_NE(content(folder / "out").find(part), std::string::npos) << content(folder / "out");
+}
+
+TEST_F(Programs, TablesCountAnExpectedOceanOnceThoughAFolderHoldsIt) {
+  fs::create_directory(folder / "oceans");
+  fs::copy_file(kPapers, folder / "oceans/paper.toml");
+  fs::copy_file(kShallow, folder / "oceans/shallow.toml");
+  ASSERT_EQ(run("tables oceans --expected oceans/paper.toml -o a.tables --key a.key --new-key"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "out").find(" bytes, 2 tables\n"), std::string::npos) << content(folder / "out");
+  ASSERT_EQ(run("tables --expected oceans/paper.toml -o b.tables --key a.key"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "out").find(" bytes, 1 table\n"), std::string::npos) << content(folder / "out");
+}
+
 TEST_F(Programs, TablesLeaveOutAnOceanTooShallowForTheVehicleAndSaySo) {
   ASSERT_EQ(run("tables " + kPapers + " " + kShallow + " -o a.tables --key a.key --new-key --vehicle-depth-m 600"), 0)
       << content(folder / "err");
@@ -85,6 +106,11 @@ TEST_F(Programs, TablesRefuseBadInputInOneLine) {
   refuses("tables " + kPapers + " -o a.pub --key a.key", {"a.pub", "the same file"});
   refuses("tables " + kPapers + rest + "--plot a.jpg", {"a.jpg", ".png or .svg"});
   refuses("tables " + kOceans + "/hilly.toml" + rest + "--vehicle-depth-m 250", {"hilly.nc", "has no fields at the vehicle's depth"});
+  refuses("tables " + kPapers + rest + "--expected higher.toml", {"source.frequency_hz = 20", "must be one frequency", "higher.toml"});
+  refuses("tables " + kPapers + rest + "--expected none.toml", {"none.toml", "no such file"});
+  refuses("tables " + kPapers + rest + "--vehicle-depth-m 600 --expected " + kShallow, {"--vehicle-depth-m", kShallow, "is expected"});
+  refuses("tables " + kShallow + rest + "--at-most 1 --expected " + kPapers, {"--expected: 1 curves", "no room for others in 1 tables"});
+  refuses("tables --expected higher.toml -o higher.toml --key a.key --force", {"--expected higher.toml", "the same file"});
   refuses("tables higher.toml -o higher.toml --key a.key --force", {"ENVIRONMENT higher.toml", "the same file"});
 }
 
@@ -111,6 +137,7 @@ TEST_F(Programs, TablesShowsNoDamagedOrOtherFileAndSaysWhoseSignatureDoesNotHold
   refuses("tables --show " + kFixedSource, {"is not a .tables file"});
   refuses("tables --show a.tables " + kPapers, {"--show"});
   refuses("tables --show a.tables --key a.key", {"--show"});
+  refuses("tables --show a.tables --expected " + kPapers, {"--show"});
   ASSERT_EQ(run("tables --show unsigned.tables"), 0);
   EXPECT_NE(content(folder / "out").find("NOT signed with the secret half of " + content(folder / "a.pub")), std::string::npos);
 }
