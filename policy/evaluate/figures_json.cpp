@@ -42,6 +42,11 @@ ordered_json as_json(const Row& row, Timing timing) {
                     {"path_over_straight_95", interval(row.intervals.path_over_straight)},
                     {"mean_steps", s.mean_steps},
                     {"mean_detections", s.mean_detections}};
+  if (row.declarations) {
+    json["declared_falsely_fraction"] = row.declarations->falsely;
+    json["declared_far_off_fraction"] = row.declarations->far_off;
+    json["missed_fraction"] = row.declarations->missed;
+  }
   if (timing == Timing::kIncluded) json["decision_us"] = 1e6 * row.decision_s;
   return json;
 }
