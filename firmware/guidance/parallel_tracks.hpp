@@ -27,8 +27,8 @@ struct TrackPlan {
 };
 
 /// Parallel tracks over an area, the corners of a lawn-mower's path, flown in turn: there and back, from the corner nearest to a start.
-/// Of p passes the first takes tracks 0, p, 2p..., the next, on the way back, those one further on, and so on. With w across and d = spacing there are w / d tracks half a spacing in from the sides, and one more on them, both rounded up.
-/// Oracle: ParallelTracks.*
+/// Of p passes the first takes tracks 0, p, 2p..., the next, on the way back, those one further on, and so on. With w across and d =
+/// spacing there are w / d tracks half a spacing in from the sides, and one more on them, both rounded up. Oracle: ParallelTracks.*
 class ParallelTracks {
  public:
   ParallelTracks() = default;

@@ -5,10 +5,10 @@
 namespace earshot::guidance {
 namespace {
 
-constexpr double kReached = 0.5;          ///< step lengths from a corner
-constexpr double kSpacing = 2.0;          ///< step lengths between tracks
-/// Of 25 km x 25 km, in steps of 1 km to eight directions, 100 steps come within a step length of 26.8 % in one pass, of 29.4 in two, 29.8 in
-/// three, 30.0 in four, for the way to the corner is swept twice in the first pass; 200 steps of 54, 59, 58 and 56 %.
+constexpr double kReached = 0.5;  ///< step lengths from a corner
+constexpr double kSpacing = 2.0;  ///< step lengths between tracks
+/// Of 25 km x 25 km, in steps of 1 km to eight directions, 100 steps come within a step length of 26.8 % in one pass, of 29.4 in two, 29.8
+/// in three, 30.0 in four, for the way to the corner is swept twice in the first pass; 200 steps of 54, 59, 58 and 56 %.
 constexpr std::uint16_t kPasses = 3;
 constexpr std::uint16_t kMostAtOnce = 4;  ///< corners that count as reached from one place: all of an area no larger than a step
 

@@ -87,9 +87,10 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--csv", &o.csv, "also write the table there");
   line.option("--plot", &o.plot, "also draw it there (.png or .svg)");
   line.option("--paths", &o.paths, "also write there where every search went, step by step (CSV)");
-  line.flag("--declared", &o.declared,
-            "as at sea, nobody tells a searcher that the source is found: a search of one that declares it itself (ocean_search) ends when it "
-            "does so within a step length of a source");
+  line.flag(
+      "--declared", &o.declared,
+      "as at sea, nobody tells a searcher that the source is found: a search of one that declares it itself (ocean_search) ends when it "
+      "does so within a step length of a source");
   line.flag("--timing", &o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
   line.flag("--force", &o.force, command_line::kForceHelp);
   line.footer(
@@ -285,8 +286,7 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
     const Meters diagonal = range_between(common.settings.domain.south_west, common.settings.domain.north_east);
     const policy::OceanTables* const oceans =
         tables_for(world, {.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal}, common.tables);
-    const search::FoundBy found_by = o.declared ? search::FoundBy::kSearcher : search::FoundBy::kSimulator;
-    const evaluate::Trial trial{world, assembled, expected, oceans, o.episodes, found_by, common.draw};
+    const evaluate::Trial trial{world, assembled, expected, oceans, o.episodes, common.draw};
     const evaluate::Pace pace = evaluate::pace_of(assembled);
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {
@@ -316,6 +316,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   task.settings.source = source_of(leading, environment, o.search.environment.has_value());
   if (!o.search.listening.is_given()) evaluate::check_same_listening(candidates);
   task.options.apply_to(task.settings);
+  if (o.declared) task.settings.found_by = search::FoundBy::kSearcher;
   session.all_or_none<BadInput>([&] {
     if (speaks) check_files(o);
   });

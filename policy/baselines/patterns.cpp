@@ -62,7 +62,8 @@ void SweepSearch::begin(Pcg32 /*random*/) {
 
 std::size_t SweepSearch::choose(const DecisionInput& input) {
   const search::SearchSettings& s = prior_.settings;
-  if (!sweep_) sweep_.emplace(guidance::SweepPlan{.area = s.domain, .margin = s.border_width, .step_length = s.step_length}, input.position);
+  if (!sweep_)
+    sweep_.emplace(guidance::SweepPlan{.area = s.domain, .margin = s.border_width, .step_length = s.step_length}, input.position);
   return sweep_->next(input.position, prior_.actions.span()).action;
 }
 

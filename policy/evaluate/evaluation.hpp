@@ -24,9 +24,9 @@ struct Declarations {
 /// One search as it went.
 struct Flight {
   search::EpisodeRecord record;
-  double path_m = 0.0;      ///< over ground
-  double straight_m = 0.0;  ///< from the start to within l of where the nearest source then was
-  double decision_s = 0.0;  ///< by the clock, all decisions together
+  double path_m = 0.0;                       ///< over ground
+  double straight_m = 0.0;                   ///< from the start to within l of where the nearest source then was
+  double decision_s = 0.0;                   ///< by the clock, all decisions together
   std::optional<Declarations> declarations;  ///< of searchers that make any
 };
 

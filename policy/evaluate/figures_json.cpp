@@ -73,6 +73,7 @@ std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Tim
   json["border_width_m"] = settings.border_width.value;
   json["border_reward"] = settings.border_reward;
   json["max_steps"] = settings.max_steps;
+  json["found_by"] = settings.found_by == search::FoundBy::kSearcher ? "searcher" : "simulator";
   json["vehicle_depth_m"] = setup.vehicle_depth.value;
   json["listening"] = host::word_for(settings.listening.listening);
   json["listening_window_s"] = host::length_s(settings.listening);

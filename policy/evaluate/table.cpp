@@ -55,8 +55,9 @@ std::string line_of(const Row& row, std::size_t width) {
 std::string said_by(const Row& row) {
   if (!row.declarations) return "";
   const DeclarationShares& d = *row.declarations;
-  return row.policy + formatted(": declared falsely in %.1f %% of the searches (further than 1.5 step lengths off in %.1f %%), missed ",
-                                100.0 * d.falsely, 100.0 * d.far_off) +
+  return row.policy +
+         formatted(": declared falsely in %.1f %% of the searches (further than 1.5 step lengths off in %.1f %%), missed ",
+                   100.0 * d.falsely, 100.0 * d.far_off) +
          (std::isfinite(d.missed) ? formatted("%.1f %%", 100.0 * d.missed) : "-") + "\n";
 }
 

@@ -20,7 +20,6 @@ struct Trial {
   const sonar::SnrCurve& expected;    ///< SNR against range that baselines take for granted
   const policy::OceanTables* oceans;  ///< other oceans that they believe possible; null: none
   std::size_t episodes;
-  search::FoundBy found_by;           ///< kSearcher: of those candidates that say themselves whether the source is found
   std::optional<policy::ActionDraw> draw;  ///< instead of each learned candidate's own
 };
 

@@ -97,7 +97,7 @@ class OceanBelief {
   std::array<float, config::kMaxBeliefCells> marginal_;        ///< [north x east], sum over the hypotheses
   std::array<float, config::kMaxTableRanges> search_cost_;     ///< of a search that goes straight to a source at that range
   std::array<float, config::kMaxTableRanges> detected_;        ///< probability of a detection at that range
-  std::uint32_t heard_;  ///< looks so far
+  std::uint32_t heard_;                                        ///< looks so far
   std::optional<messages::FoundDeclaration> declaration_;
   messages::BeliefSummary summary_;
   std::array<ActionOutlook, config::kMaxActions> outlooks_;

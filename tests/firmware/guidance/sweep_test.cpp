@@ -30,14 +30,9 @@ std::vector<UnitNorthEast> compass(int count) {
   return actions;
 }
 
-const std::vector<UnitNorthEast> kEight{{1, 0},
-                                        {std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2},
-                                        {0, 1},
-                                        {-std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2},
-                                        {-1, 0},
-                                        {-std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2},
-                                        {0, -1},
-                                        {std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2}};
+const std::vector<UnitNorthEast> kEight{
+    {1, 0},  {std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2},   {0, 1},  {-std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2},
+    {-1, 0}, {-std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2}, {0, -1}, {std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2}};
 
 NorthEast end_of(NorthEast from, const UnitNorthEast& action) {
   return from + kSquare.step_length * action;
@@ -111,7 +106,8 @@ TEST_P(SweepBy, FourDirectionsOrMoreComesNearNearlyAllOfTheAreaAndKeepsOutOfTheM
     const NorthEast start = at(north_m, 1'000.0 + 23'000.0 * random.uniform_double());
     Sweep sweep(kSquare, start);
     // 365 steps and 33 to the corner at most, and a tenth: few directions come back to a track in zigzag.
-    const auto places = flown(sweep, start, actions, 438, [&](NorthEast from, const SweepStep& s) { return end_of(from, actions[s.action]); });
+    const auto places =
+        flown(sweep, start, actions, 438, [&](NorthEast from, const SweepStep& s) { return end_of(from, actions[s.action]); });
     EXPECT_GE(sweep.corners_reached(), kCornersOfTheSquare);
     EXPECT_GT(share_near(places), 0.85);  // tracks lie up to half a step beside where they should
     for (const NorthEast p : places) EXPECT_TRUE(kInside.contains(p)) << p.north.value << " " << p.east.value;
@@ -141,7 +137,8 @@ TEST(Sweep, MakesForTheNearestCornerThenAlongTheLongerSide) {
 TEST(Sweep, TakesTheActionThatEndsNearestToTheWaypointBackOntoTheTrack) {
   Sweep sweep(kSquare, at(1'000, 1'000));
   EXPECT_EQ(sweep.next(at(1'000, 1'000), kEight).action, 0U);
-  // North along 1 km east. 0.35 km beside the track north is nearest: it ends 0.35 km off, north-west 0.46 km; at 0.5 km it is 0.5 and 0.36.
+  // North along 1 km east. 0.35 km beside the track north is nearest: it ends 0.35 km off, north-west 0.46 km; at 0.5 km it is 0.5 and
+  // 0.36.
   EXPECT_EQ(sweep.next(at(8'000, 1'350), kEight).waypoint, at(9'000, 1'000));
   EXPECT_EQ(sweep.next(at(8'000, 1'350), kEight).action, 0U);
   EXPECT_EQ(sweep.next(at(8'000, 1'500), kEight).action, 0U) << "north-west would end in the margin";

@@ -87,7 +87,8 @@ TEST_F(OceanBeliefTest, StartsWithEveryPlaceAsLikelyAndEveryHypothesisOnce) {
 /// Where it was declared found and the search went on it is not within a step.
 class MixtureByHand {
  public:
-  MixtureByHand(const OceanBelief& belief, const BeliefModel& model, const OceanTables& tables) : belief_(belief), model_(model), tables_(tables) {
+  MixtureByHand(const OceanBelief& belief, const BeliefModel& model, const OceanTables& tables)
+      : belief_(belief), model_(model), tables_(tables) {
     for (std::size_t k = 0; k < OceanBelief::kHypotheses; ++k) add(belief.hypothesis(k));
   }
 
@@ -121,9 +122,7 @@ class MixtureByHand {
  private:
   static long double sum_of(const std::vector<long double>& p) { return std::accumulate(p.begin(), p.end(), 0.0L); }
 
-  void add(const Hypothesis& h) {
-    joint_.emplace_back(400, std::exp2(static_cast<long double>(log_prior(h, tables_)) / 512.0L));
-  }
+  void add(const Hypothesis& h) { joint_.emplace_back(400, std::exp2(static_cast<long double>(log_prior(h, tables_)) / 512.0L)); }
 
   void move(std::size_t k) {
     constexpr std::array<long double, 4> kPenalty{0.0L, 0.125L, 0.5L, 0.5L};
