@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 #include "policy/baselines/searcher.hpp"
@@ -14,6 +15,8 @@ class Bayes : public Searcher {
   explicit Bayes(const PriorKnowledge& prior);
   void begin(Pcg32 random) override;
   [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
+
+  [[nodiscard]] std::optional<bool> declares_found() const override { return belief_.declaration().has_value(); }
 
  protected:
   /// Takes a measurement into the belief.
