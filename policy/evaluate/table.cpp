@@ -165,10 +165,10 @@ std::string as_csv(std::span<const Row> rows, Timing timing) {
     const std::array<double, 6> steps = times_of(row);
     for (const double x : steps) csv += "," + shortest(hours(x, row.pace));
     for (const double x : steps) csv += "," + shortest(x);
-    for (const double x : {s.mean_reward, i.mean_reward.low, i.mean_reward.high, s.lower_quartile_reward, s.median_reward,
-                           i.median_reward.low, i.median_reward.high, s.upper_quartile_reward, s.left_domain_fraction,
-                           row.path_over_straight, i.path_over_straight.low, i.path_over_straight.high, s.mean_steps, s.mean_detections,
-                           row.surprises.fraction, row.surprises.median_look})
+    for (const double x :
+         {s.mean_reward, i.mean_reward.low, i.mean_reward.high, s.lower_quartile_reward, s.median_reward, i.median_reward.low,
+          i.median_reward.high, s.upper_quartile_reward, s.left_domain_fraction, row.path_over_straight, i.path_over_straight.low,
+          i.path_over_straight.high, s.mean_steps, s.mean_detections, row.surprises.fraction, row.surprises.median_look})
       csv += "," + shortest(x);
     if (timing == Timing::kIncluded) csv += "," + shortest(1e6 * row.decision_s);
     csv += "\n";

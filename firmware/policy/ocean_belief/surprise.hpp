@@ -9,9 +9,9 @@
 
 namespace earshot::policy {
 
-/// From this surprise on what was heard is not explained, bits. Were the tables and the prior of the hypotheses right, a surprise would ever
-/// come to it in at most 2^-8 of all missions, 0.4 %, whatever is heard (Ville's inequality: P0 / P is a martingale of mean one). No ocean
-/// is quite a table, and the measured share is what counts: README.md.
+/// From this surprise on what was heard is not explained, bits. Were the tables and the prior of the hypotheses right, a surprise would
+/// ever come to it in at most 2^-8 of all missions, 0.4 %, whatever is heard (Ville's inequality: P0 / P is a martingale of mean one). No
+/// ocean is quite a table, and the measured share is what counts: README.md.
 inline constexpr float kSurpriseLevel_bits = 8.0F;
 
 /// How odd it is that a hypothesis explains what is heard, log weight, at least 0. That a source is louder than every table says, swims, or

@@ -87,7 +87,8 @@ TEST(Fly, NotesTheFirstLookThatSurprisesASearcher) {
   SurprisedOnce at_start(1);
   for (const Flight& flight : fly(at_start, world, {.end = 5}, 1)) EXPECT_EQ(flight.looks_to_surprise, 1.0);
   SurprisedOnce never(1'000);
-  for (const Flight& flight : fly(never, world, {.end = 5}, 1)) EXPECT_EQ(flight.looks_to_surprise, std::numeric_limits<double>::infinity());
+  for (const Flight& flight : fly(never, world, {.end = 5}, 1))
+    EXPECT_EQ(flight.looks_to_surprise, std::numeric_limits<double>::infinity());
 }
 
 /// A policy that goes north (action 0) by a margin of logits: others have logit 0.

@@ -71,7 +71,8 @@ TEST(Table, GivesTheShareOfSearchesSurprisedAndTheirMedianLookOrNothingWhereNobo
   EXPECT_EQ(value_of(csv, "surprised_fraction"), "0.25");
   EXPECT_EQ(value_of(csv, "median_look_of_surprise"), "12");
   EXPECT_NE(as_text(judged).find("    5.0  25.00   12.00      3.00\n"), std::string::npos) << as_text(judged);
-  EXPECT_NE(as_text(std::vector<Row>{unjudged}).find("    5.0      -       -      3.00\n"), std::string::npos) << as_text(std::vector<Row>{unjudged});
+  EXPECT_NE(as_text(std::vector<Row>{unjudged}).find("    5.0      -       -      3.00\n"), std::string::npos)
+      << as_text(std::vector<Row>{unjudged});
 }
 
 /// Three of four found, after 36, 72 and 18 steps.

@@ -129,7 +129,8 @@ TEST(Oddity, IsThatOfALouderSourceAWideSpreadAndMotion) {
   EXPECT_EQ(oddity({.level = 5}), 6 * 512);
   EXPECT_EQ(oddity({.level = 6}), 12 * 512);
   EXPECT_EQ(oddity({.spread = 3}), 4 * 512);
-  for (const std::uint8_t mobility : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{3}}) EXPECT_EQ(oddity({.mobility = mobility}), 4 * 512);
+  for (const std::uint8_t mobility : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{3}})
+    EXPECT_EQ(oddity({.mobility = mobility}), 4 * 512);
   EXPECT_EQ(oddity({.level = 6, .spread = 3, .mobility = 2}), 20 * 512) << "they add up";
 }
 
@@ -208,16 +209,19 @@ TEST_F(SurpriseOfABelief, ComesWhereEverythingIsLouderThanInAnyOceanAndNotInOneT
   const std::vector<float> at_home = flown(model, tables, known, *belief);
   EXPECT_FALSE(belief->surprise().is_surprised());
   EXPECT_LT(at_home.back(), 0.0F) << "the ocean explains more than knowing nothing";
-  flown(model, tables, [](double) { return 30.0; }, *belief);
+  flown(
+      model, tables, [](double) { return 30.0; }, *belief);
   EXPECT_TRUE(belief->surprise().is_surprised());
   add_table(tables, 1.0F, [](double) { return 30.0; });
-  flown(model, tables, [](double) { return 30.0; }, *belief);
+  flown(
+      model, tables, [](double) { return 30.0; }, *belief);
   EXPECT_FALSE(belief->surprise().is_surprised()) << "once it is known";
 }
 
 TEST_F(SurpriseOfABelief, IsForgottenWhenASearchStarts) {
   add_table(tables, 1.0F, [](double km) { return 30.0 - 6.0 * km; });
-  flown(model, tables, [](double) { return 30.0; }, *belief);
+  flown(
+      model, tables, [](double) { return 30.0; }, *belief);
   ASSERT_TRUE(belief->surprise().is_surprised());
   belief->start(model, tables);
   EXPECT_FALSE(belief->surprise().is_surprised());
