@@ -17,6 +17,7 @@ class Bayes : public Searcher {
   [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
 
   [[nodiscard]] std::optional<bool> declares_found() const override { return belief_.declaration().has_value(); }
+  [[nodiscard]] std::optional<bool> is_surprised() const override { return belief_.surprise().is_surprised(); }
 
  protected:
   /// Takes a measurement into the belief.

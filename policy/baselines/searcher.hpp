@@ -43,6 +43,8 @@ class Searcher {
   [[nodiscard]] virtual std::size_t choose(const DecisionInput& input) = 0;
   /// Whether it says that the source is found where it last chose; nothing for one that leaves that to others.
   [[nodiscard]] virtual std::optional<bool> declares_found() const { return std::nullopt; }
+  /// Whether what it heard in this search is explained by nothing that it believes possible; absent: it does not judge that.
+  [[nodiscard]] virtual std::optional<bool> is_surprised() const { return std::nullopt; }
 };
 
 }  // namespace earshot::baselines

@@ -22,6 +22,7 @@ struct Row {
   Pace pace;
   Intervals intervals;
   double path_over_straight = 0.0;
+  Surprises surprises;
   double decision_s = 0.0;
   std::optional<DeclarationShares> declarations;  ///< of a searcher that says itself whether the source is found
 };

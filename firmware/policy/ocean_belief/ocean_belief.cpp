@@ -61,6 +61,7 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   draws_ = 0;
   heard_ = 0;
   declaration_.reset();
+  surprise_.start();
   std::fill_n(bearings_.log_weights.begin(), cell_count(model), std::int16_t{0});
   bearings_.scale = 0;
   std::uint8_t likeliest = 0;
@@ -101,6 +102,7 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   find_posteriors(model, tables);
   find_shares();
   if (is_history_whole_) weigh_others(model, tables);
+  surprise_.take_in(reception, log_explained(model));
   find_marginal(model);
   judge(model, tables, position, reception);
   foresee(model, tables);
@@ -118,7 +120,7 @@ void OceanBelief::take_in_bearing(const BeliefModel& model, NorthEast position, 
     by_cell_[i] = static_cast<std::int16_t>(std::max<int>(to_log(likelihood.at(way_to_cell(model, position, i))), kForgotten));
   const std::span<std::int16_t> said = std::span(by_cell_).first(cell_count(model));
   const std::span<std::int16_t> sum = std::span(bearings_.log_weights).first(cell_count(model));
-  take_off_highest(said);
+  surprise_.take_in_bearing(take_off_highest(said));
   std::transform(sum.begin(), sum.end(), said.begin(), sum.begin(),
                  [](std::int16_t before, std::int16_t now) { return static_cast<std::int16_t>(before + now); });
   bearings_.scale += take_off_highest(sum);
@@ -194,6 +196,13 @@ void OceanBelief::find_shares() {
   for (FloatLanes& shares : shares_) {
     for (float& share : shares) share /= sum;
   }
+}
+
+/// log2 of the probability of all that was heard, odd explanations counting for less.
+int OceanBelief::log_explained(const BeliefModel& model) const {
+  std::array<int, kHypotheses> explanations;
+  for (std::size_t i = 0; i < kHypotheses; ++i) explanations[i] = posteriors_[i / kLanes][i % kLanes] - oddity(hypothesis(i));
+  return log_of_sum(explanations) - to_log(static_cast<float>(cell_count(model)));
 }
 
 void OceanBelief::weigh_others(const BeliefModel& model, const OceanTables& tables) {

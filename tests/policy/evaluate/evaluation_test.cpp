@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -44,6 +46,51 @@ TEST(Summary, CountsEndsAndAveragesRewardStepsAndDetections) {
   EXPECT_DOUBLE_EQ(s.left_domain_fraction, 0.25);
   EXPECT_DOUBLE_EQ(s.mean_steps, 40.0);
   EXPECT_DOUBLE_EQ(s.mean_detections, 4.0);
+}
+
+std::vector<Flight> surprised_after(const std::vector<double>& looks) {
+  std::vector<Flight> flights(looks.size());
+  for (std::size_t i = 0; i < looks.size(); ++i) flights[i].looks_to_surprise = looks[i];
+  return flights;
+}
+
+TEST(Surprises, AreTheShareOfTheSearchesAndTheMedianLookOfThoseOnly) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const Surprises some = surprises(surprised_after({kNever, 9.0, 4.0, kNever, kNever, 20.0, kNever, kNever}));
+  EXPECT_EQ(some.fraction, 0.375);
+  EXPECT_EQ(some.median_look, 9.0);
+  const Surprises none = surprises(surprised_after({kNever, kNever}));
+  EXPECT_EQ(none.fraction, 0.0);
+  EXPECT_TRUE(std::isnan(none.median_look));
+  EXPECT_TRUE(std::isnan(surprises(std::vector<Flight>(3)).fraction)) << "of a searcher that does not judge it";
+}
+
+/// Goes north; surprised at one look, and no more at the next.
+class SurprisedOnce : public baselines::Searcher {
+ public:
+  explicit SurprisedOnce(std::size_t look) : look_(look) {}
+  void begin(Pcg32 /*random*/) override { looks_ = 0; }
+  [[nodiscard]] std::size_t choose(const baselines::DecisionInput& /*input*/) override {
+    ++looks_;
+    return 0;
+  }
+  [[nodiscard]] std::optional<bool> is_surprised() const override { return looks_ == look_; }
+
+ private:
+  std::size_t look_;
+  std::size_t looks_ = 0;
+};
+
+TEST(Fly, NotesTheFirstLookThatSurprisesASearcher) {
+  search::SearchSettings settings;
+  settings.direction_count = 4;
+  const sonar::SnrCurve curve(Meters{100.0}, {0.0F});
+  const search::World world(settings, curve);
+  SurprisedOnce at_start(1);
+  for (const Flight& flight : fly(at_start, world, {.end = 5}, 1)) EXPECT_EQ(flight.looks_to_surprise, 1.0);
+  SurprisedOnce never(1'000);
+  for (const Flight& flight : fly(never, world, {.end = 5}, 1))
+    EXPECT_EQ(flight.looks_to_surprise, std::numeric_limits<double>::infinity());
 }
 
 /// A policy that goes north (action 0) by a margin of logits: others have logit 0.
