@@ -283,7 +283,7 @@ messages::Health Runtime::health(Time now) const {
           .end_reason = progress_.end_reason,
           .steps_taken = progress_.steps_taken,
           .surprise_bits = has_belief() ? memory_.belief().surprise().bits() : 0.0F,
-          .is_sweeping = progress_.is_sweeping,
+          .is_sweeping = progress_.fallback.is_sweeping(),
           .is_found = found().has_value(),
           .response = progress_.supervisor.response().value_or(config::Response::kWarn),
           .counters = progress_.counters,

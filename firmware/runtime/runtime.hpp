@@ -13,8 +13,8 @@
 #include "firmware/core/time.hpp"
 #include "firmware/detector/bearing_listener.hpp"
 #include "firmware/detector/listener.hpp"
+#include "firmware/guidance/fallback.hpp"
 #include "firmware/guidance/leg.hpp"
-#include "firmware/guidance/sweep.hpp"
 #include "firmware/messages/decision.hpp"
 #include "firmware/messages/health.hpp"
 #include "firmware/messages/input.hpp"
@@ -94,8 +94,7 @@ class Runtime {
     detector::BearingListener bearings;
     guidance::Leg leg;
     Pcg32 random{0};
-    guidance::Sweep sweep;
-    bool is_sweeping = false;  ///< in place of what the policy wants
+    guidance::Fallback fallback;
     messages::Counters counters;
     authority::CommandJudge judge;
     Acknowledgements acknowledgements;

@@ -61,12 +61,9 @@ std::optional<messages::FoundDeclaration> Runtime::found() const {
 /// The policy's action; that of a sweep of the area once what is heard fits nothing that the belief thinks possible.
 std::size_t Runtime::choose(NorthEast position, std::span<const float> logits) {
   const std::size_t action = policy::draw_action(policy_.draw, logits, progress_.random);
-  if (!has_belief() || !memory_.belief().surprise().is_surprised()) return action;
-  if (!progress_.is_sweeping)
-    progress_.sweep =
-        guidance::Sweep({.area = mission_.operating_area, .margin = mission_.edge_margin, .step_length = mission_.step_length}, position);
-  progress_.is_sweeping = true;
-  return progress_.sweep.next(position, std::span(policy_.actions.begin(), policy_.actions.size())).action;
+  const bool is_surprised = has_belief() && memory_.belief().surprise().is_surprised();
+  const guidance::SweepPlan plan{.area = mission_.operating_area, .margin = mission_.edge_margin, .step_length = mission_.step_length};
+  return progress_.fallback.choose(is_surprised, action, plan, position, std::span(policy_.actions.begin(), policy_.actions.size()));
 }
 
 void Runtime::begin_search(Time now) {
@@ -143,7 +140,7 @@ bool Runtime::decide(Time now, const policy::Reception& reception, messages::Dec
   decision.bearing = reception.bearing;
   decision.detected = !decision.too_faint && detector::ThresholdDetector{mission_.detection_threshold}.detects(decision.snr);
   decision.action = static_cast<std::uint8_t>(action);
-  decision.sweeping = progress_.is_sweeping;
+  decision.sweeping = progress_.fallback.is_sweeping();
   decision.overridden = safe.overridden;
   decision.waypoint = safe.waypoint;
   if (has_belief()) decision.belief = belief();

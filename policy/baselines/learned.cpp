@@ -8,10 +8,11 @@ namespace earshot::baselines {
 void Learned::begin(Pcg32 random) {
   random_ = random;
   is_first_ = true;
+  fallback_.start();
 }
 
 std::size_t Learned::choose(const DecisionInput& input) {
-  const NorthEast place = input.position - corner_;
+  const NorthEast place = input.position - domain_.south_west;
   if (is_first_) {
     memory_.start(policy_.observation, tables_, place, input.reception);
   } else {
@@ -24,7 +25,20 @@ std::size_t Learned::choose(const DecisionInput& input) {
   const std::span<float> scores = std::span(logits).first(policy_.actions.size());
   policy::observe(memory_, policy_.observation, seen);
   policy::find_logits(policy_, seen, scores);
-  return policy::draw_action(draw_, scores, random_);
+  const std::size_t action = policy::draw_action(draw_, scores, random_);
+  const guidance::SweepPlan plan{.area = domain_, .margin = {}, .step_length = policy_.step_length};
+  return fallback_.choose(is_surprised().value_or(false), action, plan, input.position,
+                          std::span(policy_.actions.begin(), policy_.actions.size()));
+}
+
+std::optional<bool> Learned::declares_found() const {
+  if (!policy::needs_belief(policy_.observation.spec)) return std::nullopt;
+  return memory_.belief().declaration().has_value();
+}
+
+std::optional<bool> Learned::is_surprised() const {
+  if (!policy::needs_belief(policy_.observation.spec)) return std::nullopt;
+  return memory_.belief().surprise().is_surprised();
 }
 
 }  // namespace earshot::baselines

@@ -108,6 +108,7 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   foresee(model, tables);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   summary_ = summary_of(model, probabilities);
+  summary_.surprise_bits = surprise_.bits();
   const std::size_t ranges = tables.range_count;
   find_outlooks(model, probabilities, {std::span(search_cost_).first(ranges), std::span(detected_).first(ranges), tables.range_step}, position,
                 std::span(outlooks_).first(model.actions.size()));

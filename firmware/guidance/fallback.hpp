@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "firmware/guidance/sweep.hpp"
+
+namespace earshot::guidance {
+
+/// What a search falls back to once its belief explains nothing that it hears: a sweep of the area, to the end of the search.
+class Fallback {
+ public:
+  /// A new search begins.
+  void start() { is_sweeping_ = false; }
+  /// The action to take in place of `wanted`: that of the sweep from the first surprise on.
+  /// @param is_surprised  by all that was heard so far
+  /// @param position      of the vehicle, finite
+  /// @param actions       the directions of a step, at least one
+  /// Oracle: Fallback.*
+  [[nodiscard]] std::size_t choose(bool is_surprised, std::size_t wanted, const SweepPlan& plan, NorthEast position,
+                                   std::span<const UnitNorthEast> actions);
+  [[nodiscard]] bool is_sweeping() const { return is_sweeping_; }
+
+ private:
+  bool is_sweeping_ = false;
+  Sweep sweep_;
+};
+
+}  // namespace earshot::guidance
