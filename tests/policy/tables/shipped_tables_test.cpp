@@ -29,18 +29,26 @@ TEST(ShippedTables, AreSignedByTheShippedPublicKeyAndNamedForFrequencyAndDepth) 
   }
 }
 
-TEST(ShippedTables, CoverEveryDepthFrom27To330MetresAt20HzAndThreeAt35) {
+/// Of a mission in 25 km x 25 km. Throws where there is none.
+const host::TablesFile& file_for(const std::vector<host::TablesFile>& files, double depth_m, double frequency_hz) {
+  return host::tables_for(files, {.vehicle_depth = Meters{depth_m}, .frequency = Hertz{frequency_hz}, .furthest = kDiagonal}, "mission");
+}
+
+TEST(ShippedTables, CoverEveryDepthFrom27To363MetresAt20HzFrom100MetresDownWithinATwentieth) {
   const std::vector<host::TablesFile> files = host::read_tables_files(kShipped);
-  const auto file_for = [&files](double depth_m, double frequency_hz) {
-    return host::tables_for(files, {.vehicle_depth = Meters{depth_m}, .frequency = Hertz{frequency_hz}, .furthest = kDiagonal}, "mission")
-        .path.filename()
-        .string();
-  };
-  for (double depth_m = 27.0; depth_m <= 330.0; depth_m += 0.25) EXPECT_NO_THROW((void)file_for(depth_m, 20.0)) << depth_m;
-  EXPECT_EQ(file_for(300.0, 20.0), "20hz_300m.tables");
-  EXPECT_EQ(file_for(300.0, 35.0), "35hz_300m.tables");
-  EXPECT_EQ(file_for(100.0, 35.0), "35hz_100m.tables");
-  EXPECT_EQ(file_for(30.0, 35.0), "35hz_30m.tables");
+  for (double depth_m = 27.0; depth_m <= 363.0; depth_m += 0.25) {
+    ASSERT_NO_THROW((void)file_for(files, depth_m, 20.0)) << depth_m;
+    const double made_for_m = file_for(files, depth_m, 20.0).tables->receiver_depth.value;
+    if (depth_m >= 100.0 && depth_m <= 345.0) EXPECT_NEAR(made_for_m, depth_m, 0.05 * made_for_m) << depth_m;
+  }
+}
+
+TEST(ShippedTables, AreMadeForTheDepthsOfThePaperAndOfShallowWaterAt20And35Hz) {
+  const std::vector<host::TablesFile> files = host::read_tables_files(kShipped);
+  for (const char* depth : {"30", "100", "300"}) {
+    EXPECT_EQ(file_for(files, std::stod(depth), 20.0).path.filename(), std::string("20hz_") + depth + "m.tables");
+    EXPECT_EQ(file_for(files, std::stod(depth), 35.0).path.filename(), std::string("35hz_") + depth + "m.tables");
+  }
 }
 
 TEST(ShippedTables, HoldWatersFromSixtyMetresOrTheVehiclesDepthToSixKilometres) {
