@@ -25,10 +25,10 @@ struct Declarations {
 /// One search as it went.
 struct Flight {
   search::EpisodeRecord record;
-  double path_m = 0.0;                       ///< over ground
-  double straight_m = 0.0;                   ///< from the start to within l of where the nearest source then was
-  double decision_s = 0.0;                   ///< by the clock, all decisions together
-  std::optional<Declarations> declarations;  ///< of searchers that make any
+  double path_m = 0.0;                                      ///< over ground
+  double straight_m = 0.0;                                  ///< from the start to within l of where the nearest source then was
+  double decision_s = 0.0;                                  ///< by the clock, all decisions together
+  std::optional<Declarations> declarations = std::nullopt;  ///< of searchers that make any
   /// Looks (the start's, and one after every step that did not end the search) up to the first that surprised the searcher; infinite:
   /// none did; NaN: it does not judge that.
   double looks_to_surprise = std::numeric_limits<double>::quiet_NaN();

@@ -24,7 +24,7 @@ struct Row {
   double path_over_straight = 0.0;
   Surprises surprises;
   double decision_s = 0.0;
-  std::optional<DeclarationShares> declarations;  ///< of a searcher that says itself whether the source is found
+  std::optional<DeclarationShares> declarations = std::nullopt;  ///< of a searcher that says itself whether the source is found
 };
 
 /// @param flights  at least one

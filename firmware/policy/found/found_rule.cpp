@@ -26,19 +26,25 @@ EARSHOT_WIDE float probability_within(const BeliefModel& model, std::span<const 
   return sum;
 }
 
-std::optional<messages::FoundDeclaration> judge_found(const BeliefModel& model, const FoundEvidence& evidence) {
+std::optional<messages::FoundDeclaration> FoundRule::judge(const BeliefModel& model, const FoundEvidence& evidence) {
+  const std::uint32_t look = looks_++;
   const Reception& heard = evidence.reception;
   if (heard.too_faint || !(heard.snr >= evidence.least_snr)) return std::nullopt;
   const float probability = probability_within(model, evidence.probabilities, evidence.position);
-  if (!(probability >= kFoundProbability)) return std::nullopt;
+  if (!(probability >= kNearProbability)) return std::nullopt;
+  ++near_looks_;
+  if (!(probability >= kFoundProbability) && near_looks_ < kNearLooks) return std::nullopt;
   const auto likeliest = std::max_element(evidence.probabilities.begin(), evidence.probabilities.end());
   const NorthEast way = way_to_cell(model, evidence.position, static_cast<std::size_t>(likeliest - evidence.probabilities.begin()));
-  return messages::FoundDeclaration{.probability = probability,
-                                    .snr = heard.snr,
-                                    .least_snr = evidence.least_snr,
-                                    .likeliest = evidence.position + way,
-                                    .closest_approach = length_of(way),
-                                    .look = evidence.look};
+  messages::FoundDeclaration declaration{.probability = probability,
+                                         .snr = heard.snr,
+                                         .least_snr = evidence.least_snr,
+                                         .likeliest = evidence.position + way,
+                                         .closest_approach = length_of(way),
+                                         .look = look,
+                                         .near_looks = near_looks_};
+  near_looks_ = 0;
+  return declaration;
 }
 
 }  // namespace earshot::policy

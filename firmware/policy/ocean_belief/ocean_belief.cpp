@@ -8,7 +8,6 @@
 #include "firmware/core/math.hpp"
 #include "firmware/core/wide.hpp"
 #include "firmware/policy/belief_summary.hpp"
-#include "firmware/policy/found/found_rule.hpp"
 #include "firmware/policy/likelihood/bearing_likelihood.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/likelihood/normal_table.hpp"
@@ -59,7 +58,7 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   is_history_whole_ = true;
   has_candidates_ = false;
   draws_ = 0;
-  heard_ = 0;
+  found_rule_.start();
   declaration_.reset();
   surprise_.start();
   std::fill_n(bearings_.log_weights.begin(), cell_count(model), std::int16_t{0});
@@ -161,11 +160,10 @@ Decibels OceanBelief::least_snr_near(const BeliefModel& model, const OceanTables
 
 /// Where it is declared found, what follows is for a search that goes on nevertheless: the source is elsewhere.
 void OceanBelief::judge(const BeliefModel& model, const OceanTables& tables, NorthEast position, const Reception& reception) {
-  declaration_ = judge_found(model, {.probabilities = std::span(marginal_).first(cell_count(model)),
-                                     .position = position,
-                                     .reception = reception,
-                                     .least_snr = least_snr_near(model, tables),
-                                     .look = heard_++});
+  declaration_ = found_rule_.judge(model, {.probabilities = std::span(marginal_).first(cell_count(model)),
+                                           .position = position,
+                                           .reception = reception,
+                                           .least_snr = least_snr_near(model, tables)});
   if (!declaration_) return;
   if (is_history_whole_) looks_[looks_.size() - 1].was_declared = true;  // those that have not heard it yet will
   find_ranges(model, position, tables.range_step, tables.range_count - std::size_t{1}, ranges_);

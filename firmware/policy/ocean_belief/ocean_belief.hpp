@@ -14,6 +14,7 @@
 #include "firmware/messages/found_declaration.hpp"
 #include "firmware/policy/belief_model.hpp"
 #include "firmware/policy/belief_outlook.hpp"
+#include "firmware/policy/found/found_rule.hpp"
 #include "firmware/policy/ocean_belief/hypothesis_block.hpp"
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
 #include "firmware/policy/ocean_belief/surprise.hpp"
@@ -101,7 +102,7 @@ class OceanBelief {
   std::array<float, config::kMaxBeliefCells> marginal_;        ///< [north x east], sum over the hypotheses
   std::array<float, config::kMaxTableRanges> search_cost_;     ///< of a search that goes straight to a source at that range
   std::array<float, config::kMaxTableRanges> detected_;        ///< probability of a detection at that range
-  std::uint32_t heard_;                                        ///< looks so far
+  FoundRule found_rule_;
   std::optional<messages::FoundDeclaration> declaration_;
   messages::BeliefSummary summary_;
   std::array<ActionOutlook, config::kMaxActions> outlooks_;

@@ -14,9 +14,11 @@ namespace {
 /// 10 km x 10 km in cells of 500 m; found within 1 km.
 class FoundRuleTest : public testing::Test {
  protected:
-  [[nodiscard]] std::optional<messages::FoundDeclaration> judge(Reception reception) const {
-    return judge_found(model, {.probabilities = cells, .position = place, .reception = reception, .least_snr = Decibels{12.0}, .look = 7});
+  [[nodiscard]] std::optional<messages::FoundDeclaration> judge(Reception reception) {
+    return rule.judge(model, {.probabilities = cells, .position = place, .reception = reception, .least_snr = Decibels{12.0}});
   }
+
+  FoundRule rule;
 
   BeliefModel model = bare_model(at(10'000, 10'000), 20, 20);
   NorthEast place = at(3'250, 4'250);  // the centre of a cell, the sixth from the south and the eighth from the west
@@ -47,8 +49,10 @@ TEST_F(FoundRuleTest, DeclaresWithItsEvidence) {
   cells[kHere + 1] = 0.6F;
   cells[kHere] = 0.32F;
   cells[0] = 0.08F;
+  for (int look = 0; look < 7; ++look) EXPECT_FALSE(judge({.snr = Decibels{3.0}, .too_faint = true}));
   const auto declaration = judge({.snr = Decibels{14.5}});
   ASSERT_TRUE(declaration);
+  EXPECT_EQ(declaration->near_looks, 1U);
   EXPECT_FLOAT_EQ(declaration->probability, 0.92F);
   EXPECT_EQ(declaration->snr, Decibels{14.5});
   EXPECT_EQ(declaration->least_snr, Decibels{12.0});
@@ -71,6 +75,30 @@ TEST_F(FoundRuleTest, DeclaresNothingThatIsHeardFainterThanItShouldBeOrNotAtAll)
   EXPECT_FALSE(judge({.snr = Decibels{11.9}}));
   EXPECT_FALSE(judge({.snr = Decibels{20.0}, .too_faint = true})) << "no more is known than that it lies below 20 dB";
   EXPECT_FALSE(judge({.snr = Decibels{std::numeric_limits<double>::quiet_NaN()}}));
+}
+
+TEST_F(FoundRuleTest, DeclaresAtTheEighthLookAtWhichTheSourceIsLikelierNearThanNotAndCountsAnewThen) {
+  for (int time = 0; time < 2; ++time) {
+    for (int look = 0; look < 7; ++look) {
+      cells[kHere] = 0.51F;
+      EXPECT_FALSE(judge({.snr = Decibels{14.5}})) << look;
+      EXPECT_FALSE(judge({.snr = Decibels{3.0}})) << "not as loud as it should be";
+      cells[kHere] = 0.49F;
+      EXPECT_FALSE(judge({.snr = Decibels{14.5}})) << "as likely elsewhere";
+    }
+    cells[kHere] = 0.51F;
+    const auto declaration = judge({.snr = Decibels{14.5}});
+    ASSERT_TRUE(declaration);
+    EXPECT_EQ(declaration->near_looks, 8U);
+    EXPECT_EQ(declaration->look, static_cast<std::uint32_t>(21 + 22 * time));
+  }
+}
+
+TEST_F(FoundRuleTest, ForgetsTheLooksOfTheSearchBefore) {
+  cells[kHere] = 0.51F;
+  for (int look = 0; look < 7; ++look) EXPECT_FALSE(judge({.snr = Decibels{14.5}}));
+  rule.start();
+  EXPECT_FALSE(judge({.snr = Decibels{14.5}}));
 }
 
 TEST_F(FoundRuleTest, DeclaresNothingOfProbabilitiesThatAreNoNumbers) {
