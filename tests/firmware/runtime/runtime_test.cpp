@@ -150,9 +150,11 @@ TEST(Runtime, GoesByItsBeliefsOwnAdviceWhereThePolicyHasNoNetwork) {
   ASSERT_TRUE(rig.outputs.decision);
   const messages::Decision& decision = *rig.outputs.decision;
   EXPECT_EQ(decision.action, kSouthward);
-  const policy::ObservationSpec& spec = policy_that_advises()->observation.spec;
+  const policy::ObservationSpec spec = policy_that_advises()->observation.spec;
   for (std::size_t i = 0; i < spec.size(); ++i) {
-    if (spec[i].feature == policy::Feature::kPreference) EXPECT_EQ(decision.logits[spec[i].age], decision.observation[i]) << i;
+    if (spec[i].feature == policy::Feature::kPreference) {
+      EXPECT_EQ(decision.logits[spec[i].age], decision.observation[i]) << i;
+    }
   }
   EXPECT_EQ(decision.logits[kSouthward], 1.0F) << "no regret";
   EXPECT_LT(decision.logits[kNorthward], 1.0F);
