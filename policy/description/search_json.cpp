@@ -62,8 +62,7 @@ Json costs_to(const policy::BeliefCosts& costs) {
           {"edge", costs.edge},   {"most_regret", costs.most_regret}};
 }
 
-/// The numbers of a belief that the description does not hold elsewhere. A description without costs was written when they could only be
-/// the defaults.
+/// The numbers of a belief that the description does not hold elsewhere.
 policy::BeliefModel belief_from(const Json& json) {
   if (json.contains("snr_db"))
     throw BadInput("belief: is one in a single ocean, which no program flies any more: what is possible of the ocean is in ocean tables; train it again");
@@ -71,7 +70,7 @@ policy::BeliefModel belief_from(const Json& json) {
   model.cells_north = cells_from(json, "cells_north");
   model.cells_east = cells_from(json, "cells_east");
   model.border_width = Meters{json.at("border_width_m").get<double>()};
-  if (json.contains("costs")) model.costs = costs_from(json.at("costs"));
+  model.costs = costs_from(json.at("costs"));
   model.outlier_share = json.at("outlier_share").get<float>();
   return model;
 }

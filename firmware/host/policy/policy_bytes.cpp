@@ -11,19 +11,13 @@ namespace {
 using policy::PolicyComplaint;
 using policy::PolicyFault;
 
-/// The oldest that `earshot freeze` still reads.
-constexpr std::uint32_t kOldestToFreezeAgain = 3;
-
 /// Of another version of the format than this program's: the versions and the way out.
 std::string complaint_about_version(std::uint32_t version, const std::string& path) {
   const std::string text = "is of version " + std::to_string(version) + " of the .policy format, this program reads version " +
                            std::to_string(policy::kFormatVersion);
-  const std::string written = path + " --force --key YOUR.key";
   if (version > policy::kFormatVersion) return text + ": it was frozen by a later one";
-  if (version >= kOldestToFreezeAgain)
-    return text + "; freeze it again, its weights as they are: earshot freeze " + path + " -o " + written;
   return text + "; no program reads it any more: freeze the model that it was made from, or one trained anew: earshot freeze MODEL -o " +
-         written;
+         path + " --force --key YOUR.key";
 }
 
 /// The first thing that is wrong with provenance; empty when nothing is.

@@ -21,7 +21,7 @@ TEST_F(Programs, EvaluateRefusesBadInputInOneLine) {
   refuses("evaluate flipped.policy" + kOcean, {"flipped.policy", "CRC-32"});
   refuses("evaluate short.policy" + kOcean, {"short.policy"});
   refuses("evaluate --episodes 3", {"no policy"});
-  refuses("evaluate --policies bayes,swordfish", {"swordfish", "bayes_infogain"});
+  refuses("evaluate --policies bayes,swordfish", {"swordfish", "bayes_least_regret"});
   refuses("evaluate --policies oracle --environment none.toml", {"none.toml", "no such file"});
   refuses("evaluate --policies oracle --world none.toml", {"none.toml", "no such file"});
   refuses("evaluate --policies oracle --plot a.gif", {"a.gif", ".png or .svg"});

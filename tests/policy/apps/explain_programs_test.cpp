@@ -45,6 +45,16 @@ TEST_F(ExplainPrograms, ExplainDrawsMapsForASourceAndAlongAFlight) {
   EXPECT_NE(content("own.png"), content("belief.png"));
 }
 
+TEST_F(ExplainPrograms, ExplainSearchesByTheTablesThatItIsGiven) {
+  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 -o shipped.svg"), 0) << content("err");
+  ASSERT_EQ(run("explain map flight/journal.policy --source 10000,10000 --tables flight/journal.tables -o own.svg"), 0) << content("err");
+  EXPECT_NE(content("own.svg").find("heard in the likeliest ocean of the tables"), std::string::npos);
+  EXPECT_NE(content("own.svg"), content("shipped.svg"));
+  fs::rename(folder / "flight" / "journal.tables", folder / "moved.tables");
+  refuses("explain decision flight --step 2 -o a.md", {"no tables beside it (journal.tables)", "--tables FILE"});
+  EXPECT_EQ(run("explain decision flight --step 2 --tables moved.tables -o a.md"), 0) << content("err");
+}
+
 TEST_F(ExplainPrograms, RefuseWhatTheyCannotExplainWithOneLine) {
   refuses("explain decision flight --step 4 -o a.html", {"--step 4", "journal.lcmlog", "step 3"});
   refuses("explain decision flight --step 1 -o a.pdf", {"a.pdf", ".html"});
@@ -52,6 +62,9 @@ TEST_F(ExplainPrograms, RefuseWhatTheyCannotExplainWithOneLine) {
   refuses("explain decision nowhere --step 1 -o a.html", {"nowhere"});
   refuses("explain decision flight/track.csv --step 1 -o a.html", {"track.csv", "not a journal"});
   refuses("explain decision flight --policy flight/snr.csv --step 1 -o a.html", {"snr.csv", "not a .policy file"});
+  refuses("explain decision flight --tables flight/snr.csv --step 1 -o a.html", {"snr.csv", "not a .tables file"});
+  refuses("explain map flight/journal.policy --source 0,0 --tables flight/snr.csv -o a.png", {"snr.csv", "not a .tables file"});
+  refuses("explain map flight/journal.policy --source 0,0 --tables none.tables -o a.png", {"none.tables", "no such file"});
   refuses("explain map flight/journal.policy -o a.png", {"--source", "--flight"});
   refuses("explain map flight/journal.policy --source 1 -o a.png", {"--source 1", "metres north"});
   refuses("explain map flight/journal.policy --source 1e300,1e300 -o a.png", {"--source 1e300,1e300", "0,0 to 25000,25000 m"});

@@ -1,27 +1,13 @@
-// A policy of another version of the format, from the refusal to the file that flies.
+// A policy that is frozen again.
 #include "tests/policy/apps/programs.hpp"
 
 namespace earshot::policy_programs {
 namespace {
 
-const std::string kModels = kSource + "/tests/policy/freeze/models/";
-
-TEST_F(Programs, FreezeAgainWithTheCommandThatARefusalNames) {
-  fs::copy_file(kModels + "version_3_simple.policy", folder / "old.policy");
-  ASSERT_EQ(run("freeze --key mine.key --new-key"), 0);
-  ASSERT_EQ(run("evaluate old.policy --episodes 2" + kOcean), 2);
-  const std::string refusal = content(folder / "err");
-  const std::string before = "freeze it again, its weights as they are: earshot ";
-  ASSERT_NE(refusal.find(before), std::string::npos) << refusal;
-  std::string command = refusal.substr(refusal.find(before) + before.size());
-  command.replace(command.find("YOUR.key"), std::string::npos, "mine.key");
-  EXPECT_EQ(command, "freeze old.policy -o old.policy --force --key mine.key");
-  ASSERT_EQ(run(command), 0) << content(folder / "err");
-  EXPECT_EQ(run("evaluate old.policy --episodes 2" + kOcean), 0) << content(folder / "err");
-}
+const std::string kShipped = kSource + "/policy/frozen/shipped.policy";
 
 TEST_F(Programs, FreezeAgainKeepsHowActionsAreDrawnUnlessTold) {
-  ASSERT_EQ(run("freeze " + kModels + "version_3_belief.policy -o kept.policy --key a.key --new-key"), 0) << content(folder / "err");
+  ASSERT_EQ(run("freeze " + kShipped + " -o kept.policy --key a.key --new-key"), 0) << content(folder / "err");
   EXPECT_NE(content(folder / "out").find("argmax"), std::string::npos);
   ASSERT_EQ(run("freeze kept.policy -o told.policy --key a.key --draw sampled"), 0) << content(folder / "err");
   EXPECT_NE(content(folder / "out").find("sampled"), std::string::npos);
@@ -29,7 +15,7 @@ TEST_F(Programs, FreezeAgainKeepsHowActionsAreDrawnUnlessTold) {
 
 TEST_F(Programs, FreezeAgainRefusesASearchAndADamagedPolicy) {
   ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
-  const std::string old = kModels + "version_3_simple.policy";
+  const std::string old = kFixedSource;
   std::string bytes = content(old);
   std::ofstream(folder / "search.json") << "{}";
   refuses("freeze " + old + " -o a.policy --key a.key --search search.json", {"--search", "says itself"});

@@ -45,9 +45,36 @@ TEST_F(Programs, FreezeRefusesToReplaceTheModelThatItReadsAlsoByALink) {
 }
 
 TEST_F(Programs, FreezeMakesAPolicyAnewInItsPlaceWhenForced) {
-  fs::copy_file(kSource + "/tests/policy/freeze/models/version_3_simple.policy", folder / "old.policy");
+  fs::copy_file(kFixedSource, folder / "old.policy");
   ASSERT_EQ(run("freeze old.policy -o old.policy --force --key a.key --new-key"), 0) << content(folder / "err");
   ASSERT_EQ(run("freeze old.policy -o kept.policy --key a.key"), 0) << content(folder / "err");
+}
+
+/// The run of the policy that ships: a file of a few kilobytes that flies the belief's own advice.
+TEST_F(Programs, FreezeMakesAPolicyWithoutANetworkOfARunFile) {
+  const std::string run_file = kSource + "/policy/ppo/runs/shipped.toml";
+  ASSERT_EQ(run("freeze " + run_file + " -o a.policy --key a.key --new-key"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "out").find("argmax"), std::string::npos) << content(folder / "out");
+  const std::string bytes = content(folder / "a.policy");
+  for (const char* line : {"run = shipped.toml\n", "network = none: the belief's own advice\n", "source = changing\n"})
+    EXPECT_NE(bytes.find(line), std::string::npos) << line;
+  ASSERT_EQ(run("freeze " + run_file + " -o b.policy --key a.key --draw sampled --listening mean --listening-window-s 30"), 0)
+      << content(folder / "err");
+  EXPECT_NE(content(folder / "out").find("sampled"), std::string::npos);
+  EXPECT_NE(content(folder / "b.policy").find("listening = mean of 30 s (before: newest)\n"), std::string::npos);
+  ASSERT_EQ(run("evaluate a.policy --episodes 5" + kOcean), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "err"), "") << "its task is that of its run";
+}
+
+TEST_F(Programs, FreezeRefusesARunFileWhoseStateIsNoBeliefAndASearchBesideIt) {
+  ASSERT_EQ(run("freeze --key a.key --new-key"), 0);
+  refuses("freeze " + kSource + "/policy/ppo/runs/fixed_source.toml -o a.policy --key a.key",
+          {"fixed_source.toml: state = \"simple\"", "must have \"belief\""});
+  std::ofstream(folder / "search.json") << "{}";
+  refuses("freeze " + kSource + "/policy/ppo/runs/shipped.toml -o a.policy --key a.key --search search.json", {"--search", "run file"});
+  std::ofstream(folder / "bad.toml") << "state = \"belief\"\nseeed = 1\n";
+  refuses("freeze bad.toml -o a.policy --key a.key", {"bad.toml:2: seeed"});
+  EXPECT_FALSE(fs::exists(folder / "a.policy"));
 }
 
 TEST_F(Programs, FreezeLeavesNoSecretHalfWhosePublicHalfCannotBeWritten) {

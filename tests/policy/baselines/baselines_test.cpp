@@ -11,6 +11,7 @@
 #include "policy/baselines/patterns.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "sim/search/actions/compass_directions.hpp"
+#include "sim/search/told_ocean.hpp"
 
 namespace earshot::baselines {
 namespace {
@@ -32,10 +33,17 @@ sonar::SnrCurve two_decibels_per_kilometer() {
   return sonar::SnrCurve(Meters{1'000.0}, snr_db);
 }
 
+policy::OceanTables told(const sonar::SnrCurve& curve) {
+  policy::OceanTables tables;
+  search::make_told_ocean({}, curve, tables);
+  return tables;
+}
+
 class Baselines : public testing::Test {
  protected:
   sonar::SnrCurve curve = two_decibels_per_kilometer();
-  PriorKnowledge prior{.settings = {}, .actions = search::compass_directions(8), .snr = curve};
+  policy::OceanTables oceans = told(curve);
+  PriorKnowledge prior{.settings = {}, .actions = search::compass_directions(8), .snr = curve, .oceans = oceans};
 };
 
 DecisionInput input_at(NorthEast position, NorthEast source, Decibels snr = Decibels{0.0}) {
@@ -94,7 +102,7 @@ TEST_F(Baselines, AssuredDetectionRangeIsWhereTheSnrFirstFallsBelowTheThreshold)
 
 TEST_F(Baselines, LawnMowerLeavesNoPlaceInsideTheBorderFurtherThanHalfATrackSpacingAndTheCornersItCuts) {
   const sonar::SnrCurve short_range(Meters{1'000.0}, {20.0F, 15.0F, 12.0F, 5.0F});  // heard up to 2 km, tracks 4 km apart at most
-  const PriorKnowledge near{.settings = {}, .actions = prior.actions, .snr = short_range};
+  const PriorKnowledge near{.settings = {}, .actions = prior.actions, .snr = short_range, .oceans = oceans};
   LawnMower mower(near);
   const std::vector<NorthEast> places = track(mower, near, at(3'000, 3'000), 170);
   const Rectangle inside = search::inside_border(near.settings);

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <vector>
 
 #include "policy/baselines/genetic.hpp"
@@ -17,34 +16,11 @@ constexpr NorthEast at(double north_m, double east_m) {
   return {Meters{north_m}, Meters{east_m}};
 }
 
+/// None of them look at it.
+const policy::OceanTables kNoOceans;
+
 PriorKnowledge prior_with(const sonar::SnrCurve& curve) {
-  return {.settings = {}, .actions = search::compass_directions(8), .snr = curve};
-}
-
-TEST(InformationGain, OfALookThatSoundsTheSameEverywhereIsThatOfFindingTheSourceOrNot) {
-  const sonar::SnrCurve flat(Meters{1'000.0}, {15.0F});
-  const PriorKnowledge prior = prior_with(flat);
-  BayesInformationGain bayes(prior);
-  bayes.begin(Pcg32(1));
-  // Before any measurement: 2500 cells of 500 m; the centres of 12 of them lie within 1 km of a corner between cells.
-  const double p = 12.0 / 2'500.0;
-  EXPECT_NEAR(bayes.information_at(at(12'500, 12'500)), -p * std::log(p) - (1.0 - p) * std::log(1.0 - p), 1e-6);  // float probabilities
-}
-
-TEST(InformationGain, OfALookThatTellsNearFromFarIsThatOfTheTwoShares) {
-  std::vector<float> snr_db(8, 40.0F);
-  snr_db.insert(snr_db.end(), 40, -40.0F);
-  const sonar::SnrCurve near_or_far(Meters{1'000.0}, snr_db);
-  const PriorKnowledge prior = prior_with(near_or_far);
-  BayesInformationGain bayes(prior);
-  bayes.begin(Pcg32(1));
-  const double found = 12.0 / 2'500.0;
-  // Between 7 and 8 km the curve falls from 40 to -40 dB: its middle parts the two, and the cells on the slope tell more than that.
-  const double near = 3.14159265 * 7.5 * 7.5 / 625.0 - found;
-  const double far = 1.0 - found - near;
-  const double two_shares = -found * std::log(found) - near * std::log(near) - far * std::log(far);
-  EXPECT_GT(bayes.information_at(at(12'500, 12'500)), two_shares - 0.01);
-  EXPECT_LT(bayes.information_at(at(12'500, 12'500)), two_shares + 0.5);
+  return {.settings = {}, .actions = search::compass_directions(8), .snr = curve, .oceans = kNoOceans};
 }
 
 /// 30 dB at the source, one less per kilometre.
@@ -56,7 +32,7 @@ sonar::SnrCurve one_decibel_per_kilometer() {
 
 template <class Searcher>
 class Believers : public testing::Test {};
-using AllBelievers = testing::Types<Bayes, BayesLeastRegret, BayesInformationGain, Genetic>;
+using AllBelievers = testing::Types<Bayes, BayesLeastRegret, Genetic>;
 TYPED_TEST_SUITE(Believers, AllBelievers);
 
 TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {

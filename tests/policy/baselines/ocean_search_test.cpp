@@ -1,5 +1,4 @@
-#include "policy/baselines/ocean_search.hpp"
-
+// A search among several oceans.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "policy/evaluate/world_file.hpp"
 #include "sim/ocean/file/environment_file.hpp"
 #include "sim/search/scenario/world.hpp"
+#include "sim/search/told_ocean.hpp"
 #include "sim/sonar/sonar_field.hpp"
 
 namespace earshot::baselines {
@@ -49,14 +49,21 @@ policy::OceanTables tables_of(std::initializer_list<const char*> oceans) {
   return tables;
 }
 
+policy::OceanTables told(const sonar::SnrCurve& curve) {
+  policy::OceanTables tables;
+  search::make_told_ocean(anywhere(), curve, tables);
+  return tables;
+}
+
 class OceanSearchTest : public testing::Test {
  protected:
   /// Told of the paper's ocean, which lies over mud.
   const sonar::SnrCurve mud = curve_of("sim/ocean/environments/munk_flat.toml");
   const search::SearchSettings settings = anywhere();
   const policy::OceanTables oceans = tables_of({"deep", "rock", "hard_bottom", "shallow"});
-  const PriorKnowledge of_many{.settings = settings, .actions = search::compass_directions(8), .snr = mud, .oceans = &oceans};
-  const PriorKnowledge of_one{.settings = settings, .actions = search::compass_directions(8), .snr = mud};
+  const policy::OceanTables mud_alone = told(mud);
+  const PriorKnowledge of_many{.settings = settings, .actions = search::compass_directions(8), .snr = mud, .oceans = oceans};
+  const PriorKnowledge of_one{.settings = settings, .actions = search::compass_directions(8), .snr = mud, .oceans = mud_alone};
 
   [[nodiscard]] search::World world(const std::string& name) const {
     return search::assemble(evaluate::load_world(kSource / "policy/worlds" / (name + ".toml")).scenario, settings, kDepth);
@@ -77,7 +84,7 @@ TEST_F(OceanSearchTest, FindsSourcesOverRockWhereABeliefOfOneOceanFindsHardlyAny
   EXPECT_LE(found(told_of_mud, rock, kSearches), 2U);  // 1 of 40
 }
 
-/// Told of no other oceans it has the one that is expected, louder or fainter, and more or less certain.
+/// Told of one ocean it has that one louder or fainter, and more or less certain.
 TEST_F(OceanSearchTest, FindsSourcesInShallowWaterThatItIsNotToldOfByTheFluctuationItAllows) {
   OceanSearch searcher(of_one);
   EXPECT_GE(found(searcher, world("shallow"), kSearches), 9U);  // 39 of 40
@@ -122,7 +129,7 @@ TEST_F(OceanSearchTest, TakesTheRangeStepOfTheTables) {
   for (policy::OceanTable& table : coarse.tables) {
     for (std::size_t i = 0; i < coarse.range_count; ++i) table.snr_half_db[i] = table.snr_half_db[2 * i];
   }
-  const PriorKnowledge prior{.settings = settings, .actions = search::compass_directions(8), .snr = mud, .oceans = &coarse};
+  const PriorKnowledge prior{.settings = settings, .actions = search::compass_directions(8), .snr = mud, .oceans = coarse};
   OceanSearch searcher(prior);
   EXPECT_GE(found(searcher, world("rock"), kSearches), 7U);  // 8; at half the ranges it is told none
 }

@@ -14,7 +14,7 @@ SearchDescription with_belief() {
   search::SearchSettings settings;
   settings.border_reward = -40.0;
   policy::ObservationModel observation;
-  observation.belief = search::belief_model(settings, sonar::SnrCurve(Meters{10.0}, {30.0F, 20.0F}));
+  observation.belief = search::belief_model(settings);
   observation.belief.costs.step = 2.5F;
   observation.spec = policy::belief_state(observation.belief);
   return describe(settings, observation);
@@ -26,14 +26,28 @@ TEST(SearchDescription, CarriesWhatASearchCosts) {
   EXPECT_EQ(costs, with_belief().observation.belief.costs);
 }
 
-/// The text without what stands from `begin` to the next '}' and the comma behind it.
-std::string without(std::string text, const std::string& begin) {
-  const std::size_t at = text.find(begin);
-  return text.erase(at, text.find('}', at) + 2 - at);
+TEST(SearchDescription, CarriesTheGridAndTheOutliersOfABelief) {
+  SearchDescription written = with_belief();
+  written.observation.belief.cells_north = 40;
+  written.observation.belief.cells_east = 37;
+  written.observation.belief.border_width = Meters{750.0};
+  written.observation.belief.outlier_share = 0.25F;
+  const policy::BeliefModel read = from_text(to_text(written)).observation.belief;
+  EXPECT_EQ(read.cells_north, 40);
+  EXPECT_EQ(read.cells_east, 37);
+  EXPECT_EQ(read.border_width, Meters{750.0});
+  EXPECT_EQ(read.outlier_share, 0.25F);
 }
 
-TEST(SearchDescription, OfATimeWhenCostsCouldNotDifferHasTheDefaults) {
-  EXPECT_EQ(from_text(without(to_text(with_belief()), "\"costs\":")).observation.belief.costs, policy::BeliefCosts{});
+TEST(SearchDescription, OfABeliefInASingleOceanIsRefusedAndSaysWhereOceansAreNow) {
+  std::string text = to_text(with_belief());
+  text.insert(text.find("\"cells_north\""), "\"snr_db\":[30.0,20.0],\"range_step_m\":100.0,");
+  try {
+    (void)from_text(text);
+    ADD_FAILURE() << "accepted";
+  } catch (const host::BadInput& bad) {
+    EXPECT_NE(std::string(bad.what()).find("ocean tables; train it again"), std::string::npos) << bad.what();
+  }
 }
 
 TEST(SearchDescription, IsRefusedForACostOutOfItsRange) {

@@ -13,20 +13,18 @@ TEST(State, HasOneNameBothWays) {
 
 TEST(State, ShowsThePositionTheRememberedStepsOrBoth) {
   const search::SearchSettings settings;
-  const sonar::SnrCurve curve(Meters{10.0}, {30.0F, 20.0F});
-  const auto size = [&](State state) { return observation_of(state, 2, settings, curve).spec.size(); };
+  const auto size = [&](State state) { return observation_of(state, 2, settings).spec.size(); };
   EXPECT_EQ(size(State::kSimple), 2U);          // x, y
   EXPECT_EQ(size(State::kMemory), 6U);          // dx, dy and SNR of two steps
   EXPECT_EQ(size(State::kPositionMemory), 8U);  // and both
-  EXPECT_TRUE(policy::needs_belief(observation_of(State::kBelief, 2, settings, curve).spec));
+  EXPECT_TRUE(policy::needs_belief(observation_of(State::kBelief, 2, settings).spec));
 }
 
 TEST(State, RemembersNoMoreThanFitsIntoAnObservation) {
   const search::SearchSettings settings;
-  const sonar::SnrCurve curve(Meters{10.0}, {30.0F, 20.0F});
   for (const State state : {State::kMemory, State::kPositionMemory}) {
     EXPECT_TRUE(remembers(state));
-    EXPECT_LE(observation_of(state, most_remembered(state), settings, curve).spec.size(), config::kMaxObservation);
+    EXPECT_LE(observation_of(state, most_remembered(state), settings).spec.size(), config::kMaxObservation);
   }
   EXPECT_FALSE(remembers(State::kSimple));
   EXPECT_FALSE(remembers(State::kBelief));

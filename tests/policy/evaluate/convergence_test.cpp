@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <limits>
+#include <memory>
 
 #include "policy/evaluate/evaluation.hpp"
 #include "policy/freeze/freeze.hpp"
@@ -20,9 +21,10 @@ TEST_P(FixedSource, IsFoundInNinetyNinePercentOfSearchesAfterFifteenHundredEpiso
   const sonar::SnrCurve curve = sonar::compute_snr_curve(environment, Meters{300.0}, Meters{37'000.0});
   const ppo::TrainingRun paper;
   const search::World world(paper.search, curve);
-  const policy::ObservationModel model = ppo::observation_of(paper, curve);
+  const policy::ObservationModel model = ppo::observation_of(paper);
 
-  ppo::Trainer trainer(world, model, paper.hyper, GetParam());
+  const auto no_oceans = std::make_unique<policy::OceanTables>();  // a policy that sees no belief needs none
+  ppo::Trainer trainer(world, model, *no_oceans, paper.hyper, GetParam());
   std::vector<search::EpisodeRecord> training;
   trainer.train(std::numeric_limits<std::uint64_t>::max(), [&](const search::EpisodeRecord& episode, std::uint64_t) {
     training.push_back(episode);
@@ -33,7 +35,7 @@ TEST_P(FixedSource, IsFoundInNinetyNinePercentOfSearchesAfterFifteenHundredEpiso
   const std::span<const float> parameters = trainer.networks().parameters();
   const ppo::Checkpoint checkpoint{description::describe(paper.search, model), {parameters.begin(), parameters.end()}};
   const auto policy = freeze::freeze(checkpoint, policy::ActionDraw::kSampled);
-  const Summary summary = summarise(evaluate(*policy, policy->draw, world_of(*policy, paper.search, curve), 300, 77));
+  const Summary summary = summarise(evaluate(*policy, *no_oceans, policy->draw, world_of(*policy, paper.search, curve), 300, 77));
   EXPECT_GE(summary.found_fraction, 0.99);
   EXPECT_GE(summary.median_reward, -3.0);
 }

@@ -22,6 +22,8 @@ namespace {
 using search::EpisodeEnd;
 using search::EpisodeRecord;
 
+const policy::OceanTables kNoOceans;  // a policy that sees no belief needs none
+
 TEST(Quantile, InterpolatesBetweenOrderStatisticsAsNumPyDoes) {
   // numpy.quantile([4, 1, 3, 2], [0, 0.25, 0.5, 0.75, 1]) = [1, 1.75, 2.5, 3.25, 4]
   const std::vector<double> values{4.0, 1.0, 3.0, 2.0};
@@ -139,7 +141,7 @@ TEST(SearchOf, IsInTheAreaAndWithTheThresholdThePolicyWasTrainedWith) {
 TEST_F(EvaluateTest, FliesThePolicysActionsWithItsOwnStepLength) {
   const auto policy = goes_north(1.0F);
   policy->step_length = Meters{1'500.0};
-  const auto records = evaluate(*policy, policy->draw, world_of(*policy, south_of_the_source(*policy), curve), 20, 1);
+  const auto records = evaluate(*policy, kNoOceans, policy->draw, world_of(*policy, south_of_the_source(*policy), curve), 20, 1);
   for (const EpisodeRecord& record : records) {
     EXPECT_EQ(record.end, EpisodeEnd::kFound);
     EXPECT_LE(record.steps, 4U);  // 5 to 6 km in steps of 1.5 km, to within 1.5 km
@@ -152,7 +154,7 @@ TEST_F(EvaluateTest, GivesTheSameEpisodesForTheSameSeedAndTheSameStartsForEveryP
   const auto world = world_of(*north, south_of_the_source(*north), curve);
   auto rewards = [&](const policy::FrozenPolicy& policy, policy::ActionDraw draw, std::uint64_t seed) {
     std::vector<std::uint32_t> steps;
-    for (const EpisodeRecord& record : evaluate(policy, draw, world, 30, seed)) steps.push_back(record.steps);
+    for (const EpisodeRecord& record : evaluate(policy, kNoOceans, draw, world, 30, seed)) steps.push_back(record.steps);
     return steps;
   };
   EXPECT_EQ(rewards(*north, policy::ActionDraw::kSampled, 1), rewards(*north, policy::ActionDraw::kSampled, 1));
@@ -175,17 +177,17 @@ TEST_F(EvaluateTest, FliesNoSearchThatATrainingOfTheSameSeedBeginsWith) {
   settings.placement = search::SourcePlacement::kChanging;
   const search::World world = world_of(*north, settings, curve);
   std::set<Beginning> learned_from;
-  const search::VectorSearch training(world, north->observation, 32, 1);
+  const search::VectorSearch training(world, north->observation, kNoOceans, 32, 1);
   for (const search::EpisodeScript& script : training.scripts()) {
     Pcg32 random(script.random);
     search::Episode episode;
-    episode.start(world, north->observation, random);
+    episode.start(world, north->observation, kNoOceans, random);
     learned_from.insert(beginning_of(episode));
   }
   EXPECT_EQ(learned_from.size(), 32U);
   std::size_t flown = 0;
   std::size_t known = 0;
-  baselines::Learned learned(*north, north->draw, settings.domain);
+  baselines::Learned learned(*north, kNoOceans, north->draw, settings.domain);
   static_cast<void>(fly(learned, world, {.end = 3'000}, 1, [&](std::size_t /*number*/, const search::Episode& episode) {
     if (episode.record().steps > 0) return;
     ++flown;

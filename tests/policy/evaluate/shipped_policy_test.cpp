@@ -28,7 +28,7 @@ TEST(ShippedPolicy, FindsTheFixedSourceOfThePapersOceanInNinetyNinePercentOfSear
   const sonar::SnrCurve curve = sonar::compute_snr_curve(environment, Meters{300.0}, Meters{37'000.0});
   search::SearchSettings settings = search_of(*policy);
   settings.source = environment.source.position;
-  const Summary summary = summarise(evaluate(*policy, policy->draw, world_of(*policy, settings, curve), 300, 2026));
+  const Summary summary = summarise(evaluate(*policy, policy::OceanTables{}, policy->draw, world_of(*policy, settings, curve), 300, 2026));
   EXPECT_GE(summary.found_fraction, 0.99);
   EXPECT_GE(summary.median_reward, -3.0);
 }

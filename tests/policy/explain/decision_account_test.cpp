@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <numeric>
 
 #include "tests/policy/explain/flown_policy.hpp"
@@ -14,7 +16,8 @@ namespace {
 constexpr NorthEast kCorner{Meters{-3'000.0}, Meters{750.0}};
 
 DecisionAccount account(const policy::FrozenPolicy& policy, std::span<const RecordedDecision> taken, Baseline baseline) {
-  return account_of({.policy = policy, .belief = policy.observation.belief, .south_west = kCorner, .baseline = baseline}, taken);
+  return account_of(
+      {.policy = policy, .belief = policy.observation.belief, .tables = falling_ocean(), .south_west = kCorner, .baseline = baseline}, taken);
 }
 
 TEST(DecisionAccount, GivesProbabilitiesThatAddUpToOneAndEndsOneStepAway) {
@@ -55,6 +58,53 @@ TEST(DecisionAccount, SharesOutTheWholeDifferenceAmongWhatWasSeen) {
   EXPECT_GE(std::abs(top[1].part), std::abs(top[2].part));
 }
 
+/// Of a policy without a network nothing but what it goes by can have moved the choice: the actions' preferences.
+TEST(DecisionAccount, BlamesTheChoiceOfAPolicyWithoutANetworkOnItsPreferencesAlone) {
+  const auto policy = advice_policy();
+  const DecisionAccount a = account(*policy, flown(*policy, 4, kCorner), Baseline::kCentre);
+  EXPECT_TRUE(a.attribution.is_complete());
+  EXPECT_GT(std::abs(a.attribution.difference()), 0.01);
+  for (std::size_t i = 0; i < a.observed.size(); ++i) {
+    if (policy->observation.spec[i].feature == policy::Feature::kPreference) continue;
+    EXPECT_EQ(a.observed[i].part, 0.0) << a.observed[i].name;
+  }
+}
+
+/// Its tables hold one ocean, where the source is as loud as they say.
+TEST(DecisionAccount, NamesTheHypothesesThatAreLikelyTheLikeliestFirst) {
+  const auto policy = belief_policy(1);
+  const DecisionAccount a = account(*policy, flown(*policy, 5, kCorner), Baseline::kCentre);
+  ASSERT_FALSE(a.hypotheses.empty());
+  EXPECT_LE(a.hypotheses.size(), policy::OceanBelief::kHypotheses);
+  double sum = 0.0;
+  for (const HypothesisAccount& h : a.hypotheses) {
+    EXPECT_EQ(h.ocean, "falling");
+    EXPECT_GE(h.share, 0.01);
+    EXPECT_LE(h.share, a.hypotheses.front().share);
+    sum += h.share;
+  }
+  EXPECT_LE(sum, 1.0 + 1e-5);  // as many float roundings as there are hypotheses
+  EXPECT_GT(sum, 1.0 - 0.01 * static_cast<double>(policy::OceanBelief::kHypotheses));
+  EXPECT_TRUE(std::ranges::is_sorted(a.hypotheses, std::ranges::greater{}, &HypothesisAccount::share));
+}
+
+/// An ocean that is as loud everywhere, and ten looks 6 dB louder than it.
+TEST(DecisionAccount, TellsWhatAHypothesisSays) {
+  const auto policy = belief_policy(1);
+  auto flat = std::make_unique<policy::OceanTables>(falling_ocean());
+  flat->tables[0].snr_half_db.fill(policy::to_half_db(10.0));  // the same everywhere
+  std::vector<RecordedDecision> taken = flown(*policy, 10, kCorner);
+  for (RecordedDecision& decision : taken) decision.reception = {.snr = Decibels{16.0}};
+  const DecisionAccount a =
+      account_of({.policy = *policy, .belief = policy->observation.belief, .tables = *flat, .south_west = kCorner}, taken);
+  // Ten times 16.0 dB where the ocean gives 10: 6 dB louder, and nothing else moves it by more than a decibel.
+  EXPECT_EQ(a.hypotheses.front().level_db, 6.0);
+  EXPECT_EQ(a.hypotheses.front().spread_db, 1.0);
+  EXPECT_EQ(a.hypotheses.front().silence_share, 0.0);
+  EXPECT_FALSE(a.hypotheses.front().is_moving);
+  EXPECT_GT(a.hypotheses.front().share, 0.5);
+}
+
 /// The same place, compared with itself: where the vehicle is can have moved nothing.
 TEST(DecisionAccount, BlamesNothingOnThePlaceWhenComparedWithTheSamePlace) {
   const auto policy = place_policy(1);
@@ -62,6 +112,7 @@ TEST(DecisionAccount, BlamesNothingOnThePlaceWhenComparedWithTheSamePlace) {
   const std::vector<RecordedDecision> taken = flown(*policy, 3, kCorner);
   const Circumstances here{.policy = *policy,
                            .belief = observer->observation.belief,
+                           .tables = falling_ocean(),
                            .belief_is_the_policys = false,
                            .south_west = kCorner,
                            .baseline = Baseline::kHere};
@@ -75,7 +126,7 @@ TEST(DecisionAccount, BlamesNothingOnThePlaceWhenComparedWithTheSamePlace) {
 TEST(DecisionAccount, IsTheSameWhetherOneOrAllDecisionsAreExplained) {
   const auto policy = belief_policy(1);
   const std::vector<RecordedDecision> taken = flown(*policy, 4, kCorner);
-  const Circumstances circumstances{.policy = *policy, .belief = policy->observation.belief, .south_west = kCorner};
+  const Circumstances circumstances{.policy = *policy, .belief = policy->observation.belief, .tables = falling_ocean(), .south_west = kCorner};
   const std::vector<DecisionAccount> all = accounts_of(circumstances, taken);
   ASSERT_EQ(all.size(), 4U);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -88,10 +139,10 @@ TEST(DecisionAccount, IsTheSameWhetherOneOrAllDecisionsAreExplained) {
 TEST(UninformedObservation, HasHeardNothing) {
   const auto policy = belief_policy(1);
   const NorthEast centre{Meters{12'500.0}, Meters{12'500.0}};
-  const std::vector<float> seen = uninformed_observation(policy->observation, centre, policy->detection_threshold);
+  const std::vector<float> seen = uninformed_observation(policy->observation, falling_ocean(), centre, policy->detection_threshold);
   const policy::ObservationSpec& spec = policy->observation.spec;
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    ASSERT_TRUE(std::isfinite(seen[i])) << name_of(spec[i], policy->observation.belief, policy->actions);
+    ASSERT_TRUE(std::isfinite(seen[i])) << name_of(spec[i], policy->actions);
     const double raw = static_cast<double>(seen[i]) / static_cast<double>(spec[i].scale) + static_cast<double>(spec[i].offset);
     using enum policy::Feature;
     if (spec[i].feature == kMeanEast || spec[i].feature == kMeanNorth || spec[i].feature == kLikeliestEast ||
@@ -107,7 +158,7 @@ TEST(UninformedObservation, HasHeardNothing) {
 TEST(UninformedObservation, PutsEveryRememberedSnrAtTheThreshold) {
   policy::ObservationModel model;
   model.spec = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value();
-  for (const float x : uninformed_observation(model, {}, Decibels{10.0})) EXPECT_EQ(x, 0.0F);  // memory_state is centred there
+  for (const float x : uninformed_observation(model, falling_ocean(), {}, Decibels{10.0})) EXPECT_EQ(x, 0.0F);  // memory_state is centred there
 }
 
 }  // namespace

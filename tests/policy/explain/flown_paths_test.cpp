@@ -19,7 +19,7 @@ std::vector<FlownPath> eastward(NorthEast source, std::size_t max_steps = 100) {
   const auto policy = place_policy(1);
   policy->network.output = {};
   policy->network.output.bias[2] = 20.0F;
-  return flown_from_all_over(*policy, source, {.per_side = 1, .max_steps = max_steps}, nothing);
+  return flown_from_all_over(*policy, falling_ocean(), source, {.per_side = 1, .max_steps = max_steps}, nothing);
 }
 
 TEST(FlownPaths, EndWithinAStepOfTheSource) {
@@ -47,15 +47,14 @@ TEST(FlownPaths, OfAVehicleThatStandsAtTheSourceHaveNoStep) {
   EXPECT_EQ(path.steps(), 0U);
 }
 
-TEST(FlownPaths, OfABeliefAreThoseThatTheCodeOfTheVehicleFlies) {
-  const auto policy = belief_policy(3);
+void expect_the_paths_of_the_vehicles_code(const std::unique_ptr<policy::FrozenPolicy>& policy) {
   const NorthEast source{Meters{12'000.0}, Meters{15'000.0}};
   const auto reception_at = [source](NorthEast place) {
     return policy::Reception{.snr = Decibels{40.0 - range_between(place, source).value / 1e3}};
   };
-  const std::vector<FlownPath> paths = flown_from_all_over(*policy, source, {.per_side = 2, .max_steps = 12}, reception_at);
+  const std::vector<FlownPath> paths = flown_from_all_over(*policy, falling_ocean(), source, {.per_side = 2, .max_steps = 12}, reception_at);
   ASSERT_EQ(paths.size(), 4U);
-  baselines::Learned vehicle(*policy, policy::ActionDraw::kArgmax, {.south_west = {}, .north_east = policy->area_size});
+  baselines::Learned vehicle(*policy, falling_ocean(), policy::ActionDraw::kArgmax, {.south_west = {}, .north_east = policy->area_size});
   for (const FlownPath& path : paths) {
     vehicle.begin(Pcg32(1));
     NorthEast place = path.places.front();
@@ -65,6 +64,14 @@ TEST(FlownPaths, OfABeliefAreThoseThatTheCodeOfTheVehicleFlies) {
       EXPECT_EQ(place, path.places[i + 1]) << "step " << i;
     }
   }
+}
+
+TEST(FlownPaths, OfABeliefAreThoseThatTheCodeOfTheVehicleFlies) {
+  expect_the_paths_of_the_vehicles_code(belief_policy(3));
+}
+
+TEST(FlownPaths, OfAPolicyWithoutANetworkAreThoseThatTheCodeOfTheVehicleFlies) {
+  expect_the_paths_of_the_vehicles_code(advice_policy());
 }
 
 TEST(FlownPaths, AreNeededWhereAPolicySeesMoreThanItsPlace) {

@@ -1,10 +1,12 @@
 #include "tests/policy/explain/flown_policy.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/belief_model.hpp"
 #include "sim/search/settings.hpp"
+#include "sim/search/told_ocean.hpp"
 #include "sim/sonar/snr_curve.hpp"
 #include "tests/policy/explain/random_network.hpp"
 
@@ -36,9 +38,26 @@ std::unique_ptr<policy::FrozenPolicy> with_random_network(const policy::Observat
 
 }  // namespace
 
+const policy::OceanTables& falling_ocean() {
+  static const auto tables = [] {
+    auto made = std::make_unique<policy::OceanTables>();
+    search::make_told_ocean(search::SearchSettings{}, falling(), *made);
+    made->frequency = Hertz{20.0};
+    made->receiver_depth = Meters{300.0};
+    made->source_depth = {Meters{30.0}, Meters{30.0}};
+    made->sea_depth = {Meters{3'000.0}, Meters{3'000.0}};
+    policy::OceanTable& ocean = made->tables[0];
+    ocean.sea_depth_m = 3'000.0F;
+    ocean.name.clear();
+    for (const char letter : std::string_view("falling")) (void)ocean.name.push_back(letter);
+    return made;
+  }();
+  return *tables;
+}
+
 std::unique_ptr<policy::FrozenPolicy> belief_policy(std::uint64_t seed) {
   policy::ObservationModel observation;
-  observation.belief = search::belief_model(search::SearchSettings{}, falling());
+  observation.belief = search::belief_model(search::SearchSettings{});
   observation.spec = policy::belief_state(observation.belief);
   return with_random_network(observation, seed);
 }
@@ -47,6 +66,16 @@ std::unique_ptr<policy::FrozenPolicy> place_policy(std::uint64_t seed) {
   policy::ObservationModel observation;
   observation.spec = policy::simple_state({Meters{25'000.0}, Meters{25'000.0}});
   return with_random_network(observation, seed);
+}
+
+std::unique_ptr<policy::FrozenPolicy> advice_policy() {
+  auto policy = belief_policy(1);
+  policy->network = {};
+  policy->network.observation_size = policy->observation.spec.size();
+  policy->network.action_count = policy->actions.size();
+  for (policy::ObservationElement& element : policy->observation.spec)
+    if (element.feature == policy::Feature::kPreference) element.scale = 10.0F;
+  return policy;
 }
 
 std::vector<RecordedDecision> flown(const policy::FrozenPolicy& policy, std::size_t decisions, NorthEast south_west,
@@ -64,12 +93,12 @@ std::vector<RecordedDecision> flown(const policy::FrozenPolicy& policy, std::siz
     d.reception = hear(curve.at(range_between(place, source)));
     d.reception.bearing = bearing;
     d.detected = !d.reception.too_faint && d.reception.snr >= policy.detection_threshold;
-    i == 0 ? memory->start(policy.observation, d.position - south_west, d.reception)
-           : memory->remember(policy.observation, d.position - south_west, d.reception);
+    i == 0 ? memory->start(policy.observation, falling_ocean(), d.position - south_west, d.reception)
+           : memory->remember(policy.observation, falling_ocean(), d.position - south_west, d.reception);
     d.observation.resize(policy.observation.spec.size());
     d.logits.resize(policy.actions.size());
     policy::observe(*memory, policy.observation, d.observation);
-    policy::forward(policy.network, d.observation, d.logits);
+    policy::find_logits(policy, d.observation, d.logits);
     d.action = static_cast<std::size_t>(std::ranges::max_element(d.logits) - d.logits.begin());
     // Towards the middle, whatever it chose: a random policy would leave.
     place = place + NorthEast{Meters{400.0}, Meters{700.0}};

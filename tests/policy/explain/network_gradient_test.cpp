@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "firmware/policy/action_draw.hpp"
@@ -58,6 +59,29 @@ TEST(LogProbability, IsThatOfTheFloatNetworkThatFlies) {
                 2e-6);  // some 64 float roundings
     EXPECT_NEAR(logits_of(*network, seen)[a], static_cast<double>(logits[a]), 2e-5);
   }
+}
+
+/// Logits log 3 and 0, wherever in the observation they stand: three to one.
+TEST(LogProbability, OfAPolicyWithoutANetworkIsTheSoftmaxOfItsPreferences) {
+  policy::FrozenPolicy policy;
+  for (const policy::ObservationElement& element : std::array<policy::ObservationElement, 3>{
+           {{.feature = policy::Feature::kPreference, .age = 1}, {.feature = policy::Feature::kSpread}, {.feature = policy::Feature::kPreference}}})
+    ASSERT_EQ(policy.observation.spec.push_back(element), Status::kOk);
+  for (const UnitNorthEast& direction : {UnitNorthEast{1, 0}, UnitNorthEast{-1, 0}})
+    ASSERT_EQ(policy.actions.push_back(direction), Status::kOk);
+  const std::array observation{0.0, 0.7, 1.0986122886681098};
+  const LogProbability first = log_probability(policy, observation, 0);
+  EXPECT_NEAR(first.value, -0.28768207245178096, 1e-15);  // log 3/4
+  EXPECT_NEAR(first.gradient[2], 0.25, 1e-15);
+  EXPECT_EQ(first.gradient[1], 0.0) << "it does not go by the spread";
+  EXPECT_NEAR(first.gradient[0], -0.25, 1e-15);
+  EXPECT_NEAR(log_probability(policy, observation, 1).value, -1.3862943611198906, 1e-15);  // log 1/4
+}
+
+TEST(LogProbability, OfAPolicyWithANetworkIsItsNetworks) {
+  policy::FrozenPolicy policy;
+  policy.network = *tests::hand_computed_network();
+  EXPECT_EQ(log_probability(policy, std::array{0.5, -0.25}, 0).value, log_probability(policy.network, std::array{0.5, -0.25}, 0).value);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <memory>
 
 #include "tests/policy/explain/flown_policy.hpp"
 
@@ -12,7 +14,7 @@ namespace {
 constexpr NorthEast kCorner{Meters{-3'000.0}, Meters{750.0}};
 
 Contradiction last_contradiction(const policy::FrozenPolicy& policy, std::span<const RecordedDecision> taken, NorthEast south_west) {
-  return contradiction(policy, taken.back(), *remembered_at(policy.observation, taken, south_west));
+  return contradiction(policy, taken.back(), *remembered_at(policy.observation, falling_ocean(), taken, south_west));
 }
 
 TEST(Replay, MakesEveryRecordedObservationAgainBitForBit) {
@@ -34,6 +36,22 @@ TEST(Replay, KnowsThatThePastIsNotTheOneThatWasSeen) {
   EXPECT_EQ(last_contradiction(*policy, taken, {}), Contradiction::kObservation) << "of another corner";
   taken[1].reception.snr = taken[1].reception.snr + Decibels{1.0};
   EXPECT_EQ(last_contradiction(*policy, taken, kCorner), Contradiction::kObservation) << "of another look";
+}
+
+TEST(Replay, MakesTheDecisionsOfAPolicyWithoutANetworkAgainBitForBit) {
+  const auto policy = advice_policy();
+  std::vector<RecordedDecision> taken = flown(*policy, 4, kCorner);
+  EXPECT_EQ(last_contradiction(*policy, taken, kCorner), Contradiction::kNone);
+  taken.back().logits[2] += 0.5F;
+  EXPECT_EQ(last_contradiction(*policy, taken, kCorner), Contradiction::kLogits);
+}
+
+TEST(Replay, KnowsThatItSearchedByOtherTables) {
+  const auto policy = belief_policy(1);
+  const std::vector<RecordedDecision> taken = flown(*policy, 4, kCorner);
+  auto louder = std::make_unique<policy::OceanTables>(falling_ocean());
+  for (std::int8_t& half_db : louder->tables[0].snr_half_db) half_db = static_cast<std::int8_t>(half_db + 2);
+  EXPECT_EQ(contradiction(*policy, taken.back(), *remembered_at(policy->observation, *louder, taken, kCorner)), Contradiction::kObservation);
 }
 
 TEST(Replay, RefusesAnActionThatThePolicyHasNot) {

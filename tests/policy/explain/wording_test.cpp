@@ -49,15 +49,13 @@ TEST(ValueOf, UndoesTheScalingOfTheObservation) {
 }
 
 TEST(NameOf, TellsEveryFeatureOfABeliefAndEveryDirectionFromEveryOther) {
-  policy::BeliefModel model;
-  model.actions = search::compass_directions(8);
-  for (const float offset : {0.0F, 6.0F}) (void)model.hypotheses.push_back({.level_offset_db = offset});
+  const search::ActionTable actions = search::compass_directions(8);
   std::vector<std::string> names;
   for (int feature = 0; feature < 64; ++feature) {
     if (!policy::is_known(static_cast<Feature>(feature))) continue;
     for (std::uint8_t age = 0; age < 2; ++age) {
       const policy::ObservationElement element{.feature = static_cast<Feature>(feature), .age = age};
-      const std::string name = name_of(element, model, model.actions);
+      const std::string name = name_of(element, actions);
       EXPECT_EQ(name.find("feature"), std::string::npos) << "no words for feature " << feature;
       if (age == 0 || name != names.back()) names.push_back(name);
     }

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string>
+#include <vector>
 
+#include "firmware/host/policy/policy_bytes.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/trust/signed_bytes.hpp"
 #include "firmware/policy/network.hpp"
+#include "sim/search/belief_model.hpp"
 
 namespace earshot::freeze {
 namespace {
@@ -136,7 +140,7 @@ TEST(Freeze, PutsEveryWeightOfAnActorTrainedElsewhereInItsPlace) {
   expect_layer(actor.layers[1], network.second);
   expect_layer(actor.layers[2], network.output);
   EXPECT_EQ(frozen->draw, policy::ActionDraw::kArgmax);
-  EXPECT_TRUE(policy::repeats_golden(*frozen, *std::make_unique<policy::SearchMemory>()));
+  EXPECT_TRUE(policy::repeats_golden(*frozen, *std::make_unique<policy::SearchMemory>(), *std::make_unique<policy::OceanTables>()));
 }
 
 TEST(Freeze, RefusesAnActorThatDoesNotFitItsSearchOrAVehicle) {
@@ -188,6 +192,65 @@ TEST(Freeze, RefusesWeightsWithWhichLogitsCouldOverflow) {
   TrainedActor actor = actor_of({6, 5, 4, 8});
   std::ranges::fill(actor.layers[2].weights, 3e38F);
   EXPECT_THROW((void)freeze(actor, made_up_checkpoint(), policy::ActionDraw::kSampled), host::BadInput);
+}
+
+/// The search of the paper with a belief.
+description::SearchDescription search_with_belief() {
+  const search::SearchSettings settings;
+  policy::ObservationModel observation;
+  observation.belief = search::belief_model(settings);
+  observation.spec = policy::belief_state(observation.belief);
+  description::SearchDescription search = description::describe(settings, observation);
+  search.provenance = {{"run", "shipped.toml"}};
+  return search;
+}
+
+TEST(FreezeAdvice, MakesAPolicyWithoutANetworkWhoseLogitsAreTenTimesThePreferences) {
+  const auto frozen = freeze_advice(search_with_belief(), policy::ActionDraw::kArgmax);
+  EXPECT_FALSE(policy::has_network(frozen->network));
+  EXPECT_EQ(frozen->draw, policy::ActionDraw::kArgmax);
+  EXPECT_EQ(std::string(frozen->provenance.begin(), frozen->provenance.end()), "run = shipped.toml\n");
+  // A first look in the corner: a tenth of the logits are 1 / (1 + regret), 1 for the best.
+  const auto tables = std::make_unique<policy::OceanTables>();
+  policy::make_golden_tables(frozen->area_size, *tables);
+  const auto memory = std::make_unique<policy::SearchMemory>();
+  memory->start(frozen->observation, *tables, {Meters{2'000.0}, Meters{2'000.0}}, {.snr = Decibels{12.0}});
+  std::vector<float> observation(frozen->observation.spec.size());
+  std::array<float, 8> logits{};
+  policy::observe(*memory, frozen->observation, observation);
+  policy::find_logits(*frozen, observation, logits);
+  for (std::size_t a = 0; a < logits.size(); ++a)
+    EXPECT_NEAR(logits[a], 10.0F / (1.0F + memory->belief().outlook(a).regret), 1e-5F) << a;  // float roundings
+  EXPECT_EQ(*std::ranges::max_element(logits), 10.0F);
+  EXPECT_LT(*std::ranges::min_element(logits), 9.0F);
+}
+
+TEST(FreezeAdvice, FliesItsGoldenSearchesAndIsReadBackFromItsSignedBytes) {
+  const auto frozen = freeze_advice(search_with_belief(), policy::ActionDraw::kArgmax);
+  EXPECT_TRUE(policy::repeats_golden(*frozen, *std::make_unique<policy::SearchMemory>(), *std::make_unique<policy::OceanTables>()));
+  const std::vector<std::uint8_t> bytes = sign(*frozen, host::make_key());
+  EXPECT_LT(bytes.size(), 10'000U) << "a network of 64 units alone has 33 KiB";
+  const auto read = host::policy_from(bytes, "a.policy");
+  EXPECT_FALSE(policy::has_network(read->network));
+  EXPECT_EQ(read->observation.belief.costs, search_with_belief().observation.belief.costs);
+}
+
+TEST(FreezeAdvice, RefusesASearchThatDoesNotShowEveryActionsPreference) {
+  const auto refused = [](const description::SearchDescription& search) {
+    try {
+      (void)freeze_advice(search, policy::ActionDraw::kArgmax);
+    } catch (const host::BadInput& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  const std::string said = "the policy: section OBSV does not show the preference of every action, by which a policy without a network goes";
+  EXPECT_EQ(refused(search_with_belief()), "");
+  EXPECT_EQ(refused(made_up_checkpoint()), said);
+  description::SearchDescription without_one = search_with_belief();
+  for (policy::ObservationElement& element : without_one.observation.spec)
+    if (element.feature == policy::Feature::kPreference && element.age == 3) element.feature = policy::Feature::kRegret;
+  EXPECT_EQ(refused(without_one), said);
 }
 
 TEST(Sign, RefusesAPolicyOfASizeThatNoFileHolds) {

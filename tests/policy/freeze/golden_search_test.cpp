@@ -77,14 +77,15 @@ TEST(GoldenSearch, IsFlownAgainJustAsInThePoliciesThatShip) {
   }
 }
 
-TEST(GoldenSearch, HearsTwoDecibelsLessForEveryKilometreWhereThereIsNoBelief) {
+TEST(GoldenSearch, HearsTheFirstGoldenOceanADecibelFainterForEveryRange) {
   policy::FrozenPolicy policy = support::random_walk_policy();  // 25 km by 25 km; the sources at (15, 17.5) and (20, 7.5) km
   fly_golden_searches(policy);
   const std::array<NorthEast, 2> sources{NorthEast{Meters{15'000.0}, Meters{17'500.0}}, NorthEast{Meters{20'000.0}, Meters{7'500.0}}};
   std::set<double> noises_db;
   for (std::size_t search = 0; search < 2; ++search) {
     for (const policy::GoldenStep& step : policy.golden[search]) {
-      const double modelled_db = 30.0 - 2.0 * range_between(step.place, sources[search]).value / 1'000.0;
+      // 127 ranges over 50 km of sides, 50 dB at the source.
+      const double modelled_db = 50.0 - std::floor(range_between(step.place, sources[search]).value * 127.0 / 50'000.0);
       noises_db.insert(step.reception.snr.value - modelled_db);
     }
   }
@@ -99,7 +100,7 @@ TEST(GoldenSearch, IsTheSameForTheSamePolicyAndRepeatedByThisBuild) {
   fly_golden_searches(once);
   fly_golden_searches(twice);
   for (std::size_t i = 0; i < config::kGoldenSteps; ++i) EXPECT_EQ(once.golden[1][i].place, twice.golden[1][i].place);
-  EXPECT_TRUE(policy::repeats_golden(once, *std::make_unique<policy::SearchMemory>()));
+  EXPECT_TRUE(policy::repeats_golden(once, *std::make_unique<policy::SearchMemory>(), *std::make_unique<policy::OceanTables>()));
 }
 
 }  // namespace

@@ -210,9 +210,6 @@ std::string text_with_belief() {
   belief.cells_north = 50;
   belief.cells_east = 50;
   belief.border_width = Meters{1'000.0};
-  belief.range_step = Meters{1'000.0};
-  EXPECT_EQ(belief.hypotheses.push_back({.level_offset_db = 0.0F, .spread_db = 3.0F, .prior = 1.0F}), Status::kOk);
-  EXPECT_EQ(belief.snr_db.push_back(10.0F), Status::kOk);
   return description::to_text(search);
 }
 

@@ -10,6 +10,8 @@
 namespace earshot::ppo {
 namespace {
 
+const policy::OceanTables kNoOceans;  // a policy that sees no belief needs none
+
 class TrainerTest : public testing::Test {
  protected:
   TrainerTest() {
@@ -19,7 +21,7 @@ class TrainerTest : public testing::Test {
 
   std::vector<float> trained(std::uint64_t seed) {
     const search::World world(settings, curve);
-    Trainer trainer(world, simple, hyper, seed);
+    Trainer trainer(world, simple, kNoOceans, hyper, seed);
     trainer.train(1'000, [this](const search::EpisodeRecord& episode, std::uint64_t) {
       episodes.push_back(episode);
       return true;
@@ -59,7 +61,7 @@ TEST_F(TrainerTest, TellsOfEveryFinishedEpisodeOnce) {
 
 TEST_F(TrainerTest, StopsWithTheRolloutInWhichItIsTold) {
   const search::World world(settings, curve);
-  Trainer trainer(world, simple, hyper, 1);
+  Trainer trainer(world, simple, kNoOceans, hyper, 1);
   int told = 0;
   trainer.train(1'000'000, [&told](const search::EpisodeRecord&, std::uint64_t) { return ++told != 2; });
   EXPECT_GE(told, 2);
@@ -74,13 +76,13 @@ TEST_F(TrainerTest, GoesOnFromItsStateAsIfNothingHadHappened) {
   hyper.decay_steps = 3'000;
   const search::World world(settings, curve);
   const policy::ObservationModel model{.spec = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value(), .belief = {}};
-  Trainer uninterrupted(world, model, hyper, 5);
+  Trainer uninterrupted(world, model, kNoOceans, hyper, 5);
   uninterrupted.train(1'200, ignore);
   const TrainingState state = uninterrupted.state();
   const std::vector<float> parameters(uninterrupted.networks().parameters().begin(), uninterrupted.networks().parameters().end());
   const UpdateReport expected = uninterrupted.advance(ignore);
 
-  Trainer resumed(world, model, hyper, 5);
+  Trainer resumed(world, model, kNoOceans, hyper, 5);
   ASSERT_TRUE(resumed.resume(parameters, state));
   EXPECT_EQ(resumed.steps(), 1'200U);
   const UpdateReport report = resumed.advance(ignore);
@@ -93,9 +95,9 @@ TEST_F(TrainerTest, GoesOnFromItsStateAsIfNothingHadHappened) {
 
 TEST_F(TrainerTest, RefusesTheStateOfAnotherTraining) {
   const search::World world(settings, curve);
-  const Trainer other(world, simple, hyper, 5);
+  const Trainer other(world, simple, kNoOceans, hyper, 5);
   const std::span<const float> parameters = other.networks().parameters();
-  auto refuses = [&](const TrainingState& state, std::span<const float> p) { return !Trainer(world, simple, hyper, 5).resume(p, state); };
+  auto refuses = [&](const TrainingState& state, std::span<const float> p) { return !Trainer(world, simple, kNoOceans, hyper, 5).resume(p, state); };
   EXPECT_FALSE(refuses(other.state(), parameters));
   EXPECT_TRUE(refuses(other.state(), parameters.first(7)));
   TrainingState state = other.state();
@@ -120,7 +122,7 @@ TEST_F(TrainerTest, RefusesTheStateOfAnotherTraining) {
 TEST_F(TrainerTest, LowersTheLearningRateWithTheStepsTaken) {
   hyper.decay_steps = 2'400;
   const search::World world(settings, curve);
-  Trainer trainer(world, simple, hyper, 1);
+  Trainer trainer(world, simple, kNoOceans, hyper, 1);
   EXPECT_DOUBLE_EQ(trainer.advance(ignore).learning_rate, 3e-4 * 0.75);  // 600 of 2400 steps, as Stable-Baselines3 counts
   EXPECT_DOUBLE_EQ(trainer.advance(ignore).learning_rate, 3e-4 * 0.5);
 }
@@ -128,7 +130,7 @@ TEST_F(TrainerTest, LowersTheLearningRateWithTheStepsTaken) {
 TEST_F(TrainerTest, KeepsTheLearningRateAtZeroOnceItHasFallenThere) {
   hyper.decay_steps = 1'000;
   const search::World world(settings, curve);
-  Trainer trainer(world, simple, hyper, 1);
+  Trainer trainer(world, simple, kNoOceans, hyper, 1);
   EXPECT_DOUBLE_EQ(trainer.advance(ignore).learning_rate, 3e-4 * 0.4);
   EXPECT_EQ(trainer.advance(ignore).learning_rate, 0.0);  // after 1200 steps
 }
@@ -147,7 +149,7 @@ TEST_F(TrainerTest, DrawsActionsAsOftenAsThePolicySaysAndRemembersHowLikelyTheyW
   for (const double p : probabilities) logits.push_back(static_cast<float>(std::log(p)) + 3.0F);  // only differences count
   hyper.steps_per_rollout = 4'000;
   const search::World world(settings, curve);
-  Trainer trainer(world, simple, hyper, 1);
+  Trainer trainer(world, simple, kNoOceans, hyper, 1);
   say_everywhere(trainer, logits, 0.0F);
   (void)trainer.advance(ignore);
   std::vector<int> drawn(8);
@@ -165,7 +167,7 @@ TEST_F(TrainerTest, DrawsActionsAsOftenAsThePolicySaysAndRemembersHowLikelyTheyW
 TEST_F(TrainerTest, EstimatesEachEnvironmentsAdvantagesFromItsOwnSteps) {
   hyper.gae_lambda = 0.0;  // of one step: reward, and the value after it where the episode goes on, less the value before
   const search::World world(settings, curve);
-  Trainer trainer(world, simple, hyper, 1);
+  Trainer trainer(world, simple, kNoOceans, hyper, 1);
   say_everywhere(trainer, std::vector<float>(8), 2.0F);
   (void)trainer.advance(ignore);
   const Rollout& rollout = trainer.rollout();
@@ -188,7 +190,7 @@ TEST_F(TrainerTest, EstimatesEachEnvironmentsAdvantagesFromItsOwnSteps) {
 
 TEST_F(TrainerTest, SaysHowMuchOfTheReturnsTheValuesExplain) {
   const search::World world(settings, curve);
-  Trainer trainer(world, simple, hyper, 1);
+  Trainer trainer(world, simple, kNoOceans, hyper, 1);
   const UpdateReport report = trainer.advance(ignore);
   const Rollout& rollout = trainer.rollout();
   const auto variance = [&](auto value) {  // E x^2 - (E x)^2
@@ -208,7 +210,7 @@ TEST_F(TrainerTest, SaysHowMuchOfTheReturnsTheValuesExplain) {
 
 TEST_F(TrainerTest, SaysWithEveryEpisodeHowManyStepsAllHaveTaken) {
   const search::World world(settings, curve);
-  Trainer trainer(world, simple, hyper, 1);
+  Trainer trainer(world, simple, kNoOceans, hyper, 1);
   std::vector<std::uint64_t> at;
   trainer.train(1'200, [&at](const search::EpisodeRecord&, std::uint64_t taken) {
     at.push_back(taken);
@@ -240,11 +242,11 @@ TEST_F(TrainerTest, OfTwoRanksLearnsFromTheMeanOfTheirGradientsInEnvironmentsOfI
   const search::World world(settings, curve);
   hyper.epochs = 1;
   hyper.batch_size = 600;  // all that a rank has
-  Trainer alone(world, simple, hyper, 1);
+  Trainer alone(world, simple, kNoOceans, hyper, 1);
   OneOfTwo first_of_two(0);
   OneOfTwo second_of_two(1);
-  Trainer first(world, simple, hyper, 1, first_of_two);
-  Trainer second(world, simple, hyper, 1, second_of_two);
+  Trainer first(world, simple, kNoOceans, hyper, 1, first_of_two);
+  Trainer second(world, simple, kNoOceans, hyper, 1, second_of_two);
   EXPECT_TRUE(std::ranges::equal(first.networks().parameters(), second.networks().parameters())) << "they begin as one";
   const UpdateReport of_all = alone.advance(ignore);
   const UpdateReport of_half = first.advance(ignore);
@@ -258,7 +260,7 @@ TEST_F(TrainerTest, OfTwoRanksLearnsFromTheMeanOfTheirGradientsInEnvironmentsOfI
   EXPECT_NE(second.rollout().actions, alone.rollout().actions);
   const auto start_of = [](const Trainer& t, Eigen::Index e) { return Eigen::Vector2f(t.rollout().observations.col(e * 200)); };
   Trainer six(
-      world, simple,
+      world, simple, kNoOceans,
       [this] {
         HyperParameters h = hyper;
         h.environment_count = 6;
@@ -271,9 +273,9 @@ TEST_F(TrainerTest, OfTwoRanksLearnsFromTheMeanOfTheirGradientsInEnvironmentsOfI
 
 TEST_F(TrainerTest, EndsAnUpdateEarlyWhereThePolicyHasMovedFarEnough) {
   const search::World world(settings, curve);
-  EXPECT_EQ(Trainer(world, simple, hyper, 1).advance(ignore).minibatches, 100U);  // 10 epochs of 600 samples by 64
+  EXPECT_EQ(Trainer(world, simple, kNoOceans, hyper, 1).advance(ignore).minibatches, 100U);  // 10 epochs of 600 samples by 64
   hyper.target_kl = 1e-9;
-  const std::size_t minibatches = Trainer(world, simple, hyper, 1).advance(ignore).minibatches;
+  const std::size_t minibatches = Trainer(world, simple, kNoOceans, hyper, 1).advance(ignore).minibatches;
   EXPECT_GT(minibatches, 1U) << "the first sees the policy unchanged";
   EXPECT_LT(minibatches, 100U);
 }
@@ -285,8 +287,8 @@ TEST_F(TrainerTest, AddsTheDiscountedValueOfTheLastObservationWhereTheTimeLimitC
   settings.start_region = {{Meters{10'000.0}, Meters{10'000.0}}, {Meters{20'000.0}, Meters{20'000.0}}};
   hyper.environment_count = 1;
   const search::World world(settings, curve);
-  const Trainer untrained(world, simple, hyper, 1);  // values are those before the update
-  Trainer trainer(world, simple, hyper, 1);
+  const Trainer untrained(world, simple, kNoOceans, hyper, 1);  // values are those before the update
+  Trainer trainer(world, simple, kNoOceans, hyper, 1);
   trainer.train(1, ignore);
 
   const Rollout& rollout = trainer.rollout();
@@ -311,7 +313,7 @@ TEST_F(TrainerTest, TellsLearningTheRewardsOfTheRunFileBesideThePapers) {
   hyper.reward.least = -7.0;
   hyper.reward.scale = 0.5;
   const search::World world(settings, curve);
-  Trainer trainer(world, simple, hyper, 1);
+  Trainer trainer(world, simple, kNoOceans, hyper, 1);
   trainer.train(1, ignore);
 
   const Rollout& rollout = trainer.rollout();
@@ -337,7 +339,7 @@ TEST_F(TrainerTest, LearnsToStayClearOfAnEdgeThatCosts) {
   hyper.steps_per_rollout = 2'048;
   hyper.environment_count = 1;
   const search::World world(settings, curve);
-  Trainer trainer(world, simple, hyper, 1);
+  Trainer trainer(world, simple, kNoOceans, hyper, 1);
   std::vector<bool> left;
   trainer.train(40'000, [&left](const search::EpisodeRecord& episode, std::uint64_t) {
     left.push_back(episode.end == search::EpisodeEnd::kLeftDomain);

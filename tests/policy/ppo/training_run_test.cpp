@@ -55,9 +55,8 @@ TEST(TrainingRun, StartsInsideTheBorderWhenTold) {
 }
 
 TEST(TrainingRun, ShowsPositionAndThenMemoryToAPolicyOfBoth) {
-  const sonar::SnrCurve curve(Meters{1'000.0}, std::vector<float>(40, 0.0F));
   const auto spec_of = [&](const std::string& state) {
-    return observation_of(load_run(written("state = \"" + state + "\"\nremembered_steps = 3\n")), curve).spec;
+    return observation_of(load_run(written("state = \"" + state + "\"\nremembered_steps = 3\n"))).spec;
   };
   const policy::ObservationSpec simple = spec_of("simple");
   const policy::ObservationSpec memory = spec_of("memory");
@@ -70,10 +69,9 @@ TEST(TrainingRun, RemembersAsManyStepsAsAnObservationHolds) {
   using description::State;
   EXPECT_EQ(description::most_remembered(State::kMemory), 21U);          // 21 * 3 = 63 of 64 elements
   EXPECT_EQ(description::most_remembered(State::kPositionMemory), 20U);  // 2 + 20 * 3 = 62
-  const sonar::SnrCurve curve(Meters{1'000.0}, std::vector<float>(40, 0.0F));
   for (const State state : {State::kMemory, State::kPositionMemory}) {
     const std::size_t most = description::most_remembered(state);
-    const std::size_t size = description::observation_of(state, most, {}, curve).spec.size();
+    const std::size_t size = description::observation_of(state, most, {}).spec.size();
     EXPECT_EQ(size, most * 3 + (state == State::kPositionMemory ? 2 : 0)) << description::name_of(state);
   }
 }
@@ -155,8 +153,7 @@ TEST(TrainingRun, ListensAsItsFileSaysAndSaysSoInWhatItMakes) {
   const TrainingRun run = load_run(written("[search]\nlistening = \"loudest\"\nlistening_window_s = 30\n"));
   const config::ListeningWindow window{config::Listening::kLoudest, Duration::seconds(30)};
   EXPECT_EQ(run.search.listening, window);
-  const sonar::SnrCurve curve(Meters{1'000.0}, std::vector<float>(40, 0.0F));
-  EXPECT_EQ(observation_of(run, curve).listening, window);
+  EXPECT_EQ(observation_of(run).listening, window);
   using Line = std::pair<std::string, std::string>;
   const auto lines = describe(run);
   EXPECT_NE(std::ranges::find(lines, Line("listening", "loudest")), lines.end());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -34,6 +35,25 @@ TEST_F(DecisionReportJsonTest, HasPartsThatAddUpToWhatTheyExplain) {
   const double difference =
       json["attribution"]["log_probability"].get<double>() - json["attribution"]["log_probability_at_baseline"].get<double>();
   EXPECT_NEAR(parts, difference, json["attribution"]["tolerance"].get<double>());
+}
+
+TEST_F(DecisionReportJsonTest, TellsOfEachLikelyHypothesisWhichOceanHowLoudHowSureHowSilentAndWhetherItMoves) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  const auto json = nlohmann::json::parse(as_json(make_decision_report(flight, 2, explain::Baseline::kCentre)));
+  const auto& hypotheses = json["belief"]["hypotheses"];
+  ASSERT_FALSE(hypotheses.empty());
+  double last = 1.0;
+  for (const auto& hypothesis : hypotheses) {
+    EXPECT_EQ(hypothesis["ocean"], "falling");
+    EXPECT_EQ(std::fmod(hypothesis["level_offset_db"].get<double>(), 3.0), 0.0);
+    EXPECT_GE(hypothesis["spread_db"], 1.0);
+    EXPECT_GE(hypothesis["silence_share"], 0.0);
+    EXPECT_TRUE(hypothesis["moving"].is_boolean());
+    EXPECT_GE(hypothesis["probability"], 0.01);
+    EXPECT_LE(hypothesis["probability"], last);
+    last = hypothesis["probability"].get<double>();
+  }
+  EXPECT_EQ(hypotheses[0]["level_offset_db"], 0.0) << "the source is as loud as its table says";
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
+#include "tests/policy/explain/flown_policy.hpp"
 #include "tests/support/signed_policy.hpp"
 
 namespace earshot::report {
@@ -81,6 +82,8 @@ void write_flight(const std::filesystem::path& folder, const policy::FrozenPolic
   std::filesystem::create_directories(folder);
   write_journal(folder / "journal.lcmlog", decisions);
   support::write_bytes(folder / "journal.policy", support::signed_bytes(policy));
+  if (policy::needs_belief(policy.observation.spec))
+    support::write_bytes(folder / "journal.tables", support::signed_bytes(explain::falling_ocean()));
   std::ofstream(folder / "summary.json") << summary_of(policy, decisions.size(), south_west);
   std::ofstream snr(folder / "snr.csv");
   snr << "range_m,snr_db\n";

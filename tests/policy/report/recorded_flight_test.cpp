@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "firmware/host/toml/table_reader.hpp"
@@ -86,6 +88,47 @@ TEST_F(RecordedFlightTest, RefusesAnotherPolicyThanTheOneThatFlew) {
   expect_said(refusal(folder_), {"journal.policy", "--policy"});
 }
 
+TEST_F(RecordedFlightTest, HasTheTablesBesideTheJournalOrThoseThatAreSaid) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  ASSERT_EQ(flight.tables->tables.size(), 1U);
+  EXPECT_EQ(flight.tables->tables[0].snr_half_db, explain::falling_ocean().tables[0].snr_half_db);
+  fs::rename(folder_ / "journal.tables", folder_ / "elsewhere.tables");
+  EXPECT_EQ(open_recording(folder_, {.tables = folder_ / "elsewhere.tables"}).tables->tables[0].snr_half_db,
+            flight.tables->tables[0].snr_half_db);
+}
+
+TEST_F(RecordedFlightTest, NamesTheOptionWhereTheTablesAreMissing) {
+  fs::remove(folder_ / "journal.tables");
+  expect_said(refusal(folder_), {"journal.lcmlog", "no tables beside it (journal.tables)", "--tables FILE"});
+  expect_said(refusal(folder_, {.tables = folder_ / "none.tables"}), {"none.tables", "no such file"});
+}
+
+TEST_F(RecordedFlightTest, RefusesOtherTablesThanThoseThatFlew) {
+  auto louder = std::make_unique<policy::OceanTables>(explain::falling_ocean());
+  for (std::int8_t& half_db : louder->tables[0].snr_half_db) half_db = static_cast<std::int8_t>(half_db + 2);
+  support::write_bytes(folder_ / "louder.tables", support::signed_bytes(*louder));
+  expect_said(refusal(folder_, {.tables = folder_ / "louder.tables"}), {"step 0", "other ocean tables"});
+}
+
+TEST_F(RecordedFlightTest, RefusesTablesThatAreNoneOrDamaged) {
+  std::ofstream(folder_ / "journal.tables") << "range,snr\n";
+  expect_said(refusal(folder_), {"journal.tables", "not a .tables file"});
+  std::vector<std::uint8_t> bytes = support::signed_bytes(explain::falling_ocean());
+  bytes[200] ^= 1U;
+  support::write_bytes(folder_ / "journal.tables", bytes);
+  expect_said(refusal(folder_), {"journal.tables", "is damaged: its CRC-32 is wrong"});
+}
+
+TEST_F(RecordedFlightTest, OfAPolicyWithoutANetworkIsHeldAgainstItsAdvice) {
+  const auto advice = explain::advice_policy();
+  std::vector<explain::RecordedDecision> taken = explain::flown(*advice, 5, kCorner);
+  write_flight(folder_, *advice, taken, kCorner);
+  EXPECT_EQ(open_recording(folder_, {}).journal.decisions.size(), 5U);
+  taken[2].logits[1] += 0.25F;
+  write_flight(folder_, *advice, taken, kCorner);
+  expect_said(refusal(folder_), {"step 2", "other logits"});
+}
+
 TEST_F(RecordedFlightTest, RefusesAGapInTheDecisions) {
   std::vector<explain::RecordedDecision> taken = explain::flown(*policy_, 5, kCorner);
   taken.erase(taken.begin() + 2);
@@ -157,6 +200,7 @@ TEST_F(RecordedFlightTest, RefusesAnSnrCurveWhoseRangesDoNotRiseFromZeroByOneSte
 
 TEST_F(RecordedFlightTest, GivesAPolicyWithoutABeliefAnObserversOfTheOceanThatWasFlown) {
   const auto policy = explain::place_policy(1);
+  fs::remove(folder_ / "journal.tables");
   write_flight(folder_, *policy, explain::flown(*policy, 5, kCorner), kCorner);
   const RecordedFlight flight = open_recording(folder_, {});
   ASSERT_TRUE(flight.observer);

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "sim/search/belief_model.hpp"
+#include "sim/search/told_ocean.hpp"
 
 namespace earshot::search {
 namespace {
@@ -18,6 +20,7 @@ constexpr std::size_t kNorth = 0;
 constexpr std::size_t kEast = 2;
 constexpr std::size_t kSouth = 4;
 constexpr std::size_t kWest = 6;
+const policy::OceanTables kNoOceans;
 
 /// 30 dB at the source, one less per kilometre: DT = 10 dB is reached 20 km away.
 sonar::SnrCurve one_decibel_per_kilometer() {
@@ -36,7 +39,7 @@ class EpisodeTest : public testing::Test {
 
 TEST_F(EpisodeTest, MovesOneStepLengthAlongTheActionsDirection) {
   const World world(settings, curve);
-  episode.start_at(world, model, at(5'000, 7'000), settings.source);
+  episode.start_at(world, model, kNoOceans, at(5'000, 7'000), settings.source);
   episode.step(world, kEast);
   EXPECT_EQ(episode.position(), at(5'000, 8'000));
   episode.step(world, 5);                                                             // south-west
@@ -46,7 +49,7 @@ TEST_F(EpisodeTest, MovesOneStepLengthAlongTheActionsDirection) {
 
 TEST_F(EpisodeTest, EndsWhenItComesWithinAStepLengthOfTheSource) {
   const World world(settings, curve);
-  episode.start_at(world, model, at(10'000, 12'500), settings.source);
+  episode.start_at(world, model, kNoOceans, at(10'000, 12'500), settings.source);
   EXPECT_EQ(episode.step(world, kWest), 0.0);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning);  // 1500 m away
   EXPECT_EQ(episode.step(world, kWest), 0.0);
@@ -56,14 +59,14 @@ TEST_F(EpisodeTest, EndsWhenItComesWithinAStepLengthOfTheSource) {
 
 TEST_F(EpisodeTest, FindsTheSourceFromExactlyOneStepLength) {
   const World world(settings, curve);
-  episode.start_at(world, model, at(10'000, 12'000), settings.source);
+  episode.start_at(world, model, kNoOceans, at(10'000, 12'000), settings.source);
   episode.step(world, kWest);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
 }
 
 TEST_F(EpisodeTest, EndsOutsideTheDomainWithThePenaltyOfWhereItCameOut) {
   const World world(settings, curve);
-  episode.start_at(world, model, at(24'500, 10'000), settings.source);
+  episode.start_at(world, model, kNoOceans, at(24'500, 10'000), settings.source);
   // Half a kilometre beyond the edge: -100 (1 + 0.5); 15.5 km from the source it is heard.
   EXPECT_EQ(episode.step(world, kNorth), -150.0);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kLeftDomain);
@@ -72,14 +75,14 @@ TEST_F(EpisodeTest, EndsOutsideTheDomainWithThePenaltyOfWhereItCameOut) {
 TEST_F(EpisodeTest, CountsASourceReachedJustOutsideTheDomainAsFound) {
   settings.source = at(24'900, 10'000);
   const World world(settings, curve);
-  episode.start_at(world, model, at(24'600, 11'100), settings.source);
+  episode.start_at(world, model, kNoOceans, at(24'600, 11'100), settings.source);
   episode.step(world, 7);  // north-west, to 25 307 m north, 10 393 m east: 566 m away
   EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
 }
 
 TEST_F(EpisodeTest, ThatIsPutWithinReachOfTheSourceHasToTakeAStepToFindIt) {
   const World world(settings, curve);
-  episode.start_at(world, model, at(10'000, 10'600), settings.source);
+  episode.start_at(world, model, kNoOceans, at(10'000, 10'600), settings.source);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning);
   EXPECT_EQ(episode.record().detections, 0U) << "the start is no detection";
   EXPECT_EQ(episode.record().reward, 0.0);
@@ -92,7 +95,7 @@ TEST_F(EpisodeTest, ThatIsPutWithinReachOfTheSourceHasToTakeAStepToFindIt) {
 
 TEST_F(EpisodeTest, IsCutByTheTimeLimitAfterNSteps) {
   const World world(settings, curve);
-  episode.start_at(world, model, at(15'000, 15'000), settings.source);
+  episode.start_at(world, model, kNoOceans, at(15'000, 15'000), settings.source);
   for (int i = 0; i < 99; ++i) episode.step(world, i % 2 == 0 ? kNorth : kSouth);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kRunning);
   episode.step(world, kSouth);
@@ -103,14 +106,14 @@ TEST_F(EpisodeTest, IsCutByTheTimeLimitAfterNSteps) {
 TEST_F(EpisodeTest, PrefersFoundOverTheTimeLimitOnTheLastStep) {
   settings.max_steps = 1;
   const World world(settings, curve);
-  episode.start_at(world, model, at(10'000, 12'000), settings.source);
+  episode.start_at(world, model, kNoOceans, at(10'000, 12'000), settings.source);
   episode.step(world, kWest);
   EXPECT_EQ(episode.record().end, EpisodeEnd::kFound);
 }
 
 TEST_F(EpisodeTest, AddsUpItsRewards) {
   const World world(settings, curve);
-  episode.start_at(world, model, at(2'000, 20'500), at(24'000, 2'000));  // 28.7 km away: not heard
+  episode.start_at(world, model, kNoOceans, at(2'000, 20'500), at(24'000, 2'000));  // 28.7 km away: not heard
   double sum = 0.0;
   for (int i = 0; i < 4; ++i) sum += episode.step(world, kEast);
   // 21.5, 22.5, 23.5 km east are inside the border's inner edge, 24.5 km is half-way through it.
@@ -122,7 +125,7 @@ TEST_F(EpisodeTest, SeesTheMemoryStateOfItsLastStepsNewestFirst) {
   const World world(settings, curve);
   model.spec = policy::memory_state(2, settings.step_length, settings.detection_threshold).value();
   std::array<float, 6> seen{};
-  episode.start_at(world, model, at(10'000, 15'000), settings.source);
+  episode.start_at(world, model, kNoOceans, at(10'000, 15'000), settings.source);
   episode.observe(seen);
   // At the start no displacement; 25 dB is heard: (25 - 10) / 30.
   EXPECT_EQ(seen[0], 0.0F);
@@ -141,9 +144,11 @@ TEST_F(EpisodeTest, BelievesThatTheSourceIsNearWhereItIsLoud) {
   settings.domain = {at(0, 0), at(10'000, 30'000)};
   settings.start_region = settings.domain;
   const World world(settings, curve);
-  model.belief = belief_model(settings, curve);
+  model.belief = belief_model(settings);
+  const auto told = std::make_unique<policy::OceanTables>();
+  make_told_ocean(settings, curve, *told);
   ASSERT_EQ(model.spec.push_back({.feature = policy::Feature::kEffectiveCells}), Status::kOk);
-  episode.start_at(world, model, at(5'000, 5'000), at(5'000, 6'500));  // 28.5 dB
+  episode.start_at(world, model, *told, at(5'000, 5'000), at(5'000, 6'500));  // 28.5 dB
   // Cells of 500 m, 20 north by 60 east: that of the source, and one as far from the vehicle as the area reaches.
   EXPECT_GT(episode.belief().probability(model.belief, 10, 13), 0.0F);
   EXPECT_GT(episode.belief().probability(model.belief, 10, 13), 100.0F * episode.belief().probability(model.belief, 10, 59));
@@ -156,7 +161,7 @@ TEST_F(EpisodeTest, SeesTheSimpleStateRelativeToTheDomainsSouthWestCorner) {
   const World world(settings, curve);
   model.spec = policy::simple_state(at(25'000, 25'000));
   std::array<float, 2> seen{};
-  episode.start_at(world, model, corner + at(25'000, 12'500), corner + at(1'000, 1'000));
+  episode.start_at(world, model, kNoOceans, corner + at(25'000, 12'500), corner + at(1'000, 1'000));
   episode.observe(seen);
   EXPECT_FLOAT_EQ(seen[0], 0.0F);  // x, east: in the middle
   EXPECT_FLOAT_EQ(seen[1], 1.0F);  // y, north: at the far edge
@@ -167,7 +172,7 @@ TEST_F(EpisodeTest, NeverStartsWithinReachOfTheSource) {
   const World world(settings, curve);
   Pcg32 random(7);
   for (int i = 0; i < 1'000; ++i) {
-    episode.start(world, model, random);
+    episode.start(world, model, kNoOceans, random);
     const NorthEast d = episode.position() - settings.source;
     EXPECT_GT(std::hypot(d.north.value, d.east.value), 1'000.0);
   }
@@ -180,7 +185,7 @@ TEST_F(EpisodeTest, DrawsAChangingSourceAgainThatLeavesNoPlaceToStart) {
   const World world(settings, curve);
   Pcg32 random(7);
   for (int i = 0; i < 200; ++i) {
-    episode.start(world, model, random);
+    episode.start(world, model, kNoOceans, random);
     EXPECT_GT(range_between(episode.position(), episode.source()), Meters{1'000.0});
     EXPECT_TRUE(settings.start_region.contains(episode.position()));
   }
@@ -193,7 +198,7 @@ TEST_F(EpisodeTest, ScalesNorthAndEastByTheirOwnSidesOfAnAreaThatIsNotSquare) {
   const World world(settings, curve);
   model.spec = policy::simple_state(at(8'000, 40'000));
   std::array<float, 2> seen{};
-  episode.start_at(world, model, corner + at(6'000, 30'000), corner + at(1'000, 1'000));
+  episode.start_at(world, model, kNoOceans, corner + at(6'000, 30'000), corner + at(1'000, 1'000));
   episode.observe(seen);
   EXPECT_FLOAT_EQ(seen[0], 0.5F);  // x, east: three quarters of the way from -1 to 1
   EXPECT_FLOAT_EQ(seen[1], 0.5F);  // y, north
@@ -221,7 +226,7 @@ TEST_F(EpisodeTest, DrawsNorthAndEastBetweenTheirOwnEdges) {
   NorthEast least = settings.start_region.north_east;
   NorthEast most = settings.start_region.south_west;
   for (int i = 0; i < kEpisodes; ++i) {
-    episode.start(world, model, random);
+    episode.start(world, model, kNoOceans, random);
     EXPECT_TRUE(settings.start_region.contains(episode.position()));
     EXPECT_TRUE(settings.domain.contains(episode.source()));
     least = {std::min(least.north, episode.position().north), std::min(least.east, episode.position().east)};
@@ -243,7 +248,7 @@ TEST_F(EpisodeTest, StartsUniformlyInItsRegionAndPlacesAChangingSourceUniformlyI
   double start_north = 0.0;
   double source_east = 0.0;
   for (int i = 0; i < kEpisodes; ++i) {
-    episode.start(world, model, random);
+    episode.start(world, model, kNoOceans, random);
     EXPECT_TRUE(settings.start_region.contains(episode.position()));
     EXPECT_TRUE(settings.domain.contains(episode.source()));
     start_north += episode.position().north.value / kEpisodes;

@@ -19,6 +19,7 @@ constexpr NorthEast at(double north_m, double east_m) {
 constexpr std::size_t kNorth = 0;
 constexpr std::size_t kEast = 2;
 const policy::ObservationModel kSeesNothing;
+const policy::OceanTables kNoOceans;
 
 /// 30 dB at the source, one less per kilometre.
 sonar::SnrCurve one_decibel_per_kilometer() {
@@ -47,7 +48,7 @@ TEST_F(ListeningEpisode, HearsTheLoudestLookOnItsWayWhereItWasTaken) {
                                                    std::tuple{Listening::kLoudest, 2, 2.0}, std::tuple{Listening::kMean, 2, 1.0}}) {
     listen(listening, looks);
     const World calm = world();
-    episode.start_at(calm, kSeesNothing, at(16'000, 10'000), settings.source);
+    episode.start_at(calm, kSeesNothing, kNoOceans, at(16'000, 10'000), settings.source);
     EXPECT_NEAR(episode.snr().value, 24.0, 1e-6) << "the start has one look";
     episode.step(calm, kNorth);
     EXPECT_NEAR(episode.snr().value, 23.0 + nearer_m / 1'000.0, 1e-5);  // the curve's floats
@@ -61,7 +62,7 @@ TEST_F(ListeningEpisode, CountsADetectionAnywhereInItsWindow) {
     listen(Listening::kLoudest, seconds);
     const World calm = world();
     settings.source = at(1'000, 1'000);
-    episode.start_at(calm, kSeesNothing, at(1'000, 20'100), at(1'000, 1'000));
+    episode.start_at(calm, kSeesNothing, kNoOceans, at(1'000, 20'100), at(1'000, 1'000));
     EXPECT_EQ(episode.step(calm, kEast), detections == 1 ? 0.0 : -1.0);
     EXPECT_EQ(episode.record().detections, detections);
   }
@@ -71,7 +72,7 @@ TEST_F(ListeningEpisode, NeverReachesBackBeyondItsStep) {
   settings.step_length = Meters{100.0};  // 50 s
   listen(Listening::kLoudest, 120);
   const World calm = world();
-  episode.start_at(calm, kSeesNothing, at(16'000, 10'000), settings.source);
+  episode.start_at(calm, kSeesNothing, kNoOceans, at(16'000, 10'000), settings.source);
   episode.step(calm, kNorth);
   episode.step(calm, kNorth);
   EXPECT_NEAR(episode.snr().value, 30.0 - 6.102, 1e-5);  // the second step's first look, 2 m from where it began
@@ -84,8 +85,8 @@ TEST_F(ListeningEpisode, MovesDriftsAndSwimsAsFarAsWithoutAWindow) {
   listen(Listening::kLoudest, 30);
   const World loudest = world();
   Episode other;
-  episode.start_at(newest, kSeesNothing, at(5'000, 5'000), at(15'000, 15'000), Pcg32(4));
-  other.start_at(loudest, kSeesNothing, at(5'000, 5'000), at(15'000, 15'000), Pcg32(4));
+  episode.start_at(newest, kSeesNothing, kNoOceans, at(5'000, 5'000), at(15'000, 15'000), Pcg32(4));
+  other.start_at(loudest, kSeesNothing, kNoOceans, at(5'000, 5'000), at(15'000, 15'000), Pcg32(4));
   for (int i = 0; i < 6; ++i) {
     episode.step(newest, i % 2 == 0 ? kNorth : kEast);
     other.step(loudest, i % 2 == 0 ? kNorth : kEast);
@@ -107,7 +108,7 @@ TEST_F(ListeningEpisode, FluctuatesByTheLargestOrTheMeanOfAsManyDraws) {
     double sum = 0.0;
     double squares = 0.0;
     for (int i = 0; i < kSteps; ++i) {
-      episode.start_at(noisy, kSeesNothing, at(20'000, 20'000), settings.source, Pcg32(static_cast<std::uint64_t>(i)));
+      episode.start_at(noisy, kSeesNothing, kNoOceans, at(20'000, 20'000), settings.source, Pcg32(static_cast<std::uint64_t>(i)));
       episode.step(noisy, kNorth);
       sum += episode.snr().value;
       squares += (episode.snr().value - mean_db) * (episode.snr().value - mean_db);
@@ -123,8 +124,8 @@ TEST_F(ListeningEpisode, DrawsNothingMoreWhenItListensToTheNewestAlone) {
   listen(Listening::kLoudest, 1);
   const World one_second = world();
   Episode other;
-  episode.start_at(newest, kSeesNothing, at(5'000, 5'000), settings.source, Pcg32(4));
-  other.start_at(one_second, kSeesNothing, at(5'000, 5'000), settings.source, Pcg32(4));
+  episode.start_at(newest, kSeesNothing, kNoOceans, at(5'000, 5'000), settings.source, Pcg32(4));
+  other.start_at(one_second, kSeesNothing, kNoOceans, at(5'000, 5'000), settings.source, Pcg32(4));
   for (int i = 0; i < 5; ++i) {
     episode.step(newest, kNorth);
     other.step(one_second, kNorth);

@@ -28,6 +28,8 @@ void operator delete(void* memory, std::size_t) noexcept {
 namespace earshot::search {
 namespace {
 
+const policy::OceanTables kNoOceans;
+
 class VectorSearchTest : public testing::Test {
  protected:
   VectorSearchTest() { settings.placement = SourcePlacement::kChanging; }
@@ -39,7 +41,7 @@ class VectorSearchTest : public testing::Test {
 
 TEST_F(VectorSearchTest, AllocatesNothingWhileStepping) {
   const World world(settings, curve);
-  VectorSearch search(world, model, 16, 1);
+  VectorSearch search(world, model, kNoOceans, 16, 1);
   std::array<std::size_t, 16> actions{};
   Pcg32 random(3);
   const std::size_t before = allocations;
@@ -55,7 +57,7 @@ TEST_F(VectorSearchTest, AllocatesNothingWhileStepping) {
 TEST_F(VectorSearchTest, GivesTheSameEpisodesForTheSameSeedAndOthersForAnother) {
   const World world(settings, curve);
   auto fly = [&](std::uint64_t seed) {
-    VectorSearch search(world, model, 3, seed);
+    VectorSearch search(world, model, kNoOceans, 3, seed);
     std::vector<float> seen;
     for (std::size_t i = 0; i < 300; ++i) {
       search.step(std::array<std::size_t, 3>{i % 8, (3 * i) % 8, (5 * i) % 8});
@@ -72,8 +74,8 @@ TEST_F(VectorSearchTest, GivesTheSameEpisodesForTheSameSeedAndOthersForAnother) 
 
 TEST_F(VectorSearchTest, FliesAnEnvironmentsEpisodesAlikeHoweverManyOthersRunBesideIt) {
   const World world(settings, curve);
-  VectorSearch alone(world, model, 1, 9);
-  VectorSearch among(world, model, 4, 9);
+  VectorSearch alone(world, model, kNoOceans, 1, 9);
+  VectorSearch among(world, model, kNoOceans, 4, 9);
   for (std::size_t i = 0; i < 500; ++i) {
     alone.step(std::array<std::size_t, 1>{i % 8});
     among.step(std::array<std::size_t, 4>{i % 8, 0, 1, 2});
@@ -85,13 +87,13 @@ TEST_F(VectorSearchTest, FliesEachEnvironmentAsAnEpisodeWithAStreamOfItsOwn) {
   const World world(settings, curve);
   constexpr std::size_t kCount = 3;
   for (const std::uint64_t first_stream : {0U, 7U}) {
-    VectorSearch search = first_stream == 0 ? VectorSearch(world, model, kCount, 9) : VectorSearch(world, model, kCount, 9, first_stream);
+    VectorSearch search = first_stream == 0 ? VectorSearch(world, model, kNoOceans, kCount, 9) : VectorSearch(world, model, kNoOceans, kCount, 9, first_stream);
     std::vector<Pcg32> random;
     std::vector<Episode> episodes(kCount);
     std::array<float, 6> seen{};
     for (std::size_t e = 0; e < kCount; ++e) {
       random.emplace_back(9, first_stream + e);
-      episodes[e].start(world, model, random[e]);
+      episodes[e].start(world, model, kNoOceans, random[e]);
       episodes[e].observe(seen);
       ASSERT_TRUE(std::ranges::equal(search.observation(e), seen)) << e;
     }
@@ -107,7 +109,7 @@ TEST_F(VectorSearchTest, FliesEachEnvironmentAsAnEpisodeWithAStreamOfItsOwn) {
           ++ended;
           episodes[e].observe(seen);
           ASSERT_TRUE(std::ranges::equal(search.final_observation(e), seen));
-          episodes[e].start(world, model, random[e]);
+          episodes[e].start(world, model, kNoOceans, random[e]);
         }
         episodes[e].observe(seen);
         ASSERT_TRUE(std::ranges::equal(search.observation(e), seen));
@@ -123,9 +125,9 @@ TEST_F(VectorSearchTest, DoesNotGoOnFromScriptsThatAreNotOfItsEpisodes) {
   settings.source = {Meters{1'000.0}, Meters{1'000.0}};
   settings.start_region = {{Meters{10'000.0}, Meters{10'000.0}}, {Meters{12'000.0}, Meters{12'000.0}}};
   const World world(settings, curve);
-  const VectorSearch whole(world, model, 2, 3);
+  const VectorSearch whole(world, model, kNoOceans, 2, 3);
   const auto goes_on = [&](std::vector<EpisodeScript> scripts, std::vector<std::uint8_t> actions) {
-    VectorSearch resumed(world, model, 2, 99);
+    VectorSearch resumed(world, model, kNoOceans, 2, 99);
     scripts.back().actions = std::move(actions);
     return resumed.resume(scripts);
   };
@@ -143,7 +145,7 @@ TEST_F(VectorSearchTest, StartsAnewInTheStepThatEndsAnEpisodeAndKeepsItsLastObse
   settings.placement = SourcePlacement::kFixed;
   settings.source = {Meters{1'000.0}, Meters{1'000.0}};
   const World world(settings, curve);
-  VectorSearch search(world, model, 1, 1);
+  VectorSearch search(world, model, kNoOceans, 1, 1);
   const std::array<std::size_t, 1> north{0};
   search.step(north);
   search.step(north);
@@ -161,14 +163,14 @@ TEST_F(VectorSearchTest, StartsAnewInTheStepThatEndsAnEpisodeAndKeepsItsLastObse
 TEST_F(VectorSearchTest, GoesOnFromItsScriptsAsIfNothingHadHappened) {
   settings.max_steps = 7;  // some episodes have just begun, others not
   const World world(settings, curve);
-  VectorSearch uninterrupted(world, model, 5, 3);
+  VectorSearch uninterrupted(world, model, kNoOceans, 5, 3);
   std::vector<std::size_t> actions(5);
   auto step = [&actions](VectorSearch& environments, std::size_t t) {
     for (std::size_t e = 0; e < actions.size(); ++e) actions[e] = (3 * t + e) % 8;
     environments.step(actions);
   };
   for (std::size_t t = 0; t < 24; ++t) step(uninterrupted, t);
-  VectorSearch resumed(world, model, 5, 99);
+  VectorSearch resumed(world, model, kNoOceans, 5, 99);
   ASSERT_TRUE(resumed.resume(uninterrupted.scripts()));
   for (std::size_t t = 24; t < 60; ++t) {
     for (std::size_t e = 0; e < actions.size(); ++e) ASSERT_TRUE(std::ranges::equal(resumed.observation(e), uninterrupted.observation(e)));

@@ -59,17 +59,8 @@ TEST(PolicyBytes, OfALaterVersionSaySo) {
             "a.policy: is of version 5 of the .policy format, this program reads version 4: it was frozen by a later one");
 }
 
-TEST(PolicyBytes, OfVersion3AreRefusedWithTheCommandThatFreezesThemAgain) {
-  std::ifstream stream(EARSHOT_SOURCE_DIR "/tests/policy/freeze/models/version_3_simple.policy", std::ios::binary);
-  const Bytes bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  EXPECT_EQ(
-      complaint_about(bytes),
-      "a.policy: is of version 3 of the .policy format, this program reads version 4; freeze it again, its weights as they are: earshot "
-      "freeze a.policy -o a.policy --force --key YOUR.key");
-}
-
 TEST(PolicyBytes, OfVersionsThatNothingReadsAreRefusedWithoutACommandThatWouldNotReadThemEither) {
-  for (const std::uint8_t version : std::initializer_list<std::uint8_t>{0, 1, 2})
+  for (const std::uint8_t version : std::initializer_list<std::uint8_t>{0, 1, 2, 3})
     EXPECT_EQ(complaint_after([version](Bytes& bytes) { bytes[8] = version; }),
               "a.policy: is of version " + std::to_string(version) +
                   " of the .policy format, this program reads version 4; no program reads it any more: freeze the model that it was made "

@@ -298,6 +298,7 @@ TEST(Conversion, GivesEveryFieldOfAMissionBack) {
       .search_speed = MetersPerSecond{8.0},
       .step_length = Meters{9.0},
       .max_steps = 10,
+      .ends_when_found = true,
       .max_time = Duration::seconds(11),
       .navigation_timeout = Duration::seconds(12),
       .snr_timeout = Duration::seconds(13),
@@ -309,13 +310,15 @@ TEST(Conversion, GivesEveryFieldOfAMissionBack) {
       .action_seed = (std::uint64_t{1} << 63U) + 16,
   };
   // A field more does not compile here: give it a value above that is not its default.
-  const auto& [area, margin, depth, max_depth, speed, step, steps, time, navigation, snr, threshold, frequency, listening, safety,
+  const auto& [area, margin, depth, max_depth, speed, step, steps, ends_when_found, time, navigation, snr, threshold, frequency, listening, safety,
                authority, seed] = mission;
+  EXPECT_TRUE(ends_when_found);
+  EXPECT_EQ(frequency, Hertz{18.0});
   EXPECT_EQ(seed, (std::uint64_t{1} << 63U) + 16);
   EXPECT_EQ(safety.rules.size(), config::kMaxOwnRules);
   EXPECT_TRUE(authority.needs_verified_commands);
   EXPECT_EQ(from_message(carried(to_message(mission, Time{7}))), mission);
-  EXPECT_EQ(Encoded(to_message(mission, Time{7})).bytes().size(), 2570U);
+  EXPECT_EQ(Encoded(to_message(mission, Time{7})).bytes().size(), 2571U);
 }
 
 TEST(Conversion, GivesAMissionWithoutFenceOrRulesBack) {

@@ -21,6 +21,7 @@ using runtime::at;
 constexpr int kSearches = 200;
 constexpr std::size_t kSteps = 12;  // of 100 s: a song and its pause
 constexpr double kFluctuation_db = 2.0;
+const policy::OceanTables kNoOceans;  // a policy that sees no belief needs none
 
 /// A whale that sings for 15 minutes, a pulse of one second every 15 s, and pauses for 5; equally loud everywhere.
 class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow> {
@@ -40,7 +41,7 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
     std::vector<policy::Reception> receptions;
     search::Episode episode;
     for (std::uint64_t seed = 0; seed < kSearches; ++seed) {
-      episode.start_at(world, sees_nothing, at(2'000, 2'000), settings.source, Pcg32(seed));
+      episode.start_at(world, sees_nothing, kNoOceans, at(2'000, 2'000), settings.source, Pcg32(seed));
       for (std::size_t i = 0; i < kSteps; ++i) {
         episode.step(world, 0);
         receptions.push_back(episode.reception());
@@ -68,7 +69,7 @@ class ListeningAgreement : public testing::TestWithParam<config::ListeningWindow
   void fly(const search::World& world, const policy::FrozenPolicy& policy, const config::Mission& mission, Pcg32 random,
            std::vector<policy::Reception>& receptions) {
     auto runtime = std::make_unique<runtime::Runtime>();
-    ASSERT_EQ(runtime->configure(mission, policy), Status::kOk);
+    ASSERT_EQ(runtime->configure(mission, policy, kNoOceans), Status::kOk);
     vehicle::State vehicle{
         .position = at(2'000, 2'000), .depth = mission.search_depth, .heading = Radians{0.0}, .speed = mission.search_speed};
     search::Surroundings surroundings;

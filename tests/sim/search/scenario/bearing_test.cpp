@@ -12,6 +12,7 @@
 namespace earshot::search {
 namespace {
 
+const policy::OceanTables kNoOceans;
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 constexpr NorthEast at(double north_m, double east_m) {
@@ -182,7 +183,7 @@ TEST_F(Bearings, OfAWindowAreOfItsLastLookThatWasMeasured) {
   const policy::ObservationModel sees_nothing;
   Episode episode;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    episode.start_at(w, sees_nothing, at(20'000, 10'000), settings.source, Pcg32(seed));
+    episode.start_at(w, sees_nothing, kNoOceans, at(20'000, 10'000), settings.source, Pcg32(seed));
     (void)episode.step(w, 0);
     EXPECT_FALSE(episode.reception().too_faint);
     EXPECT_TRUE(episode.reception().bearing) << "a call of 25 s is in every window of 60 s, if seldom its last look";
@@ -199,8 +200,8 @@ TEST_F(Bearings, LeaveStartSourceAndSnrOfASearchAsTheyAre) {
   Episode other;
   Pcg32 random(3);
   Pcg32 same(3);
-  one.start(with, sees_nothing, random);
-  other.start(without, sees_nothing, same);
+  one.start(with, sees_nothing, kNoOceans, random);
+  other.start(without, sees_nothing, kNoOceans, same);
   EXPECT_EQ(one.position(), other.position());
   EXPECT_EQ(one.source(), other.source());
   EXPECT_EQ(one.snr(), other.snr()) << "of the first look: later ones come from further down the stream";

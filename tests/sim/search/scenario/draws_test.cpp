@@ -16,6 +16,7 @@ namespace {
 constexpr NorthEast at(double north_m, double east_m) {
   return {Meters{north_m}, Meters{east_m}};
 }
+const policy::OceanTables kNoOceans;
 constexpr NorthEast kVehicle = at(22'000, 10'000);
 
 World world_of(const Conditions& conditions, const SearchSettings& settings = {}) {
@@ -116,7 +117,7 @@ TEST(SearchConditions, ComeFromAStreamSeededByTwoNumbersOfTheSearchs) {
   Episode episode;
   const policy::ObservationModel sees_nothing;
   for (int search = 0; search < 50; ++search) {
-    episode.start(world, sees_nothing, random);
+    episode.start(world, sees_nothing, kNoOceans, random);
     heard_db.insert(episode.snr().value);
   }
   EXPECT_EQ(heard_db.size(), 50U) << "every search draws its own";

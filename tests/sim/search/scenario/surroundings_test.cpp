@@ -19,6 +19,7 @@ constexpr NorthEast at(double north_m, double east_m) {
 }
 constexpr std::size_t kNorth = 0;
 const policy::ObservationModel kSeesNothing;
+const policy::OceanTables kNoOceans;
 
 /// 30 dB at the source, one less per kilometre.
 sonar::SnrCurve one_decibel_per_kilometer() {
@@ -38,7 +39,7 @@ class Conditions : public testing::Test {
     Pcg32 random(5);
     std::vector<double> snr_db;
     for (int i = 0; i < count; ++i) {
-      episode.start_at(w, kSeesNothing, at(22'000, 10'000), settings.source, Pcg32(random.next()));
+      episode.start_at(w, kSeesNothing, kNoOceans, at(22'000, 10'000), settings.source, Pcg32(random.next()));
       snr_db.push_back(episode.snr().value);
     }
     return snr_db;
@@ -73,8 +74,8 @@ TEST_F(Conditions, ChangeNothingWhenCalm) {
   Episode other;
   Pcg32 random(3);
   Pcg32 same(3);
-  episode.start(calm, kSeesNothing, random);
-  other.start(plain, kSeesNothing, same);
+  episode.start(calm, kSeesNothing, kNoOceans, random);
+  other.start(plain, kSeesNothing, kNoOceans, same);
   EXPECT_EQ(episode.step(calm, kNorth), other.step(plain, kNorth));
   EXPECT_EQ(episode.position(), other.position());
   EXPECT_EQ(episode.reception(), other.reception());
@@ -91,8 +92,8 @@ TEST_F(Conditions, LeaveStartAndSourceAsInACalmWorldOfTheSameSeed) {
   Episode other;
   Pcg32 random(3);
   Pcg32 same(3);
-  episode.start(calm, kSeesNothing, random);
-  other.start(noisy, kSeesNothing, same);
+  episode.start(calm, kSeesNothing, kNoOceans, random);
+  other.start(noisy, kSeesNothing, kNoOceans, same);
   EXPECT_EQ(episode.position(), other.position());
   EXPECT_EQ(episode.source(), other.source());
 }
@@ -127,7 +128,7 @@ TEST_F(Conditions, FluctuationOfASearchIsUniformBetweenItsBounds) {
 TEST_F(Conditions, FluctuationIsDrawnAnewAtEveryLook) {
   conditions.fluctuation = Decibels{4.0};
   const World w = world();
-  episode.start_at(w, kSeesNothing, at(12'000, 22'000), settings.source);
+  episode.start_at(w, kSeesNothing, kNoOceans, at(12'000, 22'000), settings.source);
   std::vector<double> off_db;
   for (int i = 0; i < 40; ++i) {
     episode.step(w, i % 2 == 0 ? kNorth : 4);
@@ -140,16 +141,16 @@ TEST_F(Conditions, FluctuationIsDrawnAnewAtEveryLook) {
 TEST_F(Conditions, FloorTellsOnlyThatTheSignalIsFainter) {
   conditions.floor = Decibels{15.0};
   const World w = world();
-  episode.start_at(w, kSeesNothing, at(10'000, 24'000), settings.source);  // 16 dB
+  episode.start_at(w, kSeesNothing, kNoOceans, at(10'000, 24'000), settings.source);  // 16 dB
   EXPECT_EQ(episode.reception(), (policy::Reception{.snr = Decibels{16.0}, .too_faint = false}));
-  episode.start_at(w, kSeesNothing, at(24'000, 18'000), settings.source);  // 13.9 dB
+  episode.start_at(w, kSeesNothing, kNoOceans, at(24'000, 18'000), settings.source);  // 13.9 dB
   EXPECT_EQ(episode.reception(), (policy::Reception{.snr = Decibels{15.0}, .too_faint = true}));
 }
 
 TEST_F(Conditions, WhatIsTooFaintToMeasureIsNoDetectionEvenWhenTheFloorLiesAboveTheThreshold) {
   conditions.floor = Decibels{15.0};
   const World w = world();
-  episode.start_at(w, kSeesNothing, at(20'000, 22'000), settings.source);  // 14.4 dB: above DT, below the floor
+  episode.start_at(w, kSeesNothing, kNoOceans, at(20'000, 22'000), settings.source);  // 14.4 dB: above DT, below the floor
   EXPECT_EQ(episode.step(w, kNorth), -1.0);
   EXPECT_EQ(episode.record().detections, 0U);
 }
@@ -163,7 +164,7 @@ TEST_F(Conditions, LevelIsOffByTheSameInAllOfASearchAndUniformOverSearches) {
   EXPECT_NEAR(standard_deviation(snr_db), 6.0 / std::sqrt(3.0), 0.09);  // of the uniform distribution; five standard errors
 
   const World w = world();
-  episode.start_at(w, kSeesNothing, at(12'000, 22'000), settings.source, Pcg32(9));
+  episode.start_at(w, kSeesNothing, kNoOceans, at(12'000, 22'000), settings.source, Pcg32(9));
   const auto off_db = [&] { return episode.snr().value - (30.0 - range_between(episode.position(), episode.source()).value / 1'000.0); };
   const double at_start = off_db();
   episode.step(w, kNorth);
@@ -175,7 +176,7 @@ TEST_F(Conditions, DriftPartsBeliefFromTruthAsARandomWalk) {
   const World w = world();
   std::vector<double> north_m;
   for (std::uint64_t i = 0; i < 4'000; ++i) {
-    episode.start_at(w, kSeesNothing, at(20'000, 22'000), settings.source, Pcg32(i));
+    episode.start_at(w, kSeesNothing, kNoOceans, at(20'000, 22'000), settings.source, Pcg32(i));
     EXPECT_EQ(episode.believed_position(), episode.position());
     for (int step = 0; step < 16; ++step) episode.step(w, step % 2 == 0 ? 4 : kNorth);
     EXPECT_EQ(episode.position(), at(20'000, 22'000)) << "the truth does not drift";
@@ -190,7 +191,7 @@ TEST_F(Conditions, WhatIsRememberedIsWhereNavigationBelievesTheVehicle) {
   policy::ObservationModel sees_place;
   sees_place.spec = policy::simple_state(at(25'000, 25'000));
   const World w = world();
-  episode.start_at(w, sees_place, at(12'500, 12'500), settings.source, Pcg32(2));
+  episode.start_at(w, sees_place, kNoOceans, at(12'500, 12'500), settings.source, Pcg32(2));
   for (int i = 0; i < 2; ++i) episode.step(w, kNorth);
   std::array<float, 2> seen{};
   episode.observe(seen);
@@ -202,7 +203,7 @@ TEST_F(Conditions, CurrentCarriesTheVehicleForAsLongAsAStepTakes) {
   conditions.current = Current{.speed = MetersPerSecond{0.2}, .toward = Radians{std::numbers::pi / 2.0}};
   conditions.vehicle_speed = MetersPerSecond{2.0};
   const World w = world();
-  episode.start_at(w, kSeesNothing, at(15'000, 15'000), settings.source);
+  episode.start_at(w, kSeesNothing, kNoOceans, at(15'000, 15'000), settings.source);
   episode.step(w, kNorth);
   EXPECT_NEAR(episode.position().north.value, 16'000.0, 1e-9);  // sine and cosine are good to 4e-16
   EXPECT_NEAR(episode.position().east.value, 15'100.0, 1e-9);   // 0.2 m/s for 500 s
@@ -225,7 +226,7 @@ TEST_F(Conditions, CurrentCarriesAVehicleThatHasGoneFromOnePlaceToAnother) {
 TEST_F(Conditions, CurrentThatNavigationDoesNotSeePartsBeliefFromTruth) {
   conditions.current = Current{.speed = MetersPerSecond{0.2}, .toward = Radians{0.0}, .navigation = Current::Navigation::kDoesNotSeeIt};
   const World w = world();
-  episode.start_at(w, kSeesNothing, at(15'000, 15'000), settings.source);
+  episode.start_at(w, kSeesNothing, kNoOceans, at(15'000, 15'000), settings.source);
   for (int i = 0; i < 3; ++i) episode.step(w, kNorth);
   EXPECT_NEAR(episode.position().north.value, 18'300.0, 1e-9);
   EXPECT_NEAR(episode.believed_position().north.value, 18'000.0, 1e-9);
@@ -236,7 +237,7 @@ TEST_F(Conditions, MovingSourceSwimsStraightAtItsSpeedAndStaysInTheDomain) {
   settings.max_steps = 1'000;
   const World w = world();
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    episode.start_at(w, kSeesNothing, at(2'000, 2'000), at(20'000, 20'000), Pcg32(seed));
+    episode.start_at(w, kSeesNothing, kNoOceans, at(2'000, 2'000), at(20'000, 20'000), Pcg32(seed));
     NorthEast before = episode.source();
     int straight = 0;
     int steps = 0;
@@ -271,7 +272,7 @@ TEST_F(Conditions, MovingSourceIsHeardByTheFieldOfWhereItHasSwum) {
   int crossings = 0;
   for (int search = 0; search < 20; ++search) {
     bool was_north = false;
-    episode.start_at(w, kSeesNothing, at(12'000, 24'000), at(9'900, 3'000), Pcg32(random.next()));
+    episode.start_at(w, kSeesNothing, kNoOceans, at(12'000, 24'000), at(9'900, 3'000), Pcg32(random.next()));
     for (int i = 0; i < 10 && episode.record().end == EpisodeEnd::kRunning; ++i) {
       episode.step(w, i % 2 == 0 ? kNorth : 4);
       const bool is_north = episode.source().north > Meters{10'000.0};  // nearer to the northern position
@@ -287,13 +288,13 @@ TEST_F(Conditions, OfSeveralSourcesTheLoudestIsHeardAndAnyIsFound) {
   conditions.sources = 3;
   const World w = world();
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    episode.start_at(w, kSeesNothing, at(12'000, 12'000), at(1'000, 24'000), Pcg32(seed));
+    episode.start_at(w, kSeesNothing, kNoOceans, at(12'000, 12'000), at(1'000, 24'000), Pcg32(seed));
     EXPECT_LE(range_between(episode.source(), episode.position()), range_between(at(1'000, 24'000), episode.position()));
     EXPECT_NEAR(episode.snr().value, 30.0 - range_between(episode.source(), episode.position()).value / 1'000.0, 1e-9);
     EXPECT_GT(range_between(episode.source(), episode.position()), settings.step_length) << "it would end before its first step";
   }
   // Straight to the nearest, wherever it is, finds it.
-  episode.start_at(w, kSeesNothing, at(12'000, 12'000), at(1'000, 24'000), Pcg32(1));
+  episode.start_at(w, kSeesNothing, kNoOceans, at(12'000, 12'000), at(1'000, 24'000), Pcg32(1));
   ASSERT_NE(episode.source(), at(1'000, 24'000));
   while (episode.record().end == EpisodeEnd::kRunning) {
     std::size_t best = 0;
@@ -313,7 +314,7 @@ TEST_F(Conditions, CallsGoOnWhileTheVehicleSteps) {
   conditions.calls = CallPattern{.interval_s = 10.0, .song_s = 500.0, .pause_s = 500.0, .listening_s = 5.0};
   const World w = world();  // a step takes 500 s: a look in the song is followed by one in the pause
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    episode.start_at(w, kSeesNothing, at(22'000, 22'000), settings.source, Pcg32(seed));
+    episode.start_at(w, kSeesNothing, kNoOceans, at(22'000, 22'000), settings.source, Pcg32(seed));
     bool was_heard = !episode.reception().too_faint;
     for (int i = 0; i < 6; ++i) {
       episode.step(w, i % 2 == 0 ? 4 : kNorth);
