@@ -55,6 +55,7 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   is_history_whole_ = true;
   has_candidates_ = false;
   draws_ = 0;
+  surprise_.start();
   std::fill_n(bearings_.log_weights.begin(), cell_count(model), std::int16_t{0});
   bearings_.scale = 0;
   std::uint8_t likeliest = 0;
@@ -95,6 +96,7 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   find_posteriors(model, tables);
   find_shares();
   if (is_history_whole_) weigh_others(model, tables);
+  surprise_.take_in(reception, log_explained(model));
   find_marginal(model);
   foresee(model, tables);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
@@ -111,7 +113,7 @@ void OceanBelief::take_in_bearing(const BeliefModel& model, NorthEast position, 
     bearing_[i] = static_cast<std::int16_t>(std::max<int>(to_log(likelihood.at(way_to_cell(model, position, i))), kForgotten));
   const std::span<std::int16_t> said = std::span(bearing_).first(cell_count(model));
   const std::span<std::int16_t> sum = std::span(bearings_.log_weights).first(cell_count(model));
-  take_off_highest(said);
+  surprise_.take_in_bearing(take_off_highest(said));
   std::transform(sum.begin(), sum.end(), said.begin(), sum.begin(),
                  [](std::int16_t before, std::int16_t now) { return static_cast<std::int16_t>(before + now); });
   bearings_.scale += take_off_highest(sum);
@@ -148,6 +150,13 @@ void OceanBelief::find_shares() {
   for (FloatLanes& shares : shares_) {
     for (float& share : shares) share /= sum;
   }
+}
+
+/// log2 of the probability of all that was heard, odd explanations counting for less.
+int OceanBelief::log_explained(const BeliefModel& model) const {
+  std::array<int, kHypotheses> explanations;
+  for (std::size_t i = 0; i < kHypotheses; ++i) explanations[i] = posteriors_[i / kLanes][i % kLanes] - oddity(hypothesis(i));
+  return log_of_sum(explanations) - to_log(static_cast<float>(cell_count(model)));
 }
 
 void OceanBelief::weigh_others(const BeliefModel& model, const OceanTables& tables) {

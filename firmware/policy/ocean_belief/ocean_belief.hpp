@@ -14,6 +14,7 @@
 #include "firmware/policy/belief_outlook.hpp"
 #include "firmware/policy/ocean_belief/hypothesis_block.hpp"
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
+#include "firmware/policy/ocean_belief/surprise.hpp"
 #include "firmware/policy/reception.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
@@ -47,6 +48,8 @@ class OceanBelief {
   [[nodiscard]] const Hypothesis& hypothesis(std::size_t index) const { return residents_[index / kLanes].hypothesis(index % kLanes); }
   /// Probability of one of the hypotheses that are held; these add up to one.
   [[nodiscard]] float share(std::size_t index) const { return shares_[index / kLanes][index % kLanes]; }
+  /// How unlikely what was heard is under every hypothesis that is held.
+  [[nodiscard]] const Surprise& surprise() const { return surprise_; }
   /// CRC-32 of all that is believed, bit for bit.
   [[nodiscard]] std::uint32_t fingerprint(const BeliefModel& model) const;
 
@@ -61,6 +64,7 @@ class OceanBelief {
   void take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, HypothesisBlock& block);
   void find_posteriors(const BeliefModel& model, const OceanTables& tables);
   void find_shares();
+  [[nodiscard]] int log_explained(const BeliefModel& model) const;
   void weigh_others(const BeliefModel& model, const OceanTables& tables);
   void draw_candidates(const BeliefModel& model, const OceanTables& tables);
   [[nodiscard]] Hypothesis draw_candidate(const OceanTables& tables, Motion motion);
@@ -81,6 +85,7 @@ class OceanBelief {
   FixedVector<Look, config::kMaxBeliefLooks> looks_;
   bool is_history_whole_;  ///< every look is in it
   Pcg32 random_{0};
+  Surprise surprise_;
   PlacePrior bearings_;                                        ///< what all bearings say together
   std::array<std::int16_t, config::kMaxBeliefCells> bearing_;  ///< [north x east], what one says
   LaneLikelihoods likelihoods_;

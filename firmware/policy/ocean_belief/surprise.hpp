@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "firmware/policy/reception.hpp"
+
+namespace earshot::policy {
+
+/// From this surprise on what was heard is not explained, bits. Were the tables and the prior of the hypotheses right, a surprise would
+/// ever come to it in at most 2^-8 of all missions, 0.4 %, whatever is heard (Ville's inequality: P0 / P is a martingale of mean one). No
+/// ocean is quite a table, and the measured share is what counts: README.md.
+inline constexpr float kSurpriseLevel_bits = 8.0F;
+
+/// How odd it is that a hypothesis explains what is heard, log weight, at least 0. That a source is louder than every table says, swims, or
+/// is heard with a spread of 7 dB explains nearly anything: such hypotheses let a belief survive what it does not know. So each counts
+/// 2^-oddity of itself among the explanations. Being fainter is not odd: what is too faint to measure surprises nobody.
+/// Oracle: Surprise.CountsOddExplanationsForLess
+[[nodiscard]] int oddity(const Hypothesis& hypothesis);
+
+/// log2 of the sum of powers of two, all in 1/512. @param logs  at least one, none of them further than 2^21 from 0
+/// Oracle: LogOfSum.*
+[[nodiscard]] int log_of_sum(std::span<const int> logs);
+
+/// How unlikely what was heard is under every hypothesis: by how much better it is explained by knowing nothing.
+///
+///   surprise = log2 P0(heard) - log2 P(heard)
+///   P  = sum over the hypotheses h held:  2^-oddity(h) P(h) P(heard | h)
+///   P0 = mean over 9 levels m and 2 spreads s:  product over the looks of  0.95 [0.98 N(SNR; m, s) + 0.02 / 80 dB], or of 0.05 where
+///        it was too faint
+///
+/// m: 0, 5 ... 40 dB; s: 2 and 5 dB. P0 has the sound go on alike wherever the vehicle is, as in an ocean that carries it everywhere; a
+/// bearing is one over 2 pi to it. Below 0 the oceans explain more than that.
+/// Oracle: Surprise.*
+class Surprise {
+ public:
+  /// Nothing has been heard, nothing is surprising.
+  void start();
+  /// What a bearing says, which knowing nothing takes for one over 2 pi.
+  /// @param likeliest  log2 in 1/512 of its likelihood times 2 pi where it is highest: that of which the weights of the places are shares
+  void take_in_bearing(int likeliest) { bearings_ += likeliest; }
+  /// A look.
+  /// @param explained  log2 of P with this look, in 1/512, but for what take_in_bearing() was told
+  void take_in(const Reception& reception, int explained);
+
+  [[nodiscard]] float bits() const { return bits_; }
+  /// True from the first look after which it came to kSurpriseLevel_bits, until the next start().
+  [[nodiscard]] bool is_surprised() const { return is_surprised_; }
+
+ private:
+  static constexpr std::size_t kLevels = 9;
+  static constexpr std::size_t kSpreads = 2;
+
+  void hear(const Reception& reception);
+
+  std::array<std::array<float, kLevels>, kSpreads> weights_;  ///< of the parts of P0; they add up to one
+  int known_nothing_;                                         ///< log2 of P0, in 1/512
+  int bearings_;
+  float bits_;
+  bool is_surprised_;
+};
+
+}  // namespace earshot::policy

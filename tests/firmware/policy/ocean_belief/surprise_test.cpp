@@ -1,0 +1,245 @@
+#include "firmware/policy/ocean_belief/surprise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "firmware/policy/ocean_belief/ocean_belief.hpp"
+#include "tests/firmware/policy/ocean_belief/ocean_rig.hpp"
+
+namespace earshot::policy {
+namespace {
+
+Reception heard(double snr_db) {
+  return {.snr = Decibels{snr_db}};
+}
+
+Reception too_faint(double floor_db) {
+  return {.snr = Decibels{floor_db}, .too_faint = true};
+}
+
+/// log2 of how likely that is to whoever knows nothing: every level and spread, look by look, written out.
+double log_known_nothing(const std::vector<Reception>& looks) {
+  double sum = 0.0;
+  for (int level = 0; level <= 40; level += 5) {
+    for (const double spread : {2.0, 5.0}) {
+      double product = 1.0 / 18.0;
+      for (const Reception& look : looks) {
+        const double z = (look.snr.value - level) / spread;
+        const double density = std::exp(-0.5 * z * z) / (spread * std::sqrt(2.0 * std::numbers::pi));
+        product *= look.too_faint ? 0.05 : 0.95 * (0.98 * density + 0.02 / 80.0);
+      }
+      sum += product;
+    }
+  }
+  return std::log2(sum);
+}
+
+TEST(LogOfSum, IsThatOfTheClosedForm) {
+  EXPECT_NEAR(log_of_sum(std::array{-5'120}), -5'120, 1) << "of one it is that one";
+  EXPECT_NEAR(log_of_sum(std::array{1'024, 1'024}), 1'536, 1) << "4 + 4 = 8";
+  EXPECT_NEAR(log_of_sum(std::array{-512'000, 0, 512, -1'024}), 512.0 * std::log2(3.25), 1);
+  EXPECT_NEAR(log_of_sum(std::array{-900'000, -900'512}), -900'000 + 512.0 * std::log2(1.5), 1);
+}
+
+class SurpriseTest : public testing::Test {
+ protected:
+  SurpriseTest() { surprise.start(); }
+  double bits_after(const std::vector<Reception>& looks, int explained = 0) {
+    surprise.start();
+    for (const Reception& look : looks) surprise.take_in(look, explained);
+    return double{surprise.bits()};
+  }
+  Surprise surprise;
+};
+
+TEST_F(SurpriseTest, IsNoneBeforeAnythingIsHeard) {
+  EXPECT_EQ(surprise.bits(), 0.0F);
+  EXPECT_FALSE(surprise.is_surprised());
+}
+
+TEST_F(SurpriseTest, ComparesWithKnowingNothingAsWrittenOut) {
+  // A look rounds by half of 1/512; the density of the normal table is 5e-5 off, a thousandth of that of 5 dB within one deviation.
+  const std::vector<Reception> alike{heard(27.0), heard(31.0), heard(26.0), heard(22.5), heard(33.0), heard(28.0)};
+  EXPECT_NEAR(bits_after(alike), log_known_nothing(alike), 0.05);
+  std::vector<Reception> first;
+  for (const Reception& look : alike) {
+    first.push_back(look);
+    EXPECT_NEAR(bits_after(first), log_known_nothing(first), 0.05) << first.size();
+  }
+  const std::vector<Reception> with_silence{heard(12.0), too_faint(3.0), too_faint(3.0), heard(9.0)};
+  EXPECT_NEAR(bits_after(with_silence), log_known_nothing(with_silence), 0.05);
+}
+
+TEST_F(SurpriseTest, IsTheHigherTheLessIsExplained) {
+  const std::vector<Reception> looks{heard(20.0), heard(21.0)};
+  EXPECT_NEAR(bits_after(looks, -10 * 512) - bits_after(looks, -2 * 512), 8.0, 1e-6);
+}
+
+TEST_F(SurpriseTest, IsNotRaisedByWhatIsTooFaintToMeasure) {
+  const std::vector<Reception> silence(100, too_faint(3.0));
+  EXPECT_NEAR(bits_after(silence, 0), -100.0 * std::log2(20.0), 0.2);
+}
+
+TEST_F(SurpriseTest, FollowsALevelThatChanges) {
+  std::vector<Reception> looks(40, heard(5.0));
+  looks.insert(looks.end(), 20, heard(35.0));
+  const double before = bits_after(looks);
+  looks.insert(looks.end(), 20, heard(35.0));
+  // 0.95 * 0.98 of the density at the middle of 2 dB: -2.43 bits a look; a product of 40 looks 15 deviations off would take 163 times 20.
+  EXPECT_NEAR((bits_after(looks) - before) / 20.0, std::log2(0.95 * 0.98 / (2.0 * std::sqrt(2.0 * std::numbers::pi))), 0.02);
+}
+
+TEST_F(SurpriseTest, TakesABearingForOneMoreLikelihoodThatIsExplained) {
+  const double without = bits_after({heard(20.0)}, -1'000);
+  surprise.start();
+  surprise.take_in_bearing(3 * 512);
+  surprise.take_in(heard(20.0), -1'000);
+  EXPECT_NEAR(double{surprise.bits()}, without - 3.0, 1e-6);
+}
+
+TEST_F(SurpriseTest, LastsFromTheLevelOnUntilTheNextSearch) {
+  const auto explained_by = [&](float bits) {  // explained so badly that the surprise is as high
+    surprise.start();
+    surprise.take_in(heard(20.0), 0);
+    const auto known_nothing = static_cast<int>(512.0F * surprise.bits());
+    surprise.start();
+    surprise.take_in(heard(20.0), known_nothing - static_cast<int>(512.0F * bits));
+  };
+  explained_by(kSurpriseLevel_bits - 1.0F / 512.0F);
+  EXPECT_FALSE(surprise.is_surprised());
+  explained_by(kSurpriseLevel_bits);
+  EXPECT_TRUE(surprise.is_surprised());
+  surprise.take_in(heard(20.0), 0);
+  EXPECT_LT(surprise.bits(), 0.0F);
+  EXPECT_TRUE(surprise.is_surprised()) << "what was not explained has been heard";
+  surprise.start();
+  EXPECT_FALSE(surprise.is_surprised());
+}
+
+TEST(Oddity, IsThatOfALouderSourceAWideSpreadAndMotion) {
+  EXPECT_EQ(oddity({.level = 3, .spread = 2, .silence = 3}), 0);
+  EXPECT_EQ(oddity({.level = 0, .spread = 0}), 0) << "a fainter source is not odd";
+  EXPECT_EQ(oddity({.level = 4}), 2 * 512);
+  EXPECT_EQ(oddity({.level = 5}), 6 * 512);
+  EXPECT_EQ(oddity({.level = 6}), 12 * 512);
+  EXPECT_EQ(oddity({.spread = 3}), 4 * 512);
+  for (const std::uint8_t mobility : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{3}})
+    EXPECT_EQ(oddity({.mobility = mobility}), 4 * 512);
+  EXPECT_EQ(oddity({.level = 6, .spread = 3, .mobility = 2}), 20 * 512) << "they add up";
+}
+
+/// 2 pi times the wrapped normal distribution, by its Fourier series.
+double wrapped(double off, double deviation) {
+  double sum = 1.0;
+  for (int k = 1; k < 200; ++k) sum += 2.0 * std::exp(-0.5 * k * k * deviation * deviation) * std::cos(k * off);
+  return sum;
+}
+
+class SurpriseOfABelief : public testing::Test {
+ protected:
+  BeliefModel model = small_model();
+  OceanTables tables = no_tables(kSmallRanges);
+  std::unique_ptr<OceanBelief> belief = std::make_unique<OceanBelief>();
+};
+
+/// As loud everywhere, and no cell within a step, so that a hypothesis gives a look the same likelihood at every place.
+TEST_F(SurpriseOfABelief, CountsOddExplanationsForLess) {
+  add_table(tables, 1.0F, [](double) { return 12.0; });
+  belief->start(model, tables);
+  const std::vector<Reception> looks{heard(14.0), heard(19.0), heard(9.5)};
+  for (const Reception& look : looks) belief->update(model, tables, at(-3'000, 5'000), look);
+  double explained = 0.0;
+  for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) {
+    const Hypothesis& h = belief->hypothesis(i);
+    double p = std::exp2(log_prior(h, tables) / 512.0 - oddity(h) / 512.0);
+    for (const Reception& look : looks) p *= static_cast<double>(likelihoods_by_hand(model, tables, h, look)[100]);
+    explained += p;
+  }
+  EXPECT_NEAR(double{belief->surprise().bits()}, log_known_nothing(looks) - std::log2(explained), 0.05);
+}
+
+/// A bearing explains as much as it is likelier than any other direction, on the mean over the places.
+TEST_F(SurpriseOfABelief, TakesABearingForWhatItSaysOfThePlaces) {
+  add_table(tables, 1.0F, [](double) { return 12.0; });
+  const NorthEast place = at(-3'000, 5'000);
+  for (const double direction : {0.0, std::numbers::pi}) {
+    const auto bits = [&](const Reception& look) {
+      belief->start(model, tables);
+      belief->update(model, tables, place, look);
+      return double{belief->surprise().bits()};
+    };
+    Reception with = heard(12.0);
+    with.bearing = messages::Bearing{.direction = Radians{direction}, .deviation = Radians{0.2}};
+    double mean = 0.0;
+    for (int i = 0; i < 400; ++i) {
+      const double north_m = 500.0 * (i / 20 + 0.5) - place.north.value;
+      const double east_m = 500.0 * (i % 20 + 0.5) - place.east.value;
+      const double smear = 500.0 / std::hypot(north_m, east_m) / std::sqrt(12.0);
+      mean += (0.98 * wrapped(std::atan2(east_m, north_m) - direction, std::hypot(0.2, smear)) + 0.02) / 400.0;
+    }
+    EXPECT_NEAR(bits(with) - bits(heard(12.0)), -std::log2(mean), 0.02) << "from the area, and from behind";
+  }
+}
+
+/// What is heard along a way across the area from a source in the middle, 2 dB about an ocean's SNR of a range in km.
+template <class Snr>
+std::vector<float> flown(const BeliefModel& model, const OceanTables& tables, Snr snr_db, OceanBelief& belief) {
+  Pcg32 random(3);
+  belief.start(model, tables);
+  std::vector<float> bits;
+  for (int i = 0; i < 15; ++i) {
+    const NorthEast place = at(600.0 * i + 500.0, i % 2 == 0 ? 1'500.0 : 9'000.0);
+    double normal = -6.0;
+    for (int k = 0; k < 12; ++k) normal += random.uniform_double();
+    belief.update(model, tables, place, heard(snr_db(range_between(place, at(5'200, 5'300)).value / 1'000.0) + 2.0 * normal));
+    bits.push_back(belief.surprise().bits());
+  }
+  return bits;
+}
+
+TEST_F(SurpriseOfABelief, ComesWhereEverythingIsLouderThanInAnyOceanAndNotInOneThatIsKnown) {
+  const auto known = [](double km) { return 30.0 - 6.0 * km; };
+  add_table(tables, 1.0F, known);
+  const std::vector<float> at_home = flown(model, tables, known, *belief);
+  EXPECT_FALSE(belief->surprise().is_surprised());
+  EXPECT_LT(at_home.back(), 0.0F) << "the ocean explains more than knowing nothing";
+  flown(
+      model, tables, [](double) { return 30.0; }, *belief);
+  EXPECT_TRUE(belief->surprise().is_surprised());
+  add_table(tables, 1.0F, [](double) { return 30.0; });
+  flown(
+      model, tables, [](double) { return 30.0; }, *belief);
+  EXPECT_FALSE(belief->surprise().is_surprised()) << "once it is known";
+}
+
+TEST_F(SurpriseOfABelief, HasTheSameBitsOnEveryMachine) {
+  for (int k = 0; k < 8; ++k)
+    add_table(tables, 1.0F, [k](double km) { return 0.5 * static_cast<double>(60 - (4 + k) * std::lround(10.0 * km) / 40); });
+  belief->start(model, tables);
+  Pcg32 random(9);
+  for (int i = 0; i < 30; ++i) {
+    const double north_m = 10'000 * random.uniform_double();  // one after the other: arguments are drawn in any order
+    const double east_m = 10'000 * random.uniform_double();
+    belief->update(model, tables, at(north_m, east_m), {.snr = Decibels{30.0 * random.uniform_double()}, .too_faint = i % 7 == 6});
+  }
+  EXPECT_EQ(belief->surprise().bits() * 512.0F, -7'402.0F);  // of x86-64, for SSE2 and for AVX2, and of aarch64
+}
+
+TEST_F(SurpriseOfABelief, IsForgottenWhenASearchStarts) {
+  add_table(tables, 1.0F, [](double km) { return 30.0 - 6.0 * km; });
+  flown(
+      model, tables, [](double) { return 30.0; }, *belief);
+  ASSERT_TRUE(belief->surprise().is_surprised());
+  belief->start(model, tables);
+  EXPECT_FALSE(belief->surprise().is_surprised());
+  EXPECT_EQ(belief->surprise().bits(), 0.0F);
+}
+
+}  // namespace
+}  // namespace earshot::policy
