@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "policy/baselines/learned.hpp"
 #include "sim/search/streams.hpp"
@@ -22,6 +25,13 @@ struct Turn {
   Pcg32 actions;
 };
 
+/// Takes note of the first look that surprised. @param look  which it was, from 1
+void note_surprise(std::optional<bool> is_surprised, std::size_t look, Flight& flight) {
+  if (!is_surprised) return;
+  if (std::isnan(flight.looks_to_surprise)) flight.looks_to_surprise = std::numeric_limits<double>::infinity();
+  if (*is_surprised) flight.looks_to_surprise = std::min(flight.looks_to_surprise, static_cast<double>(look));
+}
+
 Flight fly_one(baselines::Searcher& searcher, const search::World& world, const Turn& turn, search::Episode& episode,
                const Watcher& watcher) {
   Flight flight;
@@ -38,6 +48,7 @@ Flight fly_one(baselines::Searcher& searcher, const search::World& world, const 
     const steady_clock::time_point began = steady_clock::now();
     const std::size_t action = searcher.choose(input);
     flight.decision_s += std::chrono::duration<double>(steady_clock::now() - began).count();
+    note_surprise(searcher.is_surprised(), episode.record().steps + std::size_t{1}, flight);
     episode.step(world, action);
     flight.path_m += range_between(before, episode.position()).value;
     if (watcher) watcher(turn.number, episode);
@@ -116,6 +127,19 @@ double path_over_straight(std::span<const Flight> flights) {
     straight_m += flight.straight_m;
   }
   return straight_m > 0.0 ? path_m / straight_m : std::numeric_limits<double>::quiet_NaN();
+}
+
+Surprises surprises(std::span<const Flight> flights) {
+  std::vector<double> looks;
+  double judged = 0.0;
+  for (const Flight& flight : flights) {
+    if (std::isfinite(flight.looks_to_surprise)) looks.push_back(flight.looks_to_surprise);
+    judged += std::isnan(flight.looks_to_surprise) ? 0.0 : 1.0;
+  }
+  Surprises result;
+  if (judged > 0.0) result.fraction = static_cast<double>(looks.size()) / judged;
+  if (!looks.empty()) result.median_look = quantile(std::move(looks), 0.5);
+  return result;
 }
 
 double decision_time_s(std::span<const Flight> flights) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct Flight {
   double path_m = 0.0;      ///< over ground
   double straight_m = 0.0;  ///< from the start to within l of where the nearest source then was
   double decision_s = 0.0;  ///< by the clock, all decisions together
+  /// Looks (the start's, and one after every step that did not end the search) up to the first that surprised the searcher; infinite:
+  /// none did; NaN: it does not judge that.
+  double looks_to_surprise = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Which episodes of a seed are flown: every stride-th from the first, below the end.
@@ -68,6 +72,14 @@ struct Summary {
 /// Length of the paths over that of the straight lines, of the searches that found a source: the sum of the one over the sum of the other,
 /// so that a start a few metres out of reach, to which any detour is long, weighs no more than it should. NaN when none found one.
 [[nodiscard]] double path_over_straight(std::span<const Flight> flights);
+
+/// How many searches met what the searcher's belief does not explain.
+struct Surprises {
+  double fraction = std::numeric_limits<double>::quiet_NaN();     ///< of all searches; NaN: the searcher does not judge that
+  double median_look = std::numeric_limits<double>::quiet_NaN();  ///< of those that were surprised, the look of it; NaN: none was
+};
+
+[[nodiscard]] Surprises surprises(std::span<const Flight> flights);
 
 /// Mean over all decisions, seconds.
 [[nodiscard]] double decision_time_s(std::span<const Flight> flights);

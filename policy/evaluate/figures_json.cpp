@@ -41,7 +41,9 @@ ordered_json as_json(const Row& row, Timing timing) {
                     {"path_over_straight", row.path_over_straight},
                     {"path_over_straight_95", interval(row.intervals.path_over_straight)},
                     {"mean_steps", s.mean_steps},
-                    {"mean_detections", s.mean_detections}};
+                    {"mean_detections", s.mean_detections},
+                    {"surprised_fraction", row.surprises.fraction},
+                    {"median_look_of_surprise", row.surprises.median_look}};
   if (timing == Timing::kIncluded) json["decision_us"] = 1e6 * row.decision_s;
   return json;
 }

@@ -47,12 +47,13 @@ std::string line_of(const Row& row, std::size_t width) {
          formatted(" %8.2f  %7.2f to %7.2f", s.mean_reward, i.mean_reward.low, i.mean_reward.high) +
          formatted(" %8.2f  %7.2f to %7.2f", s.median_reward, s.lower_quartile_reward, s.upper_quartile_reward) +
          known(" ", 7, row.path_over_straight) + formatted(" %6.1f %6.1f", 100.0 * s.left_domain_fraction, s.mean_detections) +
+         known(" ", 6, 100.0 * row.surprises.fraction) + known(" ", 7, row.surprises.median_look) +
          formatted(" %9.2f\n", 1e6 * row.decision_s);
 }
 
 /// A line of the table's header, its words over the columns of line_of().
-std::string heading(std::size_t width, const std::array<const char*, 15>& words) {
-  const std::array<int, 15> widths{-static_cast<int>(width), 7, 16, 8, 16, 7, 16, 9, 20, 9, 20, 8, 7, 7, 10};
+std::string heading(std::size_t width, const std::array<const char*, 17>& words) {
+  const std::array<int, 17> widths{-static_cast<int>(width), 7, 16, 8, 16, 7, 16, 9, 20, 9, 20, 8, 7, 7, 7, 8, 10};
   std::string line;
   for (std::size_t i = 0; i < words.size(); ++i) line += formatted("%*s", widths[i], words[i]);
   return line + "\n";
@@ -130,6 +131,7 @@ Row row_of(const std::string& world, const std::string& policy, std::span<const 
           .pace = pace,
           .intervals = bootstrap(flights, pace.max_steps, seed),
           .path_over_straight = path_over_straight(flights),
+          .surprises = surprises(flights),
           .decision_s = decision_time_s(flights)};
 }
 
@@ -139,8 +141,8 @@ std::string as_text(std::span<const Row> rows) {
   constexpr const char* kSure = "(95 %)    ";  // over the middle of what is so wide
   constexpr const char* kRange = "(quartiles)  ";
   std::string text = heading(width, {"policy", "found", kSure, "hours to", kRange, "mean", kSure, "reward", kSure, "median", kRange,
-                                     "path/", "left", "heard", "us/"});
-  text += heading(width, {"", "%", "", "find", "", "hours", "", "mean", "", "reward", "", "line", "%", "", "decision"});
+                                     "path/", "left", "heard", "surpr.", "at", "us/"});
+  text += heading(width, {"", "%", "", "find", "", "hours", "", "mean", "", "reward", "", "line", "%", "", "%", "look", "decision"});
   for (const Row& row : rows) text += line_of(row, width);
   return text;
 }
@@ -152,7 +154,8 @@ std::string as_csv(std::span<const Row> rows, Timing timing) {
       "lower_quartile_steps_to_find,median_steps_to_find,upper_quartile_steps_to_find,restricted_mean_steps_to_find,"
       "restricted_mean_steps_to_find_low,restricted_mean_steps_to_find_high,mean_reward,mean_reward_low,mean_reward_high,"
       "lower_quartile_reward,median_reward,median_reward_low,median_reward_high,upper_quartile_reward,left_domain_fraction,"
-      "path_over_straight,path_over_straight_low,path_over_straight_high,mean_steps,mean_detections";
+      "path_over_straight,path_over_straight_low,path_over_straight_high,mean_steps,mean_detections,"
+      "surprised_fraction,median_look_of_surprise";
   csv += timing == Timing::kIncluded ? ",decision_us\n" : "\n";
   for (const Row& row : rows) {
     const Summary& s = row.summary;
@@ -162,9 +165,10 @@ std::string as_csv(std::span<const Row> rows, Timing timing) {
     const std::array<double, 6> steps = times_of(row);
     for (const double x : steps) csv += "," + shortest(hours(x, row.pace));
     for (const double x : steps) csv += "," + shortest(x);
-    for (const double x : {s.mean_reward, i.mean_reward.low, i.mean_reward.high, s.lower_quartile_reward, s.median_reward,
-                           i.median_reward.low, i.median_reward.high, s.upper_quartile_reward, s.left_domain_fraction,
-                           row.path_over_straight, i.path_over_straight.low, i.path_over_straight.high, s.mean_steps, s.mean_detections})
+    for (const double x :
+         {s.mean_reward, i.mean_reward.low, i.mean_reward.high, s.lower_quartile_reward, s.median_reward, i.median_reward.low,
+          i.median_reward.high, s.upper_quartile_reward, s.left_domain_fraction, row.path_over_straight, i.path_over_straight.low,
+          i.path_over_straight.high, s.mean_steps, s.mean_detections, row.surprises.fraction, row.surprises.median_look})
       csv += "," + shortest(x);
     if (timing == Timing::kIncluded) csv += "," + shortest(1e6 * row.decision_s);
     csv += "\n";

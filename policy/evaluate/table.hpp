@@ -21,6 +21,7 @@ struct Row {
   Pace pace;
   Intervals intervals;
   double path_over_straight = 0.0;
+  Surprises surprises;
   double decision_s = 0.0;
 };
 

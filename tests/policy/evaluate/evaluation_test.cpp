@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include "policy/baselines/learned.hpp"
 #include "sim/search/vector_search.hpp"
@@ -40,6 +44,51 @@ TEST(Summary, CountsEndsAndAveragesRewardStepsAndDetections) {
   EXPECT_DOUBLE_EQ(s.left_domain_fraction, 0.25);
   EXPECT_DOUBLE_EQ(s.mean_steps, 40.0);
   EXPECT_DOUBLE_EQ(s.mean_detections, 4.0);
+}
+
+std::vector<Flight> surprised_after(const std::vector<double>& looks) {
+  std::vector<Flight> flights(looks.size());
+  for (std::size_t i = 0; i < looks.size(); ++i) flights[i].looks_to_surprise = looks[i];
+  return flights;
+}
+
+TEST(Surprises, AreTheShareOfTheSearchesAndTheMedianLookOfThoseOnly) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const Surprises some = surprises(surprised_after({kNever, 9.0, 4.0, kNever, kNever, 20.0, kNever, kNever}));
+  EXPECT_EQ(some.fraction, 0.375);
+  EXPECT_EQ(some.median_look, 9.0);
+  const Surprises none = surprises(surprised_after({kNever, kNever}));
+  EXPECT_EQ(none.fraction, 0.0);
+  EXPECT_TRUE(std::isnan(none.median_look));
+  EXPECT_TRUE(std::isnan(surprises(std::vector<Flight>(3)).fraction)) << "of a searcher that does not judge it";
+}
+
+/// Goes north; surprised from one look on.
+class SurprisedFrom : public baselines::Searcher {
+ public:
+  explicit SurprisedFrom(std::size_t look) : look_(look) {}
+  void begin(Pcg32 /*random*/) override { looks_ = 0; }
+  [[nodiscard]] std::size_t choose(const baselines::DecisionInput& /*input*/) override {
+    ++looks_;
+    return 0;
+  }
+  [[nodiscard]] std::optional<bool> is_surprised() const override { return looks_ >= look_; }
+
+ private:
+  std::size_t look_;
+  std::size_t looks_ = 0;
+};
+
+TEST(Fly, NotesTheFirstLookThatSurprisesASearcher) {
+  search::SearchSettings settings;
+  settings.direction_count = 4;
+  const sonar::SnrCurve curve(Meters{100.0}, {0.0F});
+  const search::World world(settings, curve);
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  SurprisedFrom third(3);
+  for (const Flight& flight : fly(third, world, {.end = 5}, 1)) EXPECT_EQ(flight.looks_to_surprise, flight.record.steps < 3 ? kNever : 3.0);
+  SurprisedFrom never(1'000);
+  for (const Flight& flight : fly(never, world, {.end = 5}, 1)) EXPECT_EQ(flight.looks_to_surprise, kNever);
 }
 
 /// A policy that goes north (action 0) by a margin of logits: others have logit 0.

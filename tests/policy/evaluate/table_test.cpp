@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -57,6 +58,21 @@ TEST(Table, WritesEveryFigureUnderItsName) {
   EXPECT_EQ(value_of(csv, "mean_detections"), "5");
   EXPECT_EQ(value_of(csv, "path_over_straight"), "") << "none found the source";
   EXPECT_NEAR(std::stod(value_of(csv, "decision_us")), 3.0, 1e-9);
+}
+
+TEST(Table, GivesTheShareOfSearchesSurprisedAndTheirMedianLookOrNothingWhereNobodyJudgesIt) {
+  std::vector<Flight> all = flights();
+  const Row unjudged = row_of("sea", "guess", all, {}, 1);
+  EXPECT_EQ(value_of(as_csv(std::vector<Row>{unjudged}, Timing::kLeftOut), "surprised_fraction"), "");
+  for (Flight& flight : all) flight.looks_to_surprise = std::numeric_limits<double>::infinity();
+  all[2].looks_to_surprise = 12.0;
+  const std::vector<Row> judged{row_of("sea", "guess", all, {}, 1)};
+  const std::string csv = as_csv(judged, Timing::kLeftOut);
+  EXPECT_EQ(value_of(csv, "surprised_fraction"), "0.25");
+  EXPECT_EQ(value_of(csv, "median_look_of_surprise"), "12");
+  EXPECT_NE(as_text(judged).find("    5.0  25.00   12.00      3.00\n"), std::string::npos) << as_text(judged);
+  EXPECT_NE(as_text(std::vector<Row>{unjudged}).find("    5.0      -       -      3.00\n"), std::string::npos)
+      << as_text(std::vector<Row>{unjudged});
 }
 
 /// Three of four found, after 36, 72 and 18 steps.
