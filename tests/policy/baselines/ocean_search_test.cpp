@@ -110,6 +110,19 @@ TEST_F(OceanSearchTest, GoesOnInShallowWaterRatherThanWaver) {
   EXPECT_GE(long_ones, 3U);
 }
 
+/// Of what the belief is told in the first fifteen steps.
+TEST_F(OceanSearchTest, IsSurprisedOverRockWhereItIsToldOfMudAloneAndNotInTheOceanOfWhichItIsTold) {
+  search::SearchSettings brief = settings;
+  brief.max_steps = 15;
+  OceanSearch told_of_mud(of_one);
+  const auto surprised = [&](const std::string& name) {
+    const search::World sea = search::assemble(evaluate::load_world(kSource / "policy/worlds" / (name + ".toml")).scenario, brief, kDepth);
+    return evaluate::surprises(evaluate::fly(told_of_mud, sea, {.end = 2 * kSearches}, 1)).fraction;
+  };
+  EXPECT_GE(surprised("rock"), 0.8);   // 452 of 500
+  EXPECT_EQ(surprised("paper"), 0.0);  // 0 of 100
+}
+
 TEST_F(OceanSearchTest, SearchesTheSameWayAgain) {
   const search::World rock = world("rock");
   OceanSearch searcher(of_many);

@@ -67,16 +67,16 @@ TEST(Surprises, AreTheShareOfTheSearchesAndTheMedianLookOfThoseOnly) {
   EXPECT_TRUE(std::isnan(surprises(std::vector<Flight>(3)).fraction)) << "of a searcher that does not judge it";
 }
 
-/// Goes north; surprised at one look, and no more at the next.
-class SurprisedOnce : public baselines::Searcher {
+/// Goes north; surprised from one look on.
+class SurprisedFrom : public baselines::Searcher {
  public:
-  explicit SurprisedOnce(std::size_t look) : look_(look) {}
+  explicit SurprisedFrom(std::size_t look) : look_(look) {}
   void begin(Pcg32 /*random*/) override { looks_ = 0; }
   [[nodiscard]] std::size_t choose(const baselines::DecisionInput& /*input*/) override {
     ++looks_;
     return 0;
   }
-  [[nodiscard]] std::optional<bool> is_surprised() const override { return looks_ == look_; }
+  [[nodiscard]] std::optional<bool> is_surprised() const override { return looks_ >= look_; }
 
  private:
   std::size_t look_;
@@ -88,11 +88,11 @@ TEST(Fly, NotesTheFirstLookThatSurprisesASearcher) {
   settings.direction_count = 4;
   const sonar::SnrCurve curve(Meters{100.0}, {0.0F});
   const search::World world(settings, curve);
-  SurprisedOnce at_start(1);
-  for (const Flight& flight : fly(at_start, world, {.end = 5}, 1)) EXPECT_EQ(flight.looks_to_surprise, 1.0);
-  SurprisedOnce never(1'000);
-  for (const Flight& flight : fly(never, world, {.end = 5}, 1))
-    EXPECT_EQ(flight.looks_to_surprise, std::numeric_limits<double>::infinity());
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  SurprisedFrom third(3);
+  for (const Flight& flight : fly(third, world, {.end = 5}, 1)) EXPECT_EQ(flight.looks_to_surprise, flight.record.steps < 3 ? kNever : 3.0);
+  SurprisedFrom never(1'000);
+  for (const Flight& flight : fly(never, world, {.end = 5}, 1)) EXPECT_EQ(flight.looks_to_surprise, kNever);
 }
 
 /// A policy that goes north (action 0) by a margin of logits: others have logit 0.

@@ -218,6 +218,19 @@ TEST_F(SurpriseOfABelief, ComesWhereEverythingIsLouderThanInAnyOceanAndNotInOneT
   EXPECT_FALSE(belief->surprise().is_surprised()) << "once it is known";
 }
 
+TEST_F(SurpriseOfABelief, HasTheSameBitsOnEveryMachine) {
+  for (int k = 0; k < 8; ++k)
+    add_table(tables, 1.0F, [k](double km) { return 0.5 * static_cast<double>(60 - (4 + k) * std::lround(10.0 * km) / 40); });
+  belief->start(model, tables);
+  Pcg32 random(9);
+  for (int i = 0; i < 30; ++i) {
+    const double north_m = 10'000 * random.uniform_double();  // one after the other: arguments are drawn in any order
+    const double east_m = 10'000 * random.uniform_double();
+    belief->update(model, tables, at(north_m, east_m), {.snr = Decibels{30.0 * random.uniform_double()}, .too_faint = i % 7 == 6});
+  }
+  EXPECT_EQ(belief->surprise().bits() * 512.0F, -7'402.0F);  // of x86-64, for SSE2 and for AVX2, and of aarch64
+}
+
 TEST_F(SurpriseOfABelief, IsForgottenWhenASearchStarts) {
   add_table(tables, 1.0F, [](double km) { return 30.0 - 6.0 * km; });
   flown(
