@@ -285,7 +285,7 @@ TEST_F(DeclarationsTest, MadeALookLateEndASearchAtSeaThatTheSimulatorWouldHaveEn
 
 TEST_F(DeclarationsTest, AreNobodysWhoLeavesThatToOthers) {
   const auto policy = goes_north(1.0F);
-  baselines::Learned learned(*policy, policy->draw, {});
+  baselines::Learned learned(*policy, {}, policy->draw, {});
   EXPECT_FALSE(declaration_shares(fly(learned, world_of(*policy, south_of_the_source(*policy), curve), {.end = 3}, 1)));
 }
 
