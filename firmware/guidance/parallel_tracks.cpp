@@ -23,7 +23,7 @@ ParallelTracks::ParallelTracks(const TrackPlan& plan, NorthEast start) : plan_(p
   apart_ = across / static_cast<double>(gaps);
   if (plan.outer == OuterTracks::kHalfASpacingIn) {
     count_ = gaps;
-    first_ = 0.5 * apart_;
+    first_ = 0.5;
   } else {
     count_ = static_cast<std::uint16_t>(gaps + 1);
   }
@@ -48,7 +48,7 @@ std::size_t ParallelTracks::track_in_turn(std::size_t turn) const {
 NorthEast ParallelTracks::corner(std::size_t index) const {
   const std::size_t track = track_in_turn(index / 2);
   const bool is_far_end = starts_at_far_end_ == ((index + 1) / 2 % 2 == 0);  // the ends of two tracks beside each other follow in turn
-  const Meters across = first_ + static_cast<double>(starts_at_far_side_ ? count_ - 1 - track : track) * apart_;
+  const Meters across = (static_cast<double>(starts_at_far_side_ ? count_ - 1 - track : track) + first_) * apart_;
   const NorthEast size = plan_.area.north_east - plan_.area.south_west;
   if (plan_.tracks == Tracks::kNorthSouth) return plan_.area.south_west + NorthEast{is_far_end ? size.north : Meters{0.0}, across};
   return plan_.area.south_west + NorthEast{across, is_far_end ? size.east : Meters{0.0}};

@@ -46,7 +46,7 @@ class ParallelTracks {
   [[nodiscard]] std::size_t track_in_turn(std::size_t turn) const;
 
   TrackPlan plan_;
-  Meters first_;  ///< from the side at which coordinates begin to the first track
+  double first_ = 0.0;  ///< gaps from the side at which coordinates begin to the first track
   Meters apart_;
   std::uint16_t count_ = 1;
   bool starts_at_far_side_ = false;

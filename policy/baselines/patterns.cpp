@@ -47,10 +47,9 @@ void LawnMower::plan_from(NorthEast start) {
 }
 
 std::size_t LawnMower::choose(const DecisionInput& input) {
-  if (!path_) plan_from(input.position);
-  if (range_between(input.position, path_->corner(next_)) <= kReached * prior_.settings.step_length) ++next_;
-  if (next_ >= path_->corner_count()) {
-    tracks_ = tracks_ == guidance::Tracks::kNorthSouth ? guidance::Tracks::kEastWest : guidance::Tracks::kNorthSouth;
+  if (path_ && range_between(input.position, path_->corner(next_)) <= kReached * prior_.settings.step_length) ++next_;
+  if (!path_ || next_ >= path_->corner_count()) {
+    if (path_) tracks_ = tracks_ == guidance::Tracks::kNorthSouth ? guidance::Tracks::kEastWest : guidance::Tracks::kNorthSouth;
     plan_from(input.position);
   }
   return warily_toward(prior_, input.position, path_->corner(next_));
