@@ -29,43 +29,41 @@ Meters assured_detection_range(const PriorKnowledge& prior) {
   return static_cast<double>(std::max<std::ptrdiff_t>(heard - 1, 0)) * prior.snr.range_step();
 }
 
-std::vector<NorthEast> lawn_mower_corners(const Rectangle& area, Meters spacing, Tracks tracks, NorthEast start) {
-  const NorthEast size = area.north_east - area.south_west;
-  const bool along_north = tracks == Tracks::kNorthSouth;
-  const Meters across = along_north ? size.east : size.north;
-  const Meters along = along_north ? size.north : size.east;
-  const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(across / spacing)));
-  const Meters apart = across / static_cast<double>(count);
-  const NorthEast from = start - area.south_west;
-  const bool far_side = (along_north ? from.east : from.north) > 0.5 * across;
-  bool far_end = (along_north ? from.north : from.east) > 0.5 * along;
-  std::vector<NorthEast> corners;
-  for (std::size_t i = 0; i < count; ++i, far_end = !far_end) {
-    const double track = static_cast<double>(far_side ? count - 1 - i : i) + 0.5;
-    for (const Meters end : {far_end ? along : Meters{0.0}, far_end ? Meters{0.0} : along}) {
-      corners.push_back(area.south_west + (along_north ? NorthEast{end, track * apart} : NorthEast{track * apart, end}));
-    }
-  }
-  return corners;
-}
-
 LawnMower::LawnMower(const PriorKnowledge& prior)
     : prior_(prior), spacing_(2.0 * std::max(assured_detection_range(prior), prior.settings.step_length)) {}
 
 void LawnMower::begin(Pcg32 /*random*/) {
-  corners_.clear();
+  path_.reset();
+  tracks_ = guidance::Tracks::kNorthSouth;
+}
+
+void LawnMower::plan_from(NorthEast start) {
+  path_.emplace(guidance::TrackPlan{.area = search::inside_border(prior_.settings),
+                                    .spacing = spacing_,
+                                    .outer = guidance::OuterTracks::kHalfASpacingIn,
+                                    .tracks = tracks_},
+                start);
   next_ = 0;
-  tracks_ = Tracks::kNorthSouth;
 }
 
 std::size_t LawnMower::choose(const DecisionInput& input) {
-  if (next_ < corners_.size() && range_between(input.position, corners_[next_]) <= kReached * prior_.settings.step_length) ++next_;
-  if (next_ >= corners_.size()) {
-    if (!corners_.empty()) tracks_ = tracks_ == Tracks::kNorthSouth ? Tracks::kEastWest : Tracks::kNorthSouth;
-    corners_ = lawn_mower_corners(search::inside_border(prior_.settings), spacing_, tracks_, input.position);
-    next_ = 0;
+  if (path_ && range_between(input.position, path_->corner(next_)) <= kReached * prior_.settings.step_length) ++next_;
+  if (!path_ || next_ >= path_->corner_count()) {
+    if (path_) tracks_ = tracks_ == guidance::Tracks::kNorthSouth ? guidance::Tracks::kEastWest : guidance::Tracks::kNorthSouth;
+    plan_from(input.position);
   }
-  return warily_toward(prior_, input.position, corners_[next_]);
+  return warily_toward(prior_, input.position, path_->corner(next_));
+}
+
+void SweepSearch::begin(Pcg32 /*random*/) {
+  sweep_.reset();
+}
+
+std::size_t SweepSearch::choose(const DecisionInput& input) {
+  const search::SearchSettings& s = prior_.settings;
+  if (!sweep_)
+    sweep_.emplace(guidance::SweepPlan{.area = s.domain, .margin = s.border_width, .step_length = s.step_length}, input.position);
+  return sweep_->next(input.position, prior_.actions.span()).action;
 }
 
 void ExpandingSquare::begin(Pcg32 /*random*/) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+#include <optional>
 
+#include "firmware/guidance/parallel_tracks.hpp"
+#include "firmware/guidance/sweep.hpp"
 #include "policy/baselines/searcher.hpp"
 
 namespace earshot::baselines {
@@ -24,11 +26,6 @@ class RandomWalk : public Searcher {
 /// The range up to which the source is expected to be heard without a gap.
 [[nodiscard]] Meters assured_detection_range(const PriorKnowledge& prior);
 
-/// Corners of parallel tracks over an area, to be flown in turn: `spacing` apart or less, the outer ones half of it from the sides, from
-/// the corner nearest to `start`.
-enum class Tracks : bool { kNorthSouth, kEastWest };
-[[nodiscard]] std::vector<NorthEast> lawn_mower_corners(const Rectangle& area, Meters spacing, Tracks tracks, NorthEast start);
-
 /// Parallel tracks over the domain inside the border, twice the assured detection range apart (at least two step lengths), north and south;
 /// then the same east and west; and so on.
 class LawnMower : public Searcher {
@@ -38,11 +35,26 @@ class LawnMower : public Searcher {
   [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
 
  private:
+  void plan_from(NorthEast start);
+
   const PriorKnowledge& prior_;
   Meters spacing_;
-  std::vector<NorthEast> corners_;
+  std::optional<guidance::ParallelTracks> path_;  ///< of this search, from its first decision on
   std::size_t next_ = 0;
-  Tracks tracks_ = Tracks::kNorthSouth;
+  guidance::Tracks tracks_ = guidance::Tracks::kNorthSouth;
+};
+
+/// What a vehicle flies that no longer trusts what it believes (firmware/guidance/sweep): tracks two step lengths apart over all of the
+/// domain, out of the border.
+class SweepSearch : public Searcher {
+ public:
+  explicit SweepSearch(const PriorKnowledge& prior) : prior_(prior) {}
+  void begin(Pcg32 random) override;
+  [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
+
+ private:
+  const PriorKnowledge& prior_;
+  std::optional<guidance::Sweep> sweep_;  ///< of this search, from its first decision on
 };
 
 /// A square spiral about the start, its tracks two step lengths apart, so that no source between them is missed: legs of 2, 2, 4, 4,

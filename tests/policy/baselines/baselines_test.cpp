@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -91,20 +92,6 @@ TEST_F(Baselines, AssuredDetectionRangeIsWhereTheSnrFirstFallsBelowTheThreshold)
   EXPECT_EQ(assured_detection_range(prior), Meters{10'000.0});  // 10 dB at 10 km still counts as heard
 }
 
-TEST(LawnMowerCorners, CoverAnAreaInTracksNoFurtherApartThanTheSpacingFromTheNearestCorner) {
-  // 20 km across in tracks at most 6 km apart: four, 5 km apart, the outer ones 2.5 km from the sides; from the south-east corner west.
-  const Rectangle area{at(0, 0), at(10'000, 20'000)};
-  const std::vector<NorthEast> corners = lawn_mower_corners(area, Meters{6'000.0}, Tracks::kNorthSouth, at(1'000, 19'000));
-  EXPECT_EQ(corners, (std::vector<NorthEast>{at(0, 17'500), at(10'000, 17'500), at(10'000, 12'500), at(0, 12'500), at(0, 7'500),
-                                             at(10'000, 7'500), at(10'000, 2'500), at(0, 2'500)}));
-}
-
-TEST(LawnMowerCorners, RunEastAndWestWhenAskedTo) {
-  const Rectangle area{at(0, 0), at(10'000, 20'000)};
-  const std::vector<NorthEast> corners = lawn_mower_corners(area, Meters{5'000.0}, Tracks::kEastWest, at(9'000, 19'000));
-  EXPECT_EQ(corners, (std::vector<NorthEast>{at(7'500, 20'000), at(7'500, 0), at(2'500, 0), at(2'500, 20'000)}));
-}
-
 TEST_F(Baselines, LawnMowerLeavesNoPlaceInsideTheBorderFurtherThanHalfATrackSpacingAndTheCornersItCuts) {
   const sonar::SnrCurve short_range(Meters{1'000.0}, {20.0F, 15.0F, 12.0F, 5.0F});  // heard up to 2 km, tracks 4 km apart at most
   const PriorKnowledge near{.settings = {}, .actions = prior.actions, .snr = short_range};
@@ -119,6 +106,18 @@ TEST_F(Baselines, LawnMowerLeavesNoPlaceInsideTheBorderFurtherThanHalfATrackSpac
     }
   }
   for (const NorthEast place : places) EXPECT_TRUE(inside.contains(place));
+}
+
+TEST_F(Baselines, SweepBeginsAnewInEverySearchFromItsNearestCornerAndKeepsOutOfTheBorder) {
+  SweepSearch sweep(prior);
+  const Rectangle inside = search::inside_border(prior.settings);
+  for (const NorthEast from : {at(4'000, 22'000), at(20'000, 3'000)}) {
+    const std::vector<NorthEast> places = track(sweep, prior, from, 150);
+    const NorthEast corner = from.north.value < 12'500 ? at(1'000, 24'000) : at(24'000, 1'000);
+    // 3.6 and 4.1 km away: within half a step of it, or as near as steps that keep out of the border come, in five.
+    EXPECT_TRUE(std::any_of(places.begin(), places.begin() + 6, [&](NorthEast p) { return range_between(p, corner).value < 1'000; }));
+    for (const NorthEast place : places) EXPECT_TRUE(inside.contains(place));
+  }
 }
 
 TEST_F(Baselines, ExpandingSquareSpiralsInLegsThatGrowByTwoSteps) {
