@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
@@ -16,6 +17,7 @@ class OceanSearch : public Searcher {
   explicit OceanSearch(const PriorKnowledge& prior);
   void begin(Pcg32 random) override;
   [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
+  [[nodiscard]] std::optional<bool> declares_found() const override { return belief_->declaration().has_value(); }
 
  private:
   const PriorKnowledge& prior_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/random.hpp"
@@ -41,6 +42,8 @@ class Searcher {
   virtual void begin(Pcg32 random) = 0;
   /// The next step. Called at the start and after every step. @return an action below the number of actions
   [[nodiscard]] virtual std::size_t choose(const DecisionInput& input) = 0;
+  /// Whether it says that the source is found where it last chose; nothing for one that leaves that to others.
+  [[nodiscard]] virtual std::optional<bool> declares_found() const { return std::nullopt; }
 };
 
 }  // namespace earshot::baselines

@@ -13,9 +13,7 @@ EARSHOT_WIDE void LaneLikelihoods::tabulate(const BeliefModel& model, const Ocea
   using RangeTable = std::array<float, config::kMaxTableRanges>;
   RangeTable exact;
   RangeTable seen;
-  RangeTable uncovered;
   std::array<std::int16_t, config::kMaxTableRanges> logs;
-  find_uncovered(model, std::span(uncovered).first(count));
   for (std::size_t l = 0; l < kLanes; ++l) {
     const Hypothesis& h = hypotheses[l];
     const OceanTable& table = tables.tables[h.table];
@@ -23,7 +21,6 @@ EARSHOT_WIDE void LaneLikelihoods::tabulate(const BeliefModel& model, const Ocea
     to_likelihoods({kLevelOffsets_db[h.level], kSpreads_db[h.spread], kSilenceShares[h.silence], model.outlier_share}, reception,
                    std::span(exact).first(count));
     smooth(std::span(exact).first(count), half_cell(model, count), std::span(seen).first(count));
-    for (std::size_t i = 0; i < count; ++i) seen[i] *= uncovered[i];
     to_logs(std::span(seen).first(count), kLeastLogLikelihood, std::span(logs).first(count));
     for (std::size_t i = 0; i < count; ++i) lanes_[i][l] = logs[i];
   }

@@ -14,7 +14,7 @@ namespace earshot::policy {
 /// Likelihoods of what was heard, were the source at each range, under the hypotheses of a block: log weights.
 class LaneLikelihoods {
  public:
-  /// Of a look; a cell within a step length of the vehicle would have ended the search, and is next to impossible.
+  /// Of a look.
   void tabulate(const BeliefModel& model, const OceanTables& tables, const std::array<Hypothesis, kLanes>& hypotheses, Reception reception);
   [[nodiscard]] std::span<const LogLanes> by_range(const OceanTables& tables) const { return std::span(lanes_).first(tables.range_count); }
 

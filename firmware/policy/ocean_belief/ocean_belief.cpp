@@ -29,6 +29,9 @@ constexpr int kNoPosterior = std::numeric_limits<int>::min() / 2;
 /// Powers of two below the likeliest at which a hypothesis has no share.
 constexpr int kMostBelow = 60 * kOctave;
 
+/// Standard deviations below what is expected that a source is still taken to be heard as it should be.
+constexpr float kFainter = 2.0F;
+
 /// Scales log weights so that the highest is 0 and none below kForgotten. @return what was taken off them
 int take_off_highest(std::span<std::int16_t> weights) {
   const int highest = *std::max_element(weights.begin(), weights.end());
@@ -55,6 +58,8 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   is_history_whole_ = true;
   has_candidates_ = false;
   draws_ = 0;
+  found_rule_.start();
+  declaration_.reset();
   std::fill_n(bearings_.log_weights.begin(), cell_count(model), std::int16_t{0});
   bearings_.scale = 0;
   std::uint8_t likeliest = 0;
@@ -87,7 +92,7 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
 }
 
 void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception) {
-  const Look look{position, reception.snr, reception.too_faint};
+  const Look look{position, reception.snr, reception.too_faint, false};
   is_history_whole_ = looks_.push_back(look) == Status::kOk && is_history_whole_;
   find_ranges(model, position, tables.range_count - std::size_t{1}, ranges_);
   if (reception.bearing) take_in_bearing(model, position, *reception.bearing);
@@ -96,6 +101,7 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   find_shares();
   if (is_history_whole_) weigh_others(model, tables);
   find_marginal(model);
+  judge(model, tables, position, reception);
   foresee(model, tables);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   summary_ = summary_of(model, probabilities);
@@ -108,15 +114,15 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
 void OceanBelief::take_in_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing) {
   const BearingLikelihood likelihood(bearing, Meters{std::max(cell_north(model), cell_east(model))}, model.outlier_share);
   for (std::size_t i = 0; i < cell_count(model); ++i)
-    bearing_[i] = static_cast<std::int16_t>(std::max<int>(to_log(likelihood.at(way_to_cell(model, position, i))), kForgotten));
-  const std::span<std::int16_t> said = std::span(bearing_).first(cell_count(model));
+    by_cell_[i] = static_cast<std::int16_t>(std::max<int>(to_log(likelihood.at(way_to_cell(model, position, i))), kForgotten));
+  const std::span<std::int16_t> said = std::span(by_cell_).first(cell_count(model));
   const std::span<std::int16_t> sum = std::span(bearings_.log_weights).first(cell_count(model));
   take_off_highest(said);
   std::transform(sum.begin(), sum.end(), said.begin(), sum.begin(),
                  [](std::int16_t before, std::int16_t now) { return static_cast<std::int16_t>(before + now); });
   bearings_.scale += take_off_highest(sum);
-  for (HypothesisBlock& block : residents_) block.weigh_places(model, bearing_);
-  if (has_candidates_) candidates_.weigh_places(model, bearing_);
+  for (HypothesisBlock& block : residents_) block.weigh_places(model, by_cell_);
+  if (has_candidates_) candidates_.weigh_places(model, by_cell_);
 }
 
 /// The ranges are those from the look's position.
@@ -124,6 +130,44 @@ void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, c
   block.let_move(model);
   likelihoods_.tabulate(model, tables, block.hypotheses(), {.snr = look.snr, .too_faint = look.too_faint});
   block.weigh(model, likelihoods_.by_range(tables), ranges_);
+  if (look.was_declared) rule_out(model, tables, block);
+}
+
+/// The source is not within a step length of where the ranges are from.
+void OceanBelief::rule_out(const BeliefModel& model, const OceanTables& tables, HypothesisBlock& block) {
+  const std::size_t count = tables.range_count;
+  std::array<float, config::kMaxTableRanges> uncovered;
+  std::array<std::int16_t, config::kMaxTableRanges> logs;
+  find_uncovered(model, std::span(uncovered).first(count));
+  to_logs(std::span(uncovered).first(count), kForgotten, std::span(logs).first(count));
+  for (std::size_t i = 0; i < cell_count(model); ++i) by_cell_[i] = logs[ranges_[i]];
+  block.weigh_places(model, by_cell_);
+}
+
+/// The least SNR that is expected within a step length of the source, as the hypotheses say by their shares.
+Decibels OceanBelief::least_snr_near(const BeliefModel& model, const OceanTables& tables) const {
+  const auto at = std::min(static_cast<std::size_t>(model.step_length / tables.range_step), tables.range_count - std::size_t{1});
+  float sum_db = 0.0F;
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    const Hypothesis& h = hypothesis(i);
+    sum_db += share(i) * (tables.tables[h.table].snr_db(at) + kLevelOffsets_db[h.level] - kFainter * kSpreads_db[h.spread]);
+  }
+  return Decibels{double{sum_db}};
+}
+
+/// Where it is declared found, what follows is for a search that goes on nevertheless: the source is elsewhere.
+void OceanBelief::judge(const BeliefModel& model, const OceanTables& tables, NorthEast position, const Reception& reception) {
+  declaration_ = found_rule_.judge(model, {.probabilities = std::span(marginal_).first(cell_count(model)),
+                                           .position = position,
+                                           .reception = reception,
+                                           .least_snr = least_snr_near(model, tables)});
+  if (!declaration_) return;
+  if (is_history_whole_) looks_[looks_.size() - 1].was_declared = true;  // those that have not heard it yet will
+  find_ranges(model, position, tables.range_count - std::size_t{1}, ranges_);
+  for (HypothesisBlock& block : residents_) rule_out(model, tables, block);
+  find_posteriors(model, tables);
+  find_shares();
+  find_marginal(model);
 }
 
 void OceanBelief::find_posteriors(const BeliefModel& model, const OceanTables& tables) {

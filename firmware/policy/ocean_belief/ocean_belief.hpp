@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "firmware/config/capacities.hpp"
@@ -10,8 +11,10 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/random.hpp"
 #include "firmware/messages/belief_summary.hpp"
+#include "firmware/messages/found_declaration.hpp"
 #include "firmware/policy/belief_model.hpp"
 #include "firmware/policy/belief_outlook.hpp"
+#include "firmware/policy/found/found_rule.hpp"
 #include "firmware/policy/ocean_belief/hypothesis_block.hpp"
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
 #include "firmware/policy/reception.hpp"
@@ -30,9 +33,12 @@ class OceanBelief {
   /// @param model   its hypotheses and SNR are not used; its range step is that of the tables
   /// @param tables  at least one
   void start(const BeliefModel& model, const OceanTables& tables);
-  /// Takes in what was heard at `position` (relative to the area's south-west corner), where the source was not within step_length.
+  /// Takes in what was heard at `position` (relative to the area's south-west corner), and judges whether the source is found there. If it
+  /// is, all else that is said afterwards is of a search that goes on nevertheless: that the source is not within step_length.
   void update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception);
 
+  /// That the source is found (firmware/policy/found), by all that was heard up to the last look; nothing where it is not.
+  [[nodiscard]] const std::optional<messages::FoundDeclaration>& declaration() const { return declaration_; }
   /// Places are relative to the area's south-west corner.
   [[nodiscard]] const messages::BeliefSummary& summary() const { return summary_; }
   /// @param action  below the number of the model's actions
@@ -55,10 +61,14 @@ class OceanBelief {
     NorthEast position;
     Decibels snr;
     bool too_faint;
+    bool was_declared;  ///< the source found there, and was not
   };
 
   void take_in_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing);
   void take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, HypothesisBlock& block);
+  void rule_out(const BeliefModel& model, const OceanTables& tables, HypothesisBlock& block);
+  [[nodiscard]] Decibels least_snr_near(const BeliefModel& model, const OceanTables& tables) const;
+  void judge(const BeliefModel& model, const OceanTables& tables, NorthEast position, const Reception& reception);
   void find_posteriors(const BeliefModel& model, const OceanTables& tables);
   void find_shares();
   void weigh_others(const BeliefModel& model, const OceanTables& tables);
@@ -82,12 +92,14 @@ class OceanBelief {
   bool is_history_whole_;  ///< every look is in it
   Pcg32 random_{0};
   PlacePrior bearings_;                                        ///< what all bearings say together
-  std::array<std::int16_t, config::kMaxBeliefCells> bearing_;  ///< [north x east], what one says
+  std::array<std::int16_t, config::kMaxBeliefCells> by_cell_;  ///< [north x east], what one says, or a declaration
   LaneLikelihoods likelihoods_;
   std::array<std::uint16_t, config::kMaxBeliefCells> ranges_;  ///< [north x east], from the vehicle, in range steps
   std::array<float, config::kMaxBeliefCells> marginal_;        ///< [north x east], sum over the hypotheses
   std::array<float, config::kMaxTableRanges> search_cost_;     ///< of a search that goes straight to a source at that range
   std::array<float, config::kMaxTableRanges> detected_;        ///< probability of a detection at that range
+  FoundRule found_rule_;
+  std::optional<messages::FoundDeclaration> declaration_;
   messages::BeliefSummary summary_;
   std::array<ActionOutlook, config::kMaxActions> outlooks_;
 };

@@ -44,8 +44,8 @@ inline long double clamped(long double x, long double least, long double most) {
   return std::min(std::max(x, least), most);
 }
 
-/// Likelihood of what was received, were the source at a range, written out: the normal distribution, pauses, outliers over 80 dB, the
-/// mean over a cell, and the share of a cell that lies further away than a step.
+/// Likelihood of what was received, were the source at a range, written out: the normal distribution, pauses, outliers over 80 dB, and the
+/// mean over a cell.
 inline std::vector<long double> likelihoods_by_hand(const BeliefModel& model, const OceanTables& tables, const Hypothesis& h,
                                                     Reception reception) {
   const std::vector<long double> offsets{-9, -6, -3, 0, 3, 6, 9};
@@ -72,10 +72,16 @@ inline std::vector<long double> likelihoods_by_hand(const BeliefModel& model, co
   for (int i = 0; i <= last; ++i) {
     long double sum = 0.0L;
     for (int k = i - half; k <= i + half; ++k) sum += at_range[static_cast<std::size_t>(std::clamp(k, 0, last))];
-    const long double uncovered = clamped((i * step - static_cast<long double>(model.step_length.value)) / cell + 0.5L, 1e-3L, 1.0L);
-    result.push_back(sum / (2 * half + 1) * uncovered);
+    result.push_back(sum / (2 * half + 1));
   }
   return result;
+}
+
+/// Share of a cell, its centre at a range step, that lies further away than a step of the search: what is left of it after a declaration.
+inline long double left_of_cell(const BeliefModel& model, const OceanTables& tables, std::size_t range) {
+  const long double range_m = static_cast<long double>(range) * static_cast<long double>(tables.range_step.value);
+  const long double cell_m = static_cast<long double>(model.area_size.north.value) / model.cells_north;
+  return clamped((range_m - static_cast<long double>(model.step_length.value)) / cell_m + 0.5L, 1e-3L, 1.0L);
 }
 
 /// Range step at which a cell's centre lies, the nearest.

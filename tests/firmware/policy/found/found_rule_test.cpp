@@ -1,0 +1,110 @@
+#include "firmware/policy/found/found_rule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "tests/firmware/policy/belief_rig.hpp"
+
+namespace earshot::policy {
+namespace {
+
+/// 10 km x 10 km in cells of 500 m; found within 1 km.
+class FoundRuleTest : public testing::Test {
+ protected:
+  [[nodiscard]] std::optional<messages::FoundDeclaration> judge(Reception reception) {
+    return rule.judge(model, {.probabilities = cells, .position = place, .reception = reception, .least_snr = Decibels{12.0}});
+  }
+
+  FoundRule rule;
+
+  BeliefModel model = bare_model(at(10'000, 10'000), 20, 20);
+  NorthEast place = at(3'250, 4'250);  // the centre of a cell, the sixth from the south and the eighth from the west
+  std::vector<float> cells = std::vector<float>(400);
+};
+
+constexpr std::size_t kHere = 6 * 20 + 8;
+
+class ProbabilityWithin : public FoundRuleTest {};
+
+/// A cell of 500 m is within 1 km altogether when its centre is within 750 m, half at 1 km, not at all from 1250 m on.
+TEST_F(ProbabilityWithin, CountsACellByAsMuchOfItAsLiesWithin) {
+  cells[kHere] = 1.0F;
+  EXPECT_FLOAT_EQ(probability_within(model, cells, place), 1.0F);
+  EXPECT_FLOAT_EQ(probability_within(model, cells, place + at(-750, 0)), 1.0F);
+  EXPECT_NEAR(probability_within(model, cells, place + at(0, 900)), 0.7, 1e-6);  // floats
+  EXPECT_NEAR(probability_within(model, cells, place + at(600, -800)), 0.5, 1e-6);
+  EXPECT_EQ(probability_within(model, cells, place + at(-1'250, 0)), 0.0F);
+}
+
+/// A circle of 1 km in 100 km2, a hundredth of pi. That its edge is 500 m wide adds 1/48 of it, and cells are 2 % coarse.
+TEST_F(ProbabilityWithin, IsTheShareOfTheCircleWhereEveryPlaceIsAsLikely) {
+  cells.assign(400, 1.0F / 400.0F);
+  EXPECT_NEAR(probability_within(model, cells, at(5'130, 4'870)), 0.01 * std::numbers::pi * (1.0 + 1.0 / 48.0), 0.02 * 0.0314);
+}
+
+TEST_F(FoundRuleTest, DeclaresWithItsEvidence) {
+  cells[kHere + 1] = 0.6F;
+  cells[kHere] = 0.32F;
+  cells[0] = 0.08F;
+  for (int look = 0; look < 7; ++look) EXPECT_FALSE(judge({.snr = Decibels{3.0}, .too_faint = true}));
+  const auto declaration = judge({.snr = Decibels{14.5}});
+  ASSERT_TRUE(declaration);
+  EXPECT_EQ(declaration->near_looks, 1U);
+  EXPECT_FLOAT_EQ(declaration->probability, 0.92F);
+  EXPECT_EQ(declaration->snr, Decibels{14.5});
+  EXPECT_EQ(declaration->least_snr, Decibels{12.0});
+  EXPECT_EQ(declaration->likeliest, at(3'250, 4'750));
+  EXPECT_EQ(declaration->closest_approach, Meters{500.0});
+  EXPECT_EQ(declaration->look, 7U);
+}
+
+TEST_F(FoundRuleTest, DeclaresNothingThatIsNotLikelyEnough) {
+  cells[kHere] = 0.89F;
+  cells[399] = 0.11F;
+  EXPECT_FALSE(judge({.snr = Decibels{14.5}}));
+  cells[kHere + 20] = 0.02F;
+  EXPECT_TRUE(judge({.snr = Decibels{14.5}}));
+}
+
+TEST_F(FoundRuleTest, DeclaresNothingThatIsHeardFainterThanItShouldBeOrNotAtAll) {
+  cells[kHere] = 1.0F;
+  EXPECT_TRUE(judge({.snr = Decibels{12.0}}));
+  EXPECT_FALSE(judge({.snr = Decibels{11.9}}));
+  EXPECT_FALSE(judge({.snr = Decibels{20.0}, .too_faint = true})) << "no more is known than that it lies below 20 dB";
+  EXPECT_FALSE(judge({.snr = Decibels{std::numeric_limits<double>::quiet_NaN()}}));
+}
+
+TEST_F(FoundRuleTest, DeclaresAtTheEighthLookAtWhichTheSourceIsLikelierNearThanNotAndCountsAnewThen) {
+  for (int time = 0; time < 2; ++time) {
+    for (int look = 0; look < 7; ++look) {
+      cells[kHere] = 0.51F;
+      EXPECT_FALSE(judge({.snr = Decibels{14.5}})) << look;
+      EXPECT_FALSE(judge({.snr = Decibels{3.0}})) << "not as loud as it should be";
+      cells[kHere] = 0.49F;
+      EXPECT_FALSE(judge({.snr = Decibels{14.5}})) << "as likely elsewhere";
+    }
+    cells[kHere] = 0.51F;
+    const auto declaration = judge({.snr = Decibels{14.5}});
+    ASSERT_TRUE(declaration);
+    EXPECT_EQ(declaration->near_looks, 8U);
+    EXPECT_EQ(declaration->look, static_cast<std::uint32_t>(21 + 22 * time));
+  }
+}
+
+TEST_F(FoundRuleTest, ForgetsTheLooksOfTheSearchBefore) {
+  cells[kHere] = 0.51F;
+  for (int look = 0; look < 7; ++look) EXPECT_FALSE(judge({.snr = Decibels{14.5}}));
+  rule.start();
+  EXPECT_FALSE(judge({.snr = Decibels{14.5}}));
+}
+
+TEST_F(FoundRuleTest, DeclaresNothingOfProbabilitiesThatAreNoNumbers) {
+  cells[kHere] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(judge({.snr = Decibels{20.0}}));
+}
+
+}  // namespace
+}  // namespace earshot::policy
