@@ -54,6 +54,7 @@ struct Options {
   std::optional<std::string> plot;
   std::optional<std::string> paths;
   std::vector<std::string> tables;
+  bool declared = false;
   bool timing = false;
   bool force = false;
 };
@@ -86,6 +87,10 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option("--csv", &o.csv, "also write the table there");
   line.option("--plot", &o.plot, "also draw it there (.png or .svg)");
   line.option("--paths", &o.paths, "also write there where every search went, step by step (CSV)");
+  line.flag(
+      "--declared", &o.declared,
+      "as at sea, nobody tells a searcher that the source is found: a search of one that declares it itself (ocean_search) ends when it "
+      "does so within a step length of a source");
   line.flag("--timing", &o.timing, "write the time per decision into the files too, whose bytes then differ from run to run");
   line.flag("--force", &o.force, command_line::kForceHelp);
   line.footer(
@@ -311,6 +316,7 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   task.settings.source = source_of(leading, environment, o.search.environment.has_value());
   if (!o.search.listening.is_given()) evaluate::check_same_listening(candidates);
   task.options.apply_to(task.settings);
+  if (o.declared) task.settings.found_by = search::FoundBy::kSearcher;
   session.all_or_none<BadInput>([&] {
     if (speaks) check_files(o);
   });

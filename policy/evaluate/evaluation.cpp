@@ -22,6 +22,21 @@ struct Turn {
   Pcg32 actions;
 };
 
+/// Takes down what the searcher says of where the vehicle is. @return whether it rightly says that the source is found
+bool take_down(const baselines::Searcher& searcher, const search::Episode& episode, Meters step_length, Flight& flight) {
+  const std::optional<bool> says = searcher.declares_found();
+  if (!says) return false;
+  if (!flight.declarations) flight.declarations.emplace();
+  Declarations& all = *flight.declarations;
+  const Meters off = range_between(episode.position(), episode.source());
+  const bool is_within = off <= step_length;
+  all.was_within |= is_within;
+  all.rightly |= is_within && *says;
+  all.falsely |= !is_within && *says;
+  all.far_off |= off > 1.5 * step_length && *says;
+  return is_within && *says;
+}
+
 Flight fly_one(baselines::Searcher& searcher, const search::World& world, const Turn& turn, search::Episode& episode,
                const Watcher& watcher) {
   Flight flight;
@@ -31,18 +46,25 @@ Flight fly_one(baselines::Searcher& searcher, const search::World& world, const 
   if (watcher) watcher(turn.number, episode);
   const Meters to_source = range_between(episode.position(), episode.source());
   flight.straight_m = (to_source - world.settings.step_length).value;
-  while (episode.record().end == search::EpisodeEnd::kRunning) {
+  bool is_found = false;
+  while (true) {
+    const bool is_over = episode.record().end != search::EpisodeEnd::kRunning;
+    if (is_over && !searcher.declares_found()) break;
     const NorthEast before = episode.position();
     const baselines::DecisionInput input{
         .position = episode.believed_position(), .reception = episode.reception(), .vehicle = before, .source = episode.source()};
     const steady_clock::time_point began = steady_clock::now();
     const std::size_t action = searcher.choose(input);
-    flight.decision_s += std::chrono::duration<double>(steady_clock::now() - began).count();
+    const std::chrono::duration<double> took = steady_clock::now() - began;
+    is_found = take_down(searcher, episode, world.settings.step_length, flight) && world.settings.found_by == search::FoundBy::kSearcher;
+    if (is_over || is_found) break;  // what was heard last made it say something, at most
+    flight.decision_s += took.count();
     episode.step(world, action);
     flight.path_m += range_between(before, episode.position()).value;
     if (watcher) watcher(turn.number, episode);
   }
   flight.record = episode.record();
+  if (is_found) flight.record.end = search::EpisodeEnd::kFound;
   return flight;
 }
 
@@ -105,6 +127,23 @@ Summary summarise(std::span<const search::EpisodeRecord> records) {
   summary.median_reward = quantile(rewards, 0.5);
   summary.upper_quartile_reward = quantile(rewards, 0.75);
   return summary;
+}
+
+std::optional<DeclarationShares> declaration_shares(std::span<const Flight> flights) {
+  if (flights.empty() || !flights.front().declarations) return std::nullopt;
+  DeclarationShares shares;
+  double within = 0.0;
+  for (const Flight& flight : flights) {
+    const Declarations& said = *flight.declarations;
+    within += said.was_within ? 1.0 : 0.0;
+    shares.missed += said.was_within && !said.rightly ? 1.0 : 0.0;
+    shares.falsely += said.falsely ? 1.0 : 0.0;
+    shares.far_off += said.far_off ? 1.0 : 0.0;
+  }
+  shares.falsely /= static_cast<double>(flights.size());
+  shares.far_off /= static_cast<double>(flights.size());
+  shares.missed = within > 0.0 ? shares.missed / within : std::numeric_limits<double>::quiet_NaN();
+  return shares;
 }
 
 double path_over_straight(std::span<const Flight> flights) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,12 +13,21 @@
 
 namespace earshot::evaluate {
 
+/// What a searcher said that says itself whether the source is found.
+struct Declarations {
+  bool was_within = false;  ///< l of a source, at the end of a step
+  bool rightly = false;     ///< said there that it is found
+  bool falsely = false;     ///< said so elsewhere
+  bool far_off = false;     ///< said so further than 1.5 l from every source
+};
+
 /// One search as it went.
 struct Flight {
   search::EpisodeRecord record;
-  double path_m = 0.0;      ///< over ground
-  double straight_m = 0.0;  ///< from the start to within l of where the nearest source then was
-  double decision_s = 0.0;  ///< by the clock, all decisions together
+  double path_m = 0.0;                                      ///< over ground
+  double straight_m = 0.0;                                  ///< from the start to within l of where the nearest source then was
+  double decision_s = 0.0;                                  ///< by the clock, all decisions together
+  std::optional<Declarations> declarations = std::nullopt;  ///< of searchers that make any
 };
 
 /// Which episodes of a seed are flown: every stride-th from the first, below the end.
@@ -32,6 +42,7 @@ using Watcher = std::function<void(std::size_t number, const search::Episode& ep
 
 /// Episode i draws its start, its sources and all that its world's conditions ask for from stream 2i of the seed's for evaluation
 /// (sim/search/streams.hpp), what the searcher draws from stream 2i + 1: the same starts for every searcher, and none that a training drew.
+/// Where a searcher says itself that the source is found (SearchSettings::found_by) a search ends when it does so within l of a source.
 /// Oracle: EvaluateTest.FliesNoSearchThatATrainingOfTheSameSeedBeginsWith
 [[nodiscard]] std::vector<Flight> fly(baselines::Searcher& searcher, const search::World& world, Episodes episodes, std::uint64_t seed,
                                       const Watcher& watcher = {});
@@ -61,6 +72,16 @@ struct Summary {
   double mean_steps = 0.0;
   double mean_detections = 0.0;
 };
+
+/// How often those that say themselves whether the source is found were wrong.
+struct DeclarationShares {
+  double falsely = 0.0;  ///< of all searches: those in which it was declared found further than l from every source
+  double far_off = 0.0;  ///< and those further than 1.5 l
+  double missed = 0.0;   ///< of the searches that came within l of a source at the end of a step: those in which it was not declared there
+};
+
+/// Nothing where there were no such searchers. @param flights  of one searcher
+[[nodiscard]] std::optional<DeclarationShares> declaration_shares(std::span<const Flight> flights);
 
 /// @param records  at least one
 [[nodiscard]] Summary summarise(std::span<const search::EpisodeRecord> records);

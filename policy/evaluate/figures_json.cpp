@@ -42,6 +42,11 @@ ordered_json as_json(const Row& row, Timing timing) {
                     {"path_over_straight_95", interval(row.intervals.path_over_straight)},
                     {"mean_steps", s.mean_steps},
                     {"mean_detections", s.mean_detections}};
+  if (row.declarations) {
+    json["declared_falsely_fraction"] = row.declarations->falsely;
+    json["declared_far_off_fraction"] = row.declarations->far_off;
+    json["missed_fraction"] = row.declarations->missed;
+  }
   if (timing == Timing::kIncluded) json["decision_us"] = 1e6 * row.decision_s;
   return json;
 }
@@ -68,6 +73,7 @@ std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Tim
   json["border_width_m"] = settings.border_width.value;
   json["border_reward"] = settings.border_reward;
   json["max_steps"] = settings.max_steps;
+  json["found_by"] = settings.found_by == search::FoundBy::kSearcher ? "searcher" : "simulator";
   json["vehicle_depth_m"] = setup.vehicle_depth.value;
   json["listening"] = host::word_for(settings.listening.listening);
   json["listening_window_s"] = host::length_s(settings.listening);

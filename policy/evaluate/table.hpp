@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -22,6 +23,7 @@ struct Row {
   Intervals intervals;
   double path_over_straight = 0.0;
   double decision_s = 0.0;
+  std::optional<DeclarationShares> declarations = std::nullopt;  ///< of a searcher that says itself whether the source is found
 };
 
 /// @param flights  at least one
@@ -32,7 +34,8 @@ struct Row {
 [[nodiscard]] double hours(double steps, const Pace& pace);
 
 /// The rows of one world as a table with a header of two lines, for people to read: found first, then the time to find, then the reward.
-/// "-" is a time that never comes, or a ratio that nobody knows.
+/// "-" is a time that never comes, or a ratio that nobody knows. A line below names each that declared the source found, and how often
+/// wrongly.
 [[nodiscard]] std::string as_text(std::span<const Row> rows);
 
 enum class Timing : bool { kLeftOut, kIncluded };

@@ -22,6 +22,7 @@ std::vector<Flight> fly_share(const Candidate& candidate, const Trial& trial, co
   } else {
     searcher = baselines::make_baseline(candidate.name, prior);
   }
+  if (!searcher->declares_found()) world.settings.found_by = search::FoundBy::kSimulator;  // else it would never find
   return fly(*searcher, world, {.end = trial.episodes, .first = ranks.rank(), .stride = ranks.size()}, trial.file.seed, watcher);
 }
 

@@ -73,7 +73,7 @@ double Episode::step(const World& world, std::size_t action) {
   record_.reward += reward;
   record_.steps += 1;
   record_.detections += is_detection(s, reception_) ? 1U : 0U;
-  if (range_between(position_, source_) <= s.step_length) {
+  if (s.found_by == FoundBy::kSimulator && range_between(position_, source_) <= s.step_length) {
     record_.end = EpisodeEnd::kFound;
   } else if (!s.domain.contains(position_)) {
     record_.end = EpisodeEnd::kLeftDomain;

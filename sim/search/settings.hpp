@@ -19,6 +19,12 @@ enum class SourcePlacement : std::uint8_t {
   kChanging,  ///< uniform in the domain, anew every episode
 };
 
+/// Who says that the source is found, and so ends the search.
+enum class FoundBy : std::uint8_t {
+  kSimulator,  ///< it knows that the vehicle is within l of the source
+  kSearcher,   ///< as at sea: an episode goes on, and whoever flies it ends it
+};
+
 /// The paper's search problem. Defaults are the paper's; what the paper leaves open says so.
 /// Source: Clark et al. 2022 (domain, source position, l, N, DT, p); border_width b is not given there.
 struct SearchSettings {
@@ -34,6 +40,7 @@ struct SearchSettings {
   config::ListeningWindow listening;                     ///< what an observation hears of the looks on its step
   Meters border_width{1'000.0};                          ///< b > 0; not given by the paper
   double border_reward = -100.0;                         ///< p, the reward at the edge itself
+  FoundBy found_by = FoundBy::kSimulator;
 };
 
 /// The part of the domain where the border's reward does not reach: every edge moved in by border_width. Starts there begin without

@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "policy/baselines/learned.hpp"
 #include "sim/search/vector_search.hpp"
@@ -142,6 +146,98 @@ TEST_F(EvaluateTest, FliesNoSearchThatATrainingOfTheSameSeedBeginsWith) {
   }));
   EXPECT_EQ(flown, 3'000U);
   EXPECT_EQ(known, 0U);
+}
+
+/// Goes north, and says whether it has found the source as it is told to.
+class SaysSo : public baselines::Searcher {
+ public:
+  using Rule = std::function<bool(Meters to_source)>;
+  explicit SaysSo(Rule rule) : rule_(std::move(rule)) {}
+  void begin(Pcg32 /*random*/) override { says_ = false; }
+  [[nodiscard]] std::size_t choose(const baselines::DecisionInput& input) override {
+    says_ = rule_(range_between(input.vehicle, input.source));
+    return 0;
+  }
+  [[nodiscard]] std::optional<bool> declares_found() const override { return says_; }
+
+ private:
+  Rule rule_;
+  bool says_ = false;
+};
+
+/// 20 searches that start due south of the source, 5 to 6 km away: after five steps the vehicle is within 1 km, after the sixth too, on the
+/// other side of it.
+class DeclarationsTest : public EvaluateTest {
+ protected:
+  std::vector<Flight> flights(const SaysSo::Rule& rule, search::FoundBy found_by) {
+    const auto policy = goes_north(1.0F);
+    search::SearchSettings settings = search_of(*policy);
+    settings.start_region = {{Meters{4'100.0}, Meters{10'000.0}}, {Meters{4'900.0}, Meters{10'001.0}}};
+    settings.found_by = found_by;
+    SaysSo searcher(rule);
+    return fly(searcher, world_of(*policy, settings, curve), {.end = 20}, 1);
+  }
+  static DeclarationShares shares(const std::vector<Flight>& of) {
+    const auto all = declaration_shares(of);
+    EXPECT_TRUE(all);
+    return all.value_or(DeclarationShares{});
+  }
+};
+
+TEST_F(DeclarationsTest, MadeNearTheSourceAloneAreNeverFalseAndNeverMissed) {
+  for (const search::FoundBy found_by : {search::FoundBy::kSimulator, search::FoundBy::kSearcher}) {
+    const auto all = flights([](Meters off) { return off.value <= 1'000.0; }, found_by);
+    for (const Flight& flight : all) {
+      EXPECT_EQ(flight.record.end, EpisodeEnd::kFound);
+      EXPECT_EQ(flight.record.steps, 5U);
+      EXPECT_NEAR(flight.path_m, 5'000.0, 1e-6);
+    }
+    EXPECT_EQ(shares(all).falsely, 0.0);
+    EXPECT_EQ(shares(all).missed, 0.0);
+  }
+}
+
+TEST_F(DeclarationsTest, MadeTooFarAwayAreFalseAndEndNoSearch) {
+  // After four steps 1.1 to 1.9 km are left, to about half of the starts no more than 1.5.
+  const auto beside = flights([](Meters off) { return off.value > 1'000.0 && off.value <= 1'500.0; }, search::FoundBy::kSimulator);
+  EXPECT_GT(shares(beside).falsely, 0.2);
+  EXPECT_LT(shares(beside).falsely, 0.8);
+  EXPECT_EQ(shares(beside).far_off, 0.0);
+  for (const search::FoundBy found_by : {search::FoundBy::kSimulator, search::FoundBy::kSearcher}) {
+    const auto always = flights([](Meters) { return true; }, found_by);
+    EXPECT_EQ(shares(always).falsely, 1.0);
+    EXPECT_EQ(shares(always).far_off, 1.0);
+    EXPECT_EQ(shares(always).missed, 0.0);
+    for (const Flight& flight : always) EXPECT_EQ(flight.record.steps, 5U);
+  }
+}
+
+TEST_F(DeclarationsTest, NotMadeAreMissedAndAtSeaNothingIsFoundThen) {
+  const auto never = [](Meters) { return false; };
+  const auto told = flights(never, search::FoundBy::kSimulator);
+  EXPECT_EQ(shares(told).missed, 1.0);
+  EXPECT_EQ(told.front().record.end, EpisodeEnd::kFound);
+  const auto at_sea = flights(never, search::FoundBy::kSearcher);
+  EXPECT_EQ(shares(at_sea).missed, 1.0);
+  EXPECT_EQ(at_sea.front().record.end, EpisodeEnd::kLeftDomain) << "it goes on north";
+}
+
+TEST_F(DeclarationsTest, MadeALookLateEndASearchAtSeaThatTheSimulatorWouldHaveEndedBefore) {
+  // Within 600 m: of starts from 4.1 to 4.9 km north those below 4.4 km are there after six steps, the others, up to 5 km, after five.
+  const auto all = flights([](Meters off) { return off.value <= 600.0; }, search::FoundBy::kSearcher);
+  std::set<std::uint32_t> steps;
+  for (const Flight& flight : all) {
+    EXPECT_EQ(flight.record.end, EpisodeEnd::kFound);
+    steps.insert(flight.record.steps);
+  }
+  EXPECT_EQ(steps, (std::set<std::uint32_t>{5, 6}));
+  EXPECT_EQ(shares(all).missed, 0.0);
+}
+
+TEST_F(DeclarationsTest, AreNobodysWhoLeavesThatToOthers) {
+  const auto policy = goes_north(1.0F);
+  baselines::Learned learned(*policy, policy->draw, {});
+  EXPECT_FALSE(declaration_shares(fly(learned, world_of(*policy, south_of_the_source(*policy), curve), {.end = 3}, 1)));
 }
 
 }  // namespace

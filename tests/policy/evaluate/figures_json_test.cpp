@@ -47,6 +47,19 @@ TEST_F(FiguresJson, NamesTheRegionOfTheStartsOrTheirMarginNeverBoth) {
   EXPECT_FALSE(by_margin.contains("start"));
 }
 
+TEST_F(FiguresJson, SaysWhoSaidThatTheSourceWasFoundAndHowOftenWrongly) {
+  const auto told = nlohmann::json::parse(as_json(setup(std::nullopt), std::span(&row_, 1), Timing::kLeftOut));
+  EXPECT_EQ(told["found_by"], "simulator");
+  EXPECT_FALSE(told["results"][0].contains("missed_fraction"));
+  settings_.found_by = search::FoundBy::kSearcher;
+  row_.declarations = DeclarationShares{.falsely = 0.25, .far_off = 0.125, .missed = 0.5};
+  const auto at_sea = nlohmann::json::parse(as_json(setup(std::nullopt), std::span(&row_, 1), Timing::kLeftOut));
+  EXPECT_EQ(at_sea["found_by"], "searcher");
+  EXPECT_EQ(at_sea["results"][0]["declared_falsely_fraction"], 0.25);
+  EXPECT_EQ(at_sea["results"][0]["declared_far_off_fraction"], 0.125);
+  EXPECT_EQ(at_sea["results"][0]["missed_fraction"], 0.5);
+}
+
 TEST_F(FiguresJson, SaysWhichTaskWasTestedWhoseItIsAndWhoWasTrainedForAnother) {
   const auto nobodys = nlohmann::json::parse(as_json(setup(std::nullopt), std::span(&row_, 1), Timing::kLeftOut));
   EXPECT_TRUE(nobodys["trained_by"].is_null());

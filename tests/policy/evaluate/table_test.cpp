@@ -59,6 +59,28 @@ TEST(Table, WritesEveryFigureUnderItsName) {
   EXPECT_NEAR(std::stod(value_of(csv, "decision_us")), 3.0, 1e-9);
 }
 
+TEST(Table, SaysHowOftenTheSourceWasDeclaredFoundWronglyOfThoseWhoDeclareIt) {
+  std::vector<Flight> all = flights();
+  const std::vector<Row> silent{row_of("sea", "guess", all, {}, 1)};
+  EXPECT_EQ(value_of(as_csv(silent, Timing::kLeftOut), "missed_fraction"), "");
+  EXPECT_EQ(as_text(silent).find("declared"), std::string::npos);
+  all[0].declarations = Declarations{.was_within = true, .rightly = true, .falsely = true};
+  all[1].declarations = Declarations{.was_within = true};
+  all[2].declarations = Declarations{.falsely = true, .far_off = true};
+  all[3].declarations = Declarations{.falsely = true};
+  std::vector<Row> rows{row_of("sea", "guess", all, {}, 1)};
+  const std::string csv = as_csv(rows, Timing::kLeftOut);
+  EXPECT_EQ(value_of(csv, "declared_falsely_fraction"), "0.75");
+  EXPECT_EQ(value_of(csv, "declared_far_off_fraction"), "0.25");
+  EXPECT_EQ(value_of(csv, "missed_fraction"), "0.5") << "of the two that came near";
+  EXPECT_NE(as_text(rows).find(
+                "guess: declared falsely in 75.0 % of the searches (further than 1.5 step lengths off in 25.0 %), missed 50.0 %\n"),
+            std::string::npos);
+  all[0].declarations->was_within = all[1].declarations->was_within = false;
+  rows = {row_of("sea", "guess", all, {}, 1)};
+  EXPECT_NE(as_text(rows).find("missed -\n"), std::string::npos) << "none came near";
+}
+
 /// Three of four found, after 36, 72 and 18 steps.
 std::vector<Flight> mostly_found() {
   std::vector<Flight> all = flights();
