@@ -1,5 +1,5 @@
-// Row network.forward_ns: how long the network of a policy that sees a belief takes for one observation, on the widest vector unit that this
-// machine has. Any weights will do: none is skipped.
+// Row network.forward_ns: how long the network of a policy that sees a belief takes for one observation, on the widest vector unit that
+// this machine has. Any weights will do: none is skipped.
 #include <array>
 #include <memory>
 #include <span>

@@ -34,7 +34,8 @@ struct Flown {
   Flown() {
     file.mission.max_steps = kTurns;
     file.mission.max_time = Duration::seconds(10 * std::int64_t{kTurns});
-    if (runtime->configure(file.mission, *search.policy.policy, *search.tables.tables) != Status::kOk) throw std::runtime_error("cannot be flown");
+    if (runtime->configure(file.mission, *search.policy.policy, *search.tables.tables) != Status::kOk)
+      throw std::runtime_error("cannot be flown");
   }
 };
 

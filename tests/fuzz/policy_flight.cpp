@@ -78,6 +78,11 @@ bool flies(const policy::FrozenPolicy& policy, runtime::Runtime& runtime, Pcg32&
     require(configured == Status::kOutOfRange, "a mission without room to search was taken");
     return false;
   }
+  // An area may be so wide, or so narrow, that no tables can be.
+  if (policy::needs_belief(policy.observation.spec) && !policy::are_usable(*tables, policy::searched_sound(mission))) {
+    require(configured == Status::kOutOfRange, "tables that do not reach across the area were taken");
+    return false;
+  }
   require(configured == Status::kOk, "the runtime refused what the loader took");
   Time now{1'000'000};
   messages::Navigation navigation;

@@ -10,7 +10,8 @@
 
 namespace earshot::fuzz {
 
-/// The random walk, and three that see a belief of 12 x 10 cells: small, so that many can be flown. The last goes by its belief's own advice.
+/// The random walk, and three that see a belief of 12 x 10 cells: small, so that many can be flown. The last goes by its belief's own
+/// advice.
 [[nodiscard]] std::vector<Bytes> good_policies();
 
 /// The same policy as a careless freezer would have frozen it: its golden trajectories are those of its own numbers.

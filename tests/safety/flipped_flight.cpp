@@ -48,7 +48,8 @@ bool FlippedFlight::flies_to_moment(int turns) {
                                            .vehicle = {drawn_.start, drawn_.vehicle, drawn_.mission.safety.vehicle.ascent_speed.value},
                                            .now = Time{1'000'000'000},
                                            .outputs = {}});
-  if (begin_->runtime.configure(drawn_.mission, *drawn_.policy, *std::make_unique<policy::OceanTables>()) != Status::kOk) throw std::logic_error("the mission is refused");
+  if (begin_->runtime.configure(drawn_.mission, *drawn_.policy, *std::make_unique<policy::OceanTables>()) != Status::kOk)
+    throw std::logic_error("the mission is refused");
   turn(*begin_);
   begin_->runtime.take(
       {.arrival = begin_->now,

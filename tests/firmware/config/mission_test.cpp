@@ -115,7 +115,7 @@ TEST(MissionCheck, MeasuresTheAreaFromCornerToCornerWhereverItLies) {
 
 TEST(Mission, TakesAHundredStepsForAFinWhaleAndDrawsFromSeedOneWhereNothingElseIsSaid) {
   EXPECT_EQ(Mission{}.source_frequency, Hertz{20});  // of the paper's source
-  EXPECT_EQ(Mission{}.max_steps, 100U);  // the paper's N
+  EXPECT_EQ(Mission{}.max_steps, 100U);              // the paper's N
   EXPECT_EQ(Mission{}.action_seed, 1U);
   EXPECT_EQ(Mission{}.listening, (ListeningWindow{.listening = Listening::kNewest, .length = {}}));
 }

@@ -73,8 +73,8 @@ TEST(FindOutlooks, CostsWhatTheTablesSayAtTheRangesOfASourceThatIsKnown) {
   }
   std::array<ActionOutlook, 4> outlooks;
   find_outlooks(model, probabilities, {cost, detected, kRangeStep}, centre(8, 20), outlooks);  // 6 km south of it
-  EXPECT_NEAR(outlooks[kSouth].regret, 0.2F, 1e-5F);                               // 7 km of way instead of 5
-  EXPECT_NEAR(outlooks[kEast].regret, 0.1F * (std::sqrt(37.0F) - 5.0F), 1e-4F);    // linear between ranges 100 m apart
+  EXPECT_NEAR(outlooks[kSouth].regret, 0.2F, 1e-5F);                                           // 7 km of way instead of 5
+  EXPECT_NEAR(outlooks[kEast].regret, 0.1F * (std::sqrt(37.0F) - 5.0F), 1e-4F);                // linear between ranges 100 m apart
   EXPECT_EQ(outlooks[kNorth].regret, 0.0F);
   EXPECT_EQ(outlooks[kNorth].detected, 1.0F);
   EXPECT_EQ(outlooks[kSouth].detected, 0.0F);
@@ -128,7 +128,8 @@ class StripTest : public testing::Test {
   /// All of the belief in one cell, in the middle of the strip: its centre is (6250, 15500) m.
   void know_the_middle() { cell(12, 15) = 1.0F; }
   void find(NorthEast position) {
-    find_outlooks(model, std::span(probabilities).first(25 * kColumns), {cost, detected, kRangeStep}, position, std::span(outlooks).first(4));
+    find_outlooks(model, std::span(probabilities).first(25 * kColumns), {cost, detected, kRangeStep}, position,
+                  std::span(outlooks).first(4));
   }
   /// As tables by range a straight line: `per_kilometre` of each.
   static std::vector<float> ramp(float per_kilometre) {

@@ -170,16 +170,12 @@ TEST(BeliefState, ScalesEveryElementToAboutOne) {
   belief.area_size = at(10000, 20000);
   belief.step_length = Meters{500};
   const ObservationSpec spec = belief_state(belief);
-  std::vector<ObservationElement> expected = {{Feature::kToSouthEdge, 0, 5000.0F, 1.0F / 5000.0F},
-                                              {Feature::kToNorthEdge, 0, 5000.0F, 1.0F / 5000.0F},
-                                              {Feature::kToWestEdge, 0, 10000.0F, 1.0F / 10000.0F},
-                                              {Feature::kToEastEdge, 0, 10000.0F, 1.0F / 10000.0F},
-                                              {Feature::kLikeliestEast, 0, 0.0F, 1.0F / 10000.0F},
-                                              {Feature::kMeanEast, 0, 0.0F, 1.0F / 10000.0F},
-                                              {Feature::kLikeliestNorth, 0, 0.0F, 1.0F / 5000.0F},
-                                              {Feature::kMeanNorth, 0, 0.0F, 1.0F / 5000.0F},
-                                              {Feature::kSpread, 0, 0.0F, 1.0F / 5000.0F},
-                                              {Feature::kLikeliestShare, 0, 0.0F, 1.0F}};
+  std::vector<ObservationElement> expected = {
+      {Feature::kToSouthEdge, 0, 5000.0F, 1.0F / 5000.0F},  {Feature::kToNorthEdge, 0, 5000.0F, 1.0F / 5000.0F},
+      {Feature::kToWestEdge, 0, 10000.0F, 1.0F / 10000.0F}, {Feature::kToEastEdge, 0, 10000.0F, 1.0F / 10000.0F},
+      {Feature::kLikeliestEast, 0, 0.0F, 1.0F / 10000.0F},  {Feature::kMeanEast, 0, 0.0F, 1.0F / 10000.0F},
+      {Feature::kLikeliestNorth, 0, 0.0F, 1.0F / 5000.0F},  {Feature::kMeanNorth, 0, 0.0F, 1.0F / 5000.0F},
+      {Feature::kSpread, 0, 0.0F, 1.0F / 5000.0F},          {Feature::kLikeliestShare, 0, 0.0F, 1.0F}};
   for (const Feature feature :
        {Feature::kPreference, Feature::kReach, Feature::kBorder, Feature::kDetected, Feature::kFound, Feature::kApproach}) {
     for (std::uint8_t action = 0; action < 2; ++action)

@@ -24,7 +24,8 @@ TEST(SearchCost, CountsSilentStepsByTheirDiscountAndAllStepsByTheirs) {
   for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(cost[i], kSteps[i] + kSilent[i], 1e-5F) << i;
 }
 
-/// Of a step of 1.499 km tables in steps of 1 km have one of 1 km, of one of 400 m too: a range more is then a step more, half of it silent.
+/// Of a step of 1.499 km tables in steps of 1 km have one of 1 km, of one of 400 m too: a range more is then a step more, half of it
+/// silent.
 TEST(SearchCost, TakesAStepForTheNearestWholeNumberOfRangeStepsAndNoneForLessThanOne) {
   constexpr std::array<float, 5> kDetected{0.5F, 0.5F, 0.5F, 0.5F, 0.5F};
   constexpr std::array<float, 5> kSilent{0.0F, 0.0F, 0.5F, 1.0F, 1.5F};

@@ -144,7 +144,7 @@ TEST(Runtime, TakesASignalTooFaintToMeasureForNoDetectionAndASourceFurtherAway) 
 
 TEST(Runtime, GoesByItsBeliefsOwnAdviceWhereThePolicyHasNoNetwork) {
   Rig rig(*policy_that_advises(), paper_mission(), *one_ocean());
-  rig.snr = Decibels{30};  // from 50 dB down to 30, 20 times 393.7 m: the source is 7.9 km away
+  rig.snr = Decibels{30};             // from 50 dB down to 30, 20 times 393.7 m: the source is 7.9 km away
   rig.position = at(19'000, 13'500);  // 1 km from the north edge
   rig.sail(Order::kStart);
   ASSERT_TRUE(rig.outputs.decision);

@@ -1,8 +1,8 @@
 // Journals, read record by record, given to a runtime again, and gone on with as after a power cut.
 //
-// The input is a row of changes to a good journal of a mission, its policy, its ocean tables and some inputs (see spoil()), each with a first
-// byte before it: when that is odd, the checksum of every record that still begins as one is mended, so that what it holds is read. A first
-// byte of 0xFF cuts the file off, at the place that follows (2 bytes).
+// The input is a row of changes to a good journal of a mission, its policy, its ocean tables and some inputs (see spoil()), each with a
+// first byte before it: when that is odd, the checksum of every record that still begins as one is mended, so that what it holds is read. A
+// first byte of 0xFF cuts the file off, at the place that follows (2 bytes).
 
 #include <algorithm>
 #include <filesystem>

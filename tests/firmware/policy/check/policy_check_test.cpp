@@ -56,7 +56,7 @@ TEST(PolicyCheck, RefusesNumbersOfTheSearchThatCannotBe) {
 
 TEST(PolicyCheck, RefusesABeliefThatCannotBe) {
   EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.cells_north = 0; }), PolicyFault::kBadShape);
-  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.cells_north = 50; }), PolicyFault::kBadShape);  // 50 x 51 are more than 2500
+  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.cells_north = 50; }), PolicyFault::kBadShape);           // 50 x 51 are more than 2500
   EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.step_length = Meters{999}; }), PolicyFault::kBadShape);  // of another search
   for (const float share : {-0.1F, 1.5F, kNan})
     EXPECT_EQ(fault_in_belief([share](BeliefModel& m) { m.outlier_share = share; }), PolicyFault::kOutOfRange) << share;

@@ -33,7 +33,7 @@ TEST(BeliefGrid, FindsTheRangeStepNearestToEveryCellsCentreAndNoneBeyondTheLast)
 
 TEST(BeliefGrid, CountsTheRangeStepsInHalfOfTheLongerSideOfACell) {
   EXPECT_EQ(half_cell(oblong(), kRangeStep, 100), 3U);
-  EXPECT_EQ(half_cell(oblong(), kRangeStep, 3), 2U);  // fewer than there are ranges
+  EXPECT_EQ(half_cell(oblong(), kRangeStep, 3), 2U);     // fewer than there are ranges
   EXPECT_EQ(half_cell(oblong(), Meters{751}, 100), 1U);  // 1.997: whole ones only
 }
 
