@@ -47,8 +47,9 @@ struct ToldSearch {
   }
 
   search::SearchSettings settings;
-  const sonar::SnrCurve curve = sonar::compute_snr_curve(ocean::load_environment(EARSHOT_SOURCE_DIR "/sim/ocean/environments/munk_flat.toml"),
-                                                         Meters{300.0}, search::furthest_range(settings));
+  const sonar::SnrCurve curve =
+      sonar::compute_snr_curve(ocean::load_environment(EARSHOT_SOURCE_DIR "/sim/ocean/environments/munk_flat.toml"), Meters{300.0},
+                               search::furthest_range(settings));
   const std::unique_ptr<policy::OceanTables> tables = std::make_unique<policy::OceanTables>();
 };
 
