@@ -65,7 +65,9 @@ Json costs_to(const policy::BeliefCosts& costs) {
 /// The numbers of a belief that the description does not hold elsewhere.
 policy::BeliefModel belief_from(const Json& json) {
   if (json.contains("snr_db"))
-    throw BadInput("belief: is one in a single ocean, which no program flies any more: what is possible of the ocean is in ocean tables; train it again");
+    throw BadInput(
+        "belief: is one in a single ocean, which no program flies any more: what is possible of the ocean is in ocean tables; train it "
+        "again");
   policy::BeliefModel model;
   model.cells_north = cells_from(json, "cells_north");
   model.cells_east = cells_from(json, "cells_east");

@@ -31,9 +31,9 @@ struct CurvePlan {
 };
 
 /// What is heard in an ocean. An ocean that is the same on every bearing gives one curve: the values of sonar::compute_snr_curve at the
-/// plan's ranges, as the belief of a policy has them. One that differs with place gives one for each bearing, from the source outward, and
-/// a field library one for each of its positions and bearings, each as likely as another; where there is no water on the way the loss is
-/// sonar::kMaxTransmissionLoss, and a bearing without any is left out. None at all: there is no water at the vehicle's depth.
+/// plan's ranges, as a belief that is told of the ocean has them. One that differs with place gives one for each bearing, from the source
+/// outward, and a field library one for each of its positions and bearings, each as likely as another; where there is no water on the way
+/// the loss is sonar::kMaxTransmissionLoss, and a bearing without any is left out. None at all: there is no water at the vehicle's depth.
 ///
 /// What a belief makes of that is a reduction: it takes an ocean for the same on all bearings, and weighs these against each other.
 /// Throws as sonar::compute_snr_curve and search::soundscape_of do.

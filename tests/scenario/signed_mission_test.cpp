@@ -171,7 +171,8 @@ TEST_F(SignedMissions, AreNotSignedWhereTheyCouldNotBeFlown) {
   mission_.write(wrong);
   expect_refused("earshot-sign", words, "search.step_length_m = 1001: must be 1000");
   mission_.write(good);
-  expect_refused("earshot-sign", {"--key", "ops.key", "--counter", "1", "walk.policy"}, "a policy carries its signature within it");
+  expect_refused("earshot-sign", {"--key", "ops.key", "--counter", "1", "walk.policy"},
+                 "policies and ocean tables carry their signature within them");
   expect_refused("earshot-sign", {"--key", "ops.key", "--counter", "0", "mission.toml"}, "--counter");
   fs::permissions(folder_ / "ops.key", fs::perms::group_read, fs::perm_options::add);
   expect_refused("earshot-sign", words, "chmod 600 ops.key");

@@ -46,7 +46,8 @@ TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {
   int found = 0;
   for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 16}, 1))
     found += flight.record.end == search::EpisodeEnd::kFound ? 1 : 0;
-  EXPECT_GE(found, 13);  // a source in the border's corner is out of reach of a step ahead: about one in twenty
+  EXPECT_GE(found,
+            13);  // of 100 they find 93, 99, 98; a source in the border's corner is out of reach of a step ahead: about one in twenty
 }
 
 TYPED_TEST(Believers, KeepToTheirDomainWhereverItLies) {

@@ -94,8 +94,7 @@ TEST(ShippedDecisions, AreThoseOfDoublePrecision) {
         << "action " << chosen << " with " << exact[chosen] << " instead of " << best << " with " << exact[best];
   }
   EXPECT_LE(largest_error, kTolerance);
-  std::printf("%zu observations, largest error of a logit %.3g, %zu other decisions\n", observations.size(), largest_error,
-              differing);
+  std::printf("%zu observations, largest error of a logit %.3g, %zu other decisions\n", observations.size(), largest_error, differing);
 }
 
 }  // namespace

@@ -43,7 +43,9 @@ TEST(ActionMap, ShowsThatDirectionsWhichCancelOutDoNotAgree) {
 TEST(ActionMap, HearsAtEachPlaceWhatIsHeardThere) {
   const auto policy = belief_policy(3);
   const ActionMap quiet = after_a_first_look(*policy, falling_ocean(), 4, nothing);
-  const ActionMap loud_in_the_north = after_a_first_look(*policy, falling_ocean(), 4, [](NorthEast place) { return policy::Reception{.snr = Decibels{place.north > Meters{12'500.0} ? 35.0 : 0.0}}; });
+  const ActionMap loud_in_the_north = after_a_first_look(*policy, falling_ocean(), 4, [](NorthEast place) {
+    return policy::Reception{.snr = Decibels{place.north > Meters{12'500.0} ? 35.0 : 0.0}};
+  });
   for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(quiet[i].probabilities, loud_in_the_north[i].probabilities) << "south: nothing changed";
   for (std::size_t i = 8; i < 16; ++i) EXPECT_NE(quiet[i].probabilities, loud_in_the_north[i].probabilities) << "north: louder";
 }

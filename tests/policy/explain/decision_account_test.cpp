@@ -17,7 +17,8 @@ constexpr NorthEast kCorner{Meters{-3'000.0}, Meters{750.0}};
 
 DecisionAccount account(const policy::FrozenPolicy& policy, std::span<const RecordedDecision> taken, Baseline baseline) {
   return account_of(
-      {.policy = policy, .belief = policy.observation.belief, .tables = falling_ocean(), .south_west = kCorner, .baseline = baseline}, taken);
+      {.policy = policy, .belief = policy.observation.belief, .tables = falling_ocean(), .south_west = kCorner, .baseline = baseline},
+      taken);
 }
 
 TEST(DecisionAccount, GivesProbabilitiesThatAddUpToOneAndEndsOneStepAway) {
@@ -126,7 +127,8 @@ TEST(DecisionAccount, BlamesNothingOnThePlaceWhenComparedWithTheSamePlace) {
 TEST(DecisionAccount, IsTheSameWhetherOneOrAllDecisionsAreExplained) {
   const auto policy = belief_policy(1);
   const std::vector<RecordedDecision> taken = flown(*policy, 4, kCorner);
-  const Circumstances circumstances{.policy = *policy, .belief = policy->observation.belief, .tables = falling_ocean(), .south_west = kCorner};
+  const Circumstances circumstances{
+      .policy = *policy, .belief = policy->observation.belief, .tables = falling_ocean(), .south_west = kCorner};
   const std::vector<DecisionAccount> all = accounts_of(circumstances, taken);
   ASSERT_EQ(all.size(), 4U);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -158,7 +160,8 @@ TEST(UninformedObservation, HasHeardNothing) {
 TEST(UninformedObservation, PutsEveryRememberedSnrAtTheThreshold) {
   policy::ObservationModel model;
   model.spec = policy::memory_state(2, Meters{1'000.0}, Decibels{10.0}).value();
-  for (const float x : uninformed_observation(model, falling_ocean(), {}, Decibels{10.0})) EXPECT_EQ(x, 0.0F);  // memory_state is centred there
+  for (const float x : uninformed_observation(model, falling_ocean(), {}, Decibels{10.0}))
+    EXPECT_EQ(x, 0.0F);  // memory_state is centred there
 }
 
 }  // namespace

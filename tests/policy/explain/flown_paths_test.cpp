@@ -52,7 +52,8 @@ void expect_the_paths_of_the_vehicles_code(const std::unique_ptr<policy::FrozenP
   const auto reception_at = [source](NorthEast place) {
     return policy::Reception{.snr = Decibels{40.0 - range_between(place, source).value / 1e3}};
   };
-  const std::vector<FlownPath> paths = flown_from_all_over(*policy, falling_ocean(), source, {.per_side = 2, .max_steps = 12}, reception_at);
+  const std::vector<FlownPath> paths =
+      flown_from_all_over(*policy, falling_ocean(), source, {.per_side = 2, .max_steps = 12}, reception_at);
   ASSERT_EQ(paths.size(), 4U);
   baselines::Learned vehicle(*policy, falling_ocean(), policy::ActionDraw::kArgmax, {.south_west = {}, .north_east = policy->area_size});
   for (const FlownPath& path : paths) {

@@ -100,8 +100,10 @@ TEST(IntegratedGradients, SayThatTheyAreNotCompleteRatherThanGoOnForEver) {
 /// slopes along the way from u' is (S(u) - S(u')) / (u - u'), S(u) = log(1 + exp(u)).
 TEST(IntegratedGradients, AreThoseOfTwoPreferencesByHandWhereThereIsNoNetwork) {
   policy::FrozenPolicy policy;
-  for (const policy::ObservationElement& element : std::array<policy::ObservationElement, 3>{
-           {{.feature = policy::Feature::kPreference, .age = 1}, {.feature = policy::Feature::kSpread}, {.feature = policy::Feature::kPreference}}})
+  for (const policy::ObservationElement& element :
+       std::array<policy::ObservationElement, 3>{{{.feature = policy::Feature::kPreference, .age = 1},
+                                                  {.feature = policy::Feature::kSpread},
+                                                  {.feature = policy::Feature::kPreference}}})
     ASSERT_EQ(policy.observation.spec.push_back(element), Status::kOk);
   for (const UnitNorthEast& direction : {UnitNorthEast{1, 0}, UnitNorthEast{-1, 0}})
     ASSERT_EQ(policy.actions.push_back(direction), Status::kOk);

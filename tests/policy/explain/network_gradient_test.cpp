@@ -64,8 +64,10 @@ TEST(LogProbability, IsThatOfTheFloatNetworkThatFlies) {
 /// Logits log 3 and 0, wherever in the observation they stand: three to one.
 TEST(LogProbability, OfAPolicyWithoutANetworkIsTheSoftmaxOfItsPreferences) {
   policy::FrozenPolicy policy;
-  for (const policy::ObservationElement& element : std::array<policy::ObservationElement, 3>{
-           {{.feature = policy::Feature::kPreference, .age = 1}, {.feature = policy::Feature::kSpread}, {.feature = policy::Feature::kPreference}}})
+  for (const policy::ObservationElement& element :
+       std::array<policy::ObservationElement, 3>{{{.feature = policy::Feature::kPreference, .age = 1},
+                                                  {.feature = policy::Feature::kSpread},
+                                                  {.feature = policy::Feature::kPreference}}})
     ASSERT_EQ(policy.observation.spec.push_back(element), Status::kOk);
   for (const UnitNorthEast& direction : {UnitNorthEast{1, 0}, UnitNorthEast{-1, 0}})
     ASSERT_EQ(policy.actions.push_back(direction), Status::kOk);

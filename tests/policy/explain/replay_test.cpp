@@ -51,7 +51,8 @@ TEST(Replay, KnowsThatItSearchedByOtherTables) {
   const std::vector<RecordedDecision> taken = flown(*policy, 4, kCorner);
   auto louder = std::make_unique<policy::OceanTables>(falling_ocean());
   for (std::int8_t& half_db : louder->tables[0].snr_half_db) half_db = static_cast<std::int8_t>(half_db + 2);
-  EXPECT_EQ(contradiction(*policy, taken.back(), *remembered_at(policy->observation, *louder, taken, kCorner)), Contradiction::kObservation);
+  EXPECT_EQ(contradiction(*policy, taken.back(), *remembered_at(policy->observation, *louder, taken, kCorner)),
+            Contradiction::kObservation);
 }
 
 TEST(Replay, RefusesAnActionThatThePolicyHasNot) {

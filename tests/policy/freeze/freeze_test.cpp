@@ -244,7 +244,8 @@ TEST(FreezeAdvice, RefusesASearchThatDoesNotShowEveryActionsPreference) {
     }
     return std::string();
   };
-  const std::string said = "the policy: section OBSV does not show the preference of every action, by which a policy without a network goes";
+  const std::string said =
+      "the policy: section OBSV does not show the preference of every action, by which a policy without a network goes";
   EXPECT_EQ(refused(search_with_belief()), "");
   EXPECT_EQ(refused(made_up_checkpoint()), said);
   description::SearchDescription without_one = search_with_belief();

@@ -97,7 +97,9 @@ TEST_F(TrainerTest, RefusesTheStateOfAnotherTraining) {
   const search::World world(settings, curve);
   const Trainer other(world, simple, kNoOceans, hyper, 5);
   const std::span<const float> parameters = other.networks().parameters();
-  auto refuses = [&](const TrainingState& state, std::span<const float> p) { return !Trainer(world, simple, kNoOceans, hyper, 5).resume(p, state); };
+  auto refuses = [&](const TrainingState& state, std::span<const float> p) {
+    return !Trainer(world, simple, kNoOceans, hyper, 5).resume(p, state);
+  };
   EXPECT_FALSE(refuses(other.state(), parameters));
   EXPECT_TRUE(refuses(other.state(), parameters.first(7)));
   TrainingState state = other.state();

@@ -76,13 +76,14 @@ class Environment(unittest.TestCase):
 
     def test_believes_in_the_ocean_that_it_is_told_of(self):
         env = earshot_gym.AcousticSearchEnv(state="belief", source="changing")
-        observation, info = env.reset(seed=1, options={"position_m": (3_000.0, 3_000.0), "source_m": (3_000.0, 9_000.0)})
+        start = (3_000.0, 3_000.0)
+        observation, info = env.reset(seed=1, options={"position_m": start, "source_m": (3_000.0, 9_000.0)})
         # The likeliest place, metres east and north of the vehicle: elements 4 and 6, in half the area's 25 km.
         likeliest_m = float(np.hypot(observation[4], observation[6])) * 12_500.0
         expected = env.world.snr_db(np.linspace(likeliest_m - 400.0, likeliest_m + 400.0, 81))  # a cell's half diagonal
         self.assertLess(np.min(np.abs(expected - info["snr_db"])), 3.0)
         self.assertGreater(likeliest_m, 1_000.0)
-        louder = env.reset(seed=1, options={"position_m": (3_000.0, 3_000.0), "source_m": (3_000.0, 4_500.0)})[0]
+        louder = env.reset(seed=1, options={"position_m": start, "source_m": (3_000.0, 4_500.0)})[0]
         self.assertLess(float(np.hypot(louder[5], louder[7])), float(np.hypot(observation[5], observation[7])), "mean")
 
     def test_is_cut_after_max_steps(self):

@@ -111,7 +111,7 @@ TEST_F(RecordedFlightTest, RefusesOtherTablesThanThoseThatFlew) {
 }
 
 TEST_F(RecordedFlightTest, RefusesTablesThatAreNoneOrDamaged) {
-  std::ofstream(folder_ / "journal.tables") << "range,snr\n";
+  std::ofstream(folder_ / "journal.tables") << std::string(1'000, 'x');
   expect_said(refusal(folder_), {"journal.tables", "not a .tables file"});
   std::vector<std::uint8_t> bytes = support::signed_bytes(explain::falling_ocean());
   bytes[200] ^= 1U;

@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "firmware/policy/ocean_belief/ocean_belief.hpp"
+#include "sim/search/belief_model.hpp"
+
 namespace earshot::search {
 namespace {
 
@@ -69,6 +72,26 @@ TEST(ToldOcean, TakesThePlaceOfWhateverTheTablesHeld) {
   EXPECT_EQ(tables->range_count, 52);
   EXPECT_EQ(tables->tables[0].snr_db(0), 40.0F);
   EXPECT_EQ(std::string(tables->tables[0].name.begin(), tables->tables[0].name.end()), "told");
+}
+
+/// In an area of 100 km, where the ranges are 277 m apart, ten looks in an ocean that falls by 1 dB a kilometre, from two tracks.
+TEST(ToldOcean, LeadsABeliefToTheSourceHoweverFarApartItsRangesAre) {
+  std::vector<float> snr_db;
+  for (int km = 0; km <= 142; ++km) snr_db.push_back(40.0F - static_cast<float>(km));
+  const sonar::SnrCurve curve(Meters{1'000.0}, snr_db);
+  SearchSettings settings;
+  settings.domain = {at(0.0, 0.0), at(100'000.0, 100'000.0)};
+  const auto tables = told(settings, curve);
+  ASSERT_GT(tables->range_step, Meters{277.0});
+  const policy::BeliefModel model = belief_model(settings);
+  const auto belief = std::make_unique<policy::OceanBelief>();
+  belief->start(model, *tables);
+  const NorthEast source = at(61'000.0, 71'000.0);
+  for (int i = 0; i < 10; ++i) {
+    const NorthEast place = i < 5 ? at(30'000.0 + 6'000.0 * i, 40'000.0) : at(54'000.0, 40'000.0 + 5'000.0 * (i - 4));
+    belief->update(model, *tables, place, {.snr = curve.at(range_between(place, source))});
+  }
+  EXPECT_LT(range_between(belief->summary().likeliest, source).value, 3'000.0);  // a cell has 2 km
 }
 
 TEST(ToldOcean, CoversNoMissionForItNamesNeitherDepthNorFrequency) {

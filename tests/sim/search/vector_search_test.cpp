@@ -87,7 +87,8 @@ TEST_F(VectorSearchTest, FliesEachEnvironmentAsAnEpisodeWithAStreamOfItsOwn) {
   const World world(settings, curve);
   constexpr std::size_t kCount = 3;
   for (const std::uint64_t first_stream : {0U, 7U}) {
-    VectorSearch search = first_stream == 0 ? VectorSearch(world, model, kNoOceans, kCount, 9) : VectorSearch(world, model, kNoOceans, kCount, 9, first_stream);
+    VectorSearch search = first_stream == 0 ? VectorSearch(world, model, kNoOceans, kCount, 9)
+                                            : VectorSearch(world, model, kNoOceans, kCount, 9, first_stream);
     std::vector<Pcg32> random;
     std::vector<Episode> episodes(kCount);
     std::array<float, 6> seen{};

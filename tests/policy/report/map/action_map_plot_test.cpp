@@ -26,7 +26,8 @@ class ActionMapPlot : public testing::Test {
 TEST_F(ActionMapPlot, NamesThePolicyAndSaysWhatAnArrowIsBesideSnrOnTheScaleOfEveryField) {
   const auto policy = explain::place_policy(1);
   const MapOcean ocean{*policy, "fixed_source.policy", curve_, source_, "heard in a test", source_};
-  draw_arrows(folder_ / "map.svg", ocean, explain::after_a_first_look(*policy, explain::falling_ocean(), 4, [](NorthEast) { return policy::Reception{}; }),
+  draw_arrows(folder_ / "map.svg", ocean,
+              explain::after_a_first_look(*policy, explain::falling_ocean(), 4, [](NorthEast) { return policy::Reception{}; }),
               "where it goes");
   has({"<title>What fixed_source.policy does</title>", ">What fixed_source.policy does<", ">heard in a test<", ">where it goes<",
        "Arrow: the mean of the directions, each weighted by its probability", ">-10<", "> 40<"});
