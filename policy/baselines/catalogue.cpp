@@ -5,6 +5,7 @@
 #include "policy/baselines/bayes.hpp"
 #include "policy/baselines/genetic.hpp"
 #include "policy/baselines/gradient.hpp"
+#include "policy/baselines/infotaxis.hpp"
 #include "policy/baselines/ocean_search.hpp"
 #include "policy/baselines/oracle.hpp"
 #include "policy/baselines/patterns.hpp"
@@ -35,6 +36,7 @@ constexpr std::array kCatalogue{
     Entry{"bayes_least_regret", "grid belief, takes the action that it expects to cost least"},
     Entry{"bayes_infogain", "grid belief, takes the step that is expected to tell most"},
     Entry{"ocean_search", "belief over place and ocean, takes the action that it expects to cost least"},
+    Entry{"infotaxis", "the same belief, takes the step after which least is expected to be left to search (space-aware infotaxis)"},
     Entry{"genetic", "grid belief, path planned by a genetic algorithm anew after every step"},
 };
 
@@ -48,6 +50,7 @@ constexpr std::array<Make, kCatalogue.size()> kMakers{make_oracle<Border::kIgnor
                                                       make<BayesLeastRegret>,
                                                       make<BayesInformationGain>,
                                                       make<OceanSearch>,
+                                                      make<Infotaxis>,
                                                       make<Genetic>};
 
 }  // namespace

@@ -50,8 +50,12 @@ void OceanSearch::begin(Pcg32 /*random*/) {
   belief_->start(model_, *tables_);
 }
 
-std::size_t OceanSearch::choose(const DecisionInput& input) {
+void OceanSearch::hear(const DecisionInput& input) {
   belief_->update(model_, *tables_, input.position - prior_.settings.domain.south_west, input.reception);
+}
+
+std::size_t OceanSearch::choose(const DecisionInput& input) {
+  hear(input);
   const auto regret = [this](std::size_t action) { return belief_->outlook(action).regret; };
   return std::ranges::min(std::views::iota(std::size_t{0}, model_.actions.size()), {}, regret);
 }

@@ -17,7 +17,10 @@ class OceanSearch : public Searcher {
   void begin(Pcg32 random) override;
   [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
 
- private:
+ protected:
+  /// Takes a measurement into the belief.
+  void hear(const DecisionInput& input);
+
   const PriorKnowledge& prior_;
   std::unique_ptr<policy::OceanTables> tables_;
   policy::BeliefModel model_;

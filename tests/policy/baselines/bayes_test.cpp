@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "policy/baselines/genetic.hpp"
+#include "policy/baselines/infotaxis.hpp"
 #include "policy/baselines/moves.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "sim/search/actions/compass_directions.hpp"
@@ -56,7 +57,7 @@ sonar::SnrCurve one_decibel_per_kilometer() {
 
 template <class Searcher>
 class Believers : public testing::Test {};
-using AllBelievers = testing::Types<Bayes, BayesLeastRegret, BayesInformationGain, Genetic>;
+using AllBelievers = testing::Types<Bayes, BayesLeastRegret, BayesInformationGain, Infotaxis, Genetic>;
 TYPED_TEST_SUITE(Believers, AllBelievers);
 
 TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {
