@@ -5,6 +5,7 @@
 #include "policy/baselines/bayes.hpp"
 #include "policy/baselines/genetic.hpp"
 #include "policy/baselines/gradient.hpp"
+#include "policy/baselines/infotaxis.hpp"
 #include "policy/baselines/oracle.hpp"
 #include "policy/baselines/patterns.hpp"
 
@@ -34,6 +35,7 @@ constexpr std::array kCatalogue{
     Entry{"bayes", "belief in the ocean that it is told of, goes to the likeliest cell"},
     Entry{"bayes_least_regret", "the same belief, takes the action that it expects to cost least"},
     Entry{"ocean_search", "belief over place and ocean, takes the action that it expects to cost least"},
+    Entry{"infotaxis", "the belief of ocean_search, takes the step after which least is expected to be left to search (space-aware)"},
     Entry{"genetic", "the same belief, path planned by a genetic algorithm anew after every step"},
 };
 
@@ -47,6 +49,7 @@ constexpr std::array<Make, kCatalogue.size()> kMakers{make_oracle<Border::kIgnor
                                                       make<Bayes>,
                                                       make<BayesLeastRegret>,
                                                       make<OceanSearch>,
+                                                      make<Infotaxis>,
                                                       make<Genetic>};
 
 }  // namespace

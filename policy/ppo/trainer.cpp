@@ -41,11 +41,15 @@ Trainer::Trainer(const search::World& world, const policy::ObservationModel& mod
 
 Trainer::Trainer(const search::World& world, const policy::ObservationModel& model, const policy::OceanTables& tables,
                  const HyperParameters& hyper, std::uint64_t seed, parallel::Ranks& ranks)
+    : Trainer(std::span(&world, 1), model, tables, hyper, seed, ranks) {}
+
+Trainer::Trainer(std::span<const search::World> worlds, const policy::ObservationModel& model, const policy::OceanTables& tables,
+                 const HyperParameters& hyper, std::uint64_t seed, parallel::Ranks& ranks)
     : hyper_(hyper),
       seed_(seed),
       ranks_(ranks),
       random_(search::training_random(seed, kLearningStream)),
-      environments_(world, model, tables, hyper.environment_count, seed, ranks.rank() * hyper.environment_count),
+      environments_(worlds, model, tables, hyper.environment_count, seed, ranks.rank() * hyper.environment_count),
       learner_(shape_of(environments_), hyper, random_, ranks),
       rollout_(shape_of(environments_), hyper.environment_count, hyper.steps_per_rollout),
       observations_(index(model.spec.size()), index(hyper.environment_count)),

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "policy/ppo/learner.hpp"
@@ -31,7 +32,11 @@ struct TrainingState {
 /// but that each rank shuffles, and normalises advantages, among its own samples.
 class Trainer {
  public:
-  /// @param world, tables  outlive this, as `ranks` does
+  /// Every episode is in one of the worlds, drawn when it starts (search::VectorSearch).
+  /// @param worlds  at least one, of the same settings; they and the tables outlive this, as `ranks` does
+  Trainer(std::span<const search::World> worlds, const policy::ObservationModel& model, const policy::OceanTables& tables,
+          const HyperParameters& hyper, std::uint64_t seed, parallel::Ranks& ranks);
+  /// In one world.
   Trainer(const search::World& world, const policy::ObservationModel& model, const policy::OceanTables& tables,
           const HyperParameters& hyper, std::uint64_t seed, parallel::Ranks& ranks);
   /// Trains in one process.

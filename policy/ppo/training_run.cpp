@@ -109,6 +109,9 @@ TrainingRun load_run(const std::filesystem::path& path) {
   TableReader root = file.root();
   TrainingRun run;
   if (root.has("environment")) run.environment = file.resolve(root.text("environment"));
+  if (root.has("worlds")) {
+    for (const std::string& world : root.texts("worlds")) run.worlds.push_back(file.resolve(world));
+  }
   run.vehicle_depth = Meters{root.number_or("vehicle_depth_m", run.vehicle_depth.value, Range::above_up_to(0.0, kDeepest_m))};
   run.state = static_cast<description::State>(root.choice_or("state", 0, {description::kStates.begin(), description::kStates.end()}));
   run.remembered_steps = read_size(root, "remembered_steps", run.remembered_steps, 1, config::kMaxRememberedSteps);

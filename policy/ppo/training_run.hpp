@@ -30,7 +30,9 @@ enum class Start : std::uint8_t {
 /// Everything that decides what a training run makes.
 struct TrainingRun {
   std::filesystem::path environment;  ///< environment file; its source position is the fixed source
-  Meters vehicle_depth{300.0};        ///< of the hydrophone, > 0
+  /// World files, and folders of them: every episode is in one of these worlds; none: in the environment's own ocean and conditions.
+  std::vector<std::filesystem::path> worlds = {};
+  Meters vehicle_depth{300.0};  ///< of the hydrophone, > 0
   search::SearchSettings search;
   Start start = Start::kRegion;
   description::State state = description::State::kSimple;

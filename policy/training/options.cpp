@@ -58,6 +58,9 @@ void TrainOptions::add_to(program::CommandLine& line) {
   line.option("--plot", &plot, "picture of the reward in training to write, .png or .svg: median of the last 50 episodes, quartiles");
   line.option("--episodes", &episodes, "train for so many episodes, in whole rollouts (1500 when neither this nor --steps is given)");
   line.option("--steps", &steps, "train for so many steps, in whole rollouts");
+  line.option("--world", &worlds,
+              "world file, or folder of them, such as policy/worlds/generate draws: every episode is in one of these, drawn when it starts "
+              "(the environment itself)");
   world.add_to(line, {.source = "fixed", .start = "domain", .listening = "what RUN says, else newest"});
   line.option(
           "--state", &state,
@@ -88,6 +91,7 @@ void TrainOptions::resolve(const std::filesystem::path& directory) {
   for (auto* path : {&run_file, &world.environment}) {
     if (*path) *path = (directory / **path).string();
   }
+  for (std::string& path : worlds) path = (directory / path).string();
 }
 
 TrainOptions options_from(const std::vector<std::string>& arguments) {
@@ -101,6 +105,7 @@ TrainOptions options_from(const std::vector<std::string>& arguments) {
 ppo::TrainingRun settled(const TrainOptions& options) {
   ppo::TrainingRun run = options.run_file ? ppo::load_run(*options.run_file) : ppo::TrainingRun{};
   if (options.world.environment) run.environment = *options.world.environment;
+  if (!options.worlds.empty()) run.worlds.assign(options.worlds.begin(), options.worlds.end());
   if (options.world.vehicle_depth_m) run.vehicle_depth = Meters{*options.world.vehicle_depth_m};
   if (options.state) run.state = description::state_named(*options.state).value();
   if (options.remembered_steps) run.remembered_steps = *options.remembered_steps;

@@ -21,6 +21,7 @@ struct TrainOptions {
   std::optional<std::string> plot;
   std::optional<std::uint64_t> checkpoint_every;  ///< steps
   command_line::ScenarioOptions world;
+  std::vector<std::string> worlds;  ///< files, and folders of them
   std::optional<std::string> state;
   std::optional<std::size_t> remembered_steps;
   std::optional<std::uint64_t> episodes;

@@ -8,6 +8,7 @@
 
 #include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/version.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "policy/command_line/outputs.hpp"
@@ -15,6 +16,8 @@
 #include "policy/ppo/checkpoint/training_state_text.hpp"
 #include "policy/ppo/trainer.hpp"
 #include "policy/training/curve_files.hpp"
+#include "policy/training/training_worlds.hpp"
+#include "sim/parallel/ordered_tasks.hpp"
 #include "sim/search/told_ocean.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/world.hpp"
@@ -26,12 +29,14 @@ using host::BadInput;
 
 /// CRC-32 of everything that shapes a training except its length. The run file counts as a whole, because its reader may leave something
 /// out of describe().
-std::uint32_t settings_crc32(const TrainOptions& options, const ppo::TrainingRun& run, const ocean::Environment& environment) {
+std::uint32_t settings_crc32(const TrainOptions& options, const ppo::TrainingRun& run, const ocean::Environment& environment,
+                             const TrainingWorlds& drawn_from) {
   std::ostringstream all;
   for (const auto& [name, value] : ppo::describe(run)) {
     if (name != ppo::kDecayStepsName) all << name << " = " << value << '\n';  // how long
   }
   all << environment.file_crc32 << '\n';
+  if (!drawn_from.worlds.empty()) all << drawn_from.crc32 << '\n';
   if (options.run_file) all << host::read_text(*options.run_file, host::kTomlFile);
   return host::crc32_of(all.str());
 }
@@ -60,7 +65,8 @@ struct Training::Parts {
   parallel::Ranks& ranks;
   ppo::TrainingRun run;
   search::Scenario scenario;
-  search::World world;
+  search::World world;        ///< the environment's own
+  TrainingWorlds drawn_from;  ///< empty: that one
   policy::ObservationModel model;
   policy::OceanTables tables;
   ppo::Trainer trainer;
@@ -73,10 +79,11 @@ struct Training::Parts {
         run(settled(job.options)),
         scenario(command_line::scenario_at(run.environment, run.vehicle_depth)),
         world(settle_search()),
+        drawn_from(run.worlds.empty() ? TrainingWorlds{} : load()),
         model(ppo::observation_of(run)),
-        trainer(world, model, believed_oceans(), run.hyper, run.seed, ranks),
+        trainer(worlds(), model, believed_oceans(), run.hyper, run.seed, ranks),
         curve(job.resumed ? earlier_curve(job.earlier_curve, *job.resumed->continuation) : LearningCurve{}),
-        settings_crc32(training::settings_crc32(job.options, run, scenario.environment)) {}
+        settings_crc32(training::settings_crc32(job.options, run, scenario.environment, drawn_from)) {}
 
   search::World settle_search() {
     run.search.source = scenario.environment.source.position;
@@ -95,6 +102,16 @@ struct Training::Parts {
     return tables;
   }
 
+  TrainingWorlds load() const {
+    program::ProgressBar bar("computing what is heard in the worlds");
+    return load_worlds(run.worlds, run.search, {.vehicle_depth = run.vehicle_depth, .frequency = scenario.environment.source.frequency},
+                       ranks.size() > 1 ? 1 : parallel::available_processors(), [&bar](double share) { bar.update(share); });
+  }
+
+  [[nodiscard]] std::span<const search::World> worlds() const {
+    return drawn_from.worlds.empty() ? std::span(&world, 1) : std::span(drawn_from.worlds);
+  }
+
   void resume();
   void refuse_divergence() const;
   void write();
@@ -110,7 +127,7 @@ void Training::Parts::resume() {
   const ppo::Continuation& continuation = *job.resumed->continuation;
   if (continuation.settings_crc32 != settings_crc32) {
     throw BadInput(job.resumed_file.string() + ": cannot go on: its environment" + (job.options.run_file ? " or run file" : "") +
-                   " is not what it was, or the program's defaults are not");
+                   (drawn_from.worlds.empty() ? "" : " or one of its worlds") + " is not what it was, or the program's defaults are not");
   }
   if (continuation.state.workers.size() != ranks.size()) {
     throw BadInput(job.resumed_file.string() + ": was trained by " + std::to_string(continuation.state.workers.size()) +
@@ -140,6 +157,10 @@ ppo::Checkpoint Training::Parts::checkpoint(ppo::TrainingState state) const {
                            {"environment", run.environment.filename().string()},
                            {"environment_crc32", host::crc32_text(scenario.environment.file_crc32)},
                            {"steps", std::to_string(trainer.steps())}};
+  if (!drawn_from.worlds.empty()) {
+    checkpoint.provenance.emplace_back("worlds", std::to_string(drawn_from.worlds.size()));
+    checkpoint.provenance.emplace_back("worlds_crc32", host::crc32_text(drawn_from.crc32));
+  }
   for (auto& line : description::source_place_lines(run.search)) checkpoint.provenance.push_back(std::move(line));
   if (ranks.size() > 1) checkpoint.provenance.emplace_back("ranks", std::to_string(ranks.size()));
   const auto settings = ppo::describe(run);

@@ -14,20 +14,25 @@ constexpr std::size_t kExpectedSteps = 1'024;  // of an episode; the list of a l
 
 VectorSearch::VectorSearch(const World& world, const policy::ObservationModel& model, const policy::OceanTables& tables,
                            std::size_t environment_count, std::uint64_t seed, std::uint64_t first_stream)
-    : world_(world),
+    : VectorSearch(std::span(&world, 1), model, tables, environment_count, seed, first_stream) {}
+
+VectorSearch::VectorSearch(std::span<const World> worlds, const policy::ObservationModel& model, const policy::OceanTables& tables,
+                           std::size_t environment_count, std::uint64_t seed, std::uint64_t first_stream)
+    : worlds_(worlds),
       model_(model),
       tables_(tables),
       episodes_(environment_count),
+      drawn_worlds_(environment_count),
       scripts_(environment_count),
       observations_(environment_count * model.spec.size()),
       final_observations_(environment_count * model.spec.size()),
       rewards_(environment_count),
       ended_(environment_count) {
-  assert(check(world.settings) == Status::kOk);
+  assert(std::ranges::all_of(worlds, [](const World& world) { return check(world.settings) == Status::kOk; }));
   random_.reserve(environment_count);
   for (std::size_t i = 0; i < environment_count; ++i) {
     random_.push_back(training_random(seed, first_stream + i));
-    scripts_[i].actions.reserve(std::min<std::size_t>(world.settings.max_steps, kExpectedSteps));
+    scripts_[i].actions.reserve(std::min<std::size_t>(worlds.front().settings.max_steps, kExpectedSteps));
     start(i);
     episodes_[i].observe(slot(observations_, i));
   }
@@ -36,7 +41,8 @@ VectorSearch::VectorSearch(const World& world, const policy::ObservationModel& m
 void VectorSearch::start(std::size_t environment) {
   scripts_[environment].random = random_[environment].state();
   scripts_[environment].actions.clear();
-  episodes_[environment].start(world_, model_, tables_, random_[environment]);
+  if (worlds_.size() > 1) drawn_worlds_[environment] = random_[environment].next() % worlds_.size();
+  episodes_[environment].start(worlds_[drawn_worlds_[environment]], model_, tables_, random_[environment]);
 }
 
 bool VectorSearch::resume(std::span<const EpisodeScript> scripts) {
@@ -57,7 +63,7 @@ bool VectorSearch::resume(std::span<const EpisodeScript> scripts) {
 /// One step of one episode; whatever an episode's steps draw from random numbers is drawn here.
 double VectorSearch::take(std::size_t environment, std::size_t action) {
   scripts_[environment].actions.push_back(static_cast<std::uint8_t>(action));
-  return episodes_[environment].step(world_, action);
+  return episodes_[environment].step(worlds_[drawn_worlds_[environment]], action);
 }
 
 void VectorSearch::step(std::span<const std::size_t> actions) {

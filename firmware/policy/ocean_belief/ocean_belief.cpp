@@ -297,6 +297,12 @@ EARSHOT_WIDE void OceanBelief::foresee(const BeliefModel& model, const OceanTabl
                    std::span(search_cost_).first(count));
 }
 
+void OceanBelief::add_joint(const BeliefModel& model, std::size_t index, std::span<float> joint) const {
+  FloatLanes of_it{};
+  of_it[index % kLanes] = share(index);
+  residents_[index / kLanes].add_to(model, of_it, joint);
+}
+
 std::uint32_t OceanBelief::fingerprint(const BeliefModel& model) const {
   static_assert(std::endian::native == std::endian::little);
   const auto bytes_of = [](const auto* first, std::size_t count) {

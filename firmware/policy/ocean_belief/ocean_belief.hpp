@@ -55,6 +55,9 @@ class OceanBelief {
   [[nodiscard]] float share(std::size_t index) const { return shares_[index / kLanes][index % kLanes]; }
   /// How unlikely what was heard is under every hypothesis that is held.
   [[nodiscard]] const Surprise& surprise() const { return surprise_; }
+  /// Adds the probability of every cell together with that of one of the hypotheses that are held.
+  /// @param joint  [north x east]
+  void add_joint(const BeliefModel& model, std::size_t index, std::span<float> joint) const;
   /// CRC-32 of all that is believed, bit for bit.
   [[nodiscard]] std::uint32_t fingerprint(const BeliefModel& model) const;
 

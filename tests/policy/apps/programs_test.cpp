@@ -89,6 +89,31 @@ TEST_F(Programs, TrainGoesOnWhereACheckpointStandsAndEndsWithTheSameBytes) {
   EXPECT_EQ(content(folder / "a.csv").substr(0, whole[1].size()), whole[1]);
 }
 
+/// Two worlds, one of them six times as noisy as the other, in a folder `train`.
+void write_worlds(const fs::path& folder) {
+  fs::create_directory(folder / "train");
+  for (const std::string seed : {"1", "2"}) {
+    std::ofstream(folder / ("train/world" + seed + ".toml"))
+        << "name = \"world" << seed << "\"\nwhat = \"noise\"\nseed = " << seed << "\nenvironment = \"" << kSource
+        << "/sim/ocean/environments/munk_flat.toml\"\n[conditions]\nfluctuation_db = " << (seed == "1" ? 1 : 6) << ".0\nfloor_db = 3.0\n";
+  }
+}
+
+TEST_F(Programs, TrainGoesOnInTheWorldsThatItDrewItsEpisodesFrom) {
+  write_worlds(folder);
+  const std::string task = kOcean + " --state memory --source changing --seed 3 --environments 4";
+  ASSERT_EQ(run("train" + task + " --world train --steps 16384 -o whole.checkpoint"), 0) << content(folder / "err");
+  ASSERT_EQ(run("train" + task + " --world train --steps 8192 -o a.checkpoint"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "a.checkpoint").find(R"("worlds":"2")"), std::string::npos);
+  ASSERT_EQ(run("train --resume a.checkpoint --steps 16384"), 0) << content(folder / "err");
+  EXPECT_EQ(parameters_in(folder / "a.checkpoint"), parameters_in(folder / "whole.checkpoint"));
+  EXPECT_EQ(content(folder / "a.csv"), content(folder / "whole.csv"));
+  ASSERT_EQ(run("train" + task + " --world train/world1.toml --steps 16384 -o one.checkpoint"), 0) << content(folder / "err");
+  EXPECT_NE(content(folder / "one.csv"), content(folder / "whole.csv"));
+  std::ofstream(folder / "train/world2.toml", std::ios::app) << "source_speed_mps = 0.5\n";
+  refuses("train --resume a.checkpoint --steps 32768", {"a.checkpoint", "one of its worlds"});
+}
+
 TEST_F(Programs, TrainWritesItsCheckpointWhenInterrupted) {
   support::Process train = start("train" + kOcean + " --steps 100000000 --checkpoint-every 4096 -o a.checkpoint --plot a.svg");
   while (!fs::exists(folder / "a.checkpoint") && train.wait(10ms) < 0) {
@@ -265,6 +290,8 @@ TEST_F(Programs, TrainRefusesBadInputInOneLine) {
   refuses("train" + kOcean + " -o a.svg --plot ./a.svg", {"--output a.svg", "--plot ./a.svg", "the same file"});
   refuses("train" + kOcean + " -o a.csv", {"--output a.csv, the learning curve of --output a.csv", "the same file"});
   refuses("train" + kOcean + " -o a.updates.csv --curve a.csv", {"--output a.updates.csv", "losses beside --curve", "the same file"});
+  refuses("train" + kOcean + " --world none.toml -o a.checkpoint", {"none.toml", "no such file"});
+  refuses("train" + kOcean + " --world " + kSource + "/policy/worlds/rock.toml -o a.checkpoint", {"rock.toml", "judged"});
   std::ofstream(folder / "start.toml") << "[search]\nstart = \"domain\"\nstart_margin_m = 10.0\n";
   refuses("train start.toml" + kOcean + " -o a.checkpoint", {"start.toml:3", "start_margin_m", "start"});
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "policy/baselines/genetic.hpp"
+#include "policy/baselines/infotaxis.hpp"
 #include "policy/baselines/moves.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "sim/search/actions/compass_directions.hpp"
@@ -32,7 +33,7 @@ sonar::SnrCurve one_decibel_per_kilometer() {
 
 template <class Searcher>
 class Believers : public testing::Test {};
-using AllBelievers = testing::Types<Bayes, BayesLeastRegret, Genetic>;
+using AllBelievers = testing::Types<Bayes, BayesLeastRegret, Infotaxis, Genetic>;
 TYPED_TEST_SUITE(Believers, AllBelievers);
 
 TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {

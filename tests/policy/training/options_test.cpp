@@ -43,6 +43,22 @@ TEST(TrainOptions, OnTheCommandLineGoBeforeTheRunFile) {
   EXPECT_EQ(settled(options).episodes, 0U) << "so long as the command line says, in steps";
 }
 
+TEST(TrainOptions, NameOtherWorldsThanTheRunFile) {
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "run.toml") << "worlds = [\"train\", \"/seas/more/world.toml\"]\n";
+  TrainOptions options;
+  options.run_file = (folder / "run.toml").string();
+  EXPECT_EQ(settled(options).worlds, (std::vector<std::filesystem::path>{folder / "train", "/seas/more/world.toml"}));
+  options.worlds = {"others"};
+  EXPECT_EQ(settled(options).worlds, (std::vector<std::filesystem::path>{"others"}));
+}
+
+TEST(TrainOptions, TakeWorldsOneByOneAndSeveralAtOnce) {
+  const TrainOptions options = options_from({"run.toml", "--world", "a", "--world", "b.toml", "c", "--seed", "2"});
+  EXPECT_EQ(options.worlds, (std::vector<std::string>{"a", "b.toml", "c"}));
+  EXPECT_EQ(options.run_file, "run.toml");
+}
+
 TEST(TrainOptions, RefuseMoreRememberedStepsThanTheStateHas) {
   TrainOptions options;
   options.remembered_steps = 21;
@@ -57,9 +73,11 @@ TEST(TrainOptions, MakeThePathsOfACommandThatWasGivenElsewhereAbsolute) {
   TrainOptions options;
   options.run_file = "run.toml";
   options.world.environment = "/seas/deep.toml";
+  options.worlds = {"train", "/seas/worlds"};
   options.resolve("/home/whale");
   EXPECT_EQ(options.run_file, "/home/whale/run.toml");
   EXPECT_EQ(options.world.environment, "/seas/deep.toml");
+  EXPECT_EQ(options.worlds, (std::vector<std::string>{"/home/whale/train", "/seas/worlds"}));
 }
 
 TEST(TrainOptions, OfAResumedTrainingChangeItsLengthAndFilesAlone) {
@@ -75,6 +93,8 @@ TEST(TrainOptions, OfAResumedTrainingChangeItsLengthAndFilesAlone) {
   EXPECT_EQ(complaint_about({"--resume", "a.checkpoint", "--episodes", "20", "--curve", "a.csv", "--force"}), "");
   EXPECT_EQ(complaint_about({"--resume", "a.checkpoint", "--seed", "2"}),
             "--seed: stays as it was in a training that --resume goes on with");
+  EXPECT_EQ(complaint_about({"--resume", "a.checkpoint", "--world", "train"}),
+            "--world: stays as it was in a training that --resume goes on with");
 }
 
 }  // namespace

@@ -198,6 +198,31 @@ class WritingWorlds(unittest.TestCase):
         generate.write_world("train", 4, self.out, self.refusing("the solver says no", None))
         self.assertEqual(self.contents(), generate.world_files("train", 4, 2))
 
+    def test_what_is_held_is_in_every_world_and_the_rest_is_as_it_was_drawn(self):
+        drawn = generate.world_files("train", 4, 1)
+        held = generate.world_files("train", 4, 1, generate.Held(frequency_hz=21.5, vehicle_depth_m=40))
+        ocean, world = held["oceans/train_004.toml"], held["train_004.toml"]
+        self.assertIn("\nfrequency_hz = 21.5\n", ocean)
+        self.assertIn("\nvehicle_depth_m = 40.0\n", world)
+        self.assertIn("--count 1 --frequency-hz 21.5 --vehicle-depth-m 40 (draw 1)", world)
+        for name in drawn:  # but for the sentences that say both
+
+            def rest(text: str) -> list[str]:
+                named = ("#", "name", "what", "frequency_hz", "vehicle_depth_m")
+                return [line for line in text.splitlines() if not line.startswith(named)]
+
+            self.assertEqual(rest(held[name]), rest(drawn[name]))
+
+    def test_water_that_a_vehicle_held_that_deep_does_not_fit_into_is_drawn_again(self):
+        held = ("--frequency-hz", 20, "--vehicle-depth-m", 300)
+        done = self.run_generate("--split", "train", "--count", 1, "--first", 6, *held, "-o", self.out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("train_006: drawn again", done.stderr)  # 285 m of water
+        world = tomllib.loads((self.out / "train_006.toml").read_text())
+        ocean = tomllib.loads((self.out / "oceans/train_006.toml").read_text())
+        self.assertEqual((world["vehicle_depth_m"], ocean["source"]["frequency_hz"]), (300.0, 20.0))
+        self.assertGreater(ocean["seabed"]["depth_m"], 300.0)
+
     def test_a_point_of_the_bank_that_is_refused_is_left_out(self):
         generate.write_bank(2, 20.0, self.out, self.refusing(None, "no", None))
         self.assertEqual(sorted(self.contents()), ["bank.csv", "bank_000.toml", "bank_002.toml"])
@@ -240,6 +265,10 @@ class WritingWorlds(unittest.TestCase):
             ("--split", "test", "--first", 999_990, "--count", 11),
             ("--split", "test", "--count", 0),
             ("--bank", 0),
+            ("--bank", 2, "--vehicle-depth-m", 40),
+            ("--split", "train", "--vehicle-depth-m", 6000),
+            ("--split", "test", "--frequency-hz", 20),
+            ("--split", "validation", "--vehicle-depth-m", 40),
         ]:
             done = self.run_generate(*words, "-o", self.out)
             self.assertEqual(done.returncode, 2, words)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 #include <vector>
@@ -117,6 +118,79 @@ TEST_F(VectorSearchTest, FliesEachEnvironmentAsAnEpisodeWithAStreamOfItsOwn) {
       }
     }
     EXPECT_GT(ended, 5);
+  }
+}
+
+/// Three oceans, one 20 dB louder than the next, and pauses in the last.
+class SeveralWorlds : public VectorSearchTest {
+ protected:
+  static sonar::SnrCurve louder(float by_db) {
+    return sonar::SnrCurve(Meters{1'000.0}, std::vector<float>{by_db + 30.0F, by_db + 20.0F, by_db + 10.0F, by_db});
+  }
+  [[nodiscard]] std::vector<World> worlds() const {
+    Conditions pauses;
+    pauses.floor = Decibels{0.0};
+    pauses.calls = CallPattern{.interval_s = 10.0, .song_s = 500.0, .pause_s = 500.0, .listening_s = 10.0};
+    return {World(settings, louder(0.0F)), World(settings, louder(20.0F)), World(settings, Soundscape({louder(40.0F)}), pauses)};
+  }
+};
+
+TEST_F(SeveralWorlds, AreDrawnForEveryEpisodeFromItsEnvironmentsOwnStreamBeforeItsStart) {
+  settings.max_steps = 5;
+  const std::vector<World> all = worlds();
+  constexpr std::size_t kCount = 3;
+  VectorSearch search(all, model, kCount, 9, 4);
+  std::vector<Pcg32> random;
+  std::vector<Episode> episodes(kCount);
+  std::array<std::size_t, kCount> in{};
+  std::array<std::size_t, 3> met{};
+  const auto start = [&](std::size_t e) {
+    in[e] = random[e].next() % all.size();
+    ++met[in[e]];
+    episodes[e].start(all[in[e]], model, random[e]);
+  };
+  for (std::size_t e = 0; e < kCount; ++e) {
+    random.emplace_back(9, 4 + e);
+    start(e);
+  }
+  std::array<float, 6> seen{};
+  for (std::size_t t = 0; t < 1'000; ++t) {
+    const std::array<std::size_t, kCount> actions{t % 8, (3 * t) % 8, (5 * t) % 8};
+    search.step(actions);
+    for (std::size_t e = 0; e < kCount; ++e) {
+      ASSERT_EQ(search.reward(e), static_cast<float>(episodes[e].step(all[in[e]], actions[e])));
+      if (episodes[e].record().end != EpisodeEnd::kRunning) start(e);
+      ASSERT_EQ(search.world_of(e), in[e]);
+      episodes[e].observe(seen);
+      ASSERT_TRUE(std::ranges::equal(search.observation(e), seen));
+    }
+  }
+  const auto episodes_begun = static_cast<double>(met[0] + met[1] + met[2]);
+  EXPECT_GT(episodes_begun, 600.0);
+  // Each a third of them; four standard deviations of a binomial draw.
+  for (const std::size_t times : met)
+    EXPECT_NEAR(static_cast<double>(times), episodes_begun / 3.0, 4.0 * std::sqrt(episodes_begun * 2.0 / 9.0));
+}
+
+TEST_F(SeveralWorlds, AreThoseOfBeforeWhereASearchGoesOnFromItsScripts) {
+  settings.max_steps = 7;
+  const std::vector<World> all = worlds();
+  VectorSearch uninterrupted(all, model, 5, 3);
+  const auto step = [](VectorSearch& environments, std::size_t t) {
+    std::array<std::size_t, 5> actions{};
+    for (std::size_t e = 0; e < actions.size(); ++e) actions[e] = (3 * t + e) % 8;
+    environments.step(actions);
+  };
+  for (std::size_t t = 0; t < 24; ++t) step(uninterrupted, t);
+  VectorSearch resumed(all, model, 5, 99);
+  ASSERT_TRUE(resumed.resume(uninterrupted.scripts()));
+  for (std::size_t t = 24; t < 60; ++t) {
+    for (std::size_t e = 0; e < 5; ++e) {
+      ASSERT_EQ(resumed.world_of(e), uninterrupted.world_of(e));
+      ASSERT_TRUE(std::ranges::equal(resumed.observation(e), uninterrupted.observation(e)));
+    }
+    step(uninterrupted, t);
+    step(resumed, t);
   }
 }
 
