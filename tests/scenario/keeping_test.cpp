@@ -34,7 +34,7 @@ class Keeping : public testing::Test {
  protected:
   Keeping() {
     fs::create_directories(out_());
-    for (const char* file : {"journal.lcmlog", "journal.policy", "track.csv", "snr.csv", "summary.json", "report.html"})
+    for (const char* file : {"journal.lcmlog", "journal.policy", "journal.tables", "track.csv", "snr.csv", "summary.json", "report.html"})
       std::ofstream(out_() / file) << "earlier";
     earlier_ = files();
   }
