@@ -45,6 +45,8 @@ class Explanation : public testing::Test {
 
 TEST_F(Explanation, GivenAFlightOnABeliefItsBeliefIsMadeAgainBitForBitAndTheChoiceIsSharedOutWhole) {
   ASSERT_NO_FATAL_FAILURE(fly(kFrozen / "shipped.policy", "search.toml"));
+  EXPECT_EQ(support::read_text(folder_ / "out/journal.tables"), support::read_text(kSource / "policy/tables/shipped/20hz_300m.tables"))
+      << "the tables that it searched by stand beside its journal, too";
   const nlohmann::json report = explained();
   EXPECT_EQ(report["belief"]["whose"], "the policy's");
   EXPECT_TRUE(report["attribution"]["complete"].get<bool>());
