@@ -59,7 +59,7 @@ inline constexpr std::size_t kGoldenSteps = 6;
 /// Bytes of provenance text in a policy, or in ocean tables; full: refused when they are made.
 inline constexpr std::size_t kMaxProvenance = 1024;
 /// Bytes of the whole on-vehicle state (nearly all of them belief, ocean tables and policy weights); full: does not compile.
-inline constexpr std::size_t kRuntimeBytes = by_profile(332, 132) * 1024;
+inline constexpr std::size_t kRuntimeBytes = by_profile(332, 128) * 1024;
 
 // Inputs and commands (firmware/messages, firmware/runtime).
 /// Ports of a vehicle (buses, serial lines, the simulation link); full: mission refused.

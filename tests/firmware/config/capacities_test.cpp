@@ -24,7 +24,7 @@ using messages::Order;
 
 static_assert(kProfile == Profile::kMicrocontroller);
 // Of a Cortex-M7's 128 KiB of tightly coupled memory.
-static_assert(sizeof(runtime::Runtime) <= 132 * 1024);
+static_assert(sizeof(runtime::Runtime) <= 128 * 1024);
 static_assert(sizeof(policy::OceanBelief) + sizeof(policy::OceanTables) <= 64 * 1024);
 
 std::uint32_t steps_of_a_mission(const policy::FrozenPolicy& policy) {
