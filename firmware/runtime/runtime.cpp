@@ -8,7 +8,6 @@
 #include "firmware/authority/tightened.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/policy/check/policy_check.hpp"
-#include "firmware/policy/network.hpp"
 #include "firmware/runtime/bytes_of_state.hpp"
 #include "firmware/runtime/known_steps.hpp"
 #include "firmware/safety/check.hpp"
