@@ -10,8 +10,8 @@ namespace earshot::config {
 /// What the core is compiled for, by -DEARSHOT_CAPACITY_PROFILE=kMicrocontroller; left out, a vehicle computer.
 enum class Profile : std::uint8_t {
   kVehicleComputer,  ///< an operating system and megabytes: every policy that can be trained
-  kMicrocontroller,  ///< bare metal; the state in not much more than half of a Cortex-M7's 128 KiB of tightly coupled memory, for a coarser
-                     ///< belief
+  kMicrocontroller,  ///< bare metal; the state, with a coarser belief in fewer oceans, in a Cortex-M7's 128 KiB of tightly coupled memory,
+                     ///< which it nearly fills: the stack lies elsewhere
 };
 #ifndef EARSHOT_CAPACITY_PROFILE
 #define EARSHOT_CAPACITY_PROFILE kVehicleComputer

@@ -34,7 +34,8 @@ Status check(const Mission& mission) {
   const bool usable = is_finite_mission(mission) && mission.edge_margin.value >= 0.0 && mission.search_depth.value > 0.0 &&
                       mission.max_depth >= mission.search_depth && mission.search_speed.value > 0.0 && mission.step_length.value > 0.0 &&
                       mission.max_steps >= 1 && mission.max_time > kNone && mission.navigation_timeout > kNone &&
-                      mission.snr_timeout > kNone && mission.source_frequency.value > 0.0 && is_valid(mission.listening) && leaves_room_to_search(mission);
+                      mission.snr_timeout > kNone && mission.source_frequency.value > 0.0 && is_valid(mission.listening) &&
+                      leaves_room_to_search(mission);
   return usable ? Status::kOk : Status::kOutOfRange;
 }
 

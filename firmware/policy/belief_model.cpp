@@ -30,8 +30,7 @@ bool has_valid_numbers(const BeliefModel& model) {
   const auto is_length = [](Meters x, double most) { return is_within(x.value, kLeastLength_m, most); };
   return is_length(model.area_size.north, kMostArea_m) && is_length(model.area_size.east, kMostArea_m) &&
          is_length(model.step_length, kMostStep_m) && is_length(model.border_width, kMostStep_m) &&
-         is_finite(model.detection_threshold.value) && is_within(double{model.outlier_share}, 0.0, 1.0) &&
-         has_valid_numbers(model.costs);
+         is_finite(model.detection_threshold.value) && is_within(double{model.outlier_share}, 0.0, 1.0) && has_valid_numbers(model.costs);
 }
 
 }  // namespace earshot::policy

@@ -61,7 +61,7 @@ void find_search_cost(const BeliefModel& model, Meters range_step, float silence
 /// @param probabilities  b: of the cells of the model's grid, [north x east]
 /// @param position       x, relative to the area's south-west corner
 /// @param outlooks       [actions]; the result
-/// Oracle: OutlookTest.*, BeliefTest.HasTheSameBitsOnEveryMachine
+/// Oracle: OutlookTest.*, FindOutlooks.*, StripTest.*, OceanBeliefTest.HasTheSameBitsOnEveryMachine
 void find_outlooks(const BeliefModel& model, std::span<const float> probabilities, const RangeOutlook& by_range, NorthEast position,
                    std::span<ActionOutlook> outlooks);
 

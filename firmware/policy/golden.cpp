@@ -80,7 +80,8 @@ void make_golden_tables(NorthEast area_size, OceanTables& tables) {
     const auto at = static_cast<std::size_t>(i);
     tables.tables[0].snr_half_db[at] = static_cast<std::int8_t>(std::max(kAtSource - 2 * i, kFaintest));
     tables.tables[1].snr_half_db[at] = static_cast<std::int8_t>(kAtSource - i);
-    tables.tables[2].snr_half_db[at] = static_cast<std::int8_t>(i % kZones < kZone ? kAtSource - i / 2 : std::max(kAtSource - 3 * i, kFaintest));
+    tables.tables[2].snr_half_db[at] =
+        static_cast<std::int8_t>(i % kZones < kZone ? kAtSource - i / 2 : std::max(kAtSource - 3 * i, kFaintest));
   }
 }
 

@@ -51,8 +51,7 @@ void Runtime::seal_mission() {
 }
 
 bool Runtime::may_decide() const {
-  return checksum_of(policy_) == policy_checksum_ && checksum_of(tables_) == tables_checksum_ &&
-         checksum_of(memory_) == memory_checksum_;
+  return checksum_of(policy_) == policy_checksum_ && checksum_of(tables_) == tables_checksum_ && checksum_of(memory_) == memory_checksum_;
 }
 
 /// Nothing here is believed that a single bit could have changed by itself. A vehicle that must move to come up goes round: where it points

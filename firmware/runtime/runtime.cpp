@@ -10,7 +10,6 @@
 #include "firmware/detector/threshold_detector.hpp"
 #include "firmware/policy/action_draw.hpp"
 #include "firmware/policy/check/policy_check.hpp"
-#include "firmware/policy/network.hpp"
 #include "firmware/runtime/bytes_of_state.hpp"
 #include "firmware/runtime/known_steps.hpp"
 #include "firmware/safety/check.hpp"
@@ -76,11 +75,8 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
   if (!repeats_known_steps() || !policy::repeats_golden(policy, memory_, tables_)) return Status::kCorrupt;
   mission_ = mission;
   policy_ = policy;
-  if (has_belief) {
-    tables_ = tables;
-  } else {
-    tables_.tables.clear();
-  }
+  tables_.tables.clear();
+  if (has_belief) tables_ = tables;
   progress_.random = Pcg32(mission.action_seed);
   progress_.judge = authority::CommandJudge(mission.authority.needs_verified_commands);
   progress_.situation.navigation = safety::NavigationJudge(mission.safety.vehicle, mission.navigation_timeout);

@@ -51,9 +51,9 @@ struct Outputs {
 class Runtime {
  public:
   /// Takes a copy of all and forgets everything else. kOutOfRange if the mission fails config::check, the policy was trained for another
-  /// (policy::mismatch) or the tables do not cover it (policy::coverage); what policy::check finds wrong with the policy, by status_of; kCorrupt if this build does not repeat the policy's
-  /// golden trajectories or repeats_known_steps(): it would not fly as the policy was frozen. Until configured, step() stays in STANDBY and
-  /// refuses START.
+  /// (policy::mismatch) or the tables do not cover it (policy::coverage); what policy::check finds wrong with the policy, by status_of;
+  /// kCorrupt if this build does not repeat the policy's golden trajectories or repeats_known_steps(): it would not fly as the policy was
+  /// frozen. Until configured, step() stays in STANDBY and refuses START.
   /// @param tables  the oceans that are possible where the mission is; not looked at when the policy holds no belief
   [[nodiscard]] Status configure(const config::Mission& mission, const policy::FrozenPolicy& policy, const policy::OceanTables& tables);
 
@@ -71,8 +71,8 @@ class Runtime {
   /// One turn of the loop, with all that has been taken. `now` never goes back (over take() and step()) and is not negative.
   [[nodiscard]] Outputs step(Time now);
 
-  // Mission, limits, state, latches and timers are kept twice, policy, tables and memory of the search with a CRC-32. A bit that flips in them is
-  // noticed by the next take() or step(), or the next decision, before it is used: the mission ends (kMemoryFault), for good.
+  // Mission, limits, state, latches and timers are kept twice, policy, tables and memory of the search with a CRC-32. A bit that flips in
+  // them is noticed by the next take() or step(), or the next decision, before it is used: the mission ends (kMemoryFault), for good.
 
  private:
   /// All that changes after configure().

@@ -32,8 +32,9 @@ bool all_finite(std::span<const float> values) {
 PolicyFault fault_in_shape(const FrozenPolicy& policy) {
   const auto fits = [](std::size_t size, std::size_t capacity) { return size >= 1 && size <= capacity; };
   const Network& network = policy.network;
-  const bool fit = fits(network.observation_size, config::kMaxObservation) && fits(network.action_count, config::kMaxActions) &&
-                   (!has_network(network) || (fits(network.hidden_sizes[0], Network::kWidth) && fits(network.hidden_sizes[1], Network::kWidth)));
+  const bool fit =
+      fits(network.observation_size, config::kMaxObservation) && fits(network.action_count, config::kMaxActions) &&
+      (!has_network(network) || (fits(network.hidden_sizes[0], Network::kWidth) && fits(network.hidden_sizes[1], Network::kWidth)));
   const bool agree = network.observation_size == policy.observation.spec.size() && network.action_count == policy.actions.size();
   return fit && agree ? PolicyFault::kNone : PolicyFault::kBadShape;
 }
@@ -67,7 +68,8 @@ bool shows_advice(const FrozenPolicy& policy) {
   const ObservationElement* const first = std::find_if(spec.begin(), spec.end(), is_preference);
   if (first == spec.end() || !(first->scale > 0.0F)) return false;
   for (std::size_t a = 0; a < policy.actions.size(); ++a) {
-    const ObservationElement shown{.feature = Feature::kPreference, .age = static_cast<std::uint8_t>(a), .offset = first->offset, .scale = first->scale};
+    const ObservationElement shown{
+        .feature = Feature::kPreference, .age = static_cast<std::uint8_t>(a), .offset = first->offset, .scale = first->scale};
     if (std::count(spec.begin(), spec.end(), shown) != 1) return false;
   }
   return std::count_if(spec.begin(), spec.end(), is_preference) == static_cast<std::ptrdiff_t>(policy.actions.size());
@@ -195,7 +197,8 @@ PolicyComplaint check(const FrozenPolicy& policy) {
   if (const PolicyFault fault = fault_in_golden(policy); fault != PolicyFault::kNone) return complaint(fault, kGoldenSection);
   const double most = most_element(policy);
   if (!(most <= kMostElement)) return complaint(PolicyFault::kUnbounded, kObservationSection);
-  if (!has_network(policy.network)) return shows_advice(policy) ? PolicyComplaint{} : complaint(PolicyFault::kNoAdvice, kObservationSection);
+  if (!has_network(policy.network))
+    return shows_advice(policy) ? PolicyComplaint{} : complaint(PolicyFault::kNoAdvice, kObservationSection);
   if (const PolicyFault fault = fault_in_network(policy.network, most); fault != PolicyFault::kNone)
     return complaint(fault, kNetworkSection);
   return {};

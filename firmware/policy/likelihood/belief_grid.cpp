@@ -26,7 +26,8 @@ NorthEast way_to_cell(const BeliefModel& model, NorthEast position, std::size_t 
           .east = centre(cell % model.cells_east, cell_east(model)) - position.east};
 }
 
-EARSHOT_WIDE void find_ranges(const BeliefModel& model, NorthEast position, Meters range_step, std::size_t last, std::span<std::uint16_t> ranges) {
+EARSHOT_WIDE void find_ranges(const BeliefModel& model, NorthEast position, Meters range_step, std::size_t last,
+                              std::span<std::uint16_t> ranges) {
   const auto size_north = static_cast<float>(cell_north(model) / range_step.value);
   const auto size_east = static_cast<float>(cell_east(model) / range_step.value);
   const auto vehicle_north = static_cast<float>(position.north / range_step);

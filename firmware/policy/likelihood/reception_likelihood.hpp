@@ -19,7 +19,7 @@ struct ReceptionModel {
 ///   measured   (1 - q) [(1 - o) N(SNR; expected + offset, spread) + o / 80 dB]
 ///   too faint  q + (1 - q) [(1 - o) P(below the floor) + o / 2]
 ///
-/// Oracle: BeliefTest.IsWhatBayesRuleGivesByHand
+/// Oracle: LaneLikelihoodsTest.*, ReceptionLikelihood.*
 void to_likelihoods(const ReceptionModel& model, Reception reception, std::span<float> expected_db);
 
 }  // namespace earshot::policy

@@ -100,8 +100,8 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   summary_ = summary_of(model, probabilities);
   const std::size_t ranges = tables.range_count;
-  find_outlooks(model, probabilities, {std::span(search_cost_).first(ranges), std::span(detected_).first(ranges), tables.range_step}, position,
-                std::span(outlooks_).first(model.actions.size()));
+  find_outlooks(model, probabilities, {std::span(search_cost_).first(ranges), std::span(detected_).first(ranges), tables.range_step},
+                position, std::span(outlooks_).first(model.actions.size()));
 }
 
 /// The others that are being weighed hear it now, whatever they have heard of the past: where a source rests the order is the same to them.
@@ -239,7 +239,8 @@ EARSHOT_WIDE void OceanBelief::foresee(const BeliefModel& model, const OceanTabl
     for (std::size_t r = 0; r < count; ++r) over_all[r] += sounding * detected[r];
   }
   smooth(std::span(over_all).first(count), half_cell(model, tables.range_step, count), std::span(detected_).first(count));
-  find_search_cost(model, tables.range_step, exp(model.costs.log_step_discount), std::span(detected_).first(count), std::span(search_cost_).first(count));
+  find_search_cost(model, tables.range_step, exp(model.costs.log_step_discount), std::span(detected_).first(count),
+                   std::span(search_cost_).first(count));
 }
 
 std::uint32_t OceanBelief::fingerprint(const BeliefModel& model) const {

@@ -65,7 +65,7 @@ Coverage coverage(const OceanTables& tables, const SearchedSound& sound) {
 }
 
 bool are_usable(const OceanTables& tables, const SearchedSound& sound) {
-  return has_valid_shape(tables) && has_valid_grid(tables) && has_valid_numbers(tables) && coverage(tables, sound) == Coverage::kCovered;
+  return has_valid_shape(tables) && has_valid_numbers(tables) && coverage(tables, sound) == Coverage::kCovered;
 }
 
 }  // namespace earshot::policy

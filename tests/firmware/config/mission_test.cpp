@@ -48,6 +48,7 @@ TEST(MissionCheck, RefusesEveryNumberThatIsNotFinite) {
     EXPECT_EQ(checked_with([bad](Mission& m) { m.search_speed = MetersPerSecond{bad}; }), Status::kOutOfRange);
     EXPECT_EQ(checked_with([bad](Mission& m) { m.step_length = Meters{bad}; }), Status::kOutOfRange);
     EXPECT_EQ(checked_with([bad](Mission& m) { m.detection_threshold = Decibels{bad}; }), Status::kOutOfRange);
+    EXPECT_EQ(checked_with([bad](Mission& m) { m.source_frequency = Hertz{bad}; }), Status::kOutOfRange);
   }
 }
 
@@ -55,6 +56,7 @@ TEST(MissionCheck, AcceptsWhateverIsPositiveHoweverLittle) {
   EXPECT_EQ(checked_with([](Mission& m) { m.search_depth = Meters{0.5}; }), Status::kOk);
   EXPECT_EQ(checked_with([](Mission& m) { m.search_speed = MetersPerSecond{0.5}; }), Status::kOk);
   EXPECT_EQ(checked_with([](Mission& m) { m.step_length = Meters{0.5}; }), Status::kOk);
+  EXPECT_EQ(checked_with([](Mission& m) { m.source_frequency = Hertz{0.5}; }), Status::kOk);
   EXPECT_EQ(checked_with([](Mission& m) { m.max_steps = 1; }), Status::kOk);
   EXPECT_EQ(checked_with([](Mission& m) { m.max_time = Duration{1}; }), Status::kOk);
   EXPECT_EQ(checked_with([](Mission& m) { m.navigation_timeout = Duration{1}; }), Status::kOk);
@@ -66,6 +68,7 @@ TEST(MissionCheck, RefusesWhatMustBePositiveAndIsNot) {
   EXPECT_EQ(checked_with([](Mission& m) { m.search_depth = Meters{0}; }), Status::kOutOfRange);
   EXPECT_EQ(checked_with([](Mission& m) { m.search_speed = MetersPerSecond{0}; }), Status::kOutOfRange);
   EXPECT_EQ(checked_with([](Mission& m) { m.step_length = Meters{0}; }), Status::kOutOfRange);
+  EXPECT_EQ(checked_with([](Mission& m) { m.source_frequency = Hertz{0}; }), Status::kOutOfRange);
   EXPECT_EQ(checked_with([](Mission& m) { m.max_steps = 0; }), Status::kOutOfRange);
   EXPECT_EQ(checked_with([](Mission& m) { m.max_time = Duration{0}; }), Status::kOutOfRange);
   EXPECT_EQ(checked_with([](Mission& m) { m.navigation_timeout = Duration{-1}; }), Status::kOutOfRange);
@@ -110,8 +113,9 @@ TEST(MissionCheck, MeasuresTheAreaFromCornerToCornerWhereverItLies) {
   EXPECT_EQ(checked_with(too_small), Status::kOutOfRange);
 }
 
-TEST(Mission, TakesAHundredStepsAndDrawsFromSeedOneWhereNothingElseIsSaid) {
-  EXPECT_EQ(Mission{}.max_steps, 100U);  // the paper's N
+TEST(Mission, TakesAHundredStepsForAFinWhaleAndDrawsFromSeedOneWhereNothingElseIsSaid) {
+  EXPECT_EQ(Mission{}.source_frequency, Hertz{20});  // of the paper's source
+  EXPECT_EQ(Mission{}.max_steps, 100U);              // the paper's N
   EXPECT_EQ(Mission{}.action_seed, 1U);
   EXPECT_EQ(Mission{}.listening, (ListeningWindow{.listening = Listening::kNewest, .length = {}}));
 }

@@ -10,8 +10,13 @@
 namespace earshot::policy {
 namespace {
 
+/// 20 km x 20 km in cells of 500 m.
+BeliefModel good_model() {
+  return bare_model(at(20'000, 20'000), 40, 40);
+}
+
 TEST(BeliefModel, HasAShapeThatFitsItsMemory) {
-  BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+  BeliefModel model = good_model();
   EXPECT_TRUE(has_valid_shape(model));
   EXPECT_TRUE(has_valid_numbers(model));
   EXPECT_EQ(cell_count(model), 1'600U);
@@ -19,11 +24,10 @@ TEST(BeliefModel, HasAShapeThatFitsItsMemory) {
   EXPECT_FALSE(has_valid_shape(model));
   model.cells_north = 0;
   EXPECT_FALSE(has_valid_shape(model));
-  EXPECT_FALSE(has_valid_shape(flat_model({}))) << "no hypothesis";
 }
 
 TEST(BeliefModel, RefusesCostsThatNothingCouldBeDividedBy) {
-  BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+  BeliefModel model = good_model();
   model.costs.reach = 0.0F;
   EXPECT_FALSE(has_valid_numbers(model));
   model.costs.reach = 30.0F;
@@ -31,16 +35,10 @@ TEST(BeliefModel, RefusesCostsThatNothingCouldBeDividedBy) {
   EXPECT_FALSE(has_valid_numbers(model));
 }
 
-TEST(BeliefModel, RefusesNumbersThatAreNone) {
-  BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
-  model.snr_db[7] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_FALSE(has_valid_numbers(model));
-}
-
 /// Every number at its limits, as its docstring says them, and a little beyond.
 TEST(BeliefModel, LetsPassWhatIsInItsRangeAndNothingBeyond) {
   const auto is_valid_with = [](auto set, double value) {
-    BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+    BeliefModel model = good_model();
     set(model, value);
     return has_valid_numbers(model);
   };
@@ -53,29 +51,18 @@ TEST(BeliefModel, LetsPassWhatIsInItsRangeAndNothingBeyond) {
     EXPECT_FALSE(is_valid_with(set, std::numeric_limits<double>::quiet_NaN())) << what;
   };
   const auto as_float = [](double x) { return static_cast<float>(x); };
-  expect_range("offset", -600, 600, [=](BeliefModel& m, double x) { m.hypotheses[0].level_offset_db = as_float(x); });
-  expect_range("SNR", -600, 600, [=](BeliefModel& m, double x) { m.snr_db[299] = as_float(x); });
   expect_range("area north", 1, 1e7, [](BeliefModel& m, double x) { m.area_size.north = Meters{x}; });
   expect_range("area east", 1, 1e7, [](BeliefModel& m, double x) { m.area_size.east = Meters{x}; });
   expect_range("step length", 1, 1e6, [](BeliefModel& m, double x) { m.step_length = Meters{x}; });
   expect_range("border", 1, 1e6, [](BeliefModel& m, double x) { m.border_width = Meters{x}; });
-  expect_range("range step", 1, 1e4, [](BeliefModel& m, double x) { m.range_step = Meters{x}; });
   expect_range("outliers", 0, 1, [=](BeliefModel& m, double x) { m.outlier_share = as_float(x); });
-  expect_range("silence", 0, 1, [=](BeliefModel& m, double x) { m.silence_share = as_float(x); });
-  expect_range("forgotten", 0, 0.5, [=](BeliefModel& m, double x) { m.forgotten_share = as_float(x); });
   expect_range("step", 0, 1e6, [=](BeliefModel& m, double x) { m.costs.step = as_float(x); });
   expect_range("reach's discount", 0, 1, [=](BeliefModel& m, double x) { m.costs.reach_discount = as_float(x); });
   expect_range("edge", 0, 1e6, [=](BeliefModel& m, double x) { m.costs.edge = as_float(x); });
   expect_range("most regret", 0, 1e6, [=](BeliefModel& m, double x) { m.costs.most_regret = as_float(x); });
   // Limits that no float is, from either side.
-  const auto spread = [=](BeliefModel& m, double x) { m.hypotheses[0].spread_db = as_float(x); };
-  const auto prior = [=](BeliefModel& m, double x) { m.hypotheses[0].prior = as_float(x); };
   const auto discount = [=](BeliefModel& m, double x) { m.costs.log_step_discount = as_float(x); };
   const auto reach = [=](BeliefModel& m, double x) { m.costs.reach = as_float(x); };
-  for (const double inside : {0.050001, 100.0}) EXPECT_TRUE(is_valid_with(spread, inside)) << inside;
-  for (const double outside : {0.049999, 100.0001}) EXPECT_FALSE(is_valid_with(spread, outside)) << outside;
-  for (const double inside : {1.000001e-6, 1e6}) EXPECT_TRUE(is_valid_with(prior, inside)) << inside;
-  for (const double outside : {0.999999e-6, 1.000001e6}) EXPECT_FALSE(is_valid_with(prior, outside)) << outside;
   for (const double inside : {-10.0, -1.000001e-3}) EXPECT_TRUE(is_valid_with(discount, inside)) << inside;
   for (const double outside : {-10.00001, -0.999999e-3}) EXPECT_FALSE(is_valid_with(discount, outside)) << outside;
   for (const double inside : {1.000001e-3, 1e6}) EXPECT_TRUE(is_valid_with(reach, inside)) << inside;
@@ -89,11 +76,7 @@ TEST(BeliefModel, IsThatOfThePapersSearchWhereNothingElseIsSaid) {
   EXPECT_EQ(model.step_length, Meters{1'000});
   EXPECT_EQ(model.border_width, Meters{1'000});
   EXPECT_EQ(model.detection_threshold, Decibels{10});
-  EXPECT_EQ(model.range_step, Meters{100});
   EXPECT_EQ(model.outlier_share, 0.02F);
-  EXPECT_EQ(model.silence_share, 0.0F);
-  EXPECT_EQ(model.forgotten_share, 1e-4F);
-  EXPECT_EQ(BeliefHypothesis{}, (BeliefHypothesis{.level_offset_db = 0.0F, .spread_db = 4.0F, .prior = 1.0F}));
   EXPECT_EQ(model.costs.step, 3.0F);
   EXPECT_NEAR(std::exp(double{model.costs.log_step_discount}), 0.9, 1e-8);  // a float's seven places of 0.105
   EXPECT_EQ(model.costs.reach, 30.0F);
@@ -103,22 +86,19 @@ TEST(BeliefModel, IsThatOfThePapersSearchWhereNothingElseIsSaid) {
 }
 
 TEST(BeliefModel, RefusesAThresholdThatIsNone) {
-  BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+  BeliefModel model = good_model();
   model.detection_threshold = Decibels{std::numeric_limits<double>::infinity()};
   EXPECT_FALSE(has_valid_numbers(model));
 }
 
-TEST(BeliefModel, HasNoShapeWithoutRangesActionsOrColumns) {
-  BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
+TEST(BeliefModel, HasNoShapeWithoutActionsOrColumns) {
+  BeliefModel model = good_model();
   model.cells_east = 0;
   EXPECT_FALSE(has_valid_shape(model));
-  model = flat_model({{0.0F, 2.0F, 1.0F}});
-  model.snr_db.clear();
-  EXPECT_FALSE(has_valid_shape(model));
-  model = flat_model({{0.0F, 2.0F, 1.0F}});
+  model = good_model();
   model.actions.clear();
   EXPECT_FALSE(has_valid_shape(model));
-  model = flat_model({{0.0F, 2.0F, 1.0F}});
+  model = good_model();
   model.cells_north = 1;
   model.cells_east = static_cast<std::uint16_t>(config::kMaxBeliefCells);
   EXPECT_TRUE(has_valid_shape(model));

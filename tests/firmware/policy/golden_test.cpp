@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <fstream>
@@ -14,6 +16,7 @@
 #include "firmware/core/math.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "tests/firmware/policy/made_up_policy.hpp"
+#include "tests/firmware/policy/tables/made_up_tables.hpp"
 
 namespace earshot::policy {
 namespace {
@@ -36,9 +39,11 @@ TEST(Golden, IsRepeatedByTheBuildThatRecordedIt) {
 TEST(Golden, HoldsWhatASearchAlongItsPlacesSeesAndDecides) {
   const auto policy = believing_policy();
   const auto memory = std::make_unique<SearchMemory>();
+  const auto tables = std::make_unique<OceanTables>();
+  make_golden_tables(policy->area_size, *tables);
   const GoldenTrajectory& trajectory = policy->golden[1];
-  memory->start(policy->observation, trajectory[0].place, trajectory[0].reception.heard());
-  memory->remember(policy->observation, trajectory[1].place, trajectory[1].reception.heard());
+  memory->start(policy->observation, *tables, trajectory[0].place, trajectory[0].reception.heard());
+  memory->remember(policy->observation, *tables, trajectory[1].place, trajectory[1].reception.heard());
   std::array<float, 2> observation{};
   observe(*memory, policy->observation, observation);
   std::array<float, 4> logits{};
@@ -48,6 +53,49 @@ TEST(Golden, HoldsWhatASearchAlongItsPlacesSeesAndDecides) {
   EXPECT_EQ(step.fingerprint, memory->belief().fingerprint(policy->observation.belief));
   EXPECT_TRUE(std::equal(observation.begin(), observation.end(), step.observation.begin()));
   EXPECT_TRUE(std::equal(logits.begin(), logits.end(), step.logits.begin()));
+}
+
+TEST(Golden, HoldsTheBeliefsOwnAdviceOfAPolicyWithoutANetwork) {
+  const auto policy = advising_policy();
+  ASSERT_TRUE(repeats(*policy));
+  for (const GoldenStep& step : policy->golden[0]) {
+    // Its observation: spread, then the preferences of actions 3, 2, 1 and 0.
+    for (std::size_t action = 0; action < 4; ++action) EXPECT_EQ(step.logits[action], step.observation[4 - action]) << action;
+    EXPECT_EQ(*std::max_element(step.logits.begin(), step.logits.end()), 1.0F) << "no regret";
+  }
+  EXPECT_FALSE(repeats_after([](FrozenPolicy& damaged) { flip(damaged.golden[1][2].logits[3]); }, *policy));
+}
+
+/// What stands in the vehicle's memory for tables is the mission's, or garbage.
+TEST(Golden, IsRepeatedWhateverTheTablesHeld) {
+  const auto policy = believing_policy();
+  const auto memory = std::make_unique<SearchMemory>();
+  const auto tables = std::make_unique<OceanTables>(made_up_tables());
+  EXPECT_TRUE(repeats_golden(*policy, *memory, *tables));
+  EXPECT_TRUE(repeats_golden(*policy, *memory, *tables)) << "its own oceans";
+}
+
+/// 128 ranges across an area of 25.4 km x 12.7 km stand every 300 m. By hand: half a decibel is one; the source is heard at 50 dB.
+TEST(GoldenTables, AreTwoStraightLinesAndOneWithZones) {
+  const auto tables = std::make_unique<OceanTables>(made_up_tables());
+  make_golden_tables({.north = Meters{25'400}, .east = Meters{12'700}}, *tables);
+  EXPECT_TRUE(has_valid_shape(*tables));
+  EXPECT_EQ(tables->range_count, 128);
+  EXPECT_EQ(tables->range_step, Meters{300});
+  ASSERT_EQ(tables->tables.size(), 3U);
+  struct Expected {
+    std::size_t range;
+    std::array<int, 3> half_db;
+  };
+  // The first loses 1 dB a range and ends at -50 dB; the second half as much. The third loses 0.25 dB a range in zones of six ranges that
+  // begin every 40, and 1.5 dB a range between them.
+  for (const auto& [range, half_db] :
+       {Expected{0, {100, 100, 100}}, Expected{1, {98, 99, 100}}, Expected{5, {90, 95, 98}}, Expected{6, {88, 94, 82}},
+        Expected{39, {22, 61, -17}}, Expected{40, {20, 60, 80}}, Expected{45, {10, 55, 78}}, Expected{46, {8, 54, -38}},
+        Expected{100, {-100, 0, -100}}, Expected{101, {-100, -1, -100}}, Expected{125, {-100, -25, 38}}, Expected{127, {-100, -27, -100}}})
+    for (std::size_t table = 0; table < 3; ++table)
+      EXPECT_EQ(tables->tables[table].snr_half_db[range], half_db[table]) << "table " << table << " range " << range;
+  for (const OceanTable& table : tables->tables) EXPECT_EQ(table.prior, 1.0F);
 }
 
 TEST(Golden, KnowsNoBeliefWhereThePolicySeesNone) {
@@ -120,11 +168,13 @@ TEST(Golden, IsNotRepeatedByABeliefThatDiffersInAnyOfItsNumbers) {
 TEST(Fingerprint, SeesEveryCellAndOutlook) {
   const auto policy = believing_policy();
   const BeliefModel& model = policy->observation.belief;
-  const auto belief = std::make_unique<Belief>();
-  belief->start(model);
-  belief->update(model, {Meters{5000}, Meters{5000}}, {.snr = Decibels{1}});
+  const auto tables = std::make_unique<OceanTables>();
+  make_golden_tables(model.area_size, *tables);
+  const auto belief = std::make_unique<OceanBelief>();
+  belief->start(model, *tables);
+  belief->update(model, *tables, {Meters{5000}, Meters{5000}}, {.snr = Decibels{1}});
   const std::uint32_t before = belief->fingerprint(model);
-  belief->update(model, {Meters{5000}, Meters{5000}}, {.snr = Decibels{1}});
+  belief->update(model, *tables, {Meters{5000}, Meters{5000}}, {.snr = Decibels{1}});
   EXPECT_NE(belief->fingerprint(model), before);
 }
 

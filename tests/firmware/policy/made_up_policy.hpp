@@ -71,7 +71,24 @@ inline std::unique_ptr<FrozenPolicy> believing_policy() {
   belief.outlier_share = 0.125F;
   policy->observation.spec.clear();
   EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kPreference, .age = 3}), Status::kOk);
-  EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kSpread}), Status::kOk);
+  EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kSpread, .scale = 1e-4F}), Status::kOk);
+  record(*policy);
+  return policy;
+}
+
+/// believing_policy() without a network: it sees how far the belief spreads, then the preferences of its four actions, the last first.
+inline std::unique_ptr<FrozenPolicy> advising_policy() {
+  auto policy = believing_policy();
+  policy->observation.spec.clear();
+  EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kSpread, .scale = 1e-4F}), Status::kOk);
+  for (std::uint8_t action = 4; action-- > 0;)
+    EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kPreference, .age = action}), Status::kOk);
+  policy->network = {};
+  policy->network.observation_size = policy->observation.spec.size();
+  policy->network.action_count = policy->actions.size();
+  for (GoldenTrajectory& trajectory : policy->golden) {
+    for (GoldenStep& step : trajectory) step = {.place = step.place, .reception = step.reception, .belief = {}};
+  }
   record(*policy);
   return policy;
 }

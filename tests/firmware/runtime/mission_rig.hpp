@@ -86,10 +86,33 @@ inline std::unique_ptr<policy::FrozenPolicy> policy_that_believes() {
   return policy;
 }
 
+/// A policy that goes by its belief's own advice: the same, but for its network.
+inline std::unique_ptr<policy::FrozenPolicy> policy_that_advises() {
+  auto policy = policy_that_believes();
+  policy->network = {};
+  policy->network.observation_size = policy->observation.spec.size();
+  policy->network.action_count = policy->actions.size();
+  return policy;
+}
+
+/// Of the paper's area, depth and frequency.
+inline std::unique_ptr<policy::OceanTables> paper_oceans() {
+  return support::three_oceans(at(25000, 25000));
+}
+
+/// Of these the first alone: 50 dB at the source, and 1 dB less every 393.7 m, 1/127 of 50 km.
+inline std::unique_ptr<policy::OceanTables> one_ocean() {
+  auto tables = paper_oceans();
+  const policy::OceanTable near = tables->tables[0];
+  tables->tables.clear();
+  static_cast<void>(tables->tables.push_back(near));
+  return tables;
+}
+
 /// The policy with what this build makes of its golden trajectories, as a freezer would leave it; one that cannot fly stays as it is.
 inline std::unique_ptr<policy::FrozenPolicy> frozen(const policy::FrozenPolicy& policy) {
   auto copy = std::make_unique<policy::FrozenPolicy>(policy);
-  if (policy::check(policy).is_none()) 
+  if (policy::check(policy).is_none())
     policy::record_golden(*copy, *std::make_unique<policy::SearchMemory>(), *std::make_unique<policy::OceanTables>());
   return copy;
 }
@@ -108,8 +131,10 @@ struct Arriving {
 
 /// A runtime and a vehicle that does at once what it is told: 1 Hz navigation and SNR, no current, no turning circle.
 struct Rig {
-  explicit Rig(const policy::FrozenPolicy& policy, const config::Mission& mission = paper_mission()) {
-    configured = runtime->configure(mission, *frozen(policy), *support::three_oceans(policy.area_size));
+  explicit Rig(const policy::FrozenPolicy& policy, const config::Mission& mission = paper_mission())
+      : Rig(policy, mission, *paper_oceans()) {}
+  Rig(const policy::FrozenPolicy& policy, const config::Mission& mission, const policy::OceanTables& tables) {
+    configured = runtime->configure(mission, *frozen(policy), tables);
   }
 
   /// One second passes; `arriving` is what arrives at its end.

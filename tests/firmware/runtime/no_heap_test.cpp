@@ -10,9 +10,10 @@ namespace {
 
 void expect_no_heap_in_a_hundred_steps(const policy::FrozenPolicy& policy) {
   const auto complete = frozen(policy);
+  const auto tables = paper_oceans();
   Rig rig(policy);
   host::arm_heap_trap();
-  const Status configured = rig.runtime->configure(paper_mission(), *complete);
+  const Status configured = rig.runtime->configure(paper_mission(), *complete, *tables);
   rig.sail(Order::kStart);
   while (rig.sail().health.state == MissionState::kSearch) {
   }
@@ -31,6 +32,12 @@ TEST(Runtime, UsesNoHeapForABeliefEither) {
   policy->draw = policy::ActionDraw::kSampled;  // as long as it goes north alone it ends at the edge
   policy->network.output.bias = {};
   ASSERT_TRUE(policy::needs_belief(policy->observation.spec));
+  expect_no_heap_in_a_hundred_steps(*policy);
+}
+
+TEST(Runtime, UsesNoHeapForABeliefsOwnAdvice) {
+  const auto policy = policy_that_advises();
+  policy->draw = policy::ActionDraw::kSampled;
   expect_no_heap_in_a_hundred_steps(*policy);
 }
 

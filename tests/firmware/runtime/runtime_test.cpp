@@ -20,65 +20,6 @@ Rig searching(std::size_t action = kNorthward) {
   return rig;
 }
 
-TEST(Configure, RefusesAMissionThatContradictsItself) {
-  config::Mission mission = paper_mission();
-  mission.max_depth = Meters{100};
-  EXPECT_EQ(Rig(*policy_that_goes(kNorthward), mission).configured, Status::kOutOfRange);
-}
-
-TEST(Configure, RefusesAPolicyTrainedWithAnotherStepLength) {
-  const auto policy = policy_that_goes(kNorthward);
-  policy->step_length = Meters{500};
-  EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
-}
-
-TEST(Configure, RefusesAPolicyTrainedInAnAreaOfAnotherSize) {
-  config::Mission mission = paper_mission();
-  mission.operating_area.north_east = mission.operating_area.south_west + at(50000, 50000);
-  EXPECT_EQ(Rig(*policy_that_goes(kNorthward), mission).configured, Status::kOutOfRange);
-}
-
-TEST(Configure, RefusesAPolicyTrainedWithAnotherDetectionThreshold) {
-  config::Mission mission = paper_mission();
-  mission.detection_threshold = Decibels{12};
-  EXPECT_EQ(Rig(*policy_that_goes(kNorthward), mission).configured, Status::kOutOfRange);
-}
-
-TEST(Configure, RefusesAnEmptyPolicyAndOneWhoseSizesContradictEachOther) {
-  const auto policy = policy_that_goes(kNorthward);
-  policy->observation.spec.clear();
-  policy->actions.clear();
-  EXPECT_EQ(Rig(*policy).configured, Status::kMalformed);
-  const auto crooked = policy_that_goes(kNorthward);
-  crooked->network.action_count = 5;
-  EXPECT_EQ(Rig(*crooked).configured, Status::kMalformed);
-}
-
-TEST(Configure, RefusesAPolicyOfWeightsThatAreNoNumbersOrCouldOverflow) {
-  const auto policy = policy_that_goes(kNorthward);
-  policy->network.output.bias[1] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
-  policy->network.output.bias[1] = 2e30F;
-  EXPECT_EQ(Rig(*policy).configured, Status::kOutOfRange);
-}
-
-TEST(Configure, RefusesAPolicyWhoseGoldenTrajectoriesItDoesNotRepeatAndStaysInStandby) {
-  const auto policy = frozen(*policy_that_believes());
-  policy->golden[1][5].logits[3] += 1e-6F;
-  Rig rig(*policy_that_goes(kNorthward));
-  EXPECT_EQ(rig.runtime->configure(paper_mission(), *policy), Status::kCorrupt);
-  rig.sail(Order::kStart);
-  EXPECT_EQ(rig.sail().health.state, MissionState::kStandby);
-  EXPECT_EQ(rig.counters().commands_refused, 1U);
-}
-
-TEST(Configure, ForgetsAnEarlierMission) {
-  Rig rig = searching();
-  ASSERT_EQ(rig.runtime->configure(paper_mission(), *frozen(*policy_that_goes(kEastward))), Status::kOk);
-  EXPECT_EQ(rig.sail().health.state, MissionState::kStandby);
-  EXPECT_EQ(rig.sail(Order::kStart).decision->action, kEastward);
-}
-
 TEST(Runtime, RefusesToStartBeforeItIsConfigured) {
   Rig rig(*policy_that_goes(kNorthward));
   rig.runtime = std::make_unique<Runtime>();
@@ -175,14 +116,15 @@ TEST(Runtime, RemembersStepsAndSnrForAMemoryPolicy) {
 }
 
 TEST(Runtime, TellsWithItsDecisionWhereItBelievesTheSource) {
-  Rig rig(*policy_that_believes());
+  const auto tables = one_ocean();
+  Rig rig(*policy_that_believes(), paper_mission(), *tables);
   rig.snr = Decibels{20};
   rig.sail(Order::kStart);
   ASSERT_TRUE(rig.outputs.decision->belief);
-  // The likeliest place lies on the circle of 10 km about the vehicle, in the mission's frame; a cell is 500 m across.
-  EXPECT_NEAR(range_between(rig.outputs.decision->belief->likeliest, rig.position).value, 10'000.0, 500.0);
+  // The likeliest place lies on the circle of 30 times 393.7 m about the vehicle, in the mission's frame; a cell is 500 m across.
+  EXPECT_NEAR(range_between(rig.outputs.decision->belief->likeliest, rig.position).value, 11'811.0, 500.0);
   const auto memory = std::make_unique<policy::SearchMemory>();  // the same look, 12 km north and 11 km east of the area's corner
-  memory->start(policy_that_believes()->observation, at(12'000, 11'000), {.snr = Decibels{20}});
+  memory->start(policy_that_believes()->observation, *tables, at(12'000, 11'000), {.snr = Decibels{20}});
   EXPECT_EQ(rig.outputs.decision->belief->likeliest, memory->belief().summary().likeliest + at(-5'000, 1'000));
   EXPECT_EQ(rig.outputs.decision->belief->mean, memory->belief().summary().mean + at(-5'000, 1'000));
   EXPECT_EQ(rig.outputs.decision->belief->spread, memory->belief().summary().spread);
@@ -190,14 +132,32 @@ TEST(Runtime, TellsWithItsDecisionWhereItBelievesTheSource) {
 }
 
 TEST(Runtime, TakesASignalTooFaintToMeasureForNoDetectionAndASourceFurtherAway) {
-  Rig rig(*policy_that_believes());
+  Rig rig(*policy_that_believes(), paper_mission(), *one_ocean());
   const Time now = rig.now + Duration::seconds(1);
   rig.step({.navigation = rig.navigation_at(now),
             .snr = messages::SnrMeasurement{.time = now, .snr = Decibels{22}, .too_faint = true},
             .order = Order::kStart});
   EXPECT_TRUE(rig.outputs.decision->too_faint);
   EXPECT_FALSE(rig.outputs.decision->detected);
-  EXPECT_GT(range_between(rig.outputs.decision->belief->likeliest, rig.position).value, 8'000.0);  // 22 dB are heard at 8 km
+  EXPECT_GT(range_between(rig.outputs.decision->belief->likeliest, rig.position).value, 11'024.0);  // 22 dB are heard at 28 times 393.7 m
+}
+
+TEST(Runtime, GoesByItsBeliefsOwnAdviceWhereThePolicyHasNoNetwork) {
+  Rig rig(*policy_that_advises(), paper_mission(), *one_ocean());
+  rig.snr = Decibels{30};             // from 50 dB down to 30, 20 times 393.7 m: the source is 7.9 km away
+  rig.position = at(19'000, 13'500);  // 1 km from the north edge
+  rig.sail(Order::kStart);
+  ASSERT_TRUE(rig.outputs.decision);
+  const messages::Decision& decision = *rig.outputs.decision;
+  EXPECT_EQ(decision.action, kSouthward);
+  const policy::ObservationSpec spec = policy_that_advises()->observation.spec;
+  for (std::size_t i = 0; i < spec.size(); ++i) {
+    if (spec[i].feature == policy::Feature::kPreference) {
+      EXPECT_EQ(decision.logits[spec[i].age], decision.observation[i]) << i;
+    }
+  }
+  EXPECT_EQ(decision.logits[kSouthward], 1.0F) << "no regret";
+  EXPECT_LT(decision.logits[kNorthward], 1.0F);
 }
 
 TEST(Runtime, EndsTheSearchThatBeginsBeyondAnyOcean) {

@@ -27,11 +27,13 @@ PolicyFault fault_in_belief(const std::function<void(BeliefModel&)>& damage) {
 TEST(PolicyCheck, FindsNothingWrongWithAGoodPolicy) {
   EXPECT_TRUE(check(*small_policy()).is_none());
   EXPECT_TRUE(check(*believing_policy()).is_none());
+  EXPECT_TRUE(check(*advising_policy()).is_none());
 }
 
 TEST(PolicyCheck, RefusesSizesThatDoNotFit) {
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.observation_size = 3; }), PolicyFault::kBadShape);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.hidden_sizes[0] = 0; }), PolicyFault::kBadShape);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.hidden_sizes[1] = 0; }), PolicyFault::kBadShape);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.hidden_sizes[1] = 65; }), PolicyFault::kBadShape);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.actions.clear(); }), PolicyFault::kBadShape);
   EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.observation.spec[0].age = 1; }), PolicyFault::kBadShape);
@@ -54,21 +56,10 @@ TEST(PolicyCheck, RefusesNumbersOfTheSearchThatCannotBe) {
 
 TEST(PolicyCheck, RefusesABeliefThatCannotBe) {
   EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.cells_north = 0; }), PolicyFault::kBadShape);
-  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.cells_north = 50; }), PolicyFault::kBadShape);  // 50 x 51 are more than 2500
-  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.snr_db.clear(); }), PolicyFault::kBadShape);
+  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.cells_north = 50; }), PolicyFault::kBadShape);           // 50 x 51 are more than 2500
   EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.step_length = Meters{999}; }), PolicyFault::kBadShape);  // of another search
-  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.snr_db[2] = kNan; }), PolicyFault::kOutOfRange);
-  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.snr_db[2] = 3e38F; }), PolicyFault::kOutOfRange);
-  for (const float spread : {0.0F, 1e-39F, 0.04F, 101.0F, kNan})
-    EXPECT_EQ(fault_in_belief([spread](BeliefModel& m) { m.hypotheses[0].spread_db = spread; }), PolicyFault::kOutOfRange) << spread;
-  for (const float prior : {-1.0F, 1e-7F, 3e38F, kNan})
-    EXPECT_EQ(fault_in_belief([prior](BeliefModel& m) { m.hypotheses[1].prior = prior; }), PolicyFault::kOutOfRange) << prior;
-  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.hypotheses[0].level_offset_db = -601.0F; }), PolicyFault::kOutOfRange);
-  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.outlier_share = 1.5F; }), PolicyFault::kOutOfRange);
-  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.silence_share = kNan; }), PolicyFault::kOutOfRange);
-  EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.forgotten_share = 0.6F; }), PolicyFault::kOutOfRange);
-  for (const double step : {0.0, 0.5, 10'001.0})
-    EXPECT_EQ(fault_in_belief([step](BeliefModel& m) { m.range_step = Meters{step}; }), PolicyFault::kOutOfRange) << step;
+  for (const float share : {-0.1F, 1.5F, kNan})
+    EXPECT_EQ(fault_in_belief([share](BeliefModel& m) { m.outlier_share = share; }), PolicyFault::kOutOfRange) << share;
   EXPECT_EQ(fault_in_belief([](BeliefModel& m) { m.border_width = Meters{1.1e6}; }), PolicyFault::kOutOfRange);
 }
 
@@ -133,14 +124,12 @@ PolicyFault fault_of_element(Feature feature, std::size_t age) {
       *believing_policy());
 }
 
-TEST(PolicyCheck, RefusesAnAgeOnePastTheLastStepHypothesisOrAction) {
+TEST(PolicyCheck, RefusesAnAgeOnePastTheLastStepOrAction) {
   for (const Feature step : {Feature::kStepEast, Feature::kStepNorth, Feature::kStepSnr}) {
     EXPECT_EQ(fault_of_element(step, 20), PolicyFault::kNone);  // 21 steps are remembered
     EXPECT_EQ(fault_of_element(step, 21), PolicyFault::kBadShape);
     EXPECT_EQ(fault_of_element(step, 255), PolicyFault::kBadShape);
   }
-  EXPECT_EQ(fault_of_element(Feature::kHypothesis, 1), PolicyFault::kNone);  // of two
-  EXPECT_EQ(fault_of_element(Feature::kHypothesis, 2), PolicyFault::kBadShape);
   for (auto feature = static_cast<int>(Feature::kFound); feature <= static_cast<int>(Feature::kApproach); ++feature) {
     EXPECT_EQ(fault_of_element(static_cast<Feature>(feature), 3), PolicyFault::kNone) << feature;  // of four actions
     EXPECT_EQ(fault_of_element(static_cast<Feature>(feature), 4), PolicyFault::kBadShape) << feature;
@@ -153,7 +142,7 @@ TEST(PolicyCheck, RefusesAnAgeOnePastTheLastStepHypothesisOrAction) {
 }
 
 TEST(PolicyCheck, KnowsNoFeatureBetweenThoseThereAre) {
-  for (const int unknown : {0, 10, 15, 24, 31, 39, 255})
+  for (const int unknown : {0, 10, 15, 23, 24, 31, 39, 255})
     EXPECT_EQ(fault_of_element(static_cast<Feature>(unknown), 0), PolicyFault::kUnknownFeature) << unknown;
 }
 
@@ -161,10 +150,55 @@ TEST(PolicyCheck, DoesNotLookAtABeliefThatNoElementSees) {
   const auto spoil = [](FrozenPolicy& policy) {
     policy.observation.belief = BeliefModel{};
     policy.observation.belief.step_length = Meters{kWideNan};
-    policy.observation.belief.silence_share = kNan;
+    policy.observation.belief.outlier_share = kNan;
   };
   EXPECT_EQ(fault_after(spoil), PolicyFault::kNone);
   EXPECT_EQ(fault_after(spoil, *believing_policy()), PolicyFault::kBadShape);
+}
+
+PolicyFault fault_in_advice(const std::function<void(ObservationSpec&)>& damage) {
+  return fault_after(
+      [&damage](FrozenPolicy& policy) {
+        damage(policy.observation.spec);
+        policy.network.observation_size = policy.observation.spec.size();
+      },
+      *advising_policy());
+}
+
+/// Of advising_policy(): the spread, then the preferences of its four actions.
+TEST(PolicyCheck, WantsEveryPreferenceOnceAndOnOneScaleWhereThereIsNoNetwork) {
+  EXPECT_EQ(fault_in_advice([](ObservationSpec&) {}), PolicyFault::kNone);
+  EXPECT_EQ(fault_in_advice([](ObservationSpec& spec) { spec[2].feature = Feature::kReach; }), PolicyFault::kNoAdvice) << "one is missing";
+  EXPECT_EQ(fault_in_advice([](ObservationSpec& spec) { spec[2].age = 1; }), PolicyFault::kNoAdvice) << "one twice, one missing";
+  const auto add_one_more = [](ObservationSpec& spec) { static_cast<void>(spec.push_back({.feature = Feature::kPreference, .age = 2})); };
+  EXPECT_EQ(fault_in_advice(add_one_more), PolicyFault::kNoAdvice) << "one twice";
+  const auto add_on_another_scale = [](ObservationSpec& spec) {
+    static_cast<void>(spec.push_back({.feature = Feature::kPreference, .age = 2, .offset = 0.5F, .scale = 2.0F}));
+  };
+  EXPECT_EQ(fault_in_advice(add_on_another_scale), PolicyFault::kNoAdvice) << "one twice, on scales of their own";
+  EXPECT_EQ(fault_in_advice([](ObservationSpec& spec) { spec[4].scale = 1.5F; }), PolicyFault::kNoAdvice) << "another scale";
+  EXPECT_EQ(fault_in_advice([](ObservationSpec& spec) { spec[4].offset = 0.5F; }), PolicyFault::kNoAdvice) << "another offset";
+  const auto scale_all = [](float scale) {
+    return [scale](ObservationSpec& spec) {
+      for (std::size_t i = 1; i < 5; ++i) spec[i].scale = scale, spec[i].offset = 0.5F;
+    };
+  };
+  EXPECT_EQ(fault_in_advice(scale_all(2.0F)), PolicyFault::kNone);
+  for (const float scale : {0.0F, -1.0F}) EXPECT_EQ(fault_in_advice(scale_all(scale)), PolicyFault::kNoAdvice) << "the worst would be best";
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.hidden_sizes = {}; }), PolicyFault::kNoAdvice) << "it sees no belief";
+}
+
+TEST(PolicyCheck, NamesTheObservationWhereAdviceIsMissing) {
+  const auto policy = advising_policy();
+  policy->observation.spec[1].feature = Feature::kReach;
+  EXPECT_EQ(check(*policy).section, kObservationSection);
+}
+
+TEST(PolicyCheck, JudgesSizesAndBoundsWithoutANetworkToo) {
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.observation_size = 4; }, *advising_policy()), PolicyFault::kBadShape);
+  EXPECT_EQ(fault_after([](FrozenPolicy& policy) { policy.network.action_count = 3; }, *advising_policy()), PolicyFault::kBadShape);
+  EXPECT_EQ(fault_in_advice([](ObservationSpec& spec) { spec[0].scale = 1e5F; }), PolicyFault::kUnbounded);
+  EXPECT_EQ(fault_in_advice([](ObservationSpec& spec) { spec[1].age = 4; }), PolicyFault::kBadShape);
 }
 
 TEST(PolicyCheck, RefusesEdgesThatAreThoseOfAnotherArea) {
@@ -197,7 +231,6 @@ TEST(PolicyCheck, BoundsEveryFeatureByTheMostThatItCanBe) {
       case Feature::kEffectiveCells:
         return 5'000.0;  // twice as many as there can be
       case Feature::kLikeliestShare:
-      case Feature::kHypothesis:
       case Feature::kFound:
       case Feature::kReach:
       case Feature::kDetected:
@@ -315,7 +348,7 @@ TEST(PolicyCheck, LooksAtEveryWeightAndAtNothingElse) {
 
 TEST(PolicyCheck, LetsPassAnElementOfExactlyTheMost) {
   const auto scaled_by = [](float scale) {
-    return [scale](FrozenPolicy& policy) { policy.observation.spec[1] = {.feature = Feature::kHypothesis, .scale = scale}; };
+    return [scale](FrozenPolicy& policy) { policy.observation.spec[1] = {.feature = Feature::kLikeliestShare, .scale = scale}; };
   };
   EXPECT_EQ(fault_after(scaled_by(5e8F), *believing_policy()), PolicyFault::kNone);  // 2 5e8 = 1e9
   EXPECT_EQ(fault_after(scaled_by(5.00001e8F), *believing_policy()), PolicyFault::kUnbounded);

@@ -48,6 +48,7 @@ TEST(PolicyFault, SaysWhatTheCallerShouldDoAndWhatIsWrong) {
         Expected{PolicyFault::kNotFinite, Status::kOutOfRange, "not finite"},
         Expected{PolicyFault::kOutOfRange, Status::kOutOfRange, "out of its range"},
         Expected{PolicyFault::kUnbounded, Status::kOutOfRange, "overflow"},
+        Expected{PolicyFault::kNoAdvice, Status::kMalformed, "preference of every action"},
         Expected{PolicyFault::kGoldenMismatch, Status::kCorrupt, "arithmetic differs"}}) {
     EXPECT_EQ(status_of(fault), status) << word;
     EXPECT_NE(to_string(fault).find(word), std::string_view::npos) << to_string(fault);

@@ -52,18 +52,15 @@ TEST(Parse, MayReplaceALargerPolicyInPlace) {
 TEST(Parse, GivesTheBeliefBackWithItsCosts) {
   const auto before = believing_policy();
   const Bytes bytes = bytes_of(*before);
-  EXPECT_EQ(bytes.size(), kSizeInAll + 59 + 2 * 12 + 5 * 4);
+  EXPECT_EQ(bytes.size(), kSizeInAll + 40);
   const auto after = std::make_unique<FrozenPolicy>();
   PolicyComplaint complaint;
   ASSERT_EQ(parse(bytes, *after, complaint), Status::kOk);
   const BeliefModel& a = after->observation.belief;
   const BeliefModel& b = before->observation.belief;
   EXPECT_EQ(a.costs, b.costs);
-  EXPECT_TRUE(std::ranges::equal(a.hypotheses, b.hypotheses));
-  EXPECT_TRUE(std::ranges::equal(a.snr_db, b.snr_db));
   EXPECT_TRUE(std::ranges::equal(a.actions, b.actions));
-  EXPECT_EQ(std::tuple(a.cells_north, a.cells_east, a.border_width, a.range_step), std::tuple(49, 51, Meters{700}, Meters{150}));
-  EXPECT_EQ(std::tuple(a.outlier_share, a.silence_share, a.forgotten_share), std::tuple(0.125F, 0.25F, 0.0625F));
+  EXPECT_EQ(std::tuple(a.cells_north, a.cells_east, a.border_width, a.outlier_share), std::tuple(49, 51, Meters{700}, 0.125F));
   EXPECT_EQ(std::tuple(a.area_size, a.step_length, a.detection_threshold), std::tuple(b.area_size, b.step_length, b.detection_threshold));
   EXPECT_TRUE(repeats(*after));
   EXPECT_EQ(bytes_of(*after), bytes);
@@ -74,21 +71,35 @@ TEST(Parse, MayReplaceABeliefInPlace) {
   const auto policy = believing_policy();
   PolicyComplaint complaint;
   ASSERT_EQ(parse(bytes, *policy, complaint), Status::kOk);
-  EXPECT_EQ(policy->observation.belief.hypotheses.size(), 2U);
-  EXPECT_EQ(policy->observation.belief.snr_db.size(), 5U);
   EXPECT_EQ(bytes_of(*policy), bytes);
 }
 
-TEST(Parse, RefusesMoreRangesThanItHolds) {
-  Bytes bytes = bytes_of(*believing_policy());
-  const std::size_t count_at = kBeliefAt + 10 + 57 + 2 * 12;  // what the belief's section begins with, and two hypotheses
-  ASSERT_EQ(value_at<std::uint16_t>(bytes, count_at), 5);
-  put(bytes, count_at, std::uint16_t{513});
-  put(bytes, kBeliefAt + 6, std::uint32_t{59 + 2 * 12 + 513 * 4});
-  const Bytes ranges(std::size_t{508} * 4);
-  bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(count_at + 2), ranges.begin(), ranges.end());
+TEST(Parse, GivesAPolicyWithoutANetworkBackInPlaceOfOneWithOne) {
+  const auto before = advising_policy();
+  const Bytes bytes = bytes_of(*before);
+  const auto after = small_policy();
+  PolicyComplaint complaint;
+  ASSERT_EQ(parse(bytes, *after, complaint), Status::kOk);
+  EXPECT_FALSE(has_network(after->network));
+  EXPECT_EQ(after->network.observation_size, 5U);
+  EXPECT_EQ(after->network.action_count, 4U);
+  EXPECT_TRUE(repeats(*after));
+  EXPECT_EQ(bytes_of(*after), bytes);
+}
+
+TEST(Parse, RefusesAPolicyWithoutANetworkThatDoesNotShowItsPreferences) {
+  Bytes bytes = bytes_of(*advising_policy());
+  const std::size_t second_element = kNetworkAt + 10 + 3 + 10 + 28 + 10;  // the preference of action 3
+  ASSERT_EQ(bytes[second_element], 37);
+  bytes[second_element] = 33;  // its reach
   mend(bytes);
-  EXPECT_TRUE(is(complaint_about(bytes), PolicyFault::kBadShape, "BELF"));
+  EXPECT_TRUE(is(complaint_about(bytes), PolicyFault::kNoAdvice, "OBSV"));
+}
+
+TEST(Parse, NamesANetworkOfTheFormatBefore) {
+  const PolicyComplaint complaint = complaint_after([](Bytes& bytes) { bytes[kNetworkAt + 4] = 1; });
+  EXPECT_TRUE(is(complaint, PolicyFault::kUnknownSectionVersion, "NETW"));
+  EXPECT_EQ(complaint.version, 1U);
 }
 
 TEST(Parse, GivesThePolicyOfTheSmallestSizesBack) {
@@ -196,9 +207,9 @@ TEST(Parse, NamesASectionThatItDoesNotKnow) {
 }
 
 TEST(Parse, NamesASectionOfAnotherVersion) {
-  const PolicyComplaint complaint = complaint_after([](Bytes& bytes) { bytes[kBeliefAt + 4] = 2; });
+  const PolicyComplaint complaint = complaint_after([](Bytes& bytes) { bytes[kBeliefAt + 4] = 1; });
   EXPECT_TRUE(is(complaint, PolicyFault::kUnknownSectionVersion, "BELF"));
-  EXPECT_EQ(complaint.version, 2U);
+  EXPECT_EQ(complaint.version, 1U) << "of the belief in one ocean";
 }
 
 TEST(Parse, NamesASectionThatIsMissing) {
@@ -242,7 +253,9 @@ TEST(Parse, NamesALastSectionThatSaysItIsLongerThanTheFile) {
 }
 
 TEST(Parse, NamesWhatIsWrongInASection) {
-  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt] = 0; }), PolicyFault::kUnknownActivation, "NETW"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt] = 2; }), PolicyFault::kUnknownActivation, "NETW"));
+  EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt] = 0; }), PolicyFault::kBadSectionLength, "NETW"))
+      << "layers without a network";
   for (const std::uint8_t count : Bytes{0, 5, 33})
     EXPECT_EQ(complaint_after([count](Bytes& bytes) { bytes[kActionCountAt] = count; }).section, kNetworkSection) << int{count};
   EXPECT_TRUE(is(complaint_after([](Bytes& bytes) { bytes[kActivationAt + 3] = 0xFF; }), PolicyFault::kBadShape, "NETW"));

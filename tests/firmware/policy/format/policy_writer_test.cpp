@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 #include <string_view>
@@ -47,16 +48,40 @@ TEST(Serialise, NamesEverySectionWithItsVersionAndLength) {
   struct Expected {
     std::size_t at;
     std::string_view tag;
+    int version;
     std::uint32_t length;
   };
   const Bytes bytes = bytes_of(*small_policy());
-  for (const Expected& section : {Expected{kNetworkAt, "NETW", 203}, Expected{kObservationAt, "OBSV", 48}, Expected{kActionsAt, "ACTN", 73},
-                                  Expected{kDrawSectionAt, "DRAW", 1}, Expected{kBeliefAt, "BELF", 0},
-                                  Expected{kProvenanceSectionAt, "PROV", 24}, Expected{kGoldenSectionAt, "GOLD", 1214}}) {
+  for (const Expected& section :
+       {Expected{kNetworkAt, "NETW", 2, 203}, Expected{kObservationAt, "OBSV", 1, 48}, Expected{kActionsAt, "ACTN", 1, 73},
+        Expected{kDrawSectionAt, "DRAW", 1, 1}, Expected{kBeliefAt, "BELF", 2, 0}, Expected{kProvenanceSectionAt, "PROV", 1, 24},
+        Expected{kGoldenSectionAt, "GOLD", 1, 1214}}) {
     EXPECT_EQ(text_at(bytes, section.at, 4), section.tag);
-    EXPECT_EQ(value_at<std::uint16_t>(bytes, section.at + 4), 1);
+    EXPECT_EQ(value_at<std::uint16_t>(bytes, section.at + 4), section.version);
     EXPECT_EQ(value_at<std::uint32_t>(bytes, section.at + 6), section.length);
   }
+}
+
+/// Section by section as README.md has it: 16 of header, NETW 10 + 3, OBSV 10 + 28 + 5 10, ACTN 10 + 73, DRAW 10 + 1, then BELF.
+TEST(Serialise, WritesOfTheBeliefItsSettingsAlone) {
+  const Bytes bytes = bytes_of(*advising_policy());
+  const std::size_t belief_at = 16 + 13 + 88 + 83 + 11;
+  EXPECT_EQ(text_at(bytes, belief_at, 4), "BELF");
+  EXPECT_EQ(value_at<std::uint32_t>(bytes, belief_at + 6), 40U);
+  EXPECT_EQ(value_at<std::uint16_t>(bytes, belief_at + 10), 49);
+  EXPECT_EQ(value_at<std::uint16_t>(bytes, belief_at + 12), 51);
+  EXPECT_EQ(value_at<double>(bytes, belief_at + 14), 700.0);
+  const std::array floats{0.125F, 2.5F, -0.25F, 20.0F, 0.75F, 50.0F, 9.0F};  // outliers, then what a search costs
+  for (std::size_t i = 0; i < floats.size(); ++i) EXPECT_EQ(value_at<float>(bytes, belief_at + 22 + 4 * i), floats[i]) << i;
+}
+
+TEST(Serialise, WritesOfANetworkThatThereIsNotItsSizesAlone) {
+  const Bytes bytes = bytes_of(*advising_policy());
+  EXPECT_EQ(text_at(bytes, kNetworkAt, 4), "NETW");
+  EXPECT_EQ(value_at<std::uint32_t>(bytes, kNetworkAt + 6), 3U);
+  EXPECT_EQ(bytes[kActivationAt], 0);
+  EXPECT_EQ(bytes[kActivationAt + 1], 5);  // elements
+  EXPECT_EQ(bytes[kActivationAt + 2], 4);  // actions
 }
 
 TEST(Serialise, FillsTheLargestSerialisedSizeWithThePolicyOfTheLargestSizes) {
@@ -70,10 +95,6 @@ TEST(Serialise, FillsTheLargestSerialisedSizeWithThePolicyOfTheLargestSizes) {
   policy->step_length = Meters{1};
   policy->area_size = {.north = Meters{1}, .east = Meters{1}};
   BeliefModel& belief = policy->observation.belief;
-  while (belief.hypotheses.push_back({}) == Status::kOk) {
-  }
-  while (belief.snr_db.push_back(0.0F) == Status::kOk) {
-  }
   belief.actions = policy->actions;
   belief.step_length = policy->step_length;
   belief.area_size = policy->area_size;

@@ -86,26 +86,5 @@ TEST(BearingLikelihood, HasTheSameBitsOnEveryMachine) {
   EXPECT_EQ(std::bit_cast<std::uint32_t>(likelihood.at(at(4'000.0, -300.0))), 1'086'797'072U);
 }
 
-TEST_F(BeliefTest, TakesABearingForOneMoreLikelihood) {
-  const BeliefModel model = flat_model({{0.0F, 2.0F, 1.0F}});
-  const NorthEast place = centre(20, 20);
-  const Bearing heard = bearing(90.0, 15.0);
-  belief->start(model);
-  hear(model, place, 24.0);
-  std::vector<double> expected(1600);
-  double total = 0.0;
-  const BearingLikelihood likelihood(heard, Meters{500.0}, 0.0F);
-  for (std::size_t i = 0; i < 1600; ++i) {
-    const NorthEast cell = centre(i / 40, i % 40);
-    expected[i] = probability_at(model, cell) * double{likelihood.at(cell - place)};
-    total += expected[i];
-  }
-  belief->start(model);
-  belief->update(model, place, {.snr = Decibels{24.0}, .too_faint = false, .bearing = heard});
-  for (std::size_t i = 0; i < 1600; ++i)
-    EXPECT_NEAR(probability_at(model, centre(i / 40, i % 40)), expected[i] / total, 1e-6 + 1e-5 * expected[i] / total) << i;
-  EXPECT_GT(probability_at(model, centre(20, 32)), 100.0 * probability_at(model, centre(20, 8))) << "6 km east and 6 km west";
-}
-
 }  // namespace
 }  // namespace earshot::policy

@@ -10,11 +10,11 @@
 namespace earshot::policy {
 namespace {
 
-/// 4 km x 9 km in 2 x 3 cells of 2 km x 3 km, in range steps of 500 m.
+constexpr Meters kRangeStep{500};
+
+/// 4 km x 9 km in 2 x 3 cells of 2 km x 3 km.
 BeliefModel oblong() {
-  BeliefModel model = bare_model(at(4'000, 9'000), 2, 3);
-  model.range_step = Meters{500};
-  return model;
+  return bare_model(at(4'000, 9'000), 2, 3);
 }
 
 TEST(BeliefGrid, HasCellsOfAShareOfItsArea) {
@@ -24,16 +24,17 @@ TEST(BeliefGrid, HasCellsOfAShareOfItsArea) {
 
 TEST(BeliefGrid, FindsTheRangeStepNearestToEveryCellsCentreAndNoneBeyondTheLast) {
   std::array<std::uint16_t, 6> ranges;
-  find_ranges(oblong(), at(1'000, -2'500), 20, ranges);
+  find_ranges(oblong(), at(1'000, -2'500), kRangeStep, 20, ranges);
   // East of it 4, 7 and 10 km; and those with 2 km to the north: 4.472, 7.280 and 10.198 km.
   EXPECT_EQ(ranges, (std::array<std::uint16_t, 6>{8, 14, 20, 9, 15, 20}));
-  find_ranges(oblong(), at(1'000, -2'500), 14, ranges);
+  find_ranges(oblong(), at(1'000, -2'500), kRangeStep, 14, ranges);
   EXPECT_EQ(ranges, (std::array<std::uint16_t, 6>{8, 14, 14, 9, 14, 14}));
 }
 
 TEST(BeliefGrid, CountsTheRangeStepsInHalfOfTheLongerSideOfACell) {
-  EXPECT_EQ(half_cell(oblong(), 100), 3U);
-  EXPECT_EQ(half_cell(oblong(), 3), 2U);  // fewer than there are ranges
+  EXPECT_EQ(half_cell(oblong(), kRangeStep, 100), 3U);
+  EXPECT_EQ(half_cell(oblong(), kRangeStep, 3), 2U);     // fewer than there are ranges
+  EXPECT_EQ(half_cell(oblong(), Meters{751}, 100), 1U);  // 1.997: whole ones only
 }
 
 TEST(BeliefGrid, SmoothsOverTheNeighboursAndHoldsTheEnds) {
@@ -53,7 +54,7 @@ TEST(BeliefGrid, LeavesTheShareOfACellBeyondAStepAndNeverLessThanAThousandth) {
   BeliefModel model = oblong();
   model.step_length = Meters{2'000};
   std::array<float, 9> shares;
-  find_uncovered(model, shares);  // of a cell 3 km long, every 500 m: half of one at a step's length
+  find_uncovered(model, kRangeStep, shares);  // of a cell 3 km long, every 500 m: half of one at a step's length
   const std::array<float, 9> expected{0.001F, 0.001F, 1.0F / 6, 2.0F / 6, 0.5F, 4.0F / 6, 5.0F / 6, 1, 1};
   for (std::size_t i = 0; i < 9; ++i) EXPECT_FLOAT_EQ(shares[i], expected[i]) << i;
 }

@@ -85,7 +85,7 @@ TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
   LaneLikelihoods likelihoods;
   std::vector<std::uint16_t> ranges(400);
   for (const auto& [place, reception] : looks) {
-    find_ranges(model, place, kSmallRanges - 1U, ranges);
+    find_ranges(model, place, tables.range_step, kSmallRanges - 1U, ranges);
     likelihoods.tabulate(model, tables, kHypotheses, reception);
     block->weigh(model, likelihoods.by_range(tables), ranges);
   }

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "firmware/policy/ocean_belief/hypothesis.hpp"
+#include "firmware/policy/reception.hpp"
+#include "firmware/policy/tables/ocean_tables.hpp"
 #include "tests/firmware/policy/belief_rig.hpp"
 
 namespace earshot::policy {

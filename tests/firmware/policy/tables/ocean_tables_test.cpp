@@ -139,6 +139,29 @@ TEST(Coverage, EndsWithTheLastRange) {
   for (const double furthest_m : {35'400.1, kInfinity, kNan}) EXPECT_EQ(to(furthest_m), Coverage::kOutOfReach) << furthest_m;
 }
 
+TEST(AreUsable, AreTablesThatCoverTheSoundWithNumbersThatCanBe) {
+  const auto usable_after = [](const auto& damage, SearchedSound sound = kUsual) {
+    const auto t = tables();
+    t->range_count = 355;
+    damage(*t, sound);
+    return are_usable(*t, sound);
+  };
+  EXPECT_TRUE(usable_after([](OceanTables&, SearchedSound&) {}));
+  // Each of these alone.
+  EXPECT_FALSE(usable_after([](OceanTables& t, SearchedSound&) { t.tables.clear(); }));
+  EXPECT_FALSE(usable_after([](OceanTables& t, SearchedSound&) { t.range_count = 0; }));
+  EXPECT_FALSE(usable_after([](OceanTables& t, SearchedSound&) { t.range_step = Meters{kNan}; }));
+  EXPECT_FALSE(usable_after([](OceanTables& t, SearchedSound&) { t.source_depth.most = Meters{kNan}; }));
+  EXPECT_FALSE(usable_after([](OceanTables& t, SearchedSound&) { t.receiver_depth = Meters{kNan}; }));
+  EXPECT_FALSE(usable_after([](OceanTables& t, SearchedSound&) { t.frequency = Hertz{kNan}; }));
+  EXPECT_FALSE(usable_after([](OceanTables& t, SearchedSound&) { t.tables[1].prior = static_cast<float>(kNan); }));
+  EXPECT_FALSE(usable_after([](OceanTables& t, SearchedSound&) { t.tables[1].sea_depth_m = static_cast<float>(kNan); }));
+  EXPECT_FALSE(usable_after([](OceanTables&, SearchedSound& sound) { sound.vehicle_depth = Meters{kNan}; }));
+  EXPECT_FALSE(usable_after([](OceanTables&, SearchedSound& sound) { sound.frequency = Hertz{kNan}; }));
+  EXPECT_FALSE(usable_after([](OceanTables&, SearchedSound& sound) { sound.furthest = Meters{kNan}; }));
+  EXPECT_FALSE(usable_after([](OceanTables&, SearchedSound& sound) { sound.furthest = Meters{35'401.0}; }));
+}
+
 /// The level of a dipole near the surface goes as 20 log10 (z_r f^2): what the tolerances allow is less than the narrowest spread, 1 dB.
 TEST(Coverage, AllowsLessThanADecibelWhereTheSurfaceDecidesTheLevel) {
   EXPECT_LT(20.0 * std::log10(1.0 + kDepthTolerance), 1.0);

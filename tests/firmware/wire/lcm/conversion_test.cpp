@@ -302,19 +302,21 @@ TEST(Conversion, GivesEveryFieldOfAMissionBack) {
       .navigation_timeout = Duration::seconds(12),
       .snr_timeout = Duration::seconds(13),
       .detection_threshold = Decibels{14.0},
+      .source_frequency = Hertz{18.0},
       .listening = {.listening = config::Listening::kMean, .length = Duration::seconds(15)},
       .safety = some_safety(),
       .authority = {.needs_verified_commands = true, .autopilot_timeout = Duration::seconds(17)},
       .action_seed = (std::uint64_t{1} << 63U) + 16,
   };
   // A field more does not compile here: give it a value above that is not its default.
-  const auto& [area, margin, depth, max_depth, speed, step, steps, time, navigation, snr, threshold, listening, safety, authority, seed] =
-      mission;
+  const auto& [area, margin, depth, max_depth, speed, step, steps, time, navigation, snr, threshold, frequency, listening, safety,
+               authority, seed] = mission;
+  EXPECT_EQ(frequency, Hertz{18.0});
   EXPECT_EQ(seed, (std::uint64_t{1} << 63U) + 16);
   EXPECT_EQ(safety.rules.size(), config::kMaxOwnRules);
   EXPECT_TRUE(authority.needs_verified_commands);
   EXPECT_EQ(from_message(carried(to_message(mission, Time{7}))), mission);
-  EXPECT_EQ(Encoded(to_message(mission, Time{7})).bytes().size(), 2558U);
+  EXPECT_EQ(Encoded(to_message(mission, Time{7})).bytes().size(), 2570U);
 }
 
 TEST(Conversion, GivesAMissionWithoutFenceOrRulesBack) {
