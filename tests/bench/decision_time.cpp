@@ -1,15 +1,17 @@
-// Row search.decision_us: how long the shipped policy takes to decide, belief update included; "peer" measures a plain Bayes chase instead.
+// Row search.decision_us: how long the shipped policy takes to decide with the tables that ship, belief update included; "peer" measures a
+// plain Bayes chase instead.
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <vector>
 
+#include "firmware/host/policy/tables_choice.hpp"
 #include "firmware/host/policy/unverified_policy.hpp"
-#include "firmware/policy/network.hpp"
 
 namespace {
 
@@ -18,17 +20,24 @@ using namespace earshot;
 constexpr int kSearches = 100;
 constexpr int kDecisions = 25;  // of each, about what a search takes
 
-/// The belief as one would write it down: double, one hypothesis, every likelihood computed at every cell; goes to the likeliest.
+/// In the first ocean of the tables, at its ranges.
+double snr_db_at(const policy::OceanTables& tables, Meters range) {
+  const auto at = static_cast<std::size_t>(range / tables.range_step);
+  return double{tables.tables[0].snr_db(std::min(at, tables.range_count - std::size_t{1}))};
+}
+
+/// The belief as one would write it down: double, one ocean and one hypothesis, every likelihood computed at every cell; goes to the
+/// likeliest.
 class PlainBayes {
  public:
+  explicit PlainBayes(const policy::OceanTables& tables) : tables_(tables) {}
   void start() { cells_.assign(2500, 1.0 / 2500.0); }
   std::size_t decide(const policy::BeliefModel& model, NorthEast place, policy::Reception reception) {
     double total = 0.0;
     std::size_t best = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const double range = std::hypot(centre(i).north.value - place.north.value, centre(i).east.value - place.east.value);
-      const std::size_t at = std::min(static_cast<std::size_t>(range / model.range_step.value), model.snr_db.size() - 1);
-      const double z = (reception.snr.value - double{model.snr_db[at]}) / 4.0;
+      const double z = (reception.snr.value - snr_db_at(tables_, Meters{range})) / 4.0;
       cells_[i] *= range < model.step_length.value ? 1e-3 : 0.98 * std::exp(-0.5 * z * z) + 0.02;
       total += cells_[i];
       if (cells_[i] > cells_[best]) best = i;
@@ -48,19 +57,20 @@ class PlainBayes {
   static NorthEast centre(std::size_t i) {
     return {Meters{(static_cast<double>(i / 50) + 0.5) * 500.0}, Meters{(static_cast<double>(i % 50) + 0.5) * 500.0}};
   }
+  const policy::OceanTables& tables_;
   std::vector<double> cells_;
 };
 
-/// As the runtime decides (firmware/runtime): remember, observe, forward, draw.
+/// As the runtime decides (firmware/runtime): remember, observe, find logits, draw.
 class Shipped {
  public:
-  explicit Shipped(const policy::FrozenPolicy& policy) : policy_(policy) {}
+  Shipped(const policy::FrozenPolicy& policy, const policy::OceanTables& tables) : policy_(policy), tables_(tables) {}
   void start() { fresh_ = true; }
   std::size_t decide(const policy::BeliefModel&, NorthEast place, policy::Reception reception) {
     if (fresh_) {
-      memory_->start(policy_.observation, place, reception);
+      memory_->start(policy_.observation, tables_, place, reception);
     } else {
-      memory_->remember(policy_.observation, place, reception);
+      memory_->remember(policy_.observation, tables_, place, reception);
     }
     fresh_ = false;
     std::array<float, config::kMaxObservation> observation{};
@@ -68,25 +78,21 @@ class Shipped {
     const std::span<float> seen = std::span(observation).first(policy_.observation.spec.size());
     const std::span<float> scores = std::span(logits).first(policy_.actions.size());
     policy::observe(*memory_, policy_.observation, seen);
-    policy::forward(policy_.network, seen, scores);
+    policy::find_logits(policy_, seen, scores);
     return policy::draw_action(policy_.draw, scores, random_);
   }
 
  private:
   const policy::FrozenPolicy& policy_;
+  const policy::OceanTables& tables_;
   std::unique_ptr<policy::SearchMemory> memory_ = std::make_unique<policy::SearchMemory>();
   Pcg32 random_{1};
   bool fresh_ = true;
 };
 
-policy::Reception reception_at(const policy::BeliefModel& model, NorthEast place, NorthEast source) {
-  const auto at = static_cast<std::size_t>(range_between(place, source) / model.range_step);
-  return {.snr = Decibels{double{model.snr_db[std::min(at, model.snr_db.size() - 1)]}}};
-}
-
 /// Median microseconds of a decision over whole searches, sources and starts everywhere; the vehicle stays in the area.
 template <class Decider>
-double median_us(Decider decider, const policy::BeliefModel& model) {
+double median_us(Decider decider, const policy::BeliefModel& model, const policy::OceanTables& tables) {
   Pcg32 random(3);
   const auto anywhere = [&random] {
     return NorthEast{Meters{25'000.0 * random.uniform_double()}, Meters{25'000.0 * random.uniform_double()}};
@@ -97,7 +103,7 @@ double median_us(Decider decider, const policy::BeliefModel& model) {
     NorthEast place = anywhere();
     decider.start();
     for (int i = 0; i < kDecisions; ++i) {
-      const policy::Reception look = reception_at(model, place, source);
+      const policy::Reception look{.snr = Decibels{snr_db_at(tables, range_between(place, source))}};
       const auto began = std::chrono::steady_clock::now();
       const std::size_t action = decider.decide(model, place, look);
       spent_us.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - began).count());
@@ -113,11 +119,15 @@ double median_us(Decider decider, const policy::BeliefModel& model) {
 
 int main(int argc, char** argv) {
   const auto policy = host::load_unverified_policy(EARSHOT_SOURCE_DIR "/policy/frozen/shipped.policy");
+  const policy::SearchedSound paper{.vehicle_depth = Meters{300.0}, .frequency = Hertz{20.0}, .furthest = Meters{35'356.0}};
+  const std::filesystem::path shipped[] = {EARSHOT_SOURCE_DIR "/policy/tables/shipped"};
+  const host::TablesFile tables = host::tables_for(shipped, paper, "bench_decision");
+  const policy::BeliefModel& model = policy->observation.belief;
   const bool peer = argc > 1 && std::strcmp(argv[1], "peer") == 0;
   double best = 1e9;  // of five: what else the machine does only ever adds
   for (int round = 0; round < 5; ++round) {
-    best = std::min(best,
-                    peer ? median_us(PlainBayes(), policy->observation.belief) : median_us(Shipped(*policy), policy->observation.belief));
+    best = std::min(best, peer ? median_us(PlainBayes(*tables.tables), model, *tables.tables)
+                               : median_us(Shipped(*policy, *tables.tables), model, *tables.tables));
   }
   std::printf("{\"value\": %.2f}\n", best);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,7 +46,8 @@ int main(int argc, char** argv) {
   const policy::ObservationModel model{.spec = policy::memory_state(2, settings.step_length, settings.detection_threshold).value(),
                                        .belief = {}};
   const auto begin = std::chrono::steady_clock::now();
-  ppo::Trainer trainer(world, model, hyper, 1);
+  const auto no_tables = std::make_unique<policy::OceanTables>();
+  ppo::Trainer trainer(world, model, *no_tables, hyper, 1);
   trainer.train(steps, [](const search::EpisodeRecord&, std::uint64_t) { return true; });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   std::cout << R"({"name": "ppo.)" << (large_batch ? std::string(first) + "." : "") << R"(steps_per_s", "value": )"

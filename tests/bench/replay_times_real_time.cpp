@@ -15,7 +15,7 @@
 #include "firmware/boards/linux/replay/replay.hpp"
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/mission/mission_file.hpp"
-#include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/mission/mission_judge.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -28,13 +28,14 @@ constexpr int kTurns = 1'000'000;
 
 struct Flown {
   host::MissionFile file = host::load_mission(std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/boards/linux/missions/search.toml");
-  host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
+  host::SignedSearch search = host::MissionJudge().load_search(file);
   std::unique_ptr<runtime::Runtime> runtime = std::make_unique<runtime::Runtime>();
 
   Flown() {
     file.mission.max_steps = kTurns;
     file.mission.max_time = Duration::seconds(10 * std::int64_t{kTurns});
-    if (runtime->configure(file.mission, *policy.policy) != Status::kOk) throw std::runtime_error("cannot be flown");
+    if (runtime->configure(file.mission, *search.policy.policy, *search.tables.tables) != Status::kOk)
+      throw std::runtime_error("cannot be flown");
   }
 };
 
@@ -72,7 +73,8 @@ void write_journal(const std::filesystem::path& path) {
   board::PortSet ports;
   host::Journal journal(path, {.when_full = host::JournalOptions::WhenFull::kWait});
   board::MissionTurn turn(*flown.runtime, ports, journal, clock);
-  turn.record_mission(flown.file.mission, flown.policy.bytes, "a benchmark");
+  turn.record_mission(flown.file.mission,
+                      {.policy = flown.search.policy.bytes, .tables = flown.search.tables.bytes, .build = "a benchmark"});
   Vehicle vehicle;
   runtime::Outputs outputs;
   for (int i = 1; i <= kTurns; ++i) {

@@ -83,7 +83,7 @@ std::unique_ptr<policy::FrozenPolicy> policy_that_goes_north() {
   policy->network.hidden_sizes = {64, 64};
   policy->network.action_count = 2;
   policy->network.output.bias[0] = 1.0F;
-  policy::record_golden(*policy, *std::make_unique<policy::SearchMemory>());
+  policy::record_golden(*policy, *std::make_unique<policy::SearchMemory>(), *std::make_unique<policy::OceanTables>());
   return policy;
 }
 
@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
   const bool all_rules = argc < 2 || std::strcmp(argv[1], "peer") != 0;
   const auto runtime = std::make_unique<runtime::Runtime>();
   const config::Mission mission = mission_with(all_rules);
-  if (runtime->configure(mission, *policy_that_goes_north()) != Status::kOk) return 1;
+  if (runtime->configure(mission, *policy_that_goes_north(), *std::make_unique<policy::OceanTables>()) != Status::kOk) return 1;
   Time now{1'000'000'000};
   NorthEast place;
   messages::Setpoint setpoint;

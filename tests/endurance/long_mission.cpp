@@ -12,7 +12,7 @@
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/memory/heap_trap.hpp"
 #include "firmware/host/mission/mission_file.hpp"
-#include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/mission/mission_judge.hpp"
 #include "firmware/host/program/run.hpp"
 #include "tests/endurance/fast_sea.hpp"
 #include "tests/endurance/witness.hpp"
@@ -112,9 +112,9 @@ bool is_held(const Flown& f) {
 int run(const Options& options) {
   (void)test::enter_private_network();  // it would hear nobody else's missions; without the right to it, others' ports differ
   const host::MissionFile file = endless_mission();
-  const host::SignedPolicy policy = host::load_policy(file.policy, file.public_key);
+  const host::SignedSearch search = host::MissionJudge().load_search(file);
   auto runtime = std::make_unique<runtime::Runtime>();
-  if (runtime->configure(file.mission, *policy.policy) != Status::kOk)
+  if (runtime->configure(file.mission, *search.policy.policy, *search.tables.tables) != Status::kOk)
     throw host::BadInput("the mission that ships cannot be flown for so long");
 
   FastHost host;
@@ -136,7 +136,7 @@ int run(const Options& options) {
   // All the journal's work but for the disk's, which has no room for so many days.
   host::Journal journal("/dev/null", {.when_full = host::JournalOptions::WhenFull::kWait, .existing = host::ExistingJournal::kReplace});
   board::MissionTurn turn(*runtime, ports, journal, clock);
-  turn.record_mission(file.mission, policy.bytes, "endurance");
+  turn.record_mission(file.mission, {.policy = search.policy.bytes, .tables = search.tables.bytes, .build = "endurance"});
   host::touch_memory();
   const std::string unlocked = host::lock_memory();
   if (!unlocked.empty()) std::printf("%s\n", unlocked.c_str());

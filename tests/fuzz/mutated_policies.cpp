@@ -38,7 +38,8 @@ class Run {
     if (random.next() % 4 != 0) bytes = fuzz::frozen_anew(bytes);
     try {
       const host::SignedPolicy loaded = host::signed_policy_from(std::move(bytes), "a.policy", trusted_);
-      ++counts_[fuzz::flies(*loaded.policy, *runtime_, random) ? "flown within limits" : "taken, but its area has no room for its steps"];
+      ++counts_[fuzz::flies(*loaded.policy, *runtime_, random) ? "flown within limits"
+                                                               : "taken, but its area has no room for its steps, or no tables of its size"];
     } catch (const host::BadInput& refusal) {
       const std::string message = refusal.what();
       require(message.starts_with(kBegin) && message.find('\n') == std::string::npos, "a refusal is no line that begins with its file");

@@ -79,7 +79,7 @@ std::size_t float_in(const Bytes& bytes, Piece piece, Pcg32& random) {
   const std::size_t content = piece.begin + kSectionHeaderSize;
   const std::size_t size = piece.end - content;
   if (is(bytes, piece, policy::kNetworkSection)) return content + 7 + 4 * below(size / 4, random);
-  if (is(bytes, piece, policy::kBeliefSection)) return content + 20 + 4 * below(15, random);
+  if (is(bytes, piece, policy::kBeliefSection)) return content + 12 + 4 * below(7, random);
   if (is(bytes, piece, policy::kObservationSection)) return content + 28 + 10 * below(size / 10, random) + 2 + 4 * below(2, random);
   return content + below(size, random);
 }
@@ -87,7 +87,7 @@ std::size_t float_in(const Bytes& bytes, Piece piece, Pcg32& random) {
 /// Likewise of a double.
 std::size_t double_in(const Bytes& bytes, Piece piece, Pcg32& random) {
   const std::size_t content = piece.begin + kSectionHeaderSize;
-  if (is(bytes, piece, policy::kBeliefSection)) return content + 4 + 8 * below(2, random);
+  if (is(bytes, piece, policy::kBeliefSection)) return content + 4;
   if (is(bytes, piece, policy::kObservationSection)) return content + 8 * below(3, random);
   if (is(bytes, piece, policy::kActionsSection) && random.next() % 2 == 0) return content;
   return content + below(piece.end - content, random);

@@ -9,6 +9,7 @@
 #include "firmware/policy/format/policy_format.hpp"
 #include "tests/support/mission_for.hpp"
 #include "tests/support/signed_policy.hpp"
+#include "tests/support/three_oceans.hpp"
 
 namespace earshot::fuzz {
 namespace {
@@ -53,10 +54,6 @@ std::vector<Bytes> good_policies() {
   belief.detection_threshold = walk.detection_threshold;
   belief.cells_north = 12;
   belief.cells_east = 10;
-  (void)belief.hypotheses.push_back({.level_offset_db = 0.0F, .spread_db = 4.0F, .prior = 1.0F});
-  (void)belief.hypotheses.push_back({.level_offset_db = 6.0F, .spread_db = 2.0F, .prior = 2.0F});
-  belief.range_step = Meters{1'000.0};
-  for (int i = 0; i < 36; ++i) (void)belief.snr_db.push_back(static_cast<float>(30 - i));
   walk.observation.spec = policy::belief_state(belief);
   walk.network.observation_size = walk.observation.spec.size();
   Pcg32 random(5);
@@ -66,14 +63,24 @@ std::vector<Bytes> good_policies() {
   good.push_back(support::signed_bytes(walk));
   walk.draw = policy::ActionDraw::kArgmax;
   good.push_back(support::signed_bytes(walk));
+  walk.network = {};
+  walk.network.observation_size = walk.observation.spec.size();
+  walk.network.action_count = walk.actions.size();
+  good.push_back(support::signed_bytes(walk));
   return good;
 }
 
 bool flies(const policy::FrozenPolicy& policy, runtime::Runtime& runtime, Pcg32& random) {
   const config::Mission mission = support::mission_for(policy);
-  const Status configured = runtime.configure(mission, policy);
+  const auto tables = support::three_oceans(policy.area_size, mission.search_depth, mission.source_frequency);
+  const Status configured = runtime.configure(mission, policy, *tables);
   if (config::check(mission) != Status::kOk) {
     require(configured == Status::kOutOfRange, "a mission without room to search was taken");
+    return false;
+  }
+  // An area may be so wide, or so narrow, that no tables can be.
+  if (policy::needs_belief(policy.observation.spec) && !policy::are_usable(*tables, policy::searched_sound(mission))) {
+    require(configured == Status::kOutOfRange, "tables that do not reach across the area were taken");
     return false;
   }
   require(configured == Status::kOk, "the runtime refused what the loader took");

@@ -190,8 +190,8 @@ int main(int argc, char** argv) {
     return made;
   }();
   const search::World world = search::assemble(plan.scenario, plan.search, plan.mission.mission.search_depth);
-  const host::SignedPolicy policy = host::load_policy(plan.mission.policy, plan.mission.public_key);
-  const hearing::Rig rig{.plan = plan, .world = world, .policy = *policy.policy};
+  const host::SignedSearch flown = host::MissionJudge().load_search(plan.mission);
+  const hearing::Rig rig{.plan = plan, .world = world, .flown = flown};
   std::vector<detector::SoundSettings> detectors;
   for (const double integration_s : kIntegrations_s) detectors.push_back(listening_of(*plan.mission.hearing, integration_s));
   const int seeds = argc > 5 ? std::atoi(argv[5]) : 100;

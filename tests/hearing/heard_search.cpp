@@ -71,12 +71,13 @@ class Flight {
  public:
   Flight(const Rig& rig, const std::vector<detector::SoundSettings>& detectors, std::uint64_t seed)
       : rig_(rig), runtime_(std::make_unique<runtime::Runtime>()), score_(rig.plan.search) {
-    if (runtime_->configure(rig.plan.mission.mission, rig.policy) != Status::kOk) std::abort();
+    if (runtime_->configure(rig.plan.mission.mission, *rig.flown.policy.policy, *rig.flown.tables.tables) != Status::kOk) std::abort();
     const search::World calm(rig.world.settings, rig.world.expected());
     Pcg32 random(seed);
     search::Episode episode;
     const policy::ObservationModel sees_nothing;
-    episode.start(calm, sees_nothing, random);
+    const auto no_tables = std::make_unique<policy::OceanTables>();
+    episode.start(calm, sees_nothing, *no_tables, random);
     const config::Mission& mission = rig.plan.mission.mission;
     vehicle_ = {.position = episode.position(),
                 .depth = mission.search_depth,

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "firmware/detector/hydrophone/settings.hpp"
-#include "firmware/host/mission/policy_file.hpp"
+#include "firmware/host/mission/mission_judge.hpp"
 #include "sim/apps/fly/flight_plan.hpp"
 #include "sim/search/scenario/world.hpp"
 
@@ -29,7 +29,7 @@ struct Search {
 struct Rig {
   const fly::FlightPlan& plan;
   const search::World& world;
-  const policy::FrozenPolicy& policy;
+  const host::SignedSearch& flown;  ///< policy and ocean tables
 };
 
 /// A search in one process, without buses: source and start as `sim/fly` has them of this seed. The policy flies on the first detector's

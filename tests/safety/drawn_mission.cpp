@@ -133,7 +133,7 @@ std::unique_ptr<policy::FrozenPolicy> policy_of(const config::Mission& mission, 
   } else {
     policy->network.output.bias[1 + draw.index(3)] = 50.0F;
   }
-  policy::record_golden(*policy, *std::make_unique<policy::SearchMemory>());
+  policy::record_golden(*policy, *std::make_unique<policy::SearchMemory>(), *std::make_unique<policy::OceanTables>());
   return policy;
 }
 

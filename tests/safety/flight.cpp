@@ -44,7 +44,8 @@ class Flight {
       : drawn_(drawn), vehicle_(drawn.start, drawn.vehicle, drawn.mission.safety.vehicle.ascent_speed.value) {}
 
   FlightResult fly() {
-    if (runtime_->configure(drawn_.mission, *drawn_.policy) != Status::kOk) return {.broken = "the mission is refused"};
+    if (runtime_->configure(drawn_.mission, *drawn_.policy, *std::make_unique<policy::OceanTables>()) != Status::kOk)
+      return {.broken = "the mission is refused"};
     const double leg_s = drawn_.mission.step_length.value / drawn_.mission.search_speed.value;
     // A way home may be longer than all steps of a short search.
     const double way_home_s = 40.0 *

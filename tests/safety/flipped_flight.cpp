@@ -23,9 +23,11 @@ struct FirstMembers {
   bool configured;
   config::Mission mission;
   policy::FrozenPolicy policy;
+  policy::OceanTables tables;
   policy::SearchMemory memory;
 };
 constexpr std::size_t kPolicy = offsetof(FirstMembers, policy);
+constexpr std::size_t kTables = offsetof(FirstMembers, tables);
 constexpr std::size_t kMemory = offsetof(FirstMembers, memory);
 constexpr std::size_t kState = sizeof(FirstMembers);
 static_assert(kState < sizeof(runtime::Runtime));
@@ -46,7 +48,8 @@ bool FlippedFlight::flies_to_moment(int turns) {
                                            .vehicle = {drawn_.start, drawn_.vehicle, drawn_.mission.safety.vehicle.ascent_speed.value},
                                            .now = Time{1'000'000'000},
                                            .outputs = {}});
-  if (begin_->runtime.configure(drawn_.mission, *drawn_.policy) != Status::kOk) throw std::logic_error("the mission is refused");
+  if (begin_->runtime.configure(drawn_.mission, *drawn_.policy, *std::make_unique<policy::OceanTables>()) != Status::kOk)
+    throw std::logic_error("the mission is refused");
   turn(*begin_);
   begin_->runtime.take(
       {.arrival = begin_->now,
@@ -83,7 +86,8 @@ std::uint64_t FlippedFlight::drawn_bit(Part part, double share) const {
 std::string_view FlippedFlight::name_of(std::uint64_t bit) const {
   const std::size_t place = bit / 8;
   if (place < kPolicy) return "mission and limits";
-  if (place < kMemory) return "policy";
+  if (place < kTables) return "policy";
+  if (place < kMemory) return "ocean tables";
   return place < kState ? "what the search remembers" : "state, latches, timers, their twins";
 }
 

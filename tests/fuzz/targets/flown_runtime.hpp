@@ -47,7 +47,9 @@ class FlownRuntime {
   static const runtime::Runtime& configured() {
     static const std::unique_ptr<const runtime::Runtime> runtime = [] {
       auto made = std::make_unique<runtime::Runtime>();
-      require(made->configure(mission(), support::random_walk_policy()) == Status::kOk, "the runtime does not take its mission");
+      const auto no_tables = std::make_unique<policy::OceanTables>();
+      require(made->configure(mission(), support::random_walk_policy(), *no_tables) == Status::kOk,
+              "the runtime does not take its mission");
       return made;
     }();
     return *runtime;

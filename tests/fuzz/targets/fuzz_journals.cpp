@@ -1,8 +1,8 @@
 // Journals, read record by record, given to a runtime again, and gone on with as after a power cut.
 //
-// The input is a row of changes to a good journal of a mission, its policy and some inputs (see spoil()), each with a first byte before it:
-// when that is odd, the checksum of every record that still begins as one is mended, so that what it holds is read. A first byte of 0xFF
-// cuts the file off, at the place that follows (2 bytes).
+// The input is a row of changes to a good journal of a mission, its policy, its ocean tables and some inputs (see spoil()), each with a
+// first byte before it: when that is odd, the checksum of every record that still begins as one is mended, so that what it holds is read. A
+// first byte of 0xFF cuts the file off, at the place that follows (2 bytes).
 
 #include <algorithm>
 #include <filesystem>
@@ -20,25 +20,31 @@
 #include "firmware/host/journal/journal.hpp"
 #include "firmware/host/journal/journal_format.hpp"
 #include "firmware/host/journal/journal_reader.hpp"
+#include "firmware/policy/format/policy_format.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/lc02.hpp"
+#include "tests/fuzz/policy_flight.hpp"
 #include "tests/fuzz/targets/fuzz_target.hpp"
 #include "tests/support/mission_for.hpp"
 #include "tests/support/signed_policy.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/three_oceans.hpp"
 
 namespace earshot::fuzz {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
 Bytes good_journal(const std::filesystem::path& path) {
-  const policy::FrozenPolicy policy = support::random_walk_policy();
-  const Bytes policy_bytes = support::signed_bytes(policy);
-  mission_t mission = wire::to_message(support::mission_for(policy), Time{});
+  const Bytes policy_bytes = good_policies().back();
+  policy::FrozenPolicy policy;
+  policy::PolicyComplaint complaint;
+  require(policy::parse(policy_bytes, policy, complaint) == Status::kOk, "a good policy is none");
+  const config::Mission flown = support::mission_for(policy);
+  const Bytes tables_bytes = support::signed_bytes(*support::three_oceans(policy.area_size, flown.search_depth, flown.source_frequency));
+  mission_t mission = wire::to_message(flown, Time{});
   mission.policy_crc32 = static_cast<std::int32_t>(crc32(policy_bytes));
+  mission.tables_crc32 = static_cast<std::int32_t>(crc32(tables_bytes));
   {
     host::Journal journal(path, {.when_full = host::JournalOptions::WhenFull::kWait});
     const auto append = [&](Time time, std::string_view channel, std::span<const std::uint8_t> data) {
@@ -46,6 +52,7 @@ Bytes good_journal(const std::filesystem::path& path) {
     };
     append(Time{}, wire::kMissionChannel, wire::Encoded(mission).bytes());
     append(Time{}, wire::kPolicyChannel, policy_bytes);
+    append(Time{}, wire::kTablesChannel, tables_bytes);
     const Time now{1'000'000};
     const auto take = [&](const auto& value) {
       const wire::InputRecord record({.arrival = now, .port = 0, .sequence = 0, .value = value});
