@@ -7,6 +7,7 @@
 
 #include "policy/baselines/moves.hpp"
 #include "sim/search/actions/compass_directions.hpp"
+#include "sim/search/told_ocean.hpp"
 
 namespace earshot::baselines {
 namespace {
@@ -26,16 +27,18 @@ constexpr policy::Reception kNothing{.snr = Decibels{3.0}, .too_faint = true};
 
 class InfotaxisTest : public testing::Test {
  protected:
-  static PriorKnowledge prior_with(const sonar::SnrCurve& curve) {
-    return {.settings = {}, .actions = search::compass_directions(8), .snr = curve};
+  PriorKnowledge prior_with(const sonar::SnrCurve& curve) {
+    search::make_told_ocean({}, curve, tables_);
+    return {.settings = {}, .actions = search::compass_directions(8), .snr = curve, .oceans = tables_};
   }
   static std::size_t choice(Infotaxis& searcher, NorthEast position, policy::Reception reception) {
     return searcher.choose({.position = position, .reception = reception, .vehicle = {}, .source = {}});
   }
+
+  policy::OceanTables tables_;
 };
 
-/// Nothing is heard anywhere, which leaves all places that the vehicle has not been to as likely as another, whatever the hypothesis; and
-/// nothing will be.
+/// Nothing is heard anywhere, which leaves all places as likely as another, whatever the hypothesis; and nothing will be.
 TEST_F(InfotaxisTest, ExpectsInSilenceThatAStepClearsItsSurroundingsOnly) {
   const sonar::SnrCurve silent(Meters{1'000.0}, {-60.0F, -60.0F});
   const PriorKnowledge prior = prior_with(silent);
@@ -43,11 +46,10 @@ TEST_F(InfotaxisTest, ExpectsInSilenceThatAStepClearsItsSurroundingsOnly) {
   searcher.begin(Pcg32(1));
   static_cast<void>(choice(searcher, at(12'500, 12'500), kNothing));
   // 625 places of a square kilometre, about 3.1 of which a circle of a kilometre covers; the mean distance from the middle of a square of
-  // side s to a point of it is 0.3826 s. A step of a kilometre clears as much again, but for 0.391 of it, where the circles overlap.
+  // side s to a point of it is 0.3826 s.
   const double cleared = 3.1416;
-  const double next = (1.0 - 0.391) * cleared;
-  const double left = 1.0 - next / (625.0 - cleared);
-  const double entropy = std::log2(625.0 - cleared - next);
+  const double left = 1.0 - cleared / 625.0;
+  const double entropy = std::log2(625.0 - cleared);
   const double expected = left * std::log2(0.3826 * 25.0 + std::exp2(entropy - 2.0) - 0.5);
   // The distance from a place a step from the middle, and the edges of the circles, are not those to 0.5 %.
   EXPECT_NEAR(searcher.expected_cost(at(13'500, 12'500)), expected, 0.03);
