@@ -139,7 +139,7 @@ TEST_F(SeveralWorlds, AreDrawnForEveryEpisodeFromItsEnvironmentsOwnStreamBeforeI
   settings.max_steps = 5;
   const std::vector<World> all = worlds();
   constexpr std::size_t kCount = 3;
-  VectorSearch search(all, model, tables, kCount, 9, 4);
+  VectorSearch search(all, model, kNoOceans, kCount, 9, 4);
   std::vector<Pcg32> random;
   std::vector<Episode> episodes(kCount);
   std::array<std::size_t, kCount> in{};
@@ -147,7 +147,7 @@ TEST_F(SeveralWorlds, AreDrawnForEveryEpisodeFromItsEnvironmentsOwnStreamBeforeI
   const auto start = [&](std::size_t e) {
     in[e] = random[e].next() % all.size();
     ++met[in[e]];
-    episodes[e].start(all[in[e]], model, tables, random[e]);
+    episodes[e].start(all[in[e]], model, kNoOceans, random[e]);
   };
   for (std::size_t e = 0; e < kCount; ++e) {
     random.emplace_back(9, 4 + e);
@@ -175,14 +175,14 @@ TEST_F(SeveralWorlds, AreDrawnForEveryEpisodeFromItsEnvironmentsOwnStreamBeforeI
 TEST_F(SeveralWorlds, AreThoseOfBeforeWhereASearchGoesOnFromItsScripts) {
   settings.max_steps = 7;
   const std::vector<World> all = worlds();
-  VectorSearch uninterrupted(all, model, tables, 5, 3);
+  VectorSearch uninterrupted(all, model, kNoOceans, 5, 3);
   const auto step = [](VectorSearch& environments, std::size_t t) {
     std::array<std::size_t, 5> actions{};
     for (std::size_t e = 0; e < actions.size(); ++e) actions[e] = (3 * t + e) % 8;
     environments.step(actions);
   };
   for (std::size_t t = 0; t < 24; ++t) step(uninterrupted, t);
-  VectorSearch resumed(all, model, tables, 5, 99);
+  VectorSearch resumed(all, model, kNoOceans, 5, 99);
   ASSERT_TRUE(resumed.resume(uninterrupted.scripts()));
   for (std::size_t t = 24; t < 60; ++t) {
     for (std::size_t e = 0; e < 5; ++e) {
