@@ -34,6 +34,7 @@
 #include "sim/plot/gnuplot.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/world.hpp"
+#include "sim/search/told_ocean.hpp"
 
 namespace {
 
@@ -78,7 +79,7 @@ void add_options(program::CommandLine& line, Options& o) {
                          .listening = "what the .policy files have, newest when none is evaluated"});
   line.option("--tables", &o.tables,
               "oceans that policies and ocean_search think possible (.tables, or folders of them); of several those for a world's depth and "
-              "frequency; default: those that ship");
+              "frequency; default: those that ship, or where these are of another depth or frequency the environment alone");
   line.option("--episodes", &o.episodes, "searches to fly in each world").shows_default().from(1, 100'000'000);
   line.option("--seed", &o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
   line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way")
@@ -250,6 +251,17 @@ std::vector<host::TablesFile> tables_of(const std::vector<std::string>& named) {
   return host::read_tables_files(files);
 }
 
+/// The oceans that are believed possible in a world: of the tables given. Of those that ship none may be of its depth and frequency: null.
+const policy::OceanTables* oceans_for(const evaluate::WorldFile& world, const policy::SearchedSound& sound, const Common& common) {
+  const bool is_covered = std::ranges::any_of(common.tables, [&sound](const host::TablesFile& file) {
+    return policy::coverage(*file.tables, sound) == policy::Coverage::kCovered;
+  });
+  if (is_covered || !common.options.tables.empty()) return host::tables_for(common.tables, sound, "--tables: world " + world.name).tables.get();
+  std::cerr << "earshot evaluate: warning: " << host::printable(world.name) << ": no tables that ship are of " << sound.frequency.value << " Hz and "
+            << sound.vehicle_depth.value << " m: only the environment's own ocean is thought possible (--tables names others)\n";
+  return nullptr;
+}
+
 /// Flies every candidate in every world, and prints the table of each world. @return on rank 0 the rows; elsewhere nothing
 std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> worlds, std::span<const evaluate::Candidate> candidates,
                                       const Common& common, parallel::Ranks& ranks, evaluate::PathTable& paths) {
@@ -263,9 +275,11 @@ std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> world
     believed.source.frequency = world.scenario.environment.source.frequency;
     const sonar::SnrCurve expected = command_line::curve_for(believed, depth, common.settings);
     const Meters diagonal = range_between(common.settings.domain.south_west, common.settings.domain.north_east);
-    const host::TablesFile& oceans = host::tables_for(
-        common.tables, {.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal}, "--tables: world " + world.name);
-    const evaluate::Trial trial{world, assembled, expected, *oceans.tables, o.episodes, common.draw};
+    policy::OceanTables told;
+    const policy::SearchedSound sound{.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal};
+    const policy::OceanTables* const oceans = oceans_for(world, sound, common);
+    if (oceans == nullptr) search::make_told_ocean(common.settings, expected, told);
+    const evaluate::Trial trial{world, assembled, expected, oceans != nullptr ? *oceans : told, o.episodes, common.draw};
     const evaluate::Pace pace = evaluate::pace_of(assembled);
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {

@@ -112,6 +112,9 @@ TrainingRun load_run(const std::filesystem::path& path) {
   if (root.has("worlds")) {
     for (const std::string& world : root.texts("worlds")) run.worlds.push_back(file.resolve(world));
   }
+  if (root.has("tables")) {
+    for (const std::string& tables : root.texts("tables")) run.tables.push_back(file.resolve(tables));
+  }
   run.vehicle_depth = Meters{root.number_or("vehicle_depth_m", run.vehicle_depth.value, Range::above_up_to(0.0, kDeepest_m))};
   run.state = static_cast<description::State>(root.choice_or("state", 0, {description::kStates.begin(), description::kStates.end()}));
   run.remembered_steps = read_size(root, "remembered_steps", run.remembered_steps, 1, config::kMaxRememberedSteps);

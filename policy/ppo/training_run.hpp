@@ -32,6 +32,8 @@ struct TrainingRun {
   std::filesystem::path environment;  ///< environment file; its source position is the fixed source
   /// World files, and folders of them: every episode is in one of these worlds; none: in the environment's own ocean and conditions.
   std::vector<std::filesystem::path> worlds = {};
+  /// Ocean tables, and folders of them, of which one is searched by; none: by the environment's own ocean alone.
+  std::vector<std::filesystem::path> tables = {};
   Meters vehicle_depth{300.0};  ///< of the hydrophone, > 0
   search::SearchSettings search;
   Start start = Start::kRegion;

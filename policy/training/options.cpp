@@ -61,6 +61,9 @@ void TrainOptions::add_to(program::CommandLine& line) {
   line.option("--world", &worlds,
               "world file, or folder of them, such as policy/worlds/generate draws: every episode is in one of these, drawn when it starts "
               "(the environment itself)");
+  line.option("--tables", &tables,
+              "oceans that a belief thinks possible (.tables, or folders of them, of which one is of the vehicle's depth and the source's "
+              "frequency); the environment's alone");
   world.add_to(line, {.source = "fixed", .start = "domain", .listening = "what RUN says, else newest"});
   line.option(
           "--state", &state,
@@ -92,6 +95,7 @@ void TrainOptions::resolve(const std::filesystem::path& directory) {
     if (*path) *path = (directory / **path).string();
   }
   for (std::string& path : worlds) path = (directory / path).string();
+  for (std::string& path : tables) path = (directory / path).string();
 }
 
 TrainOptions options_from(const std::vector<std::string>& arguments) {
@@ -106,6 +110,7 @@ ppo::TrainingRun settled(const TrainOptions& options) {
   ppo::TrainingRun run = options.run_file ? ppo::load_run(*options.run_file) : ppo::TrainingRun{};
   if (options.world.environment) run.environment = *options.world.environment;
   if (!options.worlds.empty()) run.worlds.assign(options.worlds.begin(), options.worlds.end());
+  if (!options.tables.empty()) run.tables.assign(options.tables.begin(), options.tables.end());
   if (options.world.vehicle_depth_m) run.vehicle_depth = Meters{*options.world.vehicle_depth_m};
   if (options.state) run.state = description::state_named(*options.state).value();
   if (options.remembered_steps) run.remembered_steps = *options.remembered_steps;

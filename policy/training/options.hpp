@@ -22,6 +22,7 @@ struct TrainOptions {
   std::optional<std::uint64_t> checkpoint_every;  ///< steps
   command_line::ScenarioOptions world;
   std::vector<std::string> worlds;  ///< files, and folders of them
+  std::vector<std::string> tables;  ///< likewise
   std::optional<std::string> state;
   std::optional<std::size_t> remembered_steps;
   std::optional<std::uint64_t> episodes;

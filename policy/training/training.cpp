@@ -6,8 +6,10 @@
 #include <sstream>
 #include <utility>
 
+#include "firmware/core/crc32.hpp"
 #include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/file/input_file.hpp"
+#include "firmware/host/policy/tables_choice.hpp"
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/version.hpp"
 #include "firmware/host/toml/table_reader.hpp"
@@ -30,13 +32,14 @@ using host::BadInput;
 /// CRC-32 of everything that shapes a training except its length. The run file counts as a whole, because its reader may leave something
 /// out of describe().
 std::uint32_t settings_crc32(const TrainOptions& options, const ppo::TrainingRun& run, const ocean::Environment& environment,
-                             const TrainingWorlds& drawn_from) {
+                             const TrainingWorlds& drawn_from, std::uint32_t tables_crc32) {
   std::ostringstream all;
   for (const auto& [name, value] : ppo::describe(run)) {
     if (name != ppo::kDecayStepsName) all << name << " = " << value << '\n';  // how long
   }
   all << environment.file_crc32 << '\n';
   if (!drawn_from.worlds.empty()) all << drawn_from.crc32 << '\n';
+  if (tables_crc32 != 0) all << tables_crc32 << '\n';
   if (options.run_file) all << host::read_text(*options.run_file, host::kTomlFile);
   return host::crc32_of(all.str());
 }
@@ -69,6 +72,7 @@ struct Training::Parts {
   TrainingWorlds drawn_from;  ///< empty: that one
   policy::ObservationModel model;
   policy::OceanTables tables;
+  std::uint32_t tables_crc32 = 0;  ///< 0: the environment's ocean
   ppo::Trainer trainer;
   LearningCurve curve;
   std::uint32_t settings_crc32;
@@ -83,7 +87,7 @@ struct Training::Parts {
         model(ppo::observation_of(run)),
         trainer(worlds(), model, believed_oceans(), run.hyper, run.seed, ranks),
         curve(job.resumed ? earlier_curve(job.earlier_curve, *job.resumed->continuation) : LearningCurve{}),
-        settings_crc32(training::settings_crc32(job.options, run, scenario.environment, drawn_from)) {}
+        settings_crc32(training::settings_crc32(job.options, run, scenario.environment, drawn_from, tables_crc32)) {}
 
   search::World settle_search() {
     run.search.source = scenario.environment.source.position;
@@ -96,9 +100,17 @@ struct Training::Parts {
     return search::assemble(scenario, run.search, run.vehicle_depth);
   }
 
-  /// The environment's alone.
   const policy::OceanTables& believed_oceans() {
-    search::make_told_ocean(run.search, world.expected(), tables);
+    if (run.tables.empty()) {
+      search::make_told_ocean(run.search, world.expected(), tables);
+      return tables;
+    }
+    const policy::SearchedSound sound{.vehicle_depth = run.vehicle_depth,
+                                      .frequency = scenario.environment.source.frequency,
+                                      .furthest = range_between(run.search.domain.south_west, run.search.domain.north_east)};
+    const host::TablesFile file = host::tables_for(run.tables, sound, "--tables, tables: the training");
+    tables = *file.tables;
+    tables_crc32 = crc32(file.bytes);
     return tables;
   }
 
@@ -127,7 +139,7 @@ void Training::Parts::resume() {
   const ppo::Continuation& continuation = *job.resumed->continuation;
   if (continuation.settings_crc32 != settings_crc32) {
     throw BadInput(job.resumed_file.string() + ": cannot go on: its environment" + (job.options.run_file ? " or run file" : "") +
-                   (drawn_from.worlds.empty() ? "" : " or one of its worlds") + " is not what it was, or the program's defaults are not");
+                   (drawn_from.worlds.empty() ? "" : " or one of its worlds") + (tables_crc32 == 0 ? "" : " or its ocean tables") + " is not what it was, or the program's defaults are not");
   }
   if (continuation.state.workers.size() != ranks.size()) {
     throw BadInput(job.resumed_file.string() + ": was trained by " + std::to_string(continuation.state.workers.size()) +
@@ -161,6 +173,7 @@ ppo::Checkpoint Training::Parts::checkpoint(ppo::TrainingState state) const {
     checkpoint.provenance.emplace_back("worlds", std::to_string(drawn_from.worlds.size()));
     checkpoint.provenance.emplace_back("worlds_crc32", host::crc32_text(drawn_from.crc32));
   }
+  if (tables_crc32 != 0) checkpoint.provenance.emplace_back("tables_crc32", host::crc32_text(tables_crc32));
   for (auto& line : description::source_place_lines(run.search)) checkpoint.provenance.push_back(std::move(line));
   if (ranks.size() > 1) checkpoint.provenance.emplace_back("ranks", std::to_string(ranks.size()));
   const auto settings = ppo::describe(run);

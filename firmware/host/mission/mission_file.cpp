@@ -10,7 +10,6 @@
 
 #include "firmware/config/capacities.hpp"
 #include "firmware/host/file/printable.hpp"
-#include "firmware/host/file/shipped.hpp"
 #include "firmware/host/listening/listening_words.hpp"
 #include "firmware/host/mission/hydrophone_table.hpp"
 #include "firmware/host/mission/n2k_table.hpp"
@@ -259,13 +258,9 @@ void require_named(const std::filesystem::path& path, const std::string& named_a
                  ": no such file; relative paths are relative to the mission's folder, " + option + " names another");
 }
 
-/// Where a mission names none, those that ship.
 void read_tables(TableReader policy, const TomlFile& toml, MissionFile& file) {
   constexpr const char* kKey = "tables";
-  if (!policy.has(kKey)) {
-    file.tables = shipped("policy/tables/shipped");
-    return;
-  }
+  if (!policy.has(kKey)) return;
   file.tables = toml.resolve(policy.text(kKey));
   file.tables_named_at = policy.place_of(kKey);
 }

@@ -33,7 +33,8 @@ struct MissionFile {
   std::optional<CommandKey> command_key;           ///< of those who may command the vehicle
   std::filesystem::path command_key_file;          ///< that it stands in
   std::filesystem::path policy;
-  std::filesystem::path tables;  ///< of the oceans that are possible there: a file, or a folder of which one covers the mission
+  std::filesystem::path tables;  ///< of the oceans that are possible there: a file, or a folder of which one covers the mission; empty:
+                                 ///< those that ship
   std::filesystem::path public_key;
   std::string policy_named_at;      ///< "search.toml:31: policy.file"; empty: somewhere else
   std::string tables_named_at;      ///< the same

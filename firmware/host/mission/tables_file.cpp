@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/shipped.hpp"
 #include "firmware/host/policy/tables_bytes.hpp"
 #include "firmware/host/trust/signed_bytes.hpp"
 
@@ -70,7 +71,8 @@ void require_coverage(const policy::OceanTables& tables, const std::filesystem::
 TablesFile tables_of(const std::filesystem::path& named, const policy::FrozenPolicy& policy, const config::Mission& mission,
                      const std::filesystem::path& mission_path) {
   if (!policy::needs_belief(policy.observation.spec)) return {.path = {}, .bytes = {}, .tables = std::make_unique<policy::OceanTables>()};
-  return tables_for(std::vector{named}, policy::searched_sound(mission), named.string() + ": the mission " + mission_path.string());
+  const std::filesystem::path tables = named.empty() ? shipped("policy/tables/shipped") : named;
+  return tables_for(std::vector{tables}, policy::searched_sound(mission), tables.string() + ": the mission " + mission_path.string());
 }
 
 }  // namespace earshot::host

@@ -38,7 +38,7 @@ void require_coverage(const policy::OceanTables& tables, const std::filesystem::
 
 /// The tables by which a policy searches in a mission. Nobody has looked at their signature. A policy that holds no belief needs none: no
 /// path then, no bytes, and no ocean.
-/// @param named         a file, or a folder of which one must cover the mission
+/// @param named         a file, or a folder of which one must cover the mission; empty: the folder of those that ship
 /// @param mission_path  for the message
 /// @throws BadInput as tables_for()
 [[nodiscard]] TablesFile tables_of(const std::filesystem::path& named, const policy::FrozenPolicy& policy, const config::Mission& mission,

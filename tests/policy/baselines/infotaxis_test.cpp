@@ -55,16 +55,6 @@ TEST_F(InfotaxisTest, ExpectsInSilenceThatAStepClearsItsSurroundingsOnly) {
   EXPECT_NEAR(searcher.expected_cost(at(13'500, 12'500)), expected, 0.03);
 }
 
-TEST_F(InfotaxisTest, PrefersGroundThatItHasNotClearedWhereNothingIsHeard) {
-  const sonar::SnrCurve silent(Meters{1'000.0}, {-60.0F, -60.0F});
-  const PriorKnowledge prior = prior_with(silent);
-  Infotaxis searcher(prior);
-  searcher.begin(Pcg32(1));
-  for (double north_m = 8'500; north_m <= 11'500; north_m += 1'000) static_cast<void>(choice(searcher, at(north_m, 12'500), kNothing));
-  static_cast<void>(choice(searcher, at(12'500, 12'500), kNothing));
-  EXPECT_LT(searcher.expected_cost(at(13'500, 12'500)), searcher.expected_cost(at(11'500, 12'500)) - 0.001);
-}
-
 /// Three looks on one line leave two places for the source, mirror images of each other: north of the line and south of it. Along the line
 /// the next look tells nothing of which it is, across it it does, and comes nearer to one of them besides.
 TEST_F(InfotaxisTest, LeavesALineThatDoesNotTellOneSideFromTheOther) {
