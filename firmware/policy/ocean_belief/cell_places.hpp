@@ -23,7 +23,8 @@ class CellPlaces {
   /// @param range_step  > 0
   /// @param last      the last range of the tables
   /// @param ranges    [north x east]; the result
-  void find_ranges(const BeliefModel& model, NorthEast position, Meters range_step, std::size_t last, std::span<std::uint16_t> ranges) const;
+  void find_ranges(const BeliefModel& model, NorthEast position, Meters range_step, std::size_t last,
+                   std::span<std::uint16_t> ranges) const;
 
   /// In which cell of the area at that corner the centre of every cell lies; outside, in the nearest.
   /// @param cells  [north x east]; the result

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "firmware/policy/likelihood/belief_grid.hpp"
+#include "firmware/policy/ocean_belief/cell_places.hpp"
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
 #include "tests/firmware/policy/ocean_belief/ocean_rig.hpp"
 
@@ -64,8 +65,7 @@ TEST_F(HypothesisBlockTest, StartsWithEveryPlaceAsLikelyUnderEveryHypothesis) {
   EXPECT_FALSE(block->holds({.level = 1}));
 }
 
-/// Bayes' rule with every factor written out, in long double: two looks from within, which cover cells, and two from without, one of them
-/// too faint.
+/// Bayes' rule with every factor written out, in long double: two looks from within and two from without, one of them too faint.
 TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
   const BeliefModel model = small_model();
   OceanTables tables = no_tables(kSmallRanges);
@@ -86,8 +86,10 @@ TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
   block->start(model, kHypotheses, PlacePrior{});
   LaneLikelihoods likelihoods;
   std::vector<std::uint16_t> ranges(400);
+  CellPlaces places_of_cells;
+  places_of_cells.find(model, {}, 0, {});
   for (const auto& [place, reception] : looks) {
-    find_ranges(model, place, tables.range_step, kSmallRanges - 1U, ranges);
+    places_of_cells.find_ranges(model, place, tables.range_step, kSmallRanges - 1U, ranges);
     likelihoods.tabulate(model, tables, kHypotheses, reception);
     block->weigh(model, kAllLanes, likelihoods.by_range(tables), ranges);
   }
