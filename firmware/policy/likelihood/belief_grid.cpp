@@ -26,25 +26,6 @@ NorthEast way_to_cell(const BeliefModel& model, NorthEast position, std::size_t 
           .east = centre(cell % model.cells_east, cell_east(model)) - position.east};
 }
 
-EARSHOT_WIDE void find_ranges(const BeliefModel& model, NorthEast position, Meters range_step, std::size_t last,
-                              std::span<std::uint16_t> ranges) {
-  const auto size_north = static_cast<float>(cell_north(model) / range_step.value);
-  const auto size_east = static_cast<float>(cell_east(model) / range_step.value);
-  const auto vehicle_north = static_cast<float>(position.north / range_step);
-  const auto vehicle_east = static_cast<float>(position.east / range_step);
-  const auto furthest = static_cast<float>(last);
-  const int columns = model.cells_east;  // a copy: what is written below could otherwise be it
-  for (std::size_t n = 0; n < model.cells_north; ++n) {
-    const float north = (static_cast<float>(n) + 0.5F) * size_north - vehicle_north;
-    std::uint16_t* const row = &ranges[n * model.cells_east];
-    for (int e = 0; e < columns; ++e) {
-      const float east = (static_cast<float>(e) + 0.5F) * size_east - vehicle_east;
-      const float range = __builtin_sqrtf(north * north + east * east);
-      row[e] = static_cast<std::uint16_t>(static_cast<int>((range < furthest ? range : furthest) + 0.5F));
-    }
-  }
-}
-
 std::size_t half_cell(const BeliefModel& model, Meters range_step, std::size_t ranges) {
   const double cell = std::max(cell_north(model), cell_east(model));
   return std::min(static_cast<std::size_t>(0.5 * cell / range_step.value), ranges - 1);

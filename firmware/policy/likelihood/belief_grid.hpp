@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "firmware/core/geometry.hpp"
@@ -17,13 +16,6 @@ namespace earshot::policy {
 
 /// From the vehicle to the centre of a cell. @param cell  index in [north x east]
 [[nodiscard]] NorthEast way_to_cell(const BeliefModel& model, NorthEast position, std::size_t cell);
-
-/// Range from the vehicle to the centre of every cell, in range steps, rounded; at most the last.
-/// @param position  of the vehicle, relative to the area's south-west corner
-/// @param range_step  > 0
-/// @param last      the last range of the tables
-/// @param ranges    [north x east]; the result
-void find_ranges(const BeliefModel& model, NorthEast position, Meters range_step, std::size_t last, std::span<std::uint16_t> ranges);
 
 /// Range steps in half a cell, less than `ranges`: a likelihood is smoothed by as much, for a cell lies at many ranges at once.
 [[nodiscard]] std::size_t half_cell(const BeliefModel& model, Meters range_step, std::size_t ranges);

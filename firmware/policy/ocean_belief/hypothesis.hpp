@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "firmware/core/random.hpp"
+#include "firmware/policy/ocean_belief/drift.hpp"
 #include "firmware/policy/tables/ocean_tables.hpp"
 
 namespace earshot::policy {
@@ -16,6 +17,7 @@ struct Hypothesis {
   std::uint8_t spread = 2;    ///< index of kSpreads_db
   std::uint8_t silence = 0;   ///< index of kSilenceShares
   std::uint8_t mobility = 0;  ///< index of kMobilities
+  Drift drift = {};
   friend constexpr bool operator==(const Hypothesis&, const Hypothesis&) = default;
 };
 
@@ -26,8 +28,7 @@ inline constexpr std::array<float, 4> kSpreads_db{1.0F, 2.0F, 4.0F, 7.0F};
 /// Share of the looks that meet a pause in the call.
 inline constexpr std::array<float, 4> kSilenceShares{0.0F, 0.25F, 0.5F, 0.75F};
 
-/// How the source may move between two looks, as navigation sees it: because it swims, or because a current that navigation does not see
-/// carries the vehicle.
+/// How the source may move between two looks, besides its drift: this way and that.
 struct Mobility {
   std::uint8_t cells;    ///< how far at most, in either direction
   std::int16_t penalty;  ///< of each of them, log weight

@@ -13,11 +13,20 @@ namespace {
 constexpr std::int16_t kNever = -18'000;
 static_assert(kNever < kForgotten && kForgotten + kNever >= -32'768);
 
+/// Of a cell whose probability is worth adding, one by one: a millionth of the likeliest cell's.
+constexpr int kLeastAdded = -20 * kOctave;
+
 using IntLanes = std::int32_t __attribute__((vector_size(4 * kLanes)));
 using VectorLanes = float __attribute__((vector_size(4 * kLanes)));
 
 LogLanes all(std::int16_t value) {
   return LogLanes{} + value;
+}
+
+LogLanes every_bit_of(const Lanes& lanes) {
+  LogLanes bits;
+  for (std::size_t l = 0; l < kLanes; ++l) bits[l] = lanes[l] ? -1 : 0;
+  return bits;
 }
 
 LogLanes max(const LogLanes& a, const LogLanes& b) {
@@ -79,14 +88,15 @@ EARSHOT_WIDE void HypothesisBlock::let_move(const BeliefModel& model) {
   for (std::size_t l = 0; l < kLanes; ++l) scale_[l] -= to_log(after[l]) - to_log(before[l]);
 }
 
-EARSHOT_WIDE void HypothesisBlock::weigh(const BeliefModel& model, std::span<const LogLanes> log_likelihoods,
+EARSHOT_WIDE void HypothesisBlock::weigh(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> log_likelihoods,
                                          std::span<const std::uint16_t> ranges) {
   const std::size_t cells = cell_count(model);
+  const LogLanes taken = every_bit_of(lanes);
   const LogLanes before = highest_;
   const LogLanes forgotten = all(kForgotten);
   LogLanes highest = all(-32'768);
   for (std::size_t i = 0; i < cells; ++i) {
-    const LogLanes weight = max(weights_[i] - before, forgotten) + log_likelihoods[ranges[i]];
+    const LogLanes weight = max(weights_[i] - before, forgotten) + (log_likelihoods[ranges[i]] & taken);
     weights_[i] = weight;
     highest = max(highest, weight);
   }
@@ -94,11 +104,12 @@ EARSHOT_WIDE void HypothesisBlock::weigh(const BeliefModel& model, std::span<con
   highest_ = highest;
 }
 
-void HypothesisBlock::weigh_places(const BeliefModel& model, std::span<const std::int16_t> log_likelihoods) {
+void HypothesisBlock::weigh_places(const BeliefModel& model, const Lanes& lanes, std::span<const std::int16_t> log_likelihoods) {
   settle(model);
+  const LogLanes taken = every_bit_of(lanes);
   LogLanes highest = all(-32'768);
   for (std::size_t i = 0; i < cell_count(model); ++i) {
-    weights_[i] += all(log_likelihoods[i]);
+    weights_[i] += all(log_likelihoods[i]) & taken;
     highest = max(highest, weights_[i]);
   }
   highest_ = highest;
@@ -140,6 +151,16 @@ EARSHOT_WIDE void HypothesisBlock::add_to(const BeliefModel& model, const FloatL
     from_log(max(weights_[i] - highest, forgotten), p);
     p *= scale;
     marginal[i] += ((p[0] + p[1]) + (p[2] + p[3])) + ((p[4] + p[5]) + (p[6] + p[7]));
+  }
+}
+
+void HypothesisBlock::add_to(const BeliefModel& model, std::size_t lane, float share, std::span<const std::uint16_t> cells,
+                             std::span<float> marginal) const {
+  const float scale = share / sums(model)[lane];
+  const int highest = highest_[lane];
+  for (std::size_t i = 0; i < cell_count(model); ++i) {
+    const int weight = weights_[i][lane] - highest;
+    if (weight >= kLeastAdded) marginal[cells[i]] += scale * from_log(weight);
   }
 }
 

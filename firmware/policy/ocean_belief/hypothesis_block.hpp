@@ -17,6 +17,8 @@ inline constexpr std::size_t kLanes = 8;
 /// Their log weights, added and compared all at once; a number of them is an int16_t.
 using LogLanes = std::int16_t __attribute__((vector_size(2 * kLanes)));
 using FloatLanes = std::array<float, kLanes>;
+/// Some of them.
+using Lanes = std::array<bool, kLanes>;
 
 /// No place gets less likely than the likeliest by more than 2^-26, 4e-5 of all in 2500 cells: a belief that was wrong, or a source that
 /// moved, can come back.
@@ -36,14 +38,15 @@ class HypothesisBlock {
   void start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses, const PlacePrior& prior);
   /// The source may have moved since the last look, where a hypothesis says so.
   void let_move(const BeliefModel& model);
-  /// Multiplies every cell by its likelihood.
+  /// Multiplies every cell by its likelihood under those hypotheses that have the cells at these ranges.
   /// @param log_likelihoods  [ranges]: of what was heard, were the source at each; kLeastLogLikelihood to 0
   /// @param ranges           [north x east]: of the cells
-  void weigh(const BeliefModel& model, std::span<const LogLanes> log_likelihoods, std::span<const std::uint16_t> ranges);
+  void weigh(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> log_likelihoods,
+             std::span<const std::uint16_t> ranges);
 
-  /// Multiplies every cell by a likelihood that does not depend on the hypothesis.
+  /// Multiplies every cell by a likelihood of its own under some of the hypotheses.
   /// @param log_likelihoods  [north x east], at most 0, at least kForgotten
-  void weigh_places(const BeliefModel& model, std::span<const std::int16_t> log_likelihoods);
+  void weigh_places(const BeliefModel& model, const Lanes& lanes, std::span<const std::int16_t> log_likelihoods);
 
   [[nodiscard]] const Hypothesis& hypothesis(std::size_t lane) const { return hypotheses_[lane]; }
   [[nodiscard]] const std::array<Hypothesis, kLanes>& hypotheses() const { return hypotheses_; }
@@ -53,6 +56,11 @@ class HypothesisBlock {
   /// Adds the probability of every cell, those of a hypothesis adding up to its share.
   /// @param marginal  [north x east]
   void add_to(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const;
+
+  /// The same for one hypothesis, whose cells have gone elsewhere.
+  /// @param cells  [north x east]: in which each of them now is
+  void add_to(const BeliefModel& model, std::size_t lane, float share, std::span<const std::uint16_t> cells,
+              std::span<float> marginal) const;
 
   /// Takes a hypothesis of another block in the place of one of its own.
   void take_over(const BeliefModel& model, std::size_t lane, const HypothesisBlock& from, std::size_t from_lane);

@@ -6,6 +6,14 @@
 #include "firmware/policy/ocean_belief/log_weight.hpp"
 
 namespace earshot::policy {
+namespace {
+
+/// Whether two differ in nothing but how the source moves.
+bool hears_the_same(const Hypothesis& a, const Hypothesis& b) {
+  return a.table == b.table && a.level == b.level && a.spread == b.spread && a.silence == b.silence;
+}
+
+}  // namespace
 
 EARSHOT_WIDE void LaneLikelihoods::tabulate(const BeliefModel& model, const OceanTables& tables,
                                             const std::array<Hypothesis, kLanes>& hypotheses, Reception reception) {
@@ -16,6 +24,10 @@ EARSHOT_WIDE void LaneLikelihoods::tabulate(const BeliefModel& model, const Ocea
   std::array<std::int16_t, config::kMaxTableRanges> logs;
   for (std::size_t l = 0; l < kLanes; ++l) {
     const Hypothesis& h = hypotheses[l];
+    if (l > 0 && hears_the_same(h, hypotheses[l - 1])) {
+      for (std::size_t i = 0; i < count; ++i) lanes_[i][l] = lanes_[i][l - 1];
+      continue;
+    }
     const OceanTable& table = tables.tables[h.table];
     for (std::size_t i = 0; i < count; ++i) exact[i] = table.snr_db(i);
     to_likelihoods({kLevelOffsets_db[h.level], kSpreads_db[h.spread], kSilenceShares[h.silence], model.outlier_share}, reception,

@@ -11,6 +11,9 @@
 #include "firmware/policy/likelihood/bearing_likelihood.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/likelihood/normal_table.hpp"
+#include "firmware/policy/ocean_belief/cell_places.hpp"
+#include "firmware/policy/ocean_belief/each_drift.hpp"
+#include "firmware/policy/ocean_belief/expected_border.hpp"
 #include "firmware/policy/ocean_belief/log_weight.hpp"
 
 namespace earshot::policy {
@@ -18,19 +21,21 @@ namespace {
 
 /// Looks of a block of other hypotheses that are taken in after each look of the vehicle: as many as the time of a decision allows.
 constexpr std::size_t kLooksOfOthers = 50;
-/// Of so many blocks of other hypotheses one has sources that may move.
-constexpr std::uint32_t kDrawsPerMoving = 4;
-/// Draws of one other hypothesis before one that is held already is taken again.
-constexpr int kDraws = 8;
+/// One of eight drifts takes so much longer.
+constexpr std::size_t kLooksOfDrifts = 2;
+/// Of those that are held so many drift, once there are any.
+constexpr std::size_t kLeastThatDrift = 8;
+/// Before so many looks nothing tells a drift from another place: what is tried until then are oceans.
+constexpr std::uint32_t kLooksBeforeDrifts = 8;
+static_assert(kLeastThatDrift < OceanBelief::kHypotheses);
 /// A hypothesis less likely than this changes no decision.
 constexpr float kLeastShare = 1e-4F;
 /// Less likely than any.
 constexpr int kNoPosterior = std::numeric_limits<int>::min() / 2;
+/// More than any regret.
+constexpr float kAnyRegret = 1e9F;
 /// Powers of two below the likeliest at which a hypothesis has no share.
 constexpr int kMostBelow = 60 * kOctave;
-
-/// Standard deviations below what is expected that a source is still taken to be heard as it should be.
-constexpr float kFainter = 2.0F;
 
 /// Scales log weights so that the highest is 0 and none below kForgotten. @return what was taken off them
 int take_off_highest(std::span<std::int16_t> weights) {
@@ -50,6 +55,11 @@ Hypothesis at_start(const OceanTables& tables, std::size_t n) {
           .spread = kSpreads[way / kLevels.size() % kSpreads.size()]};
 }
 
+/// None where the source swims.
+Drift current_of(const Hypothesis& hypothesis) {
+  return hypothesis.drift.is_current ? hypothesis.drift : Drift{};
+}
+
 }  // namespace
 
 void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
@@ -57,7 +67,8 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
   looks_.clear();
   is_history_whole_ = true;
   has_candidates_ = false;
-  draws_ = 0;
+  heard_ = 0;
+  has_bearings_ = false;
   found_rule_.start();
   declaration_.reset();
   surprise_.start();
@@ -95,25 +106,39 @@ void OceanBelief::start(const BeliefModel& model, const OceanTables& tables) {
 void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception) {
   const Look look{position, reception.snr, reception.too_faint, false};
   is_history_whole_ = looks_.push_back(look) == Status::kOk && is_history_whole_;
-  find_ranges(model, position, tables.range_step, tables.range_count - std::size_t{1}, ranges_);
   if (reception.bearing) take_in_bearing(model, position, *reception.bearing);
-  for (HypothesisBlock& block : residents_) take_in(model, tables, look, block);
+  for (HypothesisBlock& block : residents_) take_in(model, tables, look, heard_, block);
+  ++heard_;
   find_posteriors(model, tables);
   find_shares();
   if (is_history_whole_) weigh_others(model, tables);
   surprise_.take_in(reception, log_explained(model));
-  find_marginal(model);
   judge(model, tables, position, reception);
+  // Where the source is by the next look, from the corner of the area as the likeliest current has carried it.
+  const NorthEast corner = way_of(likeliest_current(), model, heard_);
+  find_marginal(model, corner, heard_);
   foresee(model, tables);
   const std::span<const float> probabilities = std::span(marginal_).first(cell_count(model));
   summary_ = summary_of(model, probabilities);
   summary_.surprise_bits = surprise_.bits();
+  summary_.likeliest = summary_.likeliest + corner;
+  summary_.mean = summary_.mean + corner;
   const std::size_t ranges = tables.range_count;
-  find_outlooks(model, probabilities, {std::span(search_cost_).first(ranges), std::span(detected_).first(ranges), tables.range_step},
-                position, std::span(outlooks_).first(model.actions.size()));
+  BeliefModel not_cut_off = model;
+  not_cut_off.costs.most_regret = kAnyRegret;
+  const std::span<ActionOutlook> outlooks = std::span(outlooks_).first(model.actions.size());
+  find_outlooks(not_cut_off, probabilities, {std::span(search_cost_).first(ranges), std::span(detected_).first(ranges), tables.range_step},
+                position - corner, outlooks);
+  std::array<PossiblePlace, kHypotheses> places;
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    const Drift current = current_of(hypothesis(i));
+    places[i] = {.vehicle = position - way_of(current, model, heard_), .share = share(i)};
+  }
+  expect_border(model, places, outlooks);
 }
 
 /// The others that are being weighed hear it now, whatever they have heard of the past: where a source rests the order is the same to them.
+/// A cell that has drifted takes what the bearing says of the cell that it is in.
 void OceanBelief::take_in_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing) {
   const BearingLikelihood likelihood(bearing, Meters{std::max(cell_north(model), cell_east(model))}, model.outlier_share);
   for (std::size_t i = 0; i < cell_count(model); ++i)
@@ -124,53 +149,36 @@ void OceanBelief::take_in_bearing(const BeliefModel& model, NorthEast position, 
   std::transform(sum.begin(), sum.end(), said.begin(), sum.begin(),
                  [](std::int16_t before, std::int16_t now) { return static_cast<std::int16_t>(before + now); });
   bearings_.scale += take_off_highest(sum);
-  for (HypothesisBlock& block : residents_) block.weigh_places(model, by_cell_);
-  if (has_candidates_) candidates_.weigh_places(model, by_cell_);
+  has_bearings_ = true;
+  for (HypothesisBlock& block : residents_) weigh_bearing(model, block);
+  if (has_candidates_) weigh_bearing(model, candidates_);
 }
 
-/// The ranges are those from the look's position.
-void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, HypothesisBlock& block) {
+void OceanBelief::weigh_bearing(const BeliefModel& model, HypothesisBlock& block) {
+  CellPlaces places;
+  std::array<std::uint16_t, config::kMaxBeliefCells> cells;
+  std::array<std::int16_t, config::kMaxBeliefCells> drifted;
+  for_each_drift(block, [&](const Drift& drift, const Lanes& lanes) {
+    if (drift.is_none()) return block.weigh_places(model, lanes, by_cell_);
+    places.find(model, drift, heard_, {});
+    places.find_cells(model, cells);
+    for (std::size_t i = 0; i < cell_count(model); ++i) drifted[i] = by_cell_[cells[i]];
+    block.weigh_places(model, lanes, drifted);
+  });
+}
+
+/// @param index  of the look, counted from 0
+void OceanBelief::take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index,
+                          HypothesisBlock& block) {
   block.let_move(model);
   likelihoods_.tabulate(model, tables, block.hypotheses(), {.snr = look.snr, .too_faint = look.too_faint});
-  block.weigh(model, likelihoods_.by_range(tables), ranges_);
-  if (look.was_declared) rule_out(model, tables, block);
-}
-
-/// The source is not within a step length of where the ranges are from.
-void OceanBelief::rule_out(const BeliefModel& model, const OceanTables& tables, HypothesisBlock& block) {
-  const std::size_t count = tables.range_count;
-  std::array<float, config::kMaxTableRanges> uncovered;
-  std::array<std::int16_t, config::kMaxTableRanges> logs;
-  find_uncovered(model, tables.range_step, std::span(uncovered).first(count));
-  to_logs(std::span(uncovered).first(count), kForgotten, std::span(logs).first(count));
-  for (std::size_t i = 0; i < cell_count(model); ++i) by_cell_[i] = logs[ranges_[i]];
-  block.weigh_places(model, by_cell_);
-}
-
-/// The least SNR that is expected within a step length of the source, as the hypotheses say by their shares.
-Decibels OceanBelief::least_snr_near(const BeliefModel& model, const OceanTables& tables) const {
-  const auto at = std::min(static_cast<std::size_t>(model.step_length / tables.range_step), tables.range_count - std::size_t{1});
-  float sum_db = 0.0F;
-  for (std::size_t i = 0; i < kHypotheses; ++i) {
-    const Hypothesis& h = hypothesis(i);
-    sum_db += share(i) * (tables.tables[h.table].snr_db(at) + kLevelOffsets_db[h.level] - kFainter * kSpreads_db[h.spread]);
-  }
-  return Decibels{double{sum_db}};
-}
-
-/// Where it is declared found, what follows is for a search that goes on nevertheless: the source is elsewhere.
-void OceanBelief::judge(const BeliefModel& model, const OceanTables& tables, NorthEast position, const Reception& reception) {
-  declaration_ = found_rule_.judge(model, {.probabilities = std::span(marginal_).first(cell_count(model)),
-                                           .position = position,
-                                           .reception = reception,
-                                           .least_snr = least_snr_near(model, tables)});
-  if (!declaration_) return;
-  if (is_history_whole_) looks_[looks_.size() - 1].was_declared = true;  // those that have not heard it yet will
-  find_ranges(model, position, tables.range_step, tables.range_count - std::size_t{1}, ranges_);
-  for (HypothesisBlock& block : residents_) rule_out(model, tables, block);
-  find_posteriors(model, tables);
-  find_shares();
-  find_marginal(model);
+  CellPlaces places;
+  for_each_drift(block, [&](const Drift& drift, const Lanes& lanes) {
+    places.find(model, drift, index, {});
+    places.find_ranges(model, look.position, tables.range_step, tables.range_count - std::size_t{1}, ranges_);
+    block.weigh(model, lanes, likelihoods_.by_range(tables), ranges_);
+  });
+  if (look.was_declared) rule_out(model, tables, look.position, index, block);
 }
 
 void OceanBelief::find_posteriors(const BeliefModel& model, const OceanTables& tables) {
@@ -200,17 +208,18 @@ void OceanBelief::find_shares() {
 /// log2 of the probability of all that was heard, odd explanations counting for less.
 int OceanBelief::log_explained(const BeliefModel& model) const {
   std::array<int, kHypotheses> explanations;
-  for (std::size_t i = 0; i < kHypotheses; ++i) explanations[i] = posteriors_[i / kLanes][i % kLanes] - oddity(hypothesis(i));
+  for (std::size_t i = 0; i < kHypotheses; ++i)
+    explanations[i] = posteriors_[i / kLanes][i % kLanes] - log_prior(hypothesis(i).drift) - oddity(hypothesis(i));
   return log_of_sum(explanations) - to_log(static_cast<float>(cell_count(model)));
 }
 
 void OceanBelief::weigh_others(const BeliefModel& model, const OceanTables& tables) {
   for (std::size_t budget = kLooksOfOthers; budget > 0;) {
     if (!has_candidates_) draw_candidates(model, tables);
-    for (; budget > 0 && candidates_heard_ < looks_.size(); --budget) {
-      const Look& look = looks_[candidates_heard_++];
-      find_ranges(model, look.position, tables.range_step, tables.range_count - std::size_t{1}, ranges_);
-      take_in(model, tables, look, candidates_);
+    const std::size_t cost = candidates_.hypothesis(0).drift.is_none() ? 1 : kLooksOfDrifts;
+    for (; budget > 0 && candidates_heard_ < looks_.size(); budget -= std::min(budget, cost)) {
+      const std::uint32_t index = candidates_heard_++;
+      take_in(model, tables, looks_[index], index, candidates_);
     }
     if (candidates_heard_ < looks_.size()) return;  // the next look goes on
     take_the_likelier(model, tables);
@@ -218,12 +227,21 @@ void OceanBelief::weigh_others(const BeliefModel& model, const OceanTables& tabl
   }
 }
 
+HeldHypotheses OceanBelief::held() const {
+  HeldHypotheses held;
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    held.hypotheses[i] = hypothesis(i);
+    held.shares[i] = share(i);
+  }
+  return held;
+}
+
+/// None that drift once there are bearings: of those only what they say of a source that rests is remembered.
 void OceanBelief::draw_candidates(const BeliefModel& model, const OceanTables& tables) {
-  std::array<Hypothesis, kLanes> hypotheses;
-  const Motion motion = draws_ % kDrawsPerMoving == kDrawsPerMoving - 1 ? Motion::kMoving : Motion::kAtRest;
-  ++draws_;
-  for (Hypothesis& h : hypotheses) h = draw_candidate(tables, motion);
-  candidates_.start(model, hypotheses, bearings_);
+  const HeldHypotheses all = held();
+  Trial trial = draw_trial(all, random_);
+  if ((has_bearings_ || heard_ < kLooksBeforeDrifts) && trial == Trial::kDrifting) trial = Trial::kAtRest;
+  candidates_.start(model, policy::draw_candidates(all, tables, trial, random_), bearings_);
   candidates_heard_ = 0;
   has_candidates_ = true;
 }
@@ -232,47 +250,65 @@ bool OceanBelief::is_held(const Hypothesis& hypothesis) const {
   return std::any_of(residents_.begin(), residents_.end(), [&](const HypothesisBlock& block) { return block.holds(hypothesis); });
 }
 
-/// One that is not held: half of the times from the prior, else like one that is held and likely.
-Hypothesis OceanBelief::draw_candidate(const OceanTables& tables, Motion motion) {
-  Hypothesis h;
-  for (int draw = 0; draw < kDraws; ++draw) {
-    if (random_.uniform_float() < 0.5F) {
-      h = draw_hypothesis(tables, motion, random_);
-    } else {
-      // The parent by the root of its share: one that is nearly certain is not the only one to go on from.
-      std::array<float, kHypotheses> weights;
-      float sum = 0.0F;
-      for (std::size_t i = 0; i < kHypotheses; ++i) sum += weights[i] = __builtin_sqrtf(share(i));
-      float left = random_.uniform_float() * sum;
-      std::size_t parent = 0;
-      while (parent + 1 < kHypotheses && (left -= weights[parent]) >= 0.0F) ++parent;
-      h = draw_neighbour(hypothesis(parent), tables, motion, random_);
-    }
-    if (!is_held(h)) break;
-  }
-  return h;
-}
-
+/// A few that drift are held however unlikely they are: a drift is found by way of others that are near it.
 void OceanBelief::take_the_likelier(const BeliefModel& model, const OceanTables& tables) {
   const std::array<int, kLanes> evidence = candidates_.log_evidence(model);
+  const auto posterior_of = [this](std::size_t i) -> int& { return posteriors_[i / kLanes][i % kLanes]; };
   for (std::size_t c = 0; c < kLanes; ++c) {
-    if (is_held(candidates_.hypothesis(c))) continue;
-    const int posterior = evidence[c] + log_prior(candidates_.hypothesis(c), tables);
-    std::size_t worst = 0;
-    const auto posterior_of = [this](std::size_t i) -> int& { return posteriors_[i / kLanes][i % kLanes]; };
-    for (std::size_t i = 1; i < kHypotheses; ++i) worst = posterior_of(i) < posterior_of(worst) ? i : worst;
-    if (posterior <= posterior_of(worst)) continue;
+    const Hypothesis& candidate = candidates_.hypothesis(c);
+    if (is_held(candidate)) continue;
+    std::size_t drifting = 0;
+    for (std::size_t i = 0; i < kHypotheses; ++i) drifting += hypothesis(i).drift.is_none() ? 0U : 1U;
+    const bool drifts = !candidate.drift.is_none();
+    std::size_t worst = kHypotheses;  // of those that may give way
+    for (std::size_t i = 0; i < kHypotheses; ++i) {
+      const bool may = hypothesis(i).drift.is_none() || drifting > kLeastThatDrift || (drifts && drifting == kLeastThatDrift);
+      if (may && (worst == kHypotheses || posterior_of(i) < posterior_of(worst))) worst = i;
+    }
+    const int posterior = evidence[c] + log_prior(candidate, tables);
+    const bool is_wanted = drifts && drifting < kLeastThatDrift;
+    if (posterior <= posterior_of(worst) && !is_wanted) continue;
     residents_[worst / kLanes].take_over(model, worst % kLanes, candidates_, c);
     posterior_of(worst) = posterior;
   }
   find_shares();
 }
 
-void OceanBelief::find_marginal(const BeliefModel& model) {
+/// The current that is the likeliest of all; none where it is likelier that there is none.
+Drift OceanBelief::likeliest_current() const {
+  float most = 0.0F;
+  Drift likeliest;
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    const Drift current = current_of(hypothesis(i));
+    float sum = 0.0F;
+    for (std::size_t k = 0; k < kHypotheses; ++k) sum += current_of(hypothesis(k)) == current ? share(k) : 0.0F;
+    if (sum > most) likeliest = current;
+    most = std::max(most, sum);
+  }
+  return likeliest;
+}
+
+/// Sums up where the source is after so many looks, from a corner that has drifted.
+void OceanBelief::find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks) {
   const std::span<float> marginal = std::span(marginal_).first(cell_count(model));
   std::fill(marginal.begin(), marginal.end(), 0.0F);
+  CellPlaces places;
+  std::array<std::uint16_t, config::kMaxBeliefCells> cells;
   for (std::size_t b = 0; b < residents_.size(); ++b) {
-    if (*std::max_element(shares_[b].begin(), shares_[b].end()) >= kLeastShare) residents_[b].add_to(model, shares_[b], marginal);
+    FloatLanes at_rest{};
+    float most_at_rest = 0.0F;
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const Drift& drift = residents_[b].hypothesis(l).drift;
+      if (drift.is_none() && corner == NorthEast{}) {
+        at_rest[l] = shares_[b][l];
+        most_at_rest = std::max(most_at_rest, at_rest[l]);
+      } else if (shares_[b][l] >= kLeastShare) {
+        places.find(model, drift, looks, corner);
+        places.find_cells(model, cells);
+        residents_[b].add_to(model, l, shares_[b][l], cells, marginal);
+      }
+    }
+    if (most_at_rest >= kLeastShare) residents_[b].add_to(model, at_rest, marginal);
   }
 }
 
@@ -298,9 +334,11 @@ EARSHOT_WIDE void OceanBelief::foresee(const BeliefModel& model, const OceanTabl
 }
 
 void OceanBelief::add_joint(const BeliefModel& model, std::size_t index, std::span<float> joint) const {
-  FloatLanes of_it{};
-  of_it[index % kLanes] = share(index);
-  residents_[index / kLanes].add_to(model, of_it, joint);
+  CellPlaces places;
+  std::array<std::uint16_t, config::kMaxBeliefCells> cells;
+  places.find(model, hypothesis(index).drift, heard_, {});
+  places.find_cells(model, cells);
+  residents_[index / kLanes].add_to(model, index % kLanes, share(index), cells, joint);
 }
 
 std::uint32_t OceanBelief::fingerprint(const BeliefModel& model) const {

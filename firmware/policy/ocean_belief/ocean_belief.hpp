@@ -15,6 +15,7 @@
 #include "firmware/policy/belief_model.hpp"
 #include "firmware/policy/belief_outlook.hpp"
 #include "firmware/policy/found/found_rule.hpp"
+#include "firmware/policy/ocean_belief/candidates.hpp"
 #include "firmware/policy/ocean_belief/hypothesis_block.hpp"
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
 #include "firmware/policy/ocean_belief/surprise.hpp"
@@ -48,7 +49,7 @@ class OceanBelief {
     return marginal_[north * model.cells_east + east];
   }
 
-  static constexpr std::size_t kHypotheses = config::kBeliefBlocks * kLanes;
+  static constexpr std::size_t kHypotheses = kHeldHypotheses;
   /// @param index  below kHypotheses
   [[nodiscard]] const Hypothesis& hypothesis(std::size_t index) const { return residents_[index / kLanes].hypothesis(index % kLanes); }
   /// Probability of one of the hypotheses that are held; these add up to one.
@@ -70,19 +71,21 @@ class OceanBelief {
   };
 
   void take_in_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing);
-  void take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, HypothesisBlock& block);
-  void rule_out(const BeliefModel& model, const OceanTables& tables, HypothesisBlock& block);
+  void weigh_bearing(const BeliefModel& model, HypothesisBlock& block);
+  void take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index, HypothesisBlock& block);
+  void rule_out(const BeliefModel& model, const OceanTables& tables, NorthEast position, std::uint32_t index, HypothesisBlock& block);
   [[nodiscard]] Decibels least_snr_near(const BeliefModel& model, const OceanTables& tables) const;
   void judge(const BeliefModel& model, const OceanTables& tables, NorthEast position, const Reception& reception);
   void find_posteriors(const BeliefModel& model, const OceanTables& tables);
   void find_shares();
   [[nodiscard]] int log_explained(const BeliefModel& model) const;
   void weigh_others(const BeliefModel& model, const OceanTables& tables);
+  [[nodiscard]] HeldHypotheses held() const;
   void draw_candidates(const BeliefModel& model, const OceanTables& tables);
-  [[nodiscard]] Hypothesis draw_candidate(const OceanTables& tables, Motion motion);
   [[nodiscard]] bool is_held(const Hypothesis& hypothesis) const;
   void take_the_likelier(const BeliefModel& model, const OceanTables& tables);
-  void find_marginal(const BeliefModel& model);
+  [[nodiscard]] Drift likeliest_current() const;
+  void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks);
   void foresee(const BeliefModel& model, const OceanTables& tables);
 
   using Posteriors = std::array<int, kLanes>;  ///< log2 of what is proportional to the probability of each hypothesis, in 1/512
@@ -91,9 +94,10 @@ class OceanBelief {
   std::array<Posteriors, config::kBeliefBlocks> posteriors_;
   std::array<FloatLanes, config::kBeliefBlocks> shares_;
   HypothesisBlock candidates_;
-  std::size_t candidates_heard_;  ///< looks that the candidates have taken in
+  std::uint32_t candidates_heard_;  ///< looks that the candidates have taken in
   bool has_candidates_;
-  std::uint32_t draws_;  ///< of candidates so far
+  std::uint32_t heard_;  ///< looks so far
+  bool has_bearings_;    ///< one at least
   FixedVector<Look, config::kMaxBeliefLooks> looks_;
   bool is_history_whole_;  ///< every look is in it
   Pcg32 random_{0};

@@ -26,7 +26,7 @@ constexpr int kMostBelow = 60 * kOctave;
 }  // namespace
 
 int oddity(const Hypothesis& h) {
-  return kOddityOfLevel[h.level] + kOddityOfSpread[h.spread] + (h.mobility > 0 ? kOddityOfMotion : 0);
+  return kOddityOfLevel[h.level] + kOddityOfSpread[h.spread] + (h.mobility > 0 || !h.drift.is_none() ? kOddityOfMotion : 0);
 }
 
 int log_of_sum(std::span<const int> logs) {

@@ -16,8 +16,9 @@ inline constexpr float kSurpriseLevel_bits = 8.0F;
 
 /// How odd it is that a hypothesis explains what is heard, log weight, at least 0. That a source is louder than every table says, swims, or
 /// is heard with a spread of 7 dB explains nearly anything: such hypotheses let a belief survive what it does not know. So each counts
-/// 2^-oddity of itself among the explanations. Being fainter is not odd: what is too faint to measure surprises nobody.
-/// Oracle: Surprise.CountsOddExplanationsForLess
+/// 2^-oddity of itself among the explanations. A source that drifts swims, too. Being fainter is not odd: what is too faint to measure
+/// surprises nobody.
+/// Oracle: Oddity.*, OddExplanations.*
 [[nodiscard]] int oddity(const Hypothesis& hypothesis);
 
 /// log2 of the sum of powers of two, all in 1/512. @param logs  at least one, none of them further than 2^21 from 0
@@ -27,7 +28,7 @@ inline constexpr float kSurpriseLevel_bits = 8.0F;
 /// How unlikely what was heard is under every hypothesis: by how much better it is explained by knowing nothing.
 ///
 ///   surprise = log2 P0(heard) - log2 P(heard)
-///   P  = sum over the hypotheses h held:  2^-oddity(h) P(h) P(heard | h)
+///   P  = sum over the hypotheses h held:  2^-oddity(h) P(h but for its drift) P(heard | h)
 ///   P0 = mean over 9 levels m and 2 spreads s:  product over the looks of  0.95 [0.98 N(SNR; m, s) + 0.02 / 80 dB], or of 0.05 where
 ///        it was too faint
 ///

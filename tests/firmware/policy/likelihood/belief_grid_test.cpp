@@ -22,15 +22,6 @@ TEST(BeliefGrid, HasCellsOfAShareOfItsArea) {
   EXPECT_EQ(cell_east(oblong()), 3'000.0);
 }
 
-TEST(BeliefGrid, FindsTheRangeStepNearestToEveryCellsCentreAndNoneBeyondTheLast) {
-  std::array<std::uint16_t, 6> ranges;
-  find_ranges(oblong(), at(1'000, -2'500), kRangeStep, 20, ranges);
-  // East of it 4, 7 and 10 km; and those with 2 km to the north: 4.472, 7.280 and 10.198 km.
-  EXPECT_EQ(ranges, (std::array<std::uint16_t, 6>{8, 14, 20, 9, 15, 20}));
-  find_ranges(oblong(), at(1'000, -2'500), kRangeStep, 14, ranges);
-  EXPECT_EQ(ranges, (std::array<std::uint16_t, 6>{8, 14, 14, 9, 14, 14}));
-}
-
 TEST(BeliefGrid, CountsTheRangeStepsInHalfOfTheLongerSideOfACell) {
   EXPECT_EQ(half_cell(oblong(), kRangeStep, 100), 3U);
   EXPECT_EQ(half_cell(oblong(), kRangeStep, 3), 2U);     // fewer than there are ranges

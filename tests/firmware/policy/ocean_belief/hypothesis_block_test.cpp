@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "firmware/policy/likelihood/belief_grid.hpp"
+#include "firmware/policy/ocean_belief/cell_places.hpp"
 #include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
 #include "tests/firmware/policy/ocean_belief/ocean_rig.hpp"
 
@@ -26,6 +27,8 @@ constexpr std::array<Hypothesis, kLanes> kAllMotions{{{.mobility = 0},
                                                       {.mobility = 1},
                                                       {.mobility = 2},
                                                       {.mobility = 3}}};
+
+constexpr Lanes kAllLanes{true, true, true, true, true, true, true, true};
 
 class HypothesisBlockTest : public testing::Test {
  protected:
@@ -44,7 +47,7 @@ class HypothesisBlockTest : public testing::Test {
     for (const int weight : weights) lanes.push_back(LogLanes{} + static_cast<std::int16_t>(weight));
     std::vector<std::uint16_t> ranges(weights.size());
     std::iota(ranges.begin(), ranges.end(), std::uint16_t{0});
-    block.weigh(model, lanes, ranges);
+    block.weigh(model, kAllLanes, lanes, ranges);
   }
 
   std::unique_ptr<HypothesisBlock> block = std::make_unique<HypothesisBlock>();
@@ -62,8 +65,7 @@ TEST_F(HypothesisBlockTest, StartsWithEveryPlaceAsLikelyUnderEveryHypothesis) {
   EXPECT_FALSE(block->holds({.level = 1}));
 }
 
-/// Bayes' rule with every factor written out, in long double: two looks from within, which cover cells, and two from without, one of them
-/// too faint.
+/// Bayes' rule with every factor written out, in long double: two looks from within and two from without, one of them too faint.
 TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
   const BeliefModel model = small_model();
   OceanTables tables = no_tables(kSmallRanges);
@@ -84,10 +86,12 @@ TEST_F(HypothesisBlockTest, IsWhatBayesRuleGivesByHandUnderEveryHypothesis) {
   block->start(model, kHypotheses, PlacePrior{});
   LaneLikelihoods likelihoods;
   std::vector<std::uint16_t> ranges(400);
+  CellPlaces places_of_cells;
+  places_of_cells.find(model, {}, 0, {});
   for (const auto& [place, reception] : looks) {
-    find_ranges(model, place, tables.range_step, kSmallRanges - 1U, ranges);
+    places_of_cells.find_ranges(model, place, tables.range_step, kSmallRanges - 1U, ranges);
     likelihoods.tabulate(model, tables, kHypotheses, reception);
-    block->weigh(model, likelihoods.by_range(tables), ranges);
+    block->weigh(model, kAllLanes, likelihoods.by_range(tables), ranges);
   }
   for (std::size_t l = 0; l < kLanes; ++l) {
     std::vector<long double> joint(400, 1.0L);
@@ -111,7 +115,7 @@ TEST_F(HypothesisBlockTest, WeighsEveryLaneByItsOwnLikelihood) {
   block->start(model, {}, PlacePrior{});
   const std::array<LogLanes, 2> likelihoods{{{0, -512, -1024, 0, 0, 0, 0, -5120}, {0, 0, 0, -512, -1024, -1536, -5120, -5120}}};
   const std::array<std::uint16_t, 2> ranges{1, 0};  // the western cell is the further one
-  block->weigh(model, likelihoods, ranges);
+  block->weigh(model, kAllLanes, likelihoods, ranges);
   const std::array<double, kLanes> western{0.5, 2.0 / 3.0, 0.8, 1.0 / 3.0, 0.2, 1.0 / 9.0, 1.0 / 1025.0, 0.5};
   for (std::size_t l = 0; l < kLanes; ++l) {
     EXPECT_NEAR(places(*block, model, l)[0], western[l], 1e-4) << l;
@@ -120,11 +124,43 @@ TEST_F(HypothesisBlockTest, WeighsEveryLaneByItsOwnLikelihood) {
   EXPECT_EQ(block->log_evidence(model)[7], -5120 + 512);
 }
 
+/// Those that have the cells elsewhere keep their weights bit for bit, in whatever order they are weighed.
+TEST_F(HypothesisBlockTest, WeighsSomeLanesAndLeavesTheOthers) {
+  const BeliefModel model = bare_model(at(1'000, 2'000), 1, 2);
+  const std::array<LogLanes, 2> likelihoods{LogLanes{} - std::int16_t{100}, LogLanes{} - std::int16_t{612}};
+  const std::array<std::uint16_t, 2> ranges{0, 1};
+  const std::array<std::uint16_t, 2> the_other_way{1, 0};
+  Lanes even{};
+  for (std::size_t l = 0; l < kLanes; l += 2) even[l] = true;
+  Lanes odd{};
+  for (std::size_t l = 1; l < kLanes; l += 2) odd[l] = true;
+  block->start(model, {}, PlacePrior{});
+  block->weigh(model, even, likelihoods, ranges);
+  EXPECT_EQ(block->log_evidence(model)[1], 512);
+  EXPECT_EQ(places(*block, model, 1)[0], 0.5F);
+  block->weigh(model, odd, likelihoods, the_other_way);
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    EXPECT_NEAR(places(*block, model, l)[0], l % 2 == 0 ? 2.0 / 3.0 : 1.0 / 3.0, 1e-4) << l;
+    EXPECT_NEAR(block->log_evidence(model)[l], -100 + 512.0 * std::log2(1.5), 1.0) << l;
+  }
+}
+
+/// Cells that have met at an edge hold the probability of both.
+TEST_F(HypothesisBlockTest, AddsCellsToWhereTheyHaveGone) {
+  const BeliefModel model = bare_model(at(2'000, 3'000), 2, 3);
+  block->start(model, {}, PlacePrior{});
+  weigh_each(*block, model, {0, -512, -1'024, -1'536, 0, 0});  // 8, 4, 2; 1, 8, 8 of 31
+  std::vector<float> marginal(6, 1.0F);
+  block->add_to(model, 3, 0.5F, std::array<std::uint16_t, 6>{4, 5, 5, 1, 2, 2}, marginal);
+  const std::vector<double> expected{0, 1, 16, 0, 8, 6};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(marginal[i], 1.0 + 0.5 * expected[i] / 31.0, 1e-4) << i;
+}
+
 TEST_F(HypothesisBlockTest, AddsHypothesesByTheirSharesToWhatIsThere) {
   const BeliefModel model = bare_model(at(1'000, 2'000), 1, 2);
   block->start(model, {}, PlacePrior{});
   const std::array<LogLanes, 2> likelihoods{{{0, 0, -512}, {-512, 0, 0}}};
-  block->weigh(model, likelihoods, std::array<std::uint16_t, 2>{0, 1});
+  block->weigh(model, kAllLanes, likelihoods, std::array<std::uint16_t, 2>{0, 1});
   std::vector<float> marginal{10.0F, 20.0F};
   block->add_to(model, {0.25F, 0.5F, 0.125F, 0.125F}, marginal);
   EXPECT_NEAR(marginal[0], 10.0 + 0.25 * 2 / 3 + 0.5 / 2 + 0.125 / 3 + 0.125 / 2, 1e-4);

@@ -3,98 +3,127 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
-#include "tests/firmware/policy/ocean_belief/ocean_rig.hpp"
+#include "tests/firmware/policy/ocean_belief/ocean_belief_rig.hpp"
 
 namespace earshot::policy {
 namespace {
 
-using Looks = std::vector<std::pair<NorthEast, Reception>>;
+/// Whether the source was declared found after each look.
+using Declared = std::vector<bool>;
+using Joint = std::vector<long double>;  ///< [cell that the source began in]
 
-constexpr auto kTwoPerKilometre = [](double km) { return 30.0 - 2.0 * km; };
-
-/// By hand: each hypothesis that is held, weighed by its prior and by all that was heard, before each of which the source may have moved.
-/// Where it was declared found and the search went on it is not within a step.
-class MixtureByHand {
- public:
-  MixtureByHand(const OceanBelief& belief, const BeliefModel& model, const OceanTables& tables)
-      : belief_(belief), model_(model), tables_(tables) {
-    for (std::size_t k = 0; k < OceanBelief::kHypotheses; ++k) add(belief.hypothesis(k));
-  }
-
-  void hear(NorthEast place, Reception reception, bool was_declared) {
-    for (std::size_t k = 0; k < joint_.size(); ++k) {
-      move(k);
-      const std::vector<long double> by_range = likelihoods_by_hand(model_, tables_, belief_.hypothesis(k), reception);
-      for (std::size_t i = 0; i < 400; ++i) {
-        const std::size_t range = range_of(model_, tables_, place, i);
-        joint_[k][i] *= by_range[range] * (was_declared ? left_of_cell(model_, tables_, range) : 1.0L);
+Joint moved_by_hand(const Joint& joint, std::uint8_t mobility) {
+  constexpr std::array<long double, 4> kPenalty{0.0L, 0.125L, 0.5L, 0.5L};
+  constexpr std::array<int, 4> kReach{0, 1, 1, 2};
+  const int far = kReach[mobility];
+  Joint moved(400);
+  for (int i = 0; i < 400; ++i) {
+    for (int n = std::max(0, i / 20 - far); n <= std::min(19, i / 20 + far); ++n) {
+      for (int e = std::max(0, i % 20 - far); e <= std::min(19, i % 20 + far); ++e) {
+        const auto cells = static_cast<long double>(std::abs(n - i / 20) + std::abs(e - i % 20));
+        long double& to = moved[static_cast<std::size_t>(i)];
+        to = std::max(to, std::pow(kPenalty[mobility], cells) * joint[static_cast<std::size_t>(n * 20 + e)]);
       }
     }
   }
+  const long double scale = std::accumulate(joint.begin(), joint.end(), 0.0L) / std::accumulate(moved.begin(), moved.end(), 0.0L);
+  for (long double& p : moved) p *= scale;
+  return moved;
+}
 
-  /// Half a unit of 0.14 % is rounded at every look, in the evidence and in every movement; hypotheses below 1e-4 are left out.
-  void expect_same() const {
+/// No place gets less likely than the likeliest by more than 2^-26.
+void keep_forgotten(Joint& joint) {
+  const long double least = std::ldexp(*std::ranges::max_element(joint), -26);
+  for (long double& p : joint) p = std::max(p, least);
+}
+
+/// By hand: each hypothesis that is held, weighed by its prior and by all that was heard, before each of which the source may have moved,
+/// and has drifted. Where it was declared found and the search went on it is not within a step.
+class OceanBeliefByHand : public OceanBeliefRig {
+ protected:
+  /// Hears it all from the start. @return when it declared the source found
+  Declared fly(const Looks& looks) {
+    belief->start(model, tables);
+    Declared declared;
+    for (const auto& [place, reception] : looks) {
+      belief->update(model, tables, place, reception);
+      declared.push_back(belief->declaration().has_value());
+    }
+    return declared;
+  }
+
+  /// Half a unit of 0.14 % is rounded at every look, in the evidence and in every movement; from the sum over all hypotheses those below
+  /// 1e-4 are left out, and where one drifts a place a millionth as likely as its likeliest.
+  void expect_by_hand(const Looks& looks, const Declared& declared, double tolerance) const {
+    std::vector<Joint> joint;
     long double total = 0.0L;
-    for (const auto& p : joint_) total += sum_of(p);
-    for (std::size_t k = 0; k < joint_.size(); ++k) {
-      const auto share = static_cast<double>(sum_of(joint_[k]) / total);
-      EXPECT_NEAR(double{belief_.share(k)}, share, 0.01 * share + 1e-9) << k;
+    for (const Hypothesis& h : held()) {
+      joint.push_back(joint_by_hand(h, looks, declared));
+      total += std::accumulate(joint.back().begin(), joint.back().end(), 0.0L);
+    }
+    const auto look_count = static_cast<int>(looks.size());
+    const Drift current = likeliest_current(*belief);
+    const NorthEast corner = at(62.5 * current.north * look_count, 62.5 * current.east * look_count);
+    Joint by_place(400);  // by the next look, in the area as the current has carried it
+    Joint left_out(400);
+    for (std::size_t k = 0; k < joint.size(); ++k) {
+      const auto share = static_cast<double>(std::accumulate(joint[k].begin(), joint[k].end(), 0.0L) / total);
+      EXPECT_NEAR(double{belief->share(k)}, share, tolerance * share + 1e-9) << k;
+      Joint of_one(400);  // in the area where it was
+      for (std::size_t i = 0; i < 400; ++i) {
+        const NorthEast place = drifted(held()[k].drift, look_count, i);
+        by_place[cell_at(place - corner)] += joint[k][i];
+        if (share < 1.1e-4) left_out[cell_at(place - corner)] += joint[k][i];
+        of_one[cell_at(place)] += joint[k][i];
+      }
+      std::vector<float> added(400);
+      belief->add_joint(model, k, added);
+      for (std::size_t i = 0; i < 400; ++i) {
+        const auto expected = static_cast<double>(of_one[i] / total);
+        ASSERT_NEAR(double{added[i]}, expected, tolerance * expected + 1e-6) << k << ", " << i;
+      }
     }
     for (std::size_t i = 0; i < 400; ++i) {
-      long double sum = 0.0L;
-      for (const auto& p : joint_) sum += p[i];
-      const auto expected = static_cast<double>(sum / total);
-      ASSERT_NEAR(double{belief_.probability(model_, i / 20, i % 20)}, expected, 0.01 * expected + 1e-6) << i;
+      const auto expected = static_cast<double>(by_place[i] / total);
+      const double allowed = tolerance * expected + static_cast<double>(left_out[i] / total) + 1e-6;
+      ASSERT_NEAR(double{belief->probability(model, i / 20, i % 20)}, expected, allowed) << i;
     }
   }
 
  private:
-  static long double sum_of(const std::vector<long double>& p) { return std::accumulate(p.begin(), p.end(), 0.0L); }
-
-  void add(const Hypothesis& h) { joint_.emplace_back(400, std::exp2(static_cast<long double>(log_prior(h, tables_)) / 512.0L)); }
-
-  void move(std::size_t k) {
-    constexpr std::array<long double, 4> kPenalty{0.0L, 0.125L, 0.5L, 0.5L};
-    constexpr std::array<int, 4> kReach{0, 1, 1, 2};
-    const auto mobility = belief_.hypothesis(k).mobility;
-    std::vector<long double> moved(400);
-    for (int i = 0; i < 400; ++i) {
-      const int far = kReach[mobility];
-      for (int n = std::max(0, i / 20 - far); n <= std::min(19, i / 20 + far); ++n) {
-        for (int e = std::max(0, i % 20 - far); e <= std::min(19, i % 20 + far); ++e) {
-          const auto cells = static_cast<long double>(std::abs(n - i / 20) + std::abs(e - i % 20));
-          long double& to = moved[static_cast<std::size_t>(i)];
-          to = std::max(to, std::pow(kPenalty[mobility], cells) * joint_[k][static_cast<std::size_t>(n * 20 + e)]);
-        }
+  /// Probability of every cell together with all that was heard, under a hypothesis.
+  [[nodiscard]] Joint joint_by_hand(const Hypothesis& h, const Looks& looks, const Declared& declared) const {
+    Joint p(400, std::exp2(static_cast<long double>(log_prior(h, tables)) / 512.0L));
+    for (std::size_t look = 0; look < looks.size(); ++look) {
+      const auto& [place, reception] = looks[look];
+      const auto now = [&h, look](std::size_t cell) { return drifted(h.drift, static_cast<int>(look), cell); };
+      keep_forgotten(p);
+      if (reception.bearing) {
+        for (std::size_t i = 0; i < 400; ++i)
+          p[i] *= static_cast<long double>(bearing_likelihood_by_hand(place, *reception.bearing, cell_at(now(i))));
+        keep_forgotten(p);
       }
+      p = moved_by_hand(p, h.mobility);
+      const std::vector<long double> by_range = likelihoods_by_hand(model, tables, h, reception);
+      std::vector<std::size_t> ranges;
+      for (std::size_t i = 0; i < 400; ++i) {
+        const long steps = std::lround(range_between(place, now(i)) / tables.range_step);
+        ranges.push_back(static_cast<std::size_t>(std::min(steps, long{tables.range_count - 1})));
+        p[i] *= by_range[ranges[i]];
+      }
+      keep_forgotten(p);
+      for (std::size_t i = 0; i < 400 && declared[look]; ++i) p[i] *= left_of_cell(model, tables, ranges[i]);
     }
-    const long double scale = sum_of(joint_[k]) / sum_of(moved);
-    for (std::size_t i = 0; i < 400; ++i) joint_[k][i] = moved[i] * scale;
+    keep_forgotten(p);
+    return p;
   }
-
-  const OceanBelief& belief_;
-  const BeliefModel& model_;
-  const OceanTables& tables_;
-  std::vector<std::vector<long double>> joint_;  ///< [hypothesis][cell]
-};
-
-class OceanBeliefByHand : public testing::Test {
- protected:
-  [[nodiscard]] std::vector<Hypothesis> held() const {
-    std::vector<Hypothesis> all;
-    for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) all.push_back(belief->hypothesis(i));
-    return all;
-  }
-
-  BeliefModel model = small_model();
-  OceanTables tables = no_tables(kSmallRanges);
-  std::unique_ptr<OceanBelief> belief = std::make_unique<OceanBelief>();
 };
 
 TEST_F(OceanBeliefByHand, IsTheMixtureByHandOfTheHypothesesThatItHolds) {
@@ -103,12 +132,77 @@ TEST_F(OceanBeliefByHand, IsTheMixtureByHandOfTheHypothesesThatItHolds) {
                        {at(-1'000, 2'000), {.snr = Decibels{17.0}, .too_faint = true}},
                        {at(8'000, -1'500), {.snr = Decibels{17.0}}},
                        {at(4'000, 5'300), {.snr = Decibels{25.0}}}};
-  belief->start(model, tables);
-  for (const auto& [place, reception] : looks) belief->update(model, tables, place, reception);
-  EXPECT_FALSE(belief->declaration()) << "so that nothing is ruled out, though the search goes on";
-  MixtureByHand by_hand(*belief, model, tables);
-  for (const auto& [place, reception] : looks) by_hand.hear(place, reception, false);
-  by_hand.expect_same();
+  EXPECT_EQ(fly(looks), Declared(looks.size(), false)) << "so that nothing is ruled out, though the search goes on";
+  expect_by_hand(looks, Declared(looks.size(), false), 0.01);
+}
+
+constexpr auto kFourPerKilometre = [](double km) { return 45.0 - 4.0 * km; };
+constexpr Drift kSwims{.north = 9, .east = -5};
+constexpr Drift kCurrent{.north = 4, .east = 4, .is_current = true};
+
+/// Looks to and fro, south of a source that drifts.
+Looks south_of(const Drift& drift) {
+  Looks looks;
+  for (int i = 0; i < 20; ++i) {
+    const NorthEast place = at(400.0 * i, i % 2 == 0 ? 2'000.0 : 4'000.0);
+    looks.push_back({place, {.snr = Decibels{kFourPerKilometre(range_between(place, drifted(drift, i, 16 * 20 + 16)).value / 1'000.0)}}});
+  }
+  return looks;
+}
+
+/// Of a source that swims, and of one that a current takes beyond the edge.
+TEST_F(OceanBeliefByHand, IsTheMixtureByHandOfThoseThatDriftToo) {
+  add_table(tables, 1.0F, kFourPerKilometre);
+  for (const Drift& drift : {kSwims, kCurrent}) {
+    const Looks looks = south_of(drift);
+    const Declared declared = fly(looks);
+    EXPECT_EQ(std::ranges::count(declared, true), 0) << "it never gets near";
+    EXPECT_GT(held_that_drift(), 5);
+    EXPECT_EQ(likeliest_current(*belief).is_current, drift.is_current);
+    expect_by_hand(looks, declared, 0.02);
+  }
+}
+
+/// What the bearing says of a cell is what it says of where the cell has gone.
+TEST_F(OceanBeliefByHand, TakesABearingInUnderThoseThatDrift) {
+  add_table(tables, 1.0F, kFourPerKilometre);
+  for (const Drift& drift : {kSwims, kCurrent}) {
+    Looks looks = south_of(drift);
+    looks.back().second.bearing = messages::Bearing{.direction = Radians{0.7}, .deviation = Radians{0.2}};
+    const Declared declared = fly(looks);
+    EXPECT_GT(held_that_drift(), 5);
+    expect_by_hand(looks, declared, 0.02);
+  }
+}
+
+/// The vehicle hears a source from afar, then flies across it as it drifts on.
+Looks across(const Drift& drift, NorthEast past) {
+  Looks looks = south_of(drift);
+  for (int i = 20; i < 26; ++i) {
+    const NorthEast source = drifted(drift, i, 16 * 20 + 16);
+    const NorthEast place = source + at(past.north.value * (i - 22), past.east.value * (i - 22));
+    looks.push_back({place, {.snr = Decibels{kFourPerKilometre(range_between(place, source).value / 1'000.0)}}});
+  }
+  return looks;
+}
+
+TEST_F(OceanBeliefByHand, DeclaresASourceFoundThatDriftsAndThenRulesOutWhereItWouldHaveBeenThen) {
+  add_table(tables, 1.0F, kFourPerKilometre);
+  for (const Drift& drift : {kSwims, kCurrent}) {
+    const Looks looks = across(drift, at(-300, 900));
+    belief->start(model, tables);
+    Declared declared;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      belief->update(model, tables, looks[i].first, looks[i].second);
+      declared.push_back(belief->declaration().has_value());
+      if (!declared.back()) continue;
+      EXPECT_LT(range_between(belief->declaration()->likeliest, drifted(drift, static_cast<int>(i), 16 * 20 + 16)).value, 1'000.0);
+    }
+    EXPECT_EQ(std::ranges::count(declared, true), 1);
+    EXPECT_FALSE(declared.back()) << "it hears more";
+    EXPECT_GT(held_that_drift(), 5);
+    expect_by_hand(looks, declared, 0.02);
+  }
 }
 
 /// 40 dB at the source, ten less per kilometre.
@@ -128,7 +222,7 @@ TEST_F(OceanBeliefByHand, DeclaresTheSourceFoundWhereItIsAndThenRulesThatOutInEv
   const NorthEast source = at(6'200, 4'300);
   const Looks looks = past(source);
   belief->start(model, tables);
-  std::vector<bool> declared;
+  Declared declared;
   std::vector<Hypothesis> at_declaration;
   for (const auto& [place, reception] : looks) {
     belief->update(model, tables, place, reception);
@@ -143,9 +237,7 @@ TEST_F(OceanBeliefByHand, DeclaresTheSourceFoundWhereItIsAndThenRulesThatOutInEv
   }
   EXPECT_EQ(std::ranges::count(declared, true), 1) << "not again, where it was not";
   EXPECT_NE(held(), at_declaration) << "others were taken up since";
-  MixtureByHand by_hand(*belief, model, tables);
-  for (std::size_t i = 0; i < looks.size(); ++i) by_hand.hear(looks[i].first, looks[i].second, declared[i]);
-  by_hand.expect_same();
+  expect_by_hand(looks, declared, 0.01);
 }
 
 /// A spread of 1 to 7 dB and a level unknown by 9: 20 dB a kilometre away is as it should be, a tenth of a decibel is not.

@@ -1,0 +1,74 @@
+#include "firmware/policy/ocean_belief/cell_places.hpp"
+
+#include <algorithm>
+
+#include "firmware/core/wide.hpp"
+#include "firmware/policy/likelihood/belief_grid.hpp"
+
+namespace earshot::policy {
+namespace {
+
+/// Where a place beyond an edge is, had it turned back there, and at the other edge, as often as it met one. @param width  > 0
+float turned_back(float place, float width) {
+  const float turns = place / (2.0F * width);
+  const int whole = static_cast<int>(turns) - (turns < 0.0F ? 1 : 0);
+  const float off = place - 2.0F * width * static_cast<float>(whole);
+  return off > width ? 2.0F * width - off : off;
+}
+
+/// Which of the cells of one axis holds a place.
+std::uint16_t index_of(float place, float size, std::size_t count) {
+  const auto last = static_cast<float>(count - 1);
+  return static_cast<std::uint16_t>(static_cast<int>(std::clamp(place / size, 0.0F, last)));
+}
+
+}  // namespace
+
+void CellPlaces::find(const BeliefModel& model, const Drift& drift, std::uint32_t looks, NorthEast corner) {
+  const NorthEast way = way_of(drift, model, looks);
+  const auto find_axis = [&drift](std::span<float> places, double cell, Meters drifted, Meters from) {
+    const auto width = static_cast<float>(cell * static_cast<double>(places.size()));
+    const auto size = static_cast<float>(cell);
+    const auto shift = static_cast<float>(drifted.value);
+    const auto origin = static_cast<float>(from.value);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const float place = (static_cast<float>(i) + 0.5F) * size + shift;
+      places[i] = (drift.is_current ? place : turned_back(place, width)) - origin;
+    }
+  };
+  const std::span<float> places(places_);
+  find_axis(places.first(model.cells_north), cell_north(model), way.north, corner.north);
+  find_axis(places.subspan(model.cells_north, model.cells_east), cell_east(model), way.east, corner.east);
+}
+
+EARSHOT_WIDE void CellPlaces::find_ranges(const BeliefModel& model, NorthEast position, Meters range_step, std::size_t last,
+                                          std::span<std::uint16_t> ranges) const {
+  const auto per_step = static_cast<float>(1.0 / range_step.value);
+  const auto vehicle_north = static_cast<float>(position.north.value);
+  const auto vehicle_east = static_cast<float>(position.east.value);
+  const auto furthest = static_cast<float>(last);
+  const int columns = model.cells_east;  // a copy: what is written below could otherwise be it
+  const float* const column_places = &places_[model.cells_north];
+  for (std::size_t n = 0; n < model.cells_north; ++n) {
+    const float north = (places_[n] - vehicle_north) * per_step;
+    std::uint16_t* const row = &ranges[n * model.cells_east];
+    for (int e = 0; e < columns; ++e) {
+      const float east = (column_places[e] - vehicle_east) * per_step;
+      const float range = __builtin_sqrtf(north * north + east * east);
+      row[e] = static_cast<std::uint16_t>(static_cast<int>((range < furthest ? range : furthest) + 0.5F));
+    }
+  }
+}
+
+void CellPlaces::find_cells(const BeliefModel& model, std::span<std::uint16_t> cells) const {
+  const auto size_north = static_cast<float>(cell_north(model));
+  const auto size_east = static_cast<float>(cell_east(model));
+  std::array<std::uint16_t, config::kMaxBeliefCells> columns;
+  for (std::size_t e = 0; e < model.cells_east; ++e) columns[e] = index_of(places_[model.cells_north + e], size_east, model.cells_east);
+  for (std::size_t n = 0; n < model.cells_north; ++n) {
+    const std::size_t first = std::size_t{index_of(places_[n], size_north, model.cells_north)} * model.cells_east;
+    for (std::size_t e = 0; e < model.cells_east; ++e) cells[n * model.cells_east + e] = static_cast<std::uint16_t>(first + columns[e]);
+  }
+}
+
+}  // namespace earshot::policy

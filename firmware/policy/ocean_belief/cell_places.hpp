@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/config/capacities.hpp"
+#include "firmware/policy/belief_model.hpp"
+#include "firmware/policy/ocean_belief/drift.hpp"
+
+namespace earshot::policy {
+
+/// Where the cells' centres are once the source has drifted. A drift takes a row of cells north and a column east as a whole, and so does
+/// an edge that it turns back at.
+class CellPlaces {
+ public:
+  /// After so many looks, from a corner that need not be the area's.
+  void find(const BeliefModel& model, const Drift& drift, std::uint32_t looks, NorthEast corner);
+
+  /// Range from the vehicle to the centre of every cell, in range steps, rounded; at most the last.
+  /// @param position  of the vehicle, from the same corner
+  /// @param range_step  > 0
+  /// @param last      the last range of the tables
+  /// @param ranges    [north x east]; the result
+  void find_ranges(const BeliefModel& model, NorthEast position, Meters range_step, std::size_t last,
+                   std::span<std::uint16_t> ranges) const;
+
+  /// In which cell of the area at that corner the centre of every cell lies; outside, in the nearest.
+  /// @param cells  [north x east]; the result
+  void find_cells(const BeliefModel& model, std::span<std::uint16_t> cells) const;
+
+ private:
+  /// Places of the rows, m, and behind them those of the columns. No grid that fits has more of both together.
+  std::array<float, config::kMaxBeliefCells + 1> places_;
+};
+
+}  // namespace earshot::policy

@@ -1,0 +1,33 @@
+#include "firmware/policy/ocean_belief/expected_border.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace earshot::policy {
+namespace {
+
+constexpr double kDeepest = 3.0;
+
+/// B(y): 0 inside, 1 at the edge, more beyond.
+float border_depth(const BeliefModel& model, NorthEast place) {
+  const auto beyond = [&model](Meters x, Meters size) { return std::max(model.border_width - x, x - (size - model.border_width)); };
+  const Meters deepest = std::max(beyond(place.north, model.area_size.north), beyond(place.east, model.area_size.east));
+  return static_cast<float>(std::clamp(deepest / model.border_width, 0.0, kDeepest));
+}
+
+}  // namespace
+
+void expect_border(const BeliefModel& model, std::span<const PossiblePlace> places, std::span<ActionOutlook> outlooks) {
+  float least = std::numeric_limits<float>::max();
+  for (std::size_t a = 0; a < outlooks.size(); ++a) {
+    float expected = 0.0F;
+    for (const PossiblePlace& place : places)
+      expected += place.share * border_depth(model, place.vehicle + model.step_length * model.actions[a]);
+    outlooks[a].regret += model.costs.edge * (expected - outlooks[a].border);
+    outlooks[a].border = expected;
+    least = std::min(least, outlooks[a].regret);
+  }
+  for (ActionOutlook& outlook : outlooks) outlook.regret = std::min(outlook.regret - least, model.costs.most_regret);
+}
+
+}  // namespace earshot::policy

@@ -1,0 +1,65 @@
+#include "firmware/policy/ocean_belief/expected_border.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "tests/firmware/policy/belief_rig.hpp"
+
+namespace earshot::policy {
+namespace {
+
+/// 10 km x 20 km with a border of 2 km, steps of 1 km to the north, east, south and west.
+BeliefModel oblong() {
+  BeliefModel model = bare_model(at(10'000, 20'000), 10, 20);
+  model.border_width = Meters{2'000};
+  model.costs.edge = 60.0F;
+  model.costs.most_regret = 1'000.0F;
+  return model;
+}
+
+TEST(ExpectedBorder, IsTheMeanOverThePlacesWhereTheVehicleMayBe) {
+  std::array<ActionOutlook, 4> outlooks{};
+  // At 9.5 km it is 1.5 km deep in the northern border; at 5 km nowhere near one.
+  expect_border(oblong(), std::array{PossiblePlace{at(9'500, 10'000), 0.25F}, PossiblePlace{at(5'000, 10'000), 0.75F}}, outlooks);
+  EXPECT_FLOAT_EQ(outlooks[kNorth].border, 0.25F * 1.25F);
+  EXPECT_FLOAT_EQ(outlooks[kEast].border, 0.25F * 0.75F);
+  EXPECT_FLOAT_EQ(outlooks[kSouth].border, 0.25F * 0.25F);
+  EXPECT_FLOAT_EQ(outlooks[kWest].border, 0.25F * 0.75F);
+}
+
+TEST(ExpectedBorder, StandsAtEveryEdge) {
+  const std::array<NorthEast, 4> at_the_edges{at(10'000, 10'000), at(5'000, 20'000), at(0, 10'000), at(5'000, 0)};
+  for (std::size_t edge = 0; edge < 4; ++edge) {
+    std::array<ActionOutlook, 4> outlooks{};
+    expect_border(oblong(), std::array{PossiblePlace{at_the_edges[edge], 1.0F}}, outlooks);
+    for (std::size_t a = 0; a < 4; ++a)
+      EXPECT_FLOAT_EQ(outlooks[a].border, a == edge ? 1.5F : a == (edge + 2) % 4 ? 0.5F : 1.0F) << edge << ", " << a;
+  }
+}
+
+/// Regrets that counted a border of 1 for all, which no place has but the second of two, to the south.
+TEST(ExpectedBorder, TakesThePlaceOfTheOneInTheRegretsWhichAreCountedAnew) {
+  BeliefModel model = oblong();
+  std::array<ActionOutlook, 4> outlooks{};
+  outlooks.fill({.border = 1.0F, .regret = 5.0F});
+  outlooks[kEast].regret = 9.0F;
+  const std::array places{PossiblePlace{at(5'000, 10'000), 0.5F}, PossiblePlace{at(2'000, 10'000), 0.5F}};
+  expect_border(model, places, outlooks);
+  EXPECT_FLOAT_EQ(outlooks[kNorth].regret, 0.0F);
+  EXPECT_FLOAT_EQ(outlooks[kEast].regret, 4.0F);
+  EXPECT_FLOAT_EQ(outlooks[kSouth].regret, 0.25F * 60.0F);
+  EXPECT_FLOAT_EQ(outlooks[kWest].regret, 0.0F);
+  model.costs.most_regret = 10.0F;
+  expect_border(model, places, outlooks);
+  EXPECT_FLOAT_EQ(outlooks[kSouth].regret, 10.0F);
+}
+
+TEST(ExpectedBorder, GetsNoDeeperFarOutside) {
+  std::array<ActionOutlook, 4> outlooks{};
+  expect_border(oblong(), std::array{PossiblePlace{at(-90'000, 10'000), 0.5F}}, outlooks);
+  for (const ActionOutlook& outlook : outlooks) EXPECT_FLOAT_EQ(outlook.border, 0.5F * 3.0F);
+}
+
+}  // namespace
+}  // namespace earshot::policy

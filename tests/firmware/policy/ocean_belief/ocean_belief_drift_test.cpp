@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "firmware/policy/ocean_belief/ocean_belief.hpp"
+#include "tests/firmware/policy/ocean_belief/ocean_belief_rig.hpp"
+
+namespace earshot::policy {
+namespace {
+
+constexpr auto kSteep = [](double km) { return 45.0 - 4.0 * km; };
+
+/// Sources that drift, heard with 1 dB of fluctuation along a zigzag: how many of ten are followed to where they are by the next look.
+class OceanDrift : public OceanBeliefRig {
+ protected:
+  OceanDrift() { add_table(tables, 1.0F, kSteep); }
+
+  [[nodiscard]] double share_that_drifts() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i)
+      sum += belief->hypothesis(i).drift.is_none() ? 0.0 : double{belief->share(i)};
+    return sum;
+  }
+
+  [[nodiscard]] Looks looks_at(const Drift& drift, std::size_t began_in, std::uint64_t seed) const {
+    Looks looks = zigzag(
+        30, [](double) { return 0.0; }, {}, seed);
+    int look = 0;
+    for (auto& [place, reception] : looks) {
+      const double range_km = range_between(place, drifted(drift, look++, began_in)).value / 1'000.0;
+      reception.snr = Decibels{kSteep(range_km) + 0.5 * reception.snr.value};
+    }
+    return looks;
+  }
+
+  int followed(const Drift& drift, std::size_t began_in) {
+    int followed = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      belief->start(model, tables);
+      hear_all(looks_at(drift, began_in, seed));
+      const double off_m = range_between(belief->summary().likeliest, drifted(drift, 30, began_in)).value;
+      followed += share_that_drifts() > 0.9 && off_m < 1'500.0 && likeliest_current(*belief).is_current == drift.is_current ? 1 : 0;
+    }
+    return followed;
+  }
+};
+
+/// At 9/16 of the vehicle's speed; it turns back at the northern edge and at the western one.
+TEST_F(OceanDrift, IsFollowedWhereASourceSwimsAndTurnsBack) {
+  EXPECT_GE(followed({.north = 5, .east = -7}, 8 * 20 + 16), 7);
+}
+
+/// The vehicle steers by a navigation that does not see a current of a quarter of its speed to the south-west: the source seems to drift to
+/// the north-east, out of the area.
+TEST_F(OceanDrift, IsFollowedBeyondTheEdgeWhereACurrentHidesFromNavigation) {
+  EXPECT_GE(followed({.north = 3, .east = 3, .is_current = true}, 16 * 20 + 16), 7);
+}
+
+TEST_F(OceanDrift, IsSeenInNoSourceThatRestsThoughEightAreHeld) {
+  EXPECT_EQ(followed({}, 12 * 20 + 8), 0);
+  EXPECT_LT(range_between(belief->summary().likeliest, drifted({}, 30, 12 * 20 + 8)).value, 1'000.0);
+  EXPECT_EQ(held_that_drift(), 8);
+}
+
+/// Where nothing has told it yet from another place: from the eighth look on, and at once in some searches.
+TEST_F(OceanDrift, IsTriedFromTheEighthLookOn) {
+  std::set<std::size_t> first_held;  // after how many looks
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    belief->start(model, tables);
+    std::size_t heard = 0;
+    for (const auto& [place, reception] : looks_at({.north = 5, .east = -7}, 8 * 20 + 16, seed)) {
+      belief->update(model, tables, place, reception);
+      ++heard;
+      if (held_that_drift() == 0) continue;
+      first_held.insert(heard);
+      break;
+    }
+  }
+  ASSERT_FALSE(first_held.empty());
+  EXPECT_EQ(*first_held.begin(), 8U);
+}
+
+/// Of those only what bearings say of a source that rests is remembered.
+TEST_F(OceanDrift, IsTriedNoMoreOnceThereIsABearing) {
+  for (const std::size_t with_bearing : {0U, 15U}) {
+    belief->start(model, tables);
+    Looks looks = looks_at({.north = 5, .east = -7}, 8 * 20 + 16, 1);
+    looks[with_bearing].second.bearing = messages::Bearing{.direction = Radians{0.3}, .deviation = Radians{0.5}};
+    std::vector<Hypothesis> before;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      belief->update(model, tables, looks[i].first, looks[i].second);
+      for (const Hypothesis& h : held()) {
+        // Those that were being weighed when it came heard it, and may still be taken up in the next look or two.
+        if (i <= with_bearing + 2 || h.drift.is_none()) continue;
+        EXPECT_EQ(std::ranges::count(before, h), 1) << i;
+      }
+      before = held();
+    }
+    EXPECT_EQ(held_that_drift() > 0, with_bearing > 8) << "those that are held go on";
+  }
+}
+
+/// The vehicle is further south-west than it believes, as far as each current has carried it.
+TEST_F(OceanDrift, HasTheBorderWhereTheVehicleIsUnderEveryCurrent) {
+  model.border_width = Meters{2'000};
+  belief->start(model, tables);
+  const Looks looks = looks_at({.north = 3, .east = 3, .is_current = true}, 16 * 20 + 16, 1);
+  hear_all(looks);
+  const NorthEast place = looks.back().first;
+  const std::array<NorthEast, 4> steps{at(1'000, 0), at(0, 1'000), at(-1'000, 0), at(0, -1'000)};
+  const auto depth = [](NorthEast vehicle) {
+    const double north_m = vehicle.north.value;
+    const double east_m = vehicle.east.value;
+    const double beyond_m = std::max({2'000.0 - north_m, north_m - 8'000.0, 2'000.0 - east_m, east_m - 8'000.0});
+    return std::clamp(beyond_m / 2'000.0, 0.0, 3.0);
+  };
+  double difference = 0.0;
+  for (std::size_t action = 0; action < 4; ++action) {
+    double expected = 0.0;
+    for (std::size_t i = 0; i < OceanBelief::kHypotheses; ++i) {
+      const Drift drift = belief->hypothesis(i).drift;
+      const double looks_of_current = drift.is_current ? 30.0 : 0.0;
+      const NorthEast carried = at(62.5 * drift.north * looks_of_current, 62.5 * drift.east * looks_of_current);
+      expected += double{belief->share(i)} * depth(place + steps[action] - carried);
+    }
+    EXPECT_NEAR(belief->outlook(action).border, expected, 1e-4) << action;
+    difference += std::abs(expected - depth(place + steps[action]));
+  }
+  EXPECT_GT(difference, 0.5) << "from that of the place where it believes to be";
+}
+
+}  // namespace
+}  // namespace earshot::policy
