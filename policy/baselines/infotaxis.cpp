@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 
+#include "firmware/policy/ocean_belief/cell_places.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
 #include "firmware/policy/ocean_belief/log_weight.hpp"
 #include "policy/baselines/moves.hpp"
@@ -110,7 +111,9 @@ void Infotaxis::tabulate_outcomes() {
 
 double Infotaxis::expected_cost(NorthEast place) {
   const NorthEast end = place - prior_.settings.domain.south_west;
-  policy::find_ranges(model_, end, tables_.range_step, tables_.range_count - std::size_t{1}, ranges_);
+  policy::CellPlaces cells;
+  cells.find(model_, {}, 0, {});
+  cells.find_ranges(model_, end, tables_.range_step, tables_.range_count - std::size_t{1}, ranges_);
   for (std::size_t i = 0; i < centres_.size(); ++i)
     distance_steps_[i] = static_cast<float>(std::max(1.0, range_between(end, centres_[i]) / model_.step_length));
   std::ranges::fill(place_outcomes_, 0.0F);
