@@ -77,9 +77,10 @@ void add_options(program::CommandLine& line, Options& o) {
                          .start = "what the policies were trained with, inside_border when none says it; --border-width-m, --max-steps and "
                                   "--vehicle-depth-m likewise",
                          .listening = "what the .policy files have, newest when none is evaluated"});
-  line.option("--tables", &o.tables,
-              "oceans that policies and ocean_search think possible (.tables, or folders of them); of several those for a world's depth and "
-              "frequency; default: those that ship, or where these are of another depth or frequency the environment alone");
+  line.option(
+      "--tables", &o.tables,
+      "oceans that policies and ocean_search think possible (.tables, or folders of them); of several those for a world's depth and "
+      "frequency; default: those that ship, or where these are of another depth or frequency the environment alone");
   line.option("--episodes", &o.episodes, "searches to fly in each world").shows_default().from(1, 100'000'000);
   line.option("--seed", &o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
   line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way")
@@ -256,9 +257,11 @@ const policy::OceanTables* oceans_for(const evaluate::WorldFile& world, const po
   const bool is_covered = std::ranges::any_of(common.tables, [&sound](const host::TablesFile& file) {
     return policy::coverage(*file.tables, sound) == policy::Coverage::kCovered;
   });
-  if (is_covered || !common.options.tables.empty()) return host::tables_for(common.tables, sound, "--tables: world " + world.name).tables.get();
-  std::cerr << "earshot evaluate: warning: " << host::printable(world.name) << ": no tables that ship are of " << sound.frequency.value << " Hz and "
-            << sound.vehicle_depth.value << " m: only the environment's own ocean is thought possible (--tables names others)\n";
+  if (is_covered || !common.options.tables.empty())
+    return host::tables_for(common.tables, sound, "--tables: world " + world.name).tables.get();
+  std::cerr << "earshot evaluate: warning: " << host::printable(world.name) << ": no tables that ship are of " << sound.frequency.value
+            << " Hz and " << sound.vehicle_depth.value
+            << " m: only the environment's own ocean is thought possible (--tables names others)\n";
   return nullptr;
 }
 

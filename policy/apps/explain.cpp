@@ -40,7 +40,8 @@ program::CommandLine& add_map(program::CommandLine& line, report::PolicyMapOptio
   map.option("--flight", &o.flight,
              "folder of a flight with this policy, instead of --source: its choice anywhere with what it believed at --step");
   map.option("--step", &o.step, "step of the flight").shows_default();
-  map.option("--tables", &o.tables, "ocean tables (.tables) by which a policy with a belief searches; those of a flight are beside its journal")
+  map.option("--tables", &o.tables,
+             "ocean tables (.tables) by which a policy with a belief searches; those of a flight are beside its journal")
       .shows_default();
   const program::Option environment =
       map.option("--environment", &o.environment, "environment file (TOML): the ocean, instead of the likeliest one of the tables");

@@ -8,6 +8,7 @@
 #include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/file/input_file.hpp"
 #include "firmware/host/program/talk.hpp"
+#include "firmware/host/program/version.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/trust/key_pair.hpp"
 #include "policy/command_line/listening_options.hpp"
@@ -15,7 +16,6 @@
 #include "policy/command_line/policy_details.hpp"
 #include "policy/command_line/run.hpp"
 #include "policy/command_line/signing_key.hpp"
-#include "firmware/host/program/version.hpp"
 #include "policy/description/draw.hpp"
 #include "policy/description/state.hpp"
 #include "policy/description/trained_task.hpp"
@@ -39,17 +39,19 @@ struct Options {
 };
 
 void add_options(program::CommandLine& line, Options& options) {
-  line.option("MODEL", &options.model,
-              "checkpoint of earshot train, model.zip of Stable-Baselines3 (PPO or A2C, MlpPolicy), an ONNX export, a .policy to freeze again, or "
-              "a run file of earshot train (TOML, its state \"belief\"): that makes a policy without a network, which goes by the belief's own "
-              "advice");
+  line.option(
+      "MODEL", &options.model,
+      "checkpoint of earshot train, model.zip of Stable-Baselines3 (PPO or A2C, MlpPolicy), an ONNX export, a .policy to freeze again, or "
+      "a run file of earshot train (TOML, its state \"belief\"): that makes a policy without a network, which goes by the belief's own "
+      "advice");
   line.option("-o,--output", &options.output, "policy to write (.policy)");
   line.option(
       "--search", &options.search,
       "what a .zip or .onnx was trained to search, when it does not carry that along (JSON: earshot_gym.sb3.describe() in policy/python)");
-  line.option("--draw", &options.draw,
-              "how the vehicle draws its actions: sampled from the softmax, or argmax; without it sampled, of a .policy as it does, without a "
-              "network argmax")
+  line.option(
+          "--draw", &options.draw,
+          "how the vehicle draws its actions: sampled from the softmax, or argmax; without it sampled, of a .policy as it does, without a "
+          "network argmax")
       .one_of({description::kDraws.begin(), description::kDraws.end()});
   options.listening.add_to(line, "what MODEL has: what it was trained with, of a .policy what it was last frozen with");
   options.key.add_to(line).required();
@@ -112,7 +114,8 @@ std::unique_ptr<policy::FrozenPolicy> freeze_untrained(const std::filesystem::pa
     throw BadInput(file.string() + ": state = \"" + std::string(description::name_of(run.state)) +
                    "\": a run that is not trained must have \"belief\", whose advice is flown");
   description::SearchDescription search = description::describe(run.search, ppo::observation_of(run));
-  search.provenance = {{"run", file.filename().string()}, {"commit", program::build_commit()}, {"network", "none: the belief's own advice"}};
+  search.provenance = {
+      {"run", file.filename().string()}, {"commit", program::build_commit()}, {"network", "none: the belief's own advice"}};
   for (auto& line : description::task_lines(run.search, run.vehicle_depth)) search.provenance.push_back(std::move(line));
   return freeze::freeze_advice(search, description::draw_named(options.draw.value_or("argmax")).value());
 }

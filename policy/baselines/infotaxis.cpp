@@ -6,8 +6,8 @@
 #include <numeric>
 #include <span>
 
-#include "firmware/policy/ocean_belief/cell_places.hpp"
 #include "firmware/policy/likelihood/belief_grid.hpp"
+#include "firmware/policy/ocean_belief/cell_places.hpp"
 #include "firmware/policy/ocean_belief/log_weight.hpp"
 #include "policy/baselines/moves.hpp"
 #include "policy/baselines/space_aware_cost.hpp"

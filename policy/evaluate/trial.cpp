@@ -18,7 +18,8 @@ std::vector<Flight> fly_share(const Candidate& candidate, const Trial& trial, co
   const baselines::PriorKnowledge prior{.settings = settings, .actions = world.actions, .snr = trial.expected, .oceans = trial.oceans};
   std::unique_ptr<baselines::Searcher> searcher;
   if (candidate.learned) {
-    searcher = std::make_unique<baselines::Learned>(*candidate.learned, trial.oceans, trial.draw.value_or(candidate.learned->draw), settings.domain);
+    searcher = std::make_unique<baselines::Learned>(*candidate.learned, trial.oceans, trial.draw.value_or(candidate.learned->draw),
+                                                    settings.domain);
   } else {
     searcher = baselines::make_baseline(candidate.name, prior);
   }

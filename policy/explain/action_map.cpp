@@ -74,7 +74,8 @@ ActionMap after_a_first_look(const FrozenPolicy& policy, const policy::OceanTabl
   });
 }
 
-ActionMap standing_elsewhere(const FrozenPolicy& policy, const policy::OceanTables& tables, std::size_t per_side, const SearchMemory& memory) {
+ActionMap standing_elsewhere(const FrozenPolicy& policy, const policy::OceanTables& tables, std::size_t per_side,
+                             const SearchMemory& memory) {
   const auto moved = std::make_unique<SearchMemory>();
   return map_of(policy, per_side, [&](NorthEast place) {
     *moved = memory;

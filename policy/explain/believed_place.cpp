@@ -126,9 +126,8 @@ ExpectedHearing expected_hearing(const BelievedPlace& place, const ExpectedSound
     mean += p * snr;
     square += p * snr * snr;
   });
-  return {.snr = Decibels{mean},
-          .spread = Decibels{std::sqrt(std::max(0.0, square - mean * mean))},
-          .level_bias = Decibels{sound.level_db()}};
+  return {
+      .snr = Decibels{mean}, .spread = Decibels{std::sqrt(std::max(0.0, square - mean * mean))}, .level_bias = Decibels{sound.level_db()}};
 }
 
 }  // namespace earshot::explain

@@ -20,8 +20,8 @@ std::size_t likeliest_action(const FrozenPolicy& policy, const SearchMemory& mem
   return static_cast<std::size_t>(std::ranges::max_element(logits) - logits.begin());
 }
 
-FlownPath flown_from(const FrozenPolicy& policy, const policy::OceanTables& tables, NorthEast start, NorthEast source, std::size_t max_steps,
-                     const std::function<policy::Reception(NorthEast)>& reception_at) {
+FlownPath flown_from(const FrozenPolicy& policy, const policy::OceanTables& tables, NorthEast start, NorthEast source,
+                     std::size_t max_steps, const std::function<policy::Reception(NorthEast)>& reception_at) {
   const Rectangle area{{}, policy.area_size};
   const auto memory = std::make_unique<SearchMemory>();
   memory->start(policy.observation, tables, start, reception_at(start));
@@ -43,8 +43,8 @@ bool sees_place_alone(const FrozenPolicy& policy) {
                              [](const policy::ObservationElement& element) { return subject_of(element.feature) == Subject::kPlace; });
 }
 
-std::vector<FlownPath> flown_from_all_over(const FrozenPolicy& policy, const policy::OceanTables& tables, NorthEast source, const PathSettings& settings,
-                                           const std::function<policy::Reception(NorthEast)>& reception_at) {
+std::vector<FlownPath> flown_from_all_over(const FrozenPolicy& policy, const policy::OceanTables& tables, NorthEast source,
+                                           const PathSettings& settings, const std::function<policy::Reception(NorthEast)>& reception_at) {
   std::vector<FlownPath> paths;
   for (const NorthEast start : cell_centres(policy.area_size, settings.per_side))
     paths.push_back(flown_from(policy, tables, start, source, settings.max_steps, reception_at));

@@ -37,7 +37,8 @@ struct PathSettings {
 /// @param heard  what is heard at a place
 /// @return one path for each start, in the order of an ActionMap
 /// Oracle: FlownPaths.*
-[[nodiscard]] std::vector<FlownPath> flown_from_all_over(const policy::FrozenPolicy& policy, const policy::OceanTables& tables, NorthEast source, const PathSettings& settings,
+[[nodiscard]] std::vector<FlownPath> flown_from_all_over(const policy::FrozenPolicy& policy, const policy::OceanTables& tables,
+                                                         NorthEast source, const PathSettings& settings,
                                                          const std::function<policy::Reception(NorthEast)>& reception_at);
 
 }  // namespace earshot::explain

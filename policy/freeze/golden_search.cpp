@@ -48,7 +48,8 @@ std::size_t decided(const policy::FrozenPolicy& policy, const policy::SearchMemo
 }
 
 /// Places and sounds of one search.
-void plan_search(const policy::FrozenPolicy& policy, const policy::OceanTables& tables, const Plan& plan, Pcg32& random, policy::GoldenTrajectory& trajectory) {
+void plan_search(const policy::FrozenPolicy& policy, const policy::OceanTables& tables, const Plan& plan, Pcg32& random,
+                 policy::GoldenTrajectory& trajectory) {
   const auto memory = std::make_unique<policy::SearchMemory>();
   NorthEast place = held_in_area(policy, plan.start);
   for (std::size_t i = 0; i < trajectory.size(); ++i) {

@@ -33,9 +33,12 @@ ordered_json belief(const explain::DecisionAccount& a) {
   const explain::BelievedPlace& b = a.place;
   ordered_json hypotheses = ordered_json::array();
   for (const explain::HypothesisAccount& h : a.hypotheses)
-    hypotheses.push_back(
-        {{"ocean", h.ocean}, {"level_offset_db", h.level_db}, {"spread_db", h.spread_db}, {"silence_share", h.silence_share},
-         {"moving", h.is_moving}, {"probability", h.share}});
+    hypotheses.push_back({{"ocean", h.ocean},
+                          {"level_offset_db", h.level_db},
+                          {"spread_db", h.spread_db},
+                          {"silence_share", h.silence_share},
+                          {"moving", h.is_moving},
+                          {"probability", h.share}});
   return {{"whose", a.belief_is_the_policys ? "the policy's" : "an observer's"},
           {"likeliest", place(a.area.south_west + b.likeliest)},
           {"likeliest_cell_probability", b.likeliest_share},

@@ -52,9 +52,9 @@ fs::path file_for(const fs::path& journal, const std::optional<fs::path>& said, 
                    std::to_string(flight.policy->observation.spec.size()) + " and has " + std::to_string(flight.policy->actions.size()));
   if (why == explain::Contradiction::kLogits)
     throw BadInput(here + "taken by another policy than " + policy + ": the same observation gives other logits");
-  throw BadInput(
-      here + "what was heard until then gives another observation than " + policy +
-      " saw: a belief of another version of Earshot, other ocean tables, or the area's south-west corner is elsewhere (--south-west NORTH_M,EAST_M)");
+  throw BadInput(here + "what was heard until then gives another observation than " + policy +
+                 " saw: a belief of another version of Earshot, other ocean tables, or the area's south-west corner is elsewhere "
+                 "(--south-west NORTH_M,EAST_M)");
 }
 
 void check_against_policy(const RecordedFlight& flight) {
@@ -93,7 +93,12 @@ void add_observer(const Flight& flight, RecordedFlight& recorded) {
 }  // namespace
 
 explain::Circumstances RecordedFlight::circumstances(explain::Baseline baseline) const {
-  return {.policy = *policy, .belief = belief(), .tables = *tables, .belief_is_the_policys = !observer, .south_west = south_west, .baseline = baseline};
+  return {.policy = *policy,
+          .belief = belief(),
+          .tables = *tables,
+          .belief_is_the_policys = !observer,
+          .south_west = south_west,
+          .baseline = baseline};
 }
 
 RecordedFlight open_recording(const fs::path& folder_or_journal, const RecordingOptions& options) {

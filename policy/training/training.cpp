@@ -20,9 +20,9 @@
 #include "policy/training/curve_files.hpp"
 #include "policy/training/training_worlds.hpp"
 #include "sim/parallel/ordered_tasks.hpp"
-#include "sim/search/told_ocean.hpp"
 #include "sim/search/scenario/placement.hpp"
 #include "sim/search/scenario/world.hpp"
+#include "sim/search/told_ocean.hpp"
 
 namespace earshot::training {
 namespace {
@@ -139,7 +139,8 @@ void Training::Parts::resume() {
   const ppo::Continuation& continuation = *job.resumed->continuation;
   if (continuation.settings_crc32 != settings_crc32) {
     throw BadInput(job.resumed_file.string() + ": cannot go on: its environment" + (job.options.run_file ? " or run file" : "") +
-                   (drawn_from.worlds.empty() ? "" : " or one of its worlds") + (tables_crc32 == 0 ? "" : " or its ocean tables") + " is not what it was, or the program's defaults are not");
+                   (drawn_from.worlds.empty() ? "" : " or one of its worlds") + (tables_crc32 == 0 ? "" : " or its ocean tables") +
+                   " is not what it was, or the program's defaults are not");
   }
   if (continuation.state.workers.size() != ranks.size()) {
     throw BadInput(job.resumed_file.string() + ": was trained by " + std::to_string(continuation.state.workers.size()) +

@@ -7,7 +7,7 @@
 namespace earshot::search {
 namespace {
 
-constexpr double kCell = 500.0;       // m; a look at a source within l = 1 km of the vehicle ends the search, so finer is not needed
+constexpr double kCell = 500.0;  // m; a look at a source within l = 1 km of the vehicle ends the search, so finer is not needed
 
 /// What a search costs, chosen for finding: in 100 searches of each of eight worlds these found most (`hz_35` 97 %, `rock` 91), while the
 /// paper's costs (3, 0.9, 30) found 92 and 87. The paper's reward in its own ocean is 0.5 less for it.

@@ -31,10 +31,10 @@ struct FlownWith {
 /// makes the step, journals what comes out, and gives it to the ports.
 ///
 /// In the journal a turn is: its inputs, each with its arrival; then set-point, decision and acknowledgements, if there are any; then
-/// health, always, with the turn's time. With the mission, the policy and its tables at its beginning the journal thus holds all that the runtime was
-/// ever given: whoever takes the same inputs and steps at every health record gets every output again, bit for bit.
-/// A journal that its disk does not take is reported as Earshot's own port (kOwnPort): its link is down.
-/// Commands and what steered the vehicle weigh more than streams: on a full disk they are lost last (host::Weight).
+/// health, always, with the turn's time. With the mission, the policy and its tables at its beginning the journal thus holds all that the
+/// runtime was ever given: whoever takes the same inputs and steps at every health record gets every output again, bit for bit. A journal
+/// that its disk does not take is reported as Earshot's own port (kOwnPort): its link is down. Commands and what steered the vehicle weigh
+/// more than streams: on a full disk they are lost last (host::Weight).
 class MissionTurn final : public InputSink {
  public:
   /// All four must outlive it.

@@ -10,9 +10,9 @@
 namespace earshot::host {
 
 /// The journals of earlier flights in a folder, which may be deleted to make room for the next: the oldest first, with all of its parts and
-/// the policy and the tables beside it. Never touched is what is no regular file, does not begin as a journal (or a policy, or tables) does, or is written by another
-/// process. A file is looked at again before it is deleted: what somebody took away counts no more, what he put in its place stays. Nothing
-/// allocates after construction.
+/// the policy and the tables beside it. Never touched is what is no regular file, does not begin as a journal (or a policy, or tables)
+/// does, or is written by another process. A file is looked at again before it is deleted: what somebody took away counts no more, what he
+/// put in its place stays. Nothing allocates after construction.
 class OldJournals {
  public:
   OldJournals() = default;

@@ -98,9 +98,8 @@ void draw_for_flight(const policy::FrozenPolicy& policy, const PolicyMapOptions&
   if (!policy::needs_belief(policy.observation.spec))
     throw BadInput("--flight: " + options.policy.string() + " holds no belief that could be followed along a flight");
   const auto taken = std::span(flight.journal.decisions).first(index_of_step(flight, options.step) + 1);
-  const explain::ActionMap map =
-      explain::standing_elsewhere(policy, *flight.tables, options.arrows,
-                                  *explain::remembered_at(policy.observation, *flight.tables, taken, flight.south_west));
+  const explain::ActionMap map = explain::standing_elsewhere(
+      policy, *flight.tables, options.arrows, *explain::remembered_at(policy.observation, *flight.tables, taken, flight.south_west));
   const explain::DecisionAccount account = explain::account_of(flight.circumstances(explain::Baseline::kCentre), taken);
   const sonar::SnrCurve curve = curve_of(policy, options, *flight.tables);
   const std::optional<NorthEast> source = flight.source ? std::optional(*flight.source - flight.south_west) : std::nullopt;

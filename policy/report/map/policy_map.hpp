@@ -12,7 +12,7 @@ struct PolicyMapOptions {
   std::optional<std::string> source;  ///< "NORTH_M,EAST_M" from the south-west corner of the policy's area
   std::optional<std::filesystem::path> environment;
   std::optional<std::filesystem::path> world;  ///< a world of policy/worlds, instead of an environment
-  std::filesystem::path tables;        ///< of a policy with a belief; a flight has its own
+  std::filesystem::path tables;                ///< of a policy with a belief; a flight has its own
   double vehicle_depth_m = 300.0;
   std::optional<std::filesystem::path> flight;
   std::uint32_t step = 0;

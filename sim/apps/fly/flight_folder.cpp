@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 /// All that a flight leaves, in the order in which it moves up; what was there goes in the opposite order. The summary is thus the first to
 /// go and the last to come: nothing without it passes for a whole flight.
-constexpr std::array<const char*, 9> kFiles{"journal.lcmlog", "journal.policy", "journal.tables",  "track.csv",   "snr.csv",
-                                            "hearing.csv",    "spectrogram.csv", "report.html", "summary.json"};
+constexpr std::array<const char*, 9> kFiles{"journal.lcmlog", "journal.policy",  "journal.tables", "track.csv",   "snr.csv",
+                                            "hearing.csv",    "spectrogram.csv", "report.html",    "summary.json"};
 
 fs::path topmost_missing(fs::path folder) {
   fs::path missing;

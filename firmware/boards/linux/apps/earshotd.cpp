@@ -72,9 +72,13 @@ board::Venture venture_of(const Options& o) {
 }
 
 host::MissionFile load(const Options& o, host::MissionJudge& judge) {
-  board::require_as_signed(
-      judge, {.policy = o.policy.has_value(), .tables = o.tables.has_value(), .public_key = o.public_key.has_value(), .seed = o.seed.has_value(), .ports = o.ports},
-      venture_of(o));
+  board::require_as_signed(judge,
+                           {.policy = o.policy.has_value(),
+                            .tables = o.tables.has_value(),
+                            .public_key = o.public_key.has_value(),
+                            .seed = o.seed.has_value(),
+                            .ports = o.ports},
+                           venture_of(o));
   host::MissionFile file = judge.load_mission(o.mission);
   if (o.policy) {
     file.policy = *o.policy;
@@ -191,8 +195,9 @@ board::LoopResult fly(const Flight& f, board::MissionTurn& turn, board::MemoryPr
 std::optional<board::Unfinished> unfinished_mission(Flight& f, const std::filesystem::path& wanted) {
   if (!f.options.resume) return std::nullopt;
   f.manager.ask_for(std::chrono::minutes(30));  // the journal of a month is read again
-  return board::find_unfinished(wanted, {.mission = f.file.mission, .policy_crc32 = crc32(f.search.policy.bytes), .tables_crc32 = crc32(f.search.tables.bytes)},
-                                f.options.simulation ? board::GoOnAfter::kLastTurn : board::GoOnAfter::kLastInput, f.clock.now());
+  return board::find_unfinished(
+      wanted, {.mission = f.file.mission, .policy_crc32 = crc32(f.search.policy.bytes), .tables_crc32 = crc32(f.search.tables.bytes)},
+      f.options.simulation ? board::GoOnAfter::kLastTurn : board::GoOnAfter::kLastInput, f.clock.now());
 }
 
 /// Begins the mission, or goes on with it. @return how long its first turn waits for its sensors

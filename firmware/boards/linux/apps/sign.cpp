@@ -35,7 +35,8 @@ struct Options {
 authority::MissionManifest manifest_of(const Options& o) {
   const std::string text = host::read_text(o.mission, host::kTomlFile);
   if (text.starts_with("EARSHOTP") || text.starts_with("EARSHOTT"))
-    throw host::BadInput(o.mission.string() + ": policies and ocean tables carry their signature within them; earshot freeze and earshot tables make that");
+    throw host::BadInput(o.mission.string() +
+                         ": policies and ocean tables carry their signature within them; earshot freeze and earshot tables make that");
   // As any vehicle reads it that asks for a signature; which commands it obeys is that vehicle's to say.
   const host::MissionFile file = host::load_mission(
       o.mission, text, {.said_in = {}, .command_key = host::CommandKey(host::KeyBytes{}), .reads_own_command_key = false});
@@ -44,9 +45,7 @@ authority::MissionManifest manifest_of(const Options& o) {
   const std::unique_ptr<policy::FrozenPolicy> parsed = host::policy_from(policy, file.policy);
   host::check_fits(*parsed, file.policy, file.mission, o.mission);
   const host::TablesFile tables = host::tables_of(file.tables, *parsed, file.mission, o.mission);
-  return {.counter = o.counter,
-          .mission = host::sha256_of(std::string_view(text)),
-          .policy = host::digest_of(policy, tables.bytes)};
+  return {.counter = o.counter, .mission = host::sha256_of(std::string_view(text)), .policy = host::digest_of(policy, tables.bytes)};
 }
 
 /// A vehicle that has flown the later mission refuses the earlier one: who signs it by mistake hears of it at his desk.

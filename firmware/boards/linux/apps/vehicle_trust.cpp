@@ -34,7 +34,10 @@ void require_as_signed(const host::MissionJudge& judge, const SaidInstead& said,
 }
 
 Signatures signatures_of(const host::MissionJudge& judge, const host::SignedSearch& search) {
-  return {.policy = search.policy.signer, .tables = search.tables.signer, .mission = judge.mission_signer(), .counter = judge.manifest() ? judge.manifest()->counter : 0};
+  return {.policy = search.policy.signer,
+          .tables = search.tables.signer,
+          .mission = judge.mission_signer(),
+          .counter = judge.manifest() ? judge.manifest()->counter : 0};
 }
 
 }  // namespace earshot::board

@@ -63,8 +63,7 @@ std::string oceans(const host::SignedSearch& search, const Signatures& signature
          row("signed by", signer(signatures.tables));
 }
 
-std::string files(const host::MissionFile& file, const host::SignedSearch& search, const std::string& shown,
-                  const Signatures& signatures) {
+std::string files(const host::MissionFile& file, const host::SignedSearch& search, const std::string& shown, const Signatures& signatures) {
   const policy::FrozenPolicy& policy = *search.policy.policy;
   const std::string mission_signer = signatures.mission.empty()
                                          ? "nobody; no signature is asked for"

@@ -39,8 +39,9 @@ struct Unreadable {
   bool is_known_channel = false;
 };
 
-using Content = std::variant<Unreadable, mission_t, PolicyBytes, messages::Input, messages::Setpoint, decision_t, messages::SafetyEvent,
-                             command_acknowledgement_t, health_t, wire::ClosingRecord, journal_resumed_t, controller_trouble_t, TablesBytes>;
+using Content =
+    std::variant<Unreadable, mission_t, PolicyBytes, messages::Input, messages::Setpoint, decision_t, messages::SafetyEvent,
+                 command_acknowledgement_t, health_t, wire::ClosingRecord, journal_resumed_t, controller_trouble_t, TablesBytes>;
 
 struct Record {
   std::uint32_t number = 0;  ///< counts all records that the journal was given, from 0

@@ -24,8 +24,7 @@ void require_record(host::JournalReader& reader, const std::filesystem::path& jo
 template <class Parsed>
 std::unique_ptr<Parsed> parsed(const host::JournalRecord& record, const std::filesystem::path& journal, const char* what,
                                std::uint32_t crc32_of_mission) {
-  if (crc32(record.data) != crc32_of_mission)
-    throw not_replayable(journal, std::string("its ") + what + " is not what its mission names");
+  if (crc32(record.data) != crc32_of_mission) throw not_replayable(journal, std::string("its ") + what + " is not what its mission names");
   auto value = std::make_unique<Parsed>();
   policy::PolicyComplaint complaint;
   if (!record.data.empty() && policy::parse(record.data, *value, complaint) != Status::kOk)

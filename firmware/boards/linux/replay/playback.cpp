@@ -25,7 +25,7 @@ bool is_remark(std::string_view channel) {
 void require_possible_date(const std::filesystem::path& journal, const host::JournalRecord& record) {
   if (record.time < Time{} || record.time > kLatest)
     throw not_replayable(journal, "record " + std::to_string(record.number) + " (" + host::printable(record.channel) +
-                               ") bears a date that no clock gives: " + std::to_string(record.time.us) + " us");
+                                      ") bears a date that no clock gives: " + std::to_string(record.time.us) + " us");
 }
 
 Playback::Playback(const std::filesystem::path& journal, std::uint32_t from_step) : path_(journal), file_(journal), from_step_(from_step) {

@@ -123,8 +123,7 @@ std::optional<Resumption> resume(const std::filesystem::path& journal, const Flo
                     .unwritten = playback.unwritten()};
 }
 
-std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Flown& flown, GoOnAfter after,
-                                          Time now) {
+std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Flown& flown, GoOnAfter after, Time now) {
   const std::optional<std::filesystem::path> newest = host::newest_journal(wanted);
   if (!newest) return std::nullopt;
   (void)host::JournalReader(*newest);  // refuses what is no regular file, before it is opened for writing

@@ -38,7 +38,8 @@ enum class GoOnAfter {
 /// @param flown  what is to be flown
 /// A record that is missing in the last second of a journal at sea (kJournalBudget) was torn out by a power cut: the mission goes on from
 /// before it, unless an order, a rule that acts or a change of state stands behind it, which would be forgotten.
-/// @throws host::BadInput naming the journal, when it cannot be read, is of another mission, policy or ocean tables, lacks other records before its end,
+/// @throws host::BadInput naming the journal, when it cannot be read, is of another mission, policy or ocean tables, lacks other records
+/// before its end,
 ///         or this build does not give its outputs again.
 [[nodiscard]] std::optional<Resumption> resume(const std::filesystem::path& journal, const Flown& flown, GoOnAfter after);
 
@@ -52,8 +53,7 @@ struct Unfinished {
 /// @param now  on the mission clock; one that begins at 0 in every process (GoOnAfter::kLastTurn) is not looked at
 /// @throws as resume(), and when the clock is behind the journal's last record, a part of it bears another's name, or it is a link;
 /// host::FolderInUse naming who writes it.
-[[nodiscard]] std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Flown& flown,
-                                                        GoOnAfter after, Time now);
+[[nodiscard]] std::optional<Unfinished> find_unfinished(const std::filesystem::path& wanted, const Flown& flown, GoOnAfter after, Time now);
 
 /// For so long the first turn of a mission that goes on at sea waits for its sensors. A detector of its own learns the noise anew.
 [[nodiscard]] Duration hold_of(const config::Mission& mission, const std::optional<detector::SoundSettings>& hearing);

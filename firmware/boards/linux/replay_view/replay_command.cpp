@@ -76,7 +76,8 @@ std::optional<Question> question_of(const ReplayCommand& c) {
     if (plan.tables->tables.empty()) throw host::BadInput("--tables: the journal's policy needed none, and this one searches by some");
     host::require_coverage(*plan.tables, c.tables.value_or("of " + c.journal.string()), policy::searched_sound(plan.mission));
   }
-  question.words = (c.policy ? "the policy " + shown(*c.policy) : "the journal's policy") + (c.tables ? ", the ocean tables " + shown(*c.tables) : "") + " and " +
+  question.words = (c.policy ? "the policy " + shown(*c.policy) : "the journal's policy") +
+                   (c.tables ? ", the ocean tables " + shown(*c.tables) : "") + " and " +
                    (c.mission ? "the mission " + shown(*c.mission) : "the journal's mission");
   return question;
 }
@@ -123,7 +124,9 @@ Json tell_what_if(const ReplayCommand& c, const Question& question) {
     const std::string title = shown(c.journal.filename()) + ": decided then, and now";
     host::write_whole(*c.map, parting_map(told, pairs, c.from_step, question.plan.mission.operating_area, title));
   }
-  Json json{{"policy", c.policy ? Json(c.policy->string()) : Json()}, {"tables", c.tables ? Json(c.tables->string()) : Json()}, {"mission", c.mission ? Json(c.mission->string()) : Json()}};
+  Json json{{"policy", c.policy ? Json(c.policy->string()) : Json()},
+            {"tables", c.tables ? Json(c.tables->string()) : Json()},
+            {"mission", c.mission ? Json(c.mission->string()) : Json()}};
   json.update(what_if_json(told, pairs, c.from_step));
   return json;
 }

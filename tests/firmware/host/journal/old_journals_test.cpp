@@ -43,7 +43,8 @@ TEST_F(OldJournalsTest, AreDeletedWholeTheOldestFirst) {
   EXPECT_EQ(old.bytes(), 200U);
   EXPECT_TRUE(old.delete_oldest());
   EXPECT_EQ(old.bytes(), 50U);
-  for (const char* name : {"journal.lcmlog", "journal.part2.lcmlog", "journal.policy", "journal.tables"}) EXPECT_FALSE(is_there(name)) << name;
+  for (const char* name : {"journal.lcmlog", "journal.part2.lcmlog", "journal.policy", "journal.tables"})
+    EXPECT_FALSE(is_there(name)) << name;
   EXPECT_TRUE(is_there("journal-2.policy"));
   EXPECT_TRUE(is_there("journal-2.tables"));
   EXPECT_TRUE(old.delete_oldest());

@@ -70,9 +70,9 @@ TEST_F(PolicyFile, IsRefusedWithTheProgramsLimitsWhenItIsTooLarge) {
   const std::uint32_t checksum = crc32(std::span(bytes).first(checksum_at));
   for (std::size_t i = 0; i < 4; ++i) bytes[checksum_at + i] = static_cast<std::uint8_t>(checksum >> (8U * i));
   support::sign(bytes);
-  EXPECT_NE(
-      complaint(bytes).find("this program holds: 64 observations, 32 actions, 64 units in each of two layers, 2500 cells of a belief, 1024 bytes of provenance"),
-      std::string::npos)
+  EXPECT_NE(complaint(bytes).find("this program holds: 64 observations, 32 actions, 64 units in each of two layers, 2500 cells of a "
+                                  "belief, 1024 bytes of provenance"),
+            std::string::npos)
       << complaint(bytes);
 }
 

@@ -310,8 +310,8 @@ TEST(Conversion, GivesEveryFieldOfAMissionBack) {
       .action_seed = (std::uint64_t{1} << 63U) + 16,
   };
   // A field more does not compile here: give it a value above that is not its default.
-  const auto& [area, margin, depth, max_depth, speed, step, steps, ends_when_found, time, navigation, snr, threshold, frequency, listening, safety,
-               authority, seed] = mission;
+  const auto& [area, margin, depth, max_depth, speed, step, steps, ends_when_found, time, navigation, snr, threshold, frequency, listening,
+               safety, authority, seed] = mission;
   EXPECT_TRUE(ends_when_found);
   EXPECT_EQ(frequency, Hertz{18.0});
   EXPECT_EQ(seed, (std::uint64_t{1} << 63U) + 16);

@@ -10,7 +10,8 @@ int main(int argc, char** argv) {
   program::CommandLine line(
       "earshot replay",
       "earshot replay JOURNAL gives a flight's inputs to the vehicle's core again and compares every output with the journal, byte for\n"
-      "byte. With --policy, --tables or --mission it says besides what another would have decided on the same inputs, and where the decisions part;\n"
+      "byte. With --policy, --tables or --mission it says besides what another would have decided on the same inputs, and where the "
+      "decisions part;\n"
       "behind that the inputs are those of the vehicle that followed the journal, so that it is no forecast.\n"
       "Exit status: 0 the journal is whole and every output the same, 1 an output differs or the journal is not whole, which standard\n"
       "error says (where another policy or mission parts from it changes nothing in that), 2 bad input,\n"
@@ -19,11 +20,13 @@ int main(int argc, char** argv) {
   bool force = false;
   line.option("JOURNAL", &command.journal, "journal of a flight (.lcmlog)").required();
   line.option("--policy", &command.policy, "what would this policy have decided? (.policy; its signature is not looked at)");
-  line.option("--tables", &command.tables, "what would have been decided by these ocean tables? (.tables; their signature is not looked at)");
+  line.option("--tables", &command.tables,
+              "what would have been decided by these ocean tables? (.tables; their signature is not looked at)");
   line.option("--mission", &command.mission,
               "what would have been decided on this mission? (TOML; with the journal's policy, unless --policy, and the journal's seed)");
   line.option("--from", &command.from_step, "compare, and list, from this step on; what stands before it is given to the core alone");
-  line.option("--map", &command.map, "with --policy, --tables or --mission: draw the track and both decisions of every step into this SVG file")
+  line.option("--map", &command.map,
+              "with --policy, --tables or --mission: draw the track and both decisions of every step into this SVG file")
       .checked([](const std::string& file) {
         return file.ends_with(".svg") ? "" : "the map is an SVG picture: name a file that ends with .svg";
       });

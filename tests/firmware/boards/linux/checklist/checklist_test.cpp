@@ -70,7 +70,8 @@ TEST(Checklist, TellsTheOceansThatAPolicySearchesBy) {
   with.tables.tables = support::three_oceans({Meters{12'700}, Meters{12'700}});
   const std::string text = checklist(file, with, "m.toml", {.policy = {}, .tables = "keys/../ours.pub", .mission = {}});
   // 127 steps of 200 m
-  EXPECT_TRUE(has(text, "  tables      20hz.tables: 20 Hz, the vehicle at 300 m, 3 oceans as far as 25.4 km\n  signed by   ours.pub\n")) << text;
+  EXPECT_TRUE(has(text, "  tables      20hz.tables: 20 Hz, the vehicle at 300 m, 3 oceans as far as 25.4 km\n  signed by   ours.pub\n"))
+      << text;
 }
 
 TEST(Checklist, TellsWhoMayCommandTheVehicle) {
