@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "firmware/core/geometry.hpp"
@@ -18,6 +19,9 @@ struct RecordedDecision {
   bool detected = false;
   std::size_t action = 0;
   bool overridden = false;  ///< the safety layer changed the way-point
+  bool sweeping = false;    ///< the action is a sweep's, not the policy's
+  float surprise_bits = 0.0F;
+  std::optional<float> found_probability = std::nullopt;  ///< where the vehicle says that it has found the source
   NorthEast waypoint;
   std::vector<float> observation;
   std::vector<float> logits;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <utility>
 
 #include "firmware/core/math.hpp"
 #include "policy/report/html.hpp"
@@ -53,6 +54,16 @@ std::string belief_sentence(const DecisionAccount& a) {
          " that the source is most likely " + km(range_between(a.decision.position, likeliest)) + " away, bearing " +
          bearing_to_string(a.decision.position, likeliest) + "; with 50 % it lies within " + square_km(a.place.smallest_area_km2(0.5)) +
          ", with 95 % within " + square_km(a.place.smallest_area_km2(0.95)) + ".";
+}
+
+std::string found_sentence(const DecisionAccount& a) {
+  return "It says that the source is found: with " + percent(static_cast<double>(*a.decision.found_probability)) +
+         " it lies within a step of here.";
+}
+
+std::string sweep_sentence(const DecisionAccount& a) {
+  return "What it heard fits no ocean of its tables (surprise " + fixed(static_cast<double>(a.decision.surprise_bits), 1) +
+         " bits): it sweeps the area, and went " + a.actions[a.decision.action].name + ".";
 }
 
 std::string choice_sentence(const DecisionAccount& a) {
@@ -128,7 +139,15 @@ double largest_part(const std::vector<explain::ObservedAccount>& observed) {
 }  // namespace
 
 std::vector<std::string> sentences(const DecisionAccount& a) {
-  return {heard_sentence(a), belief_sentence(a), choice_sentence(a), expectation_sentence(a), safety_sentence(a), because_sentence(a)};
+  std::vector<std::string> all{heard_sentence(a), belief_sentence(a)};
+  if (a.decision.found_probability) all.push_back(found_sentence(a));
+  if (a.decision.sweeping) {
+    all.push_back(sweep_sentence(a));
+    return all;  // what the policy would have done, nobody did
+  }
+  for (std::string sentence : {choice_sentence(a), expectation_sentence(a), safety_sentence(a), because_sentence(a)})
+    all.push_back(std::move(sentence));
+  return all;
 }
 
 std::string to_string(explain::Baseline baseline) {

@@ -122,6 +122,9 @@ explain::RecordedDecision decision_of(const decision_t& m) {
           .detected = m.detected != 0,
           .action = static_cast<std::uint8_t>(m.action),
           .overridden = m.overridden != 0,
+          .sweeping = m.sweeping != 0,
+          .surprise_bits = m.surprise_bits,
+          .found_probability = m.found != 0 ? std::optional(m.found_probability) : std::nullopt,
           .waypoint = {Meters{m.waypoint_north_m}, Meters{m.waypoint_east_m}},
           .observation = first_of(m.observation, m.observation_size),
           .logits = first_of(m.logits, m.action_count)};

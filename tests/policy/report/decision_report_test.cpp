@@ -47,5 +47,25 @@ TEST_F(DecisionReportTest, TellsALookTooFaintToMeasureFromAMeasuredOne) {
   EXPECT_EQ(count(as_html(make_decision_report(flight, 2, explain::Baseline::kCentre)), "a detection (threshold 10 dB)."), 1U);
 }
 
+TEST_F(DecisionReportTest, SaysWhyTheVehicleSweptInPlaceOfWhatThePolicyWouldHaveDone) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
+  report.account.decision.sweeping = true;
+  report.account.decision.surprise_bits = 9.25F;
+  const std::string html = as_html(report);
+  EXPECT_EQ(count(html, "What it heard fits no ocean of its tables (surprise 9.2 bits): it sweeps the area, and went "), 1U);
+  EXPECT_EQ(count(html, "It chose "), 0U);
+  EXPECT_EQ(nlohmann::json::parse(as_json(report))["sweeping"], true);
+}
+
+TEST_F(DecisionReportTest, SaysThatTheVehicleDeclaredTheSourceFound) {
+  const RecordedFlight flight = open_recording(folder_, {});
+  DecisionReport report = make_decision_report(flight, 2, explain::Baseline::kCentre);
+  EXPECT_EQ(count(as_html(report), "found: with"), 0U);
+  EXPECT_EQ(nlohmann::json::parse(as_json(report))["found_probability"], nullptr);
+  report.account.decision.found_probability = 0.93F;
+  EXPECT_EQ(count(as_html(report), "It says that the source is found: with 93 % it lies within a step of here."), 1U);
+}
+
 }  // namespace
 }  // namespace earshot::report
