@@ -64,6 +64,7 @@ WindowReception Listener::reception(config::ListeningWindow window, Time now) co
   const std::int64_t first = last - window.length.us / Duration::seconds(1).us + 1;  // no earlier than the ring reaches
   WindowReception reception;
   Decibels sum;
+  Decibels floor{-1e9};
   for (std::int64_t s = first; s <= last_second_; ++s) {
     const Second& second = seconds_[slot_of(s)];
     if (second.looks == 0) continue;
@@ -71,12 +72,16 @@ WindowReception Listener::reception(config::ListeningWindow window, Time now) co
     if (is_first || (second.measured > 0) == (reception.measured > 0))
       reception.snr = is_first ? second.level : std::max(reception.snr, second.level);
     sum += second.sum;
+    if (second.measured == 0) floor = std::max(floor, second.level);
     reception.looks += second.looks;
     reception.measured += second.measured;
   }
   if (reception.looks == 0) return alone(*newest_);
   reception.too_faint = reception.measured == 0;
-  if (!reception.too_faint && window.listening == config::Listening::kMean) reception.snr = sum / static_cast<double>(reception.measured);
+  if (!reception.too_faint && window.listening == config::Listening::kMean) {
+    reception.snr = sum / static_cast<double>(reception.measured);
+    if (reception.snr < floor + Decibels{10.0}) return alone(*newest_);
+  }
   return reception;
 }
 

@@ -2,9 +2,9 @@
 
 namespace earshot::guidance {
 
-std::size_t Fallback::choose(bool is_surprised, std::size_t wanted, const SweepPlan& plan, NorthEast position,
+std::size_t Fallback::choose(bool calls_for_sweep, std::size_t wanted, const SweepPlan& plan, NorthEast position,
                              std::span<const UnitNorthEast> actions) {
-  if (is_surprised && !is_sweeping_) {
+  if (calls_for_sweep && !is_sweeping_) {
     sweep_ = Sweep(plan, position);
     is_sweeping_ = true;
   }

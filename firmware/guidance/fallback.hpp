@@ -12,12 +12,12 @@ class Fallback {
  public:
   /// A new search begins.
   void start() { is_sweeping_ = false; }
-  /// The action to take in place of `wanted`: that of the sweep from the first surprise on.
-  /// @param is_surprised  by all that was heard so far
+  /// The action to take in place of `wanted`: that of the sweep from the first call for one on.
+  /// @param calls_for_sweep  what was heard so far
   /// @param position      of the vehicle, finite
   /// @param actions       the directions of a step, at least one
   /// Oracle: Fallback.*
-  [[nodiscard]] std::size_t choose(bool is_surprised, std::size_t wanted, const SweepPlan& plan, NorthEast position,
+  [[nodiscard]] std::size_t choose(bool calls_for_sweep, std::size_t wanted, const SweepPlan& plan, NorthEast position,
                                    std::span<const UnitNorthEast> actions);
   [[nodiscard]] bool is_sweeping() const { return is_sweeping_; }
 

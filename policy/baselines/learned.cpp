@@ -27,7 +27,8 @@ std::size_t Learned::choose(const DecisionInput& input) {
   policy::find_logits(policy_, seen, scores);
   const std::size_t action = policy::draw_action(draw_, scores, random_);
   const guidance::SweepPlan plan{.area = domain_, .margin = {}, .step_length = policy_.step_length};
-  return fallback_.choose(is_surprised().value_or(false), action, plan, input.position,
+  const bool calls_for_sweep = policy::needs_belief(policy_.observation.spec) && memory_.belief().surprise().calls_for_sweep();
+  return fallback_.choose(calls_for_sweep, action, plan, input.position,
                           std::span(policy_.actions.begin(), policy_.actions.size()));
 }
 

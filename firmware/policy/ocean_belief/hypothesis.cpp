@@ -56,9 +56,12 @@ std::uint8_t next_to(std::uint8_t index, std::size_t count, Pcg32& random) {
 
 }  // namespace
 
+int log_prior_of_ocean(const Hypothesis& h, const OceanTables& tables) {
+  return to_log(tables.tables[h.table].prior) - to_log(sum_of_priors(tables));
+}
+
 int log_prior(const Hypothesis& h, const OceanTables& tables) {
-  return to_log(tables.tables[h.table].prior) - to_log(sum_of_priors(tables)) + to_log(kLevelPriors[h.level]) +
-         to_log(kSpreadPriors[h.spread]) + to_log(kSilencePriors[h.silence]) + to_log(kMobilityPriors[h.mobility]) + log_prior(h.drift);
+  return log_prior_of_ocean(h, tables) + to_log(kLevelPriors[h.level]) + to_log(kSpreadPriors[h.spread]) + to_log(kSilencePriors[h.silence]) + to_log(kMobilityPriors[h.mobility]) + log_prior(h.drift);
 }
 
 Hypothesis draw_hypothesis(const OceanTables& tables, Motion motion, Pcg32& random) {

@@ -38,6 +38,9 @@ inline constexpr std::array<Mobility, 4> kMobilities{{{0, 0}, {1, 3 * 512}, {1, 
 /// log2 of the prior probability, in 1/512.
 [[nodiscard]] int log_prior(const Hypothesis& hypothesis, const OceanTables& tables);
 
+/// Of that the part that is the ocean's.
+[[nodiscard]] int log_prior_of_ocean(const Hypothesis& hypothesis, const OceanTables& tables);
+
 /// Which hypotheses are drawn: a source that may move takes four times as long to weigh as one that rests.
 enum class Motion : std::uint8_t { kAtRest, kMoving };
 

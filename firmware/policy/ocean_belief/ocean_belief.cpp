@@ -112,7 +112,7 @@ void OceanBelief::update(const BeliefModel& model, const OceanTables& tables, No
   find_posteriors(model, tables);
   find_shares();
   if (is_history_whole_) weigh_others(model, tables);
-  surprise_.take_in(reception, log_explained(model));
+  surprise_.take_in(reception, log_explained(model, tables));
   judge(model, tables, position, reception);
   // Where the source is by the next look, from the corner of the area as the likeliest current has carried it.
   const NorthEast corner = way_of(likeliest_current(), model, heard_);
@@ -206,10 +206,10 @@ void OceanBelief::find_shares() {
 }
 
 /// log2 of the probability of all that was heard, odd explanations counting for less.
-int OceanBelief::log_explained(const BeliefModel& model) const {
+int OceanBelief::log_explained(const BeliefModel& model, const OceanTables& tables) const {
   std::array<int, kHypotheses> explanations;
   for (std::size_t i = 0; i < kHypotheses; ++i)
-    explanations[i] = posteriors_[i / kLanes][i % kLanes] - log_prior(hypothesis(i).drift) - oddity(hypothesis(i));
+    explanations[i] = posteriors_[i / kLanes][i % kLanes] - log_prior_of_ocean(hypothesis(i), tables) - log_prior(hypothesis(i).drift) - oddity(hypothesis(i));
   return log_of_sum(explanations) - to_log(static_cast<float>(cell_count(model)));
 }
 

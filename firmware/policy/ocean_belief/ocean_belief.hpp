@@ -78,7 +78,7 @@ class OceanBelief {
   void judge(const BeliefModel& model, const OceanTables& tables, NorthEast position, const Reception& reception);
   void find_posteriors(const BeliefModel& model, const OceanTables& tables);
   void find_shares();
-  [[nodiscard]] int log_explained(const BeliefModel& model) const;
+  [[nodiscard]] int log_explained(const BeliefModel& model, const OceanTables& tables) const;
   void weigh_others(const BeliefModel& model, const OceanTables& tables);
   [[nodiscard]] HeldHypotheses held() const;
   void draw_candidates(const BeliefModel& model, const OceanTables& tables);

@@ -42,12 +42,14 @@ void Surprise::start() {
   bearings_ = 0;
   bits_ = 0.0F;
   is_surprised_ = false;
+  calls_for_sweep_ = false;
 }
 
 void Surprise::take_in(const Reception& reception, int explained) {
   hear(reception);
   bits_ = static_cast<float>(known_nothing_ - explained - bearings_) * (1.0F / static_cast<float>(kOctave));
   is_surprised_ = is_surprised_ || bits_ >= kSurpriseLevel_bits;
+  calls_for_sweep_ = calls_for_sweep_ || bits_ >= kSweepLevel_bits;
 }
 
 void Surprise::hear(const Reception& reception) {

@@ -12,7 +12,11 @@ namespace earshot::policy {
 /// From this surprise on what was heard is not explained, bits. Were the tables and the prior of the hypotheses right, a surprise would
 /// ever come to it in at most 2^-8 of all missions, 0.4 %, whatever is heard (Ville's inequality: P0 / P is a martingale of mean one). No
 /// ocean is quite a table, and the measured share is what counts: README.md.
-inline constexpr float kSurpriseLevel_bits = 8.0F;
+inline constexpr float kSurpriseLevel_bits = 6.0F;
+
+/// From this surprise on a search by the belief finds less than a sweep of the area. Of what surprises a little the belief finds most
+/// nevertheless: README.md.
+inline constexpr float kSweepLevel_bits = 24.0F;
 
 /// How odd it is that a hypothesis explains what is heard, log weight, at least 0. That a source is louder than every table says, swims, or
 /// is heard with a spread of 7 dB explains nearly anything: such hypotheses let a belief survive what it does not know. So each counts
@@ -49,6 +53,8 @@ class Surprise {
   [[nodiscard]] float bits() const { return bits_; }
   /// True from the first look after which it came to kSurpriseLevel_bits, until the next start().
   [[nodiscard]] bool is_surprised() const { return is_surprised_; }
+  /// True from the first look after which it came to kSweepLevel_bits, until the next start().
+  [[nodiscard]] bool calls_for_sweep() const { return calls_for_sweep_; }
 
  private:
   static constexpr std::size_t kLevels = 9;
@@ -61,6 +67,7 @@ class Surprise {
   int bearings_;
   float bits_;
   bool is_surprised_;
+  bool calls_for_sweep_;
 };
 
 }  // namespace earshot::policy
