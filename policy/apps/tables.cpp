@@ -39,6 +39,7 @@ using host::BadInput;
 struct Options {
   std::vector<std::string> environments;
   std::vector<std::string> expected;
+  std::vector<std::string> variants;
   std::optional<std::string> origin;
   std::optional<std::string> output;
   std::optional<std::string> show;
@@ -66,6 +67,10 @@ void add_options(program::CommandLine& line, Options& o) {
       "--expected", &o.expected,
       "environment files that are the likeliest: none of their oceans is merged with another, and all of them weigh as much as all of "
       "the others");
+  line.option(
+      "--variants", &o.variants,
+      "environment files, or folders of them, that differ from what is expected in one thing (policy/worlds/generate --variants-of writes "
+      "them): none is merged either, and all of them weigh as much as all ENVIRONMENTs");
   line.option("-o,--output", &o.output, "tables to write (.tables)");
   line.option("--show", &o.show, "say what these tables are (.tables), and make none");
   line.option("--plot", &o.plot, "also draw SNR against range in every ocean there (.png or .svg)");
@@ -103,21 +108,30 @@ tables::CurvePlan plan_of(const Options& o) {
           .bearings = o.bearings};
 }
 
-/// What is read: the files of --expected, and all others.
+/// What is read: the files of --expected and of --variants, and all others.
 struct Files {
   std::vector<std::filesystem::path> expected;
+  std::vector<std::filesystem::path> variants;
   std::vector<std::filesystem::path> others;
 };
 
-/// A folder may hold one that is expected: it counts once.
-Files files_of(const Options& o) {
-  Files files{.expected = tables::environment_files(o.expected), .others = tables::environment_files(o.environments)};
-  std::erase_if(files.others, [&files](const std::filesystem::path& other) {
-    return std::ranges::any_of(files.expected, [&other](const std::filesystem::path& expected) {
+void erase_those_of(const std::vector<std::filesystem::path>& files, std::vector<std::filesystem::path>& from) {
+  std::erase_if(from, [&files](const std::filesystem::path& file) {
+    return std::ranges::any_of(files, [&file](const std::filesystem::path& other) {
       std::error_code none;
-      return std::filesystem::equivalent(other, expected, none);
+      return std::filesystem::equivalent(file, other, none);
     });
   });
+}
+
+/// A folder may hold one that is expected, or a variant: it counts once.
+Files files_of(const Options& o) {
+  Files files{.expected = tables::environment_files(o.expected),
+              .variants = tables::environment_files(o.variants),
+              .others = tables::environment_files(o.environments)};
+  erase_those_of(files.expected, files.variants);
+  erase_those_of(files.expected, files.others);
+  erase_those_of(files.variants, files.others);
   return files;
 }
 
@@ -140,21 +154,34 @@ std::vector<tables::OceanCurve> curves_of(const std::vector<tables::BelievedOcea
       });
 }
 
-/// What is heard in the oceans of both kinds.
+struct Oceans {
+  std::vector<tables::BelievedOcean> expected;
+  std::vector<tables::BelievedOcean> variants;
+  std::vector<tables::BelievedOcean> others;
+};
+
+std::vector<tables::BelievedOcean> all_of(const Oceans& oceans) {
+  std::vector<tables::BelievedOcean> all = oceans.expected;
+  all.insert(all.end(), oceans.variants.begin(), oceans.variants.end());
+  all.insert(all.end(), oceans.others.begin(), oceans.others.end());
+  return all;
+}
+
+/// What is heard in them.
 struct Curves {
-  std::vector<tables::OceanCurve> expected;
+  tables::Unmerged unmerged;
   std::vector<tables::OceanCurve> others;
 };
 
-Curves curves_of(const std::vector<tables::BelievedOcean>& expected, const std::vector<tables::BelievedOcean>& others,
-                 const tables::CurvePlan& plan) {
+Curves curves_of(const Oceans& oceans, const tables::CurvePlan& plan) {
   constexpr const char* kAbove = ": the sea floor lies above the vehicle";
   Curves curves;
   std::vector<std::string> left_out;
-  curves.expected = curves_of(expected, plan, left_out);
+  curves.unmerged.expected = curves_of(oceans.expected, plan, left_out);
   if (!left_out.empty()) throw BadInput("--vehicle-depth-m: " + left_out.front() + kAbove + ", and the ocean is expected");
-  curves.others = curves_of(others, plan, left_out);
-  if (!others.empty() && curves.others.empty())
+  curves.unmerged.variants = curves_of(oceans.variants, plan, left_out);
+  curves.others = curves_of(oceans.others, plan, left_out);
+  if (!oceans.others.empty() && curves.others.empty())
     throw BadInput("--vehicle-depth-m: " + left_out.front() + kAbove + ", as in every ocean given");
   for (const std::string& ocean : left_out) program::say() << ocean << ": left out, its sea floor lies above the vehicle\n";
   return curves;
@@ -175,28 +202,29 @@ std::string tenths(double value) {
 
 std::unique_ptr<policy::OceanTables> tables_of(const Files& files, const Options& o) {
   const tables::CurvePlan plan = plan_of(o);
-  const std::vector<tables::BelievedOcean> expected = oceans_of(files.expected);
-  const std::vector<tables::BelievedOcean> others = oceans_of(files.others);
-  std::vector<tables::BelievedOcean> oceans = expected;
-  oceans.insert(oceans.end(), others.begin(), others.end());
-  tables::require_one_frequency(oceans);
-  const Curves curves = curves_of(expected, others, plan);
-  std::vector<tables::OceanCurve> all = curves.expected;
+  const Oceans oceans{.expected = oceans_of(files.expected), .variants = oceans_of(files.variants), .others = oceans_of(files.others)};
+  const std::vector<tables::BelievedOcean> every = all_of(oceans);
+  tables::require_one_frequency(every);
+  const Curves curves = curves_of(oceans, plan);
+  std::vector<tables::OceanCurve> all = curves.unmerged.expected;
+  all.insert(all.end(), curves.unmerged.variants.begin(), curves.unmerged.variants.end());
   all.insert(all.end(), curves.others.begin(), curves.others.end());
-  const tables::Merged merged = tables::merge_beside(curves.expected, curves.others, o.at_most);
+  const tables::Merged merged = tables::merge_beside(curves.unmerged, curves.others, o.at_most);
   if (merged.curves.size() < all.size())
     program::say() << all.size() << " curves became " << merged.curves.size() << " tables; none is further than "
                    << tenths(merged.most_difference_db) << " dB rms from its own, where it is audible\n";
+  const std::size_t environments = files.expected.size() + files.variants.size() + files.others.size();
   std::vector<std::pair<std::string, std::string>> provenance{{"made_by", "earshot tables " + program::version()},
                                                               {"commit", program::build_commit()},
-                                                              {"environments", std::to_string(files.expected.size() + files.others.size())},
-                                                              {"environments_crc32", checksum_of(oceans)},
-                                                              {"oceans", std::to_string(oceans.size())},
+                                                              {"environments", std::to_string(environments)},
+                                                              {"environments_crc32", checksum_of(every)},
+                                                              {"oceans", std::to_string(every.size())},
                                                               {"curves", std::to_string(all.size())},
-                                                              {"expected", std::to_string(curves.expected.size())},
+                                                              {"expected", std::to_string(curves.unmerged.expected.size())},
+                                                              {"variants", std::to_string(curves.unmerged.variants.size())},
                                                               {"merged_within_db", tenths(merged.most_difference_db)}};
   if (o.origin) provenance.emplace_back("origin", *o.origin);
-  return tables::make_tables(merged.curves, all, plan, oceans.front().environment.source.frequency, provenance);
+  return tables::make_tables(merged.curves, all, plan, every.front().environment.source.frequency, provenance);
 }
 
 void check_outputs(const Options& o) {
@@ -213,7 +241,8 @@ void check_outputs(const Options& o) {
 }
 
 void show(const Options& o) {
-  if (!o.environments.empty() || !o.expected.empty() || o.origin || o.output || !o.key.key.empty() || o.key.only_makes_keys())
+  if (!o.environments.empty() || !o.expected.empty() || !o.variants.empty() || o.origin || o.output || !o.key.key.empty() ||
+      o.key.only_makes_keys())
     throw BadInput("--show: goes with --plot alone, it makes no tables");
   check_outputs(o);
   const std::vector<std::uint8_t> bytes = host::read_tables_bytes(*o.show);
@@ -226,6 +255,7 @@ void show(const Options& o) {
 }
 
 void make(const Options& o) {
+  if (!o.variants.empty() && o.expected.empty()) throw BadInput("--variants: of what is expected; give --expected, too");
   if ((o.environments.empty() && o.expected.empty()) || !o.output || o.key.key.empty())
     throw BadInput("earshot tables: ENVIRONMENT or --expected, --output and --key are needed; or --show alone");
   const Files files = files_of(o);
@@ -235,6 +265,7 @@ void make(const Options& o) {
   };
   for (const std::filesystem::path& file : files.others) check_is_not_output("ENVIRONMENT", file);
   for (const std::filesystem::path& file : files.expected) check_is_not_output("--expected", file);
+  for (const std::filesystem::path& file : files.variants) check_is_not_output("--variants", file);
   const std::unique_ptr<policy::OceanTables> tables = tables_of(files, o);
   const host::SecretKey key = o.key.read(o.force);
   const std::vector<std::uint8_t> bytes = tables::sign(*tables, key);

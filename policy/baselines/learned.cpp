@@ -28,8 +28,7 @@ std::size_t Learned::choose(const DecisionInput& input) {
   const std::size_t action = policy::draw_action(draw_, scores, random_);
   const guidance::SweepPlan plan{.area = domain_, .margin = {}, .step_length = policy_.step_length};
   const bool calls_for_sweep = policy::needs_belief(policy_.observation.spec) && memory_.belief().surprise().calls_for_sweep();
-  return fallback_.choose(calls_for_sweep, action, plan, input.position,
-                          std::span(policy_.actions.begin(), policy_.actions.size()));
+  return fallback_.choose(calls_for_sweep, action, plan, input.position, std::span(policy_.actions.begin(), policy_.actions.size()));
 }
 
 std::optional<bool> Learned::declares_found() const {

@@ -1,6 +1,8 @@
 #include "policy/tables/expected.hpp"
 
+#include <iterator>
 #include <string>
+#include <utility>
 
 #include "firmware/host/file/bad_input.hpp"
 
@@ -13,19 +15,24 @@ double weight_of(const std::vector<OceanCurve>& curves) {
   return sum;
 }
 
+/// Puts curves before others, made to weigh so many times as much as these together.
+void put_before(std::vector<OceanCurve>& others, std::vector<OceanCurve> curves, double times) {
+  const double scale = others.empty() || curves.empty() ? 1.0 : times * weight_of(others) / weight_of(curves);
+  for (OceanCurve& curve : curves) curve.weight *= scale;
+  curves.insert(curves.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+  others = std::move(curves);
+}
+
 }  // namespace
 
-Merged merge_beside(const std::vector<OceanCurve>& expected, const std::vector<OceanCurve>& others, std::size_t at_most) {
-  const std::size_t needed = expected.size() + (others.empty() ? 0 : 1);
-  if (needed > at_most)
-    throw host::BadInput("--expected: " + std::to_string(expected.size()) +
+Merged merge_beside(const Unmerged& unmerged, const std::vector<OceanCurve>& others, std::size_t at_most) {
+  const std::size_t kept = unmerged.expected.size() + unmerged.variants.size();
+  if (kept + (others.empty() ? 0 : 1) > at_most)
+    throw host::BadInput("--expected, --variants: " + std::to_string(kept) +
                          " curves, which are not merged and leave no room for others in " + std::to_string(at_most) + " tables");
-  Merged merged = merge(others, at_most - expected.size());
-  const double scale = others.empty() || expected.empty() ? 1.0 : weight_of(others) / weight_of(expected);
-  std::vector<OceanCurve> curves = expected;
-  for (OceanCurve& curve : curves) curve.weight *= scale;
-  for (OceanCurve& curve : merged.curves) curves.push_back(std::move(curve));
-  merged.curves = std::move(curves);
+  Merged merged = merge(others, at_most - kept);
+  put_before(merged.curves, unmerged.variants, static_cast<double>(unmerged.variants.size()) / static_cast<double>(merged.curves.size()));
+  put_before(merged.curves, unmerged.expected, 1.0);
   return merged;
 }
 

@@ -8,12 +8,19 @@
 
 namespace earshot::tables {
 
-/// The curves that are expected, first and as they are, and as many of the others, merged, as there is room for beside them. All expected
-/// ones together weigh as much as all others together, and among themselves as given.
-/// @param expected  may be none: the others alone, merged; @param others  may be none: the expected ones alone
+/// Those of which none is merged with another.
+struct Unmerged {
+  std::vector<OceanCurve> expected;
+  std::vector<OceanCurve> variants;  ///< of what is expected
+};
+
+/// The curves that are expected and their variants, first and as they are, and as many of the others, merged, as there is room for beside
+/// them. All variants together weigh as much as all others together, and all expected ones as much as variants and others together; among
+/// themselves they weigh as given.
+/// @param unmerged  may be none; @param others  may be none
 /// @param at_most   >= 1
-/// Throws host::BadInput where those expected leave no room: for one of the others, if there are any.
+/// Throws host::BadInput where those unmerged leave no room: for one of the others, if there are any.
 /// Oracle: Expected.*
-[[nodiscard]] Merged merge_beside(const std::vector<OceanCurve>& expected, const std::vector<OceanCurve>& others, std::size_t at_most);
+[[nodiscard]] Merged merge_beside(const Unmerged& unmerged, const std::vector<OceanCurve>& others, std::size_t at_most);
 
 }  // namespace earshot::tables

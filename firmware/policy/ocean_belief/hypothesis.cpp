@@ -61,7 +61,8 @@ int log_prior_of_ocean(const Hypothesis& h, const OceanTables& tables) {
 }
 
 int log_prior(const Hypothesis& h, const OceanTables& tables) {
-  return log_prior_of_ocean(h, tables) + to_log(kLevelPriors[h.level]) + to_log(kSpreadPriors[h.spread]) + to_log(kSilencePriors[h.silence]) + to_log(kMobilityPriors[h.mobility]) + log_prior(h.drift);
+  return log_prior_of_ocean(h, tables) + to_log(kLevelPriors[h.level]) + to_log(kSpreadPriors[h.spread]) +
+         to_log(kSilencePriors[h.silence]) + to_log(kMobilityPriors[h.mobility]) + log_prior(h.drift);
 }
 
 Hypothesis draw_hypothesis(const OceanTables& tables, Motion motion, Pcg32& random) {

@@ -53,6 +53,8 @@ class HypothesisBlock {
   [[nodiscard]] bool holds(const Hypothesis& hypothesis) const;
   /// log2 of the probability of all that was heard under each hypothesis, in 1/512, with a constant in common.
   [[nodiscard]] std::array<int, kLanes> log_evidence(const BeliefModel& model) const;
+  /// The same of the likeliest place alone, which costs nothing; every place adds at most as much.
+  [[nodiscard]] int log_of_likeliest(std::size_t lane) const { return scale_[lane] + highest_[lane]; }
   /// Adds the probability of every cell, those of a hypothesis adding up to its share.
   /// @param marginal  [north x east]
   void add_to(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const;

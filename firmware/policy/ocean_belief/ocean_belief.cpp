@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "firmware/core/crc32.hpp"
 #include "firmware/core/math.hpp"
@@ -19,19 +18,8 @@
 namespace earshot::policy {
 namespace {
 
-/// Looks of a block of other hypotheses that are taken in after each look of the vehicle: as many as the time of a decision allows.
-constexpr std::size_t kLooksOfOthers = 50;
-/// One of eight drifts takes so much longer.
-constexpr std::size_t kLooksOfDrifts = 2;
-/// Of those that are held so many drift, once there are any.
-constexpr std::size_t kLeastThatDrift = 8;
-/// Before so many looks nothing tells a drift from another place: what is tried until then are oceans.
-constexpr std::uint32_t kLooksBeforeDrifts = 8;
-static_assert(kLeastThatDrift < OceanBelief::kHypotheses);
 /// A hypothesis less likely than this changes no decision.
 constexpr float kLeastShare = 1e-4F;
-/// Less likely than any.
-constexpr int kNoPosterior = std::numeric_limits<int>::min() / 2;
 /// More than any regret.
 constexpr float kAnyRegret = 1e9F;
 /// Powers of two below the likeliest at which a hypothesis has no share.
@@ -189,10 +177,7 @@ void OceanBelief::find_posteriors(const BeliefModel& model, const OceanTables& t
 }
 
 void OceanBelief::find_shares() {
-  int highest = kNoPosterior;
-  for (const Posteriors& posteriors : posteriors_) {
-    for (const int posterior : posteriors) highest = std::max(highest, posterior);
-  }
+  const int highest = posterior_of_likeliest();
   float sum = 0.0F;
   for (std::size_t b = 0; b < residents_.size(); ++b) {
     for (std::size_t l = 0; l < kLanes; ++l) {
@@ -209,69 +194,9 @@ void OceanBelief::find_shares() {
 int OceanBelief::log_explained(const BeliefModel& model, const OceanTables& tables) const {
   std::array<int, kHypotheses> explanations;
   for (std::size_t i = 0; i < kHypotheses; ++i)
-    explanations[i] = posteriors_[i / kLanes][i % kLanes] - log_prior_of_ocean(hypothesis(i), tables) - log_prior(hypothesis(i).drift) - oddity(hypothesis(i));
+    explanations[i] = posteriors_[i / kLanes][i % kLanes] - log_prior_of_ocean(hypothesis(i), tables) - log_prior(hypothesis(i).drift) -
+                      oddity(hypothesis(i));
   return log_of_sum(explanations) - to_log(static_cast<float>(cell_count(model)));
-}
-
-void OceanBelief::weigh_others(const BeliefModel& model, const OceanTables& tables) {
-  for (std::size_t budget = kLooksOfOthers; budget > 0;) {
-    if (!has_candidates_) draw_candidates(model, tables);
-    const std::size_t cost = candidates_.hypothesis(0).drift.is_none() ? 1 : kLooksOfDrifts;
-    for (; budget > 0 && candidates_heard_ < looks_.size(); budget -= std::min(budget, cost)) {
-      const std::uint32_t index = candidates_heard_++;
-      take_in(model, tables, looks_[index], index, candidates_);
-    }
-    if (candidates_heard_ < looks_.size()) return;  // the next look goes on
-    take_the_likelier(model, tables);
-    has_candidates_ = false;
-  }
-}
-
-HeldHypotheses OceanBelief::held() const {
-  HeldHypotheses held;
-  for (std::size_t i = 0; i < kHypotheses; ++i) {
-    held.hypotheses[i] = hypothesis(i);
-    held.shares[i] = share(i);
-  }
-  return held;
-}
-
-/// None that drift once there are bearings: of those only what they say of a source that rests is remembered.
-void OceanBelief::draw_candidates(const BeliefModel& model, const OceanTables& tables) {
-  const HeldHypotheses all = held();
-  Trial trial = draw_trial(all, random_);
-  if ((has_bearings_ || heard_ < kLooksBeforeDrifts) && trial == Trial::kDrifting) trial = Trial::kAtRest;
-  candidates_.start(model, policy::draw_candidates(all, tables, trial, random_), bearings_);
-  candidates_heard_ = 0;
-  has_candidates_ = true;
-}
-
-bool OceanBelief::is_held(const Hypothesis& hypothesis) const {
-  return std::any_of(residents_.begin(), residents_.end(), [&](const HypothesisBlock& block) { return block.holds(hypothesis); });
-}
-
-/// A few that drift are held however unlikely they are: a drift is found by way of others that are near it.
-void OceanBelief::take_the_likelier(const BeliefModel& model, const OceanTables& tables) {
-  const std::array<int, kLanes> evidence = candidates_.log_evidence(model);
-  const auto posterior_of = [this](std::size_t i) -> int& { return posteriors_[i / kLanes][i % kLanes]; };
-  for (std::size_t c = 0; c < kLanes; ++c) {
-    const Hypothesis& candidate = candidates_.hypothesis(c);
-    if (is_held(candidate)) continue;
-    std::size_t drifting = 0;
-    for (std::size_t i = 0; i < kHypotheses; ++i) drifting += hypothesis(i).drift.is_none() ? 0U : 1U;
-    const bool drifts = !candidate.drift.is_none();
-    std::size_t worst = kHypotheses;  // of those that may give way
-    for (std::size_t i = 0; i < kHypotheses; ++i) {
-      const bool may = hypothesis(i).drift.is_none() || drifting > kLeastThatDrift || (drifts && drifting == kLeastThatDrift);
-      if (may && (worst == kHypotheses || posterior_of(i) < posterior_of(worst))) worst = i;
-    }
-    const int posterior = evidence[c] + log_prior(candidate, tables);
-    const bool is_wanted = drifts && drifting < kLeastThatDrift;
-    if (posterior <= posterior_of(worst) && !is_wanted) continue;
-    residents_[worst / kLanes].take_over(model, worst % kLanes, candidates_, c);
-    posterior_of(worst) = posterior;
-  }
-  find_shares();
 }
 
 /// The current that is the likeliest of all; none where it is likelier that there is none.

@@ -76,6 +76,7 @@ class OceanBelief {
   void rule_out(const BeliefModel& model, const OceanTables& tables, NorthEast position, std::uint32_t index, HypothesisBlock& block);
   [[nodiscard]] Decibels least_snr_near(const BeliefModel& model, const OceanTables& tables) const;
   void judge(const BeliefModel& model, const OceanTables& tables, NorthEast position, const Reception& reception);
+  [[nodiscard]] int posterior(std::size_t index) const { return posteriors_[index / kLanes][index % kLanes]; }
   void find_posteriors(const BeliefModel& model, const OceanTables& tables);
   void find_shares();
   [[nodiscard]] int log_explained(const BeliefModel& model, const OceanTables& tables) const;
@@ -83,6 +84,11 @@ class OceanBelief {
   [[nodiscard]] HeldHypotheses held() const;
   void draw_candidates(const BeliefModel& model, const OceanTables& tables);
   [[nodiscard]] bool is_held(const Hypothesis& hypothesis) const;
+  [[nodiscard]] std::size_t least_likely(bool drifts) const;
+  [[nodiscard]] std::size_t drifting() const;
+  [[nodiscard]] int least_to_be_held() const;
+  [[nodiscard]] int posterior_of_likeliest() const;
+  [[nodiscard]] int most_to_come(const BeliefModel& model, const OceanTables& tables, int per_look) const;
   void take_the_likelier(const BeliefModel& model, const OceanTables& tables);
   [[nodiscard]] Drift likeliest_current() const;
   void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks);

@@ -1,4 +1,4 @@
-"""Draws worlds of a split, or the environments of a bank that covers the oceans evenly.
+"""Draws worlds of a split, or writes the environments of a bank that covers the oceans evenly, or an ocean's variants.
 
 What is drawn, and from what: policy/worlds/generator/README.md. The same words write the same bytes.
 """
@@ -18,6 +18,7 @@ import solver
 from draws import Draws
 from oceans import DEEPEST_M, Ocean, bank_ocean, drawn_ocean, environment_text
 from searches import Conditions, drawn_conditions
+from variants import variants
 
 # Seeds of a split's worlds begin here; as many as a split may have lie before the next's.
 FIRST_SEED = {"train": 1_000_000, "validation": 2_000_000, "test": 3_000_000}
@@ -121,6 +122,21 @@ def write_bank(count: int, frequency_hz: float, folder: Path, refuses: Callable[
     (folder / "bank.csv").write_text("\n".join(rows) + "\n")
 
 
+def write_variants(environment: Path, folder: Path) -> None:
+    try:
+        texts = variants(environment.read_text())
+    except OSError as error:
+        raise SystemExit(f"{PROGRAM}: --variants-of {environment}: {error.strerror}") from error
+    except KeyError as error:
+        raise SystemExit(
+            f"{PROGRAM}: --variants-of {environment}: lacks {error}, which every environment has"
+        ) from error
+    except (ValueError, TypeError) as error:  # a file that is no TOML is a ValueError, too
+        raise SystemExit(f"{PROGRAM}: --variants-of {environment}: {error}") from error
+    made = f"{MADE_BY} --variants-of {environment.name}. Never edit it.\n"
+    write(folder, {f"{name}.toml": made + text for name, text in texts.items()})
+
+
 def is_ours(folder: Path) -> bool:
     """Whether everything in a folder was made here."""
     beginnings = (MADE_BY.encode(), BANK_HEADER.encode())
@@ -147,6 +163,12 @@ def options() -> argparse.Namespace:
     what.add_argument(
         "--bank", type=int, metavar="N", help="write N environments that cover the oceans evenly, and bank.csv"
     )
+    what.add_argument(
+        "--variants-of",
+        type=Path,
+        metavar="ENVIRONMENT",
+        help="write this environment over every kind of sea floor, and with its source at other depths",
+    )
     parser.add_argument("--count", type=int, default=40, help="worlds to draw (%(default)s)")
     parser.add_argument("--first", type=int, default=0, help="number of the first of them in its split (%(default)s)")
     parser.add_argument(
@@ -171,6 +193,8 @@ def options() -> argparse.Namespace:
         parser.error(f"--bank: {o.bank}: must be 1 to 10000")
     if o.split in ("validation", "test") and (o.frequency_hz is not None or o.vehicle_depth_m is not None):
         parser.error(f"--frequency-hz, --vehicle-depth-m: not of --split {o.split}, which is the same for everyone")
+    if o.variants_of is not None and (o.frequency_hz is not None or o.vehicle_depth_m is not None):
+        parser.error("--frequency-hz, --vehicle-depth-m: not of --variants-of, whose frequency is the environment's")
     if o.bank is not None and o.vehicle_depth_m is not None:
         parser.error("--vehicle-depth-m: of --split train; a bank's are as deep as bank.csv says")
     if o.frequency_hz is not None and not 1 <= o.frequency_hz <= 100:
@@ -193,6 +217,8 @@ def main() -> None:
             for index in range(o.first, o.first + o.count):
                 write_world(o.split, index, made, lambda world: solver.refuses_world(programs, world), held)
                 show_progress(f"{o.split}_{index:03d}", index - o.first + 1, o.count)
+        elif o.variants_of is not None:
+            write_variants(o.variants_of, made)
         else:
             write_bank(
                 o.bank,

@@ -99,7 +99,7 @@ def environment_text(ocean: Ocean, name: str) -> str:
             f"[source]\nfrequency_hz = {ocean.frequency_hz:.1f}\nlevel_db_re_1upa_at_1m = {ocean.level_db:.1f}\n",
             f"depth_m = {ocean.source_depth_m:.1f}\nnorth_m = 10_000.0\neast_m = 10_000.0\n",
             f"[noise]\nlevel_db_re_1upa = {ocean.noise_db:.1f}\n",
-            _water_text(ocean.water, ocean.floor_m),
+            water_text(ocean.water, ocean.floor_m),
             f"[seabed]\ndepth_m = {ocean.floor_m:.1f}\n",
             *covers,
             _bed_text(ocean.bed, at_floor_mps),
@@ -107,7 +107,7 @@ def environment_text(ocean: Ocean, name: str) -> str:
     )
 
 
-def _water_text(water: Water, floor_m: float) -> str:
+def water_text(water: Water, floor_m: float) -> str:
     if water.kind == "munk":
         munk = waters.munk(water)
         return (

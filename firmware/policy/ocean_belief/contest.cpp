@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <limits>
+
+#include "firmware/policy/likelihood/belief_grid.hpp"
+#include "firmware/policy/ocean_belief/log_weight.hpp"
+#include "firmware/policy/ocean_belief/ocean_belief.hpp"
+
+namespace earshot::policy {
+namespace {
+
+/// Looks of a block of other hypotheses that are taken in after each look of the vehicle: as many as the time of a decision allows.
+constexpr std::size_t kLooksOfOthers = 50;
+/// One of eight drifts takes so much longer.
+constexpr std::size_t kLooksOfDrifts = 2;
+/// Of those that are held so many drift, once there are any.
+constexpr std::size_t kLeastThatDrift = 8;
+/// Before so many looks nothing tells a drift from another place: what is tried until then are oceans.
+constexpr std::uint32_t kLooksBeforeDrifts = 8;
+static_assert(kLeastThatDrift < OceanBelief::kHypotheses);
+/// Less likely than any.
+constexpr int kNoPosterior = std::numeric_limits<int>::min() / 2;
+
+}  // namespace
+
+/// Weighs others, as far as the time of a decision allows; no longer than until none of eight would be held even if they explained what
+/// they have still to hear as well as the likeliest did all of it.
+void OceanBelief::weigh_others(const BeliefModel& model, const OceanTables& tables) {
+  for (std::size_t budget = kLooksOfOthers; budget > 0;) {
+    if (!has_candidates_) draw_candidates(model, tables);
+    const std::size_t cost = candidates_.hypothesis(0).drift.is_none() ? 1 : kLooksOfDrifts;
+    const int least = least_to_be_held();
+    const int per_look = posterior_of_likeliest() / static_cast<int>(looks_.size());
+    while (budget > 0 && has_candidates_ && candidates_heard_ < looks_.size()) {
+      const std::uint32_t index = candidates_heard_++;
+      take_in(model, tables, looks_[index], index, candidates_);
+      budget -= std::min(budget, cost);
+      has_candidates_ = most_to_come(model, tables, per_look) >= least;
+    }
+    if (!has_candidates_) continue;
+    if (candidates_heard_ < looks_.size()) return;  // the next look goes on
+    take_the_likelier(model, tables);
+    has_candidates_ = false;
+  }
+}
+
+HeldHypotheses OceanBelief::held() const {
+  HeldHypotheses held;
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    held.hypotheses[i] = hypothesis(i);
+    held.shares[i] = share(i);
+  }
+  return held;
+}
+
+/// None that drift once there are bearings: of those only what they say of a source that rests is remembered.
+void OceanBelief::draw_candidates(const BeliefModel& model, const OceanTables& tables) {
+  const HeldHypotheses all = held();
+  Trial trial = draw_trial(all, random_);
+  if ((has_bearings_ || heard_ < kLooksBeforeDrifts) && trial == Trial::kDrifting) trial = Trial::kAtRest;
+  candidates_.start(model, policy::draw_candidates(all, tables, trial, random_), bearings_);
+  candidates_heard_ = 0;
+  has_candidates_ = true;
+}
+
+bool OceanBelief::is_held(const Hypothesis& hypothesis) const {
+  return std::any_of(residents_.begin(), residents_.end(), [&](const HypothesisBlock& block) { return block.holds(hypothesis); });
+}
+
+std::size_t OceanBelief::drifting() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < kHypotheses; ++i) count += hypothesis(i).drift.is_none() ? 0U : 1U;
+  return count;
+}
+
+/// Of those that are held and may give way. A few that drift are held however unlikely they are: a drift is found by way of others that
+/// are near it.
+/// @param drifts  what would take its place
+std::size_t OceanBelief::least_likely(bool drifts) const {
+  const std::size_t count = drifting();
+  const bool may_drift = count > kLeastThatDrift || (drifts && count == kLeastThatDrift);
+  std::size_t least = kHypotheses;
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    if (!hypothesis(i).drift.is_none() && !may_drift) continue;
+    if (least == kHypotheses || posterior(i) < posterior(least)) least = i;
+  }
+  return least;
+}
+
+/// Posterior from which on one of the candidates would be held.
+int OceanBelief::least_to_be_held() const {
+  const bool drifts = !candidates_.hypothesis(0).drift.is_none();
+  return drifts && drifting() < kLeastThatDrift ? kNoPosterior : posterior(least_likely(drifts));
+}
+
+int OceanBelief::posterior_of_likeliest() const {
+  int most = kNoPosterior;
+  for (std::size_t i = 0; i < kHypotheses; ++i) most = std::max(most, posterior(i));
+  return most;
+}
+
+/// The most that the posterior of a candidate comes to if it explains what it has still to hear well.
+/// @param per_look  log weight of a look that is explained well
+int OceanBelief::most_to_come(const BeliefModel& model, const OceanTables& tables, int per_look) const {
+  int most = kNoPosterior;
+  for (std::size_t l = 0; l < kLanes; ++l)
+    most = std::max(most, candidates_.log_of_likeliest(l) + log_prior(candidates_.hypothesis(l), tables));
+  const int to_hear = static_cast<int>(looks_.size()) - static_cast<int>(candidates_heard_);
+  return most + to_log(static_cast<float>(cell_count(model))) + per_look * to_hear;
+}
+
+void OceanBelief::take_the_likelier(const BeliefModel& model, const OceanTables& tables) {
+  const std::array<int, kLanes> evidence = candidates_.log_evidence(model);
+  for (std::size_t c = 0; c < kLanes; ++c) {
+    const Hypothesis& candidate = candidates_.hypothesis(c);
+    if (is_held(candidate)) continue;
+    const bool drifts = !candidate.drift.is_none();
+    const std::size_t least = least_likely(drifts);
+    const int of_candidate = evidence[c] + log_prior(candidate, tables);
+    const bool is_wanted = drifts && drifting() < kLeastThatDrift;
+    if (of_candidate <= posterior(least) && !is_wanted) continue;
+    residents_[least / kLanes].take_over(model, least % kLanes, candidates_, c);
+    posteriors_[least / kLanes][least % kLanes] = of_candidate;
+  }
+  find_shares();
+}
+
+}  // namespace earshot::policy
