@@ -13,7 +13,8 @@ namespace earshot::config {
 enum class Listening : std::uint8_t {
   kNewest,   ///< the look that ends the leg, as in the paper
   kLoudest,  ///< the loudest of those that were measured; of many looks that fluctuate it is louder than the sound is
-  kMean,     ///< the mean, in dB, of those that were measured: a call among silence counts whole, and fluctuation averages out
+  kMean,     ///< the mean, in dB, of those that were measured: a call among silence counts whole, and fluctuation averages out; the newest
+             ///< look where the floor may have cut off the lower part of them
 };
 
 /// The words for these in files and on command lines, in the same order.

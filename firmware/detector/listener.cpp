@@ -21,6 +21,10 @@ std::size_t slot_of(std::int64_t second) {
   return static_cast<std::size_t>(rest < 0 ? rest + kRing : rest);
 }
 
+/// A mean that is no further above the floor may be the upper part of what was there: noise of 8 dB, the most in the worlds that policies
+/// are judged in, then has lost an eighth of its looks and the mean 2 dB.
+constexpr Decibels kClearOfFloor{10.0};
+
 WindowReception alone(const messages::SnrMeasurement& look) {
   return {.snr = look.snr, .too_faint = look.too_faint, .looks = 1, .measured = look.too_faint ? 0U : 1U};
 }
@@ -28,13 +32,21 @@ WindowReception alone(const messages::SnrMeasurement& look) {
 }  // namespace
 
 void Listener::Second::add(const messages::SnrMeasurement& look) {
-  const bool is_first = looks == 0 || (measured == 0 && !look.too_faint);
+  const bool is_first = look.too_faint ? looks == measured : measured == 0;
+  Decibels& most = look.too_faint ? highest_floor : loudest;
+  most = is_first ? look.snr : std::max(most, look.snr);
   ++looks;
-  if (look.too_faint && measured > 0) return;
-  level = is_first ? look.snr : std::max(level, look.snr);
   if (look.too_faint) return;
   sum += look.snr;
   ++measured;
+}
+
+void Listener::Second::add(const Second& other) {
+  if (other.looks > other.measured) highest_floor = looks > measured ? std::max(highest_floor, other.highest_floor) : other.highest_floor;
+  if (other.measured > 0) loudest = measured > 0 ? std::max(loudest, other.loudest) : other.loudest;
+  sum += other.sum;
+  looks += other.looks;
+  measured += other.measured;
 }
 
 void Listener::begin_leg(Time now) {
@@ -62,27 +74,15 @@ WindowReception Listener::reception(config::ListeningWindow window, Time now) co
   if (window.listening == config::Listening::kNewest || is_empty_) return alone(*newest_);
   const std::int64_t last = std::max(second_of(now), last_second_);
   const std::int64_t first = last - window.length.us / Duration::seconds(1).us + 1;  // no earlier than the ring reaches
-  WindowReception reception;
-  Decibels sum;
-  Decibels floor{-1e9};
-  for (std::int64_t s = first; s <= last_second_; ++s) {
-    const Second& second = seconds_[slot_of(s)];
-    if (second.looks == 0) continue;
-    const bool is_first = reception.looks == 0 || (reception.measured == 0 && second.measured > 0);
-    if (is_first || (second.measured > 0) == (reception.measured > 0))
-      reception.snr = is_first ? second.level : std::max(reception.snr, second.level);
-    sum += second.sum;
-    if (second.measured == 0) floor = std::max(floor, second.level);
-    reception.looks += second.looks;
-    reception.measured += second.measured;
-  }
-  if (reception.looks == 0) return alone(*newest_);
-  reception.too_faint = reception.measured == 0;
-  if (!reception.too_faint && window.listening == config::Listening::kMean) {
-    reception.snr = sum / static_cast<double>(reception.measured);
-    if (reception.snr < floor + Decibels{10.0}) return alone(*newest_);
-  }
-  return reception;
+  Second all;
+  for (std::int64_t s = first; s <= last_second_; ++s) all.add(seconds_[slot_of(s)]);
+  if (all.looks == 0) return alone(*newest_);
+  if (all.measured == 0) return {.snr = all.highest_floor, .too_faint = true, .looks = all.looks};
+  WindowReception reception{.snr = all.loudest, .looks = all.looks, .measured = all.measured};
+  if (window.listening != config::Listening::kMean) return reception;
+  reception.snr = all.sum / static_cast<double>(all.measured);
+  const bool may_be_cut_off = all.looks > all.measured && reception.snr < all.highest_floor + kClearOfFloor;
+  return may_be_cut_off ? alone(*newest_) : reception;
 }
 
 }  // namespace earshot::detector

@@ -27,8 +27,11 @@ struct WindowReception {
 ///
 ///   newest   the last look, whatever the window
 ///   loudest  the greatest measured SNR; looks that were too faint to measure say no more than that they were fainter than their floor
-///   mean     sum of the measured SNRs in dB / their number, added up second by second, the oldest first
+///   mean     sum of the measured SNRs in dB / their number, added up second by second, the oldest first; the newest look alone where some
+///            were too faint and the mean lies less than 10 dB above the highest of their floors
 ///
+/// Of what fluctuates about the floor only the upper part is measured: its mean stays above the floor however faint the sound gets. The
+/// newest look says what it is. Pulses well above the floor, with silence between, count whole.
 /// When no look of the window was measured, all that is known of the loudest, and of the mean, is that it lay below the highest floor.
 /// Looks may come from several senders, in any order within the window: dates decide. Gaps are seconds without looks.
 /// Oracle: Listener.*
@@ -48,13 +51,15 @@ class Listener {
   [[nodiscard]] const std::optional<messages::SnrMeasurement>& newest() const { return newest_; }
 
  private:
-  /// The looks of one second of the clock.
+  /// The looks of one second of the clock, or of several.
   struct Second {
-    Decibels level;  ///< the loudest of the measured; where none was, the highest floor
-    Decibels sum;    ///< of the measured
+    Decibels loudest;        ///< of the measured, if any was
+    Decibels highest_floor;  ///< of the others, if there are any
+    Decibels sum;            ///< of the measured
     std::uint32_t looks = 0;
     std::uint32_t measured = 0;
     void add(const messages::SnrMeasurement& look);
+    void add(const Second& other);
   };
 
   void forget_up_to(std::int64_t second);

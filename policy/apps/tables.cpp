@@ -70,7 +70,7 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option(
       "--variants", &o.variants,
       "environment files, or folders of them, that differ from what is expected in one thing (policy/worlds/generate --variants-of writes "
-      "them): none is merged either, and all of them weigh as much as all ENVIRONMENTs");
+      "them): none is merged either, and each weighs as much as one other table");
   line.option("-o,--output", &o.output, "tables to write (.tables)");
   line.option("--show", &o.show, "say what these tables are (.tables), and make none");
   line.option("--plot", &o.plot, "also draw SNR against range in every ocean there (.png or .svg)");

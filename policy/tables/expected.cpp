@@ -31,7 +31,8 @@ Merged merge_beside(const Unmerged& unmerged, const std::vector<OceanCurve>& oth
     throw host::BadInput("--expected, --variants: " + std::to_string(kept) +
                          " curves, which are not merged and leave no room for others in " + std::to_string(at_most) + " tables");
   Merged merged = merge(others, at_most - kept);
-  put_before(merged.curves, unmerged.variants, static_cast<double>(unmerged.variants.size()) / static_cast<double>(merged.curves.size()));
+  const double per_other = merged.curves.empty() ? 1.0 : 1.0 / static_cast<double>(merged.curves.size());
+  put_before(merged.curves, unmerged.variants, static_cast<double>(unmerged.variants.size()) * per_other);
   put_before(merged.curves, unmerged.expected, 1.0);
   return merged;
 }

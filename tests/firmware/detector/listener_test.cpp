@@ -80,7 +80,20 @@ TEST(Listener, TellsTheHighestFloorWhenNothingCouldBeMeasured) {
 TEST(Listener, TakesWhatWasMeasuredBeforeAFloorThatIsHigher) {
   const Listener listener = after({measured(1, 4), too_faint(2, 12), measured(3, 6)});
   EXPECT_EQ(listener.reception(loudest_of(3), second(3)), reception(6, 3, 2));
-  EXPECT_EQ(listener.reception(mean_of(3), second(3)), reception(5, 3, 2));
+  EXPECT_EQ(listener.reception(mean_of(3), second(3)), reception(6, 1, 1));
+}
+
+TEST(Listener, TakesTheNewestLookForAMeanWhoseLowerPartMayLieBelowTheFloor) {
+  // The mean of the two that were measured lies 9 dB above the floor of 5, 10 dB above that of 4.
+  EXPECT_EQ(after({measured(1, 16), too_faint(2, 5), measured(3, 12)}).reception(mean_of(3), second(3)), reception(12, 1, 1));
+  EXPECT_EQ(after({measured(1, 16), too_faint(2, 4), measured(3, 12)}).reception(mean_of(3), second(3)), reception(14, 3, 2));
+  // In one second as in several, and though the second's floor comes first; the highest floor counts.
+  EXPECT_EQ(after({too_faint(1.1, 5), too_faint(1.2, 2), measured(1.3, 16), measured(1.4, 12)}).reception(mean_of(3), second(1.5)),
+            reception(12, 1, 1));
+  // The newest was too faint itself.
+  EXPECT_EQ(after({measured(1, 8), measured(2, 9), too_faint(3, 5)}).reception(mean_of(3), second(3)), reception(5, 1, 0));
+  // What was measured throughout is a mean however faint.
+  EXPECT_EQ(after({measured(1, 4), measured(2, 2)}).reception(mean_of(3), second(3)), reception(3, 2, 2));
 }
 
 TEST(Listener, HearsLevelsBelowZeroAsTheyAre) {

@@ -77,6 +77,22 @@ TEST_F(Programs, TablesCountAnExpectedOceanOnceThoughAFolderHoldsIt) {
   EXPECT_NE(content(folder / "out").find(" bytes, 1 table\n"), std::string::npos) << content(folder / "out");
 }
 
+TEST_F(Programs, TablesHoldVariantsUnmergedEachAsLikelyAsOneOfTheOthersOnTheMean) {
+  fs::create_directory(folder / "variants");
+  fs::copy_file(kShallow, folder / "variants/shallow.toml");
+  fs::copy_file(kPapers, folder / "variants/paper.toml");
+  ASSERT_EQ(run("tables " + kSeveral + "--expected variants/paper.toml --variants variants -o a.tables --key a.key --new-key --at-most 6"),
+            0)
+      << content(folder / "err");
+  // One expected, one variant (the other is expected), four of the rest: half of the weight, and a tenth each.
+  EXPECT_NE(content(folder / "out").find("       3000   0.500          16.1   Munk profile over a flat floor\n"), std::string::npos)
+      << content(folder / "out");
+  EXPECT_NE(content(folder / "out").find("        500   0.100"), std::string::npos) << content(folder / "out");
+  ASSERT_EQ(run("tables --show a.tables"), 0);
+  for (const std::string part : {"expected = 1\n", "variants = 1\n"})
+    EXPECT_NE(content(folder / "out").find(part), std::string::npos) << content(folder / "out");
+}
+
 TEST_F(Programs, TablesLeaveOutAnOceanTooShallowForTheVehicleAndSaySo) {
   ASSERT_EQ(run("tables " + kPapers + " " + kShallow + " -o a.tables --key a.key --new-key --vehicle-depth-m 600"), 0)
       << content(folder / "err");
@@ -109,8 +125,12 @@ TEST_F(Programs, TablesRefuseBadInputInOneLine) {
   refuses("tables " + kPapers + rest + "--expected higher.toml", {"source.frequency_hz = 20", "must be one frequency", "higher.toml"});
   refuses("tables " + kPapers + rest + "--expected none.toml", {"none.toml", "no such file"});
   refuses("tables " + kPapers + rest + "--vehicle-depth-m 600 --expected " + kShallow, {"--vehicle-depth-m", kShallow, "is expected"});
-  refuses("tables " + kShallow + rest + "--at-most 1 --expected " + kPapers, {"--expected: 1 curves", "no room for others in 1 tables"});
+  refuses("tables " + kShallow + rest + "--at-most 1 --expected " + kPapers,
+          {"--expected, --variants: 1 curves", "no room for others in 1 tables"});
   refuses("tables --expected higher.toml -o higher.toml --key a.key --force", {"--expected higher.toml", "the same file"});
+  refuses("tables " + kShallow + rest + "--variants " + kPapers, {"--variants", "give --expected"});
+  refuses("tables --expected " + kPapers + " --variants higher.toml -o higher.toml --key a.key --force",
+          {"--variants higher.toml", "the same file"});
   refuses("tables higher.toml -o higher.toml --key a.key --force", {"ENVIRONMENT higher.toml", "the same file"});
 }
 
@@ -138,6 +158,7 @@ TEST_F(Programs, TablesShowsNoDamagedOrOtherFileAndSaysWhoseSignatureDoesNotHold
   refuses("tables --show a.tables " + kPapers, {"--show"});
   refuses("tables --show a.tables --key a.key", {"--show"});
   refuses("tables --show a.tables --expected " + kPapers, {"--show"});
+  refuses("tables --show a.tables --variants " + kPapers, {"--show"});
   ASSERT_EQ(run("tables --show unsigned.tables"), 0);
   EXPECT_NE(content(folder / "out").find("NOT signed with the secret half of " + content(folder / "a.pub")), std::string::npos);
 }

@@ -37,11 +37,13 @@ TEST(Expected, AreNotMergedHoweverMuchAlike) {
   EXPECT_EQ(merged.most_difference_db, 5.0);  // b and c, from 15 dB
 }
 
-TEST(Expected, WeighAsMuchAsVariantsAndOthersWhichShareTheRest) {
+TEST(Expected, HaveVariantsEachOfWhichWeighsAsMuchAsOneOfTheOthersOnTheMean) {
   const std::vector<OceanCurve> others{curve("a", 1, 10), curve("b", 2, 20)};
-  // The others weigh 3, so the variants 3, shared as 1 to 2, and what is expected 6; the two variants are as alike as x and y are.
+  // The two others weigh 3, so the two variants 3, shared as 1 to 2, and what is expected 6; the variants are as alike as x and y are.
   const Unmerged unmerged{.expected = {curve("x", 1, 40)}, .variants = {curve("y", 1, 40), curve("z", 2, 40)}};
   EXPECT_EQ(words(merge_beside(unmerged, others, 5)), "x 6.00 y 1.00 z 2.00 a 1.00 b 2.00 ");
+  // Merged, there is one other.
+  EXPECT_EQ(words(merge_beside(unmerged, others, 4)), "x 9.00 y 2.00 z 4.00 b 3.00 ");
   EXPECT_EQ(words(merge_beside(unmerged, {}, 3)), "x 3.00 y 1.00 z 2.00 ");
 }
 

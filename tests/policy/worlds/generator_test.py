@@ -18,9 +18,11 @@ import sea_beds
 import waters
 from draws import Draws, van_der_corput
 from searches import Conditions, drawn_conditions
+from variants import variants
 
 ROOT = Path(__file__).resolve().parents[3]
 PROGRAMS = Path(sys.argv.pop())
+PAPERS = ROOT / "sim/ocean/environments/munk_flat.toml"
 TEST_SPLIT = ROOT / "policy/worlds/test"
 
 
@@ -38,6 +40,63 @@ class Numbers(unittest.TestCase):
         values = [draws.log_uniform(60, 6000) for _ in range(2000)]
         self.assertTrue(min(values) >= 60 and max(values) <= 6000)
         self.assertAlmostEqual(sum(v < 600 for v in values) / 2000, 0.5, delta=0.05)  # 4.5 standard deviations
+
+
+class Variants(unittest.TestCase):
+    def setUp(self):
+        self.told = tomllib.loads(PAPERS.read_text())
+        self.variants = {name: tomllib.loads(text) for name, text in variants(PAPERS.read_text()).items()}
+
+    def differing(self, name):
+        """Tables that differ from those of what is told, but for its name."""
+        return [key for key in self.told if key != "name" and self.variants[name][key] != self.told[key]]
+
+    def test_each_differs_in_one_thing_alone(self):
+        self.assertEqual(len(self.variants), 9 + 4 + 6)
+        for name, ocean in self.variants.items():
+            if name.startswith("over_"):
+                self.assertEqual(self.differing(name), ["seabed"])
+            elif name.startswith("in_"):
+                self.assertEqual(self.differing(name), ["water", "seabed"])
+            else:
+                self.assertEqual(self.differing(name), ["source"])
+            self.assertEqual(ocean["seabed"]["depth_m"], 3000, name)
+
+    def test_a_sea_floor_is_as_much_faster_than_the_water_above_it_as_printed(self):
+        # Munk at 3000 m: eta = 2 (3000 - 1300) / 1300 = 2.61538, c = 1500 (1 + 0.00737 (1.61538 + 0.07314)) = 1518.67 m/s.
+        layer = {"sound_speed_mps": 3037.3, "density_g_per_cm3": 2.4, "attenuation_db_per_wavelength": 0.1}
+        self.assertEqual(self.variants["over_limestone"]["seabed"]["layers"], [layer])
+
+    def test_other_water_lies_over_the_same_sea_floor(self):
+        # Told: 1505 / 1518.67 of the water's sound speed; polar water there has 1502.9 m/s.
+        layer = self.variants["in_polar_water"]["seabed"]["layers"][0]
+        self.assertAlmostEqual(layer["sound_speed_mps"], 1505 / 1518.67 * 1502.9, delta=0.1)
+        self.assertEqual(layer["density_g_per_cm3"], 1.5)
+
+    def test_a_source_is_put_at_every_depth_but_the_one_told_and_none_below_the_sea_floor(self):
+        shallow = (
+            PAPERS.read_text()
+            .replace("depth_m = 3000.0", "depth_m = 120.0")
+            .replace("depth_m = 30.0", "depth_m = 20.0")
+        )
+        depths = [
+            tomllib.loads(text)["source"]["depth_m"] for name, text in variants(shallow).items() if "source" in name
+        ]
+        self.assertEqual(depths, [10, 60, 100])
+
+    def test_a_table_is_read_between_its_depths(self):
+        water = (
+            '[water]\nprofile = "table"\ndepth_m = [0.0, 2000.0, 4000.0]\nsound_speed_mps = [1500.0, 1490.0, 1530.0]\n'
+        )
+        text = re.sub(r"(?s)\[water\].*?\[seabed\]", lambda _: water + "[seabed]", PAPERS.read_text())
+        layer = tomllib.loads(variants(text)["over_limestone"])["seabed"]["layers"][0]
+        self.assertEqual(layer["sound_speed_mps"], 3020.0)  # twice 1510
+
+    def test_an_ocean_of_several_layers_or_oceans_has_none(self):
+        two_layers = PAPERS.read_text() + "[[seabed.layers]]\nsound_speed_mps = 1600.0\n"
+        for text, complaint in [(two_layers, "2 of them"), (PAPERS.read_text() + "[family]\n", "family")]:
+            with self.assertRaisesRegex(ValueError, complaint):
+                variants(text)
 
 
 class Waters(unittest.TestCase):
@@ -260,12 +319,35 @@ class WritingWorlds(unittest.TestCase):
         self.assertEqual(sorted(self.contents()), ["bank.csv", "bank_000.toml", "bank_001.toml"])
         self.assertEqual([file.name for file in Path(self.folder.name).iterdir()], ["worlds"])
 
+    def test_variants_are_written_for_earshot_to_read_and_one_of_no_ocean_is_refused(self):
+        done = self.run_generate("--variants-of", PAPERS, "-o", self.out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for file in self.out.iterdir():
+            self.assertIsNone(generate.solver.refuses_environment(f"{PROGRAMS}/", file, 300.0), file.name)
+        for name, text, complaint in [
+            ("none.toml", None, "No such file"),
+            ("letter.toml", "Dear sea,", "letter.toml"),
+            ("half.toml", 'name = "half"\n', "seabed.layers"),
+            ("dry.toml", re.sub(r"(?s)\[water\].*?\[seabed\]", "[seabed]", PAPERS.read_text()), "lacks 'water'"),
+        ]:
+            file = Path(self.folder.name) / name
+            if text is not None:
+                file.write_text(text)
+            done = self.run_generate("--variants-of", file, "-o", Path(self.folder.name) / "refused")
+            self.assertEqual(done.returncode, 1, name)
+            self.assertIn(f"--variants-of {file}", done.stderr)
+            self.assertIn(complaint, done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertFalse((Path(self.folder.name) / "refused").exists())
+
     def test_numbers_outside_a_split_are_refused(self):
         for words in [
             ("--split", "test", "--first", 999_990, "--count", 11),
             ("--split", "test", "--count", 0),
             ("--bank", 0),
             ("--bank", 2, "--vehicle-depth-m", 40),
+            ("--variants-of", PAPERS, "--vehicle-depth-m", 40),
+            ("--variants-of", PAPERS, "--bank", 2),
             ("--split", "train", "--vehicle-depth-m", 6000),
             ("--split", "test", "--frequency-hz", 20),
             ("--split", "validation", "--vehicle-depth-m", 40),

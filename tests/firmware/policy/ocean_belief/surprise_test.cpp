@@ -114,11 +114,29 @@ TEST_F(SurpriseTest, LastsFromTheLevelOnUntilTheNextSearch) {
   EXPECT_FALSE(surprise.is_surprised());
   explained_by(kSurpriseLevel_bits);
   EXPECT_TRUE(surprise.is_surprised());
+  EXPECT_FALSE(surprise.calls_for_sweep());
   surprise.take_in(heard(20.0), 0);
   EXPECT_LT(surprise.bits(), 0.0F);
   EXPECT_TRUE(surprise.is_surprised()) << "what was not explained has been heard";
   surprise.start();
   EXPECT_FALSE(surprise.is_surprised());
+}
+
+TEST_F(SurpriseTest, CallsForASweepFromAHigherLevelOn) {
+  static_assert(kSweepLevel_bits > kSurpriseLevel_bits);
+  surprise.start();
+  surprise.take_in(heard(20.0), 0);
+  const auto at_level = static_cast<int>(512.0F * (surprise.bits() - kSweepLevel_bits));
+  surprise.start();
+  surprise.take_in(heard(20.0), at_level + 2);
+  EXPECT_FALSE(surprise.calls_for_sweep());
+  surprise.start();
+  surprise.take_in(heard(20.0), at_level - 1);
+  EXPECT_TRUE(surprise.calls_for_sweep());
+  surprise.take_in(heard(20.0), 0);
+  EXPECT_TRUE(surprise.calls_for_sweep()) << "what was heard stays unexplained";
+  surprise.start();
+  EXPECT_FALSE(surprise.calls_for_sweep());
 }
 
 TEST(Oddity, IsThatOfALouderSourceAWideSpreadAndMotion) {
