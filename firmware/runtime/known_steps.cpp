@@ -63,7 +63,9 @@ double known_mean(Pcg32& random) {
   Time now{1'000'000};
   for (int look = 0; look < 5; ++look) {
     now = now + Duration::seconds(1);
-    listener.take({.time = now, .snr = Decibels{40.0 * random.uniform_double() - 20.0}, .too_faint = look == 2});
+    const Decibels level{40.0 * random.uniform_double() - 20.0};
+    const bool too_faint = look == 2;  // under a floor so low that it cuts off none of the others
+    listener.take({.time = now, .snr = too_faint ? Decibels{-40.0} : level, .too_faint = too_faint});
   }
   return listener.reception({config::Listening::kMean, Duration::seconds(30)}, now).snr.value;
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "firmware/policy/likelihood/belief_grid.hpp"
@@ -17,24 +18,27 @@ constexpr std::size_t kLeastThatDrift = 8;
 /// Before so many looks nothing tells a drift from another place: what is tried until then are oceans.
 constexpr std::uint32_t kLooksBeforeDrifts = 8;
 static_assert(kLeastThatDrift < OceanBelief::kHypotheses);
+/// log2 of 1 / (spread sqrt(2 pi)), the most that a normal density of each spread comes to, in 1/512; a unit more, for they are rounded.
+constexpr std::array<int, kSpreads_db.size()> kMostLikely{-678, -1'190, -1'702, -2'115};
 /// Less likely than any.
 constexpr int kNoPosterior = std::numeric_limits<int>::min() / 2;
 
 }  // namespace
 
-/// Weighs others, as far as the time of a decision allows; no longer than until none of eight would be held even if they explained what
-/// they have still to hear as well as the likeliest did all of it.
+/// Weighs others, as far as the time of a decision allows, and no longer than until none of eight can be held any more.
 void OceanBelief::weigh_others(const BeliefModel& model, const OceanTables& tables) {
+  const auto is_measured = [](const Look& look) { return !look.too_faint; };
   for (std::size_t budget = kLooksOfOthers; budget > 0;) {
     if (!has_candidates_) draw_candidates(model, tables);
     const std::size_t cost = candidates_.hypothesis(0).drift.is_none() ? 1 : kLooksOfDrifts;
     const int least = least_to_be_held();
-    const int per_look = posterior_of_likeliest() / static_cast<int>(looks_.size());
+    int to_measure = static_cast<int>(std::count_if(looks_.begin() + candidates_heard_, looks_.end(), is_measured));
     while (budget > 0 && has_candidates_ && candidates_heard_ < looks_.size()) {
       const std::uint32_t index = candidates_heard_++;
       take_in(model, tables, looks_[index], index, candidates_);
       budget -= std::min(budget, cost);
-      has_candidates_ = most_to_come(model, tables, per_look) >= least;
+      to_measure -= is_measured(looks_[index]) ? 1 : 0;
+      has_candidates_ = most_to_come(model, tables, to_measure) >= least;
     }
     if (!has_candidates_) continue;
     if (candidates_heard_ < looks_.size()) return;  // the next look goes on
@@ -98,14 +102,15 @@ int OceanBelief::posterior_of_likeliest() const {
   return most;
 }
 
-/// The most that the posterior of a candidate comes to if it explains what it has still to hear well.
-/// @param per_look  log weight of a look that is explained well
-int OceanBelief::most_to_come(const BeliefModel& model, const OceanTables& tables, int per_look) const {
+/// No candidate's posterior comes to more, however well it explains what it has still to hear.
+/// @param to_measure  looks among that which were measured
+int OceanBelief::most_to_come(const BeliefModel& model, const OceanTables& tables, int to_measure) const {
   int most = kNoPosterior;
-  for (std::size_t l = 0; l < kLanes; ++l)
-    most = std::max(most, candidates_.log_of_likeliest(l) + log_prior(candidates_.hypothesis(l), tables));
-  const int to_hear = static_cast<int>(looks_.size()) - static_cast<int>(candidates_heard_);
-  return most + to_log(static_cast<float>(cell_count(model))) + per_look * to_hear;
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const Hypothesis& h = candidates_.hypothesis(l);
+    most = std::max(most, candidates_.log_of_likeliest(l) + log_prior(h, tables) + to_measure * kMostLikely[h.spread]);
+  }
+  return most + to_log(static_cast<float>(cell_count(model)));
 }
 
 void OceanBelief::take_the_likelier(const BeliefModel& model, const OceanTables& tables) {

@@ -88,7 +88,7 @@ class OceanBelief {
   [[nodiscard]] std::size_t drifting() const;
   [[nodiscard]] int least_to_be_held() const;
   [[nodiscard]] int posterior_of_likeliest() const;
-  [[nodiscard]] int most_to_come(const BeliefModel& model, const OceanTables& tables, int per_look) const;
+  [[nodiscard]] int most_to_come(const BeliefModel& model, const OceanTables& tables, int to_measure) const;
   void take_the_likelier(const BeliefModel& model, const OceanTables& tables);
   [[nodiscard]] Drift likeliest_current() const;
   void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks);

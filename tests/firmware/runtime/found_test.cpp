@@ -76,7 +76,7 @@ TEST(SurpriseOnBoard, MakesTheVehicleSweepTheAreaToTheEnd) {
     ++decisions;
   }
   ASSERT_TRUE(rig.outputs.health.is_sweeping);
-  EXPECT_GE(rig.outputs.health.surprise_bits, 8.0F);
+  EXPECT_GE(rig.outputs.health.surprise_bits, policy::kSweepLevel_bits);
   const config::Mission mission = paper_mission();
   guidance::Sweep sweep({.area = mission.operating_area, .margin = mission.edge_margin, .step_length = mission.step_length}, rig.position);
   const auto policy = policy_that_believes();
