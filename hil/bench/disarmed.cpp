@@ -31,7 +31,7 @@ std::string with_value(const std::string& line, std::string_view key, std::strin
 
 /// A line that names a file, which then is found from anywhere.
 std::string with_whole_path(const std::string& line, const std::filesystem::path& folder) {
-  for (const std::string_view key : {"file", "public_key_file"}) {
+  for (const std::string_view key : {"file", "public_key_file", "tables"}) {
     const std::string begin = std::string(key) + " = \"";
     const std::size_t end = line.find('"', begin.size());
     if (!line.starts_with(begin) || end == std::string::npos) continue;

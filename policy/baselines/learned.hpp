@@ -10,9 +10,11 @@ namespace earshot::baselines {
 class Learned : public Searcher {
  public:
   /// @param policy, tables  outlive this
-  /// @param domain  the area it searches in, of the policy's area size; a sweep covers all of it
-  Learned(const policy::FrozenPolicy& policy, const policy::OceanTables& tables, policy::ActionDraw draw, const Rectangle& domain)
-      : policy_(policy), tables_(tables), draw_(draw), domain_(domain) {}
+  /// @param domain  the area it searches in, of the policy's area size
+  /// @param edge_margin  of the area that a sweep keeps out of, >= 0
+  Learned(const policy::FrozenPolicy& policy, const policy::OceanTables& tables, policy::ActionDraw draw, const Rectangle& domain,
+          Meters edge_margin)
+      : policy_(policy), tables_(tables), draw_(draw), domain_(domain), edge_margin_(edge_margin) {}
   void begin(Pcg32 random) override;
   [[nodiscard]] std::size_t choose(const DecisionInput& input) override;
   [[nodiscard]] std::optional<bool> declares_found() const override;
@@ -23,6 +25,7 @@ class Learned : public Searcher {
   const policy::OceanTables& tables_;
   policy::ActionDraw draw_;
   Rectangle domain_;
+  Meters edge_margin_;
   Pcg32 random_{0};
   bool is_first_ = true;
   policy::SearchMemory memory_;

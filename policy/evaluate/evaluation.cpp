@@ -95,7 +95,7 @@ std::vector<Flight> fly(baselines::Searcher& searcher, const search::World& worl
 std::vector<search::EpisodeRecord> evaluate(const policy::FrozenPolicy& policy, const policy::OceanTables& tables, policy::ActionDraw draw,
                                             const search::World& world, std::size_t episodes, std::uint64_t seed) {
   assert(world.actions.size() == policy.actions.size());
-  baselines::Learned learned(policy, tables, draw, world.settings.domain);
+  baselines::Learned learned(policy, tables, draw, world.settings.domain, world.settings.border_width);
   std::vector<search::EpisodeRecord> records;
   for (const Flight& flight : fly(learned, world, {.end = episodes}, seed)) records.push_back(flight.record);
   return records;

@@ -19,7 +19,7 @@ std::vector<Flight> fly_share(const Candidate& candidate, const Trial& trial, co
   std::unique_ptr<baselines::Searcher> searcher;
   if (candidate.learned) {
     searcher = std::make_unique<baselines::Learned>(*candidate.learned, trial.oceans, trial.draw.value_or(candidate.learned->draw),
-                                                    settings.domain);
+                                                    settings.domain, settings.border_width);
   } else {
     searcher = baselines::make_baseline(candidate.name, prior);
   }

@@ -16,7 +16,7 @@ inline constexpr float kSurpriseLevel_bits = 6.0F;
 
 /// From this surprise on a search by the belief finds less than a sweep of the area. Of what surprises a little the belief finds most
 /// nevertheless: README.md.
-inline constexpr float kSweepLevel_bits = 24.0F;
+inline constexpr float kSweepLevel_bits = 12.0F;
 
 /// How odd it is that a hypothesis explains what is heard, log weight, at least 0. That a source is louder than every table says, swims, or
 /// is heard with a spread of 7 dB explains nearly anything: such hypotheses let a belief survive what it does not know. So each counts

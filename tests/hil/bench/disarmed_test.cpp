@@ -30,6 +30,7 @@ then = "surface"
 [policy]
 file = "../policy/a.policy"
 public_key_file = "/keys/a.pub"
+tables = "../tables"
 )";
 
 TEST(Disarmed, LeavesOutTheRulesOfTheMissionAndNoOther) {
@@ -51,6 +52,7 @@ TEST(Disarmed, NamesFilesWithTheirWholePaths) {
   const std::string text = disarmed(kMission, {}, "/missions/at_sea");
   EXPECT_NE(text.find("file = \"/missions/policy/a.policy\"\n"), std::string::npos) << text;
   EXPECT_NE(text.find("public_key_file = \"/keys/a.pub\"\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("tables = \"/missions/tables\"\n"), std::string::npos) << text;
 }
 
 TEST(Disarmed, CannotDoWithoutWhatNoMissionCanPutOff) {

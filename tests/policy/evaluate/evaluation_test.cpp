@@ -187,7 +187,7 @@ TEST_F(EvaluateTest, FliesNoSearchThatATrainingOfTheSameSeedBeginsWith) {
   EXPECT_EQ(learned_from.size(), 32U);
   std::size_t flown = 0;
   std::size_t known = 0;
-  baselines::Learned learned(*north, kNoOceans, north->draw, settings.domain);
+  baselines::Learned learned(*north, kNoOceans, north->draw, settings.domain, {});
   static_cast<void>(fly(learned, world, {.end = 3'000}, 1, [&](std::size_t /*number*/, const search::Episode& episode) {
     if (episode.record().steps > 0) return;
     ++flown;
@@ -285,7 +285,7 @@ TEST_F(DeclarationsTest, MadeALookLateEndASearchAtSeaThatTheSimulatorWouldHaveEn
 
 TEST_F(DeclarationsTest, AreNobodysWhoLeavesThatToOthers) {
   const auto policy = goes_north(1.0F);
-  baselines::Learned learned(*policy, {}, policy->draw, {});
+  baselines::Learned learned(*policy, {}, policy->draw, {}, {});
   EXPECT_FALSE(declaration_shares(fly(learned, world_of(*policy, south_of_the_source(*policy), curve), {.end = 3}, 1)));
 }
 

@@ -55,7 +55,8 @@ void expect_the_paths_of_the_vehicles_code(const std::unique_ptr<policy::FrozenP
   const std::vector<FlownPath> paths =
       flown_from_all_over(*policy, falling_ocean(), source, {.per_side = 2, .max_steps = 12}, reception_at);
   ASSERT_EQ(paths.size(), 4U);
-  baselines::Learned vehicle(*policy, falling_ocean(), policy::ActionDraw::kArgmax, {.south_west = {}, .north_east = policy->area_size});
+  baselines::Learned vehicle(*policy, falling_ocean(), policy::ActionDraw::kArgmax, {.south_west = {}, .north_east = policy->area_size},
+                             {});
   for (const FlownPath& path : paths) {
     vehicle.begin(Pcg32(1));
     NorthEast place = path.places.front();
