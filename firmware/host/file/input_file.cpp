@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -52,10 +51,12 @@ Content content_of(const std::filesystem::path& path, FileKind kind) {
   InputFile file(path, kind);
   Content content;
   std::size_t size = 0;
+  std::size_t piece_bytes = static_cast<std::size_t>(file.size()) + 1;  // no more: a folder of small files is read at once
   do {  // the size that was said is not to be relied on: files of /proc say 0
-    content.resize(size + std::max<std::size_t>(kPiece_bytes, static_cast<std::size_t>(file.size()) + 1));
+    content.resize(size + piece_bytes);
     const std::span<std::uint8_t> room(reinterpret_cast<std::uint8_t*>(content.data()), content.size());
     size += file.read(room.subspan(size));
+    piece_bytes = kPiece_bytes;
   } while (size == content.size());
   content.resize(size);
   return content;
