@@ -85,7 +85,8 @@ struct SearchedSound {
 ///
 /// where the sines are small the level goes as 20 log10 (z_r f^2). A tenth of the depth is 0.8 dB, a twentieth of the frequency, which
 /// stands there twice, 0.8 dB: less than the 1 dB that the narrowest hypothesis of the belief allows. Further in the interference moves
-/// with the phases, out or in by the same tenth or twentieth: at 10 km by a step of the search, or half a one.
+/// with the phases, out or in by the same tenth or twentieth: at 10 km by a step of the search, or half a one. Of a vehicle at 300 m that
+/// is 4.4 dB rms, and it finds the source nevertheless: policy/tables/README.md.
 /// Source: Jensen et al., Computational Ocean Acoustics, 2nd ed., section 1.4 (Lloyd mirror).
 inline constexpr double kDepthTolerance = 0.1;
 inline constexpr double kFrequencyTolerance = 0.05;
