@@ -1,6 +1,6 @@
 """Writes the page of what the shipped policy finds, from the tables that policy/frozen/measure has written.
 
-usage: policy/frozen/page.py FOLDER    writes FOLDER/README.md
+usage: policy/frozen/results_page.py FOLDER    writes FOLDER/README.md
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from pathlib import Path
 Row = dict[str, str]
 
 INTRODUCTION = """# results: what the shipped policy finds
-Written by `policy/frozen/measure` (`policy/frozen/page.py`), at commit {commit}; edit those. Found: share of the searches, with its exact binomial 95 % interval. Hours: to find, in
+Written by `policy/frozen/measure` (`policy/frozen/results_page.py`), at commit {commit}; edit those. Found: share of the searches, with its exact binomial 95 % interval. Hours: to find, in
 the mean over all searches, one that did not find counts as its limit. Surprised: share of the searches in which what was heard fitted nothing that was believed possible. Declared falsely: share of the searches in which
 the rule on board said "found" further than a step length from the source; far off: further than one and a half.
 """

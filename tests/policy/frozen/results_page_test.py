@@ -29,18 +29,32 @@ class PageTest(unittest.TestCase):
         self.folder = Path(folder.name)
         shipped = NUMBERS.format(surprised="0.02")
         blind = NUMBERS.format(surprised="").replace("0.945", "0.31")
-        self.write("worlds", [("rock", "shipped", 200, shipped), ("rock", "sweep", 200, blind), ("rock", "oracle", 200, shipped)])
+        self.write(
+            "worlds",
+            [("rock", "shipped", 200, shipped), ("rock", "sweep", 200, blind), ("rock", "oracle", 200, shipped)],
+        )
         self.write("infotaxis", [("rock", "infotaxis", 40, shipped)])
         self.write("bearing", [("rock", "shipped", 100, shipped)])
-        self.write("test", [("a", "shipped", 100, shipped.replace("0.945", "0.9")), ("a", "sweep", 100, blind), ("a", "oracle", 100, shipped)]
-                   + [("b", "shipped", 100, shipped.replace("0.945", "0.97")), ("b", "sweep", 100, blind), ("b", "oracle", 100, shipped)])
+        self.write(
+            "test",
+            [
+                ("a", "shipped", 100, shipped.replace("0.945", "0.9")),
+                ("a", "sweep", 100, blind),
+                ("a", "oracle", 100, shipped),
+            ]
+            + [
+                ("b", "shipped", 100, shipped.replace("0.945", "0.97")),
+                ("b", "sweep", 100, blind),
+                ("b", "oracle", 100, shipped),
+            ],
+        )
         (self.folder / "commit").write_text("0123abc\n")
 
     def write(self, name: str, of: list[tuple[str, str, int, str]]) -> None:
         (self.folder / f"{name}.csv").write_text(rows(of))
 
     def page(self) -> str:
-        subprocess.run([sys.executable, "-B", SOURCE / "policy/frozen/page.py", self.folder], check=True)
+        subprocess.run([sys.executable, "-B", SOURCE / "policy/frozen/results_page.py", self.folder], check=True)
         return (self.folder / "README.md").read_text()
 
     def test_says_what_was_found_of_every_world_beside_the_others(self) -> None:
