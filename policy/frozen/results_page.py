@@ -12,14 +12,17 @@ from pathlib import Path
 Row = dict[str, str]
 
 INTRODUCTION = """# results: what the shipped policy finds
-Written by `policy/frozen/measure` (`policy/frozen/results_page.py`), at commit {commit}; edit those. Found: share of the searches, with its exact binomial 95 % interval. Hours: to find, in
-the mean over all searches, one that did not find counts as its limit. Surprised: share of the searches in which what was heard fitted nothing that was believed possible. Declared falsely: share of the searches in which
+Written by `policy/frozen/measure` (`policy/frozen/results_page.py`), at commit {commit}; edit those. Found: share of
+the searches, with its exact binomial 95 % interval. Hours: to find, in
+the mean over all searches, one that did not find counts as its limit. Surprised: share of the searches in which what
+was heard fitted nothing that was believed possible. Declared falsely: share of the searches in which
 the rule on board said "found" further than a step length from the source; far off: further than one and a half.
 """
 
 WORLDS = """
 ## The worlds of `policy/worlds`
-Validation: they were looked at while the policy was made. `sweep` is the blind pattern that the vehicle falls back to, `oracle` is told where the source is, `infotaxis` flies {infotaxis} searches in each
+Validation: they were looked at while the policy was made. `sweep` is the blind pattern that the vehicle falls back
+to, `oracle` is told where the source is, `infotaxis` flies {infotaxis} searches in each
 world, with the same tables, the others {shipped}.
 
 ![found, mean hours to find](worlds.png)
@@ -27,8 +30,10 @@ world, with the same tables, the others {shipped}.
 
 TEST = """
 ## The test split
-Drawn by `policy/worlds/generate` from seeds of its own, flown once, after everything was chosen. Tables were made for each world's frequency and depth by `policy/tables/make_for`; none has the world's ocean in it but by chance.
-All worlds together: {found} of {episodes} searches found, {share:.1f} %, from {low:.1f} in one world to {high:.1f} in another; `oracle` {oracle:.1f} %.
+Drawn by `policy/worlds/generate` from seeds of its own, flown once, after everything was chosen. Tables were made
+for each world's frequency and depth by `policy/tables/make_for`; none has the world's ocean in it but by chance.
+All worlds together: {found} of {episodes} searches found, {share:.1f} %, from {low:.1f} in one world to {high:.1f}
+in another; `oracle` {oracle:.1f} %.
 """
 
 BEARING = """
@@ -51,7 +56,8 @@ def percent(share: str) -> str:
 
 
 def found(row: Row) -> str:
-    return f"{percent(row['found_fraction'])} % ({percent(row['found_fraction_low'])} to {percent(row['found_fraction_high'])})"
+    share, low, high = (percent(row[f"found_fraction{end}"]) for end in ("", "_low", "_high"))
+    return f"{share} % ({low} to {high})"
 
 
 def hours(row: Row) -> str:

@@ -58,11 +58,15 @@ class PageTest(unittest.TestCase):
         return (self.folder / "README.md").read_text()
 
     def test_says_what_was_found_of_every_world_beside_the_others(self) -> None:
-        expected = "| `rock` | 94.5 % (90.4 to 97.2) | 5.92 (5.50 to 6.25) | -0.8 | 2 % | 0.5, 0 % | 94.5 % (90.4 to 97.2) | 5.92 (5.50 to 6.25) | 31 % | 94.5 % |"
+        found, hours = "94.5 % (90.4 to 97.2)", "5.92 (5.50 to 6.25)"
+        expected = f"| `rock` | {found} | {hours} | -0.8 | 2 % | 0.5, 0 % | {found} | {hours} | 31 % | 94.5 % |"
         self.assertIn(expected, self.page())
 
     def test_adds_up_the_test_worlds(self) -> None:
-        self.assertIn("187 of 200 searches found, 93.5 %, from 90.0 in one world to 97.0 in another", self.page())
+        self.assertIn(
+            "187 of 200 searches found, 93.5 %, from 90.0 in one world to 97.0 in another",
+            " ".join(self.page().split()),
+        )
 
     def test_names_the_commit_that_was_measured(self) -> None:
         self.assertIn("at commit 0123abc", self.page())

@@ -63,7 +63,8 @@ class Variants(unittest.TestCase):
             self.assertEqual(ocean["seabed"]["depth_m"], 3000, name)
 
     def test_a_sea_floor_is_as_much_faster_than_the_water_above_it_as_printed(self):
-        # Munk at 3000 m: eta = 2 (3000 - 1300) / 1300 = 2.61538, c = 1500 (1 + 0.00737 (1.61538 + 0.07314)) = 1518.67 m/s.
+        # Munk at 3000 m: eta = 2 (3000 - 1300) / 1300 = 2.61538,
+        # c = 1500 (1 + 0.00737 (1.61538 + 0.07314)) = 1518.67 m/s.
         layer = {"sound_speed_mps": 3037.3, "density_g_per_cm3": 2.4, "attenuation_db_per_wavelength": 0.1}
         self.assertEqual(self.variants["over_limestone"]["seabed"]["layers"], [layer])
 
