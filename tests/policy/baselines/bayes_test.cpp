@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 #include "policy/baselines/genetic.hpp"
@@ -9,6 +10,7 @@
 #include "policy/baselines/moves.hpp"
 #include "policy/evaluate/evaluation.hpp"
 #include "sim/search/actions/compass_directions.hpp"
+#include "sim/search/told_ocean.hpp"
 
 namespace earshot::baselines {
 namespace {
@@ -17,12 +19,15 @@ constexpr NorthEast at(double north_m, double east_m) {
   return {Meters{north_m}, Meters{east_m}};
 }
 
-/// None of them look at it.
-const policy::OceanTables kNoOceans;
-
-PriorKnowledge prior_with(const sonar::SnrCurve& curve) {
-  return {.settings = {}, .actions = search::compass_directions(8), .snr = curve, .oceans = kNoOceans};
-}
+/// A searcher that is told of one ocean, and of the same one as ocean tables.
+struct Told {
+  explicit Told(sonar::SnrCurve told) : curve(std::move(told)) { search::make_told_ocean({}, curve, oceans); }
+  [[nodiscard]] PriorKnowledge prior() const {
+    return {.settings = {}, .actions = search::compass_directions(8), .snr = curve, .oceans = oceans};
+  }
+  sonar::SnrCurve curve;
+  policy::OceanTables oceans;
+};
 
 /// 30 dB at the source, one less per kilometre.
 sonar::SnrCurve one_decibel_per_kilometer() {
@@ -37,12 +42,12 @@ using AllBelievers = testing::Types<Bayes, BayesLeastRegret, Infotaxis, Genetic>
 TYPED_TEST_SUITE(Believers, AllBelievers);
 
 TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {
-  const sonar::SnrCurve curve = one_decibel_per_kilometer();
-  const PriorKnowledge prior = prior_with(curve);
+  const Told told(one_decibel_per_kilometer());
+  const PriorKnowledge prior = told.prior();
   search::SearchSettings settings;
   settings.placement = search::SourcePlacement::kChanging;
   settings.start_region = search::inside_border(settings);
-  const search::World world(settings, curve);
+  const search::World world(settings, told.curve);
   TypeParam searcher(prior);
   int found = 0;
   for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 16}, 1))
@@ -53,13 +58,13 @@ TYPED_TEST(Believers, FindNearlyAllSourcesInAnOceanThatTellsTheRange) {
 
 TYPED_TEST(Believers, KeepToTheirDomainWhereverItLies) {
   const NorthEast corner = at(100'000, -50'000);
-  const sonar::SnrCurve curve = one_decibel_per_kilometer();
-  PriorKnowledge prior = prior_with(curve);
+  const Told told(one_decibel_per_kilometer());
+  PriorKnowledge prior = told.prior();
   prior.settings.domain = {corner, corner + at(25'000, 25'000)};
   search::SearchSettings settings = prior.settings;
   settings.placement = search::SourcePlacement::kChanging;
   settings.start_region = search::inside_border(settings);
-  const search::World world(settings, curve);
+  const search::World world(settings, told.curve);
   TypeParam searcher(prior);
   for (const evaluate::Flight& flight : evaluate::fly(searcher, world, {.end = 3}, 1))
     EXPECT_NE(flight.record.end, search::EpisodeEnd::kLeftDomain);
