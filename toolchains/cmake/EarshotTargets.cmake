@@ -55,7 +55,7 @@ define_property(TARGET PROPERTY EARSHOT_BASELINE INITIALIZE_FROM_VARIABLE EARSHO
 # earshot_record_calls(TARGET): beside each of its objects GCC writes who calls whom and with how much stack (.ci), for core_calls.cmake. Calls at a
 # function's end stay calls, so that a recursion is seen though the optimiser could make a loop of it. Without ccache, which does not keep these files.
 function(earshot_record_calls TARGET)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CROSSCOMPILING)
     target_compile_options(${TARGET} PRIVATE -fcallgraph-info=su,da -fno-optimize-sibling-calls)
     set_target_properties(${TARGET} PROPERTIES CXX_COMPILER_LAUNCHER "")
   endif()

@@ -56,7 +56,7 @@ class FenceFlight {
     vehicle.max_current = mission_.search_speed * (random_.uniform_double() < 0.3 ? 0.0 : between(0.3, 0.9));
     vehicle.turn_radius = Meters{between(10.0, 60.0)};
     const std::array shapes{square_shape(), tip(std::numbers::pi / 24), tip(std::numbers::pi / 6)};
-    const Shape& shape = shapes[seed % shapes.size()];
+    const Shape& shape = shapes[static_cast<std::size_t>(seed % shapes.size())];
     mission_.safety.fence = config::Fence{.inside = shape.inside, .save = shape.save, .halt = square(-1e5, 1e5)};
     const double towards_rad = between(0.0, 2.0 * std::numbers::pi);
     current_ = at(vehicle.max_current.value * std::cos(towards_rad), vehicle.max_current.value * std::sin(towards_rad));
