@@ -242,7 +242,6 @@ TEST_F(HypothesisBlockTest, TakesAHypothesisOverWithAllThatItHasHeard) {
   std::array<Hypothesis, kLanes> hypotheses = kAllMotions;
   hypotheses[6] = {7, 1, 3, 2, 2};
   other->start(model, hypotheses, PlacePrior{});
-  Pcg32 random(4);
   const auto look = [&](HypothesisBlock& at, std::uint64_t seed) {
     Pcg32 weights(seed);
     std::vector<int> each;
