@@ -57,7 +57,7 @@ Status read_hydrophone_block(std::span<const std::uint8_t> bytes, HydrophoneMess
   const std::span<const std::uint8_t> samples = bytes.subspan(kHeadBytes);
   const bool is_consistent = is_within<std::int8_t>(1, channels, config::kHydrophoneChannels) && sample_count > 0 &&
                              samples.size() == static_cast<std::size_t>(sample_count) * sizeof(float) && sample_count % channels == 0 &&
-                             is_within(0, overflow_count, sample_count);
+                             is_within(std::int32_t{0}, overflow_count, sample_count);
   const bool is_possible = block.time >= Time{} && block.sequence >= 0 &&
                            is_within(std::int64_t{0}, block.first_sample, messages::kLastSample) &&
                            is_within(messages::kLowestSampleRate, block.sample_rate, messages::kHighestSampleRate) &&
