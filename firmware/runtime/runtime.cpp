@@ -8,6 +8,8 @@
 #include "firmware/authority/tightened.hpp"
 #include "firmware/core/math.hpp"
 #include "firmware/policy/check/policy_check.hpp"
+#include "firmware/policy/format/policy_format.hpp"
+#include "firmware/policy/tables/tables_format.hpp"
 #include "firmware/runtime/bytes_of_state.hpp"
 #include "firmware/runtime/known_steps.hpp"
 #include "firmware/safety/check.hpp"
@@ -53,26 +55,21 @@ EndReason end_reason_of(config::Condition cause) {
 
 }  // namespace
 
-Status Runtime::configure(const config::Mission& mission, const policy::FrozenPolicy& policy, const policy::OceanTables& tables) {
+void Runtime::forget() {
   configured_ = false;
   progress_ = Progress{};
   integrity_ = kIntact;
   seal_mission();
   seal();
-  if (const Status status = config::check(mission); status != Status::kOk) return status;
-  if (!safety::check(mission).is_none()) return Status::kOutOfRange;
-  if (const policy::PolicyComplaint complaint = policy::check(policy); !complaint.is_none()) return policy::status_of(complaint.fault);
+}
+
+Status Runtime::judge_search(const config::Mission& mission, const policy::FrozenPolicy& policy) {
   if (policy::mismatch(policy, mission) != policy::Mismatch::kNone) return Status::kOutOfRange;
-  const bool needs_tables = policy::needs_belief(policy.observation.spec);
-  if (needs_tables && !policy::are_usable(tables, policy::searched_sound(mission))) return Status::kOutOfRange;
-  if (!repeats_known_steps() || !policy::repeats_golden(policy, memory_, tables_)) return Status::kCorrupt;
+  return repeats_known_steps() && policy::repeats_golden(policy, memory_, tables_) ? Status::kOk : Status::kCorrupt;
+}
+
+void Runtime::arm(const config::Mission& mission) {
   mission_ = mission;
-  policy_ = policy;
-  if (needs_tables) {
-    tables_ = tables;
-  } else {
-    tables_.tables.clear();
-  }
   progress_.random = Pcg32(mission.action_seed);
   progress_.judge = authority::CommandJudge(mission.authority.needs_verified_commands);
   progress_.situation.navigation = safety::NavigationJudge(mission.safety.vehicle, mission.navigation_timeout);
@@ -82,6 +79,36 @@ Status Runtime::configure(const config::Mission& mission, const policy::FrozenPo
   tables_checksum_ = checksum_of(tables_);
   seal_mission();
   seal();
+}
+
+Status Runtime::configure(const config::Mission& mission, const policy::FrozenPolicy& policy, const policy::OceanTables& tables) {
+  forget();
+  if (const Status status = config::check(mission); status != Status::kOk) return status;
+  if (!safety::check(mission).is_none()) return Status::kOutOfRange;
+  if (const policy::PolicyComplaint complaint = policy::check(policy); !complaint.is_none()) return policy::status_of(complaint.fault);
+  const bool needs_tables = policy::needs_belief(policy.observation.spec);
+  if (needs_tables && !policy::are_usable(tables, policy::searched_sound(mission))) return Status::kOutOfRange;
+  if (const Status status = judge_search(mission, policy); status != Status::kOk) return status;
+  policy_ = policy;
+  tables_.tables.clear();
+  if (needs_tables) tables_ = tables;
+  arm(mission);
+  return Status::kOk;
+}
+
+Status Runtime::configure(const config::Mission& mission, std::span<const std::uint8_t> policy, std::span<const std::uint8_t> tables) {
+  forget();
+  if (const Status status = config::check(mission); status != Status::kOk) return status;
+  if (!safety::check(mission).is_none()) return Status::kOutOfRange;
+  policy::PolicyComplaint complaint;
+  if (const Status status = policy::parse(policy, policy_, complaint); status != Status::kOk) return status;
+  if (const Status status = judge_search(mission, policy_); status != Status::kOk) return status;
+  tables_.tables.clear();
+  if (policy::needs_belief(policy_.observation.spec)) {
+    if (const Status status = policy::parse(tables, tables_, complaint); status != Status::kOk) return status;
+    if (!policy::are_usable(tables_, policy::searched_sound(mission))) return Status::kOutOfRange;
+  }
+  arm(mission);
   return Status::kOk;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "firmware/authority/command.hpp"
 #include "firmware/authority/command_judge.hpp"
@@ -59,6 +60,11 @@ class Runtime {
   /// @param tables  the oceans that are possible where the mission is; not looked at when the policy holds no belief
   [[nodiscard]] Status configure(const config::Mission& mission, const policy::FrozenPolicy& policy, const policy::OceanTables& tables);
 
+  /// The same from the bytes of the `.policy` and `.tables` files, which are read where they are to stay: for a machine without room for
+  /// both a second time. What policy::parse refuses is refused with its status. @param tables  empty where the policy needs none
+  [[nodiscard]] Status configure(const config::Mission& mission, std::span<const std::uint8_t> policy,
+                                 std::span<const std::uint8_t> tables);
+
   /// Judges one input; any number between two steps, in the order in which they came. What is refused changes nothing but its counter, so
   /// that a bad sender does not hide a good one. Of several ports that bring one kind, the latest date counts.
   /// Navigation and SNR are refused when dated further from their arrival than their timeout, and when older than the last; a date ahead
@@ -115,6 +121,11 @@ class Runtime {
   [[nodiscard]] bool may_decide() const;
   /// What is left to say when the memory cannot be trusted.
   [[nodiscard]] Outputs step_of_damaged(Time now) const;
+
+  void forget();
+  /// Whether mission and policy fit each other, and this build flies it as it was frozen. Works in memory_ and tables_.
+  [[nodiscard]] Status judge_search(const config::Mission& mission, const policy::FrozenPolicy& policy);
+  void arm(const config::Mission& mission);
 
   void judge(const messages::Input& input);
   void turn(Time now, Outputs& outputs);
