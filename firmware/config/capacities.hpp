@@ -12,6 +12,7 @@ enum class Profile : std::uint8_t {
   kVehicleComputer,  ///< an operating system and megabytes: every policy that can be trained
   kMicrocontroller,  ///< bare metal; the state, with a coarser belief in fewer oceans, in a Cortex-M7's 128 KiB of tightly coupled memory,
                      ///< which it nearly fills: the stack lies elsewhere
+  kWithoutBelief,    ///< bare metal with some 100 KiB in all: policies that go by what was heard last; one with a belief is refused at load
 };
 #ifndef EARSHOT_CAPACITY_PROFILE
 #define EARSHOT_CAPACITY_PROFILE kVehicleComputer
@@ -19,8 +20,12 @@ enum class Profile : std::uint8_t {
 inline constexpr Profile kProfile = Profile::EARSHOT_CAPACITY_PROFILE;
 
 /// A size that differs between profiles.
+consteval std::size_t by_profile(std::size_t vehicle_computer, std::size_t microcontroller, std::size_t without_belief) {
+  return kProfile == Profile::kVehicleComputer ? vehicle_computer
+                                               : (kProfile == Profile::kMicrocontroller ? microcontroller : without_belief);
+}
 consteval std::size_t by_profile(std::size_t vehicle_computer, std::size_t microcontroller) {
-  return kProfile == Profile::kVehicleComputer ? vehicle_computer : microcontroller;
+  return by_profile(vehicle_computer, microcontroller, microcontroller);
 }
 
 /// Elements of an observation (m = 21 remembered steps of 3); full: policy refused at load.
@@ -34,22 +39,22 @@ inline constexpr std::size_t kMaxHiddenLayers = 2;
 /// Steps in the memory state; full: the oldest step is forgotten.
 inline constexpr std::size_t kMaxRememberedSteps = 21;
 /// Cells of the belief (25 km x 25 km in cells of 500 m or 1 km); full: policy refused at load.
-inline constexpr std::size_t kMaxBeliefCells = by_profile(2500, 625);
+inline constexpr std::size_t kMaxBeliefCells = by_profile(2500, 625, 16);
 /// Oceans believed possible at the mission's place (a year's sound speed times a handful of sea floors and depths); full: tables refused at
 /// load, and `earshot tables` makes one of those that are most alike.
-inline constexpr std::size_t kMaxOceanTables = by_profile(96, 32);
+inline constexpr std::size_t kMaxOceanTables = by_profile(96, 32, 3);
 /// Ranges of each of them (51 km in steps of 100 m, 38 km in steps of 300 m: the diagonal of 25 km x 25 km is 35.4 km); full: tables
 /// refused at load.
-inline constexpr std::size_t kMaxTableRanges = by_profile(512, 128);
+inline constexpr std::size_t kMaxTableRanges = by_profile(512, 128, 2);
 /// Bytes of the name of such an ocean; full: `earshot tables` cuts it off.
 inline constexpr std::size_t kMaxTableName = 32;
 /// Blocks of eight hypotheses about ocean, level, fluctuation, pauses and motion that are held, each with a grid of 16 bits a cell and
 /// hypothesis; full: the least likely gives way.
-inline constexpr std::size_t kBeliefBlocks = by_profile(3, 3);
+inline constexpr std::size_t kBeliefBlocks = by_profile(3, 3, 2);
 /// Looks by which hypotheses are weighed that are not held (18 h of one every 500 s); full: those that are held are all.
-inline constexpr std::size_t kMaxBeliefLooks = 128;
+inline constexpr std::size_t kMaxBeliefLooks = by_profile(128, 128, 1);
 /// Bytes of the belief about the source, with its tables; full: does not compile.
-inline constexpr std::size_t kOceanBeliefBytes = by_profile(256, 64) * 1024;
+inline constexpr std::size_t kOceanBeliefBytes = by_profile(256, 64, 4) * 1024;
 /// Seconds that a decision may listen over (a blue whale calls every one or two minutes); full: policy refused at load.
 inline constexpr std::size_t kMaxListeningSeconds = by_profile(120, 60);
 /// Searches that are flown again before a policy is trusted; a policy has exactly this many.
@@ -59,7 +64,7 @@ inline constexpr std::size_t kGoldenSteps = 6;
 /// Bytes of provenance text in a policy, or in ocean tables; full: refused when they are made.
 inline constexpr std::size_t kMaxProvenance = 1024;
 /// Bytes of the whole on-vehicle state (nearly all of them belief, ocean tables and policy weights); full: does not compile.
-inline constexpr std::size_t kRuntimeBytes = by_profile(332, 128) * 1024;
+inline constexpr std::size_t kRuntimeBytes = by_profile(332, 128, 72) * 1024;
 
 // Inputs and commands (firmware/messages, firmware/runtime).
 /// Ports of a vehicle (buses, serial lines, the simulation link); full: mission refused.
@@ -100,8 +105,8 @@ inline constexpr std::size_t kLcmDatagramsPerCollect = 256;
 inline constexpr std::int64_t kLeastBetweenTurns_us = 2000;
 
 // Sound (firmware/boards/linux/hydrophone).
-/// Channels of one ADC (a small array); full: the block is malformed, counted.
-inline constexpr std::size_t kHydrophoneChannels = 8;
+/// Channels of one ADC (a small array; a microcontroller has one hydrophone); full: the block is malformed, counted.
+inline constexpr std::size_t kHydrophoneChannels = by_profile(8, 1);
 /// Floats between receiving and listening (2.7 s of 96 kHz x 8 channels, 8 MiB); full: the newest block goes, counted.
 inline constexpr std::size_t kHydrophoneRingSamples = 2'097'152;
 /// Blocks of them (5 s of blocks of 128 samples at 96 kHz); full: the newest block goes, counted.
@@ -146,14 +151,16 @@ inline constexpr std::size_t kJournalSteeringReserveBytes = 1'048'576;
 inline constexpr std::size_t kJournalOrderReserveBytes = 1'048'576;
 
 // Sound (firmware/detector/hydrophone).
-/// Taps of a decimator (96 kHz down to the 320 Hz that a band up to 10 Hz needs first, 80 dB down); more: no such band may be asked for.
-inline constexpr std::size_t kFirTaps = 1632;
+/// Taps of a decimator (96 kHz down to the 320 Hz that a band up to 10 Hz needs first, 80 dB down; a microcontroller's ADC has a few kHz);
+/// more: no such band may be asked for.
+inline constexpr std::size_t kFirTaps = by_profile(1632, 256);
 /// Taps of the second decimator (from 64 to 4 times the band's high end, 80 dB down); more: no such band may be asked for.
 inline constexpr std::size_t kSecondFirTaps = 224;
 /// Samples of one channel that are filtered in one go (what stays in a processor's first cache); more: the next go.
-inline constexpr std::size_t kSoundChunk = 1024;
-/// Levels that a noise floor remembers (2 minutes of a quarter of a second, 8 minutes of a second); full: the oldest goes.
-inline constexpr std::size_t kFloorLevels = 512;
+inline constexpr std::size_t kSoundChunk = by_profile(1024, 256);
+/// Levels that a noise floor remembers (2 minutes of a quarter of a second, 8 minutes of a second; of a microcontroller 5 minutes of two
+/// seconds); full: the oldest goes.
+inline constexpr std::size_t kFloorLevels = by_profile(512, 160);
 /// Rises by 1 dB within the last 10 dB of a sound; never full: an eleventh is 10 dB under the loudest.
 inline constexpr std::size_t kExtentRises = 12;
 
