@@ -19,11 +19,20 @@ endforeach()
 set(EARSHOT_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
 option(EARSHOT_COVERAGE "Count which lines run (preset coverage)" OFF)
 
+# A machine without an operating system, chosen by its toolchain file (toolchains/cmake/cortex-m.cmake).
+set(EARSHOT_BARE_METAL OFF)
+if(CMAKE_SYSTEM_NAME STREQUAL "Generic")
+  set(EARSHOT_BARE_METAL ON)
+endif()
+set(EARSHOT_CAPACITY_PROFILE "" CACHE STRING "kMicrocontroller: the core with the capacities of a microcontroller (firmware/config/capacities.hpp)")
+
 # x86-64-v3 (AVX2, FMA) rather than -march=native: the same bits on every machine that has it, and safe to share in a compiler cache.
-include(CheckCXXSourceRuns)
-set(CMAKE_REQUIRED_FLAGS "-O1")
-check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1; }" EARSHOT_HOST_IS_X86_64_V3)
-unset(CMAKE_REQUIRED_FLAGS)
+if(NOT CMAKE_CROSSCOMPILING)
+  include(CheckCXXSourceRuns)
+  set(CMAKE_REQUIRED_FLAGS "-O1")
+  check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1; }" EARSHOT_HOST_IS_X86_64_V3)
+  unset(CMAKE_REQUIRED_FLAGS)
+endif()
 
 add_library(earshot_flags INTERFACE)
 target_include_directories(earshot_flags INTERFACE ${PROJECT_SOURCE_DIR})
@@ -35,6 +44,9 @@ target_compile_options(earshot_flags INTERFACE
   # What runs on a vehicle is built for the architecture's baseline (EARSHOT_BASELINE, set for firmware and sim/link): a package built here runs on any
   # of its computers. The rest is for the machine it is built on.
   $<$<AND:$<BOOL:${EARSHOT_HOST_IS_X86_64_V3}>,$<NOT:$<BOOL:$<TARGET_PROPERTY:EARSHOT_BASELINE>>>>:-march=x86-64-v3>)
+if(EARSHOT_CAPACITY_PROFILE)
+  target_compile_definitions(earshot_flags INTERFACE EARSHOT_CAPACITY_PROFILE=${EARSHOT_CAPACITY_PROFILE})
+endif()
 if(EARSHOT_SANITIZE)
   target_compile_options(earshot_flags INTERFACE -fsanitize=${EARSHOT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(earshot_flags INTERFACE -fsanitize=${EARSHOT_SANITIZE})
@@ -54,11 +66,14 @@ define_property(TARGET PROPERTY EARSHOT_BASELINE INITIALIZE_FROM_VARIABLE EARSHO
 
 # earshot_record_calls(TARGET): beside each of its objects GCC writes who calls whom and with how much stack (.ci), for core_calls.cmake. Calls at a
 # function's end stay calls, so that a recursion is seen though the optimiser could make a loop of it. Without ccache, which does not keep these files.
+# For a microcontroller the code stays what flies: its stack alone is asked for (tests/cortex_m7).
 function(earshot_record_calls TARGET)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CROSSCOMPILING)
     target_compile_options(${TARGET} PRIVATE -fcallgraph-info=su,da -fno-optimize-sibling-calls)
-    set_target_properties(${TARGET} PROPERTIES CXX_COMPILER_LAUNCHER "")
+  else()
+    return()
   endif()
+  set_target_properties(${TARGET} PROPERTIES CXX_COMPILER_LAUNCHER "")
 endfunction()
 
 # earshot_library(NAME [FIRMWARE] HEADERS ... [SOURCES ...] [DEPENDS ...])
