@@ -1,0 +1,216 @@
+#include "firmware/boards/cortex_m7/flight_board.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <variant>
+
+#include "earshot/board_t.hpp"
+#include "firmware/boards/cortex_m7/hearing.hpp"
+#include "firmware/boards/cortex_m7/machine.hpp"
+#include "firmware/boards/cortex_m7/stack.hpp"
+#include "firmware/config/capacities.hpp"
+#include "firmware/core/crc32.hpp"
+#include "firmware/wire/journal/input_record.hpp"
+#include "firmware/wire/lcm/channels.hpp"
+#include "firmware/wire/lcm/conversion.hpp"
+#include "firmware/wire/lcm/hydrophone_block.hpp"
+#include "firmware/wire/serial/channels.hpp"
+
+namespace earshot::board {
+namespace {
+
+std::uint64_t load(std::span<const std::uint8_t> bytes) {
+  std::uint64_t value = 0;
+  for (const std::uint8_t byte : bytes) value = (value << 8U) | byte;
+  return value;
+}
+
+/// Of the store: policy and tables have a half each.
+std::span<std::uint8_t> place_of_policy() {
+  return machine::store().first(machine::store().size() / 2);
+}
+std::span<std::uint8_t> place_of_tables() {
+  return machine::store().subspan(machine::store().size() / 2);
+}
+
+template <class Message>
+void send(Time time, std::string_view channel, const Message& message) {
+  machine::send(wire::RecordFrame(time, channel, wire::Encoded(message).bytes()).bytes());
+}
+
+/// The channel of an acknowledgement with the port that it leaves by.
+class PortChannel {
+ public:
+  PortChannel(std::string_view channel, std::uint8_t port) : size_(channel.size() + 2) {
+    char* end = std::copy(channel.begin(), channel.end(), text_.begin());
+    end[0] = '.';
+    end[1] = static_cast<char>('0' + port);
+  }
+  [[nodiscard]] std::string_view view() const { return {text_.data(), size_}; }
+
+ private:
+  std::array<char, wire::kFrameChannelBytes> text_{};
+  std::size_t size_;
+};
+
+/// Of "EARSHOT_HYDROPHONE_BLOCK.1" the 1; nothing of another channel.
+std::optional<std::uint8_t> port_of_sound(std::string_view channel) {
+  constexpr std::string_view kSound = wire::kHydrophoneBlockChannel;
+  if (!channel.starts_with(kSound) || channel.size() != kSound.size() + 2 || channel[kSound.size()] != '.') return std::nullopt;
+  const int port = channel.back() - '0';
+  if (port < 0 || port >= static_cast<int>(config::kMaxPorts)) return std::nullopt;
+  return static_cast<std::uint8_t>(port);
+}
+
+}  // namespace
+
+void FlightBoard::begin() {
+  report(Time{}, board_t::STARTED);
+}
+
+void FlightBoard::take(std::span<const std::uint8_t> bytes) {
+  using Said = wire::CobsReader::Said;
+  for (const std::uint8_t byte : bytes) {
+    const Said said = reader_.take(byte);
+    if (said == Said::kNothing) continue;
+    wire::FramedRecord record;
+    if (said == Said::kFrame && wire::read_record_frame(reader_.frame(), record) == Status::kOk) {
+      take(record);
+    } else {
+      ++frames_refused_;
+    }
+  }
+}
+
+void FlightBoard::take(const wire::FramedRecord& record) {
+  if (record.channel == wire::kTurnChannel) return turn(record.time, record.data);
+  if (record.channel == wire::kPolicyPieceChannel) return keep_piece(record.data, place_of_policy(), policy_);
+  if (record.channel == wire::kTablesPieceChannel) return keep_piece(record.data, place_of_tables(), tables_);
+  if (record.channel == wire::kMissionChannel) return arm(record.time, record.data);
+  if (record.channel == wire::kHearingChannel) return listen_for(record.time, record.data);
+  if (const std::optional<std::uint8_t> port = port_of_sound(record.channel)) return hear(*port, record);
+  messages::Input input;
+  if (wire::read_input(record.channel, record.time, record.data, inputs_, input) != Status::kOk) {
+    ++frames_refused_;
+    return;
+  }
+  ++taken_;
+  take(input);
+}
+
+void FlightBoard::take(const messages::Input& input) {
+  constexpr double kNoRpm = 0.0;  // no message tells the thruster's
+  if (const auto* navigation = std::get_if<messages::Navigation>(&input.value)) detector_.note_motion(navigation->speed, kNoRpm);
+  ++inputs_;
+  runtime_.take(input);
+}
+
+void FlightBoard::listen_for(Time time, std::span<const std::uint8_t> bytes) {
+  hearing_t message{};
+  Status status = wire::decode(bytes, message);
+  if (status == Status::kOk) status = detector_.configure(to_settings(message));
+  hears_ = status == Status::kOk;
+  is_deaf_ = false;
+  if (!hears_) report(time, board_t::REFUSED, status);
+}
+
+void FlightBoard::hear(std::uint8_t port, const wire::FramedRecord& record) {
+  wire::HydrophoneMessage message;
+  if (wire::read_hydrophone_block(record.data, message) != Status::kOk) {
+    ++frames_refused_;
+    return;
+  }
+  ++taken_;
+  if (!hears_) return;
+  std::array<float, wire::kEncodedBytes / sizeof(float)> room;
+  const std::span<float> samples = std::span(room).first(message.sample_count());
+  wire::copy_samples(message, samples);
+  detector_.hear(message.block, samples);
+  while (const std::optional<detector::Estimate> estimate = detector_.next()) {
+    messages::Input input{.arrival = record.time, .port = port, .sequence = inputs_, .value = {}};
+    tell_deafness(input, estimate->hearing);
+    input.sequence = inputs_;
+    input.value = estimate->measurement();
+    if (!estimate->is_look()) continue;
+    say(input);
+    take(input);
+  }
+}
+
+void FlightBoard::tell_deafness(messages::Input input, detector::Hearing hearing) {
+  const std::optional<bool> is_deaf = detector::is_deaf(hearing);
+  if (!is_deaf || *is_deaf == is_deaf_) return;
+  is_deaf_ = *is_deaf;
+  input.value = messages::HydrophoneStatus{.time = input.arrival, .is_deaf = is_deaf_};
+  say(input);
+  take(input);
+}
+
+/// Its messages are gone from the stack when the input is taken.
+__attribute__((noinline)) void FlightBoard::say(const messages::Input& input) {
+  const wire::InputRecord said(input);
+  machine::send(wire::RecordFrame(input.arrival, said.channel(), said.data()).bytes());
+}
+
+void FlightBoard::keep_piece(std::span<const std::uint8_t> piece, std::span<std::uint8_t> place, Incoming& file) {
+  if (piece.size() < wire::kPieceHeadBytes) return;
+  const auto offset = static_cast<std::size_t>(load(piece.first(4)));
+  const auto size = static_cast<std::size_t>(load(piece.subspan(4, 4)));
+  const std::span<const std::uint8_t> bytes = piece.subspan(wire::kPieceHeadBytes);
+  if (size > place.size() || offset > size || bytes.size() > size - offset) return;
+  std::copy(bytes.begin(), bytes.end(), place.begin() + static_cast<std::ptrdiff_t>(offset));
+  if (offset == 0) file = {};
+  file.size = size;
+  file.known += bytes.size();
+}
+
+void FlightBoard::arm(Time time, std::span<const std::uint8_t> bytes) {
+  mission_t message{};
+  if (const Status status = wire::decode(bytes, message); status != Status::kOk) return report(time, board_t::REFUSED, status);
+  const std::span<const std::uint8_t> policy = place_of_policy().first(policy_.size);
+  const std::span<const std::uint8_t> tables = place_of_tables().first(tables_.size);
+  const bool is_whole = policy_.known == policy_.size && tables_.known == tables_.size &&
+                        crc32(policy) == static_cast<std::uint32_t>(message.policy_crc32) &&
+                        crc32(tables) == static_cast<std::uint32_t>(message.tables_crc32);
+  if (!is_whole) return report(time, board_t::REFUSED, Status::kCorrupt);
+  taken_ = inputs_ = 0;
+  const Status status = runtime_.configure(wire::from_message(message), policy, tables);
+  if (status == Status::kOk) machine::begin_watchdog();  // from here on a mission depends on it
+  report(time, status == Status::kOk ? board_t::ARMED : board_t::REFUSED, status);
+}
+
+void FlightBoard::turn(Time now, std::span<const std::uint8_t> count) {
+  if (count.size() != sizeof(std::uint64_t) || load(count) != taken_) {
+    report(now, board_t::INPUTS_LOST);
+    if (count.size() == sizeof(std::uint64_t)) taken_ = load(count);
+  }
+  const std::uint32_t began = machine::microseconds();
+  const runtime::Outputs outputs = runtime_.step(now);
+  turn_us_ = machine::microseconds() - began;
+  if (outputs.decision) report(now, board_t::DECIDED);
+  say(now, outputs);
+}
+
+void FlightBoard::say(Time now, const runtime::Outputs& outputs) {
+  if (outputs.setpoint) send(now, wire::kJournalledSetpointChannel, wire::to_message(*outputs.setpoint, now));
+  if (outputs.decision) send(now, wire::kDecisionChannel, wire::to_message(*outputs.decision));
+  for (const messages::SafetyEvent& event : outputs.safety_events) send(now, wire::kSafetyEventChannel, wire::to_message(event));
+  for (const messages::CommandAcknowledgement& acknowledgement : outputs.acknowledgements)
+    send(now, PortChannel(wire::kAcknowledgementChannel, acknowledgement.port).view(), wire::to_message(acknowledgement));
+  send(now, wire::kHealthChannel, wire::to_message(outputs.health, now));
+}
+
+void FlightBoard::report(Time time, std::int8_t event, Status status) {
+  const board_t message{.utime = time.us,
+                        .event = event,
+                        .status = static_cast<std::int8_t>(status),
+                        .frames_refused = static_cast<std::int32_t>(frames_refused_),
+                        .bytes_lost = static_cast<std::int32_t>(machine::bytes_lost()),
+                        .turn_us = static_cast<std::int32_t>(turn_us_),
+                        .stack_bytes = static_cast<std::int32_t>(stack::size()),
+                        .stack_used_bytes = static_cast<std::int32_t>(stack::most_used())};
+  send(time, wire::kBoardChannel, message);
+}
+
+}  // namespace earshot::board
