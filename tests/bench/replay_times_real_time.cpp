@@ -72,7 +72,8 @@ void write_journal(const std::filesystem::path& path) {
   board::SetClock clock;
   board::PortSet ports;
   host::Journal journal(path, {.when_full = host::JournalOptions::WhenFull::kWait});
-  board::MissionTurn turn(*flown.runtime, ports, journal, clock);
+  board::OwnCore core(*flown.runtime);
+  board::MissionTurn turn(core, ports, journal, clock);
   turn.record_mission(flown.file.mission,
                       {.policy = flown.search.policy.bytes, .tables = flown.search.tables.bytes, .build = "a benchmark"});
   Vehicle vehicle;

@@ -135,7 +135,8 @@ int run(const Options& options) {
 
   // All the journal's work but for the disk's, which has no room for so many days.
   host::Journal journal("/dev/null", {.when_full = host::JournalOptions::WhenFull::kWait, .existing = host::ExistingJournal::kReplace});
-  board::MissionTurn turn(*runtime, ports, journal, clock);
+  board::OwnCore core(*runtime);
+  board::MissionTurn turn(core, ports, journal, clock);
   turn.record_mission(file.mission, {.policy = search.policy.bytes, .tables = search.tables.bytes, .build = "endurance"});
   host::touch_memory();
   const std::string unlocked = host::lock_memory();

@@ -60,7 +60,7 @@ void MissionTurn::record_mission(const config::Mission& mission, const FlownWith
 
 void MissionTurn::tell(FlightNews& news) {
   news_ = &news;
-  news.tell(Time{}, runtime_.mission());
+  news.tell(Time{}, core_.mission());
 }
 
 Time MissionTurn::now() {
@@ -72,7 +72,7 @@ void MissionTurn::take(std::uint8_t port, const Value& value) {
   memory_.note(input);
   const wire::InputRecord record(input);
   (void)journal_.append(input.arrival, record.channel(), record.data(), weight_of(port, value));
-  runtime_.take(input);
+  core_.take(input);
   is_called_ = is_called_ || calls_for_turn(value);
 }
 
@@ -123,7 +123,7 @@ runtime::Outputs MissionTurn::operator()() {
   report_journal(turn);
   is_called_ = false;
   if (is_part_asked_for_ != nullptr && is_part_asked_for_->exchange(false)) journal_.begin_part();
-  outputs_ = runtime_.step(turn);
+  outputs_ = core_.step(turn);
   const bool is_new_state = record(turn, outputs_);
   memory_.note(turn, outputs_);
   write_ahead_of(outputs_, is_new_state);
@@ -131,7 +131,7 @@ runtime::Outputs MissionTurn::operator()() {
   ports_.publish(turn, outputs_);
   if (manager_ != nullptr) manager_->note_turn(outputs_.health);
   if (news_ == nullptr) return outputs_;
-  news_->tell(turn, runtime_.mission());
+  news_->tell(turn, core_.mission());
   for (const messages::SafetyEvent& event : outputs_.safety_events) news_->tell(event);
   news_->tell(turn, outputs_.health);
   return outputs_;

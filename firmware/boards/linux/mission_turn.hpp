@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "firmware/boards/linux/clock.hpp"
+#include "firmware/boards/linux/core/core.hpp"
 #include "firmware/boards/linux/news/flight_news.hpp"
 #include "firmware/boards/linux/port.hpp"
 #include "firmware/boards/linux/port_set.hpp"
@@ -38,8 +39,8 @@ struct FlownWith {
 class MissionTurn final : public InputSink {
  public:
   /// All four must outlive it.
-  MissionTurn(runtime::Runtime& runtime, PortSet& ports, host::Journal& journal, Clock& clock)
-      : runtime_(runtime), ports_(ports), journal_(journal), clock_(clock) {}
+  MissionTurn(Core& core, PortSet& ports, host::Journal& journal, Clock& clock)
+      : core_(core), ports_(ports), journal_(journal), clock_(clock) {}
 
   /// Writes the journal's first three records, which say what is flown. To be called before anything else.
   void record_mission(const config::Mission& mission, const FlownWith& with);
@@ -96,7 +97,7 @@ class MissionTurn final : public InputSink {
   void record_trouble(std::uint8_t port, BusTrouble trouble, bool is_there);
   void write_ahead_of(const runtime::Outputs& outputs, bool is_new_state);
 
-  runtime::Runtime& runtime_;
+  Core& core_;
   PortSet& ports_;
   host::Journal& journal_;
   Clock& clock_;

@@ -26,6 +26,7 @@
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
+#include "sim/apps/fly/emulated_board.hpp"
 #include "sim/apps/fly/flight_folder.hpp"
 #include "sim/apps/fly/flight_plan.hpp"
 #include "sim/apps/fly/flight_progress.hpp"
@@ -60,6 +61,7 @@ struct Options {
   std::optional<std::string> can_interface;
   std::optional<std::string> journal_survives;
   std::optional<std::string> hear;
+  std::optional<std::string> board;
   bool ignore_source = false;
   bool no_report = false;
 };
@@ -98,6 +100,10 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--journal-survives", &o.journal_survives,
               "power-cut: the journal is written as at sea; process: it is left to the kernel; default: process")
       .one_of({"power-cut", "process"});
+  line.option("--board", &o.board,
+              "a microcontroller decides, emulated: qemu-m7 with the capacities of a vehicle computer, qemu-m7-small with its own (25 x 25 "
+              "cells)")
+      .one_of({fly::kBoardFull, fly::kBoardSmall});
   line.flag("--ignore-source", &o.ignore_source, "fly on to the last step even when the source is reached (benchmarks)");
   line.flag("--no-report", &o.no_report, "do not write report.html");
 }
@@ -109,6 +115,7 @@ struct Meeting {
   std::string hydrophone_url;
   link::RunId run = link::new_run();
   fs::path folder;
+  std::optional<fs::path> board;  ///< serial line of the microcontroller that decides
 };
 
 template <class Value>
@@ -130,6 +137,7 @@ std::vector<std::string> simulator_arguments(const Options& o, const Meeting& me
   a.insert(a.end(), {"--environment", o.environment.string(), "--mission", o.mission.string(), "--domain", std::to_string(meeting.domain),
                      "--seed", std::to_string(o.seed), "--source", o.source, "--speed", o.speed});
   add(a, "--hear", o.hear);
+  if (o.board) a.emplace_back("--slow-runtime");
   if (o.ignore_source) a.emplace_back("--ignore-source");
   if (program::talk() == program::Talk::kQuiet) a.emplace_back("--quiet");
   return a;
@@ -145,6 +153,7 @@ std::vector<std::string> runtime_arguments(const Options& o, const Meeting& meet
   if (!o.vehicle) a.insert(a.end(), {"--seed", std::to_string(o.seed)});  // a signed mission names its own
   add(a, "--journal-survives", o.journal_survives);
   if (o.hear) a.emplace_back("--hear");
+  if (meeting.board) a.insert(a.end(), {"--board", *meeting.board});
   return a;
 }
 
@@ -325,10 +334,13 @@ int fly_search(Options o) {
   o.can_interface = chosen_can_interface(o, mission);
   FlightFolder folder(o.out);
   const link::RunSlot slot;
-  const Meeting meeting{.domain = slot.domain(),
-                        .lcm_url = chosen_url(o, mission).value_or(slot.lcm_url()),
-                        .hydrophone_url = slot.hydrophone_url(),
-                        .folder = folder.unfinished()};
+  Meeting meeting{.domain = slot.domain(),
+                  .lcm_url = chosen_url(o, mission).value_or(slot.lcm_url()),
+                  .hydrophone_url = slot.hydrophone_url(),
+                  .folder = folder.unfinished(),
+                  .board = std::nullopt};
+  std::optional<fly::EmulatedBoard> board;
+  if (o.board) meeting.board = board.emplace(fly::program_of_board(*o.board), meeting.run).line();
   ChildProcess runtime("earshotd", runtime_arguments(o, meeting));
   ChildProcess simulator("earshot-sim", simulator_arguments(o, meeting));
   wait_for_both(simulator, runtime);

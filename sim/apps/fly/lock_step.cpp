@@ -23,8 +23,6 @@ using std::chrono::steady_clock;
 constexpr std::uint64_t kConditionsStream = 1;
 /// How often a waiting simulator looks at `stop`.
 constexpr milliseconds kLookUp{100};
-/// For an answer: a step takes microseconds, a dead runtime is known after link::kLeaseSeconds.
-constexpr milliseconds kRuntimePatience{4000};
 /// For a set-point that was sent before its answer.
 constexpr milliseconds kBusPatience{2000};
 
@@ -185,7 +183,7 @@ class Stepper {
 
   /// @return null, or how the runtime was lost
   [[nodiscard]] const char* wait_for_answer(link::Answer& answer) {
-    for (auto waited = milliseconds{0}; waited < kRuntimePatience; waited += kLookUp) {
+    for (auto waited = milliseconds{0}; waited < flight_.setup.answer_patience; waited += kLookUp) {
       const link::Delivery delivery = flight_.link.receive(answer, kLookUp);
       if (delivery == link::Delivery::kLost) return "it left or died";
       if (delivery == link::Delivery::kArrived && answer.number == number_) return nullptr;

@@ -19,6 +19,9 @@
 
 namespace earshot::fly {
 
+/// With a runtime's answer: a step takes microseconds, and one that is dead is known after link::kLeaseSeconds.
+inline constexpr std::chrono::milliseconds kAnswerPatience{4000};
+
 /// What a flight goes through, and how.
 struct FlightSetup {
   const search::World& world;  ///< what is heard, and its conditions
@@ -27,7 +30,8 @@ struct FlightSetup {
   bool may_be_found = true;    ///< false: fly on to the last step even so (benchmarks)
   vehicle::Limits vehicle;
   Duration tick = search::kLookInterval;
-  std::uint64_t seed = 1;                    ///< of what the conditions draw
+  std::uint64_t seed = 1;  ///< of what the conditions draw
+  std::chrono::milliseconds answer_patience = kAnswerPatience;
   std::chrono::seconds wait_for_runtime{0};  ///< for the return of a runtime that is lost; 0: the flight ends then
   double speed = 0.0;                        ///< simulated seconds per second; 0: as fast as it goes
 };

@@ -41,6 +41,9 @@ using namespace earshot;
 using namespace earshot::fly;
 
 constexpr std::chrono::seconds kPatience{20};
+/// For one whose microcontroller is emulated, on a machine that has other things to do: arming takes it a minute, a decision some seconds.
+constexpr std::chrono::seconds kSlowPatience{900};
+constexpr std::chrono::seconds kSlowAnswerPatience{120};
 
 using program::kLost;
 using program::stop_requested;
@@ -57,6 +60,7 @@ struct Options {
   std::optional<link::RunId> run;
   host::PortOverride ports;
   std::uint32_t wait_for_runtime_s = 0;
+  bool slow_runtime = false;
   bool ignore_source = false;
   std::optional<std::string> hear;
 };
@@ -88,6 +92,8 @@ void declare(program::CommandLine& line, Options& o) {
   line.option("--hydrophone-url", &o.ports.hydrophone_url, "address of the hydrophone's port instead of the mission's");
   line.option("--hear", &o.hear, fly::kHearHelp).checked(fly::hear_complaint, fly::kHearsAllowed);
   line.option("--can-interface", &o.ports.can_interface, "interface of every CAN port instead of the mission's");
+  line.flag("--slow-runtime", &o.slow_runtime,
+            "wait a quarter of an hour for earshotd, and two minutes for its answers: an emulator decides");
   line.option("--wait-for-runtime", &o.wait_for_runtime_s,
               "how many seconds to wait for the return of an earshotd that is lost in mid-flight (it goes on with --resume); 0: the flight "
               "ends then")
@@ -228,6 +234,7 @@ int simulate(const Options& o) {
                           .may_be_found = !o.ignore_source,
                           .vehicle = {},
                           .seed = o.seed,
+                          .answer_patience = o.slow_runtime ? kSlowAnswerPatience : fly::kAnswerPatience,
                           .wait_for_runtime = std::chrono::seconds(o.wait_for_runtime_s),
                           .speed = o.speed};
 
@@ -237,8 +244,9 @@ int simulate(const Options& o) {
   if (o.hear) hearing.emplace(o, plan);
   program::stop_on_signals();  // up to here nothing is under way that would have to end in order
   link::SimulatorEnd link(o.domain, o.run.value_or(link::new_run()));
-  const board::Waited waited = board::wait_for("earshot-sim", "an earshotd in DDS domain " + std::to_string(o.domain), kPatience,
-                                               [&link](std::chrono::milliseconds most) { return link.wait_for_runtime(most); });
+  const board::Waited waited =
+      board::wait_for("earshot-sim", "an earshotd in DDS domain " + std::to_string(o.domain), o.slow_runtime ? kSlowPatience : kPatience,
+                      [&link](std::chrono::milliseconds most) { return link.wait_for_runtime(most); });
   if (waited != board::Waited::kCame) return waited == board::Waited::kStopped ? program::kStopped : kLost;
 
   // Only now that both sides have taken their input: a refused policy leaves no half of a flight behind.

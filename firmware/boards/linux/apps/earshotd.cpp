@@ -24,6 +24,8 @@
 #include "firmware/boards/linux/checklist/chart.hpp"
 #include "firmware/boards/linux/checklist/checklist.hpp"
 #include "firmware/boards/linux/checklist/doubts.hpp"
+#include "firmware/boards/linux/core/board_core.hpp"
+#include "firmware/boards/linux/core/core.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/host_mission_clock.hpp"
 #include "firmware/boards/linux/memory_proof.hpp"
@@ -54,6 +56,7 @@
 #include "firmware/host/program/version.hpp"
 #include "firmware/host/toml/table_reader.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
+#include "firmware/host/transport/serial_line.hpp"
 #include "firmware/host/trust/vehicle_file.hpp"
 #include "firmware/messages/health_words.hpp"
 #include "firmware/runtime/runtime.hpp"
@@ -115,6 +118,14 @@ std::unique_ptr<runtime::Runtime> make_runtime(const host::MissionFile& file, co
   return runtime;
 }
 
+/// The mission must fit this build, too: its refusals name file and key.
+std::unique_ptr<board::BoardCore> make_board(const Options& o, const host::MissionFile& file, const host::SignedSearch& search) {
+  if (!o.board) return nullptr;
+  // At sea a vehicle must not be left with its last set-point; in simulation the board may be an emulator on a busy machine.
+  const std::chrono::seconds patience(o.simulation ? 60 : 3);
+  return std::make_unique<board::BoardCore>(host::SerialLine(*o.board), file.mission, search.policy.bytes, search.tables.bytes, patience);
+}
+
 host::JournalOptions journal_options(const Options& o) {
   constexpr std::uint64_t kMegabyte = 1'000'000;
   using J = host::JournalOptions;
@@ -166,6 +177,7 @@ struct Flight {
   const host::MissionFile& file;
   const host::SignedSearch& search;
   std::unique_ptr<runtime::Runtime> runtime;
+  std::unique_ptr<board::BoardCore> board;  ///< that decides in its place; none: nobody does
   board::PortSet& ports;
   board::Clock& clock;
   board::ServiceManager manager;
@@ -235,7 +247,8 @@ int fly(Flight& f) {
                               : host::Journal(wanted, journal_options(f.options));
   keep(f.search, journal.path());
   if (unfinished) f.runtime = std::move(unfinished->before.runtime);
-  board::MissionTurn turn(*f.runtime, f.ports, journal, f.clock);
+  board::OwnCore own(*f.runtime);
+  board::MissionTurn turn(f.board ? static_cast<board::Core&>(*f.board) : own, f.ports, journal, f.clock);
   turn.report_to(f.manager);
   turn.begin_parts_when(program::has_hung_up);
   const Duration hold = begin(f, unfinished ? &unfinished->before : nullptr, journal.path(), turn);
@@ -250,6 +263,7 @@ int fly(Flight& f) {
   journal.conclude(board::closing_record_of(result));
   const Status kept = journal.close();
   const int status = board::report(result, f.clock, f.ports, journal.path());
+  if (f.board && program::talk() == program::Talk::kVerbose) std::cerr << "earshotd: " << f.board->remark() << "\n";
   const int proven = f.options.prove_no_alloc ? board::report(proof, f.ports) : program::kDone;
   const int in_journal = board::report(journal, kept, wanted, !f.options.simulation);
   return in_journal != program::kDone ? in_journal : (proven != program::kDone ? proven : status);
@@ -303,6 +317,7 @@ int fly(const Options& o) {
   const host::MissionFile file = load(o, judge);
   const host::SignedSearch search = judge.load_search(file);
   std::unique_ptr<runtime::Runtime> runtime = make_runtime(file, search, o.mission.string());
+  std::unique_ptr<board::BoardCore> board = make_board(o, file, search);
   const std::vector<host::BusLock> locks = host::lock_buses(file, o.simulation ? std::optional(host::BusPlace::kVehicle) : std::nullopt);
   if (!o.simulation) host::set_thread_stack(board::kThreadStackBytes);
   const board::HostClock host;
@@ -341,6 +356,7 @@ int fly(const Options& o) {
                 .file = file,
                 .search = search,
                 .runtime = std::move(runtime),
+                .board = std::move(board),
                 .ports = ports,
                 .clock = *clock,
                 .manager = service_manager(o)};

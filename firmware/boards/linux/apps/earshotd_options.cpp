@@ -20,6 +20,7 @@ void require_check_possible(const Options& o) {
 void require_resuming_possible(const Options& o) {
   if (o.resume && o.replace) throw host::BadInput("--resume: not with --replace, which throws the journal away");
   if (o.resume && o.hear) throw host::BadInput("--resume: not with --hear: what a detector has learnt of the noise is in no journal");
+  if (o.resume && o.board) throw host::BadInput("--resume: not with --board, which begins its mission anew");
   if (o.resume && o.check) throw host::BadInput("--resume: not with --check, which flies nothing");
 }
 
@@ -105,6 +106,10 @@ void declare(program::CommandLine& line, Options& o) {
       .from(0, std::numeric_limits<std::int64_t>::max())
       .shows_default();
   line.option("--wait", &o.wait_s, "in simulation: how many seconds to wait for the simulator").from(1, 86'400).shows_default();
+  line.option(
+      "--board", &o.board,
+      "let a microcontroller decide (firmware/boards/cortex_m7), at the other end of this serial line: a device, or the Unix socket "
+      "of an emulator");
   line.flag("--hear", &o.hear,
             "in simulation: measure the SNR in the sound that the simulator puts on the hydrophone's bus, instead of being told it; at sea "
             "the hydrophone is heard in any case");

@@ -26,6 +26,7 @@ struct Options {
   std::optional<std::uint32_t> simulation;
   std::uint64_t run = 0;
   std::uint32_t wait_s = 60;
+  std::optional<std::filesystem::path> board;
   bool hear = false;
   bool snr_from_bus = false;
   bool replace = false;

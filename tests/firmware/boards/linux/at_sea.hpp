@@ -86,7 +86,8 @@ class AtSea : public testing::Test {
 
   LoopResult fly() { return fly(clock_); }
   LoopResult fly(Clock& clock) {
-    MissionTurn turn(*runtime_, ports_, *journal_, clock);
+    OwnCore core(*runtime_);
+    MissionTurn turn(core, ports_, *journal_, clock);
     return board::fly(turn, ports_, clock, {.period = kPeriod, .turns = turns_}, stop_);
   }
 

@@ -183,7 +183,8 @@ class ProvenLoop : public testing::Test {
     std::unique_ptr<Clock> clock;
     if (mode == Mode::kAtSea) clock = std::make_unique<AtSeaClock>();
     if (mode == Mode::kInLockStep) clock = std::make_unique<LockStepClock>();
-    MissionTurn turn(*runtime_, ports_, journal, *clock);
+    OwnCore core(*runtime_);
+    MissionTurn turn(core, ports_, journal, *clock);
     (void)settle_memory();
     proof_.arm();
     result_ = board::fly(turn, ports_, *clock, {.period = kPeriod}, stop_);

@@ -221,13 +221,14 @@ class GoneOnWithAtSea : public AtSea {
  protected:
   /// @param orders  which the process before obeyed in its only turn
   LoopResult stop_before_the_first_turn(std::initializer_list<Order> orders) {
-    MissionTurn before(*runtime_, ports_, *journal_, clock_);
+    OwnCore core(*runtime_);
+    MissionTurn before(core, ports_, *journal_, clock_);
     host_.advance(kPeriod);
     send(clock_, before, fix());
     send(clock_, before, snr());
     for (const Order order : orders) before.take(kPort, runtime::command_of(order, clock_.now(), ++commands_));
     const runtime::Outputs last = before();
-    MissionTurn turn(*runtime_, ports_, *journal_, clock_);
+    MissionTurn turn(core, ports_, *journal_, clock_);
     Resumption resumption;
     resumption.memory.last = before.last();
     resumption.last = last;
