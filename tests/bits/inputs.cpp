@@ -61,7 +61,7 @@ void Vehicle::move() {
 }
 
 messages::Navigation Vehicle::navigation(std::int32_t second) const {
-  const std::int32_t depth_m = std::min(300, 4 * second);
+  const std::int32_t depth_m = std::min<std::int32_t>(300, 4 * second);
   return {.time = time_of(second),
           .position = {Meters{meters(place_.north)}, Meters{meters(place_.east)}},
           .depth = Meters{static_cast<double>(depth_m)},

@@ -1,0 +1,213 @@
+// What the core costs a Cortex-M7 in instructions, counted by the emulator (-icount shift=6). Lines "NAME VALUE", then the exit status.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+
+#include "firmware/boards/cortex_m7/stack.hpp"
+#include "firmware/core/random.hpp"
+#include "firmware/detector/hydrophone/settings.hpp"
+#include "firmware/detector/hydrophone/sound_detector.hpp"
+#include "firmware/policy/frozen_policy.hpp"
+#include "firmware/policy/golden.hpp"
+#include "firmware/policy/network.hpp"
+#include "firmware/policy/observation.hpp"
+#include "firmware/wire/n2k/navigation.hpp"
+#include "tests/cortex_m7/emulator.hpp"
+
+namespace {
+
+using namespace earshot;
+using emulator::instructions;
+
+struct State {
+  policy::Network network;
+  policy::ObservationModel model;
+  policy::OceanTables tables;
+  policy::SearchMemory memory;
+  detector::SoundDetector detector;
+};
+alignas(State) std::array<std::byte, sizeof(State)> room;
+
+void tell(const char* name, std::uint32_t value) {
+  emulator::say(name);
+  emulator::say(" ");
+  emulator::say_number(value);
+  emulator::say("\n");
+}
+
+void require(bool is_so, const char* what) {
+  if (is_so) return;
+  emulator::say(what);
+  emulator::say("\n");
+  emulator::end(2);
+}
+
+/// Of 62 elements, two layers of 64, 8 actions.
+void measure_network(policy::Network& network) {
+  constexpr std::size_t kWidth = 64;
+  network.observation_size = 62;
+  network.hidden_sizes = {kWidth, kWidth};
+  network.action_count = 8;
+  Pcg32 random(1);
+  const auto draw = [&random](auto& layer, std::size_t outputs, std::size_t inputs) {
+    for (std::size_t output = 0; output < outputs; ++output)
+      for (std::size_t input = 0; input < inputs; ++input) layer.weight(output, input) = 0.5F * random.uniform_float() - 0.25F;
+  };
+  draw(network.first, kWidth, network.observation_size);
+  draw(network.second, kWidth, kWidth);
+  draw(network.output, network.action_count, kWidth);
+  std::array<float, 62> observation;
+  for (float& element : observation) element = 2.0F * random.uniform_float() - 1.0F;
+  std::array<float, 8> logits;
+  const std::uint32_t began = instructions();
+  policy::forward(network, observation, logits);
+  tell("forward_pass", instructions() - began);
+  require(logits[0] == logits[0], "a logit is no number");
+}
+
+void make_search(policy::ObservationModel& model, policy::OceanTables& tables) {
+  policy::BeliefModel& belief = model.belief;
+  belief.area_size = {Meters{25'000}, Meters{25'000}};
+  belief.step_length = Meters{1'000};
+  belief.border_width = Meters{1'000};
+  belief.detection_threshold = Decibels{10};
+  constexpr double kDiagonal = 0.70710678118654757;
+  for (const UnitNorthEast& direction : std::array<UnitNorthEast, 8>{{{1, 0},
+                                                                      {kDiagonal, kDiagonal},
+                                                                      {0, 1},
+                                                                      {-kDiagonal, kDiagonal},
+                                                                      {-1, 0},
+                                                                      {-kDiagonal, -kDiagonal},
+                                                                      {0, -1},
+                                                                      {kDiagonal, -kDiagonal}}})
+    static_cast<void>(belief.actions.push_back(direction));
+  belief.cells_north = belief.cells_east = 25;
+  model.spec = policy::belief_state(belief);
+  policy::make_golden_tables(belief.area_size, tables);
+  const policy::OceanTable first = tables.tables[0];
+  while (tables.tables.size() < config::kMaxOceanTables &&
+         tables.tables.size() < 32) {  // others, each a little fainter than the one before
+    policy::OceanTable table = first;
+    for (std::size_t range = 0; range < tables.range_count; ++range)
+      table.snr_half_db[range] = static_cast<std::int8_t>(first.snr_half_db[range] - static_cast<int>(range * tables.tables.size() / 64));
+    static_cast<void>(tables.tables.push_back(table));
+  }
+}
+
+/// The most and the mean of what is measured again and again.
+struct Account {
+  std::uint32_t most = 0;
+  std::uint64_t sum = 0;
+  void take(std::uint32_t value) {
+    most = value > most ? value : most;
+    sum += value;
+  }
+};
+
+/// A search of forty steps, to and fro before a source: what was heard is weighed, observed and answered, as in a decision.
+void measure_belief(State& state) {
+  constexpr int kLooks = 40;
+  make_search(state.model, state.tables);
+  state.network.observation_size = state.model.spec.size();
+  Pcg32 random(2);
+  Account updates;
+  Account observations;
+  Account decisions;
+  std::array<float, config::kMaxObservation> observation;
+  std::array<float, 8> logits;
+  for (int look = 0; look < kLooks; ++look) {
+    const NorthEast place{Meters{3'000.0 + 500.0 * look}, Meters{5'000.0 + 2'000.0 * (look % 4)}};
+    const policy::Reception heard{.snr = Decibels{25.0 - 0.5 * look + 3.0 * static_cast<double>(random.uniform_float())},
+                                  .too_faint = look % 7 == 6};
+    const std::uint32_t began = instructions();
+    if (look == 0) {
+      state.memory.start(state.model, state.tables, place, heard);
+    } else {
+      state.memory.remember(state.model, state.tables, place, heard);
+    }
+    const std::uint32_t updated = instructions();
+    policy::observe(state.memory, state.model, std::span(observation).first(state.model.spec.size()));
+    const std::uint32_t observed = instructions();
+    policy::forward(state.network, std::span(observation).first(state.model.spec.size()), logits);
+    updates.take(updated - began);
+    observations.take(observed - updated);
+    decisions.take(instructions() - began);
+  }
+  tell("belief_update_most", updates.most);
+  tell("belief_update_mean", static_cast<std::uint32_t>(updates.sum / kLooks));
+  tell("observation_most", observations.most);
+  tell("decision_most", decisions.most);
+  tell("decision_mean", static_cast<std::uint32_t>(decisions.sum / kLooks));
+}
+
+/// One channel at 1 kHz; half a minute of it, in blocks of a second, behind the half minute in which the noise is learnt.
+void measure_detector(detector::SoundDetector& detector) {
+  constexpr int kRate = 1000;
+  require(detector.configure(detector::fin_whale()) == Status::kOk, "the detector refuses its settings");
+  Pcg32 random(3);
+  std::array<float, kRate> samples;
+  std::uint32_t looks = 0;
+  std::uint64_t sum = 0;
+  for (int second = 0; second < 60; ++second) {
+    for (float& sample : samples) sample = 0.01F * (random.uniform_float() + random.uniform_float() - 1.0F);
+    const messages::HydrophoneBlock block{.time = {Duration::seconds(second).us},
+                                          .sequence = second,
+                                          .first_sample = std::int64_t{second} * kRate,
+                                          .sample_rate = Hertz{kRate},
+                                          .gain = Decibels{0.0},
+                                          .samples_per_channel = kRate,
+                                          .overflow_count = 0,
+                                          .channels = 1};
+    const std::uint32_t began = instructions();
+    detector.hear(block, samples);
+    while (const std::optional<detector::Estimate> estimate = detector.next()) looks += estimate->is_look() ? 1U : 0U;
+    if (second >= 30) sum += instructions() - began;
+  }
+  tell("hydrophone_sample", static_cast<std::uint32_t>(sum / (30 * kRate)));
+  require(looks > 0, "the detector heard nothing");
+}
+
+/// Fixes of a vehicle, as its NMEA 2000 devices send them.
+void measure_can() {
+  const n2k::LocalPlane plane = n2k::LocalPlane::about({38.5, -28.0}).value();
+  n2k::NavigationReceiver receiver(plane);
+  std::uint64_t sum = 0;
+  std::uint32_t frames = 0;
+  std::uint32_t fixes = 0;
+  for (int second = 1; second <= 20; ++second) {
+    const Time now{Duration::seconds(second).us};
+    const messages::Navigation said{.time = now,
+                                    .position = {Meters{1'000.0 + second}, Meters{2'000.0}},
+                                    .depth = Meters{300.0},
+                                    .heading = Radians{0.5},
+                                    .speed = MetersPerSecond{2.0}};
+    n2k::NavigationFrames composed;
+    require(n2k::compose_navigation(said, plane, 35, composed) == Status::kOk, "no frames");
+    for (const n2k::Frame& frame : composed) {
+      messages::Navigation heard;
+      const std::uint32_t began = instructions();
+      const Status status = receiver.accept(frame, now, heard);
+      sum += instructions() - began;
+      ++frames;
+      fixes += status == Status::kOk ? 1U : 0U;
+    }
+  }
+  tell("can_frame", static_cast<std::uint32_t>(sum / frames));
+  tell("can_receiver_bytes", sizeof(receiver));
+  require(fixes > 0, "no fix");
+}
+
+}  // namespace
+
+int main() {
+  auto& state = *new (room.data()) State;
+  measure_network(state.network);
+  measure_belief(state);
+  measure_detector(state.detector);
+  tell("stack_used_by_decision_and_sound", static_cast<std::uint32_t>(stack::most_used()));
+  measure_can();
+  emulator::end(0);
+}

@@ -1,0 +1,44 @@
+// The vehicle's program with all of NMEA 2000 that a CAN port needs: linked to know its size (check_budgets), run by nobody.
+
+#include "firmware/wire/n2k/navigation.hpp"
+#include "firmware/wire/n2k/node/node.hpp"
+#include "firmware/wire/n2k/own/conditions.hpp"
+#include "firmware/wire/n2k/own/measurements.hpp"
+#include "firmware/wire/n2k/own/orders.hpp"
+#include "firmware/wire/n2k/own/reports.hpp"
+#include "firmware/wire/n2k/sensors/source_gate.hpp"
+#include "firmware/wire/n2k/setpoint.hpp"
+#include "firmware/wire/n2k/vehicle_condition.hpp"
+
+namespace {
+
+using namespace earshot;
+
+/// The linker must keep what a function is taken of.
+template <class Function>
+void keep(Function function) {
+  asm volatile("" : : "m"(function) : "memory");
+}
+
+}  // namespace
+
+extern "C" __attribute__((used)) void keep_can() {
+  keep(&n2k::Node::accept);
+  keep(&n2k::Node::step);
+  keep(static_cast<Status (n2k::NavigationReceiver::*)(const n2k::Frame&, Time, messages::Navigation&)>(&n2k::NavigationReceiver::accept));
+  keep(&n2k::NavigationReceiver::zero_at_surface);
+  keep(&n2k::OrderReceiver::accept);
+  keep(&n2k::VehicleCondition::accept_hull);
+  keep(&n2k::VehicleCondition::give);
+  keep(&n2k::SourceGate::standing);
+  keep(&n2k::SourceGate::hold);
+  keep(&n2k::name_of);
+  keep(&n2k::read_snr);
+  keep(&n2k::read_deaf);
+  keep(&n2k::read_autopilot_status);
+  keep(&n2k::compose_setpoint);
+  keep(&n2k::compose_acknowledgement);
+  keep(&n2k::compose_decision);
+  keep(&n2k::compose_health);
+  keep(&n2k::compose_port_health);
+}
