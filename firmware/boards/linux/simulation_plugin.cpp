@@ -5,30 +5,25 @@
 #include <array>
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <utility>
 
-#include "firmware/host/toml/table_reader.hpp"
+#include "firmware/host/file/bad_input.hpp"
+#include "firmware/host/file/shipped.hpp"
 
 namespace earshot::board {
 namespace {
 
-namespace fs = std::filesystem;
-
-fs::path library_path() {
-  const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path();
-  for (const fs::path& folder : {beside, beside / "../lib/earshot"}) {
-    std::error_code error;
-    if (fs::exists(folder / kSimulationLibrary, error)) return folder / kSimulationLibrary;
-  }
-  throw host::BadInput("--simulation: there is no " + std::string(kSimulationLibrary) + " in " + beside.string() +
-                       " or its ../lib/earshot: the simulation is not installed here");
+std::filesystem::path library_path() {
+  std::filesystem::path path = host::shipped_library(kSimulationLibrary);
+  if (!path.empty()) return path;
+  throw host::BadInput("--simulation: there is no " + std::string(kSimulationLibrary) + " in " + host::own_folder().string() +
+                       " or its ../lib/earshot: the simulation is not installed here (Debian package earshot-sil)");
 }
 
 }  // namespace
 
 Simulation open_simulation(const SimulationOptions& options) {
-  const fs::path path = library_path();
+  const std::filesystem::path path = library_path();
   // Never closed: what it made lives to the end of the program.
   void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) throw host::BadInput(path.string() + ": " + ::dlerror());

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/host/file/shipped.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "hil/bench/at_sea/bus_listener.hpp"
 #include "hil/bench/at_sea/narrow_queue.hpp"
@@ -109,9 +110,8 @@ class SeaFlyer {
 
   /// A library that stands between it and its disk, as long as a file says so.
   [[nodiscard]] std::vector<std::string> sick_disk(const std::string& sickness) const {
-    const std::filesystem::path library = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "libearshot-sick-disk.so";
-    if (!std::filesystem::exists(library))
-      throw std::system_error(ENOENT, std::generic_category(), library.string() + " (without it no disk falls ill)");
+    const std::filesystem::path library = host::shipped_library("libearshot-sick-disk.so");
+    if (library.empty()) throw std::system_error(ENOENT, std::generic_category(), "libearshot-sick-disk.so (without it no disk falls ill)");
     return {"LD_PRELOAD=" + library.string(), "EARSHOT_TEST_DISK=" + sickness, "EARSHOT_TEST_DISK_IS_SICK=" + disk_is_sick().string()};
   }
 

@@ -153,7 +153,7 @@ TEST_F(Programs, EvaluateNamesTheShippedPolicyWhenItIsMissingRatherThanTakeAnoth
   EXPECT_EQ(start(folder / "bin/earshot-evaluate", arguments).wait(kPatience), 2);
   const std::string said = content(folder / "err");
   EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
-  EXPECT_NE(said.find("policy/frozen/shipped.policy: is neither in the source tree that"), std::string::npos) << said;
+  EXPECT_NE(said.find("policy/frozen/shipped.policy: is neither installed beside"), std::string::npos) << said;
 }
 
 TEST_F(Programs, EvaluateSearchesForTheSourceThatAPolicyWasTrainedWith) {

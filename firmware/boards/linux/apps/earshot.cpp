@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "firmware/host/file/printable.hpp"
+#include "firmware/host/file/shipped.hpp"
 #include "firmware/host/program/command_line.hpp"
 #include "firmware/host/program/exit_status.hpp"
 #include "firmware/host/program/suggestion.hpp"
@@ -22,10 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::string_view kPrefix = "earshot-";
-
-fs::path own_folder() {
-  return fs::read_symlink("/proc/self/exe").parent_path();
-}
 
 std::vector<std::string> verbs(const fs::path& folder) {
   std::vector<std::string> found;
@@ -44,6 +41,7 @@ struct Description {
 
 /// Of the verbs that are ours; another program that somebody put beside them has none.
 constexpr std::array kDescriptions{
+    Description{"bench", "flies cases of the bench on a bus; earshot hil starts it"},
     Description{"candump", "says in words what goes over a CAN bus, and records it"},
     Description{"dbc", "prints the CAN messages as a DBC file"},
     Description{"emulate", "a vehicle's devices on a CAN bus, for an earshotd without its vehicle"},
@@ -52,6 +50,7 @@ constexpr std::array kDescriptions{
     Description{"field", "computes how loud a source is at every range and depth (NetCDF)"},
     Description{"fly", "flies one search, from start to report"},
     Description{"freeze", "freezes and signs a trained policy for the vehicle"},
+    Description{"hil", "flies missions with faults on a bench, and says which went as they had to"},
     Description{"journal", "says what happened on a mission, and writes its journal for other programs"},
     Description{"key", "makes a pair of keys, with which missions and policies are signed"},
     Description{"listen", "hears calls in recordings with the vehicle's detector"},
@@ -62,6 +61,7 @@ constexpr std::array kDescriptions{
     Description{"tables", "makes the tables of what a vehicle believes possible of the ocean, and shows them"},
     Description{"train", "trains a policy"},
     Description{"verify", "says whether a vehicle would fly a mission or a policy, who signed it, and which counter it bears"},
+    Description{"with-can", "runs a command where SocketCAN works, on any machine"},
 };
 
 std::string_view description_of(std::string_view verb) {
@@ -92,7 +92,7 @@ int execute(const fs::path& folder, const std::string& verb, std::vector<char*> 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const fs::path folder = own_folder();
+  const fs::path folder = earshot::host::own_folder();
   std::string verb = argc > 1 ? argv[1] : "help";
   std::vector<char*> arguments(argv + std::min(argc, 1), argv + argc);
   arguments.push_back(nullptr);
