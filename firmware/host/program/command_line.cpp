@@ -158,7 +158,7 @@ Option& Option::excludes(const Option& other) {
 
 CommandLine::CommandLine(const std::string& name, const std::string& what)
     : own_(std::make_unique<CLI::App>(what, name)), app_(own_.get()) {
-  app_->set_version_flag("--version", version_line(name), "Print the version and the commit that it was built from, and exit");
+  app_->set_version_flag("--version", version_line(name), "Print the version, the commit that it was built from and whether the tree was clean, and exit");
   const Option quiet = flag("--quiet", &quiet_, "say nothing but what is wrong");
   flag("--verbose", &verbose_, "also say what goes into the work: settings, files, steps").excludes(quiet);
 }
@@ -267,7 +267,16 @@ std::string CommandLine::name() const {
 }
 
 std::string version_line(std::string_view program) {
-  return std::string(program) + " " + version() + " (" + build_commit() + ")";
+  return version_line(program, version(), build_commit());
+}
+
+std::string version_line(std::string_view program, std::string_view version, std::string_view commit) {
+  constexpr std::string_view kChanged = "-dirty";
+  const bool is_changed = commit.ends_with(kChanged);
+  if (is_changed) commit.remove_suffix(kChanged.size());
+  std::string line = std::string(program) + " " + std::string(version) + " (commit " + std::string(commit);
+  if (commit != "unknown") line += is_changed ? ", with changes that no commit holds" : ", clean tree";
+  return line + ")";
 }
 
 std::optional<double> finite_number(std::string text) {

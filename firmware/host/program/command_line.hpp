@@ -113,7 +113,10 @@ class CommandLine {
 /// The command line as a person would type it again.
 [[nodiscard]] std::string as_typed(int argc, const char* const* argv);
 
-/// What --version says.
+/// What --version says: "earshotd 0.1.0 (commit be0db8b3ee7314c307930a3fdb09bf5aae68edde, clean tree)".
 [[nodiscard]] std::string version_line(std::string_view program);
+
+/// The same of any commit (version.hpp).
+[[nodiscard]] std::string version_line(std::string_view program, std::string_view version, std::string_view commit);
 
 }  // namespace earshot::program

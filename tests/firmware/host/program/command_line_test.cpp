@@ -257,5 +257,11 @@ TEST(AsTyped, IsTheProgramWithoutItsFolderAndAllItWasGiven) {
   EXPECT_EQ(as_typed(1, words.data()), "earshot");
 }
 
+TEST(VersionLine, SaysWhetherTheTreeWasClean) {
+  EXPECT_EQ(version_line("earshot", "1.2.3", "abc123"), "earshot 1.2.3 (commit abc123, clean tree)");
+  EXPECT_EQ(version_line("earshot", "1.2.3", "abc123-dirty"), "earshot 1.2.3 (commit abc123, with changes that no commit holds)");
+  EXPECT_EQ(version_line("earshot", "1.2.3", "unknown"), "earshot 1.2.3 (commit unknown)");
+}
+
 }  // namespace
 }  // namespace earshot::program
