@@ -30,6 +30,7 @@ from outputs import is_junit_report, is_page, is_results, make_folder, require_w
 from programs import BuildFailed, Programs, programs_for
 
 ROOT = Path(__file__).resolve().parents[2]
+COMMAND = os.environ.pop("EARSHOT_COMMAND", "hil/run")  # how it was called; not for what it starts
 DONE, FAILED, BAD_INPUT, LOST, STOPPED = 0, 1, 2, 3, 130
 RESULTS = "results.json"
 # As the mission: programs that somebody copied have no tree of their own.
@@ -49,7 +50,7 @@ def whole_number(lowest: int, highest: int) -> Callable[[str], int]:
 
 def read_command_line(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="hil/run", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+        prog=COMMAND, description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--list", action="store_true", help="print every case, and what it does, and fly none")
     parser.add_argument(
@@ -146,7 +147,7 @@ def write_reports(options: argparse.Namespace, results: list[CaseResult], progra
     can = options.interface or f"a virtual bus ({VIRTUAL})"
     buses = " and ".join(can if bus == "CAN" else bus for bus in sorted({result.bus for result in results}))
     day = time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime())
-    made = f"{programs.version()}, flown by hil/run with seed {options.seed} on {buses or can}, {day}."
+    made = f"{programs.version()}, flown by {COMMAND} with seed {options.seed} on {buses or can}, {day}."
     flown = {result.name for result in results}
     not_flown = [name for name in chosen_names(options.cases, options.case) if name not in flown]
     if options.report is not None:
@@ -165,10 +166,10 @@ def fly(options: argparse.Namespace, programs: Programs) -> int:
     if identity(file) != older:
         write_reports(options, read_results(file), programs)
     elif status in (DONE, FAILED) and options.random is None:
-        print(f"hil/run: {programs.bench} left no {file}", file=sys.stderr)
+        print(f"{COMMAND}: {programs.bench} left no {file}", file=sys.stderr)
         return LOST
     if status not in (DONE, FAILED, BAD_INPUT, LOST, STOPPED):
-        print(f"hil/run: {programs.bench} ended with status {status}", file=sys.stderr)
+        print(f"{COMMAND}: {programs.bench} ended with status {status}", file=sys.stderr)
         return LOST
     return status
 
@@ -195,10 +196,10 @@ def main(words: list[str]) -> int:
     try:
         return run(read_command_line(words))
     except BadInput as e:
-        print(f"hil/run: {e}", file=sys.stderr)
+        print(f"{COMMAND}: {e}", file=sys.stderr)
         return BAD_INPUT
     except (BadResults, BuildFailed, OSError) as e:
-        print(f"hil/run: {e}", file=sys.stderr)
+        print(f"{COMMAND}: {e}", file=sys.stderr)
         return LOST
     except KeyboardInterrupt:
         return STOPPED

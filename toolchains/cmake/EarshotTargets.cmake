@@ -7,6 +7,14 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_C_STANDARD 11)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
+# Where an installation has what; the rest of its rules: toolchains/packages.
+include(GNUInstallDirs)
+set(EARSHOT_INSTALL_PROGRAMS ${CMAKE_INSTALL_BINDIR})
+set(EARSHOT_INSTALL_PLUGINS lib/earshot)    # firmware/host/file/shipped.hpp looks there, from the programs
+set(EARSHOT_INSTALL_DATA share/earshot)     # as well; laid out as the source tree
+set(EARSHOT_INSTALL_LIBRARIES ${CMAKE_INSTALL_LIBDIR}/earshot)
+set(EARSHOT_INSTALL_HEADERS ${CMAKE_INSTALL_INCLUDEDIR}/earshot)
+
 # Dev: as fast to debug as it can be while tests still fly whole missions; assertions stay on.
 # (project() has made both cache entries already, empty.)
 foreach(language C CXX)
@@ -35,7 +43,7 @@ if(NOT CMAKE_CROSSCOMPILING)
 endif()
 
 add_library(earshot_flags INTERFACE)
-target_include_directories(earshot_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(earshot_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 target_compile_options(earshot_flags INTERFACE
   # Clang's -Wdouble-promotion minds a float that is stored in a double as well, which loses nothing.
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow> -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
@@ -92,8 +100,9 @@ function(earshot_library NAME)
   if(ARG_SOURCES)
     add_library(${NAME} STATIC ${ARG_SOURCES})
     set(scope PUBLIC)
-    target_link_libraries(${NAME} PRIVATE ${flags} PUBLIC ${ARG_DEPENDS})
-    target_include_directories(${NAME} PUBLIC ${PROJECT_SOURCE_DIR})
+    # The flags are for who builds Earshot, not for who links a library of it (earshot-dev).
+    target_link_libraries(${NAME} PRIVATE $<BUILD_INTERFACE:${flags}> PUBLIC ${ARG_DEPENDS})
+    target_include_directories(${NAME} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
     if(ARG_FIRMWARE)
       earshot_record_calls(${NAME})
     endif()
@@ -101,21 +110,45 @@ function(earshot_library NAME)
     add_library(${NAME} INTERFACE)
     set(scope INTERFACE)
     target_link_libraries(${NAME} INTERFACE ${ARG_DEPENDS})
-    target_include_directories(${NAME} INTERFACE ${PROJECT_SOURCE_DIR})
+    target_include_directories(${NAME} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   endif()
+  target_compile_features(${NAME} ${scope} cxx_std_20)
   # A header set lets CMake compile every header alone (CMAKE_VERIFY_INTERFACE_HEADER_SETS in the dev preset).
   target_sources(${NAME} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS})
   if(ARG_FIRMWARE)
     set_property(GLOBAL APPEND PROPERTY EARSHOT_FIRMWARE_LIBRARIES ${NAME})
   endif()
+  if(EARSHOT_INSTALLED_LIBRARIES)
+    if(ARG_FIRMWARE)
+      # Of a function in a header the linker keeps one copy, which may be the one that whoever links the library compiled: the same bits there, too.
+      target_compile_options(${NAME} INTERFACE $<INSTALL_INTERFACE:-ffp-contract=off>)
+    endif()
+    install(TARGETS ${NAME} EXPORT Earshot
+      ARCHIVE DESTINATION ${EARSHOT_INSTALL_LIBRARIES} COMPONENT dev
+      FILE_SET HEADERS DESTINATION ${EARSHOT_INSTALL_HEADERS} COMPONENT dev)
+  endif()
 endfunction()
 
-# earshot_program(NAME SOURCES ... [DEPENDS ...]): an executable in build/<preset>/bin.
+# earshot_program(NAME [COMPONENT <package>] SOURCES ... [DEPENDS ...]): an executable in build/<preset>/bin.
+#   COMPONENT  the package that it is installed with: runtime, sil, tools or hil (toolchains/packages); left out, it is not installed
 function(earshot_program NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;DEPENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "COMPONENT" "SOURCES;DEPENDS")
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "earshot_program(${NAME}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
   endif()
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE earshot_flags ${ARG_DEPENDS})
+  if(ARG_COMPONENT)
+    install(TARGETS ${NAME} RUNTIME DESTINATION ${EARSHOT_INSTALL_PROGRAMS} COMPONENT ${ARG_COMPONENT})
+    set_property(GLOBAL APPEND_STRING PROPERTY EARSHOT_PROGRAMS "${ARG_COMPONENT} ${NAME}\n")
+  endif()
+endfunction()
+
+# earshot_plugin(NAME COMPONENT <package> SOURCES ... [DEPENDS ...]): what a program loads, beside it in build/<preset>/bin; installed in lib/earshot.
+function(earshot_plugin NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "COMPONENT" "SOURCES;DEPENDS")
+  add_library(${NAME} MODULE ${ARG_SOURCES})
+  target_link_libraries(${NAME} PRIVATE earshot_flags ${ARG_DEPENDS})
+  set_target_properties(${NAME} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+  install(TARGETS ${NAME} LIBRARY DESTINATION ${EARSHOT_INSTALL_PLUGINS} COMPONENT ${ARG_COMPONENT})
 endfunction()

@@ -1,0 +1,11 @@
+# Completion of "earshotd MISSION.toml [OPTION...]".
+_earshotd() {
+  local word=${COMP_WORDS[COMP_CWORD]}
+  COMPREPLY=()
+  if [[ $word == -* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$(earshotd --help 2>/dev/null | grep -oE -- '(^|[ ,])--?[a-z][a-z-]*' | tr -d ' ,')" -- "$word")
+  else
+    compopt -o default
+  fi
+}
+complete -F _earshotd earshotd
