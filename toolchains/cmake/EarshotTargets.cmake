@@ -25,6 +25,10 @@ foreach(language C CXX)
 endforeach()
 
 set(EARSHOT_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
+option(EARSHOT_NAMES_NO_FOLDER "What is compiled does not say in which folder the tree stood (packages)" OFF)
+if(EARSHOT_NAMES_NO_FOLDER)
+  add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.)
+endif()
 option(EARSHOT_COVERAGE "Count which lines run (preset coverage)" OFF)
 
 # A machine without an operating system, chosen by its toolchain file (toolchains/cmake/cortex-m.cmake).
