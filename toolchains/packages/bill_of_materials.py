@@ -52,7 +52,7 @@ def files_of(deb: Path, package: str) -> list[Element]:
             if stream is not None:
                 found.append(
                     {
-                        "SPDXID": identifier("File", package, member.name),
+                        "SPDXID": identifier("File", package, hashlib.sha256(member.name.encode()).hexdigest()),
                         "fileName": member.name,
                         "checksums": checksums(stream.read(), "SHA1", "SHA256"),
                         "licenseConcluded": LICENCE,
@@ -142,8 +142,9 @@ def bill_of(debs: list[Path], version: str, seconds: int) -> Element:
                 debian.setdefault(name, of_debian(name, None, architecture))
             other = identifier("Package" if name in names else "Debian", name)
             relations.append(relation(element["SPDXID"], "DEPENDS_ON", other))
+    here = output_of("dpkg", "--print-architecture").decode().strip()
     for name, installed in built_with():
-        debian[name] = of_debian(name, installed, architecture)
+        debian[name] = of_debian(name, installed, here)
         relations += [relation(identifier("Debian", name), "BUILD_DEPENDENCY_OF", one["SPDXID"]) for one in ours]
     content = hashlib.sha256(json.dumps([ours, files], sort_keys=True).encode()).hexdigest()
     return {
