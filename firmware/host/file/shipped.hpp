@@ -21,8 +21,8 @@ inline constexpr const char* kDataVariable = "EARSHOT_DATA";
 [[nodiscard]] std::filesystem::path shipped(const std::filesystem::path& relative, const std::filesystem::path& bin,
                                             const std::string& data_variable);
 
-/// A library that the running program loads, or hands to one that it starts: beside the program, as it is built, or in lib/earshot beside its
-/// bin, as it is installed. No variable moves it: what runs in a program is no data.
+/// A library that the running program loads, or hands to one that it starts: beside the program, as it is built, or in lib/earshot beside
+/// its bin, as it is installed. No variable moves it: what runs in a program is no data.
 /// @return an empty path when it is in neither.
 [[nodiscard]] std::filesystem::path shipped_library(const std::string& name);
 

@@ -67,8 +67,7 @@ TEST_F(ShippedPlaces, TheInstallationGoesBeforeTheTreeAroundIt) {
   fs::create_directories(folder_ / "tree/build/installed/bin");
   fs::create_directories(folder_ / "tree/build/installed/share/earshot/sim");
   fs::copy_file(folder_ / "tree/sim/sea.toml", folder_ / "tree/build/installed/share/earshot/sim/sea.toml");
-  EXPECT_EQ(shipped("sim/sea.toml", folder_ / "tree/build/installed/bin", ""),
-            folder_ / "tree/build/installed/share/earshot/sim/sea.toml");
+  EXPECT_EQ(shipped("sim/sea.toml", folder_ / "tree/build/installed/bin", ""), folder_ / "tree/build/installed/share/earshot/sim/sea.toml");
 }
 
 TEST_F(ShippedPlaces, AFolderOfTheVariableWithoutTheFileIsRefusedThoughItIsInstalled) {
