@@ -5,7 +5,8 @@ fail() { echo "$*" >&2; exit 1; }
 # Newest file names first would do for dpkg, too: it sorts out who needs whom.
 install_from() { dpkg -i "$1"/earshot_*.deb "$1"/earshot-sil_*.deb "$1"/earshot-tools_*.deb "$1"/earshot-hil_*.deb; }
 
-version_of() { dpkg-query -W -f '${Version} ${db:Status-Abbrev}' "$1"; }
+# "1.2.3 installed"; "half-installed" and others where dpkg was stopped in the middle.
+version_of() { dpkg-query -W -f '${Version} ${db:Status-Status}' "$1"; }
 version_in() { dpkg-deb -f "$1"/earshot_*.deb Version; }
 
 # All files but those that change by themselves, with the users.
@@ -29,14 +30,16 @@ expect_own_files() {
   [ "$(cat /var/lib/earshot/mine/journal.lcmlog)" = journal ] || fail "the journal is gone"
 }
 
-# A mission that waits for START, as the service flies it, without a service manager.
+# A mission that waits for START, as the service flies it, without a service manager; or one that was killed goes on.
+standbys() { cat /tmp/mission.log 2>/dev/null | grep -c 'UTC: STANDBY$' || true; }
 start_mission() {
-  start-stop-daemon --start --background --make-pidfile --pidfile /run/mission.pid --chuid earshot --startas /usr/bin/earshotd -- \
+  before=$(standbys)
+  start-stop-daemon --start --background --make-pidfile --pidfile /run/mission.pid --output /tmp/mission.log --chuid earshot --startas /usr/bin/earshotd -- \
     /etc/earshot/missions/search.toml --out /var/lib/earshot/search --resume
   i=0
-  until [ -s /var/lib/earshot/search/journal.lcmlog ]; do
+  until [ "$(standbys)" -gt "$before" ]; do
     i=$((i + 1))
-    [ $i -lt 600 ] || fail "the mission does not start"
+    [ $i -lt 1200 ] || fail "the mission does not start: $(cat /tmp/mission.log)"
     sleep 0.1
   done
 }
