@@ -80,7 +80,7 @@ define_property(TARGET PROPERTY EARSHOT_BASELINE INITIALIZE_FROM_VARIABLE EARSHO
 # function's end stay calls, so that a recursion is seen though the optimiser could make a loop of it. Without ccache, which does not keep these files.
 # For a microcontroller the code stays what flies: its stack alone is asked for (tests/cortex_m7).
 function(earshot_record_calls TARGET)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CROSSCOMPILING)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CROSSCOMPILING AND NOT EARSHOT_PYTHON)
     target_compile_options(${TARGET} PRIVATE -fcallgraph-info=su,da -fno-optimize-sibling-calls)
   else()
     return()

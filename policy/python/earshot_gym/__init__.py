@@ -4,8 +4,13 @@
 >>> env = gymnasium.make("earshot/AcousticSearch-v0", state="memory", source="changing")
 """
 
+from pathlib import Path as _Path
+
 import gymnasium as _gymnasium
 
+from earshot_gym import processor as _processor
+
+_processor.require(_Path(__file__).with_name("built_for.txt"))
 try:
     from earshot_gym._core import BadInput, FrozenPolicy
 except ModuleNotFoundError as missing:

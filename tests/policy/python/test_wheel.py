@@ -1,0 +1,111 @@
+"""The wheel of policy/python on a computer that has only Python: what it is linked with, and what a process that flies a search has loaded.
+
+usage: test_wheel.py WHEEL ENVIRONMENT     ENVIRONMENT: a virtual environment into which the wheel is installed, of which nothing else is known
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+
+WHEEL, ENVIRONMENT = Path(sys.argv[1]), Path(sys.argv[2])
+ROOT = Path(__file__).resolve().parents[3]
+HILLY = ROOT / "policy/worlds/oceans/hilly.toml"  # its field library is a NetCDF file
+
+# Of the GNU C library; everything else must be in the wheel.
+LIBC = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
+# The library of positions on the globe is GeographicLib's, written in C++: it alone needs that language's own, and only when it is asked.
+LIBCXX = {"libstdc++.so.6", "libgcc_s.so.1"}
+
+FLIGHT = """
+import gymnasium, earshot_gym, re
+env = gymnasium.make(earshot_gym.ID, state="belief", source="changing")
+observation, _ = env.reset(seed=1)
+for _ in range(100):
+    observation, reward, terminated, truncated, info = env.step(2)
+    if terminated or truncated:
+        break
+assert terminated or truncated
+assert observation.shape == env.observation_space.shape
+print(*sorted({line.split()[-1] for line in open("/proc/self/maps") if re.search(r"[.]so([.]|$)", line)}), sep="\\n")
+"""
+
+
+def needed(library: Path) -> set[str]:
+    text = subprocess.run(["readelf", "-d", library], check=True, capture_output=True, text=True).stdout
+    return set(re.findall(r"\(NEEDED\).*\[(.+)\]", text))
+
+
+class Wheel(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def python(self, program, **environment):
+        """Runs it far from the tree, with an environment that names nothing of this computer."""
+        return subprocess.run(
+            [ENVIRONMENT / "bin/python", "-c", program],
+            cwd=self.folder,
+            env={"PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8", **environment},
+            capture_output=True,
+            text=True,
+        )
+
+    def test_is_linked_with_nothing_but_the_c_library_and_itself(self):
+        with zipfile.ZipFile(WHEEL) as wheel:
+            wheel.extractall(self.folder)
+        libraries = {path.name: needed(path) for path in self.folder.rglob("*.so*")}
+        core = next(name for name in libraries if name.startswith("_core."))
+        self.assertLessEqual(libraries.pop(core), LIBC)
+        for name, wants in libraries.items():
+            with self.subTest(library=name):
+                self.assertLessEqual(wants, LIBC | LIBCXX | set(libraries))
+
+    def test_flies_a_search_with_no_library_of_this_computer_but_those_of_python(self):
+        flown = self.python(FLIGHT)
+        self.assertEqual(flown.returncode, 0, flown.stderr)
+        without = self.python(
+            FLIGHT.replace("earshot_gym.ID", "'CartPole-v1'")
+            .replace(', state="belief", source="changing"', "")
+            .replace("env.step(2)", "env.step(0)")
+            .replace("earshot_gym, ", "")
+        )  # the same of Gymnasium alone
+        self.assertEqual(without.returncode, 0, without.stderr)
+        own = str(ENVIRONMENT.resolve())
+        more = [path for path in set(flown.stdout.split()) - set(without.stdout.split()) if not path.startswith(own)]
+        self.assertEqual(more, [])
+
+    def test_reads_a_field_library_with_the_netcdf_of_the_computer(self):
+        read = self.python(
+            f"import earshot_gym; print(earshot_gym.make_world(environment={str(HILLY)!r}).observation_size)"
+        )
+        self.assertEqual((read.returncode, read.stdout), (0, "2\n"), read.stderr)
+
+    def test_says_what_to_install_where_there_is_no_netcdf(self):
+        for name in ("libnetcdf.so.19", "libnetcdf.so.22"):
+            (self.folder / name).touch()  # the linker finds it before the computer's own, and cannot load it
+        read = self.python(
+            f"import earshot_gym\ntry: earshot_gym.make_world(environment={str(HILLY)!r})\nexcept ValueError as bad: print(bad)",
+            LD_LIBRARY_PATH=str(self.folder),
+        )
+        self.assertIn("libnetcdf is not installed: sudo apt install libnetcdf19", read.stdout, read.stderr)
+
+    def test_refuses_a_processor_that_it_was_not_built_for(self):
+        program = "from pathlib import Path; from earshot_gym.processor import require; require(Path('built_for'), Path('cpuinfo'))"
+        (self.folder / "built_for").write_text("avx2 fma\n")
+        (self.folder / "cpuinfo").write_text("processor\t: 0\nflags\t\t: fpu sse2 avx fma\n")
+        refused = self.python(program)
+        self.assertIn("ImportError: this earshot_gym was built for a processor with avx2, which", refused.stderr)
+        (self.folder / "cpuinfo").write_text("flags\t\t: fpu avx2 fma\n")
+        self.assertEqual(self.python(program).returncode, 0)
+
+
+if __name__ == "__main__":
+    del sys.argv[1:]
+    os.umask(0o022)
+    unittest.main()
