@@ -51,6 +51,7 @@ constexpr std::array kDescriptions{
     Description{"fly", "flies one search, from start to report"},
     Description{"freeze", "freezes and signs a trained policy for the vehicle"},
     Description{"hil", "flies missions with faults on a bench, and says which went as they had to"},
+    Description{"init", "makes a folder with a mission and an ocean of your own"},
     Description{"journal", "says what happened on a mission, and writes its journal for other programs"},
     Description{"key", "makes a pair of keys, with which missions and policies are signed"},
     Description{"listen", "hears calls in recordings with the vehicle's detector"},

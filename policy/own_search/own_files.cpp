@@ -1,0 +1,151 @@
+#include "policy/own_search/own_files.hpp"
+
+#include <cmath>
+#include <string_view>
+
+#include "firmware/host/file/input_file.hpp"
+#include "firmware/host/file/shipped.hpp"
+#include "firmware/host/toml/table_reader.hpp"
+#include "policy/own_search/own_policy.hpp"
+#include "policy/own_search/template_text.hpp"
+
+namespace earshot::own_search {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of every mission that ships.
+constexpr double kStepLength_m = 1000.0;
+constexpr double kMaxSteps = 100.0;
+
+const fs::path kMissions = "firmware/boards/linux/missions";
+
+TemplateText shipped_text(const fs::path& relative) {
+  const fs::path file = host::shipped(relative);
+  return {host::read_text(file, host::kTomlFile), file};
+}
+
+const char* mission_of(const std::string& bus) {
+  if (bus == "can") return "search_over_can_alone.toml";
+  return bus == "mixed" ? "search_over_can.toml" : "search.toml";
+}
+
+/// As a shell takes it for one word that is nothing but itself.
+std::string shell_word(std::string_view text) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+,@%";
+  if (text.find_first_not_of(kPlain) == std::string_view::npos) return std::string(text);
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
+/// How a person at this computer calls a program of ours: an installed one by its name alone.
+std::string command(const char* program) {
+  const fs::path folder = host::own_folder();
+  return folder == "/usr/bin" || folder == "/usr/local/bin" ? program : shell_word((folder / program).string());
+}
+
+void set_policy(TemplateText& mission, FliesBy by) {
+  const bool ships = by == FliesBy::kWhatShips;
+  const fs::path own_public_key = fs::path(kKeyFile).replace_extension(".pub");
+  mission.set("policy", "file", toml_text(ships ? host::shipped("policy/frozen/shipped.policy").string() : kPolicyFile));
+  mission.set("policy", "public_key_file", toml_text((ships ? host::shipped("policy/frozen/earshot.pub") : own_public_key).string()));
+}
+
+}  // namespace
+
+std::string tables_command(const OwnSearch& search, const fs::path& folder) {
+  const auto in_folder = [&folder](const char* name) { return shell_word((folder / name).string()); };
+  return command("earshot") + " tables " + in_folder(kOceanFile) + " -o " + in_folder(kTablesFile) + " --key " + in_folder(kKeyFile) +
+         " --vehicle-depth-m " + toml_number(search.depth_m) + " --furthest-m " + toml_number(std::ceil(furthest_m(search)));
+}
+
+std::string mission_text(const OwnSearch& search, FliesBy by) {
+  TemplateText mission = shipped_text(kMissions / mission_of(search.bus));
+  mission.set_heading(
+      "# A search of one's own, made by earshot init: README.md beside it says how to check and to fly it.\n"
+      "# Lengths are metres north and east of the origin, depth is positive down.");
+  mission.set("area", "north_m", toml_number(search.area_north_m));
+  mission.set("area", "east_m", toml_number(search.area_east_m));
+  mission.set("search", "depth_m", toml_number(search.depth_m));
+  mission.set("search", "speed_mps", toml_number(search.speed_mps));
+  mission.set("search", "source_frequency_hz", toml_number(search.frequency_hz));
+  mission.set("limits", "max_depth_m", toml_number(max_depth_m(search)));
+  mission.set("limits", "max_time_s", toml_number(max_time_s(search, kStepLength_m, kMaxSteps)));
+  mission.set("origin", "latitude_deg", toml_number(search.latitude_deg));
+  mission.set("origin", "longitude_deg", toml_number(search.longitude_deg));
+  if (search.bus != "can") mission.set("[port]", "url", toml_text(search.lcm_url));
+  if (search.bus != "lcm") mission.set("[port]", "interface", toml_text(search.can_interface));
+  set_policy(mission, by);
+  std::string text = mission.text();
+  const std::string tables =
+      toml_text(by == FliesBy::kWhatShips ? host::shipped("policy/tables/shipped").string() : std::string(kTablesFile));
+  // Said in every mission of this program, though those that ship need not be: it is what an own ocean changes next.
+  std::string line =
+      "tables = " + tables + "  # the oceans that are possible there: a file, or a folder of which one covers depth, frequency and area\n";
+  const std::size_t remark = text.find("# tables = ");
+  if (remark != std::string::npos) text.erase(remark, text.find('\n', remark) + 1 - remark);
+  return text.insert(text.find("public_key_file = "), line);
+}
+
+std::string ocean_text(const OwnSearch& search) {
+  TemplateText ocean = shipped_text("sim/ocean/environments/munk_flat.toml");
+  ocean.set_heading(
+      "# The ocean that earshot fly searches in, made by earshot init of the one that ships: a whale calling near the surface.\n"
+      "# Every key names its unit; depth is positive down, north and east are metres from the south-west corner of the area.");
+  ocean.set("", "name", toml_text("my ocean"));
+  ocean.set("source", "frequency_hz", toml_number(search.frequency_hz));
+  if (search.sea_floor_m <= 60.0) ocean.set("source", "depth_m", toml_number(search.sea_floor_m / 2.0));
+  ocean.set("source", "north_m", toml_number(0.4 * search.area_north_m));
+  ocean.set("source", "east_m", toml_number(0.4 * search.area_east_m));
+  ocean.set("seabed", "depth_m", toml_number(search.sea_floor_m));
+  return ocean.text();
+}
+
+std::string run_text(const fs::path& folder) {
+  return "#!/bin/sh\n"
+         "# Flies mission.toml on the vehicle, made by earshot init: what a supervisor starts. Started again after a crash or a power cut, "
+         "it goes on\n"
+         "# with the mission that its journal holds. It commands nothing before an operator's START. Ctrl-C or SIGTERM ends the search in "
+         "order.\n"
+         "# Options of earshotd may follow (earshotd --help): ./run --speed 10 is a rehearsal ashore, ten times as fast.\n"
+         "cd " +
+         shell_word(folder.string()) + " || exit 2\nexec " + command("earshotd") + " mission.toml --out journal --resume \"$@\"\n";
+}
+
+std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& folder) {
+  const std::string mission = shell_word((folder / kMissionFile).string());
+  const bool to_be_made = by == FliesBy::kTablesToBeMade;
+  std::string text = "# A search of one's own\n```sh\n" + (to_be_made ? tables_command(search, folder) + "\n" : "") + command("earshotd") +
+                     " --check " + mission + "\n" + command("earshot") + " fly --mission " + mission + " --environment " +
+                     shell_word((folder / kOceanFile).string()) + " --out " + shell_word((folder / "flight").string()) + "\n```\n";
+  if (to_be_made)
+    text +=
+        "The first makes `search.tables`, what the vehicle believes possible of the ocean: here `ocean.toml` alone. At sea the ocean is "
+        "not known so well: name as many "
+        "files as there are oceans that may be true there. It is needed once, and again after a change of depth, area or frequency. ";
+  text += std::string(to_be_made ? "The second" : "The first") + " says what the mission will do, and what may be wrong with it. The " +
+          (to_be_made ? "third" : "second") +
+          " flies it in the ocean of `ocean.toml` and leaves `flight/report.html`.\n\n"
+          "| file | what | change it for |\n|---|---|---|\n"
+          "| `mission.toml` | what the vehicle does | area, depth, speed, limits, bus, rules of safety |\n"
+          "| `ocean.toml` | what `earshot fly` searches in | water, sea floor, noise, source |\n"
+          "| `run` | starts `earshotd` at sea | where its journal goes |\n";
+  if (by != FliesBy::kWhatShips)
+    text +=
+        "| `search.policy` | the policy that ships, for an area of this size | made again by `earshot init` for another size |\n"
+        "| `search.tables` | the oceans that the vehicle thinks possible | made again by `earshot tables` |\n"
+        "| `search.key`, `search.pub` | sign both; the mission trusts the public half | keep `search.key` off the vehicle |\n";
+  text +=
+      "\nEvery key of both TOML files says beside it what it means. After a change, check and fly again.\n\n"
+      "- The size of the area must be the policy's, depth (within a tenth) and frequency (within a twentieth) those of its ocean tables: "
+      "what does not fit is refused, with "
+      "the values that do.\n"
+      "- What the vehicle believes possible of the ocean stands in its tables, not in `ocean.toml`.";
+  if (by == FliesBy::kWhatShips)
+    text += " Those that ship are used here; `earshot init --own-tables` makes a folder for tables of your own.";
+  return text +
+         "\n- This folder may be copied to the vehicle; `run` and the paths in `mission.toml` are then to be those of that computer.\n";
+}
+
+}  // namespace earshot::own_search

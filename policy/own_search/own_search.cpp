@@ -1,0 +1,39 @@
+#include "policy/own_search/own_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/host/file/bad_input.hpp"
+#include "policy/own_search/template_text.hpp"
+
+namespace earshot::own_search {
+namespace {
+
+constexpr double kShippedSide_m = 25'000.0;
+
+}  // namespace
+
+bool is_of_shipped_size(const OwnSearch& search) {
+  return search.area_north_m == kShippedSide_m && search.area_east_m == kShippedSide_m;
+}
+
+double furthest_m(const OwnSearch& search) {
+  return std::hypot(search.area_north_m, search.area_east_m);
+}
+
+double max_depth_m(const OwnSearch& search) {
+  const double a_third_deeper = std::ceil(search.depth_m * 4.0 / 3.0);
+  return std::max(search.depth_m, std::min(a_third_deeper, std::floor(search.sea_floor_m - 1.0)));
+}
+
+double max_time_s(const OwnSearch& search, double step_length_m, double max_steps) {
+  return std::ceil(1.2 * max_steps * step_length_m / search.speed_mps);
+}
+
+void require_consistent(const OwnSearch& search) {
+  if (search.depth_m < search.sea_floor_m) return;
+  throw host::BadInput("--depth-m " + toml_number(search.depth_m) + ": must be less than --sea-floor-m (" +
+                       toml_number(search.sea_floor_m) + "), the depth of the sea floor");
+}
+
+}  // namespace earshot::own_search

@@ -1,0 +1,95 @@
+#include "policy/own_search/own_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include "firmware/host/file/shipped.hpp"
+#include "firmware/host/mission/mission_file.hpp"
+#include "sim/search/scenario/scenario_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <fstream>
+
+namespace earshot::own_search {
+namespace {
+
+const OwnSearch kOwn{.area_north_m = 20'000.0,
+                     .area_east_m = 18'000.0,
+                     .latitude_deg = -12.5,
+                     .longitude_deg = 100.25,
+                     .depth_m = 90.0,
+                     .speed_mps = 1.25,
+                     .frequency_hz = 35.0,
+                     .sea_floor_m = 600.0,
+                     .lcm_url = "udpm://239.255.1.2:7001?ttl=1",
+                     .bus = "mixed",
+                     .can_interface = "can3"};
+
+class OwnFiles : public testing::Test {
+ protected:
+  std::filesystem::path written(const std::string& text) const {
+    std::ofstream(folder_.path() / "file.toml") << text;
+    return folder_.path() / "file.toml";
+  }
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(OwnFiles, MissionIsReadBackAsWhatWasAskedFor) {
+  const host::MissionFile file = host::load_mission(written(mission_text(kOwn, FliesBy::kOwnPolicy)));
+  const Rectangle& area = file.mission.operating_area;
+  EXPECT_EQ(area.south_west, (NorthEast{Meters{0.0}, Meters{0.0}}));
+  EXPECT_EQ(area.north_east, (NorthEast{Meters{20'000.0}, Meters{18'000.0}}));
+  EXPECT_EQ(file.mission.search_depth, Meters{90.0});
+  EXPECT_EQ(file.mission.max_depth, Meters{120.0});
+  EXPECT_EQ(file.mission.search_speed, MetersPerSecond{1.25});
+  EXPECT_EQ(file.mission.source_frequency, Hertz{35.0});
+  ASSERT_EQ(file.ports.size(), 2U);
+  EXPECT_EQ(file.ports[0].address, "can3");
+  EXPECT_EQ(file.ports[1].address, "udpm://239.255.1.2:7001?ttl=1");
+  EXPECT_EQ(file.policy, folder_.path() / "search.policy");
+  EXPECT_EQ(file.tables, folder_.path() / "search.tables");
+  EXPECT_EQ(file.public_key, folder_.path() / "search.pub");
+}
+
+TEST_F(OwnFiles, MissionThatFliesByWhatShipsNamesThat) {
+  const host::MissionFile file = host::load_mission(written(mission_text({}, FliesBy::kWhatShips)));
+  const std::filesystem::path root = EARSHOT_SOURCE_DIR;
+  EXPECT_EQ(file.policy, root / "policy/frozen/shipped.policy");
+  EXPECT_EQ(file.tables, root / "policy/tables/shipped");
+  EXPECT_EQ(file.public_key, root / "policy/frozen/earshot.pub");
+}
+
+TEST_F(OwnFiles, MissionsOfEveryBusHaveAllPortsThatTheSeaAsksFor) {
+  for (const char* bus : {"lcm", "can", "mixed"}) {
+    const std::filesystem::path path = written(mission_text({.bus = bus}, FliesBy::kWhatShips));
+    EXPECT_NO_THROW(host::require_ports_for_sea(host::load_mission(path), path)) << bus;
+  }
+}
+
+TEST_F(OwnFiles, OceanIsReadBackAsWhatWasAskedFor) {
+  const ocean::Environment environment = search::load_scenario(written(ocean_text(kOwn))).environment;
+  EXPECT_EQ(environment.source.frequency, Hertz{35.0});
+  EXPECT_EQ(environment.seabed.depth, Meters{600.0});
+  EXPECT_TRUE(Rectangle(NorthEast{}, {Meters{20'000.0}, Meters{18'000.0}}).contains(environment.source.position));
+}
+
+TEST_F(OwnFiles, OceanOfShallowWaterHasItsSourceInTheWater) {
+  EXPECT_EQ(search::load_scenario(written(ocean_text({.depth_m = 10.0, .sea_floor_m = 20.0}))).environment.source.depth, Meters{10.0});
+}
+
+TEST_F(OwnFiles, ReadmeMakesTablesFirstWhereNoneThatShipAreOfTheSearch) {
+  const OwnSearch search{.area_north_m = 30'000.0, .area_east_m = 40'000.0, .depth_m = 512.5};  // a right triangle, 3 : 4 : 5
+  const std::string made =
+      "```sh\n" + host::own_folder().string() +
+      "/earshot tables /own/ocean.toml -o /own/search.tables --key /own/search.key --vehicle-depth-m 512.5 --furthest-m 50000.0\n";
+  EXPECT_NE(readme_text(search, FliesBy::kTablesToBeMade, "/own").find(made), std::string::npos)
+      << readme_text(search, FliesBy::kTablesToBeMade, "/own");
+  EXPECT_EQ(readme_text(search, FliesBy::kOwnPolicy, "/own").find("earshot tables /own"), std::string::npos);
+}
+
+TEST_F(OwnFiles, CommandsHoldFoldersWithSpacesAndQuotes) {
+  EXPECT_NE(run_text("/a b/it's").find("\ncd '/a b/it'\\''s' || exit 2\n"), std::string::npos);
+  EXPECT_NE(readme_text({}, FliesBy::kWhatShips, "/a b").find("--check '/a b/mission.toml'\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace earshot::own_search
