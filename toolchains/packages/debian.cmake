@@ -2,7 +2,7 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_PACKAGE_NAME earshot)
-set(CPACK_PACKAGE_CONTACT "Earshot <earshot@localhost>")
+set(CPACK_PACKAGE_CONTACT "Earshot maintainers <maintainers@earshot.example>")  # put your own address here
 set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
 set(CPACK_SET_DESTDIR ON)  # /etc and /lib are beyond the prefix
 set(CPACK_STRIP_FILES ON)
