@@ -22,7 +22,7 @@ std::size_t slot_of(std::int64_t second) {
 }
 
 /// A mean that is no further above the floor may be the upper part of what was there: noise of 8 dB, the most in the worlds that policies
-/// are judged in, then has lost an eighth of its looks and the mean 2 dB.
+/// are judged in, then has lost a sixth of its looks and the mean reads 2.5 dB too loud.
 constexpr Decibels kClearOfFloor{10.0};
 
 WindowReception alone(const messages::SnrMeasurement& look) {

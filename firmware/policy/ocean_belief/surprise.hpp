@@ -9,13 +9,13 @@
 
 namespace earshot::policy {
 
-/// From this surprise on what was heard is not explained, bits. Were the tables and the prior of the hypotheses right, a surprise would
-/// ever come to it in at most 2^-8 of all missions, 0.4 %, whatever is heard (Ville's inequality: P0 / P is a martingale of mean one). No
-/// ocean is quite a table, and the measured share is what counts: README.md.
+/// From this surprise on what was heard is not explained, bits. Were no hypothesis odd and all of them held, what is drawn from P would ever
+/// come to it in at most 2^-6 of all missions, 1.6 % (Ville's inequality). Oddity breaks that, on purpose: the measured share is what
+/// counts, README.md.
 inline constexpr float kSurpriseLevel_bits = 6.0F;
 
-/// From this surprise on a search by the belief finds less than a sweep of the area. Of what surprises a little the belief finds most
-/// nevertheless: README.md.
+/// From this surprise on the vehicle sweeps the area. Chosen so that in no world measured it then finds less than by a sweep alone; of what
+/// surprises a little the belief finds most nevertheless: README.md.
 inline constexpr float kSweepLevel_bits = 12.0F;
 
 /// How odd it is that a hypothesis explains what is heard, log weight, at least 0. That a source is louder than every table says, swims, or
@@ -32,9 +32,9 @@ inline constexpr float kSweepLevel_bits = 12.0F;
 /// How unlikely what was heard is under every hypothesis: by how much better it is explained by knowing nothing.
 ///
 ///   surprise = log2 P0(heard) - log2 P(heard)
-///   P  = sum over the hypotheses h held:  2^-oddity(h) P(h but for its drift) P(heard | h)
+///   P  = sum over the hypotheses h held:  2^-oddity(h) P(h but for its ocean and drift) P(heard | h)
 ///   P0 = mean over 9 levels m and 2 spreads s:  product over the looks of  0.95 [0.98 N(SNR; m, s) + 0.02 / 80 dB], or of 0.05 where
-///        it was too faint
+///        it was too faint; no part of the mean falls under 1e-6 of all of them, or what changes late would not be believed
 ///
 /// m: 0, 5 ... 40 dB; s: 2 and 5 dB. P0 has the sound go on alike wherever the vehicle is, as in an ocean that carries it everywhere; a
 /// bearing is one over 2 pi to it. Below 0 the oceans explain more than that.

@@ -79,7 +79,8 @@ struct SearchedSound {
 
 /// Share of the tables' depth and frequency by which a mission's may differ.
 ///
-/// Near the surface, and beyond the last of its interference, a source is heard as a dipole (Lloyd's mirror):
+/// Near the surface a source and its image make a dipole (Lloyd's mirror), and so do a receiver and its own: on paths that meet the surface
+/// at both ends, by way of the sea floor, the pressure goes as
 ///
 ///   |p| ~ sin(k z_s sin a) sin(k z_r sin a),    k = 2 pi f / c; z_s, z_r: depths of source and receiver; a: angle of the path
 ///
