@@ -9,8 +9,8 @@
 
 namespace earshot::policy {
 
-/// From this surprise on what was heard is not explained, bits. Were no hypothesis odd and all of them held, what is drawn from P would ever
-/// come to it in at most 2^-6 of all missions, 1.6 % (Ville's inequality). Oddity breaks that, on purpose: the measured share is what
+/// From this surprise on what was heard is not explained, bits. Were no hypothesis odd and all of them held, what is drawn from P would
+/// ever come to it in at most 2^-6 of all missions, 1.6 % (Ville's inequality). Oddity breaks that, on purpose: the measured share is what
 /// counts, README.md.
 inline constexpr float kSurpriseLevel_bits = 6.0F;
 

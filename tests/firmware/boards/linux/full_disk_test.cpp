@@ -94,7 +94,7 @@ class FullDisk : public testing::Test {
     mission.detection_threshold = policy.detection_threshold;
     ASSERT_EQ(runtime_->configure(mission, policy, {}), Status::kOk);
     journal_ = std::make_unique<host::Journal>(path_);
-    turn_ = std::make_unique<MissionTurn>(*runtime_, ports_, *journal_, clock_);
+    turn_ = std::make_unique<MissionTurn>(core_, ports_, *journal_, clock_);
     const std::vector<std::uint8_t> bytes = support::signed_bytes(policy);
     turn_->record_mission(mission, {.policy = bytes, .tables = {}, .build = "of a test"});
     make_turn(1);
@@ -142,6 +142,7 @@ class FullDisk : public testing::Test {
   SetClock clock_;
   PortSet ports_;
   std::unique_ptr<runtime::Runtime> runtime_ = std::make_unique<runtime::Runtime>();
+  OwnCore core_{*runtime_};
   std::unique_ptr<host::Journal> journal_;
   std::unique_ptr<MissionTurn> turn_;
   int turns_ = 0;

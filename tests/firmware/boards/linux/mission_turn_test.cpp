@@ -1,4 +1,5 @@
 #include "firmware/boards/linux/mission_turn.hpp"
+#include "firmware/boards/linux/core/core.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -83,7 +84,8 @@ class MissionTurnTest : public testing::Test {
   ToldPort* port_ = nullptr;  ///< of ports_
   SetClock clock_;
   host::Journal journal_{folder_ / "journal", {.existing = host::ExistingJournal::kReplace}};
-  MissionTurn turn_{*runtime_, ports_, journal_, clock_};
+  OwnCore core_{*runtime_};
+  MissionTurn turn_{core_, ports_, journal_, clock_};
 };
 
 TEST_F(MissionTurnTest, TellsThePortsTheCommandedSpeedWhereTheFixesHaveNone) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "firmware/boards/linux/core/core.hpp"
 #include "firmware/boards/linux/mission_turn.hpp"
 #include "firmware/boards/linux/port_set.hpp"
 #include "tests/firmware/boards/linux/set_clock.hpp"
@@ -81,7 +82,8 @@ class WriteAhead : public testing::Test {
   PortSet ports_;
   ReachPort* port_ = nullptr;  ///< of ports_
   SetClock clock_;
-  MissionTurn turn_{*runtime_, ports_, journal_, clock_};
+  OwnCore core_{*runtime_};
+  MissionTurn turn_{core_, ports_, journal_, clock_};
   double north_m_ = 7000.0;
 };
 

@@ -197,7 +197,8 @@ class Vessel {
   ReportingPort* port_ = nullptr;  ///< of ports_
   std::unique_ptr<runtime::Runtime> runtime_;
   host::Journal journal_;
-  MissionTurn turn_{*runtime_, ports_, journal_, clock_};
+  OwnCore core_{*runtime_};
+  MissionTurn turn_{core_, ports_, journal_, clock_};
   std::size_t decisions_ = 0;
 };
 
