@@ -183,8 +183,7 @@ TEST(CommandLine, RefusesAnOptionWithoutTheOneItNeeds) {
 }
 
 TEST(CommandLine, AnswersHelpAndVersion) {
-  const std::string version = "earshot try " + program::version() + " (" + build_commit() + ")\n";
-  EXPECT_EQ(Example().line.read(Words{"--version"}), version);
+  EXPECT_EQ(Example().line.read(Words{"--version"}), program::version_line("earshot try", program::version(), build_commit()) + "\n");
   const std::string help = Example().line.read(Words{"--help"}).value();
   for (const char* part : {"Tries.", "--seed", "--quiet", "--verbose", "--version"}) EXPECT_NE(help.find(part), std::string::npos) << part;
 }

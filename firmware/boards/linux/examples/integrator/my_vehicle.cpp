@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "firmware/boards/linux/core/core.hpp"
 #include "firmware/boards/linux/host_clock.hpp"
 #include "firmware/boards/linux/host_mission_clock.hpp"
 #include "firmware/boards/linux/mission_loop.hpp"
@@ -38,7 +39,8 @@ int main(int argc, char** argv) try {
 
   std::filesystem::create_directories(argv[3]);
   host::Journal journal(std::filesystem::path(argv[3]) / "journal.lcmlog");
-  board::MissionTurn turn(*runtime, ports, journal, clock);
+  board::OwnCore core(*runtime);
+  board::MissionTurn turn(core, ports, journal, clock);
   turn.record_mission(mission.mission, {.policy = search.policy.bytes, .tables = search.tables.bytes, .build = "my_vehicle"});
   program::stop_on_signals();
   std::cout << "waiting for navigation, SNR and START on\n" << ports.description() << std::flush;
