@@ -153,9 +153,9 @@ std::vector<evaluate::Flight> fly(const evaluate::Candidate& candidate, const ev
                                   evaluate::PathTable* paths) {
   std::optional<program::ProgressBar> bar;
   if (ranks.rank() == 0) bar.emplace(trial.file.name + ", " + candidate.name);
-  const evaluate::Watcher watcher = [&](std::size_t number, const search::Episode& episode) {
+  const evaluate::Watcher watcher = [&](std::size_t number, const search::Episode& episode, search::EpisodeEnd end) {
     if (bar) bar->update(static_cast<double>(number) / static_cast<double>(trial.episodes));
-    if (paths != nullptr) paths->add(trial.file.name, candidate.name, number, episode);
+    if (paths != nullptr) paths->add(trial.file.name, candidate.name, number, episode, end);
   };
   return evaluate::fly(candidate, trial, ranks, watcher);
 }

@@ -54,12 +54,11 @@ Flight fly_one(baselines::Searcher& searcher, const search::World& world, const 
   Pcg32 starts = turn.starts;
   searcher.begin(turn.actions);
   episode.start(world, kSeesNothing, kNoOceans, starts);
-  if (watcher) watcher(turn.number, episode);
   const Meters to_source = range_between(episode.position(), episode.source());
   flight.straight_m = (to_source - world.settings.step_length).value;
-  bool is_found = false;
   while (true) {
-    const bool is_over = episode.record().end != search::EpisodeEnd::kRunning;
+    flight.record = episode.record();
+    const bool is_over = flight.record.end != search::EpisodeEnd::kRunning;
     if (is_over && !searcher.declares_found()) break;
     const NorthEast before = episode.position();
     const baselines::DecisionInput input{
@@ -67,16 +66,16 @@ Flight fly_one(baselines::Searcher& searcher, const search::World& world, const 
     const steady_clock::time_point began = steady_clock::now();
     const std::size_t action = searcher.choose(input);
     const std::chrono::duration<double> took = steady_clock::now() - began;
-    is_found = take_down(searcher, episode, world.settings.step_length, flight) && world.settings.found_by == search::FoundBy::kSearcher;
-    if (is_over || is_found) break;  // what was heard last made it say something, at most
+    const bool is_declared = take_down(searcher, episode, world.settings.step_length, flight);
+    if (is_declared && world.settings.found_by == search::FoundBy::kSearcher) flight.record.end = search::EpisodeEnd::kFound;
+    if (flight.record.end != search::EpisodeEnd::kRunning) break;  // what was heard last made it say something, at most
     flight.decision_s += took.count();
     note_surprise(searcher.is_surprised(), episode.record().steps + std::size_t{1}, flight);
+    if (watcher) watcher(turn.number, episode, flight.record.end);
     episode.step(world, action);
     flight.path_m += range_between(before, episode.position()).value;
-    if (watcher) watcher(turn.number, episode);
   }
-  flight.record = episode.record();
-  if (is_found) flight.record.end = search::EpisodeEnd::kFound;
+  if (watcher) watcher(turn.number, episode, flight.record.end);
   return flight;
 }
 

@@ -41,8 +41,9 @@ struct Episodes {
   std::size_t stride = 1;
 };
 
-/// Shown every episode at its start and after each of its steps.
-using Watcher = std::function<void(std::size_t number, const search::Episode& episode)>;
+/// Shown every episode at its start and after each of its steps, and how the search stands then: one that its searcher rightly declares
+/// found has ended, which the episode itself does not know (SearchSettings::found_by).
+using Watcher = std::function<void(std::size_t number, const search::Episode& episode, search::EpisodeEnd end)>;
 
 /// Episode i draws its start, its sources and all that its world's conditions ask for from stream 2i of the seed's for evaluation
 /// (sim/search/streams.hpp), what the searcher draws from stream 2i + 1: the same starts for every searcher, and none that a training drew.

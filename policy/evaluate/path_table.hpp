@@ -12,7 +12,8 @@ namespace earshot::evaluate {
 class PathTable {
  public:
   PathTable();
-  void add(std::string_view world, std::string_view policy, std::size_t number, const search::Episode& episode);
+  /// @param end  how the search stands there
+  void add(std::string_view world, std::string_view policy, std::size_t number, const search::Episode& episode, search::EpisodeEnd end);
   [[nodiscard]] const std::string& csv() const { return csv_; }
 
  private:

@@ -95,10 +95,10 @@ TEST_F(OceanSearchTest, GoesOnInShallowWaterRatherThanWaver) {
   OceanSearch searcher(of_many);
   constexpr std::size_t kSteps = 20;
   std::vector<std::vector<NorthEast>> paths(kSearches);
-  static_cast<void>(
-      evaluate::fly(searcher, world("shallow"), {.end = kSearches}, 1, [&](std::size_t number, const search::Episode& episode) {
-        if (paths[number].size() <= kSteps) paths[number].push_back(episode.position());
-      }));
+  static_cast<void>(evaluate::fly(searcher, world("shallow"), {.end = kSearches}, 1,
+                                  [&](std::size_t number, const search::Episode& episode, search::EpisodeEnd /*end*/) {
+                                    if (paths[number].size() <= kSteps) paths[number].push_back(episode.position());
+                                  }));
   std::size_t long_ones = 0;
   for (const std::vector<NorthEast>& path : paths) {
     if (path.size() <= kSteps) continue;

@@ -188,11 +188,12 @@ TEST_F(EvaluateTest, FliesNoSearchThatATrainingOfTheSameSeedBeginsWith) {
   std::size_t flown = 0;
   std::size_t known = 0;
   baselines::Learned learned(*north, kNoOceans, north->draw, settings.domain, {});
-  static_cast<void>(fly(learned, world, {.end = 3'000}, 1, [&](std::size_t /*number*/, const search::Episode& episode) {
-    if (episode.record().steps > 0) return;
-    ++flown;
-    known += learned_from.contains(beginning_of(episode)) ? 1 : 0;
-  }));
+  static_cast<void>(
+      fly(learned, world, {.end = 3'000}, 1, [&](std::size_t /*number*/, const search::Episode& episode, search::EpisodeEnd /*end*/) {
+        if (episode.record().steps > 0) return;
+        ++flown;
+        known += learned_from.contains(beginning_of(episode)) ? 1 : 0;
+      }));
   EXPECT_EQ(flown, 3'000U);
   EXPECT_EQ(known, 0U);
 }

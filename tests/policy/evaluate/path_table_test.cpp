@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <vector>
 
 #include "policy/evaluate/evaluation.hpp"
@@ -30,7 +31,9 @@ TEST(PathTable, HoldsTheStartAndTheEndOfEveryStepInOrder) {
   GoesEast searcher;
   const search::World world(lost_in_the_east(), kHeardNowhere);
   PathTable table;
-  const auto watch = [&](std::size_t number, const search::Episode& episode) { table.add("calm", "east", number, episode); };
+  const auto watch = [&](std::size_t number, const search::Episode& episode, search::EpisodeEnd end) {
+    table.add("calm", "east", number, episode, end);
+  };
   const std::vector<Flight> flights = fly(searcher, world, {.end = 1}, 1, watch);
   ASSERT_EQ(flights.size(), 1U);
   EXPECT_EQ(table.csv(),  // by hand: -1 a step, and -100 times the share of the border's 1 km that is missing to the edge: 0, 0, 1, 2
@@ -46,8 +49,9 @@ TEST(PathTable, KeepsNamesWithCommasAndQuotesInTheirCells) {
   GoesEast searcher;
   const search::World world(lost_in_the_east(), kHeardNowhere);
   PathTable table;
-  (void)fly(searcher, world, {.end = 1}, 1,
-            [&](std::size_t number, const search::Episode& episode) { table.add("deep, cold", R"(a"b)", number, episode); });
+  (void)fly(searcher, world, {.end = 1}, 1, [&](std::size_t number, const search::Episode& episode, search::EpisodeEnd end) {
+    table.add("deep, cold", R"(a"b)", number, episode, end);
+  });
   EXPECT_NE(table.csv().find("\n\"deep, cold\",\"a\"\"b\",0,0,12000,22000,"), std::string::npos) << table.csv();
 }
 
@@ -57,7 +61,8 @@ TEST(PathTable, WatchingChangesNothing) {
   settings.placement = search::SourcePlacement::kChanging;
   const search::World world(settings, kHeardNowhere);
   std::size_t shown = 0;
-  const std::vector<Flight> watched = fly(searcher, world, {.end = 20}, 7, [&](std::size_t, const search::Episode&) { ++shown; });
+  const std::vector<Flight> watched =
+      fly(searcher, world, {.end = 20}, 7, [&](std::size_t, const search::Episode&, search::EpisodeEnd) { ++shown; });
   const std::vector<Flight> unwatched = fly(searcher, world, {.end = 20}, 7);
   std::size_t expected = 0;
   for (std::size_t i = 0; i < watched.size(); ++i) {
@@ -65,6 +70,35 @@ TEST(PathTable, WatchingChangesNothing) {
     expected += 1 + unwatched[i].record.steps;
   }
   EXPECT_EQ(shown, expected);
+}
+
+/// Goes east, and says after its second step that it is there.
+class DeclaresAtTwo : public GoesEast {
+ public:
+  void begin(Pcg32) override { looks_ = 0; }
+  std::size_t choose(const baselines::DecisionInput& input) override {
+    ++looks_;
+    return GoesEast::choose(input);
+  }
+  [[nodiscard]] std::optional<bool> declares_found() const override { return looks_ == 3; }
+
+ private:
+  int looks_ = 0;
+};
+
+TEST(PathTable, EndsInFoundWhereASearcherDeclaresItAndNobodyElseSaysSo) {
+  DeclaresAtTwo searcher;
+  search::SearchSettings settings = lost_in_the_east();
+  settings.source = {Meters{12'000.0}, Meters{24'500.0}};
+  settings.found_by = search::FoundBy::kSearcher;
+  const search::World world(settings, kHeardNowhere);
+  PathTable table;
+  (void)fly(searcher, world, {.end = 1}, 1, [&](std::size_t number, const search::Episode& episode, search::EpisodeEnd end) {
+    table.add("calm", "east", number, episode, end);
+  });
+  EXPECT_NE(table.csv().find("calm,east,0,1,12000,23000,-30,-1,12000,24500,running\ncalm,east,0,2,12000,24000,"), std::string::npos)
+      << table.csv();
+  EXPECT_TRUE(table.csv().ends_with(",12000,24500,found\n")) << table.csv();
 }
 
 }  // namespace
