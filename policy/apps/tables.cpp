@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -63,14 +64,14 @@ void add_options(program::CommandLine& line, Options& o) {
   line.option(
       "ENVIRONMENT", &o.environments,
       "environment files (TOML), or folders of them: oceans believed possible, each with its [[oceans]], [family] or [field_library]");
-  line.option(
-      "--expected", &o.expected,
-      "environment files that are the likeliest: none of their oceans is merged with another, and all of them weigh as much as all of "
-      "the others");
-  line.option(
-      "--variants", &o.variants,
-      "environment files, or folders of them, that differ from what is expected in one thing (policy/worlds/generate --variants-of writes "
-      "them): none is merged either, and each weighs as much as one other table");
+  line.option("--expected", &o.expected,
+              "environment file that is the likeliest, or a folder of them; may be given several times: none of their oceans is merged "
+              "with another, and all of them weigh as much as all of the others")
+      .one_each_time();
+  line.option("--variants", &o.variants,
+              "environment file, or a folder of them, that differs from what is expected in one thing (policy/worlds/generate "
+              "--variants-of writes them); may be given several times: none is merged either, and each weighs as much as one other table")
+      .one_each_time();
   line.option("-o,--output", &o.output, "tables to write (.tables)");
   line.option("--show", &o.show, "say what these tables are (.tables), and make none");
   line.option("--plot", &o.plot, "also draw SNR against range in every ocean there (.png or .svg)");
@@ -115,23 +116,28 @@ struct Files {
   std::vector<std::filesystem::path> others;
 };
 
-void erase_those_of(const std::vector<std::filesystem::path>& files, std::vector<std::filesystem::path>& from) {
-  std::erase_if(from, [&files](const std::filesystem::path& file) {
-    return std::ranges::any_of(files, [&file](const std::filesystem::path& other) {
-      std::error_code none;
-      return std::filesystem::equivalent(file, other, none);
-    });
-  });
+/// Those of some files that were not met before, each under whatever name; says which were.
+std::vector<std::filesystem::path> new_ones_of(const std::vector<std::filesystem::path>& files, const char* kind,
+                                               std::map<std::filesystem::path, std::string>& met) {
+  std::vector<std::filesystem::path> new_ones;
+  for (const std::filesystem::path& file : files) {
+    std::error_code none;
+    const auto [first, is_new] = met.emplace(std::filesystem::weakly_canonical(file, none), kind);
+    if (is_new)
+      new_ones.push_back(file);
+    else
+      program::say() << host::printable(file.string()) << ": given twice, counts once, as " << first->second << "\n";
+  }
+  return new_ones;
 }
 
 /// A folder may hold one that is expected, or a variant: it counts once.
 Files files_of(const Options& o) {
-  Files files{.expected = tables::environment_files(o.expected),
-              .variants = tables::environment_files(o.variants),
-              .others = tables::environment_files(o.environments)};
-  erase_those_of(files.expected, files.variants);
-  erase_those_of(files.expected, files.others);
-  erase_those_of(files.variants, files.others);
+  std::map<std::filesystem::path, std::string> met;
+  Files files;
+  files.expected = new_ones_of(tables::environment_files(o.expected), "expected", met);
+  files.variants = new_ones_of(tables::environment_files(o.variants), "a variant", met);
+  files.others = new_ones_of(tables::environment_files(o.environments), "one of the others", met);
   return files;
 }
 
@@ -260,6 +266,7 @@ void make(const Options& o) {
     throw BadInput("earshot tables: ENVIRONMENT or --expected, --output and --key are needed; or --show alone");
   const Files files = files_of(o);
   check_outputs(o);
+  program::say() << files.expected.size() << " expected, " << files.variants.size() << " variants, " << files.others.size() << " others\n";
   const auto check_is_not_output = [&o](const char* what, const std::filesystem::path& file) {
     command_line::check_distinct(std::array{command_line::Output{what, file, {}}, command_line::Output{"--output", *o.output, {}}});
   };

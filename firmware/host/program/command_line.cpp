@@ -141,6 +141,15 @@ Option& Option::takes(int least, int most) {
   return *this;
 }
 
+Option& Option::one_each_time() {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+Option& Option::names(const std::string& what) {
+  return checked([what](const std::string& text) { return std::string(text.empty() ? "must name " + what : ""); });
+}
+
 Option& Option::separated_by(char delimiter) {
   option_->delimiter(delimiter);
   return *this;

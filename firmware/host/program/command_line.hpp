@@ -50,6 +50,10 @@ class Option {
   Option& checked(std::function<std::string(const std::string& value)> complaint, const std::string& allowed = {});
   /// So many values follow; -1: as many as there are.
   Option& takes(int least, int most);
+  /// Several values, one each time that it is given: what follows that one is another's.
+  Option& one_each_time();
+  /// Not the empty word. @param what  "a file"
+  Option& names(const std::string& what);
   Option& separated_by(char delimiter);
   Option& needs(const Option& other);
   Option& excludes(const Option& other);

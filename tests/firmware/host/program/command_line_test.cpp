@@ -46,6 +46,26 @@ struct Example {
   }
 };
 
+TEST(CommandLine, GivesAnOptionOneValueEachTimeWhereItTakesNoMore) {
+  Example e;
+  std::vector<std::string> expected;
+  e.line.option("--expected", &expected, "likely ones").one_each_time();
+  EXPECT_EQ(e.line.read(Words{"--expected", "a", "b", "--expected", "c", "d"}), std::nullopt);
+  EXPECT_EQ(expected, (Words{"a", "c"}));
+  EXPECT_EQ(e.files, (Words{"b", "d"}));
+}
+
+TEST(CommandLine, RefusesTheEmptyWordWhereAFileMustBeNamed) {
+  Example e;
+  std::vector<std::string> tables;
+  std::optional<std::filesystem::path> policy;
+  e.line.option("--tables", &tables, "tables").names("a file or a folder");
+  e.line.option("--policy", &policy, "policy").names("a file");
+  EXPECT_EQ(e.complaint({"--tables", "a", ""}), "earshot try: --tables: must name a file or a folder (earshot try --help lists all)");
+  EXPECT_EQ(e.complaint({"--policy", ""}), "earshot try: --policy: must name a file (earshot try --help lists all)");
+  EXPECT_EQ(e.complaint({"--policy", "a"}), "");
+}
+
 TEST(CommandLine, PutsEveryValueWhereItBelongs) {
   Example e;
   EXPECT_EQ(e.line.read(Words{"a", "--seed", "7", "--depth-m=250.5", "-o", "out", "--band-hz", "10", "30", "--map", "--", "b"}),
