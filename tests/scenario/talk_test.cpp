@@ -100,6 +100,24 @@ TEST_F(Talk, GivenAPolicyTrainedForAFixedSourceItWarnsBeforeItLooksForAnother) {
   EXPECT_EQ(flown("fixed").find("warning"), std::string::npos);
 }
 
+TEST_F(Talk, GivenASourceOfAnotherFrequencyThanTheMissionListensForItWarnsAndFlies) {
+  const std::string mission = kSource / "firmware/boards/linux/missions/search.toml";
+  const std::string ocean = kSource / "policy/worlds/oceans/hz_35.toml";
+  support::Process flight(kFly, {"--environment", ocean, "--mission", mission, "--out", folder_ / "out", "--no-report"}, folder_ / "text");
+  EXPECT_EQ(flight.wait(60s), 0) << flight.output();
+  EXPECT_NE(flight.output().find("earshot fly: warning: " + mission + ": search.source_frequency_hz = 20, and the source of " + ocean +
+                                 " has 35 Hz: "),
+            std::string::npos)
+      << flight.output();
+}
+
+TEST_F(Talk, GivenTablesWithoutANameItSaysWhichOptionThatIs) {
+  std::vector<std::string> a = arguments({"--tables", ""});
+  support::Process refused(kFly, a, folder_ / "refused");
+  EXPECT_EQ(refused.wait(10s), 2);
+  EXPECT_EQ(refused.output(), "earshot fly: --tables: must name a file or a folder (earshot fly --help lists all)\n");
+}
+
 TEST_F(Talk, GivenAFileForItsFolderItSaysSoInOneSentence) {
   const fs::path file = folder_ / "README.md";
   std::ofstream(file) << "ours\n";

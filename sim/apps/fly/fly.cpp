@@ -12,6 +12,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -26,6 +27,7 @@
 #include "firmware/host/program/signals.hpp"
 #include "firmware/host/transport/bus_lock.hpp"
 #include "firmware/host/transport/lcm_url.hpp"
+#include "firmware/policy/tables/ocean_tables.hpp"
 #include "sim/apps/fly/emulated_board.hpp"
 #include "sim/apps/fly/flight_folder.hpp"
 #include "sim/apps/fly/flight_plan.hpp"
@@ -87,7 +89,8 @@ void declare(program::CommandLine& line, Options& o) {
       .checked(fly::speed_complaint, fly::kSpeedsAllowed)
       .shows_default();
   line.option("--policy", &o.policy, "policy file instead of the mission's");
-  line.option("--tables", &o.tables, "ocean tables instead of the mission's: a file, or a folder of which one covers the mission");
+  line.option("--tables", &o.tables, "ocean tables instead of the mission's: a file, or a folder of which one covers the mission")
+      .names("a file or a folder");
   line.option("--public-key", &o.public_key, "file of the public key that signed it, instead of the mission's");
   line.option("--vehicle", &o.vehicle,
               "the vehicle's configuration (TOML): whose missions and policies it flies; what is signed draws with the mission's own seed");
@@ -290,6 +293,18 @@ void warn_of_another_source(const Options& o, const host::MissionFile& mission) 
   // earshotd refuses it, and says why.
 }
 
+/// Says when the mission listens for another frequency than the source has: its ocean tables are of none that is there.
+void warn_of_another_frequency(const Options& o, const fly::FlightPlan& plan) {
+  const double has_hz = plan.scenario.environment.source.frequency.value;
+  const double listens_hz = plan.mission.mission.source_frequency.value;
+  if (std::abs(has_hz - listens_hz) <= policy::kFrequencyTolerance * listens_hz) return;
+  std::ostringstream text;
+  text << "earshot fly: warning: " << host::printable(o.mission.string()) << ": search.source_frequency_hz = " << listens_hz
+       << ", and the source of " << host::printable(o.environment.string()) << " has " << has_hz
+       << " Hz: the vehicle believes in what is heard of another source\n";
+  std::cerr << text.str();
+}
+
 /// Recorded calls and songs have pauses in which the noise is heard alone; a tone has none.
 const char* default_mission(const Options& o) {
   if (!o.hear) return "firmware/boards/linux/missions/search.toml";
@@ -310,6 +325,7 @@ void require_pauses(const Options& o, const fly::FlightPlan& plan, const detecto
 /// Both processes would say the same about a bad file: say it once, before either starts.
 host::MissionFile checked_mission(const Options& o) {
   const fly::FlightPlan plan = fly::load_flight_plan(o.mission, o.environment, o.vehicle);
+  warn_of_another_frequency(o, plan);
   host::MissionFile mission = plan.mission;
   host::override_ports(mission, {.bus = o.bus, .lcm_url = std::nullopt, .can_interface = std::nullopt});
   if (o.hear) {
