@@ -143,6 +143,14 @@ TEST_F(SignedMissions, AreVerifiedBeforeADive) {
                  "is signed by none of trust.policy_keys of vehicle.toml (walk.pub)");
 }
 
+TEST_F(SignedMissions, AreNotWhatATablesOrPolicyFileIsTakenForThatDoesNotBeginAsOne) {
+  std::ofstream(folder_ / "big.tables") << "x";
+  fs::resize_file(folder_ / "big.tables", 5'000'000);
+  expect_refused("earshot-verify", {"--vehicle", "vehicle.toml", "big.tables"}, "a .tables file has at most ");
+  std::ofstream(folder_ / "text.policy") << std::string(1'000, 'x');
+  expect_refused("earshot-verify", {"--vehicle", "vehicle.toml", "text.policy"}, "text.policy: is not a .policy file");
+}
+
 TEST_F(SignedMissions, AreVerifiedAsFarAsItGoesWhereTheCounterIsNot) {
   ASSERT_EQ(sign(5), 0);
   EXPECT_EQ(verify(), 1);

@@ -89,8 +89,9 @@ int run(const Options& o) {
   }
   if (!o.file) return program::kDone;
   const std::string beginning = beginning_of(*o.file);
-  if (beginning == "EARSHOTP") return verify_policy(*o.file, vehicle);
-  return beginning == "EARSHOTT" ? verify_tables(*o.file, vehicle) : verify_mission(*o.file, vehicle);
+  const std::filesystem::path kind = o.file->extension();  // where the beginning is damaged, what the file should be is what is missed
+  if (beginning == "EARSHOTP" || (kind == ".policy" && beginning != "EARSHOTT")) return verify_policy(*o.file, vehicle);
+  return beginning == "EARSHOTT" || kind == ".tables" ? verify_tables(*o.file, vehicle) : verify_mission(*o.file, vehicle);
 }
 
 }  // namespace
