@@ -14,6 +14,7 @@
 #include "firmware/host/program/progress_bar.hpp"
 #include "firmware/host/program/talk.hpp"
 #include "firmware/host/toml/table_reader.hpp"
+#include "policy/apps/evaluate_tables.hpp"
 #include "policy/baselines/catalogue.hpp"
 #include "policy/command_line/outputs.hpp"
 #include "policy/command_line/policy_details.hpp"
@@ -71,16 +72,18 @@ std::string names_of_baselines() {
 void add_options(program::CommandLine& line, Options& o) {
   line.option("POLICY", &o.files, "frozen policies (.policy)");
   line.option("--policies", &o.policies, "more of them, and others by name, separated by commas").separated_by(',');
-  line.option("--world", &o.worlds, "world files to search in, such as policy/worlds/noisy_4db.toml (the environment itself)");
+  line.option("--world", &o.worlds, "world files to search in, such as policy/worlds/noisy_4db.toml (the environment itself)")
+      .names("a file");
   line.flag("--suite", &o.suite, "search in every world of policy/worlds");
   o.search.add_to(line, {.source = "what the policies were trained with, changing when none says it",
                          .start = "what the policies were trained with, inside_border when none says it; --border-width-m, --max-steps and "
                                   "--vehicle-depth-m likewise",
                          .listening = "what the .policy files have, newest when none is evaluated"});
   line.option(
-      "--tables", &o.tables,
-      "oceans that policies and ocean_search think possible (.tables, or folders of them); of several those for a world's depth and "
-      "frequency; default: those that ship, or where these are of another depth or frequency the environment alone");
+          "--tables", &o.tables,
+          "oceans that policies and ocean_search think possible (.tables, or folders of them); of several those for a world's depth and "
+          "frequency; default: those that ship, or where these are of another depth or frequency the environment alone")
+      .names("a file or a folder");
   line.option("--episodes", &o.episodes, "searches to fly in each world").shows_default().from(1, 100'000'000);
   line.option("--seed", &o.seed, "seed of starts, sources and sampled actions (a world's own; 1 without a world)");
   line.option("--draw", &o.draw, "how learned policies draw actions, instead of each one's own way")
@@ -177,13 +180,36 @@ constexpr host::OutputKind kFiguresOutput{"figures of earshot evaluate (JSON)", 
 constexpr host::OutputKind kTableOutput{"a table of earshot evaluate (CSV)", {"world,policy,episodes,", {}}};
 constexpr host::OutputKind kPathsOutput{"paths of earshot evaluate (CSV)", {"world,policy,episode,step,", {}}};
 
-void check_files(const Options& o) {
+/// What was read of the files that are given.
+struct Inputs {
+  std::span<const evaluate::Candidate> candidates;
+  std::span<const evaluate::WorldFile> worlds;
+  std::span<const host::TablesFile> tables;
+};
+
+/// No file that is read may be one that is written: --force would replace it.
+void check_inputs(const Options& o, const Inputs& read, std::span<const command_line::Output> outputs) {
+  const auto check = [outputs](const char* option, const std::filesystem::path& file) {
+    if (!file.empty()) command_line::check_is_none_of(outputs, option, file);
+  };
+  for (const evaluate::Candidate& candidate : read.candidates) check("POLICY", candidate.file);
+  if (o.search.environment) check("--environment", *o.search.environment);
+  for (const std::string& file : o.worlds) check("--world", file);
+  for (const evaluate::WorldFile& world : read.worlds) {
+    check("the environment of a world", world.environment);
+    check("the field library of a world", world.scenario.field_library);
+  }
+  for (const host::TablesFile& file : read.tables) check("--tables", file.path);
+}
+
+void check_files(const Options& o, const Inputs& read) {
   if (o.plot) command_line::check_picture_name("--plot", *o.plot);
   std::vector<command_line::Output> files;
   if (o.json) files.push_back({"--json", *o.json, kFiguresOutput});
   if (o.csv) files.push_back({"--csv", *o.csv, kTableOutput});
   if (o.plot) files.push_back({"--plot", *o.plot, host::picture_kind(*o.plot)});
   if (o.paths) files.push_back({"--paths", *o.paths, kPathsOutput});
+  check_inputs(o, read, files);
   command_line::require_writable(files, host::replaced_by(o.force));
 }
 
@@ -242,47 +268,27 @@ struct Common {
   const ocean::Environment& believed;  ///< what baselines go by
   Meters depth;                        ///< of the vehicle, where a world does not say it
   const search::SearchSettings& settings;
-  std::span<const host::TablesFile> tables;
+  std::span<const host::TablesFile* const> tables;  ///< of every world; null: its own ocean
   std::optional<policy::ActionDraw> draw;
 };
-
-std::vector<host::TablesFile> tables_of(const std::vector<std::string>& named) {
-  std::vector<std::filesystem::path> files(named.begin(), named.end());
-  if (files.empty()) files.push_back(host::shipped("policy/tables/shipped"));
-  return host::read_tables_files(files);
-}
-
-/// The oceans that are believed possible in a world: of the tables given. Of those that ship none may be of its depth and frequency: null.
-const policy::OceanTables* oceans_for(const evaluate::WorldFile& world, const policy::SearchedSound& sound, const Common& common) {
-  const bool is_covered = std::ranges::any_of(common.tables, [&sound](const host::TablesFile& file) {
-    return policy::coverage(*file.tables, sound) == policy::Coverage::kCovered;
-  });
-  if (is_covered || !common.options.tables.empty())
-    return host::tables_for(common.tables, sound, "--tables: world " + world.name).tables.get();
-  std::cerr << "earshot evaluate: warning: " << host::printable(world.name) << ": no tables that ship are of " << sound.frequency.value
-            << " Hz and " << sound.vehicle_depth.value
-            << " m: only the environment's own ocean is thought possible (--tables names others)\n";
-  return nullptr;
-}
 
 /// Flies every candidate in every world, and prints the table of each world. @return on rank 0 the rows; elsewhere nothing
 std::vector<evaluate::Row> fly_in_all(std::span<const evaluate::WorldFile> worlds, std::span<const evaluate::Candidate> candidates,
                                       const Common& common, parallel::Ranks& ranks, evaluate::PathTable& paths) {
   const Options& o = common.options;
   std::vector<evaluate::Row> rows;
-  for (const evaluate::WorldFile& world : worlds) {
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    const evaluate::WorldFile& world = worlds[i];
+    const host::TablesFile* const tables = common.tables[i];
     const Meters depth = world.vehicle_depth.value_or(common.depth);
     const search::World assembled = search::assemble(world.scenario, common.settings, depth);
     // A vehicle knows how deep it is and what it listens for: it expects what is heard there.
     ocean::Environment believed = common.believed;
     believed.source.frequency = world.scenario.environment.source.frequency;
     const sonar::SnrCurve expected = command_line::curve_for(believed, depth, common.settings);
-    const Meters diagonal = range_between(common.settings.domain.south_west, common.settings.domain.north_east);
     policy::OceanTables told;
-    const policy::SearchedSound sound{.vehicle_depth = depth, .frequency = believed.source.frequency, .furthest = diagonal};
-    const policy::OceanTables* const oceans = oceans_for(world, sound, common);
-    if (oceans == nullptr) search::make_told_ocean(common.settings, expected, told);
-    const evaluate::Trial trial{world, assembled, expected, oceans != nullptr ? *oceans : told, o.episodes, common.draw};
+    if (tables == nullptr) search::make_told_ocean(common.settings, expected, told);
+    const evaluate::Trial trial{world, assembled, expected, tables != nullptr ? *tables->tables : told, o.episodes, common.draw};
     const evaluate::Pace pace = evaluate::pace_of(assembled);
     const std::size_t first_row = rows.size();
     for (const evaluate::Candidate& candidate : candidates) {
@@ -313,10 +319,12 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   if (!o.search.listening.is_given()) evaluate::check_same_listening(candidates);
   task.options.apply_to(task.settings);
   if (o.declared) task.settings.found_by = search::FoundBy::kSearcher;
+  const evaluate::TablesGiven given = evaluate::read_tables(o.tables);
   session.all_or_none<BadInput>([&] {
-    if (speaks) check_files(o);
+    if (speaks) check_files(o, {candidates, worlds, given.files});
   });
-  const std::vector<std::string> warnings = warnings_of(candidates, {task.settings, task.depth, host::crc32_text(environment.file_crc32)});
+  std::vector<std::string> warnings = warnings_of(candidates, {task.settings, task.depth, host::crc32_text(environment.file_crc32)});
+  const std::vector<const host::TablesFile*> tables = evaluate::tables_of_worlds(given, worlds, task.settings, warnings);
   if (speaks) {
     for (const std::string& warning : warnings) std::cerr << "earshot evaluate: warning: " << host::printable(warning) << "\n";
     for (const evaluate::Candidate& c : candidates) print_details(c);
@@ -324,7 +332,6 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
                       << ranks.size() << (ranks.size() == 1 ? " process\n" : " processes\n");
     program::say() << what_is_searched(o.search, task);
   }
-  const std::vector<host::TablesFile> tables = tables_of(o.tables);
   std::optional<policy::ActionDraw> draw;
   if (o.draw) draw = description::draw_named(*o.draw);
 
@@ -332,6 +339,8 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
   const std::vector<evaluate::Row> rows =
       fly_in_all(worlds, candidates, {o, environment, task.depth, task.settings, tables, draw}, ranks, paths);
   if (speaks) {
+    std::vector<std::optional<evaluate::FlownTables>> described;
+    for (const host::TablesFile* file : tables) described.push_back(evaluate::described(file));
     write_files(o,
                 {.episodes = o.episodes,
                  .start_margin_m = task.options.start_margin_m,
@@ -340,7 +349,8 @@ void evaluate_policies(const Options& o, parallel::RankSession& session) {
                  .vehicle_depth = task.depth,
                  .trained_by = task.trained_by,
                  .warnings = warnings,
-                 .worlds = worlds},
+                 .worlds = worlds,
+                 .tables = described},
                 rows);
   }
   if (o.paths) host::write_whole(*o.paths, paths.csv());

@@ -1,5 +1,6 @@
 #include "policy/command_line/outputs.hpp"
 
+#include <array>
 #include <map>
 
 #include "firmware/host/file/bad_input.hpp"
@@ -29,6 +30,10 @@ void check_distinct(std::span<const Output> files) {
     throw BadInput(other.option + " " + other.path.string() + ", " + file.option + " " + file.path.string() +
                    ": the same file, one would replace the other");
   }
+}
+
+void check_is_none_of(std::span<const Output> outputs, const std::string& option, const std::filesystem::path& read) {
+  for (const Output& output : outputs) check_distinct(std::array{Output{option, read, {}}, output});
 }
 
 void require_writable(std::span<const Output> files, host::Replace replace) {

@@ -24,6 +24,10 @@ inline constexpr const char* kForceHelp = "replace a file that is there already,
 /// Throws host::BadInput, naming both options, when two of them are one file: one would silently replace the other.
 void check_distinct(std::span<const Output> files);
 
+/// Throws host::BadInput, naming both options, when one of the outputs is the file that is read: it would be replaced.
+/// @param option  that names the file
+void check_is_none_of(std::span<const Output> outputs, const std::string& option, const std::filesystem::path& read);
+
 /// check_distinct(), and throws now rather than after minutes of work when one of them cannot be written later: see host::require_writable.
 void require_writable(std::span<const Output> files, host::Replace replace);
 

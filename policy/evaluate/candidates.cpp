@@ -27,15 +27,16 @@ bool are_of_one_search(const policy::FrozenPolicy& a, const policy::FrozenPolicy
 
 Candidate candidate_named(const std::string& name) {
   for (const baselines::Entry& entry : baselines::catalogue()) {
-    if (entry.name == name) return {name, nullptr};
+    if (entry.name == name) return {.name = name, .learned = nullptr};
   }
-  if (name == "shipped") return {name, host::load_unverified_policy(host::shipped("policy/frozen/shipped.policy"))};
-  if (name.find_first_of("./") == std::string::npos) {
+  const bool is_shipped = name == "shipped";
+  if (!is_shipped && name.find_first_of("./") == std::string::npos) {
     std::string known = "shipped";
     for (const baselines::Entry& entry : baselines::catalogue()) known += ", " + std::string(entry.name);
     throw BadInput("--policies: " + name + ": neither a .policy file nor one of " + known);
   }
-  return {name, host::load_unverified_policy(name)};
+  std::filesystem::path file = is_shipped ? host::shipped("policy/frozen/shipped.policy") : std::filesystem::path(name);
+  return {.name = name, .learned = host::load_unverified_policy(file), .file = file};
 }
 
 search::SearchSettings settings_of(std::span<const Candidate> candidates) {

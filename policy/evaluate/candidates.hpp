@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@ namespace earshot::evaluate {
 struct Candidate {
   std::string name;
   std::unique_ptr<policy::FrozenPolicy> learned;
+  std::filesystem::path file = {};  ///< that it was read from; of a learned one
 };
 
 /// The candidate of a name: "shipped", a baseline's, or the path of a `.policy` file. Throws host::BadInput when it is none of them.

@@ -1,5 +1,6 @@
 #include "policy/evaluate/figures_json.hpp"
 
+#include <cassert>
 #include <nlohmann/json.hpp>
 
 #include "firmware/host/listening/listening_words.hpp"
@@ -53,6 +54,13 @@ ordered_json as_json(const Row& row, Timing timing) {
   return json;
 }
 
+ordered_json as_json(const FlownTables& tables) {
+  return {{"file", tables.file},
+          {"sha256", tables.sha256},
+          {"tables", tables.count},
+          {"signed_by", tables.signed_by.empty() ? ordered_json() : ordered_json(tables.signed_by)}};
+}
+
 }  // namespace
 
 std::string title_of(const EvaluationSetup& setup) {
@@ -76,12 +84,19 @@ std::string as_json(const EvaluationSetup& setup, std::span<const Row> rows, Tim
   json["border_reward"] = settings.border_reward;
   json["max_steps"] = settings.max_steps;
   json["found_by"] = settings.found_by == search::FoundBy::kSearcher ? "searcher" : "simulator";
-  json["vehicle_depth_m"] = setup.vehicle_depth.value;
   json["listening"] = host::word_for(settings.listening.listening);
   json["listening_window_s"] = host::length_s(settings.listening);
   json["trained_by"] = setup.trained_by.empty() ? ordered_json() : ordered_json(setup.trained_by);
   json["warnings"] = std::vector<std::string>(setup.warnings.begin(), setup.warnings.end());
-  for (const WorldFile& world : setup.worlds) json["worlds"].push_back({{"name", world.name}, {"what", world.what}, {"seed", world.seed}});
+  assert(setup.tables.size() == setup.worlds.size());
+  for (std::size_t i = 0; i < setup.worlds.size(); ++i) {
+    const WorldFile& world = setup.worlds[i];
+    json["worlds"].push_back({{"name", world.name},
+                              {"what", world.what},
+                              {"seed", world.seed},
+                              {"vehicle_depth_m", world.vehicle_depth.value_or(setup.vehicle_depth).value},
+                              {"ocean_tables", setup.tables[i] ? as_json(*setup.tables[i]) : ordered_json("own ocean")}});
+  }
   for (const Row& row : rows) json["results"].push_back(as_json(row, timing));
   return json.dump(1) + "\n";
 }

@@ -34,6 +34,7 @@ WorldFile load_world(const std::filesystem::path& path) {
   std::optional<search::Conditions> conditions;
   if (const auto table = root.optional_table("conditions")) conditions = search::read_conditions(*table);
   file.finish();
+  world.environment = environment;
   world.scenario = search::load_scenario(environment);
   check_depth(root, world, environment);
   if (conditions) world.scenario.conditions = *conditions;

@@ -17,6 +17,7 @@ struct WorldFile {
   std::uint64_t seed = 1;
   std::optional<Meters> vehicle_depth = {};  ///< > 0, in the water; absent: whoever searches says it
   search::Scenario scenario;
+  std::filesystem::path environment = {};  ///< the file that the scenario was read from
 };
 
 /// Reads a world: keys name, what, seed, environment (a file), and optionally vehicle_depth_m, above 0 and above the sea floor at the

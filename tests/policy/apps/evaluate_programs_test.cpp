@@ -213,7 +213,7 @@ TEST_F(Programs, EvaluateTakesAWholeTaskFromATrainingAndLooksForTheSourceWhereIt
   EXPECT_EQ(json["start_margin_m"], 3'000.0);
   EXPECT_EQ(json["border_width_m"], 500.0);
   EXPECT_EQ(json["max_steps"], 40);
-  EXPECT_EQ(json["vehicle_depth_m"], 250.0);
+  EXPECT_EQ(json["worlds"][0]["vehicle_depth_m"], 250.0);
   ASSERT_EQ(run("evaluate a.policy --episodes 3" + kOcean), 0) << content(folder / "err");
   EXPECT_NE(content(folder / "err")
                 .find("a.policy was trained with the source at 7000 m north, 10000 m east and is tested with it at 10000 m north"),

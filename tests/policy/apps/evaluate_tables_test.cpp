@@ -90,6 +90,82 @@ TEST_F(TablesForEvaluate, AreWhatAPolicyWithABeliefSearchesBy) {
   EXPECT_NE(results_of("--policies shipped" + good), results_of("--policies shipped"));
 }
 
+TEST_F(TablesForEvaluate, MustHaveAName) {
+  for (const std::string option : {"--tables", "--world"}) {
+    const int status =
+        start(EARSHOT_BIN_DIR "/earshot-evaluate", {"--policies", "ocean_search", "--episodes", "1", option, ""}).wait(kPatience);
+    EXPECT_EQ(status, 2);
+    EXPECT_NE(content(folder / "err").find(option + ": must name a file"), std::string::npos) << content(folder / "err");
+  }
+}
+
+TEST_F(TablesForEvaluate, StandInTheFiguresOfEveryWorldWithWhoSignedThem) {
+  const std::string good = given("good.tables", {});
+  ASSERT_EQ(run("evaluate --policies oracle --episodes 1 --json a.json" + good), 0) << content(folder / "err");
+  EXPECT_EQ(content(folder / "err"), "");
+  const auto json = nlohmann::json::parse(content(folder / "a.json"));
+  const auto tables = json["worlds"][0]["ocean_tables"];
+  EXPECT_EQ(tables["file"], "good.tables");
+  EXPECT_EQ(tables["tables"], 3);
+  ASSERT_EQ(start("/usr/bin/sha256sum", {"good.tables"}).wait(kPatience), 0);  // coreutils'
+  EXPECT_EQ(tables["sha256"].get<std::string>() + "  good.tables\n", content(folder / "out"));
+  EXPECT_EQ(tables["signed_by"].get<std::string>().size(), 64U);
+  EXPECT_EQ(json["worlds"][0]["vehicle_depth_m"], 300.0);
+  EXPECT_EQ(json["warnings"], nlohmann::json::array());
+}
+
+TEST_F(TablesForEvaluate, ThatAreNotSignedAreWarnedOfOnceAndInTheFigures) {
+  std::string bytes = (given("good.tables", {}), content(folder / "good.tables"));
+  bytes.back() = static_cast<char>(bytes.back() ^ 1);
+  std::ofstream(folder / "unsigned.tables", std::ios::binary) << bytes;
+  const std::string worlds = " --world " + kSource + "/policy/worlds/rock.toml " + kSource + "/policy/worlds/noisy_4db.toml";
+  ASSERT_EQ(run("evaluate --policies oracle --episodes 1 --json a.json --tables unsigned.tables" + worlds), 0) << content(folder / "err");
+  const std::string warning = "unsigned.tables: is not signed with the key that it names: a vehicle refuses it";
+  EXPECT_EQ(content(folder / "err"), "earshot evaluate: warning: " + warning + "\n");
+  const auto json = nlohmann::json::parse(content(folder / "a.json"));
+  EXPECT_EQ(json["warnings"], nlohmann::json::array({warning}));
+  EXPECT_TRUE(json["worlds"][1]["ocean_tables"]["signed_by"].is_null());
+}
+
+TEST_F(TablesForEvaluate, ThatShipAndAreOfNoWorldsDepthAreWarnedOfInTheFiguresToo) {
+  const std::string worlds = " --world " + kSource + "/policy/worlds/rock.toml " + kSource + "/policy/worlds/water_60m.toml";
+  ASSERT_EQ(run("evaluate --policies oracle --episodes 1 --json a.json --vehicle-depth-m 10" + worlds), 0) << content(folder / "err");
+  const auto json = nlohmann::json::parse(content(folder / "a.json"));
+  EXPECT_EQ(json["worlds"][0]["ocean_tables"], "own ocean");
+  EXPECT_EQ(json["worlds"][0]["vehicle_depth_m"], 10.0);
+  ASSERT_EQ(json["warnings"].size(), 2U) << json["warnings"];
+  const std::string warning = json["warnings"][0];
+  EXPECT_TRUE(warning.starts_with("rock: no tables that ship are of 20 Hz and 10 m: only the environment's own ocean")) << warning;
+  EXPECT_NE(content(folder / "err").find("earshot evaluate: warning: " + warning + "\n"), std::string::npos) << content(folder / "err");
+  ASSERT_EQ(run("evaluate --policies oracle --episodes 1 --json b.json" + worlds), 0) << content(folder / "err");
+  const auto own = nlohmann::json::parse(content(folder / "b.json"));
+  EXPECT_EQ(own["worlds"][0]["vehicle_depth_m"], 300.0);
+  EXPECT_EQ(own["worlds"][1]["vehicle_depth_m"], 30.0);
+  EXPECT_TRUE(own["worlds"][1]["ocean_tables"]["file"].get<std::string>().ends_with("/20hz_30m.tables"));
+  EXPECT_EQ(own["warnings"], nlohmann::json::array());
+}
+
+TEST_F(TablesForEvaluate, AndAllElseThatIsReadAreReplacedByNoOutput) {
+  given("a.tables", {});
+  fs::create_directory(folder / "several");
+  fs::copy_file(folder / "a.tables", folder / "several/b.tables");
+  fs::copy_file(kFixedSource, folder / "p.policy");
+  fs::copy_file(kSource + "/sim/ocean/environments/munk_flat.toml", folder / "e.toml");
+  std::ofstream(folder / "w.toml") << "name = \"own\"\nwhat = \"b\"\nseed = 1\nenvironment = \"e.toml\"\n";
+  const std::string brief = "evaluate --force --episodes 1 ";
+  for (const std::string output : {"--csv", "--json", "--paths"}) {
+    const std::string and_policy = ", " + output + " p.policy: the same file";
+    refuses(brief + "p.policy " + output + " p.policy", {"POLICY p.policy" + and_policy});
+    refuses(brief + "--policies oracle,p.policy --source fixed " + output + " p.policy", {"POLICY p.policy" + and_policy});
+    refuses(brief + "--policies oracle --tables a.tables " + output + " a.tables", {"--tables a.tables, " + output + " a.tables"});
+    refuses(brief + "--policies oracle --tables several " + output + " several/b.tables", {"--tables several/b.tables, "});
+    refuses(brief + "--policies oracle --world w.toml " + output + " w.toml", {"--world w.toml, " + output + " w.toml"});
+    refuses(brief + "--policies oracle --world w.toml " + output + " e.toml", {"environment of a world", "e.toml: the same file"});
+    refuses(brief + "--policies oracle --environment e.toml " + output + " e.toml", {"--environment e.toml, " + output + " e.toml"});
+  }
+  EXPECT_EQ(content(folder / "p.policy"), content(kFixedSource));
+}
+
 TEST_F(TablesForEvaluate, ChangeNothingForOthers) {
   const std::string good = given("good.tables", {});
   EXPECT_EQ(results_of("--policies oracle,bayes_least_regret" + good), results_of("--policies oracle,bayes_least_regret"));

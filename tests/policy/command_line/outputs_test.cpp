@@ -36,6 +36,17 @@ TEST(Outputs, MayNotBeOneFileUnderTwoNames) {
   EXPECT_EQ(refusal([&] { check_distinct(two); }), "not refused");
 }
 
+TEST(Outputs, AreNoneOfTheFilesThatAreRead) {
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "a.policy") << "mine";
+  std::filesystem::create_symlink("a.policy", folder / "link");
+  const std::vector<Output> files{{"--csv", folder / "x.csv", {}}, {"--json", folder / "link", {}}};
+  EXPECT_EQ(refusal([&] { check_is_none_of(files, "POLICY", folder / "a.policy"); }), "POLICY " + (folder / "a.policy").string() +
+                                                                                          ", --json " + (folder / "link").string() +
+                                                                                          ": the same file, one would replace the other");
+  EXPECT_EQ(refusal([&] { check_is_none_of(files, "POLICY", folder / "b.policy"); }), "not refused");
+}
+
 TEST(Outputs, AreAllJudgedBeforeOneIsWritten) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "notes.svg") << "[seabed]\n";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,13 +29,15 @@ class FiguresJson : public testing::Test {
             .vehicle_depth = Meters{250.0},
             .trained_by = trained_by_,
             .warnings = warnings_,
-            .worlds = worlds_};
+            .worlds = worlds_,
+            .tables = tables_};
   }
 
   search::SearchSettings settings_;
   std::vector<WorldFile> worlds_;
   std::string trained_by_;
   std::vector<std::string> warnings_;
+  std::vector<std::optional<FlownTables>> tables_{std::nullopt};
   Row row_;
 };
 
@@ -66,7 +69,6 @@ TEST_F(FiguresJson, SaysWhichTaskWasTestedWhoseItIsAndWhoWasTrainedForAnother) {
   EXPECT_EQ(nobodys["warnings"], nlohmann::json::array());
   EXPECT_EQ(nobodys["source"], "fixed");
   EXPECT_EQ(nobodys["source_north_m"], 10'000.0);
-  EXPECT_EQ(nobodys["vehicle_depth_m"], 250.0);
   trained_by_ = "a.policy";
   warnings_ = {"b.policy was trained 200 m deep and is tested 250 m deep"};
   settings_.placement = search::SourcePlacement::kChanging;
@@ -74,6 +76,21 @@ TEST_F(FiguresJson, SaysWhichTaskWasTestedWhoseItIsAndWhoWasTrainedForAnother) {
   EXPECT_EQ(json["trained_by"], "a.policy");
   EXPECT_EQ(json["warnings"], nlohmann::json(warnings_));
   EXPECT_FALSE(json.contains("source_north_m"));
+}
+
+TEST_F(FiguresJson, SaysOfEveryWorldHowDeepItsVehicleIsAndByWhichTablesItSearches) {
+  worlds_.push_back({.name = "shallow", .what = "60 m", .seed = 8, .vehicle_depth = Meters{30.0}, .scenario = {}});
+  worlds_.push_back({.name = "other", .what = "100 m", .seed = 9, .vehicle_depth = Meters{50.0}, .scenario = {}});
+  tables_.push_back(FlownTables{.file = "a.tables", .sha256 = "ab12", .count = 96, .signed_by = "cd34"});
+  tables_.push_back(FlownTables{.file = "b.tables", .sha256 = "ab13", .count = 1, .signed_by = ""});
+  const auto json = nlohmann::json::parse(as_json(setup(std::nullopt), std::span(&row_, 1), Timing::kLeftOut));
+  EXPECT_FALSE(json.contains("vehicle_depth_m")) << "there is no one depth";
+  EXPECT_EQ(json["worlds"][0]["vehicle_depth_m"], 250.0);
+  EXPECT_EQ(json["worlds"][0]["ocean_tables"], "own ocean");
+  EXPECT_EQ(json["worlds"][1]["vehicle_depth_m"], 30.0);
+  EXPECT_EQ(json["worlds"][1]["ocean_tables"],
+            (nlohmann::json{{"file", "a.tables"}, {"sha256", "ab12"}, {"tables", 96}, {"signed_by", "cd34"}}));
+  EXPECT_TRUE(json["worlds"][2]["ocean_tables"]["signed_by"].is_null());
 }
 
 TEST_F(FiguresJson, LeadsWithFoundThenTimeThenRewardAndHasNoNumberForATimeThatNeverComes) {
