@@ -4,7 +4,6 @@
 #include <set>
 #include <sstream>
 
-#include "firmware/core/geometry.hpp"
 #include "firmware/host/file/shipped.hpp"
 #include "firmware/host/trust/keys.hpp"
 #include "firmware/host/trust/signed_bytes.hpp"
