@@ -17,6 +17,8 @@ the searches, with its exact binomial 95 % interval. Hours: to find, in
 the mean over all searches, one that did not find counts as its limit. Surprised: share of the searches in which what
 was heard fitted nothing that was believed possible. Declared falsely: share of the searches in which
 the rule on board said "found" further than a step length from the source; far off: further than one and a half.
+Missed: of the searches that came within a step length of the source at the end of a step, the share in which the rule
+did not say "found" there.
 """
 
 WORLDS = """
@@ -28,12 +30,18 @@ world, with the same tables, the others {shipped}.
 ![found, mean hours to find](worlds.png)
 """
 
+NOTICED = """
+## With the paper's table only
+What a vehicle notices of an ocean that it knows nothing of: its tables hold the paper's ocean alone. {episodes}
+searches of 15 steps in each world.
+"""
+
 TEST = """
 ## The test split
 Drawn by `policy/worlds/generate` from seeds of its own, flown once, after everything was chosen. Tables were made
 for each world's frequency and depth by `policy/tables/make_for`; none has the world's ocean in it but by chance.
 All worlds together: {found} of {episodes} searches found, {share:.1f} %, from {low:.1f} in one world to {high:.1f}
-in another; `oracle` {oracle:.1f} %.
+in another; `oracle` {oracle:.1f} %. Surprised: {surprised:.1f} % of the searches, in the mean over the worlds.
 """
 
 BEARING = """
@@ -52,7 +60,7 @@ def read(path: Path) -> dict[str, dict[str, Row]]:
 
 
 def percent(share: str) -> str:
-    return "-" if share == "" else f"{100.0 * float(share):.1f}".removesuffix(".0")
+    return "-" if share in ("", "nan") else f"{100.0 * float(share):.1f}".removesuffix(".0")
 
 
 def found(row: Row) -> str:
@@ -66,13 +74,29 @@ def hours(row: Row) -> str:
     return f"{float(mean):.2f} ({float(low):.2f} to {float(high):.2f})"
 
 
+def surprised(row: Row) -> str:
+    return f"{percent(row['surprised_fraction'])} %"
+
+
+DECLARED = ["declared falsely, far off", "missed"]
+
+
+def declared(row: Row) -> list[str]:
+    """Under DECLARED."""
+    missed = percent(row["missed_fraction"])
+    return [
+        f"{percent(row['declared_falsely_fraction'])}, {percent(row['declared_far_off_fraction'])} %",
+        missed if missed == "-" else f"{missed} %",
+    ]
+
+
 def table(header: list[str], rows: list[list[str]]) -> str:
     lines = [header, ["---"] * len(header), *rows]
     return "".join("| " + " | ".join(cells) + " |\n" for cells in lines)
 
 
 def worlds_table(worlds: dict[str, dict[str, Row]], infotaxis: dict[str, dict[str, Row]]) -> str:
-    header = ["world", "`shipped`: found", "hours", "reward", "surprised", "declared falsely, far off"]
+    header = ["world", "`shipped`: found", "hours", "reward", "surprised", *DECLARED]
     header += ["`infotaxis`: found", "hours", "`sweep`: found", "`oracle`: found"]
     rows = []
     for world, of in worlds.items():
@@ -80,8 +104,7 @@ def worlds_table(worlds: dict[str, dict[str, Row]], infotaxis: dict[str, dict[st
         other = infotaxis[world]["infotaxis"]
         rows.append(
             [f"`{world}`", found(shipped), hours(shipped), f"{float(shipped['mean_reward']):.1f}"]
-            + [f"{percent(shipped['surprised_fraction'])} %"]
-            + [f"{percent(shipped['declared_falsely_fraction'])}, {percent(shipped['declared_far_off_fraction'])} %"]
+            + [surprised(shipped), *declared(shipped)]
             + [found(other), hours(other), f"{percent(of['sweep']['found_fraction'])} %"]
             + [f"{percent(of['oracle']['found_fraction'])} %"]
         )
@@ -89,12 +112,13 @@ def worlds_table(worlds: dict[str, dict[str, Row]], infotaxis: dict[str, dict[st
 
 
 def test_table(worlds: dict[str, dict[str, Row]]) -> str:
-    header = ["world", "`shipped`: found", "hours", "reward", "surprised", "`sweep`: found", "`oracle`: found"]
+    header = ["world", "`shipped`: found", "hours", "reward", "surprised", *DECLARED]
+    header += ["`sweep`: found", "`oracle`: found"]
     return table(
         header,
         [
             [f"`{world}`", found(of["shipped"]), hours(of["shipped"]), f"{float(of['shipped']['mean_reward']):.1f}"]
-            + [f"{percent(of['shipped']['surprised_fraction'])} %"]
+            + [surprised(of["shipped"]), *declared(of["shipped"])]
             + [f"{percent(of[name]['found_fraction'])} %" for name in ("sweep", "oracle")]
             for world, of in worlds.items()
         ],
@@ -104,9 +128,15 @@ def test_table(worlds: dict[str, dict[str, Row]]) -> str:
 def bearing_table(worlds: dict[str, dict[str, Row]]) -> str:
     rows = [
         [f"`{world}`", found(of["shipped"]), hours(of["shipped"]), f"{float(of['shipped']['path_over_straight']):.2f}"]
+        + declared(of["shipped"])
         for world, of in worlds.items()
     ]
-    return table(["world", "found", "hours", "path over straight line"], rows)
+    return table(["world", "found", "hours", "path over straight line", *DECLARED], rows)
+
+
+def noticed_table(worlds: dict[str, dict[str, Row]]) -> str:
+    rows = [[f"`{world}`", surprised(of["shipped"])] for world, of in worlds.items()]
+    return table(["world", "surprised within 15 steps"], rows)
 
 
 def episodes(worlds: dict[str, dict[str, Row]], policy: str) -> str:
@@ -125,17 +155,20 @@ def test_words(worlds: dict[str, dict[str, Row]]) -> str:
         low=min(shares),
         high=max(shares),
         oracle=100.0 * hits["oracle"] / total,
+        surprised=100.0 * sum(float(row["surprised_fraction"]) for row in flown["shipped"]) / len(flown["shipped"]),
     )
 
 
 def page(folder: Path) -> str:
     worlds, infotaxis = read(folder / "worlds.csv"), read(folder / "infotaxis.csv")
     bearing, test = read(folder / "bearing.csv"), read(folder / "test.csv")
+    noticed = read(folder / "noticed.csv")
     numbers = {"infotaxis": episodes(infotaxis, "infotaxis"), "shipped": episodes(worlds, "shipped")}
     return "".join(
         [
             INTRODUCTION.format(commit=(folder / "commit").read_text().strip()),
             WORLDS.format(**numbers) + "\n" + worlds_table(worlds, infotaxis),
+            NOTICED.format(episodes=episodes(noticed, "shipped")) + "\n" + noticed_table(noticed),
             test_words(test) + "\n" + test_table(test),
             BEARING.format(episodes=episodes(bearing, "shipped")) + "\n" + bearing_table(bearing),
         ]
