@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+from refusal import Refusal
+
 SEARCHES = 20  # of the oracle, straight to the source
 LEAST_HEARD = 0.02  # share of its steps
 
@@ -16,10 +18,11 @@ def complaint_of(command: list[str]) -> str | None:
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=False)
     except FileNotFoundError:
-        raise SystemExit(
-            f"policy/worlds/generate: {command[0]}: no such program; "
-            "build it as the README of the tree says, or name its folder with --bin"
+        raise Refusal(
+            f"{command[0]}: no such program; build it as the README of the tree says, or name its folder with --bin"
         ) from None
+    except OSError as error:
+        raise Refusal(f"{command[0]}: {error.strerror}") from None
     if done.returncode == 0:
         return None
     if done.returncode < 0:

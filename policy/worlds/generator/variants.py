@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import math
 import tomllib
 from typing import Any
 
 import waters
+from environment import judge
 from oceans import water_text
 from sea_beds import SCALE, Bed
 from waters import Water
@@ -19,10 +21,11 @@ def variants(environment: str) -> dict[str, str]:
     """The environment over every sea floor of the scale, in other waters, and with its source at other depths.
 
     Each differs from it in one thing. @param environment  the text of its file, with one half-space as sea floor
-    Throws ValueError where it has another.
+    Throws ValueError where it has another, or a number that cannot be.
     """
     told = tomllib.loads(environment)
     _require_half_space(told)
+    judge(told)
     at_floor_mps = _speed_at_floor_mps(told)
     texts = {f"over_{bed.name.replace(' ', '_')}": _over(environment, bed, at_floor_mps) for bed in SCALE}
     for kind in waters.OF_TEMPERATURE:
@@ -30,14 +33,29 @@ def variants(environment: str) -> dict[str, str]:
     for depth_m in SOURCE_DEPTHS_M:
         if depth_m != told["source"]["depth_m"] and depth_m < told["seabed"]["depth_m"]:
             texts[f"source_at_{depth_m:g}m"] = _with(environment, {("source", "depth_m"): f"{depth_m:.1f}"})
-    return {name: _with(text, {("", "name"): f'"{told["name"]}: {name}"'}) for name, text in texts.items()}
+    # JSON's texts are TOML's.
+    named = {
+        name: _with(text, {("", "name"): json.dumps(f"{told['name']}: {name}", ensure_ascii=False)})
+        for name, text in texts.items()
+    }
+    for name, text in named.items():
+        try:
+            judge(
+                tomllib.loads(text)
+            )  # a key over several lines: no TOML any more; a sea floor of 12 km in a water of 6
+        except ValueError as error:
+            raise ValueError(f"its variant {name}: {error}") from error
+    return named
 
 
 def _require_half_space(told: dict[str, Any]) -> None:
     beyond = [key for key in ("oceans", "family", "field_library") if key in told]
     if beyond:
         raise ValueError(f"[{beyond[0]}]: has oceans of its own; of one without it variants are written")
-    layers = told.get("seabed", {}).get("layers", [])
+    seabed = told.get("seabed", {})
+    layers = seabed.get("layers", []) if isinstance(seabed, dict) else []
+    if not isinstance(layers, list):
+        raise ValueError(f"[seabed] layers: {layers!r}: must be a list of tables")
     if len(layers) != 1:
         raise ValueError(f"[[seabed.layers]]: {len(layers)} of them; of one half-space variants are written")
 
@@ -82,9 +100,8 @@ def _speed_at_floor_mps(told: dict[str, Any]) -> float:
     water, floor_m = told["water"], told["seabed"]["depth_m"]
     if water["profile"] == "munk":
         eta = 2 * (floor_m - water["axis_depth_m"]) / water["scale_m"]
-        return float(water["axis_sound_speed_mps"] * (1 + water["perturbation"] * (eta + math.exp(-eta) - 1)))
-    if water["profile"] != "table":
-        raise ValueError(f'[water] profile: "{water["profile"]}": of "munk" and "table" variants are written')
+        # At an eta of -700 no sea is meant, and exp would overflow.
+        return float(water["axis_sound_speed_mps"] * (1 + water["perturbation"] * (eta + math.exp(min(-eta, 700)) - 1)))
     depths, speeds = water["depth_m"], water["sound_speed_mps"]
     for upper in range(len(depths) - 1):
         if depths[upper] <= floor_m <= depths[upper + 1]:

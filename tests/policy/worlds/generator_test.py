@@ -335,7 +335,7 @@ class WritingWorlds(unittest.TestCase):
             if text is not None:
                 file.write_text(text)
             done = self.run_generate("--variants-of", file, "-o", Path(self.folder.name) / "refused")
-            self.assertEqual(done.returncode, 1, name)
+            self.assertEqual(done.returncode, 2, name)
             self.assertIn(f"--variants-of {file}", done.stderr)
             self.assertIn(complaint, done.stderr)
             self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
@@ -350,6 +350,8 @@ class WritingWorlds(unittest.TestCase):
             ("--variants-of", PAPERS, "--vehicle-depth-m", 40),
             ("--variants-of", PAPERS, "--bank", 2),
             ("--split", "train", "--vehicle-depth-m", 6000),
+            ("--bank", 1, "--count", 5, "--first", 7),
+            ("--variants-of", PAPERS, "--count", 5),
             ("--split", "test", "--frequency-hz", 20),
             ("--split", "validation", "--vehicle-depth-m", 40),
         ]:
