@@ -20,9 +20,9 @@ except ModuleNotFoundError as missing:
         f"{__path__[0]} is the package's source, without its compiled part: pip install ./policy/python "
         "from the root of the repository, and start Python in another folder than policy/python"
     ) from None
-from earshot_gym.environment import AcousticSearchEnv
-from earshot_gym.vector import AcousticSearchVectorEnv
-from earshot_gym.world import SearchWorld, make_world
+from earshot_gym.environment import AcousticSearchEnv  # noqa: E402  (once the processor is known to do)
+from earshot_gym.vector import AcousticSearchVectorEnv  # noqa: E402
+from earshot_gym.world import SearchWorld, make_world  # noqa: E402
 
 ID = "earshot/AcousticSearch-v0"
 

@@ -1,6 +1,7 @@
 """A policy of one's own, trained in Python for the mission that earshot init writes.   usage: my_policy.py [STEPS]
 
-Needs the wheel of policy/python and Stable-Baselines3. Leaves my_policy.zip, which `earshot freeze` signs for the vehicle.
+Needs the wheel of policy/python and Stable-Baselines3. Leaves my_policy.zip, which `earshot freeze` signs for the
+vehicle.
 """
 
 import sys
