@@ -210,6 +210,7 @@ Json fields(const mission_t& m) {
 
 Json fields(const decision_t& m) {
   const bool believes = m.believes != 0;
+  const bool is_found = m.found != 0;
   Json json{{"step", m.step},
             {"north_m", m.north_m},
             {"east_m", m.east_m},
@@ -217,6 +218,7 @@ Json fields(const decision_t& m) {
             {"too_faint", m.too_faint != 0},
             {"detected", m.detected != 0},
             {"action", m.action},
+            {"sweeping", m.sweeping != 0},
             {"overridden", m.overridden != 0},
             {"waypoint_north_m", m.waypoint_north_m},
             {"waypoint_east_m", m.waypoint_east_m},
@@ -229,7 +231,12 @@ Json fields(const decision_t& m) {
             {"mean_east_m", believes ? m.mean_east_m : kUnknown},
             {"spread_m", believes ? m.spread_m : kUnknown},
             {"likeliest_share", believes ? double{m.likeliest_share} : kUnknown},
-            {"effective_cells", believes ? double{m.effective_cells} : kUnknown}};
+            {"effective_cells", believes ? double{m.effective_cells} : kUnknown},
+            {"surprise_bits", believes ? double{m.surprise_bits} : kUnknown},
+            {"found", is_found},
+            {"found_probability", is_found ? double{m.found_probability} : kUnknown},
+            {"found_least_snr_db", is_found ? m.found_least_snr_db : kUnknown},
+            {"closest_approach_m", is_found ? m.closest_approach_m : kUnknown}};
   json.update(bearing_fields(wire::bearing_in(m)));
   return json;
 }
@@ -264,6 +271,9 @@ Json fields(const health_t& m) {
           {"end_reason", messages::to_string(static_cast<messages::EndReason>(m.end_reason))},
           {"decisions", m.decisions},
           {"steps_taken", m.steps_taken},
+          {"surprise_bits", m.surprise_bits},
+          {"sweeping", m.sweeping != 0},
+          {"found", m.found != 0},
           {"response", word_at(config::kResponseWords, static_cast<std::uint8_t>(m.response))},
           {"navigation_refused", m.navigation_refused},
           {"snr_refused", m.snr_refused},

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kHeader =
     "turn,time_s,mission_s,utc,state,steps_taken,response,navigation_age_s,north_m,east_m,latitude_deg,longitude_deg,depth_m,heading_deg,"
     "speed_mps,snr_age_s,snr_db,snr_too_faint,setpoint_heading_deg,setpoint_speed_mps,setpoint_depth_m,waypoint_north_m,waypoint_east_m,"
-    "altitude_m,battery_percent\n";
+    "altitude_m,battery_percent,surprise_bits,sweeping,found\n";
 
 /// A row in the making.
 class Row {
@@ -106,6 +106,7 @@ void TurnTable::write_row(Time time, const health_t& health) {
   else
     row.empty(5);
   row.cell(status_.altitude.value, kHundredths).cell(status_.battery_percent, kHundredths);
+  row.cell(health.surprise_bits, kHundredths).cell(health.sweeping != 0 ? "1" : "0").cell(health.found != 0 ? "1" : "0");
   file_.write(row.text() + "\n");
   setpoint_.reset();
   ++rows_;

@@ -2,7 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <string>
+
 #include "firmware/boards/linux/journal_view/content.hpp"
+#include "tests/firmware/boards/linux/journal_view/export/export_rig.hpp"
 #include "tests/firmware/boards/linux/journal_view/known_journal.hpp"
 
 namespace earshot::journal_view {
@@ -75,6 +81,53 @@ TEST(JournalFields, HoldAllOfAnOrderItsAnswerAPortAndTheEnd) {
   EXPECT_EQ(to_line(fields_of(closing)),
             R"({"ending":"stopped","state":"ABORT","end_reason":"an operator aborted it","steps_taken":7,"streams_lost":1,)"
             R"("steering_lost":2,"orders_lost":3})");
+}
+
+/// The fields of a message by its .lcm file, without those that the export says in another way.
+std::set<std::string> fields_in(const std::string& message, const std::set<std::string>& said_otherwise) {
+  const std::string text = text_of(std::filesystem::path(EARSHOT_SOURCE_DIR) / "firmware/wire/lcm" / (message + ".lcm"));
+  static const std::regex kField(R"(\n  (?!const)\w+ (\w+)(\[\d+\])?;)");
+  std::set<std::string> names;
+  for (auto at = std::sregex_iterator(text.begin(), text.end(), kField); at != std::sregex_iterator(); ++at) {
+    if (!said_otherwise.contains((*at)[1])) names.insert((*at)[1]);
+  }
+  return names;
+}
+
+TEST(JournalFields, HoldEveryFieldOfADecisionAndOfHealth) {
+  // The time stands beside them, a count is the length of its array, and a bearing that is not there is null.
+  const std::set<std::string> of_decision = fields_in("decision_t", {"utime", "observation_size", "action_count", "has_bearing"});
+  const std::set<std::string> of_health = fields_in("health_t", {"utime", "port_count"});
+  EXPECT_EQ(of_decision.size(), 30U) << "of 34";
+  EXPECT_EQ(of_health.size(), 19U) << "of 21";
+  for (const std::string& name : of_decision) EXPECT_TRUE(fields_of(decision_t{}).contains(name)) << name;
+  for (const std::string& name : of_health) EXPECT_TRUE(fields_of(health_t{}).contains(name)) << name;
+}
+
+TEST(JournalFields, SayHowSurprisedTheVehicleIsWhetherItSweepsAndWhatItDeclares) {
+  health_t health{};
+  health.surprise_bits = 13.5F;
+  health.sweeping = 1;
+  nlohmann::ordered_json fields = fields_of(health);
+  EXPECT_EQ(fields.at("surprise_bits"), 13.5);
+  EXPECT_EQ(fields.at("sweeping"), true);
+  EXPECT_EQ(fields.at("found"), false);
+  decision_t decision{};
+  decision.surprise_bits = 6.25F;
+  decision.found_probability = 0.75F;
+  fields = fields_of(decision);
+  EXPECT_EQ(to_line(fields.at("surprise_bits")), "null") << "it holds no belief";
+  EXPECT_EQ(to_line(fields.at("found_probability")), "null") << "it declares nothing";
+  decision.believes = decision.found = decision.sweeping = 1;
+  decision.found_least_snr_db = 14.5;
+  decision.closest_approach_m = 640.0;
+  fields = fields_of(decision);
+  EXPECT_EQ(fields.at("surprise_bits"), 6.25);
+  EXPECT_EQ(fields.at("sweeping"), true);
+  EXPECT_EQ(fields.at("found"), true);
+  EXPECT_EQ(fields.at("found_probability"), 0.75);
+  EXPECT_EQ(fields.at("found_least_snr_db"), 14.5);
+  EXPECT_EQ(fields.at("closest_approach_m"), 640.0);
 }
 
 TEST(JournalFields, SayStatesAndOrdersInWords) {
