@@ -50,6 +50,9 @@ struct Counters {
   friend constexpr bool operator==(const Counters&, const Counters&) = default;
 };
 
+/// From this surprise on what is heard is not explained: the belief's own level, for who reads health without a policy.
+inline constexpr float kSurprising_bits = 6.0F;
+
 /// State of the runtime and of its ports. It is the heartbeat, too: a turn stamps it last of all, after the safety layer, so that whoever
 /// hears it knows that the step that decides has come to its end.
 struct Health {

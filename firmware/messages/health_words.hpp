@@ -51,6 +51,7 @@ namespace earshot::messages {
 
 // What else there is to say of a search.
 inline constexpr std::string_view kSaysFound = "says that the source is found";
+inline constexpr std::string_view kIsSurprised = "is surprised: what it hears is unlikely in every ocean of its tables";
 inline constexpr std::string_view kSweeps = "sweeps the area: what it hears fits no ocean of its tables";
 
 }  // namespace earshot::messages

@@ -7,6 +7,7 @@
 #include "firmware/config/safety.hpp"
 #include "firmware/host/file/checksum_text.hpp"
 #include "firmware/host/file/printable.hpp"
+#include "firmware/messages/health_words.hpp"
 
 namespace earshot::journal_view {
 
@@ -134,10 +135,13 @@ void Timeline::note_content(const health_t& health, const Record& /*record*/) {
     for (Grown* counter : {&navigation_refused_, &snr_refused_, &status_refused_, &bearings_refused_, &bearings_of_others_})
       counter->is_told = false;
     for (Port& port : ports_) port.failures.is_told = false;
+    if (health.state == health_t::SEARCH) is_surprise_told_ = false;
   }
   const bool is_abort = health.state == health_t::ABORT;
   if (const std::string state = to_string(health, aborted_by_); state_.changes_to(state))
     tell(is_abort ? Severity::kWarning : Severity::kInformation, state);
+  if (health.surprise_bits >= messages::kSurprising_bits && !std::exchange(is_surprise_told_, true))
+    warn(std::string(messages::kIsSurprised) + " (surprise " + decimal(double{health.surprise_bits}, 1) + " bits)");
   is_over_ = health.end_reason != 0;
   note_refused(health);
 }

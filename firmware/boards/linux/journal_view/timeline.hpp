@@ -102,7 +102,8 @@ class Timeline {
   std::optional<Time> began_;
   Time now_;
   bool is_closed_ = false;
-  bool is_over_ = false;  ///< the mission
+  bool is_over_ = false;           ///< the mission
+  bool is_surprise_told_ = false;  ///< in this search
   AbortedBy aborted_by_ = AbortedBy::kOperator;
   std::optional<std::uint32_t> policy_crc32_;  ///< that the mission names
   std::optional<std::uint32_t> tables_crc32_;  ///< likewise

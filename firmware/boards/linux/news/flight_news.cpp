@@ -34,13 +34,14 @@ void write_chain(TextInto& line, const HeardChain& chain) {
 }
 
 /// What else there is to say about a state that has not ended.
-std::string_view remark_on(const messages::Health& health) {
+std::string_view remark_on(const messages::Health& health, bool is_surprised) {
   if (health.end_reason != messages::EndReason::kNone) return {};
   if (health.authority == messages::Authority::kDisconnected) return "the autopilot is not heard";
   if (health.authority == messages::Authority::kListen) return "listening: it commands nothing";
   if (health.is_paused) return "paused by an operator";
   if (health.is_found) return messages::kSaysFound;
-  return health.is_sweeping ? messages::kSweeps : std::string_view{};
+  if (health.is_sweeping) return messages::kSweeps;
+  return is_surprised ? messages::kIsSurprised : std::string_view{};
 }
 
 /// Of lines of which several may come at once: how far their time may run ahead.
@@ -187,7 +188,9 @@ void FlightNews::tell_chain(Time now, std::size_t port) {
 }
 
 void FlightNews::tell_state(Time now, const messages::Health& health) {
-  const std::string_view remark = remark_on(health);
+  const bool has_begun = state_ != health.state && health.state == messages::MissionState::kSearch;
+  is_surprised_ = (is_surprised_ && !has_begun) || health.surprise_bits >= messages::kSurprising_bits;
+  const std::string_view remark = remark_on(health, is_surprised_);
   if (state_ == health.state && (remark_ == remark || remark_due_ - now > kMostAhead)) return;
   if (state_ != health.state) {
     for (Refused* refused : {&navigation_, &snr_, &bearing_, &others_bearing_}) refused->is_told_in_state = false;

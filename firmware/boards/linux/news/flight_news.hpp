@@ -122,6 +122,7 @@ class FlightNews {
   std::array<Link, config::kMaxPorts> links_;
   std::optional<messages::MissionState> state_;
   std::string_view remark_;       ///< on it
+  bool is_surprised_ = false;     ///< in this search
   Time remark_due_;               ///< as of a link: an autopilot that comes and goes cannot flood
   std::optional<Limits> limits_;  ///< as far as a person knows
   Time limits_due_;

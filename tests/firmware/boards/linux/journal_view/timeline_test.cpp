@@ -85,6 +85,28 @@ TEST_F(TimelineTest, TellsAStateOnceHoweverLongItLasts) {
   EXPECT_EQ(tell(health), Lines{"SEARCH, paused by an operator"});
 }
 
+TEST_F(TimelineTest, TellsOnceInASearchThatItIsSurprisedAndWhenItBeginsToSweep) {
+  health_t health{};
+  health.state = health_t::SEARCH;
+  health.authority = health_t::COMMAND;
+  health.surprise_bits = 5.9F;
+  EXPECT_EQ(tell(health), Lines{"SEARCH"});
+  health.surprise_bits = 6.0F;
+  EXPECT_EQ(tell(health), Lines{"is surprised: what it hears is unlikely in every ocean of its tables (surprise 6.0 bits)"});
+  health.surprise_bits = 5.0F;
+  EXPECT_EQ(tell(health), Lines{});
+  health.surprise_bits = 7.0F;
+  EXPECT_EQ(tell(health), Lines{});
+  health.sweeping = 1;
+  EXPECT_EQ(tell(health), Lines{"SEARCH, sweeps the area: what it hears fits no ocean of its tables"});
+  EXPECT_EQ(tell(health), Lines{});
+  health = {};
+  (void)tell(health);
+  health.state = health_t::SEARCH;
+  health.surprise_bits = 6.5F;
+  EXPECT_EQ(tell(health).size(), 2U) << "another search";
+}
+
 /// What is told of the state and of the end when an ABORT ended the mission.
 health_t aborted() {
   health_t health{};
