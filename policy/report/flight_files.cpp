@@ -16,6 +16,7 @@
 #include "firmware/wire/lcm/conversion.hpp"
 #include "firmware/wire/lcm/encoding.hpp"
 #include "policy/description/json_fault.hpp"
+#include "policy/report/search_account.hpp"
 
 namespace earshot::report {
 namespace {
@@ -50,6 +51,7 @@ void check_summary(const std::filesystem::path& path, const nlohmann::json& summ
   const bool is_area =
       area.is_object() && is_place(area.value("south_west", nlohmann::json())) && is_place(area.value("north_east", nlohmann::json()));
   require("area", is_area, "two places: south_west, north_east");
+  if (const std::string fault = fault_in_account(summary); !fault.empty()) throw BadInput(path.string() + ": " + fault);
 }
 
 nlohmann::json read_summary(const std::filesystem::path& path) {

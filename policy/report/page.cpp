@@ -13,6 +13,7 @@
 #include "policy/report/recorded_flight.hpp"
 #include "policy/report/sea/sea_page.hpp"
 #include "policy/report/sea/sea_plots.hpp"
+#include "policy/report/search_account.hpp"
 #include "policy/report/sound/sound_plots.hpp"
 #include "sim/search/actions/compass_directions.hpp"
 #include "sim/search/settings.hpp"
@@ -24,18 +25,29 @@ using explain::fixed;
 
 constexpr std::size_t kRowsOfAttribution = 5;
 
+std::string account_paragraph(const SearchAccount& account) {
+  const std::string said = to_string(account);
+  return said.empty() ? "" : "<p>" + escaped(said) + "</p>\n";
+}
+
 /// The flight's summary counts a step that the source cut short as the others: one count, with a word about the last.
 std::string headline(const Flight& flight) {
   const nlohmann::json& s = flight.summary;
-  if (flight.sea) return sea_headline(*flight.sea, flight.journal);
+  if (flight.sea) return sea_headline(*flight.sea, flight.journal) + account_paragraph(flight.sea->account);
   if (s.is_null()) return "<h1 class=\"missed\">A flight without its end</h1>\n";
   const int steps = s.at("steps");
   const std::string count = std::to_string(steps) + (steps == 1 ? " step" : " steps");
-  std::string text = s.at("found").get<bool>() ? "<h1 class=\"found\">Source found after " + count + "</h1>\n"
-                                               : "<h1 class=\"missed\">Source not found in " + count + "</h1>\n";
-  if (!s.at("found").get<bool>()) text += "<p>The mission ended because: " + escaped(host::spelled_apart(s.at("end_reason"))) + "</p>\n";
+  const SearchAccount account = account_in(s);
+  std::string text;
+  if (s.at("found").get<bool>())
+    text = "<h1 class=\"found\">Source found after " + count + "</h1>\n";
+  else if (s.at("end_reason") == "declared_found" && account.declared_range_m)
+    text = "<h1 class=\"missed\">After " + count + " declared found" + declared_where(account) + "</h1>\n";
+  else
+    text = "<h1 class=\"missed\">Source not found in " + count +
+           "</h1>\n<p>The mission ended because: " + escaped(host::spelled_apart(s.at("end_reason"))) + "</p>\n";
   if (s.value("whole_steps", steps) < steps) text += "<p>The last step was cut short by the source.</p>\n";
-  return text + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
+  return text + account_paragraph(account) + "<p>Seed " + std::to_string(s.at("seed").get<std::uint64_t>()) + " &middot; mission " +
          escaped(s.at("mission").get<std::string>()) + " &middot; ocean " + escaped(s.at("environment").get<std::string>()) + "</p>\n";
 }
 

@@ -67,7 +67,10 @@ bool LockStepClock::answered(const runtime::Outputs& outputs, std::uint64_t setp
               .steps_taken = outputs.health.steps_taken,
               .state = static_cast<std::uint8_t>(outputs.health.state),
               .end_reason = static_cast<std::uint8_t>(outputs.health.end_reason),
-              .believed_source = believed_source_});
+              .believed_source = believed_source_,
+              .surprise_bits = outputs.health.surprise_bits,
+              .is_sweeping = outputs.health.is_sweeping,
+              .is_found = outputs.health.is_found});
   return outputs.health.state != messages::MissionState::kDone && outputs.health.state != messages::MissionState::kAbort;
 }
 

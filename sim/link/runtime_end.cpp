@@ -29,7 +29,10 @@ earshot_sim_Answer to_wire(const Answer& answer, RunId run) {
           .end_reason = answer.end_reason,
           .source_believed = answer.believed_source.has_value(),
           .source_north_m = answer.believed_source.value_or(NorthEast{}).north.value,
-          .source_east_m = answer.believed_source.value_or(NorthEast{}).east.value};
+          .source_east_m = answer.believed_source.value_or(NorthEast{}).east.value,
+          .surprise_bits = answer.surprise_bits,
+          .sweeping = answer.is_sweeping,
+          .found = answer.is_found};
 }
 
 }  // namespace

@@ -13,8 +13,11 @@ Answer from_wire(const earshot_sim_Answer& sample) {
           .steps_taken = sample.steps_taken,
           .state = sample.state,
           .end_reason = sample.end_reason,
-          .believed_source = sample.source_believed ? std::optional(NorthEast{Meters{sample.source_north_m}, Meters{sample.source_east_m}})
-                                                    : std::nullopt};
+          .believed_source =
+              sample.source_believed ? std::optional(NorthEast{Meters{sample.source_north_m}, Meters{sample.source_east_m}}) : std::nullopt,
+          .surprise_bits = sample.surprise_bits,
+          .is_sweeping = sample.sweeping,
+          .is_found = sample.found};
 }
 
 }  // namespace

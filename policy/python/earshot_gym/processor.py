@@ -1,4 +1,4 @@
-"""Whether this computer has the processor that the compiled part was built for: elsewhere it would die without a word."""
+"""Whether this computer has the processor that the compiled part was built for: elsewhere it would die silently."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ __all__ = ["require"]
 
 
 def require(built_for: Path, processor: Path = Path("/proc/cpuinfo")) -> None:
-    """ImportError where `processor` lacks one of the features that `built_for` names; no file of either kind says nothing."""
+    """ImportError where `processor` lacks a feature that `built_for` names; if a file is missing it says nothing."""
     if not built_for.is_file() or not processor.is_file():
         return
     needed = built_for.read_text(encoding="ascii").split()

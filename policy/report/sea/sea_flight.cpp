@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "earshot/command_acknowledgement_t.hpp"
+#include "earshot/decision_t.hpp"
 #include "earshot/health_t.hpp"
 #include "earshot/journal_resumed_t.hpp"
 #include "earshot/mission_t.hpp"
@@ -47,9 +48,18 @@ std::optional<SeaFlight> begun_with(const host::JournalRecord& record) {
   flight.area = {{Meters{mission.south_m}, Meters{mission.west_m}}, {Meters{mission.north_m}, Meters{mission.east_m}}};
   if (!is_finite(flight.area.south_west) || !is_finite(flight.area.north_east)) return std::nullopt;
   flight.threshold = Decibels{mission.detection_threshold_db};
+  flight.account.max_steps = static_cast<std::uint32_t>(mission.max_steps);
   const char* const build = reinterpret_cast<const char*>(mission.build);
   flight.build.assign(build, ::strnlen(build, std::size(mission.build)));
   return flight;
+}
+
+void note_account(const health_t& health, SearchAccount& account) {
+  const auto step = static_cast<std::uint32_t>(health.steps_taken);
+  account.surprise_bits = double{health.surprise_bits};
+  if (health.surprise_bits >= messages::kSurprising_bits && !account.surprised_step) account.surprised_step = step;
+  if (health.sweeping != 0 && !account.sweep_step) account.sweep_step = step;
+  if (health.found != 0 && !account.declared_step) account.declared_step = step;
 }
 
 void note_health(double time_s, const health_t& health, SeaFlight& flight) {
@@ -62,6 +72,9 @@ void note_health(double time_s, const health_t& health, SeaFlight& flight) {
   flight.counters.bearings_refused = static_cast<std::uint64_t>(health.bearings_refused);
   flight.counters.bearings_of_others = static_cast<std::uint64_t>(health.bearings_of_others);
   flight.counters.commands_refused = static_cast<std::uint64_t>(health.commands_refused);
+  if (flight.state == MissionState::kSearch && before != MissionState::kSearch)
+    flight.account = {.believes = flight.account.believes, .max_steps = flight.account.max_steps};
+  if (flight.state != MissionState::kStandby) note_account(health, flight.account);
   if (flight.state == before) return;
   const std::string reason = flight.end_reason == EndReason::kNone ? "" : std::string(": ") + flight.why_it_ended();
   flight.events.push_back({time_s, messages::to_string(flight.state) + reason});
@@ -102,6 +115,7 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
   flight.ended_s = std::max(flight.ended_s, time_s);
   messages::Input input;
   health_t health{};
+  decision_t decision{};
   command_acknowledgement_t acknowledgement{};
   safety_event_t event{};
   journal_resumed_t resumed{};
@@ -115,6 +129,8 @@ void note(const host::JournalRecord& record, SeaFlight& flight) {
       flight.is_stopped = true;
   } else if (record.channel == wire::kHealthChannel && wire::decode(record.data, health) == Status::kOk) {
     note_health(time_s, health, flight);
+  } else if (record.channel == wire::kDecisionChannel && wire::decode(record.data, decision) == Status::kOk) {
+    flight.account.believes = decision.believes != 0;
   } else if (record.channel == wire::kSafetyEventChannel && wire::decode(record.data, event) == Status::kOk) {
     flight.events.push_back({time_s, words_for(wire::from_message(event))});
   } else if (record.channel == wire::kJournalResumedChannel && wire::decode(record.data, resumed) == Status::kOk) {

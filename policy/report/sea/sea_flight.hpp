@@ -9,6 +9,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/core/units.hpp"
 #include "firmware/messages/health.hpp"
+#include "policy/report/search_account.hpp"
 
 namespace earshot::report {
 
@@ -47,6 +48,7 @@ struct SeaFlight {
   bool is_stopped = false;  ///< by a signal to its program, before it was over
   std::uint32_t steps_taken = 0;
   messages::Counters counters;           ///< the last
+  SearchAccount account;                 ///< of the last search
   std::optional<double> search_began_s;  ///< the first turn of the search
   std::optional<double> search_ended_s;  ///< the first turn after it
 

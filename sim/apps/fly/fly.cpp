@@ -34,6 +34,7 @@
 #include "sim/apps/fly/flight_progress.hpp"
 #include "sim/apps/fly/hearing/hear_option.hpp"
 #include "sim/apps/fly/hearing/sound.hpp"
+#include "sim/apps/fly/search_account.hpp"
 #include "sim/apps/fly/speed_option.hpp"
 #include "sim/link/run_slot.hpp"
 #include "sim/search/scenario/scenario_file.hpp"
@@ -181,18 +182,6 @@ void wait_for_both(ChildProcess& simulator, ChildProcess& runtime) {
   }
 }
 
-/// How a flight ended, for a person; summary.json holds the word.
-std::string outcome(const nlohmann::json& s) {
-  if (s.at("found").get<bool>()) return "source found";
-  const std::string reason = s.at("end_reason");
-  if (reason == "earshotd_lost") return "the flight was lost: earshotd ended or did not answer";
-  if (reason == "bus_lost") return "the flight was lost: a set-point did not arrive over the bus";
-  if (reason == "nothing_heard") return "the flight was lost: the vehicle's detector gave no SNR";
-  if (reason == "simulator_failed") return "the flight was lost: the simulator failed";
-  if (reason == "steps_used_up") return "source not found: all " + std::to_string(s.at("steps").get<int>()) + " steps taken";
-  return "source not found: " + host::spelled_apart(reason);
-}
-
 /// What a person should know of a flight that heard: its first minutes went by before the search.
 void print_hearing(const nlohmann::json& hearing) {
   std::printf("  heard       %s: %llu SNRs measured, %llu of them too faint; the first %.0f s at rest, to learn the noise of the sea\n",
@@ -209,11 +198,12 @@ void print_summary(const fs::path& out) {
   const double sim_time_s = s.at("sim_time_s");
   const Duration at_sea = Duration::milliseconds(std::llround(1e3 * sim_time_s));
   const double wall_time_s = s.at("wall_time_s");
-  std::printf("%s\n", outcome(s).c_str());
+  std::printf("%s\n", fly::outcome(s).c_str());
   std::printf("  reward      %.1f\n  steps       %d\n  detections  %d\n  distance    %.1f km\n", s.at("reward").get<double>(),
               s.at("steps").get<int>(), s.at("detections").get<int>(), s.at("distance_m").get<double>() / 1e3);
   std::printf("  time        %s at sea in %.2f s: %.0f times real time\n", fly::hours_and_minutes(at_sea).c_str(), wall_time_s,
               sim_time_s / std::max(wall_time_s, 1e-9));
+  std::printf("%s", fly::account_lines(s).c_str());
   if (s.contains("hearing")) print_hearing(s.at("hearing"));
 }
 

@@ -132,6 +132,7 @@ class Stepper {
                            .range = range,
                            .state = static_cast<messages::MissionState>(answer.state),
                            .steps_taken = answer.steps_taken};
+    result_.account.note(answer, range);
     record(point, static_cast<messages::EndReason>(answer.end_reason));
     if (sound_) sound_->note_motion(vehicle_.speed);
     if (live_.is_due()) show(point, answer.believed_source);

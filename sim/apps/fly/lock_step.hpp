@@ -13,6 +13,7 @@
 #include "sim/apps/fly/autopilot_bus.hpp"
 #include "sim/apps/fly/flight_record.hpp"
 #include "sim/apps/fly/hearing/sound.hpp"
+#include "sim/apps/fly/search_account.hpp"
 #include "sim/link/simulator_end.hpp"
 #include "sim/search/scenario/surroundings.hpp"
 #include "sim/vehicle/vehicle.hpp"
@@ -44,6 +45,7 @@ struct FlightResult {
   double wall_time_s = 0.0;  ///< from the first tick to the last answer
   vehicle::State end;
   Time search_began;             ///< when START was said
+  SearchAccount account;         ///< of what the vehicle said while it searched
   std::unique_ptr<Sound> sound;  ///< of a flight that hears
 };
 

@@ -196,7 +196,9 @@ nlohmann::ordered_json summary_of(const Options& o, const config::Mission& missi
                                  {"area", {{"south_west", place(area.south_west)}, {"north_east", place(area.north_east)}}},
                                  {"depth_m", mission.search_depth.value},
                                  {"step_length_m", mission.step_length.value},
+                                 {"max_steps", mission.max_steps},
                                  {"detection_threshold_db", mission.detection_threshold.value}};
+  summary.update(result.account.to_json());
   if (result.sound) summary["hearing"] = hearing_of(o, result);
   return summary;
 }

@@ -1,6 +1,9 @@
-"""The wheel of policy/python on a computer that has only Python: what it is linked with, and what a process that flies a search has loaded.
+"""The wheel of policy/python on a computer that has only Python.
 
-usage: test_wheel.py WHEEL ENVIRONMENT     ENVIRONMENT: a virtual environment into which the wheel is installed, of which nothing else is known
+What it is linked with, and what a process that flies a search has loaded.
+
+usage: test_wheel.py WHEEL ENVIRONMENT
+ENVIRONMENT: a virtual environment into which the wheel is installed, of which nothing else is known
 """
 
 import os
@@ -18,7 +21,7 @@ HILLY = ROOT / "policy/worlds/oceans/hilly.toml"  # its field library is a NetCD
 
 # Of the GNU C library; everything else must be in the wheel.
 LIBC = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
-# The library of positions on the globe is GeographicLib's, written in C++: it alone needs that language's own, and only when it is asked.
+# GeographicLib's positions on the globe are in C++: they alone need that language's own library, when they are asked.
 LIBCXX = {"libstdc++.so.6", "libgcc_s.so.1"}
 
 FLIGHT = """
@@ -50,6 +53,7 @@ class Wheel(unittest.TestCase):
         """Runs it far from the tree, with an environment that names nothing of this computer."""
         return subprocess.run(
             [ENVIRONMENT / "bin/python", "-c", program],
+            check=False,
             cwd=self.folder,
             env={"PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8", **environment},
             capture_output=True,
@@ -90,13 +94,17 @@ class Wheel(unittest.TestCase):
         for name in ("libnetcdf.so.19", "libnetcdf.so.22"):
             (self.folder / name).touch()  # the linker finds it before the computer's own, and cannot load it
         read = self.python(
-            f"import earshot_gym\ntry: earshot_gym.make_world(environment={str(HILLY)!r})\nexcept ValueError as bad: print(bad)",
+            "import earshot_gym\n"
+            f"try: earshot_gym.make_world(environment={str(HILLY)!r})\nexcept ValueError as bad: print(bad)",
             LD_LIBRARY_PATH=str(self.folder),
         )
         self.assertIn("libnetcdf is not installed: sudo apt install libnetcdf19", read.stdout, read.stderr)
 
     def test_refuses_a_processor_that_it_was_not_built_for(self):
-        program = "from pathlib import Path; from earshot_gym.processor import require; require(Path('built_for'), Path('cpuinfo'))"
+        program = (
+            "from pathlib import Path; from earshot_gym.processor import require; "
+            "require(Path('built_for'), Path('cpuinfo'))"
+        )
         (self.folder / "built_for").write_text("avx2 fma\n")
         (self.folder / "cpuinfo").write_text("processor\t: 0\nflags\t\t: fpu sse2 avx fma\n")
         refused = self.python(program)

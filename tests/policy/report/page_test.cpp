@@ -62,6 +62,25 @@ TEST_F(PageTest, CountsStepsOnceAndSaysThatTheSourceCutTheLastOneShort) {
   EXPECT_EQ(count(page(flight, {}, {}), "cut short"), 0U);
 }
 
+TEST_F(PageTest, SaysInItsHeadHowSurprisedTheVehicleWasThatItSweptAndThatItDeclaredWrongly) {
+  Flight flight = read_flight(folder_);
+  EXPECT_EQ(count(page(flight, {}, {}), "Surprise"), 0U) << "a summary of an earlier version";
+  flight.summary["surprise_bits"] = 13.25;
+  flight.summary["swept_from_step"] = 11;
+  flight.summary["max_steps"] = 100;
+  const std::string swept = page(flight, {}, {});
+  EXPECT_EQ(count(swept, "<p>The mission ended because: a test</p>"), 1U);
+  EXPECT_EQ(
+      count(swept, "<p>Surprise at the end: 13.2 bits. Swept from step 11 of 100 on: what it heard fitted no ocean of its tables.</p>"),
+      1U);
+  flight.summary["end_reason"] = "declared_found";
+  flight.summary["step_length_m"] = 1'000.0;
+  flight.summary["declared_found"] = {{"step", 3}, {"range_m", 1'020.6}};
+  const std::string declared = page(flight, {}, {});
+  EXPECT_EQ(count(declared, "<h1 class=\"missed\">After 3 steps declared found, wrongly: 1021 m from the source</h1>"), 1U);
+  EXPECT_EQ(count(declared, "The mission ended because"), 0U);
+}
+
 TEST_F(PageTest, OfAFlightWithoutItsPolicyStillListsEveryDecisionAndSaysWhatIsMissing) {
   fs::remove(folder_ / "journal.policy");
   const FlightExplanation explanation = explain_flight(folder_);

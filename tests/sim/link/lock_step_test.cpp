@@ -86,7 +86,10 @@ void answer_every_tick(std::uint64_t until) {
                .steps_taken = static_cast<std::uint32_t>(tick.time.us / 1'000'000),
                .state = tick.command,
                .end_reason = static_cast<std::uint8_t>(tick.snr ? tick.snr->value : 99.0),
-               .believed_source = tick.snr ? std::optional(NorthEast{Meters{1.5}, Meters{-tick.snr->value}}) : std::nullopt});
+               .believed_source = tick.snr ? std::optional(NorthEast{Meters{1.5}, Meters{-tick.snr->value}}) : std::nullopt,
+               .surprise_bits = 0.5F * static_cast<float>(tick.number),
+               .is_sweeping = tick.number % 2 == 1,
+               .is_found = tick.number % 3 == 0});
   }
 }
 
@@ -117,6 +120,9 @@ TEST(LockStep, EveryTickIsAnsweredInOrderWithWhatItSaid) {
     EXPECT_EQ(answer.state, n % 4);
     EXPECT_EQ(answer.end_reason, n % 2 == 0 ? 12 : 99);
     EXPECT_EQ(answer.believed_source, n % 2 == 0 ? std::optional(NorthEast{Meters{1.5}, Meters{-12.0}}) : std::nullopt);
+    EXPECT_EQ(answer.surprise_bits, 0.5F * static_cast<float>(n));
+    EXPECT_EQ(answer.is_sweeping, n % 2 == 1);
+    EXPECT_EQ(answer.is_found, n % 3 == 0);
   }
   int status = 0;
   waitpid(child, &status, 0);

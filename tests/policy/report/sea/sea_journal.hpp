@@ -33,6 +33,7 @@ class SeaJournal {
     mission.north_m = south_west.north.value + 25'000.0;
     mission.east_m = south_west.east.value + 25'000.0;
     mission.detection_threshold_db = 10.0;
+    mission.max_steps = 100;
     for (std::size_t i = 0; i < sizeof("of a test") - 1; ++i) mission.build[i] = static_cast<std::uint8_t>("of a test"[i]);
     append(0, wire::kMissionChannel, wire::Encoded(mission), host::Weight::kOrder);
   }
@@ -53,6 +54,16 @@ class SeaJournal {
     health.counters.snr_refused = 4;
     health.counters.bearings_refused = 2;
     health.counters.bearings_of_others = 3;
+    append(s, wire::kHealthChannel, wire::Encoded(wire::to_message(health, at(s))), host::Weight::kOrder);
+  }
+  /// Of a search.
+  void health(double s, std::uint32_t steps, float surprise_bits, bool is_sweeping, bool is_found) {
+    messages::Health health;
+    health.state = messages::MissionState::kSearch;
+    health.steps_taken = steps;
+    health.surprise_bits = surprise_bits;
+    health.is_sweeping = is_sweeping;
+    health.is_found = is_found;
     append(s, wire::kHealthChannel, wire::Encoded(wire::to_message(health, at(s))), host::Weight::kOrder);
   }
   void resume(double s) {

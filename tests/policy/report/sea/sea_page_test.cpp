@@ -51,6 +51,23 @@ TEST_F(SeaPageTest, SaysHowAndWhyTheSearchEndedAndWhenTheFlightWas) {
   EXPECT_FALSE(has(text, "A flight without its end"));
 }
 
+TEST_F(SeaPageTest, SaysHowSurprisedTheVehicleWasThatItSweptAndThatItDeclared) {
+  {
+    SeaJournal journal(folder_ / kJournalName);
+    decision_t believing{};
+    believing.believes = 1;
+    journal.decision(10, believing);
+    journal.health(10, 0, 1.0F, false, false);
+    journal.health(20, 9, 6.0F, false, false);
+    journal.health(30, 11, 12.0F, true, false);
+    journal.health(40, 34, 11.5F, true, true);
+    journal.end(wire::Ending::kStopped);
+  }
+  EXPECT_TRUE(has(page_of_it(),
+                  "<p>Surprise at the end: 11.5 bits; from step 9 on what it heard was unlikely in every ocean of its tables. Swept from "
+                  "step 11 of 100 on: what it heard fitted no ocean of its tables. Declared found at step 34.</p>"));
+}
+
 TEST_F(SeaPageTest, IsOfTheFirstOfSeveralJournalsUnlessAnotherIsNamed) {
   fly_until(MissionState::kDone, EndReason::kCompleted);
   EXPECT_TRUE(read_flight(folder_).others.empty());

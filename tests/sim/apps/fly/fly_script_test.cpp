@@ -58,7 +58,7 @@ TEST_F(FlyScript, HandsItsArgumentsOnWordForWord) {
   EXPECT_NE(arguments_of("--out 'the --mission of --environment b'").find("the --mission of --environment b\n"), std::string::npos);
 }
 
-TEST(FlyScriptHelp, NamesEveryOptionOfEarshotFly) {
+TEST(FlyScriptHelp, NamesEveryOptionOfEarshotFlyAndEveryFileThatAFlightLeaves) {
   const support::TemporaryFolder folder;
   support::Process program(fs::path(EARSHOT_BIN_DIR) / "earshot-fly", {"--help"}, folder / "program");
   ASSERT_EQ(program.wait(10s), 0);
@@ -69,6 +69,11 @@ TEST(FlyScriptHelp, NamesEveryOptionOfEarshotFly) {
   const std::regex name("\n  (?:-h,)?(--[a-z-]+)");
   for (std::sregex_iterator option(options.begin(), options.end(), name); option != std::sregex_iterator(); ++option)
     EXPECT_NE(help.find((*option)[1].str()), std::string::npos) << (*option)[1];
+  const std::regex file(R"(\w+\.(lcmlog|policy|tables|csv|json|html))");
+  std::size_t files = 0;
+  for (std::sregex_iterator left(options.begin(), options.end(), file); left != std::sregex_iterator(); ++left, ++files)
+    EXPECT_NE(help.find(left->str()), std::string::npos) << left->str();
+  EXPECT_EQ(files, 10U) << "report.html at --no-report, too";
 }
 
 }  // namespace

@@ -1,0 +1,87 @@
+#include "policy/report/search_account.hpp"
+
+#include <cmath>
+
+#include "policy/explain/wording.hpp"
+
+namespace earshot::report {
+namespace {
+
+using explain::fixed;
+
+constexpr std::uint64_t kMostSteps = 1'000'000'000;
+constexpr double kMostNumber = 1e15;
+
+/// What a summary says under a key; null where it has none.
+nlohmann::json value_in(const nlohmann::json& table, const char* key) {
+  return table.value(key, nlohmann::json());
+}
+
+bool is_number(const nlohmann::json& value) {
+  return value.is_number() && std::abs(value.get<double>()) <= kMostNumber;
+}
+
+bool is_step(const nlohmann::json& value) {
+  return value.is_number_unsigned() && value.get<std::uint64_t>() <= kMostSteps;
+}
+
+template <class Value>
+std::optional<Value> known(const nlohmann::json& value) {
+  return value.is_null() ? std::nullopt : std::optional(value.get<Value>());
+}
+
+std::string step_to_string(std::uint32_t step) {
+  return "step " + std::to_string(step);
+}
+
+}  // namespace
+
+std::string fault_in_account(const nlohmann::json& summary) {
+  for (const char* key : {"surprise_bits", "step_length_m"})
+    if (const nlohmann::json value = value_in(summary, key); !value.is_null() && !is_number(value))
+      return std::string(key) + ": must be a number";
+  for (const char* key : {"surprised_from_step", "swept_from_step", "max_steps"})
+    if (const nlohmann::json value = value_in(summary, key); !value.is_null() && !is_step(value))
+      return std::string(key) + ": must be a whole number, 0 to 1000000000";
+  const nlohmann::json declared = value_in(summary, "declared_found");
+  const bool is_declaration = declared.is_object() && is_step(value_in(declared, "step")) && is_number(value_in(declared, "range_m"));
+  return declared.is_null() || is_declaration ? "" : "declared_found: must be step, range_m";
+}
+
+SearchAccount account_in(const nlohmann::json& summary) {
+  const nlohmann::json surprise = value_in(summary, "surprise_bits");
+  SearchAccount account{.believes = !surprise.is_null(),
+                        .surprise_bits = surprise.is_null() ? 0.0 : surprise.get<double>(),
+                        .surprised_step = known<std::uint32_t>(value_in(summary, "surprised_from_step")),
+                        .sweep_step = known<std::uint32_t>(value_in(summary, "swept_from_step")),
+                        .max_steps = known<std::uint32_t>(value_in(summary, "max_steps")),
+                        .step_length_m = known<double>(value_in(summary, "step_length_m"))};
+  if (const nlohmann::json declared = value_in(summary, "declared_found"); !declared.is_null()) {
+    account.declared_step = declared.at("step").get<std::uint32_t>();
+    account.declared_range_m = declared.at("range_m").get<double>();
+  }
+  return account;
+}
+
+std::string declared_where(const SearchAccount& account) {
+  if (!account.declared_range_m) return "";
+  const bool is_wrong = account.step_length_m && *account.declared_range_m > *account.step_length_m;
+  return (is_wrong ? ", wrongly: " : ": ") + fixed(*account.declared_range_m, 0) + " m from the source";
+}
+
+std::string to_string(const SearchAccount& account) {
+  std::string text;
+  const auto say = [&text](const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence + "."; };
+  if (account.believes)
+    say("Surprise at the end: " + fixed(account.surprise_bits, 1) + " bits" +
+        (account.surprised_step
+             ? "; from " + step_to_string(*account.surprised_step) + " on what it heard was unlikely in every ocean of its tables"
+             : ""));
+  if (account.sweep_step)
+    say("Swept from " + step_to_string(*account.sweep_step) + (account.max_steps ? " of " + std::to_string(*account.max_steps) : "") +
+        " on: what it heard fitted no ocean of its tables");
+  if (account.declared_step) say("Declared found at " + step_to_string(*account.declared_step) + declared_where(account));
+  return text;
+}
+
+}  // namespace earshot::report

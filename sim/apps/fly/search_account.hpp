@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "firmware/core/units.hpp"
+#include "sim/link/messages.hpp"
+
+namespace earshot::fly {
+
+/// What a vehicle said of its search while it flew: how surprised it was, whether it swept the area, and whether it declared the source
+/// found.
+class SearchAccount {
+ public:
+  /// @param range  from the vehicle to the source, which the vehicle does not know
+  void note(const link::Answer& answer, Meters range);
+  /// The keys of summary.json. A surprise is null where the policy holds no belief, a step where it did not come to that.
+  [[nodiscard]] nlohmann::ordered_json to_json() const;
+
+ private:
+  struct Declaration {
+    std::uint32_t step = 0;
+    Meters range;
+  };
+  bool believes_ = false;
+  float surprise_bits_ = 0.0F;
+  std::optional<std::uint32_t> surprised_step_;
+  std::optional<std::uint32_t> sweep_step_;
+  std::optional<Declaration> declaration_;  ///< the first
+};
+
+/// How a flight ended, for a person; its summary holds the word.
+[[nodiscard]] std::string outcome(const nlohmann::json& summary);
+
+/// What the vehicle said of its search, a line each; a summary of an earlier version says nothing of it.
+[[nodiscard]] std::string account_lines(const nlohmann::json& summary);
+
+}  // namespace earshot::fly

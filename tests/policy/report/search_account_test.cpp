@@ -1,0 +1,36 @@
+#include "policy/report/search_account.hpp"
+
+#include <gtest/gtest.h>
+
+namespace earshot::report {
+namespace {
+
+TEST(SearchAccountInReport, SaysSurpriseSweepAndDeclarationInOneParagraph) {
+  const nlohmann::json summary{{"surprise_bits", 13.25},   {"surprised_from_step", 9U},
+                               {"swept_from_step", 11U},   {"max_steps", 100U},
+                               {"step_length_m", 1'000.0}, {"declared_found", {{"step", 34U}, {"range_m", 1'020.6}}}};
+  ASSERT_EQ(fault_in_account(summary), "");
+  EXPECT_EQ(to_string(account_in(summary)),
+            "Surprise at the end: 13.2 bits; from step 9 on what it heard was unlikely in every ocean of its tables. Swept from step 11 of "
+            "100 on: what it heard fitted no ocean of its tables. Declared found at step 34, wrongly: 1021 m from the source.");
+}
+
+TEST(SearchAccountInReport, CallsADeclarationWrongFromMoreThanAStepLengthOn) {
+  EXPECT_EQ(declared_where({.declared_range_m = 1'000.0, .step_length_m = 1'000.0}), ": 1000 m from the source");
+  EXPECT_EQ(declared_where({.declared_range_m = 1'001.0, .step_length_m = 1'000.0}), ", wrongly: 1001 m from the source");
+  EXPECT_EQ(to_string({.declared_step = 7}), "Declared found at step 7.") << "at sea nobody knows where the source was";
+}
+
+TEST(SearchAccountInReport, SaysNothingOfASummaryOfAnEarlierVersionOrOfAPolicyWithoutABelief) {
+  EXPECT_EQ(to_string(account_in({{"found", false}})), "");
+  EXPECT_EQ(to_string(account_in({{"surprise_bits", nullptr}, {"declared_found", nullptr}})), "");
+}
+
+TEST(SearchAccountInReport, RefusesWhatIsNoStepNoNumberAndNoDeclaration) {
+  EXPECT_EQ(fault_in_account({{"surprise_bits", "much"}}), "surprise_bits: must be a number");
+  EXPECT_EQ(fault_in_account({{"swept_from_step", -1}}), "swept_from_step: must be a whole number, 0 to 1000000000");
+  EXPECT_EQ(fault_in_account({{"declared_found", {{"step", 3}}}}), "declared_found: must be step, range_m");
+}
+
+}  // namespace
+}  // namespace earshot::report

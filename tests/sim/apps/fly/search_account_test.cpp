@@ -1,0 +1,57 @@
+#include "sim/apps/fly/search_account.hpp"
+
+#include <gtest/gtest.h>
+
+namespace earshot::fly {
+namespace {
+
+constexpr NorthEast kSomewhere{Meters{1'000.0}, Meters{2'000.0}};
+
+/// Of 100 steps of 1 km, which were all taken.
+nlohmann::json summary_with(const SearchAccount& account) {
+  nlohmann::json s{{"found", false}, {"end_reason", "steps_used_up"}, {"steps", 100}, {"max_steps", 100}, {"step_length_m", 1'000.0}};
+  s.update(nlohmann::json(account.to_json()));
+  return s;
+}
+
+TEST(SearchAccount, SaysFromWhichStepOnASearchWasSurprisedAndSweptAndHowSurprisedItEnded) {
+  SearchAccount account;
+  account.note({.steps_taken = 8, .believed_source = kSomewhere, .surprise_bits = 5.9F}, Meters{9'000.0});
+  account.note({.steps_taken = 9, .believed_source = kSomewhere, .surprise_bits = 6.0F}, Meters{9'000.0});
+  account.note({.steps_taken = 11, .believed_source = kSomewhere, .surprise_bits = 12.0F, .is_sweeping = true}, Meters{9'000.0});
+  account.note({.steps_taken = 100, .believed_source = kSomewhere, .surprise_bits = 13.25F, .is_sweeping = true}, Meters{9'000.0});
+  EXPECT_EQ(account.to_json().dump(), R"({"surprise_bits":13.25,"surprised_from_step":9,"swept_from_step":11,"declared_found":null})");
+  EXPECT_EQ(outcome(summary_with(account)), "source not found: all 100 steps taken");
+  EXPECT_EQ(account_lines(summary_with(account)),
+            "  surprise    13.2 bits at the end; from step 9 on what it heard was unlikely in every ocean of its tables\n"
+            "  swept       from step 11 of 100 on: what it heard fitted no ocean of its tables\n");
+}
+
+TEST(SearchAccount, SaysNothingOfSurpriseWhereThePolicyHoldsNoBelief) {
+  SearchAccount account;
+  account.note({.steps_taken = 3}, Meters{9'000.0});
+  EXPECT_EQ(account.to_json().dump(), R"({"surprise_bits":null,"surprised_from_step":null,"swept_from_step":null,"declared_found":null})");
+  EXPECT_EQ(account_lines(summary_with(account)), "");
+  EXPECT_EQ(account_lines({{"found", true}}), "") << "a summary of an earlier version";
+}
+
+TEST(SearchAccount, SaysHowFarFromTheSourceItDeclaredItFoundFirstAndWhetherWrongly) {
+  SearchAccount account;
+  account.note({.steps_taken = 34, .is_found = true}, Meters{1'020.6});
+  account.note({.steps_taken = 35, .is_found = true}, Meters{400.0});
+  nlohmann::json s = summary_with(account);
+  EXPECT_EQ(account_lines(s), "  declared    found at step 34, wrongly: 1021 m from the source\n");
+  s["end_reason"] = "declared_found";
+  EXPECT_EQ(outcome(s), "declared found, wrongly: 1021 m from the source");
+  s["declared_found"]["range_m"] = 1'000.0;
+  EXPECT_EQ(account_lines(s), "  declared    found at step 34: 1000 m from the source\n");
+}
+
+TEST(SearchAccount, SaysInWordsWhyAFlightWasLostOrEnded) {
+  EXPECT_EQ(outcome({{"found", true}, {"end_reason", "declared_found"}}), "source found");
+  EXPECT_EQ(outcome({{"found", false}, {"end_reason", "bus_lost"}}), "the flight was lost: a set-point did not arrive over the bus");
+  EXPECT_EQ(outcome({{"found", false}, {"end_reason", "time_used_up"}}), "source not found: time used up");
+}
+
+}  // namespace
+}  // namespace earshot::fly
