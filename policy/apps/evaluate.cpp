@@ -219,6 +219,7 @@ struct Task {
   search::SearchSettings settings;
   Meters depth;
   std::string trained_by;  ///< name of the candidate whose training holds where nothing else is given; empty: nobody's
+  std::string as_trained;  ///< " (as fixed.policy was trained)"; of a policy without a network, which nobody trains, "is made for"
 };
 
 /// @param leading  the candidate whose training counts; null: none
@@ -228,7 +229,10 @@ Task task_of(const command_line::ScenarioOptions& given, std::span<const evaluat
   Task task{.options = command_line::with_trained(given, trained),
             .settings = evaluate::settings_of(candidates),
             .depth = {},
-            .trained_by = trained.source ? leading->name : ""};
+            .trained_by = trained.source ? leading->name : "",
+            .as_trained = ""};
+  if (trained.source)
+    task.as_trained = " (as " + leading->name + (policy::has_network(leading->learned->network) ? " was trained)" : " is made for)");
   task.depth = Meters{task.options.vehicle_depth_m.value_or(300.0)};
   task.settings.placement = search::SourcePlacement::kChanging;  // where neither an option nor a training says it
   if (trained.border_reward) task.settings.border_reward = *trained.border_reward;
@@ -244,7 +248,7 @@ NorthEast source_of(const evaluate::Candidate* leading, const ocean::Environment
 /// "source fixed at 10000 m north, 10000 m east (as fixed.policy was trained); starts domain (as fixed.policy was trained); ..."
 std::string what_is_searched(const command_line::ScenarioOptions& given, const Task& task) {
   const search::SearchSettings& settings = task.settings;
-  const auto unless = [&](bool is_given) { return is_given || task.trained_by.empty() ? "" : " (as " + task.trained_by + " was trained)"; };
+  const auto unless = [&](bool is_given) { return is_given ? std::string() : task.as_trained; };
   std::ostringstream text;
   text << "source " << search::name_of(settings.placement);
   if (settings.placement == search::SourcePlacement::kFixed)
