@@ -113,21 +113,6 @@ TEST_F(FlightNewsTest, TellsWhetherASearchCommandsAndIsPausedEachOnce) {
             "earshotd: 2026-11-18 11:06:47 UTC: ABORT, an operator aborted it, after 0 steps\n");
 }
 
-TEST_F(FlightNewsTest, SaysOnceThatASearchIsSurprisedAndThatItSweeps) {
-  Health h = health(MissionState::kSearch);
-  news_->tell(kUtc, h);
-  h.surprise_bits = 6.0F;
-  news_->tell(kUtc + Duration::seconds(20), h);
-  h.surprise_bits = 5.0F;
-  news_->tell(kUtc + Duration::seconds(40), h);
-  h.is_sweeping = true;
-  news_->tell(kUtc + Duration::seconds(60), h);
-  EXPECT_EQ(all_told(),
-            "earshotd: 2026-11-18 11:06:40 UTC: SEARCH\n"
-            "earshotd: 2026-11-18 11:07:00 UTC: SEARCH, is surprised: what it hears is unlikely in every ocean of its tables\n"
-            "earshotd: 2026-11-18 11:07:40 UTC: SEARCH, sweeps the area: what it hears fits no ocean of its tables\n");
-}
-
 TEST_F(FlightNewsTest, IsNotFloodedByAnAutopilotThatComesAndGoes) {
   messages::Health standby = health(MissionState::kStandby);
   for (int s = 0; s < 40; ++s) {
