@@ -171,7 +171,7 @@ TEST_F(Programs, EvaluateSearchesForTheSourceThatAPolicyWasTrainedWith) {
   EXPECT_EQ(content(folder / "err"), "");
   ASSERT_EQ(run("evaluate --policies shipped --episodes 1 --json changing.json"), 0) << content(folder / "err");
   EXPECT_EQ(nlohmann::json::parse(content(folder / "changing.json"))["source"], "changing");
-  EXPECT_TRUE(content(folder / "out").starts_with("source changing (as shipped is made for); starts ")) << "it has no network to train";
+  EXPECT_TRUE(content(folder / "out").starts_with("source changing (as shipped is made for); hears ")) << "it has no network to train";
 }
 
 TEST_F(Programs, EvaluateShowsOnATerminalHowFarItIs) {
