@@ -1,6 +1,6 @@
 """Commands that are left out, each for a reason, where READMEs are run with programs that lack something.
 
-A line of the file is `README | how the command begins | reason`; of a README's Python the beginning is that of the code.
+A line of the file is `README | how the command begins | reason`; of a README's Python it is how the code begins.
 Lines that begin with # say nothing. Whatever stands in it must still be a command of that README.
 """
 

@@ -1,7 +1,7 @@
 """Writes earshot_VERSION_ARCHITECTURE.spdx.json, the bill of materials (SPDX 2.3) of the Debian packages in a folder.
 
 It names every file of every package with its checksums, what the packages need where they are installed, and what they
-were built with: the group "build" of toolchains/packages.txt in the versions of this machine. Same packages, same bytes.
+were built with: the group "build" of toolchains/packages.txt, in this machine's versions. Same packages, same bytes.
 
 usage: bill_of_materials.py FOLDER VERSION SECONDS     SECONDS since 1970 stand in it as the time of its making
 """
