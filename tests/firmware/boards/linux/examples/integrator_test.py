@@ -96,6 +96,8 @@ class Integrator(unittest.TestCase):
         shutil.copytree(EXAMPLE, cls.mine)
         run(
             "cmake",
+            "-G",
+            "Ninja",
             "-S",
             cls.mine,
             "-B",
