@@ -10,6 +10,7 @@
 #include "firmware/boards/cortex_m7/machine.hpp"
 #include "firmware/boards/cortex_m7/stack.hpp"
 #include "firmware/config/capacities.hpp"
+#include "firmware/core/big_endian.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/wire/journal/input_record.hpp"
 #include "firmware/wire/lcm/channels.hpp"
@@ -19,12 +20,6 @@
 
 namespace earshot::board {
 namespace {
-
-std::uint64_t load(std::span<const std::uint8_t> bytes) {
-  std::uint64_t value = 0;
-  for (const std::uint8_t byte : bytes) value = (value << 8U) | byte;
-  return value;
-}
 
 /// Of the store: policy and tables have a half each.
 std::span<std::uint8_t> place_of_policy() {
@@ -155,8 +150,8 @@ __attribute__((noinline)) void FlightBoard::say(const messages::Input& input) {
 
 void FlightBoard::keep_piece(std::span<const std::uint8_t> piece, std::span<std::uint8_t> place, Incoming& file) {
   if (piece.size() < wire::kPieceHeadBytes) return;
-  const auto offset = static_cast<std::size_t>(load(piece.first(4)));
-  const auto size = static_cast<std::size_t>(load(piece.subspan(4, 4)));
+  const auto offset = static_cast<std::size_t>(load_big_endian(piece.first(4)));
+  const auto size = static_cast<std::size_t>(load_big_endian(piece.subspan(4, 4)));
   const std::span<const std::uint8_t> bytes = piece.subspan(wire::kPieceHeadBytes);
   if (size > place.size() || offset > size || bytes.size() > size - offset) return;
   std::copy(bytes.begin(), bytes.end(), place.begin() + static_cast<std::ptrdiff_t>(offset));
@@ -181,9 +176,9 @@ void FlightBoard::arm(Time time, std::span<const std::uint8_t> bytes) {
 }
 
 void FlightBoard::turn(Time now, std::span<const std::uint8_t> count) {
-  if (count.size() != sizeof(std::uint64_t) || load(count) != taken_) {
+  if (count.size() != sizeof(std::uint64_t) || load_big_endian(count) != taken_) {
     report(now, board_t::INPUTS_LOST);
-    if (count.size() == sizeof(std::uint64_t)) taken_ = load(count);
+    if (count.size() == sizeof(std::uint64_t)) taken_ = load_big_endian(count);
   }
   const std::uint32_t began = machine::microseconds();
   const runtime::Outputs outputs = runtime_.step(now);

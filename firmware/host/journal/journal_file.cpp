@@ -199,7 +199,8 @@ PartBegun JournalFile::begin_part(bool is_to_survive) {
     next = FileDescriptor(::open(name, O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL | O_NOFOLLOW, 0644));
   } while (next.number() < 0 && errno == EEXIST);
   if (next.number() < 0) return refuse_part();
-  const journal_part_t part{.part = number, .first_record_crc32 = static_cast<std::int32_t>(load(std::span(beginning_).subspan(4)))};
+  const journal_part_t part{.part = number,
+                            .first_record_crc32 = static_cast<std::int32_t>(load_big_endian(std::span(beginning_).subspan(4)))};
   const wire::Encoded data(part);
   const LoneRecord record(0, Time{}, wire::kJournalPartChannel, data.bytes());
   const bool is_held = !can_hold_ || ::fallocate(next.number(), FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(2 * kJournalReserveBytes)) == 0;

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/core/big_endian.hpp"
 #include "firmware/core/time.hpp"
 
 namespace earshot::host {
@@ -17,23 +18,13 @@ inline constexpr std::string_view kRecordSyncBytes = "\xED\xA1\xDA\x01";  ///< a
 inline constexpr std::size_t kRecordHeaderSize = 28;                      ///< sync, checksum, number, time, channel length, data length
 inline constexpr std::size_t kCheckedFrom = 8;                            ///< the checksum covers the record from here to its end
 
-inline void store(std::span<std::uint8_t> bytes, std::uint64_t value) {
-  for (std::size_t i = bytes.size(); i-- > 0; value >>= 8U) bytes[i] = static_cast<std::uint8_t>(value);
-}
-
-[[nodiscard]] inline std::uint64_t load(std::span<const std::uint8_t> bytes) {
-  std::uint64_t value = 0;
-  for (const std::uint8_t byte : bytes) value = (value << 8U) | byte;
-  return value;
-}
-
 /// Writes a field of a record header and moves on to the next.
 struct HeaderWriter {
   std::array<std::uint8_t, kRecordHeaderSize>& header;
   std::size_t at = 0;
 
   void field(std::size_t size, std::uint64_t value) {
-    store(std::span(header).subspan(at, size), value);
+    store_big_endian(std::span(header).subspan(at, size), value);
     at += size;
   }
 };

@@ -21,19 +21,19 @@ constexpr std::size_t kMostOfFirstRecord_bytes = std::size_t{1} << 20U;
 /// The record that a file begins with. Empty: none does.
 std::vector<std::uint8_t> first_record(InputFile& file) {
   std::vector<std::uint8_t> bytes(kRecordHeaderSize);
-  if (file.read(bytes) < bytes.size() || load(std::span(bytes).first(4)) != kRecordSync) return {};
-  const std::uint64_t more = load(std::span(bytes).subspan(20, 4)) + load(std::span(bytes).subspan(24, 4));
+  if (file.read(bytes) < bytes.size() || load_big_endian(std::span(bytes).first(4)) != kRecordSync) return {};
+  const std::uint64_t more = load_big_endian(std::span(bytes).subspan(20, 4)) + load_big_endian(std::span(bytes).subspan(24, 4));
   if (more > kMostOfFirstRecord_bytes) return {};
   bytes.resize(kRecordHeaderSize + more);
   const std::size_t count = file.read(std::span(bytes).subspan(kRecordHeaderSize));
-  const bool is_whole = count == more && load(std::span(bytes).subspan(4, 4)) == crc32(std::span(bytes).subspan(kCheckedFrom));
+  const bool is_whole = count == more && load_big_endian(std::span(bytes).subspan(4, 4)) == crc32(std::span(bytes).subspan(kCheckedFrom));
   return is_whole ? bytes : std::vector<std::uint8_t>();
 }
 
 /// What the first record of a later part says. Nothing: it is no such record.
 std::optional<journal_part_t> beginning_of_part(std::span<const std::uint8_t> record) {
   if (record.empty()) return std::nullopt;
-  const std::size_t channel_size = load(record.subspan(20, 4));
+  const std::size_t channel_size = load_big_endian(record.subspan(20, 4));
   const std::string_view channel(reinterpret_cast<const char*>(record.data()) + kRecordHeaderSize, channel_size);
   journal_part_t beginning{};
   if (channel != wire::kJournalPartChannel || wire::decode(record.subspan(kRecordHeaderSize + channel_size), beginning) != Status::kOk)
@@ -53,7 +53,7 @@ std::filesystem::path linked_file(const std::filesystem::path& path) {
 
 JournalParts::JournalParts(const std::filesystem::path& first) : first_(linked_file(first)), file_(first, kAnySize) {
   if (const std::vector<std::uint8_t> record = first_record(file_); !record.empty())
-    id_ = static_cast<std::uint32_t>(load(std::span(record).subspan(4, 4)));
+    id_ = static_cast<std::uint32_t>(load_big_endian(std::span(record).subspan(4, 4)));
   file_.go_to(0);
   size_ = file_.size();
   while (const std::optional<Opened> part = next_part()) {

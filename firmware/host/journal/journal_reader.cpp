@@ -37,21 +37,21 @@ JournalReader::Found JournalReader::look(std::uint64_t& size) {
   std::span<const std::uint8_t> rest = look_ahead(kRecordHeaderSize);
   if (rest.empty()) return Found::kNothing;
   if (rest.size() < kRecordHeaderSize) return Found::kBeginning;
-  if (load(rest.first(4)) != kRecordSync) return Found::kOther;
-  const std::uint64_t channel_size = load(rest.subspan(20, 4));
-  const std::uint64_t data_size = load(rest.subspan(24, 4));
+  if (load_big_endian(rest.first(4)) != kRecordSync) return Found::kOther;
+  const std::uint64_t channel_size = load_big_endian(rest.subspan(20, 4));
+  const std::uint64_t data_size = load_big_endian(rest.subspan(24, 4));
   if (channel_size < 1 || channel_size > wire::kMaxChannelLength || data_size > config::kLcmMessageBytes) return Found::kOther;
   size = kRecordHeaderSize + channel_size + data_size;
   rest = look_ahead(size);
   if (rest.size() < size) return Found::kBeginning;
-  return load(rest.subspan(4, 4)) == checksum_of(rest) ? Found::kRecord : Found::kOther;
+  return load_big_endian(rest.subspan(4, 4)) == checksum_of(rest) ? Found::kRecord : Found::kOther;
 }
 
 std::uint32_t JournalReader::checksum_of(std::span<const std::uint8_t> record) {
   if (is_doubtful_) return sums_.of(std::span(window_).first(filled_), at_ + kCheckedFrom, at_ + record.size());
   const std::uint32_t sum = crc32(record.subspan(kCheckedFrom));
   checked_bytes_ += record.size() - kCheckedFrom;
-  is_doubtful_ = load(record.subspan(4, 4)) != sum;
+  is_doubtful_ = load_big_endian(record.subspan(4, 4)) != sum;
   return sum;
 }
 
@@ -71,10 +71,10 @@ bool JournalReader::pass_over(std::uint64_t& passed) {
 }
 
 void JournalReader::keep(std::span<const std::uint8_t> bytes, JournalRecord& record) const {
-  const auto channel = bytes.subspan(kRecordHeaderSize, load(bytes.subspan(20, 4)));
+  const auto channel = bytes.subspan(kRecordHeaderSize, load_big_endian(bytes.subspan(20, 4)));
   const auto data = bytes.subspan(kRecordHeaderSize + channel.size());
-  record.number = static_cast<std::uint32_t>(load(bytes.subspan(8, 4)));
-  record.time = Time{static_cast<std::int64_t>(load(bytes.subspan(12, 8)))};
+  record.number = static_cast<std::uint32_t>(load_big_endian(bytes.subspan(8, 4)));
+  record.time = Time{static_cast<std::int64_t>(load_big_endian(bytes.subspan(12, 8)))};
   record.channel.assign(channel.begin(), channel.end());
   record.data.assign(data.begin(), data.end());
 }

@@ -69,9 +69,9 @@ Bytes good_journal(const std::filesystem::path& path) {
 /// As somebody would who means harm.
 void mend_checksums(std::span<std::uint8_t> journal) {
   while (journal.size() >= host::kRecordHeaderSize) {
-    const std::uint64_t size = host::kRecordHeaderSize + host::load(journal.subspan(20, 4)) + host::load(journal.subspan(24, 4));
+    const std::uint64_t size = host::kRecordHeaderSize + load_big_endian(journal.subspan(20, 4)) + load_big_endian(journal.subspan(24, 4));
     if (size > journal.size()) return;
-    host::store(journal.subspan(4, 4), crc32(journal.subspan(host::kCheckedFrom, size - host::kCheckedFrom)));
+    store_big_endian(journal.subspan(4, 4), crc32(journal.subspan(host::kCheckedFrom, size - host::kCheckedFrom)));
     journal = journal.subspan(size);
   }
 }

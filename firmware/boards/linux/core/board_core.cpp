@@ -10,6 +10,7 @@
 #include "earshot/health_t.hpp"
 #include "earshot/safety_event_t.hpp"
 #include "earshot/setpoint_t.hpp"
+#include "firmware/core/big_endian.hpp"
 #include "firmware/core/crc32.hpp"
 #include "firmware/host/file/bad_input.hpp"
 #include "firmware/host/file/printable.hpp"
@@ -24,10 +25,6 @@ namespace earshot::board {
 namespace {
 
 constexpr int kArmingTakesLonger = 20;
-
-void store(std::span<std::uint8_t> bytes, std::uint64_t value) {
-  for (std::size_t i = bytes.size(); i-- > 0; value >>= 8U) bytes[i] = static_cast<std::uint8_t>(value);
-}
 
 template <class Message>
 Message read(const wire::FramedRecord& record) {
@@ -81,7 +78,7 @@ void BoardCore::take(const messages::Input& input) {
 
 runtime::Outputs BoardCore::step(Time now) {
   std::array<std::uint8_t, sizeof(std::uint64_t)> count;
-  store(count, inputs_);
+  store_big_endian(count, inputs_);
   send(now, wire::kTurnChannel, count);
   runtime::Outputs outputs;
   for (wire::FramedRecord record; receive(record, patience_);) {
@@ -127,8 +124,8 @@ void BoardCore::send_pieces(std::string_view channel, std::span<const std::uint8
   std::size_t offset = 0;
   do {
     const std::span<const std::uint8_t> bytes = file.subspan(offset, std::min(wire::kPieceBytes, file.size() - offset));
-    store(std::span(piece).first(4), offset);
-    store(std::span(piece).subspan(4, 4), file.size());
+    store_big_endian(std::span(piece).first(4), offset);
+    store_big_endian(std::span(piece).subspan(4, 4), file.size());
     std::copy(bytes.begin(), bytes.end(), piece.begin() + wire::kPieceHeadBytes);
     send(Time{}, channel, std::span(piece).first(wire::kPieceHeadBytes + bytes.size()));
     offset += bytes.size();

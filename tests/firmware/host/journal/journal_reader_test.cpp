@@ -72,7 +72,7 @@ TEST_F(JournalReaderTest, LosesToAFlippedBitTheRecordThatItHitsAndNoOther) {
 TEST_F(JournalReaderTest, ReadsOnBehindALengthThatReachesBeyondTheFile) {
   write_three_records();
   Bytes bytes = contents();
-  store(std::span(bytes).subspan(24, 4), config::kLcmMessageBytes);
+  store_big_endian(std::span(bytes).subspan(24, 4), config::kLcmMessageBytes);
   overwrite(bytes);
   JournalReader reader(path_);
   JournalRecord record;
@@ -105,9 +105,9 @@ TEST_F(JournalReaderTest, ChecksNoByteMoreThanThriceThoughTheLargestRecordSeemsT
   write_three_records();
   const Bytes whole = contents();
   Bytes beginning(kRecordHeaderSize);
-  store(std::span(beginning).first(4), kRecordSync);
-  store(std::span(beginning).subspan(20, 4), 1);
-  store(std::span(beginning).subspan(24, 4), config::kLcmMessageBytes);
+  store_big_endian(std::span(beginning).first(4), kRecordSync);
+  store_big_endian(std::span(beginning).subspan(20, 4), 1);
+  store_big_endian(std::span(beginning).subspan(24, 4), config::kLcmMessageBytes);
   Bytes bytes;
   for (int i = 0; i < 30; ++i) {
     for (int j = 0; j < 4000; ++j) bytes.insert(bytes.end(), beginning.begin(), beginning.end());
@@ -115,7 +115,7 @@ TEST_F(JournalReaderTest, ChecksNoByteMoreThanThriceThoughTheLargestRecordSeemsT
   }
   // At the end, where every second reaches beyond the file.
   Bytes smaller = beginning;
-  store(std::span(smaller).subspan(24, 4), config::kLcmMessageBytes / 2);
+  store_big_endian(std::span(smaller).subspan(24, 4), config::kLcmMessageBytes / 2);
   for (int j = 0; j < 2000; ++j) {
     bytes.insert(bytes.end(), smaller.begin(), smaller.end());
     bytes.insert(bytes.end(), beginning.begin(), beginning.end());

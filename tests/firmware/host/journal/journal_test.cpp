@@ -85,8 +85,8 @@ TEST_F(JournalTest, ReadsOnWhereItsNumbersBeginAnew) {
   std::uint32_t number = 0xFFFFFFFE;
   auto rest = std::span(bytes);
   for (const std::size_t size : sizes) {
-    store(rest.subspan(8, 4), number++);
-    store(rest.subspan(4, 4), crc32(rest.subspan(8, size - 8)));
+    store_big_endian(rest.subspan(8, 4), number++);
+    store_big_endian(rest.subspan(4, 4), crc32(rest.subspan(8, size - 8)));
     rest = rest.subspan(size);
   }
   overwrite(bytes);

@@ -319,7 +319,7 @@ TEST_F(Resuming, RefusesALinkToAJournal) {
 TEST_F(Resuming, RefusesAJournalOneOfWhosePartsBearsAnothersName) {
   fly_whole(1);
   leave(bytes_.size());
-  const auto first_record_crc32 = static_cast<std::int32_t>(host::load(std::span<const std::uint8_t>(bytes_).subspan(4, 4)));
+  const auto first_record_crc32 = static_cast<std::int32_t>(load_big_endian(std::span<const std::uint8_t>(bytes_).subspan(4, 4)));
   const wire::Encoded beginning(journal_part_t{.part = 2, .first_record_crc32 = first_record_crc32});
   const host::LoneRecord record(0, Time{}, wire::kJournalPartChannel, beginning.bytes());
   support::write_bytes(folder_ / "journal.part3.lcmlog", Bytes(record.bytes().begin(), record.bytes().end()));
