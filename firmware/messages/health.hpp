@@ -50,7 +50,7 @@ struct Counters {
   friend constexpr bool operator==(const Counters&, const Counters&) = default;
 };
 
-/// From this surprise on what is heard is not explained: the belief's own level, for who reads health without a policy.
+/// From this surprise on what is heard is not explained: firmware/policy/ocean_belief judges by it, and so does who reads health alone.
 inline constexpr float kSurprising_bits = 6.0F;
 
 /// State of the runtime and of its ports. It is the heartbeat, too: a turn stamps it last of all, after the safety layer, so that whoever

@@ -23,8 +23,6 @@ using messages::EndReason;
 using messages::MissionState;
 using messages::Order;
 
-static_assert(messages::kSurprising_bits == policy::kSurpriseLevel_bits);
-
 /// Whether a message dated `time` may follow one dated `last`. One dated long before its arrival is a recording or comes from a stalled
 /// queue; one from far ahead would pass for fresh long after its sender fell silent.
 bool is_in_order(Time time, Time last, Time arrival, Duration timeout) {

@@ -31,7 +31,7 @@ void OceanBelief::weigh_others(const BeliefModel& model, const OceanTables& tabl
   for (std::size_t budget = kLooksOfOthers; budget > 0;) {
     if (!has_candidates_) draw_candidates(model, tables);
     const std::size_t cost = candidates_.hypothesis(0).drift.is_none() ? 1 : kLooksOfDrifts;
-    const int least = least_to_be_held();
+    const int least = least_to_be_held(!candidates_.hypothesis(0).drift.is_none());
     int to_measure = static_cast<int>(std::count_if(looks_.begin() + candidates_heard_, looks_.end(), is_measured));
     while (budget > 0 && has_candidates_ && candidates_heard_ < looks_.size()) {
       const std::uint32_t index = candidates_heard_++;
@@ -90,9 +90,8 @@ std::size_t OceanBelief::least_likely(bool drifts) const {
   return least;
 }
 
-/// Posterior from which on one of the candidates would be held.
-int OceanBelief::least_to_be_held() const {
-  const bool drifts = !candidates_.hypothesis(0).drift.is_none();
+/// Posterior beyond which a candidate is held. @param drifts  it does
+int OceanBelief::least_to_be_held(bool drifts) const {
   return drifts && drifting() < kLeastThatDrift ? kNoPosterior : posterior(least_likely(drifts));
 }
 
@@ -119,10 +118,9 @@ void OceanBelief::take_the_likelier(const BeliefModel& model, const OceanTables&
     const Hypothesis& candidate = candidates_.hypothesis(c);
     if (is_held(candidate)) continue;
     const bool drifts = !candidate.drift.is_none();
-    const std::size_t least = least_likely(drifts);
     const int of_candidate = evidence[c] + log_prior(candidate, tables);
-    const bool is_wanted = drifts && drifting() < kLeastThatDrift;
-    if (of_candidate <= posterior(least) && !is_wanted) continue;
+    if (of_candidate <= least_to_be_held(drifts)) continue;
+    const std::size_t least = least_likely(drifts);
     residents_[least / kLanes].take_over(model, least % kLanes, candidates_, c);
     posteriors_[least / kLanes][least % kLanes] = of_candidate;
   }

@@ -86,7 +86,7 @@ class OceanBelief {
   [[nodiscard]] bool is_held(const Hypothesis& hypothesis) const;
   [[nodiscard]] std::size_t least_likely(bool drifts) const;
   [[nodiscard]] std::size_t drifting() const;
-  [[nodiscard]] int least_to_be_held() const;
+  [[nodiscard]] int least_to_be_held(bool drifts) const;
   [[nodiscard]] int posterior_of_likeliest() const;
   [[nodiscard]] int most_to_come(const BeliefModel& model, const OceanTables& tables, int to_measure) const;
   void take_the_likelier(const BeliefModel& model, const OceanTables& tables);

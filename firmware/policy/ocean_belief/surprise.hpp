@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "firmware/messages/health.hpp"
 #include "firmware/policy/ocean_belief/hypothesis.hpp"
 #include "firmware/policy/reception.hpp"
 
@@ -12,7 +13,7 @@ namespace earshot::policy {
 /// From this surprise on what was heard is not explained, bits. Were no hypothesis odd and all of them held, what is drawn from P would
 /// ever come to it in at most 2^-6 of all missions, 1.6 % (Ville's inequality). Oddity breaks that, on purpose: the measured share is what
 /// counts, README.md.
-inline constexpr float kSurpriseLevel_bits = 6.0F;
+inline constexpr float kSurpriseLevel_bits = messages::kSurprising_bits;
 
 /// From this surprise on the vehicle sweeps the area. Chosen so that in no world measured it then finds less than by a sweep alone; of what
 /// surprises a little the belief finds most nevertheless: README.md.
