@@ -6,6 +6,7 @@
 #include "firmware/detector/hydrophone/settings.hpp"
 #include "firmware/policy/check/policy_check.hpp"
 #include "firmware/policy/golden.hpp"
+#include "tests/bits/eight_directions.hpp"
 #include "tests/bits/recorded.hpp"
 
 namespace earshot::bits {
@@ -14,15 +15,6 @@ namespace {
 constexpr double kSide_m = 7'500.0;  // 25 cells of a step
 constexpr double kStep_m = 300.0;
 constexpr std::uint16_t kCells = 25;  // so many a microcontroller has room for
-constexpr double kDiagonal = 0.70710678118654757;
-constexpr std::array<UnitNorthEast, 8> kDirections{{{1.0, 0.0},
-                                                    {kDiagonal, kDiagonal},
-                                                    {0.0, 1.0},
-                                                    {-kDiagonal, kDiagonal},
-                                                    {-1.0, 0.0},
-                                                    {-kDiagonal, -kDiagonal},
-                                                    {0.0, -1.0},
-                                                    {kDiagonal, -kDiagonal}}};
 
 constexpr NorthEast at(double north, double east) {
   return {.north = Meters{north}, .east = Meters{east}};
@@ -59,7 +51,7 @@ config::Mission mission() {
 /// nothing of them.
 void Mission::add_small_numbers() {
   std::array<float, config::kMaxObservation> observation{};
-  std::array<float, kDirections.size()> logits{};
+  std::array<float, kEightDirections.size()> logits{};
   for (std::size_t i = 0; i < observation.size(); ++i) observation[i] = static_cast<float>(i + 1) * 0x1p-136F;
   policy::forward(policy_.network, std::span(observation).first(policy_.network.observation_size), logits);
   digest_.add(std::span<const float>(logits));
@@ -72,7 +64,7 @@ void Mission::make_policy() {
   policy_.detection_threshold = Decibels{10.0};
   policy_.draw = policy::ActionDraw::kSampled;
   policy_.actions.clear();
-  for (const UnitNorthEast& direction : kDirections) static_cast<void>(policy_.actions.push_back(direction));
+  for (const UnitNorthEast& direction : kEightDirections) static_cast<void>(policy_.actions.push_back(direction));
   policy::BeliefModel& belief = policy_.observation.belief;
   belief.area_size = policy_.area_size;
   belief.step_length = policy_.step_length;

@@ -15,6 +15,7 @@
 #include "firmware/policy/network.hpp"
 #include "firmware/policy/observation.hpp"
 #include "firmware/wire/n2k/navigation.hpp"
+#include "tests/bits/eight_directions.hpp"
 #include "tests/cortex_m7/emulator.hpp"
 
 namespace {
@@ -74,16 +75,7 @@ void make_search(policy::ObservationModel& model, policy::OceanTables& tables) {
   belief.step_length = Meters{1'000};
   belief.border_width = Meters{1'000};
   belief.detection_threshold = Decibels{10};
-  constexpr double kDiagonal = 0.70710678118654757;
-  for (const UnitNorthEast& direction : std::array<UnitNorthEast, 8>{{{1, 0},
-                                                                      {kDiagonal, kDiagonal},
-                                                                      {0, 1},
-                                                                      {-kDiagonal, kDiagonal},
-                                                                      {-1, 0},
-                                                                      {-kDiagonal, -kDiagonal},
-                                                                      {0, -1},
-                                                                      {kDiagonal, -kDiagonal}}})
-    static_cast<void>(belief.actions.push_back(direction));
+  for (const UnitNorthEast& direction : bits::kEightDirections) static_cast<void>(belief.actions.push_back(direction));
   belief.cells_north = belief.cells_east = 25;
   model.spec = policy::belief_state(belief);
   policy::make_golden_tables(belief.area_size, tables);
