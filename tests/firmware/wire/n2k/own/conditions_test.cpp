@@ -14,7 +14,7 @@ constexpr std::uint8_t kSource = 0x40;
 
 /// 65293: instance, then from bit 24: leak, ground fault, ones.
 Bytes hull(std::uint8_t instance, std::uint8_t leak, std::uint8_t fault) {
-  return {0xFC, 0x9F, instance, static_cast<std::uint8_t>(0xF0U | (fault << 2U) | leak), 0xFF, 0xFF, 0xFF, 0xFF};
+  return {0xFC, 0x9F, instance, static_cast<std::uint8_t>(0xF0 | (fault << 2) | leak), 0xFF, 0xFF, 0xFF, 0xFF};
 }
 
 TEST(Conditions, AreLaidOutByteForByteAsTheTableSays) {
