@@ -53,6 +53,8 @@ inline constexpr std::size_t kMaxTableName = 32;
 inline constexpr std::size_t kBeliefBlocks = by_profile(3, 3, 2);
 /// Looks by which hypotheses are weighed that are not held (18 h of one every 500 s); full: those that are held are all.
 inline constexpr std::size_t kMaxBeliefLooks = by_profile(128, 128, 1);
+/// Looks of such others that are weighed in one go, between two decisions; full: the next go weighs on.
+inline constexpr std::size_t kLooksInASlice = by_profile(50, 5);
 /// Bytes of the belief about the source, with its tables; full: does not compile.
 inline constexpr std::size_t kOceanBeliefBytes = by_profile(256, 64, 4) * 1024;
 /// Seconds that a decision may listen over (a blue whale calls every one or two minutes); full: policy refused at load.

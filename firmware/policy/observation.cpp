@@ -66,6 +66,10 @@ void SearchMemory::remember(const ObservationModel& model, const OceanTables& ta
   if (needs_belief(model.spec)) belief_.update(model.belief, tables, position, reception);
 }
 
+bool SearchMemory::ponder(const ObservationModel& model, const OceanTables& tables) {
+  return needs_belief(model.spec) && belief_.ponder(model.belief, tables);
+}
+
 double SearchMemory::raw(const ObservationModel& model, const ObservationElement& element) const {
   switch (element.feature) {
     case Feature::kEast:

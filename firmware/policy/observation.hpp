@@ -96,6 +96,9 @@ class SearchMemory {
   /// One step is over: the vehicle now stands at `position`; `reception` is what it hears there.
   void remember(const ObservationModel& model, const OceanTables& tables, NorthEast position, Reception reception);
 
+  /// Goes on to ponder on what was heard (OceanBelief::ponder), where the model's spec sees a belief. @return whether anything is left
+  bool ponder(const ObservationModel& model, const OceanTables& tables);
+
   /// Raw value of one element.
   [[nodiscard]] double raw(const ObservationModel& model, const ObservationElement& element) const;
   /// What is believed about the source; meaningful only when the model's spec needs it.

@@ -92,6 +92,7 @@ class Runtime {
     Time decided;  ///< when the last of them was made
     authority::Command command;
     std::uint32_t steps_taken = 0;
+    bool is_pondering = false;    ///< on the last look
     safety::Situation situation;  ///< what navigation, vehicle and autopilot say
     safety::Supervisor supervisor;
     safety::Manoeuvre manoeuvre;
@@ -161,6 +162,8 @@ class Runtime {
   [[nodiscard]] std::size_t choose(NorthEast position, std::span<const float> logits);
   void begin_search(Time now);
   void search(Time now, Outputs& outputs);
+  /// On a leg: what the belief makes of all that was heard until the next decision, a slice a turn.
+  void ponder();
   [[nodiscard]] bool decide(Time now, const policy::Reception& reception, messages::Decision& decision);
   [[nodiscard]] messages::Setpoint wanted_setpoint();
   [[nodiscard]] std::optional<messages::Setpoint> setpoint();

@@ -75,6 +75,17 @@ void Runtime::begin_search(Time now) {
   progress_.bearings.begin_leg(before_newest_look());
   memory_.start(policy_.observation, tables_, place_in_area(), reception(now));
   memory_checksum_ = checksum_of(memory_);
+  progress_.is_pondering = has_belief();
+}
+
+void Runtime::ponder() {
+  if (!progress_.is_pondering) return;
+  if (!may_decide()) {
+    integrity_ = 0;
+    return;
+  }
+  progress_.is_pondering = memory_.ponder(policy_.observation, tables_);
+  memory_checksum_ = checksum_of(memory_);
 }
 
 void Runtime::search(Time now, Outputs& outputs) {
@@ -86,7 +97,7 @@ void Runtime::search(Time now, Outputs& outputs) {
     return;
   }
   const bool has_leg = progress_.leg.length().value > 0.0;
-  if (has_leg && leg_goes_on(now) && !progress_.is_interrupted) return;
+  if (has_leg && leg_goes_on(now) && !progress_.is_interrupted) return ponder();
   if (!may_decide()) {
     integrity_ = 0;
     return;
@@ -95,6 +106,7 @@ void Runtime::search(Time now, Outputs& outputs) {
   if (has_leg) {
     memory_.remember(policy_.observation, tables_, place_in_area(), reception_on_leg);
     memory_checksum_ = checksum_of(memory_);
+    progress_.is_pondering = has_belief();
     ++progress_.steps_taken;
   }
   const bool ends_here = mission_.ends_when_found && found();

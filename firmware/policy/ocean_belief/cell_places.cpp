@@ -60,6 +60,10 @@ EARSHOT_WIDE void CellPlaces::find_ranges(const BeliefModel& model, NorthEast po
   }
 }
 
+NorthEast CellPlaces::place(const BeliefModel& model, std::size_t cell) const {
+  return {Meters{double{places_[cell / model.cells_east]}}, Meters{double{places_[model.cells_north + cell % model.cells_east]}}};
+}
+
 void CellPlaces::find_cells(const BeliefModel& model, std::span<std::uint16_t> cells) const {
   const auto size_north = static_cast<float>(cell_north(model));
   const auto size_east = static_cast<float>(cell_east(model));

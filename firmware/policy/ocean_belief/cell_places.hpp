@@ -26,6 +26,9 @@ class CellPlaces {
   void find_ranges(const BeliefModel& model, NorthEast position, Meters range_step, std::size_t last,
                    std::span<std::uint16_t> ranges) const;
 
+  /// The centre of a cell, from that corner. @param cell  index in [north x east]
+  [[nodiscard]] NorthEast place(const BeliefModel& model, std::size_t cell) const;
+
   /// In which cell of the area at that corner the centre of every cell lies; outside, in the nearest.
   /// @param cells  [north x east]; the result
   void find_cells(const BeliefModel& model, std::span<std::uint16_t> cells) const;

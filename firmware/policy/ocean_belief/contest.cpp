@@ -3,20 +3,21 @@
 #include <limits>
 
 #include "firmware/policy/likelihood/belief_grid.hpp"
+#include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
 #include "firmware/policy/ocean_belief/log_weight.hpp"
 #include "firmware/policy/ocean_belief/ocean_belief.hpp"
 
 namespace earshot::policy {
 namespace {
 
-/// Looks of a block of other hypotheses that are taken in after each look of the vehicle: as many as the time of a decision allows.
-constexpr std::size_t kLooksOfOthers = 50;
-/// One of eight drifts takes so much longer.
+/// One of eight drifts takes so much longer; with a bearing, which is laid over the cells of each of them, so much.
 constexpr std::size_t kLooksOfDrifts = 2;
+constexpr std::size_t kLooksOfDriftsWithBearing = 8;
 /// Of those that are held so many drift, once there are any.
 constexpr std::size_t kLeastThatDrift = 8;
-/// Before so many looks nothing tells a drift from another place: what is tried until then are oceans.
+/// Before so many looks nothing tells a drift from another place: what is tried until then are oceans. Bearings tell it earlier.
 constexpr std::uint32_t kLooksBeforeDrifts = 8;
+constexpr std::uint32_t kLooksBeforeDriftsWithBearings = 4;
 static_assert(kLeastThatDrift < OceanBelief::kHypotheses);
 /// log2 of 1 / (spread sqrt(2 pi)), the most that a normal density of each spread comes to, in 1/512; a unit more, for they are rounded.
 constexpr std::array<int, kSpreads_db.size()> kMostLikely{-678, -1'190, -1'702, -2'115};
@@ -25,26 +26,31 @@ constexpr int kNoPosterior = std::numeric_limits<int>::min() / 2;
 
 }  // namespace
 
-/// Weighs others, as far as the time of a decision allows, and no longer than until none of eight can be held any more.
-void OceanBelief::weigh_others(const BeliefModel& model, const OceanTables& tables) {
+/// None of eight is weighed any longer than it can still be held.
+bool OceanBelief::ponder(const BeliefModel& model, const OceanTables& tables) {
   const auto is_measured = [](const Look& look) { return !look.too_faint; };
-  for (std::size_t budget = kLooksOfOthers; budget > 0;) {
+  for (std::size_t slice = config::kLooksInASlice; slice > 0 && to_weigh_ > 0;) {
     if (!has_candidates_) draw_candidates(model, tables);
-    const std::size_t cost = candidates_.hypothesis(0).drift.is_none() ? 1 : kLooksOfDrifts;
-    const int least = least_to_be_held(!candidates_.hypothesis(0).drift.is_none());
+    const bool drift = !candidates_.hypothesis(0).drift.is_none();
+    const int least = least_to_be_held(drift);
     int to_measure = static_cast<int>(std::count_if(looks_.begin() + candidates_heard_, looks_.end(), is_measured));
-    while (budget > 0 && has_candidates_ && candidates_heard_ < looks_.size()) {
+    while (slice > 0 && to_weigh_ > 0 && has_candidates_ && candidates_heard_ < looks_.size()) {
       const std::uint32_t index = candidates_heard_++;
-      take_in(model, tables, looks_[index], index, candidates_);
-      budget -= std::min(budget, cost);
-      to_measure -= is_measured(looks_[index]) ? 1 : 0;
+      const Look& look = looks_[index];
+      if (drift && look.bearing.is_there()) take_in_past_bearing(model, look, index);
+      take_in(model, tables, look, index, candidates_);
+      const std::size_t cost = !drift ? 1 : look.bearing.is_there() ? kLooksOfDriftsWithBearing : kLooksOfDrifts;
+      slice -= std::min(slice, cost);
+      to_weigh_ -= std::min(to_weigh_, cost);
+      to_measure -= is_measured(look) ? 1 : 0;
       has_candidates_ = most_to_come(model, tables, to_measure) >= least;
     }
     if (!has_candidates_) continue;
-    if (candidates_heard_ < looks_.size()) return;  // the next look goes on
+    if (candidates_heard_ < looks_.size()) break;  // the next slice goes on
     take_the_likelier(model, tables);
     has_candidates_ = false;
   }
+  return to_weigh_ > 0;
 }
 
 HeldHypotheses OceanBelief::held() const {
@@ -56,12 +62,14 @@ HeldHypotheses OceanBelief::held() const {
   return held;
 }
 
-/// None that drift once there are bearings: of those only what they say of a source that rests is remembered.
+/// Those that rest start with all that bearings have said; those that drift hear them one by one, from where they were.
 void OceanBelief::draw_candidates(const BeliefModel& model, const OceanTables& tables) {
   const HeldHypotheses all = held();
   Trial trial = draw_trial(all, random_);
-  if ((has_bearings_ || heard_ < kLooksBeforeDrifts) && trial == Trial::kDrifting) trial = Trial::kAtRest;
-  candidates_.start(model, policy::draw_candidates(all, tables, trial, random_), bearings_);
+  const bool is_too_early = heard_ < (has_bearings_ ? kLooksBeforeDriftsWithBearings : kLooksBeforeDrifts);
+  if (is_too_early && trial == Trial::kDrifting) trial = Trial::kAtRest;
+  const std::array<Hypothesis, kLanes> drawn = policy::draw_candidates(all, tables, trial, random_);
+  trial == Trial::kDrifting ? candidates_.start(model, drawn) : candidates_.start(model, drawn, bearings_);
   candidates_heard_ = 0;
   has_candidates_ = true;
 }
@@ -107,7 +115,7 @@ int OceanBelief::most_to_come(const BeliefModel& model, const OceanTables& table
   int most = kNoPosterior;
   for (std::size_t l = 0; l < kLanes; ++l) {
     const Hypothesis& h = candidates_.hypothesis(l);
-    most = std::max(most, candidates_.log_of_likeliest(l) + log_prior(h, tables) + to_measure * kMostLikely[h.spread]);
+    most = std::max(most, candidates_.log_of_likeliest(l) + log_prior(h, tables) + to_measure * tempered(kMostLikely[h.spread]));
   }
   return most + to_log(static_cast<float>(cell_count(model)));
 }

@@ -1,7 +1,6 @@
 #include "firmware/policy/ocean_belief/expected_border.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace earshot::policy {
 namespace {
@@ -18,16 +17,13 @@ float border_depth(const BeliefModel& model, NorthEast place) {
 }  // namespace
 
 void expect_border(const BeliefModel& model, std::span<const PossiblePlace> places, std::span<ActionOutlook> outlooks) {
-  float least = std::numeric_limits<float>::max();
   for (std::size_t a = 0; a < outlooks.size(); ++a) {
     float expected = 0.0F;
     for (const PossiblePlace& place : places)
       expected += place.share * border_depth(model, place.vehicle + model.step_length * model.actions[a]);
     outlooks[a].regret += model.costs.edge * (expected - outlooks[a].border);
     outlooks[a].border = expected;
-    least = std::min(least, outlooks[a].regret);
   }
-  for (ActionOutlook& outlook : outlooks) outlook.regret = std::min(outlook.regret - least, model.costs.most_regret);
 }
 
 }  // namespace earshot::policy

@@ -15,12 +15,12 @@ struct PossiblePlace {
 };
 
 /// Puts what is expected of the border in the place of what one place of the vehicle says, where a current that navigation does not see may
-/// have carried it: in the outlooks, and in their regrets, which are then counted from the least and end at most_regret.
+/// have carried it: in the outlooks and in their regrets.
 ///
 ///   B_a = sum over the places of share * min(B(vehicle + step_a), 3)
 ///
 /// No end of a step counts as deeper than 3 widths of the border: further out the search is over.
-/// @param outlooks  [actions]: in regret what the action costs above another, whatever that is, and not cut off
+/// @param outlooks  [actions]: in regret what the action costs above another, whatever that is
 /// Oracle: ExpectedBorder.*
 void expect_border(const BeliefModel& model, std::span<const PossiblePlace> places, std::span<ActionOutlook> outlooks);
 

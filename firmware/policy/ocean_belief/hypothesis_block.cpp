@@ -55,10 +55,16 @@ void spread_along(LogLanes* cells, std::size_t count, std::size_t apart, const L
 }  // namespace
 
 void HypothesisBlock::start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses, const PlacePrior& prior) {
-  hypotheses_ = hypotheses;
+  start(model, hypotheses);
   for (std::size_t i = 0; i < cell_count(model); ++i) weights_[i] = all(prior.log_weights[i]);
-  highest_ = all(0);
   scale_.fill(prior.scale);
+}
+
+void HypothesisBlock::start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses) {
+  hypotheses_ = hypotheses;
+  std::fill_n(weights_.begin(), cell_count(model), all(0));
+  highest_ = all(0);
+  scale_.fill(0);
 }
 
 EARSHOT_WIDE void HypothesisBlock::settle(const BeliefModel& model) {

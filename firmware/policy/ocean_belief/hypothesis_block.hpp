@@ -36,6 +36,8 @@ struct PlacePrior {
 class HypothesisBlock {
  public:
   void start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses, const PlacePrior& prior);
+  /// The same where every place is as likely as another.
+  void start(const BeliefModel& model, const std::array<Hypothesis, kLanes>& hypotheses);
   /// The source may have moved since the last look, where a hypothesis says so.
   void let_move(const BeliefModel& model);
   /// Multiplies every cell by its likelihood under those hypotheses that have the cells at these ranges.

@@ -11,7 +11,16 @@
 
 namespace earshot::policy {
 
-/// Likelihoods of what was heard, were the source at each range, under the hypotheses of a block: log weights.
+/// Of the log likelihood of a look so much counts: two looks near each other err alike where the table is wrong, and would together be too
+/// sure of a wrong place or ocean were they taken for two that know nothing of one another (README.md has what was measured).
+inline constexpr int kTrust_256ths = 208;
+
+/// @param log_likelihood  of a look, log weight   @return what of it counts
+[[nodiscard]] constexpr int tempered(int log_likelihood) {
+  return log_likelihood * kTrust_256ths / 256;
+}
+
+/// Likelihoods of what was heard, were the source at each range, under the hypotheses of a block: log weights, tempered.
 class LaneLikelihoods {
  public:
   /// Of a look.

@@ -27,8 +27,8 @@ namespace earshot::policy {
 /// Probability of the source's place together with that of the hypotheses about ocean, level, fluctuation, pauses and motion, in fixed
 /// memory.
 ///
-/// There are thousands of hypotheses, each with a grid of its own; only the likeliest are held. The others are drawn, a few after every
-/// look, weighed by all that was heard since the start, and take the place of one that is less likely.
+/// There are thousands of hypotheses, each with a grid of its own; only the likeliest are held. The others are drawn, a few between every
+/// two looks, weighed by all that was heard since the start, and take the place of one that is less likely.
 class OceanBelief {
  public:
   /// Forgets everything: every place is as likely as any other.
@@ -37,6 +37,11 @@ class OceanBelief {
   /// Takes in what was heard at `position` (relative to the area's south-west corner), and judges whether the source is found there. If it
   /// is, all else that is said afterwards is of a search that goes on nevertheless: that the source is not within step_length.
   void update(const BeliefModel& model, const OceanTables& tables, NorthEast position, Reception reception);
+
+  /// Weighs others for a slice of time (README.md), as a vehicle does between two decisions whenever it can. What is left of it the next
+  /// update() does first: what is believed after that does not depend on who pondered when, or in which slices. Nothing that the last
+  /// update() said of place, surprise and outlook changes. @return whether anything is left
+  bool ponder(const BeliefModel& model, const OceanTables& tables);
 
   /// That the source is found (firmware/policy/found), by all that was heard up to the last look; nothing where it is not.
   [[nodiscard]] const std::optional<messages::FoundDeclaration>& declaration() const { return declaration_; }
@@ -63,15 +68,28 @@ class OceanBelief {
   [[nodiscard]] std::uint32_t fingerprint(const BeliefModel& model) const;
 
  private:
+  /// A bearing, in little memory.
+  struct PastBearing {
+    float direction;
+    float deviation;  ///< 0: there is none
+    float mirror_axis;
+    [[nodiscard]] bool is_there() const { return deviation > 0.0F; }
+    /// That which is there.
+    [[nodiscard]] messages::Bearing bearing() const;
+  };
   struct Look {
     NorthEast position;
     Decibels snr;
+    PastBearing bearing;
     bool too_faint;
     bool was_declared;  ///< the source found there, and was not
   };
 
-  void take_in_bearing(const BeliefModel& model, NorthEast position, const messages::Bearing& bearing);
-  void weigh_bearing(const BeliefModel& model, HypothesisBlock& block);
+  [[nodiscard]] static PastBearing to_remember(const std::optional<messages::Bearing>& bearing);
+  [[nodiscard]] int find_said(const BeliefModel& model, const Look& look);
+  void take_in_bearing(const BeliefModel& model, const Look& look);
+  void take_in_past_bearing(const BeliefModel& model, const Look& look, std::uint32_t index);
+  void weigh_bearing(const BeliefModel& model, const Look& look, int taken_off, std::uint32_t index, HypothesisBlock& block);
   void take_in(const BeliefModel& model, const OceanTables& tables, const Look& look, std::uint32_t index, HypothesisBlock& block);
   void rule_out(const BeliefModel& model, const OceanTables& tables, NorthEast position, std::uint32_t index, HypothesisBlock& block);
   [[nodiscard]] Decibels least_snr_near(const BeliefModel& model, const OceanTables& tables) const;
@@ -80,7 +98,6 @@ class OceanBelief {
   void find_posteriors(const BeliefModel& model, const OceanTables& tables);
   void find_shares();
   [[nodiscard]] int log_explained(const BeliefModel& model, const OceanTables& tables) const;
-  void weigh_others(const BeliefModel& model, const OceanTables& tables);
   [[nodiscard]] HeldHypotheses held() const;
   void draw_candidates(const BeliefModel& model, const OceanTables& tables);
   [[nodiscard]] bool is_held(const Hypothesis& hypothesis) const;
@@ -93,6 +110,7 @@ class OceanBelief {
   [[nodiscard]] Drift likeliest_current() const;
   void find_marginal(const BeliefModel& model, NorthEast corner, std::uint32_t looks);
   void foresee(const BeliefModel& model, const OceanTables& tables);
+  void find_regrets(const BeliefModel& model, NorthEast position);
 
   using Posteriors = std::array<int, kLanes>;  ///< log2 of what is proportional to the probability of each hypothesis, in 1/512
 
@@ -102,8 +120,9 @@ class OceanBelief {
   HypothesisBlock candidates_;
   std::uint32_t candidates_heard_;  ///< looks that the candidates have taken in
   bool has_candidates_;
-  std::uint32_t heard_;  ///< looks so far
-  bool has_bearings_;    ///< one at least
+  std::size_t to_weigh_;  ///< looks of others that are left to be weighed on the last look
+  std::uint32_t heard_;   ///< looks so far
+  bool has_bearings_;     ///< one at least
   FixedVector<Look, config::kMaxBeliefLooks> looks_;
   bool is_history_whole_;  ///< every look is in it
   Pcg32 random_{0};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "firmware/policy/likelihood/reception_likelihood.hpp"
+#include "firmware/policy/ocean_belief/lane_likelihoods.hpp"
 #include "firmware/policy/ocean_belief/log_weight.hpp"
 
 namespace earshot::policy {
@@ -54,7 +55,7 @@ void Surprise::take_in(const Reception& reception, int explained) {
 
 void Surprise::hear(const Reception& reception) {
   if (reception.too_faint) {
-    known_nothing_ += to_log(kFaintShare);
+    known_nothing_ += tempered(to_log(kFaintShare));
     return;
   }
   float sum = 0.0F;
@@ -63,9 +64,9 @@ void Surprise::hear(const Reception& reception) {
     for (std::size_t l = 0; l < kLevels; ++l) likelihoods[l] = kLevelStep_db * static_cast<float>(l);
     to_likelihoods({.level_offset_db = 0.0F, .spread_db = kP0Spreads_db[s], .silence_share = 0.0F, .outlier_share = kOutlierShare},
                    reception, likelihoods);
-    for (std::size_t l = 0; l < kLevels; ++l) sum += weights_[s][l] *= likelihoods[l];
+    for (std::size_t l = 0; l < kLevels; ++l) sum += weights_[s][l] *= from_log(tempered(to_log(likelihoods[l])));
   }
-  known_nothing_ += to_log((1.0F - kFaintShare) * sum);
+  known_nothing_ += tempered(to_log(1.0F - kFaintShare)) + to_log(sum);
   for (auto& weights : weights_) {
     for (float& weight : weights) weight = std::max(weight / sum, kLeastWeight);
   }

@@ -34,8 +34,9 @@ inline constexpr float kSweepLevel_bits = 12.0F;
 ///
 ///   surprise = log2 P0(heard) - log2 P(heard)
 ///   P  = sum over the hypotheses h held:  2^-oddity(h) P(h but for its ocean and drift) P(heard | h)
-///   P0 = mean over 9 levels m and 2 spreads s:  product over the looks of  0.95 [0.98 N(SNR; m, s) + 0.02 / 80 dB], or of 0.05 where
-///        it was too faint; no part of the mean falls under 1e-6 of all of them, or what changes late would not be believed
+///   P0 = mean over 9 levels m and 2 spreads s:  product over the looks of  { 0.95 [0.98 N(SNR; m, s) + 0.02 / 80 dB] }^t, or of 0.05^t
+///        where it was too faint, t what counts of a look in P as well (kTrust_256ths); no part of the mean falls under 1e-6 of all of
+///        them, or what changes late would not be believed
 ///
 /// m: 0, 5 ... 40 dB; s: 2 and 5 dB. P0 has the sound go on alike wherever the vehicle is, as in an ocean that carries it everywhere; a
 /// bearing is one over 2 pi to it. Below 0 the oceans explain more than that.

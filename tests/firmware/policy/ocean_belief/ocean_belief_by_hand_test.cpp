@@ -102,6 +102,14 @@ class OceanBeliefByHand : public OceanBeliefRig {
   }
 
  private:
+  /// What a bearing says of a place: in the area of the cell that it is in.
+  [[nodiscard]] static long double said_of(NorthEast place, NorthEast vehicle, const messages::Bearing& bearing) {
+    const auto is_within = [](Meters x) { return x.value >= 0.0 && x.value <= 10'000.0; };
+    return static_cast<long double>(is_within(place.north) && is_within(place.east)
+                                        ? bearing_likelihood_by_hand(vehicle, bearing, cell_at(place))
+                                        : bearing_likelihood_by_hand(vehicle, bearing, place));
+  }
+
   /// Probability of every cell together with all that was heard, under a hypothesis.
   [[nodiscard]] Joint joint_by_hand(const Hypothesis& h, const Looks& looks, const Declared& declared) const {
     Joint p(400, std::exp2(static_cast<long double>(log_prior(h, tables)) / 512.0L));
@@ -110,8 +118,7 @@ class OceanBeliefByHand : public OceanBeliefRig {
       const auto now = [&h, look](std::size_t cell) { return drifted(h.drift, static_cast<int>(look), cell); };
       keep_forgotten(p);
       if (reception.bearing) {
-        for (std::size_t i = 0; i < 400; ++i)
-          p[i] *= static_cast<long double>(bearing_likelihood_by_hand(place, *reception.bearing, cell_at(now(i))));
+        for (std::size_t i = 0; i < 400; ++i) p[i] *= said_of(now(i), place, *reception.bearing);
         keep_forgotten(p);
       }
       p = moved_by_hand(p, h.mobility);
@@ -167,15 +174,21 @@ TEST_F(OceanBeliefByHand, IsTheMixtureByHandOfThoseThatDriftToo) {
   }
 }
 
-/// What the bearing says of a cell is what it says of where the cell has gone.
-TEST_F(OceanBeliefByHand, TakesABearingInUnderThoseThatDrift) {
+/// Of where it is then, whether a hypothesis was held when a bearing came or drawn later; beyond the edge too.
+TEST_F(OceanBeliefByHand, TakesBearingsInUnderThoseThatDrift) {
   add_table(tables, 1.0F, kFourPerKilometre);
   for (const Drift& drift : {kSwims, kCurrent}) {
-    Looks looks = south_of(drift);
-    looks.back().second.bearing = messages::Bearing{.direction = Radians{0.7}, .deviation = Radians{0.2}};
-    const Declared declared = fly(looks);
-    EXPECT_GT(held_that_drift(), 5);
-    expect_by_hand(looks, declared, 0.02);
+    for (const std::vector<std::size_t>& with_bearing : {std::vector<std::size_t>{19}, std::vector<std::size_t>{2, 9, 15}}) {
+      Looks looks = south_of(drift);
+      for (const std::size_t i : with_bearing) {
+        const NorthEast way = drifted(drift, static_cast<int>(i), 16 * 20 + 16) - looks[i].first;
+        const double direction = std::atan2(way.east.value, way.north.value) + 0.1;
+        looks[i].second.bearing = messages::Bearing{.direction = Radians{direction}, .deviation = Radians{0.2}};
+      }
+      const Declared declared = fly(looks);
+      EXPECT_GT(held_that_drift(), 5);
+      expect_by_hand(looks, declared, 0.02);
+    }
   }
 }
 

@@ -97,13 +97,17 @@ inline double wrapped(double off, double deviation) {
   return sum;
 }
 
-/// Likelihood times 2 pi of a bearing, were the source in a cell of the small model: 2 % are outliers, and a cell is seen at an angle.
-inline double bearing_likelihood_by_hand(NorthEast vehicle, const messages::Bearing& bearing, std::size_t cell) {
-  const NorthEast middle = drifted({}, 0, cell);
+/// Likelihood times 2 pi of a bearing, were the source in a cell of that middle: 2 % are outliers, and a cell is seen at an angle.
+inline double bearing_likelihood_by_hand(NorthEast vehicle, const messages::Bearing& bearing, NorthEast middle) {
   const double north_m = (middle.north - vehicle.north).value;
   const double east_m = (middle.east - vehicle.east).value;
   const double smear = 500.0 / std::hypot(north_m, east_m) / std::sqrt(12.0);
   return 0.98 * wrapped(std::atan2(east_m, north_m) - bearing.direction.value, std::hypot(bearing.deviation.value, smear)) + 0.02;
+}
+
+/// The same in a cell of the small model.
+inline double bearing_likelihood_by_hand(NorthEast vehicle, const messages::Bearing& bearing, std::size_t cell) {
+  return bearing_likelihood_by_hand(vehicle, bearing, drifted({}, 0, cell));
 }
 
 }  // namespace earshot::policy

@@ -74,7 +74,7 @@ inline std::vector<long double> likelihoods_by_hand(const BeliefModel& model, co
   for (int i = 0; i <= last; ++i) {
     long double sum = 0.0L;
     for (int k = i - half; k <= i + half; ++k) sum += at_range[static_cast<std::size_t>(std::clamp(k, 0, last))];
-    result.push_back(sum / (2 * half + 1));
+    result.push_back(std::pow(sum / (2 * half + 1), 0.8125L));  // 208 / 256 of a look's logarithm counts
   }
   return result;
 }
