@@ -42,7 +42,8 @@ program::CommandLine& add_map(program::CommandLine& line, report::PolicyMapOptio
   map.option("--step", &o.step, "step of the flight").shows_default();
   map.option("--tables", &o.tables,
              "ocean tables (.tables) by which a policy with a belief searches; those of a flight are beside its journal")
-      .shows_default();
+      .shows_default()
+      .names("a file");
   const program::Option environment =
       map.option("--environment", &o.environment, "environment file (TOML): the ocean, instead of the likeliest one of the tables");
   map.option("--world", &o.world,
@@ -62,7 +63,7 @@ void add_decision(program::CommandLine& line, DecisionOptions& o) {
   decision.option("FLIGHT", &o.flight, "folder of a flight, or its journal (.lcmlog)").required();
   decision.option("--step", &o.step, "which decision; the first is 0").required();
   decision.option("--policy", &o.policy, "policy that flew; default: the .policy beside the journal");
-  decision.option("--tables", &o.tables, "ocean tables that it searched by; default: the .tables beside the journal");
+  decision.option("--tables", &o.tables, "ocean tables that it searched by; default: the .tables beside the journal").names("a file");
   decision.option("--south-west", &o.south_west,
                   "NORTH_M,EAST_M of the area's south-west corner; default: summary.json's, or 0,0 for a journal alone");
   decision

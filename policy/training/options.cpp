@@ -63,7 +63,8 @@ void TrainOptions::add_to(program::CommandLine& line) {
               "(the environment itself)");
   line.option("--tables", &tables,
               "oceans that a belief thinks possible (.tables, or folders of them, of which one is of the vehicle's depth and the source's "
-              "frequency); the environment's alone");
+              "frequency); the environment's alone")
+      .names("a file or a folder");
   world.add_to(line, {.source = "fixed", .start = "domain", .listening = "what RUN says, else newest"});
   line.option(
           "--state", &state,

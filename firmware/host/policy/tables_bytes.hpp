@@ -24,7 +24,4 @@ namespace earshot::host {
 /// @throws BadInput as above, for names that are not UTF-8 and provenance that is not lines of text
 void require_readable(const policy::OceanTables& tables, const std::filesystem::path& path);
 
-/// "PATH: section OCNS is missing, or not in its place", in the words of `.tables` files.
-[[nodiscard]] std::string tables_complaint(const policy::PolicyComplaint& complaint, const std::filesystem::path& path);
-
 }  // namespace earshot::host

@@ -7,13 +7,6 @@
 namespace earshot::policy {
 namespace {
 
-constexpr double kLeastFrequency_hz = 1.0;
-constexpr double kMostFrequency_hz = 1e4;
-/// The deepest trench has 11 km.
-constexpr double kMostDepth_m = 12e3;
-constexpr double kMostRangeStep_m = 1e4;
-constexpr double kLeastPrior = double{1e-6F};
-constexpr double kMostPrior = 1e6;
 /// An area's corners far from the origin are rounded, and its diagonal with them.
 constexpr Meters kReachTolerance{0.01};
 

@@ -25,6 +25,15 @@ inline constexpr float kMostTableSnr_db = 63.5F;
 /// Oracle: HalfDecibels.*
 [[nodiscard]] std::int8_t to_half_db(double snr_db);
 
+// What the numbers of tables may be.
+inline constexpr double kLeastFrequency_hz = 1.0;
+inline constexpr double kMostFrequency_hz = 1e4;
+/// Of the deepest trench 11 km.
+inline constexpr double kMostDepth_m = 12e3;
+inline constexpr double kMostRangeStep_m = 1e4;
+inline constexpr double kLeastPrior = double{1e-6F};
+inline constexpr double kMostPrior = 1e6;
+
 /// One ocean that is believed possible, or several that are much alike: what would be heard in it.
 struct OceanTable {
   FixedVector<char, config::kMaxTableName> name;  ///< UTF-8, for people

@@ -174,11 +174,22 @@ TEST(MemoryFault, InThePolicyIsNoticedByTheNextDecision) {
   EXPECT_FALSE(rig.outputs.decision);
 }
 
-TEST(MemoryFault, InWhatTheSearchRemembersIsNoticedByTheNextDecision) {
+TEST(MemoryFault, InWhatTheSearchRemembersIsNoticedBeforeItPondersOn) {
   Rig rig(*policy_that_believes());
   rig.sail(Order::kStart);
   ASSERT_TRUE(rig.outputs.decision && rig.outputs.decision->belief);
   flip(*rig.runtime, 8 * place_of(*rig.runtime, rig.outputs.decision->belief->spread) + 3);  // it stands in the belief's summary
+  rig.sail();
+  EXPECT_EQ(rig.end_reason(), EndReason::kMemoryFault);
+}
+
+TEST(MemoryFault, InWhatTheSearchRemembersIsNoticedByTheNextDecision) {
+  Rig rig(*policy_that_believes());
+  rig.sail(Order::kStart);
+  ASSERT_TRUE(rig.outputs.decision && rig.outputs.decision->belief);
+  const Meters spread = rig.outputs.decision->belief->spread;
+  for (int i = 0; i < 100; ++i) rig.sail();                    // until nothing is left to ponder
+  flip(*rig.runtime, 8 * place_of(*rig.runtime, spread) + 3);  // it stands in the belief's summary
   rig.sail();
   EXPECT_EQ(rig.state(), MissionState::kSearch) << "nobody has used it";
   rig.sail_to_decision();
@@ -192,6 +203,7 @@ TEST(MemoryFault, InTheOceanTablesIsNoticedByTheNextDecision) {
   Rig rig(*policy_that_believes(), paper_mission(), *tables);
   rig.sail(Order::kStart);
   ASSERT_TRUE(rig.outputs.decision);
+  for (int i = 0; i < 100; ++i) rig.sail();  // until nothing is left to ponder
   flip(*rig.runtime, 8 * place_of(*rig.runtime, 0.123456F) + 12);
   rig.sail();
   EXPECT_EQ(rig.state(), MissionState::kSearch) << "nobody has used it";

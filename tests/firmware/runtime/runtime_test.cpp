@@ -131,6 +131,23 @@ TEST(Runtime, TellsWithItsDecisionWhereItBelievesTheSource) {
   EXPECT_FALSE(Rig(*policy_that_goes(kNorthward)).sail(Order::kStart).decision->belief) << "a policy that sees none holds none";
 }
 
+/// On its way it ponders, a slice a turn; nothing that it believes depends on when.
+TEST(Runtime, BelievesWhatASearchDoesThatPondersBeforeEveryLook) {
+  const auto tables = paper_oceans();
+  Rig rig(*policy_that_believes(), paper_mission(), *tables);
+  const auto memory = std::make_unique<policy::SearchMemory>();
+  const policy::ObservationModel model = policy_that_believes()->observation;
+  for (int step = 0; step < 5; ++step) {
+    rig.snr = Decibels{20.0 + step};
+    step == 0 ? rig.sail(Order::kStart) : rig.sail_to_decision();
+    const NorthEast place = rig.position - at(-5'000, 1'000);
+    step == 0 ? memory->start(model, *tables, place, {.snr = rig.snr}) : memory->remember(model, *tables, place, {.snr = rig.snr});
+    ASSERT_TRUE(rig.outputs.decision);
+    EXPECT_EQ(rig.outputs.decision->belief->mean, memory->belief().summary().mean + at(-5'000, 1'000)) << step;
+    EXPECT_EQ(rig.outputs.decision->belief->surprise_bits, memory->belief().summary().surprise_bits) << step;
+  }
+}
+
 TEST(Runtime, TakesASignalTooFaintToMeasureForNoDetectionAndASourceFurtherAway) {
   Rig rig(*policy_that_believes(), paper_mission(), *one_ocean());
   const Time now = rig.now + Duration::seconds(1);

@@ -99,6 +99,19 @@ TEST_F(TablesForEvaluate, MustHaveAName) {
   }
 }
 
+TEST_F(TablesForEvaluate, MustHaveANameInEveryOtherProgramThatTakesThem) {
+  const std::vector<std::vector<std::string>> calls{{"earshot-explain", "map", "a.policy", "-o", "a.png"},
+                                                    {"earshot-explain", "decision", "out", "--step", "0"},
+                                                    {"earshot-train", "run.toml", "-o", "a.checkpoint"},
+                                                    {"earshot-replay", "journal.lcmlog"}};
+  for (const std::vector<std::string>& call : calls) {
+    std::vector<std::string> words(call.begin() + 1, call.end());
+    words.insert(words.end(), {"--tables", ""});
+    EXPECT_EQ(start(EARSHOT_BIN_DIR "/" + call.front(), words).wait(kPatience), 2) << call.front();
+    EXPECT_NE(content(folder / "err").find("--tables: must name a file"), std::string::npos) << content(folder / "err");
+  }
+}
+
 TEST_F(TablesForEvaluate, StandInTheFiguresOfEveryWorldWithWhoSignedThem) {
   const std::string good = given("good.tables", {});
   ASSERT_EQ(run("evaluate --policies oracle --episodes 1 --json a.json" + good), 0) << content(folder / "err");

@@ -59,7 +59,20 @@ TEST(TablesBytes, AreRefusedWhereANumberIsNone) {
   const auto not_a_number = [](Bytes& bytes) {
     for (std::size_t i = 0; i < 8; ++i) bytes[kFrequencyAt + i] = 0xFF;
   };
-  EXPECT_EQ(complaint_after(not_a_number), "a.tables: section GRID holds a number that is out of its range");
+  EXPECT_EQ(complaint_after(not_a_number),
+            "a.tables: section GRID holds a number that is out of its range: frequency in Hz = nan (1 to 10000)");
+  const auto complaint_about_prior = [](float prior) {
+    auto tables = policy::made_up_tables();
+    tables.tables[1].prior = prior;
+    return complaint_about(support::signed_bytes(tables));
+  };
+  const std::string name{policy::made_up_tables().tables[1].name.begin(), policy::made_up_tables().tables[1].name.end()};
+  EXPECT_EQ(complaint_about_prior(0.0F),
+            "a.tables: section OCNS holds a number that is out of its range: prior of \"" + name + "\" = 0 (1e-06 to 1e+06)");
+  auto upside_down = policy::made_up_tables();
+  upside_down.sea_depth = {.least = Meters{900.0}, .most = Meters{800.0}};
+  EXPECT_EQ(complaint_about(support::signed_bytes(upside_down)),
+            "a.tables: section GRID holds a number that is out of its range: greatest depth of the sea floor = 800 (900 to 12000)");
 }
 
 TEST(TablesBytes, OfAnotherKindOrVersionSaySo) {

@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
   line.option("JOURNAL", &command.journal, "journal of a flight (.lcmlog)").required();
   line.option("--policy", &command.policy, "what would this policy have decided? (.policy; its signature is not looked at)");
   line.option("--tables", &command.tables,
-              "what would have been decided by these ocean tables? (.tables; their signature is not looked at)");
+              "what would have been decided by these ocean tables? (.tables; their signature is not looked at)")
+      .names("a file");
   line.option("--mission", &command.mission,
               "what would have been decided on this mission? (TOML; with the journal's policy, unless --policy, and the journal's seed)");
   line.option("--from", &command.from_step, "compare, and list, from this step on; what stands before it is given to the core alone");
