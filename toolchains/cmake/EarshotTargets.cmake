@@ -78,10 +78,12 @@ define_property(TARGET PROPERTY EARSHOT_BASELINE INITIALIZE_FROM_VARIABLE EARSHO
 
 # earshot_record_calls(TARGET): beside each of its objects GCC writes who calls whom and with how much stack (.ci), for core_calls.cmake. Calls at a
 # function's end stay calls, so that a recursion is seen though the optimiser could make a loop of it. Without ccache, which does not keep these files.
-# For a microcontroller the code stays what flies: its stack alone is asked for (tests/cortex_m7).
+# For a microcontroller the code stays what flies, calls at a function's end with it: its stack alone is asked for (tests/cortex_m7/check_budgets).
 function(earshot_record_calls TARGET)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CROSSCOMPILING AND NOT EARSHOT_PYTHON)
     target_compile_options(${TARGET} PRIVATE -fcallgraph-info=su,da -fno-optimize-sibling-calls)
+  elseif(EARSHOT_BARE_METAL)
+    target_compile_options(${TARGET} PRIVATE -fcallgraph-info=su,da)
   else()
     return()
   endif()
