@@ -56,8 +56,7 @@ inline std::unique_ptr<FrozenPolicy> small_policy() {
   return policy;
 }
 
-/// small_policy() that sees a belief.
-inline std::unique_ptr<FrozenPolicy> believing_policy() {
+inline std::unique_ptr<FrozenPolicy> new_believing_policy() {
   auto policy = small_policy();
   BeliefModel& belief = policy->observation.belief;
   belief.actions = policy->actions;
@@ -76,8 +75,13 @@ inline std::unique_ptr<FrozenPolicy> believing_policy() {
   return policy;
 }
 
-/// believing_policy() without a network: it sees how far the belief spreads, then the preferences of its four actions, the last first.
-inline std::unique_ptr<FrozenPolicy> advising_policy() {
+/// small_policy() that sees a belief. Its golden searches are flown once, for they take longer than whatever is asked of it.
+inline std::unique_ptr<FrozenPolicy> believing_policy() {
+  static const std::unique_ptr<const FrozenPolicy> kept = new_believing_policy();
+  return std::make_unique<FrozenPolicy>(*kept);
+}
+
+inline std::unique_ptr<FrozenPolicy> new_advising_policy() {
   auto policy = believing_policy();
   policy->observation.spec.clear();
   EXPECT_EQ(policy->observation.spec.push_back({.feature = Feature::kSpread, .scale = 1e-4F}), Status::kOk);
@@ -91,6 +95,12 @@ inline std::unique_ptr<FrozenPolicy> advising_policy() {
   }
   record(*policy);
   return policy;
+}
+
+/// believing_policy() without a network: it sees how far the belief spreads, then the preferences of its four actions, the last first.
+inline std::unique_ptr<FrozenPolicy> advising_policy() {
+  static const std::unique_ptr<const FrozenPolicy> kept = new_advising_policy();
+  return std::make_unique<FrozenPolicy>(*kept);
 }
 
 }  // namespace earshot::policy
