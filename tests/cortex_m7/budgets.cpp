@@ -108,6 +108,7 @@ void measure_belief(State& state) {
   Account updates;
   Account observations;
   Account decisions;
+  Account slices;
   std::array<float, config::kMaxObservation> observation;
   std::array<float, 8> logits;
   for (int look = 0; look < kLooks; ++look) {
@@ -127,12 +128,20 @@ void measure_belief(State& state) {
     updates.take(updated - began);
     observations.take(observed - updated);
     decisions.take(instructions() - began);
+    bool is_left = true;
+    while (is_left) {
+      const std::uint32_t slice_began = instructions();
+      is_left = state.memory.ponder(state.model, state.tables);
+      slices.take(instructions() - slice_began);
+    }
   }
   tell("belief_update_most", updates.most);
   tell("belief_update_mean", static_cast<std::uint32_t>(updates.sum / kLooks));
   tell("observation_most", observations.most);
   tell("decision_most", decisions.most);
   tell("decision_mean", static_cast<std::uint32_t>(decisions.sum / kLooks));
+  tell("slice_most", slices.most);
+  tell("pondering_mean", static_cast<std::uint32_t>(slices.sum / kLooks));
 }
 
 /// One channel at 1 kHz; half a minute of it, in blocks of a second, behind the half minute in which the noise is learnt.
