@@ -3,7 +3,9 @@
 Flown on a pseudo-terminal with an own sensor, and by a policy that came from Python.
 
 usage: integrator_test.py BUILD [PYTHON]
-BUILD: folder of a whole build; PYTHON: one with earshot_gym and Stable-Baselines3, to train with
+       integrator_test.py --installed
+BUILD: folder of a whole build, whose component dev is installed for it; --installed: the packages are, in /usr
+PYTHON: one with earshot_gym and Stable-Baselines3, to train with
 """
 
 import math
@@ -23,7 +25,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[5]
 EXAMPLE = ROOT / "firmware/boards/linux/examples/integrator"
-BUILD = Path(sys.argv[1]).resolve()
+BUILD = None if sys.argv[1] == "--installed" else Path(sys.argv[1]).resolve()
+PROGRAMS = Path("/usr/bin") if BUILD is None else BUILD / "bin"
 PYTHON = sys.argv[2] if len(sys.argv) > 2 else None
 URL = f"udpm://239.255.76.67:{20000 + os.getpid() % 10000}?ttl=0"  # of this test alone
 PATIENCE_S = 60.0
@@ -90,23 +93,16 @@ class Integrator(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp(prefix="integrator-"))
         cls.addClassCleanup(shutil.rmtree, cls.folder)
-        installed = cls.folder / "installed"
-        run("cmake", "--install", BUILD, "--component", "dev", "--prefix", installed)
         cls.mine = cls.folder / "mine"
         shutil.copytree(EXAMPLE, cls.mine)
-        run(
-            "cmake",
-            "-G",
-            "Ninja",
-            "-S",
-            cls.mine,
-            "-B",
-            cls.mine / "build",
-            f"-DCMAKE_PREFIX_PATH={installed}",
-            "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache",
-        )
+        configure = ["cmake", "-G", "Ninja", "-S", cls.mine, "-B", cls.mine / "build"]
+        if BUILD is not None:
+            installed = cls.folder / "installed"
+            run("cmake", "--install", BUILD, "--component", "dev", "--prefix", installed)
+            configure += [f"-DCMAKE_PREFIX_PATH={installed}", "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"]
+        run(*configure)
         run("cmake", "--build", cls.mine / "build")
-        run(BUILD / "bin/earshot", "init", cls.mine / "own", "--lcm-url", URL)
+        run(PROGRAMS / "earshot", "init", cls.mine / "own", "--lcm-url", URL)
 
     def fly(self, mission, legs):
         """Flies until so many headings were given, and an end by Ctrl-C. @return what the vehicle was told"""
@@ -136,7 +132,7 @@ class Integrator(unittest.TestCase):
                     process.kill()
                     process.wait()
         self.assertEqual(vehicle.told[-1][3], 0.0, "not told to come up at the end")
-        run(BUILD / "bin/earshot", "replay", journal / "journal.lcmlog")
+        run(PROGRAMS / "earshot", "replay", journal / "journal.lcmlog")
         return during
 
     def test_own_port_and_own_sensor_fly_a_search_that_replays_byte_for_byte(self):
@@ -151,7 +147,7 @@ class Integrator(unittest.TestCase):
             model = self.folder / "my_policy.zip"
         own = self.mine / "own"
         run(
-            BUILD / "bin/earshot",
+            PROGRAMS / "earshot",
             "freeze",
             model,
             "-o",
@@ -170,7 +166,7 @@ class Integrator(unittest.TestCase):
         text = re.sub(r'^file = ".*?"', 'file = "my.policy"', text, flags=re.MULTILINE)
         text = re.sub(r'^public_key_file = ".*?"', 'public_key_file = "my.pub"', text, flags=re.MULTILINE)
         (own / "by_my_policy.toml").write_text(text)
-        self.assertIn("my.policy", run(BUILD / "bin/earshotd", "--check", own / "by_my_policy.toml"))
+        self.assertIn("my.policy", run(PROGRAMS / "earshotd", "--check", own / "by_my_policy.toml"))
         self.fly(own / "by_my_policy.toml", legs=1)
 
 
