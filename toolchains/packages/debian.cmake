@@ -51,7 +51,7 @@ describe(tools earshot-tools "earshot-sil (= THIS_VERSION), gnuplot-nox | gnuplo
 describe(hil earshot-hil "earshot-sil (= THIS_VERSION), python3:any, iproute2, kmod" "user-mode-linux" "flies missions with faults on a CAN bus or over LCM"
   "The bench: over a hundred missions with faults, a vehicle's devices on a CAN\nbus, emulated, and a virtual CAN bus on any machine.")
 describe(dev earshot-dev "libsodium-dev, libtomlplusplus-dev, liblcm-dev, pkg-config" "cmake, g++" "headers and libraries of Earshot's vehicle software"
-  "For programs that speak to Earshot or are built around it: find_package(Earshot)\nfor CMake, the LCM types (.lcm), the simulation link (IDL) and the CAN messages\n(DBC).")
+  "For programs that speak to Earshot or are built around it:\nfind_package(Earshot) for CMake, the LCM types (.lcm), the simulation link\n(IDL) and the CAN messages (DBC).")
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 
 # What a component's package does when it comes and goes.
