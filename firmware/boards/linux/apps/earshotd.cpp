@@ -272,7 +272,7 @@ int fly(Flight& f) {
 /// Makes nothing: of a folder that is not there yet, what would be made first is judged.
 /// @throws host::BadInput when a flight could not write its journal.
 void require_room_for_journal(const Options& o) {
-  std::filesystem::path made = std::filesystem::absolute(o.out) / "journal.lcmlog";
+  std::filesystem::path made = (std::filesystem::absolute(o.out) / "journal.lcmlog").lexically_normal();
   std::error_code error;
   while (!std::filesystem::exists(made.parent_path(), error)) made = made.parent_path();
   // Without --replace a flight leaves a journal that is there, and numbers its own.
