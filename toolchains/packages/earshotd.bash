@@ -3,7 +3,7 @@ _earshotd() {
   local word=${COMP_WORDS[COMP_CWORD]}
   COMPREPLY=()
   if [[ $word == -* ]]; then
-    mapfile -t COMPREPLY < <(compgen -W "$(earshotd --help 2>/dev/null | grep -oE -- '(^|[ ,])--?[a-z][a-z-]*' | tr -d ' ,')" -- "$word")
+    mapfile -t COMPREPLY < <(compgen -W "$(earshotd --help 2>/dev/null | sed -nE 's/^  (-[^ ]+( -[^ ]+)?).*/\1/p' | tr , ' ')" -- "$word")
   else
     compopt -o default
   fi
