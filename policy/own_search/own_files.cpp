@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 constexpr double kStepLength_m = 1000.0;
 constexpr double kMaxSteps = 100.0;
 
+const char* const kOverLcm = " over LCM, which a computer without a CAN bus has, too (without `--bus lcm`: over the mission's)";
+
 const fs::path kMissions = "firmware/boards/linux/missions";
 
 TemplateText shipped_text(const fs::path& relative) {
@@ -118,15 +120,16 @@ std::string readme_text(const OwnSearch& search, FliesBy by, const fs::path& fol
   const bool to_be_made = by == FliesBy::kTablesToBeMade;
   std::string text = "# A search of one's own\n```sh\n" + (to_be_made ? tables_command(search, folder) + "\n" : "") + command("earshotd") +
                      " --check " + mission + "\n" + command("earshot") + " fly --mission " + mission + " --environment " +
-                     shell_word((folder / kOceanFile).string()) + " --out " + shell_word((folder / "flight").string()) + "\n```\n";
+                     shell_word((folder / kOceanFile).string()) + " --out " + shell_word((folder / "flight").string()) +
+                     (search.bus == "lcm" ? "" : " --bus lcm") + "\n```\n";
   if (to_be_made)
     text +=
         "The first makes `search.tables`, what the vehicle believes possible of the ocean: here `ocean.toml` alone. At sea the ocean is "
         "not known so well: name as many "
         "files as there are oceans that may be true there. It is needed once, and again after a change of depth, area or frequency. ";
   text += std::string(to_be_made ? "The second" : "The first") + " says what the mission will do, and what may be wrong with it. The " +
-          (to_be_made ? "third" : "second") +
-          " flies it in the ocean of `ocean.toml` and leaves `flight/report.html`.\n\n"
+          (to_be_made ? "third" : "second") + " flies it in the ocean of `ocean.toml`" + (search.bus == "lcm" ? "" : kOverLcm) +
+          " and leaves `flight/report.html`.\n\n"
           "| file | what | change it for |\n|---|---|---|\n"
           "| `mission.toml` | what the vehicle does | area, depth, speed, limits, bus, rules of safety |\n"
           "| `ocean.toml` | what `earshot fly` searches in | water, sea floor, noise, source |\n"

@@ -86,6 +86,12 @@ TEST_F(OwnFiles, ReadmeMakesTablesFirstWhereNoneThatShipAreOfTheSearch) {
   EXPECT_EQ(readme_text(search, FliesBy::kOwnPolicy, "/own").find("earshot tables /own"), std::string::npos);
 }
 
+TEST_F(OwnFiles, ReadmeFliesOverLcmWhateverTheMissionsBus) {
+  EXPECT_EQ(readme_text({}, FliesBy::kWhatShips, "/own").find("--bus"), std::string::npos);
+  for (const char* bus : {"can", "mixed"})
+    EXPECT_NE(readme_text({.bus = bus}, FliesBy::kWhatShips, "/own").find(" --out /own/flight --bus lcm\n```\n"), std::string::npos) << bus;
+}
+
 TEST_F(OwnFiles, CommandsHoldFoldersWithSpacesAndQuotes) {
   EXPECT_NE(run_text("/a b/it's").find("\ncd '/a b/it'\\''s' || exit 2\n"), std::string::npos);
   EXPECT_NE(readme_text({}, FliesBy::kWhatShips, "/a b").find("--check '/a b/mission.toml'\n"), std::string::npos);
