@@ -5,6 +5,9 @@ fail() { echo "$*" >&2; exit 1; }
 # Newest file names first would do for dpkg, too: it sorts out who needs whom.
 install_from() { dpkg -i "$1"/earshot_*.deb "$1"/earshot-sil_*.deb "$1"/earshot-tools_*.deb "$1"/earshot-hil_*.deb; }
 
+# What stands on this machine, in MB, without what apt fetched to install it. Not df, for other machines are on the same disk.
+disk_mb() { du -xsm --exclude=/var/lib/apt/lists --exclude=/var/cache --exclude=/packages --exclude=/newer / | cut -f 1; }
+
 # "1.2.3 installed"; "half-installed" and others where dpkg was stopped in the middle.
 version_of() { dpkg-query -W -f '${Version} ${db:Status-Status}' "$1"; }
 version_in() { dpkg-deb -f "$1"/earshot_*.deb Version; }
