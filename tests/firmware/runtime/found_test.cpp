@@ -71,7 +71,7 @@ TEST(SurpriseOnBoard, MakesTheVehicleSweepTheAreaToTheEnd) {
   rig.snr = Decibels{40.0};
   rig.sail(Order::kStart);
   int decisions = 1;
-  while (decisions < 20 && rig.state() == MissionState::kSearch && !rig.outputs.health.is_sweeping) {
+  while (decisions < 40 && rig.state() == MissionState::kSearch && !rig.outputs.health.is_sweeping) {
     rig.sail_to_decision();
     ++decisions;
   }
