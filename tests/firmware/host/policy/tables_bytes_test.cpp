@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <functional>
 #include <string>
 #include <vector>
@@ -33,8 +34,14 @@ std::string complaint_after(const std::function<void(Bytes&)>& damage) {
   return complaint_about(bytes);
 }
 
+template <class Number>
+void put(Bytes& bytes, std::size_t at, Number number) {
+  std::memcpy(&bytes[at], &number, sizeof number);
+}
+
 // By firmware/policy/tables/README.md.
 constexpr std::size_t kFrequencyAt = 26;
+constexpr std::size_t kSeaDepthAt = 58;
 constexpr std::size_t kRangeCountAt = 82;
 constexpr std::size_t kOceansAt = 84;
 constexpr std::size_t kFirstNameAt = 97;
@@ -61,17 +68,15 @@ TEST(TablesBytes, AreRefusedWhereANumberIsNone) {
   };
   EXPECT_EQ(complaint_after(not_a_number),
             "a.tables: section GRID holds a number that is out of its range: frequency in Hz = nan (1 to 10000)");
-  const auto complaint_about_prior = [](float prior) {
-    auto tables = policy::made_up_tables();
-    tables.tables[1].prior = prior;
-    return complaint_about(support::signed_bytes(tables));
-  };
-  const std::string name{policy::made_up_tables().tables[1].name.begin(), policy::made_up_tables().tables[1].name.end()};
-  EXPECT_EQ(complaint_about_prior(0.0F),
+  const policy::OceanTables made_up = policy::made_up_tables();
+  const std::string name{made_up.tables[0].name.begin(), made_up.tables[0].name.end()};
+  EXPECT_EQ(complaint_after([&name](Bytes& bytes) { put(bytes, kFirstNameAt + name.size(), 0.0F); }),
             "a.tables: section OCNS holds a number that is out of its range: prior of \"" + name + "\" = 0 (1e-06 to 1e+06)");
-  auto upside_down = policy::made_up_tables();
-  upside_down.sea_depth = {.least = Meters{900.0}, .most = Meters{800.0}};
-  EXPECT_EQ(complaint_about(support::signed_bytes(upside_down)),
+  const auto upside_down = [](Bytes& bytes) {
+    put(bytes, kSeaDepthAt, 900.0);
+    put(bytes, kSeaDepthAt + sizeof(double), 800.0);
+  };
+  EXPECT_EQ(complaint_after(upside_down),
             "a.tables: section GRID holds a number that is out of its range: greatest depth of the sea floor = 800 (900 to 12000)");
 }
 
