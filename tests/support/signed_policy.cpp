@@ -12,6 +12,7 @@
 #include "firmware/core/geometry.hpp"
 #include "firmware/policy/format/policy_format.hpp"
 #include "firmware/policy/tables/tables_format.hpp"
+#include "tests/bits/eight_directions.hpp"
 
 namespace earshot::support {
 namespace {
@@ -38,25 +39,16 @@ void record(policy::FrozenPolicy& policy) {
 }  // namespace
 
 policy::FrozenPolicy random_walk_policy() {
-  constexpr double kDiagonal = 0.70710678118654752;
-  constexpr std::array<UnitNorthEast, 8> kCompass{{{1, 0},
-                                                   {kDiagonal, kDiagonal},
-                                                   {0, 1},
-                                                   {-kDiagonal, kDiagonal},
-                                                   {-1, 0},
-                                                   {-kDiagonal, -kDiagonal},
-                                                   {0, -1},
-                                                   {kDiagonal, -kDiagonal}}};
   policy::FrozenPolicy policy;
   policy.observation.spec = policy::simple_state({Meters{25'000}, Meters{25'000}});
-  for (const UnitNorthEast& direction : kCompass) (void)policy.actions.push_back(direction);
+  for (const UnitNorthEast& direction : bits::kEightDirections) (void)policy.actions.push_back(direction);
   policy.step_length = Meters{1000};
   policy.area_size = {Meters{25'000}, Meters{25'000}};
   policy.detection_threshold = Decibels{10};
   policy.draw = policy::ActionDraw::kSampled;
   policy.network.observation_size = policy.observation.spec.size();
   policy.network.hidden_sizes = {8, 8};
-  policy.network.action_count = kCompass.size();
+  policy.network.action_count = bits::kEightDirections.size();
   record(policy);
   return policy;
 }
