@@ -72,14 +72,30 @@ class HypothesisBlock {
   [[nodiscard]] std::uint32_t fingerprint(const BeliefModel& model, std::uint32_t crc) const;
 
  private:
-  [[nodiscard]] FloatLanes sums(const BeliefModel& model) const;
+  void weigh_together(const BeliefModel& model, const Lanes& lanes, std::span<const LogLanes> log_likelihoods,
+                      std::span<const std::uint16_t> ranges);
+  void weigh_one(const BeliefModel& model, std::size_t lane, std::span<const LogLanes> log_likelihoods,
+                 std::span<const std::uint16_t> ranges);
+  [[nodiscard]] const FloatLanes& sums(const BeliefModel& model) const;
+  [[nodiscard]] FloatLanes sum_together(const BeliefModel& model) const;
+  [[nodiscard]] float sum_one(const BeliefModel& model, std::size_t lane) const;
+  void add_together(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const;
+  void add_each(const BeliefModel& model, const FloatLanes& shares, std::span<float> marginal) const;
+  // Each loop over the cells twice, with the same bits: of all eight together for registers that hold eight, of one for targets without
+  // such (kHasVectors). What one does not take stays bit for bit as it was.
   void settle(const BeliefModel& model);
+  void settle_together(const BeliefModel& model);
+  void settle_one(const BeliefModel& model, std::size_t lane);
+  void spread_together(const BeliefModel& model, std::uint8_t cells);
+  void spread_one(const BeliefModel& model, std::size_t lane);
 
   std::array<Hypothesis, kLanes> hypotheses_;
   std::array<LogLanes, config::kMaxBeliefCells>
       weights_;                    ///< [north x east]; less the highest of a hypothesis they are at least kForgotten
   LogLanes highest_;               ///< of each hypothesis
   std::array<int, kLanes> scale_;  ///< what has been taken off every weight of a hypothesis
+  mutable FloatLanes sums_;        ///< of each hypothesis over the cells, the likeliest counted as one
+  mutable bool has_sums_;          ///< of the weights as they are
 };
 
 }  // namespace earshot::policy
