@@ -261,7 +261,7 @@ TEST_F(OceanBeliefTest, HasTheSameBitsOnEveryMachine) {
     const double east_m = 25'000 * random.uniform_double();
     belief->update(large, oceans, at(north_m, east_m), {.snr = Decibels{30.0 * random.uniform_double()}, .too_faint = i % 5 == 0});
   }
-  EXPECT_EQ(belief->fingerprint(large), 0xF3D28E7CU);  // of x86-64, for SSE2 and for AVX2, and of aarch64
+  EXPECT_EQ(belief->fingerprint(large), 0xC460E5FAU);  // of x86-64, for SSE2 and for AVX2, and of aarch64
 }
 
 /// As loud everywhere, so that a bearing alone tells of the place: from outside, where nothing is ruled out.
