@@ -51,7 +51,7 @@ struct Counters {
 };
 
 /// From this surprise on what is heard is not explained: firmware/policy/ocean_belief judges by it, and so does who reads health alone.
-inline constexpr float kSurprising_bits = 6.0F;
+inline constexpr float kSurprising_bits = 6.75F;
 
 /// State of the runtime and of its ports. It is the heartbeat, too: a turn stamps it last of all, after the safety layer, so that whoever
 /// hears it knows that the step that decides has come to its end.

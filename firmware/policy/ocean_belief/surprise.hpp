@@ -11,8 +11,8 @@
 namespace earshot::policy {
 
 /// From this surprise on what was heard is not explained, bits. Were no hypothesis odd and all of them held, what is drawn from P would
-/// ever come to it in at most 2^-6 of all missions, 1.6 % (Ville's inequality). Oddity breaks that, on purpose: the measured share is what
-/// counts, README.md.
+/// ever come to it in at most 2^-6.75 of all missions, 0.9 % (Ville's inequality). Oddity breaks that, on purpose: the measured share is
+/// what counts, README.md.
 inline constexpr float kSurpriseLevel_bits = messages::kSurprising_bits;
 
 /// From this surprise on the vehicle sweeps the area. Chosen so that in no world measured it then finds less than by a sweep alone; of what

@@ -49,6 +49,13 @@ class PageTest(unittest.TestCase):
                 ("b", "oracle", 100, shipped),
             ],
         )
+        self.write(
+            "told",
+            [
+                ("a", "shipped", 100, shipped.replace("0.945", "0.95")),
+                ("b", "shipped", 100, shipped.replace("0.945", "0.99")),
+            ],
+        )
         (self.folder / "commit").write_text("0123abc\n")
 
     def write(self, name: str, of: list[tuple[str, str, int, str]]) -> None:
@@ -70,6 +77,9 @@ class PageTest(unittest.TestCase):
             " ".join(self.page().split()),
         )
 
+    def test_says_what_is_found_where_the_ocean_is_told(self) -> None:
+        self.assertIn("finds 97.0 %, and 95 % or more in 2 of 2 worlds instead of 1", " ".join(self.page().split()))
+
     def test_says_what_is_noticed_with_the_papers_table_alone(self) -> None:
         section = self.page().split("## With the paper's table only")[1].split("\n## ")[0]
         self.assertIn("200 searches of 15 steps", " ".join(section.split()))
@@ -78,9 +88,9 @@ class PageTest(unittest.TestCase):
     def test_says_what_was_declared_and_missed_in_the_test_split_and_with_a_bearing(self) -> None:
         page = self.page()
         found, hours = "(90.4 to 97.2)", "5.92 (5.50 to 6.25)"
-        self.assertIn(f"| `a` | 90 % {found} | {hours} | -0.8 | 2 % | 0.5, 0 % | 12.5 % | 31 % | 94.5 % |", page)
+        self.assertIn(f"| `a` | 90 % {found} | {hours} | -0.8 | 2 % | 0.5, 0 % | 12.5 % | 95 % | 31 % | 94.5 % |", page)
         # In b no search came within a step length: of nothing there is no share.
-        self.assertIn(f"| `b` | 97 % {found} | {hours} | -0.8 | 5 % | 0.5, 0 % | - | 31 % | 94.5 % |", page)
+        self.assertIn(f"| `b` | 97 % {found} | {hours} | -0.8 | 5 % | 0.5, 0 % | - | 99 % | 31 % | 94.5 % |", page)
         self.assertIn(f"| `rock` | 94.5 % {found} | {hours} | 3.50 | 0.5, 0 % | 12.5 % |\n", page)
 
     def test_says_how_many_were_surprised_over_the_test_worlds(self) -> None:

@@ -16,8 +16,8 @@ nlohmann::json summary_with(const SearchAccount& account) {
 
 TEST(SearchAccount, SaysFromWhichStepOnASearchWasSurprisedAndSweptAndHowSurprisedItEnded) {
   SearchAccount account;
-  account.note({.steps_taken = 8, .believed_source = kSomewhere, .surprise_bits = 5.9F}, Meters{9'000.0});
-  account.note({.steps_taken = 9, .believed_source = kSomewhere, .surprise_bits = 6.0F}, Meters{9'000.0});
+  account.note({.steps_taken = 8, .believed_source = kSomewhere, .surprise_bits = 6.7F}, Meters{9'000.0});
+  account.note({.steps_taken = 9, .believed_source = kSomewhere, .surprise_bits = 6.75F}, Meters{9'000.0});
   account.note({.steps_taken = 11, .believed_source = kSomewhere, .surprise_bits = 12.0F, .is_sweeping = true}, Meters{9'000.0});
   account.note({.steps_taken = 100, .believed_source = kSomewhere, .surprise_bits = 13.25F, .is_sweeping = true}, Meters{9'000.0});
   EXPECT_EQ(account.to_json().dump(), R"({"surprise_bits":13.25,"surprised_from_step":9,"swept_from_step":11,"declared_found":null})");

@@ -89,10 +89,10 @@ TEST_F(TimelineTest, TellsOnceInASearchThatItIsSurprisedAndWhenItBeginsToSweep) 
   health_t health{};
   health.state = health_t::SEARCH;
   health.authority = health_t::COMMAND;
-  health.surprise_bits = 5.9F;
+  health.surprise_bits = 6.7F;
   EXPECT_EQ(tell(health), Lines{"SEARCH"});
-  health.surprise_bits = 6.0F;
-  EXPECT_EQ(tell(health), Lines{"is surprised: what it hears is unlikely in every ocean of its tables (surprise 6.0 bits)"});
+  health.surprise_bits = 6.75F;
+  EXPECT_EQ(tell(health), Lines{"is surprised: what it hears is unlikely in every ocean of its tables (surprise 6.8 bits)"});
   health.surprise_bits = 5.0F;
   EXPECT_EQ(tell(health), Lines{});
   health.surprise_bits = 7.0F;
@@ -103,7 +103,7 @@ TEST_F(TimelineTest, TellsOnceInASearchThatItIsSurprisedAndWhenItBeginsToSweep) 
   health = {};
   (void)tell(health);
   health.state = health_t::SEARCH;
-  health.surprise_bits = 6.5F;
+  health.surprise_bits = 7.0F;
   EXPECT_EQ(tell(health).size(), 2U) << "another search";
 }
 
