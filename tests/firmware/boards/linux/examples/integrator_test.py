@@ -5,7 +5,7 @@ Flown on a pseudo-terminal with an own sensor, and by a policy that came from Py
 usage: integrator_test.py BUILD [PYTHON]
        integrator_test.py --installed
 BUILD: folder of a whole build, whose component dev is installed for it; --installed: the packages are, in /usr
-PYTHON: one with earshot_gym and Stable-Baselines3, to train with
+PYTHON: one with earshot_gym and Stable-Baselines3; then my_policy.py trains with it, and its policy alone flies
 """
 
 import math
@@ -143,7 +143,9 @@ class Integrator(unittest.TestCase):
     def test_own_policy_from_python_flies_the_vehicle(self):
         model = ROOT / "tests/policy/freeze/models/memory.zip"  # as my_policy.py saves one
         if PYTHON is not None:
-            run(PYTHON, self.mine / "my_policy.py", "2048", cwd=self.folder)
+            train = f"import runpy, sb3_without_plots; runpy.run_path({str(self.mine / 'my_policy.py')!r})"
+            peers = {**os.environ, "PYTHONPATH": str(ROOT / "tests/bench/peers")}
+            run(PYTHON, "-c", train, "2048", cwd=self.folder, env=peers)
             model = self.folder / "my_policy.zip"
         own = self.mine / "own"
         run(
@@ -171,5 +173,5 @@ class Integrator(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    del sys.argv[1:]
-    unittest.main(verbosity=2)
+    tests = ["Integrator.test_own_policy_from_python_flies_the_vehicle"] if PYTHON else []
+    unittest.main(argv=[sys.argv[0], *tests], verbosity=2)
