@@ -13,11 +13,21 @@ from pathlib import Path
 
 from markdown import Command
 
-# A command that does not end by itself: must still run after three seconds, and end on Ctrl-C, as a shell's foreground
-# job would.
+# A command that does not end by itself: must still run after three seconds, and end on Ctrl-C with all that it started,
+# as a shell's foreground job would. Who sees something run on presses again: a process that a script starts with & takes
+# no notice of Ctrl-C until it has asked for it.
 _FUNCTIONS = r"""
+runs_in_group() {
+  local stat line words
+  for stat in /proc/[0-9]*/stat; do
+    { read -r line <"$stat"; } 2>/dev/null || continue
+    words=(${line##*) })
+    [[ ${words[2]} == "$1" && ${words[0]} != Z ]] && return
+  done
+  return 1
+}
 start_and_stop() {
-  local job
+  local job tenths
   set -m
   (eval "$1") &
   job=$!
@@ -27,15 +37,16 @@ start_and_stop() {
     kill -0 "$job" 2>/dev/null && continue
     wait "$job"
     echo "ended by itself with status $?, though it is marked as one that does not" >&2
+    kill -KILL -- "-$job" 2>/dev/null # what it left
     return 1
   done
-  kill -INT -- "-$job"
-  for _ in $(seq 200); do
+  for ((tenths = 0; tenths < 600; ++tenths)); do
+    ((tenths % 100)) || kill -INT -- "-$job"
     sleep 0.1
-    kill -0 "$job" 2>/dev/null || { wait "$job"; case $? in 0 | 130) return 0 ;; *) return 1 ;; esac; }
+    runs_in_group "$job" || { wait "$job"; case $? in 0 | 130) return 0 ;; *) return 1 ;; esac; }
   done
   kill -KILL -- "-$job"
-  echo "did not end within 20 s of Ctrl-C" >&2
+  echo "did not end within 60 s of Ctrl-C" >&2
   return 1
 }
 ended() { printf '%s\n' "$1" >&3; [ "$1" -eq 0 ] || exit "$1"; }
@@ -53,6 +64,16 @@ def _script(commands: list[Command]) -> str:
             lines.append(command.text)
         lines.append("ended $?")
     return "\n".join(lines) + "\n"
+
+
+def _kill_session(leader: int) -> None:
+    """All that it started, in whichever process group: each of them may hold the pipe that is read to its end."""
+    for name in os.listdir("/proc"):
+        try:
+            if name.isdigit() and os.getsid(int(name)) == leader:
+                os.kill(int(name), signal.SIGKILL)
+        except ProcessLookupError:  # it ended meanwhile
+            pass
 
 
 def failure_of(commands: list[Command], folder: Path, environment: dict[str, str], limit_s: float) -> str | None:
@@ -75,7 +96,7 @@ def failure_of(commands: list[Command], folder: Path, environment: dict[str, str
         printed, _ = shell.communicate(timeout=limit_s)
         why = f"status {shell.returncode}"
     except subprocess.TimeoutExpired:
-        os.killpg(shell.pid, signal.SIGKILL)
+        _kill_session(shell.pid)
         printed, _ = shell.communicate()
         why = f"not done within {limit_s:.0f} s"
     with os.fdopen(read_end) as statuses:

@@ -1,0 +1,61 @@
+"""Commands that run on when they should have ended: none hangs the test, and none is left."""
+
+import os
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import session
+from markdown import Command
+
+# Started with &, it takes no notice of Ctrl-C until it has asked for it, which is after the first.
+LATE = """
+import pathlib, signal, sys, time
+
+def stop(*_):
+    pathlib.Path("stopped").touch()
+    sys.exit()
+
+time.sleep(6)
+signal.signal(signal.SIGINT, stop)
+time.sleep(1000)
+"""
+
+
+def command(text: str, *marks: str) -> Command:
+    return Command(file=Path("README.md"), line=1, text=text, language="sh", marks=frozenset(marks))
+
+
+class Session(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def failure_of(self, *commands, limit_s=120.0):
+        return session.failure_of(list(commands), self.folder, dict(os.environ), limit_s)
+
+    def test_stops_what_a_command_started_that_took_no_notice_of_the_first_ctrl_c(self):
+        (self.folder / "late.py").write_text(LATE)
+        ran = command("sh -c 'python3 late.py & exec sleep 1000'", "start")
+        self.assertIsNone(self.failure_of(ran))
+        self.assertTrue((self.folder / "stopped").exists())
+
+    def test_tells_of_a_command_that_ends_by_itself_and_ends_what_it_left(self):
+        begin = time.monotonic()
+        left_behind = command("sh -c 'sleep 1000 & exit 3'", "start")
+        self.assertIn("ended by itself with status 3", self.failure_of(left_behind))
+        self.assertLess(time.monotonic() - begin, 60.0)
+
+    def test_ends_at_the_limit_though_a_job_of_another_group_holds_the_output(self):
+        begin = time.monotonic()
+        failure = self.failure_of(command("set -m; sleep 1000 & sleep 1000"), limit_s=1.0)
+        self.assertIn("not done within 1 s", failure)
+        self.assertLess(time.monotonic() - begin, 60.0)
+
+
+if __name__ == "__main__":
+    unittest.main()
