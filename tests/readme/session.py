@@ -14,8 +14,8 @@ from pathlib import Path
 from markdown import Command
 
 # A command that does not end by itself: must still run after three seconds, and end on Ctrl-C with all that it started,
-# as a shell's foreground job would. Who sees something run on presses again: a process that a script starts with & takes
-# no notice of Ctrl-C until it has asked for it.
+# as a shell's foreground job would. Who sees something run on presses again: a process that a script starts with &
+# takes no notice of Ctrl-C until it has asked for it.
 _FUNCTIONS = r"""
 runs_in_group() {
   local stat line words
