@@ -58,7 +58,7 @@ TEST_F(SeaPageTest, SaysHowSurprisedTheVehicleWasThatItSweptAndThatItDeclared) {
     believing.believes = 1;
     journal.decision(10, believing);
     journal.health(10, 0, 1.0F, false, false);
-    journal.health(20, 9, 6.0F, false, false);
+    journal.health(20, 9, 6.75F, false, false);
     journal.health(30, 11, 12.0F, true, false);
     journal.health(40, 34, 11.5F, true, true);
     journal.end(wire::Ending::kStopped);

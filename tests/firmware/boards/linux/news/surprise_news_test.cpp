@@ -29,8 +29,8 @@ TEST(SurpriseNews, SaysOnceThatASearchIsSurprisedAndThatItSweeps) {
     health.surprise_bits = surprise_bits;
     news.tell(Time{} + Duration::seconds(second), health);
   };
-  tell(0, 5.9F);
-  tell(20, 6.0F);
+  tell(0, 6.7F);
+  tell(20, 6.75F);
   tell(40, 5.0F);
   health.is_sweeping = true;
   tell(60, 12.0F);
